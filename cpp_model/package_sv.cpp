@@ -1,0 +1,80 @@
+// package_sv.cpp: prints rtl/pipegs_pkg.sv from config.def and records.def: `package_sv [key=value ...] > pipegs_pkg.sv`.
+//
+// The committed rtl/pipegs_pkg.sv is the default configuration, so rtl/ reads and builds on its own; a test compares it
+// with this program's output. Other configurations get a package of their own in their build folder.
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "cpp_model/config.hpp"
+
+namespace {
+
+struct Field {
+  const char* name;
+  const char* width;
+  bool is_signed;
+  const char* what;
+};
+struct Record {
+  const char* name;
+  const char* camel_name;
+  std::vector<Field> fields;
+};
+
+const std::vector<Record>& records() {
+  static const std::vector<Record> table = {
+#define PIPEGS_RECORD(Name, name) {#name, #Name, {
+#define FIELD_U(field, width, what) {#field, #width, false, what},
+#define FIELD_S(field, width, what) {#field, #width, true, what},
+#define PIPEGS_END(Name) }},
+#include "cpp_model/records.def"
+  };
+  return table;
+}
+
+void print_package(const pipegs::Config& config) {
+  std::map<std::string_view, pipegs::ConfigEntry> entries;
+  std::printf("// pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from\n"
+              "// cpp_model/config.def and cpp_model/records.def (`make package`): change those, never this file.\n"
+              "//\n// Configuration: %s.   Model  cpp_model/config.hpp, cpp_model/records.hpp\n"
+              "// Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.\n\n"
+              "package pipegs_pkg;\n\n",
+              pipegs::config_difference(config).c_str());
+  for (const pipegs::ConfigEntry& entry : pipegs::config_entries(config)) {
+    entries.emplace(entry.name, entry);
+    std::printf("  localparam int unsigned %-14s = %d;  // %.*s\n", std::string(entry.camel_name).c_str(), entry.value,
+                static_cast<int>(entry.what.size()), entry.what.data());
+  }
+  std::printf("\n  // What a beat of a stream is.\n"
+              "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
+              "  localparam logic [1:0] KindWindowEnd = 2'd2;\n");
+  for (const Record& record : records()) {
+    int bits = 0;
+    for (const Field& field : record.fields) bits += entries.at(field.width).value;
+    std::printf("\n  typedef struct packed {\n");
+    for (auto field = record.fields.rbegin(); field != record.fields.rend(); ++field) {
+      const pipegs::ConfigEntry& width = entries.at(field->width);
+      const std::string range = width.value == 1 && !field->is_signed ? "" : "[" + std::string(width.camel_name) + "-1:0] ";
+      std::printf("    logic %s%s%s;%s%s\n", field->is_signed ? "signed " : "", range.c_str(), field->name,
+                  *field->what ? "  // " : "", field->what);
+    }
+    std::printf("  } %s_t;\n  localparam int unsigned %sBits = %d;\n", record.name, record.camel_name, bits);
+  }
+  std::printf("\nendpackage\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    pipegs::Config config;
+    for (int i = 1; i < argc; ++i) pipegs::config_set(config, argv[i]);
+    pipegs::config_check(config);
+    print_package(config);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "package_sv: %s\n", error.what());
+    return 2;
+  }
+}

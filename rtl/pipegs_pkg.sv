@@ -1,0 +1,458 @@
+// pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from
+// cpp_model/config.def and cpp_model/records.def (`make package`): change those, never this file.
+//
+// Configuration: default.   Model  cpp_model/config.hpp, cpp_model/records.hpp
+// Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.
+
+package pipegs_pkg;
+
+  localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
+  localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
+  localparam int unsigned Window         = 64;  // side of a window (16, 32 or 64); regions are 8x8 pixels
+  localparam int unsigned Grid           = 4;  // cells of the orthogonal grid along one axis; 4 outdoor, 8 indoor
+  localparam int unsigned Chunk          = 32;  // most Gaussians in one chunk
+  localparam int unsigned ShDegree       = 3;  // highest SH degree that the colour hardware evaluates
+  localparam int unsigned WorldW         = 40;  // world coordinate, signed, unit 2^scene_exponent
+  localparam int unsigned PosW           = 20;  // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units
+  localparam int unsigned QuatW          = 16;  // quaternion component, s0.(QuatW-1)
+  localparam int unsigned ScaleMW        = 12;  // mantissa of a scale below its leading one
+  localparam int unsigned ScaleEW        = 6;  // exponent of a scale; 0 is scale zero
+  localparam int unsigned OpacityF       = 12;  // fraction of -log2(opacity), u4.F
+  localparam int unsigned BaseW          = 12;  // SH band 0 plus one half, s2.(BaseW-3)
+  localparam int unsigned ShMW           = 11;  // mantissa of an SH coefficient of band 1 to 3, signed
+  localparam int unsigned ShEW           = 5;  // exponent that the SH coefficients of one Gaussian share
+  localparam int unsigned IndexW         = 24;  // index of a Gaussian in its scene file, breaks ties in depth
+  localparam int unsigned ViewW          = 28;  // view-space coordinate, signed, unit 2^view_exp world units
+  localparam int unsigned DepthW         = 24;  // depth key: 6 exponent bits, then mantissa
+  localparam int unsigned TanF           = 22;  // fraction of x/z and y/z, s4.F
+  localparam int unsigned MeanF          = 12;  // fraction of a projected mean, s18.F pixel
+  localparam int unsigned MantissaW      = 26;  // normalised mantissas of the projection, leading one included
+  localparam int unsigned CoeffF         = 28;  // fraction of the power coefficients A to F, log2 units
+  localparam int unsigned PowerF         = 20;  // fraction of the Row Units' accumulators, log2 units
+  localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table (linear interpolation between its entries)
+  localparam int unsigned AlphaW         = 8;  // alpha, u0.AlphaW; 0 means below 1/255
+  localparam int unsigned ColorW         = 12;  // colour of a Gaussian, u2.(ColorW-2)
+  localparam int unsigned TW             = 19;  // transmittance, u1.(TW-1)
+  localparam int unsigned RgbW           = 16;  // accumulated colour, u2.(RgbW-2)
+  localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
+  localparam int unsigned Records        = 512;  // record store of one SU, each half of the double buffer
+  localparam int unsigned RegionsX       = 8;  // regions along a window's side
+  localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
+  localparam int unsigned RegionW        = 6;  // index of a region, row by row
+  localparam int unsigned KindW          = 2;  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
+  localparam int unsigned BitW           = 1;  // a flag
+  localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
+  localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
+  localparam int unsigned ExpW           = 6;  // block exponent, unsigned
+  localparam int unsigned FloatEW        = 9;  // exponent of a normalised mantissa, signed
+  localparam int unsigned SlotW          = 24;  // slot of a Gaussian in packed memory
+  localparam int unsigned CountW         = 20;  // Gaussians of a chunk, or chunks of a cell
+  localparam int unsigned HalfW          = 16;  // half extent of a bounding box, unsigned, unit 2^half_exp world units, rounded up
+  localparam int unsigned RotW           = 26;  // camera rotation matrix, s1.24
+  localparam int unsigned RotF           = 24;  // its fraction
+  localparam int unsigned CamQuatW       = 20;  // camera quaternion, s1.18
+  localparam int unsigned FocalW         = 28;  // focal length, u14.14 pixel
+  localparam int unsigned FocalF         = 14;  // its fraction
+  localparam int unsigned CenterW        = 28;  // principal point, s15.12 pixel
+  localparam int unsigned CenterF        = 12;  // its fraction
+  localparam int unsigned ReachW         = 32;  // pixels of reach per unit of scale and 1/z, u18.14
+  localparam int unsigned ScaleW         = 18;  // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
+  localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
+  localparam int unsigned TanW           = 27;  // x/z, y/z
+  localparam int unsigned MeanW          = 31;  // projected mean relative to the window's first pixel
+  localparam int unsigned DirectionW     = 18;  // component of the view direction, signed, block-normalised
+  localparam int unsigned RotationW      = 20;  // view-space rotation matrix of a Gaussian, s1.18
+  localparam int unsigned SlopeW         = 27;  // slope of the conditional mean, s1.25, magnitude at most 1 after the swap
+  localparam int unsigned AW             = 45;  // coefficient A, s16.CoeffF
+  localparam int unsigned BcW            = 41;  // coefficients B and C, s12.CoeffF
+  localparam int unsigned DefW           = 32;  // coefficients D, E and F, s3.CoeffF
+  localparam int unsigned PowerW         = 37;  // power in a Row Unit, s16.PowerF
+  localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
+  localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set
+  localparam int unsigned UnitW          = 2;  // number of a unit
+  localparam int unsigned GaussiansPerLine = 2;  // geometry records in a line of memory, at 0 and 256 bits
+  localparam int unsigned PixelW         = 64;  // pixel in the frame in memory: T u1.15, blue, green, red u2.14, red lowest
+  localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
+  localparam int unsigned MemoryW        = 512;  // a line of external memory
+  localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits
+
+  // What a beat of a stream is.
+  localparam logic [1:0] KindData = 2'd0;
+  localparam logic [1:0] KindLayerEnd = 2'd1;
+  localparam logic [1:0] KindWindowEnd = 2'd2;
+
+  typedef struct packed {
+    logic [AddressW-1:0] overflow;  // first line of the overflow areas
+    logic [AddressW-1:0] pixels;  // first line of the frame
+    logic [AddressW-1:0] colors;  // first line of the SH coefficients
+    logic [AddressW-1:0] gaussians;  // first line of the Gaussians' geometry
+    logic [AddressW-1:0] chunks;  // first line of the chunk table
+    logic [AddressW-1:0] cells;  // first line of the cell table
+    logic [FocalW-1:0] grid_scale_z;
+    logic [FocalW-1:0] grid_scale_y;
+    logic [FocalW-1:0] grid_scale_x;  // cells per world unit * 2^40
+    logic signed [WorldW-1:0] grid_z;
+    logic signed [WorldW-1:0] grid_y;
+    logic signed [WorldW-1:0] grid_x;  // low corner of the grid
+    logic [KindW-1:0] sh_degree;  // SH degree of the scene, at most ShDegree
+    logic [WorldW-1:0] near_plane;  // near plane, world units
+    logic [ReachW-1:0] reach_y;
+    logic [ReachW-1:0] reach_x;  // sqrt(2 ln 255) * fx * sqrt(1 + limit_x^2), rounded up, u18.14
+    logic [TanW-1:0] limit_y;
+    logic [TanW-1:0] limit_x;  // 1.3 tan(fov/2): guard band of the Jacobian, u4.TanF
+    logic signed [CenterW-1:0] center_y;
+    logic signed [CenterW-1:0] center_x;  // s15.12 pixel; pixel i has its centre at i
+    logic [FocalW-1:0] focal_y;
+    logic [FocalW-1:0] focal_x;  // u14.14 pixel
+    logic signed [CamQuatW-1:0] camera_qz;
+    logic signed [CamQuatW-1:0] camera_qy;
+    logic signed [CamQuatW-1:0] camera_qx;
+    logic signed [CamQuatW-1:0] camera_qw;  // the same rotation as a quaternion, s1.18
+    logic signed [RotW-1:0] w22;
+    logic signed [RotW-1:0] w21;
+    logic signed [RotW-1:0] w20;  // row 2 (forward)
+    logic signed [RotW-1:0] w12;
+    logic signed [RotW-1:0] w11;
+    logic signed [RotW-1:0] w10;  // row 1 (down)
+    logic signed [RotW-1:0] w02;
+    logic signed [RotW-1:0] w01;
+    logic signed [RotW-1:0] w00;  // world to camera, row 0 (right)
+    logic signed [WorldW-1:0] camera_z;
+    logic signed [WorldW-1:0] camera_y;
+    logic signed [WorldW-1:0] camera_x;  // camera centre, world units
+    logic [WindowW-1:0] last_y;  // last window row
+    logic [WindowW-1:0] last_x;  // last window column
+    logic [WindowW-1:0] first_y;  // first window row
+    logic [WindowW-1:0] first_x;  // first window column to render
+    logic [SizeW-1:0] height;  // pixels
+    logic [SizeW-1:0] width;  // pixels
+  } frame_t;
+  localparam int unsigned FrameBits = 1184;
+
+  typedef struct packed {
+    logic [CountW-1:0] count;  // cell: chunks; chunk: Gaussians
+    logic [SlotW-1:0] first;  // cell: first chunk; chunk: slot of the first Gaussian (even)
+    logic [ScaleW-1:0] scale_max;  // largest scale in the node, rounded up
+    logic [ExpW-1:0] offset_exp;  // unit of the offsets of the chunk's means is 2^offset_exp world units
+    logic [ExpW-1:0] half_exp;
+    logic [HalfW-1:0] half_z;
+    logic [HalfW-1:0] half_y;
+    logic [HalfW-1:0] half_x;  // half extents, unit 2^half_exp
+    logic signed [WorldW-1:0] center_z;
+    logic signed [WorldW-1:0] center_y;
+    logic signed [WorldW-1:0] center_x;  // centre of the bounding box of the means, world units
+  } node_t;
+  localparam int unsigned NodeBits = 242;
+
+  typedef struct packed {
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;  // SH band 0 + 1/2
+    logic [OpacityW-1:0] opacity;  // -log2(opacity)
+    logic [ScaleW-1:0] scale_2;
+    logic [ScaleW-1:0] scale_1;
+    logic [ScaleW-1:0] scale_0;  // standard deviation along the first axis
+    logic signed [QuatW-1:0] qz;
+    logic signed [QuatW-1:0] qy;
+    logic signed [QuatW-1:0] qx;
+    logic signed [QuatW-1:0] qw;  // unit quaternion, s0.(QuatW-1)
+    logic signed [PosW-1:0] offset_z;
+    logic signed [PosW-1:0] offset_y;
+    logic signed [PosW-1:0] offset_x;  // mean - chunk centre
+  } gaussian_t;
+  localparam int unsigned GaussianRecordBits = 254;
+
+  typedef struct packed {
+    logic [CountW-1:0] count;  // Gaussians
+    logic [SlotW-1:0] slot;  // first Gaussian (even)
+    logic [ExpW-1:0] offset_exp;
+    logic [ExpW-1:0] view_exp;
+    logic signed [ViewW-1:0] origin_z;
+    logic signed [ViewW-1:0] origin_y;
+    logic signed [ViewW-1:0] origin_x;  // chunk centre in view space, unit 2^view_exp
+    logic [WindowW-1:0] window_y;
+    logic [WindowW-1:0] window_x;
+    logic [KindW-1:0] kind;
+  } chunk_t;
+  localparam int unsigned ChunkBits = 162;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic [OpacityW-1:0] opacity;
+    logic [ScaleW-1:0] scale_2;
+    logic [ScaleW-1:0] scale_1;
+    logic [ScaleW-1:0] scale_0;
+    logic signed [QuatW-1:0] qz;
+    logic signed [QuatW-1:0] qy;
+    logic signed [QuatW-1:0] qx;
+    logic signed [QuatW-1:0] qw;
+    logic [ExpW-1:0] view_exp;
+    logic signed [ViewW-1:0] view_z;
+    logic signed [ViewW-1:0] view_y;
+    logic signed [ViewW-1:0] view_x;  // mean in view space, unit 2^view_exp
+    logic [WindowW-1:0] window_y;
+    logic [WindowW-1:0] window_x;
+    logic [KindW-1:0] kind;
+  } visible_t;
+  localparam int unsigned VisibleBits = 330;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;  // view-space direction to the mean, block-normalised
+    logic [DepthW-1:0] depth;  // depth key of view z: exponent, then mantissa
+    logic [OpacityW-1:0] opacity;
+    logic [ScaleW-1:0] scale_2;
+    logic [ScaleW-1:0] scale_1;
+    logic [ScaleW-1:0] scale_0;
+    logic signed [QuatW-1:0] qz;
+    logic signed [QuatW-1:0] qy;
+    logic signed [QuatW-1:0] qx;
+    logic signed [QuatW-1:0] qw;
+    logic signed [FloatEW-1:0] inv_z_e;
+    logic [MantissaW-1:0] inv_z_m;  // 1/z = m * 2^e per world unit, m normalised
+    logic signed [TanW-1:0] tan_y;
+    logic signed [TanW-1:0] tan_x;  // x/z clamped to the guard band
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;  // projected mean relative to the window's first pixel, s18.MeanF, saturated
+    logic [KindW-1:0] kind;
+  } projected_t;
+  localparam int unsigned ProjectedBits = 449;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic [DepthW-1:0] depth;
+    logic [OpacityW-1:0] opacity;
+    logic [ScaleW-1:0] scale_2;
+    logic [ScaleW-1:0] scale_1;
+    logic [ScaleW-1:0] scale_0;
+    logic signed [RotationW-1:0] r22;
+    logic signed [RotationW-1:0] r21;
+    logic signed [RotationW-1:0] r20;
+    logic signed [RotationW-1:0] r12;
+    logic signed [RotationW-1:0] r11;
+    logic signed [RotationW-1:0] r10;
+    logic signed [RotationW-1:0] r02;
+    logic signed [RotationW-1:0] r01;
+    logic signed [RotationW-1:0] r00;  // Gaussian's axes in view space: R' = W R, columns are the axes, s1.18
+    logic signed [FloatEW-1:0] inv_z_e;
+    logic [MantissaW-1:0] inv_z_m;
+    logic signed [TanW-1:0] tan_y;
+    logic signed [TanW-1:0] tan_x;
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;
+    logic [KindW-1:0] kind;
+  } oriented_t;
+  localparam int unsigned OrientedBits = 565;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic [DepthW-1:0] depth;
+    logic [OpacityW-1:0] opacity;
+    logic signed [FloatEW-1:0] det_e;
+    logic [MantissaW-1:0] det_m;  // determinant = m * 2^e pixel^4, m normalised
+    logic signed [FloatEW-1:0] c_e;
+    logic [MantissaW-1:0] c_m;  // covariance yy, 0.3 included, m normalised
+    logic signed [FloatEW-1:0] b_e;
+    logic signed [SlopeW-1:0] b_m;  // covariance xy = m * 2^e, signed, not normalised
+    logic signed [FloatEW-1:0] a_e;
+    logic [MantissaW-1:0] a_m;  // covariance xx, 0.3 included = m * 2^e pixel^2, m normalised
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;
+    logic [KindW-1:0] kind;
+  } covariance_t;
+  localparam int unsigned CovarianceBits = 383;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic [DepthW-1:0] depth;
+    logic [OpacityW-1:0] opacity;
+    logic signed [FloatEW-1:0] other_e;
+    logic signed [MantissaW-1:0] other_m;  // the other slope: b/a (b/c when swapped), block float, for exact edges
+    logic signed [FloatEW-1:0] narrow_e;
+    logic [MantissaW-1:0] narrow_m;  // 1/conditional variance: c/det (a/det when swapped) = m * 2^e
+    logic signed [SlopeW-1:0] slope_m;  // slope of the conditional mean: b/c (b/a when swapped) = m * 2^-25
+    logic swap;  // 1 when a > c: the roles of x and y are exchanged below
+    logic signed [FloatEW-1:0] inv_c_e;
+    logic [MantissaW-1:0] inv_c_m;  // 1/c = m * 2^e
+    logic signed [FloatEW-1:0] inv_a_e;
+    logic [MantissaW-1:0] inv_a_m;  // 1/a = m * 2^e
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;
+    logic [KindW-1:0] kind;
+  } conic_t;
+  localparam int unsigned ConicBits = 410;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic [DepthW-1:0] depth;
+    logic signed [DefW-1:0] f;
+    logic signed [DefW-1:0] e;
+    logic signed [DefW-1:0] d;  // power = A + B x + C y + D x^2 + E y^2 + F x y, Eq. 3
+    logic signed [BcW-1:0] c;  // d/dy at the first pixel
+    logic signed [BcW-1:0] b;  // d/dx at the first pixel
+    logic signed [AW-1:0] a;  // power at the window's first pixel, -log2(opacity) subtracted: alpha = 2^power
+    logic dead;  // a coefficient left its range: no pixel of the window can reach 1/255
+    logic [OpacityW-1:0] opacity;
+    logic signed [FloatEW-1:0] other_e;
+    logic signed [MantissaW-1:0] other_m;
+    logic signed [SlopeW-1:0] slope_m;
+    logic swap;
+    logic signed [FloatEW-1:0] inv_c_e;
+    logic [MantissaW-1:0] inv_c_m;
+    logic signed [FloatEW-1:0] inv_a_e;
+    logic [MantissaW-1:0] inv_a_m;
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;
+    logic [KindW-1:0] kind;
+  } coeff_t;
+  localparam int unsigned CoeffBits = 599;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic [DepthW-1:0] depth;
+    logic [Regions-1:0] mask;  // regions that hold a pixel with alpha >= 1/255: the 4-bit bitmap of each tile, row by row of regions
+    logic signed [DefW-1:0] f;
+    logic signed [DefW-1:0] e;
+    logic signed [DefW-1:0] d;
+    logic signed [BcW-1:0] c;
+    logic signed [BcW-1:0] b;
+    logic signed [AW-1:0] a;
+    logic [KindW-1:0] kind;
+  } tiles_t;
+  localparam int unsigned TilesBits = 451;
+
+  typedef struct packed {
+    logic [IndexW-1:0] index;
+    logic ext;  // the lines lie in the overflow area
+    logic [AlphaAddressW-1:0] address;  // line of the mask's first region; the others follow
+    logic [Regions-1:0] mask;
+    logic signed [DefW-1:0] f;
+    logic signed [DefW-1:0] e;
+    logic signed [DefW-1:0] d;
+    logic signed [BcW-1:0] c;
+    logic signed [BcW-1:0] b;
+    logic signed [AW-1:0] a;
+    logic [KindW-1:0] kind;
+  } row_job_t;
+  localparam int unsigned RowJobBits = 338;
+
+  typedef struct packed {
+    logic [RegionW-1:0] region;
+    logic [IndexW-1:0] index;
+    logic ext;
+    logic [AlphaAddressW-1:0] address;
+    logic signed [PowerW-1:0] twist;  // F
+    logic signed [PowerW-1:0] curve_y;  // E
+    logic signed [PowerW-1:0] curve_x;  // D
+    logic signed [PowerW-1:0] slope_y;  // d/dy there
+    logic signed [PowerW-1:0] slope_x;  // d/dx there
+    logic signed [PowerW-1:0] power;  // power at the region's first pixel
+  } region_t;
+  localparam int unsigned RegionBits = 277;
+
+  typedef struct packed {
+    logic [RegionW-1:0] region;
+    logic [IndexW-1:0] index;
+    logic ext;
+    logic [AlphaAddressW-1:0] address;
+  } alphas_t;
+  localparam int unsigned AlphasBits = 55;
+
+  typedef struct packed {
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic ext;
+    logic [AlphaAddressW-1:0] address;
+    logic [Regions-1:0] mask;
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic [DepthW-1:0] depth;
+    logic [KindW-1:0] kind;
+  } color_job_t;
+  localparam int unsigned ColorJobBits = 253;
+
+  typedef struct packed {
+    logic [ColorW-1:0] blue;
+    logic [ColorW-1:0] green;
+    logic [ColorW-1:0] red;
+    logic ext;
+    logic [AlphaAddressW-1:0] address;
+    logic [Regions-1:0] mask;
+    logic [IndexW-1:0] index;
+    logic [DepthW-1:0] depth;
+    logic [KindW-1:0] kind;
+  } splat_t;
+  localparam int unsigned SplatBits = 175;
+
+  typedef struct packed {
+    logic [UnitW-1:0] unit;  // whose alpha store holds the lines
+    logic [ColorW-1:0] blue;
+    logic [ColorW-1:0] green;
+    logic [ColorW-1:0] red;
+    logic ext;
+    logic [AlphaAddressW-1:0] address;
+    logic [Regions-1:0] mask;
+    logic [IndexW-1:0] index;
+    logic [DepthW-1:0] depth;
+    logic [KindW-1:0] kind;
+  } sorted_t;
+  localparam int unsigned SortedBits = 177;
+
+  typedef struct packed {
+    logic [TagW-1:0] tag;  // who asks; reads of one tag answer in order
+    logic [AddressW-1:0] address;  // line
+    logic write;
+  } memory_request_t;
+  localparam int unsigned MemoryRequestBits = 43;
+
+endpackage
