@@ -7,6 +7,8 @@
 // Paper   Table 2 (counts), Sec. 5.1 (grid).        RTL  rtl/pipegs_pkg.sv, printed by cpp_model/package_sv.cpp
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/lib/exp2.hpp"
 
 namespace {
 
@@ -33,6 +34,20 @@ const std::vector<Record>& records() {
   return table;
 }
 
+// The table of rtl/lib/exp2.sv: entry i is {delta, value}, entry 0 in the low bits.
+void print_exp2_table(const pipegs::Config& config) {
+  const pipegs::Exp2 table(config);
+  const int last = (1 << config.exp_index_w) - 1;
+  std::printf("\n  // Chords of 2^f: entry i is {delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.\n"
+              "  localparam int unsigned Exp2EntryW = ExpDeltaW + ExpValueW;\n"
+              "  localparam logic [%d*Exp2EntryW-1:0] Exp2Table = {",
+              last + 1);
+  for (int i = last; i >= 0; --i) {
+    std::printf("%s%d'h%llx%s", (last - i) % 8 == 0 ? "\n    " : " ", config.exp_delta_w() + config.exp_value_w(),
+                static_cast<unsigned long long>(table.delta[i]) << config.exp_value_w() | table.value[i], i > 0 ? "," : "\n  };\n");
+  }
+}
+
 void print_package(const pipegs::Config& config) {
   std::map<std::string_view, pipegs::ConfigEntry> entries;
   std::printf("// pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from\n"
@@ -49,6 +64,7 @@ void print_package(const pipegs::Config& config) {
   std::printf("\n  // What a beat of a stream is.\n"
               "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
               "  localparam logic [1:0] KindWindowEnd = 2'd2;\n");
+  print_exp2_table(config);
   for (const Record& record : records()) {
     int bits = 0;
     for (const Field& field : record.fields) bits += entries.at(field.width).value;

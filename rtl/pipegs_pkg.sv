@@ -11,6 +11,7 @@ package pipegs_pkg;
   localparam int unsigned Window         = 64;  // side of a window (16, 32 or 64); regions are 8x8 pixels
   localparam int unsigned Grid           = 4;  // cells of the orthogonal grid along one axis; 4 outdoor, 8 indoor
   localparam int unsigned Chunk          = 32;  // most Gaussians in one chunk
+  localparam int unsigned Group          = 16;  // most chunks in one group, the node between a cell and its chunks
   localparam int unsigned ShDegree       = 3;  // highest SH degree that the colour hardware evaluates
   localparam int unsigned WorldW         = 40;  // world coordinate, signed, unit 2^scene_exponent
   localparam int unsigned PosW           = 20;  // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units
@@ -36,11 +37,14 @@ package pipegs_pkg;
   localparam int unsigned RgbW           = 16;  // accumulated colour, u2.(RgbW-2)
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
   localparam int unsigned Records        = 512;  // record store of one SU, each half of the double buffer
+  localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
   localparam int unsigned RegionsX       = 8;  // regions along a window's side
   localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
   localparam int unsigned RegionW        = 6;  // index of a region, row by row
   localparam int unsigned KindW          = 2;  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
   localparam int unsigned BitW           = 1;  // a flag
+  localparam int unsigned KeyW           = 48;  // sort key: depth above index, so equal depths are ordered by index
+  localparam int unsigned RecordW        = 9;  // slot of a key or record in one half of an SU's stores
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
   localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned
@@ -55,18 +59,38 @@ package pipegs_pkg;
   localparam int unsigned FocalF         = 14;  // its fraction
   localparam int unsigned CenterW        = 28;  // principal point, s15.12 pixel
   localparam int unsigned CenterF        = 12;  // its fraction
+  localparam int unsigned TestW          = 20;  // corners and plane normals of the DOPU's box test, signed, block-normalised
   localparam int unsigned ReachW         = 32;  // pixels of reach per unit of scale and 1/z, u18.14
   localparam int unsigned ScaleW         = 18;  // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
   localparam int unsigned TanW           = 27;  // x/z, y/z
   localparam int unsigned MeanW          = 31;  // projected mean relative to the window's first pixel
   localparam int unsigned DirectionW     = 18;  // component of the view direction, signed, block-normalised
+  localparam int unsigned WorldDirectionW = 20;  // component of the view direction in world axes, s(DirectionW).1
+  localparam int unsigned LengthW        = 36;  // squared length of the view direction
+  localparam int unsigned UnitDirectionW = 18;  // component of the unit direction in world axes, s1.16
+  localparam int unsigned UnitDirectionF = 16;  // its fraction
+  localparam int unsigned BasisW         = 17;  // SH basis function, s0.16; none exceeds 0.75
+  localparam int unsigned BasisF         = 16;  // its fraction
+  localparam int unsigned QuarterW       = 2;  // quarter of a line: the slot of a Gaussian of SH degree 1
   localparam int unsigned RotationW      = 20;  // view-space rotation matrix of a Gaussian, s1.18
+  localparam int unsigned FactorW        = 27;  // signed mantissa of a factor of the covariance, normalised: the two top bits differ
+  localparam int unsigned WideEW         = 11;  // exponent of a product of factors, signed: nothing can leave it
   localparam int unsigned SlopeW         = 27;  // slope of the conditional mean, s1.25, magnitude at most 1 after the swap
+  localparam int unsigned ExtentW        = 22;  // half extent of a splat in the image, u18.4 pixel
   localparam int unsigned AW             = 45;  // coefficient A, s16.CoeffF
   localparam int unsigned BcW            = 41;  // coefficients B and C, s12.CoeffF
   localparam int unsigned DefW           = 32;  // coefficients D, E and F, s3.CoeffF
-  localparam int unsigned PowerW         = 37;  // power in a Row Unit, s16.PowerF
+  localparam int unsigned PowerW         = 41;  // power in a Row Unit, s20.PowerF: holds any pixel of any coefficients, nothing wraps
+  localparam int unsigned GradientW      = 34;  // first differences of the power, s13.PowerF
+  localparam int unsigned CurveW         = 25;  // D, E and F in a Row Unit, s4.PowerF
+  localparam int unsigned PowerCut       = 8382687;  // a pixel counts iff power >= -PowerCut, unit 2^-PowerF: alpha >= 1/255
+  localparam int unsigned ExpF           = 15;  // fraction bits of the power that exp2 reads
+  localparam int unsigned ExpValueW      = 15;  // value of an entry of the exp2 table, u1.(ExpValueW-1)
+  localparam int unsigned ExpDeltaW      = 9;  // difference of two entries, same unit; the leading bits are 0
+  localparam int unsigned ExpOutW        = 16;  // 2^fraction, u1.(ExpOutW-1)
+  localparam int unsigned AlphaMax       = 253;  // largest alpha code, round(0.99 * 2^AlphaW)
+  localparam int unsigned AlphaMemoryLines = 1;  // memory lines of one line of alphas in the overflow area
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
   localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set
   localparam int unsigned UnitW          = 2;  // number of a unit
@@ -75,11 +99,29 @@ package pipegs_pkg;
   localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
   localparam int unsigned MemoryW        = 512;  // a line of external memory
   localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits
+  localparam int unsigned TStop          = 27;  // a pixel stops before its transmittance falls below 1e-4: ceil(1e-4 * 2^(TW-1))
+  localparam int unsigned PerfW          = 40;  // a performance counter, cycles or events
+  localparam int unsigned WritePorts     = 12;  // memory ports that may write: PU alphas, SU, RU of each unit
+  localparam int unsigned MemoryPorts    = 21;  // memory ports: PU alphas, SU, RU, PU geometry, PU colour of each unit, then DOPU
+  localparam int unsigned PixelWordW     = 1088;  // sixteen pixels of T, red, green, blue, done: a word of the pixel buffer
 
   // What a beat of a stream is.
   localparam logic [1:0] KindData = 2'd0;
   localparam logic [1:0] KindLayerEnd = 2'd1;
   localparam logic [1:0] KindWindowEnd = 2'd2;
+
+  // Chords of 2^f: entry i is {delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.
+  localparam int unsigned Exp2EntryW = ExpDeltaW + ExpValueW;
+  localparam logic [64*Exp2EntryW-1:0] Exp2Table = {
+    24'hb0fe9f, 24'haefd42, 24'had7be8, 24'haafa93, 24'ha97941, 24'ha7f7f2, 24'ha576a8, 24'ha47560,
+    24'ha1f41d, 24'ha072dd, 24'h9ef1a0, 24'h9d7066, 24'h9b6f30, 24'h996dfe, 24'h97eccf, 24'h96eba2,
+    24'h946a7a, 24'h936954, 24'h916832, 24'h906712, 24'h8e65f6, 24'h8ce4dd, 24'h8b63c7, 24'h89e2b4,
+    24'h88e1a3, 24'h86e096, 24'h855f8c, 24'h845e84, 24'h825d80, 24'h815c7e, 24'h7fdb7f, 24'h7eda82,
+    24'h7cd989, 24'h7bd892, 24'h7a579e, 24'h7956ac, 24'h77d5bd, 24'h7654d1, 24'h7553e7, 24'h7452ff,
+    24'h72521b, 24'h71d138, 24'h705058, 24'h6ecf7b, 24'h6e4e9f, 24'h6c4dc7, 24'h6bccf0, 24'h6a4c1c,
+    24'h694b4a, 24'h684a7a, 24'h66c9ad, 24'h65c8e2, 24'h64c819, 24'h63c752, 24'h62c68d, 24'h6145cb,
+    24'h60c50a, 24'h5f444c, 24'h5e4390, 24'h5dc2d5, 24'h5c421d, 24'h5b4167, 24'h5ac0b2, 24'h594000
+  };
 
   typedef struct packed {
     logic [AddressW-1:0] overflow;  // first line of the overflow areas
@@ -87,10 +129,11 @@ package pipegs_pkg;
     logic [AddressW-1:0] colors;  // first line of the SH coefficients
     logic [AddressW-1:0] gaussians;  // first line of the Gaussians' geometry
     logic [AddressW-1:0] chunks;  // first line of the chunk table
+    logic [AddressW-1:0] groups;  // first line of the group table
     logic [AddressW-1:0] cells;  // first line of the cell table
     logic [FocalW-1:0] grid_scale_z;
     logic [FocalW-1:0] grid_scale_y;
-    logic [FocalW-1:0] grid_scale_x;  // cells per world unit * 2^40
+    logic [FocalW-1:0] grid_scale_x;  // cells per world unit * 2^WorldW
     logic signed [WorldW-1:0] grid_z;
     logic signed [WorldW-1:0] grid_y;
     logic signed [WorldW-1:0] grid_x;  // low corner of the grid
@@ -127,12 +170,12 @@ package pipegs_pkg;
     logic [SizeW-1:0] height;  // pixels
     logic [SizeW-1:0] width;  // pixels
   } frame_t;
-  localparam int unsigned FrameBits = 1184;
+  localparam int unsigned FrameBits = 1218;
 
   typedef struct packed {
-    logic [CountW-1:0] count;  // cell: chunks; chunk: Gaussians
-    logic [SlotW-1:0] first;  // cell: first chunk; chunk: slot of the first Gaussian (even)
-    logic [ScaleW-1:0] scale_max;  // largest scale in the node, rounded up
+    logic [CountW-1:0] count;  // cell: groups; group: chunks; chunk: Gaussians
+    logic [SlotW-1:0] first;  // cell: first group; group: first chunk; chunk: slot of the first Gaussian (even)
+    logic [ScaleW-1:0] scale_max;  // largest effective scale in the node, rounded up: scale * sqrt(ln(255 opacity) / ln 255)
     logic [ExpW-1:0] offset_exp;  // unit of the offsets of the chunk's means is 2^offset_exp world units
     logic [ExpW-1:0] half_exp;
     logic [HalfW-1:0] half_z;
@@ -164,6 +207,14 @@ package pipegs_pkg;
   localparam int unsigned GaussianRecordBits = 254;
 
   typedef struct packed {
+    logic signed [TestW-1:0] reach;  // of the near plane: -1, it multiplies the near distance
+    logic signed [TestW-1:0] nz;
+    logic signed [TestW-1:0] ny;
+    logic signed [TestW-1:0] nx;  // world-space normal, one unit for all four numbers
+  } plane_t;
+  localparam int unsigned PlaneBits = 80;
+
+  typedef struct packed {
     logic [CountW-1:0] count;  // Gaussians
     logic [SlotW-1:0] slot;  // first Gaussian (even)
     logic [ExpW-1:0] offset_exp;
@@ -176,6 +227,34 @@ package pipegs_pkg;
     logic [KindW-1:0] kind;
   } chunk_t;
   localparam int unsigned ChunkBits = 162;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic [OpacityW-1:0] opacity;
+    logic [ScaleW-1:0] scale_2;
+    logic [ScaleW-1:0] scale_1;
+    logic [ScaleW-1:0] scale_0;
+    logic signed [QuatW-1:0] qz;
+    logic signed [QuatW-1:0] qy;
+    logic signed [QuatW-1:0] qx;
+    logic signed [QuatW-1:0] qw;
+    logic signed [PosW-1:0] offset_z;
+    logic signed [PosW-1:0] offset_y;
+    logic signed [PosW-1:0] offset_x;  // mean - chunk centre, unit 2^offset_exp world units
+    logic [ExpW-1:0] offset_exp;
+    logic [ExpW-1:0] view_exp;
+    logic signed [ViewW-1:0] origin_z;
+    logic signed [ViewW-1:0] origin_y;
+    logic signed [ViewW-1:0] origin_x;  // chunk centre in view space, unit 2^view_exp
+    logic [WindowW-1:0] window_y;
+    logic [WindowW-1:0] window_x;
+    logic [KindW-1:0] kind;
+  } fetched_t;
+  localparam int unsigned FetchedBits = 396;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -273,6 +352,114 @@ package pipegs_pkg;
     logic signed [DirectionW-1:0] dir_x;
     logic [DepthW-1:0] depth;
     logic [OpacityW-1:0] opacity;
+    logic [ScaleW-1:0] scale_2;
+    logic [ScaleW-1:0] scale_1;
+    logic [ScaleW-1:0] scale_0;
+    logic signed [WideEW-1:0] gy_e;
+    logic [MantissaW-1:0] gy_m;  // focal_y / z
+    logic signed [WideEW-1:0] gx_e;
+    logic [MantissaW-1:0] gx_m;  // focal_x / z, pixels per world unit
+    logic signed [WideEW-1:0] n_2_e;
+    logic signed [FactorW-1:0] n_2_m;
+    logic signed [WideEW-1:0] n_1_e;
+    logic signed [FactorW-1:0] n_1_m;
+    logic signed [WideEW-1:0] n_0_e;
+    logic signed [FactorW-1:0] n_0_m;  // cross product of the rows: R'0j tan_x + R'1j tan_y + R'2j
+    logic signed [WideEW-1:0] v1_2_e;
+    logic signed [FactorW-1:0] v1_2_m;
+    logic signed [WideEW-1:0] v1_1_e;
+    logic signed [FactorW-1:0] v1_1_m;
+    logic signed [WideEW-1:0] v1_0_e;
+    logic signed [FactorW-1:0] v1_0_m;  // row y: R'1j - tan_y R'2j
+    logic signed [WideEW-1:0] v0_2_e;
+    logic signed [FactorW-1:0] v0_2_m;
+    logic signed [WideEW-1:0] v0_1_e;
+    logic signed [FactorW-1:0] v0_1_m;
+    logic signed [WideEW-1:0] v0_0_e;
+    logic signed [FactorW-1:0] v0_0_m;  // J R', row x without its factor focal/z: R'0j - tan_x R'2j, j = 0..2
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;
+    logic [KindW-1:0] kind;
+  } jacobian_t;
+  localparam int unsigned JacobianBits = 712;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic [DepthW-1:0] depth;
+    logic [OpacityW-1:0] opacity;
+    logic signed [WideEW-1:0] gg_e;
+    logic [MantissaW-1:0] gg_m;  // (gx gy)^2
+    logic signed [WideEW-1:0] gxy_e;
+    logic [MantissaW-1:0] gxy_m;  // gx gy
+    logic signed [WideEW-1:0] gyy_e;
+    logic [MantissaW-1:0] gyy_m;  // gy^2
+    logic signed [WideEW-1:0] gxx_e;
+    logic [MantissaW-1:0] gxx_m;  // gx^2, m normalised
+    logic signed [WideEW-1:0] t_e;
+    logic signed [FactorW-1:0] t_2;
+    logic signed [FactorW-1:0] t_1;
+    logic signed [FactorW-1:0] t_0;  // n_k * scale_i * scale_j, i and j the other two axes
+    logic signed [WideEW-1:0] u1_e;
+    logic signed [FactorW-1:0] u1_2;
+    logic signed [FactorW-1:0] u1_1;
+    logic signed [FactorW-1:0] u1_0;  // v1_j * scale_j
+    logic signed [WideEW-1:0] u0_e;
+    logic signed [FactorW-1:0] u0_2;
+    logic signed [FactorW-1:0] u0_1;
+    logic signed [FactorW-1:0] u0_0;  // v0_j * scale_j
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;
+    logic [KindW-1:0] kind;
+  } factors_t;
+  localparam int unsigned FactorsBits = 666;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic [DepthW-1:0] depth;
+    logic [OpacityW-1:0] opacity;
+    logic [MantissaW-1:0] gg_m;
+    logic [MantissaW-1:0] gxy_m;
+    logic [MantissaW-1:0] gyy_m;
+    logic [MantissaW-1:0] gxx_m;
+    logic signed [WideEW-1:0] b_e;
+    logic signed [FactorW-1:0] b_m;  // u0 . u1, m normalised or 0
+    logic signed [WideEW-1:0] d_e;
+    logic [MantissaW-1:0] d_m;  // |t|^2
+    logic signed [WideEW-1:0] c_e;
+    logic [MantissaW-1:0] c_m;  // |u1|^2
+    logic signed [WideEW-1:0] a_e;
+    logic [MantissaW-1:0] a_m;  // |u0|^2, m normalised or 0
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;
+    logic [KindW-1:0] kind;
+  } squares_t;
+  localparam int unsigned SquaresBits = 495;
+
+  typedef struct packed {
+    logic [SlotW-1:0] slot;
+    logic [IndexW-1:0] index;
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic signed [DirectionW-1:0] dir_z;
+    logic signed [DirectionW-1:0] dir_y;
+    logic signed [DirectionW-1:0] dir_x;
+    logic [DepthW-1:0] depth;
+    logic [OpacityW-1:0] opacity;
     logic signed [FloatEW-1:0] det_e;
     logic [MantissaW-1:0] det_m;  // determinant = m * 2^e pixel^4, m normalised
     logic signed [FloatEW-1:0] c_e;
@@ -298,21 +485,19 @@ package pipegs_pkg;
     logic signed [DirectionW-1:0] dir_x;
     logic [DepthW-1:0] depth;
     logic [OpacityW-1:0] opacity;
-    logic signed [FloatEW-1:0] other_e;
-    logic signed [MantissaW-1:0] other_m;  // the other slope: b/a (b/c when swapped), block float, for exact edges
+    logic signed [FloatEW-1:0] wide_e;
+    logic [MantissaW-1:0] wide_m;  // k / variance along the wide axis: k/c (k/a when swapped) = m * 2^e
     logic signed [FloatEW-1:0] narrow_e;
-    logic [MantissaW-1:0] narrow_m;  // 1/conditional variance: c/det (a/det when swapped) = m * 2^e
+    logic [MantissaW-1:0] narrow_m;  // k / conditional variance: k c/det (k a/det when swapped) = m * 2^e, k = log2(e)/2
     logic signed [SlopeW-1:0] slope_m;  // slope of the conditional mean: b/c (b/a when swapped) = m * 2^-25
     logic swap;  // 1 when a > c: the roles of x and y are exchanged below
-    logic signed [FloatEW-1:0] inv_c_e;
-    logic [MantissaW-1:0] inv_c_m;  // 1/c = m * 2^e
-    logic signed [FloatEW-1:0] inv_a_e;
-    logic [MantissaW-1:0] inv_a_m;  // 1/a = m * 2^e
+    logic [ExtentW-1:0] extent_y;  // half height
+    logic [ExtentW-1:0] extent_x;  // half width of the box outside which alpha < 1/255, rounded up, u18.4 pixel
     logic signed [MeanW-1:0] mean_y;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } conic_t;
-  localparam int unsigned ConicBits = 410;
+  localparam int unsigned ConicBits = 384;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -331,20 +516,13 @@ package pipegs_pkg;
     logic signed [BcW-1:0] b;  // d/dx at the first pixel
     logic signed [AW-1:0] a;  // power at the window's first pixel, -log2(opacity) subtracted: alpha = 2^power
     logic dead;  // a coefficient left its range: no pixel of the window can reach 1/255
-    logic [OpacityW-1:0] opacity;
-    logic signed [FloatEW-1:0] other_e;
-    logic signed [MantissaW-1:0] other_m;
-    logic signed [SlopeW-1:0] slope_m;
-    logic swap;
-    logic signed [FloatEW-1:0] inv_c_e;
-    logic [MantissaW-1:0] inv_c_m;
-    logic signed [FloatEW-1:0] inv_a_e;
-    logic [MantissaW-1:0] inv_a_m;
+    logic [ExtentW-1:0] extent_y;
+    logic [ExtentW-1:0] extent_x;
     logic signed [MeanW-1:0] mean_y;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } coeff_t;
-  localparam int unsigned CoeffBits = 599;
+  localparam int unsigned CoeffBits = 494;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -369,6 +547,7 @@ package pipegs_pkg;
 
   typedef struct packed {
     logic [IndexW-1:0] index;
+    logic parity;  // of the layer: which overflow area
     logic ext;  // the lines lie in the overflow area
     logic [AlphaAddressW-1:0] address;  // line of the mask's first region; the others follow
     logic [Regions-1:0] mask;
@@ -380,29 +559,33 @@ package pipegs_pkg;
     logic signed [AW-1:0] a;
     logic [KindW-1:0] kind;
   } row_job_t;
-  localparam int unsigned RowJobBits = 338;
+  localparam int unsigned RowJobBits = 339;
 
   typedef struct packed {
     logic [RegionW-1:0] region;
     logic [IndexW-1:0] index;
+    logic parity;
     logic ext;
     logic [AlphaAddressW-1:0] address;
-    logic signed [PowerW-1:0] twist;  // F
-    logic signed [PowerW-1:0] curve_y;  // E
-    logic signed [PowerW-1:0] curve_x;  // D
-    logic signed [PowerW-1:0] slope_y;  // d/dy there
-    logic signed [PowerW-1:0] slope_x;  // d/dx there
+    logic signed [CurveW-1:0] twist;  // F
+    logic signed [CurveW-1:0] curve_y;  // E
+    logic signed [CurveW-1:0] curve_x;  // D
+    logic signed [GradientW-1:0] slope_y;  // d/dy there
+    logic signed [GradientW-1:0] slope_x;  // d/dx there
     logic signed [PowerW-1:0] power;  // power at the region's first pixel
+    logic [KindW-1:0] kind;
   } region_t;
-  localparam int unsigned RegionBits = 277;
+  localparam int unsigned RegionBits = 242;
 
   typedef struct packed {
     logic [RegionW-1:0] region;
     logic [IndexW-1:0] index;
+    logic parity;
     logic ext;
     logic [AlphaAddressW-1:0] address;
+    logic [KindW-1:0] kind;
   } alphas_t;
-  localparam int unsigned AlphasBits = 55;
+  localparam int unsigned AlphasBits = 58;
 
   typedef struct packed {
     logic signed [BaseW-1:0] base_b;
@@ -420,6 +603,61 @@ package pipegs_pkg;
     logic [KindW-1:0] kind;
   } color_job_t;
   localparam int unsigned ColorJobBits = 253;
+
+  typedef struct packed {
+    logic signed [BaseW-1:0] base_b;
+    logic signed [BaseW-1:0] base_g;
+    logic signed [BaseW-1:0] base_r;
+    logic ext;
+    logic [AlphaAddressW-1:0] address;
+    logic [Regions-1:0] mask;
+    logic [QuarterW-1:0] quarter;  // where the coefficients lie in their line, SH degree 1
+    logic [IndexW-1:0] index;
+    logic [DepthW-1:0] depth;
+    logic [KindW-1:0] kind;
+  } color_task_t;
+  localparam int unsigned ColorTaskBits = 177;
+
+  typedef struct packed {
+    logic signed [DirectionW-1:0] z;
+    logic signed [DirectionW-1:0] y;
+    logic signed [DirectionW-1:0] x;
+  } view_direction_t;
+  localparam int unsigned ViewDirectionBits = 54;
+
+  typedef struct packed {
+    logic [LengthW-1:0] length2;  // squared length, in units of the view direction
+    logic signed [WorldDirectionW-1:0] z;
+    logic signed [WorldDirectionW-1:0] y;
+    logic signed [WorldDirectionW-1:0] x;
+  } world_direction_t;
+  localparam int unsigned WorldDirectionBits = 96;
+
+  typedef struct packed {
+    logic signed [UnitDirectionW-1:0] z;
+    logic signed [UnitDirectionW-1:0] y;
+    logic signed [UnitDirectionW-1:0] x;
+  } unit_direction_t;
+  localparam int unsigned UnitDirectionBits = 54;
+
+  typedef struct packed {
+    logic signed [BasisW-1:0] b15;
+    logic signed [BasisW-1:0] b14;
+    logic signed [BasisW-1:0] b13;
+    logic signed [BasisW-1:0] b12;
+    logic signed [BasisW-1:0] b11;
+    logic signed [BasisW-1:0] b10;
+    logic signed [BasisW-1:0] b9;
+    logic signed [BasisW-1:0] b8;
+    logic signed [BasisW-1:0] b7;
+    logic signed [BasisW-1:0] b6;
+    logic signed [BasisW-1:0] b5;
+    logic signed [BasisW-1:0] b4;
+    logic signed [BasisW-1:0] b3;
+    logic signed [BasisW-1:0] b2;
+    logic signed [BasisW-1:0] b1;  // order and signs of f_rest
+  } sh_basis_t;
+  localparam int unsigned ShBasisBits = 255;
 
   typedef struct packed {
     logic [ColorW-1:0] blue;
@@ -447,6 +685,30 @@ package pipegs_pkg;
     logic [KindW-1:0] kind;
   } sorted_t;
   localparam int unsigned SortedBits = 177;
+
+  typedef struct packed {
+    logic [IndexW-1:0] index;
+    logic [ColorW-1:0] blue;
+    logic [ColorW-1:0] green;
+    logic [ColorW-1:0] red;
+    logic [UnitW-1:0] unit;
+    logic ext;
+    logic [AlphaAddressW-1:0] address;  // line of this region's alphas
+    logic [RegionW-1:0] region;
+    logic [KindW-1:0] kind;
+  } fetch_t;
+  localparam int unsigned FetchBits = 95;
+
+  typedef struct packed {
+    logic [IndexW-1:0] index;
+    logic [ColorW-1:0] blue;
+    logic [ColorW-1:0] green;
+    logic [ColorW-1:0] red;
+    logic ext;
+    logic [RegionW-1:0] region;
+    logic [KindW-1:0] kind;
+  } blend_t;
+  localparam int unsigned BlendBits = 69;
 
   typedef struct packed {
     logic [TagW-1:0] tag;  // who asks; reads of one tag answer in order

@@ -23,6 +23,7 @@
 
 #include "cpp_model/records.hpp"
 #include "sim/external_memory.hpp"
+#include "sim/ports.hpp"
 
 namespace pipegs {
 
@@ -32,27 +33,6 @@ inline uint64_t test_seed() {
   const char* text = std::getenv("PIPEGS_SEED");
   return text != nullptr ? std::strtoull(text, nullptr, 0) : 1;
 }
-
-// Copies words into a port of any Verilator type, and back.
-template <class Port>
-void write_port(Port& port, const uint32_t* words) {
-  if constexpr (std::is_integral_v<Port>) {
-    port = static_cast<Port>(sizeof(Port) > 4 ? (static_cast<uint64_t>(words[1]) << 32) | words[0] : words[0]);
-  } else {
-    for (size_t i = 0; i < sizeof(Port) / 4; ++i) port.m_storage[i] = words[i];
-  }
-}
-template <class Port>
-void read_port(const Port& port, uint32_t* words) {
-  if constexpr (std::is_integral_v<Port>) {
-    words[0] = static_cast<uint32_t>(port);
-    if constexpr (sizeof(Port) > 4) words[1] = static_cast<uint32_t>(static_cast<uint64_t>(port) >> 32);
-  } else {
-    for (size_t i = 0; i < sizeof(Port) / 4; ++i) words[i] = port.m_storage[i];
-  }
-}
-template <class Port>
-constexpr size_t port_words() { return (sizeof(Port) + 3) / 4; }
 
 template <class R, class Port>
 void write_record(const Config& config, Port& port, const R& record) {

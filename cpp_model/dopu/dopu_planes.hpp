@@ -1,0 +1,63 @@
+// dopu_planes: the five planes that a Gaussian must not be behind to touch a window.
+//
+// Paper   Sec. 4.1 (DOPU feeds the PUs by layer; the window is ours).        RTL  rtl/dopu/dopu_planes.sv
+// Idea    With t = (x, y, z) the mean in view space and s the scale, pixels x0 .. x1 can be reached only if
+//           left    fx x - (x0 - cx - 2) z + reach_x s >= 0       right  -fx x + (x1 - cx + 2) z + reach_x s >= 0
+//           top, bottom the same in y; near  z - near >= 0
+//         reach s / z bounds 3.33 standard deviations of the projection, 2 pixels bound those of the 0.3 px^2 dilation
+//         (1.83) and all roundings. Each is a plane n . (mean - camera) with a world-space normal n = f w0 - a w2.
+// Format  Exact in 2^-38, then floored to TestW bits with one unit for n and reach: slack in dopu_test pays for it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "cpp_model/fixed.hpp"
+#include "cpp_model/records.hpp"
+
+namespace pipegs {
+
+enum PlaneSide { kNear, kLeft, kRight, kTop, kBottom, kPlanes };
+using Planes = std::array<Plane, kPlanes>;
+
+inline constexpr int kPlaneMargin = 2;  // pixels
+
+// One side plane: `sign` is +1 for left and top, -1 for right and bottom.
+inline Plane dopu_planes_side(const Config& config, const int64_t (&side)[3], const int64_t (&forward)[3], uint64_t focal,
+                              int64_t center, uint64_t reach, int64_t pixel, int sign) {
+  const int center_f = config.center_f(), align = config.focal_f() - center_f;
+  const int64_t edge = (pixel << center_f) - center - sign * (int64_t{kPlaneMargin} << center_f);  // s17.12
+  int64_t n[3];
+  uint64_t magnitudes = reach << config.rot_f();  // u18.38
+  for (int i = 0; i < 3; ++i) {
+    const int64_t exact = static_cast<int64_t>(focal) * side[i] - ((edge * forward[i]) << align);  // s18.38
+    n[i] = sign > 0 ? exact : -exact;
+    magnitudes |= static_cast<uint64_t>(n[i] < 0 ? ~n[i] : n[i]);
+  }
+  const int shift = std::max(0, bit_length(magnitudes) - (config.test_w() - 1));
+  Plane plane;
+  plane.nx = shift_floor(n[0], shift);
+  plane.ny = shift_floor(n[1], shift);
+  plane.nz = shift_floor(n[2], shift);
+  plane.reach = shift_floor(static_cast<int64_t>(reach << config.rot_f()), shift);
+  return plane;
+}
+
+inline Planes dopu_planes(const Config& config, const Frame& frame, int window_x, int window_y) {
+  const int64_t right[3] = {frame.w00, frame.w01, frame.w02}, down[3] = {frame.w10, frame.w11, frame.w12};
+  const int64_t forward[3] = {frame.w20, frame.w21, frame.w22};
+  const int64_t x0 = int64_t{window_x} * config.window, y0 = int64_t{window_y} * config.window;
+  const int64_t x1 = std::min<int64_t>(x0 + config.window, static_cast<int64_t>(frame.width)) - 1;
+  const int64_t y1 = std::min<int64_t>(y0 + config.window, static_cast<int64_t>(frame.height)) - 1;
+  const int drop = config.rot_w() - config.test_w();
+  Planes planes;
+  planes[kNear] = {shift_floor(frame.w20, drop), shift_floor(frame.w21, drop), shift_floor(frame.w22, drop),
+                   -(int64_t{1} << (config.rot_f() - drop))};
+  planes[kLeft] = dopu_planes_side(config, right, forward, frame.focal_x, frame.center_x, frame.reach_x, x0, +1);
+  planes[kRight] = dopu_planes_side(config, right, forward, frame.focal_x, frame.center_x, frame.reach_x, x1, -1);
+  planes[kTop] = dopu_planes_side(config, down, forward, frame.focal_y, frame.center_y, frame.reach_y, y0, +1);
+  planes[kBottom] = dopu_planes_side(config, down, forward, frame.focal_y, frame.center_y, frame.reach_y, y1, -1);
+  return planes;
+}
+
+}  // namespace pipegs

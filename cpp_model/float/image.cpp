@@ -1,0 +1,106 @@
+// image: PNG and EXR files; see image.hpp.
+//
+// Idea    libpng's simplified interface, which reports errors without longjmp. It reads any PNG as
+//         8 bit RGB. A NaN (a renderer's fault) is written as 0 and never as undefined behaviour.
+#include "cpp_model/float/image.hpp"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <png.h>
+
+#include <cmath>
+#include <exception>
+
+#include "scenes/atomic_file.hpp"
+#include "scenes/input_error.hpp"
+
+namespace pipegs {
+
+Image::Image(int width_pixels, int height_pixels) : width(width_pixels), height(height_pixels) {
+  const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  rgb.assign(n, glm::dvec3(0));
+  transmittance.assign(n, 1.0);
+  depth.assign(n, 0.0);
+  blended.assign(n, 0);
+}
+
+Rgb8 to_rgb8(const Image& image, const glm::dvec3& background) {
+  Rgb8 out{image.width, image.height, {}};
+  out.data.reserve(image.rgb.size() * 3);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    const glm::dvec3 color = image.rgb[i] + image.transmittance[i] * background;
+    for (int c = 0; c < 3; ++c) {
+      const double value = color[c] > 0 ? (color[c] < 1 ? color[c] : 1) : 0;
+      out.data.push_back(static_cast<std::uint8_t>(std::lround(value * 255)));
+    }
+  }
+  return out;
+}
+
+void write_png8(const std::filesystem::path& path, const Rgb8& picture) {
+  AtomicFile out(path);
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(picture.width);
+  png.height = static_cast<png_uint_32>(picture.height);
+  png.format = PNG_FORMAT_RGB;
+  if (png_image_write_to_file(&png, out.temporary().c_str(), 0, picture.data.data(), 0, nullptr) == 0) {
+    throw InputError(path.string(), "", std::string("cannot write: ") + png.message);
+  }
+  out.commit();
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, const glm::dvec3& background) {
+  write_png8(path, to_rgb8(image, background));
+}
+
+Rgb8 read_png8(const std::filesystem::path& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) {
+    throw InputError(path.string(), "", std::string("cannot read: ") + png.message);
+  }
+  png.format = PNG_FORMAT_RGB;
+  Rgb8 out{static_cast<int>(png.width), static_cast<int>(png.height), {}};
+  out.data.resize(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, out.data.data(), 0, nullptr) == 0) {
+    throw InputError(path.string(), "", std::string("cannot read: ") + png.message);
+  }
+  return out;
+}
+
+void write_exr(const std::filesystem::path& path, const Image& image) {
+  const auto width = static_cast<std::size_t>(image.width);
+  Imf::Header header(image.width, image.height);
+  Imf::FrameBuffer frame;
+  std::vector<std::vector<float>> planes;
+  constexpr const char* kNames[] = {"R", "G", "B", "A", "T", "depth"};
+  planes.reserve(std::size(kNames));
+  for (std::size_t c = 0; c < std::size(kNames); ++c) {
+    std::vector<float>& plane = planes.emplace_back(image.rgb.size());
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+      const double t = image.transmittance[i];
+      const double value = c < 3 ? image.rgb[i][static_cast<int>(c)] : c == 3 ? 1 - t : c == 4 ? t : image.depth[i];
+      plane[i] = static_cast<float>(value);
+    }
+    header.channels().insert(kNames[c], Imf::Channel(Imf::FLOAT));
+    frame.insert(kNames[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float), sizeof(float) * width));
+  }
+  std::vector<std::uint32_t> blended = image.blended;  // OpenEXR's slices are not const
+  header.channels().insert("blended", Imf::Channel(Imf::UINT));
+  frame.insert("blended", Imf::Slice(Imf::UINT, reinterpret_cast<char*>(blended.data()), sizeof(std::uint32_t), sizeof(std::uint32_t) * width));
+
+  AtomicFile out(path);
+  try {
+    Imf::OutputFile file(out.temporary().c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(image.height);
+  } catch (const std::exception& error) {
+    throw InputError(path.string(), "", std::string("cannot write: ") + error.what());
+  }
+  out.commit();
+}
+
+}  // namespace pipegs

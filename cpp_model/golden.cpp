@@ -1,0 +1,216 @@
+// golden.cpp: see golden.hpp.
+#include "cpp_model/golden.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+
+#include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/float/parallel.hpp"
+#include "cpp_model/pu/pu_coeff.hpp"
+#include "cpp_model/pu/pu_color.hpp"
+#include "cpp_model/pu/pu_conic.hpp"
+#include "cpp_model/pu/pu_covariance.hpp"
+#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/pu_factors.hpp"
+#include "cpp_model/pu/pu_intersect.hpp"
+#include "cpp_model/pu/pu_jacobian.hpp"
+#include "cpp_model/pu/pu_orient.hpp"
+#include "cpp_model/pu/pu_project.hpp"
+#include "cpp_model/pu/pu_rows.hpp"
+#include "cpp_model/pu/pu_squares.hpp"
+#include "cpp_model/ru/ru_resolve.hpp"
+#include "cpp_model/su/su.hpp"
+
+namespace pipegs {
+namespace {
+
+Fetched fetched_beat(const Chunk& chunk, const GaussianRecord& g, uint64_t slot) {
+  return {.kind = kData, .window_x = chunk.window_x, .window_y = chunk.window_y, .origin_x = chunk.origin_x,
+          .origin_y = chunk.origin_y, .origin_z = chunk.origin_z, .view_exp = chunk.view_exp, .offset_exp = chunk.offset_exp,
+          .offset_x = g.offset_x, .offset_y = g.offset_y, .offset_z = g.offset_z, .qw = g.qw, .qx = g.qx, .qy = g.qy, .qz = g.qz,
+          .scale_0 = g.scale_0, .scale_1 = g.scale_1, .scale_2 = g.scale_2, .opacity = g.opacity, .base_r = g.base_r,
+          .base_g = g.base_g, .base_b = g.base_b, .index = g.index, .slot = slot};
+}
+
+RowJob row_job(const Tiles& t) {
+  RowJob job;
+  job.a = t.a, job.b = t.b, job.c = t.c, job.d = t.d, job.e = t.e, job.f = t.f;
+  job.mask = t.mask;
+  job.index = t.index;
+  return job;
+}
+
+ColorJob color_job(const Tiles& t) {
+  ColorJob job;
+  job.depth = t.depth, job.index = t.index, job.slot = t.slot, job.mask = t.mask;
+  job.dir_x = t.dir_x, job.dir_y = t.dir_y, job.dir_z = t.dir_z;
+  job.base_r = t.base_r, job.base_g = t.base_g, job.base_b = t.base_b;
+  return job;
+}
+
+// View depth in scene units that a depth key stands for.
+double key_depth(const PackedScene& packed, uint64_t key) {
+  const int mantissa_bits = packed.config.depth_w - 6;
+  const double mantissa = 1 + std::ldexp(static_cast<double>(key & ((uint64_t{1} << mantissa_bits) - 1)), -mantissa_bits);
+  return std::ldexp(mantissa, static_cast<int>(key >> mantissa_bits) + packed.scene_exponent);
+}
+
+// One Gaussian through the PU; appends to the layer what survives.
+void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& window, GoldenLayer& layer) {
+  const Config& config = input.packed->config;
+  const Frame& frame = input.frame;
+  ++window.work.fetched;
+  const std::optional<Visible> visible = pu_cull(config, frame, fetched);
+  if (!visible) return;
+  ++window.work.visible;
+  const Projected projected = pu_project(config, frame, *visible, &window.saturations.mean);
+  const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
+  const Covariance covariance = pu_covariance(config, frame, pu_squares(config, frame, factors));
+  const Coeff coeff = pu_coeff(config, frame, pu_conic(config, frame, covariance));
+  window.saturations.dead += coeff.dead;
+  const Tiles tiles = pu_intersect(config, frame, coeff);
+  if (tiles.mask == 0) return;
+  ++window.work.records;
+  window.work.regions += static_cast<uint64_t>(std::popcount(tiles.mask));
+  const ColorJob job = color_job(tiles);
+  ColorCounts counts;
+  const uint32_t* line = color_degree(config, frame) == 0 ? nullptr : input.packed->colors[color_line(frame, job.slot) - frame.colors].data();
+  layer.splats.push_back({pu_color(config, frame, job, line, &counts), row_job(tiles)});
+  window.saturations.color += counts.saturated;
+}
+
+void blend(const GoldenInput& input, GoldenWindow& window) {
+  const Config& config = input.packed->config;
+  const BlendConstants constants(config);
+  const PuRows rows(config);
+  BlendCounts counts;
+  uint64_t done = 0;
+  for (int r = 0; r < config.regions(); ++r) {
+    window.regions.push_back(ru_fresh_region(config, input.frame, window.x, window.y, r));
+    done |= uint64_t{window.regions.back().all_done()} << r;
+  }
+  window.depth.assign(window.regions.size() * kRegionPixels, 0);
+  window.blended.assign(window.regions.size() * kRegionPixels, 0);
+  for (const GoldenLayer& layer : window.layers) {
+    for (const GoldenSplat& splat : layer.splats) {
+      const uint32_t color[3] = {static_cast<uint32_t>(splat.splat.red), static_cast<uint32_t>(splat.splat.green), static_cast<uint32_t>(splat.splat.blue)};
+      const double depth = key_depth(*input.packed, splat.splat.depth) / constants.one;
+      for (uint64_t rest = splat.splat.mask & ~done; rest != 0; rest &= rest - 1) {
+        const int r = std::countr_zero(rest);
+        RegionState& region = window.regions[r];
+        alignas(64) uint16_t codes[kRegionPixels];
+        pu_region_line(rows, splat.job, r, codes);
+        uint32_t before[kRegionPixels], done_before[kRegionPixels];
+        std::copy_n(region.t, kRegionPixels, before);
+        std::copy_n(region.done, kRegionPixels, done_before);
+        if (ru_blend_region(constants, region, codes, color, &counts)) done |= uint64_t{1} << r;
+        double* sum = &window.depth[static_cast<size_t>(r) * kRegionPixels];
+        uint32_t* number = &window.blended[static_cast<size_t>(r) * kRegionPixels];
+        for (int i = 0; i < kRegionPixels; ++i) {
+          sum[i] += static_cast<double>(before[i] - region.t[i]) * depth;
+          number[i] += codes[i] != 0 && region.done[i] == 0;
+        }
+      }
+    }
+  }
+  window.work.blended = counts.blended;
+  window.saturations.accumulated = counts.saturated;
+}
+
+}  // namespace
+
+Work& Work::operator+=(const Work& o) {
+  fetched += o.fetched, visible += o.visible, records += o.records, regions += o.regions, alphas += o.alphas;
+  blended += o.blended, keys += o.keys, chunks += o.chunks, layers += o.layers, windows += o.windows;
+  return *this;
+}
+
+Saturations& Saturations::operator+=(const Saturations& o) {
+  mean += o.mean, color += o.color, accumulated += o.accumulated, dead += o.dead;
+  return *this;
+}
+
+GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t window_y) {
+  const PackedScene& packed = *input.packed;
+  GoldenWindow window;
+  window.x = window_x;
+  window.y = window_y;
+  dopu_window(packed.config, input.frame, packed, static_cast<int>(window_x), static_cast<int>(window_y),
+              [&](int ordinal, const Chunk& chunk, uint64_t) {
+                if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
+                ++window.work.chunks;
+                for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
+                  preprocess(input, fetched_beat(chunk, packed.gaussians[slot], slot), window, window.layers.back());
+                }
+              });
+  for (GoldenLayer& layer : window.layers) {
+    std::sort(layer.splats.begin(), layer.splats.end(),
+              [](const GoldenSplat& a, const GoldenSplat& b) { return splat_before(a.splat, b.splat); });
+  }
+  window.work.keys = window.work.records;
+  window.work.alphas = window.work.regions * kRegionPixels;
+  window.work.layers = window.layers.size();
+  window.work.windows = 1;
+  blend(input, window);
+  return window;
+}
+
+void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]) {
+  pu_region_line(PuRows(config), job, region, codes);
+}
+
+GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options) {
+  const Config& config = input.packed->config;
+  const Frame& frame = input.frame;
+  const int width = static_cast<int>(frame.width), height = static_cast<int>(frame.height);
+  const uint64_t columns = frame.last_x - frame.first_x + 1, count = columns * (frame.last_y - frame.first_y + 1);
+  const double t_one = BlendConstants(config).one, rgb_one = std::ldexp(1.0, config.rgb_w - 2);
+  GoldenFrame result;
+  result.image = Image(width, height);
+  result.pixels.assign(static_cast<size_t>(width) * height, 0);
+  // (layer, depth key) of each Gaussian of the scene; a Gaussian has the same in every window.
+  constexpr uint64_t kUnseen = ~uint64_t{0};
+  size_t indices = 0;
+  for (const uint32_t index : input.packed->slot_to_index) indices = index == kPadding ? indices : std::max<size_t>(indices, index + 1);
+  std::vector<uint64_t> order(indices, kUnseen);
+  std::mutex mutex;
+  uint64_t finished = 0;
+
+  parallel_for(count, options.threads, [&](size_t i) {
+    const GoldenWindow window = golden_window(input, frame.first_x + i % columns, frame.first_y + i / columns);
+    for (int r = 0; r < config.regions(); ++r) {
+      for (int p = 0; p < kRegionPixels; ++p) {
+        const int x = static_cast<int>(window.x) * config.window + 8 * (r % config.regions_x()) + p % 8;
+        const int y = static_cast<int>(window.y) * config.window + 8 * (r / config.regions_x()) + p / 8;
+        if (x >= width || y >= height) continue;
+        const PixelState pixel = window.regions[r].pixel(p);
+        const size_t at = result.image.at(x, y), in_window = static_cast<size_t>(r) * kRegionPixels + p;
+        result.image.rgb[at] = glm::dvec3(pixel.rgb[0], pixel.rgb[1], pixel.rgb[2]) / rgb_one;
+        result.image.transmittance[at] = pixel.t / t_one;
+        result.image.depth[at] = window.depth[in_window];
+        result.image.blended[at] = window.blended[in_window];
+        result.pixels[at] = ru_resolve(config, pixel);
+      }
+    }
+    const std::lock_guard lock(mutex);
+    for (const GoldenLayer& layer : window.layers) {
+      for (const GoldenSplat& splat : layer.splats) order[splat.splat.index] = static_cast<uint64_t>(layer.ordinal) << 32 | splat.splat.depth;
+    }
+    result.work += window.work;
+    result.saturations += window.saturations;
+    ++finished;
+    if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(count));
+  });
+
+  std::vector<uint32_t> sorted(order.size());
+  std::iota(sorted.begin(), sorted.end(), 0u);
+  std::sort(sorted.begin(), sorted.end(), [&](uint32_t a, uint32_t b) { return order[a] != order[b] ? order[a] < order[b] : a < b; });
+  result.rank.resize(order.size());
+  for (size_t i = 0; i < sorted.size(); ++i) result.rank[sorted[i]] = static_cast<uint32_t>(i);
+  return result;
+}
+
+}  // namespace pipegs

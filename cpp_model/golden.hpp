@@ -1,0 +1,92 @@
+// golden: the whole machine as pure functions: a packed scene and a camera in, every stream and every pixel out.
+//
+// Paper   Fig. 7.       RTL  rtl/pipegs_top.sv
+// Idea    Window by window, layer by layer: the twins of the units in the order of the streams. What depends on timing in
+//         the hardware (which unit takes a chunk, which regions are skipped because they are done already) is left out: the
+//         golden model computes everything, and skipping can only leave out work that changes no pixel.
+// Threads Windows are independent; the result does not depend on their number.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "cpp_model/float/image.hpp"
+#include "cpp_model/records.hpp"
+#include "cpp_model/ru/ru_lanes.hpp"
+#include "scenes/pack.hpp"
+
+namespace pipegs {
+
+// Counts of the work that a frame asks for, independent of timing.
+struct Work {
+  uint64_t fetched = 0;   // (Gaussian, window) pairs streamed into the PUs
+  uint64_t visible = 0;   // of these, left by the cull
+  uint64_t records = 0;   // of these, with at least one region: (Gaussian, window) pairs that are sorted
+  uint64_t regions = 0;   // (Gaussian, region) pairs whose alphas are computed
+  uint64_t alphas = 0;    // 64 per region
+  uint64_t blended = 0;   // (Gaussian, pixel) pairs that changed a pixel
+  uint64_t keys = 0;      // keys sorted
+  uint64_t chunks = 0;    // (chunk, window) pairs fetched
+  uint64_t layers = 0;    // (layer, window) pairs with at least one chunk
+  uint64_t windows = 0;
+  Work& operator+=(const Work& other);
+};
+
+// How often a narrowing clipped its value.
+struct Saturations {
+  uint64_t mean = 0;         // projected means beyond the range of s18: such a Gaussian is far outside the window
+  uint64_t color = 0;        // colours above the range of u2
+  uint64_t accumulated = 0;  // accumulated colours at the top
+  uint64_t dead = 0;         // coefficients outside their range: proven not to reach the window
+  Saturations& operator+=(const Saturations& other);
+};
+
+// A Gaussian in a window, as it leaves the PU. Its lines of alphas follow from the job.
+struct GoldenSplat {
+  Splat splat;  // address and ext are zero: they depend on timing
+  RowJob job;
+};
+
+struct GoldenLayer {
+  int ordinal = 0;                  // of the frame's layers, near to far
+  std::vector<GoldenSplat> splats;  // sorted
+};
+
+struct GoldenWindow {
+  uint64_t x = 0, y = 0;
+  std::vector<GoldenLayer> layers;    // those with at least one chunk; maybe none
+  std::vector<RegionState> regions;   // row by row: T, RGB, done of the finished window
+  std::vector<double> depth;          // sum of weight * view depth in scene units, by region and pixel
+  std::vector<uint32_t> blended;      // Gaussians blended, by region and pixel
+  Work work;
+  Saturations saturations;
+};
+
+struct GoldenInput {
+  const PackedScene* packed = nullptr;
+  Frame frame;
+};
+
+// One Gaussian as a window sees it: what each twin said, for `explain` and for finding a wrong bit.
+GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t window_y);
+
+// The alpha codes of one region of a job.
+void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]);
+
+struct GoldenFrame {
+  Image image;
+  std::vector<uint64_t> pixels;  // as in external memory (ru_resolve), row by row of the image
+  Work work;
+  Saturations saturations;
+  std::vector<uint32_t> rank;  // by scene index: position in the hardware's order (layer, depth key, index)
+};
+
+struct GoldenOptions {
+  unsigned threads = 0;
+  std::function<void(double)> progress;  // share done; may throw to stop
+};
+
+GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options);
+
+}  // namespace pipegs

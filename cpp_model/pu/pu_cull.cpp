@@ -1,0 +1,81 @@
+// pu_cull: see pu_cull.hpp.
+#include "cpp_model/pu/pu_cull.hpp"
+
+#include <algorithm>
+
+#include "cpp_model/fixed.hpp"
+#include "cpp_model/pu/pass.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr int kCutW = 17;   // magnitude bits of x, y, z, s in the plane test
+constexpr int kEdgeF = 4;   // fraction of a window's edge in pixels
+
+int64_t to_view(const Config& c, int64_t row_times_offset, int shift, int64_t origin) {
+  return saturate(origin + shift_round(row_times_offset, shift), c.view_w);
+}
+
+// Largest scale in view units, never too small; `huge` when it needs ViewW bits or more.
+int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t view_exp, bool& huge) {
+  const int e = static_cast<int>(scale >> c.scale_m_w);
+  int64_t m = 0;
+  if (e != 0) {
+    m = (int64_t{1} << c.scale_m_w) + static_cast<int64_t>(scale & ((uint64_t{1} << c.scale_m_w) - 1));
+    // The rotation of rounded quaternions stretches by up to 2^-(QuatW-4).
+    m += int64_t{1} << std::max(0, c.scale_m_w + 5 - c.quat_w);
+  }
+  const int shift = e - 8 - c.scale_m_w - static_cast<int>(view_exp);
+  const int64_t s = shift >= 0 ? m << shift : shift_floor(m, -shift);
+  huge = s >= (int64_t{1} << (c.view_w - 1)) - 1;
+  return huge ? (int64_t{1} << (c.view_w - 1)) - 1 : s + 1;
+}
+
+// Does [x - reach s, x + reach s] touch the window along one axis? All at the common exponent.
+bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach, int64_t center, uint64_t window) {
+  const int64_t first = (static_cast<int64_t>(window) * c.window << kEdgeF) - (int64_t{kCullMargin} << kEdgeF);
+  const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);                          // s17.4, rounded down
+  const int64_t span = ((int64_t{c.window} - 1 + 2 * kCullMargin) << kEdgeF) + 1;               // covers the rounding of a
+  const int to_edge = c.focal_f() - kEdgeF;
+  const int64_t f = static_cast<int64_t>(focal), r = shift_ceil(static_cast<int64_t>(reach), 8) << 8;
+  const int64_t fx = f * x, az = (a * z) << to_edge, rs = r * s;
+  const int64_t az2 = az + ((span * z) << to_edge), a2 = a + span;
+  const int64_t low = fx + f - az + (std::max<int64_t>(-a, 0) << to_edge) + rs;
+  const int64_t high = fx - az2 - (std::max<int64_t>(a2, 0) << to_edge) - rs;
+  return low >= 0 && high <= 0;
+}
+
+}  // namespace
+
+std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetched& in) {
+  Visible out;
+  out.kind = in.kind;
+  if (in.kind != kData) return out;
+
+  const int shift = c.rot_f() + static_cast<int>(in.view_exp) - static_cast<int>(in.offset_exp);
+  out.view_x = to_view(c, frame.w00 * in.offset_x + frame.w01 * in.offset_y + frame.w02 * in.offset_z, shift, in.origin_x);
+  out.view_y = to_view(c, frame.w10 * in.offset_x + frame.w11 * in.offset_y + frame.w12 * in.offset_z, shift, in.origin_y);
+  out.view_z = to_view(c, frame.w20 * in.offset_x + frame.w21 * in.offset_y + frame.w22 * in.offset_z, shift, in.origin_z);
+  const int64_t near = static_cast<int64_t>(frame.near_plane >> in.view_exp);
+  if (out.view_z <= near) return std::nullopt;
+
+  bool huge = false;
+  const int64_t s = scale_in_view(c, std::max({in.scale_0, in.scale_1, in.scale_2}), in.view_exp, huge);
+  const auto size = [](int64_t v) { return static_cast<uint64_t>(v < 0 ? ~v : v); };
+  const int cut = std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - kCutW);
+  const int64_t z = out.view_z >> cut, reach = (s >> cut) + 1;
+  if (!huge && !(touches(c, out.view_x >> cut, z, reach, frame.focal_x, frame.reach_x, frame.center_x, in.window_x) &&
+                 touches(c, out.view_y >> cut, z, reach, frame.focal_y, frame.reach_y, frame.center_y, in.window_y))) {
+    return std::nullopt;
+  }
+
+  out.window_x = in.window_x;
+  out.window_y = in.window_y;
+  out.view_exp = in.view_exp;
+  pass_quaternion(in, out);
+  pass_scales(in, out);
+  pass_splat(in, out);
+  return out;
+}
+
+}  // namespace pipegs

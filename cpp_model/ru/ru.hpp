@@ -1,0 +1,80 @@
+// ru: a whole RU over a frame: sorted splats in, finished windows out.
+//
+// Paper   Fig. 7 (RU with its T and RGB buffers), Eq. 2.
+// Idea    The owned regions of one window at a time; a layer end only turns the parity of the overflow area, a window end
+//         hands the pixels out and starts the next window, row by row from first to last.
+// Stream  sorted_t in; where lines of alphas come from and where lines of pixels go is the caller's (two functions).
+// RTL     rtl/ru/ru.sv; the window's coordinates: rtl/ru/ru_window.sv
+#pragma once
+
+#include <bit>
+#include <vector>
+
+#include "cpp_model/ru/ru_lanes.hpp"
+#include "cpp_model/ru/ru_resolve.hpp"
+#include "cpp_model/ru/ru_walk.hpp"
+
+namespace pipegs {
+
+struct RuState {
+  int unit = 0;
+  uint64_t window_x = 0, window_y = 0;  // the window that is being blended
+  uint64_t parity = 0;                  // of the layer
+  std::vector<RegionState> regions;     // by slot
+  uint64_t done = 0;                    // owned regions that are done, as a mask
+  BlendCounts counts;
+};
+
+// Makes the regions of the current window fresh.
+inline void ru_start_window(const Config& c, const Frame& frame, RuState& state) {
+  state.regions.clear();
+  state.done = 0;
+  for (int slot = 0; slot < c.regions() / c.units; ++slot) {
+    const int region = ru_region(c, state.unit, slot);
+    state.regions.push_back(ru_fresh_region(c, frame, state.window_x, state.window_y, region));
+    state.done |= uint64_t{state.regions.back().all_done()} << region;
+  }
+}
+
+inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
+  RuState state{.unit = unit, .window_x = frame.first_x, .window_y = frame.first_y, .regions = {}, .counts = {}};
+  ru_start_window(c, frame, state);
+  return state;
+}
+
+// Takes one beat. codes(splat, region, parity) gives the 64 alpha codes of a region, `const uint16_t*`;
+// pixels(line address, const uint64_t pixel[8]) takes a line of the finished window.
+template <class Codes, class Pixels>
+void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuState& state, const Sorted& splat, Codes&& codes,
+             Pixels&& pixels) {
+  if (splat.kind == kData) {
+    const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green), static_cast<uint32_t>(splat.blue)};
+    for (uint64_t rest = splat.mask & ru_own_mask(c, state.unit) & ~state.done; rest != 0; rest &= rest - 1) {
+      const int region = std::countr_zero(rest);
+      if (ru_blend_region(k, state.regions[ru_slot(c, region)], codes(splat, region, state.parity), color, &state.counts)) {
+        state.done |= uint64_t{1} << region;
+      }
+    }
+    return;
+  }
+  state.parity ^= 1;
+  if (splat.kind != kWindowEnd) return;
+  for (int slot = 0; slot < c.regions() / c.units; ++slot) {
+    const int region = ru_region(c, state.unit, slot);
+    if (!ru_inside(c, frame, state.window_x, state.window_y, region)) continue;
+    for (int row = 0; row < 8; ++row) {
+      uint64_t line[8];
+      for (int i = 0; i < 8; ++i) line[i] = ru_resolve(c, state.regions[slot].pixel(8 * row + i));
+      pixels(ru_pixel_line(c, frame, state.window_x, state.window_y, region, row), line);
+    }
+  }
+  if (state.window_x == frame.last_x) {
+    state.window_x = frame.first_x;
+    ++state.window_y;
+  } else {
+    ++state.window_x;
+  }
+  ru_start_window(c, frame, state);
+}
+
+}  // namespace pipegs

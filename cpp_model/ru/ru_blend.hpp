@@ -1,0 +1,70 @@
+// ru_blend: one Rendering Unit blends one Gaussian into one pixel, front to back.
+//
+// Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
+// Idea    One product serves weight and update: w = T * alpha, T' = T - w. T plus the sum of all weights so stays exactly 1.
+//         INRIA's stop rule: when T' would fall below 1e-4 the pixel is done and this Gaussian is not blended.
+// Stream  alpha u0.AlphaW (0: no contribution), T u1.(TW-1), colour u2.(ColorW-2), accumulated colour u2.(RgbW-2).
+// Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted).
+// RTL     rtl/ru/ru_blend.sv
+#pragma once
+
+#include <cstdint>
+
+#include "cpp_model/config.hpp"
+
+namespace pipegs {
+
+struct BlendConstants {
+  explicit BlendConstants(const Config& c)
+      : alpha_w(c.alpha_w),
+        color_shift(c.t_w + c.color_w - c.rgb_w - 1),
+        one(1u << (c.t_w - 1)),
+        stop(static_cast<uint32_t>(c.t_stop())),
+        rgb_max((1u << c.rgb_w) - 1),
+        narrow(c.t_w - 1 + c.alpha_w <= 32 && c.t_w - 1 + c.color_w <= 32) {}
+
+  int alpha_w;
+  int color_shift;   // from the fraction of w * colour to that of the accumulated colour
+  uint32_t one;      // T = 1
+  uint32_t stop;     // smallest T that may remain
+  uint32_t rgb_max;
+  bool narrow;       // every product fits 32 bits
+};
+
+struct PixelState {
+  uint32_t t = 0;
+  uint32_t rgb[3] = {0, 0, 0};
+  bool done = false;
+  bool operator==(const PixelState&) const = default;
+};
+
+// What happened, summed over calls.
+struct BlendCounts {
+  uint64_t blended = 0;    // pairs with alpha that changed their pixel's state
+  uint64_t stopped = 0;    // pixels that became done
+  uint64_t saturated = 0;  // colour channels held at the top
+};
+
+// Blends one Gaussian into one pixel; returns its weight, u1.(TW-1).
+inline uint32_t ru_blend(const BlendConstants& k, PixelState& pixel, uint32_t code, const uint32_t color[3],
+                         BlendCounts* counts = nullptr) {
+  if (pixel.done) return 0;
+  const auto weight = static_cast<uint32_t>((uint64_t{pixel.t} * code + (uint64_t{1} << (k.alpha_w - 1))) >> k.alpha_w);
+  const uint32_t t = pixel.t - weight;
+  if (t < k.stop) {
+    pixel.done = true;
+    if (counts != nullptr) ++counts->stopped;
+    return 0;
+  }
+  pixel.t = t;
+  for (int i = 0; i < 3; ++i) {
+    const auto add = static_cast<uint32_t>((uint64_t{weight} * color[i] + (uint64_t{1} << (k.color_shift - 1))) >> k.color_shift);
+    const bool over = pixel.rgb[i] + add > k.rgb_max;
+    pixel.rgb[i] = over ? k.rgb_max : pixel.rgb[i] + add;
+    if (over && counts != nullptr) ++counts->saturated;
+  }
+  if (code != 0 && counts != nullptr) ++counts->blended;
+  return weight;
+}
+
+}  // namespace pipegs

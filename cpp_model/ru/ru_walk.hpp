@@ -1,0 +1,54 @@
+// ru_walk: which regions of a window belong to which RU, and where the alpha line of a region lies.
+//
+// Paper   Sec. 5.3 (four RUs render different tiles in parallel).
+// Idea    The regions of a window are dealt to the RUs like the squares of a chess board, so that any splat that covers 2x2
+//         regions keeps all of them busy. A splat's lines lie one behind the other, lowest region of its mask first.
+// Stream  sorted_t in, one job per owned region of its mask out: region and line.
+// RTL     rtl/ru/ru_dispatch.sv (owners), rtl/ru/ru_walk.sv (lines), rtl/ru/ru_fetch.sv (memory addresses)
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "cpp_model/records.hpp"
+
+namespace pipegs {
+
+// The RU that blends region r of every window.
+inline int ru_owner(const Config& c, int region) {
+  const int rx = region % c.regions_x(), ry = region / c.regions_x();
+  return c.units == 1 ? 0 : c.units == 2 ? (rx ^ ry) & 1 : 2 * (ry & 1) + (rx & 1);
+}
+
+// All regions of an RU, as a mask.
+inline uint64_t ru_own_mask(const Config& c, int unit) {
+  uint64_t mask = 0;
+  for (int r = 0; r < c.regions(); ++r) mask |= uint64_t{ru_owner(c, r) == unit} << r;
+  return mask;
+}
+
+// The number of an RU's region among its own regions, in the order in which the pixel buffer holds them.
+inline int ru_slot(const Config& c, int region) {
+  const int rx = region % c.regions_x(), ry = region / c.regions_x(), half = c.regions_x() / 2;
+  return c.units == 1 ? region : c.units == 2 ? region / 2 : (ry / 2) * half + rx / 2;
+}
+
+// The region that RU `unit` holds in `slot`: the inverse of ru_slot.
+inline int ru_region(const Config& c, int unit, int slot) {
+  const int half = c.regions_x() / 2;
+  if (c.units == 1) return slot;
+  if (c.units == 2) return 2 * slot + (((slot / half) & 1) ^ unit);
+  return (2 * (slot / half) + unit / 2) * c.regions_x() + 2 * (slot % half) + unit % 2;
+}
+
+// Line of region r of a splat: the lines follow the set bits of the whole mask.
+inline uint64_t ru_line(const Sorted& splat, int region) {
+  return splat.address + std::popcount(splat.mask & ((uint64_t{1} << region) - 1));
+}
+
+// First memory line of an alpha line in the overflow area 0 of `unit` and layer parity `parity`.
+inline uint64_t ru_overflow_line(const Config& c, const Frame& frame, uint64_t unit, uint64_t parity, uint64_t line) {
+  return frame.overflow + (((unit << 3) | (parity << 2)) << 24) + line * c.alpha_memory_lines();
+}
+
+}  // namespace pipegs

@@ -1,0 +1,22 @@
+// su.hpp: the order in which a Sorting Unit sends the splats of a layer.
+//
+// Idea    The key {depth, index} is unique, so the order is total and does not depend on how the splats arrived.
+// Paper   Sec. 4.2.2.        RTL  rtl/su/su.sv
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "cpp_model/records.hpp"
+
+namespace pipegs {
+
+// Sort key of a splat: depth above index.
+inline uint64_t splat_key(const Config& config, const Splat& splat) { return splat.depth << config.index_w | splat.index; }
+
+inline bool splat_before(const Splat& a, const Splat& b) { return a.depth != b.depth ? a.depth < b.depth : a.index < b.index; }
+
+// Sorts the splats of one layer (data beats only), nearest first.
+inline void su_sort(std::vector<Splat>& splats) { std::sort(splats.begin(), splats.end(), splat_before); }
+
+}  // namespace pipegs

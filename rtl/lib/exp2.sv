@@ -1,0 +1,37 @@
+// exp2: 2^f for a fraction f, by a table of 2^ExpIndexW chords.
+//
+// Paper   "applying exponential function to the power" (Sec. 4.3).
+// Idea    f = (i + r / 2^R) / 2^ExpIndexW:   2^f ~ value[i] + delta[i] * r / 2^R
+//
+//           fraction   | i: ExpIndexW | r: R = ExpF - ExpIndexW |
+//           exponential   value[i] << 1  +  (delta[i] * r) >> (R - 1)      u1.(ExpOutW-1), truncated
+//
+//         The table is a constant of the package: pipegs_pkg::Exp2Table, entry i = {delta, value}.
+// Stream  None: combinational; the user registers the result (one small multiplier and an adder).
+// Model   cpp_model/lib/exp2.hpp
+
+module exp2 (
+  input  logic [pipegs_pkg::ExpF-1:0]    fraction_i,    // u0.ExpF
+  output logic [pipegs_pkg::ExpOutW-1:0] exponential_o  // u1.(ExpOutW-1)
+);
+
+  localparam int unsigned IndexW   = pipegs_pkg::ExpIndexW;
+  localparam int unsigned RestW    = pipegs_pkg::ExpF - IndexW;
+  localparam int unsigned DeltaW   = pipegs_pkg::ExpDeltaW;
+  localparam int unsigned ValueW   = pipegs_pkg::ExpValueW;
+  localparam int unsigned EntryW   = pipegs_pkg::Exp2EntryW;
+  localparam int unsigned OutW     = pipegs_pkg::ExpOutW;
+  localparam int unsigned ProductW = OutW + RestW;  // the leading bits are 0
+
+  logic [IndexW-1:0]   index;
+  logic [RestW-1:0]    rest;
+  logic [EntryW-1:0]   entry;
+  logic [ProductW-1:0] product;
+
+  assign index         = fraction_i[pipegs_pkg::ExpF-1 -: IndexW];
+  assign rest          = fraction_i[RestW-1:0];
+  assign entry         = pipegs_pkg::Exp2Table[index*EntryW +: EntryW];
+  assign product       = ProductW'(entry[EntryW-1 -: DeltaW]) * ProductW'(rest);
+  assign exponential_o = {entry[ValueW-1:0], 1'b0} + OutW'(product >> (RestW - 1));
+
+endmodule

@@ -1,0 +1,161 @@
+// line_reader: turns ranges of items that lie packed in external memory into a stream of items.
+//
+// Idea    A job names consecutive items. Its lines are requested at once, as far as the line buffer has room (a credit is a
+//         line's place in the buffer), so the requests of later jobs overlap the answers of earlier ones. A job
+//         without read is a marker: it passes in its turn and needs no memory. Item i lies in line base + i / ItemsPerLine.
+// Stream  job: first item, count (at least 1), tag. mem: one line address per beat; rsp: the lines in the same order, always
+//         accepted. out: one beat per item, or per marker, with the job's tag.
+// Pace    One item per cycle while the memory delivers; one request per cycle, one cycle between jobs.
+// Model   A queue of jobs in verif/lib/line_reader_test.cpp.
+
+module line_reader #(
+  parameter int unsigned TagW = 8,
+  parameter int unsigned ItemW = 256,
+  parameter int unsigned ItemsPerLine = 2,  // 1 or 2
+  parameter int unsigned Lines = 32,        // in flight or in the buffer; a power of two
+  parameter int unsigned Jobs = 4,
+  parameter int unsigned IndexW = pipegs_pkg::SlotW,
+  parameter int unsigned CountW = pipegs_pkg::CountW
+) (
+  input  logic                              clk_i,
+  input  logic                              rst_ni,
+
+  input  logic [pipegs_pkg::AddressW-1:0]   base_i,
+
+  input  logic                              job_valid_i,
+  output logic                              job_ready_o,
+  input  logic                              job_read_i,
+  input  logic [IndexW-1:0]                 job_first_i,
+  input  logic [CountW-1:0]                 job_count_i,
+  input  logic [TagW-1:0]                   job_tag_i,
+
+  output logic                              mem_valid_o,
+  input  logic                              mem_ready_i,
+  output logic [pipegs_pkg::AddressW-1:0]   mem_address_o,
+  input  logic                              rsp_valid_i,
+  input  logic [pipegs_pkg::MemoryW-1:0]    rsp_data_i,
+
+  output logic                              out_valid_o,
+  input  logic                              out_ready_i,
+  output logic                              out_read_o,
+  output logic [IndexW-1:0]                 out_index_o,
+  output logic [TagW-1:0]                   out_tag_o,
+  output logic [ItemW-1:0]                  out_item_o,
+
+  output logic                              waiting_o,  // the next beat waits for the memory
+  output logic                              idle_o      // no job is inside
+);
+
+  localparam int unsigned PtrW = $clog2(Lines);
+  localparam int unsigned CreditW = $clog2(Lines + 1);
+  localparam int unsigned HalfW = ItemsPerLine - 1;  // bits of an item's place in its line
+  localparam int unsigned JobW = 1 + IndexW + CountW + TagW;
+
+  // --- requests: one line after another of the job taken last --------------------------------------------------
+  logic [pipegs_pkg::AddressW-1:0] line_q;
+  logic [CountW:0]                 lines_left_q;
+  logic [CreditW-1:0]              credits_q;
+  logic [CountW:0]                 lines;  // of the job at the door
+  logic                            take, issue, load, jobs_ready;
+
+  assign lines = ((CountW+1)'(job_count_i) + (CountW+1)'(HalfW) + (CountW+1)'(job_first_i & IndexW'(HalfW))) >> HalfW;
+  assign job_ready_o   = jobs_ready && lines_left_q == '0;
+  assign take          = job_valid_i && job_ready_o;
+  assign mem_valid_o   = lines_left_q != '0 && credits_q != '0;
+  assign mem_address_o = line_q;
+  assign issue         = mem_valid_o && mem_ready_i;
+
+  always_ff @(posedge clk_i) begin
+    if (take) line_q <= base_i + (pipegs_pkg::AddressW'(job_first_i) >> HalfW);
+    else if (issue) line_q <= line_q + 1'b1;
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      lines_left_q <= '0;
+      credits_q    <= CreditW'(Lines);
+    end else begin
+      if (take) lines_left_q <= job_read_i ? lines : '0;
+      else if (issue) lines_left_q <= lines_left_q - 1'b1;
+      if (issue && !load) credits_q <= credits_q - 1'b1;
+      if (load && !issue) credits_q <= credits_q + 1'b1;
+    end
+  end
+
+  // --- answers: a ring of lines, its head read ahead into the memory's output register ------------------------------
+  logic [PtrW-1:0]                head_q, tail_q;
+  logic [CreditW-1:0]             stored_q;
+  logic                           line_valid_q, line_pop;
+  logic [pipegs_pkg::MemoryW-1:0] line;
+
+  assign load = stored_q != '0 && (!line_valid_q || line_pop);
+
+  sram #(.DataW(pipegs_pkg::MemoryW), .Depth(Lines)) u_lines (
+    .clk_i, .write_i(rsp_valid_i), .waddr_i(tail_q), .wdata_i(rsp_data_i), .read_i(load), .raddr_i(head_q), .rdata_o(line)
+  );
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      head_q       <= '0;
+      tail_q       <= '0;
+      stored_q     <= '0;
+      line_valid_q <= 1'b0;
+    end else begin
+      if (rsp_valid_i) tail_q <= tail_q + 1'b1;
+      if (load) head_q <= head_q + 1'b1;
+      if (rsp_valid_i && !load) stored_q <= stored_q + 1'b1;
+      if (load && !rsp_valid_i) stored_q <= stored_q - 1'b1;
+      if (load) line_valid_q <= 1'b1;
+      else if (line_pop) line_valid_q <= 1'b0;
+    end
+  end
+
+  // --- items ---------------------------------------------------------------------------------------------------------
+  logic              job_valid, job_read, job_pop, last, line_end;
+  logic [IndexW-1:0] job_first;
+  logic [CountW-1:0] job_count, item_q;  // item_q: items of the job sent so far
+  logic [TagW-1:0]   job_tag;
+  logic [$clog2(Jobs+1)-1:0] jobs_count;
+
+  fifo #(.DataW(JobW), .Depth(Jobs)) u_jobs (
+    .clk_i, .rst_ni,
+    .in_valid_i(take), .in_ready_o(jobs_ready), .in_i({job_read_i, job_first_i, job_count_i, job_tag_i}),
+    .out_valid_o(job_valid), .out_ready_i(job_pop), .out_o({job_read, job_first, job_count, job_tag}), .count_o(jobs_count)
+  );
+
+  assign out_valid_o = job_valid && (!job_read || line_valid_q);
+  assign out_read_o  = job_read;
+  assign out_index_o = job_first + IndexW'(item_q);
+  assign out_tag_o   = job_tag;
+  assign last        = !job_read || item_q + 1'b1 == job_count;
+  assign job_pop     = out_valid_o && out_ready_i && last;
+  assign line_pop    = out_valid_o && out_ready_i && job_read && (last || line_end);
+  assign waiting_o   = job_valid && job_read && !line_valid_q;
+  assign idle_o      = jobs_count == '0;
+
+  generate
+    if (ItemsPerLine == 2) begin : gen_two
+      assign line_end   = out_index_o[0];
+      assign out_item_o = out_index_o[0] ? line[pipegs_pkg::MemoryW/2 +: ItemW] : line[0 +: ItemW];
+    end else begin : gen_one
+      assign line_end   = 1'b1;
+      assign out_item_o = line[0 +: ItemW];
+    end
+  endgenerate
+  logic unused_line;  // the bits of a line that hold no item
+  assign unused_line = ^line;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) item_q <= '0;
+    else if (job_pop) item_q <= '0;
+    else if (out_valid_o && out_ready_i) item_q <= item_q + 1'b1;
+  end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) take && job_read_i |-> job_count_i != '0);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) rsp_valid_i |-> stored_q != CreditW'(Lines));
+  assert property (@(posedge clk_i) disable iff (!rst_ni)
+                   mem_valid_o && !mem_ready_i |=> mem_valid_o && $stable(mem_address_o));
+`endif
+
+endmodule

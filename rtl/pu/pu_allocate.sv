@@ -1,0 +1,239 @@
+// pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
+//
+// Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
+// Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a row if
+//         the lines of their own layer leave room for them, waiting until the older layer's lines are free; otherwise they
+//         take lines of the overflow area in memory. So where a line lies depends on the stream only, never on timing.
+// Stream  tiles in; row_job and color_job out (each taken by itself), or nothing when no region is left. Ends pass.
+//         At most two layers live: behind an end, beats of the next layer but one wait for layer_free_i.
+// Pace    One Gaussian per four cycles (take, count, decide, offer).
+// Model   cpp_model/pu/pu_allocate.hpp
+
+module pu_allocate #(
+  localparam int unsigned Units   = pipegs_pkg::Units,
+  localparam int unsigned Regions = pipegs_pkg::Regions,
+  localparam int unsigned WindowW = pipegs_pkg::WindowW,
+  localparam int unsigned CountW  = pipegs_pkg::RegionW + 1
+) (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  pipegs_pkg::frame_t       frame_i,
+
+  input  logic                     tiles_valid_i,
+  output logic                     tiles_ready_o,
+  input  pipegs_pkg::tiles_t       tiles_i,
+
+  output logic                     row_job_valid_o,
+  input  logic                     row_job_ready_i,
+  output pipegs_pkg::row_job_t     row_job_o,
+
+  output logic                     color_job_valid_o,
+  input  logic                     color_job_ready_i,
+  output pipegs_pkg::color_job_t   color_job_o,
+
+  input  logic [Units*Regions-1:0] done_i,    // RU j: its opaque regions of window done_x, done_y
+  input  logic [Units*WindowW-1:0] done_x_i,
+  input  logic [Units*WindowW-1:0] done_y_i,
+  input  logic                     layer_free_i,  // all RUs have finished the oldest layer
+
+  output logic [CountW-1:0]        overflowed_o,  // lines sent to the overflow area in this cycle
+  output logic                     waiting_o,     // for the older layer (perf: blocked)
+  output logic                     active_o       // needs a clock
+);
+
+  localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
+  localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
+  localparam int unsigned LinesW   = $clog2(pipegs_pkg::AlphaLines + 1);
+  localparam int unsigned HeadW    = $clog2(pipegs_pkg::AlphaLines);
+  localparam int unsigned SumW     = (LinesW > CountW ? LinesW : CountW) + 1;
+  localparam logic [Regions-1:0] EvenColumns = {Regions / 2{2'b01}};
+  localparam logic [Regions-1:0] EvenRows    = {RegionsX / 2{{RegionsX{1'b0}}, {RegionsX{1'b1}}}};
+
+  typedef enum logic [1:0] {
+    StateTake,    // waits for a beat (and for a free pulse while two layers live)
+    StateCount,   // regions left
+    StateDecide,  // ring or overflow; waits for lines of the older layer
+    StateOffer    // waits until both outputs have taken it
+  } state_e;
+
+  state_e                     state_q;
+  pipegs_pkg::tiles_t         tiles_q;
+  logic [CountW-1:0]          count_q;
+  logic [AlphaAddressW-1:0]   address_q;
+  logic                       ext_q;
+  logic                       row_valid_q, color_valid_q;
+
+  logic                       started_q, parity_q, next_parity_q;
+  logic [WindowW-1:0]         window_x_q, window_y_q, window_x, window_y;
+  logic                       last_column, last_window;
+  logic [Regions-1:0]         done;
+
+  logic [1:0]                 ended_q;   // layers that ended here and are not free yet
+  logic [LinesW-1:0]          oldest_q;  // lines of the oldest layer that lives
+  logic [LinesW-1:0]          newest_q;  // lines of the one after it
+  logic [HeadW-1:0]           head_q;
+  logic [AlphaAddressW-1:0]   overflow_q;
+  logic                       take, take_end, fits, room, decided, local_lines;
+  logic [LinesW-1:0]          current;
+
+  // The window of the beats: row-major from the frame's first to its last one.
+  assign window_x    = started_q ? window_x_q : frame_i.first_x;
+  assign window_y    = started_q ? window_y_q : frame_i.first_y;
+  assign last_column = window_x == frame_i.last_x;
+  assign last_window = last_column && window_y == frame_i.last_y;
+
+  // Region (rx, ry) belongs to RU 0 | rx ^ ry | {ry, rx}, lowest bits.
+  logic [Regions-1:0] done_unit [Units];
+  for (genvar j = 0; j < Units; j += 1) begin : gen_done
+    localparam logic [Regions-1:0] Columns = (j & 1) != 0 ? ~EvenColumns : EvenColumns;
+    localparam logic [Regions-1:0] Rows    = (j & 2) != 0 ? ~EvenRows : EvenRows;
+    localparam logic [Regions-1:0] Owned   = Units == 1 ? '1 : Units == 2 ? ~(Columns ^ EvenRows) : Columns & Rows;
+    logic here;
+    assign here = done_x_i[j*WindowW +: WindowW] == window_x && done_y_i[j*WindowW +: WindowW] == window_y;
+    assign done_unit[j] = here ? done_i[j*Regions +: Regions] & Owned : '0;
+  end
+  always_comb begin
+    done = '0;
+    for (int unsigned j = 0; j < Units; j += 1) done |= done_unit[j];
+  end
+
+  assign tiles_ready_o = state_q == StateTake && !ended_q[1];
+  assign take          = tiles_valid_i && tiles_ready_o;
+  assign take_end      = take && tiles_i.kind != pipegs_pkg::KindData;
+
+  // A data beat in StateDecide implies that at most one layer has ended.
+  assign current     = ended_q == '0 ? oldest_q : newest_q;
+  assign fits        = SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
+  assign room        = SumW'(oldest_q) + SumW'(newest_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
+  assign decided     = state_q == StateDecide && (room || !fits);
+  assign local_lines = decided && fits;
+
+  assign overflowed_o = decided && !fits ? count_q : '0;
+  assign waiting_o    = (state_q == StateDecide && !decided) || (tiles_valid_i && ended_q[1]);
+
+  always_comb begin
+    unique case (state_q)
+      StateTake:   active_o = take;
+      StateCount:  active_o = 1'b1;
+      StateDecide: active_o = decided;
+      default:     active_o = (row_valid_q && row_job_ready_i) || (color_valid_q && color_job_ready_i);
+    endcase
+    if (layer_free_i) active_o = 1'b1;
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q       <= StateTake;
+      row_valid_q   <= 1'b0;
+      color_valid_q <= 1'b0;
+    end else begin
+      if (row_job_ready_i) row_valid_q <= 1'b0;
+      if (color_job_ready_i) color_valid_q <= 1'b0;
+      unique case (state_q)
+        StateTake:  if (take) state_q <= take_end ? StateOffer : StateCount;
+        StateCount: state_q <= tiles_q.mask == '0 ? StateTake : StateDecide;
+        StateDecide: if (decided) state_q <= StateOffer;
+        default: begin
+          if ((!row_valid_q || row_job_ready_i) && (!color_valid_q || color_job_ready_i)) state_q <= StateTake;
+        end
+      endcase
+      if (take_end || decided) begin
+        row_valid_q   <= 1'b1;
+        color_valid_q <= 1'b1;
+      end
+    end
+  end
+
+  // Layers and their lines.
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      ended_q       <= '0;
+      oldest_q      <= '0;
+      newest_q      <= '0;
+      head_q        <= '0;
+      overflow_q    <= '0;
+      parity_q      <= 1'b0;
+      next_parity_q <= 1'b0;
+      started_q     <= 1'b0;
+    end else begin
+      ended_q <= ended_q + 2'(take_end) - 2'(layer_free_i);
+      if (layer_free_i) begin
+        oldest_q <= newest_q + (local_lines ? LinesW'(count_q) : '0);
+        newest_q <= '0;
+      end else if (local_lines) begin
+        if (ended_q == '0) oldest_q <= current + LinesW'(count_q);
+        else newest_q <= current + LinesW'(count_q);
+      end
+      if (local_lines) head_q <= head_q + HeadW'(count_q);
+      if (decided && !fits) overflow_q <= overflow_q + AlphaAddressW'(count_q);
+      if (take) parity_q <= next_parity_q;
+      if (take_end) begin
+        overflow_q    <= '0;
+        next_parity_q <= !next_parity_q;
+        if (tiles_i.kind == pipegs_pkg::KindWindowEnd) begin
+          started_q <= !last_window;
+          if (last_window) next_parity_q <= 1'b0;
+        end
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (take) begin
+      tiles_q      <= tiles_i;
+      tiles_q.mask <= tiles_i.mask & ~done;
+      ext_q        <= 1'b0;
+    end
+    if (state_q == StateCount) count_q <= CountW'($countones(tiles_q.mask));
+    if (decided) begin
+      address_q <= fits ? AlphaAddressW'(head_q) : overflow_q;
+      ext_q     <= !fits;
+    end
+    if (take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd) begin
+      window_x_q <= last_column ? frame_i.first_x : window_x + WindowW'(1);
+      window_y_q <= last_column ? window_y + WindowW'(1) : window_y;
+    end
+  end
+
+  // Both outputs are views of the one register.
+  assign row_job_valid_o   = row_valid_q;
+  assign color_job_valid_o = color_valid_q;
+  always_comb begin
+    row_job_o.kind    = tiles_q.kind;
+    row_job_o.a       = tiles_q.a;
+    row_job_o.b       = tiles_q.b;
+    row_job_o.c       = tiles_q.c;
+    row_job_o.d       = tiles_q.d;
+    row_job_o.e       = tiles_q.e;
+    row_job_o.f       = tiles_q.f;
+    row_job_o.mask    = tiles_q.mask;
+    row_job_o.address = address_q;
+    row_job_o.ext     = ext_q;
+    row_job_o.parity  = parity_q;
+    row_job_o.index   = tiles_q.index;
+    color_job_o.kind    = tiles_q.kind;
+    color_job_o.depth   = tiles_q.depth;
+    color_job_o.index   = tiles_q.index;
+    color_job_o.slot    = tiles_q.slot;
+    color_job_o.mask    = tiles_q.mask;
+    color_job_o.address = address_q;
+    color_job_o.ext     = ext_q;
+    color_job_o.dir_x   = tiles_q.dir_x;
+    color_job_o.dir_y   = tiles_q.dir_y;
+    color_job_o.dir_z   = tiles_q.dir_z;
+    color_job_o.base_r  = tiles_q.base_r;
+    color_job_o.base_g  = tiles_q.base_g;
+    color_job_o.base_b  = tiles_q.base_b;
+  end
+
+  logic unused_frame;
+  assign unused_frame = &{1'b0, frame_i};
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) layer_free_i |-> ended_q != '0)
+    else $error("a layer was freed that has not ended");
+  assert property (@(posedge clk_i) disable iff (!rst_ni) overflow_q <= ~AlphaAddressW'(0) - AlphaAddressW'(2 * Regions))
+    else $error("the overflow area of a layer is full");
+`endif
+
+endmodule

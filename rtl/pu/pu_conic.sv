@@ -1,0 +1,367 @@
+// pu_conic: the inverse of the covariance, as what the coefficients need: two curvatures, a slope, and a box.
+//
+// Paper   Eq. 1 (the exponent), k = log2(e)/2 folded in: alpha = 2^power.
+// Idea    Eliminate the narrower axis (x if c >= a, else exchange x and y); larger = max(a, c):
+//           wide = k / larger,  narrow = k larger / det,  slope = b / larger,  extent = sqrt(variance * budget)
+// Stream  covariance in, conic out, in order; an end beat passes through.
+// Pace    One record in eight cycles, latency 14 (an end beat 6). One multiplier, one reciprocal, two serial square roots.
+//           slot  0     1    2     3     4     5     6     7   | 0      1      2  3       4       5     of the next slot
+//           recip larger det             ->    ->              |
+//           mult             a t   c t         wide  k/det slope narrow
+//           root                         a: 4 .. 7             | .. 2          scale
+//                                              c: 5 .. 7       | .. 3                  scale   out
+//         A record stays in covariance_i up to slot cycle 5, then in front_q up to cycle 5 of the next slot.
+// Model   cpp_model/pu/pu_conic.hpp
+
+module pu_conic (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+
+  input  logic                     covariance_valid_i,
+  output logic                     covariance_ready_o,
+  input  pipegs_pkg::covariance_t  covariance_i,
+
+  output logic                     conic_valid_o,
+  input  logic                     conic_ready_i,
+  output pipegs_pkg::conic_t       conic_o,
+
+  output logic                     busy_o  // a record is inside
+);
+
+  localparam int unsigned MantissaW = pipegs_pkg::MantissaW;
+  localparam int unsigned FloatEW   = pipegs_pkg::FloatEW;
+  localparam int unsigned SlopeW    = pipegs_pkg::SlopeW;
+  localparam int unsigned SlopeF    = SlopeW - 2;
+  localparam int unsigned OpacityF  = pipegs_pkg::OpacityF;
+  localparam int unsigned OpacityW  = pipegs_pkg::OpacityW;
+  localparam int unsigned CoeffF    = pipegs_pkg::CoeffF;
+  localparam int unsigned PowerF    = pipegs_pkg::PowerF;
+  localparam int unsigned ExtentW   = pipegs_pkg::ExtentW;
+  localparam int unsigned PhaseW    = 3;
+  localparam int unsigned LastPhase = 7;
+  localparam int unsigned OutPhase  = 5;   // the record before leaves, this one moves to front_q
+  localparam int unsigned RadicandW = 28;  // of pu_root
+  localparam int unsigned RootW     = RadicandW / 2;
+  localparam int unsigned LeftW     = MantissaW + 1 > SlopeW ? MantissaW + 1 : SlopeW;
+  localparam int unsigned RightW    = MantissaW > OpacityW ? MantissaW + 1 : OpacityW + 1;
+  localparam int unsigned ProductW  = LeftW + RightW;
+  localparam int unsigned ShiftW    = 7;
+  localparam int unsigned SumW      = FloatEW + 4;  // sums of exponents
+  localparam int unsigned Cut       = MantissaW + OpacityW - RadicandW;
+
+  // log2(e)/2, u0.MantissaW, from 32 fraction bits.
+  localparam int unsigned KF  = 32;
+  localparam logic [KF-1:0] KFull = KF'(3098164009);
+  localparam logic [MantissaW-1:0] K = MantissaW'(((KFull >> (KF - MantissaW - 1)) + KF'(1)) >> 1);
+
+  // PuCut::budget: log2(255) and three times the slack, rounded up.
+  localparam logic [63:0] Slack  = (64'd1 << (CoeffF + 8 - PowerF)) + (64'd1 << 16) + (64'd1 << (CoeffF - 12));
+  localparam logic [63:0] Budget =
+    (((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + 64'd3 * Slack) >> (CoeffF - OpacityF)) + 64'd1;
+  // 2 ln(2) (1 + 1/64) * 2^8, rounded up.
+  localparam int unsigned MarginF = 8;
+  localparam int unsigned MarginW = 9;
+  localparam logic [MarginW-1:0] Margin = MarginW'(361);
+
+  // What a record keeps while it is calculated.
+  typedef struct packed {
+    logic signed [SlopeW-1:0]              b_m;
+    logic signed [FloatEW-1:0]             b_e;
+    logic [MantissaW-1:0]                  larger_m;
+    logic signed [FloatEW-1:0]             larger_e;
+    logic signed [FloatEW-1:0]             det_e;
+    logic                                  swap;
+    logic [pipegs_pkg::KindW-1:0]          kind;
+    logic signed [pipegs_pkg::MeanW-1:0]   mean_x;
+    logic signed [pipegs_pkg::MeanW-1:0]   mean_y;
+    logic [OpacityW-1:0]                   opacity;
+    logic [pipegs_pkg::DepthW-1:0]         depth;
+    logic signed [pipegs_pkg::DirectionW-1:0] dir_x;
+    logic signed [pipegs_pkg::DirectionW-1:0] dir_y;
+    logic signed [pipegs_pkg::DirectionW-1:0] dir_z;
+    logic signed [pipegs_pkg::BaseW-1:0]   base_r;
+    logic signed [pipegs_pkg::BaseW-1:0]   base_g;
+    logic signed [pipegs_pkg::BaseW-1:0]   base_b;
+    logic [pipegs_pkg::IndexW-1:0]         index;
+    logic [pipegs_pkg::SlotW-1:0]          slot;
+  } front_t;
+
+  logic [PhaseW-1:0]   phase_q;
+  logic                fresh_q;  // covariance_i of this slot holds a record (from cycle 1 to OutPhase)
+  logic                front_valid_q;
+  front_t              front, front_q;
+  logic                conic_valid_q;
+  pipegs_pkg::conic_t  conic, conic_q;
+  logic                fresh, advance, data;
+
+  assign fresh   = phase_q == '0 ? covariance_valid_i : fresh_q;
+  assign advance = !(phase_q == PhaseW'(OutPhase) && front_valid_q && conic_valid_q && !conic_ready_i);
+  assign data    = covariance_i.kind == pipegs_pkg::KindData;
+
+  assign covariance_ready_o = phase_q == PhaseW'(OutPhase) && fresh_q && advance;
+  assign conic_valid_o      = conic_valid_q;
+  assign conic_o            = conic_q;
+  assign busy_o             = phase_q != '0 || front_valid_q || conic_valid_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      phase_q       <= '0;
+      fresh_q       <= 1'b0;
+      front_valid_q <= 1'b0;
+      conic_valid_q <= 1'b0;
+    end else begin
+      if (conic_ready_i) conic_valid_q <= 1'b0;
+      if (phase_q == '0) begin
+        fresh_q <= covariance_valid_i;
+        if (covariance_valid_i || front_valid_q) phase_q <= PhaseW'(1);
+      end else if (advance) begin
+        phase_q <= phase_q + PhaseW'(1);
+        if (phase_q == PhaseW'(OutPhase)) begin
+          if (front_valid_q) conic_valid_q <= 1'b1;
+          front_valid_q <= fresh_q;
+          if (!fresh_q || !data) phase_q <= '0;  // nothing to calculate in this slot
+        end
+        if (phase_q == PhaseW'(LastPhase)) phase_q <= '0;
+      end
+    end
+  end
+
+  // --- which axis is the wider one -------------------------------------------------------------------------------
+  logic                      swap;
+  logic [MantissaW-1:0]      larger_m;
+  logic signed [FloatEW-1:0] larger_e;
+  assign swap     = covariance_i.a_e > covariance_i.c_e ||
+                    (covariance_i.a_e == covariance_i.c_e && covariance_i.a_m > covariance_i.c_m);
+  assign larger_m = swap ? covariance_i.a_m : covariance_i.c_m;
+  assign larger_e = swap ? covariance_i.a_e : covariance_i.c_e;
+
+  // --- reciprocals: they come four cycles later, whether the slot waits or not --------------------------------------
+  logic                 recip_in_valid, recip_valid, second_q;
+  logic [MantissaW-1:0] recip_in, recip, inverse_q, inverse_det_q;
+  assign recip_in_valid = fresh && data && (phase_q == '0 || phase_q == PhaseW'(1));
+  assign recip_in       = phase_q == '0 ? larger_m : covariance_i.det_m;
+
+  recip #(.DataW(MantissaW)) u_recip (
+    .clk_i, .rst_ni,
+    .in_valid_i(recip_in_valid), .in_i(recip_in),
+    .out_valid_o(recip_valid), .out_o(recip)
+  );
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) second_q <= 1'b0;
+    else if (recip_valid) second_q <= !second_q;
+  end
+  always_ff @(posedge clk_i) begin
+    if (recip_valid && !second_q) inverse_q <= recip;
+    if (recip_valid && second_q) inverse_det_q <= recip;
+  end
+
+  // --- the budget of the box: cycle 0 the value, cycle 1 shifted to the left end --------------------------------------
+  logic [OpacityW-1:0]         budget;
+  logic [OpacityW+MarginW-1:0] scaled;
+  logic [OpacityW-1:0]         t_q, t_left, t_left_q;
+  logic [FloatEW-1:0]          lead, lead_q;
+  assign budget = OpacityW'(Budget) > covariance_i.opacity ? OpacityW'(Budget) - covariance_i.opacity : '0;
+  assign scaled = (OpacityW + MarginW)'(budget) * (OpacityW + MarginW)'(Margin);
+
+  always_comb begin
+    lead = '0;
+    for (int unsigned i = 0; i < OpacityW; i += 1) if (t_q[i]) lead = FloatEW'(OpacityW - 1 - i);
+    t_left = t_q << lead;
+  end
+  always_ff @(posedge clk_i) begin
+    if (phase_q == '0) t_q <= OpacityW'(scaled >> MarginF) + OpacityW'(1);
+    if (phase_q == PhaseW'(1)) begin
+      t_left_q <= t_left;
+      lead_q   <= lead;
+    end
+  end
+
+  // --- the multiplier --------------------------------------------------------------------------------------------------
+  logic [MantissaW-1:0]        scaled_det_q;  // k / det
+  logic signed [LeftW-1:0]     left;
+  logic signed [RightW-1:0]    right;
+  logic signed [ProductW-1:0]  product_q;
+
+  always_comb begin
+    left  = LeftW'($signed({1'b0, covariance_i.a_m}));
+    right = RightW'($signed({1'b0, t_left_q}));
+    case (phase_q)
+      PhaseW'(0): begin  // narrow
+        left  = LeftW'($signed({1'b0, front_q.larger_m}));
+        right = RightW'($signed({1'b0, scaled_det_q}));
+      end
+      PhaseW'(3): left = LeftW'($signed({1'b0, covariance_i.c_m}));
+      PhaseW'(5): begin  // wide
+        left  = LeftW'($signed({1'b0, K}));
+        right = RightW'($signed({1'b0, inverse_q}));
+      end
+      PhaseW'(6): begin
+        left  = LeftW'($signed({1'b0, K}));
+        right = RightW'($signed({1'b0, inverse_det_q}));
+      end
+      PhaseW'(7): begin  // slope
+        left  = LeftW'(front_q.b_m);
+        right = RightW'($signed({1'b0, inverse_q}));
+      end
+      default: ;
+    endcase
+  end
+  always_ff @(posedge clk_i) product_q <= ProductW'(left) * ProductW'(right);
+
+  // A product of two normalised mantissas: MantissaW leading bits, to nearest, and what its exponent gains.
+  logic                      top;
+  logic [MantissaW:0]        leading, rounded;
+  logic [MantissaW-1:0]      mantissa;
+  logic signed [FloatEW-1:0] gain;
+  assign top      = product_q[2*MantissaW-1];
+  assign leading  = top ? product_q[2*MantissaW-1-:MantissaW+1] : product_q[2*MantissaW-2-:MantissaW+1];
+  assign rounded  = {1'b0, leading[MantissaW:1]} + (MantissaW + 1)'(leading[0]);
+  assign mantissa = rounded[MantissaW] ? rounded[MantissaW:1] : rounded[MantissaW-1:0];
+  assign gain     = FloatEW'({1'b0, top}) + FloatEW'({1'b0, rounded[MantissaW]});
+
+  // b / larger = product * 2^(b_e - larger_e + 1 - 2 MantissaW), to SlopeF fraction bits, at most 1.
+  localparam logic signed [LeftW+RightW-1:0] One = ProductW'(1) <<< SlopeF;
+  logic signed [SumW-1:0]     slope_shift, slope_shift_q;
+  logic [ShiftW-1:0]          slope_by;
+  logic signed [ProductW-1:0] half_slope, near_slope;
+  logic signed [SlopeW-1:0]   slope;
+  assign slope_shift = SumW'(front_q.larger_e) - SumW'(front_q.b_e) + SumW'(2 * MantissaW - 1) - SumW'(SlopeF);
+  assign slope_by    = slope_shift_q[SumW-2:ShiftW] != '0 ? '1 : slope_shift_q[ShiftW-1:0] - ShiftW'(1);
+  assign half_slope  = product_q >>> slope_by;
+  assign near_slope  = (half_slope >>> 1) + $signed(ProductW'(half_slope[0]));
+  always_comb begin
+    slope = SlopeW'(near_slope);
+    if (slope_shift_q <= 0) slope = product_q == 0 ? '0 : product_q < 0 ? -SlopeW'(One) : SlopeW'(One);
+    else if (near_slope > One) slope = SlopeW'(One);
+    else if (near_slope < -One) slope = -SlopeW'(One);
+  end
+
+  logic [MantissaW-1:0]      wide_m_q, narrow_m_q;
+  logic signed [FloatEW-1:0] wide_e_q, narrow_e_q, scaled_det_e_q;
+  logic signed [SlopeW-1:0]  slope_q;
+  always_ff @(posedge clk_i) begin
+    if (phase_q == PhaseW'(6)) begin
+      wide_m_q <= mantissa;
+      wide_e_q <= gain - front_q.larger_e - FloatEW'(2 * MantissaW);
+    end
+    if (phase_q == PhaseW'(7)) begin
+      scaled_det_q   <= mantissa;
+      scaled_det_e_q <= gain - front_q.det_e - FloatEW'(2 * MantissaW);
+      slope_shift_q  <= slope_shift;
+    end
+    if (phase_q == '0) slope_q <= slope;
+    if (phase_q == PhaseW'(1)) begin
+      narrow_m_q <= mantissa;
+      narrow_e_q <= gain + front_q.larger_e + scaled_det_e_q + FloatEW'(MantissaW - 1);
+    end
+  end
+
+  // --- the two roots ----------------------------------------------------------------------------------------------------
+  logic signed [SumW-1:0] exponent, half, half_x_q, half_y_q;
+  logic signed [FloatEW-1:0] variance_e;
+  logic [RadicandW-1:0]   radicand;
+  logic [RootW-1:0]       root_x, root_y, root;
+  logic [ExtentW-1:0]     pixels, pixels_x_q, pixels_y_q;
+
+  assign variance_e = phase_q == PhaseW'(3) ? covariance_i.a_e : covariance_i.c_e;
+  assign exponent   = SumW'(variance_e) - SumW'($signed({1'b0, lead_q})) + SumW'(8) + SumW'(Cut) - SumW'(OpacityF);
+  assign radicand = exponent[0] ? RadicandW'(product_q >> (Cut + 1)) : RadicandW'(product_q >> Cut);
+
+  pu_root u_root_x (
+    .clk_i, .load_i(phase_q == PhaseW'(3)), .step_i(advance), .radicand_i(radicand), .root_o(root_x)
+  );
+  pu_root u_root_y (
+    .clk_i, .load_i(phase_q == PhaseW'(4)), .step_i(advance), .radicand_i(radicand), .root_o(root_y)
+  );
+
+  // (root + 1) * 2^half, in 1/16 pixel.
+  localparam int unsigned ByW = 5;
+  logic [RootW:0]         up;
+  logic [SumW-1:0]        minus_half;
+  logic [ExtentW+RootW:0] raised;
+  assign root       = phase_q == PhaseW'(3) ? root_x : root_y;
+  assign half       = phase_q == PhaseW'(3) ? half_x_q : half_y_q;
+  assign up         = (RootW + 1)'(root) + (RootW + 1)'(1);
+  assign minus_half = -half;
+  assign raised     = (ExtentW + RootW + 1)'(up) << half[ByW-1:0];
+  always_comb begin
+    if (half >= $signed(SumW'(ExtentW))) pixels = '1;
+    else if (half >= 0) pixels = raised[ExtentW+RootW:ExtentW] != '0 ? '1 : raised[ExtentW-1:0];
+    else pixels = minus_half[SumW-1:ByW] != '0 ? '0 : ExtentW'(up) >> minus_half[ByW-1:0];
+  end
+  always_ff @(posedge clk_i) begin
+    if (phase_q == PhaseW'(3)) begin
+      half_x_q   <= (exponent + $signed(SumW'(exponent[0]))) >>> 1;
+      pixels_x_q <= pixels;
+    end
+    if (phase_q == PhaseW'(4)) begin
+      half_y_q   <= (exponent + $signed(SumW'(exponent[0]))) >>> 1;
+      pixels_y_q <= pixels;
+    end
+  end
+
+  localparam int unsigned FarShift = MantissaW - 4;
+  logic [ExtentW:0] extent_x, extent_y;
+  assign extent_x = (ExtentW + 1)'(pixels_x_q) + ((ExtentW + 1)'(pixels_y_q) >> FarShift) + (ExtentW + 1)'(2);
+  assign extent_y = (ExtentW + 1)'(pixels_y_q) + ((ExtentW + 1)'(pixels_x_q) >> FarShift) + (ExtentW + 1)'(2);
+
+  // --- what is kept, what leaves -----------------------------------------------------------------------------------------
+  always_comb begin
+    front          = '0;
+    front.kind     = covariance_i.kind;
+    if (data) begin
+      front.b_m      = covariance_i.b_m;
+      front.b_e      = covariance_i.b_e;
+      front.larger_m = larger_m;
+      front.larger_e = larger_e;
+      front.det_e    = covariance_i.det_e;
+      front.swap     = swap;
+      front.mean_x   = covariance_i.mean_x;
+      front.mean_y   = covariance_i.mean_y;
+      front.opacity  = covariance_i.opacity;
+      front.depth    = covariance_i.depth;
+      front.dir_x    = covariance_i.dir_x;
+      front.dir_y    = covariance_i.dir_y;
+      front.dir_z    = covariance_i.dir_z;
+      front.base_r   = covariance_i.base_r;
+      front.base_g   = covariance_i.base_g;
+      front.base_b   = covariance_i.base_b;
+      front.index    = covariance_i.index;
+      front.slot     = covariance_i.slot;
+    end
+
+    conic      = '0;
+    conic.kind = front_q.kind;
+    if (front_q.kind == pipegs_pkg::KindData) begin
+      conic.extent_x = extent_x[ExtentW] ? '1 : extent_x[ExtentW-1:0];
+      conic.extent_y = extent_y[ExtentW] ? '1 : extent_y[ExtentW-1:0];
+      conic.slope_m  = slope_q;
+      conic.narrow_m = narrow_m_q;
+      conic.narrow_e = narrow_e_q;
+      conic.wide_m   = wide_m_q;
+      conic.wide_e   = wide_e_q;
+      conic.mean_x   = front_q.mean_x;
+      conic.mean_y   = front_q.mean_y;
+      conic.swap     = front_q.swap;
+      conic.opacity  = front_q.opacity;
+      conic.depth    = front_q.depth;
+      conic.dir_x    = front_q.dir_x;
+      conic.dir_y    = front_q.dir_y;
+      conic.dir_z    = front_q.dir_z;
+      conic.base_r   = front_q.base_r;
+      conic.base_g   = front_q.base_g;
+      conic.base_b   = front_q.base_b;
+      conic.index    = front_q.index;
+      conic.slot     = front_q.slot;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (phase_q == PhaseW'(OutPhase) && advance) begin
+      if (front_valid_q) conic_q <= conic;
+      front_q <= front;
+    end
+  end
+
+endmodule

@@ -1,0 +1,83 @@
+// pu_fetch: reads the Gaussians of each chunk from external memory and lays the chunk's header beside each of them.
+//
+// Paper   Sec. 4.2, Fig. 7: the double buffer for Gaussian parameters before the PU.
+// Idea    A chunk's geometry is a run of lines. line_reader asks for the lines of the next chunks while the present one is
+//         sent, so the latency of the memory is hidden behind Lines lines of prefetch.
+// Stream  chunk: one beat per chunk, or an end beat. fetched: one beat per Gaussian, or the end beat in its turn.
+// Pace    One Gaussian per cycle while the memory delivers.
+// Model   None: a queue in verif/pu/pu_fetch_test.cpp.
+
+module pu_fetch #(
+  parameter int unsigned Lines = 32  // lines of geometry in flight or waiting
+) (
+  input  logic                            clk_i,
+  input  logic                            rst_ni,
+
+  input  logic [pipegs_pkg::AddressW-1:0] gaussians_i,  // first line of the geometry, from frame_t
+
+  input  logic                            chunk_valid_i,
+  output logic                            chunk_ready_o,
+  input  pipegs_pkg::chunk_t              chunk_i,
+
+  output logic                            mem_valid_o,
+  input  logic                            mem_ready_i,
+  output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
+  input  logic                            rsp_valid_i,
+  input  logic [pipegs_pkg::MemoryW-1:0]  rsp_data_i,
+
+  output logic                            fetched_valid_o,
+  input  logic                            fetched_ready_i,
+  output pipegs_pkg::fetched_t            fetched_o,
+
+  output logic                            waiting_memory_o,  // the next Gaussian waits for the memory
+  output logic                            idle_o             // holds no chunk
+);
+
+  // The header travels beside the job; slot and count are the job itself.
+  localparam int unsigned HeaderW = pipegs_pkg::ChunkBits - pipegs_pkg::SlotW - pipegs_pkg::CountW;
+
+  logic [HeaderW-1:0]                  header_in, header;
+  logic [pipegs_pkg::GaussianRecordBits-1:0] item;
+  logic [pipegs_pkg::SlotW-1:0]        slot;
+  logic                                is_data;
+  pipegs_pkg::gaussian_t               gaussian;
+
+  assign header_in = {chunk_i.offset_exp, chunk_i.view_exp, chunk_i.origin_z, chunk_i.origin_y, chunk_i.origin_x,
+                      chunk_i.window_y, chunk_i.window_x, chunk_i.kind};
+
+  line_reader #(
+    .TagW(HeaderW), .ItemW(pipegs_pkg::GaussianRecordBits), .ItemsPerLine(pipegs_pkg::GaussiansPerLine), .Lines(Lines)
+  ) u_reader (
+    .clk_i, .rst_ni, .base_i(gaussians_i),
+    .job_valid_i(chunk_valid_i), .job_ready_o(chunk_ready_o), .job_read_i(chunk_i.kind == pipegs_pkg::KindData),
+    .job_first_i(chunk_i.slot), .job_count_i(chunk_i.count), .job_tag_i(header_in),
+    .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
+    .out_valid_o(fetched_valid_o), .out_ready_i(fetched_ready_i), .out_read_o(is_data), .out_index_o(slot),
+    .out_tag_o(header), .out_item_o(item),
+    .waiting_o(waiting_memory_o), .idle_o
+  );
+
+  assign gaussian = is_data ? item : '0;  // an end beat carries zeros
+
+  always_comb begin
+    {fetched_o.offset_exp, fetched_o.view_exp, fetched_o.origin_z, fetched_o.origin_y, fetched_o.origin_x,
+     fetched_o.window_y, fetched_o.window_x, fetched_o.kind} = header;
+    fetched_o.slot     = is_data ? slot : '0;
+    fetched_o.offset_x = gaussian.offset_x;
+    fetched_o.offset_y = gaussian.offset_y;
+    fetched_o.offset_z = gaussian.offset_z;
+    fetched_o.qw       = gaussian.qw;
+    fetched_o.qx       = gaussian.qx;
+    fetched_o.qy       = gaussian.qy;
+    fetched_o.qz       = gaussian.qz;
+    fetched_o.scale_0  = gaussian.scale_0;
+    fetched_o.scale_1  = gaussian.scale_1;
+    fetched_o.scale_2  = gaussian.scale_2;
+    fetched_o.opacity  = gaussian.opacity;
+    fetched_o.base_r   = gaussian.base_r;
+    fetched_o.base_g   = gaussian.base_g;
+    fetched_o.base_b   = gaussian.base_b;
+    fetched_o.index    = gaussian.index;
+  end
+
+endmodule

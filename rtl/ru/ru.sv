@@ -1,0 +1,168 @@
+// ru: one Rendering Unit block: blends the regions of a window that it owns, then writes their pixels.
+//
+// Paper   Fig. 7, Table 2 (RU: sixteen Rendering Units, double-buffered T and RGB).
+// Idea    queue -> ru_walk (regions) -> ru_fetch (lines of alphas) -> ru_lanes (blend) <-> pixel_buffer -> ru_resolve.
+//         ru_window knows where in the frame the RU is; ru_memory joins alpha reads and pixel writes. Only wiring here.
+// Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the PUs.
+// Pace    Four cycles per region of alphas, pixels are written meanwhile.
+// Model   cpp_model/ru/ru.hpp
+
+module ru #(
+  localparam int unsigned Units = pipegs_pkg::Units,
+  localparam int unsigned LineW = pipegs_pkg::LineW,
+  localparam int unsigned Lanes = 16,
+  localparam int unsigned WordW = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1)
+) (
+  input  logic                                 clk_i,
+  input  logic                                 rst_ni,
+  input  pipegs_pkg::frame_t                   frame_i,
+  input  logic [pipegs_pkg::UnitW-1:0]         unit_i,          // constant
+  input  logic                                 restart_i,       // a frame begins; the RU is idle
+
+  input  logic                                 in_valid_i,
+  output logic                                 in_ready_o,
+  input  pipegs_pkg::sorted_t                  in_i,
+
+  output logic [Units-1:0]                     read_valid_o,    // to the alpha store of each unit
+  input  logic [Units-1:0]                     read_ready_i,
+  output logic [pipegs_pkg::AlphaAddressW-1:0] read_address_o,
+  input  logic [Units-1:0]                     answer_valid_i,  // one cycle after the request was taken
+  input  logic [Units*LineW-1:0]               answer_i,
+
+  output logic                                 mem_valid_o,
+  input  logic                                 mem_ready_i,
+  output logic                                 mem_write_o,
+  output logic [pipegs_pkg::AddressW-1:0]      mem_address_o,
+  output logic [pipegs_pkg::MemoryW-1:0]       mem_data_o,
+  input  logic                                 rsp_valid_i,
+  input  logic [pipegs_pkg::MemoryW-1:0]       rsp_data_i,
+
+  output logic [pipegs_pkg::Regions-1:0]       done_o,          // owned regions that need no more alphas
+  output logic [pipegs_pkg::WindowW-1:0]       done_x_o,        // the window they are of
+  output logic [pipegs_pkg::WindowW-1:0]       done_y_o,
+  output logic                                 layer_done_o,    // pulse: all lines of a layer are blended
+  output logic                                 window_done_o,   // pulse: with it, the window is complete
+  output logic                                 idle_o,          // nothing inside, all pixels written
+
+  output logic                                 active_o,
+  output logic [1:0]                           perf_o,          // 0 busy, 1 starved, 2 blocked, 3 memory
+
+  output logic                                 tap_line_valid_o,  // a line is consumed
+  output logic [pipegs_pkg::IndexW-1:0]        tap_line_index_o,  // by this Gaussian
+  output logic [pipegs_pkg::RegionW-1:0]       tap_line_region_o,
+  output logic [LineW-1:0]                     tap_line_o,
+  output logic                                 tap_word_valid_o,  // a word of sixteen pixels is written back
+  output logic [pipegs_pkg::RegionW-1:0]       tap_word_region_o,
+  output logic [1:0]                           tap_word_quarter_o,
+  output logic [WordW-1:0]                     tap_word_o
+);
+
+  localparam int unsigned QueueDepth = 16;
+  localparam int unsigned QueueW = $clog2(QueueDepth + 1);
+  localparam int unsigned Words = pipegs_pkg::Regions / Units * 4;
+  localparam int unsigned AddrW = $clog2(Words);
+  localparam int unsigned SideW = $clog2(pipegs_pkg::Window) + 1;
+
+  logic                            splat_valid, splat_ready, fetch_valid, fetch_ready, blend_valid, blend_ready;
+  pipegs_pkg::sorted_t             splat;
+  pipegs_pkg::fetch_t              fetch;
+  pipegs_pkg::blend_t              blend;
+  logic [LineW-1:0]                line;
+  logic [QueueW-1:0]               queue_count;
+  logic                            walk_idle, fetch_idle, fetch_memory, lanes_issue, lanes_busy;
+  logic [pipegs_pkg::Regions-1:0]  own, blended, outside;
+  logic [SideW-1:0]                columns, rows;
+  logic [2*pipegs_pkg::WindowW-1:0] number;
+  logic                            blend_read, blend_write, blend_fresh;
+  logic [AddrW-1:0]                blend_raddr, blend_waddr;
+  logic [WordW-1:0]                blend_rdata, blend_wdata;
+  logic                            resolve_read, resolve_fresh, resolve_ready;
+  logic [AddrW-1:0]                resolve_raddr;
+  logic [WordW-1:0]                resolve_rdata;
+  logic                            load_valid, load_ready, store_valid, store_ready;
+  logic [pipegs_pkg::AddressW-1:0] load_address, store_address;
+  logic [pipegs_pkg::MemoryW-1:0]  store_data;
+
+  ru_own u_own (.unit_i, .own_o(own));
+  assign done_o = own & (blended | outside);
+
+  sram_fifo #(.DataW(pipegs_pkg::SortedBits), .Depth(QueueDepth)) u_queue (
+    .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i,
+    .out_valid_o(splat_valid), .out_ready_i(splat_ready), .out_o(splat), .count_o(queue_count)
+  );
+
+  ru_walk #(.EndsMax(pipegs_pkg::FetchLines + 16)) u_walk (
+    .clk_i, .rst_ni, .unit_i, .done_i(done_o), .window_done_i(window_done_o),
+    .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
+    .out_valid_o(fetch_valid), .out_ready_i(fetch_ready), .out_o(fetch), .idle_o(walk_idle)
+  );
+
+  ru_fetch u_fetch (
+    .clk_i, .rst_ni, .restart_i, .overflow_i(frame_i.overflow),
+    .in_valid_i(fetch_valid), .in_ready_o(fetch_ready), .in_i(fetch),
+    .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
+    .mem_valid_o(load_valid), .mem_ready_i(load_ready), .mem_address_o(load_address), .rsp_valid_i, .rsp_data_i,
+    .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line),
+    .memory_o(fetch_memory), .idle_o(fetch_idle)
+  );
+
+  ru_lanes u_lanes (
+    .clk_i, .rst_ni, .restart_i,
+    .in_valid_i(blend_valid), .in_ready_o(blend_ready), .in_i(blend), .in_line_i(line),
+    .columns_i(columns), .rows_i(rows), .done_o(blended),
+    .read_o(blend_read), .raddr_o(blend_raddr), .rdata_i(blend_rdata), .fresh_i(blend_fresh),
+    .write_o(blend_write), .waddr_o(blend_waddr), .wdata_o(blend_wdata),
+    .resolve_ready_i(resolve_ready), .layer_done_o, .window_done_o, .issue_o(lanes_issue), .busy_o(lanes_busy),
+    .tap_region_o(tap_word_region_o), .tap_quarter_o(tap_word_quarter_o)
+  );
+
+  ru_window u_window (
+    .clk_i, .rst_ni, .width_i(frame_i.width), .height_i(frame_i.height), .first_x_i(frame_i.first_x),
+    .first_y_i(frame_i.first_y), .last_x_i(frame_i.last_x), .restart_i, .advance_i(window_done_o),
+    .x_o(done_x_o), .y_o(done_y_o), .columns_o(columns), .rows_o(rows), .outside_o(outside), .number_o(number)
+  );
+
+  pixel_buffer #(.DataW(WordW), .Words(Words)) u_pixels (
+    .clk_i, .rst_ni, .swap_i(window_done_o),
+    .blend_read_i(blend_read), .blend_raddr_i(blend_raddr), .blend_rdata_o(blend_rdata), .blend_fresh_o(blend_fresh),
+    .blend_write_i(blend_write), .blend_waddr_i(blend_waddr), .blend_wdata_i(blend_wdata),
+    .resolve_read_i(resolve_read), .resolve_raddr_i(resolve_raddr), .resolve_rdata_o(resolve_rdata),
+    .resolve_fresh_o(resolve_fresh)
+  );
+
+  ru_resolve u_resolve (
+    .clk_i, .rst_ni, .unit_i, .pixels_i(frame_i.pixels),
+    .start_i(window_done_o), .ready_o(resolve_ready), .number_i(number), .outside_i(outside),
+    .read_o(resolve_read), .raddr_o(resolve_raddr), .rdata_i(resolve_rdata), .fresh_i(resolve_fresh),
+    .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address), .mem_data_o(store_data)
+  );
+
+  ru_memory u_memory (
+    .clk_i, .rst_ni, .read_valid_i(load_valid), .read_ready_o(load_ready), .read_address_i(load_address),
+    .write_valid_i(store_valid), .write_ready_o(store_ready), .write_address_i(store_address), .write_data_i(store_data),
+    .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o
+  );
+
+  assign idle_o   = queue_count == '0 && walk_idle && fetch_idle && !lanes_busy && resolve_ready && !mem_valid_o;
+  assign active_o = in_valid_i || restart_i || !idle_o;
+
+  // Busy: a quarter is blended, a beat leaves the walk or a line of pixels leaves. Memory: the next line, or room for pixels,
+  // has to come from there. Blocked: an alpha store does not answer.
+  always_comb begin
+    if (lanes_issue || layer_done_o || (splat_valid && splat_ready) || (store_valid && store_ready)) perf_o = 2'd0;
+    else if (fetch_memory || store_valid || mem_valid_o) perf_o = 2'd3;
+    else if (fetch_valid) perf_o = 2'd2;
+    else perf_o = 2'd1;
+  end
+
+  assign tap_line_valid_o  = lanes_issue && blend_ready;
+  assign tap_line_index_o  = blend.index;
+  assign tap_line_region_o = blend.region;
+  assign tap_line_o        = line;
+  assign tap_word_valid_o  = blend_write;
+  assign tap_word_o        = blend_wdata;
+
+  logic unused_frame;
+  assign unused_frame = &{1'b0, frame_i};
+
+endmodule

@@ -1,0 +1,171 @@
+// ru_lanes: sixteen Rendering Units blend a line of alphas into the 64 pixels of a region.
+//
+// Paper   Table 2: sixteen Rendering Units per RU.
+// Idea    A region takes four cycles: quarter q is its pixel rows 2q and 2q+1. Three stages lie between a word's read and its
+//         write, and a word comes again after four cycles at the earliest, so regions follow each other without a bubble.
+//           cycle 0 read      1 weight = T * alpha      2 weight * colour      3 add, write
+// Stream  blend_t and its line in. A word of the pixel buffer: done flags, T, colours (blue, green, red; red lowest) of sixteen
+//         pixels, pixel 0 lowest in each. An end beat waits until all is written: then layer_done_o, and for the end of a
+//         window also window_done_o, which needs resolve_ready_i.
+// Pace    Four cycles per region.
+// Model   cpp_model/ru/ru_lanes.hpp
+
+module ru_lanes #(
+  localparam int unsigned Lanes = 16,
+  localparam int unsigned Words = pipegs_pkg::Regions / pipegs_pkg::Units * 4,
+  localparam int unsigned WordW = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1),
+  localparam int unsigned AddrW = $clog2(Words),
+  localparam int unsigned SideW = $clog2(pipegs_pkg::Window) + 1
+) (
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
+  input  logic                           restart_i,
+
+  input  logic                           in_valid_i,
+  output logic                           in_ready_o,
+  input  pipegs_pkg::blend_t             in_i,
+  input  logic [pipegs_pkg::LineW-1:0]   in_line_i,
+
+  input  logic [SideW-1:0]               columns_i,  // pixels of the window inside the image
+  input  logic [SideW-1:0]               rows_i,
+  output logic [pipegs_pkg::Regions-1:0] done_o,     // regions that became done by blending
+
+  output logic                           read_o,
+  output logic [AddrW-1:0]               raddr_o,
+  input  logic [WordW-1:0]               rdata_i,
+  input  logic                           fresh_i,
+  output logic                           write_o,
+  output logic [AddrW-1:0]               waddr_o,
+  output logic [WordW-1:0]               wdata_o,
+
+  input  logic                           resolve_ready_i,
+  output logic                           layer_done_o,
+  output logic                           window_done_o,
+
+  output logic                           issue_o,     // a quarter starts
+  output logic                           busy_o,      // a quarter is on its way
+
+  output logic [pipegs_pkg::RegionW-1:0] tap_region_o,   // of the word that is written
+  output logic [1:0]                     tap_quarter_o
+);
+
+  localparam int unsigned TW = pipegs_pkg::TW;
+  localparam int unsigned RgbW = pipegs_pkg::RgbW;
+  localparam int unsigned AlphaW = pipegs_pkg::AlphaW;
+  localparam int unsigned ColorW = pipegs_pkg::ColorW;
+  localparam int unsigned RegionW = pipegs_pkg::RegionW;
+  localparam int unsigned ColumnW = $clog2(pipegs_pkg::RegionsX);
+  localparam int unsigned ColorsW = 3 * RgbW;
+  localparam int unsigned TLow = Lanes * ColorsW;        // first bit of the T fields
+  localparam int unsigned DoneLow = TLow + Lanes * TW;   // first bit of the done flags
+  localparam logic [TW-1:0] One = TW'(1) << (TW - 1);
+
+  logic                     valid_1_q, valid_2_q, valid_3_q;
+  logic [RegionW-1:0]       region_1_q, region_2_q, region_3_q;
+  logic [1:0]               quarter_q, quarter_1_q, quarter_2_q, quarter_3_q;
+  logic [AddrW-1:0]         address_1_q, address_2_q, address_3_q;
+  logic [Lanes*AlphaW-1:0]  codes_1_q;
+  logic [3*ColorW-1:0]      color_1_q, color_2_q;
+  logic [Lanes-1:0]         outside_1_q;
+  logic [Lanes*ColorsW-1:0] rgb_2_q, rgb_3_q;
+  logic [pipegs_pkg::Regions-1:0] done_q;
+  logic                     all_q;       // all quarters of this region so far are done
+  logic                     is_data, ended, all_done;
+  logic [RegionW-1:0]       slot;
+  logic [Lanes-1:0]         outside;
+
+  // Cycle 0: the quarter, its word and which of its pixels lie outside the image.
+  ru_slot u_slot (.region_i(in_i.region), .slot_o(slot));
+
+  assign is_data       = in_i.kind == pipegs_pkg::KindData;
+  assign issue_o       = in_valid_i && is_data;
+  assign busy_o        = valid_1_q || valid_2_q || valid_3_q;
+  assign ended         = in_valid_i && !is_data && !busy_o &&
+                         (in_i.kind != pipegs_pkg::KindWindowEnd || resolve_ready_i);
+  assign layer_done_o  = ended;
+  assign window_done_o = ended && in_i.kind == pipegs_pkg::KindWindowEnd;
+  assign in_ready_o    = is_data ? quarter_q == 2'd3 : ended;
+  assign read_o        = issue_o;
+  assign raddr_o       = AddrW'({slot, quarter_q});
+
+  always_comb begin
+    logic [SideW-1:0] left, top;
+    logic [7:0]       columns_out;
+    left        = SideW'(in_i.region[ColumnW-1:0]) << 3;
+    top         = (SideW'(in_i.region[RegionW-1:ColumnW]) << 3) + (SideW'(quarter_q) << 1);
+    columns_out = columns_i <= left ? '1 : columns_i - left >= SideW'(8) ? '0 : 8'hff << (columns_i - left);
+    outside     = {rows_i <= top + SideW'(1) ? 8'hff : columns_out, rows_i <= top ? 8'hff : columns_out};
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      valid_1_q <= 1'b0;
+      valid_2_q <= 1'b0;
+      valid_3_q <= 1'b0;
+      quarter_q <= '0;
+      done_q    <= '0;
+    end else begin
+      valid_1_q <= issue_o;
+      valid_2_q <= valid_1_q;
+      valid_3_q <= valid_2_q;
+      if (issue_o) quarter_q <= quarter_q + 1'b1;
+      if (restart_i || window_done_o) done_q <= '0;
+      else if (valid_3_q && quarter_3_q == 2'd3 && all_done) done_q[region_3_q] <= 1'b1;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (issue_o) begin
+      region_1_q  <= in_i.region;
+      quarter_1_q <= quarter_q;
+      address_1_q <= raddr_o;
+      codes_1_q   <= in_line_i[quarter_q*Lanes*AlphaW +: Lanes*AlphaW];
+      color_1_q   <= {in_i.blue, in_i.green, in_i.red};
+      outside_1_q <= outside;
+    end
+    if (valid_1_q) begin
+      region_2_q  <= region_1_q;
+      quarter_2_q <= quarter_1_q;
+      address_2_q <= address_1_q;
+      color_2_q   <= color_1_q;
+      rgb_2_q     <= fresh_i ? '0 : rdata_i[Lanes*ColorsW-1:0];
+    end
+    if (valid_2_q) begin
+      region_3_q  <= region_2_q;
+      quarter_3_q <= quarter_2_q;
+      address_3_q <= address_2_q;
+      rgb_3_q     <= rgb_2_q;
+    end
+    if (valid_3_q) all_q <= all_done;
+  end
+
+  // Cycles 1 to 3: the Rendering Units.
+  for (genvar i = 0; i < Lanes; i += 1) begin : gen_lane
+    ru_blend u_blend (
+      .clk_i,
+      .enable_1_i(valid_1_q),
+      .code_i    (codes_1_q[i*AlphaW +: AlphaW]),
+      .t_i       (fresh_i ? One : rdata_i[TLow+i*TW +: TW]),
+      .done_i    (fresh_i ? outside_1_q[i] : rdata_i[DoneLow+i]),
+      .enable_2_i(valid_2_q),
+      .red_i     (color_2_q[0 +: ColorW]),
+      .green_i   (color_2_q[ColorW +: ColorW]),
+      .blue_i    (color_2_q[2*ColorW +: ColorW]),
+      .rgb_i     (rgb_3_q[i*ColorsW +: ColorsW]),
+      .rgb_o     (wdata_o[i*ColorsW +: ColorsW]),
+      .t_o       (wdata_o[TLow+i*TW +: TW]),
+      .done_o    (wdata_o[DoneLow+i])
+    );
+  end
+
+  assign all_done      = (quarter_3_q == 2'd0 || all_q) && wdata_o[DoneLow +: Lanes] == '1;
+  assign write_o       = valid_3_q;
+  assign waddr_o       = address_3_q;
+  assign done_o        = done_q;
+  assign tap_region_o  = region_3_q;
+  assign tap_quarter_o = quarter_3_q;
+
+  logic unused_in;
+  assign unused_in = &{1'b0, in_i.ext, in_i.index};
+
+endmodule

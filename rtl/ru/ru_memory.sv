@@ -1,0 +1,55 @@
+// ru_memory: an RU's port to external memory: reads of alpha lines and writes of pixels share it.
+//
+// Idea    One register holds the request, so it never changes while it waits. Reads go first: the lanes wait for them,
+//         while writes only have to be done before the next window ends.
+// Stream  read: an address. write: an address and a line. mem: one request; nothing comes back here.
+// Pace    One request per cycle.
+// Model   Two queues in the test.
+
+module ru_memory (
+  input  logic                            clk_i,
+  input  logic                            rst_ni,
+
+  input  logic                            read_valid_i,
+  output logic                            read_ready_o,
+  input  logic [pipegs_pkg::AddressW-1:0] read_address_i,
+
+  input  logic                            write_valid_i,
+  output logic                            write_ready_o,
+  input  logic [pipegs_pkg::AddressW-1:0] write_address_i,
+  input  logic [pipegs_pkg::MemoryW-1:0]  write_data_i,
+
+  output logic                            mem_valid_o,
+  input  logic                            mem_ready_i,
+  output logic                            mem_write_o,
+  output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
+  output logic [pipegs_pkg::MemoryW-1:0]  mem_data_o
+);
+
+  logic                            valid_q, write_q, free;
+  logic [pipegs_pkg::AddressW-1:0] address_q;
+  logic [pipegs_pkg::MemoryW-1:0]  data_q;
+
+  assign free          = !valid_q || mem_ready_i;
+  assign read_ready_o  = free;
+  assign write_ready_o = free && !read_valid_i;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) valid_q <= 1'b0;
+    else if (free) valid_q <= read_valid_i || write_valid_i;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (free && (read_valid_i || write_valid_i)) begin
+      write_q   <= !read_valid_i;
+      address_q <= read_valid_i ? read_address_i : write_address_i;
+    end
+    if (write_valid_i && write_ready_o) data_q <= write_data_i;
+  end
+
+  assign mem_valid_o   = valid_q;
+  assign mem_write_o   = write_q;
+  assign mem_address_o = address_q;
+  assign mem_data_o    = data_q;
+
+endmodule

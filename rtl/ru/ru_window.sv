@@ -1,0 +1,99 @@
+// ru_window: which window of the frame the RU is in, and how much of that window lies inside the image.
+//
+// Paper   Sec. 4 (the frame is rendered tile group by tile group).
+// Idea    Windows follow row by row from first to last. All that depends on the window is computed in the cycle in which it
+//         changes and kept: pixels inside, regions outside, and the window's number in the frame (by addition).
+// Stream  restart_i: the first window of the frame. advance_i: the next one.
+// Pace    New values in the cycle after the pulse.
+// Model   ru_take, ru_inside and ru_pixel_line in cpp_model/ru/
+
+module ru_window (
+  input  logic                             clk_i,
+  input  logic                             rst_ni,
+  input  logic [pipegs_pkg::SizeW-1:0]     width_i,
+  input  logic [pipegs_pkg::SizeW-1:0]     height_i,
+  input  logic [pipegs_pkg::WindowW-1:0]   first_x_i,
+  input  logic [pipegs_pkg::WindowW-1:0]   first_y_i,
+  input  logic [pipegs_pkg::WindowW-1:0]   last_x_i,
+
+  input  logic                             restart_i,
+  input  logic                             advance_i,
+
+  output logic [pipegs_pkg::WindowW-1:0]   x_o,
+  output logic [pipegs_pkg::WindowW-1:0]   y_o,
+  output logic [$clog2(pipegs_pkg::Window):0] columns_o,  // pixel columns of the window inside the image
+  output logic [$clog2(pipegs_pkg::Window):0] rows_o,
+  output logic [pipegs_pkg::Regions-1:0]   outside_o,     // regions without a pixel inside the image
+  output logic [2*pipegs_pkg::WindowW-1:0] number_o       // of the window in the frame
+);
+
+  localparam int unsigned WindowW = pipegs_pkg::WindowW;
+  localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
+  localparam int unsigned Shift = $clog2(pipegs_pkg::Window);
+  localparam int unsigned SideW = WindowW + Shift + 1;  // pixels, signed after a subtraction
+  localparam int unsigned NumberW = 2 * WindowW;
+
+  // Pixels of a window that starts at window `at` in an image of `size` pixels: 0 .. Window.
+  function automatic logic [Shift:0] span(input logic [pipegs_pkg::SizeW-1:0] size, input logic [WindowW-1:0] at);
+    logic [SideW-1:0] start;
+    start = SideW'(at) << Shift;
+    if (SideW'(size) <= start) span = '0;
+    else if (SideW'(size) - start >= SideW'(pipegs_pkg::Window)) span = (Shift + 1)'(pipegs_pkg::Window);
+    else span = (Shift + 1)'(SideW'(size) - start);
+  endfunction
+
+  logic [WindowW-1:0]             x_q, y_q, x_d, y_d, windows_x;
+  logic [Shift:0]                 columns_q, rows_q, columns_d, rows_d;
+  logic [pipegs_pkg::Regions-1:0] outside_q, outside_d;
+  logic [NumberW-1:0]             number_q, row_number_q, row_number_d;
+  logic                           row_ends;
+
+  assign windows_x = WindowW'((SideW'(width_i) + SideW'(pipegs_pkg::Window - 1)) >> Shift);
+  assign row_ends  = x_q == last_x_i;
+
+  always_comb begin
+    x_d          = row_ends ? first_x_i : x_q + 1'b1;
+    y_d          = row_ends ? y_q + 1'b1 : y_q;
+    row_number_d = row_ends ? row_number_q + NumberW'(windows_x) : row_number_q;
+    if (restart_i) begin
+      x_d          = first_x_i;
+      y_d          = first_y_i;
+      row_number_d = NumberW'(first_y_i) * NumberW'(windows_x);
+    end
+    columns_d = span(width_i, x_d);
+    rows_d    = span(height_i, y_d);
+    for (int unsigned i = 0; i < RegionsX; i += 1) begin
+      for (int unsigned j = 0; j < RegionsX; j += 1) begin
+        outside_d[i*RegionsX+j] = rows_d <= (Shift + 1)'(8 * i) || columns_d <= (Shift + 1)'(8 * j);
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      x_q          <= '0;
+      y_q          <= '0;
+      columns_q    <= '0;
+      rows_q       <= '0;
+      outside_q    <= '0;
+      number_q     <= '0;
+      row_number_q <= '0;
+    end else if (restart_i || advance_i) begin
+      x_q          <= x_d;
+      y_q          <= y_d;
+      columns_q    <= columns_d;
+      rows_q       <= rows_d;
+      outside_q    <= outside_d;
+      number_q     <= row_number_d + NumberW'(x_d);
+      row_number_q <= row_number_d;
+    end
+  end
+
+  assign x_o       = x_q;
+  assign y_o       = y_q;
+  assign columns_o = columns_q;
+  assign rows_o    = rows_q;
+  assign outside_o = outside_q;
+  assign number_o  = number_q;
+
+endmodule

@@ -1,0 +1,132 @@
+// su_emit: turns sorted keys back into splats.
+//
+// Idea    Sorted keys wait in a queue while their records are fetched: from the record store when their turn comes, from
+//         external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of an overflowed layer
+//         has a record number of its own, kept beside the key store; in other layers slot and number are the same.
+//         The end beat walks through the queue behind its layer, so the next layer may be sorted meanwhile.
+// Stream  item: keys with slots in order; end: the layer's end. out: splats. release_o: a half's last record was sent.
+// Pace    One splat per cycle; in an overflowed layer one in two cycles, or as fast as the memory gives lines.
+// Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
+
+module su_emit (
+  input  logic                            clk_i,
+  input  logic                            rst_ni,
+
+  input  logic                            item_valid_i,
+  output logic                            item_ready_o,
+  input  logic [pipegs_pkg::KeyW-1:0]     item_key_i,
+  input  logic [pipegs_pkg::RecordW-1:0]  item_slot_i,
+  input  logic                            end_valid_i,
+  output logic                            end_ready_o,
+  input  logic [pipegs_pkg::KindW-1:0]    end_kind_i,
+  input  logic                            half_i,      // of the layer that is being sorted
+  input  logic                            spilled_i,   // it is an overflowed layer
+
+  input  logic                            number_write_i,  // record numbers of an overflowed layer
+  input  logic [pipegs_pkg::RecordW-1:0]  number_slot_i,
+  input  logic [pipegs_pkg::SlotW-1:0]    number_i,
+
+  output logic                            read_valid_o,
+  input  logic                            read_ready_i,
+  output logic [pipegs_pkg::SlotW-1:0]    read_line_o,
+  input  logic                            line_valid_i,
+  output logic                            line_ready_o,
+  input  logic [pipegs_pkg::SplatBits-1:0] line_i,
+
+  output logic                            record_read_o,
+  output logic                            record_half_o,
+  output logic [pipegs_pkg::RecordW-1:0]  record_slot_o,
+  input  logic [pipegs_pkg::SplatBits-pipegs_pkg::KeyW-pipegs_pkg::KindW-1:0] record_i,
+
+  output logic                            out_valid_o,
+  input  logic                            out_ready_i,
+  output pipegs_pkg::splat_t              out_o,
+
+  output logic [1:0]                      release_o,
+  output logic                            empty_o,
+  output logic                            active_o
+);
+
+  localparam int unsigned KeyW = pipegs_pkg::KeyW;
+  localparam int unsigned KindW = pipegs_pkg::KindW;
+  localparam int unsigned SlotW = pipegs_pkg::RecordW;
+  localparam int unsigned NumberW = pipegs_pkg::SlotW;
+  localparam int unsigned Waiting = 32;
+  localparam int unsigned EntryW = KindW + 1 + 1 + SlotW + KeyW;
+  localparam int unsigned PayloadAt = KindW + KeyW;  // a splat is {payload, key's index, key's depth, kind}
+
+  // Where is the record? In an overflowed layer the number is read first.
+  logic               looked_q, known, outside, item_go, queue_ready, push;
+  logic [NumberW-1:0] number;
+  logic [SlotW-1:0]   slot;
+  sram #(.DataW(NumberW), .Depth(pipegs_pkg::Records)) u_numbers (
+    .clk_i, .write_i(number_write_i), .waddr_i(number_slot_i), .wdata_i(number_i),
+    .read_i(spilled_i && item_valid_i && !looked_q), .raddr_i(item_slot_i), .rdata_o(number)
+  );
+  assign known        = !spilled_i || looked_q;
+  assign outside      = spilled_i && number >= NumberW'(pipegs_pkg::Records);
+  assign slot         = spilled_i ? number[SlotW-1:0] : item_slot_i;
+  assign read_valid_o = item_valid_i && known && outside && queue_ready;
+  assign read_line_o  = number - NumberW'(pipegs_pkg::Records);
+  assign item_go      = item_valid_i && known && queue_ready && (!outside || read_ready_i);
+  assign item_ready_o = known && queue_ready && (!outside || read_ready_i);
+  assign end_ready_o  = queue_ready && !item_valid_i;
+  assign push         = item_go || (end_valid_i && end_ready_o);
+
+  // The queue of sorted keys, and the beat whose record is being read.
+  logic              head_valid, head_ready, queue_empty;
+  logic [EntryW-1:0] head, entry;
+  logic [KindW-1:0]  head_kind, kind_q;
+  logic              head_half, head_outside, half_q, outside_q, valid_q;
+  logic [SlotW-1:0]  head_slot;
+  logic [KeyW-1:0]   head_key, key_q;
+  logic [pipegs_pkg::SplatBits-PayloadAt-1:0] payload;
+  logic              sent;
+
+  assign entry = item_valid_i ? {pipegs_pkg::KindData, half_i, outside, slot, item_key_i}
+                              : {end_kind_i, half_i, 1'b0, SlotW'(0), KeyW'(0)};
+  su_queue #(.DataW(EntryW), .Depth(Waiting)) u_waiting (
+    .clk_i, .rst_ni,
+    .in_valid_i(push), .in_ready_o(queue_ready), .in_i(entry),
+    .out_valid_o(head_valid), .out_ready_i(head_ready), .out_o(head),
+    .empty_o(queue_empty)
+  );
+  assign {head_kind, head_half, head_outside, head_slot, head_key} = head;
+  assign head_ready    = !valid_q || sent;
+  assign record_read_o = head_valid && head_ready && head_kind == pipegs_pkg::KindData && !head_outside;
+  assign record_half_o = head_half;
+  assign record_slot_o = head_slot;
+
+  assign out_valid_o  = valid_q && (!outside_q || line_valid_i);
+  assign sent         = out_valid_o && out_ready_i;
+  assign line_ready_o = sent && outside_q;
+  assign payload      = kind_q != pipegs_pkg::KindData ? '0 : outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
+  assign out_o        = {payload, key_q[0 +: pipegs_pkg::IndexW], key_q[pipegs_pkg::IndexW +: pipegs_pkg::DepthW], kind_q};
+  assign release_o    = !(sent && kind_q != pipegs_pkg::KindData) ? '0 : half_q ? 2'b10 : 2'b01;
+  assign empty_o      = queue_empty && !valid_q;
+  assign active_o     = item_go || (spilled_i && item_valid_i && !looked_q) || number_write_i || push || sent ||
+                        (head_valid && head_ready) || (!queue_empty && !head_valid);
+
+  logic unused_line;
+  assign unused_line = &{1'b0, line_i[PayloadAt-1:0]};
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      looked_q <= 1'b0;
+      valid_q  <= 1'b0;
+    end else begin
+      looked_q <= spilled_i && item_valid_i && !item_go;
+      if (head_ready) valid_q <= head_valid;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (head_valid && head_ready) begin
+      kind_q    <= head_kind;
+      half_q    <= head_half;
+      outside_q <= head_outside;
+      key_q     <= head_key;
+    end
+  end
+
+endmodule

@@ -1,0 +1,105 @@
+// su_merge: joins the sorted streams of all lanes into one.
+//
+// Paper   Fig. 7, between SU and RU.
+// Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes. Each pair of heads is
+//         compared once, side by side; the winner is the one that is below all others. End beats are above every
+//         splat, so they are left when the layer is out of splats; then all are taken at once and one goes out.
+// Stream  in: one sorted stream per lane, a layer each up to an end beat of the same kind. out: the merged layers; `unit`
+//         is the lane. A lane's ready depends on the other lanes' valid, as in every join.
+// Pace    One beat per cycle, latency one cycle; a layer's end costs one beat.
+// Model   std::merge; in the test.
+
+module su_merge (
+  input  logic                                               clk_i,
+  input  logic                                               rst_ni,
+
+  input  logic [pipegs_pkg::Units-1:0]                       in_valid_i,
+  output logic [pipegs_pkg::Units-1:0]                       in_ready_o,
+  input  logic [pipegs_pkg::Units*pipegs_pkg::SplatBits-1:0] in_i,
+
+  output logic                                               out_valid_o,
+  input  logic                                               out_ready_i,
+  output pipegs_pkg::sorted_t                                out_o,
+
+  output logic                                               active_o  // something moves in this cycle
+);
+
+  localparam int unsigned Units = pipegs_pkg::Units;
+  localparam int unsigned HeadW = pipegs_pkg::KeyW + 1;
+
+  logic                   out_valid_q, go;
+  pipegs_pkg::sorted_t    out_q, out_d;
+  logic [Units*HeadW-1:0] heads;
+  logic [Units-1:0]       ends, nearest;
+  logic                   unused_heads;  // with one lane nothing is compared
+  pipegs_pkg::splat_t     winner;
+  logic [pipegs_pkg::UnitW-1:0]     winner_unit;
+  logic [pipegs_pkg::SplatBits-1:0] winner_bits;
+
+  for (genvar i = 0; i < Units; i += 1) begin : gen_head
+    pipegs_pkg::splat_t head;
+    logic               unused_head;
+    assign head = in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits];
+    assign ends[i] = head.kind != pipegs_pkg::KindData;
+    assign heads[i*HeadW +: HeadW] = {ends[i], head.depth, head.index};
+    assign unused_head = &{1'b0, head};
+  end
+
+  assign unused_heads = &{1'b0, heads};
+
+  assign go         = in_valid_i == '1 && (!out_valid_q || out_ready_i);
+  assign in_ready_o = !go ? '0 : ends == '1 ? '1 : nearest;
+  assign active_o   = go || (out_valid_q && out_ready_i);
+
+  for (genvar i = 0; i < Units; i += 1) begin : gen_nearest
+    logic [Units-1:0] beats;  // lane i goes before lane j
+    for (genvar j = 0; j < Units; j += 1) begin : gen_pair
+      if (i == j) begin : gen_self
+        assign beats[j] = 1'b1;
+      end else if (i < j) begin : gen_low
+        assign beats[j] = heads[i*HeadW +: HeadW] <= heads[j*HeadW +: HeadW];
+      end else begin : gen_high
+        assign beats[j] = !gen_nearest[j].beats[i];
+      end
+    end
+    assign nearest[i] = beats == '1;
+  end
+
+  always_comb begin
+    winner_bits = '0;
+    winner_unit = '0;
+    for (int unsigned i = 0; i < Units; i += 1) begin
+      if (nearest[i]) begin
+        winner_bits |= in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits];
+        winner_unit |= pipegs_pkg::UnitW'(i);
+      end
+    end
+  end
+  assign winner = winner_bits;
+
+  always_comb begin
+    out_d.kind    = winner.kind;
+    out_d.depth   = winner.depth;
+    out_d.index   = winner.index;
+    out_d.mask    = winner.mask;
+    out_d.address = winner.address;
+    out_d.ext     = winner.ext;
+    out_d.red     = winner.red;
+    out_d.green   = winner.green;
+    out_d.blue    = winner.blue;
+    out_d.unit    = winner_unit;
+  end
+
+  assign out_valid_o = out_valid_q;
+  assign out_o       = out_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) out_valid_q <= 1'b0;
+    else if (!out_valid_q || out_ready_i) out_valid_q <= go;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (go) out_q <= out_d;
+  end
+
+endmodule

@@ -1,0 +1,119 @@
+// su_port: the one memory port of an SU and the store for the lines that were read.
+//
+// Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the store has
+//         room for its answer, counted from the request to the moment the line is used. All areas belong to the layer's
+//         parity: address = overflow + {unit, parity, area} * 2^24 + line.
+// Stream  record, keys: lines to write. read: the number of a line. line: the lines read, in order.
+// Pace    One request in two cycles, up to Answers reads in flight.
+// Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
+
+module su_port (
+  input  logic                              clk_i,
+  input  logic                              rst_ni,
+  input  logic [pipegs_pkg::AddressW-1:0]   overflow_i,
+  input  logic [pipegs_pkg::UnitW-1:0]      unit_i,
+
+  input  logic                              record_valid_i,
+  output logic                              record_ready_o,
+  input  logic [pipegs_pkg::SlotW-1:0]      record_line_i,
+  input  logic [pipegs_pkg::SplatBits-1:0]  record_i,
+  input  logic                              keys_valid_i,
+  output logic                              keys_ready_o,
+  input  logic [pipegs_pkg::SlotW-1:0]      keys_line_i,
+  input  logic [pipegs_pkg::MemoryW-1:0]    keys_i,
+  input  logic                              write_half_i,
+
+  input  logic                              read_valid_i,
+  output logic                              read_ready_o,
+  input  logic                              read_keys_i,  // a line of keys, else a record
+  input  logic [pipegs_pkg::SlotW-1:0]      read_line_i,
+  input  logic                              read_half_i,
+
+  output logic                              line_valid_o,
+  input  logic                              line_ready_i,
+  output logic [pipegs_pkg::MemoryW-1:0]    line_o,
+
+  output logic                              mem_valid_o,
+  input  logic                              mem_ready_i,
+  output logic                              mem_write_o,
+  output logic [pipegs_pkg::AddressW-1:0]   mem_address_o,
+  output logic [pipegs_pkg::MemoryW-1:0]    mem_data_o,
+  input  logic                              rsp_valid_i,
+  input  logic [pipegs_pkg::MemoryW-1:0]    rsp_data_i,
+
+  output logic                              overflow_o,  // a line was written
+  output logic                              waits_o,     // reads are in flight, or a request is not yet taken
+  output logic                              active_o
+);
+
+  localparam int unsigned Answers = 32;
+  localparam int unsigned FlightW = $clog2(Answers + 1);
+  localparam int unsigned AreaW = 2;
+  localparam int unsigned OffsetW = pipegs_pkg::UnitW + 1 + AreaW + pipegs_pkg::SlotW;
+  localparam logic [AreaW-1:0] RecordArea = 1;
+  localparam logic [AreaW-1:0] KeyArea = 2;
+
+  typedef enum logic [1:0] {None, Record, Keys, Read} choice_e;
+  choice_e choice_q, choice_d;
+
+  logic [pipegs_pkg::AddressW-1:0] address_q;
+  logic [OffsetW-1:0]              offset;
+  logic [FlightW-1:0]              flight_q;  // lines asked for and not yet used
+  logic                            taken, used, room;
+  logic                            unused_queue_ready, queue_empty;
+
+  assign room  = flight_q != FlightW'(Answers);
+  assign taken = mem_valid_o && mem_ready_i;
+  assign used  = line_valid_o && line_ready_i;
+
+  always_comb begin
+    choice_d = None;
+    if (record_valid_i) choice_d = Record;
+    else if (keys_valid_i) choice_d = Keys;
+    else if (read_valid_i && room) choice_d = Read;
+    unique case (choice_d)
+      Record:  offset = {unit_i, write_half_i, RecordArea, record_line_i};
+      Keys:    offset = {unit_i, write_half_i, KeyArea, keys_line_i};
+      default: offset = {unit_i, read_half_i, read_keys_i ? KeyArea : RecordArea, read_line_i};
+    endcase
+  end
+
+  assign mem_valid_o    = choice_q != None;
+  assign mem_write_o    = choice_q != Read;
+  assign mem_address_o  = address_q;
+  assign mem_data_o     = choice_q == Keys ? keys_i : pipegs_pkg::MemoryW'(record_i);
+  assign record_ready_o = taken && choice_q == Record;
+  assign keys_ready_o   = taken && choice_q == Keys;
+  assign read_ready_o   = taken && choice_q == Read;
+  assign overflow_o     = taken && mem_write_o;
+  assign waits_o        = mem_valid_o || (flight_q != '0 && !line_valid_o);
+  assign active_o       = mem_valid_o || choice_d != None || rsp_valid_i || used || !(queue_empty || line_valid_o);
+
+  su_queue #(.DataW(pipegs_pkg::MemoryW), .Depth(Answers)) u_answers (
+    .clk_i, .rst_ni,
+    .in_valid_i(rsp_valid_i), .in_ready_o(unused_queue_ready), .in_i(rsp_data_i),
+    .out_valid_o(line_valid_o), .out_ready_i(line_ready_i), .out_o(line_o),
+    .empty_o(queue_empty)
+  );
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      choice_q <= None;
+      flight_q <= '0;
+    end else begin
+      if (choice_q == None) choice_q <= choice_d;
+      else if (taken) choice_q <= None;
+      if (read_ready_o && !used) flight_q <= flight_q + 1'b1;
+      if (used && !read_ready_o) flight_q <= flight_q - 1'b1;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (choice_q == None && choice_d != None) address_q <= overflow_i + pipegs_pkg::AddressW'(offset);
+  end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) rsp_valid_i |-> unused_queue_ready);
+`endif
+
+endmodule

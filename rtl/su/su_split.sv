@@ -1,0 +1,234 @@
+// su_split: cuts a set of keys into groups of at most sixteen, nearest group first.
+//
+// Paper   Sec. 4.2.2, "Pivot-based Splitter".
+// Idea    The pivots divide min..max into sixteen equal parts: bucket = (key - min) >> shift, four bits. Keys stay where
+//         they lie; a bucket is a chain of slots (head, links), so a pass costs one cycle per key. Neighbouring buckets
+//         are chained together while they hold at most sixteen keys. The nearest group is gone on with, the farther
+//         ones wait on a stack, the nearest on top; a group that is still too large is cut again by the next four
+//         bits. When all keys fell into one bucket, the range is measured anew, so a far outlier costs one pass.
+// Stream  start_i with the number of keys (at least 1) and their range; keys are read from slots 0.. of the key store,
+//         rdata in the next cycle, held. out: keys and slots, `last` on the last of each group.
+// Pace    One cycle per key and pass, up to 19 more per pass; one key per cycle out.
+// Model   cpp_model/su/su_split.hpp
+
+module su_split (
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
+
+  input  logic                           start_i,
+  input  logic [pipegs_pkg::RecordW:0]   count_i,
+  input  logic [pipegs_pkg::KeyW-1:0]    min_i,
+  input  logic [pipegs_pkg::KeyW-1:0]    max_i,
+  output logic                           idle_o,
+  output logic                           active_o,
+
+  output logic                           key_read_o,
+  output logic [pipegs_pkg::RecordW-1:0] key_slot_o,
+  input  logic [pipegs_pkg::KeyW-1:0]    key_i,
+
+  output logic                           out_valid_o,
+  input  logic                           out_ready_i,
+  output logic                           out_last_o,
+  output logic [pipegs_pkg::KeyW-1:0]    out_key_o,
+  output logic [pipegs_pkg::RecordW-1:0] out_slot_o
+);
+
+  localparam int unsigned KeyW = pipegs_pkg::KeyW;
+  localparam int unsigned SlotW = pipegs_pkg::RecordW;
+  localparam int unsigned ShiftW = $clog2(KeyW);
+  localparam int unsigned Group = 16;    // most keys of a group
+  localparam int unsigned Buckets = 16;
+  localparam int unsigned BucketW = $clog2(Buckets);
+  localparam int unsigned EntryW = 2 * SlotW + SlotW + 1;  // {tail, head, count}
+  localparam int unsigned FrameW = SlotW + SlotW + 1 + ShiftW;  // {head, count, shift}
+  // Two neighbours on the stack hold more than Group keys together, except at the border of two levels.
+  localparam int unsigned StackDepth = pipegs_pkg::Records / 8 + KeyW / BucketW + 2;
+  localparam int unsigned StackW = $clog2(StackDepth + 1);
+
+  typedef enum logic [2:0] {
+    Idle,     // waits for start_i
+    Measure,  // the range is known: picks the shift
+    Walk,     // reads the group's keys and drops them into buckets
+    Gather,   // joins small buckets from far to near and stacks the groups
+    Load,     // sends a small group out
+    Take      // takes the next group from the stack
+  } state_e;
+  state_e state_q;
+
+  logic [KeyW-1:0]   min_q, range_q;  // range: max - min, or the bits in which the keys of the group differ
+  logic [ShiftW-1:0] shift_q, wide_shift, next_shift;
+  logic [SlotW-1:0]  head_q;
+  logic [SlotW:0]    count_q;
+  logic              chained_q;  // the keys are a chain, not yet slots 0, 1, 2, ...
+  logic              go;         // a group stands in head_q, count_q, shift_q: begin with it
+  logic              fits;
+
+  // Walking along the keys of the group, for Walk and Load.
+  logic              first_q, data_valid_q, step, read;
+  logic [SlotW-1:0]  slot_q, slot, link;
+  logic [SlotW:0]    left_q;  // keys still to read
+
+  assign step = !data_valid_q || (state_q == Walk) || out_ready_i;
+  assign read = (state_q == Walk || state_q == Load) && step && left_q != '0;
+  always_comb begin
+    slot = slot_q + 1'b1;
+    if (chained_q) slot = link;
+    if (first_q) slot = head_q;
+  end
+  assign key_read_o  = read;
+  assign key_slot_o  = slot;
+  assign out_valid_o = state_q == Load && data_valid_q;
+  assign out_last_o  = left_q == '0;
+  assign out_key_o   = key_i;
+  assign out_slot_o  = slot_q;
+
+  // Dropping a key into its bucket, one cycle after it was read.
+  logic [KeyW-1:0]    offset_q, first_offset_q;  // key - min
+  logic [SlotW-1:0]   drop_slot_q;
+  logic               drop_q, dropped_q;  // dropped_q: not the first key of the group
+  logic [EntryW-1:0]  table_q [Buckets];
+  logic [Buckets-1:0] filled_q;
+  logic [BucketW-1:0] bucket, far;
+  logic [EntryW-1:0]  entry;
+  logic [SlotW-1:0]   tail, head;
+  logic [SlotW:0]     count;
+  logic               filled, join_near, push;
+  logic               gathered_q, several_q;
+
+  assign bucket = state_q == Gather ? far : BucketW'(offset_q >> shift_q);
+  assign entry  = table_q[bucket];
+  assign filled = filled_q[bucket];
+  assign {tail, head, count} = entry;
+  always_comb begin
+    far = '0;
+    for (int unsigned i = 0; i < Buckets; i += 1) if (filled_q[i]) far = BucketW'(i);
+  end
+  assign join_near = gathered_q && {1'b0, count} + {1'b0, count_q} <= (SlotW+2)'(Group);
+  assign push      = state_q == Gather && filled_q != '0 && gathered_q && !join_near;
+
+  sram #(.DataW(SlotW), .Depth(pipegs_pkg::Records)) u_links (
+    .clk_i,
+    .write_i(drop_q || (state_q == Gather && filled_q != '0 && join_near)),
+    .waddr_i(drop_q ? drop_slot_q : tail),
+    .wdata_i(drop_q ? head : head_q),
+    .read_i(read),
+    .raddr_i(slot),
+    .rdata_o(link)
+  );
+
+  // The stack of farther groups.
+  logic [StackW-1:0] depth_q;
+  logic [FrameW-1:0] frame;
+  logic [SlotW-1:0]  frame_head;
+  logic [SlotW:0]    frame_count;
+  logic [ShiftW-1:0] frame_shift;
+  logic              pop;
+  assign pop = out_valid_o && out_ready_i && out_last_o && depth_q != '0;
+  assign {frame_head, frame_count, frame_shift} = frame;
+
+  sram #(.DataW(FrameW), .Depth(2 ** StackW)) u_stack (
+    .clk_i,
+    .write_i(push),
+    .waddr_i(depth_q),
+    .wdata_i({head_q, count_q, next_shift}),
+    .read_i(pop),
+    .raddr_i(depth_q - 1'b1),
+    .rdata_o(frame)
+  );
+
+  // The next four bits; after measuring, the four bits below the leading one.
+  assign next_shift = shift_q > ShiftW'(BucketW) ? shift_q - ShiftW'(BucketW) : '0;
+  always_comb begin
+    wide_shift = '0;
+    for (int unsigned i = BucketW; i < KeyW; i += 1) if (range_q[i]) wide_shift = ShiftW'(i + 1 - BucketW);
+  end
+
+  always_comb begin
+    go = state_q == Measure || state_q == Take || (state_q == Gather && filled_q == '0 && several_q);
+    fits = (state_q == Take ? frame_count : count_q) <= (SlotW+1)'(Group);
+  end
+  assign idle_o   = state_q == Idle;
+  assign active_o = start_i || (state_q != Idle && !(out_valid_o && !out_ready_i));
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q      <= Idle;
+      data_valid_q <= 1'b0;
+      drop_q       <= 1'b0;
+      depth_q      <= '0;
+    end else begin
+      unique case (state_q)
+        Idle:    if (start_i) state_q <= Measure;
+        Walk:    if (left_q == '0 && !data_valid_q && !drop_q) state_q <= Gather;
+        Gather:  if (filled_q == '0) state_q <= Measure;
+        Load:    if (out_valid_o && out_ready_i && out_last_o) state_q <= depth_q == '0 ? Idle : Take;
+        default: ;
+      endcase
+      if (go) state_q <= fits ? Load : Walk;
+      if (read) data_valid_q <= 1'b1;
+      else if (step) data_valid_q <= 1'b0;
+      drop_q <= state_q == Walk && data_valid_q;
+      if (push) depth_q <= depth_q + 1'b1;
+      if (pop) depth_q <= depth_q - 1'b1;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (start_i && state_q == Idle) begin
+      min_q     <= min_i;
+      range_q   <= max_i - min_i;
+      head_q    <= '0;
+      count_q   <= count_i;
+      chained_q <= 1'b0;
+    end
+    if (state_q == Measure) shift_q <= wide_shift;
+    if (state_q == Take) begin
+      head_q  <= frame_head;
+      count_q <= frame_count;
+      shift_q <= frame_shift;
+    end
+    if (state_q == Gather && filled_q == '0 && several_q) shift_q <= next_shift;
+
+    if (go) begin
+      left_q     <= state_q == Take ? frame_count : count_q;
+      first_q    <= 1'b1;
+      filled_q   <= '0;
+      dropped_q  <= 1'b0;
+      gathered_q <= 1'b0;
+      several_q  <= 1'b0;
+    end
+    if (read) begin
+      slot_q  <= slot;
+      left_q  <= left_q - 1'b1;
+      first_q <= 1'b0;
+    end
+
+    if (state_q == Walk && data_valid_q) begin
+      offset_q    <= key_i - min_q;
+      drop_slot_q <= slot_q;
+    end
+    if (drop_q) begin
+      table_q[bucket]  <= {filled ? tail : drop_slot_q, drop_slot_q, filled ? count + 1'b1 : (SlotW+1)'(1)};
+      filled_q[bucket] <= 1'b1;
+      dropped_q        <= 1'b1;
+      if (!dropped_q) first_offset_q <= offset_q;
+      range_q <= dropped_q ? range_q | (offset_q ^ first_offset_q) : '0;
+    end
+
+    // head_q and count_q collect the group that the gathering is at.
+    if (state_q == Gather && filled_q != '0) begin
+      filled_q[far] <= 1'b0;
+      gathered_q    <= 1'b1;
+      several_q     <= gathered_q;
+      chained_q     <= 1'b1;
+      head_q        <= head;
+      count_q       <= join_near ? count_q + count : count;
+    end
+  end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) push |-> depth_q < StackW'(StackDepth));
+  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> state_q == Idle && count_i != '0);
+`endif
+
+endmodule

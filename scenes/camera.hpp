@@ -1,0 +1,37 @@
+// camera: pinhole cameras and INRIA's cameras.json.
+//
+// Idea    camera_space = world_to_camera * (p - position);  pixel = f * xy / z + c
+//         Axes x right, y down, z forward. Pixel i has its centre at coordinate i, hence the
+//         principal point of a centred camera is (width - 1) / 2.
+// Layout  cameras.json: "rotation" holds the rows of the camera-to-world matrix, which are the
+//         columns of world_to_camera.
+// Rule    A rotation within 1e-4 of orthonormal is accepted and made orthonormal in double;
+//         anything else is an InputError naming the camera's index and the field.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace pipegs {
+
+inline constexpr int kMaxImageSide = 16384;
+
+struct Camera {
+  std::string name;
+  int id = 0;
+  int width = 0, height = 0;
+  glm::dvec3 position{0};
+  glm::dmat3 world_to_camera{1};  // GLM column-major
+  double fx = 0, fy = 0, cx = 0, cy = 0;
+};
+
+std::vector<Camera> read_cameras(const std::filesystem::path& path);
+void write_cameras(const std::filesystem::path& path, const std::vector<Camera>& cameras);
+
+// A camera at `position` that looks at `target`, with world up = -y and square pixels.
+Camera look_at(const std::string& name, int id, int width, int height, const glm::dvec3& position,
+               const glm::dvec3& target, double horizontal_fov_degrees);
+
+}  // namespace pipegs

@@ -1,0 +1,146 @@
+// info: see info.hpp.
+//
+// Idea    One pass activates and collects, then nth_element per percentile; a second pass compares
+//         scales with the extent, which is known only then.
+#include "scenes/info.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace pipegs {
+namespace {
+
+constexpr double kFaint = 1.0 / 255;
+constexpr double kExtremeAnisotropy = 1e4;
+constexpr double kUnitTolerance = 1e-3;  // INRIA stores what the optimiser left, gsplat unit ones
+
+double percentile(std::vector<double>& values, int percent) {
+  if (values.empty()) return 0;
+  const auto rank = static_cast<std::size_t>(std::llround(percent / 100.0 * static_cast<double>(values.size() - 1)));
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
+  return values[rank];
+}
+
+Percentiles percentiles(std::vector<double>& values) {
+  Percentiles out{};
+  for (std::size_t i = 0; i < kPercentiles.size(); ++i) out[i] = percentile(values, kPercentiles[i]);
+  return out;
+}
+
+void count(Finding& finding, std::size_t index) {
+  if (finding.count++ == 0) finding.first = index;
+}
+
+}  // namespace
+
+SceneInfo inspect(const Scene& scene) {
+  check_consistent(scene);
+  SceneInfo info;
+  info.name = scene.name;
+  info.gaussians = scene.gaussians.size();
+  info.sh_degree = scene.sh_degree;
+  info.antialiased = scene.antialiased;
+  Finding non_finite{"non-finite values, culled"}, zero{"zero quaternion, culled"}, not_unit{"quaternion not of unit length"},
+      faint{"opacity below 1/255, never drawn"}, needle{"largest / smallest scale above 1e4"},
+      huge{"scale above the extent of the scene"};
+  std::vector<std::size_t> usable;
+  std::vector<double> scale, opacity, anisotropy;
+  std::array<std::vector<double>, 3> axes;
+  for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
+    ActivatedGaussian g;
+    const Cull cull = activate(scene, i, g);
+    if (cull == Cull::kNonFinite) count(non_finite, i);
+    if (cull == Cull::kZeroQuaternion) count(zero, i);
+    if (cull != Cull::kNone) continue;
+    usable.push_back(i);
+    const double largest = std::max({g.scale.x, g.scale.y, g.scale.z});
+    const double smallest = std::min({g.scale.x, g.scale.y, g.scale.z});
+    scale.push_back(largest);
+    opacity.push_back(g.opacity);
+    anisotropy.push_back(largest > 0 ? largest / smallest : 1);  // a flat one is infinitely anisotropic
+    for (int a = 0; a < 3; ++a) axes[static_cast<std::size_t>(a)].push_back(g.mean[a]);
+    if (g.opacity < kFaint) count(faint, i);
+    if (anisotropy.back() > kExtremeAnisotropy) count(needle, i);
+    if (std::abs(glm::length(glm::dvec4(scene.gaussians[i].rotation)) - 1) > kUnitTolerance) count(not_unit, i);
+  }
+  info.usable = usable.size();
+  for (int a = 0; a < 3; ++a) {
+    auto& values = axes[static_cast<std::size_t>(a)];
+    info.lowest[a] = percentile(values, 0);
+    info.highest[a] = percentile(values, 100);
+    info.box_lowest[a] = percentile(values, 2);
+    info.box_highest[a] = percentile(values, 98);
+  }
+  const double extent = glm::length(info.box_highest - info.box_lowest);
+  for (std::size_t k = 0; k < usable.size(); ++k) {
+    if (usable.size() > 1 && scale[k] > extent) count(huge, usable[k]);
+  }
+  info.scale = percentiles(scale);
+  info.opacity = percentiles(opacity);
+  info.anisotropy = percentiles(anisotropy);
+  if (info.usable > 0) info.faint_share = static_cast<double>(faint.count) / static_cast<double>(info.usable);
+  for (Finding* finding : {&non_finite, &zero, &not_unit, &faint, &needle, &huge}) {
+    if (finding->count > 0) info.findings.push_back(*finding);
+  }
+  if (info.usable > 1 && info.scale[3] > extent) {
+    info.findings.push_back({"median scale above the extent: scales look linear where logarithms are expected", huge.count, huge.first});
+  }
+  return info;
+}
+
+std::string to_text(const SceneInfo& info) {
+  std::string out = fmt::format("{}: {} Gaussians ({} usable), SH degree {}{}\n", info.name.empty() ? "scene" : info.name, info.gaussians,
+                                info.usable, info.sh_degree, info.antialiased ? ", antialiased" : "");
+  const auto box = [&](const char* name, const glm::dvec3& a, const glm::dvec3& b) {
+    out += fmt::format("  {:<14}[{:.4g}, {:.4g}, {:.4g}] .. [{:.4g}, {:.4g}, {:.4g}]\n", name, a.x, a.y, a.z, b.x, b.y, b.z);
+  };
+  box("bounds", info.lowest, info.highest);
+  box("2..98 % box", info.box_lowest, info.box_highest);
+  out += fmt::format("  {:<14}", "percentile");
+  for (const int p : kPercentiles) out += fmt::format("{:>11}", p);
+  out += '\n';
+  const auto line = [&](const char* name, const Percentiles& values) {
+    out += fmt::format("  {:<14}", name);
+    for (const double v : values) out += fmt::format("{:>11.4g}", v);
+    out += '\n';
+  };
+  line("scale", info.scale);
+  line("opacity", info.opacity);
+  line("anisotropy", info.anisotropy);
+  out += fmt::format("  opacity below 1/255: {:.2f} %\n", 100 * info.faint_share);
+  for (const Finding& f : info.findings) out += fmt::format("  note: {}: {}, first at index {}\n", f.what, f.count, f.first);
+  return out;
+}
+
+std::string to_json(const SceneInfo& info) {
+  using Json = nlohmann::ordered_json;
+  const auto vector = [](const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); };
+  const auto table = [](const Percentiles& values) {
+    Json out;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      // JSON has no infinity; a flat Gaussian's anisotropy is null.
+      out["p" + std::to_string(kPercentiles[i])] = std::isfinite(values[i]) ? Json(values[i]) : Json(nullptr);
+    }
+    return out;
+  };
+  Json findings = Json::array();
+  for (const Finding& f : info.findings) findings.push_back({{"what", f.what}, {"count", f.count}, {"first", f.first}});
+  const Json out = {{"name", info.name},
+                    {"gaussians", info.gaussians},
+                    {"usable", info.usable},
+                    {"sh_degree", info.sh_degree},
+                    {"antialiased", info.antialiased},
+                    {"bounds", {vector(info.lowest), vector(info.highest)}},
+                    {"box_2_98", {vector(info.box_lowest), vector(info.box_highest)}},
+                    {"scale", table(info.scale)},
+                    {"opacity", table(info.opacity)},
+                    {"anisotropy", table(info.anisotropy)},
+                    {"faint_share", info.faint_share},
+                    {"findings", findings}};
+  return out.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace pipegs

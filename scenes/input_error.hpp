@@ -1,0 +1,27 @@
+// input_error: what every reader throws when a file or an option is not what it should be.
+//
+// Idea    The message is one line that a user can act on without a debugger:
+//           "file: element/line, field: what was found, what was expected"
+//         Programming errors (a caller's broken promise) are std::invalid_argument instead.
+// Rule    Line breaks and control characters quoted out of a hostile file are replaced, so the
+//         message stays one line in a log whatever the file contains.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace pipegs {
+
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+
+  // "<file>: <where>: <what>", or "<file>: <what>" when `where` is empty.
+  InputError(std::string_view file, std::string_view where, std::string_view what);
+};
+
+// A quotation out of a file, cut to a readable length and freed of control characters.
+std::string quote(std::string_view text);
+
+}  // namespace pipegs

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so: build_rtl.sh BUILD_DIR OUT_DIR [key=value ...]
+#
+# BUILD_DIR is the CMake build folder (its package_sv and static libraries are used). Nothing is done twice: the library
+# is newer than every RTL file or it is built again, the C++ through ccache where that is installed.
+set -euo pipefail
+build=$(cd "$1" && pwd) out=$2
+shift 2
+root=$(cd "$(dirname "$0")/.." && pwd)
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+exec 9> "$out/lock"
+flock 9
+if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl_bridge.cpp" "$root/sim/rtl_model.hpp" "$root/sim/build_rtl.sh" \
+    "$root/sim/verilate.sh" "$root/cpp_model/config.def" "$root/cpp_model/records.def" "$build/cpp_model/package_sv" \
+    -newer "$out/librtl.so" -type f)" ]; then
+  exit 0
+fi
+"$build/cpp_model/package_sv" "$@" > "$out/pipegs_pkg.sv"
+shards=8
+"$root/sim/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards
+cxx=$(command -v clang++ || echo "${CXX:-g++}")
+ccache=$(command -v ccache || true)
+verilator=$(verilator -V | sed -n 's/^ *VERILATOR_ROOT *= //p' | grep -v '^$' | tail -n 1)
+verilator=${verilator:-/usr/share/verilator}
+flags="-std=c++20 -fPIC -I$root -isystem $verilator/include -isystem $verilator/include/vltstd -isystem $out -DVL_USER_STOP \
+  -DVM_COVERAGE=0 -DVM_SC=0 -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_TRACE_VCD=0"
+compile() { $ccache "$cxx" $flags "$@"; }
+export -f compile
+export ccache cxx flags
+{ for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o -O3 -march=native -w"; done
+  echo "$root/sim/rtl_bridge.cpp $out/bridge.o -O2 -Wall -Wextra"; } |
+  xargs -P "$(nproc)" -L 1 bash -c 'compile -c "$0" -o "$1" "${@:2}"'
+"$cxx" -shared -o "$out/librtl.so.new" "$out"/shard*.o "$out/bridge.o" "$build/sim/libpipegs_memory.a" \
+  "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" -lz -latomic -lpthread
+mv "$out/librtl.so.new" "$out/librtl.so"

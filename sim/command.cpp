@@ -1,0 +1,69 @@
+// command.cpp: what the subcommands share: arguments of a view, loading, writing.
+#include "sim/command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "cpp_model/float/image.hpp"
+#include "scenes/atomic_file.hpp"
+#include "scenes/generate.hpp"
+#include "scenes/input_error.hpp"
+#include "scenes/ply.hpp"
+
+namespace pipegs {
+
+void ViewArguments::add(CLI::App& app) {
+  app.add_option("SCENE", scene, "scene as .ply (INRIA layout); without it our own scene");
+  app.add_option("--cameras", cameras, "cameras.json (INRIA layout); needed with SCENE");
+  app.add_option("--view", view, "which camera of the file, counted from 0")->capture_default_str();
+  app.add_option("--window", window, "only this window: column,row")->delimiter(',')->expected(2);
+  app.add_option("--set", settings, "configuration entry, key=value; may be repeated");
+  app.add_option("--near", near_plane, "near plane, scene units")->capture_default_str();
+}
+
+SimulateOptions ViewArguments::options() const {
+  SimulateOptions options;
+  for (const std::string& setting : settings) config_set(options.config, setting);
+  config_check(options.config);
+  if (!window.empty()) options.window = {window.at(0), window.at(1)};
+  if (!(near_plane > 0)) throw ConfigError(fmt::format("--near: found {}, expected a positive number", near_plane));
+  options.near_plane = near_plane;
+  return options;
+}
+
+LoadedView load_view(const ViewArguments& arguments) {
+  LoadedView loaded;
+  std::vector<Camera> cameras;
+  if (arguments.scene.empty()) {
+    loaded.scene = generate_scene(1);
+    cameras = arguments.cameras.empty() ? generated_cameras() : read_cameras(arguments.cameras);
+  } else {
+    if (arguments.cameras.empty()) throw ConfigError(fmt::format("{}: --cameras FILE is needed with a scene", arguments.scene));
+    cameras = read_cameras(arguments.cameras);
+    loaded.scene = read_ply(arguments.scene);
+  }
+  if (arguments.view < 0 || arguments.view >= static_cast<int>(cameras.size())) {
+    throw ConfigError(fmt::format("--view: found {}, expected 0 to {}", arguments.view, static_cast<int>(cameras.size()) - 1));
+  }
+  loaded.camera = cameras[arguments.view];
+  return loaded;
+}
+
+void write_images(const std::string& folder, const Image& image) {
+  std::filesystem::create_directories(folder);
+  write_exr(std::filesystem::path(folder) / "frame.exr", image);
+  write_png(std::filesystem::path(folder) / "frame.png", image, glm::dvec3(0));
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  std::ofstream out(file.temporary(), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw InputError(path, "", "cannot be written");
+  file.commit();
+}
+
+}  // namespace pipegs

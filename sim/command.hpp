@@ -1,0 +1,51 @@
+// command.hpp: the subcommands of `pipegs`. Each adds its options to the parser and runs when it was chosen.
+//
+// Exit codes: 0 all is well, 1 the RTL differs from the golden model (or hangs), 2 bad input; 130 interrupted.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/camera.hpp"
+#include "scenes/scene.hpp"
+#include "sim/simulate.hpp"
+
+namespace pipegs {
+
+inline constexpr int kExitOk = 0, kExitMismatch = 1, kExitBadInput = 2, kExitInterrupted = 130;
+
+// A subcommand that was chosen sets `run`.
+using Run = std::function<int()>;
+
+// What every subcommand that renders a view takes.
+struct ViewArguments {
+  std::string scene, cameras;
+  int view = 0;
+  std::vector<int> window;
+  std::vector<std::string> settings;
+  double near_plane = 0.2;
+
+  void add(CLI::App& app);
+  SimulateOptions options() const;  // throws ConfigError
+};
+
+// The scene and camera that the arguments name; our own without a scene. Throws InputError.
+struct LoadedView {
+  Scene scene;
+  Camera camera;
+};
+LoadedView load_view(const ViewArguments& arguments);
+
+// Writes frame.exr and frame.png; nothing is left half-written.
+void write_images(const std::string& folder, const Image& image);
+void write_text(const std::string& path, const std::string& text);
+
+void add_info(CLI::App& app, Run& run);
+void add_sim(CLI::App& app, Run& run);
+void add_render(CLI::App& app, Run& run);
+void add_explain(CLI::App& app, Run& run);
+
+}  // namespace pipegs

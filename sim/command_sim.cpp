@@ -1,0 +1,77 @@
+// command_sim.cpp: `pipegs sim`: golden model, truth and RTL of one view, compared bit for bit.
+#include <fmt/format.h>
+
+#include "sim/command.hpp"
+#include "sim/report.hpp"
+
+namespace pipegs {
+namespace {
+
+struct Arguments {
+  ViewArguments view;
+  ExternalMemoryOptions memory;
+  uint64_t seed = 1;
+  std::string out = "out", waves;
+  bool json = false, no_truth = false, no_rtl = false;
+};
+
+// The command that replays the window of the first mismatch with waves.
+std::string replay(const Arguments& arguments, const Mismatch& mismatch) {
+  std::string command = "build/pipegs sim";
+  if (!arguments.view.scene.empty()) command += fmt::format(" '{}'", arguments.view.scene);
+  if (!arguments.view.cameras.empty()) command += fmt::format(" --cameras '{}'", arguments.view.cameras);
+  command += fmt::format(" --view {} --window {},{} --seed {} --latency {} --bandwidth {} --jitter {} --no-truth --waves window.fst",
+                         arguments.view.view, mismatch.window_x, mismatch.window_y, arguments.seed, arguments.memory.latency,
+                         arguments.memory.bytes_per_cycle, arguments.memory.jitter);
+  for (const std::string& setting : arguments.view.settings) command += " --set " + setting;
+  return command;
+}
+
+int simulate(const Arguments& arguments) {
+  SimulateOptions options = arguments.view.options();
+  options.memory = arguments.memory;
+  options.memory.seed = arguments.seed;
+  options.rtl.seed = arguments.seed;
+  options.rtl.waves = arguments.waves;
+  const LoadedView loaded = load_view(arguments.view);
+
+  Simulation simulation;
+  simulate_golden(loaded.scene, loaded.camera, options, simulation);
+  if (!arguments.no_truth) simulate_truth(loaded.scene, loaded.camera, options, simulation);
+  if (!arguments.no_rtl) simulate_rtl(options, simulation);
+
+  const auto report = report_json(loaded.scene, loaded.camera, options, simulation);
+  write_images(arguments.out, crop_window(simulation.golden.image, options));
+  write_text(arguments.out + "/report.json", report.dump(2) + "\n");
+  if (arguments.json) {
+    fmt::print("{}\n", report.dump(2));
+  } else {
+    fmt::print("{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n", report_text(report), arguments.out, arguments.out, arguments.out);
+  }
+  if (simulation.mismatches == 0) return kExitOk;
+  fmt::print(stderr, "first mismatch, window {},{}: {}\nreplay with waves: {}\n", simulation.first_mismatch->window_x,
+             simulation.first_mismatch->window_y, simulation.first_mismatch->what, replay(arguments, *simulation.first_mismatch));
+  return kExitMismatch;
+}
+
+}  // namespace
+
+void add_sim(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("sim", "one view through golden model, truth and RTL, every bit compared");
+  command->footer("Example: pipegs sim garden.ply --cameras cameras.json --view 0 --set units=2 --out garden\n"
+                  "Exit code 0 only when every bit agrees, 1 on a mismatch, 2 on bad input.");
+  static Arguments arguments;
+  arguments.view.add(*command);
+  command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json")->capture_default_str();
+  command->add_option("--latency", arguments.memory.latency, "external memory: cycles to an answer")->capture_default_str()->check(CLI::Range(1, 100000));
+  command->add_option("--bandwidth", arguments.memory.bytes_per_cycle, "external memory: bytes per cycle")->capture_default_str()->check(CLI::Range(0.1, 64.0));
+  command->add_option("--jitter", arguments.memory.jitter, "external memory: largest random extra latency, cycles")->default_val(20)->check(CLI::Range(0, 100000));
+  command->add_option("--seed", arguments.seed, "seed of the jitter and of the registers' initial values")->capture_default_str();
+  command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
+  command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
+  command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only");
+  command->add_flag("--json", arguments.json, "print report.json instead of the table");
+  command->callback([&run] { run = [] { return simulate(arguments); }; });
+}
+
+}  // namespace pipegs

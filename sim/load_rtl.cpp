@@ -1,0 +1,41 @@
+// load_rtl.cpp: finds, builds when needed, and opens the shared library of one configuration.
+//
+// The libraries lie in the build folder under rtl/<configuration>; sim/build_rtl.sh brings one up to date and does
+// nothing when it is. They stay open until the program ends: Verilated code must not be unloaded while it is in use.
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+#include "sim/progress.hpp"
+#include "sim/rtl_model.hpp"
+
+namespace pipegs {
+
+std::unique_ptr<RtlModel> load_rtl(const Config& config) {
+  const std::string difference = config_difference(config);
+  const std::filesystem::path folder = std::filesystem::path(PIPEGS_BUILD_DIR) / "rtl" / difference;
+  std::string command = fmt::format("'{}/sim/build_rtl.sh' '{}' '{}'", PIPEGS_SOURCE_DIR, PIPEGS_BUILD_DIR, folder.string());
+  if (difference != "default") {
+    std::string settings = " " + difference;
+    for (char& c : settings) c = c == ',' ? ' ' : c;
+    command += settings;
+  }
+  const std::filesystem::path library = folder / "librtl.so", log = folder / "build.log";
+  std::filesystem::create_directories(folder);
+  if (!std::filesystem::exists(library)) fmt::print(stderr, "building the RTL for configuration {} ...\n", difference);
+  if (std::system((command + " > '" + log.string() + "' 2>&1").c_str()) != 0) {
+    throw std::runtime_error(fmt::format("the RTL of configuration {} does not build: see {}", difference, log.string()));
+  }
+  void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) throw std::runtime_error(fmt::format("{}: {}", library.string(), dlerror()));
+  using Create = RtlModel* (*)();
+  const auto create = reinterpret_cast<Create>(dlsym(handle, "pipegs_rtl_create"));
+  if (create == nullptr) throw std::runtime_error(fmt::format("{}: no pipegs_rtl_create", library.string()));
+  return std::unique_ptr<RtlModel>(create());
+}
+
+}  // namespace pipegs

@@ -1,0 +1,142 @@
+// report.cpp: see report.hpp.
+#include "sim/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no infinity: equal images have no finite PSNR, which null says.
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json units_json(const std::vector<UnitCycles>& units) {
+  Json array = Json::array();
+  for (const UnitCycles& unit : units) {
+    array.push_back({{"busy", unit.busy}, {"starved", unit.starved}, {"blocked", unit.blocked}, {"memory", unit.memory}});
+  }
+  return array;
+}
+
+uint64_t total_lines(const Simulation& simulation) {
+  uint64_t bytes = 0;
+  for (const MemoryTraffic& traffic : simulation.traffic) bytes += traffic.bytes_read + traffic.bytes_written;
+  return bytes / 64;
+}
+
+}  // namespace
+
+Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options) {
+  const Config& config = options.config;
+  const Work& work = simulation.golden.work;
+  const double units = config.units;
+  Bounds bounds;
+  bounds.rows = static_cast<double>(work.regions) * 8 / config.pixels_per_row / units;
+  bounds.ru = static_cast<double>(work.regions) * 4 / units;
+  bounds.su = static_cast<double>(work.keys) / units;
+  bounds.cull = static_cast<double>(work.fetched) / units;
+  bounds.memory = static_cast<double>(total_lines(simulation)) * 64 / options.memory.bytes_per_cycle;
+  for (const auto& [name, value] : {std::pair{"PU rows", bounds.rows}, {"RU", bounds.ru}, {"SU", bounds.su},
+                                    {"cull", bounds.cull}, {"memory", bounds.memory}}) {
+    if (value > bounds.largest) bounds.largest = value, bounds.largest_name = name;
+  }
+  return bounds;
+}
+
+Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions& options, const Simulation& simulation) {
+  Json report;
+  report["scene"] = {{"name", scene.name}, {"gaussians", scene.gaussians.size()}, {"sh_degree", scene.sh_degree},
+                     {"packed", simulation.packed.counts.packed}, {"chunks", simulation.packed.chunks.size()},
+                     {"left_out", {{"non_finite", simulation.packed.counts.non_finite},
+                                   {"zero_quaternion", simulation.packed.counts.zero_quaternion},
+                                   {"transparent", simulation.packed.counts.transparent},
+                                   {"out_of_range", simulation.packed.counts.out_of_range}}}};
+  report["camera"] = {{"name", camera.name}, {"id", camera.id}, {"width", camera.width}, {"height", camera.height}, {"fx", camera.fx}, {"fy", camera.fy}};
+  if (options.window) report["window"] = {(*options.window)[0], (*options.window)[1]};
+  Json config;
+  for (const ConfigEntry& entry : config_entries(options.config)) config[std::string(entry.name)] = entry.value;
+  config["memory_latency"] = options.memory.latency;
+  config["memory_bytes_per_cycle"] = options.memory.bytes_per_cycle;
+  config["memory_jitter"] = options.memory.jitter;
+  config["seed"] = options.rtl.seed;
+  report["config"] = config;
+
+  report["cycles"] = simulation.rtl.cycles;
+  report["units"] = {{"dopu", units_json(simulation.rtl.dopu)}, {"pu", units_json(simulation.rtl.pu)},
+                     {"su", units_json(simulation.rtl.su)}, {"ru", units_json(simulation.rtl.ru)}};
+  uint64_t read = 0, written = 0;
+  Json by_stream;
+  for (const MemoryTraffic& traffic : simulation.traffic) {
+    read += traffic.bytes_read, written += traffic.bytes_written;
+    by_stream[traffic.stream] = {{"read", traffic.bytes_read}, {"written", traffic.bytes_written}};
+  }
+  report["memory"] = {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}};
+  const Work& work = simulation.golden.work;
+  report["work"] = {{"fetched", work.fetched}, {"visible", work.visible}, {"records", work.records}, {"regions", work.regions},
+                    {"alphas", work.alphas}, {"blended", work.blended}, {"keys", work.keys},
+                    {"overflow_lines", simulation.rtl.overflow_lines}, {"chunks", work.chunks}, {"layers", work.layers},
+                    {"windows", work.windows}};
+  const Bounds bounds = work_bounds(simulation, options);
+  report["bounds"] = {{"pu_rows", std::llround(bounds.rows)}, {"ru", std::llround(bounds.ru)}, {"su", std::llround(bounds.su)},
+                      {"cull", std::llround(bounds.cull)}, {"memory", std::llround(bounds.memory)}, {"largest", bounds.largest_name},
+                      {"cycles_over_largest", bounds.largest > 0 ? static_cast<double>(simulation.rtl.cycles) / bounds.largest : 0}};
+  report["beats_compared"] = simulation.beats;
+  report["mismatches"] = simulation.mismatches;
+  report["psnr_numeric_db"] = finite(simulation.psnr_numeric);
+  report["psnr_order_db"] = finite(simulation.psnr_order);
+  report["psnr_total_db"] = finite(simulation.psnr_total);
+  report["max_abs_error"] = simulation.max_abs_error;
+  const PackCounts& counts = simulation.packed.counts;
+  const Saturations& saturations = simulation.golden.saturations;
+  report["saturations"] = {{"scale", counts.saturated_scale}, {"base", counts.saturated_base}, {"sh", counts.saturated_sh},
+                           {"mean", saturations.mean}, {"dead", saturations.dead}, {"color", saturations.color},
+                           {"accumulated", saturations.accumulated}};
+  report["wall_seconds"] = {{"truth", simulation.wall_truth}, {"golden", simulation.wall_golden}, {"rtl", simulation.wall_rtl}};
+  report["rtl_khz"] = simulation.wall_rtl > 0 ? static_cast<double>(simulation.rtl.cycles) / simulation.wall_rtl / 1000 : 0;
+  return report;
+}
+
+std::string report_text(const Json& report) {
+  std::string text;
+  const auto line = [&]<class... T>(fmt::format_string<T...> format, T&&... arguments) {
+    text += fmt::format(format, std::forward<T>(arguments)...) + "\n";
+  };
+  const auto decibel = [&](const char* key) { return report[key].is_null() ? std::string("equal") : fmt::format("{:.2f} dB", report[key].get<double>()); };
+  const double cycles = std::max<double>(1, report["cycles"].get<double>());
+  line("{}: {} Gaussians, SH degree {}; view {} ({}x{})", report["scene"]["name"].get<std::string>(), report["scene"]["gaussians"].get<uint64_t>(),
+       report["scene"]["sh_degree"].get<int>(), report["camera"]["name"].get<std::string>(), report["camera"]["width"].get<int>(),
+       report["camera"]["height"].get<int>());
+  text += "\n";
+  line("  where every cycle went     busy  starved  blocked   memory");
+  for (const auto& kind : report["units"].items()) {
+    for (size_t i = 0; i < kind.value().size(); ++i) {
+      const Json& unit = kind.value()[i];
+      const auto share = [&](const char* what) { return 100 * unit[what].get<double>() / cycles; };
+      line("    {:<4} {:<18} {:7.1f}% {:7.1f}% {:7.1f}% {:7.1f}%", kind.key(), i, share("busy"), share("starved"), share("blocked"), share("memory"));
+    }
+  }
+  text += "\n";
+  line("  cycles {:>12}    largest bound: {}, cycles / bound {:.3f}", report["cycles"].get<uint64_t>(),
+       report["bounds"]["largest"].get<std::string>(), report["bounds"]["cycles_over_largest"].get<double>());
+  line("  memory {:>12.1f} MB read, {:.1f} MB written", report["memory"]["bytes_read"].get<double>() / 1e6, report["memory"]["bytes_written"].get<double>() / 1e6);
+  for (const auto& [stream, bytes] : report["memory"]["by_stream"].items()) {
+    line("    {:<22} {:9.1f} MB read {:9.1f} MB written", stream, bytes["read"].get<double>() / 1e6, bytes["written"].get<double>() / 1e6);
+  }
+  const auto& work = report["work"];
+  line("  work   fetched {}, visible {}, records {}, regions {}, blended {}, overflow lines {}", work["fetched"].get<uint64_t>(),
+       work["visible"].get<uint64_t>(), work["records"].get<uint64_t>(), work["regions"].get<uint64_t>(), work["blended"].get<uint64_t>(),
+       work["overflow_lines"].get<uint64_t>());
+  line("  error  numeric {}, order {}, total {}; largest {:.4f}", decibel("psnr_numeric_db"), decibel("psnr_order_db"),
+       decibel("psnr_total_db"), report["max_abs_error"].get<double>());
+  const auto& wall = report["wall_seconds"];
+  line("  wall   truth {:.1f} s, golden {:.1f} s, RTL {:.1f} s ({:.0f} kHz)", wall["truth"].get<double>(), wall["golden"].get<double>(),
+       wall["rtl"].get<double>(), report["rtl_khz"].get<double>());
+  line("  {} beats and every pixel compared: {} mismatches", report["beats_compared"].get<uint64_t>(), report["mismatches"].get<uint64_t>());
+  return text;
+}
+
+}  // namespace pipegs

@@ -1,0 +1,180 @@
+// rtl_bridge.cpp: the loop that clocks the Verilated top level, compiled once for each configuration into librtl.so.
+//
+// In each cycle the external memory shows its answer and its readiness while the clock is low; the machine settles; the
+// taps and the memory port are sampled; the clock rises.
+#include <verilated.h>
+#include <verilated_fst_c.h>
+
+#include <cstring>
+#include <stdexcept>
+
+#include "Vpipegs_top.h"
+#include "Vpipegs_top_pipegs_pkg.h"
+#include "cpp_model/records.hpp"
+#include "sim/ports.hpp"
+#include "sim/rtl_model.hpp"
+
+namespace pipegs {
+namespace {
+
+using Package = Vpipegs_top_pipegs_pkg;
+
+class VerilatedMachine final : public RtlModel {
+ public:
+  RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+                const std::function<bool(uint64_t, uint64_t)>& progress) override;
+
+ private:
+  void tap(RtlTaps& taps);
+  std::string position() const { return "cycle " + std::to_string(cycle_); }
+
+  std::unique_ptr<VerilatedContext> context_;
+  std::unique_ptr<Vpipegs_top> dut_;
+  uint64_t cycle_ = 0, windows_ = 0;
+};
+
+// `width` bits at `at` of a wide port, as words.
+template <class Port>
+void slice(const Port& port, int at, int width, uint32_t* words) {
+  constexpr size_t kWords = sizeof(Port) / 4 + 2;
+  uint32_t all[kWords] = {};
+  const uint32_t* source;
+  if constexpr (std::is_integral_v<Port>) {
+    read_port(port, all);
+    source = all;
+  } else {
+    source = port.data();
+  }
+  const int count = (width + 31) / 32, shift = at % 32, first = at / 32;
+  for (int i = 0; i < count; ++i) {
+    const uint64_t low = source[first + i];
+    const uint64_t high = shift != 0 && first + i + 1 < static_cast<int>(kWords - 2) ? source[first + i + 1] : 0;
+    words[i] = static_cast<uint32_t>((high << 32 | low) >> shift);
+  }
+  if (width % 32 != 0) words[count - 1] &= (1u << (width % 32)) - 1;
+}
+
+void VerilatedMachine::tap(RtlTaps& taps) {
+  const Vpipegs_top& top = *dut_;
+  uint32_t words[64];
+  for (uint32_t unit = 0; unit < Package::Units; ++unit) {
+    if (top.tap_splat_valid_o >> unit & 1) {
+      slice(top.tap_splat_o, unit * Package::SplatBits, Package::SplatBits, words);
+      taps.on_splat(unit, words);
+    }
+  }
+  if (top.tap_sorted_valid_o) {
+    slice(top.tap_sorted_o, 0, Package::SortedBits, words);
+    taps.on_sorted(words);
+    if (get_bits(words, 0, Package::KindW) == kWindowEnd) ++windows_;
+  }
+  for (uint32_t unit = 0; unit < Package::Units; ++unit) {
+    if (top.tap_pixels_valid_o >> unit & 1) {
+      uint32_t region, quarter;
+      slice(top.tap_pixels_region_o, unit * Package::RegionW, Package::RegionW, &region);
+      slice(top.tap_pixels_quarter_o, unit * 2, 2, &quarter);
+      slice(top.tap_pixels_o, unit * Package::PixelWordW, Package::PixelWordW, words);
+      taps.on_pixels(unit, static_cast<int>(region), static_cast<int>(quarter), words);
+    }
+    if (top.tap_alphas_valid_o >> unit & 1) {
+      uint32_t region, index, window_x, window_y;
+      slice(top.tap_window_x_o, unit * Package::WindowW, Package::WindowW, &window_x);
+      slice(top.tap_window_y_o, unit * Package::WindowW, Package::WindowW, &window_y);
+      slice(top.tap_alphas_region_o, unit * Package::RegionW, Package::RegionW, &region);
+      slice(top.tap_alphas_index_o, unit * Package::IndexW, Package::IndexW, &index);
+      slice(top.tap_alphas_o, unit * Package::LineW, Package::LineW, words);
+      taps.on_alphas(unit, window_x, window_y, index, static_cast<int>(region), words);
+    }
+  }
+}
+
+RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+                                const std::function<bool(uint64_t, uint64_t)>& progress) {
+  context_ = std::make_unique<VerilatedContext>();
+  context_->randReset(2);
+  context_->randSeed(static_cast<int>(options.seed % 0x7ffffffe) + 1);
+  context_->traceEverOn(!options.waves.empty());
+  dut_ = std::make_unique<Vpipegs_top>(context_.get());
+  Vpipegs_top& top = *dut_;
+  std::unique_ptr<VerilatedFstC> waves;
+  if (!options.waves.empty()) {
+    waves = std::make_unique<VerilatedFstC>();
+    top.trace(waves.get(), 99);
+    waves->open(options.waves.c_str());
+  }
+  cycle_ = windows_ = 0;
+  uint64_t last_request = 0;
+  constexpr uint64_t kResetCycles = 4;
+
+  top.start_i = 0;
+  top.mem_ready_i = 0;
+  top.mem_rsp_valid_i = 0;
+  write_port(top.frame_i, frame);
+  bool started = false;
+  for (;; ++cycle_) {
+    top.clk_i = 0;
+    top.rst_ni = cycle_ >= kResetCycles;
+    top.start_i = cycle_ == kResetCycles;
+    memory.step();
+    top.mem_ready_i = memory.ready();
+    const ExternalMemory::Answer* answer = memory.answer();
+    top.mem_rsp_valid_i = answer != nullptr;
+    if (answer != nullptr) {
+      top.mem_rsp_tag_i = static_cast<uint8_t>(answer->tag);
+      write_port(top.mem_rsp_data_i, answer->data.data());
+    }
+    top.eval();
+    if (waves) waves->dump(cycle_ * 10);
+    if (cycle_ >= kResetCycles) {
+      if (top.mem_valid_o && top.mem_ready_i) {
+        uint32_t request[2];
+        slice(top.mem_request_o, 0, Package::MemoryRequestBits, request);
+        const bool write = request[0] & 1;
+        memory.request(write, get_bits(request, 1, Package::AddressW),
+                       static_cast<int>(get_bits(request, 1 + Package::AddressW, Package::TagW)), top.mem_data_o.data());
+        last_request = cycle_;
+      }
+      if (taps != nullptr) tap(*taps);
+    }
+    top.clk_i = 1;
+    top.eval();
+    if (waves) waves->dump(cycle_ * 10 + 5);
+    started = started || top.busy_o;
+    if (started && !top.busy_o) break;
+    if (cycle_ - last_request > options.quiet_limit) {
+      throw std::runtime_error("RTL: no memory request for " + std::to_string(options.quiet_limit) + " cycles, " + position() +
+                               ", " + std::to_string(windows_) + " windows sorted: the machine hangs");
+    }
+    if (cycle_ % 4096 == 0 && progress && !progress(cycle_, windows_)) throw std::runtime_error("RTL: interrupted");
+  }
+  if (waves) waves->close();
+
+  RtlResult result;
+  uint32_t words[2] = {};
+  slice(top.cycles_o, 0, Package::PerfW, words);
+  result.cycles = get_bits(words, 0, Package::PerfW);
+  words[1] = 0;
+  slice(top.overflow_lines_o, 0, Package::PerfW, words);
+  result.overflow_lines = get_bits(words, 0, Package::PerfW);
+  int unit = 0;
+  const auto read_units = [&](std::vector<UnitCycles>& units, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i, ++unit) {
+      uint64_t values[4];
+      for (int k = 0; k < 4; ++k) {
+        slice(top.perf_o, (unit * 4 + k) * static_cast<int>(Package::PerfW), Package::PerfW, words);
+        values[k] = get_bits(words, 0, Package::PerfW);
+      }
+      units.push_back({values[0], values[1], values[2], values[3]});
+    }
+  };
+  read_units(result.dopu, 1);
+  read_units(result.pu, Package::Units);
+  read_units(result.su, Package::Units);
+  read_units(result.ru, Package::Units);
+  return result;
+}
+
+}  // namespace
+}  // namespace pipegs
+
+extern "C" pipegs::RtlModel* pipegs_rtl_create() { return new pipegs::VerilatedMachine; }

@@ -1,0 +1,61 @@
+// rtl_model.hpp: the Verilated machine as the rest of the program sees it: run one frame, watch its streams.
+//
+// Each configuration is a shared library of its own (librtl.so, built by sim/build_rtl.sh) that exports
+// `pipegs_rtl_create`; the program itself holds no Verilated code. Records cross as packed 32-bit words.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cpp_model/config.hpp"
+#include "sim/external_memory.hpp"
+
+namespace pipegs {
+
+// What the machine shows while it runs. All words are packed records, valid during the call only.
+class RtlTaps {
+ public:
+  virtual ~RtlTaps() = default;
+  virtual void on_splat(int unit, const uint32_t* splat) = 0;                        // PU -> SU
+  virtual void on_sorted(const uint32_t* sorted) = 0;                                // su_merge -> RUs
+  // A line of alphas that RU `unit` starts to blend, and the window in which it does.
+  virtual void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region, const uint32_t* line) = 0;
+  virtual void on_pixels(int unit, int region, int quarter, const uint32_t* word) = 0;     // T and RGB that it writes back
+};
+
+struct RtlOptions {
+  uint64_t seed = 1;           // of the random initial values of registers and memories
+  std::string waves;           // FST file, empty for none
+  uint64_t quiet_limit = 200000;  // cycles without a memory request after which the machine counts as hung
+};
+
+struct UnitCycles {
+  uint64_t busy = 0, starved = 0, blocked = 0, memory = 0;
+};
+
+struct RtlResult {
+  uint64_t cycles = 0;
+  std::vector<UnitCycles> dopu, pu, su, ru;
+  uint64_t overflow_lines = 0;  // lines of alphas, records and keys that went to external memory
+};
+
+class RtlModel {
+ public:
+  virtual ~RtlModel() = default;
+  // Runs the frame that `frame` (a packed Frame) describes on the scene that lies in `memory`. `progress(cycle, window)` is
+  // called every few thousand cycles; returning false stops the run with an exception. Throws std::runtime_error when an
+  // assertion fails or the machine hangs.
+  virtual RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+                        const std::function<bool(uint64_t cycle, uint64_t windows_done)>& progress) = 0;
+};
+
+// Loads the machine for a configuration, building it first when this has not been done (see sim/build_rtl.sh).
+std::unique_ptr<RtlModel> load_rtl(const Config& config);
+
+}  // namespace pipegs
+
+extern "C" pipegs::RtlModel* pipegs_rtl_create();

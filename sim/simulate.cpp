@@ -1,0 +1,160 @@
+// simulate.cpp: see simulate.hpp.
+#include "sim/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "cpp_model/float/metrics.hpp"
+#include "cpp_model/float/truth.hpp"
+#include "cpp_model/frame_setup.hpp"
+#include "cpp_model/ru/ru_resolve.hpp"
+#include "sim/progress.hpp"
+
+namespace pipegs {
+namespace {
+
+struct Rectangle {
+  int x0, y0, x1, y1;
+};
+
+Rectangle asked(int width, int height, const SimulateOptions& options) {
+  if (!options.window) return {0, 0, width, height};
+  const int side = options.config.window, x = (*options.window)[0] * side, y = (*options.window)[1] * side;
+  return {x, y, std::min(x + side, width), std::min(y + side, height)};
+}
+
+// The streams of the memory ports, in the order of rtl/buf/memory_arbiter.sv.
+std::vector<MemoryTraffic> by_stream(const Config& config, const ExternalMemory& memory) {
+  static const char* const kNames[] = {"alpha_overflow_write", "sort_overflow", "raster", "geometry", "color"};
+  std::vector<MemoryTraffic> result;
+  const auto add = [&](const std::string& name, int first, int count) {
+    MemoryTraffic traffic{.stream = name};
+    for (int port = first; port < first + count; ++port) {
+      traffic.bytes_read += 64 * memory.traffic()[port].lines_read;
+      traffic.bytes_written += 64 * memory.traffic()[port].lines_written;
+    }
+    result.push_back(traffic);
+  };
+  for (int i = 0; i < 5; ++i) add(kNames[i], i * config.units, config.units);
+  add("nodes", 5 * config.units, 1);
+  return result;
+}
+
+}  // namespace
+
+Image crop_window(const Image& image, const SimulateOptions& options) {
+  const Rectangle r = asked(image.width, image.height, options);
+  Image part(r.x1 - r.x0, r.y1 - r.y0);
+  for (int y = r.y0; y < r.y1; ++y) {
+    for (int x = r.x0; x < r.x1; ++x) {
+      const size_t to = part.at(x - r.x0, y - r.y0), from = image.at(x, y);
+      part.rgb[to] = image.rgb[from];
+      part.transmittance[to] = image.transmittance[from];
+      part.depth[to] = image.depth[from];
+      part.blended[to] = image.blended[from];
+    }
+  }
+  return part;
+}
+
+void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+  const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z)});
+  result.packed = pack_scene(options.config, scene, bound);
+  result.input.packed = &result.packed;
+  result.input.frame = frame_setup(options.config, result.packed, camera, {}, options.near_plane);
+  Frame& frame = result.input.frame;
+  if (options.window) {
+    const auto [x, y] = *options.window;
+    if (x < 0 || y < 0 || x > static_cast<int>(frame.last_x) || y > static_cast<int>(frame.last_y)) {
+      throw std::invalid_argument(fmt::format("--window {},{}: expected 0,0 to {},{}", x, y, frame.last_x, frame.last_y));
+    }
+    frame.first_x = frame.last_x = static_cast<uint64_t>(x);
+    frame.first_y = frame.last_y = static_cast<uint64_t>(y);
+  }
+  Progress progress("golden");
+  const Stopwatch watch;
+  result.golden = golden_frame(result.input, {.threads = 0, .progress = [&](double share) {
+                                                if (interrupted()) throw std::runtime_error("interrupted");
+                                                progress.update(share);
+                                              }});
+  result.wall_golden = watch.seconds();
+}
+
+void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+  const Stopwatch watch;
+  const Rectangle r = asked(camera.width, camera.height, options);
+  const auto render = [&](const char* name, Semantics semantics, const std::vector<uint32_t>* rank) {
+    Progress progress(name);
+    TruthOptions truth;
+    truth.semantics = semantics;
+    truth.rank = rank;
+    truth.near_plane = options.near_plane;
+    truth.sh_degree = std::min(scene.sh_degree, options.config.sh_degree);
+    truth.clip_window = options.window.has_value();
+    truth.x0 = r.x0, truth.y0 = r.y0, truth.x1 = r.x1, truth.y1 = r.y1;
+    truth.progress = [&](double share) {
+      if (interrupted()) throw std::runtime_error("interrupted");
+      progress.update(share);
+    };
+    return render_truth(scene, camera, truth);
+  };
+  result.truth_order = render("truth", Semantics::kExact, &result.golden.rank);
+  result.truth_exact = render("truth", Semantics::kExact, nullptr);
+  result.truth_inria = render("truth", Semantics::kInria, nullptr);
+  result.wall_truth = watch.seconds();
+
+  const Image golden = crop_window(result.golden.image, options), order = crop_window(result.truth_order, options);
+  result.psnr_numeric = psnr(golden, order);
+  result.psnr_order = psnr(order, crop_window(result.truth_exact, options));
+  result.psnr_total = psnr(golden, crop_window(result.truth_inria, options));
+  result.max_abs_error = max_abs_error(golden, order);
+}
+
+void simulate_rtl(const SimulateOptions& options, Simulation& result) {
+  const std::unique_ptr<RtlModel> model = load_rtl(options.config);
+  const Config& config = options.config;
+  const Frame& frame = result.input.frame;
+  ExternalMemory memory(options.memory);
+  const MemoryImage image = memory_image(result.packed);
+  for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+
+  StreamCheck check(result.input);
+  if (options.watch) check.watch((*options.watch)[0], (*options.watch)[1]);
+  std::vector<uint32_t> words(record_words<Frame>(config) + 1);
+  pack(config, frame, words.data());
+  const double windows = static_cast<double>((frame.last_x - frame.first_x + 1) * (frame.last_y - frame.first_y + 1));
+  Progress progress("rtl");
+  const Stopwatch watch;
+  result.rtl = model->run(words.data(), memory, options.rtl, &check, [&](uint64_t cycle, uint64_t windows_done) {
+    progress.update(static_cast<double>(windows_done) / windows, fmt::format("{:.0f} kHz", static_cast<double>(cycle) / watch.seconds() / 1000));
+    return !interrupted();
+  });
+  check.finish();
+  result.wall_rtl = watch.seconds();
+  result.traffic = by_stream(config, memory);
+  result.seen = check.seen();
+  result.beats = check.beats();
+  result.mismatches = check.mismatches();
+  result.first_mismatch = check.first();
+
+  // The frame in external memory against the golden pixels.
+  const uint64_t side = config.window;
+  for (uint64_t y = frame.first_y * side; y < std::min(frame.height, (frame.last_y + 1) * side); ++y) {
+    for (uint64_t x = frame.first_x * side; x < std::min(frame.width, (frame.last_x + 1) * side); ++x) {
+      const int region = static_cast<int>((y % side / 8) * config.regions_x() + x % side / 8);
+      const MemoryLine& line = memory.line(ru_pixel_line(config, frame, x / side, y / side, region, static_cast<int>(y % 8)));
+      const uint64_t found = uint64_t{line[2 * (x % 8) + 1]} << 32 | line[2 * (x % 8)];
+      const uint64_t expected = result.golden.pixels[y * frame.width + x];
+      if (found == expected) continue;
+      ++result.mismatches;
+      if (!result.first_mismatch) {
+        result.first_mismatch = Mismatch{fmt::format("frame: pixel {},{}: expected {:016x}, found {:016x}", x, y, expected, found), x / side, y / side};
+      }
+    }
+  }
+}
+
+}  // namespace pipegs

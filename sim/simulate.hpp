@@ -1,0 +1,58 @@
+// simulate.hpp: one frame through golden model, truth and RTL, compared, with everything that the report needs.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "cpp_model/golden.hpp"
+#include "scenes/camera.hpp"
+#include "scenes/scene.hpp"
+#include "sim/rtl_model.hpp"
+#include "sim/stream_check.hpp"
+
+namespace pipegs {
+
+struct SimulateOptions {
+  Config config;
+  ExternalMemoryOptions memory;
+  RtlOptions rtl;
+  std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
+  double near_plane = 0.2;                   // scene units
+  bool run_truth = true;
+  std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
+};
+
+struct MemoryTraffic {
+  std::string stream;  // who: "dopu nodes", "pu gaussians", ...
+  uint64_t bytes_read = 0, bytes_written = 0;
+};
+
+struct Simulation {
+  PackedScene packed;
+  GoldenInput input;  // points at packed
+  GoldenFrame golden;
+  Image truth_order, truth_exact, truth_inria;  // exact in the hardware's order, exact and INRIA in global order
+  RtlResult rtl;
+  std::vector<MemoryTraffic> traffic;
+  std::vector<StreamCheck::Seen> seen;
+  uint64_t beats = 0, mismatches = 0;
+  std::optional<Mismatch> first_mismatch;
+  double psnr_numeric = 0, psnr_order = 0, psnr_total = 0, max_abs_error = 0;
+  double wall_truth = 0, wall_golden = 0, wall_rtl = 0;
+
+  Simulation() = default;
+  Simulation(const Simulation&) = delete;  // input points into packed
+};
+
+// Packs the scene, sets up the frame and runs the golden model.
+void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
+// Renders the three truths and the figures that compare golden with them; needs simulate_golden.
+void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
+// Runs the RTL and compares every stream and every pixel; needs simulate_golden.
+void simulate_rtl(const SimulateOptions& options, Simulation& result);
+
+// The part of an image that was asked for: all of it, or one window.
+Image crop_window(const Image& image, const SimulateOptions& options);
+
+}  // namespace pipegs

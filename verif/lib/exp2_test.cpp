@@ -1,0 +1,38 @@
+// exp2_test: rtl/lib/exp2.sv against its twin for every fraction, and the twin against double.
+#include "cpp_model/lib/exp2.hpp"
+#include "verif/support/bench.hpp"
+#include "verif/support/config.hpp"
+#include "Vexp2.h"
+
+namespace pipegs {
+namespace {
+
+TEST(Exp2, EqualsItsTwinForEveryFraction) {
+  const Config config = test_config();
+  const Exp2 twin(config);
+  Vexp2 dut;
+  for (uint32_t fraction = 0; fraction < (uint32_t{1} << config.exp_f()); ++fraction) {
+    dut.fraction_i = fraction;
+    dut.eval();
+    ASSERT_EQ(dut.exponential_o, twin(fraction)) << "fraction " << fraction;
+  }
+}
+
+TEST(Exp2, StaysWithinItsErrorBound) {
+  const Config config = test_config();
+  const Exp2 twin(config);
+  const double entries = std::ldexp(1.0, config.exp_index_w), ulp = 256;  // results per last place of an alpha in [1/2, 1)
+  const double chord = std::ldexp(2 * std::pow(std::log(2.0) / entries, 2) / 8, config.alpha_w - 1);
+  double low = 0, high = 0;
+  for (uint32_t fraction = 0; fraction < (uint32_t{1} << config.exp_f()); ++fraction) {
+    const double exact = std::ldexp(std::exp2(std::ldexp(fraction, -config.exp_f())), config.alpha_w + 7);
+    const double error = (twin(fraction) - exact) / ulp;
+    low = std::min(low, error), high = std::max(high, error);
+  }
+  std::printf("exp2: error %.4f .. %.4f of an alpha's last place (chord %.4f)\n", low, high, chord);
+  EXPECT_GT(low, -2 / ulp);          // table and truncation
+  EXPECT_LT(high, chord + 1 / ulp);  // chord and table
+}
+
+}  // namespace
+}  // namespace pipegs

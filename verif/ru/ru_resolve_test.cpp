@@ -1,0 +1,113 @@
+// ru_resolve_test: rtl/ru/ru_resolve.sv against cpp_model/ru/ru_resolve.hpp.
+#include <map>
+#include <optional>
+
+#include "cpp_model/ru/ru_resolve.hpp"
+#include "cpp_model/ru/ru_walk.hpp"
+#include "verif/ru/pixel_words.hpp"
+#include "verif/support/config.hpp"
+#include "Vru_resolve.h"
+
+namespace pipegs {
+namespace {
+
+const Config kConfig = test_config();
+
+RegionState random_region(std::mt19937_64& rng) {
+  RegionState region{};
+  for (int i = 0; i < kRegionPixels; ++i) {
+    region.t[i] = rng() % ((1u << (kConfig.t_w - 1)) + 1);
+    for (auto& channel : region.rgb) channel[i] = rng() % (1u << kConfig.rgb_w);
+    region.done[i] = rng() % 2;
+  }
+  return region;
+}
+
+// One window: a pixel buffer with random, partly fresh words, and a memory that takes lines at some pace.
+void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
+  Bench<Vru_resolve> bench(seed);
+  auto& dut = bench.dut;
+  Frame frame;
+  frame.width = kConfig.window + 1 + bench.rng() % kConfig.window;
+  frame.height = 2 * kConfig.window + 1 + bench.rng() % kConfig.window;
+  frame.pixels = bench.rng() % 1000000;
+  const uint64_t x = bench.rng() % 2, y = bench.rng() % 3;
+  const int unit = bench.rng() % kConfig.units;
+  dut.unit_i = unit;
+  dut.pixels_i = frame.pixels;
+  dut.start_i = dut.mem_ready_i = 0;
+  bench.reset();
+
+  std::vector<std::optional<Words>> words;
+  std::map<uint64_t, Words> expected;
+  uint64_t outside = 0;
+  for (int r = 0; r < kConfig.regions(); ++r) outside |= uint64_t{!ru_inside(kConfig, frame, x, y, r)} << r;
+  for (int slot = 0; slot < kConfig.regions() / kConfig.units; ++slot) {
+    const int r = ru_region(kConfig, unit, slot);
+    RegionState region = random_region(bench.rng);
+    const RegionState fresh = ru_fresh_region(kConfig, frame, x, y, r);
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const bool is_fresh = bench.rng() % 3 == 0;
+      words.push_back(is_fresh ? std::nullopt : std::optional(pixel_word(kConfig, region, quarter)));
+      for (int half = 0; half < 2 && !(outside >> r & 1); ++half) {
+        Words line(16);
+        for (int i = 0; i < 8; ++i) {
+          put_bits(line.data(), 64 * i, 64, ru_resolve(kConfig, (is_fresh ? fresh : region).pixel(16 * quarter + 8 * half + i)));
+        }
+        expected[ru_pixel_line(kConfig, frame, x, y, r, 2 * quarter + half)] = line;
+      }
+    }
+  }
+
+  dut.start_i = 1;
+  dut.number_i = (ru_pixel_line(kConfig, frame, x, y, 0, 0) - frame.pixels) / (8 * kConfig.regions());
+  dut.outside_i = outside;
+  EXPECT_TRUE(dut.ready_o);
+  bench.step();
+  dut.start_i = 0;
+  dut.number_i = 0;
+  dut.outside_i = 0;
+  uint64_t lines = 0;
+  const uint64_t start = bench.cycle;
+  for (; !dut.ready_o; ) {
+    ASSERT_LT(bench.cycle - start, 100000u);
+    dut.mem_ready_i = goes(pace, bench.rng);
+    dut.clk_i = 0;
+    dut.eval();
+    const bool reads = dut.read_o;
+    const int address = dut.raddr_o;
+    if (dut.mem_valid_o && dut.mem_ready_i) {
+      ++lines;
+      const auto line = expected.find(dut.mem_address_o);
+      ASSERT_NE(line, expected.end()) << "line " << dut.mem_address_o << " seed " << seed;
+      Words found(16);
+      read_port(dut.mem_data_o, found.data());
+      ASSERT_EQ(found, line->second) << "line " << dut.mem_address_o << " seed " << seed;
+      expected.erase(line);
+    }
+    bench.step();
+    if (reads) {
+      Words noise(words.size() + 100);
+      write_port(dut.rdata_i, words[address] ? words[address]->data() : noise.data());
+      dut.fresh_i = !words[address];
+      dut.eval();
+    }
+  }
+  EXPECT_TRUE(expected.empty());
+  if (expect_rate) { EXPECT_LE(bench.cycle - start, lines + 2); }
+}
+
+TEST(RuResolve, WritesTheLinesOfItsTwin) {
+  for (const Pace pace : kPaces) {
+    for (uint64_t i = 0; i < 30; ++i) ASSERT_NO_FATAL_FAILURE(resolve_window(pace, test_seed() + i, pace == Pace::kAlways));
+  }
+}
+
+TEST(RuResolve, PixelFieldsLieWhereTheDriverReadsThem) {
+  Config config;  // the default widths
+  EXPECT_EQ(ru_resolve(config, {1u << 18, {0, 0, 0}, false}), 0x8000000000000000u);  // T = 1, black
+  EXPECT_EQ(ru_resolve(config, {7, {1, 2, 3}, true}), 0x0000000300020001u);          // T below 2^-15 is cut
+}
+
+}  // namespace
+}  // namespace pipegs

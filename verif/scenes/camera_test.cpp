@@ -1,0 +1,112 @@
+// Against scenes/camera: INRIA's cameras.json is read as field by field defined, or refused in one line.
+//
+// Idea    A good file is written by hand here; each bad one differs from it in one place and its
+//         message must name the camera and the field.
+#include "scenes/camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scenes/input_error.hpp"
+#include "verif/scenes/scratch_folder.hpp"
+
+namespace pipegs {
+namespace {
+
+const std::string kGood = R"([{"id": 4, "img_name": "a.jpg", "width": 1000, "height": 501, "position": [1, 2, 3],
+  "rotation": [[0, 0, 1], [1, 0, 0], [0, 1, 0]], "fx": 800.5, "fy": 801},
+ {"id": 5, "img_name": "b.jpg", "width": 1, "height": 16384, "position": [0, 0, 0],
+  "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "fx": 1, "fy": 1}])";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) { return text.replace(text.find(from), from.size(), to); }
+
+void expect_refused(const std::string& content, const std::vector<std::string>& words) {
+  const ScratchFolder scratch;
+  try {
+    read_cameras(scratch.write("cameras.json", content));
+    FAIL() << "was accepted: " << content;
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+    for (const std::string& word : words) EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
+  }
+}
+
+TEST(Camera, ReadsRowsOfCameraToWorld) {
+  const ScratchFolder scratch;
+  const auto cameras = read_cameras(scratch.write("cameras.json", kGood));
+  ASSERT_EQ(cameras.size(), 2u);
+  const Camera& c = cameras[0];
+  EXPECT_EQ(c.id, 4);
+  EXPECT_EQ(c.name, "a.jpg");
+  EXPECT_EQ(c.cx, 499.5);
+  EXPECT_EQ(c.cy, 250.0);
+  EXPECT_EQ(c.fx, 800.5);
+  // The third column of camera-to-world is where the camera looks: (1, 0, 0).
+  EXPECT_EQ(c.world_to_camera * glm::dvec3(1, 0, 0), glm::dvec3(0, 0, 1));
+  EXPECT_EQ(c.world_to_camera * glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0));
+}
+
+TEST(Camera, WriterRoundTrip) {
+  const ScratchFolder scratch;
+  const std::vector<Camera> out = {look_at("one", 0, 640, 480, {1, -2, 3}, {0.1, 0.2, 9}, 60), look_at("two", 7, 31, 17, {0, 0, 0}, {-1, 1, -1}, 90)};
+  write_cameras(scratch / "c.json", out);
+  const auto in = read_cameras(scratch / "c.json");
+  ASSERT_EQ(in.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(in[i].name, out[i].name);
+    EXPECT_EQ(in[i].position, out[i].position);
+    EXPECT_EQ(in[i].fx, out[i].fx);
+    for (int column = 0; column < 3; ++column) EXPECT_LT(glm::length(in[i].world_to_camera[column] - out[i].world_to_camera[column]), 1e-14);
+  }
+  EXPECT_EQ(scratch.files(), 1u);
+}
+
+TEST(Camera, LookAtPutsTheTargetInTheMiddleAndUpUp) {
+  const Camera c = look_at("", 0, 100, 100, {3, -2, -5}, {0, -1, 0}, 60);
+  const glm::dvec3 target = c.world_to_camera * (glm::dvec3(0, -1, 0) - c.position);
+  EXPECT_NEAR(target.x, 0, 1e-12);
+  EXPECT_NEAR(target.y, 0, 1e-12);
+  EXPECT_GT(target.z, 0);
+  EXPECT_LT((c.world_to_camera * glm::dvec3(0, -1, 0)).y, 0);  // up is smaller y
+  EXPECT_NEAR(glm::determinant(c.world_to_camera), 1, 1e-12);
+}
+
+TEST(Camera, MakesANearlyOrthonormalRotationOrthonormal) {
+  const ScratchFolder scratch;
+  const auto cameras = read_cameras(scratch.write("c.json", replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0.00003, 0, 0.99998], [1, 0.00002, 0]")));
+  const glm::dmat3 m = cameras[0].world_to_camera, product = m * glm::transpose(m);
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) EXPECT_NEAR(product[a][b], a == b, 1e-15);
+  }
+}
+
+TEST(Camera, RefusesEachBadFieldByName) {
+  expect_refused(replaced(kGood, "\"width\": 1,", "\"width\": 0,"), {"camera 1, width", "1..16384"});
+  expect_refused(replaced(kGood, "16384", "16385"), {"camera 1, height", "16385"});
+  expect_refused(replaced(kGood, "501", "501.5"), {"camera 0, height"});
+  expect_refused(replaced(kGood, "\"width\": 1000, ", ""), {"camera 0, width", "missing"});
+  expect_refused(replaced(kGood, "\"fx\": 800.5", "\"fx\": 0"), {"camera 0, fx"});
+  expect_refused(replaced(kGood, "\"fy\": 801", "\"fy\": -3"), {"camera 0, fy"});
+  expect_refused(replaced(kGood, "\"fy\": 801", "\"fy\": \"wide\""), {"camera 0, fy", "wide", "number"});
+  expect_refused(replaced(kGood, "[1, 2, 3]", "[1, 2]"), {"camera 0, position"});
+  expect_refused(replaced(kGood, "[1, 2, 3]", "[1, null, 3]"), {"camera 0, position"});
+  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1.001], [1, 0, 0]"), {"camera 0, rotation", "orthonormal"});
+  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [-1, 0, 0]"), {"camera 0, rotation", "determinant"});
+  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [1, 0]"), {"camera 0, rotation row 1"});
+  expect_refused(replaced(kGood, "\"a.jpg\"", "17"), {"camera 0, img_name"});
+}
+
+TEST(Camera, RefusesWhatIsNoListOfCameras) {
+  expect_refused("", {"not JSON"});
+  expect_refused("{\"a\":", {"not JSON"});
+  expect_refused("{}", {"top level"});
+  expect_refused("[]", {"empty"});
+  expect_refused("[3]", {"camera 0"});
+  expect_refused(replaced(kGood, "800.5", "1e999"), {"not JSON"});
+  const ScratchFolder scratch;
+  EXPECT_THROW(read_cameras(scratch / "missing.json"), InputError);
+  EXPECT_THROW(read_cameras(scratch / ""), InputError);
+}
+
+}  // namespace
+}  // namespace pipegs

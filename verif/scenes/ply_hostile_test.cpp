@@ -1,0 +1,134 @@
+// Against scenes/ply: broken and hostile files give one clear line, never a crash or an allocation.
+//
+// Idea    Each case names the words its message must hold. Then every prefix of a good file, and
+//         good files with random bytes changed, must be read or refused, nothing else.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "scenes/input_error.hpp"
+#include "scenes/ply.hpp"
+#include "verif/scenes/ply_file.hpp"
+#include "verif/scenes/scratch_folder.hpp"
+
+namespace pipegs {
+namespace {
+
+void expect_refused(const std::string& content, const std::vector<std::string>& words) {
+  const ScratchFolder scratch;
+  const auto path = scratch.write("bad.ply", content);
+  try {
+    read_ply(path);
+    FAIL() << "was accepted";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.rfind(path.string() + ": ", 0), 0u) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_LT(message.size(), 500u) << message;
+    for (const std::string& word : words) EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
+  }
+}
+
+std::string without(const std::string& name) {
+  auto columns = plain_columns(2, 0);
+  std::erase_if(columns, [&](const Column& c) { return c.name == name; });
+  return PlyText{}.build(columns);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) { return text.replace(text.find(from), from.size(), to); }
+
+TEST(PlyHostile, NamesTheMissingProperty) {
+  for (const char* name : {"x", "y", "z", "f_dc_0", "f_dc_2", "opacity", "scale_0", "scale_1", "rot_0", "rot_3"}) {
+    expect_refused(without(name), {"line 3", std::string("property ") + name, "missing"});
+  }
+}
+
+TEST(PlyHostile, RefusesWrongNumbersOfRest) {
+  for (int rest : {1, 8, 10, 23, 44, 46, 72}) expect_refused(PlyText{}.build(plain_columns(1, rest)), {"f_rest", std::to_string(rest), "0, 9, 24 or 45"});
+  auto columns = plain_columns(1, 9);
+  for (Column& c : columns) {
+    if (c.name == "f_rest_3") c.name = "f_rest_30";
+  }
+  expect_refused(PlyText{}.build(columns), {"f_rest", "up to 30"});
+}
+
+TEST(PlyHostile, ChecksTheCountAgainstTheFile) {
+  const std::string good = PlyText{}.build(plain_columns(2, 45));
+  for (const char* count : {"3", "1000000000000", "18446744073709551615"}) {
+    expect_refused(replaced(good, "element vertex 2", std::string("element vertex ") + count), {"line 3", count, "truncated"});
+  }
+  for (const char* count : {"-1", "2.5", "many", "18446744073709551616", "0x10"}) {
+    expect_refused(replaced(good, "element vertex 2", std::string("element vertex ") + count), {"line 3", "count"});
+  }
+  PlyText ascii;
+  ascii.format = "ascii";
+  expect_refused(replaced(ascii.build(plain_columns(2, 0)), "element vertex 2", "element vertex 99999999999"), {"truncated"});
+  expect_refused(good.substr(0, good.size() - 1), {"truncated"});
+}
+
+TEST(PlyHostile, RefusesNonsenseHeaders) {
+  const std::string good = PlyText{}.build(plain_columns(1, 0));
+  expect_refused("", {"line 1"});
+  expect_refused("PNG\n", {"line 1", "expected 'ply'"});
+  expect_refused(std::string(3 << 20, 'x'), {"line 1", "does not end"});
+  expect_refused("ply\nformat ascii 1.0\n" + std::string(2 << 20, '\n'), {"does not end"});
+  expect_refused(replaced(good, "binary_little_endian", "binary_middle_endian"), {"line 2", "binary_middle_endian"});
+  expect_refused(replaced(good, "endian 1.0", "endian 2.0"), {"line 2", "2.0"});
+  expect_refused(replaced(good, "format binary_little_endian 1.0\n", ""), {"format", "missing"});
+  expect_refused(replaced(good, "property float y", "property quad y"), {"line 5", "quad"});
+  expect_refused(replaced(good, "property float y", "property float"), {"line 5"});
+  expect_refused(replaced(good, "property float y", "property float x"), {"line 5", "second 'x'"});
+  expect_refused(replaced(good, "property float y", "property list float int y"), {"line 5", "integer type"});
+  expect_refused(replaced(good, "property float y", "property list uchar float y"), {"line 5", "y", "list"});
+  expect_refused(replaced(good, "element vertex 1\n", "property float w\nelement vertex 1\n"), {"line 3", "before any element"});
+  expect_refused(replaced(good, "element vertex 1\n", "element vertex 1\nelement vertex 1\n"), {"line 4", "second"});
+  expect_refused(replaced(good, "element vertex 1\n", "element point 1\n"), {"vertex", "missing"});
+  expect_refused(replaced(good, "ply\n", "ply\nnonsense here\n"), {"line 2", "nonsense"});
+  expect_refused("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uint packed_position\nend_header\n1234", {"compressed"});
+}
+
+TEST(PlyHostile, PointsIntoTheBody) {
+  PlyText ascii;
+  ascii.format = "ascii";
+  const std::string good = ascii.build(plain_columns(2, 0));
+  const std::string start = good.substr(0, good.find("end_header\n") + 11);
+  expect_refused(start + "1 2 three 4 5 6 7 8 9 10 11 12 13 14 15 16 17 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1", {"vertex 0, z", "three"});
+  expect_refused(start + "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 1 1 1 1 1 1 1 1 1 1 1 1 1 1                        ", {"vertex 1, rot_1", "ends"});
+  std::string list = "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint double v\nelement vertex 0\nend_header\n";
+  append_value(list, "uint", 4294967295.0, false);
+  expect_refused(list, {"face 0, v", "list"});
+}
+
+TEST(PlyHostile, RefusesFoldersAndMissingFiles) {
+  const ScratchFolder scratch;
+  EXPECT_THROW(read_ply(scratch / "nothing.ply"), InputError);
+  EXPECT_THROW(read_ply(scratch / ""), InputError);
+}
+
+TEST(PlyHostile, SurvivesEveryPrefixAndRandomDamage) {
+  const ScratchFolder scratch;
+  std::mt19937 random(11);
+  for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    PlyText text;
+    text.format = format;
+    text.elements_before = "element face 1\nproperty list uchar int v\n";
+    text.body_before = std::string(format) == "ascii" ? "1 5\n" : std::string("\0", 1);
+    const std::string good = text.build(plain_columns(3, 9));
+    const auto survive = [&](const std::string& content) {
+      try {
+        read_ply(scratch.write("a.ply", content));
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      }
+    };
+    for (std::size_t n = 0; n < good.size(); n += 3) survive(good.substr(0, n));
+    for (int round = 0; round < 300; ++round) {
+      std::string bad = good;
+      for (int change = 0; change < 1 + round % 4; ++change) bad[random() % bad.size()] = static_cast<char>(random());
+      survive(bad);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pipegs

@@ -1,0 +1,197 @@
+// su_test: rtl/su/su.sv with all it wires together (su_collect, su_select, su_emit, su_port) against cpp_model/su/su.hpp.
+//
+// The bench stops the module's clock whenever active_o is low, as the top does: a missing term in active_o hangs a test.
+#include "cpp_model/su/su.hpp"
+
+#include <algorithm>
+
+#include "Vsu.h"
+#include "verif/su/su_keys.hpp"
+#include "verif/support/bench.hpp"
+#include "verif/support/config.hpp"
+
+namespace pipegs {
+namespace {
+
+const Config kConfig = test_config();
+constexpr uint64_t kOverflow = 0x12345;  // first line of the overflow areas
+
+struct SuBench : Bench<Vsu> {
+  SuBench(Pace source, Pace sink, bool gated, const ExternalMemoryOptions& options = {}, int unit = 1)
+      : gated(gated), memory(options), in(*this, kConfig, dut.in_valid_i, dut.in_ready_o, dut.in_i, source),
+        out(*this, kConfig, dut.out_valid_o, dut.out_ready_i, dut.out_o, sink),
+        port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o, dut.rsp_valid_i,
+             dut.rsp_data_i, source) {
+    Frame frame;
+    frame.overflow = kOverflow;
+    write_record(kConfig, dut.frame_i, frame);
+    dut.unit_i = unit;
+    dut.restart_i = 0;
+    reset();
+    restart();
+  }
+  // One cycle; the module sees the edge only when it asked for it.
+  void step() {
+    dut.clk_i = 0;
+    for (Endpoint* endpoint : endpoints_) endpoint->drive();
+    dut.eval();
+    for (Endpoint* endpoint : endpoints_) endpoint->observe();
+    perf[dut.perf_o] += 1;
+    overflowed += dut.overflow_o;
+    asleep += !dut.active_o;
+    if (dut.active_o || !gated) {
+      dut.clk_i = 1;
+      dut.eval();
+    }
+    ++cycle;
+  }
+  void restart() {
+    dut.restart_i = 1;
+    step();
+    dut.restart_i = 0;
+  }
+  bool run_until_sent(size_t beats, uint64_t limit) {
+    for (const uint64_t end = cycle + limit; cycle < end;) {
+      if (out.size() >= beats) return true;
+      step();
+    }
+    ADD_FAILURE() << "only " << out.size() << " of " << beats << " beats came, cycle " << cycle << ", seed " << seed;
+    return false;
+  }
+  // Queues a layer; `expected` gets what shall come out.
+  void layer(Arrangement arrangement, size_t count, uint64_t kind) {
+    std::vector<Splat> splats;
+    for (const uint64_t key : su_keys(kConfig, arrangement, count, rng)) {
+      Splat splat = random_record<Splat>(kConfig, rng);
+      splat.kind = kData;
+      splat.depth = key >> kConfig.index_w;
+      splat.index = key & ((uint64_t{1} << kConfig.index_w) - 1);
+      splats.push_back(splat);
+      in.push(splat);
+    }
+    su_sort(splats);
+    expected.insert(expected.end(), splats.begin(), splats.end());
+    Splat end;
+    end.kind = kind;
+    in.push(end);
+    expected.push_back(end);
+  }
+  void check(uint64_t limit) {
+    run_until_sent(expected.size(), limit);
+    for (size_t i = 0; i < std::min(expected.size(), out.size()); ++i) {
+      ASSERT_EQ(first_difference(kConfig, expected[i], out.at(i)), "") << "beat " << i << " of " << expected.size() << ", seed " << seed;
+    }
+    for (int i = 0; i < 300; ++i) step();
+    EXPECT_EQ(out.size(), expected.size());
+    const uint64_t before = asleep;
+    step();
+    EXPECT_EQ(asleep, before + 1) << "an empty unit needs no clock";
+  }
+
+  bool gated;
+  ExternalMemory memory;
+  RecordSource<Splat, decltype(dut.in_i)> in;
+  RecordSink<Splat, decltype(dut.out_o)> out;
+  MemoryEndpoint<decltype(dut.mem_address_o), decltype(dut.mem_data_o)> port;
+  std::vector<Splat> expected;
+  uint64_t perf[4] = {}, overflowed = 0, asleep = 0;
+};
+
+ExternalMemoryOptions memory_options(std::mt19937_64& rng) {
+  ExternalMemoryOptions options;
+  options.latency = 1 + static_cast<int>(rng() % 120);
+  options.jitter = static_cast<int>(rng() % 40);
+  options.bytes_per_cycle = rng() % 2 ? 51.2 : 13;
+  options.queue = 1 + static_cast<int>(rng() % 64);
+  return options;
+}
+
+TEST(Su, SortsLayersOfEverySizeAndArrangementAtEveryPace) {
+  std::mt19937_64 rng(test_seed());
+  for (const Pace source : kPaces) {
+    for (const Pace sink : kPaces) {
+      for (const bool gated : {false, true}) {
+        SuBench bench(source, sink, gated, memory_options(rng), static_cast<int>(rng() % 4));
+        for (const Arrangement arrangement : kArrangements) {
+          for (const size_t count : {0, 1, 2, 15, 16, 17, 100}) bench.layer(arrangement, count, rng() % 3 ? kLayerEnd : kWindowEnd);
+        }
+        for (int i = 0; i < 20; ++i) bench.layer(kArrangements[rng() % 8], rng() % 40, kLayerEnd);
+        bench.check(3000000);
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(Su, SortsLargeLayersOfEveryArrangement) {
+  std::mt19937_64 rng(test_seed() + 1);
+  const size_t store = kConfig.records;
+  for (const Arrangement arrangement : kArrangements) {
+    SuBench bench(Pace::kAlways, rng() % 2 ? Pace::kAlways : Pace::kCoin, true, memory_options(rng));
+    for (const size_t count : {store - 1, store, store + 1, store + 7, store + 8, 2 * store, 5 * store + 3, size_t{1000}}) {
+      bench.layer(arrangement, count, kLayerEnd);
+    }
+    bench.check(20000000);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Su, SortsFiveThousand) {
+  std::mt19937_64 rng(test_seed() + 2);
+  SuBench bench(Pace::kAlways, Pace::kAlways, true, memory_options(rng));
+  bench.layer(Arrangement::kRandom, 5000, kLayerEnd);
+  bench.layer(Arrangement::kEqualDepth, 5000, kWindowEnd);
+  bench.layer(Arrangement::kClustered, 5000, kLayerEnd);
+  bench.layer(Arrangement::kOutlier, 30, kWindowEnd);
+  bench.check(50000000);
+}
+
+TEST(Su, WritesOverflowOfEachParityToItsOwnAreas) {
+  ExternalMemoryOptions options;
+  SuBench bench(Pace::kAlways, Pace::kAlways, true, options, 2);
+  const size_t count = kConfig.records + 9;
+  bench.layer(Arrangement::kRandom, 3, kLayerEnd);
+  bench.layer(Arrangement::kRandom, count, kWindowEnd);
+  bench.check(10000000);
+  EXPECT_EQ(bench.overflowed, 9 + (count + 7) / 8);  // nine records, the list of all keys
+  const auto base = [](uint64_t parity, uint64_t area) { return kOverflow + ((2 << 3 | parity << 2 | area) << 24); };
+  const auto touched = [&](uint64_t address) { return bench.memory.line(address) != MemoryLine{}; };
+  EXPECT_TRUE(touched(base(1, 1)) && touched(base(1, 1) + 8) && touched(base(1, 2)) && touched(base(1, 2) + (count - 1) / 8));
+  EXPECT_FALSE(touched(base(1, 1) + 9) || touched(base(0, 1)) || touched(base(0, 2)) || touched(base(1, 0)));
+}
+
+TEST(Su, CollectsTheNextLayerWhileTheOutputIsBlocked) {
+  SuBench bench(Pace::kAlways, Pace::kAlways, false);
+  bench.out.pace = Pace::kQuarter;
+  const size_t count = std::min(kConfig.records, 200);
+  for (int i = 0; i < 3; ++i) bench.layer(Arrangement::kRandom, count, kLayerEnd);
+  bench.run_until_sent(2, 100000);
+  EXPECT_GE(bench.in.taken, count + 1);
+  bench.run_until_sent(count, 100000);
+  EXPECT_EQ(bench.in.taken, 2 * count + 2);  // the third layer waits until the first has gone
+  bench.check(100000);
+}
+
+// Cycles per key when layers of this size follow each other without a pause, all units of time included.
+double cycles_per_key(size_t count, Arrangement arrangement, int layers) {
+  ExternalMemoryOptions options;
+  SuBench bench(Pace::kAlways, Pace::kAlways, true, options);
+  for (int i = 0; i < layers; ++i) bench.layer(arrangement, count, kLayerEnd);
+  bench.check(20000000);
+  return static_cast<double>(bench.out.cycles.back() - bench.out.cycles[count]) / (layers - 1) / count;
+}
+
+TEST(Su, KeepsItsPace) {
+  const bool standard = kConfig == Config{};
+  struct Case { size_t count; double bound; };
+  for (const auto& [count, bound] : {Case{16, 5.0}, Case{40, 5.0}, Case{90, 5.0}, Case{200, 5.0}, Case{350, 5.5}, Case{512, 5.0}, Case{1000, 40.0}}) {
+    const double random = cycles_per_key(count, Arrangement::kRandom, 8);
+    const double narrow = cycles_per_key(count, Arrangement::kNarrow, 8);
+    const double clustered = cycles_per_key(count, Arrangement::kClustered, 8);
+    std::printf("%4zu keys per layer: %.2f cycles per key, 64 neighbouring depths %.2f, clustered %.2f\n", count, random, narrow, clustered);
+    if (standard) { EXPECT_LE(random, bound) << count << " keys"; }
+  }
+}
+
+}  // namespace
+}  // namespace pipegs
