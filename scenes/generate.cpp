@@ -61,13 +61,13 @@ void Builder::surface(const glm::dvec3& mean, const glm::dmat3& axes, double siz
   double opacity = 0, sigma = 0;
   if (kind < solid) {
     opacity = 1 / (1 + std::exp(-(3.4 + 0.9 * random.normal())));
-    sigma = 0.58 * size * spread;
+    sigma = 0.56 * size * spread;
   } else if (kind < solid + 0.5 * (1 - solid)) {
     opacity = 1 / (1 + std::exp(-(0.2 + 1.0 * random.normal())));
     sigma = 0.45 * size * spread;
   } else {
     opacity = 1 / (1 + std::exp(-(-2.8 + 0.9 * random.normal())));
-    sigma = 0.7 * size * spread;
+    sigma = 0.5 * size * spread;
   }
   add(mean, axes, {sigma * std::sqrt(stretch), sigma / std::sqrt(stretch), thickness}, opacity, color);
 }
@@ -99,8 +99,9 @@ Scene generate_scene(std::uint64_t seed, std::size_t count) {
   add_clouds(builder, builder.share(0.055));
   add_mountains(builder, builder.share(0.095));
   add_ground(builder, builder.share(0.140));
+  add_trees(builder, builder.share(0.040));
   add_haze(builder, builder.share(0.002));
-  add_pebbles(builder, builder.share(0.120));
+  add_pebbles(builder, builder.share(0.115));
   add_flowers(builder, builder.share(0.045));
   add_balls(builder, builder.share(0.105));
   add_shell(builder, builder.share(0.120));

@@ -52,6 +52,7 @@ void add_ground(Builder& builder, std::size_t count);
 void add_haze(Builder& builder, std::size_t count);
 void add_pebbles(Builder& builder, std::size_t count);
 void add_grass(Builder& builder, std::size_t count);
+void add_trees(Builder& builder, std::size_t count);
 void add_veil(Builder& builder, std::size_t count);
 void add_flowers(Builder& builder, std::size_t count);
 void add_balls(Builder& builder, std::size_t count);

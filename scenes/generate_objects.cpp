@@ -65,7 +65,7 @@ void add_balls(Builder& builder, std::size_t count) {
         return tone(glossy(mean, normal, view, body, ball.mirror, ball.tint, 0.8, true));
       });
       const double spacing = ball.radius * std::sqrt(4 * kPi / static_cast<double>(n));
-      const glm::dmat3 axes = frame_of(normal, {builder.random.normal(), builder.random.normal(), builder.random.normal()});
+      const glm::dmat3 axes = frame_of(normal, builder.random.normals());
       if (core) builder.add(mean, axes, spacing * glm::dvec3(1.7, 1.7, 0.2), 0.985, color);
       else builder.surface(mean, axes, spacing, 1.12, 0.92, color);
     }

@@ -29,6 +29,16 @@ class Random {
     const double u = 1 - uniform(), v = uniform();  // u in (0, 1]: the logarithm is finite
     return std::sqrt(-2 * std::log(u)) * std::cos(2 * kPi * v);
   }
+  // Vectors, drawn in the order x, y, z. C++ leaves the order of a call's arguments to the compiler,
+  // so two draws in one argument list would give two scenes.
+  glm::dvec3 normals() {
+    const double x = normal(), y = normal(), z = normal();
+    return {x, y, z};
+  }
+  glm::dvec3 level_normals() {
+    const double x = normal(), z = normal();
+    return {x, 0, z};
+  }
 
  private:
   std::uint64_t state_;

@@ -50,7 +50,7 @@ void add_sky(Builder& builder, std::size_t count) {
     const glm::dvec3 d = from_angles(azimuth, elevation);
     const double solid_angle = 2 * kPi * (top - bottom) / static_cast<double>(is_low ? low : count - low + 1);
     const double radius = builder.random.uniform(2000, 3200);
-    const double sigma = radius * std::sqrt(solid_angle) * builder.random.uniform(0.68, 0.78);
+    const double sigma = radius * std::sqrt(solid_angle) * builder.random.uniform(0.62, 0.70);
     const ShColor color = plain_color(tone(sky(d)));
     builder.add(radius * d, frame_of(-d, {d.z, 0, -d.x}), {1.08 * sigma, 0.98 * sigma, 0.05 * sigma}, 0.97, color);
   }
@@ -117,7 +117,7 @@ void ground_patch(Builder& builder, double x, double z, double size, double stre
   const glm::dvec3 mean = on_ground(x, z, -0.12 * size);
   const glm::dvec3 light = diffuse(mean, normal, ground_albedo(x, z) * builder.random.uniform(0.78, 1.22));
   // Far ones lie along the line of sight: round on the screen, long on the ground.
-  const glm::dvec3 tangent = glm::dvec3(x, 0, z) / std::hypot(x, z) + 0.1 * glm::dvec3(builder.random.normal(), 0, builder.random.normal());
+  const glm::dvec3 tangent = glm::dvec3(x, 0, z) / std::hypot(x, z) + 0.1 * builder.random.level_normals();
   ShColor color = plain_color(tone(through_air(light, mean)));
   add_gradient(color, kToSun, glm::dvec3(0.03, 0.025, 0.01) * (1 - pebble_share(x, z)));
   builder.surface(mean, frame_of(normal, tangent), size, stretch, 0.78, color);
@@ -149,7 +149,7 @@ void add_ground(Builder& builder, std::size_t count) {
       const double r = radius(inner, u.x), azimuth = 2 * kPi * u.y;
       // Round near the cameras: a long one that reaches behind the image plane would veil the picture.
       const double area = inner ? 2 * kPi * kInner * kInner * kPower * std::pow(u.x + 0.01, 2 * kPower - 1) : 2 * kPi * ratio * r * r;
-      ground_patch(builder, r * std::sin(azimuth), r * std::cos(azimuth), 1.05 * std::sqrt(area / (places * here)), here == 1 ? glm::clamp(r / 4, 1.25, 5.0) : 1.25);
+      ground_patch(builder, r * std::sin(azimuth), r * std::cos(azimuth), 1.10 * std::sqrt(area / (places * here)), here == 1 ? glm::clamp(r / 4, 1.25, 5.0) : 1.25);
       ++added;
     }
   }

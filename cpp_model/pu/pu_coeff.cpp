@@ -34,7 +34,7 @@ struct Aligner {
     }
     const Int128 x = shift_round(m * (Int128{1} << guard), static_cast<int>(shift < 127 ? shift : 127));
     const Int128 limit = Int128{1} << (width - 1);
-    if (x >= limit || x <= -limit) {
+    if (x >= limit || x < -limit) {
       dead = true;
       return 0;
     }
@@ -54,10 +54,10 @@ Coeff pu_coeff(const Config& config, const Frame&, const Conic& in) {
   const int slope_drop = mantissa + slope_f - kFactorF;
 
   const int64_t m = in.slope_m, narrow = static_cast<int64_t>(in.narrow_m), wide = static_cast<int64_t>(in.wide_m);
-  const int64_t p0 = -(in.swap ? in.mean_y : in.mean_x), q0 = -(in.swap ? in.mean_x : in.mean_y);
+  const int64_t mean_p = in.swap ? in.mean_y : in.mean_x, mean_q = in.swap ? in.mean_x : in.mean_y;
   const int64_t ne = in.narrow_e, we = in.wide_e;
 
-  Normal q = normalise(q0, normal), w = normalise(p0 * (int64_t{1} << slope_f) - m * q0, normal);
+  Normal q = normalise(mean_q, normal), w = normalise(mean_p * (int64_t{1} << slope_f) - m * mean_q, normal);
   q.e -= config.mean_f;
   w.e -= config.mean_f + slope_f;
 
@@ -83,7 +83,7 @@ Coeff pu_coeff(const Config& config, const Frame&, const Conic& in) {
   const int64_t d = align(narrow, ne, dw), e_wide = align(wide, we, dw);
 
   const int64_t A = -(a_wide + a_narrow) - (static_cast<int64_t>(in.opacity) << (config.coeff_f - config.opacity_f));
-  const int64_t C = c_narrow - c_wide, E = -(e_narrow + e_wide);
+  const int64_t C = c_wide - c_narrow, E = -(e_narrow + e_wide);
   out.dead = align.dead || A != saturate(A, aw) || C != saturate(C, bw) || E != saturate(E, dw) ||
              static_cast<int64_t>(in.opacity) >= PuCut(config).budget;
   out.mean_x = in.mean_x;
@@ -92,8 +92,8 @@ Coeff pu_coeff(const Config& config, const Frame&, const Conic& in) {
   out.extent_y = in.extent_y;
   if (!out.dead) {
     out.a = A;
-    out.b = in.swap ? C : -b;
-    out.c = in.swap ? -b : C;
+    out.b = in.swap ? C : b;
+    out.c = in.swap ? b : C;
     out.d = in.swap ? E : -d;
     out.e = in.swap ? -d : E;
     out.f = f;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cpp_model/pu/pu_edge.hpp"
+
 // Why nothing is lost. Let R be the power that a Row Unit computes, P the polynomial with the coefficients A to F, Q the
 // concave quadratic before its coefficients were rounded, u = 2^-CoeffF. In the window:
 //   |R - P| <= (1 + 14 + 3 * 49)/2 * 2^-PowerF < 2^(7 - PowerF)           (pu_region rounds each number once)
@@ -26,19 +28,6 @@ Range pixels(const Config& config, int64_t mean, uint64_t extent) {
           std::min<int64_t>((mean + half) >> config.mean_f, config.window - 1)};
 }
 
-// The power along one edge of a region, of which the mean is on the other side.
-struct Edge {
-  int64_t power, first, last, curve;  // at the edge's first pixel; gradients at both ends; second difference / 2
-
-  bool bends() const { return first > 0 && last < 0; }
-  bool reaches(const Config& config, int64_t low) const {
-    const int gradient_f = (config.coeff_f + 10) / 2, deficit_f = 2 * gradient_f + 2 - config.coeff_f;
-    const int64_t deficit = (low - power) >> (config.coeff_f - deficit_f);
-    const int64_t gradient = (first >> (config.coeff_f - gradient_f)) + 1;
-    return (deficit >> (deficit_f + 9)) == 0 && gradient * gradient >= -curve * deficit;
-  }
-};
-
 }  // namespace
 
 Tiles pu_intersect(const Config& config, const Frame&, const Coeff& in) {
@@ -50,28 +39,15 @@ Tiles pu_intersect(const Config& config, const Frame&, const Coeff& in) {
 
   const int64_t low = PuCut(config).low;
   const int64_t a = in.a, b = in.b, c = in.c, d = in.d, e = in.e, f = in.f;
-  const int64_t mean_x = in.mean_x, mean_y = in.mean_y;
-  const int columns = config.regions_x();
-  const int64_t x_first = xs.first >> 3, x_last = xs.last >> 3, y_last = ys.last >> 3;
+  const int64_t x_first = xs.first >> 3, x_last = xs.last >> 3, y_last = ys.last >> 3, x0 = 8 * x_first;
   for (int64_t ry = ys.first >> 3; ry <= y_last; ++ry) {
-    const int64_t y0 = 8 * ry, x0 = 8 * x_first;
-    const bool above = mean_y < y0 << config.mean_f, below = mean_y > (y0 + 7) << config.mean_f;  // where the mean lies
-    int64_t power = a + y0 * (c + e * y0) + x0 * (b + f * y0 + d * x0);
-    int64_t gx = b + f * y0 + 2 * d * x0, gy = c + f * x0 + 2 * e * y0;
+    const int64_t y0 = 8 * ry;
+    PuEdgeStart p{a - low + y0 * (c + e * y0) + x0 * (b + f * y0 + d * x0), b + f * y0 + 2 * d * x0, c + f * x0 + 2 * e * y0};
     for (int64_t rx = x_first; rx <= x_last; ++rx) {
-      const bool left = mean_x < 8 * rx << config.mean_f, right = mean_x > (8 * rx + 7) << config.mean_f;
-      const int64_t across = 7 * gx + 49 * d, down = 7 * gy + 49 * e;
-      const int64_t power_x = power + across, power_y = power + down, power_xy = power_x + down + 49 * f;
-      const Edge vertical{right ? power_x : power, gy + (right ? 7 * f : 0), gy + (right ? 7 * f : 0) + 14 * e, e};
-      const Edge horizontal{below ? power_y : power, gx + (below ? 7 * f : 0), gx + (below ? 7 * f : 0) + 14 * d, d};
-      const bool bends_x = (above || below) && horizontal.bends(), bends_y = (left || right) && vertical.bends();
-      const bool keep = (!left && !right && !above && !below) || (bends_x && bends_y) ||
-                        std::max(std::max(power, power_x), std::max(power_y, power_xy)) >= low ||
-                        ((bends_x || bends_y) && (bends_x ? horizontal : vertical).reaches(config, low));
-      if (keep) out.mask |= uint64_t{1} << (ry * columns + rx);
-      power += 8 * gx + 64 * d;
-      gx += 16 * d;
-      gy += 8 * f;
+      if (pu_edge(config, in, rx, ry, p)) out.mask |= uint64_t{1} << (ry * config.regions_x() + rx);
+      p.power += 8 * p.gx + 64 * d;
+      p.gx += 16 * d;
+      p.gy += 8 * f;
     }
   }
   if (out.mask == 0) return out;

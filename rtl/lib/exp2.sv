@@ -6,7 +6,7 @@
 //           fraction   | i: ExpIndexW | r: R = ExpF - ExpIndexW |
 //           exponential   value[i] << 1  +  (delta[i] * r) >> (R - 1)      u1.(ExpOutW-1), truncated
 //
-//         The table is a constant of the package: pipegs_pkg::Exp2Table, entry i = {delta, value}.
+//         The table is a constant of the package: pipegs_pkg::Exp2Table, entry i = {0, delta, value}.
 // Stream  None: combinational; the user registers the result (one small multiplier and an adder).
 // Model   cpp_model/lib/exp2.hpp
 
@@ -31,7 +31,10 @@ module exp2 (
   assign index         = fraction_i[pipegs_pkg::ExpF-1 -: IndexW];
   assign rest          = fraction_i[RestW-1:0];
   assign entry         = pipegs_pkg::Exp2Table[index*EntryW +: EntryW];
-  assign product       = ProductW'(entry[EntryW-1 -: DeltaW]) * ProductW'(rest);
+  assign product       = ProductW'(entry[ValueW +: DeltaW]) * ProductW'(rest);
   assign exponential_o = {entry[ValueW-1:0], 1'b0} + OutW'(product >> (RestW - 1));
+
+  logic unused_entry;  // leading zeros
+  assign unused_entry = &{1'b0, entry};
 
 endmodule

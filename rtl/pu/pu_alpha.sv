@@ -32,6 +32,7 @@ module pu_alpha (
   logic [ExpF-1:0]   fraction_q;
   logic [OutW-1:0]   exponential, exponential_q;
   logic [CodeW-1:0]  halves, rounded;
+  logic [AlphaW-1:0] capped;
 
   assign positive = !power_i[PowerW-1];
   assign visible  = positive || power_i >= -PowerW'(pipegs_pkg::PowerCut);
@@ -55,11 +56,8 @@ module pu_alpha (
   assign halves  = CodeW'((exponential_q >> Drop) >> whole_exp_q);
   assign rounded = (halves >> 1) + CodeW'(halves[0]);
 
-  always_comb begin
-    code_o = rounded[AlphaW-1:0];
-    if (rounded > CodeW'(pipegs_pkg::AlphaMax)) code_o = AlphaW'(pipegs_pkg::AlphaMax);
-    if (rounded == '0) code_o = AlphaW'(1);
-    if (!visible_exp_q) code_o = '0;
-  end
+  // As masks, not as branches: whether a pixel is visible is hard to foresee, for a simulator's processor too.
+  assign capped = rounded > CodeW'(pipegs_pkg::AlphaMax) ? AlphaW'(pipegs_pkg::AlphaMax) : rounded[AlphaW-1:0];
+  assign code_o = (capped | AlphaW'(rounded == '0)) & {AlphaW{visible_exp_q}};
 
 endmodule

@@ -46,7 +46,7 @@ module pu_color_normalise (
   pipegs_pkg::unit_direction_t unit_q;
 
   // The output register is overwritten from the x product on: step 2 waits until it is free.
-  assign issue         = busy_q && (step_q != 3'd2 || ((!unit_valid_q || unit_ready_i) && !product_valid_q));
+  assign issue         = busy_q && (step_q != 3'd2 || !unit_valid_q || unit_ready_i);
   assign last          = issue && step_q == 3'd4;
   assign world_ready_o = !busy_q || step_q == 3'd4;
   assign take          = world_valid_i && world_ready_o;

@@ -48,10 +48,8 @@ module pu_color_rotate (
   pipegs_pkg::world_direction_t world_q;
   logic                         world_valid_q;
 
-  // Step 3 overwrites the sums, and with them the results of step 0 to 2 move to the output register: wait there until it
-  // is free. The last direction has left it for sure when finish_q is down.
-  assign issue             = busy_q && (step_q != 3'd3 || ((!world_valid_q || world_ready_i) && !finish_q &&
-                             !(product_valid_q && product_step_q == 3'd5)));
+  // With step 3 the results of step 0 to 2 move to the output register: wait there until it is free.
+  assign issue             = busy_q && (step_q != 3'd3 || !world_valid_q || world_ready_i);
   assign last              = issue && step_q == 3'd5;
   assign take              = direction_valid_i && direction_ready_o;
   assign direction_ready_o = !busy_q || step_q == 3'd5;

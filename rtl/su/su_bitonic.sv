@@ -37,6 +37,7 @@ module su_bitonic (
   localparam int unsigned ItemW = DataW + 1;  // {void, key, slot}
 
   logic [Channels*ItemW-1:0] items_q, sorted;
+  logic [Cells*ItemW-1:0]    lows, highs;
   logic [ChannelW:0]         fill_q;      // keys of the coming batch that are loaded
   logic                      loaded_q;    // ... and that is all of them
   logic                      sorting_q;
@@ -61,7 +62,7 @@ module su_bitonic (
     localparam int unsigned A1 = (c / 2) * 4 + c % 2;
     localparam int unsigned A2 = (c / 4) * 8 + c % 4;
     localparam int unsigned A3 = c;
-    logic [ItemW-1:0]  a, b, low, high;
+    logic [ItemW-1:0]  a, b;
     logic [ChannelW:0] channel;
     logic              swap;
     always_comb begin
@@ -88,8 +89,8 @@ module su_bitonic (
         end
       endcase
       swap = (a[ItemW-1 -: pipegs_pkg::KeyW+1] > b[ItemW-1 -: pipegs_pkg::KeyW+1]) != channel[size_q];
-      low  = swap ? b : a;
-      high = swap ? a : b;
+      lows[c*ItemW +: ItemW]  = swap ? b : a;
+      highs[c*ItemW +: ItemW] = swap ? a : b;
     end
   end
 
@@ -101,10 +102,10 @@ module su_bitonic (
     localparam int unsigned C3 = i % 8;
     always_comb begin
       unique case (distance_q)
-        2'd0:    sorted[i*ItemW +: ItemW] = i % 2 == 0 ? gen_cell[C0].low : gen_cell[C0].high;
-        2'd1:    sorted[i*ItemW +: ItemW] = i / 2 % 2 == 0 ? gen_cell[C1].low : gen_cell[C1].high;
-        2'd2:    sorted[i*ItemW +: ItemW] = i / 4 % 2 == 0 ? gen_cell[C2].low : gen_cell[C2].high;
-        default: sorted[i*ItemW +: ItemW] = i / 8 == 0 ? gen_cell[C3].low : gen_cell[C3].high;
+        2'd0:    sorted[i*ItemW +: ItemW] = i % 2 == 0 ? lows[C0*ItemW +: ItemW] : highs[C0*ItemW +: ItemW];
+        2'd1:    sorted[i*ItemW +: ItemW] = i / 2 % 2 == 0 ? lows[C1*ItemW +: ItemW] : highs[C1*ItemW +: ItemW];
+        2'd2:    sorted[i*ItemW +: ItemW] = i / 4 % 2 == 0 ? lows[C2*ItemW +: ItemW] : highs[C2*ItemW +: ItemW];
+        default: sorted[i*ItemW +: ItemW] = i / 8 == 0 ? lows[C3*ItemW +: ItemW] : highs[C3*ItemW +: ItemW];
       endcase
     end
     always_ff @(posedge clk_i) begin

@@ -31,38 +31,35 @@ module su_merge (
   pipegs_pkg::sorted_t    out_q, out_d;
   logic [Units*HeadW-1:0] heads;
   logic [Units-1:0]       ends, nearest;
+  logic [Units*Units-1:0] beats;
   logic                   unused_heads;  // with one lane nothing is compared
   pipegs_pkg::splat_t     winner;
   logic [pipegs_pkg::UnitW-1:0]     winner_unit;
   logic [pipegs_pkg::SplatBits-1:0] winner_bits;
 
-  for (genvar i = 0; i < Units; i += 1) begin : gen_head
-    pipegs_pkg::splat_t head;
-    logic               unused_head;
-    assign head = in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits];
-    assign ends[i] = head.kind != pipegs_pkg::KindData;
-    assign heads[i*HeadW +: HeadW] = {ends[i], head.depth, head.index};
-    assign unused_head = &{1'b0, head};
+  pipegs_pkg::splat_t head;
+  always_comb begin
+    for (int unsigned i = 0; i < Units; i += 1) begin
+      head = in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits];
+      ends[i] = head.kind != pipegs_pkg::KindData;
+      heads[i*HeadW +: HeadW] = {ends[i], head.depth, head.index};
+    end
   end
-
-  assign unused_heads = &{1'b0, heads};
+  assign unused_heads = &{1'b0, heads, head};
 
   assign go         = in_valid_i == '1 && (!out_valid_q || out_ready_i);
   assign in_ready_o = !go ? '0 : ends == '1 ? '1 : nearest;
   assign active_o   = go || (out_valid_q && out_ready_i);
 
-  for (genvar i = 0; i < Units; i += 1) begin : gen_nearest
-    logic [Units-1:0] beats;  // lane i goes before lane j
-    for (genvar j = 0; j < Units; j += 1) begin : gen_pair
-      if (i == j) begin : gen_self
-        assign beats[j] = 1'b1;
-      end else if (i < j) begin : gen_low
-        assign beats[j] = heads[i*HeadW +: HeadW] <= heads[j*HeadW +: HeadW];
-      end else begin : gen_high
-        assign beats[j] = !gen_nearest[j].beats[i];
+  // Lane i beats lane j: bit i * Units + j; one comparator for each pair.
+  always_comb begin
+    for (int unsigned i = 0; i < Units; i += 1) begin
+      for (int unsigned j = i; j < Units; j += 1) begin
+        beats[i*Units+j] = heads[i*HeadW +: HeadW] <= heads[j*HeadW +: HeadW];
+        if (i != j) beats[j*Units+i] = !beats[i*Units+j];
       end
     end
-    assign nearest[i] = beats == '1;
+    for (int unsigned i = 0; i < Units; i += 1) nearest[i] = beats[i*Units +: Units] == '1;
   end
 
   always_comb begin

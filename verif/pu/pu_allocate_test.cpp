@@ -151,7 +151,8 @@ TEST(PuAllocate, EqualsItsTwinAtEveryPairOfPaces) {
     for (Pace sink : kPaces) {
       AllocateBench s;
       s.in.pace = source, s.rows.pace = sink, s.colors.pace = Pace::kCoin;
-      s.push_windows(9, static_cast<uint64_t>(s.config.alpha_lines) / 8);  // two frames and a bit; some layers overflow
+      s.world.free_one_in = sink == Pace::kAlways ? 1000 : 20;  // also slow RUs: layers wait for each other
+      s.push_windows(9, 8 * static_cast<uint64_t>(s.config.alpha_lines / s.config.regions()));  // two frames and a bit; some layers overflow
       s.run_and_compare(true);
       EXPECT_GT(s.world.overflowed, 0u);
       EXPECT_GT(s.world.waited, 0u);

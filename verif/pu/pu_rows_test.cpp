@@ -1,8 +1,8 @@
 // pu_rows_test: rtl/pu/pu_rows.sv against its twin, line by line, and the twin against Eq. 1 in double.
 #include "cpp_model/pu/pu_rows.hpp"
 #include "verif/pu/random_row_job.hpp"
-#include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/gated_bench.hpp"
 #include "Vpu_rows.h"
 
 namespace pipegs {
@@ -24,7 +24,7 @@ struct LineWatch : Endpoint {
 struct RowsBench {
   Config config = test_config();
   PuRows twin{config};
-  Bench<Vpu_rows> bench;
+  GatedBench<Vpu_rows> bench;
   RecordSource<RowJob, decltype(bench.dut.row_job_i)> in{bench, config, bench.dut.row_job_valid_i, bench.dut.row_job_ready_o,
                                                         bench.dut.row_job_i};
   RecordSink<Alphas, decltype(bench.dut.alphas_o)> out{bench, config, bench.dut.alphas_valid_o, bench.dut.alphas_ready_i,
@@ -51,7 +51,7 @@ struct RowsBench {
   }
   void run_and_compare() {
     bench.reset();
-    bench.run_until([&] { return out.size() >= expected.size(); }, 800000);
+    bench.run_gated_until([&] { return out.size() >= expected.size(); }, 800000);
     for (size_t i = 0; i < std::min(out.size(), expected.size()); ++i) {
       ASSERT_EQ(out.at(i).kind, expected[i].kind) << "beat " << i;
       if (expected[i].kind != kData) continue;

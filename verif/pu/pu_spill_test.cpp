@@ -88,7 +88,6 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
         s.in.push(Alphas{.kind = layer % 3 == 2 ? kWindowEnd : kLayerEnd, .parity = layer % 2});
         ASSERT_TRUE(s.bench.run_gated_until([&] { return s.ends.beats.size() == layer + 1; }));
         EXPECT_EQ(s.ends.beats.back()[0], layer % 3 == 2 ? kWindowEnd : kLayerEnd);
-        if (getenv("DBG")) printf("req %lu spilled %zu writes0 %lu\n", s.port.requests, spilled.size(), s.memory.traffic()[0].lines_written);
         for (const auto& [address, line] : spilled) {
           const MemoryLine& found = s.memory.line(address);
           ASSERT_EQ(Words(found.begin(), found.end()), line) << "memory line " << address << " of layer " << layer;

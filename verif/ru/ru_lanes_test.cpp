@@ -39,6 +39,8 @@ class Around : public Endpoint {
   }
   void drive() override {
     auto& dut = bench_.dut;
+    if (next_window_) start_window();
+    next_window_ = false;
     if (!up_ && !beats.empty() && goes(in_pace_, bench_.rng)) up_ = true;
     dut.in_valid_i = up_;
     if (up_) {
@@ -58,10 +60,10 @@ class Around : public Endpoint {
     auto& dut = bench_.dut;
     if (dut.read_o) read_ = dut.raddr_o;
     if (dut.read_o && dut.write_o && dut.raddr_o == dut.waddr_o) ADD_FAILURE() << "read and write of one word in one cycle";
+    const bool taken = up_ && dut.in_ready_o;
+    EXPECT_EQ(dut.layer_done_o, taken && beats.front().blend.kind != kData) << "cycle " << bench_.cycle;
+    if (taken) take_beat();  // in the cycle of its last quarter, which is that of its first word's write
     if (dut.write_o) take_word();
-    if (up_ && dut.in_ready_o) take_beat();
-    EXPECT_EQ(dut.layer_done_o, up_ && dut.in_ready_o && beats_taken_kind_ != kData);
-    beats_taken_kind_ = kData;
   }
   void take_word() {
     auto& dut = bench_.dut;
@@ -77,43 +79,30 @@ class Around : public Endpoint {
     expected_.pop_front();
     cycles.push_back(bench_.cycle);
   }
-  // Blends the front beat in the golden model when its first quarter must have started: it leaves in its last one.
   void take_beat() {
     auto& dut = bench_.dut;
     const Beat beat = beats.front();
+    const Blend& blend = beat.blend;
     beats.pop_front();
     up_ = false;
-    beats_taken_kind_ = beat.blend.kind;
-    if (beat.blend.kind == kData) return;
+    if (blend.kind == kData) {
+      const uint32_t color[3] = {static_cast<uint32_t>(blend.red), static_cast<uint32_t>(blend.green), static_cast<uint32_t>(blend.blue)};
+      ru_blend_region(kBlend, regions[blend.region], beat.codes.data(), color);
+      touched |= uint64_t{1} << blend.region;
+      for (int q = 0; q < 4; ++q) expected_.push_back({blend.region, q, pixel_word(kConfig, regions[blend.region], q)});
+      return;
+    }
     EXPECT_TRUE(expected_.empty()) << "an end passed before all words were written";
     uint64_t done = 0;
     for (int r = 0; r < kConfig.regions(); ++r) done |= uint64_t{(touched >> r & 1) && regions[r].all_done()} << r;
     EXPECT_EQ(dut.done_o, done) << "cycle " << bench_.cycle;
-    EXPECT_EQ(dut.window_done_o, beat.blend.kind == kWindowEnd);
-    if (beat.blend.kind != kWindowEnd) return;
+    EXPECT_EQ(dut.window_done_o, blend.kind == kWindowEnd);
+    if (blend.kind != kWindowEnd) return;
     EXPECT_TRUE(dut.resolve_ready_i);
     window = (window + 1) % 3;
     next_window_ = true;
   }
   void push(const Beat& beat) { beats.push_back(beat); }
-
-  // Called between cycles: what the front beat will write, and the change of windows.
-  void prepare() {
-    if (next_window_) {
-      start_window();
-      next_window_ = false;
-      prepared_ = false;
-    }
-    if (beats.size() != size_seen_) prepared_ = false;
-    size_seen_ = beats.size();
-    if (prepared_ || beats.empty() || beats.front().blend.kind != kData) return;
-    const Blend& blend = beats.front().blend;
-    const uint32_t color[3] = {static_cast<uint32_t>(blend.red), static_cast<uint32_t>(blend.green), static_cast<uint32_t>(blend.blue)};
-    ru_blend_region(kBlend, regions[blend.region], beats.front().codes.data(), color);
-    touched |= uint64_t{1} << blend.region;
-    for (int q = 0; q < 4; ++q) expected_.push_back({blend.region, q, pixel_word(kConfig, regions[blend.region], q)});
-    prepared_ = true;
-  }
 
   struct Expected {
     uint64_t region;
@@ -132,9 +121,7 @@ class Around : public Endpoint {
   Pace in_pace_, resolve_pace_;
   std::deque<Expected> expected_;
   std::optional<int> read_;
-  bool up_ = false, next_window_ = false, prepared_ = false;
-  size_t size_seen_ = 0;
-  uint64_t beats_taken_kind_ = kData;
+  bool up_ = false, next_window_ = false;
 };
 
 Beat random_beat(std::mt19937_64& rng, int unit, int strength, uint64_t kind = kData) {
@@ -147,7 +134,6 @@ Beat random_beat(std::mt19937_64& rng, int unit, int strength, uint64_t kind = k
 void run(Bench<Vru_lanes>& bench, Around& around) {
   for (uint64_t limit = bench.cycle + 200000; !around.beats.empty() || bench.dut.busy_o;) {
     ASSERT_LT(bench.cycle, limit) << "nothing more came";
-    around.prepare();
     bench.step();
     if (testing::Test::HasFailure()) return;
   }

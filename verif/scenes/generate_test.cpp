@@ -15,7 +15,7 @@
 namespace pipegs {
 namespace {
 
-constexpr std::uint64_t kHash = 0x0;
+constexpr std::uint64_t kHash = 0x18e826bf9f405068;
 
 std::uint64_t hash(const Scene& scene) {
   std::uint64_t h = 0xcbf29ce484222325u;  // FNV-1a
@@ -35,7 +35,7 @@ TEST(Generate, IsTheSameSceneEveryTime) {
 }
 
 TEST(Generate, GivesExactlyTheCountAskedFor) {
-  for (const std::size_t count : {0, 1, 2, 10, 77, 500, 3001}) {
+  for (const std::size_t count : {0u, 1u, 2u, 10u, 77u, 500u, 3001u}) {
     const Scene scene = generate_scene(3, count);
     EXPECT_EQ(scene.gaussians.size(), count);
     EXPECT_EQ(scene.sh_rest.size(), count * 45);

@@ -92,7 +92,7 @@ struct SuBench : Bench<Vsu> {
   ExternalMemory memory;
   RecordSource<Splat, decltype(dut.in_i)> in;
   RecordSink<Splat, decltype(dut.out_o)> out;
-  MemoryEndpoint<decltype(dut.mem_address_o), decltype(dut.mem_data_o)> port;
+  MemoryEndpoint<QData, VlWide<16>> port;
   std::vector<Splat> expected;
   uint64_t perf[4] = {}, overflowed = 0, asleep = 0;
 };
@@ -184,7 +184,8 @@ double cycles_per_key(size_t count, Arrangement arrangement, int layers) {
 TEST(Su, KeepsItsPace) {
   const bool standard = kConfig == Config{};
   struct Case { size_t count; double bound; };
-  for (const auto& [count, bound] : {Case{16, 5.0}, Case{40, 5.0}, Case{90, 5.0}, Case{200, 5.0}, Case{350, 5.5}, Case{512, 5.0}, Case{1000, 40.0}}) {
+  for (const auto& [count, bound] : {Case{16, 3.2}, Case{40, 4.2}, Case{90, 3.8}, Case{200, 4.0}, Case{350, 4.6}, Case{512, 4.6},
+                                     Case{1000, 12.0}}) {  // the last does not fit its half
     const double random = cycles_per_key(count, Arrangement::kRandom, 8);
     const double narrow = cycles_per_key(count, Arrangement::kNarrow, 8);
     const double clustered = cycles_per_key(count, Arrangement::kClustered, 8);

@@ -1,0 +1,166 @@
+// dopu_cells: keeps the cell table on chip and walks it for each window, slab by slab outward from the camera.
+//
+// Paper   Sec. 3.3 (orthogonal grid), Sec. 4.1.
+// Idea    The table is read once per frame, two cells per line; every window walks it again from the SRAM. Empty cells cost one
+//         cycle. After a slab comes a layer end, after the last slab a window end. A window that is done has only that.
+// Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.
+// Pace    One cell per cycle.
+// Model   cpp_model/dopu/dopu.hpp (the outer loops)
+
+module dopu_cells #(
+  localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1
+) (
+  input  logic                            clk_i,
+  input  logic                            rst_ni,
+
+  input  logic                            start_i,
+  input  logic [pipegs_pkg::AddressW-1:0] cells_i,   // first line of the table
+  output logic                            loading_o, // the answers of the memory belong here
+
+  output logic                            mem_valid_o,
+  input  logic                            mem_ready_i,
+  output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
+  input  logic                            rsp_valid_i,
+  input  logic [pipegs_pkg::MemoryW-1:0]  rsp_data_i,
+
+  input  logic                            layer_ready_i,  // to and from dopu_layer
+  output logic [GridW:0]                  step_o,
+  input  logic                            inside_i,
+  output logic [2*GridW-1:0]              number_o,
+  input  logic [3*GridW-1:0]              cell_i,
+
+  input  logic [1:0]                      set_valid_i,    // from dopu_windows
+  input  logic [1:0]                      set_last_i,
+  input  logic [1:0]                      set_done_i,
+
+  output logic                            cell_valid_o,
+  input  logic                            cell_ready_i,
+  output logic [pipegs_pkg::KindW-1:0]    kind_o,
+  output logic                            set_o,
+  output pipegs_pkg::node_t               cell_o
+);
+
+  localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
+  localparam int unsigned CellW = 3 * GridW;
+  localparam int unsigned Cells = pipegs_pkg::Grid * pipegs_pkg::Grid * pipegs_pkg::Grid;
+  localparam int unsigned TableLines = (Cells + 1) / 2;
+  localparam int unsigned LineW = CellW > 1 ? CellW - 1 : 1;
+  localparam int unsigned LinesW = $clog2(TableLines + 1);
+  localparam logic [2*GridW-1:0] LastNumber = (2*GridW)'(pipegs_pkg::Grid * pipegs_pkg::Grid - 1);
+  localparam logic [GridW-1:0] LastLayer = GridW'(pipegs_pkg::Grid - 1);
+
+  // --- load, once per frame -----------------------------------------------------------------------------------------
+  logic [LinesW-1:0]               to_ask_q, to_come_q;
+  logic [pipegs_pkg::AddressW-1:0] address_q;
+  logic [LineW-1:0]                write_line_q;
+  logic                            answer;
+
+  assign loading_o     = to_come_q != '0;
+  assign answer        = rsp_valid_i && loading_o;
+  assign mem_valid_o   = to_ask_q != '0;
+  assign mem_address_o = address_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      to_ask_q  <= '0;
+      to_come_q <= '0;
+    end else if (start_i) begin
+      to_ask_q  <= LinesW'(TableLines);
+      to_come_q <= LinesW'(TableLines);
+    end else begin
+      if (mem_valid_o && mem_ready_i) to_ask_q <= to_ask_q - 1'b1;
+      if (answer) to_come_q <= to_come_q - 1'b1;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start_i) begin
+      address_q    <= cells_i;
+      write_line_q <= '0;
+    end else begin
+      if (mem_valid_o && mem_ready_i) address_q <= address_q + 1'b1;
+      if (answer) write_line_q <= write_line_q + 1'b1;
+    end
+  end
+
+  // --- walk -----------------------------------------------------------------------------------------------------------
+  // One item per cycle: a cell of the slab, or the end behind its last cell. The item read stands at the output.
+  logic                 walking_q;            // windows are left to walk
+  logic                 set_q;                // the set of planes of the window walked
+  logic [GridW:0]       step_q;
+  logic [GridW-1:0]     layer_q;              // slabs of this window walked
+  logic [2*GridW-1:0]   number_q;
+  logic                 end_next_q;           // the next item is the slab's end
+  logic                 item_valid_q, item_half_q, item_set_q;
+  logic [pipegs_pkg::KindW-1:0] item_kind_q, kind_next;
+  logic                 run, advance, read, window_end, is_end, finished;
+  logic [2*NodeBits-1:0] line;
+  pipegs_pkg::node_t    item;
+
+  assign run        = walking_q && !loading_o && layer_ready_i && set_valid_i[set_q];
+  assign is_end     = end_next_q || set_done_i[set_q];
+  assign window_end = layer_q == LastLayer || set_done_i[set_q];
+  assign kind_next  = !is_end ? pipegs_pkg::KindData
+                    : window_end ? pipegs_pkg::KindWindowEnd : pipegs_pkg::KindLayerEnd;
+  // An item moves on when it is taken, and at once when it is an empty cell.
+  assign advance    = !item_valid_q || (cell_valid_o ? cell_ready_i : 1'b1);
+  assign read       = run && advance && (inside_i || set_done_i[set_q]);
+  assign finished   = read && is_end && window_end;
+  assign step_o     = step_q;
+  assign number_o   = number_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      walking_q    <= 1'b0;
+      set_q        <= 1'b0;
+      item_valid_q <= 1'b0;
+      step_q       <= '0;
+      layer_q      <= '0;
+      number_q     <= '0;
+      end_next_q   <= 1'b0;
+    end else begin
+      if (start_i) walking_q <= 1'b1;
+      else if (finished && set_last_i[set_q]) walking_q <= 1'b0;
+      if (advance) item_valid_q <= read;
+      if (finished) begin
+        set_q      <= !set_q;
+        step_q     <= '0;
+        layer_q    <= '0;
+        number_q   <= '0;
+        end_next_q <= 1'b0;
+      end else if (run && !inside_i) begin
+        step_q     <= step_q + 1'b1;
+      end else if (read && end_next_q) begin
+        step_q     <= step_q + 1'b1;
+        layer_q    <= layer_q + 1'b1;
+        end_next_q <= 1'b0;
+      end else if (read) begin
+        number_q   <= number_q == LastNumber ? '0 : number_q + 1'b1;
+        end_next_q <= number_q == LastNumber;
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (read) begin
+      item_kind_q <= kind_next;
+      item_half_q <= cell_i[0];
+      item_set_q  <= set_q;
+    end
+  end
+
+  sram #(.DataW(2 * NodeBits), .Depth(2 ** LineW)) u_table (
+    .clk_i, .write_i(answer), .waddr_i(write_line_q),
+    .wdata_i({rsp_data_i[pipegs_pkg::MemoryW/2 +: NodeBits], rsp_data_i[0 +: NodeBits]}),
+    .read_i(read), .raddr_i(cell_i[CellW-1 -: LineW]), .rdata_o(line)
+  );
+
+  assign item         = item_half_q ? line[NodeBits +: NodeBits] : line[0 +: NodeBits];
+  assign cell_valid_o = item_valid_q && (item_kind_q != pipegs_pkg::KindData || item.count != '0);
+  assign kind_o       = item_kind_q;
+  assign set_o        = item_set_q;
+  assign cell_o       = item;
+
+  logic unused_data;  // the bits of a line beside the nodes
+  assign unused_data = ^rsp_data_i;
+
+endmodule

@@ -1,0 +1,68 @@
+// dopu_emit: hands chunks to the PUs, and ends to all of them.
+//
+// Paper   Fig. 7 (DOPU feeds four PUs).
+// Idea    A chunk goes to one PU: the next one in turn that is ready; once shown it stays there. An end goes to every PU, each
+//         takes it in its own time. A layer end is sent only if the layer had a chunk.
+// Stream  chunk in, in the order of the walk; chunk_valid_o has one bit per PU, the beat is shared.
+// Pace    One chunk in two cycles.
+// Model   None: the twin's chunks and ends, in any split among the PUs (verif/dopu/dopu_test_frame.cpp).
+
+module dopu_emit (
+  input  logic                          clk_i,
+  input  logic                          rst_ni,
+
+  input  logic                          in_valid_i,
+  output logic                          in_ready_o,
+  input  pipegs_pkg::chunk_t            in_i,
+
+  output logic [pipegs_pkg::Units-1:0]  chunk_valid_o,
+  input  logic [pipegs_pkg::Units-1:0]  chunk_ready_i,
+  output pipegs_pkg::chunk_t            chunk_o
+);
+
+  localparam int unsigned Units = pipegs_pkg::Units;
+  localparam int unsigned UnitW = Units > 1 ? $clog2(Units) : 1;
+
+  logic [Units-1:0]   valid_q, chosen;
+  logic [UnitW-1:0]   last_q, choice;  // who got the chunk before, who gets the next
+  logic               had_chunk_q;     // in this layer
+  logic               is_data, drop, take;
+  pipegs_pkg::chunk_t chunk_q;
+
+  always_comb begin
+    choice = '0;
+    for (int unsigned i = Units; i > 0; i -= 1) if (chunk_ready_i[i-1]) choice = UnitW'(i - 1);
+    for (int unsigned i = Units; i > 0; i -= 1) begin
+      if (chunk_ready_i[i-1] && UnitW'(i - 1) > last_q) choice = UnitW'(i - 1);
+    end
+    chosen = '0;
+    chosen[choice] = 1'b1;
+  end
+
+  assign is_data    = in_i.kind == pipegs_pkg::KindData;
+  assign drop       = in_i.kind == pipegs_pkg::KindLayerEnd && !had_chunk_q;
+  assign in_ready_o = valid_q == '0 && (!is_data || chunk_ready_i != '0);
+  assign take       = in_valid_i && in_ready_o;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      valid_q     <= '0;
+      last_q      <= '0;
+      had_chunk_q <= 1'b0;
+    end else begin
+      valid_q <= valid_q & ~chunk_ready_i;
+      if (take) begin
+        valid_q     <= is_data ? chosen : {Units{!drop}};
+        had_chunk_q <= is_data;
+        if (is_data) last_q <= choice;
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (take) chunk_q <= in_i;
+  end
+  assign chunk_valid_o = valid_q;
+  assign chunk_o       = chunk_q;
+
+endmodule

@@ -1,0 +1,225 @@
+// dopu_test: can a node of the scene hold a Gaussian that touches the window? Never says no when it can.
+//
+// Paper   Sec. 4.1.
+// Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale. Corners,
+//         scale and near distance share one block exponent; what flooring takes away is given back as a constant Slack.
+// Stream  node: a node, the set of planes to use (stable while the node is inside), a tag. result: node, tag, pass; it
+//         has no ready: the caller asks only for what it can take.
+// Pace    One node in three cycles (two planes per cycle, eight TestW-bit multipliers), result 14 cycles later.
+//           slot 0: corners, one axis per cycle | 1: exponent, shift x, y | 2: shift z, near+left, right+top | 3: bottom, sum
+// Model   cpp_model/dopu/dopu_test.hpp
+
+module dopu_test #(
+  parameter int unsigned TagW = 4
+) (
+  input  logic                                  clk_i,
+  input  logic                                  rst_ni,
+
+  input  pipegs_pkg::frame_t                    frame_i,
+  input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,  // two sets: near, left, right, top, bottom
+
+  input  logic                                  node_valid_i,
+  output logic                                  node_ready_o,
+  input  pipegs_pkg::node_t                     node_i,
+  input  logic                                  set_i,
+  input  logic [TagW-1:0]                       tag_i,
+
+  output logic                                  result_valid_o,
+  output logic                                  result_pass_o,
+  output pipegs_pkg::node_t                     result_node_o,
+  output logic [TagW-1:0]                       result_tag_o
+);
+
+  localparam int unsigned WorldW = pipegs_pkg::WorldW;
+  localparam int unsigned TestW = pipegs_pkg::TestW;
+  localparam int unsigned ExpW = pipegs_pkg::ExpW;
+  localparam int unsigned ScaleMW = pipegs_pkg::ScaleMW;
+  localparam int unsigned ScaleEW = pipegs_pkg::ScaleEW;
+  localparam int unsigned PlaneBits = pipegs_pkg::PlaneBits;
+  localparam int unsigned CornerW = WorldW + 2;
+  localparam int unsigned ProductW = 2 * TestW;
+  localparam int unsigned SumW = ProductW + 2;
+  localparam int unsigned SlotW = pipegs_pkg::NodeBits + TagW + 1;
+  localparam logic signed [SumW-1:0] Slack = SumW'(1) <<< (TestW + 2);
+  localparam int unsigned ScaleBias = 7;  // scale < 2^(exponent field - 7)
+
+  // --- slots: the node moves on every third cycle -------------------------------------------------------------
+  logic [1:0]        phase_q;
+  logic [4:0]        valid_q;   // of slots 0 to 3; 4: the result
+  logic [SlotW-1:0]  slot0_q, slot1_q, slot2_q, slot3_q;
+  logic              last_phase;
+
+  assign last_phase   = phase_q == 2'd2;
+  assign node_ready_o = last_phase;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      phase_q <= '0;
+      valid_q <= '0;
+    end else begin
+      phase_q <= last_phase ? '0 : phase_q + 1'b1;
+      if (last_phase) valid_q[3:0] <= {valid_q[2:0], node_valid_i};
+      valid_q[4] <= valid_q[3] && phase_q == 2'd1;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (last_phase) begin
+      slot0_q <= {set_i, tag_i, node_i};
+      slot1_q <= slot0_q;
+      slot2_q <= slot1_q;
+      slot3_q <= slot2_q;
+    end
+  end
+
+  // --- slot 0: low and high corner of one axis per cycle, relative to the camera --------------------------------
+  pipegs_pkg::node_t          node0, node1;
+  logic signed [WorldW-1:0]   center, camera;
+  logic [pipegs_pkg::HalfW-1:0] half;
+  logic signed [CornerW-1:0]  delta, extent, low, high;
+  logic [CornerW-1:0]         magnitude, magnitudes_q;
+  logic signed [CornerW-1:0]  low_q [4];   // delay until the exponent is known
+  logic signed [CornerW-1:0]  high_q [4];
+
+  assign node0 = slot0_q[0 +: pipegs_pkg::NodeBits];
+  always_comb begin
+    case (phase_q)
+      2'd0: begin center = node0.center_x; camera = frame_i.camera_x; half = node0.half_x; end
+      2'd1: begin center = node0.center_y; camera = frame_i.camera_y; half = node0.half_y; end
+      default: begin center = node0.center_z; camera = frame_i.camera_z; half = node0.half_z; end
+    endcase
+  end
+  assign delta     = CornerW'(center) - CornerW'(camera);
+  assign extent    = CornerW'({1'b0, half}) <<< node0.half_exp;
+  assign low       = delta - extent;
+  assign high      = delta + extent;
+  assign magnitude = (low[CornerW-1] ? ~low : low) | (high[CornerW-1] ? ~high : high);
+
+  always_ff @(posedge clk_i) begin
+    magnitudes_q <= phase_q == '0 ? magnitude : magnitudes_q | magnitude;
+    low_q[0]  <= low;
+    high_q[0] <= high;
+    for (int unsigned i = 1; i < 4; i += 1) begin
+      low_q[i]  <= low_q[i-1];
+      high_q[i] <= high_q[i-1];
+    end
+  end
+
+  // --- slot 1, phase 0: the block exponent; then the corners through two shifters ---------------------------------
+  logic [ExpW:0]             length;
+  logic [ExpW-1:0]           exponent_d, exponent_q;
+  logic [ScaleEW-1:0]        scale_e;
+  logic signed [CornerW-1:0] low_wide, high_wide;
+  logic signed [TestW-1:0]   low_cut, high_cut, low_x_cut_q, high_x_cut_q, low_y_cut_q, high_y_cut_q;
+
+  assign node1   = slot1_q[0 +: pipegs_pkg::NodeBits];
+  assign scale_e = node1.scale_max[ScaleMW +: ScaleEW];
+  always_comb begin
+    length = '0;
+    for (int unsigned i = 0; i < CornerW; i += 1) if (magnitudes_q[i]) length = (ExpW+1)'(i + 1);
+    if ((ExpW+1)'(scale_e) > length + (ExpW+1)'(ScaleBias)) length = (ExpW+1)'(scale_e) - (ExpW+1)'(ScaleBias);
+    exponent_d = length > (ExpW+1)'(TestW - 1) ? ExpW'(length - (ExpW+1)'(TestW - 1)) : '0;
+  end
+  assign low_wide  = low_q[3] >>> exponent_q;
+  assign high_wide = high_q[3] >>> exponent_q;
+  assign low_cut   = low_wide[TestW-1:0];
+  assign high_cut  = high_wide[TestW-1:0];
+  logic unused_corners;  // sign bits beyond TestW
+  assign unused_corners = ^{low_wide[CornerW-1:TestW], high_wide[CornerW-1:TestW]};
+
+  always_ff @(posedge clk_i) begin
+    if (phase_q == 2'd0) exponent_q <= exponent_d;
+    if (phase_q == 2'd1) begin
+      low_x_cut_q  <= low_cut;
+      high_x_cut_q <= high_cut;
+    end
+    if (phase_q == 2'd2) begin
+      low_y_cut_q  <= low_cut;
+      high_y_cut_q <= high_cut;
+    end
+  end
+
+  // Scale (phase 1) and near distance (phase 2) in the same unit, floored.
+  logic [TestW-2:0]   scale_top, scale_cut_q, near_cut_q;
+  logic [ExpW+1:0]    scale_shift;
+  logic [WorldW-1:0]  near_wide;
+
+  assign scale_top   = (TestW-1)'({1'b1, node1.scale_max[ScaleMW-1:0]}) << (TestW - 2 - ScaleMW);
+  assign scale_shift = (ExpW+2)'(exponent_q) + (ExpW+2)'(TestW + ScaleBias - 1) - (ExpW+2)'(scale_e);
+  assign near_wide   = frame_i.near_plane >> exponent_q;
+
+  always_ff @(posedge clk_i) begin
+    if (phase_q == 2'd1) scale_cut_q <= scale_e == '0 ? '0 : scale_top >> scale_shift;
+    if (phase_q == 2'd2) near_cut_q <= near_wide[WorldW-1:TestW-1] != '0 ? '1 : near_wide[TestW-2:0];
+  end
+
+  // --- slot 2, phase 0: z comes out of the shifter; all corners stand for three cycles ------------------------------
+  logic signed [TestW-1:0] low_x_q, high_x_q, low_y_q, high_y_q, low_z_q, high_z_q, scale_q, near_q;
+  logic                    set_q;
+
+  always_ff @(posedge clk_i) begin
+    if (phase_q == 2'd0) begin
+      low_x_q  <= low_x_cut_q;
+      high_x_q <= high_x_cut_q;
+      low_y_q  <= low_y_cut_q;
+      high_y_q <= high_y_cut_q;
+      low_z_q  <= low_cut;
+      high_z_q <= high_cut;
+      scale_q  <= {1'b0, scale_cut_q};
+      near_q   <= {1'b0, near_cut_q};
+      set_q    <= slot2_q[SlotW-1];
+    end
+  end
+
+  // --- two planes per cycle: near and left, right and top, bottom ---------------------------------------------------
+  logic [5*PlaneBits-1:0]     planes;
+  pipegs_pkg::plane_t         plane_a, plane_b;
+  logic signed [TestW-1:0]    operand_a;
+  logic signed [ProductW-1:0] ax_q, ay_q, az_q, ar_q, bx_q, by_q, bz_q, br_q;
+  logic signed [SumW-1:0]     sum_a, sum_b;
+  logic                       outside, outside_q;
+
+  assign planes = set_q ? planes_i[5*PlaneBits +: 5*PlaneBits] : planes_i[0 +: 5*PlaneBits];
+  always_comb begin
+    case (phase_q)
+      2'd1: begin plane_a = planes[0 +: PlaneBits]; plane_b = planes[PlaneBits +: PlaneBits]; end
+      2'd2: begin plane_a = planes[2*PlaneBits +: PlaneBits]; plane_b = planes[3*PlaneBits +: PlaneBits]; end
+      default: begin plane_a = planes[4*PlaneBits +: PlaneBits]; plane_b = planes[4*PlaneBits +: PlaneBits]; end
+    endcase
+  end
+  assign operand_a = phase_q == 2'd1 ? near_q : scale_q;
+
+  // The far corner of each plane.
+  logic signed [TestW-1:0] far_ax, far_ay, far_az, far_bx, far_by, far_bz;
+  assign far_ax = plane_a.nx[TestW-1] ? low_x_q : high_x_q;
+  assign far_ay = plane_a.ny[TestW-1] ? low_y_q : high_y_q;
+  assign far_az = plane_a.nz[TestW-1] ? low_z_q : high_z_q;
+  assign far_bx = plane_b.nx[TestW-1] ? low_x_q : high_x_q;
+  assign far_by = plane_b.ny[TestW-1] ? low_y_q : high_y_q;
+  assign far_bz = plane_b.nz[TestW-1] ? low_z_q : high_z_q;
+
+  always_ff @(posedge clk_i) begin
+    ax_q <= ProductW'(plane_a.nx) * ProductW'(far_ax);
+    ay_q <= ProductW'(plane_a.ny) * ProductW'(far_ay);
+    az_q <= ProductW'(plane_a.nz) * ProductW'(far_az);
+    ar_q <= ProductW'(plane_a.reach) * ProductW'(operand_a);
+    bx_q <= ProductW'(plane_b.nx) * ProductW'(far_bx);
+    by_q <= ProductW'(plane_b.ny) * ProductW'(far_by);
+    bz_q <= ProductW'(plane_b.nz) * ProductW'(far_bz);
+    br_q <= ProductW'(plane_b.reach) * ProductW'(scale_q);
+  end
+
+  assign sum_a   = SumW'(ax_q) + SumW'(ay_q) + SumW'(az_q) + SumW'(ar_q) + Slack;
+  assign sum_b   = SumW'(bx_q) + SumW'(by_q) + SumW'(bz_q) + SumW'(br_q) + Slack;
+  assign outside = sum_a[SumW-1] || sum_b[SumW-1];
+  always_ff @(posedge clk_i) outside_q <= phase_q == 2'd2 ? outside : outside_q || outside;
+
+  // The last sum is made in phase 1 of slot 3; the result stands in phase 2.
+  assign result_valid_o = valid_q[4];
+  assign result_pass_o  = !outside_q;
+  assign result_node_o  = slot3_q[0 +: pipegs_pkg::NodeBits];
+  assign result_tag_o   = slot3_q[pipegs_pkg::NodeBits +: TagW];
+
+  logic unused_frame;  // fields that do not matter here
+  assign unused_frame = &{1'b0, frame_i, slot3_q[SlotW-1], node0, node1};
+
+endmodule

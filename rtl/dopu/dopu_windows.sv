@@ -1,0 +1,128 @@
+// dopu_windows: the windows of the frame in rows, each with its planes, one ahead of the walk.
+//
+// Paper   Sec. 4.1 (scheduling); early termination of a whole window is the feedback of Fig. 7's RU.
+// Idea    Two sets of planes: while the walk uses one, dopu_planes fills the other. A set is done when every region of its
+//         window is done; region (rx, ry) counts only if the RU that owns it is in this window.
+// Stream  start_i for one cycle; set_valid_o tells that a set may be walked; release_i gives back the oldest one.
+// Pace    One window per 52 cycles.
+// Model   cpp_model/dopu/dopu_planes.hpp
+
+module dopu_windows (
+  input  logic                                  clk_i,
+  input  logic                                  rst_ni,
+
+  input  logic                                  start_i,
+  input  pipegs_pkg::frame_t                    frame_i,
+
+  input  logic [pipegs_pkg::Units*pipegs_pkg::Regions-1:0] done_i,    // from the RUs
+  input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_x_i,
+  input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_y_i,
+
+  output logic [1:0]                            set_valid_o,
+  output logic [1:0]                            set_last_o,   // the frame's last window
+  output logic [1:0]                            set_done_o,   // nothing of it can be seen any more
+  output logic [2*pipegs_pkg::WindowW-1:0]      set_x_o,
+  output logic [2*pipegs_pkg::WindowW-1:0]      set_y_o,
+  output logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_o,
+  input  logic                                  release_i
+);
+
+  localparam int unsigned WindowW = pipegs_pkg::WindowW;
+  localparam int unsigned PlanesW = 5 * pipegs_pkg::PlaneBits;
+  localparam int unsigned Units = pipegs_pkg::Units;
+  localparam int unsigned Regions = pipegs_pkg::Regions;
+  localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
+
+  // --- windows, row by row ----------------------------------------------------------------------------------------
+  logic               asking_q, more_q;  // a window is with dopu_planes; windows are left
+  logic [WindowW-1:0] x_q, y_q;
+  logic               window_valid, window_ready, planes_valid, planes_ready, last;
+  logic [PlanesW-1:0] planes;
+  logic [1:0]         valid_q, last_q, done_q;
+  logic               fill_q, oldest_q;  // the set filled next, the set released next
+  logic [WindowW-1:0] set_x_q [2];
+  logic [WindowW-1:0] set_y_q [2];
+  logic [PlanesW-1:0] planes_q [2];
+
+  assign window_valid = more_q && !asking_q;
+  assign planes_ready = !valid_q[fill_q];
+  assign last         = x_q == frame_i.last_x && y_q == frame_i.last_y;
+
+  dopu_planes u_planes (
+    .clk_i, .rst_ni, .frame_i,
+    .window_valid_i(window_valid), .window_ready_o(window_ready), .window_x_i(x_q), .window_y_i(y_q),
+    .planes_valid_o(planes_valid), .planes_ready_i(planes_ready), .planes_o(planes)
+  );
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      asking_q <= 1'b0;
+      more_q   <= 1'b0;
+      valid_q  <= '0;
+      fill_q   <= 1'b0;
+      oldest_q <= 1'b0;
+    end else begin
+      if (start_i) more_q <= 1'b1;
+      if (window_valid && window_ready) asking_q <= 1'b1;
+      if (planes_valid && planes_ready) begin
+        asking_q        <= 1'b0;
+        valid_q[fill_q] <= 1'b1;
+        fill_q          <= !fill_q;
+        if (last) more_q <= 1'b0;
+      end
+      if (release_i) begin
+        valid_q[oldest_q] <= 1'b0;
+        oldest_q          <= !oldest_q;
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (start_i) begin
+      x_q <= frame_i.first_x;
+      y_q <= frame_i.first_y;
+    end else if (planes_valid && planes_ready) begin
+      x_q <= x_q == frame_i.last_x ? frame_i.first_x : x_q + 1'b1;
+      if (x_q == frame_i.last_x) y_q <= y_q + 1'b1;
+      planes_q[fill_q] <= planes;
+      set_x_q[fill_q]  <= x_q;
+      set_y_q[fill_q]  <= y_q;
+      last_q[fill_q]   <= last;
+    end
+  end
+
+  assign set_valid_o = valid_q;
+  assign set_last_o  = last_q;
+  assign set_x_o     = {set_x_q[1], set_x_q[0]};
+  assign set_y_o     = {set_y_q[1], set_y_q[0]};
+  assign planes_o    = {planes_q[1], planes_q[0]};
+
+  // --- done feedback ----------------------------------------------------------------------------------------------------
+  logic [Units-1:0]   here [2];  // the RU is in the set's window
+  logic [Regions-1:0] region_done [2];
+
+  always_comb begin
+    for (int unsigned s = 0; s < 2; s += 1) begin
+      for (int unsigned u = 0; u < Units; u += 1) begin
+        here[s][u] = done_x_i[u*WindowW +: WindowW] == set_x_q[s] && done_y_i[u*WindowW +: WindowW] == set_y_q[s];
+      end
+      for (int unsigned r = 0; r < Regions; r += 1) begin
+        region_done[s][r] = here[s][owner(r)] && done_i[owner(r)*Regions + r];
+      end
+    end
+  end
+
+  // Which RU blends a region: a checkerboard of two, or of four.
+  function automatic int unsigned owner(input int unsigned region);
+    int unsigned x, y;
+    x = region % RegionsX;
+    y = region / RegionsX;
+    owner = Units == 1 ? 0 : Units == 2 ? (x + y) % 2 : 2 * (y % 2) + x % 2;
+  endfunction
+
+  always_ff @(posedge clk_i) begin
+    for (int unsigned s = 0; s < 2; s += 1) done_q[s] <= valid_q[s] && region_done[s] == '1;
+  end
+  assign set_done_o = done_q & valid_q;
+
+endmodule

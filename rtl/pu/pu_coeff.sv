@@ -1,0 +1,313 @@
+// pu_coeff: the six coefficients of Eq. 3 for one Gaussian and one window.
+//
+// Paper   Eq. 3, step 1 of Fig. 5a, once per Gaussian and window; the anchor is the window's first pixel.
+// Idea    (p, q) = (x, y), exchanged if swap; u = narrow m, w = mean_p - m mean_q, both as mantissa and exponent:
+//           A = -(narrow w^2 + wide mean_q^2) - opacity      D = -narrow      E = -(u m + wide)
+//           B = 2 narrow w      C = 2 (wide mean_q - u w)                    F = 2 u
+//         Out of range: dead; no pixel of the window can count (the proof is in the model's head).
+// Stream  conic in, coeff out, in order; an end beat passes through.
+// Pace    One record in eight cycles, latency 11 (an end beat 2 and 4). One multiplier, one normaliser, one aligner:
+//           slot   0        1     2       3        4         5           6     7    | 0     1 of the next slot
+//           mult   u        m q   wide q  wide q q narrow w  narrow w w  u w   u m  |
+//           norm   mean_q                 w                                         |
+//           align           F             C        A         B           A     C    | E     out
+// Model   cpp_model/pu/pu_coeff.hpp
+
+module pu_coeff (
+  input  logic                clk_i,
+  input  logic                rst_ni,
+
+  input  logic                conic_valid_i,
+  output logic                conic_ready_o,
+  input  pipegs_pkg::conic_t  conic_i,
+
+  output logic                coeff_valid_o,
+  input  logic                coeff_ready_i,
+  output pipegs_pkg::coeff_t  coeff_o,
+
+  output logic                busy_o  // a record is inside
+);
+
+  localparam int unsigned MantissaW = pipegs_pkg::MantissaW;
+  localparam int unsigned FloatEW   = pipegs_pkg::FloatEW;
+  localparam int unsigned SlopeW    = pipegs_pkg::SlopeW;
+  localparam int unsigned SlopeF    = SlopeW - 2;
+  localparam int unsigned MeanW     = pipegs_pkg::MeanW;
+  localparam int unsigned MeanF     = pipegs_pkg::MeanF;
+  localparam int unsigned OpacityF  = pipegs_pkg::OpacityF;
+  localparam int unsigned OpacityW  = pipegs_pkg::OpacityW;
+  localparam int unsigned CoeffF    = pipegs_pkg::CoeffF;
+  localparam int unsigned PowerF    = pipegs_pkg::PowerF;
+  localparam int unsigned AW        = pipegs_pkg::AW;
+  localparam int unsigned BcW       = pipegs_pkg::BcW;
+  localparam int unsigned DefW      = pipegs_pkg::DefW;
+  localparam int unsigned PhaseW    = 3;
+  localparam int unsigned FactorF   = 34;                // magnitude bits of a product that is a factor again
+  localparam int unsigned NormalF   = MantissaW + 2;     // magnitude bits of mean_q and w as factors
+  localparam int unsigned NormalW   = NormalF + 1;
+  localparam int unsigned WideW     = SlopeF + MeanW + 1;  // w, exact
+  localparam int unsigned LeftW     = FactorF + 1;
+  localparam int unsigned MostW     = MeanW > NormalW ? MeanW : NormalW;
+  localparam int unsigned RightW    = MostW > SlopeW ? MostW : SlopeW;
+  localparam int unsigned ProductW  = LeftW + RightW;
+  localparam int unsigned Drop      = MantissaW + NormalF - FactorF;
+  localparam int unsigned SlopeDrop = MantissaW + SlopeF - FactorF;
+  localparam int unsigned Guard     = MantissaW < 22 ? 2 * (22 - MantissaW) : 0;
+  localparam int unsigned FlatGuard = CoeffF + 4 > MantissaW ? CoeffF + 4 - MantissaW : 0;
+  localparam int unsigned SumW      = FloatEW + 4;  // sums of exponents
+  localparam int unsigned ShiftW    = 7;
+  localparam int unsigned LengthW   = 7;            // position of a leading bit
+
+  // PuCut::budget of the model.
+  localparam logic [63:0] Slack  = (64'd1 << (CoeffF + 8 - PowerF)) + (64'd1 << 16) + (64'd1 << (CoeffF - 12));
+  localparam logic [63:0] Budget =
+    (((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + 64'd3 * Slack) >> (CoeffF - OpacityF)) + 64'd1;
+
+  logic [PhaseW-1:0]   phase_q;
+  logic                fresh_q;                 // conic_i holds a record of this slot
+  logic                front_valid_q, coeff_valid_q;
+  pipegs_pkg::conic_t  front_q;
+  pipegs_pkg::coeff_t  coeff, coeff_q;
+  logic                advance, data;
+
+  assign advance       = !(phase_q == PhaseW'(1) && front_valid_q && coeff_valid_q && !coeff_ready_i);
+  assign data          = conic_i.kind == pipegs_pkg::KindData;
+  assign conic_ready_o = phase_q == PhaseW'(1) && fresh_q && advance;
+  assign coeff_valid_o = coeff_valid_q;
+  assign coeff_o       = coeff_q;
+  assign busy_o        = phase_q != '0 || front_valid_q || coeff_valid_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      phase_q       <= '0;
+      fresh_q       <= 1'b0;
+      front_valid_q <= 1'b0;
+      coeff_valid_q <= 1'b0;
+    end else begin
+      if (coeff_ready_i) coeff_valid_q <= 1'b0;
+      if (phase_q == '0) begin
+        fresh_q <= conic_valid_i;
+        if (conic_valid_i || front_valid_q) phase_q <= PhaseW'(1);
+      end else if (advance) begin
+        phase_q <= phase_q + PhaseW'(1);
+        if (phase_q == PhaseW'(1)) begin
+          if (front_valid_q) coeff_valid_q <= 1'b1;
+          front_valid_q <= fresh_q;
+          if (!fresh_q || !data) phase_q <= '0;  // nothing to calculate in this slot
+        end
+      end
+    end
+  end
+
+  // --- the two numbers that need their leading bits: mean_q and w ------------------------------------------------------
+  logic signed [MeanW-1:0]    mean_q, mean_p;
+  logic signed [WideW-1:0]    w_q, wide;
+  logic signed [NormalW-1:0]  raised;
+  logic [LengthW-1:0]         spare;  // bits between the sign and the leading one
+  logic signed [NormalW-1:0]  normal_q;
+  logic signed [SumW-1:0]     normal_e_q;
+  logic signed [ProductW-1:0] product_q;
+  assign mean_q = conic_i.swap ? conic_i.mean_x : conic_i.mean_y;  // while the record is in conic_i
+  assign mean_p = front_q.swap ? front_q.mean_y : front_q.mean_x;  // once it is in front_q
+  assign wide   = phase_q == '0 ? WideW'(mean_q) : w_q;
+
+  always_comb begin
+    spare = LengthW'(WideW - 1);
+    for (int unsigned i = 0; i < WideW - 1; i += 1) if (wide[i] != wide[WideW-1]) spare = LengthW'(WideW - 2 - i);
+    raised = NormalW'($signed(wide <<< spare) >>> (WideW - NormalW));
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (phase_q == PhaseW'(2)) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(product_q);
+    if (phase_q == '0 || phase_q == PhaseW'(3)) begin
+      normal_q   <= raised;
+      normal_e_q <= $signed(SumW'(WideW - 1 - NormalF) - SumW'(spare) -
+                            (phase_q == '0 ? SumW'(MeanF) : SumW'(MeanF + SlopeF)));
+    end
+  end
+
+  // --- the multiplier, and beside it the shift that aligns its product -------------------------------------------------
+  // A product m * 2^e is shifted right by Guard - CoeffF - e; e is a constant plus an exponent plus 0, 1 or 2 times normal_e.
+  logic signed [LeftW-1:0]   left, u_q;
+  logic signed [RightW-1:0]  right;
+  logic signed [SumW-1:0]    shift, shift_q, curve_e, normal_e;
+  localparam logic signed [SumW-1:0] Base = $signed(SumW'(Guard) - SumW'(CoeffF));
+
+  always_comb begin
+    left     = LeftW'($signed({1'b0, front_q.narrow_m}));
+    right    = RightW'(normal_q);
+    curve_e  = SumW'(front_q.narrow_e);
+    normal_e = '0;
+    shift    = Base;
+    case (phase_q)
+      PhaseW'(0): begin  // u
+        left    = LeftW'($signed({1'b0, conic_i.narrow_m}));
+        right   = RightW'(conic_i.slope_m);
+        curve_e = SumW'(conic_i.narrow_e);
+        shift   = Base + $signed(SumW'(SlopeF - 1));
+      end
+      PhaseW'(1): begin  // m mean_q
+        left  = LeftW'(conic_i.slope_m);
+        right = RightW'(mean_q);
+      end
+      PhaseW'(2): begin  // wide mean_q
+        left     = LeftW'($signed({1'b0, front_q.wide_m}));
+        curve_e  = SumW'(front_q.wide_e);
+        normal_e = normal_e_q;
+        shift    = Base - $signed(SumW'(1));
+      end
+      PhaseW'(3): begin  // wide mean_q^2
+        left     = LeftW'(product_q >>> Drop);
+        curve_e  = SumW'(front_q.wide_e);
+        normal_e = normal_e_q <<< 1;
+        shift    = Base - $signed(SumW'(Drop));
+      end
+      PhaseW'(4): begin  // narrow w
+        normal_e = normal_e_q;
+        shift    = Base - $signed(SumW'(1));
+      end
+      PhaseW'(5): begin  // narrow w^2
+        left     = LeftW'(product_q >>> Drop);
+        normal_e = normal_e_q <<< 1;
+        shift    = Base - $signed(SumW'(Drop));
+      end
+      PhaseW'(6): begin  // u w
+        left     = u_q;
+        normal_e = normal_e_q;
+        shift    = Base + $signed(SumW'(SlopeF) - SumW'(SlopeDrop + 1));
+      end
+      default: begin  // u m
+        left  = u_q;
+        right = RightW'(front_q.slope_m);
+        shift = Base + $signed(SumW'(2 * SlopeF) - SumW'(SlopeDrop));
+      end
+    endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      product_q <= ProductW'(left) * ProductW'(right);
+      shift_q   <= shift - curve_e - normal_e;
+    end
+    if (phase_q == PhaseW'(1)) u_q <= LeftW'(product_q >>> SlopeDrop);
+  end
+
+  // --- products to CoeffF fraction bits, to nearest ---------------------------------------------------------------------
+  localparam int unsigned AlignW = ProductW + Guard;
+  logic [ShiftW-1:0]        by;
+  logic signed [AlignW-1:0] halves, aligned;
+  logic                     low_shift, fits_a, fits_bc, fits_def;
+  assign low_shift = shift_q <= 0;
+  assign by        = shift_q[SumW-2:ShiftW] != '0 ? '1 : shift_q[ShiftW-1:0] - ShiftW'(1);
+  assign halves    = $signed(AlignW'(product_q) <<< Guard) >>> by;
+  assign aligned   = (halves >>> 1) + $signed({{(AlignW - 1){1'b0}}, halves[0]});
+  assign fits_a    = aligned[AlignW-1:AW-1] == '0 || &aligned[AlignW-1:AW-1];
+  assign fits_bc   = aligned[AlignW-1:BcW-1] == '0 || &aligned[AlignW-1:BcW-1];
+  assign fits_def  = aligned[AlignW-1:DefW-1] == '0 || &aligned[AlignW-1:DefW-1];
+
+  // narrow (cycle 2) and wide (cycle 3) themselves.
+  localparam int unsigned FlatW = MantissaW + FlatGuard;
+  logic [MantissaW-1:0]      flat_m;
+  logic signed [FloatEW-1:0] flat_e;
+  logic signed [SumW-1:0]    flat_shift;
+  logic [ShiftW-1:0]         flat_by;
+  logic [FlatW-1:0]          flat_halves, flat;
+  logic                      flat_fits;
+  assign flat_m      = phase_q == PhaseW'(2) ? front_q.narrow_m : front_q.wide_m;
+  assign flat_e      = phase_q == PhaseW'(2) ? front_q.narrow_e : front_q.wide_e;
+  assign flat_shift  = $signed(SumW'(FlatGuard) - SumW'(CoeffF)) - SumW'(flat_e);
+  assign flat_by     = flat_shift[SumW-2:ShiftW] != '0 ? '1 : flat_shift[ShiftW-1:0] - ShiftW'(1);
+  assign flat_halves = (FlatW'(flat_m) << FlatGuard) >> flat_by;
+  assign flat        = (flat_halves >> 1) + FlatW'(flat_halves[0]);
+  assign flat_fits   = flat_shift > 0 && flat[FlatW-1:DefW-1] == '0;
+
+  // --- sums ---------------------------------------------------------------------------------------------------------------
+  localparam int unsigned SumAW   = AW + 2;
+  localparam int unsigned SumBcW  = BcW + 1;
+  localparam int unsigned SumDefW = DefW + 1;
+  logic signed [AW+1:0]   a_q;
+  logic signed [BcW-1:0]  b_q;  // with respect to p
+  logic signed [BcW:0]    c_q;  // with respect to q
+  logic signed [DefW-1:0] d_q, f_q;
+  logic signed [DefW:0]   e_q;
+  logic                   dead_q;
+
+  always_ff @(posedge clk_i) begin
+    case (phase_q)
+      PhaseW'(0): begin
+        e_q    <= e_q - SumDefW'(aligned);
+        dead_q <= dead_q || low_shift || !fits_def;
+      end
+      PhaseW'(1): if (advance) begin
+        f_q    <= DefW'(aligned);
+        dead_q <= low_shift || !fits_def || conic_i.opacity >= OpacityW'(Budget);
+      end
+      PhaseW'(2): begin
+        d_q    <= $signed(DefW'(0) - DefW'(flat));
+        dead_q <= dead_q || !flat_fits;
+      end
+      PhaseW'(3): begin
+        c_q    <= SumBcW'(aligned);
+        e_q    <= $signed(SumDefW'(0) - SumDefW'(flat));
+        dead_q <= dead_q || low_shift || !fits_bc || !flat_fits;
+      end
+      PhaseW'(4): begin
+        a_q    <= $signed(SumAW'(0) - (SumAW'(front_q.opacity) << (CoeffF - OpacityF))) - SumAW'(aligned);
+        dead_q <= dead_q || low_shift || !fits_a;
+      end
+      PhaseW'(5): begin
+        b_q    <= BcW'(aligned);
+        dead_q <= dead_q || low_shift || !fits_bc;
+      end
+      PhaseW'(6): begin
+        a_q    <= a_q - SumAW'(aligned);
+        dead_q <= dead_q || low_shift || !fits_a;
+      end
+      default: begin
+        c_q    <= c_q - SumBcW'(aligned);
+        dead_q <= dead_q || low_shift || !fits_bc;
+      end
+    endcase
+  end
+
+  // --- what leaves ----------------------------------------------------------------------------------------------------------
+  logic dead;
+  assign dead = dead_q || !(a_q[AW+1:AW-1] == '0 || &a_q[AW+1:AW-1]) || c_q[BcW] != c_q[BcW-1] || e_q[DefW] != e_q[DefW-1];
+
+  always_comb begin
+    coeff      = '0;
+    coeff.kind = front_q.kind;
+    if (front_q.kind == pipegs_pkg::KindData) begin
+      coeff.mean_x   = front_q.mean_x;
+      coeff.mean_y   = front_q.mean_y;
+      coeff.extent_x = front_q.extent_x;
+      coeff.extent_y = front_q.extent_y;
+      coeff.dead     = dead;
+      if (!dead) begin
+        coeff.a = AW'(a_q);
+        coeff.b = front_q.swap ? BcW'(c_q) : b_q;
+        coeff.c = front_q.swap ? b_q : BcW'(c_q);
+        coeff.d = front_q.swap ? DefW'(e_q) : d_q;
+        coeff.e = front_q.swap ? d_q : DefW'(e_q);
+        coeff.f = f_q;
+      end
+      coeff.depth    = front_q.depth;
+      coeff.dir_x    = front_q.dir_x;
+      coeff.dir_y    = front_q.dir_y;
+      coeff.dir_z    = front_q.dir_z;
+      coeff.base_r   = front_q.base_r;
+      coeff.base_g   = front_q.base_g;
+      coeff.base_b   = front_q.base_b;
+      coeff.index    = front_q.index;
+      coeff.slot     = front_q.slot;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (phase_q == PhaseW'(1) && advance) begin
+      if (front_valid_q) coeff_q <= coeff;
+      front_q <= conic_i;
+    end
+  end
+
+endmodule

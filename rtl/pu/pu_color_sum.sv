@@ -1,0 +1,220 @@
+// pu_color_sum: coefficients times basis, plus the constant band, clamped to the colour's range.
+//
+// Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as integers
+//         and the sum is shifted once:  sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF, two guard bits below base and colour.
+//         A step takes two basis functions times three channels: six multipliers of ShMW x BasisW bits.
+// Stream  color_task, SH line and sh_basis (the last two for data beats of a frame with SH) -> splat.
+// Pace    One Gaussian in 8 cycles at degree 3, 6 at degree 1 and 2, 2 without SH; latency 12.
+// Model   cpp_model/pu/pu_color_sum.hpp
+//
+//         step n: operands -> products -> sums;   after the last step, tail 1 2: sums settle, 3: shift, 4: base, clamp
+
+module pu_color_sum (
+  input  logic                             clk_i,
+  input  logic                             rst_ni,
+  input  pipegs_pkg::frame_t               frame_i,
+
+  input  logic                             task_valid_i,
+  output logic                             task_ready_o,
+  input  pipegs_pkg::color_task_t          task_i,
+
+  input  logic                             line_valid_i,
+  output logic                             line_ready_o,
+  input  logic [pipegs_pkg::MemoryW-1:0]   line_i,
+
+  input  logic                             basis_valid_i,
+  output logic                             basis_ready_o,
+  input  pipegs_pkg::sh_basis_t            basis_i,
+
+  output logic                             splat_valid_o,
+  input  logic                             splat_ready_i,
+  output pipegs_pkg::splat_t               splat_o,
+
+  output logic                             waiting_memory_o  // the oldest Gaussian lacks its line
+);
+
+  localparam int unsigned CoefW = pipegs_pkg::ShMW;
+  localparam int unsigned ExpW = pipegs_pkg::ShEW;
+  localparam int unsigned BasisW = pipegs_pkg::BasisW;
+  localparam int unsigned BaseW = pipegs_pkg::BaseW;
+  localparam int unsigned ColorW = pipegs_pkg::ColorW;
+  localparam int unsigned BaseF = BaseW - 3;
+  localparam int unsigned ColorF = ColorW - 2;
+  localparam int unsigned WorkF = (BaseF > ColorF ? BaseF : ColorF) + 2;
+  localparam int unsigned WorkW = WorkF + 9;            // s8.WorkF: 15 coefficients below 16
+  localparam int unsigned TotalW = WorkW + 1;
+  localparam int unsigned ProductW = CoefW + BasisW;
+  localparam int unsigned SumW = ProductW + 4;          // 15 products
+  localparam int unsigned PairW = 6 * CoefW;            // coefficients of one step
+  localparam int unsigned Steps = 8;
+  localparam int unsigned ShiftTop = 25 + CoefW + pipegs_pkg::BasisF - WorkF;  // shift - 1 at exponent 0; never below exponent 31
+  localparam int unsigned ShiftW = 6;
+  localparam int unsigned Slot1W = pipegs_pkg::MemoryW / 4;
+
+  // --- control: which Gaussian is summed, and the tail of the one before ---------------------------------------
+  logic [2:0]                  step_q, last_step;
+  logic [2:0]                  tail_q;  // 0: nothing under way
+  logic [1:0]                  degree;
+  logic                        shaded, pass, ready, final_step, step, pop;
+  logic                        splat_valid_q;
+  pipegs_pkg::splat_t          splat_q;
+
+  assign degree = frame_i.sh_degree > pipegs_pkg::KindW'(pipegs_pkg::ShDegree) ? 2'(pipegs_pkg::ShDegree) : frame_i.sh_degree;
+  always_comb begin
+    unique case (degree)
+      2'd1:    last_step = 3'd1;
+      2'd2:    last_step = 3'd3;
+      default: last_step = 3'd7;
+    endcase
+  end
+
+  // The output register takes the Gaussian with its last step and gets its colour at the end of the tail.
+  assign shaded     = task_i.kind == pipegs_pkg::KindData && degree != 2'd0;
+  assign ready      = task_valid_i && (!shaded || (line_valid_i && basis_valid_i));
+  assign final_step = !shaded || step_q == last_step;
+  assign pass       = !final_step || (tail_q == 3'd0 && (!splat_valid_q || splat_ready_i));
+  assign step       = ready && pass;
+  assign pop        = step && final_step;
+
+  assign task_ready_o     = pop;
+  assign line_ready_o     = pop && shaded;
+  assign basis_ready_o    = pop && shaded;
+  assign waiting_memory_o = task_valid_i && shaded && !line_valid_i;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      step_q        <= '0;
+      tail_q        <= '0;
+      splat_valid_q <= 1'b0;
+    end else begin
+      if (pop) step_q <= '0;
+      else if (step) step_q <= step_q + 3'd1;
+      if (pop) tail_q <= shaded ? 3'd1 : 3'd4;
+      else if (tail_q == 3'd4) tail_q <= '0;
+      else if (tail_q != '0) tail_q <= tail_q + 3'd1;
+      if (tail_q == 3'd4) splat_valid_q <= 1'b1;
+      else if (splat_ready_i) splat_valid_q <= 1'b0;
+    end
+  end
+
+  // --- operands: the pair of coefficients and basis functions of this step -------------------------------------
+  logic [pipegs_pkg::MemoryW-1:0]      slot;
+  logic [Steps*PairW-1:0]              coefs;
+  logic [2*Steps*BasisW-1:0]           functions;
+  logic [PairW-1:0]                    pair_q;
+  logic signed [BasisW-1:0]            even_q, odd_q;
+  logic                                operand_valid_q, operand_first_q, product_valid_q, product_first_q;
+
+  always_comb begin
+    slot = line_i;
+    if (frame_i.sh_degree == pipegs_pkg::KindW'(1)) begin
+      slot[Slot1W-1:0] = line_i[Slot1W * task_i.quarter +: Slot1W];
+    end
+    coefs = (Steps*PairW)'(slot[pipegs_pkg::MemoryW-1:ExpW]);
+    if (degree == 2'd1) coefs[2*PairW-1 -: PairW/2] = '0;             // bands hold 3, 8 and 15 functions
+    if (degree == 2'd3) coefs[Steps*PairW-1 -: PairW/2] = '0;
+    functions = (2*Steps*BasisW)'(basis_i);
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (step) begin
+      pair_q          <= coefs[PairW * step_q +: PairW];
+      even_q          <= functions[2*BasisW * step_q +: BasisW];
+      odd_q           <= functions[2*BasisW * step_q + BasisW +: BasisW];
+      operand_first_q <= step_q == '0;
+    end
+    product_first_q <= operand_first_q;
+  end
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      operand_valid_q <= 1'b0;
+      product_valid_q <= 1'b0;
+    end else begin
+      operand_valid_q <= step && shaded;
+      product_valid_q <= operand_valid_q;
+    end
+  end
+
+  // --- what the tail needs of the Gaussian that left -------------------------------------------------------------
+  logic [ExpW-1:0] exponent_q;
+  logic            data_q, shaded_q;
+
+  always_ff @(posedge clk_i) begin
+    if (pop) begin
+      exponent_q <= slot[ExpW-1:0];
+      data_q     <= task_i.kind == pipegs_pkg::KindData;
+      shaded_q   <= shaded;
+    end
+  end
+
+  // --- three channels ----------------------------------------------------------------------------------------------
+  logic [3*BaseW-1:0]  bases_q;
+  logic [3*ColorW-1:0] colors;
+  logic [ShiftW-1:0]   shift;
+
+  assign shift = ShiftW'(ShiftTop) - ShiftW'(exponent_q);
+  always_ff @(posedge clk_i) begin
+    if (pop) bases_q <= {task_i.base_b, task_i.base_g, task_i.base_r};
+  end
+
+  for (genvar c = 0; c < 3; c += 1) begin : gen_channel
+    logic signed [CoefW-1:0]    even, odd;
+    logic signed [BaseW-1:0]    base;
+    logic signed [ProductW-1:0] even_product_q, odd_product_q;
+    logic signed [SumW-1:0]     both, sum_q, cut, near;
+    logic signed [WorkW-1:0]    bands_q;
+    logic signed [TotalW-1:0]   total, value;
+    logic [ColorW-1:0]          color;
+
+    assign even = pair_q[c*CoefW +: CoefW];
+    assign odd  = pair_q[(3+c)*CoefW +: CoefW];
+    assign base = bases_q[c*BaseW +: BaseW];
+    assign both = SumW'(even_product_q) + SumW'(odd_product_q);
+
+    // Shift and total round to nearest: the first bit that is dropped is added.
+    assign cut   = sum_q >>> shift;
+    assign near  = (cut >>> 1) + SumW'({1'b0, cut[0]});
+    assign total = (shaded_q ? TotalW'(bands_q) : '0) + (TotalW'(base) <<< (WorkF - BaseF));
+    assign value = (total >>> (WorkF - ColorF)) + TotalW'({1'b0, total[WorkF-ColorF-1]});
+
+    always_comb begin
+      color = value[ColorW-1:0];
+      if (value[TotalW-1:ColorW] != '0) color = '1;
+      if (value[TotalW-1] || !data_q) color = '0;
+    end
+    assign colors[c*ColorW +: ColorW] = color;
+
+    always_ff @(posedge clk_i) begin
+      if (operand_valid_q) begin
+        even_product_q <= ProductW'(even) * ProductW'(even_q);
+        odd_product_q  <= ProductW'(odd) * ProductW'(odd_q);
+      end
+      if (product_valid_q) sum_q <= product_first_q ? both : sum_q + both;
+      if (tail_q == 3'd3) bands_q <= WorkW'(near);
+    end
+
+    wire unused_high = &{1'b0, near[SumW-1:WorkW]};
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (pop) begin
+      splat_q.kind    <= task_i.kind;
+      splat_q.depth   <= task_i.depth;
+      splat_q.index   <= task_i.index;
+      splat_q.mask    <= task_i.mask;
+      splat_q.address <= task_i.address;
+      splat_q.ext     <= task_i.ext;
+    end
+    if (tail_q == 3'd4) begin
+      splat_q.red   <= colors[0 +: ColorW];
+      splat_q.green <= colors[ColorW +: ColorW];
+      splat_q.blue  <= colors[2*ColorW +: ColorW];
+    end
+  end
+
+  assign splat_valid_o = splat_valid_q;
+  assign splat_o       = splat_q;
+
+  wire unused_fields = &{1'b0, frame_i, slot};
+
+endmodule

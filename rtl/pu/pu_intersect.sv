@@ -1,0 +1,236 @@
+// pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/255.
+//
+// Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
+// Idea    The box mean +- extent gives a range of columns and rows of regions, walked row by row. P = power - cut. Keep a
+//         region if it holds the mean, if P >= 0 at a corner, or if between the ends of an edge that faces the mean P rises,
+//         then falls, and its peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
+//           P += 8 gx + 64 D,  gx += 16 D,  gy += 8 F          P += 8 gy + 64 E,  gx += 8 F,  gy += 16 E
+// Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through.
+// Pace    6 + (regions in the box) cycles; 2 for a Gaussian without a box, or for an end beat.
+//         box | start | place | walk ... | ends of edges | products | compare, out
+// Model   cpp_model/pu/pu_intersect.hpp
+
+module pu_intersect (
+  input  logic                clk_i,
+  input  logic                rst_ni,
+
+  input  logic                coeff_valid_i,
+  output logic                coeff_ready_o,
+  input  pipegs_pkg::coeff_t  coeff_i,
+
+  output logic                tiles_valid_o,
+  input  logic                tiles_ready_i,
+  output pipegs_pkg::tiles_t  tiles_o,
+
+  output logic                busy_o  // a record is inside
+);
+
+  localparam int unsigned Window   = pipegs_pkg::Window;
+  localparam int unsigned Regions  = pipegs_pkg::Regions;
+  localparam int unsigned RegionW  = pipegs_pkg::RegionW;
+  localparam int unsigned AxisW    = RegionW / 2;         // column or row of a region
+  localparam int unsigned FactorW  = AxisW + 1;           // the same with a sign
+  localparam int unsigned EightW   = 3;                   // log2 of a region's side
+  localparam int unsigned PixelW   = AxisW + EightW;
+  localparam int unsigned MeanW    = pipegs_pkg::MeanW;
+  localparam int unsigned MeanF    = pipegs_pkg::MeanF;
+  localparam int unsigned ExtentW  = pipegs_pkg::ExtentW;
+  localparam int unsigned ExtentF  = 4;
+  localparam int unsigned CoeffF   = pipegs_pkg::CoeffF;
+  localparam int unsigned PowerF   = pipegs_pkg::PowerF;
+  localparam int unsigned DefW     = pipegs_pkg::DefW;
+  localparam int unsigned GradW    = pipegs_pkg::BcW + 1;  // gradients in the window, s13.CoeffF
+  localparam int unsigned PowerW   = pipegs_pkg::AW + 4;   // P in the window, s20.CoeffF
+  localparam int unsigned CurveW   = DefW + FactorW;       // a curvature times a column or row
+
+  localparam logic [63:0] Slack = (64'd1 << (CoeffF + 8 - PowerF)) + (64'd1 << 16) + (64'd1 << (CoeffF - 12));
+  localparam logic signed [PowerW-1:0] MinusCut =
+    PowerW'((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + Slack);
+
+  typedef enum logic [2:0] {
+    StateIdle,   // waits for a record; makes its box
+    StateStart,  // gradients at the first region
+    StatePlace,  // P there
+    StateWalk,   // one region per cycle
+    StateDrain,  // the last regions are being tested; then waits for the output register
+    StateEnd     // an end beat, waits for the output register
+  } state_e;
+
+  state_e              state_q;
+  logic                tiles_valid_q, out_free, last, none_q;
+  pipegs_pkg::tiles_t  tiles, tiles_q;
+  logic [Regions-1:0]  mask, mask_q;
+
+  // --- the box of pixels, as columns and rows of regions -----------------------------------------------------------------
+  localparam int unsigned HalfW = ExtentW + MeanF - ExtentF + 1;
+  localparam int unsigned BoxW  = (HalfW > MeanW ? HalfW : MeanW) + 2;
+  localparam logic signed [BoxW-1:0] Side = BoxW'(Window);
+  logic signed [BoxW-1:0] half_x, half_y, x_low, x_high, y_low, y_high;
+  logic [PixelW-1:0]      x_first, x_last, y_first, y_last;
+  logic                   none;
+  logic [AxisW-1:0]       column_first_q, column_last_q, row_last_q, column_q, row_q;
+
+  assign half_x  = BoxW'(coeff_i.extent_x) << (MeanF - ExtentF);
+  assign half_y  = BoxW'(coeff_i.extent_y) << (MeanF - ExtentF);
+  assign x_low   = (BoxW'(coeff_i.mean_x) - half_x + $signed(BoxW'((1 << MeanF) - 1))) >>> MeanF;
+  assign y_low   = (BoxW'(coeff_i.mean_y) - half_y + $signed(BoxW'((1 << MeanF) - 1))) >>> MeanF;
+  assign x_high  = (BoxW'(coeff_i.mean_x) + half_x) >>> MeanF;
+  assign y_high  = (BoxW'(coeff_i.mean_y) + half_y) >>> MeanF;
+  assign x_first = x_low < 0 ? '0 : PixelW'(x_low);
+  assign y_first = y_low < 0 ? '0 : PixelW'(y_low);
+  assign x_last  = x_high >= Side ? '1 : PixelW'(x_high);
+  assign y_last  = y_high >= Side ? '1 : PixelW'(y_high);
+  assign none    = coeff_i.dead || x_low >= Side || y_low >= Side || x_high < 0 || y_high < 0 ||
+                   x_first > x_last || y_first > y_last;
+
+  // --- first region: gradients, then P --------------------------------------------------------------------------------------
+  logic signed [FactorW-1:0] column, row;
+  logic signed [CurveW-1:0]  e_row, f_row, f_column, d_column;
+  logic signed [GradW-1:0]   b, c, along_x_q, along_y_q;  // B + F y + D x,  C + E y
+  logic signed [PowerW-1:0]  place;
+  assign column   = {1'b0, column_q};
+  assign row      = {1'b0, row_q};
+  assign d_column = CurveW'(coeff_i.d) * CurveW'(column);
+  assign e_row    = CurveW'(coeff_i.e) * CurveW'(row);
+  assign f_column = CurveW'(coeff_i.f) * CurveW'(column);
+  assign f_row    = CurveW'(coeff_i.f) * CurveW'(row);
+  assign b        = GradW'(coeff_i.b);
+  assign c        = GradW'(coeff_i.c);
+  assign place    = PowerW'(along_x_q) * PowerW'(column) + PowerW'(along_y_q) * PowerW'(row);
+
+  // --- the walk ----------------------------------------------------------------------------------------------------------------
+  logic                     last_column, last_region;
+  logic signed [PowerW-1:0] power_q, power_row_q, power_from;
+  logic signed [GradW-1:0]  gx_q, gy_q, gx_row_q, gy_row_q, gx_from, gy_from, grad;
+  logic signed [DefW-1:0]   d, e, f, curve;
+  logic signed [PowerW-1:0] power_next;
+  logic signed [GradW-1:0]  gx_next, gy_next;
+  assign d           = coeff_i.d;
+  assign e           = coeff_i.e;
+  assign f           = coeff_i.f;
+  assign last_column = column_q == column_last_q;
+  assign last_region = last_column && row_q == row_last_q;
+  assign power_from  = last_column ? power_row_q : power_q;  // down from the row's first region, or to the right
+  assign gx_from     = last_column ? gx_row_q : gx_q;
+  assign gy_from     = last_column ? gy_row_q : gy_q;
+  assign grad        = last_column ? gy_row_q : gx_q;
+  assign curve       = last_column ? e : d;
+  assign power_next  = power_from + (PowerW'(grad) <<< EightW) + (PowerW'(curve) <<< (2 * EightW));
+  assign gx_next     = gx_from + (last_column ? GradW'(f) <<< EightW : GradW'(d) <<< (EightW + 1));
+  assign gy_next     = gy_from + (last_column ? GradW'(e) <<< (EightW + 1) : GradW'(f) <<< EightW);
+
+  always_ff @(posedge clk_i) begin
+    case (state_q)
+      StateIdle: begin
+        column_q       <= x_first[PixelW-1:EightW];
+        column_first_q <= x_first[PixelW-1:EightW];
+        column_last_q  <= x_last[PixelW-1:EightW];
+        row_q          <= y_first[PixelW-1:EightW];
+        row_last_q     <= y_last[PixelW-1:EightW];
+        none_q         <= none;
+      end
+      StateStart: begin
+        along_x_q <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< EightW);
+        along_y_q <= c + (GradW'(e_row) <<< EightW);
+        gx_q      <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< (EightW + 1));
+        gy_q      <= c + (GradW'(f_column) <<< EightW) + (GradW'(e_row) <<< (EightW + 1));
+      end
+      StatePlace: begin
+        power_q     <= PowerW'(coeff_i.a) + MinusCut + (place <<< EightW);
+        power_row_q <= PowerW'(coeff_i.a) + MinusCut + (place <<< EightW);
+        gx_row_q    <= gx_q;
+        gy_row_q    <= gy_q;
+      end
+      StateWalk: begin
+        power_q  <= power_next;
+        gx_q     <= gx_next;
+        gy_q     <= gy_next;
+        column_q <= last_column ? column_first_q : column_q + AxisW'(1);
+        if (last_column) begin
+          row_q       <= row_q + AxisW'(1);
+          power_row_q <= power_next;
+          gx_row_q    <= gx_next;
+          gy_row_q    <= gy_next;
+        end
+      end
+      default: ;
+    endcase
+  end
+
+  // --- the test -------------------------------------------------------------------------------------------------------------------
+  logic               keep, test_last;
+  logic [RegionW-1:0] test_region;
+  pu_edge u_edge (
+    .clk_i, .rst_ni, .hold_i(!out_free && last),
+    .valid_i(state_q == StateWalk), .last_i(last_region), .column_i(column_q), .row_i(row_q),
+    .mean_x_i(coeff_i.mean_x), .mean_y_i(coeff_i.mean_y), .d_i(d), .e_i(e), .f_i(f),
+    .power_i(power_q), .gx_i(gx_q), .gy_i(gy_q),
+    .keep_o(keep), .region_o(test_region), .last_o(test_last)
+  );
+
+  always_comb begin
+    mask = mask_q;
+    if (keep) mask[test_region] = 1'b1;
+  end
+  always_ff @(posedge clk_i) begin
+    if (state_q == StateStart) mask_q <= '0;
+    else mask_q <= mask;
+  end
+
+  // --- control ----------------------------------------------------------------------------------------------------------------------
+  assign out_free      = !tiles_valid_q || tiles_ready_i;
+  assign last          = state_q == StateDrain && test_last;
+  assign coeff_ready_o = (state_q == StateStart && none_q) || ((last || state_q == StateEnd) && out_free);
+  assign tiles_valid_o = tiles_valid_q;
+  assign tiles_o       = tiles_q;
+  assign busy_o        = state_q != StateIdle || tiles_valid_q;
+
+  always_comb begin
+    tiles      = '0;
+    tiles.kind = coeff_i.kind;
+    if (state_q != StateEnd) begin
+      tiles.mask  = mask;
+      tiles.a     = coeff_i.a;
+      tiles.b     = coeff_i.b;
+      tiles.c     = coeff_i.c;
+      tiles.d     = coeff_i.d;
+      tiles.e     = coeff_i.e;
+      tiles.f     = coeff_i.f;
+      tiles.depth = coeff_i.depth;
+      tiles.dir_x = coeff_i.dir_x;
+      tiles.dir_y = coeff_i.dir_y;
+      tiles.dir_z = coeff_i.dir_z;
+      tiles.base_r = coeff_i.base_r;
+      tiles.base_g = coeff_i.base_g;
+      tiles.base_b = coeff_i.base_b;
+      tiles.index = coeff_i.index;
+      tiles.slot  = coeff_i.slot;
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q       <= StateIdle;
+      tiles_valid_q <= 1'b0;
+    end else begin
+      if (tiles_ready_i) tiles_valid_q <= 1'b0;
+      case (state_q)
+        StateIdle:
+          if (coeff_valid_i) state_q <= coeff_i.kind == pipegs_pkg::KindData ? StateStart : StateEnd;
+        StateStart: state_q <= none_q ? StateIdle : StatePlace;
+        StatePlace: state_q <= StateWalk;
+        StateWalk: if (last_region) state_q <= StateDrain;
+        default: begin
+          if ((last || state_q == StateEnd) && out_free) begin
+            state_q       <= StateIdle;
+            tiles_valid_q <= state_q == StateEnd || mask != '0;
+          end
+        end
+      endcase
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if ((last || state_q == StateEnd) && out_free) tiles_q <= tiles;
+  end
+
+endmodule

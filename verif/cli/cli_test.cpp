@@ -1,0 +1,131 @@
+// cli_test: `pipegs` with good and bad input: exit codes, one clear line, nothing half-written.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "scenes/camera.hpp"
+#include "scenes/ply.hpp"
+#include "verif/frame/scenes.hpp"
+
+namespace pipegs {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code;
+  std::string out, err;
+};
+
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("pipegs_cli_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    write_ply(folder_ / "scene.ply", random_scene(1, 300, 1));
+    write_cameras(folder_ / "cameras.json", {test_camera(70, 50)});
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome run(const std::string& arguments) {
+    const std::string command = "cd '" + folder_.string() + "' && '" PIPEGS_BINARY "' " + arguments + " > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text("out.txt"), text("err.txt")};
+  }
+  std::string text(const std::string& name) {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void write(const std::string& name, const std::string& contents) { std::ofstream(folder_ / name, std::ios::binary) << contents; }
+
+  // Exit 2, one line that holds `part`, no picture.
+  void expect_refused(const std::string& arguments, const std::string& part) {
+    const Outcome outcome = run(arguments + " --out pictures");
+    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << "'" << part << "' is not in: " << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder_ / "pictures")) << "something was left behind by " << arguments;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
+  const Outcome outcome = run("sim scene.ply --cameras cameras.json --out pictures");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* name : {"frame.exr", "frame.png", "report.json"}) EXPECT_TRUE(fs::exists(folder_ / "pictures" / name)) << name;
+  const auto report = nlohmann::json::parse(text("pictures/report.json"));
+  EXPECT_EQ(report["mismatches"], 0);
+  for (const char* key : {"scene", "camera", "config", "cycles", "units", "memory", "work", "psnr_numeric_db", "psnr_order_db",
+                          "psnr_total_db", "max_abs_error", "saturations", "wall_seconds", "rtl_khz"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  uint64_t read = 0;
+  for (const auto& [stream, bytes] : report["memory"]["by_stream"].items()) read += bytes["read"].get<uint64_t>();
+  EXPECT_EQ(read, report["memory"]["bytes_read"]);
+}
+
+TEST_F(Cli, OneWindowAlone) { EXPECT_EQ(run("sim scene.ply --cameras cameras.json --window 1,0 --out pictures").code, 0); }
+
+TEST_F(Cli, RenderWritesEveryModel) {
+  for (const char* model : {"truth", "layered", "golden"}) {
+    EXPECT_EQ(run("render scene.ply --cameras cameras.json --model " + std::string(model) + " --out " + model).code, 0) << model;
+    EXPECT_TRUE(fs::exists(folder_ / model / "frame.exr"));
+  }
+}
+
+TEST_F(Cli, InfoCounts) {
+  const Outcome outcome = run("info scene.ply --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["gaussians"], 300);
+}
+
+TEST_F(Cli, ExplainShowsTheSameAlphaInGoldenAndRtl) {
+  const Outcome outcome = run("explain scene.ply --cameras cameras.json --pixel 35,25 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto explained = nlohmann::json::parse(outcome.out);
+  ASSERT_FALSE(explained["gaussians"].empty());
+  int compared = 0;
+  for (const auto& row : explained["gaussians"]) {
+    if (row["rtl"].is_null()) continue;
+    EXPECT_EQ(row["golden"]["alpha"], row["rtl"]["alpha"]);
+    EXPECT_EQ(row["golden"]["weight"], row["rtl"]["weight"]);
+    ++compared;
+  }
+  EXPECT_GT(compared, 0);
+}
+
+TEST_F(Cli, BadInputIsRefusedInOneLine) {
+  expect_refused("sim missing.ply --cameras cameras.json", "missing.ply");
+  expect_refused("sim scene.ply --cameras missing.json", "missing.json");
+  expect_refused("sim scene.ply", "--cameras");
+  expect_refused("sim scene.ply --cameras cameras.json --view 7", "--view");
+  expect_refused("sim scene.ply --cameras cameras.json --window 9,9", "--window");
+  expect_refused("sim scene.ply --cameras cameras.json --set nonsense=3", "nonsense");
+  expect_refused("sim scene.ply --cameras cameras.json --set alpha_w=99", "alpha_w");
+  expect_refused("sim scene.ply --cameras cameras.json --set alpha_w", "key=value");
+  expect_refused("explain scene.ply --cameras cameras.json --pixel 900,2", "--pixel");
+}
+
+TEST_F(Cli, TruncatedAndHostileFilesAreRefused) {
+  const std::string whole = text("scene.ply");
+  write("cut.ply", whole.substr(0, whole.size() - 100));
+  expect_refused("sim cut.ply --cameras cameras.json", "cut.ply");
+  write("header.ply", whole.substr(0, 60));
+  expect_refused("sim header.ply --cameras cameras.json", "header.ply");
+  write("noise.ply", std::string(5000, '\x7f'));
+  expect_refused("sim noise.ply --cameras cameras.json", "noise.ply");
+  write("cut.json", text("cameras.json").substr(0, 40));
+  expect_refused("sim scene.ply --cameras cut.json", "cut.json");
+  write("size.json", R"([{"id":0,"img_name":"a","width":-4,"height":50,"position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,1]],"fx":50,"fy":50}])");
+  expect_refused("sim scene.ply --cameras size.json", "width");
+}
+
+}  // namespace
+}  // namespace pipegs

@@ -1,0 +1,169 @@
+// frame_test: whole frames through the RTL, every stream and every pixel against the golden model.
+//
+// The RTL of each configuration is built before the tests run (verif/frame/CMakeLists.txt). A failure prints the first
+// differing Gaussian, pixel and field.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "sim/simulate.hpp"
+#include "verif/frame/scenes.hpp"
+
+namespace pipegs {
+namespace {
+
+// The machine of Table 2, then half and a quarter of it; the last with stores so small that every one of them overflows.
+const std::vector<std::vector<std::string>> kMachines = {
+    {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}};
+
+SimulateOptions machine(size_t number) {
+  SimulateOptions options;
+  for (const std::string& setting : kMachines[number]) config_set(options.config, setting);
+  options.memory.jitter = 20;
+  options.run_truth = false;
+  return options;
+}
+
+// Runs one frame and expects equality; returns the frame's pixels.
+std::vector<uint64_t> expect_equal(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+  simulate_golden(scene, camera, options, result);
+  simulate_rtl(options, result);
+  EXPECT_EQ(result.mismatches, 0u) << config_difference(options.config) << ", seed " << options.rtl.seed << ": window "
+                                   << result.first_mismatch->window_x << "," << result.first_mismatch->window_y << ": "
+                                   << result.first_mismatch->what;
+  for (const auto* units : {&result.rtl.dopu, &result.rtl.pu, &result.rtl.su, &result.rtl.ru}) {
+    for (const UnitCycles& unit : *units) EXPECT_EQ(unit.busy + unit.starved + unit.blocked + unit.memory, result.rtl.cycles);
+  }
+  return result.golden.pixels;
+}
+
+std::vector<uint64_t> expect_equal(const Scene& scene, const Camera& camera, const SimulateOptions& options) {
+  Simulation result;
+  return expect_equal(scene, camera, options, result);
+}
+
+void expect_equal_on_all_machines(const Scene& scene, const Camera& camera) {
+  std::vector<uint64_t> first;
+  for (size_t i = 0; i < kMachines.size(); ++i) {
+    const SimulateOptions options = machine(i);
+    const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
+    // The grid changes the layers and so the order; units, pixels per row and stores must not change a bit.
+    if (options.config.grid != Config{}.grid) continue;
+    if (first.empty()) first = pixels;
+    EXPECT_EQ(pixels, first) << "the image depends on the machine: " << config_difference(options.config);
+  }
+}
+
+TEST(Frame, AnEmptySceneIsBlackAndTransparent) {
+  const Camera camera = test_camera(100, 70);
+  expect_equal_on_all_machines(scene_of({}), camera);
+  Simulation result;
+  for (const uint64_t pixel : expect_equal(scene_of({}), camera, machine(0), result)) ASSERT_EQ(pixel, uint64_t{0x8000} << 48);
+}
+
+TEST(Frame, OneGaussian) {
+  Simulation result;
+  expect_equal(scene_of({gaussian_at({0.1f, 0.05f, 2})}), test_camera(64, 64), machine(0), result);
+  EXPECT_EQ(result.golden.work.records, 1u);
+  EXPECT_GT(result.golden.work.blended, 0u);
+  expect_equal_on_all_machines(scene_of({gaussian_at({0.1f, 0.05f, 2})}), test_camera(64, 64));
+}
+
+TEST(Frame, SizesThatAreNoMultipleOfAnything) {
+  const Scene scene = random_scene(3, 400, 1);
+  for (const auto& [width, height] : {std::pair{1, 1}, {17, 33}, {65, 63}, {130, 9}}) {
+    SCOPED_TRACE(fmt::format("{}x{}", width, height));
+    expect_equal_on_all_machines(scene, test_camera(width, height, 60));
+  }
+}
+
+TEST(Frame, EverythingInOneRegion) {
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 600; ++i) gaussians.push_back(gaussian_at({0.001f * (i % 7), 0.001f * (i % 5), 2 + 0.003f * i}, 0.004f, 0.02 + 0.001 * i));
+  expect_equal_on_all_machines(scene_of(gaussians), test_camera(64, 64));
+}
+
+TEST(Frame, AllDepthsEqualAreOrderedByIndex) {
+  std::vector<Gaussian> gaussians;
+  std::mt19937 rng(5);
+  for (int i = 0; i < 900; ++i) {
+    gaussians.push_back(gaussian_at({(static_cast<float>(rng() % 2000) - 1000) / 1000, (static_cast<float>(rng() % 2000) - 1000) / 1000, 2}, 0.03f, 0.5,
+                                    {static_cast<float>(rng() % 100) / 50 - 1, 0, static_cast<float>(rng() % 100) / 50 - 1}));
+  }
+  expect_equal_on_all_machines(scene_of(gaussians), test_camera(96, 96));
+}
+
+TEST(Frame, CameraInsideGaussiansAndScreenFillingSplats) {
+  std::vector<Gaussian> gaussians = random_scene(9, 200, 0).gaussians;
+  for (const float z : {-0.5f, 0.0f, 0.19f, 0.2f, 0.21f, 0.3f, 1.0f}) gaussians.push_back(gaussian_at({0, 0, z}, 3.0f, 0.3));
+  gaussians.push_back(gaussian_at({40, 10, 0.25f}, 20.0f, 0.6));
+  expect_equal_on_all_machines(scene_of(gaussians), test_camera(128, 96));
+}
+
+TEST(Frame, NeedlesFlatSplatsAndExtremeOpacities) {
+  Scene scene = random_scene(11, 300, 0);
+  for (size_t i = 0; i < scene.gaussians.size(); ++i) {
+    Gaussian& gaussian = scene.gaussians[i];
+    if (i % 3 == 0) gaussian.log_scale = {gaussian.log_scale.z + 2, gaussian.log_scale.z - 12, -INFINITY};
+    if (i % 4 == 0) gaussian.opacity_logit = i % 8 == 0 ? INFINITY : -5.5373f;  // opacity 1 and just about 1/255
+  }
+  expect_equal_on_all_machines(scene, test_camera(128, 128));
+}
+
+TEST(Frame, BadGaussiansAreLeftOutAndCounted) {
+  Scene scene = random_scene(13, 200, 0);
+  scene.gaussians[3].mean.x = NAN;
+  scene.gaussians[4].log_scale.y = INFINITY;
+  scene.gaussians[5].rotation = glm::vec4(0);
+  Simulation result;
+  expect_equal(scene, test_camera(64, 64), machine(0), result);
+  EXPECT_EQ(result.packed.counts.non_finite, 2u);
+  EXPECT_EQ(result.packed.counts.zero_quaternion, 1u);
+}
+
+TEST(Frame, EveryShDegree) {
+  for (int degree = 0; degree <= 3; ++degree) {
+    SCOPED_TRACE(degree);
+    expect_equal_on_all_machines(random_scene(20 + static_cast<uint64_t>(degree), 500, degree), test_camera(128, 64));
+  }
+}
+
+TEST(Frame, TinyStoresOverflowAndChangeNothing) {
+  const Scene scene = random_scene(31, 4000, 2);
+  const Camera camera = test_camera(192, 130);
+  Simulation large, tiny;
+  const std::vector<uint64_t> expected = expect_equal(scene, camera, machine(0), large);
+  EXPECT_EQ(expect_equal(scene, camera, machine(2), tiny), expected);
+  EXPECT_GT(tiny.rtl.overflow_lines, 1000u) << "the stores were meant to overflow";
+}
+
+TEST(Frame, TheImageDoesNotDependOnTheMemory) {
+  const Scene scene = random_scene(41, 3000, 3);
+  const Camera camera = test_camera(192, 192, 150);
+  std::vector<uint64_t> first;
+  for (const auto& [latency, bandwidth, jitter, queue, seed] :
+       {std::tuple{1, 64.0, 0, 256, 1}, {100, 51.2, 50, 64, 2}, {400, 6.4, 400, 4, 3}, {30, 25.6, 200, 1, 4}}) {
+    for (const size_t number : {size_t{0}, size_t{2}}) {
+      SimulateOptions options = machine(number);
+      options.memory = {.latency = latency, .bytes_per_cycle = bandwidth, .jitter = jitter, .queue = queue, .seed = static_cast<uint64_t>(seed)};
+      options.rtl.seed = static_cast<uint64_t>(seed);
+      const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
+      if (first.empty()) first = pixels;
+      EXPECT_EQ(pixels, first);
+    }
+  }
+}
+
+TEST(Frame, AnOpaqueFrontStopsFetchingTheRest) {
+  Scene scene = random_scene(51, 3000, 0);
+  for (Gaussian& gaussian : scene.gaussians) gaussian.mean.z = std::abs(gaussian.mean.z) + 5;
+  Simulation open, hidden;
+  const Camera camera = test_camera(64, 64);
+  expect_equal(scene, camera, machine(0), open);
+  for (int i = 0; i < 60; ++i) scene.gaussians.push_back(gaussian_at({0, 0, 1.0f + 0.01f * i}, 6.0f, 0.999));
+  expect_equal(scene, camera, machine(0), hidden);
+  const auto geometry = [](const Simulation& s) { return s.traffic[3].bytes_read; };
+  EXPECT_LT(geometry(hidden), geometry(open));
+}
+
+}  // namespace
+}  // namespace pipegs

@@ -1,0 +1,291 @@
+// ru_test: rtl/ru/ru.sv, whole frames, against cpp_model/ru/ru.hpp; its clock only ticks when the RU asks for it.
+#include "cpp_model/ru/ru.hpp"
+#include "verif/ru/alpha_lines.hpp"
+#include "verif/ru/pixel_words.hpp"
+#include "verif/support/config.hpp"
+#include "Vru.h"
+
+namespace pipegs {
+namespace {
+
+const Config kConfig = test_config();
+const BlendConstants kBlend(kConfig);
+using LinePort = std::remove_reference_t<decltype(Vru::rsp_data_i)>;
+
+struct Paces {
+  Pace in = Pace::kAlways, stores = Pace::kAlways, memory = Pace::kAlways;
+  ExternalMemoryOptions options = {.latency = 20};
+};
+
+class RuBench : public Bench<Vru> {
+ public:
+  explicit RuBench(const Paces& paces, int unit, uint64_t seed = test_seed())
+      : Bench(seed), unit(unit), memory(paces.options),
+        in(*this, kConfig, dut.in_valid_i, dut.in_ready_o, dut.in_i, paces.in), stores(*this, kConfig, paces.stores),
+        port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o,
+             dut.rsp_valid_i, dut.rsp_data_i, paces.memory) {
+    dut.unit_i = unit;
+    dut.restart_i = 0;
+    reset();
+  }
+
+  void start(const Frame& new_frame) {
+    frame = new_frame;
+    write_record(kConfig, dut.frame_i, frame);
+    dut.restart_i = 1;
+    cycle_once();
+    dut.restart_i = 0;
+    state = tapped = ru_start(kConfig, frame, unit);
+    ends = ends_seen = windows = windows_seen = 0;
+    EXPECT_EQ(dut.done_o, state.done) << "regions outside the image are done from the start";
+  }
+
+  // A splat whose lines lie in a store or in memory; the golden RU takes it at once, the module when it comes to it.
+  void send(uint64_t kind, uint64_t mask = 0, bool ext = false, int strength = 0) {
+    Sorted splat = random_record<Sorted>(kConfig, rng);
+    splat.kind = kind;
+    splat.index = next_index++;
+    splat.mask = mask;
+    splat.ext = ext;
+    splat.unit %= kConfig.units;
+    splat.address = next_address;
+    colors[splat.index] = splat;
+    for (uint64_t rest = kind == kData ? mask : 0; rest != 0; rest &= rest - 1) {
+      const int region = std::countr_zero(rest);
+      const uint64_t line = next_address++;
+      const Codes one = codes[{splat.index, region}] = random_codes(kConfig, rng, strength);
+      if (!ext) {
+        stores.lines[{static_cast<int>(splat.unit), line}] = one;
+        continue;
+      }
+      store_line(kConfig, memory, ru_overflow_line(kConfig, frame, splat.unit, state.parity, line), one);
+      store_line(kConfig, memory, ru_overflow_line(kConfig, frame, splat.unit, state.parity ^ 1, line), random_codes(kConfig, rng, 1));
+    }
+    in.push(splat);
+    ru_take(kConfig, kBlend, frame, state, splat,
+            [&](const Sorted& s, int region, uint64_t) { return codes.at({s.index, region}).data(); },
+            [&](uint64_t address, const uint64_t* pixels) { lines[address].assign(pixels, pixels + 8); });
+    ends += kind != kData;
+    windows += kind == kWindowEnd;
+  }
+
+  // One cycle; the clock rises only when the module asks for it.
+  void cycle_once() {
+    dut.clk_i = 0;
+    for (Endpoint* endpoint : endpoints_) endpoint->drive();
+    dut.eval();
+    for (Endpoint* endpoint : endpoints_) endpoint->observe();
+    observe_taps();
+    active_cycles += dut.active_o;
+    perf[dut.perf_o] += dut.active_o;
+    if (dut.active_o) {
+      dut.clk_i = 1;
+      dut.eval();
+    }
+    ++cycle;
+  }
+
+  void observe_taps() {
+    if (dut.tap_line_valid_o) {
+      Words words(port_words<decltype(dut.tap_line_o)>() + 1);
+      read_port(dut.tap_line_o, words.data());
+      const Codes& one = codes.at({dut.tap_line_index_o, dut.tap_line_region_o});
+      Words expected = pack_codes(kConfig, one);
+      expected.resize(words.size());
+      ASSERT_EQ(words, expected) << "line of " << dut.tap_line_index_o << " region " << int(dut.tap_line_region_o) << " cycle " << cycle;
+      const Sorted& splat = colors.at(dut.tap_line_index_o);
+      const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green), static_cast<uint32_t>(splat.blue)};
+      RegionState& region = tapped.regions[ru_slot(kConfig, dut.tap_line_region_o)];
+      ru_blend_region(kBlend, region, one.data(), color);
+      for (int q = 0; q < 4; ++q) expected_words.push_back(pixel_word(kConfig, region, q));
+      line_cycles.push_back(cycle);
+    }
+    if (dut.tap_word_valid_o) {
+      Words found(port_words<decltype(dut.tap_word_o)>() + 2);
+      read_port(dut.tap_word_o, found.data());
+      ASSERT_FALSE(expected_words.empty());
+      ASSERT_EQ(pixel_difference(kConfig, expected_words.front(), found), "")
+          << "region " << int(dut.tap_word_region_o) << " quarter " << int(dut.tap_word_quarter_o) << " cycle " << cycle << " seed " << seed;
+      expected_words.pop_front();
+    }
+    if (dut.active_o && dut.layer_done_o) ++ends_seen;
+    if (dut.active_o && dut.window_done_o) {
+      ++windows_seen;
+      tapped.window_x == frame.last_x ? (tapped.window_x = frame.first_x, ++tapped.window_y) : ++tapped.window_x;
+      ru_start_window(kConfig, frame, tapped);
+    }
+  }
+
+  // Runs until the RU is idle and compares the frame in memory.
+  void finish() {
+    for (const uint64_t limit = cycle + 2000000; !in.empty() || !dut.idle_o;) {
+      ASSERT_LT(cycle, limit) << "nothing more came, seed " << seed;
+      cycle_once();
+      if (testing::Test::HasFailure()) return;
+    }
+    EXPECT_EQ(ends_seen, ends);
+    EXPECT_EQ(windows_seen, windows);
+    EXPECT_EQ(dut.done_x_o, state.window_x);
+    EXPECT_EQ(dut.done_y_o, state.window_y);
+    EXPECT_EQ(memory.traffic()[0].lines_written - lines_before, lines.size()) << "lines outside the image were written, or some twice";
+    lines_before = memory.traffic()[0].lines_written;
+    for (const auto& [address, pixels] : lines) {
+      const MemoryLine& line = memory.line(address);
+      for (int i = 0; i < 8; ++i) {
+        const uint64_t found = uint64_t{line[2 * i + 1]} << 32 | line[2 * i];
+        ASSERT_EQ(found, pixels[i]) << std::hex << "line " << address << " pixel " << i << " expected " << pixels[i] << " found " << found << " seed " << seed;
+      }
+    }
+    lines.clear();
+  }
+
+  int unit;
+  Frame frame;
+  RuState state, tapped;  // after all beats sent; after the lines that the module consumed
+  ExternalMemory memory;
+  RecordSource<Sorted, decltype(dut.in_i)> in;
+  AlphaStores<Vru> stores;
+  MemoryEndpoint<QData, LinePort> port;
+  std::map<std::pair<uint64_t, int>, Codes> codes;
+  std::map<uint64_t, Sorted> colors;
+  std::map<uint64_t, std::vector<uint64_t>> lines;
+  std::deque<Words> expected_words;
+  std::vector<uint64_t> line_cycles;
+  uint64_t next_index = 0, next_address = 0, ends = 0, ends_seen = 0, windows = 0, windows_seen = 0, lines_before = 0;
+  uint64_t active_cycles = 0, perf[4] = {};
+};
+
+Frame random_frame(std::mt19937_64& rng, uint64_t width, uint64_t height) {
+  Frame frame;
+  frame.width = width;
+  frame.height = height;
+  frame.last_x = ru_windows_x(kConfig, frame) - 1;
+  frame.last_y = ru_windows_y(kConfig, frame) - 1;
+  frame.pixels = 1000 + rng() % 1000;
+  frame.overflow = uint64_t{1} << 30;
+  return frame;
+}
+
+uint64_t random_mask(std::mt19937_64& rng) {
+  const uint64_t all = ~uint64_t{0} >> (64 - kConfig.regions());
+  switch (rng() % 4) {
+    case 0: return uint64_t{1} << rng() % kConfig.regions();
+    case 1: return rng() & all;
+    case 2: return rng() & rng() & rng() & all;
+    default: return uint64_t{0x303} << rng() % kConfig.regions() & all;
+  }
+}
+
+void send_frame(RuBench& bench, int splats, int ext_percent) {
+  const uint64_t windows = (bench.frame.last_x - bench.frame.first_x + 1) * (bench.frame.last_y - bench.frame.first_y + 1);
+  for (uint64_t window = 0; window < windows; ++window) {
+    const int layers = 1 + bench.rng() % 3;
+    const int strength = bench.rng() % 3;
+    for (int layer = 0; layer < layers; ++layer) {
+      const int count = bench.rng() % 5 == 0 ? 0 : bench.rng() % splats;
+      for (int i = 0; i < count; ++i) {
+        bench.send(kData, random_mask(bench.rng), static_cast<int>(bench.rng() % 100) < ext_percent, strength);
+      }
+      bench.send(layer + 1 < layers ? kLayerEnd : kWindowEnd);
+    }
+  }
+}
+
+TEST(Ru, FramesEqualTheTwinAtEveryPace) {
+  for (const Pace in_pace : kPaces) {
+    for (const Pace other_pace : kPaces) {
+      Paces paces{in_pace, other_pace, other_pace, {.latency = 40, .jitter = 30}};
+      RuBench bench(paces, 0);
+      bench.unit = bench.dut.unit_i = bench.rng() % kConfig.units;
+      const uint64_t sizes[][2] = {{17, 33}, {2ull * kConfig.window + 7, kConfig.window + 9ull}, {1, 1}};
+      for (const auto& size : sizes) {  // frames follow each other on the same module
+        bench.start(random_frame(bench.rng, size[0], size[1]));
+        send_frame(bench, 60, 30);
+        ASSERT_NO_FATAL_FAILURE(bench.finish());
+        if (HasFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(Ru, EveryUnitRendersItsOwnRegions) {
+  for (int unit = 0; unit < kConfig.units; ++unit) {
+    RuBench bench({}, unit, test_seed() + unit);
+    bench.start(random_frame(bench.rng, kConfig.window + 30ull, 2ull * kConfig.window));
+    send_frame(bench, 100, 10);
+    ASSERT_NO_FATAL_FAILURE(bench.finish());
+  }
+}
+
+TEST(Ru, EmptyWindowsAreWrittenBlack) {
+  RuBench bench({}, 0);
+  bench.start(random_frame(bench.rng, 4ull * kConfig.window, 3ull * kConfig.window));
+  for (int i = 0; i < 12; ++i) bench.send(kWindowEnd);
+  ASSERT_NO_FATAL_FAILURE(bench.finish());
+}
+
+TEST(Ru, PartOfAFrameIsRendered) {
+  RuBench bench({}, kConfig.units - 1);
+  Frame frame = random_frame(bench.rng, 5ull * kConfig.window, 5ull * kConfig.window);
+  frame.first_x = 1;
+  frame.last_x = 2;
+  frame.first_y = 2;
+  frame.last_y = 3;
+  bench.start(frame);
+  send_frame(bench, 30, 20);
+  ASSERT_NO_FATAL_FAILURE(bench.finish());
+}
+
+TEST(Ru, AFullWindowClosesAllRegions) {
+  RuBench bench({}, 0);
+  const uint64_t side = kConfig.window, all = ~uint64_t{0} >> (64 - kConfig.regions());
+  bench.start(random_frame(bench.rng, side, side));
+  for (int i = 0; i < 60; ++i) bench.send(kData, all, false, 2);
+  for (int i = 0; i < 200000 && bench.dut.done_o != ru_own_mask(kConfig, 0); ++i) bench.cycle_once();
+  EXPECT_EQ(bench.dut.done_o, ru_own_mask(kConfig, 0));
+  EXPECT_EQ(bench.state.done, ru_own_mask(kConfig, 0));
+  bench.send(kWindowEnd);
+  ASSERT_NO_FATAL_FAILURE(bench.finish());
+}
+
+// Splats of one region each, in turn: the lanes never wait.
+TEST(Ru, ARegionTakesFourCycles) {
+  RuBench bench({}, 0);
+  bench.start(random_frame(bench.rng, kConfig.window, kConfig.window));
+  const int slots = kConfig.regions() / kConfig.units, count = 400;
+  for (int i = 0; i < count; ++i) bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, 0);
+  bench.send(kWindowEnd);
+  ASSERT_NO_FATAL_FAILURE(bench.finish());
+  ASSERT_EQ(bench.line_cycles.size(), size_t(count));
+  EXPECT_EQ(bench.line_cycles.back() - bench.line_cycles.front(), 4u * (count - 1));
+}
+
+// The pixels of a window are written while the next one is blended.
+TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
+  RuBench bench({.options = {.latency = 20, .bytes_per_cycle = 64}}, 0);
+  bench.start(random_frame(bench.rng, 8ull * kConfig.window, kConfig.window));
+  const int slots = kConfig.regions() / kConfig.units, rounds = 4;
+  for (int window = 0; window < 8; ++window) {
+    for (int i = 0; i < rounds * slots; ++i) bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, 0);
+    bench.send(kWindowEnd);
+  }
+  ASSERT_NO_FATAL_FAILURE(bench.finish());
+  const double per_region = double(bench.line_cycles.back() - bench.line_cycles.front()) / (bench.line_cycles.size() - 1);
+  std::printf("cycles per region over 8 windows: %.3f; busy %llu starved %llu blocked %llu memory %llu\n", per_region,
+              (unsigned long long)bench.perf[0], (unsigned long long)bench.perf[1], (unsigned long long)bench.perf[2],
+              (unsigned long long)bench.perf[3]);
+  EXPECT_LT(per_region, 4.0 + 8.0 / (rounds * slots));
+}
+
+TEST(Ru, SleepsWhenItHasNothingToDo) {
+  RuBench bench({}, 0);
+  bench.start(random_frame(bench.rng, kConfig.window, kConfig.window));
+  bench.send(kWindowEnd);
+  ASSERT_NO_FATAL_FAILURE(bench.finish());
+  const uint64_t before = bench.active_cycles;
+  for (int i = 0; i < 50; ++i) bench.cycle_once();
+  EXPECT_EQ(bench.active_cycles, before);
+}
+
+}  // namespace
+}  // namespace pipegs

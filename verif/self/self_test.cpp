@@ -1,0 +1,82 @@
+// self_test: the comparison itself: a machine that is fed something else than the golden model must be caught.
+#include <gtest/gtest.h>
+
+#include "cpp_model/frame_setup.hpp"
+#include "sim/simulate.hpp"
+#include "verif/frame/scenes.hpp"
+
+namespace pipegs {
+namespace {
+
+// Runs the RTL on `image` and compares it with the golden model of `simulation`.
+uint64_t mismatches(const Simulation& simulation, const MemoryImage& image, std::string* first) {
+  const Config& config = simulation.packed.config;
+  ExternalMemory memory;
+  for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+  std::vector<uint32_t> words(record_words<Frame>(config) + 1);
+  pack(config, simulation.input.frame, words.data());
+  StreamCheck check(simulation.input);
+  load_rtl(config)->run(words.data(), memory, {}, &check, {});
+  check.finish();
+  if (check.first()) *first = check.first()->what;
+  return check.mismatches();
+}
+
+class StreamCheckTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    simulate_golden(random_scene(3, 300, 1), test_camera(128, 64), SimulateOptions{}, simulation_);
+    image_ = memory_image(simulation_.packed);
+  }
+  // One changed field of the Gaussian in a slot, in memory only.
+  void change(size_t slot, const std::function<void(GaussianRecord&)>& edit) {
+    GaussianRecord record = simulation_.packed.gaussians[slot];
+    edit(record);
+    const Config& config = simulation_.packed.config;
+    std::vector<uint32_t> words(record_words<GaussianRecord>(config));
+    pack(config, record, words.data());
+    const int per_line = config.gaussians_per_line();
+    MemoryLine& line = image_.lines[simulation_.packed.layout.gaussians + slot / per_line];
+    std::copy(words.begin(), words.end(), line.begin() + 16 / per_line * (slot % per_line));
+  }
+  // Slot of a Gaussian that is blended.
+  size_t visible_slot() const {
+    const GoldenWindow window = golden_window(simulation_.input, 0, 0);
+    const uint64_t index = window.layers.at(0).splats.at(0).splat.index;
+    for (size_t slot = 0; slot < simulation_.packed.slot_to_index.size(); ++slot) {
+      if (simulation_.packed.slot_to_index[slot] == index) return slot;
+    }
+    throw std::logic_error("no visible Gaussian");
+  }
+
+  Simulation simulation_;
+  MemoryImage image_;
+  std::string first_;
+};
+
+TEST_F(StreamCheckTest, AgreesWhenNothingIsChanged) { EXPECT_EQ(mismatches(simulation_, image_, &first_), 0u) << first_; }
+
+TEST_F(StreamCheckTest, SeesAColourThatDiffersByOneStep) {
+  change(visible_slot(), [](GaussianRecord& record) { record.base_g += 4; });
+  EXPECT_GT(mismatches(simulation_, image_, &first_), 0u);
+  EXPECT_NE(first_.find("green"), std::string::npos) << first_;
+}
+
+TEST_F(StreamCheckTest, SeesAnOpacityThatDiffers) {
+  change(visible_slot(), [](GaussianRecord& record) { record.opacity += 64; });
+  EXPECT_GT(mismatches(simulation_, image_, &first_), 0u);
+}
+
+TEST_F(StreamCheckTest, SeesAGaussianThatIsMissing) {
+  change(visible_slot(), [](GaussianRecord& record) { record.opacity = 0xffff; });
+  EXPECT_GT(mismatches(simulation_, image_, &first_), 0u);
+  EXPECT_NE(first_.find("missing"), std::string::npos) << first_;
+}
+
+TEST_F(StreamCheckTest, SeesAChangedIndex) {
+  change(visible_slot(), [](GaussianRecord& record) { record.index += 1000; });
+  EXPECT_GT(mismatches(simulation_, image_, &first_), 0u);
+}
+
+}  // namespace
+}  // namespace pipegs
