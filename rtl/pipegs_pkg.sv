@@ -110,17 +110,17 @@ package pipegs_pkg;
   localparam logic [1:0] KindLayerEnd = 2'd1;
   localparam logic [1:0] KindWindowEnd = 2'd2;
 
-  // Chords of 2^f: entry i is {delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.
-  localparam int unsigned Exp2EntryW = ExpDeltaW + ExpValueW;
+  // Chords of 2^f: entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.
+  localparam int unsigned Exp2EntryW = 32;
   localparam logic [64*Exp2EntryW-1:0] Exp2Table = {
-    24'hb0fe9f, 24'haefd42, 24'had7be8, 24'haafa93, 24'ha97941, 24'ha7f7f2, 24'ha576a8, 24'ha47560,
-    24'ha1f41d, 24'ha072dd, 24'h9ef1a0, 24'h9d7066, 24'h9b6f30, 24'h996dfe, 24'h97eccf, 24'h96eba2,
-    24'h946a7a, 24'h936954, 24'h916832, 24'h906712, 24'h8e65f6, 24'h8ce4dd, 24'h8b63c7, 24'h89e2b4,
-    24'h88e1a3, 24'h86e096, 24'h855f8c, 24'h845e84, 24'h825d80, 24'h815c7e, 24'h7fdb7f, 24'h7eda82,
-    24'h7cd989, 24'h7bd892, 24'h7a579e, 24'h7956ac, 24'h77d5bd, 24'h7654d1, 24'h7553e7, 24'h7452ff,
-    24'h72521b, 24'h71d138, 24'h705058, 24'h6ecf7b, 24'h6e4e9f, 24'h6c4dc7, 24'h6bccf0, 24'h6a4c1c,
-    24'h694b4a, 24'h684a7a, 24'h66c9ad, 24'h65c8e2, 24'h64c819, 24'h63c752, 24'h62c68d, 24'h6145cb,
-    24'h60c50a, 24'h5f444c, 24'h5e4390, 24'h5dc2d5, 24'h5c421d, 24'h5b4167, 24'h5ac0b2, 24'h594000
+    32'hb0fe9f, 32'haefd42, 32'had7be8, 32'haafa93, 32'ha97941, 32'ha7f7f2, 32'ha576a8, 32'ha47560,
+    32'ha1f41d, 32'ha072dd, 32'h9ef1a0, 32'h9d7066, 32'h9b6f30, 32'h996dfe, 32'h97eccf, 32'h96eba2,
+    32'h946a7a, 32'h936954, 32'h916832, 32'h906712, 32'h8e65f6, 32'h8ce4dd, 32'h8b63c7, 32'h89e2b4,
+    32'h88e1a3, 32'h86e096, 32'h855f8c, 32'h845e84, 32'h825d80, 32'h815c7e, 32'h7fdb7f, 32'h7eda82,
+    32'h7cd989, 32'h7bd892, 32'h7a579e, 32'h7956ac, 32'h77d5bd, 32'h7654d1, 32'h7553e7, 32'h7452ff,
+    32'h72521b, 32'h71d138, 32'h705058, 32'h6ecf7b, 32'h6e4e9f, 32'h6c4dc7, 32'h6bccf0, 32'h6a4c1c,
+    32'h694b4a, 32'h684a7a, 32'h66c9ad, 32'h65c8e2, 32'h64c819, 32'h63c752, 32'h62c68d, 32'h6145cb,
+    32'h60c50a, 32'h5f444c, 32'h5e4390, 32'h5dc2d5, 32'h5c421d, 32'h5b4167, 32'h5ac0b2, 32'h594000
   };
 
   typedef struct packed {

@@ -114,7 +114,7 @@ module pipegs_top #(
   );
 
   logic dopu_clk;
-  clock_gate u_dopu_gate (.clk_i, .enable_i(dopu_active), .clk_o(dopu_clk));
+  clock_gate u_dopu_gate (.clk_i, .rst_ni, .enable_i(dopu_active), .clk_o(dopu_clk));
   dopu u_dopu (
     .clk_i(dopu_clk), .rst_ni, .start_i(restart), .frame_i, .busy_o(),
     .mem_valid_o(mem_valid[NodePort]), .mem_ready_i(mem_ready[NodePort]),
@@ -132,7 +132,7 @@ module pipegs_top #(
     logic [Units-1:0]         store_read_valid, store_read_ready, store_answer_valid;
     logic [Units-1:0]         ru_answer_valid;
 
-    clock_gate u_pu_gate (.clk_i, .enable_i(pu_active[k]), .clk_o(pu_clk));
+    clock_gate u_pu_gate (.clk_i, .rst_ni, .enable_i(pu_active[k]), .clk_o(pu_clk));
     pu u_pu (
       .clk_i(pu_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
       .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_i(chunk),
@@ -156,14 +156,14 @@ module pipegs_top #(
       assign read_ready[j*Units+k]     = store_read_ready[j];
       assign answer_valid[j*Units+k]   = store_answer_valid[j];
     end
-    clock_gate u_store_gate (.clk_i, .enable_i(store_active), .clk_o(store_clk));
+    clock_gate u_store_gate (.clk_i, .rst_ni, .enable_i(store_active), .clk_o(store_clk));
     alpha_store u_store (
       .clk_i(store_clk), .rst_ni, .write_i(store_write), .address_i(store_address), .line_i(store_line),
       .read_valid_i(store_read_valid), .read_ready_o(store_read_ready), .read_address_i(read_address),
       .answer_valid_o(store_answer_valid), .answer_o(answer[k*LineW +: LineW]), .active_o(store_active)
     );
 
-    clock_gate u_su_gate (.clk_i, .enable_i(su_active[k]), .clk_o(su_clk));
+    clock_gate u_su_gate (.clk_i, .rst_ni, .enable_i(su_active[k]), .clk_o(su_clk));
     su u_su (
       .clk_i(su_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]),
@@ -177,7 +177,7 @@ module pipegs_top #(
     );
 
     assign ru_answer_valid = answer_valid[k*Units +: Units];
-    clock_gate u_ru_gate (.clk_i, .enable_i(ru_active[k]), .clk_o(ru_clk));
+    clock_gate u_ru_gate (.clk_i, .rst_ni, .enable_i(ru_active[k]), .clk_o(ru_clk));
     ru u_ru (
       .clk_i(ru_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
       .in_valid_i(raster_valid[k]), .in_ready_o(raster_ready[k]), .in_i(raster),

@@ -18,7 +18,7 @@ namespace pipegs {
 namespace {
 
 constexpr double kOutlier = 1024;    // a mean this many scene radii away is left out: it would eat everybody's bits
-constexpr double kWindowAngle = 0.2;  // side of a window as the packing order sees it, of the scene's radius; measured best
+constexpr double kWindowAngle = 0.2;  // side of a window as the packing order sees it, of the scene's radius; docs/units/dopu.md
 constexpr size_t kBlock = 16384;     // Gaussians of one piece of parallel work
 
 struct Survivor {

@@ -3,7 +3,8 @@
 // Paper   Sec. 3.3 (orthogonal grid), Sec. 4.1.      RTL  read by rtl/dopu (nodes), rtl/pu/pu_fetch (geometry), pu_color (SH)
 // Idea    World unit = 2^scene_exponent scene units, so that every coordinate fits WorldW - 2 bits. A uniform grid lies
 //         over the 2..98 percentile box of the means; its outer cells extend to infinity. A cell's Gaussians are ordered
-//         by pack_order and cut into chunks, up to Group of them in a group; a chunk's means are offsets from its centre in units of 2^offset_exp.
+//         by pack_order and cut into chunks, up to Group of them in a group; a chunk's means are offsets from its centre
+//         in units of 2^offset_exp.
 //         A box encloses the ROUNDED means and rounds up; scale_max is the largest *effective* scale, rounded up:
 //           effective scale = largest scale * sqrt(ln(255 opacity) / ln 255)
 //         which is how far a Gaussian of that opacity reaches in the measure of an opaque one.

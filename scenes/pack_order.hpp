@@ -4,7 +4,7 @@
 //         be small AND of one size. Split recursively along one of four dimensions x, y, z, size, at a multiple of the chunk
 //         (of the group while there are several), wherever the surface heuristic of ray tracing is least:
 //           cost = sum over both parts of count * (surface of the box grown by reach and by a typical window)
-//         Measured against the Morton order: see docs/units/dopu.md.
+//         Measured against median splits: see docs/units/dopu.md.
 // Pace    n log n: each dimension is sorted once and the four orders are split stably. Cells are independent (threads).
 #pragma once
 

@@ -32,10 +32,10 @@ std::unique_ptr<RtlModel> load_rtl(const Config& config) {
   }
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) throw std::runtime_error(fmt::format("{}: {}", library.string(), dlerror()));
-  using Create = RtlModel* (*)();
+  using Create = RtlModel* (*)(const Config*);
   const auto create = reinterpret_cast<Create>(dlsym(handle, "pipegs_rtl_create"));
   if (create == nullptr) throw std::runtime_error(fmt::format("{}: no pipegs_rtl_create", library.string()));
-  return std::unique_ptr<RtlModel>(create());
+  return std::unique_ptr<RtlModel>(create(&config));
 }
 
 }  // namespace pipegs

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "Vpipegs_top.h"
-#include "Vpipegs_top_pipegs_pkg.h"
 #include "cpp_model/records.hpp"
 #include "sim/ports.hpp"
 #include "sim/rtl_model.hpp"
@@ -17,10 +16,18 @@
 namespace pipegs {
 namespace {
 
-using Package = Vpipegs_top_pipegs_pkg;
+// The widths and counts that the ports were built with.
+struct Widths {
+  explicit Widths(const Config& c)
+      : units(c.units), splat(record_width<Splat>(c)), sorted(record_width<Sorted>(c)), request(record_width<MemoryRequest>(c)),
+        kind(c.kind_w()), region(c.region_w()), index(c.index_w), window(c.window_w()), line(c.line_w()), pixels(c.pixel_word_w()),
+        address(c.address_w()), tag(c.tag_w()), perf(c.perf_w()) {}
+  int units, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
+};
 
 class VerilatedMachine final : public RtlModel {
  public:
+  explicit VerilatedMachine(const Config& config) : w_(config) {}
   RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
                 const std::function<bool(uint64_t, uint64_t)>& progress) override;
 
@@ -28,6 +35,7 @@ class VerilatedMachine final : public RtlModel {
   void tap(RtlTaps& taps);
   std::string position() const { return "cycle " + std::to_string(cycle_); }
 
+  const Widths w_;
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Vpipegs_top> dut_;
   uint64_t cycle_ = 0, windows_ = 0;
@@ -57,33 +65,34 @@ void slice(const Port& port, int at, int width, uint32_t* words) {
 void VerilatedMachine::tap(RtlTaps& taps) {
   const Vpipegs_top& top = *dut_;
   uint32_t words[64];
-  for (uint32_t unit = 0; unit < Package::Units; ++unit) {
+  for (int unit = 0; unit < w_.units; ++unit) {
     if (top.tap_splat_valid_o >> unit & 1) {
-      slice(top.tap_splat_o, unit * Package::SplatBits, Package::SplatBits, words);
+      slice(top.tap_splat_o, unit * w_.splat, w_.splat, words);
       taps.on_splat(unit, words);
     }
   }
   if (top.tap_sorted_valid_o) {
-    slice(top.tap_sorted_o, 0, Package::SortedBits, words);
+    slice(top.tap_sorted_o, 0, w_.sorted, words);
     taps.on_sorted(words);
-    if (get_bits(words, 0, Package::KindW) == kWindowEnd) ++windows_;
+    if (get_bits(words, 0, w_.kind) == kWindowEnd) ++windows_;
   }
-  for (uint32_t unit = 0; unit < Package::Units; ++unit) {
-    if (top.tap_pixels_valid_o >> unit & 1) {
-      uint32_t region, quarter;
-      slice(top.tap_pixels_region_o, unit * Package::RegionW, Package::RegionW, &region);
-      slice(top.tap_pixels_quarter_o, unit * 2, 2, &quarter);
-      slice(top.tap_pixels_o, unit * Package::PixelWordW, Package::PixelWordW, words);
-      taps.on_pixels(unit, static_cast<int>(region), static_cast<int>(quarter), words);
-    }
+  for (int unit = 0; unit < w_.units; ++unit) {
+    // A line is taken with its last quarter, in the cycle in which its first quarter is written back.
     if (top.tap_alphas_valid_o >> unit & 1) {
       uint32_t region, index, window_x, window_y;
-      slice(top.tap_window_x_o, unit * Package::WindowW, Package::WindowW, &window_x);
-      slice(top.tap_window_y_o, unit * Package::WindowW, Package::WindowW, &window_y);
-      slice(top.tap_alphas_region_o, unit * Package::RegionW, Package::RegionW, &region);
-      slice(top.tap_alphas_index_o, unit * Package::IndexW, Package::IndexW, &index);
-      slice(top.tap_alphas_o, unit * Package::LineW, Package::LineW, words);
+      slice(top.tap_window_x_o, unit * w_.window, w_.window, &window_x);
+      slice(top.tap_window_y_o, unit * w_.window, w_.window, &window_y);
+      slice(top.tap_alphas_region_o, unit * w_.region, w_.region, &region);
+      slice(top.tap_alphas_index_o, unit * w_.index, w_.index, &index);
+      slice(top.tap_alphas_o, unit * w_.line, w_.line, words);
       taps.on_alphas(unit, window_x, window_y, index, static_cast<int>(region), words);
+    }
+    if (top.tap_pixels_valid_o >> unit & 1) {
+      uint32_t region, quarter;
+      slice(top.tap_pixels_region_o, unit * w_.region, w_.region, &region);
+      slice(top.tap_pixels_quarter_o, unit * 2, 2, &quarter);
+      slice(top.tap_pixels_o, unit * w_.pixels, w_.pixels, words);
+      taps.on_pixels(unit, static_cast<int>(region), static_cast<int>(quarter), words);
     }
   }
 }
@@ -110,10 +119,16 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
   top.mem_ready_i = 0;
   top.mem_rsp_valid_i = 0;
   write_port(top.frame_i, frame);
+  // Before the reset everything is noise: it falls once, and assertions count from its end on.
+  context_->assertOn(false);
+  top.clk_i = 0;
+  top.rst_ni = 1;
+  top.eval();
   bool started = false;
   for (;; ++cycle_) {
     top.clk_i = 0;
     top.rst_ni = cycle_ >= kResetCycles;
+    if (cycle_ == kResetCycles) context_->assertOn(true);
     top.start_i = cycle_ == kResetCycles;
     memory.step();
     top.mem_ready_i = memory.ready();
@@ -128,10 +143,10 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
     if (cycle_ >= kResetCycles) {
       if (top.mem_valid_o && top.mem_ready_i) {
         uint32_t request[2];
-        slice(top.mem_request_o, 0, Package::MemoryRequestBits, request);
+        slice(top.mem_request_o, 0, w_.request, request);
         const bool write = request[0] & 1;
-        memory.request(write, get_bits(request, 1, Package::AddressW),
-                       static_cast<int>(get_bits(request, 1 + Package::AddressW, Package::TagW)), top.mem_data_o.data());
+        memory.request(write, get_bits(request, 1, w_.address),
+                       static_cast<int>(get_bits(request, 1 + w_.address, w_.tag)), top.mem_data_o.data());
         last_request = cycle_;
       }
       if (taps != nullptr) tap(*taps);
@@ -151,30 +166,30 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
 
   RtlResult result;
   uint32_t words[2] = {};
-  slice(top.cycles_o, 0, Package::PerfW, words);
-  result.cycles = get_bits(words, 0, Package::PerfW);
+  slice(top.cycles_o, 0, w_.perf, words);
+  result.cycles = get_bits(words, 0, w_.perf);
   words[1] = 0;
-  slice(top.overflow_lines_o, 0, Package::PerfW, words);
-  result.overflow_lines = get_bits(words, 0, Package::PerfW);
+  slice(top.overflow_lines_o, 0, w_.perf, words);
+  result.overflow_lines = get_bits(words, 0, w_.perf);
   int unit = 0;
-  const auto read_units = [&](std::vector<UnitCycles>& units, uint32_t count) {
-    for (uint32_t i = 0; i < count; ++i, ++unit) {
+  const auto read_units = [&](std::vector<UnitCycles>& units, int count) {
+    for (int i = 0; i < count; ++i, ++unit) {
       uint64_t values[4];
       for (int k = 0; k < 4; ++k) {
-        slice(top.perf_o, (unit * 4 + k) * static_cast<int>(Package::PerfW), Package::PerfW, words);
-        values[k] = get_bits(words, 0, Package::PerfW);
+        slice(top.perf_o, (unit * 4 + k) * w_.perf, w_.perf, words);
+        values[k] = get_bits(words, 0, w_.perf);
       }
       units.push_back({values[0], values[1], values[2], values[3]});
     }
   };
   read_units(result.dopu, 1);
-  read_units(result.pu, Package::Units);
-  read_units(result.su, Package::Units);
-  read_units(result.ru, Package::Units);
+  read_units(result.pu, w_.units);
+  read_units(result.su, w_.units);
+  read_units(result.ru, w_.units);
   return result;
 }
 
 }  // namespace
 }  // namespace pipegs
 
-extern "C" pipegs::RtlModel* pipegs_rtl_create() { return new pipegs::VerilatedMachine; }
+extern "C" pipegs::RtlModel* pipegs_rtl_create(const pipegs::Config* config) { return new pipegs::VerilatedMachine(*config); }

@@ -58,4 +58,4 @@ std::unique_ptr<RtlModel> load_rtl(const Config& config);
 
 }  // namespace pipegs
 
-extern "C" pipegs::RtlModel* pipegs_rtl_create();
+extern "C" pipegs::RtlModel* pipegs_rtl_create(const pipegs::Config* config);

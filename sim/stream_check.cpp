@@ -177,14 +177,15 @@ void StreamCheck::on_pixels(int unit, int region, int quarter, const uint32_t* w
   if (pending.region != region) {
     fail(pending.window, fmt::format("RU {}: Gaussian {}: wrote region {}, expected {}", unit, pending.index, region, pending.region));
   } else {
-    const int bits = config_.t_w + 3 * config_.rgb_w + 1;
+    // The word: colours of the sixteen pixels, then their transmittances, then their done flags (rtl/ru/ru_lanes.sv).
+    const int colors = 3 * config_.rgb_w;
     for (int i = 0; i < 16; ++i) {
       const PixelState expected = pending.after.pixel(16 * quarter + i);
-      const auto field = [&](int at, int width) { return static_cast<uint32_t>(get_bits(word, i * bits + at, width)); };
-      const PixelState found{field(0, config_.t_w),
-                             {field(config_.t_w, config_.rgb_w), field(config_.t_w + config_.rgb_w, config_.rgb_w),
-                              field(config_.t_w + 2 * config_.rgb_w, config_.rgb_w)},
-                             field(bits - 1, 1) != 0};
+      const auto field = [&](int at, int width) { return static_cast<uint32_t>(get_bits(word, at, width)); };
+      const PixelState found{field(16 * colors + i * config_.t_w, config_.t_w),
+                             {field(i * colors, config_.rgb_w), field(i * colors + config_.rgb_w, config_.rgb_w),
+                              field(i * colors + 2 * config_.rgb_w, config_.rgb_w)},
+                             field(16 * (colors + config_.t_w) + i, 1) != 0};
       const int x = static_cast<int>((input_.frame.first_x + pending.window % windows_x_) * config_.window) +
                     8 * (region % config_.regions_x()) + i % 8;
       const int y = static_cast<int>((input_.frame.first_y + pending.window / windows_x_) * config_.window) +

@@ -6,7 +6,7 @@
 //         Corners, scale and near are brought to one unit 2^e with which the largest fits TestW bits, and floored.
 // Bound   Flooring a corner loses under one unit times n_i, flooring n_i loses under one unit times the corner, the same
 //         for reach and scale: together at most 2^(TestW + 2), which is added before the sign is looked at.
-//         At a 1000 px focal length that is 0.06 px on the window's edges.
+//         At a 1000 px focal length about 0.07 px on the window's edges for a node ahead (estimate).
 #pragma once
 
 #include <algorithm>

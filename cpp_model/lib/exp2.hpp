@@ -21,7 +21,8 @@ struct Exp2 {
       : index_shift(config.exp_f() - config.exp_index_w), rest_mask((uint32_t{1} << index_shift) - 1) {
     const int entries = 1 << config.exp_index_w;
     const auto entry = [&](int i) {
-      return static_cast<uint32_t>(std::lround(std::ldexp(std::exp2(static_cast<double>(i) / entries), config.alpha_w + 6)));
+      const double power = std::exp2(static_cast<double>(i) / entries);
+      return static_cast<uint32_t>(std::lround(std::ldexp(power, config.alpha_w + 6)));
     };
     for (int i = 0; i < entries; ++i) {
       value[i] = entry(i);

@@ -1,4 +1,5 @@
-// mantissa: normalised positive numbers m 2^e, m with its leading one in `width` bits or zero: product and sum, truncated.
+// mantissa: normalised positive numbers m 2^e, m with its leading one in `width` bits or zero: product and sum,
+// truncated.
 // (No RTL module of its own: each stage has these few gates beside its shared multiplier.)
 #pragma once
 

@@ -1,8 +1,8 @@
 // rsqrt: 1/sqrt(u) of a normalised number by one table look-up and one multiplication.
 //
-// Idea    Newton's step y (3 - u y^2) / 2 from a fixed y is linear in u, so the table can hold the step itself: for each of 64
-//         intervals of [1, 2) and of [2, 4) the line c0 - c1 f, f in [0, 1) the place in the interval. The line is the
-//         chord, lowered by half of its largest error: the error then swings evenly between + and -.
+// Idea    Newton's step y (3 - u y^2) / 2 from a fixed y is linear in u, so the table can hold the step itself: for
+//         each of 64 intervals of [1, 2) and of [2, 4) the line c0 - c1 f, f in [0, 1) the place in the interval.
+//         The line is the chord, lowered by half of its largest error: the error then swings evenly between + and -.
 // Stream  u2.18 in [1, 4) -> u0.18 in (1/2, 1).
 // Error   |r sqrt(u) - 1| <= 2^-16.1, all 3 * 2^18 inputs (measured by the test).
 // RTL     rtl/lib/rsqrt.sv
@@ -32,7 +32,7 @@ inline const std::array<RsqrtLine, 128>& rsqrt_table() {
       const double width = i < 64 ? 1.0 / 64 : 1.0 / 32;
       const double left = i < 64 ? 1 + i * width : 2 + (i - 64) * width;
       const double y0 = 1 / std::sqrt(left), y1 = 1 / std::sqrt(left + width);
-      const double slope = (y0 - y1) / width;                  // the chord falls by this
+      const double slope = (y0 - y1) / width;                   // the chord falls by this
       const double touch = std::cbrt(1 / (4 * slope * slope));  // there the curve is as steep, and farthest below
       const double gap = y0 - slope * (touch - left) - 1 / std::sqrt(touch);
       lines[i] = {std::llround((y0 - gap / 2) * (1 << kRsqrtTableF)), std::llround((y0 - y1) * (1 << kRsqrtTableF))};

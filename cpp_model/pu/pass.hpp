@@ -1,4 +1,5 @@
-// pass: copies the fields that ride through the projection unchanged. (No RTL module: there each stage copies its record.)
+// pass: copies the fields that ride through the projection unchanged. (No RTL module: there each stage copies its
+// record.)
 #pragma once
 
 namespace pipegs {

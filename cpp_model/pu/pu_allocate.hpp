@@ -1,8 +1,8 @@
 // pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
 //
 // Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.     RTL  rtl/pu/pu_allocate.sv
-// Idea    The alpha store of a lane is a ring. A Gaussian with n regions takes n lines in a row when the lines of its own
-//         layer leave room for them (the RTL then waits until the older layer's lines are free: timing, not result);
+// Idea    The alpha store of a lane is a ring. A Gaussian with n regions takes n lines in a row when the lines of its
+//         own layer leave room for them (the RTL then waits until the older layer's lines are free: timing, not result);
 //         otherwise the lines go to the overflow area in external memory, numbered from 0 in each layer.
 // Stream  tiles in; row_job and color_job out, both or neither (a mask without regions left is dropped). Ends pass.
 #pragma once
@@ -52,7 +52,8 @@ struct PuAllocate {
       used += lines;
       head = (head + lines) & (capacity - 1);
     }
-    out.row_job = {kData, tiles.a, tiles.b, tiles.c, tiles.d, tiles.e, tiles.f, mask, address, ext, parity, tiles.index};
+    out.row_job = {kData,   tiles.a, tiles.b, tiles.c, tiles.d,    tiles.e,
+                   tiles.f, mask,    address, ext,     parity, tiles.index};
     out.color_job = {kData,       tiles.depth, tiles.index, tiles.slot,   mask,         address,     ext,
                      tiles.dir_x, tiles.dir_y, tiles.dir_z, tiles.base_r, tiles.base_g, tiles.base_b};
     return out;
@@ -66,7 +67,8 @@ struct PuAllocate {
 };
 
 // Address of part `part` of an alpha line in the overflow area of `unit` in a layer of parity `parity`.
-inline uint64_t overflow_line(const Config& config, const Frame& frame, int unit, int parity, uint64_t address, int part) {
+inline uint64_t overflow_line(const Config& config, const Frame& frame, int unit, int parity, uint64_t address,
+                              int part) {
   return frame.overflow + (static_cast<uint64_t>(unit * 8 + parity * 4) << 24) +
          address * static_cast<uint64_t>(config.alpha_memory_lines()) + static_cast<uint64_t>(part);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cpp_model/fixed.hpp"
+#include "cpp_model/pu/pu_align.hpp"
 #include "cpp_model/pu/pu_intersect.hpp"
 
 namespace pipegs {
@@ -20,27 +21,6 @@ Normal normalise(int64_t x, int bits) {
   const int shift = bit_length(static_cast<uint64_t>(x < 0 ? ~x : x)) - bits;
   return {shift >= 0 ? x >> shift : x * (int64_t{1} << -shift), shift};
 }
-
-// Rounds m * 2^e to CoeffF fraction bits; notes when the result does not fit `width` bits.
-struct Aligner {
-  int coeff_f, guard;
-  bool dead = false;
-
-  int64_t operator()(Int128 m, int64_t e, int width) {
-    const int64_t shift = guard - (e + coeff_f);
-    if (shift <= 0) {  // a live one is always shifted right, see `guard`
-      dead = true;
-      return 0;
-    }
-    const Int128 x = shift_round(m * (Int128{1} << guard), static_cast<int>(shift < 127 ? shift : 127));
-    const Int128 limit = Int128{1} << (width - 1);
-    if (x >= limit || x < -limit) {
-      dead = true;
-      return 0;
-    }
-    return static_cast<int64_t>(x);
-  }
-};
 
 }  // namespace
 
@@ -71,7 +51,7 @@ Coeff pu_coeff(const Config& config, const Frame&, const Conic& in) {
   const Int128 u_m = Int128{u >> slope_drop} * m;
 
   const int aw = config.a_w(), bw = config.bc_w(), dw = config.def_w();
-  Aligner align{config.coeff_f, std::max(0, 2 * (22 - mantissa))};
+  PuAlign align{config.coeff_f, std::max(0, 2 * (22 - mantissa))};
   const int64_t f = align(u, ne - slope_f + 1, dw);
   const int64_t c_wide = align(wide_q, we + q.e + 1, bw);
   const int64_t a_wide = align(a_q, we + 2 * q.e + drop, aw);

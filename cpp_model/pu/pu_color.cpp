@@ -7,7 +7,8 @@
 
 namespace pipegs {
 
-Splat pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line, ColorCounts* counts) {
+Splat pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
+               ColorCounts* counts) {
   ShBasis basis;
   if (job.kind == kData && color_degree(config, frame) > 0) {
     basis = pu_color_basis(pu_color_normalise(config, pu_color_rotate(config, frame, color_direction(job))));

@@ -12,7 +12,9 @@
 
 namespace pipegs {
 
-// `sh_line`: the 16 words of the job's line of memory (see color_line), null when color_degree() is 0 or for an end beat.
-Splat pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line, ColorCounts* counts = nullptr);
+// `sh_line`: the 16 words of the job's line of memory (see color_line), null when color_degree() is 0 or for an end
+// beat.
+Splat pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
+               ColorCounts* counts = nullptr);
 
 }  // namespace pipegs

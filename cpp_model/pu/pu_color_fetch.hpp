@@ -1,4 +1,5 @@
-// pu_color_fetch: takes a colour job apart: what travels on, the direction, and the line of memory with its coefficients.
+// pu_color_fetch: takes a colour job apart: what travels on, the direction, and the line of memory with its
+// coefficients.
 //
 // Paper   Sec. 2 (SH colours).
 // Stream  color_job -> color_task, view_direction, address of the SH line.
@@ -23,8 +24,16 @@ inline uint64_t color_line(const Frame& frame, uint64_t slot) {
 }
 
 inline ColorTask color_task(const ColorJob& job) {
-  return {.kind = job.kind,       .depth = job.depth,   .index = job.index, .quarter = job.slot & 3, .mask = job.mask,
-          .address = job.address, .ext = job.ext,       .base_r = job.base_r, .base_g = job.base_g,  .base_b = job.base_b};
+  return {.kind = job.kind,
+          .depth = job.depth,
+          .index = job.index,
+          .quarter = job.slot & 3,
+          .mask = job.mask,
+          .address = job.address,
+          .ext = job.ext,
+          .base_r = job.base_r,
+          .base_g = job.base_g,
+          .base_b = job.base_b};
 }
 
 inline ViewDirection color_direction(const ColorJob& job) { return {.x = job.dir_x, .y = job.dir_y, .z = job.dir_z}; }

@@ -2,7 +2,8 @@
 //
 // Idea    world = W^T view; a rotation keeps the length, so the length is taken from the shorter view components while
 //         the rotation runs. W is cut to s1.18: at most 2^-17.2 of the length is lost.
-// Stream  view_direction -> world_direction, s(DirectionW).1, saturated (only when W is no rotation), and length2, exact.
+// Stream  view_direction -> world_direction, s(DirectionW).1, saturated (only when W is no rotation), and length2,
+//         exact.
 // RTL     rtl/pu/pu_color_rotate.sv
 #pragma once
 

@@ -1,8 +1,8 @@
 // pu_color_sum: coefficients times basis, plus the constant band, clamped to the colour's range.
 //
 // Paper   SH colour of 3D Gaussian splatting; + 1/2 is already in the base.
-// Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as integers and
-//         the sum is shifted once:  s(ShMW+BasisW+4) sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF
+// Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as
+//         integers and the sum is shifted once:  s(ShMW+BasisW+4) sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF
 // Stream  color_task, SH line, sh_basis -> splat. WorkF = two guard bits below the finer of base and colour.
 // Round   To nearest at the shift and at the end; below 0 clamps to 0, above u2 saturates (counted).
 // RTL     rtl/pu/pu_color_sum.sv
@@ -23,13 +23,15 @@ struct ColorCounts {
   uint64_t saturated = 0;  // channels at or above 4
 };
 
-// The three sums over the bands of `degree`, exact; `line` is the 64-byte line of memory, `quarter` only counts for slots of 16 bytes.
+// The three sums over the bands of `degree`, exact; `line` is the 64-byte line of memory, `quarter` only counts for
+// slots of 16 bytes.
 struct ColorSums {
   int64_t sum[3] = {0, 0, 0};
   int exponent = 0;
 };
 
-inline ColorSums color_sums(const Config& config, const Frame& frame, uint64_t quarter, const uint32_t* line, const ShBasis& basis) {
+inline ColorSums color_sums(const Config& config, const Frame& frame, uint64_t quarter, const uint32_t* line,
+                            const ShBasis& basis) {
   const int degree = color_degree(config, frame);
   const int count = (degree + 1) * (degree + 1) - 1;
   uint32_t words[18] = {};  // two more, so that 64 bits can be read at every place
@@ -40,7 +42,7 @@ inline ColorSums color_sums(const Config& config, const Frame& frame, uint64_t q
     std::memcpy(&two, words + (at >> 5), 8);
     return two >> (at & 31);
   };
-  const int64_t b[15] = {basis.b1, basis.b2, basis.b3, basis.b4, basis.b5, basis.b6, basis.b7, basis.b8,
+  const int64_t b[15] = {basis.b1, basis.b2,  basis.b3,  basis.b4,  basis.b5,  basis.b6,  basis.b7, basis.b8,
                          basis.b9, basis.b10, basis.b11, basis.b12, basis.b13, basis.b14, basis.b15};
   ColorSums sums;
   sums.exponent = static_cast<int>(bits_at(0) & ((1u << config.sh_e_w) - 1));
@@ -54,9 +56,14 @@ inline ColorSums color_sums(const Config& config, const Frame& frame, uint64_t q
   return sums;
 }
 
-inline Splat pu_color_sum(const Config& config, const Frame& frame, const ColorTask& task, const uint32_t* line, const ShBasis& basis,
-                          ColorCounts* counts = nullptr) {
-  Splat splat{.kind = task.kind, .depth = task.depth, .index = task.index, .mask = task.mask, .address = task.address, .ext = task.ext};
+inline Splat pu_color_sum(const Config& config, const Frame& frame, const ColorTask& task, const uint32_t* line,
+                          const ShBasis& basis, ColorCounts* counts = nullptr) {
+  Splat splat{.kind = task.kind,
+              .depth = task.depth,
+              .index = task.index,
+              .mask = task.mask,
+              .address = task.address,
+              .ext = task.ext};
   if (task.kind != kData) return splat;
   const int base_f = config.base_w - 3, color_f = config.color_w - 2, work_f = std::max(base_f, color_f) + 2;
   ColorSums sums;

@@ -32,10 +32,11 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t view_exp, bool& 
 }
 
 // Does [x - reach s, x + reach s] touch the window along one axis? All at the common exponent.
-bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach, int64_t center, uint64_t window) {
+bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach,
+             int64_t center, uint64_t window) {
   const int64_t first = (static_cast<int64_t>(window) * c.window << kEdgeF) - (int64_t{kCullMargin} << kEdgeF);
   const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);                          // s17.4, rounded down
-  const int64_t span = ((int64_t{c.window} - 1 + 2 * kCullMargin) << kEdgeF) + 1;               // covers the rounding of a
+  const int64_t span = ((int64_t{c.window} - 1 + 2 * kCullMargin) << kEdgeF) + 1;  // covers the rounding of a
   const int to_edge = c.focal_f() - kEdgeF;
   const int64_t f = static_cast<int64_t>(focal), r = shift_ceil(static_cast<int64_t>(reach), 8) << 8;
   const int64_t fx = f * x, az = (a * z) << to_edge, rs = r * s;
@@ -53,9 +54,10 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   if (in.kind != kData) return out;
 
   const int shift = c.rot_f() + static_cast<int>(in.view_exp) - static_cast<int>(in.offset_exp);
-  out.view_x = to_view(c, frame.w00 * in.offset_x + frame.w01 * in.offset_y + frame.w02 * in.offset_z, shift, in.origin_x);
-  out.view_y = to_view(c, frame.w10 * in.offset_x + frame.w11 * in.offset_y + frame.w12 * in.offset_z, shift, in.origin_y);
-  out.view_z = to_view(c, frame.w20 * in.offset_x + frame.w21 * in.offset_y + frame.w22 * in.offset_z, shift, in.origin_z);
+  const int64_t x = in.offset_x, y = in.offset_y, z = in.offset_z;
+  out.view_x = to_view(c, frame.w00 * x + frame.w01 * y + frame.w02 * z, shift, in.origin_x);
+  out.view_y = to_view(c, frame.w10 * x + frame.w11 * y + frame.w12 * z, shift, in.origin_y);
+  out.view_z = to_view(c, frame.w20 * x + frame.w21 * y + frame.w22 * z, shift, in.origin_z);
   const int64_t near = static_cast<int64_t>(frame.near_plane >> in.view_exp);
   if (out.view_z <= near) return std::nullopt;
 
@@ -63,11 +65,12 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   const int64_t s = scale_in_view(c, std::max({in.scale_0, in.scale_1, in.scale_2}), in.view_exp, huge);
   const auto size = [](int64_t v) { return static_cast<uint64_t>(v < 0 ? ~v : v); };
   const int cut = std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - kCutW);
-  const int64_t z = out.view_z >> cut, reach = (s >> cut) + 1;
-  if (!huge && !(touches(c, out.view_x >> cut, z, reach, frame.focal_x, frame.reach_x, frame.center_x, in.window_x) &&
-                 touches(c, out.view_y >> cut, z, reach, frame.focal_y, frame.reach_y, frame.center_y, in.window_y))) {
-    return std::nullopt;
-  }
+  const int64_t cut_z = out.view_z >> cut, cut_s = (s >> cut) + 1;
+  const bool touches_x = touches(c, out.view_x >> cut, cut_z, cut_s, frame.focal_x, frame.reach_x,
+                                 frame.center_x, in.window_x);
+  const bool touches_y = touches(c, out.view_y >> cut, cut_z, cut_s, frame.focal_y, frame.reach_y,
+                                 frame.center_y, in.window_y);
+  if (!huge && !(touches_x && touches_y)) return std::nullopt;
 
   out.window_x = in.window_x;
   out.window_y = in.window_y;

@@ -31,10 +31,10 @@ Scale times(const Config& c, Scale x, Scale y) {
   return {(x.m * y.m) >> cut, x.e + y.e + cut};
 }
 
-// Left-aligned as the products are.
+// Left-aligned as the products are; up > 0 for every legal configuration.
 Scale align(const Config& c, Scale s) {
   const int up = scale_bits(c) - (c.scale_m_w + 1);
-  return {up >= 0 ? s.m << up : s.m >> -up, s.e - up};
+  return {s.m << up, s.e - up};
 }
 
 // One row: three products with the largest exponent of those that are not zero.

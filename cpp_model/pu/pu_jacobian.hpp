@@ -4,7 +4,8 @@
 // Idea    v0_j = R'0j - tan_x R'2j,   v1_j = R'1j - tan_y R'2j.
 //         v0 x v1 in closed form, because R' is a rotation:  n_k = R'0k tan_x + R'1k tan_y + R'2k.
 //         The sums are exact; then each value gets its own exponent, so what is left of a cancellation keeps its bits.
-// Numbers m FactorW bits signed, normalised, truncated: relative error below 2^-(MantissaW-1). gx = focal_x / z the same.
+// Numbers m FactorW bits signed, normalised, truncated: relative error below 2^-(MantissaW-1). gx = focal_x / z the
+//         same.
 // RTL     rtl/pu/pu_jacobian.sv
 #pragma once
 

@@ -2,8 +2,8 @@
 //
 // Paper   Eq. 1: the rotation of Sigma = R S S^T R^T and the viewing transform W, as one rotation.
 // Idea    q' = camera_q (x) q (Hamilton), R' = W R = matrix of q': 16 + 9 products instead of 9 + 27.
-// Numbers q' s1.18 and R' s1.18: sums of exact products, one rounding each, saturated (only for q far from unit length).
-//         The matrix formula of INRIA's rasteriser; unit length is assumed, not enforced.
+// Numbers q' s1.18 and R' s1.18: sums of exact products, one rounding each, saturated (only for q far from unit
+//         length). The matrix formula of INRIA's rasteriser; unit length is assumed, not enforced.
 // RTL     rtl/pu/pu_orient.sv
 #pragma once
 

@@ -16,7 +16,8 @@ struct Row {
 };
 
 inline Row pu_row_init(const Region& region, int dy) {
-  return {region.power + region.slope_y * dy + region.curve_y * (dy * dy), region.slope_x + region.twist * dy + region.curve_x};
+  return {region.power + region.slope_y * dy + region.curve_y * (dy * dy),
+          region.slope_x + region.twist * dy + region.curve_x};
 }
 
 }  // namespace pipegs

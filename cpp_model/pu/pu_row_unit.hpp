@@ -3,7 +3,7 @@
 // Paper   Eq. 3, step 3 of Fig. 5a.           RTL  rtl/pu/pu_row_unit.sv
 // Idea    The power is quadratic along the row, so its second difference is constant:
 //           power += slope;  slope += 2 curve_x
-// Numbers Exact: the error of a power is that of the rounded coefficients, at most (1 + 2*7 + 3*49) / 2 = 81 ulp of PowerF.
+// Numbers Exact: a power's error is that of the rounded coefficients, at most (1 + 2*7 + 3*49) / 2 = 81 ulp of PowerF.
 #pragma once
 
 #include "cpp_model/pu/pu_row_init.hpp"

@@ -1,8 +1,8 @@
 // ru: a whole RU over a frame: sorted splats in, finished windows out.
 //
 // Paper   Fig. 7 (RU with its T and RGB buffers), Eq. 2.
-// Idea    The owned regions of one window at a time; a layer end only turns the parity of the overflow area, a window end
-//         hands the pixels out and starts the next window, row by row from first to last.
+// Idea    The owned regions of one window at a time; a layer end only turns the parity of the overflow area, a window
+//         end hands the pixels out and starts the next window, row by row from first to last.
 // Stream  sorted_t in; where lines of alphas come from and where lines of pixels go is the caller's (two functions).
 // RTL     rtl/ru/ru.sv; the window's coordinates: rtl/ru/ru_window.sv
 #pragma once
@@ -18,6 +18,7 @@ namespace pipegs {
 
 struct RuState {
   int unit = 0;
+  uint64_t own = 0;                     // the regions of this RU, as a mask
   uint64_t window_x = 0, window_y = 0;  // the window that is being blended
   uint64_t parity = 0;                  // of the layer
   std::vector<RegionState> regions;     // by slot
@@ -37,7 +38,8 @@ inline void ru_start_window(const Config& c, const Frame& frame, RuState& state)
 }
 
 inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
-  RuState state{.unit = unit, .window_x = frame.first_x, .window_y = frame.first_y, .regions = {}, .counts = {}};
+  RuState state{.unit = unit, .own = ru_own_mask(c, unit), .window_x = frame.first_x, .window_y = frame.first_y,
+                .regions = {}, .counts = {}};
   ru_start_window(c, frame, state);
   return state;
 }
@@ -45,13 +47,15 @@ inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
 // Takes one beat. codes(splat, region, parity) gives the 64 alpha codes of a region, `const uint16_t*`;
 // pixels(line address, const uint64_t pixel[8]) takes a line of the finished window.
 template <class Codes, class Pixels>
-void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuState& state, const Sorted& splat, Codes&& codes,
-             Pixels&& pixels) {
+void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuState& state, const Sorted& splat,
+             Codes&& codes, Pixels&& pixels) {
   if (splat.kind == kData) {
-    const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green), static_cast<uint32_t>(splat.blue)};
-    for (uint64_t rest = splat.mask & ru_own_mask(c, state.unit) & ~state.done; rest != 0; rest &= rest - 1) {
+    const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green),
+                               static_cast<uint32_t>(splat.blue)};
+    for (uint64_t rest = splat.mask & state.own & ~state.done; rest != 0; rest &= rest - 1) {
       const int region = std::countr_zero(rest);
-      if (ru_blend_region(k, state.regions[ru_slot(c, region)], codes(splat, region, state.parity), color, &state.counts)) {
+      if (ru_blend_region(k, state.regions[ru_slot(c, region)], codes(splat, region, state.parity), color,
+                          &state.counts)) {
         state.done |= uint64_t{1} << region;
       }
     }

@@ -1,8 +1,9 @@
 // ru_blend: one Rendering Unit blends one Gaussian into one pixel, front to back.
 //
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
-// Idea    One product serves weight and update: w = T * alpha, T' = T - w. T plus the sum of all weights so stays exactly 1.
-//         INRIA's stop rule: when T' would fall below 1e-4 the pixel is done and this Gaussian is not blended.
+// Idea    One product serves weight and update: w = T * alpha, T' = T - w. T plus the sum of all weights so stays
+//         exactly 1. INRIA's stop rule: when T' would fall below 1e-4 the pixel is done and this Gaussian is not
+//         blended.
 // Stream  alpha u0.AlphaW (0: no contribution), T u1.(TW-1), colour u2.(ColorW-2), accumulated colour u2.(RgbW-2).
 // Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted).
 // RTL     rtl/ru/ru_blend.sv
@@ -58,7 +59,8 @@ inline uint32_t ru_blend(const BlendConstants& k, PixelState& pixel, uint32_t co
   }
   pixel.t = t;
   for (int i = 0; i < 3; ++i) {
-    const auto add = static_cast<uint32_t>((uint64_t{weight} * color[i] + (uint64_t{1} << (k.color_shift - 1))) >> k.color_shift);
+    const auto add =
+        static_cast<uint32_t>((uint64_t{weight} * color[i] + (uint64_t{1} << (k.color_shift - 1))) >> k.color_shift);
     const bool over = pixel.rgb[i] + add > k.rgb_max;
     pixel.rgb[i] = over ? k.rgb_max : pixel.rgb[i] + add;
     if (over && counts != nullptr) ++counts->saturated;

@@ -16,8 +16,8 @@ struct LoopResult {
 };
 
 template <class Wide>
-inline __attribute__((always_inline)) LoopResult blend_loop(const BlendConstants& k, RegionState& s, const uint16_t* codes,
-                                                            const uint32_t* color) {
+inline __attribute__((always_inline)) LoopResult blend_loop(const BlendConstants& k, RegionState& s,
+                                                            const uint16_t* codes, const uint32_t* color) {
   const int alpha_shift = k.alpha_w, color_shift = k.color_shift;
   const Wide alpha_half = Wide{1} << (alpha_shift - 1), color_half = Wide{1} << (color_shift - 1);
   const uint32_t stop_at = k.stop, rgb_max = k.rgb_max;
@@ -45,7 +45,8 @@ inline __attribute__((always_inline)) LoopResult blend_loop(const BlendConstants
   return sum;
 }
 
-PIPEGS_CLONES LoopResult blend_narrow(const BlendConstants& k, RegionState& s, const uint16_t* codes, const uint32_t* color) {
+PIPEGS_CLONES LoopResult blend_narrow(const BlendConstants& k, RegionState& s, const uint16_t* codes,
+                                      const uint32_t* color) {
   return blend_loop<uint32_t>(k, s, codes, color);
 }
 
@@ -61,7 +62,8 @@ bool RegionState::all_done() const {
   return all != 0;
 }
 
-RegionState ru_fresh_region(const Config& config, const Frame& frame, uint64_t window_x, uint64_t window_y, int region) {
+RegionState ru_fresh_region(const Config& config, const Frame& frame, uint64_t window_x, uint64_t window_y,
+                            int region) {
   const BlendConstants constants(config);
   RegionState state{};
   const uint64_t x0 = window_x * config.window + 8 * (region % config.regions_x());
@@ -75,7 +77,8 @@ RegionState ru_fresh_region(const Config& config, const Frame& frame, uint64_t w
 
 bool ru_blend_region(const BlendConstants& constants, RegionState& state, const uint16_t codes[kRegionPixels],
                      const uint32_t color[3], BlendCounts* counts) {
-  const LoopResult sum = constants.narrow ? blend_narrow(constants, state, codes, color) : blend_wide(constants, state, codes, color);
+  const LoopResult sum =
+      constants.narrow ? blend_narrow(constants, state, codes, color) : blend_wide(constants, state, codes, color);
   if (counts != nullptr) {
     counts->blended += sum.blended;
     counts->stopped += sum.stopped;

@@ -1,8 +1,9 @@
 // ru_resolve: the pixels of a finished window as they lie in external memory.
 //
 // Paper   Fig. 7: the RU's output buffer. Background is black, so the accumulated colour is the pixel.
-// Idea    A line of memory holds one row of a region, eight pixels of 64 bits: T u1.15, blue, green, red u2.14, red lowest.
-//         T is truncated (or zero-extended), colour is left-aligned. Regions follow each other window by window.
+// Idea    A line of memory holds one row of a region, eight pixels of 64 bits: T u1.15, blue, green, red u2.14, red
+//         lowest. T is truncated (or zero-extended), colour is left-aligned. Regions follow each other window by
+//         window.
 // Stream  a region's state in, eight lines out. Regions that lie wholly outside the image are not written.
 // RTL     rtl/ru/ru_resolve.sv
 #pragma once
@@ -16,7 +17,8 @@ inline uint64_t ru_windows_x(const Config& c, const Frame& frame) { return (fram
 inline uint64_t ru_windows_y(const Config& c, const Frame& frame) { return (frame.height + c.window - 1) / c.window; }
 
 // Memory line of row `row` (0..7) of a region.
-inline uint64_t ru_pixel_line(const Config& c, const Frame& frame, uint64_t window_x, uint64_t window_y, int region, int row) {
+inline uint64_t ru_pixel_line(const Config& c, const Frame& frame, uint64_t window_x, uint64_t window_y, int region,
+                              int row) {
   return frame.pixels + ((window_y * ru_windows_x(c, frame) + window_x) * c.regions() + region) * 8 + row;
 }
 
@@ -30,7 +32,8 @@ inline bool ru_inside(const Config& c, const Frame& frame, uint64_t window_x, ui
 inline uint64_t ru_resolve(const Config& c, const PixelState& pixel) {
   const uint64_t t = c.t_w >= 16 ? pixel.t >> (c.t_w - 16) : pixel.t << (16 - c.t_w);
   const int up = 16 - c.rgb_w;
-  return (t << 48) | (uint64_t{pixel.rgb[2]} << up << 32) | (uint64_t{pixel.rgb[1]} << up << 16) | (uint64_t{pixel.rgb[0]} << up);
+  return (t << 48) | (uint64_t{pixel.rgb[2]} << up << 32) | (uint64_t{pixel.rgb[1]} << up << 16) |
+         (uint64_t{pixel.rgb[0]} << up);
 }
 
 }  // namespace pipegs

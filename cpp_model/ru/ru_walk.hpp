@@ -1,8 +1,9 @@
 // ru_walk: which regions of a window belong to which RU, and where the alpha line of a region lies.
 //
 // Paper   Sec. 5.3 (four RUs render different tiles in parallel).
-// Idea    The regions of a window are dealt to the RUs like the squares of a chess board, so that any splat that covers 2x2
-//         regions keeps all of them busy. A splat's lines lie one behind the other, lowest region of its mask first.
+// Idea    The regions of a window are dealt to the RUs like the squares of a chess board, so that any splat that
+//         covers 2x2 regions keeps all of them busy. A splat's lines lie one behind the other, lowest region of its
+//         mask first.
 // Stream  sorted_t in, one job per owned region of its mask out: region and line.
 // RTL     rtl/ru/ru_dispatch.sv (owners), rtl/ru/ru_walk.sv (lines), rtl/ru/ru_fetch.sv (memory addresses)
 #pragma once

@@ -1,8 +1,8 @@
 // alpha_store: the lines of alphas of one lane, from a layer's rows until the RUs have blended them.
 //
 // Paper   The alpha buffer of Fig. 7.
-// Idea    One SRAM with a line of 64 alphas per word. Writes come from the lane's PU; who may overwrite what is the business
-//         of pu_allocate, which runs the memory as a ring. All RUs read; a round-robin arbiter picks one per cycle.
+// Idea    One SRAM with a line of 64 alphas per word. Writes come from the lane's PU; what may be overwritten is the
+//         business of pu_allocate, which runs it as a ring. All RUs read; a round-robin arbiter picks one per cycle.
 //         An address counts on beyond the ring's end: it is taken modulo AlphaLines.
 // Stream  write: never refused. read: one port per RU, valid, ready, address; the asker has room for the answer.
 // Pace    One write and one read per cycle; answer_valid_o (one bit per RU) and the line come one cycle after the read.

@@ -1,12 +1,12 @@
 // pixel_buffer: T and colour of an RU's regions, twice: one half is blended while the other is written out.
 //
 // Paper   Fig. 7, the double-buffered T and RGB buffers.
-// Idea    Two memories change roles at swap_i. Each word has a fresh flag instead of being cleared: swap_i makes all words
-//         of the half that will be blended next fresh, a write makes its word valid.
+// Idea    Two memories change roles at swap_i. Each word has a fresh flag instead of being cleared: swap_i makes all
+//         words of the half that will be blended next fresh, a write makes its word valid.
 // Stream  blend: read and write ports of the one half; resolve: read port of the other. Data and fresh flag come in the
 //         cycle after the read and stay until the next one.
-// Pace    One read and one write by the blender and one read by the resolver in each cycle. No read of either side may be
-//         outstanding at swap_i.
+// Pace    One read and one write by the blender and one read by the resolver in each cycle. No read of either side
+//         may be outstanding at swap_i.
 // Model   Two arrays in the test.
 
 module pixel_buffer #(

@@ -32,12 +32,15 @@ module dopu_cells #(
   input  logic [1:0]                      set_valid_i,    // from dopu_windows
   input  logic [1:0]                      set_last_i,
   input  logic [1:0]                      set_done_i,
+  output logic                            walked_o,       // the set's last item is on its way
 
   output logic                            cell_valid_o,
   input  logic                            cell_ready_i,
   output logic [pipegs_pkg::KindW-1:0]    kind_o,
   output logic                            set_o,
-  output pipegs_pkg::node_t               cell_o
+  output pipegs_pkg::node_t               cell_o,
+
+  output logic                            walking_o  // the walk goes on in this cycle
 );
 
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
@@ -105,6 +108,8 @@ module dopu_cells #(
   assign advance    = !item_valid_q || (cell_valid_o ? cell_ready_i : 1'b1);
   assign read       = run && advance && (inside_i || set_done_i[set_q]);
   assign finished   = read && is_end && window_end;
+  assign walking_o  = run && (advance || !inside_i);
+  assign walked_o   = finished;
   assign step_o     = step_q;
   assign number_o   = number_q;
 

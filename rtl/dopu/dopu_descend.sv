@@ -39,7 +39,7 @@ module dopu_descend #(
   output logic                                  chunk_set_o,
   output pipegs_pkg::node_t                     chunk_o,
 
-  output logic                                  testing_o,     // a node enters the test
+  output logic                                  testing_o,     // a node waits for its turn in the test, or is dropped
   output logic                                  waiting_o      // a level waits for the memory
 );
 
@@ -85,7 +85,7 @@ module dopu_descend #(
   end
   assign test_valid = want != '0;
   assign node_ready = enter | drop;
-  assign testing_o  = enter != '0;
+  assign testing_o  = test_valid || drop != '0;
 
   // --- the test ------------------------------------------------------------------------------------------------------
   logic              result_valid, result_pass;
@@ -134,25 +134,33 @@ module dopu_descend #(
   endgenerate
 
   // --- readers: a cell's groups, a group's chunks -----------------------------------------------------------------------
-  logic [1:0] waiting, idle;
+  logic [1:0]        waiting, idle;
+  pipegs_pkg::node_t parent_cell, parent_group;
+  logic [pipegs_pkg::SlotW-1:0]  first [2];
+  logic [pipegs_pkg::CountW-1:0] count [2];
+
+  assign parent_cell  = kept[0][0 +: NodeBits];
+  assign parent_group = kept[1][0 +: NodeBits];
+  assign first[0]     = parent_cell.first;
+  assign first[1]     = parent_group.first;
+  assign count[0]     = parent_cell.count;
+  assign count[1]     = parent_group.count;
 
   generate
     for (genvar l = 0; l < 2; l += 1) begin : gen_readers
-      pipegs_pkg::node_t parent;
       logic              parent_data, parent_done, job_ready, out_read;
       logic [KindW:0]    out_tag;
       logic [pipegs_pkg::SlotW-1:0] out_index;
       logic [NodeBits-1:0] out_node;
 
-      assign parent      = kept[l][0 +: NodeBits];
       assign parent_data = kept[l][NodeBits +: KindW] == pipegs_pkg::KindData;
       assign parent_done = parent_data && set_done_i[kept[l][BeatW-1]];
       assign kept_ready[l] = job_ready || parent_done;
 
-      line_reader #(.TagW(KindW + 1), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines)) u_reader (
+      line_reader #(.TagW(KindW + 1), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(8)) u_reader (
         .clk_i, .rst_ni, .base_i(l == 0 ? frame_i.groups : frame_i.chunks),
         .job_valid_i(kept_valid[l] && !parent_done), .job_ready_o(job_ready), .job_read_i(parent_data),
-        .job_first_i(parent.first), .job_count_i(parent.count), .job_tag_i(kept[l][BeatW-1:NodeBits]),
+        .job_first_i(first[l]), .job_count_i(count[l]), .job_tag_i(kept[l][BeatW-1:NodeBits]),
         .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
         .mem_address_o(mem_address_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
         .rsp_valid_i(rsp_valid_i[l]), .rsp_data_i,
@@ -163,7 +171,7 @@ module dopu_descend #(
       assign beat[l+1] = {out_tag, out_node};
 
       logic unused_reader;
-      assign unused_reader = &{1'b0, out_read, out_index, parent};
+      assign unused_reader = &{1'b0, out_read, out_index};
     end
   endgenerate
   assign waiting_o = waiting != '0;
@@ -178,6 +186,6 @@ module dopu_descend #(
   assign kept_ready[2] = chunk_ready_i || chunk_done;
 
   logic unused;
-  assign unused = &{1'b0, frame_i, idle};
+  assign unused = &{1'b0, frame_i, idle, parent_cell, parent_group};
 
 endmodule

@@ -5,7 +5,7 @@
 //         takes it in its own time. A layer end is sent only if the layer had a chunk.
 // Stream  chunk in, in the order of the walk; chunk_valid_o has one bit per PU, the beat is shared.
 // Pace    One chunk in two cycles.
-// Model   None: the twin's chunks and ends, in any split among the PUs (verif/dopu/dopu_test_frame.cpp).
+// Model   None: the twin's chunks and ends, in any split among the PUs (verif/dopu/dopu_test.cpp).
 
 module dopu_emit (
   input  logic                          clk_i,

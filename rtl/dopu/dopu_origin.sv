@@ -5,7 +5,7 @@
 //         multipliers make one row's sum of one half per cycle. Then the exponent, and three rounding shifts.
 //           view_exp = max(0, L + 2 - ViewW), L = max(bit length of the largest |origin_i|, PosW + offset_exp)
 // Stream  node in (or an end, which passes unchanged); chunk out.
-// Pace    One chunk in 9 cycles, latency 14: products and shifts of two chunks overlap.
+// Pace    One chunk in 10 cycles, latency 14: products and shifts of two chunks overlap.
 // Model   cpp_model/dopu/dopu_origin.hpp
 
 module dopu_origin (

@@ -3,7 +3,7 @@
 // Paper   Sec. 4.1 (scheduling); early termination of a whole window is the feedback of Fig. 7's RU.
 // Idea    Two sets of planes: while the walk uses one, dopu_planes fills the other. A set is done when every region of its
 //         window is done; region (rx, ry) counts only if the RU that owns it is in this window.
-// Stream  start_i for one cycle; set_valid_o tells that a set may be walked; release_i gives back the oldest one.
+// Stream  start_i for one cycle; set_valid_o: a set may be walked, until walked_i; release_i gives back the oldest set.
 // Pace    One window per 52 cycles.
 // Model   cpp_model/dopu/dopu_planes.hpp
 
@@ -18,13 +18,15 @@ module dopu_windows (
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_y_i,
 
-  output logic [1:0]                            set_valid_o,
+  output logic [1:0]                            set_valid_o,  // filled and not walked yet
+  input  logic                                  walked_i,     // all cells of the next one are on their way
   output logic [1:0]                            set_last_o,   // the frame's last window
   output logic [1:0]                            set_done_o,   // nothing of it can be seen any more
+  output logic                                  done_news_o,  // that changes with this cycle's end
   output logic [2*pipegs_pkg::WindowW-1:0]      set_x_o,
   output logic [2*pipegs_pkg::WindowW-1:0]      set_y_o,
   output logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_o,
-  input  logic                                  release_i
+  input  logic                                  release_i     // the oldest one is not needed any more
 );
 
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
@@ -38,8 +40,8 @@ module dopu_windows (
   logic [WindowW-1:0] x_q, y_q;
   logic               window_valid, window_ready, planes_valid, planes_ready, last;
   logic [PlanesW-1:0] planes;
-  logic [1:0]         valid_q, last_q, done_q;
-  logic               fill_q, oldest_q;  // the set filled next, the set released next
+  logic [1:0]         valid_q, fresh_q, last_q, done_d, done_q;
+  logic               fill_q, walk_q, oldest_q;  // the set filled, walked, released next
   logic [WindowW-1:0] set_x_q [2];
   logic [WindowW-1:0] set_y_q [2];
   logic [PlanesW-1:0] planes_q [2];
@@ -59,7 +61,9 @@ module dopu_windows (
       asking_q <= 1'b0;
       more_q   <= 1'b0;
       valid_q  <= '0;
+      fresh_q  <= '0;
       fill_q   <= 1'b0;
+      walk_q   <= 1'b0;
       oldest_q <= 1'b0;
     end else begin
       if (start_i) more_q <= 1'b1;
@@ -67,8 +71,13 @@ module dopu_windows (
       if (planes_valid && planes_ready) begin
         asking_q        <= 1'b0;
         valid_q[fill_q] <= 1'b1;
+        fresh_q[fill_q] <= 1'b1;
         fill_q          <= !fill_q;
         if (last) more_q <= 1'b0;
+      end
+      if (walked_i) begin
+        fresh_q[walk_q] <= 1'b0;
+        walk_q          <= !walk_q;
       end
       if (release_i) begin
         valid_q[oldest_q] <= 1'b0;
@@ -91,7 +100,7 @@ module dopu_windows (
     end
   end
 
-  assign set_valid_o = valid_q;
+  assign set_valid_o = fresh_q;
   assign set_last_o  = last_q;
   assign set_x_o     = {set_x_q[1], set_x_q[0]};
   assign set_y_o     = {set_y_q[1], set_y_q[0]};
@@ -120,9 +129,11 @@ module dopu_windows (
     owner = Units == 1 ? 0 : Units == 2 ? (x + y) % 2 : 2 * (y % 2) + x % 2;
   endfunction
 
-  always_ff @(posedge clk_i) begin
-    for (int unsigned s = 0; s < 2; s += 1) done_q[s] <= valid_q[s] && region_done[s] == '1;
+  always_comb begin
+    for (int unsigned s = 0; s < 2; s += 1) done_d[s] = valid_q[s] && region_done[s] == '1;
   end
+  always_ff @(posedge clk_i) done_q <= done_d;
+  assign done_news_o = done_d != done_q;
   assign set_done_o = done_q & valid_q;
 
 endmodule

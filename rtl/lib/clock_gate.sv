@@ -2,12 +2,13 @@
 //
 // Idea    A latch holds the enable while the clock is high, so the gated clock has no glitch. In silicon it saves the
 //         unit's clock power; in Verilator a unit whose clock does not tick costs nothing.
-// Stream  enable_i of the low phase before an edge decides whether that edge reaches clk_o.
+// Stream  enable_i of the low phase before an edge decides whether that edge reaches clk_o. In reset every edge does.
 // Pace    No delay: an enable that rises in a cycle already passes that cycle's closing edge.
 // Model   None needed: gating never changes what a unit computes.
 
 module clock_gate (
   input  logic clk_i,
+  input  logic rst_ni,
   input  logic enable_i,
   output logic clk_o
 );
@@ -15,7 +16,7 @@ module clock_gate (
   logic enable_q;
 
   always_latch begin
-    if (!clk_i) enable_q = enable_i;
+    if (!clk_i) enable_q = enable_i || !rst_ni;
   end
 
   assign clk_o = clk_i & enable_q;

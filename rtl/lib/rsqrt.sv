@@ -1,7 +1,7 @@
 // rsqrt: 1/sqrt(u) of a normalised number by one table look-up and one multiplication.
 //
-// Idea    Newton's step y (3 - u y^2) / 2 from a fixed y is linear in u, so the table can hold the step itself: for each of 64
-//         intervals of [1, 2) and of [2, 4) the line c0 - c1 f, f in [0, 1) the place in the interval.
+// Idea    Newton's step y (3 - u y^2) / 2 from a fixed y is linear in u, so the table can hold the step itself: for
+//         each of 64 intervals of [1, 2) and of [2, 4) the line c0 - c1 f, f in [0, 1) the place in the interval.
 // Stream  u_i, u2.18 in [1, 4) -> r_o, u0.18 in (1/2, 1), rounded to nearest; |r sqrt(u) - 1| <= 2^-16.1.
 // Pace    One per cycle, latency two cycles, no handshake: r_o always belongs to the u_i of two cycles ago.
 // Model   cpp_model/lib/rsqrt.hpp

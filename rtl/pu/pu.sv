@@ -59,14 +59,16 @@ module pu #(
   output logic [1:0]                           perf_o       // 0 busy, 1 starved, 2 blocked, 3 memory
 );
 
-  logic fetched_valid, fetched_ready, visible_valid, visible_ready, queued_valid, queued_ready;
-  logic projected_valid, projected_ready, oriented_valid, oriented_ready, jacobian_valid, jacobian_ready;
-  logic factors_valid, factors_ready, squares_valid, squares_ready, covariance_valid, covariance_ready;
-  logic conic_valid, conic_ready, coeff_valid, coeff_ready, tiles_valid, tiles_ready;
-  logic row_job_valid, row_job_ready, color_job_valid, color_job_ready, alphas_valid, alphas_ready;
-  logic colored_valid, colored_ready, rows_end_valid, rows_end_ready;
+  logic fetched_valid, fetched_ready, visible_valid, visible_ready, projected_valid, projected_ready;
+  logic oriented_valid, oriented_ready, jacobian_valid, jacobian_ready, factors_valid, factors_ready;
+  logic squares_valid, squares_ready, covariance_valid, covariance_ready, conic_valid, conic_ready;
+  logic coeff_valid, coeff_ready, tiles_valid, tiles_ready, row_job_valid, row_job_ready, color_job_valid, color_job_ready;
+  logic alphas_valid, alphas_ready, colored_valid, colored_ready, rows_end_valid, rows_end_ready;
+  logic fetch_idle, fetch_waiting, color_busy, color_waiting, allocate_active, allocate_waiting, rows_active, spill_active;
+  logic cull_busy, project_busy, orient_busy, jacobian_busy, factors_busy, squares_busy, covariance_busy;
+  logic conic_busy, coeff_busy, intersect_busy, front_busy;
   pipegs_pkg::fetched_t    fetched;
-  pipegs_pkg::visible_t    visible, queued;
+  pipegs_pkg::visible_t    visible;
   pipegs_pkg::projected_t  projected;
   pipegs_pkg::oriented_t   oriented;
   pipegs_pkg::jacobian_t   jacobian;
@@ -80,7 +82,7 @@ module pu #(
   pipegs_pkg::color_job_t  color_job;
   pipegs_pkg::alphas_t     alphas;
   pipegs_pkg::splat_t      colored;
-  logic [LineW-1:0]        line;
+  logic [LineW-1:0]        alphas_line;
 
   pu_fetch u_fetch (
     .clk_i, .rst_ni, .gaussians_i(frame_i.gaussians), .chunk_valid_i, .chunk_ready_o, .chunk_i,
@@ -88,6 +90,103 @@ module pu #(
     .rsp_valid_i(geometry_rsp_valid_i), .rsp_data_i,
     .fetched_valid_o(fetched_valid), .fetched_ready_i(fetched_ready), .fetched_o(fetched),
     .waiting_memory_o(fetch_waiting), .idle_o(fetch_idle)
+  );
+
+  pu_cull u_cull (
+    .clk_i, .rst_ni, .frame_i, .fetched_valid_i(fetched_valid), .fetched_ready_o(fetched_ready), .fetched_i(fetched),
+    .visible_valid_o(visible_valid), .visible_ready_i(visible_ready), .visible_o(visible), .busy_o(cull_busy)
+  );
+
+  pu_project u_project (
+    .clk_i, .rst_ni, .frame_i, .visible_valid_i(visible_valid), .visible_ready_o(visible_ready), .visible_i(visible),
+    .projected_valid_o(projected_valid), .projected_ready_i(projected_ready), .projected_o(projected), .busy_o(project_busy)
+  );
+
+  pu_orient u_orient (
+    .clk_i, .rst_ni, .frame_i, .projected_valid_i(projected_valid), .projected_ready_o(projected_ready),
+    .projected_i(projected), .oriented_valid_o(oriented_valid), .oriented_ready_i(oriented_ready), .oriented_o(oriented),
+    .busy_o(orient_busy)
+  );
+
+  pu_jacobian u_jacobian (
+    .clk_i, .rst_ni, .frame_i, .oriented_valid_i(oriented_valid), .oriented_ready_o(oriented_ready), .oriented_i(oriented),
+    .jacobian_valid_o(jacobian_valid), .jacobian_ready_i(jacobian_ready), .jacobian_o(jacobian), .busy_o(jacobian_busy)
+  );
+
+  pu_factors u_factors (
+    .clk_i, .rst_ni, .jacobian_valid_i(jacobian_valid), .jacobian_ready_o(jacobian_ready), .jacobian_i(jacobian),
+    .factors_valid_o(factors_valid), .factors_ready_i(factors_ready), .factors_o(factors), .busy_o(factors_busy)
+  );
+
+  pu_squares u_squares (
+    .clk_i, .rst_ni, .factors_valid_i(factors_valid), .factors_ready_o(factors_ready), .factors_i(factors),
+    .squares_valid_o(squares_valid), .squares_ready_i(squares_ready), .squares_o(squares), .busy_o(squares_busy)
+  );
+
+  pu_covariance u_covariance (
+    .clk_i, .rst_ni, .squares_valid_i(squares_valid), .squares_ready_o(squares_ready), .squares_i(squares),
+    .covariance_valid_o(covariance_valid), .covariance_ready_i(covariance_ready), .covariance_o(covariance),
+    .busy_o(covariance_busy)
+  );
+
+  pu_conic u_conic (
+    .clk_i, .rst_ni, .covariance_valid_i(covariance_valid), .covariance_ready_o(covariance_ready), .covariance_i(covariance),
+    .conic_valid_o(conic_valid), .conic_ready_i(conic_ready), .conic_o(conic), .busy_o(conic_busy)
+  );
+
+  pu_coeff u_coeff (
+    .clk_i, .rst_ni, .conic_valid_i(conic_valid), .conic_ready_o(conic_ready), .conic_i(conic),
+    .coeff_valid_o(coeff_valid), .coeff_ready_i(coeff_ready), .coeff_o(coeff), .busy_o(coeff_busy)
+  );
+
+  pu_intersect u_intersect (
+    .clk_i, .rst_ni, .coeff_valid_i(coeff_valid), .coeff_ready_o(coeff_ready), .coeff_i(coeff),
+    .tiles_valid_o(tiles_valid), .tiles_ready_i(tiles_ready), .tiles_o(tiles), .busy_o(intersect_busy)
+  );
+
+  pu_allocate u_allocate (
+    .clk_i, .rst_ni, .frame_i, .restart_i, .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
+    .row_job_valid_o(row_job_valid), .row_job_ready_i(row_job_ready), .row_job_o(row_job),
+    .color_job_valid_o(color_job_valid), .color_job_ready_i(color_job_ready), .color_job_o(color_job),
+    .done_i, .done_x_i, .done_y_i, .layer_free_i,
+    .overflowed_o, .waiting_o(allocate_waiting), .active_o(allocate_active)
+  );
+
+  pu_rows u_rows (
+    .clk_i, .rst_ni, .row_job_valid_i(row_job_valid), .row_job_ready_o(row_job_ready), .row_job_i(row_job),
+    .alphas_valid_o(alphas_valid), .alphas_ready_i(alphas_ready), .alphas_o(alphas), .line_o(alphas_line), .active_o(rows_active)
+  );
+
+  pu_spill u_spill (
+    .clk_i, .rst_ni, .frame_i, .unit_i, .alphas_valid_i(alphas_valid), .alphas_ready_o(alphas_ready), .alphas_i(alphas),
+    .line_i(alphas_line), .store_write_o, .store_address_o, .store_line_o,
+    .mem_valid_o(spill_valid_o), .mem_ready_i(spill_ready_i), .mem_address_o(spill_address_o), .mem_data_o(spill_data_o),
+    .rows_end_valid_o(rows_end_valid), .rows_end_ready_i(rows_end_ready), .rows_end_kind_o(), .active_o(spill_active)
+  );
+
+  pu_color u_color (
+    .clk_i, .rst_ni, .frame_i, .job_valid_i(color_job_valid), .job_ready_o(color_job_ready), .job_i(color_job),
+    .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
+    .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
+    .splat_valid_o(colored_valid), .splat_ready_i(colored_ready), .splat_o(colored),
+    .busy_o(color_busy), .waiting_memory_o(color_waiting)
+  );
+
+  pu_join u_join (
+    .clk_i, .rst_ni, .splat_valid_i(colored_valid), .splat_ready_o(colored_ready), .splat_i(colored),
+    .rows_end_valid_i(rows_end_valid), .rows_end_ready_o(rows_end_ready),
+    .splat_valid_o, .splat_ready_i, .splat_o
+  );
+
+  assign front_busy = cull_busy || project_busy || orient_busy || jacobian_busy || factors_busy || squares_busy ||
+                      covariance_busy || conic_busy || coeff_busy || intersect_busy;
+  assign active_o   = chunk_valid_i || !fetch_idle || front_busy || allocate_active || rows_active || spill_active ||
+                      color_busy || layer_free_i || restart_i || geometry_rsp_valid_i || color_rsp_valid_i;
+
+  pu_state u_state (
+    .rows_i(rows_active), .front_i(front_busy), .color_i(color_busy),
+    .memory_i(fetch_waiting || color_waiting || (spill_valid_o && !spill_ready_i)),
+    .blocked_i(allocate_waiting || (splat_valid_o && !splat_ready_i)), .state_o(perf_o)
   );
 
 endmodule

@@ -1,9 +1,9 @@
 // pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
 //
 // Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
-// Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a row if
-//         the lines of their own layer leave room for them, waiting until the older layer's lines are free; otherwise they
-//         take lines of the overflow area in memory. So where a line lies depends on the stream only, never on timing.
+// Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a row
+//         if the lines of their own layer leave room for them, waiting until the older layer's lines are free; otherwise
+//         they take lines of the overflow area in memory. So where a line lies depends on the stream only, not on timing.
 // Stream  tiles in; row_job and color_job out (each taken by itself), or nothing when no region is left. Ends pass.
 //         At most two layers live: behind an end, beats of the next layer but one wait for layer_free_i.
 // Pace    One Gaussian per four cycles (take, count, decide, offer).
@@ -18,6 +18,7 @@ module pu_allocate #(
   input  logic                     clk_i,
   input  logic                     rst_ni,
   input  pipegs_pkg::frame_t       frame_i,
+  input  logic                     restart_i,  // a frame begins; the PU is empty
 
   input  logic                     tiles_valid_i,
   output logic                     tiles_ready_o,
@@ -63,9 +64,8 @@ module pu_allocate #(
   logic                       ext_q;
   logic                       row_valid_q, color_valid_q;
 
-  logic                       started_q, parity_q, next_parity_q;
-  logic [WindowW-1:0]         window_x_q, window_y_q, window_x, window_y;
-  logic                       last_column, last_window;
+  logic                       parity_q, next_parity_q;
+  logic [WindowW-1:0]         window_x_q, window_y_q;  // of the beats
   logic [Regions-1:0]         done;
 
   logic [1:0]                 ended_q;   // layers that ended here and are not free yet
@@ -76,12 +76,6 @@ module pu_allocate #(
   logic                       take, take_end, fits, room, decided, local_lines;
   logic [LinesW-1:0]          current;
 
-  // The window of the beats: row-major from the frame's first to its last one.
-  assign window_x    = started_q ? window_x_q : frame_i.first_x;
-  assign window_y    = started_q ? window_y_q : frame_i.first_y;
-  assign last_column = window_x == frame_i.last_x;
-  assign last_window = last_column && window_y == frame_i.last_y;
-
   // Region (rx, ry) belongs to RU 0 | rx ^ ry | {ry, rx}, lowest bits.
   logic [Regions-1:0] done_unit [Units];
   for (genvar j = 0; j < Units; j += 1) begin : gen_done
@@ -89,7 +83,7 @@ module pu_allocate #(
     localparam logic [Regions-1:0] Rows    = (j & 2) != 0 ? ~EvenRows : EvenRows;
     localparam logic [Regions-1:0] Owned   = Units == 1 ? '1 : Units == 2 ? ~(Columns ^ EvenRows) : Columns & Rows;
     logic here;
-    assign here = done_x_i[j*WindowW +: WindowW] == window_x && done_y_i[j*WindowW +: WindowW] == window_y;
+    assign here = done_x_i[j*WindowW +: WindowW] == window_x_q && done_y_i[j*WindowW +: WindowW] == window_y_q;
     assign done_unit[j] = here ? done_i[j*Regions +: Regions] & Owned : '0;
   end
   always_comb begin
@@ -118,7 +112,7 @@ module pu_allocate #(
       StateDecide: active_o = decided;
       default:     active_o = (row_valid_q && row_job_ready_i) || (color_valid_q && color_job_ready_i);
     endcase
-    if (layer_free_i) active_o = 1'b1;
+    if (layer_free_i || restart_i) active_o = 1'b1;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -154,7 +148,6 @@ module pu_allocate #(
       overflow_q    <= '0;
       parity_q      <= 1'b0;
       next_parity_q <= 1'b0;
-      started_q     <= 1'b0;
     end else begin
       ended_q <= ended_q + 2'(take_end) - 2'(layer_free_i);
       if (layer_free_i) begin
@@ -170,11 +163,8 @@ module pu_allocate #(
       if (take_end) begin
         overflow_q    <= '0;
         next_parity_q <= !next_parity_q;
-        if (tiles_i.kind == pipegs_pkg::KindWindowEnd) begin
-          started_q <= !last_window;
-          if (last_window) next_parity_q <= 1'b0;
-        end
       end
+      if (restart_i) next_parity_q <= 1'b0;
     end
   end
 
@@ -189,9 +179,13 @@ module pu_allocate #(
       address_q <= fits ? AlphaAddressW'(head_q) : overflow_q;
       ext_q     <= !fits;
     end
-    if (take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd) begin
-      window_x_q <= last_column ? frame_i.first_x : window_x + WindowW'(1);
-      window_y_q <= last_column ? window_y + WindowW'(1) : window_y;
+    // Windows come row-major from the frame's first to its last one.
+    if (restart_i) begin
+      window_x_q <= frame_i.first_x;
+      window_y_q <= frame_i.first_y;
+    end else if (take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd) begin
+      window_x_q <= window_x_q == frame_i.last_x ? frame_i.first_x : window_x_q + WindowW'(1);
+      window_y_q <= window_x_q == frame_i.last_x ? window_y_q + WindowW'(1) : window_y_q;
     end
   end
 
@@ -232,7 +226,10 @@ module pu_allocate #(
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) layer_free_i |-> ended_q != '0)
     else $error("a layer was freed that has not ended");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) overflow_q <= ~AlphaAddressW'(0) - AlphaAddressW'(2 * Regions))
+  assert property (@(posedge clk_i) disable iff (!rst_ni) restart_i |-> !take && ended_q == '0 && oldest_q == '0)
+    else $error("a frame begins in a PU that is not empty");
+  assert property (@(posedge clk_i) disable iff (!rst_ni)
+                   overflow_q <= ~AlphaAddressW'(0) - AlphaAddressW'(2 * Regions))
     else $error("the overflow area of a layer is full");
 `endif
 

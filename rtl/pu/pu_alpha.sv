@@ -35,7 +35,7 @@ module pu_alpha (
   logic [AlphaW-1:0] capped;
 
   assign positive = !power_i[PowerW-1];
-  assign visible  = positive || power_i >= -PowerW'(pipegs_pkg::PowerCut);
+  assign visible  = positive | (PowerW'(~power_i) < PowerW'(pipegs_pkg::PowerCut));  // -1 - power < PowerCut
 
   always_ff @(posedge clk_i) begin
     if (enable_clamp_i) begin

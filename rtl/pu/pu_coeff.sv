@@ -6,11 +6,12 @@
 //           B = 2 narrow w      C = 2 (wide mean_q - u w)                    F = 2 u
 //         Out of range: dead; no pixel of the window can count (the proof is in the model's head).
 // Stream  conic in, coeff out, in order; an end beat passes through.
-// Pace    One record in eight cycles, latency 11 (an end beat 2 and 4). One multiplier, one normaliser, one aligner:
-//           slot   0        1     2       3        4         5           6     7    | 0     1 of the next slot
+// Pace    One record in eight cycles, latency 12 (an end beat 3 and 5). One multiplier, one normaliser, one aligner:
+//           slot   0        1     2       3        4         5           6     7    | 0     1     2 of the next slot
 //           mult   u        m q   wide q  wide q q narrow w  narrow w w  u w   u m  |
 //           norm   mean_q                 w                                         |
-//           align           F             C        A         B           A     C    | E     out
+//           align           u             wide q   wide q q  narrow w    n w w u w  | u m
+//           sums                  F       D        C E       A           B     A    | C     E     out
 // Model   cpp_model/pu/pu_coeff.hpp
 
 module pu_coeff (
@@ -41,7 +42,11 @@ module pu_coeff (
   localparam int unsigned AW        = pipegs_pkg::AW;
   localparam int unsigned BcW       = pipegs_pkg::BcW;
   localparam int unsigned DefW      = pipegs_pkg::DefW;
+  localparam int unsigned SumAW     = AW + 2;
+  localparam int unsigned SumBcW    = BcW + 1;
+  localparam int unsigned SumDefW   = DefW + 1;
   localparam int unsigned PhaseW    = 3;
+  localparam int unsigned OutPhase  = 2;  // the record before leaves, this one moves to front_q
   localparam int unsigned FactorF   = 34;                // magnitude bits of a product that is a factor again
   localparam int unsigned NormalF   = MantissaW + 2;     // magnitude bits of mean_q and w as factors
   localparam int unsigned NormalW   = NormalF + 1;
@@ -55,7 +60,7 @@ module pu_coeff (
   localparam int unsigned Guard     = MantissaW < 22 ? 2 * (22 - MantissaW) : 0;
   localparam int unsigned FlatGuard = CoeffF + 4 > MantissaW ? CoeffF + 4 - MantissaW : 0;
   localparam int unsigned SumW      = FloatEW + 4;  // sums of exponents
-  localparam int unsigned ShiftW    = 7;
+  localparam int unsigned FlatByW   = 7;
   localparam int unsigned LengthW   = 7;            // position of a leading bit
 
   // PuCut::budget of the model.
@@ -70,9 +75,9 @@ module pu_coeff (
   pipegs_pkg::coeff_t  coeff, coeff_q;
   logic                advance, data;
 
-  assign advance       = !(phase_q == PhaseW'(1) && front_valid_q && coeff_valid_q && !coeff_ready_i);
+  assign advance       = !(phase_q == PhaseW'(OutPhase) && front_valid_q && coeff_valid_q && !coeff_ready_i);
   assign data          = conic_i.kind == pipegs_pkg::KindData;
-  assign conic_ready_o = phase_q == PhaseW'(1) && fresh_q && advance;
+  assign conic_ready_o = phase_q == PhaseW'(OutPhase) && fresh_q && advance;
   assign coeff_valid_o = coeff_valid_q;
   assign coeff_o       = coeff_q;
   assign busy_o        = phase_q != '0 || front_valid_q || coeff_valid_q;
@@ -90,7 +95,7 @@ module pu_coeff (
         if (conic_valid_i || front_valid_q) phase_q <= PhaseW'(1);
       end else if (advance) begin
         phase_q <= phase_q + PhaseW'(1);
-        if (phase_q == PhaseW'(1)) begin
+        if (phase_q == PhaseW'(OutPhase)) begin
           if (front_valid_q) coeff_valid_q <= 1'b1;
           front_valid_q <= fresh_q;
           if (!fresh_q || !data) phase_q <= '0;  // nothing to calculate in this slot
@@ -99,7 +104,7 @@ module pu_coeff (
     end
   end
 
-  // --- the two numbers that need their leading bits: mean_q and w ------------------------------------------------------
+  // --- the two numbers that need their leading bits: mean_q and w --------------------------------------------------
   logic signed [MeanW-1:0]    mean_q, mean_p;
   logic signed [WideW-1:0]    w_q, wide;
   logic signed [NormalW-1:0]  raised;
@@ -107,8 +112,8 @@ module pu_coeff (
   logic signed [NormalW-1:0]  normal_q;
   logic signed [SumW-1:0]     normal_e_q;
   logic signed [ProductW-1:0] product_q;
-  assign mean_q = conic_i.swap ? conic_i.mean_x : conic_i.mean_y;  // while the record is in conic_i
-  assign mean_p = front_q.swap ? front_q.mean_y : front_q.mean_x;  // once it is in front_q
+  assign mean_q = conic_i.swap ? conic_i.mean_x : conic_i.mean_y;
+  assign mean_p = conic_i.swap ? conic_i.mean_y : conic_i.mean_x;
   assign wide   = phase_q == '0 ? WideW'(mean_q) : w_q;
 
   always_comb begin
@@ -126,12 +131,13 @@ module pu_coeff (
     end
   end
 
-  // --- the multiplier, and beside it the shift that aligns its product -------------------------------------------------
-  // A product m * 2^e is shifted right by Guard - CoeffF - e; e is a constant plus an exponent plus 0, 1 or 2 times normal_e.
+  // --- the multiplier, and beside it the shift that aligns its product ---------------------------------------------
+  // A product m * 2^e is shifted right by Guard - CoeffF - e (shift_q is one less); e is a constant plus an exponent
+  // plus 0, 1 or 2 times normal_e.
   logic signed [LeftW-1:0]   left, u_q;
   logic signed [RightW-1:0]  right;
   logic signed [SumW-1:0]    shift, shift_q, curve_e, normal_e;
-  localparam logic signed [SumW-1:0] Base = $signed(SumW'(Guard) - SumW'(CoeffF));
+  localparam logic signed [SumW-1:0] Base = $signed(SumW'(Guard) - SumW'(CoeffF + 1));
 
   always_comb begin
     left     = LeftW'($signed({1'b0, front_q.narrow_m}));
@@ -151,8 +157,8 @@ module pu_coeff (
         right = RightW'(mean_q);
       end
       PhaseW'(2): begin  // wide mean_q
-        left     = LeftW'($signed({1'b0, front_q.wide_m}));
-        curve_e  = SumW'(front_q.wide_e);
+        left     = LeftW'($signed({1'b0, conic_i.wide_m}));
+        curve_e  = SumW'(conic_i.wide_e);
         normal_e = normal_e_q;
         shift    = Base - $signed(SumW'(1));
       end
@@ -192,88 +198,70 @@ module pu_coeff (
     if (phase_q == PhaseW'(1)) u_q <= LeftW'(product_q >>> SlopeDrop);
   end
 
-  // --- products to CoeffF fraction bits, to nearest ---------------------------------------------------------------------
-  localparam int unsigned AlignW = ProductW + Guard;
-  logic [ShiftW-1:0]        by;
-  logic signed [AlignW-1:0] halves, aligned;
-  logic                     low_shift, fits_a, fits_bc, fits_def;
-  assign low_shift = shift_q <= 0;
-  assign by        = shift_q[SumW-2:ShiftW] != '0 ? '1 : shift_q[ShiftW-1:0] - ShiftW'(1);
-  assign halves    = $signed(AlignW'(product_q) <<< Guard) >>> by;
-  assign aligned   = (halves >>> 1) + $signed({{(AlignW - 1){1'b0}}, halves[0]});
-  assign fits_a    = aligned[AlignW-1:AW-1] == '0 || &aligned[AlignW-1:AW-1];
-  assign fits_bc   = aligned[AlignW-1:BcW-1] == '0 || &aligned[AlignW-1:BcW-1];
-  assign fits_def  = aligned[AlignW-1:DefW-1] == '0 || &aligned[AlignW-1:DefW-1];
+  // --- products to CoeffF fraction bits, to nearest ----------------------------------------------------------------
+  logic signed [AW-1:0] aligned;
+  logic                 up, fits_a, fits_bc, fits_def;
+  pu_align #(.DataW(ProductW), .Guard(Guard), .ShiftW(SumW)) u_align (
+    .clk_i, .enable_i(advance), .product_i(product_q), .shift_i(shift_q), .floor_o(aligned), .up_o(up),
+    .fits_a_o(fits_a), .fits_bc_o(fits_bc), .fits_def_o(fits_def)
+  );
 
-  // narrow (cycle 2) and wide (cycle 3) themselves.
+  // narrow and wide themselves: cycles 1 and 2 the shift, 2 and 3 the number, 3 and 4 its use.
   localparam int unsigned FlatW = MantissaW + FlatGuard;
   logic [MantissaW-1:0]      flat_m;
   logic signed [FloatEW-1:0] flat_e;
-  logic signed [SumW-1:0]    flat_shift;
-  logic [ShiftW-1:0]         flat_by;
-  logic [FlatW-1:0]          flat_halves, flat;
-  logic                      flat_fits;
-  assign flat_m      = phase_q == PhaseW'(2) ? front_q.narrow_m : front_q.wide_m;
-  assign flat_e      = phase_q == PhaseW'(2) ? front_q.narrow_e : front_q.wide_e;
-  assign flat_shift  = $signed(SumW'(FlatGuard) - SumW'(CoeffF)) - SumW'(flat_e);
-  assign flat_by     = flat_shift[SumW-2:ShiftW] != '0 ? '1 : flat_shift[ShiftW-1:0] - ShiftW'(1);
+  logic signed [SumW-1:0]    flat_shift_q;
+  logic [FlatByW-1:0]        flat_by;
+  logic [FlatW-1:0]          flat_halves, flat_q;
+  logic                      flat_right_q, fits_flat;
+  assign flat_m      = phase_q == PhaseW'(2) ? conic_i.narrow_m : front_q.wide_m;
+  assign flat_e      = phase_q == PhaseW'(1) ? conic_i.narrow_e : conic_i.wide_e;
+  assign flat_by     = flat_shift_q[SumW-2:FlatByW] != '0 ? '1 : flat_shift_q[FlatByW-1:0];
   assign flat_halves = (FlatW'(flat_m) << FlatGuard) >> flat_by;
-  assign flat        = (flat_halves >> 1) + FlatW'(flat_halves[0]);
-  assign flat_fits   = flat_shift > 0 && flat[FlatW-1:DefW-1] == '0;
+  assign fits_flat   = flat_right_q && flat_q[FlatW-1:DefW-1] == '0;
+  always_ff @(posedge clk_i) if (advance) begin
+    flat_shift_q <= $signed(SumW'(FlatGuard) - SumW'(CoeffF + 1)) - SumW'(flat_e);
+    flat_right_q <= !flat_shift_q[SumW-1];
+    flat_q       <= (flat_halves >> 1) + FlatW'(flat_halves[0]);
+  end
 
-  // --- sums ---------------------------------------------------------------------------------------------------------------
-  localparam int unsigned SumAW   = AW + 2;
-  localparam int unsigned SumBcW  = BcW + 1;
-  localparam int unsigned SumDefW = DefW + 1;
-  logic signed [AW+1:0]   a_q;
-  logic signed [BcW-1:0]  b_q;  // with respect to p
-  logic signed [BcW:0]    c_q;  // with respect to q
-  logic signed [DefW-1:0] d_q, f_q;
-  logic signed [DefW:0]   e_q;
-  logic                   dead_q;
+  // --- sums --------------------------------------------------------------------------------------------------------
+  logic signed [SumAW-1:0]   a_q;
+  logic signed [BcW-1:0]     b_q;  // with respect to p
+  logic signed [SumBcW-1:0]  c_q;  // with respect to q
+  logic signed [DefW-1:0]    d_q, f_q;
+  logic signed [SumDefW-1:0] e_q;
+  logic                      dead_q;
 
   always_ff @(posedge clk_i) begin
     case (phase_q)
-      PhaseW'(0): begin
-        e_q    <= e_q - SumDefW'(aligned);
-        dead_q <= dead_q || low_shift || !fits_def;
-      end
-      PhaseW'(1): if (advance) begin
-        f_q    <= DefW'(aligned);
-        dead_q <= low_shift || !fits_def || conic_i.opacity >= OpacityW'(Budget);
-      end
-      PhaseW'(2): begin
-        d_q    <= $signed(DefW'(0) - DefW'(flat));
-        dead_q <= dead_q || !flat_fits;
-      end
-      PhaseW'(3): begin
-        c_q    <= SumBcW'(aligned);
-        e_q    <= $signed(SumDefW'(0) - SumDefW'(flat));
-        dead_q <= dead_q || low_shift || !fits_bc || !flat_fits;
-      end
+      PhaseW'(2): f_q <= advance ? DefW'(aligned) + $signed(DefW'(up)) : f_q;
+      PhaseW'(3): d_q <= $signed(DefW'(0) - DefW'(flat_q));
       PhaseW'(4): begin
-        a_q    <= $signed(SumAW'(0) - (SumAW'(front_q.opacity) << (CoeffF - OpacityF))) - SumAW'(aligned);
-        dead_q <= dead_q || low_shift || !fits_a;
+        c_q <= SumBcW'(aligned) + $signed(SumBcW'(up));
+        e_q <= $signed(SumDefW'(0) - SumDefW'(flat_q));
       end
-      PhaseW'(5): begin
-        b_q    <= BcW'(aligned);
-        dead_q <= dead_q || low_shift || !fits_bc;
-      end
-      PhaseW'(6): begin
-        a_q    <= a_q - SumAW'(aligned);
-        dead_q <= dead_q || low_shift || !fits_a;
-      end
-      default: begin
-        c_q    <= c_q - SumBcW'(aligned);
-        dead_q <= dead_q || low_shift || !fits_bc;
-      end
+      PhaseW'(5): a_q <= $signed(SumAW'(0) - (SumAW'(front_q.opacity) << (CoeffF - OpacityF))) - SumAW'(aligned) -
+                         $signed(SumAW'(up));
+      PhaseW'(6): b_q <= BcW'(aligned) + $signed(BcW'(up));
+      PhaseW'(7): a_q <= a_q - SumAW'(aligned) - $signed(SumAW'(up));
+      PhaseW'(0): c_q <= c_q - SumBcW'(aligned) - $signed(SumBcW'(up));
+      default:    e_q <= e_q - SumDefW'(aligned) - $signed(SumDefW'(up));
+    endcase
+    case (phase_q)
+      PhaseW'(2): dead_q <= advance ? !fits_def || conic_i.opacity >= OpacityW'(Budget) : dead_q;
+      PhaseW'(3): dead_q <= dead_q || !fits_flat;
+      PhaseW'(4): dead_q <= dead_q || !fits_bc || !fits_flat;
+      PhaseW'(5), PhaseW'(7): dead_q <= dead_q || !fits_a;
+      PhaseW'(6), PhaseW'(0): dead_q <= dead_q || !fits_bc;
+      default:    dead_q <= dead_q || !fits_def;
     endcase
   end
 
-  // --- what leaves ----------------------------------------------------------------------------------------------------------
+  // --- what leaves -------------------------------------------------------------------------------------------------
   logic dead;
-  assign dead = dead_q || !(a_q[AW+1:AW-1] == '0 || &a_q[AW+1:AW-1]) || c_q[BcW] != c_q[BcW-1] || e_q[DefW] != e_q[DefW-1];
-
+  assign dead = dead_q || !(a_q[AW+1:AW-1] == '0 || &a_q[AW+1:AW-1]) || c_q[BcW] != c_q[BcW-1] ||
+                e_q[DefW] != e_q[DefW-1];
   always_comb begin
     coeff      = '0;
     coeff.kind = front_q.kind;
@@ -304,7 +292,7 @@ module pu_coeff (
   end
 
   always_ff @(posedge clk_i) begin
-    if (phase_q == PhaseW'(1) && advance) begin
+    if (phase_q == PhaseW'(OutPhase) && advance) begin
       if (front_valid_q) coeff_q <= coeff;
       front_q <= conic_i;
     end

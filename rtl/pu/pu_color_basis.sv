@@ -1,7 +1,7 @@
 // pu_color_basis: the fifteen SH basis functions of bands 1 to 3 for a unit direction.
 //
-// Idea    Bands 2 and 3 are built from each other with 25 products on four multipliers. A product is registered, and in the
-//         next cycle rounded into a result, so what step n makes can be used from step n + 2 on:
+// Idea    Bands 2 and 3 are built from each other with 25 products on four multipliers. A product is registered, and
+//         in the next cycle rounded into a result, so what step n makes can be used from step n + 2 on:
 //           step  0: px py zz height    1: cube_x cube_y b1 b2    2: b4 b8 b3 b5     3: b7 b6 rim pole
 //                 4: b9 and b15 (two products each)               5: b10 b14 b11 b13  6: b12
 // Stream  unit_direction (s1.16) -> sh_basis (s0.16), both registered here.
@@ -32,13 +32,13 @@ module pu_color_basis (
   localparam logic signed [W-1:0] Band1 = W'(32021);     // C1 = 0.4886025119
   localparam logic signed [W-1:0] Pair = W'(71601);      // 2 C2e = 1.0925484306
   localparam logic signed [W-1:0] Height = W'(86696);    // sqrt(7) / 2
-  localparam logic signed [W-1:0] Cube = -W'(70787);     // C3a / C2e
+  localparam logic signed [W-1:0] Cube = W'(-70787);     // C3a / C2e
   localparam logic signed [W-1:0] SixA = W'(62009);      // 3 C2c
-  localparam logic signed [W-1:0] SixB = -W'(20670);     // -C2c
-  localparam logic signed [W-1:0] RimA = -W'(74882);     // 5 C3c / 2
+  localparam logic signed [W-1:0] SixB = W'(-20670);     // -C2c
+  localparam logic signed [W-1:0] RimA = W'(-74882);     // 5 C3c / 2
   localparam logic signed [W-1:0] RimB = W'(14976);      // -C3c / 2
   localparam logic signed [W-1:0] PoleA = W'(122282);    // 5 C3d
-  localparam logic signed [W-1:0] PoleB = -W'(73369);    // -3 C3d
+  localparam logic signed [W-1:0] PoleB = W'(-73369);    // -3 C3d
 
   logic                       busy_q;
   logic [2:0]                 step_q, product_step_q;
@@ -172,10 +172,10 @@ module pu_color_basis (
           work_q.b4 <= BasisW'(near0);
           work_q.b8 <= half1;
           work_q.b3 <= BasisW'(near2);
-          work_q.b5 <= -BasisW'(near3);
+          work_q.b5 <= BasisW'(-near3);
         end
         3'd3: begin
-          work_q.b7 <= -BasisW'(near0);
+          work_q.b7 <= BasisW'(-near0);
           work_q.b6 <= BasisW'(near1 + SixB);
           rim_q     <= near2 + RimB;
           pole_q    <= near3 + PoleB;
@@ -190,7 +190,10 @@ module pu_color_basis (
           work_q.b11 <= twice2;
           work_q.b13 <= twice3;
         end
-        default: basis_q <= done;
+        default: begin
+          work_q.b12 <= done.b12;
+          basis_q    <= done;
+        end
       endcase
     end
   end

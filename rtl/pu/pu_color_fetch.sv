@@ -1,8 +1,9 @@
 // pu_color_fetch: asks for the SH line of each colour job and keeps the job until the line is here.
 //
-// Idea    Three queues of one size: tasks, directions and lines. Every direction and every line (asked for or here) belongs
-//         to a task that is still queued, so a free place for the task is a free place for all three: no credits, and an
-//         answer of the memory always finds room. The directions leave early, and are evaluated while the line travels.
+// Idea    Three queues of one size: tasks, directions and lines. Every direction and every line (asked for or here)
+//         belongs to a task that is still queued, so a free place for the task is a free place for all three: no
+//         credits, and an answer of the memory always finds room. The directions leave early, and are evaluated
+//         while the line travels.
 // Stream  color_job -> color_task; for each data beat of a frame with SH also a view_direction and a 64-byte line.
 //         Degree 1 has four Gaussians in a line, degree 2 and 3 one.
 // Pace    One job per cycle without SH, one in two cycles with (the request register is emptied first).
@@ -35,7 +36,9 @@ module pu_color_fetch #(
 
   output logic                               line_valid_o,
   input  logic                               line_ready_i,
-  output logic [pipegs_pkg::MemoryW-1:0]     line_o
+  output logic [pipegs_pkg::MemoryW-1:0]     line_o,
+
+  output logic                               busy_o  // a job is queued
 );
 
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
@@ -77,12 +80,13 @@ module pu_color_fetch #(
   always_ff @(posedge clk_i) begin
     if (ask) begin
       mem_address_q <= frame_i.colors +
-                       (frame_i.sh_degree == pipegs_pkg::KindW'(1) ? AddressW'(job_i.slot >> pipegs_pkg::QuarterW)
-                                                                   : AddressW'(job_i.slot));
+                       (frame_i.sh_degree == pipegs_pkg::KindW'(1) ?
+                        AddressW'(job_i.slot[pipegs_pkg::SlotW-1:pipegs_pkg::QuarterW]) : AddressW'(job_i.slot));
     end
   end
   assign mem_valid_o   = mem_valid_q;
   assign mem_address_o = mem_address_q;
+  assign busy_o        = task_count != '0;
 
   sram_fifo #(.DataW(pipegs_pkg::ColorTaskBits), .Depth(Depth)) u_tasks (
     .clk_i,
@@ -120,7 +124,7 @@ module pu_color_fetch #(
     .count_o    (line_count)
   );
 
-  wire unused_fields = &{1'b0, frame_i, direction_room, line_room, task_count, direction_count, line_count};
+  wire unused_fields = &{1'b0, frame_i, direction_room, line_room, direction_count, line_count};
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) ask |-> direction_room)

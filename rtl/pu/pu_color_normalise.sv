@@ -1,9 +1,10 @@
 // pu_color_normalise: divides the world direction by its length.
 //
-// Idea    length2 = u * 4^h with u in [1, 4); unit = world * rsqrt(u) * 2^-h. Any length works, also an unnormalised one; a
-//         zero direction gives zero.
+// Idea    length2 = u * 4^h with u in [1, 4); unit = world * rsqrt(u) * 2^-h. Any length works, also an unnormalised
+//         one; a zero direction gives zero.
 // Stream  world_direction -> unit_direction, s1.16, rounded to nearest, saturated.
-// Pace    One direction in 5 cycles, latency 7: normalise, two of rsqrt, then x, y, z through one multiplier and one shifter.
+// Pace    One direction in 5 cycles, latency 7: normalise, two of rsqrt, then x, y, z through one multiplier and one
+//         shifter.
 // Model   cpp_model/pu/pu_color_normalise.hpp
 //
 //         step   (take)  0  1  2  3  4          r is there from step 2 on and stays while u_q does
@@ -29,7 +30,7 @@ module pu_color_normalise (
   localparam int unsigned InW = 20;                                       // rsqrt's input, u2.18
   localparam int unsigned HalfW = $clog2(LengthW / 2);
   localparam int unsigned ProductW = WorldW + RootW + 1;
-  localparam int unsigned ShiftLow = RootW - pipegs_pkg::UnitDirectionF;  // shift = h + 1 + ShiftLow; one of it is the rounding's
+  localparam int unsigned ShiftLow = RootW - pipegs_pkg::UnitDirectionF;  // shift = h + ShiftLow, and 1 to round
 
   logic                       busy_q;
   logic [2:0]                 step_q;
@@ -73,7 +74,7 @@ module pu_color_normalise (
       default: factor = z_q;
     endcase
     cut    = product_q >>> ((HalfW + 1)'(product_half_q) + (HalfW + 1)'(ShiftLow));
-    near   = (cut >>> 1) + ProductW'({1'b0, cut[0]});
+    near   = (cut >>> 1) + ProductW'($signed({1'b0, cut[0]}));
     unit_d = UnitW'(near);
     if (near != ProductW'(unit_d)) unit_d = {near[ProductW-1], {(UnitW - 1){!near[ProductW-1]}}};
   end

@@ -131,4 +131,6 @@ module pu_color_rotate (
   assign world_valid_o = world_valid_q;
   assign world_o       = world_q;
 
+  wire unused_frame = &{1'b0, frame_i};
+
 endmodule

@@ -1,10 +1,11 @@
 // pu_color_sum: coefficients times basis, plus the constant band, clamped to the colour's range.
 //
-// Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as integers
-//         and the sum is shifted once:  sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF, two guard bits below base and colour.
-//         A step takes two basis functions times three channels: six multipliers of ShMW x BasisW bits.
+// Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as
+//         integers and the sum is shifted once:  sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF, two guard bits
+//         below base and colour. A step takes two basis functions times three channels: six multipliers of ShMW x
+//         BasisW bits.
 // Stream  color_task, SH line and sh_basis (the last two for data beats of a frame with SH) -> splat.
-// Pace    One Gaussian in 8 cycles at degree 3, 6 at degree 1 and 2, 2 without SH; latency 12.
+// Pace    One Gaussian in 8 cycles at degree 3, 5 at degree 1 and 2, 2 without SH; latency 12 (9, 6, 2).
 // Model   cpp_model/pu/pu_color_sum.hpp
 //
 //         step n: operands -> products -> sums;   after the last step, tail 1 2: sums settle, 3: shift, 4: base, clamp
@@ -30,6 +31,7 @@ module pu_color_sum (
   input  logic                             splat_ready_i,
   output pipegs_pkg::splat_t               splat_o,
 
+  output logic                             busy_o,           // a Gaussian left its queue, but not this module
   output logic                             waiting_memory_o  // the oldest Gaussian lacks its line
 );
 
@@ -47,7 +49,7 @@ module pu_color_sum (
   localparam int unsigned SumW = ProductW + 4;          // 15 products
   localparam int unsigned PairW = 6 * CoefW;            // coefficients of one step
   localparam int unsigned Steps = 8;
-  localparam int unsigned ShiftTop = 25 + CoefW + pipegs_pkg::BasisF - WorkF;  // shift - 1 at exponent 0; never below exponent 31
+  localparam int unsigned ShiftTop = 25 + CoefW + pipegs_pkg::BasisF - WorkF;  // shift - 1 at exponent 0; at least 31
   localparam int unsigned ShiftW = 6;
   localparam int unsigned Slot1W = pipegs_pkg::MemoryW / 4;
 
@@ -59,8 +61,9 @@ module pu_color_sum (
   logic                        splat_valid_q;
   pipegs_pkg::splat_t          splat_q;
 
-  assign degree = frame_i.sh_degree > pipegs_pkg::KindW'(pipegs_pkg::ShDegree) ? 2'(pipegs_pkg::ShDegree) : frame_i.sh_degree;
   always_comb begin
+    degree = '0;  // the smaller one of frame and machine
+    for (int unsigned i = 1; i <= pipegs_pkg::ShDegree; i += 1) if (frame_i.sh_degree >= 2'(i)) degree = 2'(i);
     unique case (degree)
       2'd1:    last_step = 3'd1;
       2'd2:    last_step = 3'd3;
@@ -79,6 +82,7 @@ module pu_color_sum (
   assign task_ready_o     = pop;
   assign line_ready_o     = pop && shaded;
   assign basis_ready_o    = pop && shaded;
+  assign busy_o           = tail_q != 3'd0 || splat_valid_q;
   assign waiting_memory_o = task_valid_i && shaded && !line_valid_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -101,26 +105,37 @@ module pu_color_sum (
   logic [pipegs_pkg::MemoryW-1:0]      slot;
   logic [Steps*PairW-1:0]              coefs;
   logic [2*Steps*BasisW-1:0]           functions;
-  logic [PairW-1:0]                    pair_q;
+  logic [PairW-1:0]                    coef_pair, pair_q;
+  logic [2*BasisW-1:0]                 function_pair;
   logic signed [BasisW-1:0]            even_q, odd_q;
   logic                                operand_valid_q, operand_first_q, product_valid_q, product_first_q;
 
   always_comb begin
     slot = line_i;
     if (frame_i.sh_degree == pipegs_pkg::KindW'(1)) begin
-      slot[Slot1W-1:0] = line_i[Slot1W * task_i.quarter +: Slot1W];
+      for (int unsigned i = 1; i < 4; i += 1) begin
+        if (task_i.quarter == pipegs_pkg::QuarterW'(i)) slot[Slot1W-1:0] = line_i[Slot1W*i +: Slot1W];
+      end
     end
     coefs = (Steps*PairW)'(slot[pipegs_pkg::MemoryW-1:ExpW]);
     if (degree == 2'd1) coefs[2*PairW-1 -: PairW/2] = '0;             // bands hold 3, 8 and 15 functions
     if (degree == 2'd3) coefs[Steps*PairW-1 -: PairW/2] = '0;
     functions = (2*Steps*BasisW)'(basis_i);
+    coef_pair     = '0;
+    function_pair = '0;
+    for (int unsigned i = 0; i < Steps; i += 1) begin
+      if (step_q == 3'(i)) begin
+        coef_pair     = coefs[PairW*i +: PairW];
+        function_pair = functions[2*BasisW*i +: 2*BasisW];
+      end
+    end
   end
 
   always_ff @(posedge clk_i) begin
     if (step) begin
-      pair_q          <= coefs[PairW * step_q +: PairW];
-      even_q          <= functions[2*BasisW * step_q +: BasisW];
-      odd_q           <= functions[2*BasisW * step_q + BasisW +: BasisW];
+      pair_q          <= coef_pair;
+      even_q          <= function_pair[BasisW-1:0];
+      odd_q           <= function_pair[2*BasisW-1:BasisW];
       operand_first_q <= step_q == '0;
     end
     product_first_q <= operand_first_q;
@@ -158,24 +173,44 @@ module pu_color_sum (
   end
 
   for (genvar c = 0; c < 3; c += 1) begin : gen_channel
-    logic signed [CoefW-1:0]    even, odd;
-    logic signed [BaseW-1:0]    base;
-    logic signed [ProductW-1:0] even_product_q, odd_product_q;
-    logic signed [SumW-1:0]     both, sum_q, cut, near;
-    logic signed [WorkW-1:0]    bands_q;
-    logic signed [TotalW-1:0]   total, value;
-    logic [ColorW-1:0]          color;
+    logic signed [BaseW-1:0]  base;
+    logic signed [WorkW-1:0]  bands;
+    logic signed [TotalW-1:0] total, value;
+    logic [ColorW-1:0]        color;
 
-    assign even = pair_q[c*CoefW +: CoefW];
-    assign odd  = pair_q[(3+c)*CoefW +: CoefW];
-    assign base = bases_q[c*BaseW +: BaseW];
-    assign both = SumW'(even_product_q) + SumW'(odd_product_q);
+    if (pipegs_pkg::ShDegree != 0) begin : gen_bands
+      logic signed [CoefW-1:0]    even, odd;
+      logic signed [ProductW-1:0] even_product_q, odd_product_q;
+      logic signed [SumW-1:0]     both, sum_q, cut, near;
+      logic signed [WorkW-1:0]    bands_q;
 
-    // Shift and total round to nearest: the first bit that is dropped is added.
-    assign cut   = sum_q >>> shift;
-    assign near  = (cut >>> 1) + SumW'({1'b0, cut[0]});
-    assign total = (shaded_q ? TotalW'(bands_q) : '0) + (TotalW'(base) <<< (WorkF - BaseF));
-    assign value = (total >>> (WorkF - ColorF)) + TotalW'({1'b0, total[WorkF-ColorF-1]});
+      assign even = pair_q[c*CoefW +: CoefW];
+      assign odd  = pair_q[(3+c)*CoefW +: CoefW];
+      assign both = SumW'(even_product_q) + SumW'(odd_product_q);
+      // To nearest: the first bit that is dropped is added.
+      assign cut  = sum_q >>> shift;
+      assign near = (cut >>> 1) + SumW'($signed({1'b0, cut[0]}));
+
+      always_ff @(posedge clk_i) begin
+        if (operand_valid_q) begin
+          even_product_q <= ProductW'(even) * ProductW'(even_q);
+          odd_product_q  <= ProductW'(odd) * ProductW'(odd_q);
+        end
+        if (product_valid_q) sum_q <= product_first_q ? both : sum_q + both;
+        if (tail_q == 3'd3) bands_q <= WorkW'(near);
+      end
+      assign bands = shaded_q ? bands_q : WorkW'(0);
+
+      wire unused_high = &{1'b0, near[SumW-1:WorkW]};
+    end else begin : gen_flat
+      assign bands = '0;
+      wire unused_bands = &{1'b0, pair_q, even_q, odd_q, operand_valid_q, product_valid_q, product_first_q, shaded_q,
+                            shift};
+    end
+
+    assign base  = bases_q[c*BaseW +: BaseW];
+    assign total = TotalW'(bands) + (TotalW'(base) <<< (WorkF - BaseF));
+    assign value = (total >>> (WorkF - ColorF)) + TotalW'($signed({1'b0, total[WorkF-ColorF-1]}));
 
     always_comb begin
       color = value[ColorW-1:0];
@@ -183,17 +218,6 @@ module pu_color_sum (
       if (value[TotalW-1] || !data_q) color = '0;
     end
     assign colors[c*ColorW +: ColorW] = color;
-
-    always_ff @(posedge clk_i) begin
-      if (operand_valid_q) begin
-        even_product_q <= ProductW'(even) * ProductW'(even_q);
-        odd_product_q  <= ProductW'(odd) * ProductW'(odd_q);
-      end
-      if (product_valid_q) sum_q <= product_first_q ? both : sum_q + both;
-      if (tail_q == 3'd3) bands_q <= WorkW'(near);
-    end
-
-    wire unused_high = &{1'b0, near[SumW-1:WorkW]};
   end
 
   always_ff @(posedge clk_i) begin

@@ -4,8 +4,8 @@
 // Idea    Eliminate the narrower axis (x if c >= a, else exchange x and y); larger = max(a, c):
 //           wide = k / larger,  narrow = k larger / det,  slope = b / larger,  extent = sqrt(variance * budget)
 // Stream  covariance in, conic out, in order; an end beat passes through.
-// Pace    One record in eight cycles, latency 14 (an end beat 6). One multiplier, one reciprocal, two serial square roots.
-//           slot  0     1    2     3     4     5     6     7   | 0      1      2  3       4       5     of the next slot
+// Pace    One record in eight cycles, latency 14 (an end beat 6). One multiplier, one reciprocal, two roots.
+//           slot  0     1    2     3     4     5     6     7   | 0      1      2  3      4      5  next slot
 //           recip larger det             ->    ->              |
 //           mult             a t   c t         wide  k/det slope narrow
 //           root                         a: 4 .. 7             | .. 2          scale
@@ -32,36 +32,21 @@ module pu_conic (
   localparam int unsigned FloatEW   = pipegs_pkg::FloatEW;
   localparam int unsigned SlopeW    = pipegs_pkg::SlopeW;
   localparam int unsigned SlopeF    = SlopeW - 2;
-  localparam int unsigned OpacityF  = pipegs_pkg::OpacityF;
   localparam int unsigned OpacityW  = pipegs_pkg::OpacityW;
-  localparam int unsigned CoeffF    = pipegs_pkg::CoeffF;
-  localparam int unsigned PowerF    = pipegs_pkg::PowerF;
   localparam int unsigned ExtentW   = pipegs_pkg::ExtentW;
   localparam int unsigned PhaseW    = 3;
   localparam int unsigned LastPhase = 7;
   localparam int unsigned OutPhase  = 5;   // the record before leaves, this one moves to front_q
-  localparam int unsigned RadicandW = 28;  // of pu_root
-  localparam int unsigned RootW     = RadicandW / 2;
   localparam int unsigned LeftW     = MantissaW + 1 > SlopeW ? MantissaW + 1 : SlopeW;
   localparam int unsigned RightW    = MantissaW > OpacityW ? MantissaW + 1 : OpacityW + 1;
   localparam int unsigned ProductW  = LeftW + RightW;
   localparam int unsigned ShiftW    = 7;
   localparam int unsigned SumW      = FloatEW + 4;  // sums of exponents
-  localparam int unsigned Cut       = MantissaW + OpacityW - RadicandW;
 
   // log2(e)/2, u0.MantissaW, from 32 fraction bits.
   localparam int unsigned KF  = 32;
   localparam logic [KF-1:0] KFull = KF'(3098164009);
   localparam logic [MantissaW-1:0] K = MantissaW'(((KFull >> (KF - MantissaW - 1)) + KF'(1)) >> 1);
-
-  // PuCut::budget: log2(255) and three times the slack, rounded up.
-  localparam logic [63:0] Slack  = (64'd1 << (CoeffF + 8 - PowerF)) + (64'd1 << 16) + (64'd1 << (CoeffF - 12));
-  localparam logic [63:0] Budget =
-    (((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + 64'd3 * Slack) >> (CoeffF - OpacityF)) + 64'd1;
-  // 2 ln(2) (1 + 1/64) * 2^8, rounded up.
-  localparam int unsigned MarginF = 8;
-  localparam int unsigned MarginW = 9;
-  localparam logic [MarginW-1:0] Margin = MarginW'(361);
 
   // What a record keeps while it is calculated.
   typedef struct packed {
@@ -126,7 +111,7 @@ module pu_conic (
     end
   end
 
-  // --- which axis is the wider one -------------------------------------------------------------------------------
+  // --- which axis is the wider one ---------------------------------------------------------------------------------
   logic                      swap;
   logic [MantissaW-1:0]      larger_m;
   logic signed [FloatEW-1:0] larger_e;
@@ -135,7 +120,7 @@ module pu_conic (
   assign larger_m = swap ? covariance_i.a_m : covariance_i.c_m;
   assign larger_e = swap ? covariance_i.a_e : covariance_i.c_e;
 
-  // --- reciprocals: they come four cycles later, whether the slot waits or not --------------------------------------
+  // --- reciprocals: they come four cycles later, whether the slot waits or not -------------------------------------
   logic                 recip_in_valid, recip_valid, second_q;
   logic [MantissaW-1:0] recip_in, recip, inverse_q, inverse_det_q;
   assign recip_in_valid = fresh && data && (phase_q == '0 || phase_q == PhaseW'(1));
@@ -156,36 +141,16 @@ module pu_conic (
     if (recip_valid && second_q) inverse_det_q <= recip;
   end
 
-  // --- the budget of the box: cycle 0 the value, cycle 1 shifted to the left end --------------------------------------
-  logic [OpacityW-1:0]         budget;
-  logic [OpacityW+MarginW-1:0] scaled;
-  logic [OpacityW-1:0]         t_q, t_left, t_left_q;
-  logic [FloatEW-1:0]          lead, lead_q;
-  assign budget = OpacityW'(Budget) > covariance_i.opacity ? OpacityW'(Budget) - covariance_i.opacity : '0;
-  assign scaled = (OpacityW + MarginW)'(budget) * (OpacityW + MarginW)'(Margin);
-
-  always_comb begin
-    lead = '0;
-    for (int unsigned i = 0; i < OpacityW; i += 1) if (t_q[i]) lead = FloatEW'(OpacityW - 1 - i);
-    t_left = t_q << lead;
-  end
-  always_ff @(posedge clk_i) begin
-    if (phase_q == '0) t_q <= OpacityW'(scaled >> MarginF) + OpacityW'(1);
-    if (phase_q == PhaseW'(1)) begin
-      t_left_q <= t_left;
-      lead_q   <= lead;
-    end
-  end
-
-  // --- the multiplier --------------------------------------------------------------------------------------------------
+  // --- the multiplier ----------------------------------------------------------------------------------------------
   logic [MantissaW-1:0]        scaled_det_q;  // k / det
+  logic [OpacityW-1:0]         t;             // the budget of the box
   logic signed [LeftW-1:0]     left;
   logic signed [RightW-1:0]    right;
   logic signed [ProductW-1:0]  product_q;
 
   always_comb begin
     left  = LeftW'($signed({1'b0, covariance_i.a_m}));
-    right = RightW'($signed({1'b0, t_left_q}));
+    right = RightW'($signed({1'b0, t}));
     case (phase_q)
       PhaseW'(0): begin  // narrow
         left  = LeftW'($signed({1'b0, front_q.larger_m}));
@@ -221,20 +186,21 @@ module pu_conic (
   assign gain     = FloatEW'({1'b0, top}) + FloatEW'({1'b0, rounded[MantissaW]});
 
   // b / larger = product * 2^(b_e - larger_e + 1 - 2 MantissaW), to SlopeF fraction bits, at most 1.
-  localparam logic signed [LeftW+RightW-1:0] One = ProductW'(1) <<< SlopeF;
   logic signed [SumW-1:0]     slope_shift, slope_shift_q;
   logic [ShiftW-1:0]          slope_by;
-  logic signed [ProductW-1:0] half_slope, near_slope;
+  logic signed [ProductW-1:0] half_slope, near_slope, one, minus_one;
   logic signed [SlopeW-1:0]   slope;
   assign slope_shift = SumW'(front_q.larger_e) - SumW'(front_q.b_e) + SumW'(2 * MantissaW - 1) - SumW'(SlopeF);
   assign slope_by    = slope_shift_q[SumW-2:ShiftW] != '0 ? '1 : slope_shift_q[ShiftW-1:0] - ShiftW'(1);
   assign half_slope  = product_q >>> slope_by;
   assign near_slope  = (half_slope >>> 1) + $signed(ProductW'(half_slope[0]));
+  assign one         = {{(ProductW - SlopeF - 1){1'b0}}, 1'b1, {SlopeF{1'b0}}};
+  assign minus_one   = {{(ProductW - SlopeF){1'b1}}, {SlopeF{1'b0}}};
   always_comb begin
     slope = SlopeW'(near_slope);
-    if (slope_shift_q <= 0) slope = product_q == 0 ? '0 : product_q < 0 ? -SlopeW'(One) : SlopeW'(One);
-    else if (near_slope > One) slope = SlopeW'(One);
-    else if (near_slope < -One) slope = -SlopeW'(One);
+    if (slope_shift_q <= 0) slope = product_q[ProductW-1] ? SlopeW'(minus_one) : product_q == '0 ? '0 : SlopeW'(one);
+    else if (near_slope > one) slope = SlopeW'(one);
+    else if (near_slope < minus_one) slope = SlopeW'(minus_one);
   end
 
   logic [MantissaW-1:0]      wide_m_q, narrow_m_q;
@@ -257,56 +223,16 @@ module pu_conic (
     end
   end
 
-  // --- the two roots ----------------------------------------------------------------------------------------------------
-  logic signed [SumW-1:0] exponent, half, half_x_q, half_y_q;
-  logic signed [FloatEW-1:0] variance_e;
-  logic [RadicandW-1:0]   radicand;
-  logic [RootW-1:0]       root_x, root_y, root;
-  logic [ExtentW-1:0]     pixels, pixels_x_q, pixels_y_q;
-
-  assign variance_e = phase_q == PhaseW'(3) ? covariance_i.a_e : covariance_i.c_e;
-  assign exponent   = SumW'(variance_e) - SumW'($signed({1'b0, lead_q})) + SumW'(8) + SumW'(Cut) - SumW'(OpacityF);
-  assign radicand = exponent[0] ? RadicandW'(product_q >> (Cut + 1)) : RadicandW'(product_q >> Cut);
-
-  pu_root u_root_x (
-    .clk_i, .load_i(phase_q == PhaseW'(3)), .step_i(advance), .radicand_i(radicand), .root_o(root_x)
-  );
-  pu_root u_root_y (
-    .clk_i, .load_i(phase_q == PhaseW'(4)), .step_i(advance), .radicand_i(radicand), .root_o(root_y)
+  // --- the box -----------------------------------------------------------------------------------------------------
+  logic [ExtentW-1:0] extent_x, extent_y;
+  pu_extent u_extent (
+    .clk_i, .phase_i(phase_q), .advance_i(advance),
+    .opacity_i(covariance_i.opacity), .a_e_i(covariance_i.a_e), .c_e_i(covariance_i.c_e),
+    .t_o(t), .product_i(product_q[MantissaW+OpacityW-1:0]),
+    .extent_x_o(extent_x), .extent_y_o(extent_y)
   );
 
-  // (root + 1) * 2^half, in 1/16 pixel.
-  localparam int unsigned ByW = 5;
-  logic [RootW:0]         up;
-  logic [SumW-1:0]        minus_half;
-  logic [ExtentW+RootW:0] raised;
-  assign root       = phase_q == PhaseW'(3) ? root_x : root_y;
-  assign half       = phase_q == PhaseW'(3) ? half_x_q : half_y_q;
-  assign up         = (RootW + 1)'(root) + (RootW + 1)'(1);
-  assign minus_half = -half;
-  assign raised     = (ExtentW + RootW + 1)'(up) << half[ByW-1:0];
-  always_comb begin
-    if (half >= $signed(SumW'(ExtentW))) pixels = '1;
-    else if (half >= 0) pixels = raised[ExtentW+RootW:ExtentW] != '0 ? '1 : raised[ExtentW-1:0];
-    else pixels = minus_half[SumW-1:ByW] != '0 ? '0 : ExtentW'(up) >> minus_half[ByW-1:0];
-  end
-  always_ff @(posedge clk_i) begin
-    if (phase_q == PhaseW'(3)) begin
-      half_x_q   <= (exponent + $signed(SumW'(exponent[0]))) >>> 1;
-      pixels_x_q <= pixels;
-    end
-    if (phase_q == PhaseW'(4)) begin
-      half_y_q   <= (exponent + $signed(SumW'(exponent[0]))) >>> 1;
-      pixels_y_q <= pixels;
-    end
-  end
-
-  localparam int unsigned FarShift = MantissaW - 4;
-  logic [ExtentW:0] extent_x, extent_y;
-  assign extent_x = (ExtentW + 1)'(pixels_x_q) + ((ExtentW + 1)'(pixels_y_q) >> FarShift) + (ExtentW + 1)'(2);
-  assign extent_y = (ExtentW + 1)'(pixels_y_q) + ((ExtentW + 1)'(pixels_x_q) >> FarShift) + (ExtentW + 1)'(2);
-
-  // --- what is kept, what leaves -----------------------------------------------------------------------------------------
+  // --- what is kept, what leaves -----------------------------------------------------------------------------------
   always_comb begin
     front          = '0;
     front.kind     = covariance_i.kind;
@@ -334,8 +260,8 @@ module pu_conic (
     conic      = '0;
     conic.kind = front_q.kind;
     if (front_q.kind == pipegs_pkg::KindData) begin
-      conic.extent_x = extent_x[ExtentW] ? '1 : extent_x[ExtentW-1:0];
-      conic.extent_y = extent_y[ExtentW] ? '1 : extent_y[ExtentW-1:0];
+      conic.extent_x = extent_x;
+      conic.extent_y = extent_y;
       conic.slope_m  = slope_q;
       conic.narrow_m = narrow_m_q;
       conic.narrow_e = narrow_e_q;

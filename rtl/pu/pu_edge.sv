@@ -1,11 +1,11 @@
 // pu_edge: does a region's box of pixel centres hold a point with P = power - cut >= 0 ?
 //
 // Paper   the test behind the 4-bit bitmap of a tile (Sec. 4.2).
-// Idea    P is concave, so its maximum over the box is at the mean or on the edges that face the mean. Keep the region if
+// Idea    P is concave, so its maximum over the box is at the mean or on the edges that face it. Keep the region if
 //           the mean lies in its box, or P >= 0 at one of its four corners, or
 //           on a facing edge the gradient g is > 0 at the first end, < 0 at the other, and  P + g^2 / (4 |curve|) >= 0
 //         where the last is tested as g^2 >= 4 |curve| (-P), with g rounded up and -P rounded down.
-//         By concavity at most one facing edge rises from the corner where two meet; both (by rounding) keep the region.
+//         By concavity at most one facing edge rises where two meet; both (by rounding) keep the region.
 // Stream  P and its gradients at the region's first pixel in; three cycles later the verdict. hold_i stops all.
 // Pace    One region per cycle, latency 3: differences | corners, edge | products | compare.
 // Model   cpp_model/pu/pu_edge.hpp
@@ -66,7 +66,7 @@ module pu_edge #(
   assign right       = mean_column > column || (mean_column == column && mean_x_i[MeanF+EightW-1:0] > LastPixel);
   assign below       = mean_row > row || (mean_row == row && mean_y_i[MeanF+EightW-1:0] > LastPixel);
 
-  // --- 1: differences across the region; gradients along the facing edges, at both ends ---------------------------------------
+  // --- 1: differences across the region; gradients along the facing edges, at both ends ----------------------------
   logic signed [PowerW-1:0] power_1_q, across_1_q, down_1_q;
   logic signed [GradW-1:0]  gx, gy, gx_1_q, gy_1_q, gx_end_1_q, gy_end_1_q;
   logic                     vertical_1_q, horizontal_1_q, right_1_q, below_1_q;
@@ -88,7 +88,7 @@ module pu_edge #(
     end
   end
 
-  // --- 2: the corners; which edge bends ------------------------------------------------------------------------------------------
+  // --- 2: the corners; which edge bends ----------------------------------------------------------------------------
   logic signed [PowerW-1:0] power_x, power_y, power_xy, power_edge;
   logic signed [GradW-1:0]  grad_edge;
   logic signed [DefW-1:0]   curve_edge;
@@ -119,7 +119,7 @@ module pu_edge #(
     end
   end
 
-  // --- 3: products; then the comparison --------------------------------------------------------------------------------------------
+  // --- 3: products; then the comparison ----------------------------------------------------------------------------
   localparam int unsigned CompareW = SquareW > NeedW ? SquareW : NeedW;
   logic [SquareW-1:0] square_3_q;
   logic [NeedW-1:0]   need_3_q;

@@ -1,9 +1,9 @@
 // pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/255.
 //
 // Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
-// Idea    The box mean +- extent gives a range of columns and rows of regions, walked row by row. P = power - cut. Keep a
-//         region if it holds the mean, if P >= 0 at a corner, or if between the ends of an edge that faces the mean P rises,
-//         then falls, and its peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
+// Idea    The box mean +- extent gives columns and rows of regions, walked row by row. P = power - cut. Keep a region
+//         if it holds the mean, if P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls, and its
+//         peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
 //           P += 8 gx + 64 D,  gx += 16 D,  gy += 8 F          P += 8 gy + 64 E,  gx += 8 F,  gy += 16 E
 // Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through.
 // Pace    6 + (regions in the box) cycles; 2 for a Gaussian without a box, or for an end beat.
@@ -61,7 +61,7 @@ module pu_intersect (
   pipegs_pkg::tiles_t  tiles, tiles_q;
   logic [Regions-1:0]  mask, mask_q;
 
-  // --- the box of pixels, as columns and rows of regions -----------------------------------------------------------------
+  // --- the box of pixels, as columns and rows of regions -----------------------------------------------------------
   localparam int unsigned HalfW = ExtentW + MeanF - ExtentF + 1;
   localparam int unsigned BoxW  = (HalfW > MeanW ? HalfW : MeanW) + 2;
   localparam logic signed [BoxW-1:0] Side = BoxW'(Window);
@@ -83,7 +83,7 @@ module pu_intersect (
   assign none    = coeff_i.dead || x_low >= Side || y_low >= Side || x_high < 0 || y_high < 0 ||
                    x_first > x_last || y_first > y_last;
 
-  // --- first region: gradients, then P --------------------------------------------------------------------------------------
+  // --- first region: gradients, then P -----------------------------------------------------------------------------
   logic signed [FactorW-1:0] column, row;
   logic signed [CurveW-1:0]  e_row, f_row, f_column, d_column;
   logic signed [GradW-1:0]   b, c, along_x_q, along_y_q;  // B + F y + D x,  C + E y
@@ -98,7 +98,7 @@ module pu_intersect (
   assign c        = GradW'(coeff_i.c);
   assign place    = PowerW'(along_x_q) * PowerW'(column) + PowerW'(along_y_q) * PowerW'(row);
 
-  // --- the walk ----------------------------------------------------------------------------------------------------------------
+  // --- the walk ----------------------------------------------------------------------------------------------------
   logic                     last_column, last_region;
   logic signed [PowerW-1:0] power_q, power_row_q, power_from;
   logic signed [GradW-1:0]  gx_q, gy_q, gx_row_q, gy_row_q, gx_from, gy_from, grad;
@@ -157,7 +157,7 @@ module pu_intersect (
     endcase
   end
 
-  // --- the test -------------------------------------------------------------------------------------------------------------------
+  // --- the test ----------------------------------------------------------------------------------------------------
   logic               keep, test_last;
   logic [RegionW-1:0] test_region;
   pu_edge u_edge (
@@ -177,7 +177,7 @@ module pu_intersect (
     else mask_q <= mask;
   end
 
-  // --- control ----------------------------------------------------------------------------------------------------------------------
+  // --- control -----------------------------------------------------------------------------------------------------
   assign out_free      = !tiles_valid_q || tiles_ready_i;
   assign last          = state_q == StateDrain && test_last;
   assign coeff_ready_o = (state_q == StateStart && none_q) || ((last || state_q == StateEnd) && out_free);

@@ -1,13 +1,17 @@
 // pu_join: holds back a layer's end towards the SU until all its lines of alphas are written.
 //
 // Paper   Sec. 4.1: a layer goes to sorting and rasterization as a whole.
-// Idea    Two paths leave pu_allocate: colours (then splats) and rows (then lines). A splat passes at once; an end beat
-//         passes only together with the same end of the rows' path, so nobody can ask for a line that is not there yet.
-// Stream  splat in, rows_end in; splat out.
+// Idea    Two paths leave pu_allocate: colours (then splats) and rows (then lines). A splat passes at once. The ends of the
+//         rows' path are counted, so that the rows never wait for the colours; an end beat of the splats passes when one
+//         has been counted. So nobody can ask for a line that is not there yet.
+// Stream  splat in, rows_end in (never refused: at most two layers live); splat out.
 // Pace    One splat per cycle, no latency.
 // Model   The identity.
 
 module pu_join (
+  input  logic                         clk_i,
+  input  logic                         rst_ni,
+
   input  logic                         splat_valid_i,
   output logic                         splat_ready_o,
   input  pipegs_pkg::splat_t           splat_i,
@@ -20,12 +24,25 @@ module pu_join (
   output pipegs_pkg::splat_t           splat_o
 );
 
-  logic is_end;
+  localparam int unsigned CountW = 2;
+
+  logic [CountW-1:0] ends_q;  // layers whose lines are all written and whose end has not passed
+  logic              is_end, pass;
 
   assign is_end           = splat_i.kind != pipegs_pkg::KindData;
+  assign pass             = !is_end || ends_q != '0;
   assign splat_o          = splat_i;
-  assign splat_valid_o    = splat_valid_i && (!is_end || rows_end_valid_i);
-  assign splat_ready_o    = splat_ready_i && (!is_end || rows_end_valid_i);
-  assign rows_end_ready_o = splat_valid_i && is_end && splat_ready_i;
+  assign splat_valid_o    = splat_valid_i && pass;
+  assign splat_ready_o    = splat_ready_i && pass;
+  assign rows_end_ready_o = 1'b1;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) ends_q <= '0;
+    else ends_q <= ends_q + CountW'(rows_end_valid_i) - CountW'(is_end && splat_valid_o && splat_ready_i);
+  end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) ends_q != '1);
+`endif
 
 endmodule

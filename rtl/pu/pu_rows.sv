@@ -1,13 +1,13 @@
 // pu_rows: eight Row Units turn the regions of a Gaussian into lines of 64 alphas.
 //
 // Paper   Fig. 5a, Fig. 7: eight Row Units per Preprocessing Unit.
-// Idea    Unit dy walks row dy, so each cycle gives PixelsPerRow columns of all eight rows; the line is a shift register
+// Idea    Unit dy walks row dy: each cycle gives PixelsPerRow columns of all eight rows. The line is a shift register
 //         per row. The whole pipeline moves together and stops only when a line waits at the output.
 //
 //           pu_region | 8 x pu_row_init -> pu_row_unit | cut, clamp | exp2 | shift, round -> line
 //
 // Stream  row_job in; alphas and their line out (an end beat: kind only, its line means nothing).
-// Pace    One region per 8 / PixelsPerRow cycles, no bubble between regions or jobs; from job to line 7 + 8/PixelsPerRow cycles.
+// Pace    One region per 8 / PixelsPerRow cycles, no bubble between regions or jobs. Latency 8 + 8 / PixelsPerRow.
 // Model   cpp_model/pu/pu_rows.hpp
 
 module pu_rows (
@@ -55,7 +55,8 @@ module pu_rows (
   assign take           = region_valid && region_ready;
   assign alphas_valid_o = alphas_valid_q;
   assign alphas_o       = alphas_q;
-  assign active_o       = row_job_valid_i || region_busy || row_valid_q || clamp_valid_q || exp_valid_q || alphas_valid_q;
+  assign active_o       = row_job_valid_i || region_busy || row_valid_q || clamp_valid_q || exp_valid_q
+                       || alphas_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

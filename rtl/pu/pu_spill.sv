@@ -1,7 +1,7 @@
 // pu_spill: sends each line of alphas where pu_allocate gave it room: the alpha store, or the overflow area in memory.
 //
 // Paper   The paper's cache has no bound; docs/units/rows.md says what happens when ours is full.
-// Idea    A line for the store passes at once. A line for memory goes through one register, in AlphaMemoryLines pieces at
+// Idea    A line for the store passes at once. A line for memory goes through a register, in AlphaMemoryLines pieces, to
 //           frame.overflow + ({unit, parity, area 0} << 24) + address * AlphaMemoryLines + piece
 //         An end comes out as rows_end only when no line waits for the memory any more: writes are in order behind it.
 // Stream  alphas + line in; store write (never refused), memory write, rows_end out.

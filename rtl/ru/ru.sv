@@ -139,15 +139,16 @@ module ru #(
 
   ru_memory u_memory (
     .clk_i, .rst_ni, .read_valid_i(load_valid), .read_ready_o(load_ready), .read_address_i(load_address),
-    .write_valid_i(store_valid), .write_ready_o(store_ready), .write_address_i(store_address), .write_data_i(store_data),
+    .write_valid_i(store_valid), .write_ready_o(store_ready), .write_address_i(store_address),
+    .write_data_i(store_data),
     .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o
   );
 
   assign idle_o   = queue_count == '0 && walk_idle && fetch_idle && !lanes_busy && resolve_ready && !mem_valid_o;
   assign active_o = in_valid_i || restart_i || !idle_o;
 
-  // Busy: a quarter is blended, a beat leaves the walk or a line of pixels leaves. Memory: the next line, or room for pixels,
-  // has to come from there. Blocked: an alpha store does not answer.
+  // Busy: a quarter is blended, the walk takes a splat or a line of pixels leaves. Memory: the next line, or room for
+  // pixels, has to come from there. Blocked: an alpha store does not answer.
   always_comb begin
     if (lanes_issue || layer_done_o || (splat_valid && splat_ready) || (store_valid && store_ready)) perf_o = 2'd0;
     else if (fetch_memory || store_valid || mem_valid_o) perf_o = 2'd3;

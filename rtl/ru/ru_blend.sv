@@ -3,8 +3,8 @@
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w, so T plus the sum of all weights stays 1.
 //         INRIA's stop rule: when T' would fall below 1e-4 the pixel is done and this Gaussian is not blended.
-// Stream  cycle 0 (enable_1_i): alpha code, T and done. cycle 1 (enable_2_i): colour. cycle 2: accumulated colour in, new T,
-//         done and colour out. T u1.(TW-1), alpha u0.AlphaW, colour u2.(ColorW-2), accumulated u2.(RgbW-2).
+// Stream  cycle 0 (enable_1_i): alpha code, T and done. cycle 1 (enable_2_i): colour. cycle 2: accumulated colour in,
+//         new T, done and colour out. T u1.(TW-1), alpha u0.AlphaW, colour u2.(ColorW-2), accumulated u2.(RgbW-2).
 // Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top.
 // Pace    One pixel per cycle; one multiplication per stage. Registers hold while their enable is low.
 // Model   cpp_model/ru/ru_blend.hpp
@@ -36,9 +36,12 @@ module ru_blend (
   localparam int unsigned AddW = RgbW + 1;                    // a rounded product may just reach 4.0
   localparam int unsigned ColorShift = ColorProductW - AddW;  // fraction bits that the rounding removes
 
+  localparam logic [ColorProductW-1:0] ColorHalf = ColorProductW'(1) << (ColorShift - 1);  // half of the last bit
+  localparam logic [ProductW-1:0] Half = ProductW'(1) << (AlphaW - 1);
+
   // w * colour with the fraction of the accumulated colour.
   function automatic logic [AddW-1:0] scaled(input logic [TW-1:0] weight, input logic [pipegs_pkg::ColorW-1:0] color);
-    scaled = AddW'((ColorProductW'(weight) * ColorProductW'(color) + (ColorProductW'(1) << (ColorShift - 1))) >> ColorShift);
+    scaled = AddW'((ColorProductW'(weight) * ColorProductW'(color) + ColorHalf) >> ColorShift);
   endfunction
 
   function automatic logic [RgbW-1:0] added(input logic [RgbW-1:0] sum, input logic [AddW-1:0] add);
@@ -58,7 +61,7 @@ module ru_blend (
 
   always_ff @(posedge clk_i) begin
     if (enable_1_i) begin
-      weight_1_q <= TW'((ProductW'(t_i) * ProductW'(code_i) + (ProductW'(1) << (AlphaW - 1))) >> AlphaW);
+      weight_1_q <= TW'((ProductW'(t_i) * ProductW'(code_i) + Half) >> AlphaW);
       t_1_q      <= t_i;
       done_1_q   <= done_i;
     end

@@ -1,9 +1,9 @@
 // ru_dispatch: deals the sorted splats to the RUs that own a region of them.
 //
 // Paper   Fig. 7 (SUs feed the RUs).
-// Idea    One register holds the splat and one bit per RU that has not taken it yet. The whole mask goes along, because a
-//         region's line is found by counting the mask's lower bits. Each RU has a queue at its input, so RUs may drift
-//         apart; a full queue stalls the dispatch. End beats go to all RUs.
+// Idea    One register holds the splat and one bit per RU that has not taken it yet. The whole mask goes along,
+//         because a region's line is found by counting the mask's lower bits. Each RU has a queue at its input, so
+//         RUs may drift apart; a full queue stalls the dispatch. End beats go to all RUs.
 // Stream  sorted_t in; the same sorted_t to each RU whose regions it covers. Splats that cover nothing vanish.
 // Pace    One splat per cycle.
 // Model   ru_own_mask in cpp_model/ru/ru_walk.hpp

@@ -1,9 +1,10 @@
 // ru_fetch: fetches the line of alphas of each region, from an alpha store or from the overflow area in memory.
 //
-// Paper   Sec. 4, "precompute and cache the alphas"; the overflow area is what makes a full cache cost time, not pixels.
-// Idea    Lines are asked for in order as long as there is room for the answers: local lines come one cycle after the store
-//         took the request, external ones after any time, up to FetchLines in flight. A queue of records remembers where
-//         each next line comes from, so lines leave in the order of the records.
+// Paper   Sec. 4, "precompute and cache the alphas"; the overflow area is what makes a full cache cost time, not
+//         pixels.
+// Idea    Lines are asked for in order as long as there is room for the answers: local lines come one cycle after the
+//         store took the request, external ones after any time, up to FetchLines in flight. A queue of records
+//         remembers where each next line comes from, so lines leave in the order of the records.
 // Stream  fetch_t in; blend_t with its line beside it out. End beats pass in order; each toggles the layer's parity.
 // Pace    One region per cycle while lines come as fast.
 // Model   ru_overflow_line in cpp_model/ru/ru_walk.hpp, and a queue in the test.
@@ -60,6 +61,7 @@ module ru_fetch (
   logic                 record_ready, record_valid, pop;
   logic [LocalW-1:0]    local_count;
   logic                 local_valid, external_valid, external_push, line_valid;
+  logic [AddressW-1:0]  area;
   logic [LineW-1:0]     local_in, local_line, external_in, external_line;
   logic [RecordsW-1:0]  record_count;
   logic                 local_ready, external_ready;
@@ -80,11 +82,12 @@ module ru_fetch (
   end
   assign read_address_o = in_i.address;
 
-  // The address of the overflow area: unit, parity, area 0. A line of two parts takes two memory lines.
+  // The overflow area of this unit and parity, area 0. A line of two parts takes two memory lines.
+  assign area        = overflow_i + (AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift);
   assign mem_valid_o = external_want;
   if (Parts == 1) begin : gen_one_part
     assign external_last = 1'b1;
-    assign mem_address_o = overflow_i + (AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift) + AddressW'(in_i.address);
+    assign mem_address_o = area + AddressW'(in_i.address);
     assign external_push = rsp_valid_i;
     assign external_in   = rsp_data_i[LineW-1:0];
     if (LineW < MemoryW) begin : gen_unused
@@ -95,8 +98,7 @@ module ru_fetch (
     logic               ask_part_q, rsp_part_q;
     logic [MemoryW-1:0] first_q;  // the part that came first
     assign external_last = ask_part_q;
-    assign mem_address_o = overflow_i + (AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift) +
-                           AddressW'({in_i.address, ask_part_q});
+    assign mem_address_o = area + AddressW'({in_i.address, ask_part_q});
     assign external_push = rsp_valid_i && rsp_part_q;
     assign external_in   = {rsp_data_i[LineW-MemoryW-1:0], first_q};
     always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -1,12 +1,13 @@
 // ru_lanes: sixteen Rendering Units blend a line of alphas into the 64 pixels of a region.
 //
 // Paper   Table 2: sixteen Rendering Units per RU.
-// Idea    A region takes four cycles: quarter q is its pixel rows 2q and 2q+1. Three stages lie between a word's read and its
-//         write, and a word comes again after four cycles at the earliest, so regions follow each other without a bubble.
+// Idea    A region takes four cycles: quarter q is its pixel rows 2q and 2q+1. Three stages lie between a word's read
+//         and its write, and a word comes again after four cycles at the earliest, so regions follow each other
+//         without a bubble.
 //           cycle 0 read      1 weight = T * alpha      2 weight * colour      3 add, write
-// Stream  blend_t and its line in. A word of the pixel buffer: done flags, T, colours (blue, green, red; red lowest) of sixteen
-//         pixels, pixel 0 lowest in each. An end beat waits until all is written: then layer_done_o, and for the end of a
-//         window also window_done_o, which needs resolve_ready_i.
+// Stream  blend_t and its line in. A word of the pixel buffer: done flags, T, colours (blue, green, red; red lowest)
+//         of sixteen pixels, pixel 0 lowest in each. An end beat waits until all is written: then layer_done_o, and
+//         for the end of a window also window_done_o, which needs resolve_ready_i.
 // Pace    Four cycles per region.
 // Model   cpp_model/ru/ru_lanes.hpp
 

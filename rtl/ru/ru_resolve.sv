@@ -1,10 +1,11 @@
 // ru_resolve: writes the pixels of a finished window to external memory.
 //
 // Paper   Fig. 7, the output side of the double buffer. Background is black: the accumulated colour is the pixel.
-// Idea    A line of memory is one row of a region: eight pixels of 64 bits, T u1.15, blue, green, red u2.14, red lowest.
-//         Regions are a power of two, so a line's number is window, region and row side by side. A word of the pixel
-//         buffer is two lines; the next word is read while the second one leaves.
-// Stream  start_i with the window's number and the regions to leave out; write requests out. Fresh words are T = 1, black.
+// Idea    A line of memory is one row of a region: eight pixels of 64 bits, T u1.15, blue, green, red u2.14, red
+//         lowest. Regions are a power of two, so a line's number is window, region and row side by side. A word of
+//         the pixel buffer is two lines; the next word is read while the second one leaves.
+// Stream  start_i with the window's number and the regions to leave out; write requests out. Fresh words are T = 1,
+//         black.
 // Pace    One line per cycle.
 // Model   cpp_model/ru/ru_resolve.hpp
 

@@ -2,8 +2,8 @@
 //
 // Paper   Sec. 4: Gaussians are blended in sorted order, region by region of a tile's bitmap.
 // Idea    The lowest bit of the remaining mask is the next region, x & -x; its line is the splat's first line plus the
-//         number of lower bits in the whole mask. Regions that are done need no line: skipping them saves work and never
-//         changes a pixel. The done mask is not looked at while an earlier window is still being blended.
+//         number of lower bits in the whole mask. Regions that are done need no line: skipping them saves work and
+//         never changes a pixel. The done mask is not looked at while an earlier window is still being blended.
 // Stream  sorted_t in, one fetch_t for each region; end beats pass in order.
 // Pace    One region per cycle; a splat without a live region takes one cycle. Latency three cycles.
 // Model   cpp_model/ru/ru_walk.hpp

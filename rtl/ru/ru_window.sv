@@ -1,8 +1,9 @@
 // ru_window: which window of the frame the RU is in, and how much of that window lies inside the image.
 //
 // Paper   Sec. 4 (the frame is rendered tile group by tile group).
-// Idea    Windows follow row by row from first to last. All that depends on the window is computed in the cycle in which it
-//         changes and kept: pixels inside, regions outside, and the window's number in the frame (by addition).
+// Idea    Windows follow row by row from first to last. All that depends on the window is computed in the cycle in
+//         which it changes and kept: pixels inside, regions outside, and the window's number in the frame (by
+//         addition).
 // Stream  restart_i: the first window of the frame. advance_i: the next one.
 // Pace    New values in the cycle after the pulse.
 // Model   ru_take, ru_inside and ru_pixel_line in cpp_model/ru/

@@ -2,11 +2,12 @@
 //
 // Paper   Sec. 4.2.2: MinMax Finder, Pivot-based Splitter, 16-channel Bitonic Sorter; Sec. 4.1 for the double buffer.
 // Idea    su_collect fills one half of the stores while the layer in the other half goes su_split -> su_bitonic ->
-//         su_emit; the nearest group leaves while farther ones are still whole. A layer that does not fit its half lies in
-//         external memory and goes through the same path store by store (su_select). Here: wiring, the stores, and
-//         the sequence of one layer.
-// Stream  in: splats in any order, then an end beat. out: the same splats by {depth, index}, then the end beat. mem: only
-//         overflow: lines written by the collector, lines read back. active_o low: nothing would change in this cycle.
+//         su_emit; the nearest group leaves while farther ones are still whole. A layer that does not fit its half
+//         lies in external memory and goes through the same path store by store (su_select). Here: wiring, the
+//         stores, and the sequence of one layer.
+// Stream  in: splats in any order, then an end beat. out: the same splats by {depth, index}, then the end beat. mem:
+//         only overflow: lines written by the collector, lines read back. active_o low: nothing would change in this
+//         cycle.
 // Pace    3 to 5 cycles per splat over all (docs/units/su.md); the memory stays idle while layers fit their half.
 // Model   cpp_model/su/su.hpp
 
@@ -49,7 +50,7 @@ module su (
   logic unused_fields;  // only frame_i.overflow is needed; the key of in_i goes by its fields
   assign unused_fields = &{1'b0, frame_i, in_bits[PayloadAt-1:0]};
 
-  // --- the layer that is being collected ------------------------------------------------------------------------------
+  // --- the layer that is being collected -----------------------------------------------------------------------------
   logic                    layer_valid, layer_ready, collect_half, collect_write, collect_moved, collect_active;
   logic [NumberW-1:0]      layer_count;
   logic [KeyW-1:0]         layer_min, layer_max;
@@ -70,16 +71,17 @@ module su (
     .layer_valid_o(layer_valid), .layer_ready_i(layer_ready), .layer_count_o(layer_count), .layer_min_o(layer_min),
     .layer_max_o(layer_max), .layer_kind_o(layer_kind),
     .half_used_i(used_q), .key_busy_i(select_write), .sorter_idle_i(sorter_idle), .half_o(collect_half),
-    .write_o(collect_write), .slot_o(collect_slot), .key_read_o(append_read), .key_slot_o(append_slot), .key_i(stored_key),
+    .write_o(collect_write), .slot_o(collect_slot),
+    .key_read_o(append_read), .key_slot_o(append_slot), .key_i(stored_key),
     .record_valid_o(record_valid), .record_ready_i(record_ready), .record_line_o(record_line), .record_o(record),
     .keys_valid_o(keys_valid), .keys_ready_i(keys_ready), .keys_line_o(keys_line), .keys_o(keys),
     .moved_o(collect_moved), .active_o(collect_active)
   );
   assign in_bits = in_i;
 
-  // --- the sequence of the layer that is being sorted -----------------------------------------------------------------
+  // --- the sequence of the layer that is being sorted ----------------------------------------------------------------
   typedef enum logic [1:0] {
-    Idle,   // waits for a layer; an overflowed one also for the end of the layer before it
+    Idle,   // waits for a layer
     Sort,   // a layer in the store: waits until its last key went to su_emit
     Spill,  // an overflowed layer: su_select starts the splitter for each store
     End     // sends the end beat
@@ -95,7 +97,7 @@ module su (
   logic [KeyW-1:0]         group_min, group_max;
 
   assign layer_spills = layer_count > NumberW'(pipegs_pkg::Records);
-  assign layer_ready  = state_q == Idle && layer_valid && (!layer_spills || emit_empty);
+  assign layer_ready  = state_q == Idle && layer_valid;
   assign select_start = layer_ready && layer_spills;
   assign split_start  = (layer_ready && !layer_spills && layer_count != '0) || group;
   assign sent_all     = split_idle && bitonic_idle;
@@ -123,7 +125,7 @@ module su (
     if (layer_ready) kind_q <= layer_kind;
   end
 
-  // --- the stores: two halves each --------------------------------------------------------------------------------------
+  // --- the stores: two halves each -----------------------------------------------------------------------------------
   logic             split_read, payload_read, payload_half;
   logic [SlotW-1:0] split_slot, select_slot, payload_slot;
   logic [KeyW-1:0]  select_key;
@@ -144,7 +146,7 @@ module su (
     .read_i(payload_read), .raddr_i({payload_half, payload_slot}), .rdata_o(payload)
   );
 
-  // --- sorting ----------------------------------------------------------------------------------------------------------
+  // --- sorting -------------------------------------------------------------------------------------------------------
   logic             group_valid, group_ready, group_last, item_valid, item_ready;
   logic [KeyW-1:0]  group_key, item_key;
   logic [SlotW-1:0] group_slot, item_slot;
@@ -166,12 +168,12 @@ module su (
     .idle_o(bitonic_idle), .active_o(bitonic_active)
   );
 
-  // --- overflow and output --------------------------------------------------------------------------------------------------
+  // --- overflow and output -------------------------------------------------------------------------------------------
   logic                    select_read, emit_read, read_ready, line_valid, select_line_ready, emit_line_ready;
   logic [LineNumberW-1:0]  select_line, emit_line;
   logic [NumberW-1:0]      select_number;
   logic [pipegs_pkg::MemoryW-1:0] line;
-  logic                    select_turn;  // the lines in flight are keys: su_select waits for su_emit while it sorts
+  logic                    select_turn;  // the first line in flight is one of keys: all records asked for were sent
 
   su_select u_select (
     .clk_i, .rst_ni, .start_i(select_start), .count_i(layer_count), .min_i(layer_min), .max_i(layer_max),
@@ -180,7 +182,7 @@ module su (
     .line_valid_i(line_valid && select_turn), .line_ready_o(select_line_ready), .line_i(line),
     .write_o(select_write), .write_slot_o(select_slot), .write_key_o(select_key), .write_number_o(select_number),
     .group_o(group), .group_count_o(group_count), .group_min_o(group_min), .group_max_o(group_max),
-    .group_done_i(sent_all && emit_empty)
+    .group_done_i(sent_all)
   );
   assign select_turn = state_q == Spill && emit_empty && sent_all;
 
@@ -209,15 +211,15 @@ module su (
     .overflow_o, .waits_o(port_waits), .active_o(port_active)
   );
 
-  // --- what the unit does in this cycle: 0 busy, 1 starved, 2 blocked, 3 memory -----------------------------------------
-  assign active_o = collect_active || layer_ready || (state_q == Sort && sent_all) || (state_q == Spill && select_idle) ||
-                    (state_q == End && end_ready) || split_active || bitonic_active || select_active || emit_active ||
-                    port_active;
+  // --- what the unit does in this cycle: 0 busy, 1 starved, 2 blocked, 3 memory --------------------------------------
+  assign active_o = collect_active || layer_ready || (state_q == Sort && sent_all) ||
+                    (state_q == Spill && select_idle) || (state_q == End && end_ready) || split_active ||
+                    bitonic_active || select_active || emit_active || port_active;
   always_comb begin
     perf_o = 2'd1;
     if (out_valid_o && !out_ready_i) perf_o = 2'd2;
     if (port_waits) perf_o = 2'd3;
-    if (collect_moved || split_active || bitonic_active || select_active || emit_active) perf_o = 2'd0;
+    if (collect_moved || layer_ready || split_active || bitonic_active || select_active || emit_active) perf_o = 2'd0;
   end
 
 endmodule

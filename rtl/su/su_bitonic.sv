@@ -2,9 +2,9 @@
 //
 // Paper   Sec. 4.2.2, "16-channel Bitonic Sorter". Table 2 gives an SU 33 kGE, so one stage of the network is built and
 //         used ten times; all ten stages side by side would need 60 kGE.
-// Idea    for (size = 1..4) for (distance = size-1..0): cell c compares channels a and a + 2^distance, where a is c with a
-//         0 put in at bit `distance`; the pair goes down instead of up where bit `size` of a is set. A batch of n
-//         keys needs only the sizes up to log2(n). Unused channels are void, which is above every key.
+// Idea    for (size = 1..4) for (distance = size-1..0): channels a and a + 2^distance are compared and exchanged,
+//         downwards where bit `size` of a is set. A batch of n keys needs only the sizes up to log2(n). Unused
+//         channels are void, which is above every key.
 // Stream  in: keys with their slots, `last` ends a batch of 1 to 16. out: the batch in ascending order.
 // Pace    One key per cycle in and out; 0, 1, 3, 6 or 10 cycles of sorting. While a batch leaves, the next is loaded
 //         into the channels already emptied.
@@ -36,8 +36,8 @@ module su_bitonic (
   localparam int unsigned DataW = pipegs_pkg::KeyW + pipegs_pkg::RecordW;
   localparam int unsigned ItemW = DataW + 1;  // {void, key, slot}
 
-  logic [Channels*ItemW-1:0] items_q, sorted;
-  logic [Cells*ItemW-1:0]    lows, highs;
+  logic [Channels*ItemW-1:0] items_q, exchanged, sorted;
+  logic [DistanceW-1:0]      turn, down_bit;
   logic [ChannelW:0]         fill_q;      // keys of the coming batch that are loaded
   logic                      loaded_q;    // ... and that is all of them
   logic                      sorting_q;
@@ -56,56 +56,34 @@ module su_bitonic (
   assign idle_o      = !sorting_q && fill_q == '0 && sent_q == live_q;
   assign active_o    = sorting_q || start || load || send;
 
-  // The eight cells. The pairing is a choice among four wirings, one for each distance.
+  // The eight cells stand on neighbouring places, 2c and 2c + 1. At distance d, channel i lies in place i rotated right
+  // by d, so that bit d of i is the lowest; an exchange ends by rotating the places for the next distance.
+  assign turn = last_stage ? '0 : distance_q == '0 ? size_q[DistanceW-1:0] : '1;
+  assign down_bit = size_q[DistanceW-1:0] - distance_q - 1'b1;
   for (genvar c = 0; c < Cells; c += 1) begin : gen_cell
-    localparam int unsigned A0 = 2 * c;
-    localparam int unsigned A1 = (c / 2) * 4 + c % 2;
-    localparam int unsigned A2 = (c / 4) * 8 + c % 4;
-    localparam int unsigned A3 = c;
-    logic [ItemW-1:0]  a, b;
-    logic [ChannelW:0] channel;
-    logic              swap;
+    localparam logic [ChannelW-1:0] Number = ChannelW'(c);
+    logic [ItemW-1:0] a, b;
+    logic             swap;
     always_comb begin
-      unique case (distance_q)
-        2'd0: begin
-          a = items_q[A0*ItemW +: ItemW];
-          b = items_q[(A0+1)*ItemW +: ItemW];
-          channel = (ChannelW+1)'(A0);
-        end
-        2'd1: begin
-          a = items_q[A1*ItemW +: ItemW];
-          b = items_q[(A1+2)*ItemW +: ItemW];
-          channel = (ChannelW+1)'(A1);
-        end
-        2'd2: begin
-          a = items_q[A2*ItemW +: ItemW];
-          b = items_q[(A2+4)*ItemW +: ItemW];
-          channel = (ChannelW+1)'(A2);
-        end
-        default: begin
-          a = items_q[A3*ItemW +: ItemW];
-          b = items_q[(A3+8)*ItemW +: ItemW];
-          channel = (ChannelW+1)'(A3);
-        end
-      endcase
-      swap = (a[ItemW-1 -: pipegs_pkg::KeyW+1] > b[ItemW-1 -: pipegs_pkg::KeyW+1]) != channel[size_q];
-      lows[c*ItemW +: ItemW]  = swap ? b : a;
-      highs[c*ItemW +: ItemW] = swap ? a : b;
+      a = items_q[2*c*ItemW +: ItemW];
+      b = items_q[(2*c+1)*ItemW +: ItemW];
+      swap = (a[ItemW-1 -: pipegs_pkg::KeyW+1] > b[ItemW-1 -: pipegs_pkg::KeyW+1]) !=
+             (Number[down_bit] && !size_q[DistanceW]);
+      exchanged[2*c*ItemW +: ItemW]     = swap ? b : a;
+      exchanged[(2*c+1)*ItemW +: ItemW] = swap ? a : b;
     end
   end
 
-  // Back to the channels: channel i is the cell's low or high output according to bit `distance` of i.
-  for (genvar i = 0; i < Channels; i += 1) begin : gen_channel
-    localparam int unsigned C0 = i / 2;
-    localparam int unsigned C1 = (i / 4) * 2 + i % 2;
-    localparam int unsigned C2 = (i / 8) * 4 + i % 4;
-    localparam int unsigned C3 = i % 8;
+  for (genvar i = 0; i < Channels; i += 1) begin : gen_place
+    localparam int unsigned From1 = (i * 2) % Channels + i / 8;  // i rotated left
+    localparam int unsigned From2 = (i * 4) % Channels + i / 4;
+    localparam int unsigned From3 = (i * 8) % Channels + i / 2;
     always_comb begin
-      unique case (distance_q)
-        2'd0:    sorted[i*ItemW +: ItemW] = i % 2 == 0 ? lows[C0*ItemW +: ItemW] : highs[C0*ItemW +: ItemW];
-        2'd1:    sorted[i*ItemW +: ItemW] = i / 2 % 2 == 0 ? lows[C1*ItemW +: ItemW] : highs[C1*ItemW +: ItemW];
-        2'd2:    sorted[i*ItemW +: ItemW] = i / 4 % 2 == 0 ? lows[C2*ItemW +: ItemW] : highs[C2*ItemW +: ItemW];
-        default: sorted[i*ItemW +: ItemW] = i / 8 == 0 ? lows[C3*ItemW +: ItemW] : highs[C3*ItemW +: ItemW];
+      unique case (turn)
+        2'd0:    sorted[i*ItemW +: ItemW] = exchanged[i*ItemW +: ItemW];
+        2'd1:    sorted[i*ItemW +: ItemW] = exchanged[From1*ItemW +: ItemW];
+        2'd2:    sorted[i*ItemW +: ItemW] = exchanged[From2*ItemW +: ItemW];
+        default: sorted[i*ItemW +: ItemW] = exchanged[From3*ItemW +: ItemW];
       endcase
     end
     always_ff @(posedge clk_i) begin

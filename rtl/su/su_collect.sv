@@ -1,12 +1,13 @@
 // su_collect: takes the splats of a layer in and hands the complete layer to the sorter.
 //
 // Paper   Sec. 4.1 (double buffer: layer i + 1 is collected while layer i is sorted).
-// Idea    Record n of a layer goes to slot n of this layer's half of the stores; the MinMax Finder looks at its key. When
-//         the half is full, the record goes to external memory instead (one line each, from record Records on), and
-//         its key is packed with seven others into a line. Such a layer is sorted from the list of keys in external
-//         memory, so at its end the keys that lie in the store are appended to that list too: key n stands in part
-//         n % 8 of line n / 8.
-// Stream  in: splats, then an end beat. layer: how many, their range, the kind of the end. record and keys: lines to write.
+// Idea    Record n of a layer goes to slot n of this layer's half of the stores; the MinMax Finder looks at its key.
+//         When the half is full, the record goes to external memory instead (one line each, from record Records on),
+//         and its key is packed with seven others into a line. Such a layer is sorted from the list of keys in
+//         external memory, so at its end the keys that lie in the store are appended to that list too: key n stands
+//         in part n % 8 of line n / 8.
+// Stream  in: splats, then an end beat. layer: how many, their range, the kind of the end. record and keys: lines to
+//         write.
 // Pace    One splat per cycle while the half has room; two cycles to hand over.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
@@ -71,7 +72,7 @@ module su_collect (
   logic [pipegs_pkg::MemoryW-1:0]   keys_q;
   logic [pipegs_pkg::RecordW:0]     append_q;    // stored keys read so far
   logic             arrives_q;                   // the key store shows stored key append_q - 1
-  logic             take, data, fits, lines_free;
+  logic             take, data, fits, lines_free, appended;
   logic [pipegs_pkg::KeyW-1:0] key;
   logic [pipegs_pkg::KeyW-1:0] put_key;
   logic             put;        // a key goes into the line of keys
@@ -87,8 +88,8 @@ module su_collect (
   assign slot_o     = number_q[pipegs_pkg::RecordW-1:0];
   assign half_o     = half_q;
 
-  assign key_read_o = state_q == Append && sorter_idle_i && !keys_valid_q && !arrives_q &&
-                      append_q != (pipegs_pkg::RecordW+1)'(pipegs_pkg::Records);
+  assign key_read_o = state_q == Append && sorter_idle_i && !keys_valid_q && !arrives_q && !appended;
+  assign appended   = append_q == (pipegs_pkg::RecordW+1)'(pipegs_pkg::Records);
   assign key_slot_o = append_q[pipegs_pkg::RecordW-1:0];
   assign put        = (data && !fits) || arrives_q;
   assign put_key    = arrives_q ? key_i : key;
@@ -109,8 +110,8 @@ module su_collect (
   assign keys_line_o    = keys_line_q;
   assign keys_o         = keys_q;
   assign moved_o        = take;
-  assign active_o       = take || restart_i || record_valid_q || keys_valid_q || arrives_q || key_read_o || state_q == Close ||
-                          (state_q == Append && sorter_idle_i) || (layer_valid_o && layer_ready_i);
+  assign active_o       = take || restart_i || record_valid_q || keys_valid_q || arrives_q || key_read_o ||
+                          state_q == Close || (state_q == Append && sorter_idle_i) || (layer_valid_o && layer_ready_i);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -125,7 +126,7 @@ module su_collect (
       unique case (state_q)
         Collect: if (take && !data) state_q <= number_q > SlotW'(pipegs_pkg::Records) ? Close : Hand;
         Close:   if (lines_free) state_q <= Append;
-        Append:  if (append_q == (pipegs_pkg::RecordW+1)'(pipegs_pkg::Records) && !arrives_q && lines_free) state_q <= Hand;
+        Append:  if (appended && !arrives_q && lines_free) state_q <= Hand;
         default: if (layer_valid_o && layer_ready_i) state_q <= Collect;
       endcase
       if (data) number_q <= number_q + 1'b1;

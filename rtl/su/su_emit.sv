@@ -1,9 +1,10 @@
 // su_emit: turns sorted keys back into splats.
 //
-// Idea    Sorted keys wait in a queue while their records are fetched: from the record store when their turn comes, from
-//         external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of an overflowed layer
-//         has a record number of its own, kept beside the key store; in other layers slot and number are the same.
-//         The end beat walks through the queue behind its layer, so the next layer may be sorted meanwhile.
+// Idea    Sorted keys wait in a queue while their records are fetched: from the record store when their turn comes,
+//         from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of an
+//         overflowed layer has a record number of its own, kept beside the key store; in other layers slot and number
+//         are the same. The end beat walks through the queue behind its layer, so the next layer may be sorted
+//         meanwhile.
 // Stream  item: keys with slots in order; end: the layer's end. out: splats. release_o: a half's last record was sent.
 // Pace    One splat per cycle; in an overflowed layer one in two cycles, or as fast as the memory gives lines.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
@@ -74,22 +75,25 @@ module su_emit (
   assign push         = item_go || (end_valid_i && end_ready_o);
 
   // The queue of sorted keys, and the beat whose record is being read.
-  logic              head_valid, head_ready, queue_empty;
+  logic              head_valid, head_ready;
+  logic [$clog2(Waiting+1)-1:0] waiting;
   logic [EntryW-1:0] head, entry;
   logic [KindW-1:0]  head_kind, kind_q;
   logic              head_half, head_outside, half_q, outside_q, valid_q;
   logic [SlotW-1:0]  head_slot;
   logic [KeyW-1:0]   head_key, key_q;
   logic [pipegs_pkg::SplatBits-PayloadAt-1:0] payload;
+  logic [pipegs_pkg::DepthW-1:0] key_depth;
+  logic [pipegs_pkg::IndexW-1:0] key_index;
   logic              sent;
 
   assign entry = item_valid_i ? {pipegs_pkg::KindData, half_i, outside, slot, item_key_i}
                               : {end_kind_i, half_i, 1'b0, SlotW'(0), KeyW'(0)};
-  su_queue #(.DataW(EntryW), .Depth(Waiting)) u_waiting (
+  sram_fifo #(.DataW(EntryW), .Depth(Waiting)) u_waiting (
     .clk_i, .rst_ni,
     .in_valid_i(push), .in_ready_o(queue_ready), .in_i(entry),
     .out_valid_o(head_valid), .out_ready_i(head_ready), .out_o(head),
-    .empty_o(queue_empty)
+    .count_o(waiting)
   );
   assign {head_kind, head_half, head_outside, head_slot, head_key} = head;
   assign head_ready    = !valid_q || sent;
@@ -100,12 +104,14 @@ module su_emit (
   assign out_valid_o  = valid_q && (!outside_q || line_valid_i);
   assign sent         = out_valid_o && out_ready_i;
   assign line_ready_o = sent && outside_q;
-  assign payload      = kind_q != pipegs_pkg::KindData ? '0 : outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
-  assign out_o        = {payload, key_q[0 +: pipegs_pkg::IndexW], key_q[pipegs_pkg::IndexW +: pipegs_pkg::DepthW], kind_q};
+  assign payload      = kind_q != pipegs_pkg::KindData ? '0 :
+                        outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
+  assign {key_depth, key_index} = key_q;
+  assign out_o        = {payload, key_index, key_depth, kind_q};
   assign release_o    = !(sent && kind_q != pipegs_pkg::KindData) ? '0 : half_q ? 2'b10 : 2'b01;
-  assign empty_o      = queue_empty && !valid_q;
+  assign empty_o      = waiting == '0 && !valid_q;
   assign active_o     = item_go || (spilled_i && item_valid_i && !looked_q) || number_write_i || push || sent ||
-                        (head_valid && head_ready) || (!queue_empty && !head_valid);
+                        (head_valid && head_ready) || (waiting != '0 && !head_valid);
 
   logic unused_line;
   assign unused_line = &{1'b0, line_i[PayloadAt-1:0]};

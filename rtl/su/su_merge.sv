@@ -1,11 +1,11 @@
 // su_merge: joins the sorted streams of all lanes into one.
 //
 // Paper   Fig. 7, between SU and RU.
-// Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes. Each pair of heads is
-//         compared once, side by side; the winner is the one that is below all others. End beats are above every
+// Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes. Each pair of heads
+//         is compared once, side by side; the winner is the one that is below all others. End beats are above every
 //         splat, so they are left when the layer is out of splats; then all are taken at once and one goes out.
-// Stream  in: one sorted stream per lane, a layer each up to an end beat of the same kind. out: the merged layers; `unit`
-//         is the lane. A lane's ready depends on the other lanes' valid, as in every join.
+// Stream  in: one sorted stream per lane, a layer each up to an end beat of the same kind. out: the merged layers;
+//         `unit` is the lane. A lane's ready depends on the other lanes' valid, as in every join.
 // Pace    One beat per cycle, latency one cycle; a layer's end costs one beat.
 // Model   std::merge; in the test.
 

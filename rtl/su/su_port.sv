@@ -1,8 +1,8 @@
 // su_port: the one memory port of an SU and the store for the lines that were read.
 //
-// Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the store has
-//         room for its answer, counted from the request to the moment the line is used. All areas belong to the layer's
-//         parity: address = overflow + {unit, parity, area} * 2^24 + line.
+// Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the
+//         store has room for its answer, counted from the request to the moment the line is used. All areas belong to
+//         the layer's parity: address = overflow + {unit, parity, area} * 2^24 + line.
 // Stream  record, keys: lines to write. read: the number of a line. line: the lines read, in order.
 // Pace    One request in two cycles, up to Answers reads in flight.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
@@ -60,7 +60,8 @@ module su_port (
   logic [OffsetW-1:0]              offset;
   logic [FlightW-1:0]              flight_q;  // lines asked for and not yet used
   logic                            taken, used, room;
-  logic                            unused_queue_ready, queue_empty;
+  logic [FlightW-1:0]              stored;    // of these, the answered ones
+  logic                            unused_queue_ready;
 
   assign room  = flight_q != FlightW'(Answers);
   assign taken = mem_valid_o && mem_ready_i;
@@ -87,13 +88,13 @@ module su_port (
   assign read_ready_o   = taken && choice_q == Read;
   assign overflow_o     = taken && mem_write_o;
   assign waits_o        = mem_valid_o || (flight_q != '0 && !line_valid_o);
-  assign active_o       = mem_valid_o || choice_d != None || rsp_valid_i || used || !(queue_empty || line_valid_o);
+  assign active_o       = mem_valid_o || choice_d != None || rsp_valid_i || used || (stored != '0 && !line_valid_o);
 
-  su_queue #(.DataW(pipegs_pkg::MemoryW), .Depth(Answers)) u_answers (
+  sram_fifo #(.DataW(pipegs_pkg::MemoryW), .Depth(Answers)) u_answers (
     .clk_i, .rst_ni,
     .in_valid_i(rsp_valid_i), .in_ready_o(unused_queue_ready), .in_i(rsp_data_i),
     .out_valid_o(line_valid_o), .out_ready_i(line_ready_i), .out_o(line_o),
-    .empty_o(queue_empty)
+    .count_o(stored)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

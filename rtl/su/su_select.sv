@@ -1,11 +1,12 @@
 // su_select: sorts a layer that does not fit the key store, store by store, from the list of keys in external memory.
 //
-// Idea    Sixteen pivots cut [low, max] into equal parts; one pass over the list counts the keys of each part. As many
-//         parts as fit the store together are loaded in a second pass and sorted; then the next parts, until the sixteen
-//         are done and the rest is cut anew. A part that alone is too large is cut by the next four bits; keys are
-//         unique, so this ends. Nothing is ever estimated: any number of keys in any arrangement is sorted exactly.
-// Stream  start_i with the layer; read: numbers of lines of keys; line: these lines; write: a key and its record's number
-//         go to the next slot of the store; group: the store is ready to be sorted, group_done_i: it was sent.
+// Idea    Sixteen pivots cut [low, max] into equal parts; one pass over the list counts the keys of each part. As
+//         many parts as fit the store together are loaded in a second pass and sorted; then the next parts, until the
+//         sixteen are done and the rest is cut anew. A part that alone is too large is cut by the next four bits;
+//         keys are unique, so this ends. Nothing is ever estimated: any number of keys in any arrangement is sorted
+//         exactly.
+// Stream  start_i with the layer; read: numbers of lines of keys; line: these lines; write: a key and its record's
+//         number go to the next slot of the store; group: the store is ready to be sorted, group_done_i: it was sent.
 // Pace    One key per cycle and pass.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
@@ -97,7 +98,8 @@ module su_select (
   assign write_number_o = seen_number_q;
 
   su_minmax u_minmax (
-    .clk_i, .rst_ni, .clear_i(state_q == Choose), .valid_i(write_o), .key_i(key_q), .min_o(group_min_o), .max_o(group_max_o)
+    .clk_i, .rst_ni, .clear_i(state_q == Choose), .valid_i(write_o), .key_i(key_q),
+    .min_o(group_min_o), .max_o(group_max_o)
   );
 
   assign sum  = {1'b0, sum_q} + {1'b0, part_count};

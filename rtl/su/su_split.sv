@@ -1,11 +1,11 @@
 // su_split: cuts a set of keys into groups of at most sixteen, nearest group first.
 //
 // Paper   Sec. 4.2.2, "Pivot-based Splitter".
-// Idea    The pivots divide min..max into sixteen equal parts: bucket = (key - min) >> shift, four bits. Keys stay where
-//         they lie; a bucket is a chain of slots (head, links), so a pass costs one cycle per key. Neighbouring buckets
-//         are chained together while they hold at most sixteen keys. The nearest group is gone on with, the farther
-//         ones wait on a stack, the nearest on top; a group that is still too large is cut again by the next four
-//         bits. When all keys fell into one bucket, the range is measured anew, so a far outlier costs one pass.
+// Idea    The pivots divide min..max into sixteen equal parts: bucket = (key - min) >> shift, four bits. Keys stay
+//         where they lie; a bucket is a chain of slots (head, links), so a pass costs one cycle per key. Neighbouring
+//         buckets are chained together while they hold at most sixteen keys. The nearest group is gone on with, the
+//         farther ones wait on a stack, the nearest on top; a group that is still too large is cut again by the next
+//         four bits. When all keys fell into one bucket, the range is measured anew, so a far outlier costs one pass.
 // Stream  start_i with the number of keys (at least 1) and their range; keys are read from slots 0.. of the key store,
 //         rdata in the next cycle, held. out: keys and slots, `last` on the last of each group.
 // Pace    One cycle per key and pass, up to 19 more per pass; one key per cycle out.

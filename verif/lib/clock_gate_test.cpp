@@ -7,6 +7,7 @@ namespace {
 
 TEST(ClockGate, PassesExactlyTheEdgesWhoseLowPhaseWasEnabled) {
   Bench<Vclock_gate> bench;
+  bench.dut.rst_ni = 1;
   for (int i = 0; i < 1000; ++i) {
     const bool enable = bench.rng() % 2;
     bench.dut.clk_i = 0;
@@ -19,6 +20,19 @@ TEST(ClockGate, PassesExactlyTheEdgesWhoseLowPhaseWasEnabled) {
     bench.dut.enable_i = !enable;  // a change while the clock is high must not pass
     bench.dut.eval();
     ASSERT_EQ(bench.dut.clk_o, enable) << "glitch in cycle " << i;
+  }
+}
+
+TEST(ClockGate, PassesEveryEdgeInReset) {
+  Bench<Vclock_gate> bench;
+  bench.dut.rst_ni = 0;
+  bench.dut.enable_i = 0;
+  for (int i = 0; i < 10; ++i) {
+    bench.dut.clk_i = 0;
+    bench.dut.eval();
+    bench.dut.clk_i = 1;
+    bench.dut.eval();
+    ASSERT_EQ(bench.dut.clk_o, 1);
   }
 }
 

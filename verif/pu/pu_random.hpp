@@ -126,12 +126,5 @@ struct PuRandom {
   }
 };
 
-// A beat that is not data, as every stage passes it on: all other fields zero.
-template <class R>
-R end_beat(uint64_t kind) {
-  R r;
-  r.kind = kind;
-  return r;
-}
 
 }  // namespace pipegs

@@ -19,7 +19,10 @@ inline Codes random_codes(const Config& config, std::mt19937_64& rng, int streng
   const uint32_t top = 1u << config.alpha_w;
   for (uint16_t& code : codes) {
     const uint32_t value = rng() % top;
-    code = rng() % 4 == 0 ? 0 : strength >= 2 ? std::min(value | (top / 2), top * 99 / 100) : strength == 1 ? value / 2 : value / 16;
+    code = rng() % 4 == 0  ? 0
+           : strength >= 2 ? std::min(value | (top / 2), top * 99 / 100)
+           : strength == 1 ? value / 2
+                           : value / 16;
   }
   return codes;
 }

@@ -29,7 +29,8 @@ inline std::string pixel_difference(const Config& config, const Words& expected,
     std::string text[2];
     for (int side = 0; side < 2; ++side) {
       const uint32_t* words = (side == 0 ? expected : found).data();
-      for (int j = 0; j < 3; ++j) text[side] += std::to_string(get_bits(words, i * colors + j * config.rgb_w, config.rgb_w)) + " ";
+      for (int j = 0; j < 3; ++j)
+        text[side] += std::to_string(get_bits(words, i * colors + j * config.rgb_w, config.rgb_w)) + " ";
       text[side] += "T " + std::to_string(get_bits(words, kLanes * colors + i * config.t_w, config.t_w));
       text[side] += get_bits(words, kLanes * (colors + config.t_w) + i, 1) ? " done" : "";
     }

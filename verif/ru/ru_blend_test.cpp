@@ -52,7 +52,8 @@ void compare(const std::vector<Case>& cases, bool holes) {
       ru_blend(kBlend, expected, c.code, c.color);
       uint64_t expected_rgb = 0;
       for (int i = 2; i >= 0; --i) expected_rgb = (expected_rgb << kConfig.rgb_w) | expected.rgb[i];
-      ASSERT_EQ(dut.t_o, expected.t) << "case " << stage[2] << " T " << c.pixel.t << " code " << c.code << " seed " << bench.seed;
+      ASSERT_EQ(dut.t_o, expected.t) << "case " << stage[2] << " T " << c.pixel.t << " code " << c.code << " seed "
+                                     << bench.seed;
       ASSERT_EQ(dut.done_o, expected.done) << "case " << stage[2] << " T " << c.pixel.t << " code " << c.code;
       ASSERT_EQ(dut.rgb_o, expected_rgb) << "case " << stage[2] << " T " << c.pixel.t << " code " << c.code;
       ++checked;
@@ -85,7 +86,8 @@ TEST(RuBlend, EqualsItsTwin) {
 TEST(RuBlend, StopsExactlyAtTheLimit) {
   std::vector<Case> cases;
   for (uint32_t t = kBlend.stop; t < kBlend.stop + 300; ++t) {
-    for (uint32_t code = 0; code < (1u << kConfig.alpha_w); code += 5) cases.push_back({{t, {0, 0, 0}, false}, code, {1, 2, 3}});
+    for (uint32_t code = 0; code < (1u << kConfig.alpha_w); code += 5)
+      cases.push_back({{t, {0, 0, 0}, false}, code, {1, 2, 3}});
   }
   compare(cases, false);
 }
@@ -137,7 +139,8 @@ TEST(RuBlend, StaysCloseToDouble) {
     worst_color = std::max(worst_color, std::abs(error));
     squares += error * error;
   }
-  std::printf("error of blending: T at most %.2g, colour at most %.2g, rms %.2g\n", worst_t, worst_color, std::sqrt(squares / kPixels));
+  std::printf("error of blending: T at most %.2g, colour at most %.2g, rms %.2g\n", worst_t, worst_color,
+              std::sqrt(squares / kPixels));
   EXPECT_LT(worst_t, std::ldexp(16, 1 - kConfig.t_w));
   EXPECT_LT(worst_color, std::ldexp(40, 2 - kConfig.rgb_w) + std::ldexp(40, 1 - kConfig.t_w));
 }

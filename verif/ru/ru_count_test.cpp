@@ -16,7 +16,9 @@ TEST(RuCount, CountsTheBits) {
   std::mt19937_64 rng(1);
   Vru_count dut;
   for (int i = 0; i < 20000; ++i) {
-    const uint64_t mask = i == 0 ? 0 : i == 1 ? all : (rng() | (i % 3 ? rng() : 0)) & (i % 2 ? rng() >> rng() % 64 : all) & all;
+    const uint64_t mask = i == 0   ? 0
+                          : i == 1 ? all
+                                   : (rng() | (i % 3 ? rng() : 0)) & (i % 2 ? rng() >> rng() % 64 : all) & all;
     dut.mask_i = mask;
     dut.eval();
     ASSERT_EQ(dut.count_o, std::popcount(mask)) << "mask " << mask;

@@ -54,7 +54,8 @@ TEST(RuDispatch, EveryRuGetsTheSplatsOfItsRegionsAndAllEnds) {
   for (const Pace source_pace : kPaces) {
     for (const Pace sink_pace : kPaces) {
       Bench<Vru_dispatch> bench;
-      RecordSource<Sorted, decltype(bench.dut.in_i)> in(bench, kConfig, bench.dut.in_valid_i, bench.dut.in_ready_o, bench.dut.in_i, source_pace);
+      RecordSource<Sorted, decltype(bench.dut.in_i)> in(bench, kConfig, bench.dut.in_valid_i, bench.dut.in_ready_o,
+                                                        bench.dut.in_i, source_pace);
       Takers takers(bench, sink_pace);
       bench.reset();
       std::vector<std::vector<Sorted>> expected(kConfig.units);
@@ -69,7 +70,8 @@ TEST(RuDispatch, EveryRuGetsTheSplatsOfItsRegionsAndAllEnds) {
       for (int unit = 0; unit < kConfig.units; ++unit) {
         ASSERT_EQ(takers.taken[unit].size(), expected[unit].size()) << "unit " << unit;
         for (size_t i = 0; i < expected[unit].size(); ++i) {
-          ASSERT_EQ(first_difference(kConfig, expected[unit][i], takers.taken[unit][i]), "") << "unit " << unit << " beat " << i;
+          ASSERT_EQ(first_difference(kConfig, expected[unit][i], takers.taken[unit][i]), "")
+              << "unit " << unit << " beat " << i;
         }
       }
     }
@@ -78,7 +80,8 @@ TEST(RuDispatch, EveryRuGetsTheSplatsOfItsRegionsAndAllEnds) {
 
 TEST(RuDispatch, MovesOneSplatPerCycle) {
   Bench<Vru_dispatch> bench;
-  RecordSource<Sorted, decltype(bench.dut.in_i)> in(bench, kConfig, bench.dut.in_valid_i, bench.dut.in_ready_o, bench.dut.in_i);
+  RecordSource<Sorted, decltype(bench.dut.in_i)> in(bench, kConfig, bench.dut.in_valid_i, bench.dut.in_ready_o,
+                                                    bench.dut.in_i);
   Takers takers(bench, Pace::kAlways);
   bench.reset();
   for (int i = 0; i < 100; ++i) in.push(random_splat(bench.rng));

@@ -27,7 +27,8 @@ class LineSink : public Endpoint {
     Words words(port_words<decltype(dut.out_line_o)>() + 1);
     read_port(dut.out_line_o, words.data());
     Codes codes;
-    for (int i = 0; i < kRegionPixels; ++i) codes[i] = static_cast<uint16_t>(get_bits(words.data(), i * kConfig.alpha_w, kConfig.alpha_w));
+    for (int i = 0; i < kRegionPixels; ++i)
+      codes[i] = static_cast<uint16_t>(get_bits(words.data(), i * kConfig.alpha_w, kConfig.alpha_w));
     lines.push_back(codes);
     cycles.push_back(bench_.cycle);
   }
@@ -81,10 +82,16 @@ struct FetchRun {
       const Blend& found = out.records[i];
       ASSERT_EQ(found.kind, sent[i].kind) << "beat " << i << " seed " << bench.seed;
       if (found.kind != kData) continue;
-      const Blend expected{.kind = 0, .region = sent[i].region, .ext = sent[i].ext, .red = sent[i].red, .green = sent[i].green,
-                           .blue = sent[i].blue, .index = sent[i].index};
+      const Blend expected{.kind = 0,
+                           .region = sent[i].region,
+                           .ext = sent[i].ext,
+                           .red = sent[i].red,
+                           .green = sent[i].green,
+                           .blue = sent[i].blue,
+                           .index = sent[i].index};
       ASSERT_EQ(first_difference(kConfig, expected, found), "") << "beat " << i << " seed " << bench.seed;
-      ASSERT_EQ(out.lines[i], lines[i]) << "beat " << i << (sent[i].ext ? " external" : " local") << " seed " << bench.seed;
+      ASSERT_EQ(out.lines[i], lines[i]) << "beat " << i << (sent[i].ext ? " external" : " local") << " seed "
+                                        << bench.seed;
     }
     EXPECT_TRUE(bench.dut.idle_o);
   }
@@ -107,7 +114,10 @@ TEST(RuFetch, LinesLeaveInOrderAtEveryPace) {
       FetchRun run(in_pace, out_pace, Pace::kCoin, Pace::kCoin, {.latency = 30, .jitter = 20});
       for (int i = 0; i < 600; ++i) {
         const uint64_t dice = run.bench.rng() % 16;
-        run.send(dice == 0 ? kWindowEnd : dice < 3 ? kLayerEnd : kData, (i / 40) % 3 == 0 ? run.bench.rng() % 2 : (i / 40) % 3 == 1);
+        run.send(dice == 0  ? kWindowEnd
+                 : dice < 3 ? kLayerEnd
+                            : kData,
+                 (i / 40) % 3 == 0 ? run.bench.rng() % 2 : (i / 40) % 3 == 1);
       }
       run.compare();
     }

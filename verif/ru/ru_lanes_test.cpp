@@ -59,7 +59,8 @@ class Around : public Endpoint {
   void observe() override {
     auto& dut = bench_.dut;
     if (dut.read_o) read_ = dut.raddr_o;
-    if (dut.read_o && dut.write_o && dut.raddr_o == dut.waddr_o) ADD_FAILURE() << "read and write of one word in one cycle";
+    if (dut.read_o && dut.write_o && dut.raddr_o == dut.waddr_o)
+      ADD_FAILURE() << "read and write of one word in one cycle";
     const bool taken = up_ && dut.in_ready_o;
     EXPECT_EQ(dut.layer_done_o, taken && beats.front().blend.kind != kData) << "cycle " << bench_.cycle;
     if (taken) take_beat();  // in the cycle of its last quarter, which is that of its first word's write
@@ -73,7 +74,8 @@ class Around : public Endpoint {
     ASSERT_EQ(dut.tap_region_o, expected_.front().region) << "cycle " << bench_.cycle;
     ASSERT_EQ(dut.tap_quarter_o, expected_.front().quarter) << "cycle " << bench_.cycle;
     ASSERT_EQ(pixel_difference(kConfig, expected_.front().word, found), "")
-        << "region " << expected_.front().region << " quarter " << expected_.front().quarter << " cycle " << bench_.cycle << " seed " << bench_.seed;
+        << "region " << expected_.front().region << " quarter " << expected_.front().quarter << " cycle "
+        << bench_.cycle << " seed " << bench_.seed;
     ASSERT_EQ(dut.waddr_o, ru_slot(kConfig, expected_.front().region) * 4 + expected_.front().quarter);
     words[dut.waddr_o] = found;
     expected_.pop_front();
@@ -86,7 +88,8 @@ class Around : public Endpoint {
     beats.pop_front();
     up_ = false;
     if (blend.kind == kData) {
-      const uint32_t color[3] = {static_cast<uint32_t>(blend.red), static_cast<uint32_t>(blend.green), static_cast<uint32_t>(blend.blue)};
+      const uint32_t color[3] = {static_cast<uint32_t>(blend.red), static_cast<uint32_t>(blend.green),
+                                 static_cast<uint32_t>(blend.blue)};
       ru_blend_region(kBlend, regions[blend.region], beat.codes.data(), color);
       touched |= uint64_t{1} << blend.region;
       for (int q = 0; q < 4; ++q) expected_.push_back({blend.region, q, pixel_word(kConfig, regions[blend.region], q)});

@@ -88,7 +88,9 @@ TEST(RuMemory, KeepsBothOrdersAndLetsReadsGoFirst) {
       ASSERT_EQ(port.reads.size(), 200u);
       for (int i = 0; i < 200; ++i) ASSERT_EQ(port.reads[i][1], addresses[i]);
       ASSERT_EQ(port.writes, writer.sent);
-      if (port_pace == Pace::kAlways && read_pace == Pace::kAlways) { EXPECT_EQ(port.cycles.back() - port.cycles.front(), 399u); }
+      if (port_pace == Pace::kAlways && read_pace == Pace::kAlways) {
+        EXPECT_EQ(port.cycles.back() - port.cycles.front(), 399u);
+      }
     }
   }
 }

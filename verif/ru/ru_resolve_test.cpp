@@ -52,7 +52,8 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
       for (int half = 0; half < 2 && !(outside >> r & 1); ++half) {
         Words line(16);
         for (int i = 0; i < 8; ++i) {
-          put_bits(line.data(), 64 * i, 64, ru_resolve(kConfig, (is_fresh ? fresh : region).pixel(16 * quarter + 8 * half + i)));
+          put_bits(line.data(), 64 * i, 64,
+                   ru_resolve(kConfig, (is_fresh ? fresh : region).pixel(16 * quarter + 8 * half + i)));
         }
         expected[ru_pixel_line(kConfig, frame, x, y, r, 2 * quarter + half)] = line;
       }
@@ -99,7 +100,8 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
 
 TEST(RuResolve, WritesTheLinesOfItsTwin) {
   for (const Pace pace : kPaces) {
-    for (uint64_t i = 0; i < 30; ++i) ASSERT_NO_FATAL_FAILURE(resolve_window(pace, test_seed() + i, pace == Pace::kAlways));
+    for (uint64_t i = 0; i < 30; ++i)
+      ASSERT_NO_FATAL_FAILURE(resolve_window(pace, test_seed() + i, pace == Pace::kAlways));
   }
 }
 

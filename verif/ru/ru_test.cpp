@@ -59,7 +59,8 @@ class RuBench : public Bench<Vru> {
         continue;
       }
       store_line(kConfig, memory, ru_overflow_line(kConfig, frame, splat.unit, state.parity, line), one);
-      store_line(kConfig, memory, ru_overflow_line(kConfig, frame, splat.unit, state.parity ^ 1, line), random_codes(kConfig, rng, 1));
+      store_line(kConfig, memory, ru_overflow_line(kConfig, frame, splat.unit, state.parity ^ 1, line),
+                 random_codes(kConfig, rng, 1));
     }
     in.push(splat);
     ru_take(kConfig, kBlend, frame, state, splat,
@@ -92,9 +93,11 @@ class RuBench : public Bench<Vru> {
       const Codes& one = codes.at({dut.tap_line_index_o, dut.tap_line_region_o});
       Words expected = pack_codes(kConfig, one);
       expected.resize(words.size());
-      ASSERT_EQ(words, expected) << "line of " << dut.tap_line_index_o << " region " << int(dut.tap_line_region_o) << " cycle " << cycle;
+      ASSERT_EQ(words, expected) << "line of " << dut.tap_line_index_o << " region " << int(dut.tap_line_region_o)
+                                 << " cycle " << cycle;
       const Sorted& splat = colors.at(dut.tap_line_index_o);
-      const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green), static_cast<uint32_t>(splat.blue)};
+      const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green),
+                                 static_cast<uint32_t>(splat.blue)};
       RegionState& region = tapped.regions[ru_slot(kConfig, dut.tap_line_region_o)];
       ru_blend_region(kBlend, region, one.data(), color);
       for (int q = 0; q < 4; ++q) expected_words.push_back(pixel_word(kConfig, region, q));
@@ -105,7 +108,8 @@ class RuBench : public Bench<Vru> {
       read_port(dut.tap_word_o, found.data());
       ASSERT_FALSE(expected_words.empty());
       ASSERT_EQ(pixel_difference(kConfig, expected_words.front(), found), "")
-          << "region " << int(dut.tap_word_region_o) << " quarter " << int(dut.tap_word_quarter_o) << " cycle " << cycle << " seed " << seed;
+          << "region " << int(dut.tap_word_region_o) << " quarter " << int(dut.tap_word_quarter_o) << " cycle " << cycle
+          << " seed " << seed;
       expected_words.pop_front();
     }
     if (dut.active_o && dut.layer_done_o) ++ends_seen;
@@ -127,13 +131,15 @@ class RuBench : public Bench<Vru> {
     EXPECT_EQ(windows_seen, windows);
     EXPECT_EQ(dut.done_x_o, state.window_x);
     EXPECT_EQ(dut.done_y_o, state.window_y);
-    EXPECT_EQ(memory.traffic()[0].lines_written - lines_before, lines.size()) << "lines outside the image were written, or some twice";
+    EXPECT_EQ(memory.traffic()[0].lines_written - lines_before, lines.size())
+        << "lines outside the image were written, or some twice";
     lines_before = memory.traffic()[0].lines_written;
     for (const auto& [address, pixels] : lines) {
       const MemoryLine& line = memory.line(address);
       for (int i = 0; i < 8; ++i) {
         const uint64_t found = uint64_t{line[2 * i + 1]} << 32 | line[2 * i];
-        ASSERT_EQ(found, pixels[i]) << std::hex << "line " << address << " pixel " << i << " expected " << pixels[i] << " found " << found << " seed " << seed;
+        ASSERT_EQ(found, pixels[i]) << std::hex << "line " << address << " pixel " << i << " expected " << pixels[i]
+                                    << " found " << found << " seed " << seed;
       }
     }
     lines.clear();
@@ -177,7 +183,8 @@ uint64_t random_mask(std::mt19937_64& rng) {
 }
 
 void send_frame(RuBench& bench, int splats, int ext_percent) {
-  const uint64_t windows = (bench.frame.last_x - bench.frame.first_x + 1) * (bench.frame.last_y - bench.frame.first_y + 1);
+  const uint64_t windows =
+      (bench.frame.last_x - bench.frame.first_x + 1) * (bench.frame.last_y - bench.frame.first_y + 1);
   for (uint64_t window = 0; window < windows; ++window) {
     const int layers = 1 + bench.rng() % 3;
     const int strength = bench.rng() % 3;
@@ -266,11 +273,13 @@ TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
   bench.start(random_frame(bench.rng, 8ull * kConfig.window, kConfig.window));
   const int slots = kConfig.regions() / kConfig.units, rounds = 4;
   for (int window = 0; window < 8; ++window) {
-    for (int i = 0; i < rounds * slots; ++i) bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, 0);
+    for (int i = 0; i < rounds * slots; ++i)
+      bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, 0);
     bench.send(kWindowEnd);
   }
   ASSERT_NO_FATAL_FAILURE(bench.finish());
-  const double per_region = double(bench.line_cycles.back() - bench.line_cycles.front()) / (bench.line_cycles.size() - 1);
+  const double per_region =
+      double(bench.line_cycles.back() - bench.line_cycles.front()) / (bench.line_cycles.size() - 1);
   std::printf("cycles per region over 8 windows: %.3f; busy %llu starved %llu blocked %llu memory %llu\n", per_region,
               (unsigned long long)bench.perf[0], (unsigned long long)bench.perf[1], (unsigned long long)bench.perf[2],
               (unsigned long long)bench.perf[3]);

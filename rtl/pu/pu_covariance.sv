@@ -1,0 +1,187 @@
+// pu_covariance: the projected covariance in square pixels, dilated by 0.3, and its determinant.
+//
+// Paper   Eq. 1; the dilation of the reference rasteriser.
+// Idea    a = gx^2 |u0|^2 + 0.3,  c = c0 + 0.3,  b = gx gy (u0 . u1),  det = (gx gy)^2 |u0 x u1|^2 + 0.3 (a + c0).
+//         One multiplier and one adder of positive normalised numbers (align, then add):
+//           cycle      0   1   2      3      4     5  6        7            8 = 0 of the next
+//           multiply   a0  c0  d0     b               0.3 sum
+//           align              a0+.3  c0+.3  a+c0              d0+.3 sum
+//           add                       a      c     sum                      det
+// Stream  squares in, covariance out, in order; an end beat passes with all other fields zero.
+// Pace    One record in eight cycles, latency 10; the output register is needed for two of the eight cycles only.
+// Model   cpp_model/pu/pu_covariance.hpp
+
+module pu_covariance (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+
+  input  logic                     squares_valid_i,
+  output logic                     squares_ready_o,
+  input  pipegs_pkg::squares_t     squares_i,
+
+  output logic                     covariance_valid_o,
+  input  logic                     covariance_ready_i,
+  output pipegs_pkg::covariance_t  covariance_o,
+
+  output logic                     busy_o
+);
+
+  localparam int unsigned MantissaW = pipegs_pkg::MantissaW;
+  localparam int unsigned FactorW   = pipegs_pkg::FactorW;
+  localparam int unsigned SlopeW    = pipegs_pkg::SlopeW;
+  localparam int unsigned FloatEW   = pipegs_pkg::FloatEW;
+  localparam int unsigned ExponentW = pipegs_pkg::WideEW;
+  localparam int unsigned ProductW  = MantissaW + 1 + FactorW;
+  localparam int unsigned GuardW    = 2;
+  localparam int unsigned AlignedW  = MantissaW + GuardW;
+
+  // 0.3 = m 2^-(MantissaW+1), rounded to nearest.
+  localparam logic [MantissaW-1:0] SmallM = MantissaW'(((64'd3 << (MantissaW + 1)) + 64'd5) / 64'd10);
+  localparam logic signed [ExponentW-1:0] SmallE = -ExponentW'(MantissaW + 1);
+
+  logic       take, claim, step;
+  logic [7:0] slots;
+  logic       issue_valid, late_valid;
+  logic [2:0] issue, late;  // the phase, and one cycle later
+  assign {late_valid, late, issue_valid, issue} = slots;
+
+  pu_phases #(.Depth(1), .Claim(7)) u_phases (
+    .clk_i, .rst_ni,
+    .in_valid_i(squares_valid_i), .in_ready_o(squares_ready_o),
+    .out_valid_o(covariance_valid_o), .out_ready_i(covariance_ready_i),
+    .take_o(take), .claim_o(claim), .step_o(step), .slots_o(slots), .busy_o
+  );
+
+  pipegs_pkg::squares_t    in_q;
+  pipegs_pkg::covariance_t out_q;
+  assign covariance_o = out_q;
+
+  // --- multiplier ---------------------------------------------------------------------------------------------------
+  logic        [MantissaW-1:0]  left;
+  logic signed [FactorW-1:0]    right;
+  logic signed [ProductW-1:0]   product_q;
+  logic        [MantissaW-1:0]  sum_m_q;  // the adder's last result
+  logic signed [ExponentW-1:0]  sum_e_q;
+  always_comb begin
+    case (issue)
+      3'd0:    begin left = in_q.gxx_m; right = $signed({1'b0, in_q.a_m}); end
+      3'd1:    begin left = in_q.gyy_m; right = $signed({1'b0, in_q.c_m}); end
+      3'd2:    begin left = in_q.gg_m;  right = $signed({1'b0, in_q.d_m}); end
+      3'd3:    begin left = in_q.gxy_m; right = in_q.b_m;                  end
+      default: begin left = SmallM;     right = $signed({1'b0, sum_m_q});  end
+    endcase
+  end
+
+  // A positive product has its leading one in bit 2 MantissaW - 1 or below; b the same with a sign.
+  localparam int unsigned TopW = 2 * MantissaW;
+  localparam int unsigned CutB = MantissaW + FactorW - SlopeW;
+  logic                         top, top_b;
+  logic        [MantissaW-1:0]  factor_m;
+  logic signed [ExponentW-1:0]  rise, factor_e;
+  logic signed [SlopeW-1:0]     b_m;
+  assign top      = product_q[TopW-1];
+  assign factor_m = top ? product_q[TopW-1-:MantissaW] : product_q[TopW-2-:MantissaW];
+  assign rise     = ExponentW'(MantissaW - 1) + $signed({{(ExponentW - 1){1'b0}}, top});
+  assign top_b    = product_q[TopW] != product_q[TopW-1];
+  assign b_m      = top_b ? product_q[CutB+:SlopeW] : product_q[CutB-1+:SlopeW];
+  always_comb begin
+    case (late)
+      3'd0:    factor_e = in_q.a_e + rise;
+      3'd1:    factor_e = in_q.c_e + rise;
+      3'd2:    factor_e = in_q.d_e + rise;
+      default: factor_e = sum_e_q + SmallE + rise;
+    endcase
+  end
+
+  // --- adder: align (x is the larger, zero counts as infinitely small), then add -----------------------------------
+  logic        [MantissaW-1:0]  a0_m_q, c0_m_q, d0_m_q, a_m_q, c_m_q;
+  logic signed [ExponentW-1:0]  a0_e_q, c0_e_q, d0_e_q, a_e_q, c_e_q;
+  logic signed [SlopeW-1:0]     b_m_q;
+  logic signed [ExponentW-1:0]  b_e_q;
+  logic        [MantissaW-1:0]  x_m, y_m, big_m, little_m, big_m_q;
+  logic signed [ExponentW-1:0]  x_e, y_e, big_e, big_e_q, apart;
+  logic                         swap;
+  logic        [AlignedW-1:0]   aligned, aligned_q;
+  logic        [AlignedW:0]     sum;
+  logic        [MantissaW-1:0]  sum_m;
+  logic signed [ExponentW-1:0]  sum_e;
+  always_comb begin
+    y_m = SmallM;
+    y_e = SmallE;
+    case (issue)
+      3'd2:    begin x_m = a0_m_q; x_e = a0_e_q; end
+      3'd3:    begin x_m = c0_m_q; x_e = c0_e_q; end
+      3'd4:    begin x_m = a_m_q;  x_e = a_e_q;  y_m = c0_m_q;   y_e = c0_e_q;   end
+      default: begin x_m = d0_m_q; x_e = d0_e_q; y_m = factor_m; y_e = factor_e; end
+    endcase
+    swap     = x_m == '0 || (y_m != '0 && y_e > x_e);
+    big_m    = swap ? y_m : x_m;
+    big_e    = swap ? y_e : x_e;
+    little_m = swap ? x_m : y_m;
+    apart    = swap ? y_e - x_e : x_e - y_e;
+    aligned  = little_m == '0 ? '0 : {little_m, {GuardW{1'b0}}} >> $unsigned(apart);
+    sum      = {1'b0, big_m_q, {GuardW{1'b0}}} + {1'b0, aligned_q};
+    sum_m    = sum[AlignedW] ? sum[AlignedW-:MantissaW] : sum[AlignedW-1-:MantissaW];
+    sum_e    = big_e_q + $signed({{(ExponentW - 1){1'b0}}, sum[AlignedW]});
+  end
+
+  function automatic logic signed [FloatEW-1:0] clip(input logic signed [ExponentW-1:0] value);
+    if (value[ExponentW-1:FloatEW-1] == {(ExponentW - FloatEW + 1){value[ExponentW-1]}}) clip = value[FloatEW-1:0];
+    else clip = {value[ExponentW-1], {(FloatEW - 1){!value[ExponentW-1]}}};
+  endfunction
+
+  always_ff @(posedge clk_i) begin
+    if (take) in_q <= squares_i;
+    if (step) begin
+      product_q <= ProductW'($signed({1'b0, left})) * ProductW'(right);
+      big_m_q   <= big_m;
+      big_e_q   <= big_e;
+      aligned_q <= aligned;
+      case (late)
+        3'd0: begin a0_m_q <= factor_m; a0_e_q <= factor_e; end
+        3'd1: begin c0_m_q <= factor_m; c0_e_q <= factor_e; end
+        3'd2: begin d0_m_q <= factor_m; d0_e_q <= factor_e; a_m_q <= sum_m; a_e_q <= sum_e; end
+        3'd3: begin
+          b_m_q <= b_m;
+          b_e_q <= in_q.b_e + ExponentW'(CutB - 1) + $signed({{(ExponentW - 1){1'b0}}, top_b});
+          c_m_q <= sum_m;
+          c_e_q <= sum_e;
+        end
+        3'd4: begin sum_m_q <= sum_m; sum_e_q <= sum_e; end
+        default: ;
+      endcase
+    end
+    if (claim) begin
+      out_q      <= '0;
+      out_q.kind <= in_q.kind;
+      if (in_q.kind == '0) begin
+        out_q.a_m <= a_m_q;
+        out_q.a_e <= clip(a_e_q);
+        out_q.b_m <= b_m_q;
+        out_q.b_e <= clip(b_e_q);
+        out_q.c_m <= c_m_q;
+        out_q.c_e <= clip(c_e_q);
+        out_q.mean_x  <= in_q.mean_x;
+        out_q.mean_y  <= in_q.mean_y;
+        out_q.depth   <= in_q.depth;
+        out_q.dir_x   <= in_q.dir_x;
+        out_q.dir_y   <= in_q.dir_y;
+        out_q.dir_z   <= in_q.dir_z;
+        out_q.opacity <= in_q.opacity;
+        out_q.base_r  <= in_q.base_r;
+        out_q.base_g  <= in_q.base_g;
+        out_q.base_b  <= in_q.base_b;
+        out_q.index   <= in_q.index;
+        out_q.slot    <= in_q.slot;
+      end
+    end
+    if (step && late_valid && late == 3'd7 && out_q.kind == '0) begin
+      out_q.det_m <= sum_m;
+      out_q.det_e <= clip(sum_e);
+    end
+  end
+
+  // Valid is only looked at beside results; bits below a mantissa and copies of the sign are cut.
+  wire unused_bits = &{1'b0, issue_valid, product_q[ProductW-1:TopW+1], product_q[CutB-2:0], sum[0]};
+
+endmodule

@@ -1,0 +1,281 @@
+// pu_cull: moves a Gaussian into view space and drops it when it is behind the near plane or cannot reach the window.
+//
+// Paper   Sec. 4.2, frustum culling of the preprocessing.
+// Idea    view = origin + W offset; keep iff z > near and fx x - a z + reach s >= 0 and the same on the three other
+//         sides. x, z, s are cut to 17 bits with a common exponent, always to the side that keeps (see the model).
+//         Stages:
+//           1 nine products   2 sums       3 shift to view units   4 view; edges   5 near plane; common exponent
+//           6 cut             7 six products                       8 four signs -> output
+// Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero.
+// Pace    One per cycle, latency 8; the pipeline stands still while the output is not taken.
+// Model   cpp_model/pu/pu_cull.hpp
+
+module pu_cull (
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+
+  input  pipegs_pkg::frame_t    frame_i,
+
+  input  logic                  fetched_valid_i,
+  output logic                  fetched_ready_o,
+  input  pipegs_pkg::fetched_t  fetched_i,
+
+  output logic                  visible_valid_o,
+  input  logic                  visible_ready_i,
+  output pipegs_pkg::visible_t  visible_o,
+
+  output logic                  busy_o
+);
+
+  localparam int unsigned KindW   = pipegs_pkg::KindW;
+  localparam int unsigned ViewW   = pipegs_pkg::ViewW;
+  localparam int unsigned PosW    = pipegs_pkg::PosW;
+  localparam int unsigned RotW    = pipegs_pkg::RotW;
+  localparam int unsigned RotF    = pipegs_pkg::RotF;
+  localparam int unsigned ExpW    = pipegs_pkg::ExpW;
+  localparam int unsigned QuatW   = pipegs_pkg::QuatW;
+  localparam int unsigned ScaleW  = pipegs_pkg::ScaleW;
+  localparam int unsigned ScaleMW = pipegs_pkg::ScaleMW;
+  localparam int unsigned WorldW  = pipegs_pkg::WorldW;
+  localparam int unsigned WindowW = pipegs_pkg::WindowW;
+  localparam int unsigned Stages  = 7;  // before the output register
+
+  // --- handshake: one enable for all stages ------------------------------------------------------------------------
+  logic [Stages:1] valid_q;
+  logic            out_valid_q, advance, keep;
+  assign advance         = !out_valid_q || visible_ready_i;
+  assign fetched_ready_o = advance;
+  assign visible_valid_o = out_valid_q;
+  assign busy_o          = valid_q != '0 || out_valid_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      valid_q     <= '0;
+      out_valid_q <= 1'b0;
+    end else if (advance) begin
+      valid_q     <= {valid_q[Stages-1:1], fetched_valid_i};
+      out_valid_q <= valid_q[Stages] && keep;
+    end
+  end
+
+  // --- what rides along: all of visible_t but the view coordinates, as vectors -------------------------------------
+  localparam int unsigned RideW = pipegs_pkg::VisibleBits - 3 * ViewW;
+  typedef struct packed {
+    logic [RideW-KindW-2*WindowW-ExpW-1:0] gaussian;
+    logic [ExpW-1:0]                       view_exp;
+    logic [WindowW-1:0]                    window_y;
+    logic [WindowW-1:0]                    window_x;
+    logic [KindW-1:0]                      kind;
+  } ride_t;
+  ride_t            ride, ride2, ride4, ride7;  // stage n reads rideN: the record in register n
+  logic [RideW-1:0] ride_q [Stages+1];          // 1 to 7
+  assign ride.gaussian = {fetched_i.slot, fetched_i.index, fetched_i.base_b, fetched_i.base_g, fetched_i.base_r,
+                          fetched_i.opacity, fetched_i.scale_2, fetched_i.scale_1, fetched_i.scale_0,
+                          fetched_i.qz, fetched_i.qy, fetched_i.qx, fetched_i.qw};
+  assign ride.view_exp = fetched_i.view_exp;
+  assign ride.window_x = fetched_i.window_x;
+  assign ride.window_y = fetched_i.window_y;
+  assign ride.kind     = fetched_i.kind;
+  assign ride2 = ride_q[2];
+  assign ride4 = ride_q[4];
+  assign ride7 = ride_q[7];
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      ride_q[1] <= ride;
+      for (int unsigned i = 1; i < Stages; i += 1) ride_q[i+1] <= ride_q[i];
+    end
+  end
+
+  // --- stages 1 to 3: W offset, shifted to view units --------------------------------------------------------------
+  localparam int unsigned ProductW = RotW + PosW;
+  localparam int unsigned SumW     = ProductW + 2;
+  localparam int unsigned DownW    = ExpW + 1;  // of a shift by RotF + view_exp - offset_exp
+  logic signed [ProductW-1:0] xx_q, xy_q, xz_q, yx_q, yy_q, yz_q, zx_q, zy_q, zz_q;
+  logic signed [SumW-1:0]     x2_q, y2_q, z2_q, x3_q, y3_q, z3_q;
+  logic signed [ViewW-1:0]    origin_x_q [4], origin_y_q [4], origin_z_q [4];  // 1 to 3
+  logic        [DownW-1:0]    down1_q, down2_q;
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      xx_q <= ProductW'(frame_i.w00) * ProductW'(fetched_i.offset_x);
+      xy_q <= ProductW'(frame_i.w01) * ProductW'(fetched_i.offset_y);
+      xz_q <= ProductW'(frame_i.w02) * ProductW'(fetched_i.offset_z);
+      yx_q <= ProductW'(frame_i.w10) * ProductW'(fetched_i.offset_x);
+      yy_q <= ProductW'(frame_i.w11) * ProductW'(fetched_i.offset_y);
+      yz_q <= ProductW'(frame_i.w12) * ProductW'(fetched_i.offset_z);
+      zx_q <= ProductW'(frame_i.w20) * ProductW'(fetched_i.offset_x);
+      zy_q <= ProductW'(frame_i.w21) * ProductW'(fetched_i.offset_y);
+      zz_q <= ProductW'(frame_i.w22) * ProductW'(fetched_i.offset_z);
+      x2_q <= SumW'(xx_q) + SumW'(xy_q) + SumW'(xz_q);
+      y2_q <= SumW'(yx_q) + SumW'(yy_q) + SumW'(yz_q);
+      z2_q <= SumW'(zx_q) + SumW'(zy_q) + SumW'(zz_q);
+      // One bit less than the whole shift: the last one rounds, in stage 4.
+      x3_q <= x2_q >>> down2_q;
+      y3_q <= y2_q >>> down2_q;
+      z3_q <= z2_q >>> down2_q;
+      down1_q <= DownW'(RotF - 1) + DownW'(fetched_i.view_exp) - DownW'(fetched_i.offset_exp);
+      down2_q <= down1_q;
+      origin_x_q[1] <= fetched_i.origin_x;
+      origin_y_q[1] <= fetched_i.origin_y;
+      origin_z_q[1] <= fetched_i.origin_z;
+      for (int unsigned i = 1; i < 3; i += 1) begin
+        origin_x_q[i+1] <= origin_x_q[i];
+        origin_y_q[i+1] <= origin_y_q[i];
+        origin_z_q[i+1] <= origin_z_q[i];
+      end
+    end
+  end
+
+  // --- stage 4: the view coordinates -------------------------------------------------------------------------------
+  logic signed [ViewW-1:0] x4, y4, z4, x4_q, y4_q, z4_q;
+  function automatic logic signed [ViewW-1:0] place(input logic signed [SumW-1:0]  twice,
+                                                    input logic signed [ViewW-1:0] origin);
+    logic signed [SumW:0] sum;
+    sum = ((SumW + 1)'(twice) + (SumW + 1)'(1)) >>> 1;
+    sum = sum + (SumW + 1)'(origin);
+    if (sum[SumW:ViewW-1] == {(SumW - ViewW + 2){sum[SumW]}}) place = sum[ViewW-1:0];
+    else place = {sum[SumW], {(ViewW - 1){!sum[SumW]}}};
+  endfunction
+  assign x4 = place(x3_q, origin_x_q[3]);
+  assign y4 = place(y3_q, origin_y_q[3]);
+  assign z4 = place(z3_q, origin_z_q[3]);
+
+  // --- stages 1 to 3 beside them: the largest scale in view units, rounded up --------------------------------------
+  localparam int unsigned Bias   = 8;                  // of a scale's exponent field
+  localparam int unsigned SlackW = ScaleMW + 5 > QuatW ? ScaleMW + 5 - QuatW : 0;
+  localparam int unsigned OneW   = ScaleMW + 2;        // leading one, and room for the slack of rounded quaternions
+  localparam int unsigned HighW  = ViewW + OneW;       // a scale at the upper end of the range that is not huge
+  localparam int unsigned StepW  = ExpW + 2;
+  localparam logic signed [StepW-1:0] TopStep = StepW'(ViewW + Bias + ScaleMW);
+  logic [ScaleW-1:0]        larger, scale1_q;
+  logic [OneW-1:0]          one2_q;
+  logic signed [StepW-1:0]  lower2_q;  // how far below the upper end; negative: beyond it
+  logic [HighW-1:0]         size3;
+  logic                     huge3_q, huge4_q, huge5_q, huge6_q, huge7_q, some1;
+  logic [ViewW-1:0]         s3_q, s4_q;
+  assign larger = fetched_i.scale_0 > fetched_i.scale_1 ? fetched_i.scale_0 : fetched_i.scale_1;
+  assign some1  = scale1_q[ScaleW-1:ScaleMW] != '0;
+  assign size3  = {one2_q, {ViewW{1'b0}}} >> $unsigned(lower2_q);
+  ride_t ride1;
+  assign ride1 = ride_q[1];
+  logic beyond3;
+  assign beyond3 = one2_q != '0 && (lower2_q < 0 || size3 >= HighW'((64'd1 << (ViewW - 1)) - 64'd1));
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      scale1_q <= larger > fetched_i.scale_2 ? larger : fetched_i.scale_2;
+      one2_q   <= some1 ? {2'b01, scale1_q[ScaleMW-1:0]} + OneW'(64'd1 << SlackW) : '0;
+      lower2_q <= TopStep + $signed(StepW'(ride1.view_exp)) - $signed(StepW'(scale1_q[ScaleW-1:ScaleMW]));
+      huge3_q  <= beyond3;
+      s3_q     <= beyond3 ? ViewW'((64'd1 << (ViewW - 1)) - 64'd1) : size3[ViewW-1:0] + ViewW'(1);
+      {huge4_q, s4_q} <= {huge3_q, s3_q};
+    end
+  end
+
+  // --- stages 4 and 5: near plane, edges of the window, common exponent --------------------------------------------
+  localparam int unsigned CutW   = 17;  // magnitude bits of what is multiplied
+  localparam int unsigned EdgeF  = 4;
+  localparam int unsigned EdgeW  = WindowW + $clog2(pipegs_pkg::Window) + EdgeF + 2;
+  localparam int unsigned Margin = 2;
+  localparam int unsigned Span   = ((pipegs_pkg::Window - 1 + 2 * Margin) << EdgeF) + 1;
+  localparam int unsigned CenterCut = pipegs_pkg::CenterF - EdgeF;
+  localparam int unsigned CutShiftW = $clog2(ViewW);
+  function automatic logic signed [EdgeW-1:0] edge_of(input logic [WindowW-1:0] window,
+                                                      input logic signed [pipegs_pkg::CenterW-1:0] center);
+    logic signed [EdgeW-1:0] first;
+    logic signed [pipegs_pkg::CenterW:0] wide;
+    wide    = (pipegs_pkg::CenterW + 1)'(center);
+    first   = $signed(EdgeW'(window) << ($clog2(pipegs_pkg::Window) + EdgeF)) - EdgeW'(Margin << EdgeF);
+    // -ceil(center) = floor(-center).
+    edge_of = first + EdgeW'((-wide) >>> CenterCut);
+  endfunction
+  logic [WorldW-1:0]          near4_q;
+  logic signed [EdgeW-1:0]    edge_x5_q, edge_y5_q, edge_x6_q, edge_y6_q, edge_x7_q, edge_y7_q;
+  logic                       front5_q, front6_q, front7_q;
+  logic signed [ViewW-1:0]    x5_q, y5_q, z5_q, sizes, normal;
+  logic [ViewW-1:0]           s5_q;
+  logic [CutShiftW-1:0]       shift, cut5_q;
+  ride_t                      ride3;
+  assign ride3 = ride_q[3];
+  assign sizes = (x4_q ^ (x4_q >>> (ViewW - 1))) | (y4_q ^ (y4_q >>> (ViewW - 1))) | (z4_q ^ (z4_q >>> (ViewW - 1))) |
+                 $signed({1'b0, s4_q[ViewW-2:0]});
+  normalize #(.DataW(ViewW)) u_normalize (.in_i(sizes), .out_o(normal), .shift_o(shift));
+  localparam logic [CutShiftW-1:0] NoCut = CutShiftW'(ViewW - 1 - CutW);  // shift of a value of CutW bits
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      {x4_q, y4_q, z4_q} <= {x4, y4, z4};
+      near4_q   <= frame_i.near_plane >> ride3.view_exp;
+      {x5_q, y5_q, z5_q, s5_q, huge5_q} <= {x4_q, y4_q, z4_q, s4_q, huge4_q};
+      cut5_q    <= shift < NoCut ? NoCut - shift : '0;
+      front5_q  <= !z4_q[ViewW-1] && WorldW'($unsigned(z4_q)) > near4_q;
+      edge_x5_q <= edge_of(ride4.window_x, frame_i.center_x);
+      edge_y5_q <= edge_of(ride4.window_y, frame_i.center_y);
+    end
+  end
+
+  // --- stages 6 and 7: cut, products -------------------------------------------------------------------------------
+  localparam int unsigned FocalW = pipegs_pkg::FocalW;
+  localparam int unsigned ReachW = pipegs_pkg::ReachW;
+  localparam int unsigned Coarse = 8;                       // low bits of reach that are rounded up
+  localparam int unsigned SmallW = ReachW - Coarse + 1;
+  localparam int unsigned SideW  = FocalW + CutW + 4 > ReachW + CutW + 4 ? FocalW + CutW + 4 : ReachW + CutW + 4;
+  localparam int unsigned ToEdge = pipegs_pkg::FocalF - EdgeF;
+  logic signed [ViewW-1:0] x6_q, y6_q, z6_q, x7_q, y7_q, z7_q;  // the view coordinates
+  logic signed [CutW:0]    cx6_q, cy6_q, cz6_q;                 // cut
+  logic        [CutW:0]    cs6_q;
+  logic signed [SideW-1:0] fx7_q, fy7_q, ax7_q, ay7_q, rx7_q, ry7_q;
+  logic signed [CutW:0]    cz7_q;
+  logic [SmallW-1:0]       reach_x, reach_y;
+  assign reach_x = SmallW'(frame_i.reach_x[ReachW-1:Coarse]) + SmallW'(frame_i.reach_x[Coarse-1:0] != '0);
+  assign reach_y = SmallW'(frame_i.reach_y[ReachW-1:Coarse]) + SmallW'(frame_i.reach_y[Coarse-1:0] != '0);
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      {x6_q, y6_q, z6_q, huge6_q, front6_q} <= {x5_q, y5_q, z5_q, huge5_q, front5_q};
+      {edge_x6_q, edge_y6_q} <= {edge_x5_q, edge_y5_q};
+      cx6_q <= (CutW + 1)'(x5_q >>> cut5_q);
+      cy6_q <= (CutW + 1)'(y5_q >>> cut5_q);
+      cz6_q <= (CutW + 1)'(z5_q >>> cut5_q);
+      cs6_q <= (CutW + 1)'(s5_q >> cut5_q) + (CutW + 1)'(1);
+      {x7_q, y7_q, z7_q, huge7_q, front7_q} <= {x6_q, y6_q, z6_q, huge6_q, front6_q};
+      {edge_x7_q, edge_y7_q} <= {edge_x6_q, edge_y6_q};
+      cz7_q <= cz6_q;
+      fx7_q <= $signed(SideW'(frame_i.focal_x)) * SideW'(cx6_q);
+      fy7_q <= $signed(SideW'(frame_i.focal_y)) * SideW'(cy6_q);
+      ax7_q <= SideW'(edge_x6_q) * SideW'(cz6_q);
+      ay7_q <= SideW'(edge_y6_q) * SideW'(cz6_q);
+      rx7_q <= $signed(SideW'(reach_x)) * $signed(SideW'(cs6_q));
+      ry7_q <= $signed(SideW'(reach_y)) * $signed(SideW'(cs6_q));
+    end
+  end
+
+  // --- stage 8: on which side of the two lines of an axis ----------------------------------------------------------
+  // Both are 0 or more exactly when the axis touches. `side` adds what the cutting of x and z may have taken away.
+  function automatic logic touches(input logic signed [SideW-1:0] fx, input logic signed [SideW-1:0] az,
+                                   input logic signed [SideW-1:0] rs, input logic signed [SideW-1:0] focal,
+                                   input logic signed [SideW-1:0] first, input logic signed [SideW-1:0] z);
+    logic signed [SideW-1:0] last, low, high;
+    last = first + SideW'(Span);
+    low  = fx + focal - (az <<< ToEdge) + rs - ((first < 0 ? first : SideW'(0)) <<< ToEdge);
+    high = fx - ((az + SideW'(Span) * z) <<< ToEdge) - rs - ((last > 0 ? last : SideW'(0)) <<< ToEdge);
+    touches = low >= 0 && high <= 0;
+  endfunction
+  logic touch_x, touch_y;
+  assign touch_x = touches(fx7_q, ax7_q, rx7_q <<< Coarse, $signed(SideW'(frame_i.focal_x)), SideW'(edge_x7_q),
+                           SideW'(cz7_q));
+  assign touch_y = touches(fy7_q, ay7_q, ry7_q <<< Coarse, $signed(SideW'(frame_i.focal_y)), SideW'(edge_y7_q),
+                           SideW'(cz7_q));
+  assign keep    = ride7.kind != '0 || (front7_q && (huge7_q || (touch_x && touch_y)));
+
+  pipegs_pkg::visible_t out_q;
+  assign visible_o = out_q;
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      out_q      <= '0;
+      out_q.kind <= ride7.kind;
+      if (ride7.kind == '0) begin
+        out_q <= {ride7.gaussian, ride7.view_exp, z7_q, y7_q, x7_q, ride7.window_y, ride7.window_x, ride7.kind};
+      end
+    end
+  end
+
+  // Only the camera is used of the frame; of the normalised sizes only the shift.
+  wire unused_bits = &{1'b0, frame_i, normal, ride2, ride3, ride4, ride1, s4_q[ViewW-1], size3[HighW-1:ViewW]};
+
+endmodule

@@ -1,0 +1,81 @@
+// pu_phases: the clockwork of a stage that works on one record for eight cycles, sharing its multipliers over them.
+//
+// Idea    A record is held for phases 0 to 7. What a phase issues travels down the stage's registers: slots_o tells,
+//         for each of these Depth register levels, which phase's values it holds. The output register is the stage's
+//         second place: in phase Claim it must be free and takes the fields that pass, later the results are written
+//         into it one by one, and it becomes valid when level Depth has handled phase 7, while the next record is in
+//         its first phases.
+// Stream  in, out: valid and ready of the stage. take_o: the held record loads at this edge. claim_o: the output
+//         register loads. step_o low: everything in the stage stands still (only in phase Claim, when the levels are
+//         empty of older work).
+// Pace    One record in eight cycles, latency 9 + Depth.
+// Model   The record's twin; plumbing.
+
+module pu_phases #(
+  parameter int unsigned Depth = 1,  // 1 to Claim
+  parameter int unsigned Claim = 4,  // phase
+  localparam int unsigned SlotW = 4  // {valid, phase}
+) (
+  input  logic                         clk_i,
+  input  logic                         rst_ni,
+
+  input  logic                         in_valid_i,
+  output logic                         in_ready_o,
+
+  output logic                         out_valid_o,
+  input  logic                         out_ready_i,
+
+  output logic                         take_o,
+  output logic                         claim_o,
+  output logic                         step_o,
+  output logic [(Depth+1)*SlotW-1:0]   slots_o,  // level 0 (the phase issued now) in the low bits
+  output logic                         busy_o
+);
+
+  localparam int unsigned PhaseW = SlotW - 1;
+  localparam logic [PhaseW-1:0] LastPhase = '1;
+
+  logic                   valid_q;   // a record is held
+  logic [PhaseW-1:0]      phase_q;
+  logic [Depth*SlotW-1:0] levels_q;
+  logic                   out_valid_q;
+  logic                   out_free, finish, work;
+
+  assign out_free    = !out_valid_q || out_ready_i;
+  assign step_o      = !(valid_q && phase_q == PhaseW'(Claim) && !out_free);
+  assign claim_o     = valid_q && phase_q == PhaseW'(Claim) && out_free;
+  assign in_ready_o  = !valid_q || (phase_q == LastPhase && step_o);
+  assign take_o      = in_valid_i && in_ready_o;
+  assign slots_o     = {levels_q, valid_q, phase_q};
+  assign finish      = slots_o[Depth*SlotW+:SlotW] == {1'b1, LastPhase};
+  assign out_valid_o = out_valid_q;
+  assign busy_o      = valid_q || out_valid_q || work;
+
+  // A level is in use.
+  always_comb begin
+    work = 1'b0;
+    for (int unsigned i = 0; i < Depth; i += 1) work |= levels_q[i*SlotW+SlotW-1];
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      valid_q     <= 1'b0;
+      phase_q     <= '0;
+      levels_q    <= '0;
+      out_valid_q <= 1'b0;
+    end else begin
+      if (in_ready_o) valid_q <= in_valid_i;
+      if (in_ready_o) phase_q <= '0;
+      else if (step_o) phase_q <= phase_q + 1'b1;
+      if (step_o) levels_q <= slots_o[Depth*SlotW-1:0];
+      if (finish && step_o) out_valid_q <= 1'b1;
+      else if (out_ready_i) out_valid_q <= 1'b0;
+    end
+  end
+
+`ifndef SYNTHESIS
+  initial assert (Depth >= 1 && Depth <= Claim && Claim < 8);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) !(finish && out_valid_q));
+`endif
+
+endmodule

@@ -1,0 +1,85 @@
+// dopu_planes_test: rtl/dopu/dopu_planes.sv against its twin; the twin against double precision.
+#include "Vdopu_planes.h"
+#include "cpp_model/dopu/dopu_planes.hpp"
+#include "verif/dopu/dopu_world.hpp"
+#include "verif/support/bench.hpp"
+#include "verif/support/config.hpp"
+
+namespace pipegs {
+namespace {
+
+Frame random_frame(const Config& config, std::mt19937_64& rng) {
+  const Camera camera = random_camera(rng, 200 + static_cast<int>(rng() % 800), 200 + static_cast<int>(rng() % 800));
+  return frame_setup(config, pack_scene(config, random_scene(rng, 20), camera_bound(camera)), camera);
+}
+
+TEST(DopuPlanesTwin, PassesThroughTheEdgesOfTheWindow) {
+  const Config config = test_config();
+  std::mt19937_64 rng(test_seed());
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Frame f = random_frame(config, rng);
+    const int wx = static_cast<int>(rng() % (f.last_x + 1)), wy = static_cast<int>(rng() % (f.last_y + 1));
+    const Plane left = dopu_planes(config, f, wx, wy)[kLeft];
+    // A point on the left edge at depth 1, two pixels outside, lies in the plane: distance zero, here in pixels.
+    const double fx = std::ldexp(static_cast<double>(f.focal_x), -config.focal_f()), cx = std::ldexp(static_cast<double>(f.center_x), -config.center_f());
+    const double x = (wx * config.window - kPlaneMargin - cx) / fx;
+    const double w[9] = {double(f.w00), double(f.w01), double(f.w02), 0, 0, 0, double(f.w20), double(f.w21), double(f.w22)};
+    double distance = 0, unit = 0;
+    const double n[3] = {double(left.nx), double(left.ny), double(left.nz)};
+    for (int k = 0; k < 3; ++k) {
+      distance += n[k] * std::ldexp(w[k] * x + w[6 + k], -config.rot_f());
+      unit += n[k] * std::ldexp(w[k], -config.rot_f()) / fx;  // a step of one pixel
+    }
+    worst = std::max(worst, std::abs(distance / unit));
+  }
+  RecordProperty("largest_error_pixels", std::to_string(worst));
+  std::printf("dopu_planes: largest error of an edge %.4f px\n", worst);
+  EXPECT_LT(worst, 0.25);
+}
+
+TEST(DopuPlanes, EqualsItsTwinAtEveryPace) {
+  const Config config = test_config();
+  Bench<Vdopu_planes> bench;
+  auto& dut = bench.dut;
+  WordSource<decltype(dut.window_x_i)> in(bench, dut.window_valid_i, dut.window_ready_o, dut.window_x_i);
+  WordSink<decltype(dut.planes_o)> out(bench, dut.planes_valid_o, dut.planes_ready_i, dut.planes_o);
+  struct Row : Endpoint {  // the row travels with the column
+    Bench<Vdopu_planes>& bench;
+    std::deque<uint32_t> rows;
+    explicit Row(Bench<Vdopu_planes>& b) : bench(b) { b.add(*this); }
+    void drive() override { bench.dut.window_y_i = static_cast<SData>(rows.empty() ? 0 : rows.front()); }
+    void observe() override {
+      if (bench.dut.window_valid_i && bench.dut.window_ready_o) rows.pop_front();
+    }
+  } row(bench);
+  bench.reset();
+  for (int round = 0; round < 60; ++round) {
+    in.pace = kPaces[round % 3];
+    out.pace = kPaces[round / 3 % 3];
+    const Frame frame = random_frame(config, bench.rng);
+    write_record(config, dut.frame_i, frame);
+    std::vector<Planes> expected;
+    const size_t first = out.beats.size();
+    for (int i = 0; i < 20; ++i) {
+      const uint32_t x = static_cast<uint32_t>(bench.rng() % (frame.last_x + 1)), y = static_cast<uint32_t>(bench.rng() % (frame.last_y + 1));
+      in.push({x});
+      row.rows.push_back(y);
+      expected.push_back(dopu_planes(config, frame, static_cast<int>(x), static_cast<int>(y)));
+    }
+    ASSERT_TRUE(bench.run_until([&] { return out.beats.size() == first + expected.size(); }));
+    const int width = record_width<Plane>(config);
+    for (size_t i = 0; i < expected.size(); ++i) {
+      for (int side = 0; side < kPlanes; ++side) {
+        Words words(4);
+        for (int bit = 0; bit < width; ++bit) put_bits(words.data(), bit, 1, get_bits(out.beats[first + i].data(), side * width + bit, 1));
+        ASSERT_EQ(first_difference(config, expected[i][static_cast<size_t>(side)], unpack<Plane>(config, words.data())), "")
+            << "side " << side << " " << to_text(config, frame);
+      }
+    }
+    if (round == 0) { EXPECT_LE(out.cycles.back() - out.cycles[first], 19u * 54) << "pace: 54 cycles a window"; }
+  }
+}
+
+}  // namespace
+}  // namespace pipegs

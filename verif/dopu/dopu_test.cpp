@@ -1,0 +1,295 @@
+// dopu_test: rtl/dopu/dopu.sv whole, on random packed scenes, against the walk of its twin.
+#include "Vdopu.h"
+#include "cpp_model/dopu/dopu.hpp"
+#include "verif/dopu/dopu_world.hpp"
+#include "verif/support/bench.hpp"
+#include "verif/support/config.hpp"
+
+namespace pipegs {
+namespace {
+
+// The PUs: takes chunks at a pace, checks the stream rules of each, keeps the data in order and each unit's ends.
+class Units : public Endpoint {
+ public:
+  Units(Bench<Vdopu>& bench, const Config& config, Pace pace) : pace(pace), ends(static_cast<size_t>(config.units)), bench_(bench), config_(config) {
+    bench.add(*this);
+  }
+  void drive() override {
+    uint64_t ready = 0;
+    for (int u = 0; u < config_.units; ++u) {
+      // Like a PU's input, ready stays until a beat is taken: it is never withdrawn.
+      if (rare != 0 ? bench_.rng() % rare == 0 : goes(pace, bench_.rng)) ready_ |= uint64_t{1} << u;
+    }
+    ready = ready_;
+    bench_.dut.chunk_ready_i = static_cast<CData>(ready);
+  }
+  void observe() override {
+    const uint64_t valid = bench_.dut.chunk_valid_o, taken = valid & ready_;
+    if (valid == 0) {
+      EXPECT_EQ(shown_, 0u) << "a shown chunk was withdrawn, cycle " << bench_.cycle;
+      return;
+    }
+    const Chunk chunk = read_record<Chunk>(config_, bench_.dut.chunk_o);
+    if (shown_ != 0) {
+      EXPECT_EQ(valid, shown_) << "valid changed, cycle " << bench_.cycle;
+      EXPECT_EQ(chunk, last_) << "the chunk changed, cycle " << bench_.cycle;
+    }
+    EXPECT_TRUE(chunk.kind != kData || (valid & (valid - 1)) == 0) << "a chunk went to several units, cycle " << bench_.cycle;
+    shown_ = valid & ~taken;
+    last_ = chunk;
+    for (int u = 0; u < config_.units; ++u) {
+      if (((taken >> u) & 1) == 0) continue;
+      ready_ &= ~(uint64_t{1} << u);
+      ++count[u];
+      if (chunk.kind == kData) {
+        beats.push_back(chunk);
+        cycles.push_back(bench_.cycle);
+      } else {
+        auto& mine = ends[static_cast<size_t>(u)];
+        mine.push_back({beats.size(), chunk.kind});
+        if (chunk.kind == kWindowEnd) window_end();
+      }
+    }
+  }
+  std::function<void()> window_end = [] {};
+  Pace pace;
+  uint64_t rare = 0;            // a unit becomes ready in one cycle out of so many
+  std::vector<Chunk> beats;     // all units together, in order
+  std::vector<uint64_t> cycles;
+  std::vector<std::vector<std::pair<size_t, uint64_t>>> ends;  // of each unit: chunks sent before it, kind
+  uint64_t count[4] = {};
+
+ private:
+  Bench<Vdopu>& bench_;
+  Config config_;
+  uint64_t ready_ = 0, shown_ = 0;
+  Chunk last_;
+};
+
+struct World {
+  Config config = test_config();
+  PackedScene packed;
+  Frame frame;
+  template <class Rng>
+  World(Rng& rng, size_t gaussians, int width, int height, bool part = false) {
+    const Scene scene = random_scene(rng, gaussians);
+    const Camera camera = random_camera(rng, width, height);
+    packed = pack_scene(config, scene, camera_bound(camera));
+    std::optional<WindowRange> windows;
+    if (part) windows = WindowRange{1, 0, 1, 1};
+    frame = frame_setup(config, packed, camera, windows);
+  }
+  void load(ExternalMemory& memory) const {
+    const MemoryImage image = memory_image(packed);
+    for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+  }
+  // What the frame must send: chunks, and ends as (chunks before, kind).
+  void expect(std::vector<Chunk>& chunks, std::vector<std::pair<size_t, uint64_t>>& ends) const {
+    for (uint64_t y = frame.first_y; y <= frame.last_y; ++y) {
+      for (uint64_t x = frame.first_x; x <= frame.last_x; ++x) {
+        std::vector<size_t> in_layer(static_cast<size_t>(config.grid));
+        dopu_window(config, frame, packed, static_cast<int>(x), static_cast<int>(y), [&](int layer, const Chunk& chunk, uint64_t) {
+          chunks.push_back(chunk);
+          ++in_layer[static_cast<size_t>(layer)];
+        });
+        size_t sent = chunks.size();
+        for (const size_t n : in_layer) sent -= n;
+        for (size_t layer = 0; layer < in_layer.size(); ++layer) {
+          sent += in_layer[layer];
+          if (layer + 1 == in_layer.size()) ends.push_back({sent, kWindowEnd});
+          else if (in_layer[layer] != 0) ends.push_back({sent, kLayerEnd});
+        }
+      }
+    }
+  }
+};
+
+using Memory = MemoryEndpoint<QData, VlWide<16>>;
+
+void start(Bench<Vdopu>& bench, const World& world) {
+  write_record(world.config, bench.dut.frame_i, world.frame);
+  bench.dut.start_i = 1;
+  bench.step();
+  bench.dut.start_i = 0;
+}
+
+void no_feedback(Bench<Vdopu>& bench) {
+  std::memset(&bench.dut.done_i, 0, sizeof(bench.dut.done_i));
+  std::memset(&bench.dut.done_x_i, 0, sizeof(bench.dut.done_x_i));
+  std::memset(&bench.dut.done_y_i, 0, sizeof(bench.dut.done_y_i));
+}
+
+void compare(Pace pace, Pace memory_pace, const ExternalMemoryOptions& options) {
+  Bench<Vdopu> bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  ExternalMemory memory(options);
+  Units units(bench, config, pace);
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace);
+  bench.reset();
+  for (int frame = 0; frame < 6; ++frame) {  // one after another: nothing may be left of the frame before
+    const size_t gaussians[] = {3000, 0, 1, 20000, 500, 60};
+    const World world(bench.rng, gaussians[frame], 200, 150, frame == 4);
+    world.load(memory);
+    std::vector<Chunk> chunks;
+    std::vector<std::pair<size_t, uint64_t>> ends;
+    world.expect(chunks, ends);
+    units.beats.clear();
+    for (auto& mine : units.ends) mine.clear();
+    start(bench, world);
+    ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o; }, 2000000)) << "frame " << frame;
+    ASSERT_EQ(units.beats.size(), chunks.size()) << "frame " << frame;
+    for (size_t i = 0; i < chunks.size(); ++i) {
+      ASSERT_EQ(first_difference(config, chunks[i], units.beats[i]), "") << "frame " << frame << ", chunk " << i << " of " << chunks.size();
+    }
+    for (int u = 0; u < config.units; ++u) ASSERT_EQ(units.ends[static_cast<size_t>(u)], ends) << "frame " << frame << ", unit " << u;
+  }
+  for (int u = 1; u < config.units; ++u) EXPECT_GT(units.count[u] * 3, units.count[0]) << "unit " << u << " got too little";
+}
+
+TEST(Dopu, EqualsItsTwinWithAPromptMemory) { compare(Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64}); }
+TEST(Dopu, EqualsItsTwinWithASlowMemory) { compare(Pace::kAlways, Pace::kCoin, {.latency = 150, .bytes_per_cycle = 12.8, .jitter = 40}); }
+TEST(Dopu, EqualsItsTwinUnderBackPressure) { compare(Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20}); }
+TEST(Dopu, EqualsItsTwinByCoin) { compare(Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20}); }
+
+// The RUs report a window done after it got some chunks: what comes after is a subset in order, and every end still comes.
+TEST(Dopu, SkipsTheRestOfAWindowThatIsDone) {
+  Bench<Vdopu> bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  ExternalMemory memory({.latency = 40});
+  Units units(bench, config, Pace::kAlways);
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+  // All units finish a window once it has sent 10 chunks, and move on with its end.
+  struct Feedback : Endpoint {
+    Bench<Vdopu>& bench;
+    Units& units;
+    const Config& config;
+    const Frame* frame = nullptr;
+    size_t window = 0, ends = 0, seen = 0;
+    Feedback(Bench<Vdopu>& b, Units& u, const Config& c) : bench(b), units(u), config(c) {
+      b.add(*this);
+      u.window_end = [this] { ++ends; };
+    }
+    void drive() override {
+      if (frame == nullptr) return;
+      if (ends == (window + 1) * static_cast<size_t>(config.units)) {
+        ++window;
+        seen = units.beats.size();
+      }
+      const uint64_t columns = frame->last_x - frame->first_x + 1;
+      const bool done = units.beats.size() >= seen + 10;
+      Words bits(sizeof(bench.dut.done_i) / 4 + 2), x(4), y(4);
+      for (int u = 0; u < config.units; ++u) {
+        for (int r = 0; r < config.regions(); ++r) {
+          const int rx = r % config.regions_x(), ry = r / config.regions_x();
+          const int owner = config.units == 1 ? 0 : config.units == 2 ? (rx ^ ry) & 1 : 2 * (ry & 1) + (rx & 1);
+          if (owner == u) put_bits(bits.data(), u * config.regions() + r, 1, done);
+        }
+        put_bits(x.data(), u * config.window_w(), config.window_w(), frame->first_x + window % columns);
+        put_bits(y.data(), u * config.window_w(), config.window_w(), frame->first_y + window / columns);
+      }
+      write_port(bench.dut.done_i, bits.data());
+      write_port(bench.dut.done_x_i, x.data());
+      write_port(bench.dut.done_y_i, y.data());
+    }
+    void observe() override {}
+  } feedback(bench, units, config);
+  bench.reset();
+  const World world(bench.rng, 20000, 200, 150);
+  world.load(memory);
+  std::vector<Chunk> chunks;
+  std::vector<std::pair<size_t, uint64_t>> ends;
+  world.expect(chunks, ends);
+  feedback.frame = &world.frame;
+  start(bench, world);
+  ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o; }, 2000000));
+  const size_t windows = static_cast<size_t>((world.frame.last_x + 1) * (world.frame.last_y + 1));
+  EXPECT_EQ(feedback.ends, windows * static_cast<size_t>(config.units));
+  EXPECT_GE(units.beats.size(), std::min(chunks.size(), 10 * windows) / 2);
+  EXPECT_LT(units.beats.size(), chunks.size() / 2) << "of " << chunks.size();
+  size_t next = 0;
+  for (const Chunk& chunk : units.beats) {
+    while (next < chunks.size() && !(chunks[next] == chunk)) ++next;
+    ASSERT_LT(next, chunks.size()) << to_text(config, chunk) << " is not in the walk, or out of order";
+  }
+}
+
+// Without a clock whenever active_o is low, with units that take a chunk every few hundred cycles: the same frame.
+TEST(Dopu, NeedsNoClockWhenItSaysSo) {
+  struct Gated : Bench<Vdopu> {
+    uint64_t ticks = 0;
+    void gated_step() {
+      dut.clk_i = 0;
+      for (Endpoint* endpoint : endpoints_) endpoint->drive();
+      dut.eval();
+      for (Endpoint* endpoint : endpoints_) endpoint->observe();
+      if (dut.active_o) {
+        ++ticks;
+        dut.clk_i = 1;
+        dut.eval();
+      }
+      ++cycle;
+    }
+  } bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  ExternalMemory memory({.latency = 300, .bytes_per_cycle = 0.1, .jitter = 100, .queue = 1});
+  Units units(bench, config, Pace::kAlways);
+  units.rare = 600;
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+  bench.reset();
+  const World world(bench.rng, 300, 3 * config.window, 2 * config.window);
+  world.load(memory);
+  std::vector<Chunk> chunks;
+  std::vector<std::pair<size_t, uint64_t>> ends;
+  world.expect(chunks, ends);
+  write_record(config, bench.dut.frame_i, world.frame);
+  bench.dut.start_i = 1;
+  bench.gated_step();
+  bench.dut.start_i = 0;
+  for (int i = 0; i < 3000000 && bench.dut.busy_o; ++i) bench.gated_step();
+  ASSERT_EQ(bench.dut.busy_o, 0);
+  ASSERT_EQ(units.beats, chunks);
+  for (const auto& mine : units.ends) ASSERT_EQ(mine, ends);
+  EXPECT_LT(bench.ticks, bench.cycle * 9 / 10) << "of " << bench.cycle << " cycles";
+}
+
+// The node tests of a frame in three cycles each, or its chunks in ten, whichever is more; the rest hides behind it.
+TEST(Dopu, KeepsItsTestBusy) {
+  Bench<Vdopu> bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  ExternalMemory memory({.latency = 60, .bytes_per_cycle = 51.2});
+  Units units(bench, config, Pace::kAlways);
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+  bench.reset();
+  const World world(bench.rng, 20000, 10 * config.window, 7 * config.window);
+  world.load(memory);
+  DopuCounts sum;
+  for (uint64_t y = 0; y <= world.frame.last_y; ++y) {
+    for (uint64_t x = 0; x <= world.frame.last_x; ++x) {
+      const DopuCounts part = dopu_window(config, world.frame, world.packed, static_cast<int>(x), static_cast<int>(y), [](int, const Chunk&, uint64_t) {});
+      sum.cell_tests += part.cell_tests, sum.group_tests += part.group_tests, sum.chunk_tests += part.chunk_tests, sum.chunks += part.chunks;
+    }
+  }
+  const uint64_t before = bench.cycle;
+  start(bench, world);
+  ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o; }, 5000000));
+  const double tests = static_cast<double>(sum.cell_tests + sum.group_tests + sum.chunk_tests);
+  const double bound = std::max(3 * tests, 10.0 * static_cast<double>(sum.chunks)), cycles = static_cast<double>(bench.cycle - before);
+  RecordProperty("cycles_per_bound", std::to_string(cycles / bound));
+  std::printf("dopu: %.0f tests, %llu chunks, %.0f cycles, %.3f of the bound\n", tests, static_cast<unsigned long long>(sum.chunks), cycles, cycles / bound);
+  EXPECT_LT(cycles, 1.4 * bound);
+}
+
+}  // namespace
+}  // namespace pipegs

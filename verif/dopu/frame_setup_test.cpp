@@ -1,0 +1,85 @@
+// frame_setup_test: cpp_model/frame_setup.cpp against the camera in double precision, and what it refuses.
+#include "cpp_model/frame_setup.hpp"
+
+#include <gtest/gtest.h>
+
+#include "verif/dopu/dopu_world.hpp"
+
+namespace pipegs {
+namespace {
+
+struct FrameSetup : testing::Test {
+  std::mt19937_64 rng{1};
+  Config config;
+  PackedScene packed = pack_scene(config, random_scene(rng, 100), 30);
+
+  std::string error(const Camera& camera, const std::optional<WindowRange>& windows = {}) {
+    try {
+      frame_setup(config, packed, camera, windows);
+    } catch (const FrameError& e) {
+      return e.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(FrameSetup, RoundsTheCameraToTheNearestFields) {
+  for (int i = 0; i < 2000; ++i) {
+    const Camera camera = random_camera(rng, 640, 480);
+    const Frame f = frame_setup(config, packed, camera);
+    const int64_t w[9] = {f.w00, f.w01, f.w02, f.w10, f.w11, f.w12, f.w20, f.w21, f.w22};
+    for (int k = 0; k < 9; ++k) ASSERT_NEAR(std::ldexp(static_cast<double>(w[k]), -24), camera.world_to_camera[k % 3][k / 3], 3.1e-8);
+    const double qw = std::ldexp(static_cast<double>(f.camera_qw), -18), qx = std::ldexp(static_cast<double>(f.camera_qx), -18);
+    const double qy = std::ldexp(static_cast<double>(f.camera_qy), -18), qz = std::ldexp(static_cast<double>(f.camera_qz), -18);
+    const double r[9] = {1 - 2 * (qy * qy + qz * qz), 2 * (qx * qy - qw * qz), 2 * (qx * qz + qw * qy),
+                         2 * (qx * qy + qw * qz), 1 - 2 * (qx * qx + qz * qz), 2 * (qy * qz - qw * qx),
+                         2 * (qx * qz - qw * qy), 2 * (qy * qz + qw * qx), 1 - 2 * (qx * qx + qy * qy)};
+    for (int k = 0; k < 9; ++k) ASSERT_NEAR(r[k], camera.world_to_camera[k % 3][k / 3], 3e-5) << "the quaternion is the same rotation";
+    ASSERT_NEAR(std::ldexp(static_cast<double>(f.camera_x), packed.scene_exponent), camera.position.x, std::ldexp(0.51, packed.scene_exponent));
+    const double limit = 1.3 * camera.width / (2 * camera.fx);
+    ASSERT_NEAR(std::ldexp(static_cast<double>(f.limit_x), -config.tan_f), limit, 1e-6);
+    const double reach = std::sqrt(2 * std::log(255.0)) * camera.fx * std::sqrt(1 + limit * limit);
+    ASSERT_GE(std::ldexp(static_cast<double>(f.reach_x), -14), reach - 1e-3);
+    ASSERT_LE(std::ldexp(static_cast<double>(f.reach_x), -14), reach + 1e-2);
+    std::vector<uint32_t> words(static_cast<size_t>(record_words<Frame>(config)));
+    pack(config, f, words.data());  // throws when a field does not fit
+  }
+}
+
+TEST_F(FrameSetup, CoversTheImageWithWindows) {
+  Camera camera = random_camera(rng, 640, 480);
+  camera.width = 1;
+  camera.height = 65;
+  Frame f = frame_setup(config, packed, camera);
+  EXPECT_EQ(f.last_x, 0u);
+  EXPECT_EQ(f.last_y, 1u);
+  EXPECT_GE(f.overflow, f.pixels + 2 * 64 * 64 / 8);
+  f = frame_setup(config, packed, camera, WindowRange{0, 1, 0, 1});
+  EXPECT_EQ(f.first_y, 1u);
+}
+
+TEST_F(FrameSetup, RefusesWithOneLineWhatDoesNotFit) {
+  const Camera good = random_camera(rng, 640, 480);
+  EXPECT_EQ(error(good), "");
+  Camera bad = good;
+  bad.fx = 20000;
+  EXPECT_NE(error(bad).find("the focal length fx is 20000"), std::string::npos) << error(bad);
+  bad = good;
+  bad.position.y = 1e9;
+  EXPECT_NE(error(bad).find("the position y is 1e+09"), std::string::npos) << error(bad);
+  bad = good;
+  bad.fy = 1;
+  EXPECT_NE(error(bad).find("guard band"), std::string::npos) << error(bad);
+  bad = good;
+  bad.fx = std::nan("");
+  EXPECT_NE(error(bad), "");
+  bad = good;
+  bad.width = 0;
+  EXPECT_NE(error(bad).find("the width is 0"), std::string::npos) << error(bad);
+  EXPECT_NE(error(good, WindowRange{0, 0, 10, 0}).find("do not lie in 10 x 8 windows"), std::string::npos) << error(good, WindowRange{0, 0, 10, 0});
+  config.units = 1;
+  EXPECT_NE(error(good).find("another configuration"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pipegs

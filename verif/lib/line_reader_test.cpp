@@ -1,0 +1,98 @@
+// line_reader_test: rtl/lib/line_reader.sv against a queue of jobs. (pu_fetch_test and dopu_test drive it, too.)
+#include "Vline_reader.h"
+#include "verif/support/bench.hpp"
+#include "verif/support/config.hpp"
+
+namespace pipegs {
+namespace {
+
+// Feeds jobs and collects items; every item holds its own number, so a wrong one shows.
+struct Jobs : Endpoint {
+  struct Job {
+    bool read;
+    uint32_t first, count, tag;
+  };
+  Bench<Vline_reader>& bench;
+  Pace source, sink;
+  std::deque<Job> jobs;
+  std::deque<std::array<uint32_t, 3>> expected;  // tag, item, is an item
+  bool up = false;
+  size_t items = 0;
+  std::vector<uint64_t> cycles;
+
+  Jobs(Bench<Vline_reader>& b, Pace source, Pace sink) : bench(b), source(source), sink(sink) { b.add(*this); }
+  void push(const Job& job) {
+    jobs.push_back(job);
+    if (!job.read) expected.push_back({job.tag, 0, 0});
+    for (uint32_t i = 0; job.read && i < job.count; ++i) expected.push_back({job.tag, job.first + i, 1});
+  }
+  void drive() override {
+    auto& d = bench.dut;
+    if (!up && !jobs.empty() && goes(source, bench.rng)) up = true;
+    d.job_valid_i = up;
+    if (up) {
+      d.job_read_i = jobs.front().read;
+      d.job_first_i = jobs.front().first;
+      d.job_count_i = jobs.front().count;
+      d.job_tag_i = static_cast<CData>(jobs.front().tag);
+    }
+    d.out_ready_i = goes(sink, bench.rng);
+  }
+  void observe() override {
+    auto& d = bench.dut;
+    if (up && d.job_ready_o) {
+      jobs.pop_front();
+      up = false;
+    }
+    if (!d.out_valid_o || !d.out_ready_i) return;
+    ASSERT_FALSE(expected.empty()) << "a beat too many, cycle " << bench.cycle;
+    const auto [tag, item, is_item] = expected.front();
+    ASSERT_EQ(d.out_tag_o, tag) << "beat " << items << ", cycle " << bench.cycle;
+    ASSERT_EQ(d.out_read_o, is_item) << "beat " << items << ", cycle " << bench.cycle;
+    if (is_item) {
+      ASSERT_EQ(d.out_index_o, item) << "beat " << items << ", cycle " << bench.cycle;
+      ASSERT_EQ(d.out_item_o.m_storage[0], item * 7 + 1) << "beat " << items << ", cycle " << bench.cycle;
+    }
+    expected.pop_front();
+    ++items;
+    cycles.push_back(bench.cycle);
+  }
+};
+
+void run(Pace source, Pace sink, Pace memory_pace, const ExternalMemoryOptions& options, int jobs, uint32_t largest, bool full_rate) {
+  Bench<Vline_reader> bench;
+  auto& dut = bench.dut;
+  ExternalMemory memory(options);
+  constexpr uint64_t kBase = 77;
+  for (uint32_t item = 0; item < 1200; ++item) memory.line(kBase + item / 2)[item % 2 * 8] = item * 7 + 1;
+  dut.base_i = kBase;
+  Jobs ends(bench, source, sink);
+  MemoryEndpoint<QData, VlWide<16>> port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr,
+                                         dut.rsp_valid_i, dut.rsp_data_i, memory_pace);
+  bench.reset();
+  for (int i = 0; i < jobs; ++i) {
+    const uint32_t first = static_cast<uint32_t>(bench.rng() % 1000);
+    ends.push({full_rate || bench.rng() % 4 != 0, full_rate ? first & ~1u : first,
+               full_rate ? largest : 1 + static_cast<uint32_t>(bench.rng() % largest), static_cast<uint32_t>(bench.rng() % 256)});
+  }
+  ASSERT_TRUE(bench.run_until([&] { return ends.expected.empty(); }));
+  for (int i = 0; i < 100; ++i) bench.step();
+  EXPECT_EQ(dut.idle_o, 1);
+  if (full_rate) { EXPECT_EQ(ends.cycles.back() - ends.cycles.front(), ends.items - 1); }
+}
+
+TEST(LineReader, SendsEveryItemInOrderAtEveryPace) {
+  for (const Pace source : kPaces) {
+    for (const Pace sink : kPaces) {
+      for (const Pace memory : kPaces) {
+        run(source, sink, memory, {.latency = 30, .jitter = 20}, 60, 40, false);
+        run(source, sink, memory, {.latency = 3}, 60, 3, false);  // odd starts, single items, markers side by side
+      }
+    }
+  }
+}
+
+TEST(LineReader, SendsOneItemPerCycle) { run(Pace::kAlways, Pace::kAlways, Pace::kAlways, {.latency = 20, .bytes_per_cycle = 64}, 40, 32, true); }
+
+}  // namespace
+}  // namespace pipegs

@@ -1,0 +1,98 @@
+// pu_color_support.hpp: random cameras, directions and SH lines that are legal, and the colour in double precision.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+
+#include "cpp_model/records.hpp"
+
+namespace pipegs {
+
+// A frame whose W is a random rotation.
+template <class Rng>
+void set_rotation(const Config& config, Frame& frame, Rng& rng) {
+  std::normal_distribution<double> normal;
+  const glm::dmat3 r = glm::mat3_cast(glm::normalize(glm::dquat(normal(rng), normal(rng), normal(rng), normal(rng))));
+  const auto fixed = [&](double x) { return std::llround(std::ldexp(x, config.rot_f())); };
+  frame.w00 = fixed(r[0][0]), frame.w01 = fixed(r[0][1]), frame.w02 = fixed(r[0][2]);
+  frame.w10 = fixed(r[1][0]), frame.w11 = fixed(r[1][1]), frame.w12 = fixed(r[1][2]);
+  frame.w20 = fixed(r[2][0]), frame.w21 = fixed(r[2][1]), frame.w22 = fixed(r[2][2]);
+}
+
+inline glm::dvec3 to_world(const Config& config, const Frame& frame, const glm::dvec3& v) {
+  return glm::dvec3(frame.w00 * v.x + frame.w10 * v.y + frame.w20 * v.z,
+                    frame.w01 * v.x + frame.w11 * v.y + frame.w21 * v.z,
+                    frame.w02 * v.x + frame.w12 * v.y + frame.w22 * v.z) *
+         std::ldexp(1.0, -config.rot_f());
+}
+
+// Mostly block-normalised; now and then along an axis, short, or zero.
+template <class Rng>
+ViewDirection random_direction(const Config& config, Rng& rng) {
+  const int64_t top = int64_t{1} << (config.direction_w() - 1);
+  const auto whole = [&] { return static_cast<int64_t>(rng() % (2 * top)) - top; };
+  ViewDirection d{.x = whole(), .y = whole(), .z = whole()};
+  switch (rng() % 16) {
+    case 0: return {};
+    case 1: d.x = d.y = 0; return d;
+    case 2: d.y = d.z = 0, d.x = -top; return d;
+    case 3: d.x >>= 9, d.y >>= 9, d.z >>= 9; return d;
+    case 4: d.x = -top, d.y = -top, d.z = top - 1; return d;
+    default: break;
+  }
+  const auto large = [&](int64_t x) { return x >= top / 2 || x < -top / 2; };
+  if (!large(d.x) && !large(d.y) && !large(d.z)) d.z = top / 2 + (d.z & (top / 2 - 1));
+  return d;
+}
+
+inline void sh_double(const glm::dvec3& d, double basis[15]) {
+  const double x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;
+  const double c1 = 0.4886025119029199;
+  const double values[15] = {-c1 * y,
+                             c1 * z,
+                             -c1 * x,
+                             1.0925484305920792 * x * y,
+                             -1.0925484305920792 * y * z,
+                             0.31539156525252005 * (2 * zz - xx - yy),
+                             -1.0925484305920792 * x * z,
+                             0.5462742152960396 * (xx - yy),
+                             -0.5900435899266435 * y * (3 * xx - yy),
+                             2.890611442640554 * x * y * z,
+                             -0.4570457994644658 * y * (4 * zz - xx - yy),
+                             0.3731763325901154 * z * (2 * zz - 3 * xx - 3 * yy),
+                             -0.4570457994644658 * x * (4 * zz - xx - yy),
+                             1.445305721320277 * z * (xx - yy),
+                             -0.5900435899266435 * x * (xx - 3 * yy)};
+  for (int k = 0; k < 15; ++k) basis[k] = values[k];
+}
+
+inline std::array<int64_t, 15> functions(const ShBasis& b) {
+  return {b.b1, b.b2, b.b3, b.b4, b.b5, b.b6, b.b7, b.b8, b.b9, b.b10, b.b11, b.b12, b.b13, b.b14, b.b15};
+}
+
+// Noise in every bit; the exponents from `low` to `high` in each quarter.
+template <class Rng>
+std::array<uint32_t, 16> random_line(const Config& config, Rng& rng, int low = 0, int high = 31) {
+  std::array<uint32_t, 16> line;
+  for (uint32_t& word : line) word = static_cast<uint32_t>(rng());
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    put_bits(line.data(), 128 * quarter, config.sh_e_w,
+             static_cast<uint64_t>(low) + rng() % static_cast<uint64_t>(high - low + 1));
+  }
+  return line;
+}
+
+// Coefficient k = 0.. of channel c in double.
+inline double coefficient(const Config& config, const Frame& frame, const uint32_t* line, uint64_t slot, int k, int c) {
+  const int first = frame.sh_degree == 1 ? static_cast<int>(slot & 3) * 128 : 0;
+  const auto e = static_cast<int>(get_bits(line, first, config.sh_e_w));
+  auto m = static_cast<int64_t>(get_bits(line, first + config.sh_e_w + (3 * k + c) * config.sh_m_w, config.sh_m_w));
+  if ((m >> (config.sh_m_w - 1)) != 0) m -= int64_t{1} << config.sh_m_w;
+  return std::ldexp(static_cast<double>(m), e - 26 - config.sh_m_w);
+}
+
+}  // namespace pipegs

@@ -1,0 +1,18 @@
+// pu_jacobian_test: rtl/pu/pu_jacobian.sv against its twin; its precision is tested in pu_covariance_test.
+#include "cpp_model/pu/pu_jacobian.hpp"
+
+#include "Vpu_jacobian.h"
+#include "verif/pu/pu_chain.hpp"
+#include "verif/pu/pu_stage.hpp"
+
+namespace pipegs {
+namespace {
+
+PIPEGS_STAGE(pu_jacobian, Oriented, oriented, Jacobian, jacobian);
+
+TEST(PuJacobian, EqualsItsTwinAtEveryPace) { check_every_pace<Stage>(stage_run<Stage>(random_oriented, pu_jacobian)); }
+
+TEST(PuJacobian, TakesARecordEveryEightCycles) { check_pace<Stage>(stage_run<Stage>(random_oriented, pu_jacobian), 11); }
+
+}  // namespace
+}  // namespace pipegs

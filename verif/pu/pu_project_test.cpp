@@ -1,0 +1,84 @@
+// pu_project_test: rtl/pu/pu_project.sv against its twin, and the twin against double precision.
+#include "cpp_model/pu/pu_project.hpp"
+
+#include "Vpu_project.h"
+#include "verif/pu/pu_stage.hpp"
+
+namespace pipegs {
+namespace {
+
+PIPEGS_STAGE(pu_project, Visible, visible, Projected, projected);
+
+Visible make(PuRandom& random, const Frame& frame) {
+  Visible v = random.visible(frame);
+  const int64_t low = -(int64_t{1} << (random.config.view_w - 1));
+  if (random.chance(10)) v.view_x = random.chance(2) ? low : -1 - low;
+  if (random.chance(10)) v.view_y = random.chance(2) ? low : 0;
+  if (random.chance(10)) v.view_z = random.chance(3) ? 1 : random.chance(2) ? -1 - low : int64_t{1} << random.integer(0, random.config.view_w - 2);
+  if (random.chance(20)) v.view_exp = 63;
+  return v;
+}
+Projected twin(const Config& config, const Frame& frame, const Visible& visible) { return pu_project(config, frame, visible); }
+
+TEST(PuProject, EqualsItsTwinAtEveryPace) { check_every_pace<Stage>(stage_run<Stage>(make, twin)); }
+
+TEST(PuProject, TakesARecordEveryEightCycles) { check_pace<Stage>(stage_run<Stage>(make, twin), 13); }
+
+TEST(PuProject, TwinIsPreciseAgainstDouble) {
+  const Config config = test_config();
+  std::mt19937_64 rng(test_seed());
+  PuRandom random{config, rng};
+  const auto real = [](auto m, int64_t e) { return std::ldexp(static_cast<double>(m), static_cast<int>(e)); };
+  double inverse = 0, tangent = 0, near = 0, far = 0, turn = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Frame f = random.frame();
+    const Visible v = random.visible(f);
+    uint64_t saturated = 0;
+    const Projected p = pu_project(config, f, v, &saturated);
+    const double x = static_cast<double>(v.view_x), y = static_cast<double>(v.view_y), z = static_cast<double>(v.view_z);
+    inverse = std::max(inverse, std::abs(real(p.inv_z_m, p.inv_z_e) * real(v.view_z, static_cast<int64_t>(v.view_exp)) - 1));
+    const double limit = real(f.limit_x, -config.tan_f);
+    tangent = std::max(tangent, std::abs(std::clamp(x / z, -limit, limit) - real(p.tan_x, -config.tan_f)));
+    const double centered = real(f.focal_x, -config.focal_f()) * x / z;
+    const double mean = centered + real(f.center_x, -config.center_f()) - static_cast<double>(v.window_x) * config.window;
+    if (std::abs(mean) < 262143 && saturated == 0) {
+      const double error = std::abs(mean - real(p.mean_x, -config.mean_f));
+      near = std::abs(centered) < 4096 ? std::max(near, error) : near;
+      far = std::abs(centered) < 4096 ? far : std::max(far, error / std::abs(centered));
+    } else if (std::abs(mean) > 262145) {
+      EXPECT_EQ(saturated, 1u) << to_text(config, v);
+    }
+    const double a[3] = {x, y, z}, b[3] = {real(p.dir_x, 0), real(p.dir_y, 0), real(p.dir_z, 0)};
+    const double cross = std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+    turn = std::max(turn, cross / (std::hypot(x, y, z) * std::hypot(b[0], b[1], b[2])));
+  }
+  std::printf("pu_project: 1/z 2^%.2f relative; tan 2^%.2f; mean 2^%.2f px within 4096 px, 2^%.2f relative beyond; direction 2^%.1f rad\n",
+              std::log2(inverse), std::log2(tangent), std::log2(near), std::log2(far), std::log2(turn));
+  if (config.mantissa_w < 26 || config.view_w < 28) return;  // the bounds are those of the default widths
+  EXPECT_LT(inverse, std::ldexp(1.0, -25));
+  EXPECT_LT(tangent, std::ldexp(1.1, -config.tan_f));
+  EXPECT_LT(near, std::ldexp(1.0, -10));
+  EXPECT_LT(far, std::ldexp(1.0, -24) + std::ldexp(1.0, -config.mean_f - 12));
+  EXPECT_LT(turn, std::ldexp(1.0, -15));
+}
+
+TEST(PuProject, TheDepthKeyOrdersByDepth) {
+  const Config config = test_config();
+  std::mt19937_64 rng(test_seed());
+  PuRandom random{config, rng};
+  const Frame f = random.frame();
+  for (int i = 0; i < 20000; ++i) {
+    Visible v = random.visible(f), w = random.visible(f);
+    if (random.chance(2)) w.view_z = v.view_z + random.integer(0, 1), w.view_exp = v.view_exp;
+    if (w.view_z >= int64_t{1} << (config.view_w - 1)) continue;
+    const double dv = std::ldexp(static_cast<double>(v.view_z), static_cast<int>(v.view_exp));
+    const double dw = std::ldexp(static_cast<double>(w.view_z), static_cast<int>(w.view_exp));
+    const uint64_t kv = pu_project(config, f, v).depth, kw = pu_project(config, f, w).depth;
+    if (dv < dw) { ASSERT_LE(kv, kw); }
+    if (dv == dw) { ASSERT_EQ(kv, kw) << "the same depth in two units"; }
+    if (dv > dw) { ASSERT_GE(kv, kw); }
+  }
+}
+
+}  // namespace
+}  // namespace pipegs

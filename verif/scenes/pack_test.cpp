@@ -1,0 +1,177 @@
+// pack_test: scenes/pack.cpp, pack_nodes, pack_order, pack_quantize and pack_image against the scene they came from.
+#include "scenes/pack.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "scenes/pack_order.hpp"
+#include "scenes/pack_quantize.hpp"
+#include "verif/dopu/dopu_world.hpp"
+
+namespace pipegs {
+namespace {
+
+int64_t world_mean(const Node& chunk, const GaussianRecord& g, int axis) {
+  const int64_t center = axis == 0 ? chunk.center_x : axis == 1 ? chunk.center_y : chunk.center_z;
+  const int64_t offset = axis == 0 ? g.offset_x : axis == 1 ? g.offset_y : g.offset_z;
+  return center + offset * (int64_t{1} << chunk.offset_exp);
+}
+
+bool inside(const Node& node, const Node& chunk, const GaussianRecord& g) {
+  const int64_t center[3] = {node.center_x, node.center_y, node.center_z};
+  const uint64_t half[3] = {node.half_x, node.half_y, node.half_z};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(world_mean(chunk, g, axis) - center[axis]) > static_cast<int64_t>(half[axis] << node.half_exp)) return false;
+  }
+  return true;
+}
+
+// Everything a packed scene promises, for any configuration.
+void check(const Config& config, const Scene& scene, const PackedScene& packed) {
+  std::vector<int> seen(scene.gaussians.size());
+  uint64_t next_group = 0, next_chunk = 0, next_slot = 0;
+  for (size_t c = 0; c < packed.cells.size(); ++c) {
+    const Node& cell = packed.cells[c];
+    if (cell.count != 0) { ASSERT_EQ(cell.first, next_group); }
+    for (uint64_t g = cell.first; g < cell.first + cell.count; ++g, ++next_group) {
+      const Node& group = packed.groups.at(g);
+      ASSERT_EQ(group.first, next_chunk);
+      ASSERT_TRUE(group.count >= 1 && group.count <= static_cast<uint64_t>(config.group));
+      for (uint64_t k = group.first; k < group.first + group.count; ++k, ++next_chunk) {
+        const Node& chunk = packed.chunks.at(k);
+        ASSERT_EQ(chunk.first, next_slot) << "chunks lie one behind the other";
+        ASSERT_EQ(chunk.first % 2, 0u);
+        ASSERT_TRUE(chunk.count >= 1 && chunk.count <= static_cast<uint64_t>(config.chunk));
+        next_slot = chunk.first + (chunk.count + 1) / 2 * 2;
+        for (uint64_t slot = chunk.first; slot < chunk.first + chunk.count; ++slot) {
+          const GaussianRecord& record = packed.gaussians.at(slot);
+          const uint32_t index = packed.slot_to_index.at(slot);
+          ASSERT_EQ(record.index, index);
+          ++seen.at(index);
+          ActivatedGaussian exact;
+          ASSERT_EQ(activate(scene, index, exact), Cull::kNone);
+          for (int axis = 0; axis < 3; ++axis) {
+            const double error = std::ldexp(static_cast<double>(world_mean(chunk, record, axis)), packed.scene_exponent) - exact.mean[axis];
+            ASSERT_LE(std::abs(error), std::ldexp(0.5001, static_cast<int>(chunk.offset_exp) + packed.scene_exponent) +
+                                           std::ldexp(0.5, packed.scene_exponent));
+          }
+          for (const Node* node : {&chunk, &group, &cell}) {
+            ASSERT_TRUE(inside(*node, chunk, record)) << "slot " << slot;
+            ASSERT_GE(scale_value(config, node->scale_max), effective_scale(config, record));
+          }
+        }
+      }
+    }
+  }
+  uint64_t packed_count = 0;
+  for (const int times : seen) {
+    ASSERT_LE(times, 1);
+    packed_count += static_cast<uint64_t>(times);
+  }
+  const PackCounts& n = packed.counts;
+  EXPECT_EQ(packed_count, n.packed);
+  EXPECT_EQ(n.packed + n.non_finite + n.zero_quaternion + n.transparent + n.out_of_range, scene.gaussians.size());
+  const MemoryImage image = memory_image(packed);
+  for (size_t i = 0; i < packed.chunks.size(); ++i) {
+    ASSERT_EQ(unpack<Node>(config, image.lines.at(packed.layout.chunks + i / 2).data() + i % 2 * 8), packed.chunks[i]);
+  }
+  const size_t per_line = static_cast<size_t>(config.gaussians_per_line());
+  for (size_t i = 0; i < packed.gaussians.size(); ++i) {
+    ASSERT_EQ(unpack<GaussianRecord>(config, image.lines.at(packed.layout.gaussians + i / per_line).data() + i % per_line * 8), packed.gaussians[i]);
+  }
+}
+
+TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
+  std::mt19937_64 rng(1);
+  for (const char* assignment : {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1", "world_w=32", "world_w=44",
+                                 "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1"}) {
+    SCOPED_TRACE(assignment);
+    Config config;
+    config_set(config, assignment);
+    for (const size_t count : {0, 1, 2, 31, 33, 1000, 5000}) {
+      const Scene scene = random_scene(rng, count, static_cast<int>(rng() % 4));
+      check(config, scene, pack_scene(config, scene, 10));
+    }
+  }
+}
+
+TEST(Pack, LeavesOutWhatCannotBeDrawnAndCountsIt) {
+  std::mt19937_64 rng(2);
+  Scene scene = random_scene(rng, 200);
+  for (Gaussian& g : scene.gaussians) g.opacity_logit = 3;
+  scene.gaussians[0].mean.x = std::numeric_limits<float>::quiet_NaN();
+  scene.gaussians[1].mean.y = std::numeric_limits<float>::infinity();
+  scene.gaussians[2].rotation = glm::vec4(0);
+  scene.gaussians[3].opacity_logit = -6;  // 0.0025 < 1/255
+  scene.gaussians[4].mean.z = 1e30f;
+  scene.gaussians[5].log_scale = glm::vec3(-std::numeric_limits<float>::infinity());  // a point is legal
+  scene.gaussians[6].opacity_logit = std::numeric_limits<float>::infinity();          // opaque
+  scene.gaussians[7].sh_dc = glm::vec3(1e9f);                                         // clipped
+  scene.gaussians[8].log_scale.x = 80;                                                // clipped
+  const Config config;
+  const PackedScene packed = pack_scene(config, scene, 1);
+  EXPECT_EQ(packed.counts.non_finite, 2u);
+  EXPECT_EQ(packed.counts.zero_quaternion, 1u);
+  EXPECT_EQ(packed.counts.transparent, 1u);
+  EXPECT_EQ(packed.counts.out_of_range, 1u);
+  EXPECT_EQ(packed.counts.saturated_base, 3u);
+  EXPECT_EQ(packed.counts.saturated_scale, 1u);
+  check(config, scene, packed);
+}
+
+TEST(Pack, AnEmptySceneAndOneWhereAllLieInOnePoint) {
+  const Config config;
+  Scene scene;
+  EXPECT_EQ(pack_scene(config, scene, 0).chunks.size(), 0u);
+  std::mt19937_64 rng(3);
+  scene = random_scene(rng, 1000);
+  for (Gaussian& g : scene.gaussians) g.mean = glm::vec3(1, 2, 3);
+  check(config, scene, pack_scene(config, scene, 0));
+}
+
+TEST(PackQuantize, ScalesRoundAsTold) {
+  std::mt19937_64 rng(4);
+  for (const int mantissa_w : {6, 12, 16}) {
+    Config config;
+    config.scale_m_w = mantissa_w;
+    for (int i = 0; i < 20000; ++i) {
+      const double scale = std::ldexp(1 + std::ldexp(static_cast<double>(rng() >> 12), -52), static_cast<int>(rng() % 60) - 6);
+      const double nearest = scale_value(config, encode_scale(config, scale, false)), above = scale_value(config, encode_scale(config, scale, true));
+      ASSERT_LE(std::abs(nearest / scale - 1), std::ldexp(0.5001, -mantissa_w));
+      ASSERT_GE(above, scale);
+      ASSERT_LE(above / scale - 1, std::ldexp(1.0001, -mantissa_w));
+    }
+    EXPECT_EQ(encode_scale(config, 0, true), 0u);
+    EXPECT_GE(scale_value(config, encode_scale(config, 1e-9, true)), 1e-9);
+  }
+}
+
+TEST(PackQuantize, ColoursComeBackWithinHalfAUnitOfTheirExponent) {
+  std::mt19937_64 rng(5);
+  const Config config;
+  for (const int degree : {1, 2, 3}) {
+    const Scene scene = random_scene(rng, 500, degree);
+    const PackedScene packed = pack_scene(config, scene, 1);
+    const size_t per_line = degree == 1 ? 4 : 1;
+    for (size_t slot = 0; slot < packed.slot_to_index.size(); ++slot) {
+      if (packed.slot_to_index[slot] == kPadding) continue;
+      const uint32_t* line = packed.colors[slot / per_line].data();
+      const int at = static_cast<int>(slot % per_line) * 128;
+      const int exponent = static_cast<int>(get_bits(line, at, config.sh_e_w));
+      const float* exact = sh_rest_of(scene, packed.slot_to_index[slot]);
+      for (int i = 0; i < 3 * sh_rest_count(degree); ++i) {
+        int64_t m = static_cast<int64_t>(get_bits(line, at + config.sh_e_w + i * config.sh_m_w, config.sh_m_w));
+        if (m >> (config.sh_m_w - 1)) m -= int64_t{1} << config.sh_m_w;
+        const double unit = std::ldexp(1.0, exponent - 26 - config.sh_m_w), limit = 16 - unit;
+        const double wanted = std::clamp(static_cast<double>(exact[i]), -16.0, limit);
+        ASSERT_LE(std::abs(static_cast<double>(m) * unit - wanted), 0.5001 * std::max(unit, std::ldexp(1.0, 5 - config.sh_m_w) * (std::abs(exact[i]) > 15.9)));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pipegs
