@@ -61,7 +61,8 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
 }
 
 void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
-  const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z)});
+  // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
+  const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
   result.packed = pack_scene(options.config, scene, bound);
   result.input.packed = &result.packed;
   result.input.frame = frame_setup(options.config, result.packed, camera, {}, options.near_plane);

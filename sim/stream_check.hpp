@@ -50,10 +50,8 @@ class StreamCheck final : public RtlTaps {
   struct Window {
     GoldenWindow golden;
     std::vector<std::unordered_map<uint32_t, const GoldenSplat*>> by_index;  // of each layer
-    std::vector<uint32_t> arrived;                                           // splats that came, of each layer
     uint64_t done = 0;                                                       // regions done at the end
     std::vector<RegionState> live;                                           // blended line by line as the RTL does
-    std::vector<BlendCounts> counts;
   };
   // Where a stream is in the frame.
   struct Place {

@@ -46,7 +46,7 @@ class Cli : public testing::Test {
 
   // Exit 2, one line that holds `part`, no picture.
   void expect_refused(const std::string& arguments, const std::string& part) {
-    const Outcome outcome = run(arguments + " --out pictures");
+    const Outcome outcome = run(arguments + (arguments.starts_with("sim") ? " --out pictures" : ""));
     EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
     EXPECT_NE(outcome.err.find(part), std::string::npos) << "'" << part << "' is not in: " << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

@@ -102,7 +102,7 @@ TEST(PuCoeff, PowerAgreesWithDouble) {
     }
     std::printf("pu_coeff: sigma up to %4.0f px: error of the power %.3g (2^%.1f), rms %.3g; from the quantised covariance %.3g\n",
                 longest, worst, std::log2(worst), std::sqrt(squares / pixels), worst_quantised);
-    if (config == Config{}) { EXPECT_LE(worst, std::ldexp(1, -9.5)); }
+    if (config == Config{}) { EXPECT_LE(worst, std::exp2(-9.5)); }
   }
 }
 

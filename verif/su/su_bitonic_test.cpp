@@ -99,7 +99,8 @@ TEST(SuBitonic, EqualsTheNetworkForEveryCountAndArrangement) {
 
 TEST(SuBitonic, SortsInOneCyclePerStageAndLoadsWhileSending) {
   const Config config = test_config();
-  for (const auto& [count, stages] : {std::pair{1, 0}, {2, 1}, {4, 3}, {8, 6}, {16, 10}}) {
+  for (const auto& [keys, stages] : {std::pair{1, 0}, {2, 1}, {4, 3}, {8, 6}, {16, 10}}) {
+    const int count = keys;
     SortBench bench(Pace::kAlways, Pace::kAlways);
     bench.reset();
     for (int batch = 0; batch < 20; ++batch) bench.push(su_keys(config, Arrangement::kRandom, count, bench.rng));
