@@ -32,7 +32,8 @@ struct Simulation {
   PackedScene packed;
   GoldenInput input;  // points at packed
   GoldenFrame golden;
-  Image truth_order, truth_exact, truth_inria;  // exact in the hardware's order, exact and INRIA in global order
+  // Exact in the hardware's order, exact and INRIA in global order; only the window that was asked for.
+  Image truth_order, truth_exact, truth_inria;
   RtlResult rtl;
   std::vector<MemoryTraffic> traffic;
   std::vector<StreamCheck::Seen> seen;

@@ -1,9 +1,9 @@
 // pu: one Preprocessing Unit: Gaussians of a window in, sorted-to-be splats and their lines of alphas out.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
-// Idea    fetch -> cull -> project -> orient -> jacobian -> factors -> squares -> covariance -> conic -> coeff -> intersect ->
-//         allocate, which forks: rows -> spill (alpha store or memory) and color -> splat; join holds ends back until both
-//         have them. Only wiring here.
+// Idea    fetch -> cull -> queue -> project -> orient -> jacobian -> factors -> squares -> covariance -> conic -> coeff -> intersect ->
+//         allocate, which forks: queue -> rows -> spill (alpha store or memory) and color -> splat; join holds ends back
+//         until both have them. The queues let a stage run on while another works on a large Gaussian. Only wiring here.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
 // Pace    One Gaussian per cycle into the cull, one per eight cycles behind it, one region per 8 / PixelsPerRow cycles.
 // Model   preprocess() in cpp_model/golden.cpp
@@ -59,16 +59,23 @@ module pu #(
   output logic [1:0]                           perf_o       // 0 busy, 1 starved, 2 blocked, 3 memory
 );
 
-  logic fetched_valid, fetched_ready, visible_valid, visible_ready, projected_valid, projected_ready;
+  localparam int unsigned VisibleDepth = 16;  // survivors of the cull come in bursts
+  localparam int unsigned JobDepth     = 16;  // a screen-filling Gaussian keeps the Row Units for hundreds of cycles
+
+  logic fetched_valid, fetched_ready, culled_valid, culled_ready, visible_valid, visible_ready, projected_valid, projected_ready;
   logic oriented_valid, oriented_ready, jacobian_valid, jacobian_ready, factors_valid, factors_ready;
   logic squares_valid, squares_ready, covariance_valid, covariance_ready, conic_valid, conic_ready;
   logic coeff_valid, coeff_ready, tiles_valid, tiles_ready, row_job_valid, row_job_ready, color_job_valid, color_job_ready;
+  logic queued_valid, queued_ready;
+  logic [$clog2(VisibleDepth+1)-1:0] visible_count;
+  logic [$clog2(JobDepth+1)-1:0]     job_count;
   logic alphas_valid, alphas_ready, colored_valid, colored_ready, rows_end_valid, rows_end_ready;
   logic fetch_idle, fetch_waiting, color_busy, color_waiting, allocate_active, allocate_waiting, rows_active, spill_active;
   logic cull_busy, project_busy, orient_busy, jacobian_busy, factors_busy, squares_busy, covariance_busy;
   logic conic_busy, coeff_busy, intersect_busy, front_busy;
+  logic moved, wake, work, asleep;
   pipegs_pkg::fetched_t    fetched;
-  pipegs_pkg::visible_t    visible;
+  pipegs_pkg::visible_t    culled, visible;
   pipegs_pkg::projected_t  projected;
   pipegs_pkg::oriented_t   oriented;
   pipegs_pkg::jacobian_t   jacobian;
@@ -78,7 +85,7 @@ module pu #(
   pipegs_pkg::conic_t      conic;
   pipegs_pkg::coeff_t      coeff;
   pipegs_pkg::tiles_t      tiles;
-  pipegs_pkg::row_job_t    row_job;
+  pipegs_pkg::row_job_t    row_job, queued;
   pipegs_pkg::color_job_t  color_job;
   pipegs_pkg::alphas_t     alphas;
   pipegs_pkg::splat_t      colored;
@@ -94,7 +101,12 @@ module pu #(
 
   pu_cull u_cull (
     .clk_i, .rst_ni, .frame_i, .fetched_valid_i(fetched_valid), .fetched_ready_o(fetched_ready), .fetched_i(fetched),
-    .visible_valid_o(visible_valid), .visible_ready_i(visible_ready), .visible_o(visible), .busy_o(cull_busy)
+    .visible_valid_o(culled_valid), .visible_ready_i(culled_ready), .visible_o(culled), .busy_o(cull_busy)
+  );
+
+  sram_fifo #(.DataW(pipegs_pkg::VisibleBits), .Depth(VisibleDepth)) u_visible (
+    .clk_i, .rst_ni, .in_valid_i(culled_valid), .in_ready_o(culled_ready), .in_i(culled),
+    .out_valid_o(visible_valid), .out_ready_i(visible_ready), .out_o(visible), .count_o(visible_count)
   );
 
   pu_project u_project (
@@ -152,8 +164,13 @@ module pu #(
     .overflowed_o, .waiting_o(allocate_waiting), .active_o(allocate_active)
   );
 
+  sram_fifo #(.DataW(pipegs_pkg::RowJobBits), .Depth(JobDepth)) u_jobs (
+    .clk_i, .rst_ni, .in_valid_i(row_job_valid), .in_ready_o(row_job_ready), .in_i(row_job),
+    .out_valid_o(queued_valid), .out_ready_i(queued_ready), .out_o(queued), .count_o(job_count)
+  );
+
   pu_rows u_rows (
-    .clk_i, .rst_ni, .row_job_valid_i(row_job_valid), .row_job_ready_o(row_job_ready), .row_job_i(row_job),
+    .clk_i, .rst_ni, .row_job_valid_i(queued_valid), .row_job_ready_o(queued_ready), .row_job_i(queued),
     .alphas_valid_o(alphas_valid), .alphas_ready_i(alphas_ready), .alphas_o(alphas), .line_o(alphas_line), .active_o(rows_active)
   );
 
@@ -179,9 +196,21 @@ module pu #(
   );
 
   assign front_busy = cull_busy || project_busy || orient_busy || jacobian_busy || factors_busy || squares_busy ||
-                      covariance_busy || conic_busy || coeff_busy || intersect_busy;
-  assign active_o   = chunk_valid_i || !fetch_idle || front_busy || allocate_active || rows_active || spill_active ||
-                      color_busy || layer_free_i || restart_i || geometry_rsp_valid_i || color_rsp_valid_i;
+                      covariance_busy || conic_busy || coeff_busy || intersect_busy || visible_count != '0;
+  // Beats that move inside, and what may come from outside.
+  assign moved = (fetched_valid && fetched_ready) || (culled_valid && culled_ready) || (visible_valid && visible_ready) ||
+                 (projected_valid && projected_ready) || (oriented_valid && oriented_ready) ||
+                 (jacobian_valid && jacobian_ready) || (factors_valid && factors_ready) || (squares_valid && squares_ready) ||
+                 (covariance_valid && covariance_ready) || (conic_valid && conic_ready) || (coeff_valid && coeff_ready) ||
+                 (tiles_valid && tiles_ready) || (row_job_valid && row_job_ready) || (queued_valid && queued_ready) ||
+                 (alphas_valid && alphas_ready) || (colored_valid && colored_ready) || rows_end_valid;
+  assign wake  = (chunk_valid_i && chunk_ready_o) || geometry_valid_o || color_valid_o || spill_valid_o ||
+                 geometry_rsp_valid_i || color_rsp_valid_i || layer_free_i || restart_i || (splat_valid_o && splat_ready_i);
+  assign work  = chunk_valid_i || !fetch_idle || front_busy || allocate_active || rows_active || job_count != '0 ||
+                 spill_active || color_busy;
+  assign active_o = wake || (work && !asleep);
+
+  pu_sleep u_sleep (.clk_i, .rst_ni, .moved_i(moved), .wake_i(wake), .asleep_o(asleep));
 
   pu_state u_state (
     .rows_i(rows_active), .front_i(front_busy), .color_i(color_busy),

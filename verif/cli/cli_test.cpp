@@ -71,7 +71,10 @@ TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
   EXPECT_EQ(read, report["memory"]["bytes_read"]);
 }
 
-TEST_F(Cli, OneWindowAlone) { EXPECT_EQ(run("sim scene.ply --cameras cameras.json --window 1,0 --out pictures").code, 0); }
+TEST_F(Cli, OneWindowAlone) {
+  const Outcome outcome = run("sim scene.ply --cameras cameras.json --window 1,0 --out pictures");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
 
 TEST_F(Cli, RenderWritesEveryModel) {
   for (const char* model : {"truth", "layered", "golden"}) {
