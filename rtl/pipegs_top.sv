@@ -1,7 +1,7 @@
 // pipegs_top: the whole machine: DOPU, PUs, SUs, RUs and their buffers behind one port to external memory.
 //
 // Paper   Fig. 7, Table 2.
-// Idea    DOPU -> PU[k] -> SU[k] -> su_merge -> ru_dispatch -> RU[j]; alpha store k lies between PU k and all RUs.
+// Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> SU[k] -> su_merge -> ru_dispatch -> RU[j]; alpha store k lies between PU k and all RUs.
 //         While the RUs blend layer i, the SUs sort behind them and the PUs already work on layer i + 1, across windows too.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
 // Stream  start_i with frame_i; the scene and the frame lie in external memory; busy_o falls when the last pixel is written.
@@ -90,7 +90,10 @@ module pipegs_top #(
   pipegs_pkg::sorted_t           sorted;
   logic [Units-1:0]              raster_valid, raster_ready;
   pipegs_pkg::sorted_t           raster;
-  logic                          merge_active, dispatch_active;
+  logic                          merge_active, dispatch_active, deal_active;
+  logic [Units-1:0]              culled_valid, culled_ready, dealt_valid, dealt_ready;
+  logic [Units*pipegs_pkg::VisibleBits-1:0] culled;
+  pipegs_pkg::visible_t          dealt;
 
   logic [Units*Units-1:0]        read_valid, read_ready, answer_valid;  // [RU * Units + store]
   logic [Units*AlphaAddressW-1:0] read_address;                         // of each RU
@@ -103,7 +106,7 @@ module pipegs_top #(
   );
   assign running = busy_o && !restart;
   assign idle    = !dopu_active && pu_active == '0 && su_active == '0 && ru_active == '0 && !merge_active &&
-                   !dispatch_active && mem_valid == '0 && !mem_valid_o;
+                   !dispatch_active && !deal_active && mem_valid == '0 && !mem_valid_o;
 
   layer_free u_layer_free (.clk_i, .rst_ni, .done_i(layer_done), .free_o(layer_free));
 
@@ -136,6 +139,9 @@ module pipegs_top #(
     pu u_pu (
       .clk_i(pu_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
       .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_i(chunk),
+      .culled_valid_o(culled_valid[k]), .culled_ready_i(culled_ready[k]),
+      .culled_o(culled[k*pipegs_pkg::VisibleBits +: pipegs_pkg::VisibleBits]),
+      .visible_valid_i(dealt_valid[k]), .visible_ready_o(dealt_ready[k]), .visible_i(dealt),
       .done_i(done), .done_x_i(done_x), .done_y_i(done_y), .layer_free_i(layer_free),
       .geometry_valid_o(mem_valid[GeometryPort+k]), .geometry_ready_i(mem_ready[GeometryPort+k]),
       .geometry_address_o(mem_address[(GeometryPort+k)*AddressW +: AddressW]), .geometry_rsp_valid_i(rsp_valid[GeometryPort+k]),
@@ -197,6 +203,11 @@ module pipegs_top #(
       .tap_word_quarter_o(tap_pixels_quarter_o[k*2 +: 2]), .tap_word_o(tap_pixels_o[k*PixelWordW +: PixelWordW])
     );
   end
+
+  pu_deal u_deal (
+    .clk_i, .rst_ni, .in_valid_i(culled_valid), .in_ready_o(culled_ready), .in_i(culled),
+    .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_o(dealt), .active_o(deal_active)
+  );
 
   su_merge u_merge (
     .clk_i, .rst_ni, .in_valid_i(in_order_valid), .in_ready_o(in_order_ready), .in_i(in_order),

@@ -1,7 +1,7 @@
 // pu: one Preprocessing Unit: Gaussians of a window in, sorted-to-be splats and their lines of alphas out.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
-// Idea    fetch -> cull -> queue -> project -> orient -> jacobian -> factors -> squares -> covariance -> conic -> coeff -> intersect ->
+// Idea    fetch -> cull -> (pu_deal, shared by all PUs) -> queue -> project -> orient -> jacobian -> factors -> squares -> covariance -> conic -> coeff -> intersect ->
 //         allocate, which forks: queue -> rows -> spill (alpha store or memory) and color -> splat; join holds ends back
 //         until both have them. The queues let a stage run on while another works on a large Gaussian. Only wiring here.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
@@ -23,6 +23,13 @@ module pu #(
   input  logic                                 chunk_valid_i,
   output logic                                 chunk_ready_o,
   input  pipegs_pkg::chunk_t                   chunk_i,
+
+  output logic                                 culled_valid_o,  // survivors of this PU's cull, to pu_deal
+  input  logic                                 culled_ready_i,
+  output pipegs_pkg::visible_t                 culled_o,
+  input  logic                                 visible_valid_i,  // Gaussians dealt to this PU
+  output logic                                 visible_ready_o,
+  input  pipegs_pkg::visible_t                 visible_i,
 
   input  logic [Units*pipegs_pkg::Regions-1:0] done_i,      // from the RUs
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_x_i,
@@ -59,10 +66,10 @@ module pu #(
   output logic [1:0]                           perf_o       // 0 busy, 1 starved, 2 blocked, 3 memory
 );
 
-  localparam int unsigned VisibleDepth = 16;  // survivors of the cull come in bursts
-  localparam int unsigned JobDepth     = 16;  // a screen-filling Gaussian keeps the Row Units for hundreds of cycles
+  localparam int unsigned VisibleDepth = 4;   // short: what waits here cannot go to another PU
+  localparam int unsigned JobDepth     = 4;   // a screen-filling Gaussian keeps the Row Units for hundreds of cycles
 
-  logic fetched_valid, fetched_ready, culled_valid, culled_ready, visible_valid, visible_ready, projected_valid, projected_ready;
+  logic fetched_valid, fetched_ready, visible_valid, visible_ready, projected_valid, projected_ready;
   logic oriented_valid, oriented_ready, jacobian_valid, jacobian_ready, factors_valid, factors_ready;
   logic squares_valid, squares_ready, covariance_valid, covariance_ready, conic_valid, conic_ready;
   logic coeff_valid, coeff_ready, tiles_valid, tiles_ready, row_job_valid, row_job_ready, color_job_valid, color_job_ready;
@@ -75,7 +82,7 @@ module pu #(
   logic conic_busy, coeff_busy, intersect_busy, front_busy;
   logic moved, wake, work, asleep;
   pipegs_pkg::fetched_t    fetched;
-  pipegs_pkg::visible_t    culled, visible;
+  pipegs_pkg::visible_t    visible;
   pipegs_pkg::projected_t  projected;
   pipegs_pkg::oriented_t   oriented;
   pipegs_pkg::jacobian_t   jacobian;
@@ -101,11 +108,11 @@ module pu #(
 
   pu_cull u_cull (
     .clk_i, .rst_ni, .frame_i, .fetched_valid_i(fetched_valid), .fetched_ready_o(fetched_ready), .fetched_i(fetched),
-    .visible_valid_o(culled_valid), .visible_ready_i(culled_ready), .visible_o(culled), .busy_o(cull_busy)
+    .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o), .busy_o(cull_busy)
   );
 
   sram_fifo #(.DataW(pipegs_pkg::VisibleBits), .Depth(VisibleDepth)) u_visible (
-    .clk_i, .rst_ni, .in_valid_i(culled_valid), .in_ready_o(culled_ready), .in_i(culled),
+    .clk_i, .rst_ni, .in_valid_i(visible_valid_i), .in_ready_o(visible_ready_o), .in_i(visible_i),
     .out_valid_o(visible_valid), .out_ready_i(visible_ready), .out_o(visible), .count_o(visible_count)
   );
 
@@ -198,15 +205,16 @@ module pu #(
   assign front_busy = cull_busy || project_busy || orient_busy || jacobian_busy || factors_busy || squares_busy ||
                       covariance_busy || conic_busy || coeff_busy || intersect_busy || visible_count != '0;
   // Beats that move inside, and what may come from outside.
-  assign moved = (fetched_valid && fetched_ready) || (culled_valid && culled_ready) || (visible_valid && visible_ready) ||
+  assign moved = (fetched_valid && fetched_ready) || (visible_valid && visible_ready) ||
                  (projected_valid && projected_ready) || (oriented_valid && oriented_ready) ||
                  (jacobian_valid && jacobian_ready) || (factors_valid && factors_ready) || (squares_valid && squares_ready) ||
                  (covariance_valid && covariance_ready) || (conic_valid && conic_ready) || (coeff_valid && coeff_ready) ||
                  (tiles_valid && tiles_ready) || (row_job_valid && row_job_ready) || (queued_valid && queued_ready) ||
                  (alphas_valid && alphas_ready) || (colored_valid && colored_ready) || rows_end_valid;
-  assign wake  = (chunk_valid_i && chunk_ready_o) || geometry_valid_o || color_valid_o || spill_valid_o ||
+  assign wake  = (chunk_valid_i && chunk_ready_o) || (culled_valid_o && culled_ready_i) || (visible_valid_i && visible_ready_o) ||
+                 geometry_valid_o || color_valid_o || spill_valid_o ||
                  geometry_rsp_valid_i || color_rsp_valid_i || layer_free_i || restart_i || (splat_valid_o && splat_ready_i);
-  assign work  = chunk_valid_i || !fetch_idle || front_busy || allocate_active || rows_active || job_count != '0 ||
+  assign work  = chunk_valid_i || visible_valid_i || !fetch_idle || front_busy || allocate_active || rows_active || job_count != '0 ||
                  spill_active || color_busy;
   assign active_o = wake || (work && !asleep);
 

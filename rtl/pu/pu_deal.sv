@@ -1,0 +1,74 @@
+// pu_deal: deals the Gaussians that survive the culls to the PUs, so that all of them have the same to do.
+//
+// Paper   Table 2 (four PUs); the paper does not say how Gaussians are shared among them.
+// Idea    A chunk goes to one PU's fetch and cull, but chunks differ a hundredfold in work: 32 screen-filling splats or 32
+//         specks. So survivors of all culls are dealt one by one to whichever PU has room, in turn. The sort behind makes
+//         the image independent of who gets which. A layer's end waits until all culls have reached it and goes to all PUs.
+// Stream  visible from each cull; visible to each PU, one record for all with one valid each.
+// Pace    One Gaussian per cycle (with a single PU every second one), latency one.
+// Model   Any dealing is right: the test checks that each Gaussian arrives once, in its layer.
+
+module pu_deal #(
+  localparam int unsigned Units = pipegs_pkg::Units,
+  localparam int unsigned Bits  = pipegs_pkg::VisibleBits,
+  localparam int unsigned PortW = Units > 1 ? $clog2(Units) : 1
+) (
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+
+  input  logic [Units-1:0]      in_valid_i,
+  output logic [Units-1:0]      in_ready_o,
+  input  logic [Units*Bits-1:0] in_i,
+
+  output logic [Units-1:0]      out_valid_o,
+  input  logic [Units-1:0]      out_ready_i,
+  output pipegs_pkg::visible_t  out_o,
+
+  output logic                  active_o
+);
+
+  logic [Units-1:0]     is_end, data, source, target;
+  logic [PortW-1:0]     source_port, target_port;
+  logic                 free, take_data, take_end;
+  logic [Units-1:0]     waiting_q;  // PUs that have still to take the record
+  pipegs_pkg::visible_t out_q;
+
+  always_comb begin
+    for (int unsigned i = 0; i < Units; i += 1) begin
+      is_end[i] = in_valid_i[i] && in_i[i*Bits +: pipegs_pkg::KindW] != pipegs_pkg::KindData;
+    end
+  end
+  assign data = in_valid_i & ~is_end;
+  assign free = (waiting_q & ~out_ready_i) == '0;
+
+  arbiter #(.Ports(Units)) u_source (
+    .clk_i, .rst_ni, .request_i(data), .advance_i(take_data), .grant_o(source), .port_o(source_port)
+  );
+  // A PU that takes the present record in this cycle may have filled its queue with it.
+  arbiter #(.Ports(Units)) u_target (
+    .clk_i, .rst_ni, .request_i(out_ready_i & ~waiting_q), .advance_i(1'b1), .grant_o(target), .port_o(target_port)
+  );
+
+  assign take_data  = free && data != '0 && target != '0;
+  assign take_end   = free && is_end == '1;
+  assign in_ready_o = take_end ? '1 : take_data ? source : '0;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) waiting_q <= '0;
+    else if (take_end) waiting_q <= '1;
+    else if (take_data) waiting_q <= target;
+    else waiting_q <= waiting_q & ~out_ready_i;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (take_data || take_end) out_q <= in_i[source_port*Bits +: Bits];
+  end
+
+  assign out_valid_o = waiting_q;
+  assign out_o       = out_q;
+  assign active_o    = in_valid_i != '0 || waiting_q != '0;
+
+  logic unused_port;
+  assign unused_port = &{1'b0, target_port};
+
+endmodule

@@ -1,0 +1,105 @@
+// pu_deal_test: rtl/pu/pu_deal.sv: every Gaussian arrives at exactly one PU and in its layer, ends arrive at all.
+#include <map>
+
+#include "Vpu_deal.h"
+#include "verif/support/bench.hpp"
+#include "verif/support/config.hpp"
+
+namespace pipegs {
+namespace {
+
+class PuDeal : public testing::Test {
+ protected:
+  // Several streams of layers, each with its own number of Gaussians; returns the cycles that passed.
+  uint64_t deal(Pace source_pace, Pace sink_pace, int layers, int most) {
+    const Config config = test_config();
+    const int units = config.units, width = record_width<Visible>(config);
+    Bench<Vpu_deal> bench;
+    std::vector<std::deque<Visible>> sources(units);
+    std::map<uint64_t, int> layer_of;  // by index
+    uint64_t index = 0;
+    for (int layer = 0; layer < layers; ++layer) {
+      for (auto& source : sources) {
+        for (int n = static_cast<int>(bench.rng() % static_cast<uint64_t>(most + 1)); n > 0; --n) {
+          source.push_back(random_record<Visible>(config, bench.rng));
+          source.back().kind = kData;
+          source.back().index = index;
+          layer_of[index++] = layer;
+        }
+        source.push_back({});
+        source.back().kind = layer + 1 == layers ? kWindowEnd : kLayerEnd;
+      }
+    }
+    std::vector<bool> up(units);
+    std::vector<int> layer(units, 0);
+    bench.dut.in_valid_i = 0;
+    bench.dut.out_ready_i = 0;
+    bench.reset();
+    const uint64_t start = bench.cycle;
+    int ended = 0;
+    for (; ended < units && bench.cycle < start + 200000; ++bench.cycle) {
+      Words all(port_words<decltype(bench.dut.in_i)>() + 2);
+      uint32_t valid = 0;
+      for (int u = 0; u < units; ++u) {
+        if (!up[u]) up[u] = !sources[u].empty() && goes(source_pace, bench.rng);
+        if (!up[u]) continue;
+        valid |= 1u << u;
+        Words one(static_cast<size_t>(width) / 32 + 2);
+        pack(config, sources[u].front(), one.data());
+        for (int bit = 0; bit < width; bit += 32) {
+          const int take = std::min(32, width - bit);
+          put_bits(all.data(), u * width + bit, take, get_bits(one.data(), bit, take));
+        }
+      }
+      uint32_t ready = 0;
+      for (int u = 0; u < units; ++u) ready |= static_cast<uint32_t>(goes(sink_pace, bench.rng)) << u;
+      bench.dut.in_valid_i = static_cast<CData>(valid);
+      // A PU's queue, once it has room, keeps it until it is given something.
+      bench.dut.out_ready_i = static_cast<CData>(ready | (bench.dut.out_ready_i & ~taken_));
+      write_port(bench.dut.in_i, all.data());
+      bench.dut.clk_i = 0;
+      bench.dut.eval();
+      const uint32_t handshakes = bench.dut.out_valid_o & bench.dut.out_ready_i;
+      taken_ = static_cast<CData>(handshakes);
+      const Visible out = read_record<Visible>(config, bench.dut.out_o);
+      for (int u = 0; u < units; ++u) {
+        if ((bench.dut.in_ready_o & valid) >> u & 1) sources[u].pop_front(), up[u] = false;
+        if ((handshakes >> u & 1) == 0) continue;
+        if (out.kind != kData) {
+          ++layer[u];
+          ended += out.kind == kWindowEnd;
+        } else {
+          const auto found = layer_of.find(out.index);
+          if (found == layer_of.end()) {
+            ADD_FAILURE() << "Gaussian " << out.index << " came twice";
+            return 0;
+          }
+          EXPECT_EQ(found->second, layer[u]) << "Gaussian " << out.index << " came in a wrong layer";
+          layer_of.erase(found);
+        }
+      }
+      bench.dut.clk_i = 1;
+      bench.dut.eval();
+    }
+    EXPECT_EQ(ended, units);
+    EXPECT_TRUE(layer_of.empty()) << layer_of.size() << " Gaussians were lost";
+    return bench.cycle - start;
+  }
+  CData taken_ = 0;
+};
+
+TEST_F(PuDeal, EveryGaussianArrivesOnceInItsLayerAtEveryPace) {
+  for (const Pace source : kPaces) {
+    for (const Pace sink : kPaces) deal(source, sink, 20, 30);
+  }
+}
+
+TEST_F(PuDeal, DealsOneGaussianPerCycle) {
+  const Config config = test_config();
+  const int most = 2000;
+  const uint64_t cycles = deal(Pace::kAlways, Pace::kAlways, 1, most);
+  EXPECT_LE(cycles, static_cast<uint64_t>(config.units * most + 20)) << "at most one cycle for each Gaussian";
+}
+
+}  // namespace
+}  // namespace pipegs
