@@ -173,9 +173,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   result.pixels.assign(static_cast<size_t>(width) * height, 0);
   // (layer, depth key) of each Gaussian of the scene; a Gaussian has the same in every window.
   constexpr uint64_t kUnseen = ~uint64_t{0};
-  size_t indices = 0;
-  for (const uint32_t index : input.packed->slot_to_index) indices = index == kPadding ? indices : std::max<size_t>(indices, index + 1);
-  std::vector<uint64_t> order(indices, kUnseen);
+  std::vector<uint64_t> order(input.packed->scene_gaussians, kUnseen);
   std::mutex mutex;
   uint64_t finished = 0;
 

@@ -183,6 +183,7 @@ PackedScene pack_scene(const Config& config, const Scene& scene, double coordina
   PackedScene packed;
   packed.config = config;
   packed.sh_degree = std::min(scene.sh_degree, config.sh_degree);
+  packed.scene_gaussians = scene.gaussians.size();
   check_sizes(config, scene, packed);
   if (!std::isfinite(coordinate_bound)) throw std::invalid_argument("pack_scene: the cameras' coordinates are not finite");
 

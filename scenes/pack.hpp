@@ -49,6 +49,7 @@ struct PackedScene {
   std::vector<Node> cells, groups, chunks;  // cell -> groups -> chunks -> Gaussians
   std::vector<GaussianRecord> gaussians;  // by slot
   std::vector<uint32_t> slot_to_index;    // index in the scene, kPadding for an empty slot
+  size_t scene_gaussians = 0;             // of the scene, those left out included
   std::vector<MemoryLine> colors;         // SH coefficients, degree 1: four slots in a line, else one
   GridBox grid;
   MemoryLayout layout;

@@ -50,6 +50,17 @@ TEST(Golden, OneWindowIsTheCropOfTheFrame) {
   EXPECT_EQ(max_abs_error(crop_window(all.golden.image, options), crop_window(one.golden.image, options)), 0);
 }
 
+TEST(Golden, RanksEveryGaussianEvenWhenTheLastOnesAreLeftOut) {
+  Scene scene = random_scene(8, 300, 0);
+  for (size_t i = 290; i < 300; ++i) scene.gaussians[i].opacity_logit = -20;  // below 1/255: not packed
+  SimulateOptions options;
+  Simulation result;
+  simulate_golden(scene, test_camera(64, 64), options, result);
+  EXPECT_EQ(result.golden.rank.size(), scene.gaussians.size());
+  simulate_truth(scene, test_camera(64, 64), options, result);
+  EXPECT_GT(result.psnr_numeric, 50);
+}
+
 TEST(Golden, TransmittanceAndWeightsSumToOne) {
   // A white scene: every colour is 1, so accumulated colour = sum of weights = 1 - T up to the colour's own rounding.
   Scene scene = random_scene(6, 1500, 0);

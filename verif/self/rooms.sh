@@ -1,27 +1,57 @@
 #!/usr/bin/env bash
-# rooms.sh: the layout's rule, checked: rtl/<unit>/<name>.sv = cpp_model/<unit>/<name>.hpp = verif/<unit>/<name>_test.cpp.
+# rooms.sh: the layout's rule, checked: rtl/<unit>/<name>.sv = cpp_model/<unit>/<name>.hpp = verif/<unit>/<name>_test.cpp
+# = a heading or a row in docs/units.
 #
-# Plumbing (rtl/lib queues and memories, rtl/buf) has no twin but a test; wiring modules are covered by their unit's test
-# and are named in the list below with that test. Prints what lacks its rhyme and fails when anything does.
+# Plumbing (rtl/lib queues and memories, rtl/buf) has no twin but a test. A module that lacks its test or its twin needs a
+# line in covered_by.txt with the test that covers it, and no line may be stale: its module, its test and the need for it
+# must exist. Also: at most 400 lines a file, a head comment, no page that names a module that is gone. Prints what lacks
+# its rhyme and fails when anything does.
 set -uo pipefail
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../.." || exit
+list=verif/self/covered_by.txt
 status=0
-for file in rtl/*/*.sv; do
-  unit=$(basename "$(dirname "$file")") name=$(basename "$file" .sv)
-  tested_by=$(sed -n "s/^$name  *//p" verif/self/covered_by.txt)
-  if [ ! -e "verif/$unit/${name}_test.cpp" ] && [ ! -e "verif/$unit/${tested_by:-none}_test.cpp" ]; then
-    echo "$file: no verif/$unit/${name}_test.cpp and no line in verif/self/covered_by.txt"
-    status=1
-  fi
-  case $unit in lib|buf) continue ;; esac
-  if [ ! -e "cpp_model/$unit/$name.hpp" ] && [ -z "$tested_by" ]; then
-    echo "$file: no cpp_model/$unit/$name.hpp and no line in verif/self/covered_by.txt"
-    status=1
-  fi
-done
+complain() { echo "$1"; status=1; }
+
+# The file of the test that covers module $1 of unit $2 according to the list; nothing without a line.
+covering_test() {
+  local test
+  test=$(awk -v name="$1" '$1 == name {print $2}' "$list")
+  case $test in
+    "") ;;
+    self/package) echo verif/self/package.sh ;;
+    */*) echo "verif/${test}_test.cpp" ;;
+    *) echo "verif/$2/${test}_test.cpp" ;;
+  esac
+}
+
 for file in rtl/*.sv rtl/*/*.sv; do
+  unit=$(basename "$(dirname "$file")") name=$(basename "$file" .sv)
+  own_test=verif/$unit/${name}_test.cpp twin=cpp_model/$unit/$name.hpp
+  covering=$(covering_test "$name" "$unit")
+  [ -e "$own_test" ] || [ -e "${covering:-none}" ] || complain "$file: no $own_test and no valid line in $list"
+  case $unit in
+    lib | buf) needs_twin= ;;
+    *) needs_twin=1; [ -e "$twin" ] || [ -n "$covering" ] || complain "$file: no $twin and no line in $list" ;;
+  esac
+  if [ -n "$covering" ] && [ -e "$own_test" ] && { [ -z "$needs_twin" ] || [ -e "$twin" ]; }; then
+    complain "$list: $name has a test and a twin of its own, its line is not needed"
+  fi
+  grep -qw -- "$name" docs/units/*.md || complain "$file: no heading or row in docs/units"
   lines=$(wc -l < "$file")
-  [ "$lines" -le 400 ] || [ "$(basename "$file")" = pipegs_pkg.sv ] || { echo "$file: $lines lines, at most 400"; status=1; }
-  [ "$(head -n 1 "$file" | cut -c 1-3)" = "// " ] || { echo "$file: no head comment"; status=1; }
+  [ "$lines" -le 400 ] || [ "$name" = pipegs_pkg ] || complain "$file: $lines lines, at most 400"
+  [ "$(head -n 1 "$file" | cut -c 1-3)" = "// " ] || complain "$file: no head comment"
+done
+
+while read -r name test; do
+  file=$(ls rtl/"$name".sv rtl/*/"$name".sv 2> /dev/null)
+  [ -n "$file" ] || { complain "$list: no module $name"; continue; }
+  covering=$(covering_test "$name" "$(basename "$(dirname "$file")")")
+  [ -e "$covering" ] || complain "$list: $name: no test $test"
+done < <(grep -v '^#' "$list")
+
+# A page may name modules, tests and functions of the twins, but none that is gone.
+for name in $(grep -ohE '`(dopu|pu|su|ru)_[a-z0-9_]+`' docs/*.md docs/*/*.md | tr -d '`' | sort -u); do
+  [ -n "$(find rtl verif -name "$name.sv" -o -name "$name.cpp")" ] || grep -rqw -- "$name" rtl cpp_model verif/*/CMakeLists.txt ||
+    complain "docs: there is no $name"
 done
 exit $status
