@@ -6,7 +6,7 @@ PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
-.PHONY: help tools build run test test-long bench lint netlist rooms package wave clean
+.PHONY: help tools build run test test-long bench lint rooms package wave clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*##/  make \1:/p' $(MAKEFILE_LIST)

@@ -1,6 +1,6 @@
 // dopu_axis: the principal axis of the view, along which the layers are stacked.
 //
-// Paper   Sec. 3.3, Sec. 4.1 (DOPU).        RTL  rtl/dopu/dopu_axis.sv
+// Paper   Sec. 3.2, Sec. 4.1 (DOPU).        RTL  rtl/dopu/dopu_axis.sv
 // Idea    The axis along which the camera's forward vector is longest; ties go to the lowest axis.
 #pragma once
 

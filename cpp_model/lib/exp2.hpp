@@ -1,6 +1,6 @@
 // exp2: 2^f for a fraction f, by a table of 2^ExpIndexW chords.
 //
-// Paper   "applying exponential function to the power" (Sec. 4.3).   RTL  rtl/lib/exp2.sv
+// Paper   "applying exponential function to the power" (Sec. 4.2.1).   RTL  rtl/lib/exp2.sv
 // Idea    f = (i + r / 2^R) / 2^ExpIndexW:   2^f ~ value[i] + delta[i] * r / 2^R.   The table is the flat localparam
 //         Exp2Table of pipegs_pkg, printed from this file, so RTL and twin cannot differ.
 // Numbers f u0.ExpF, value u1.(AlphaW+6), delta in the same unit, result u1.(AlphaW+7), truncated.

@@ -1,6 +1,6 @@
 // dopu: Dynamic Orthogonal Partitioning Unit: walks the scene window by window, layer by layer, and feeds the PUs.
 //
-// Paper   Sec. 3.3, Sec. 4.1, Fig. 7.
+// Paper   Sec. 3.2, Sec. 4.1, Fig. 7.
 // Idea    dopu_axis and dopu_layer find the order of the slabs, dopu_windows the planes of each window, dopu_cells walks the
 //         cells, dopu_descend finds their chunks that can touch the window, dopu_origin brings these into view space,
 //         dopu_emit deals them out. Each works ahead of the next; the walk of a window begins while the one before ends.

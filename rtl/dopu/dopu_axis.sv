@@ -1,6 +1,6 @@
 // dopu_axis: the principal axis of the view, along which the layers are stacked.
 //
-// Paper   Sec. 3.3, Sec. 4.1.
+// Paper   Sec. 3.2, Sec. 4.1.
 // Idea    The axis along which the camera's forward vector (third row of the rotation) is longest; ties: lowest axis.
 // Stream  None: the frame's constants in, 0, 1 or 2 for x, y or z out.
 // Pace    Combinational.

@@ -1,6 +1,6 @@
 // dopu_cells: keeps the cell table on chip and walks it for each window, slab by slab outward from the camera.
 //
-// Paper   Sec. 3.3 (orthogonal grid), Sec. 4.1.
+// Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
 // Idea    The table is read once per frame, two cells per line; every window walks it again from the SRAM. Empty cells cost one
 //         cycle. After a slab comes a layer end, after the last slab a window end. A window that is done has only that.
 // Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.

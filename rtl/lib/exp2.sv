@@ -1,6 +1,6 @@
 // exp2: 2^f for a fraction f, by a table of 2^ExpIndexW chords.
 //
-// Paper   "applying exponential function to the power" (Sec. 4.3).
+// Paper   "applying exponential function to the power" (Sec. 4.2.1).
 // Idea    f = (i + r / 2^R) / 2^ExpIndexW:   2^f ~ value[i] + delta[i] * r / 2^R
 //
 //           fraction   | i: ExpIndexW | r: R = ExpF - ExpIndexW |

@@ -1,6 +1,6 @@
 // pu_alpha: the alpha code of a pixel from its power.
 //
-// Paper   Eq. 1 and Sec. 4.3; the cut at 1/255 and the cap at 0.99 are those of the reference renderer.
+// Paper   Eq. 1 and Sec. 4.2.1; the cut at 1/255 and the cap at 0.99 are those of the reference renderer.
 // Idea    alpha = 2^power, opacity included: the integer part is a shift, the fraction goes through exp2.
 //           power < -PowerCut -> code 0   (a compare: no exponential decides the cut)
 //           power > 0         -> power 0  (rounding may lift the peak just above 0; it must not vanish)

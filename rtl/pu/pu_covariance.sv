@@ -37,7 +37,7 @@ module pu_covariance (
 
   // 0.3 = m 2^-(MantissaW+1), rounded to nearest.
   localparam logic [MantissaW-1:0] SmallM = MantissaW'(((64'd3 << (MantissaW + 1)) + 64'd5) / 64'd10);
-  localparam logic signed [ExponentW-1:0] SmallE = -ExponentW'(MantissaW + 1);
+  localparam logic signed [ExponentW-1:0] SmallE = ExponentW'(0) - ExponentW'(MantissaW + 1);
 
   logic       take, claim, step;
   logic [7:0] slots;
