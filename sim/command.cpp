@@ -19,7 +19,7 @@ void ViewArguments::add(CLI::App& app) {
   app.add_option("--cameras", cameras, "cameras.json (INRIA layout); needed with SCENE");
   app.add_option("--view", view, "which camera of the file, counted from 0")->capture_default_str();
   app.add_option("--window", window, "only this window: column,row")->delimiter(',')->expected(2);
-  app.add_option("--set", settings, "configuration entry, key=value; may be repeated");
+  app.add_option("--set", settings, "configuration entry, key=value; may be repeated")->allow_extra_args(false);
   app.add_option("--near", near_plane, "near plane, scene units")->capture_default_str();
 }
 

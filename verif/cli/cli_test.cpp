@@ -76,6 +76,11 @@ TEST_F(Cli, OneWindowAlone) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
+TEST_F(Cli, SettingsMayStandBeforeTheScene) {
+  const Outcome outcome = run("sim --set grid=4 --set units=4 scene.ply --cameras cameras.json --no-truth --out pictures");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 TEST_F(Cli, RenderWritesEveryModel) {
   for (const char* model : {"truth", "layered", "golden"}) {
     EXPECT_EQ(run("render scene.ply --cameras cameras.json --model " + std::string(model) + " --out " + model).code, 0) << model;
