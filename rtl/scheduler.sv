@@ -27,7 +27,7 @@ module scheduler (
 
   localparam int unsigned Units   = pipegs_pkg::Units;
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
-  localparam int unsigned CountW  = 2 * WindowW;
+  localparam int unsigned CountW  = 2 * WindowW + 2;
   localparam int unsigned LinesW  = pipegs_pkg::RegionW + 1;
   localparam int unsigned PerfW   = pipegs_pkg::PerfW;
 
@@ -35,10 +35,10 @@ module scheduler (
   logic [Units-1:0]  complete;
   logic              restart_q, busy_q;
   logic [PerfW-1:0]  cycles_q, overflow_q, overflow_now;
-  logic [WindowW-1:0] columns, rows;
+  logic [WindowW:0]   columns, rows;  // up to 2^WindowW
 
-  assign columns = frame_i.last_x - frame_i.first_x + 1'b1;
-  assign rows    = frame_i.last_y - frame_i.first_y + 1'b1;
+  assign columns = (WindowW+1)'(frame_i.last_x - frame_i.first_x) + 1'b1;
+  assign rows    = (WindowW+1)'(frame_i.last_y - frame_i.first_y) + 1'b1;
 
   always_comb begin
     for (int unsigned i = 0; i < Units; i += 1) complete[i] = left_q[i] == '0;

@@ -34,7 +34,12 @@ struct World : Endpoint {
     write_port(dut.done_i, done.data());
     write_port(dut.done_x_i, done_x.data());
     write_port(dut.done_y_i, done_y.data());
-    dut.layer_free_i = freed < std::min(row_ends(), color_ends()) && bench.rng() % free_one_in == 0;
+    bool now = bench.rng() % free_one_in == 0;
+    if (meetings >= 0) {
+      now = meetings > 0 && dut.tiles_valid_i && dut.tiles_ready_o && read_record<Tiles>(config, dut.tiles_i).kind != kData;
+    }
+    dut.layer_free_i = now && freed < std::min(row_ends(), color_ends());
+    if (meetings > 0 && dut.layer_free_i) --meetings;
   }
   void observe() override {
     overflowed += dut.overflowed_o;
@@ -81,6 +86,7 @@ struct World : Endpoint {
   std::set<std::pair<uint64_t, uint64_t>> held;  // line, layer
   uint64_t x, y, live = 0, layer = 0, freed = 0, overflowed = 0, expected_overflowed = 0, waited = 0;
   uint64_t done_pace = 1, free_one_in = 20;
+  int meetings = -1;  // layers that are still freed, in the very cycle that takes an end; -1: freed at random
   bool shown = false, restart = false;
 };
 
@@ -179,6 +185,47 @@ TEST(PuAllocate, DropsGaussiansOfOpaqueRegions) {
   const size_t pushed = s.in.beats.size();
   s.run_and_compare(false);
   EXPECT_LT(s.rows.size(), pushed);
+}
+
+// Four layers of half a store: the first one is freed in the very cycle that takes the end of the second one. Then one layer
+// is live, so the third one comes in without another pulse, and the fourth one waits.
+TEST(PuAllocate, FreesALayerInTheCycleThatTakesAnEnd) {
+  for (const bool gated : {false, true}) {
+    for (int layers_before = 0; layers_before < 3; ++layers_before) {  // also meetings in a row
+      AllocateBench s;
+      s.world.done_pace = 0;
+      s.restart();
+      const int lines = std::min(s.config.regions(), s.config.alpha_lines / 2), count = s.config.alpha_lines / 2 / lines;
+      const int layers = 4 + layers_before;
+      for (int layer = 0; layer < layers; ++layer) {
+        for (int i = 0; i < count; ++i) {
+          Tiles tiles = random_record<Tiles>(s.config, s.bench.rng);
+          tiles.kind = kData;
+          tiles.mask = lines == 64 ? ~uint64_t{0} : (uint64_t{1} << lines) - 1;
+          s.in.push(tiles);
+        }
+        Tiles end = random_record<Tiles>(s.config, s.bench.rng);
+        end.kind = layer == layers - 1 ? kWindowEnd : kLayerEnd;
+        s.in.push(end);
+      }
+      const uint64_t meetings = 1 + static_cast<uint64_t>(layers_before);
+      const uint64_t beats = static_cast<uint64_t>(count + 1), before_last = (meetings + 2) * beats;
+      s.world.meetings = static_cast<int>(meetings);
+      const auto reached = [&] { return HasFatalFailure() || s.in.taken >= before_last; };
+      if (gated) s.bench.run_gated_until(reached, 2000);
+      else s.bench.run_until(reached, 2000);
+      ASSERT_EQ(s.world.freed, meetings) << "the pulses did not meet the ends";
+      for (int i = 0; i < 50; ++i) {
+        if (gated) s.bench.gated_step();
+        else s.bench.step();
+      }
+      ASSERT_EQ(s.in.taken, before_last) << "a third layer is let in";
+      s.world.meetings = -1;
+      s.run_and_compare(gated);
+      EXPECT_EQ(s.world.overflowed, 0u);
+      if (HasFailure()) { FAIL() << (gated ? "gated, " : "") << meetings << " meetings"; }
+    }
+  }
 }
 
 TEST(PuAllocate, TakesAGaussianPerFourCycles) {

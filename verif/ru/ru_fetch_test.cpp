@@ -53,9 +53,13 @@ struct FetchRun {
     bench.dut.overflow_i = kOverflow;
     bench.dut.restart_i = 0;
     bench.reset();
+    restart();
+  }
+  void restart() {  // a frame begins; nothing is left of the one before
     bench.dut.restart_i = 1;
     bench.step();
     bench.dut.restart_i = 0;
+    parity = 0;
   }
   void send(uint64_t kind, bool ext) {
     Fetch fetch = random_record<Fetch>(kConfig, bench.rng);
@@ -121,6 +125,19 @@ TEST(RuFetch, LinesLeaveInOrderAtEveryPace) {
       }
       run.compare();
     }
+  }
+}
+
+TEST(RuFetch, EveryFrameBeginsWithParityZero) {
+  FetchRun run(Pace::kCoin, Pace::kCoin, Pace::kCoin, Pace::kCoin, {.latency = 30, .jitter = 20});
+  for (const int layers : {1, 3, 2, 1, 1, 4, 5, 1}) {  // behind an odd number of layers the parity is one
+    for (int layer = 0; layer < layers; ++layer) {
+      for (int i = 0; i < 5; ++i) run.send(kData, i != 3);
+      run.send(layer == layers - 1 ? kWindowEnd : kLayerEnd, false);
+    }
+    run.compare();
+    if (HasFailure()) return;
+    run.restart();
   }
 }
 
