@@ -19,7 +19,6 @@ struct SimulateOptions {
   RtlOptions rtl;
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
   double near_plane = 0.2;                   // scene units
-  bool run_truth = true;
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
 };
 

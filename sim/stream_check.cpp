@@ -24,6 +24,7 @@ StreamCheck::StreamCheck(const GoldenInput& input)
     : input_(input),
       config_(input.packed->config),
       constants_(config_),
+      rows_(config_),
       windows_x_(input.frame.last_x - input.frame.first_x + 1),
       splat_place_(config_.units),
       ru_window_(config_.units, 0),
@@ -164,7 +165,7 @@ void StreamCheck::on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint
   }
   if (splat == nullptr) return fail(ordinal, fmt::format("alphas -> RU {}: Gaussian {} is not in the window", unit, index));
   Pending pending{.index = index, .region = region, .codes = {}, .after = {}, .window = ordinal};
-  golden_codes(config_, splat->job, region, pending.codes.data());
+  pu_region_line(rows_, splat->job, region, pending.codes.data());
   for (int i = 0; i < kRegionPixels; ++i) {
     const uint64_t found = get_bits(line, i * config_.alpha_w, config_.alpha_w);
     if (found == pending.codes[i]) continue;

@@ -15,6 +15,7 @@
 #include <unordered_map>
 
 #include "cpp_model/golden.hpp"
+#include "cpp_model/pu/pu_rows.hpp"
 #include "sim/rtl_model.hpp"
 
 namespace pipegs {
@@ -77,6 +78,7 @@ class StreamCheck final : public RtlTaps {
   GoldenInput input_;
   const Config& config_;
   BlendConstants constants_;
+  PuRows rows_;  // its tables are made once, not for every line
   uint64_t windows_x_;
   std::vector<Place> splat_place_;
   Place sorted_place_;

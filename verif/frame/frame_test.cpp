@@ -19,7 +19,6 @@ SimulateOptions machine(size_t number) {
   SimulateOptions options;
   for (const std::string& setting : kMachines[number]) config_set(options.config, setting);
   options.memory.jitter = 20;
-  options.run_truth = false;
   return options;
 }
 
