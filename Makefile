@@ -37,7 +37,7 @@ bench: build  ## speed of golden model and RTL on our own scene, apart from the 
 	$(BUILD)/pipegs sim --no-truth --out $(BUILD)/bench --json | grep -A 5 wall_seconds
 
 lint: tools build  ## each RTL module alone through Verilator's lint and Yosys
-	synth/lint.sh
+	BUILD=$(BUILD) synth/lint.sh
 
 rooms:  ## what lacks its rhyme: module, twin, test, heading
 	verif/self/rooms.sh

@@ -55,6 +55,8 @@ void config_check(const Config& config) {
       throw ConfigError(std::string("configuration: ") + name + " = " + std::to_string(value) + ", expected a power of two");
     }
   }
+  if (config.quadratic && !config.late) throw ConfigError("configuration: quadratic = 1 needs late = 1");
+  if (config.order == 2 && !config.late) throw ConfigError("configuration: order = 2 needs late = 1");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");
 }
 

@@ -51,6 +51,14 @@ ColorJob color_job(const Tiles& t) {
   return job;
 }
 
+// What the SU takes; where the alphas lie depends on timing and stays zero.
+Splat golden_splat(const Config& config, const Colored& colored, const Tiles& t) {
+  Splat splat{.kind = colored.kind, .depth = colored.depth, .index = colored.index, .mask = colored.mask, .address = 0, .ext = 0,
+              .red = colored.red, .green = colored.green, .blue = colored.blue};
+  if (config.late) splat.a = t.a, splat.b = t.b, splat.c = t.c, splat.d = t.d, splat.e = t.e, splat.f = t.f;
+  return splat;
+}
+
 // View depth in scene units that a depth key stands for.
 double key_depth(const PackedScene& packed, uint64_t key) {
   const int mantissa_bits = packed.config.depth_w - 6;
@@ -78,7 +86,8 @@ void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& 
   const ColorJob job = color_job(tiles);
   ColorCounts counts;
   const uint32_t* line = color_degree(config, frame) == 0 ? nullptr : input.packed->colors[color_line(frame, job.slot) - frame.colors].data();
-  layer.splats.push_back({pu_color(config, frame, job, line, &counts), row_job(tiles)});
+  const Colored colored = pu_color(config, frame, job, line, &counts);
+  layer.splats.push_back({golden_splat(config, colored, tiles), row_job(tiles)});
   window.saturations.color += counts.saturated;
 }
 

@@ -72,6 +72,7 @@ void print_package(const pipegs::Config& config) {
     std::printf("\n  typedef struct packed {\n");
     for (auto field = record.fields.rbegin(); field != record.fields.rend(); ++field) {
       const pipegs::ConfigEntry& width = entries.at(field->width);
+      if (width.value == 0) continue;
       const std::string range = width.value == 1 && !field->is_signed ? "" : "[" + std::string(width.camel_name) + "-1:0] ";
       std::printf("    logic %s%s%s;%s%s\n", field->is_signed ? "signed " : "", range.c_str(), field->name,
                   *field->what ? "  // " : "", field->what);

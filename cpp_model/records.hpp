@@ -85,7 +85,7 @@ R unpack(const Config& config, const uint32_t* words) {
   int at = 0;
   visit_fields(config, record, [&](const char*, auto& value, int width, bool is_signed) {
     uint64_t bits = get_bits(words, at, width);
-    if (is_signed && width < 64 && ((bits >> (width - 1)) & 1)) bits |= ~uint64_t{0} << width;
+    if (is_signed && width > 0 && width < 64 && ((bits >> (width - 1)) & 1)) bits |= ~uint64_t{0} << width;
     value = static_cast<std::remove_reference_t<decltype(value)>>(bits);
     at += width;
   });
@@ -124,7 +124,7 @@ R random_record(const Config& config, Rng& rng) {
   visit_fields(config, record, [&](const char*, auto& value, int width, bool is_signed) {
     uint64_t bits = rng();
     bits = width >= 64 ? bits : bits & ((uint64_t{1} << width) - 1);
-    if (is_signed && width < 64 && ((bits >> (width - 1)) & 1)) bits |= ~uint64_t{0} << width;
+    if (is_signed && width > 0 && width < 64 && ((bits >> (width - 1)) & 1)) bits |= ~uint64_t{0} << width;
     value = static_cast<std::remove_reference_t<decltype(value)>>(bits);
   });
   return record;

@@ -13,6 +13,9 @@ package pipegs_pkg;
   localparam int unsigned Chunk          = 32;  // most Gaussians in one chunk
   localparam int unsigned Group          = 16;  // most chunks in one group, the node between a cell and its chunks
   localparam int unsigned ShDegree       = 3;  // highest SH degree that the colour hardware evaluates
+  localparam int unsigned Late           = 0;  // 0: the PUs compute alphas and a store caches them; 1: coefficients are cached, the Row Units stand in the RUs
+  localparam int unsigned Order          = 0;  // 0: layers (DOP); 1: global preprocessing into lists of the windows; 2: nearest chunk first, released by watermarks
+  localparam int unsigned Quadratic      = 0;  // 1: every pixel's power by the full quadratic form instead of differences (needs late)
   localparam int unsigned WorldW         = 40;  // world coordinate, signed, unit 2^scene_exponent
   localparam int unsigned PosW           = 20;  // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units
   localparam int unsigned QuatW          = 16;  // quaternion component, s0.(QuatW-1)
@@ -91,6 +94,12 @@ package pipegs_pkg;
   localparam int unsigned ExpOutW        = 16;  // 2^fraction, u1.(ExpOutW-1)
   localparam int unsigned AlphaMax       = 253;  // largest alpha code, round(0.99 * 2^AlphaW)
   localparam int unsigned AlphaMemoryLines = 1;  // memory lines of one line of alphas in the overflow area
+  localparam int unsigned StoreAddressW  = 24;  // field of a splat that says where its alphas lie; absent when late
+  localparam int unsigned StoreBitW      = 1;  // flag of a splat about its alphas; absent when late
+  localparam int unsigned StoreUnitW     = 2;  // unit of a splat's alpha store; absent when late
+  localparam int unsigned LateAW         = 0;  // coefficient A in a splat; absent unless late
+  localparam int unsigned LateBcW        = 0;  // coefficients B and C in a splat; absent unless late
+  localparam int unsigned LateDefW       = 0;  // coefficients D, E and F in a splat; absent unless late
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
   localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set
   localparam int unsigned UnitW          = 2;  // number of a unit
@@ -669,16 +678,29 @@ package pipegs_pkg;
     logic [IndexW-1:0] index;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;
-  } splat_t;
-  localparam int unsigned SplatBits = 175;
+  } colored_t;
+  localparam int unsigned ColoredBits = 175;
 
   typedef struct packed {
-    logic [UnitW-1:0] unit;  // whose alpha store holds the lines
     logic [ColorW-1:0] blue;
     logic [ColorW-1:0] green;
     logic [ColorW-1:0] red;
     logic ext;
-    logic [AlphaAddressW-1:0] address;
+    logic [StoreAddressW-1:0] address;
+    logic [Regions-1:0] mask;
+    logic [IndexW-1:0] index;
+    logic [DepthW-1:0] depth;  // of a layer's end when Order is 2: the watermark
+    logic [KindW-1:0] kind;
+  } splat_t;
+  localparam int unsigned SplatBits = 175;
+
+  typedef struct packed {
+    logic [StoreUnitW-1:0] unit;  // whose alpha store holds the lines
+    logic [ColorW-1:0] blue;
+    logic [ColorW-1:0] green;
+    logic [ColorW-1:0] red;
+    logic ext;
+    logic [StoreAddressW-1:0] address;
     logic [Regions-1:0] mask;
     logic [IndexW-1:0] index;
     logic [DepthW-1:0] depth;

@@ -1,7 +1,8 @@
 // pipegs_top: the whole machine: DOPU, PUs, SUs, RUs and their buffers behind one port to external memory.
 //
 // Paper   Fig. 7, Table 2.
-// Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> SU[k] -> su_merge -> ru_dispatch -> RU[j]; alpha store k lies between PU k and all RUs.
+// Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> SU[k] -> su_merge -> ru_dispatch -> RU[j]; alpha store k lies between PU k and all RUs
+//         (with cached coefficients there is none: Late).
 //         While the RUs blend layer i, the SUs sort behind them and the PUs already work on layer i + 1, across windows too.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
 // Stream  start_i with frame_i; the scene and the frame lie in external memory; busy_o falls when the last pixel is written.
@@ -128,11 +129,10 @@ module pipegs_top #(
   );
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
-    logic                     pu_clk, store_clk, su_clk, ru_clk, store_active;
+    logic                     pu_clk, su_clk, ru_clk;
     logic                     store_write;
     logic [AlphaAddressW-1:0] store_address;
     logic [LineW-1:0]         store_line;
-    logic [Units-1:0]         store_read_valid, store_read_ready, store_answer_valid;
     logic [Units-1:0]         ru_answer_valid;
 
     clock_gate u_pu_gate (.clk_i, .rst_ni, .enable_i(pu_active[k]), .clk_o(pu_clk));
@@ -157,17 +157,28 @@ module pipegs_top #(
     );
     assign mem_write[AlphaPort+k] = 1'b1;
 
-    for (genvar j = 0; j < Units; j += 1) begin : gen_reader
-      assign store_read_valid[j]       = read_valid[j*Units+k];
-      assign read_ready[j*Units+k]     = store_read_ready[j];
-      assign answer_valid[j*Units+k]   = store_answer_valid[j];
+    if (pipegs_pkg::Late == 0) begin : gen_store
+      logic             store_clk, store_active;
+      logic [Units-1:0] store_read_valid, store_read_ready, store_answer_valid;
+      for (genvar j = 0; j < Units; j += 1) begin : gen_reader
+        assign store_read_valid[j]     = read_valid[j*Units+k];
+        assign read_ready[j*Units+k]   = store_read_ready[j];
+        assign answer_valid[j*Units+k] = store_answer_valid[j];
+      end
+      clock_gate u_store_gate (.clk_i, .rst_ni, .enable_i(store_active), .clk_o(store_clk));
+      alpha_store u_store (
+        .clk_i(store_clk), .rst_ni, .write_i(store_write), .address_i(store_address), .line_i(store_line),
+        .read_valid_i(store_read_valid), .read_ready_o(store_read_ready), .read_address_i(read_address),
+        .answer_valid_o(store_answer_valid), .answer_o(answer[k*LineW +: LineW]), .active_o(store_active)
+      );
+    end else begin : gen_no_store
+      assign read_ready[k*Units +: Units]   = '0;
+      assign answer_valid[k*Units +: Units] = '0;
+      assign answer[k*LineW +: LineW]       = '0;
+      logic unused_store;
+      assign unused_store = &{1'b0, store_write, store_address, store_line, read_valid[k*Units +: Units],
+                              read_address[k*AlphaAddressW +: AlphaAddressW]};
     end
-    clock_gate u_store_gate (.clk_i, .rst_ni, .enable_i(store_active), .clk_o(store_clk));
-    alpha_store u_store (
-      .clk_i(store_clk), .rst_ni, .write_i(store_write), .address_i(store_address), .line_i(store_line),
-      .read_valid_i(store_read_valid), .read_ready_o(store_read_ready), .read_address_i(read_address),
-      .answer_valid_o(store_answer_valid), .answer_o(answer[k*LineW +: LineW]), .active_o(store_active)
-    );
 
     clock_gate u_su_gate (.clk_i, .rst_ni, .enable_i(su_active[k]), .clk_o(su_clk));
     su u_su (

@@ -146,8 +146,7 @@ void StreamCheck::on_sorted(const uint32_t* words) {
   if (place.next >= splats.size() || splats[place.next].splat.index != sorted.index) {
     return fail(place.window, fmt::format("merge -> RU: layer {}: Gaussian {} is out of order", place.layer, sorted.index));
   }
-  const Splat found{.kind = sorted.kind, .depth = sorted.depth, .index = sorted.index, .mask = sorted.mask, .address = 0, .ext = 0,
-                    .red = sorted.red, .green = sorted.green, .blue = sorted.blue};
+  const auto found = unpack<Splat>(config_, words);  // a sorted splat begins with the splat
   const std::string difference = compare_splats(config_, splats[place.next].splat, found);
   if (!difference.empty()) fail(place.window, fmt::format("merge -> RU: Gaussian {}, field {}", sorted.index, difference));
   ++place.next;

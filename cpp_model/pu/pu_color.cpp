@@ -7,7 +7,7 @@
 
 namespace pipegs {
 
-Splat pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
+Colored pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
                ColorCounts* counts) {
   ShBasis basis;
   if (job.kind == kData && color_degree(config, frame) > 0) {

@@ -1,8 +1,8 @@
-// pu_color: the colour of a Gaussian seen from the camera, and the splat record that the sorter takes.
+// pu_color: the colour of a Gaussian seen from the camera, and the record that becomes a splat.
 //
 // Paper   SH colours of 3D Gaussian splatting (INRIA's order and constants).
 // Idea    fetch the line of coefficients | rotate -> normalise -> basis | sum; the two arms meet in the sum.
-// Stream  color_job -> splat, in order; an end beat passes with colour zero.
+// Stream  color_job -> colored, in order; an end beat passes with colour zero.
 // Error   <= 2^-10, rms 2^-11.7 against double, of which 2^-11.8 is the resolution of the colour itself (ColorW = 12).
 // RTL     rtl/pu/pu_color.sv
 #pragma once
@@ -14,7 +14,7 @@ namespace pipegs {
 
 // `sh_line`: the 16 words of the job's line of memory (see color_line), null when color_degree() is 0 or for an end
 // beat.
-Splat pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
+Colored pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
                ColorCounts* counts = nullptr);
 
 }  // namespace pipegs

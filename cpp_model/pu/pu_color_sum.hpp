@@ -3,7 +3,7 @@
 // Paper   SH colour of 3D Gaussian splatting; + 1/2 is already in the base.
 // Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as
 //         integers and the sum is shifted once:  s(ShMW+BasisW+4) sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF
-// Stream  color_task, SH line, sh_basis -> splat. WorkF = two guard bits below the finer of base and colour.
+// Stream  color_task, SH line, sh_basis -> colored. WorkF = two guard bits below the finer of base and colour.
 // Round   To nearest at the shift and at the end; below 0 clamps to 0, above u2 saturates (counted).
 // RTL     rtl/pu/pu_color_sum.sv
 #pragma once
@@ -56,15 +56,15 @@ inline ColorSums color_sums(const Config& config, const Frame& frame, uint64_t q
   return sums;
 }
 
-inline Splat pu_color_sum(const Config& config, const Frame& frame, const ColorTask& task, const uint32_t* line,
+inline Colored pu_color_sum(const Config& config, const Frame& frame, const ColorTask& task, const uint32_t* line,
                           const ShBasis& basis, ColorCounts* counts = nullptr) {
-  Splat splat{.kind = task.kind,
+  Colored colored{.kind = task.kind,
               .depth = task.depth,
               .index = task.index,
               .mask = task.mask,
               .address = task.address,
               .ext = task.ext};
-  if (task.kind != kData) return splat;
+  if (task.kind != kData) return colored;
   const int base_f = config.base_w - 3, color_f = config.color_w - 2, work_f = std::max(base_f, color_f) + 2;
   ColorSums sums;
   if (color_degree(config, frame) > 0) sums = color_sums(config, frame, task.quarter, line, basis);
@@ -77,8 +77,8 @@ inline Splat pu_color_sum(const Config& config, const Frame& frame, const ColorT
     color[c] = static_cast<uint64_t>(saturate_unsigned(value, config.color_w));
     if (counts != nullptr && value >= int64_t{1} << config.color_w) ++counts->saturated;
   }
-  splat.red = color[0], splat.green = color[1], splat.blue = color[2];
-  return splat;
+  colored.red = color[0], colored.green = color[1], colored.blue = color[2];
+  return colored;
 }
 
 }  // namespace pipegs

@@ -19,4 +19,9 @@ inline bool splat_before(const Splat& a, const Splat& b) { return a.depth != b.d
 // Sorts the splats of one layer (data beats only), nearest first.
 inline void su_sort(std::vector<Splat>& splats) { std::sort(splats.begin(), splats.end(), splat_before); }
 
+// A splat as it leaves the merge: the lane that sorted it beside it.
+inline Sorted su_sorted(const Config& config, const Splat& s, uint64_t unit) {
+  return {s.kind, s.depth, s.index, s.mask, s.address, s.ext, s.red, s.green, s.blue, s.a, s.b, s.c, s.d, s.e, s.f, config.late ? 0 : unit};
+}
+
 }  // namespace pipegs

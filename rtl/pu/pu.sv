@@ -1,11 +1,11 @@
 // pu: one Preprocessing Unit: Gaussians of a window in, sorted-to-be splats and their lines of alphas out.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
-// Idea    fetch -> cull -> (pu_deal, shared by all PUs) -> queue -> project -> orient -> jacobian -> factors -> squares -> covariance -> conic -> coeff -> intersect ->
-//         allocate, which forks: queue -> rows -> spill (alpha store or memory) and color -> splat; join holds ends back
-//         until both have them. The queues let a stage run on while another works on a large Gaussian. Only wiring here.
+// Idea    fetch -> cull -> (pu_deal, shared by all PUs) -> queue -> project -> orient -> jacobian -> factors -> squares ->
+//         covariance -> conic -> coeff -> intersect -> back: pu_cache (alphas are cached) or pu_late (coefficients
+//         are). Only wiring here.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
-// Pace    One Gaussian per cycle into the cull, one per eight cycles behind it, one region per 8 / PixelsPerRow cycles.
+// Pace    One Gaussian per cycle into the cull, one per eight cycles behind it.
 // Model   preprocess() in cpp_model/golden.cpp
 
 module pu #(
@@ -67,17 +67,13 @@ module pu #(
 );
 
   localparam int unsigned VisibleDepth = 4;   // short: what waits here cannot go to another PU
-  localparam int unsigned JobDepth     = 4;   // a screen-filling Gaussian keeps the Row Units for hundreds of cycles
 
   logic fetched_valid, fetched_ready, visible_valid, visible_ready, projected_valid, projected_ready;
   logic oriented_valid, oriented_ready, jacobian_valid, jacobian_ready, factors_valid, factors_ready;
   logic squares_valid, squares_ready, covariance_valid, covariance_ready, conic_valid, conic_ready;
-  logic coeff_valid, coeff_ready, tiles_valid, tiles_ready, row_job_valid, row_job_ready, color_job_valid, color_job_ready;
-  logic queued_valid, queued_ready;
+  logic coeff_valid, coeff_ready, tiles_valid, tiles_ready;
   logic [$clog2(VisibleDepth+1)-1:0] visible_count;
-  logic [$clog2(JobDepth+1)-1:0]     job_count;
-  logic alphas_valid, alphas_ready, colored_valid, colored_ready, rows_end_valid, rows_end_ready;
-  logic fetch_idle, fetch_waiting, color_busy, color_waiting, allocate_active, allocate_waiting, rows_active, spill_active;
+  logic fetch_idle, fetch_waiting, color_busy, color_waiting, rows_busy, back_moved, back_busy, back_waiting;
   logic cull_busy, project_busy, orient_busy, jacobian_busy, factors_busy, squares_busy, covariance_busy;
   logic conic_busy, coeff_busy, intersect_busy, front_busy;
   logic moved, wake, work, asleep;
@@ -92,11 +88,6 @@ module pu #(
   pipegs_pkg::conic_t      conic;
   pipegs_pkg::coeff_t      coeff;
   pipegs_pkg::tiles_t      tiles;
-  pipegs_pkg::row_job_t    row_job, queued;
-  pipegs_pkg::color_job_t  color_job;
-  pipegs_pkg::alphas_t     alphas;
-  pipegs_pkg::splat_t      colored;
-  logic [LineW-1:0]        alphas_line;
 
   pu_fetch u_fetch (
     .clk_i, .rst_ni, .gaussians_i(frame_i.gaussians), .chunk_valid_i, .chunk_ready_o, .chunk_i,
@@ -163,44 +154,29 @@ module pu #(
     .tiles_valid_o(tiles_valid), .tiles_ready_i(tiles_ready), .tiles_o(tiles), .busy_o(intersect_busy)
   );
 
-  pu_allocate u_allocate (
-    .clk_i, .rst_ni, .frame_i, .restart_i, .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
-    .row_job_valid_o(row_job_valid), .row_job_ready_i(row_job_ready), .row_job_o(row_job),
-    .color_job_valid_o(color_job_valid), .color_job_ready_i(color_job_ready), .color_job_o(color_job),
-    .done_i, .done_x_i, .done_y_i, .layer_free_i,
-    .overflowed_o, .waiting_o(allocate_waiting), .active_o(allocate_active)
-  );
-
-  sram_fifo #(.DataW(pipegs_pkg::RowJobBits), .Depth(JobDepth)) u_jobs (
-    .clk_i, .rst_ni, .in_valid_i(row_job_valid), .in_ready_o(row_job_ready), .in_i(row_job),
-    .out_valid_o(queued_valid), .out_ready_i(queued_ready), .out_o(queued), .count_o(job_count)
-  );
-
-  pu_rows u_rows (
-    .clk_i, .rst_ni, .row_job_valid_i(queued_valid), .row_job_ready_o(queued_ready), .row_job_i(queued),
-    .alphas_valid_o(alphas_valid), .alphas_ready_i(alphas_ready), .alphas_o(alphas), .line_o(alphas_line), .active_o(rows_active)
-  );
-
-  pu_spill u_spill (
-    .clk_i, .rst_ni, .frame_i, .unit_i, .alphas_valid_i(alphas_valid), .alphas_ready_o(alphas_ready), .alphas_i(alphas),
-    .line_i(alphas_line), .store_write_o, .store_address_o, .store_line_o,
-    .mem_valid_o(spill_valid_o), .mem_ready_i(spill_ready_i), .mem_address_o(spill_address_o), .mem_data_o(spill_data_o),
-    .rows_end_valid_o(rows_end_valid), .rows_end_ready_i(rows_end_ready), .rows_end_kind_o(), .active_o(spill_active)
-  );
-
-  pu_color u_color (
-    .clk_i, .rst_ni, .frame_i, .job_valid_i(color_job_valid), .job_ready_o(color_job_ready), .job_i(color_job),
-    .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
-    .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
-    .splat_valid_o(colored_valid), .splat_ready_i(colored_ready), .splat_o(colored),
-    .busy_o(color_busy), .waiting_memory_o(color_waiting)
-  );
-
-  pu_join u_join (
-    .clk_i, .rst_ni, .splat_valid_i(colored_valid), .splat_ready_o(colored_ready), .splat_i(colored),
-    .rows_end_valid_i(rows_end_valid), .rows_end_ready_o(rows_end_ready),
-    .splat_valid_o, .splat_ready_i, .splat_o
-  );
+  if (pipegs_pkg::Late == 0) begin : gen_cache
+    pu_cache u_back (
+      .clk_i, .rst_ni, .frame_i, .unit_i, .restart_i,
+      .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
+      .done_i, .done_x_i, .done_y_i, .layer_free_i,
+      .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
+      .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .store_write_o, .store_address_o, .store_line_o,
+      .splat_valid_o, .splat_ready_i, .splat_o,
+      .overflowed_o, .moved_o(back_moved), .busy_o(back_busy), .rows_busy_o(rows_busy), .color_busy_o(color_busy),
+      .color_waiting_o(color_waiting), .waiting_o(back_waiting)
+    );
+  end else begin : gen_late
+    pu_late u_back (
+      .clk_i, .rst_ni, .frame_i, .unit_i, .restart_i,
+      .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
+      .done_i, .done_x_i, .done_y_i, .layer_free_i,
+      .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
+      .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .store_write_o, .store_address_o, .store_line_o,
+      .splat_valid_o, .splat_ready_i, .splat_o,
+      .overflowed_o, .moved_o(back_moved), .busy_o(back_busy), .rows_busy_o(rows_busy), .color_busy_o(color_busy),
+      .color_waiting_o(color_waiting), .waiting_o(back_waiting)
+    );
+  end
 
   assign front_busy = cull_busy || project_busy || orient_busy || jacobian_busy || factors_busy || squares_busy ||
                       covariance_busy || conic_busy || coeff_busy || intersect_busy || visible_count != '0;
@@ -209,21 +185,19 @@ module pu #(
                  (projected_valid && projected_ready) || (oriented_valid && oriented_ready) ||
                  (jacobian_valid && jacobian_ready) || (factors_valid && factors_ready) || (squares_valid && squares_ready) ||
                  (covariance_valid && covariance_ready) || (conic_valid && conic_ready) || (coeff_valid && coeff_ready) ||
-                 (tiles_valid && tiles_ready) || (row_job_valid && row_job_ready) || (queued_valid && queued_ready) ||
-                 (alphas_valid && alphas_ready) || (colored_valid && colored_ready) || rows_end_valid;
+                 (tiles_valid && tiles_ready) || back_moved;
   assign wake  = (chunk_valid_i && chunk_ready_o) || (culled_valid_o && culled_ready_i) || (visible_valid_i && visible_ready_o) ||
                  geometry_valid_o || color_valid_o || spill_valid_o ||
                  geometry_rsp_valid_i || color_rsp_valid_i || layer_free_i || restart_i || (splat_valid_o && splat_ready_i);
-  assign work  = chunk_valid_i || visible_valid_i || !fetch_idle || front_busy || allocate_active || rows_active || job_count != '0 ||
-                 spill_active || color_busy;
+  assign work  = chunk_valid_i || visible_valid_i || !fetch_idle || front_busy || back_busy || tiles_valid;
   assign active_o = wake || (work && !asleep);
 
   pu_sleep u_sleep (.clk_i, .rst_ni, .moved_i(moved), .wake_i(wake), .asleep_o(asleep));
 
   pu_state u_state (
-    .rows_i(rows_active), .front_i(front_busy), .color_i(color_busy),
+    .rows_i(rows_busy), .front_i(front_busy), .color_i(color_busy),
     .memory_i(fetch_waiting || color_waiting || (spill_valid_o && !spill_ready_i)),
-    .blocked_i(allocate_waiting || (splat_valid_o && !splat_ready_i)), .state_o(perf_o)
+    .blocked_i(back_waiting || (splat_valid_o && !splat_ready_i)), .state_o(perf_o)
   );
 
 endmodule

@@ -42,13 +42,10 @@ module pu_allocate #(
   output logic                     active_o       // needs a clock
 );
 
-  localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
   localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
   localparam int unsigned LinesW   = $clog2(pipegs_pkg::AlphaLines + 1);
   localparam int unsigned HeadW    = $clog2(pipegs_pkg::AlphaLines);
   localparam int unsigned SumW     = (LinesW > CountW ? LinesW : CountW) + 1;
-  localparam logic [Regions-1:0] EvenColumns = {Regions / 2{2'b01}};
-  localparam logic [Regions-1:0] EvenRows    = {RegionsX / 2{{RegionsX{1'b0}}, {RegionsX{1'b1}}}};
 
   typedef enum logic [1:0] {
     StateTake,    // waits for a beat (and for a free pulse while two layers live)
@@ -65,7 +62,6 @@ module pu_allocate #(
   logic                       row_valid_q, color_valid_q;
 
   logic                       parity_q, next_parity_q;
-  logic [WindowW-1:0]         window_x_q, window_y_q;  // of the beats
   logic [Regions-1:0]         done;
 
   logic [1:0]                 ended_q;   // layers that ended here and are not free yet
@@ -76,20 +72,10 @@ module pu_allocate #(
   logic                       take, take_end, fits, room, decided, local_lines;
   logic [LinesW-1:0]          current;
 
-  // Region (rx, ry) belongs to RU 0 | rx ^ ry | {ry, rx}, lowest bits.
-  logic [Regions-1:0] done_unit [Units];
-  for (genvar j = 0; j < Units; j += 1) begin : gen_done
-    localparam logic [Regions-1:0] Columns = (j & 1) != 0 ? ~EvenColumns : EvenColumns;
-    localparam logic [Regions-1:0] Rows    = (j & 2) != 0 ? ~EvenRows : EvenRows;
-    localparam logic [Regions-1:0] Owned   = Units == 1 ? '1 : Units == 2 ? ~(Columns ^ EvenRows) : Columns & Rows;
-    logic here;
-    assign here = done_x_i[j*WindowW +: WindowW] == window_x_q && done_y_i[j*WindowW +: WindowW] == window_y_q;
-    assign done_unit[j] = here ? done_i[j*Regions +: Regions] & Owned : '0;
-  end
-  always_comb begin
-    done = '0;
-    for (int unsigned j = 0; j < Units; j += 1) done |= done_unit[j];
-  end
+  pu_done u_done (
+    .clk_i, .rst_ni, .frame_i, .restart_i, .advance_i(take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd),
+    .done_i, .done_x_i, .done_y_i, .done_o(done)
+  );
 
   assign tiles_ready_o = state_q == StateTake && !ended_q[1];
   assign take          = tiles_valid_i && tiles_ready_o;
@@ -179,14 +165,6 @@ module pu_allocate #(
       address_q <= fits ? AlphaAddressW'(head_q) : overflow_q;
       ext_q     <= !fits;
     end
-    // Windows come row-major from the frame's first to its last one.
-    if (restart_i) begin
-      window_x_q <= frame_i.first_x;
-      window_y_q <= frame_i.first_y;
-    end else if (take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd) begin
-      window_x_q <= window_x_q == frame_i.last_x ? frame_i.first_x : window_x_q + WindowW'(1);
-      window_y_q <= window_x_q == frame_i.last_x ? window_y_q + WindowW'(1) : window_y_q;
-    end
   end
 
   // Both outputs are views of the one register.
@@ -219,9 +197,6 @@ module pu_allocate #(
     color_job_o.base_g  = tiles_q.base_g;
     color_job_o.base_b  = tiles_q.base_b;
   end
-
-  logic unused_frame;
-  assign unused_frame = &{1'b0, frame_i};
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) layer_free_i |-> ended_q != '0)

@@ -1,8 +1,8 @@
-// pu_color: the colour of a Gaussian seen from the camera, and the splat record that the sorter takes.
+// pu_color: the colour of a Gaussian seen from the camera, and the record that becomes a splat.
 //
 // Paper   SH colours of 3D Gaussian splatting (INRIA's order and constants).
 // Idea    Two arms from the fetch meet in the sum: direction -> rotate -> normalise -> basis, and the line of memory.
-// Stream  color_job -> splat, in order; an end beat passes in its turn with colour zero.
+// Stream  color_job -> colored, in order; an end beat passes in its turn with colour zero.
 // Pace    One Gaussian in 8 cycles at SH degree 3, 7 at degree 1 and 2, 2 at degree 0.
 // Model   cpp_model/pu/pu_color.hpp
 // Wiring only. With ShDegree = 0 nothing of the SH hardware is built.
@@ -27,9 +27,9 @@ module pu_color #(
   input  logic [pipegs_pkg::MemoryW-1:0]     rsp_data_i,
 
   // to the SU
-  output logic                               splat_valid_o,
-  input  logic                               splat_ready_i,
-  output pipegs_pkg::splat_t                 splat_o,
+  output logic                               colored_valid_o,
+  input  logic                               colored_ready_i,
+  output pipegs_pkg::colored_t                 colored_o,
 
   output logic                               busy_o,           // any job inside
   output logic                               waiting_memory_o  // the oldest job waits for its line
@@ -157,9 +157,9 @@ module pu_color #(
     .basis_valid_i(basis_valid),
     .basis_ready_o(basis_ready),
     .basis_i      (basis),
-    .splat_valid_o,
-    .splat_ready_i,
-    .splat_o,
+    .colored_valid_o,
+    .colored_ready_i,
+    .colored_o,
     .busy_o       (sum_busy),
     .waiting_memory_o
   );

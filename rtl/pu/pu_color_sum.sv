@@ -4,7 +4,7 @@
 //         integers and the sum is shifted once:  sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF, two guard bits
 //         below base and colour. A step takes two basis functions times three channels: six multipliers of ShMW x
 //         BasisW bits.
-// Stream  color_task, SH line and sh_basis (the last two for data beats of a frame with SH) -> splat.
+// Stream  color_task, SH line and sh_basis (the last two for data beats of a frame with SH) -> colored.
 // Pace    One Gaussian in 8 cycles at degree 3, 5 at degree 1 and 2, 2 without SH; latency 12 (9, 6, 2).
 // Model   cpp_model/pu/pu_color_sum.hpp
 //
@@ -27,9 +27,9 @@ module pu_color_sum (
   output logic                             basis_ready_o,
   input  pipegs_pkg::sh_basis_t            basis_i,
 
-  output logic                             splat_valid_o,
-  input  logic                             splat_ready_i,
-  output pipegs_pkg::splat_t               splat_o,
+  output logic                             colored_valid_o,
+  input  logic                             colored_ready_i,
+  output pipegs_pkg::colored_t               colored_o,
 
   output logic                             busy_o,           // a Gaussian left its queue, but not this module
   output logic                             waiting_memory_o  // the oldest Gaussian lacks its line
@@ -58,8 +58,8 @@ module pu_color_sum (
   logic [2:0]                  tail_q;  // 0: nothing under way
   logic [1:0]                  degree;
   logic                        shaded, pass, ready, final_step, step, pop;
-  logic                        splat_valid_q;
-  pipegs_pkg::splat_t          splat_q;
+  logic                        colored_valid_q;
+  pipegs_pkg::colored_t          colored_q;
 
   always_comb begin
     degree = '0;  // the smaller one of frame and machine
@@ -75,29 +75,29 @@ module pu_color_sum (
   assign shaded     = task_i.kind == pipegs_pkg::KindData && degree != 2'd0;
   assign ready      = task_valid_i && (!shaded || (line_valid_i && basis_valid_i));
   assign final_step = !shaded || step_q == last_step;
-  assign pass       = !final_step || (tail_q == 3'd0 && (!splat_valid_q || splat_ready_i));
+  assign pass       = !final_step || (tail_q == 3'd0 && (!colored_valid_q || colored_ready_i));
   assign step       = ready && pass;
   assign pop        = step && final_step;
 
   assign task_ready_o     = pop;
   assign line_ready_o     = pop && shaded;
   assign basis_ready_o    = pop && shaded;
-  assign busy_o           = tail_q != 3'd0 || splat_valid_q;
+  assign busy_o           = tail_q != 3'd0 || colored_valid_q;
   assign waiting_memory_o = task_valid_i && shaded && !line_valid_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       step_q        <= '0;
       tail_q        <= '0;
-      splat_valid_q <= 1'b0;
+      colored_valid_q <= 1'b0;
     end else begin
       if (pop) step_q <= '0;
       else if (step) step_q <= step_q + 3'd1;
       if (pop) tail_q <= shaded ? 3'd1 : 3'd4;
       else if (tail_q == 3'd4) tail_q <= '0;
       else if (tail_q != '0) tail_q <= tail_q + 3'd1;
-      if (tail_q == 3'd4) splat_valid_q <= 1'b1;
-      else if (splat_ready_i) splat_valid_q <= 1'b0;
+      if (tail_q == 3'd4) colored_valid_q <= 1'b1;
+      else if (colored_ready_i) colored_valid_q <= 1'b0;
     end
   end
 
@@ -222,22 +222,22 @@ module pu_color_sum (
 
   always_ff @(posedge clk_i) begin
     if (pop) begin
-      splat_q.kind    <= task_i.kind;
-      splat_q.depth   <= task_i.depth;
-      splat_q.index   <= task_i.index;
-      splat_q.mask    <= task_i.mask;
-      splat_q.address <= task_i.address;
-      splat_q.ext     <= task_i.ext;
+      colored_q.kind    <= task_i.kind;
+      colored_q.depth   <= task_i.depth;
+      colored_q.index   <= task_i.index;
+      colored_q.mask    <= task_i.mask;
+      colored_q.address <= task_i.address;
+      colored_q.ext     <= task_i.ext;
     end
     if (tail_q == 3'd4) begin
-      splat_q.red   <= colors[0 +: ColorW];
-      splat_q.green <= colors[ColorW +: ColorW];
-      splat_q.blue  <= colors[2*ColorW +: ColorW];
+      colored_q.red   <= colors[0 +: ColorW];
+      colored_q.green <= colors[ColorW +: ColorW];
+      colored_q.blue  <= colors[2*ColorW +: ColorW];
     end
   end
 
-  assign splat_valid_o = splat_valid_q;
-  assign splat_o       = splat_q;
+  assign colored_valid_o = colored_valid_q;
+  assign colored_o       = colored_q;
 
   wire unused_fields = &{1'b0, frame_i, slot};
 

@@ -4,7 +4,7 @@
 // Idea    Two paths leave pu_allocate: colours (then splats) and rows (then lines). A splat passes at once. The ends of the
 //         rows' path are counted, so that the rows never wait for the colours; an end beat of the splats passes when one
 //         has been counted. So nobody can ask for a line that is not there yet.
-// Stream  splat in, rows_end in (never refused: at most two layers live); splat out.
+// Stream  colored in, rows_end in (never refused: at most two layers live); splat out.
 // Pace    One splat per cycle, no latency.
 // Model   The identity.
 
@@ -12,9 +12,9 @@ module pu_join (
   input  logic                         clk_i,
   input  logic                         rst_ni,
 
-  input  logic                         splat_valid_i,
-  output logic                         splat_ready_o,
-  input  pipegs_pkg::splat_t           splat_i,
+  input  logic                         colored_valid_i,
+  output logic                         colored_ready_o,
+  input  pipegs_pkg::colored_t         colored_i,
 
   input  logic                         rows_end_valid_i,
   output logic                         rows_end_ready_o,
@@ -29,11 +29,11 @@ module pu_join (
   logic [CountW-1:0] ends_q;  // layers whose lines are all written and whose end has not passed
   logic              is_end, pass;
 
-  assign is_end           = splat_i.kind != pipegs_pkg::KindData;
+  assign is_end           = colored_i.kind != pipegs_pkg::KindData;
   assign pass             = !is_end || ends_q != '0;
-  assign splat_o          = splat_i;
-  assign splat_valid_o    = splat_valid_i && pass;
-  assign splat_ready_o    = splat_ready_i && pass;
+  assign splat_o          = colored_i;  // without coefficients the two records are the same
+  assign splat_valid_o    = colored_valid_i && pass;
+  assign colored_ready_o    = splat_ready_i && pass;
   assign rows_end_ready_o = 1'b1;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -5,6 +5,7 @@
 //         per row. The whole pipeline moves together and stops only when a line waits at the output.
 //
 //           pu_region | 8 x pu_row_init -> pu_row_unit | cut, clamp | exp2 | shift, round -> line
+//         With Quadratic pu_power stands in the place of the second column, for the ladder's baseline.
 //
 // Stream  row_job in; alphas and their line out (an end beat: kind only, its line means nothing).
 // Pace    One region per 8 / PixelsPerRow cycles, no bubble between regions or jobs. Latency 8 + 8 / PixelsPerRow.
@@ -95,22 +96,33 @@ module pu_rows (
   end
 
   for (genvar dy = 0; dy < Rows; dy += 1) begin : gen_row
-    logic signed [PowerW-1:0]                power_init;
-    logic signed [pipegs_pkg::GradientW-1:0] slope_init;
     logic [Pixels*PowerW-1:0]                power;
     logic [ColumnW-1:0]                      codes;
     logic [RowW-1:0]                         codes_q;
 
-    pu_row_init #(.Dy(dy)) u_row_init (
-      .power_i(region.power), .slope_x_i(region.slope_x), .slope_y_i(region.slope_y),
-      .curve_x_i(region.curve_x), .curve_y_i(region.curve_y), .twist_i(region.twist),
-      .power_o(power_init), .slope_o(slope_init)
-    );
+    if (pipegs_pkg::Quadratic == 0) begin : gen_differential
+      logic signed [PowerW-1:0]                power_init;
+      logic signed [pipegs_pkg::GradientW-1:0] slope_init;
 
-    pu_row_unit u_row_unit (
-      .clk_i, .load_i(take), .power_i(power_init), .slope_i(slope_init),
-      .step_i(move && row_valid_q), .curve_i(curve_q), .power_o(power)
-    );
+      pu_row_init #(.Dy(dy)) u_row_init (
+        .power_i(region.power), .slope_x_i(region.slope_x), .slope_y_i(region.slope_y),
+        .curve_x_i(region.curve_x), .curve_y_i(region.curve_y), .twist_i(region.twist),
+        .power_o(power_init), .slope_o(slope_init)
+      );
+
+      pu_row_unit u_row_unit (
+        .clk_i, .load_i(take), .power_i(power_init), .slope_i(slope_init),
+        .step_i(move && row_valid_q), .curve_i(curve_q), .power_o(power)
+      );
+    end else begin : gen_quadratic
+      pu_power #(.Dy(dy)) u_power (
+        .clk_i, .load_i(take), .power_i(region.power), .slope_x_i(region.slope_x), .slope_y_i(region.slope_y),
+        .curve_x_i(region.curve_x), .curve_y_i(region.curve_y), .twist_i(region.twist),
+        .step_i(move && row_valid_q), .power_o(power)
+      );
+      logic unused_curve;
+      assign unused_curve = &{1'b0, curve_q};
+    end
 
     for (genvar dx = 0; dx < Pixels; dx += 1) begin : gen_alpha
       pu_alpha u_alpha (

@@ -1,7 +1,8 @@
 // ru: one Rendering Unit block: blends the regions of a window that it owns, then writes their pixels.
 //
 // Paper   Fig. 7, Table 2 (RU: sixteen Rendering Units, double-buffered T and RGB).
-// Idea    queue -> ru_walk (regions) -> ru_fetch (lines of alphas) -> ru_lanes (blend) <-> pixel_buffer -> ru_resolve.
+// Idea    queue -> lines of alphas -> ru_lanes (blend) <-> pixel_buffer -> ru_resolve. The lines come from the alpha stores
+//         (ru_walk -> ru_fetch) or, when coefficients are cached, from Row Units here (ru_rows).
 //         ru_window knows where in the frame the RU is; ru_memory joins alpha reads and pixel writes. Only wiring here.
 // Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the PUs.
 // Pace    Four cycles per region of alphas, pixels are written meanwhile.
@@ -63,13 +64,12 @@ module ru #(
   localparam int unsigned AddrW = $clog2(Words);
   localparam int unsigned SideW = $clog2(pipegs_pkg::Window) + 1;
 
-  logic                            splat_valid, splat_ready, fetch_valid, fetch_ready, blend_valid, blend_ready;
+  logic                            splat_valid, splat_ready, blend_valid, blend_ready;
   pipegs_pkg::sorted_t             splat;
-  pipegs_pkg::fetch_t              fetch;
   pipegs_pkg::blend_t              blend;
   logic [LineW-1:0]                line;
   logic [QueueW-1:0]               queue_count;
-  logic                            walk_idle, fetch_idle, fetch_memory, lanes_issue, lanes_busy;
+  logic                            source_idle, source_waits, fetch_memory, lanes_issue, lanes_busy;
   logic [pipegs_pkg::Regions-1:0]  own, blended, outside;
   logic [SideW-1:0]                columns, rows;
   logic [2*pipegs_pkg::WindowW-1:0] number;
@@ -91,20 +91,40 @@ module ru #(
     .out_valid_o(splat_valid), .out_ready_i(splat_ready), .out_o(splat), .count_o(queue_count)
   );
 
-  ru_walk #(.EndsMax(pipegs_pkg::FetchLines + 16)) u_walk (
-    .clk_i, .rst_ni, .unit_i, .done_i(done_o), .window_done_i(window_done_o),
-    .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-    .out_valid_o(fetch_valid), .out_ready_i(fetch_ready), .out_o(fetch), .idle_o(walk_idle)
-  );
+  if (pipegs_pkg::Late == 0) begin : gen_cached
+    logic               fetch_valid, fetch_ready, walk_idle, fetch_idle;
+    pipegs_pkg::fetch_t fetch;
+    ru_walk #(.EndsMax(pipegs_pkg::FetchLines + 16)) u_walk (
+      .clk_i, .rst_ni, .unit_i, .done_i(done_o), .window_done_i(window_done_o),
+      .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
+      .out_valid_o(fetch_valid), .out_ready_i(fetch_ready), .out_o(fetch), .idle_o(walk_idle)
+    );
 
-  ru_fetch u_fetch (
-    .clk_i, .rst_ni, .restart_i, .overflow_i(frame_i.overflow),
-    .in_valid_i(fetch_valid), .in_ready_o(fetch_ready), .in_i(fetch),
-    .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
-    .mem_valid_o(load_valid), .mem_ready_i(load_ready), .mem_address_o(load_address), .rsp_valid_i, .rsp_data_i,
-    .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line),
-    .memory_o(fetch_memory), .idle_o(fetch_idle)
-  );
+    ru_fetch u_fetch (
+      .clk_i, .rst_ni, .restart_i, .overflow_i(frame_i.overflow),
+      .in_valid_i(fetch_valid), .in_ready_o(fetch_ready), .in_i(fetch),
+      .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
+      .mem_valid_o(load_valid), .mem_ready_i(load_ready), .mem_address_o(load_address), .rsp_valid_i, .rsp_data_i,
+      .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line),
+      .memory_o(fetch_memory), .idle_o(fetch_idle)
+    );
+    assign source_idle  = walk_idle && fetch_idle;
+    assign source_waits = fetch_valid;
+  end else begin : gen_late
+    ru_rows u_rows (
+      .clk_i, .rst_ni, .unit_i, .done_i(done_o), .window_done_i(window_done_o),
+      .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
+      .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line), .idle_o(source_idle)
+    );
+    assign source_waits   = 1'b0;
+    assign fetch_memory   = 1'b0;
+    assign read_valid_o   = '0;
+    assign read_address_o = '0;
+    assign load_valid     = 1'b0;
+    assign load_address   = '0;
+    logic unused_answers;
+    assign unused_answers = &{1'b0, read_ready_i, answer_valid_i, answer_i, rsp_valid_i, rsp_data_i, load_ready, frame_i.overflow};
+  end
 
   ru_lanes u_lanes (
     .clk_i, .rst_ni, .restart_i,
@@ -144,7 +164,7 @@ module ru #(
     .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o
   );
 
-  assign idle_o   = queue_count == '0 && walk_idle && fetch_idle && !lanes_busy && resolve_ready && !mem_valid_o;
+  assign idle_o   = queue_count == '0 && source_idle && !lanes_busy && resolve_ready && !mem_valid_o;
   assign active_o = in_valid_i || restart_i || !idle_o;
 
   // Busy: a quarter is blended, the walk takes a splat or a line of pixels leaves. Memory: the next line, or room for
@@ -152,7 +172,7 @@ module ru #(
   always_comb begin
     if (lanes_issue || layer_done_o || (splat_valid && splat_ready) || (store_valid && store_ready)) perf_o = 2'd0;
     else if (fetch_memory || store_valid || mem_valid_o) perf_o = 2'd3;
-    else if (fetch_valid) perf_o = 2'd2;
+    else if (source_waits) perf_o = 2'd2;
     else perf_o = 2'd1;
   end
 

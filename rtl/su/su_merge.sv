@@ -33,7 +33,6 @@ module su_merge (
   logic [Units-1:0]       ends, nearest;
   logic [Units*Units-1:0] beats;
   logic                   unused_heads;  // with one lane nothing is compared
-  pipegs_pkg::splat_t     winner;
   logic [pipegs_pkg::UnitW-1:0]     winner_unit;
   logic [pipegs_pkg::SplatBits-1:0] winner_bits;
 
@@ -72,20 +71,9 @@ module su_merge (
       end
     end
   end
-  assign winner = winner_bits;
 
-  always_comb begin
-    out_d.kind    = winner.kind;
-    out_d.depth   = winner.depth;
-    out_d.index   = winner.index;
-    out_d.mask    = winner.mask;
-    out_d.address = winner.address;
-    out_d.ext     = winner.ext;
-    out_d.red     = winner.red;
-    out_d.green   = winner.green;
-    out_d.blue    = winner.blue;
-    out_d.unit    = winner_unit;
-  end
+  // A sorted splat is the splat with its unit on top; when nothing is stored in units, without.
+  assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits});
 
   assign out_valid_o = out_valid_q;
   assign out_o       = out_q;

@@ -11,9 +11,10 @@
 namespace pipegs {
 namespace {
 
-// The machine of Table 2, then half and a quarter of it; the last with stores so small that every one of them overflows.
+// The machine of Table 2, then half and a quarter of it, the last with stores so small that every one of them overflows;
+// then the rungs of the ladder.
 const std::vector<std::vector<std::string>> kMachines = {
-    {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}};
+    {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}, {"late=1"}};
 
 SimulateOptions machine(size_t number) {
   SimulateOptions options;

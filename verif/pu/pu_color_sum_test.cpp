@@ -53,9 +53,9 @@ TEST(PuColorSum, CountsSaturatedChannels) {
   ShBasis basis;
   basis.b1 = 32000;
   ColorCounts counts;
-  const Splat splat = pu_color_sum(kConfig, frame, {}, line.data(), basis, &counts);
+  const Colored colored = pu_color_sum(kConfig, frame, {}, line.data(), basis, &counts);
   if (kConfig.sh_degree == 0 || kConfig.sh_m_w != 11) GTEST_SKIP() << "written for the default widths";
-  EXPECT_EQ(splat.red, (uint64_t{1} << kConfig.color_w) - 1);
+  EXPECT_EQ(colored.red, (uint64_t{1} << kConfig.color_w) - 1);
   EXPECT_EQ(counts.saturated, 1u);
 }
 
@@ -68,12 +68,12 @@ void run(int frame_degree, Pace task_pace, Pace other_pace, Pace sink_pace, int 
   WordSource lines(bench, dut.line_valid_i, dut.line_ready_o, dut.line_i, other_pace);
   RecordSource<ShBasis, decltype(dut.basis_i)> bases(bench, kConfig, dut.basis_valid_i, dut.basis_ready_o, dut.basis_i,
                                                      other_pace);
-  RecordSink<Splat, decltype(dut.splat_o)> out(bench, kConfig, dut.splat_valid_o, dut.splat_ready_i, dut.splat_o,
+  RecordSink<Colored, decltype(dut.colored_o)> out(bench, kConfig, dut.colored_valid_o, dut.colored_ready_i, dut.colored_o,
                                                sink_pace);
   const Frame frame{.sh_degree = static_cast<uint64_t>(frame_degree)};
   write_record(kConfig, dut.frame_i, frame);
   bench.reset();
-  std::vector<Splat> expected;
+  std::vector<Colored> expected;
   for (int i = 0; i < count; ++i) {
     ColorTask task = random_record<ColorTask>(kConfig, bench.rng);
     task.kind = expected_pace == 0 && bench.rng() % 8 == 0 ? (bench.rng() % 2 == 0 ? kLayerEnd : kWindowEnd) : kData;
@@ -117,7 +117,7 @@ TEST(PuColorSum, SaysWhenTheOldestGaussianLacksItsLine) {
   Bench<Vpu_color_sum> bench;
   write_record(kConfig, bench.dut.frame_i, Frame{.sh_degree = 1});
   write_record(kConfig, bench.dut.task_i, ColorTask{});
-  bench.dut.task_valid_i = bench.dut.line_valid_i = bench.dut.basis_valid_i = bench.dut.splat_ready_i = 0;
+  bench.dut.task_valid_i = bench.dut.line_valid_i = bench.dut.basis_valid_i = bench.dut.colored_ready_i = 0;
   bench.reset();
   bench.step();
   EXPECT_EQ(bench.dut.waiting_memory_o, 0);

@@ -35,8 +35,8 @@ TEST(PuColor, TwinIsCloseToDouble) {
     const auto line = random_line(kConfig, rng, 20, 25);
     double basis[15];
     sh_double(glm::normalize(to_world(kConfig, frame, view)), basis);
-    const Splat splat = pu_color(kConfig, frame, job, line.data());
-    const uint64_t found[3] = {splat.red, splat.green, splat.blue};
+    const Colored colored = pu_color(kConfig, frame, job, line.data());
+    const uint64_t found[3] = {colored.red, colored.green, colored.blue};
     const int64_t base[3] = {job.base_r, job.base_g, job.base_b};
     const int degree = color_degree(kConfig, frame), bands = (degree + 1) * (degree + 1) - 1;
     for (int c = 0; c < 3; ++c) {
@@ -59,8 +59,8 @@ TEST(PuColor, AZeroDirectionGivesAColourWithoutPoison) {
   ColorJob job;
   std::array<uint32_t, 16> line{};
   job.base_r = int64_t{1} << (kConfig.base_w - 3);
-  const Splat splat = pu_color(kConfig, Frame{.sh_degree = 3}, job, line.data());
-  EXPECT_EQ(splat.red, uint64_t{1} << (kConfig.color_w - 2));
+  const Colored colored = pu_color(kConfig, Frame{.sh_degree = 3}, job, line.data());
+  EXPECT_EQ(colored.red, uint64_t{1} << (kConfig.color_w - 2));
 }
 
 struct Fixture {
@@ -69,7 +69,7 @@ struct Fixture {
         port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace),
         in(bench, kConfig, bench.dut.job_valid_i, bench.dut.job_ready_o, bench.dut.job_i, source_pace),
-        out(bench, kConfig, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_o, sink_pace) {
+        out(bench, kConfig, bench.dut.colored_valid_o, bench.dut.colored_ready_i, bench.dut.colored_o, sink_pace) {
     set_rotation(kConfig, frame, bench.rng);
     frame.sh_degree = degree;
     frame.colors = kColors;
@@ -99,8 +99,8 @@ struct Fixture {
                  std::remove_reference_t<decltype(bench.dut.rsp_data_i)>>
       port;
   RecordSource<ColorJob, decltype(bench.dut.job_i)> in;
-  RecordSink<Splat, decltype(bench.dut.splat_o)> out;
-  std::vector<Splat> expected;
+  RecordSink<Colored, decltype(bench.dut.colored_o)> out;
+  std::vector<Colored> expected;
 };
 
 TEST(PuColor, EqualsItsTwinAtEveryPaceAndDegree) {

@@ -12,7 +12,7 @@ TEST(PuJoin, PassesEverySplatInOrderAndAnEndOnlyBehindTheRowsEnd) {
     for (const Pace sink_pace : kPaces) {
       Bench<Vpu_join> bench;
       bench.dut.rows_end_valid_i = 0;
-      RecordSource<Splat, decltype(bench.dut.splat_i)> in(bench, config, bench.dut.splat_valid_i, bench.dut.splat_ready_o, bench.dut.splat_i, source_pace);
+      RecordSource<Splat, decltype(bench.dut.colored_i)> in(bench, config, bench.dut.colored_valid_i, bench.dut.colored_ready_o, bench.dut.colored_i, source_pace);
       RecordSink<Splat, decltype(bench.dut.splat_o)> out(bench, config, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_o, sink_pace);
       bench.reset();
       std::vector<Splat> sent;

@@ -61,7 +61,7 @@ struct MergeBench : Bench<Vsu_merge>, Endpoint {
       su_sort(splats);
       for (const Splat& s : splats) {
         lanes[k].push_back(s);
-        expected.push_back({s.kind, s.depth, s.index, s.mask, s.address, s.ext, s.red, s.green, s.blue, static_cast<uint64_t>(k)});
+        expected.push_back(su_sorted(kConfig, s, static_cast<uint64_t>(k)));
       }
       Splat end;
       end.kind = kind;

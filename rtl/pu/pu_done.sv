@@ -1,0 +1,59 @@
+// pu_done: the regions of the beats' window that are opaque already.
+//
+// Paper   Sec. 4.2.3 (early termination); here it also stops the work before the RU.
+// Idea    Each RU tells which of its regions are done, and of which window. The PU works on that window or on a later one,
+//         so it counts its own windows, row by row from the frame's first to its last, and listens to RUs that are there.
+// Stream  advance_i: a window's end passes. done_o: one bit per region of the present window.
+// Pace    Combinational from the RUs' bits.
+// Model   None: skipping done regions never changes a pixel; the tests of pu_allocate and pu_late drive it.
+
+module pu_done #(
+  localparam int unsigned Units   = pipegs_pkg::Units,
+  localparam int unsigned Regions = pipegs_pkg::Regions,
+  localparam int unsigned WindowW = pipegs_pkg::WindowW
+) (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  pipegs_pkg::frame_t       frame_i,
+  input  logic                     restart_i,  // a frame begins
+  input  logic                     advance_i,  // the next window begins
+
+  input  logic [Units*Regions-1:0] done_i,     // RU j: its opaque regions of window done_x, done_y
+  input  logic [Units*WindowW-1:0] done_x_i,
+  input  logic [Units*WindowW-1:0] done_y_i,
+
+  output logic [Regions-1:0]       done_o
+);
+
+  logic [WindowW-1:0] window_x_q, window_y_q;
+
+  logic [Regions-1:0] done_unit [Units];
+  for (genvar j = 0; j < Units; j += 1) begin : gen_done
+    logic [Regions-1:0] own;
+    logic               here;
+    ru_own u_own (.unit_i(pipegs_pkg::UnitW'(j)), .own_o(own));
+    assign here = done_x_i[j*WindowW +: WindowW] == window_x_q && done_y_i[j*WindowW +: WindowW] == window_y_q;
+    assign done_unit[j] = here ? done_i[j*Regions +: Regions] & own : '0;
+  end
+  always_comb begin
+    done_o = '0;
+    for (int unsigned j = 0; j < Units; j += 1) done_o |= done_unit[j];
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      window_x_q <= '0;
+      window_y_q <= '0;
+    end else if (restart_i) begin
+      window_x_q <= frame_i.first_x;
+      window_y_q <= frame_i.first_y;
+    end else if (advance_i) begin
+      window_x_q <= window_x_q == frame_i.last_x ? frame_i.first_x : window_x_q + WindowW'(1);
+      window_y_q <= window_x_q == frame_i.last_x ? window_y_q + WindowW'(1) : window_y_q;
+    end
+  end
+
+  logic unused_frame;
+  assign unused_frame = &{1'b0, frame_i};
+
+endmodule

@@ -1,0 +1,159 @@
+// dram_check.cpp: see dram_check.hpp.
+#include "sim/dram/dram_check.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <istream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace pipegs {
+namespace {
+
+struct OfferedBurst {
+  uint64_t number;  // byte address / bytes of a burst
+  bool write;
+};
+
+std::vector<OfferedBurst> cut_into_bursts(std::span<const DramTransfer> trace, uint64_t bytes) {
+  std::vector<OfferedBurst> bursts;
+  for (const DramTransfer& transfer : trace) {
+    const uint64_t first = transfer.address / bytes, last = (transfer.address + transfer.bytes - 1) / bytes;
+    for (uint64_t number = first; number <= last; ++number) bursts.push_back({number, transfer.write});
+  }
+  return bursts;
+}
+
+}  // namespace
+
+DramPlay play_dram(const DramTiming& timing, std::span<const DramTransfer> trace, int max_out) {
+  constexpr int kOfferedInACycle = 4;
+  const std::vector<OfferedBurst> bursts = cut_into_bursts(trace, timing.burst_bytes());
+  const DramPlaces places(timing);
+  std::vector<DramChannel> channels(timing.channels, DramChannel(timing));
+  std::vector<DramCycle> seen(bursts.size());
+  std::vector<DramCycle> writes_seen;  // of which the first `written` are done: their order does not change the mean
+  uint64_t reads = 0, written = 0, finished = 0;
+  DramCycle read_cycles = 0, write_cycles = 0, now = 0;
+  int64_t out = 0;
+  std::size_t front = 0;
+  for (bool over = bursts.empty(); !over;) {
+    int offered = 0;
+    for (; front < bursts.size() && out < max_out && offered < kOfferedInACycle; ++front, ++offered) {
+      const OfferedBurst& burst = bursts[front];
+      const DramPlace place = places(burst.number);
+      DramChannel& channel = channels[place.channel];
+      if (!channel.accepts(burst.write)) break;
+      channel.accept(now, burst.write, place, static_cast<uint32_t>(front));
+      if (burst.write) {
+        writes_seen.push_back(now + 1);
+        ++finished;
+      } else {
+        seen[front] = now + 1;
+        ++out;
+      }
+    }
+    over = finished >= bursts.size();
+    DramCycle next = over || offered == kOfferedInACycle ? now + 1 : INT64_MAX;
+    for (const DramChannel& channel : channels) next = std::min(next, channel.next());
+    now = next;
+    uint64_t all_written = 0;
+    for (DramChannel& channel : channels) {
+      if (channel.next() <= now) {
+        uint32_t tag;
+        while (channel.finished(now, tag)) {
+          read_cycles += now - seen[tag];
+          ++reads;
+          ++finished;
+          --out;
+        }
+        channel.tick(now);
+      }
+      all_written += channel.counters().bursts_written + channel.counters().writes_merged;
+    }
+    for (; written < all_written; ++written, ++finished, --out) write_cycles += now - writes_seen[written];
+    over = over || finished >= bursts.size();
+  }
+  DramPlay play;
+  play.bursts = bursts.size();
+  play.cycles = now;
+  for (const DramChannel& channel : channels) play.counters += channel.counters();
+  const double seconds = 1e-12 * static_cast<double>(now) * timing.t_ck_ps;
+  const auto gbps = [&](uint64_t count) { return 1e-9 * static_cast<double>(count) * timing.burst_bytes() / seconds; };
+  const auto mean_ns = [&](DramCycle cycles, uint64_t count) {
+    return count == 0 ? 0 : 1e-3 * timing.t_ck_ps * static_cast<double>(cycles) / static_cast<double>(count);
+  };
+  play.gbps = gbps(play.bursts);
+  play.pin_gbps = gbps(play.counters.bursts_read + play.counters.bursts_written);
+  play.latency_ns = mean_ns(read_cycles + write_cycles, reads + written);
+  play.read_latency_ns = mean_ns(read_cycles, reads);
+  return play;
+}
+
+std::vector<DramReference> read_dram_references(std::istream& in) {
+  std::vector<DramReference> references;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (line.empty() || line[0] == '#') continue;
+    std::istringstream fields(line);
+    DramReference reference;
+    char comma;
+    std::getline(fields, reference.source, ',');
+    std::getline(fields, reference.configuration, ',');
+    std::getline(fields, reference.trace, ',');
+    fields >> reference.max_out >> comma >> reference.bursts >> comma >> reference.cycles >> comma >> reference.gbps >>
+        comma >> reference.latency_ns;
+    if (!fields) throw std::runtime_error("dram references, line " + std::to_string(number) + ": " + line);
+    references.push_back(reference);
+  }
+  return references;
+}
+
+DramTiming dram_reference_timing(const std::string& configuration) {
+  const auto preset = [](const char* name, DramMapping mapping) {
+    DramTiming timing = *dram_preset(name);
+    timing.mapping = mapping;
+    return timing;
+  };
+  constexpr DramMapping kRo = DramMapping::kRoBaRaCoCh, kMop4 = DramMapping::kMop4ClXor;
+  if (configuration == "lpddr5_1ch_robaraco") return preset("lpddr5-6400x1", kRo);
+  if (configuration == "lpddr5_1ch_mop4") return preset("lpddr5-6400x1", kMop4);
+  if (configuration == "lpddr5_2ch_robaraco") return preset("lpddr5-6400x2", kRo);
+  if (configuration == "lpddr5_4ch_robaraco") return preset("lpddr5-6400x4", kRo);
+  if (configuration == "lpddr5_4ch_mop4") return preset("lpddr5-6400x4", kMop4);
+  if (configuration == "ddr4_3200_1ch_robaraco") return preset("ddr4-3200x1", kRo);
+  if (configuration == "ddr4_3200_1ch_mop4") return preset("ddr4-3200x1", kMop4);
+  if (configuration == "ddr4_3200_2ch_robaraco") return preset("ddr4-3200x2", kRo);
+  throw std::invalid_argument("dram: no reference configuration is called " + configuration);
+}
+
+std::vector<DramCheck> check_dram(std::span<const DramReference> references) {
+  std::map<std::string, std::vector<DramTransfer>> traces;
+  std::vector<DramCheck> checks;
+  for (const DramReference& reference : references) {
+    auto [trace, made] = traces.try_emplace(reference.trace);
+    if (made) trace->second = dram_trace(reference.trace);
+    const DramTiming timing = dram_reference_timing(reference.configuration);
+    const DramPlay play = play_dram(timing, trace->second, reference.max_out);
+    checks.push_back({reference, play});
+  }
+  return checks;
+}
+
+std::string dram_check_table(std::span<const DramCheck> checks) {
+  std::string table =
+      "| reference | configuration | trace | in flight | GB/s at the pins | GB/s | reference | difference | "
+      "latency ns | reference |\n|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const DramCheck& check : checks) {
+    const DramReference& r = check.reference;
+    char line[256];
+    std::snprintf(line, sizeof line, "| %s | %s | %s | %d | %.3f | %.3f | %.3f | %+.2f %% | %.1f | %.1f |\n",
+                  r.source.c_str(), r.configuration.c_str(), r.trace.c_str(), r.max_out, check.play.pin_gbps,
+                  check.play.gbps, r.gbps, 100 * check.difference(), check.play.latency_ns, r.latency_ns);
+    table += line;
+  }
+  return table;
+}
+
+}  // namespace pipegs

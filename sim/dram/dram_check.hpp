@@ -1,0 +1,62 @@
+// dram_check.hpp: plays the traces through the channels and holds the result against other DRAM simulators.
+//
+// Idea    The reference runs are played again by their own rules. Requests are cut into bursts and offered in order, up
+//         to four in a cycle; a full queue stops the burst at the front and all behind it. A burst is offered while
+//         fewer than `max_out` are on their way. A write counts as finished twice, when it is accepted and when it is
+//         written, and the run ends when as many have finished as there are bursts. So a trace with one write in three
+//         ends after three quarters of it, with GB/s 4/3 of what crossed the pins: both numbers are kept.
+//         Latencies count from the cycle in which the controller sees the burst to the last beat of a read, or to the
+//         command of a write.
+// Docs    docs/memory_timing.md
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/dram/dram_channel.hpp"
+#include "sim/dram/dram_timing.hpp"
+#include "sim/dram/dram_trace.hpp"
+
+namespace pipegs {
+
+struct DramPlay {
+  uint64_t bursts = 0;      // of the trace
+  DramCycle cycles = 0;     // clock cycles of the DRAM
+  double gbps = 0;          // bytes of the trace over the time of the run, as the references count
+  double pin_gbps = 0;      // bytes over the pins over the time of the run
+  double latency_ns = 0;    // mean of reads and writes, as the references count
+  double read_latency_ns = 0;
+  DramChannel::Counters counters;  // of all channels
+};
+
+DramPlay play_dram(const DramTiming& timing, std::span<const DramTransfer> trace, int max_out);
+
+// One run of a reference simulator.
+struct DramReference {
+  std::string source, configuration, trace;
+  int max_out = 0;
+  uint64_t bursts = 0;
+  DramCycle cycles = 0;
+  double gbps = 0, latency_ns = 0;
+};
+
+// Lines of `source,configuration,trace,max_out,bursts,cycles,gbps,latency_ns`; `#` starts a comment.
+std::vector<DramReference> read_dram_references(std::istream& in);
+
+// The timing of a reference configuration such as "lpddr5_4ch_mop4".
+DramTiming dram_reference_timing(const std::string& configuration);
+
+struct DramCheck {
+  DramReference reference;
+  DramPlay play;
+  double difference() const { return play.gbps / reference.gbps - 1; }
+  bool streaming() const { return reference.trace.rfind("random", 0) != 0; }
+};
+
+std::vector<DramCheck> check_dram(std::span<const DramReference> references);
+std::string dram_check_table(std::span<const DramCheck> checks);  // Markdown
+
+}  // namespace pipegs
