@@ -182,7 +182,7 @@ module pipegs_top #(
 
     clock_gate u_su_gate (.clk_i, .rst_ni, .enable_i(su_active[k]), .clk_o(su_clk));
     su u_su (
-      .clk_i(su_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
+      .clk_i(su_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)),
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]),
       .in_i(splat[k*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]),
       .out_valid_o(in_order_valid[k]), .out_ready_i(in_order_ready[k]),

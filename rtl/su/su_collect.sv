@@ -1,20 +1,19 @@
 // su_collect: takes the splats of a layer in and hands the complete layer to the sorter.
 //
 // Paper   Sec. 4.1 (double buffer: layer i + 1 is collected while layer i is sorted).
-// Idea    Record n of a layer goes to slot n of this layer's half of the stores; the MinMax Finder looks at its key.
-//         When the half is full, the record goes to external memory instead (one line each, from record Records on),
-//         and its key is packed with seven others into a line. Such a layer is sorted from the list of keys in
-//         external memory, so at its end the keys that lie in the store are appended to that list too: key n stands
-//         in part n % 8 of line n / 8.
+// Idea    The stores are a ring in which several layers live: record n of a layer goes to slot n from the layer's base on
+//         and waits while older layers fill the ring; the MinMax Finder looks at its key. When a layer alone has filled
+//         the ring, its next records go to external memory (one line each, from record Records on), and their keys are
+//         packed, eight into a line. Such a layer is sorted from the list of keys in external memory, so at its end the
+//         keys that lie in the store are appended to that list too: key n stands in part n % 8 of line n / 8.
 // Stream  in: splats, then an end beat. layer: how many, their range, the kind of the end. record and keys: lines to
 //         write.
-// Pace    One splat per cycle while the half has room; two cycles to hand over.
+// Pace    One splat per cycle while the ring has room; two cycles to hand over.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
 module su_collect (
   input  logic                            clk_i,
   input  logic                            rst_ni,
-  input  logic                            restart_i,
 
   input  logic                            in_valid_i,
   output logic                            in_ready_o,
@@ -27,11 +26,11 @@ module su_collect (
   output logic [pipegs_pkg::KeyW-1:0]     layer_max_o,
   output logic [pipegs_pkg::KindW-1:0]    layer_kind_o,
 
-  input  logic [1:0]                      half_used_i,    // this half still holds an older layer
-  input  logic                            key_busy_i,     // the sorter writes the key store in this cycle
-  input  logic                            sorter_idle_i,  // the key store's read port is free
-  output logic                            half_o,
-  output logic                            write_o,        // to the key store and the record store
+  output logic [pipegs_pkg::RecordW-1:0]  layer_base_o,   // slot of its first record
+
+  input  logic                            room_i,         // the ring has a free slot
+  input  logic                            sorter_idle_i,  // no older layer is inside: the key store's read port is free
+  output logic                            write_o,        // to the key store and the record store, at slot_o
   output logic [pipegs_pkg::RecordW-1:0]  slot_o,
   output logic                            key_read_o,
   output logic [pipegs_pkg::RecordW-1:0]  key_slot_o,
@@ -63,7 +62,7 @@ module su_collect (
   } state_e;
   state_e state_q;
 
-  logic             half_q;
+  logic [pipegs_pkg::RecordW-1:0] base_q;  // slot of the layer's first record
   logic [SlotW-1:0] number_q;  // records so far
   logic [pipegs_pkg::KindW-1:0] kind_q;
   logic             record_valid_q, keys_valid_q;
@@ -81,16 +80,15 @@ module su_collect (
   assign key        = {in_i.depth, in_i.index};
   assign fits       = number_q < SlotW'(pipegs_pkg::Records);
   assign lines_free = !record_valid_q && !keys_valid_q;
-  assign in_ready_o = state_q == Collect && !half_used_i[half_q] && !key_busy_i && lines_free;
+  assign in_ready_o = state_q == Collect && lines_free && (room_i || !fits || in_i.kind != pipegs_pkg::KindData);
   assign take       = in_valid_i && in_ready_o;
   assign data       = take && in_i.kind == pipegs_pkg::KindData;
   assign write_o    = data && fits;
-  assign slot_o     = number_q[pipegs_pkg::RecordW-1:0];
-  assign half_o     = half_q;
+  assign slot_o     = base_q + number_q[pipegs_pkg::RecordW-1:0];
 
   assign key_read_o = state_q == Append && sorter_idle_i && !keys_valid_q && !arrives_q && !appended;
   assign appended   = append_q == (pipegs_pkg::RecordW+1)'(pipegs_pkg::Records);
-  assign key_slot_o = append_q[pipegs_pkg::RecordW-1:0];
+  assign key_slot_o = base_q + append_q[pipegs_pkg::RecordW-1:0];
   assign put        = (data && !fits) || arrives_q;
   assign put_key    = arrives_q ? key_i : key;
   assign put_number = arrives_q ? SlotW'(append_q) - 1'b1 : number_q;
@@ -102,6 +100,7 @@ module su_collect (
 
   assign layer_valid_o = state_q == Hand && lines_free;
   assign layer_count_o = number_q;
+  assign layer_base_o  = base_q;
   assign layer_kind_o  = kind_q;
   assign record_valid_o = record_valid_q;
   assign record_line_o  = record_line_q;
@@ -110,13 +109,13 @@ module su_collect (
   assign keys_line_o    = keys_line_q;
   assign keys_o         = keys_q;
   assign moved_o        = take;
-  assign active_o       = take || restart_i || record_valid_q || keys_valid_q || arrives_q || key_read_o ||
+  assign active_o       = take || record_valid_q || keys_valid_q || arrives_q || key_read_o ||
                           state_q == Close || (state_q == Append && sorter_idle_i) || (layer_valid_o && layer_ready_i);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       state_q        <= Collect;
-      half_q         <= 1'b0;
+      base_q         <= '0;
       number_q       <= '0;
       record_valid_q <= 1'b0;
       keys_valid_q   <= 1'b0;
@@ -138,11 +137,10 @@ module su_collect (
       arrives_q <= key_read_o;
       if (key_read_o) append_q <= append_q + 1'b1;
       if (layer_valid_o && layer_ready_i) begin
-        half_q   <= !half_q;
+        base_q   <= base_q + number_q[pipegs_pkg::RecordW-1:0];
         number_q <= '0;
         append_q <= '0;
       end
-      if (restart_i) half_q <= 1'b0;
     end
   end
 

@@ -5,7 +5,8 @@
 //         overflowed layer has a record number of its own, kept beside the key store; in other layers slot and number
 //         are the same. The end beat walks through the queue behind its layer, so the next layer may be sorted
 //         meanwhile.
-// Stream  item: keys with slots in order; end: the layer's end. out: splats. release_o: a half's last record was sent.
+// Stream  item: keys with slots in order; end: the layer's end. out: splats. release_o: a layer's end was sent, its slots
+//         are free.
 // Pace    One splat per cycle; in an overflowed layer one in two cycles, or as fast as the memory gives lines.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
@@ -20,7 +21,8 @@ module su_emit (
   input  logic                            end_valid_i,
   output logic                            end_ready_o,
   input  logic [pipegs_pkg::KindW-1:0]    end_kind_i,
-  input  logic                            half_i,      // of the layer that is being sorted
+  input  logic [pipegs_pkg::RecordW-1:0]  base_i,      // first slot of the layer that is being sorted
+  input  logic [pipegs_pkg::RecordW:0]    slots_i,     // ... and how many it takes
   input  logic                            spilled_i,   // it is an overflowed layer
 
   input  logic                            number_write_i,  // record numbers of an overflowed layer
@@ -35,7 +37,6 @@ module su_emit (
   input  logic [pipegs_pkg::SplatBits-1:0] line_i,
 
   output logic                            record_read_o,
-  output logic                            record_half_o,
   output logic [pipegs_pkg::RecordW-1:0]  record_slot_o,
   input  logic [pipegs_pkg::SplatBits-pipegs_pkg::KeyW-pipegs_pkg::KindW-1:0] record_i,
 
@@ -43,7 +44,8 @@ module su_emit (
   input  logic                            out_ready_i,
   output pipegs_pkg::splat_t              out_o,
 
-  output logic [1:0]                      release_o,
+  output logic                            release_o,
+  output logic [pipegs_pkg::RecordW:0]    release_slots_o,
   output logic                            empty_o,
   output logic                            active_o
 );
@@ -53,7 +55,7 @@ module su_emit (
   localparam int unsigned SlotW = pipegs_pkg::RecordW;
   localparam int unsigned NumberW = pipegs_pkg::SlotW;
   localparam int unsigned Waiting = 32;
-  localparam int unsigned EntryW = KindW + 1 + 1 + SlotW + KeyW;
+  localparam int unsigned EntryW = KindW + 1 + SlotW + KeyW;  // the key of an end is the number of slots
   localparam int unsigned PayloadAt = KindW + KeyW;  // a splat is {payload, key's index, key's depth, kind}
 
   // Where is the record? In an overflowed layer the number is read first.
@@ -66,7 +68,7 @@ module su_emit (
   );
   assign known        = !spilled_i || looked_q;
   assign outside      = spilled_i && number >= NumberW'(pipegs_pkg::Records);
-  assign slot         = spilled_i ? number[SlotW-1:0] : item_slot_i;
+  assign slot         = base_i + (spilled_i ? number[SlotW-1:0] : item_slot_i);
   assign read_valid_o = item_valid_i && known && outside && queue_ready;
   assign read_line_o  = number - NumberW'(pipegs_pkg::Records);
   assign item_go      = item_valid_i && known && queue_ready && (!outside || read_ready_i);
@@ -79,7 +81,7 @@ module su_emit (
   logic [$clog2(Waiting+1)-1:0] waiting;
   logic [EntryW-1:0] head, entry;
   logic [KindW-1:0]  head_kind, kind_q;
-  logic              head_half, head_outside, half_q, outside_q, valid_q;
+  logic              head_outside, outside_q, valid_q;
   logic [SlotW-1:0]  head_slot;
   logic [KeyW-1:0]   head_key, key_q;
   logic [pipegs_pkg::SplatBits-PayloadAt-1:0] payload;
@@ -87,18 +89,17 @@ module su_emit (
   logic [pipegs_pkg::IndexW-1:0] key_index;
   logic              sent;
 
-  assign entry = item_valid_i ? {pipegs_pkg::KindData, half_i, outside, slot, item_key_i}
-                              : {end_kind_i, half_i, 1'b0, SlotW'(0), KeyW'(0)};
+  assign entry = item_valid_i ? {pipegs_pkg::KindData, outside, slot, item_key_i}
+                              : {end_kind_i, 1'b0, SlotW'(0), KeyW'(slots_i)};
   sram_fifo #(.DataW(EntryW), .Depth(Waiting)) u_waiting (
     .clk_i, .rst_ni,
     .in_valid_i(push), .in_ready_o(queue_ready), .in_i(entry),
     .out_valid_o(head_valid), .out_ready_i(head_ready), .out_o(head),
     .count_o(waiting)
   );
-  assign {head_kind, head_half, head_outside, head_slot, head_key} = head;
+  assign {head_kind, head_outside, head_slot, head_key} = head;
   assign head_ready    = !valid_q || sent;
   assign record_read_o = head_valid && head_ready && head_kind == pipegs_pkg::KindData && !head_outside;
-  assign record_half_o = head_half;
   assign record_slot_o = head_slot;
 
   assign out_valid_o  = valid_q && (!outside_q || line_valid_i);
@@ -106,9 +107,10 @@ module su_emit (
   assign line_ready_o = sent && outside_q;
   assign payload      = kind_q != pipegs_pkg::KindData ? '0 :
                         outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
-  assign {key_depth, key_index} = key_q;
+  assign {key_depth, key_index} = kind_q == pipegs_pkg::KindData ? key_q : '0;
   assign out_o        = {payload, key_index, key_depth, kind_q};
-  assign release_o    = !(sent && kind_q != pipegs_pkg::KindData) ? '0 : half_q ? 2'b10 : 2'b01;
+  assign release_o       = sent && kind_q != pipegs_pkg::KindData;
+  assign release_slots_o = key_q[SlotW:0];
   assign empty_o      = waiting == '0 && !valid_q;
   assign active_o     = item_go || (spilled_i && item_valid_i && !looked_q) || number_write_i || push || sent ||
                         (head_valid && head_ready) || (waiting != '0 && !head_valid);
@@ -129,7 +131,6 @@ module su_emit (
   always_ff @(posedge clk_i) begin
     if (head_valid && head_ready) begin
       kind_q    <= head_kind;
-      half_q    <= head_half;
       outside_q <= head_outside;
       key_q     <= head_key;
     end

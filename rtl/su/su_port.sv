@@ -1,8 +1,8 @@
 // su_port: the one memory port of an SU and the store for the lines that were read.
 //
 // Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the
-//         store has room for its answer, counted from the request to the moment the line is used. All areas belong to
-//         the layer's parity: address = overflow + {unit, parity, area} * 2^24 + line.
+//         store has room for its answer, counted from the request to the moment the line is used. At most one
+//         overflowed layer lives: address = overflow + {unit, 0, area} * 2^24 + line.
 // Stream  record, keys: lines to write. read: the number of a line. line: the lines read, in order.
 // Pace    One request in two cycles, up to Answers reads in flight.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
@@ -21,13 +21,11 @@ module su_port (
   output logic                              keys_ready_o,
   input  logic [pipegs_pkg::SlotW-1:0]      keys_line_i,
   input  logic [pipegs_pkg::MemoryW-1:0]    keys_i,
-  input  logic                              write_half_i,
 
   input  logic                              read_valid_i,
   output logic                              read_ready_o,
   input  logic                              read_keys_i,  // a line of keys, else a record
   input  logic [pipegs_pkg::SlotW-1:0]      read_line_i,
-  input  logic                              read_half_i,
 
   output logic                              line_valid_o,
   input  logic                              line_ready_i,
@@ -73,9 +71,9 @@ module su_port (
     else if (keys_valid_i) choice_d = Keys;
     else if (read_valid_i && room) choice_d = Read;
     unique case (choice_d)
-      Record:  offset = {unit_i, write_half_i, RecordArea, record_line_i};
-      Keys:    offset = {unit_i, write_half_i, KeyArea, keys_line_i};
-      default: offset = {unit_i, read_half_i, read_keys_i ? KeyArea : RecordArea, read_line_i};
+      Record:  offset = {unit_i, 1'b0, RecordArea, record_line_i};
+      Keys:    offset = {unit_i, 1'b0, KeyArea, keys_line_i};
+      default: offset = {unit_i, 1'b0, read_keys_i ? KeyArea : RecordArea, read_line_i};
     endcase
   end
 

@@ -4,14 +4,19 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
 
 namespace pipegs {
 namespace {
 
+constexpr int32_t kLongAgo = -(1 << 30);
+constexpr int32_t kRenumberTime = 1 << 30;   // from here on times start again near 0
+constexpr int32_t kRenumberOrder = (1 << 24) - 1;  // an age has 24 bits for the order
+
 int log2_of(int value) { return std::bit_width(static_cast<unsigned>(value)) - 1; }
-uint64_t low_bits(int count) { return count == 64 ? ~uint64_t{0} : (uint64_t{1} << count) - 1; }
-void raise(DramCycle& at, DramCycle to) { at = std::max(at, to); }
+template <class T>
+void raise(T& at, T to) {
+  at = std::max(at, to);
+}
 
 }  // namespace
 
@@ -32,10 +37,12 @@ DramChannel::Counters& DramChannel::Counters::operator+=(const Counters& of) {
 
 DramChannel::DramChannel(const DramTiming& timing)
     : timing_(timing),
+      lanes_((timing.banks_per_channel() + kDramBlock - 1) / kDramBlock * kDramBlock),
       ranks_(timing.ranks),
-      groups_(timing.ranks * timing.bank_groups),
-      bank_bits_(log2_of(timing.banks)),
       rank_shift_(log2_of(timing.banks * timing.bank_groups)),
+      group_shift_(log2_of(timing.banks)),
+      read_queue_(timing.read_queue),
+      write_queue_(timing.write_queue),
       drain_above_(static_cast<int>(std::floor(timing.write_high * timing.write_queue))),
       drain_below_(static_cast<int>(std::ceil(timing.write_low * timing.write_queue))),
       refresh_due_(timing.t_refi),
@@ -45,32 +52,47 @@ DramChannel::DramChannel(const DramTiming& timing)
   const DramTiming& t = timing_;
   const int banks = t.banks_per_channel();
   bank_.resize(banks);
-  closed_ = low_bits(banks);
-  ready_.fill(closed_);
-  wheel_.fill(kNone);
-  for (int rank = 0; rank < ranks_; ++rank) {
-    rank_banks_[rank] = low_bits(banks / ranks_) << (rank << rank_shift_);
-    last_activates_[rank].fill(-kNever);
+  for (DramWaiting& waiting : waiting_) {
+    waiting.hit_age.fill(kDramNone);
+    waiting.miss_age.fill(kDramNone);
   }
-  for (int group = 0; group < groups_; ++group) group_banks_[group] = low_bits(t.banks) << (group << bank_bits_);
+  not_before_.no_precharge.fill(kDramNone);
+  for (int bank = 0; bank < banks; ++bank) rank_banks_[rank_of(bank)] |= bit(bank);
+  for (auto& last : last_activates_) last.fill(kLongAgo);
   pool_.resize(t.read_queue + t.write_queue);
-  for (std::size_t i = 0; i < pool_.size(); ++i) pool_[i].next = static_cast<int16_t>(i + 1);
+  for (std::size_t i = 0; i < pool_.size(); ++i) pool_[i].next = static_cast<int32_t>(i + 1);
   return_.resize(std::bit_ceil(static_cast<unsigned>(2 * returns_limit_)));
   return_mask_ = static_cast<uint32_t>(return_.size() - 1);
 
   constexpr int kRead = 0, kWrite = 1;
-  gap_[kRead][kRead] = {std::max(t.t_ccd_l, t.t_burst), std::max(t.t_ccd_s, t.t_burst), t.t_burst + t.t_cs};
-  gap_[kWrite][kWrite] = {std::max(t.t_ccd_l, t.t_burst), std::max(t.t_ccd_s, t.t_burst), t.t_burst};
-  gap_[kRead][kWrite] = {t.t_rtw, t.t_rtw, t.t_burst + t.t_cs};
   wck_after_ = {t.rl + t.t_burst + t.t_wckpst, t.wl + t.t_burst + t.t_wckpst};
   precharge_after_ = {t.t_rtp, t.wl + t.t_burst + t.t_wr};
-  gap_[kWrite][kRead] = {t.wl + t.t_burst_l + t.t_wtr_l, t.wl + t.t_burst + t.t_wtr_s,
-                         t.rl + t.t_burst + t.t_cs - t.wl};
+  after_.resize(banks >> group_shift_);
+  for (int group = 0; group < static_cast<int>(after_.size()); ++group) {
+    Distances& after = after_[group];
+    for (int bank = 0; bank < banks; ++bank) {
+      const bool same_rank = rank_of(bank) == rank_of(group << group_shift_);
+      const bool same_group = bank >> group_shift_ == group;
+      const auto distance = [&](int in_group, int in_rank, int elsewhere) {
+        return same_group ? in_group : same_rank ? in_rank : elsewhere;
+      };
+      const int follow = distance(std::max(t.t_ccd_l, t.t_burst), std::max(t.t_ccd_s, t.t_burst), t.t_burst);
+      const int turn = t.wl + t.t_burst;
+      after.column[kRead][kRead][bank] = same_rank ? follow : t.t_burst + t.t_cs;
+      after.column[kWrite][kWrite][bank] = follow;
+      after.column[kRead][kWrite][bank] = same_rank ? t.t_rtw : t.t_burst + t.t_cs;
+      after.column[kWrite][kRead][bank] =
+          distance(t.wl + t.t_burst_l + t.t_wtr_l, turn + t.t_wtr_s, t.rl + t.t_burst + t.t_cs - t.wl);
+      after.activate[bank] = distance(t.t_rrd_l, t.t_rrd_s, 0);
+      after.fourth_activate[bank] = same_rank ? t.t_faw : 0;
+      after.precharge[bank] = same_rank ? t.t_ppd : 0;
+    }
+  }
 }
 
 // ---- lists of waiting bursts
 
-inline void DramChannel::append(List& list, int16_t burst) {
+inline void DramChannel::append(List& list, int32_t burst) {
   pool_[burst].next = -1;
   if (list.head < 0) {
     list.head = burst;
@@ -80,23 +102,21 @@ inline void DramChannel::append(List& list, int16_t burst) {
   list.tail = burst;
 }
 
-inline int16_t DramChannel::take_head(List& list) {
-  const int16_t burst = list.head;
+inline int32_t DramChannel::take_head(List& list) {
+  const int32_t burst = list.head;
   list.head = pool_[burst].next;
   return burst;
 }
 
-// The list of a bank has a new head, or none.
+// The list of a bank has another head, or none.
 inline void DramChannel::new_head(int bank, bool write, bool hit) {
   const Lists& lists = bank_[bank].waiting[write];
-  const int16_t head = hit ? lists.hit.head : lists.miss.head;
-  uint64_t& has = has_[write][hit];
-  has = (has & ~bit(bank)) | uint64_t{head >= 0} << bank;
-  if (head >= 0) age_[write][hit][bank] = pool_[head].order << 7 | uint64_t{hit} << 6 | static_cast<uint64_t>(bank);
+  const int32_t head = hit ? lists.hit.head : lists.miss.head;
+  (hit ? waiting_[write].hit_age : waiting_[write].miss_age)[bank] = head < 0 ? kDramNone : pool_[head].order << 7 | (hit ? 64 : 0) | bank;
 }
 
 // A burst leaves its queue.
-inline void DramChannel::release(int16_t index, int bank, bool write) {
+inline uint32_t DramChannel::release(int32_t index, int bank, bool write) {
   Burst& burst = pool_[index];
   if (write) {
     --writes_;
@@ -106,10 +126,10 @@ inline void DramChannel::release(int16_t index, int bank, bool write) {
   }
   burst.next = free_;
   free_ = index;
+  return burst.tag;
 }
 
 void DramChannel::merge_into_miss(Lists& lists) {
-  if (lists.hit.head < 0) return;
   List merged;
   while (lists.hit.head >= 0 && lists.miss.head >= 0) {
     const bool hit_first = pool_[lists.hit.head].order < pool_[lists.miss.head].order;
@@ -125,17 +145,17 @@ void DramChannel::split_by_row(Lists& lists, uint32_t row) {
   List all = lists.miss;
   lists.miss = {};
   while (all.head >= 0) {
-    const int16_t burst = take_head(all);
+    const int32_t burst = take_head(all);
     append(pool_[burst].row == row ? lists.hit : lists.miss, burst);
   }
 }
 
 // Does a write to the same burst wait?
-bool DramChannel::write_waits(const DramPlace& place) const {
+inline bool DramChannel::write_waits(const DramPlace& place) const {
   if (write_filter_[filter_slot(place.bank, place.row, place.column)] == 0) return false;
   const Lists& lists = bank_[place.bank].waiting[1];
   for (const List& list : {lists.hit, lists.miss}) {
-    for (int16_t i = list.head; i >= 0; i = pool_[i].next) {
+    for (int32_t i = list.head; i >= 0; i = pool_[i].next) {
       if (pool_[i].row == place.row && pool_[i].column == place.column) return true;
     }
   }
@@ -152,24 +172,22 @@ void DramChannel::accept(DramCycle now, bool write, const DramPlace& place, uint
     ++counters_.reads_forwarded;
     ++reads_open_;
     DramCycle when = now + 1;
-    if (returns_ > 0) when = std::max(when, return_[(first_return_ + returns_ - 1) & return_mask_].when);
-    return_[(first_return_ + returns_++) & return_mask_] = {when, tag};
+    if (returns_ > 0) raise(when, return_[(first_return_ + static_cast<uint32_t>(returns_) - 1) & return_mask_].when);
+    return_[(first_return_ + static_cast<uint32_t>(returns_++)) & return_mask_] = {when, tag};
+    next_return_ = std::min(next_return_, when);
     return;
   }
-  const int16_t index = free_;
+  if (order_ == kRenumberOrder) renumber_order();
+  const int32_t index = free_;
   Burst& burst = pool_[index];
   free_ = burst.next;
-  burst.order = order_++;
-  burst.arrived = now;
-  burst.row = place.row;
-  burst.column = place.column;
-  burst.tag = tag;
-  burst.counted = false;
+  burst = {order_++, -1, now, place.row, place.column, tag, false};
   const int bank = static_cast<int>(place.bank);
   Lists& lists = bank_[bank].waiting[write];
   const bool hit = (open_ & bit(bank)) != 0 && bank_[bank].row == place.row;
-  append(hit ? lists.hit : lists.miss, index);
-  const bool first = (has_[write][hit] & bit(bank)) == 0;
+  List& list = hit ? lists.hit : lists.miss;
+  const bool first = list.head < 0;
+  append(list, index);
   if (first) new_head(bank, write, hit);
   if (write) {
     ++writes_;
@@ -185,115 +203,71 @@ void DramChannel::accept(DramCycle now, bool write, const DramPlace& place, uint
 
 // ---- time
 
-inline void DramChannel::schedule_wake(Kind kind, int bank, DramCycle now, DramCycle at) {
-  const auto slot = static_cast<std::size_t>(std::min(at, now + kWheel - 1) & (kWheel - 1));
-  const auto event = static_cast<uint8_t>(kind * 64 + bank);
-  armed_[kind] |= bit(bank);
-  after_[event] = wheel_[slot];
-  wheel_[slot] = event;
-  wheel_busy_ |= uint64_t{1} << slot;
+// Times count from a new base, so that they stay within 31 bits.
+void DramChannel::renumber_time() {
+  constexpr Time kBack = kRenumberTime - 4096;
+  base_ += kBack;
+  const auto back = [](auto& times) {
+    for (Time& time : times) time = std::max(time - kBack, kLongAgo);
+  };
+  for (auto& times : not_before_.column) back(times);
+  back(not_before_.activate);
+  back(not_before_.precharge);
+  back(refresh_at_);
+  for (auto& last : last_activates_) back(last);
+  for (Time* time : {&command_bus_at_, &half_open_until_, &wck_until_, &refresh_due_}) *time -= kBack;
 }
 
-// No command of this kind to this bank before `until`. Times only grow: an earlier wake renews itself.
-inline void DramChannel::hold(Kind kind, int bank, DramCycle until) {
-  DramCycle& at = bank_[bank].ready_at[kind];
-  raise(at, until);
-  if (at <= wheel_now_) return;
-  ready_[kind] &= ~bit(bank);
-  if ((armed_[kind] & bit(bank)) == 0) schedule_wake(kind, bank, wheel_now_, at);
-}
-
-inline void DramChannel::wake(DramCycle now) {
-  const int shift = static_cast<int>((wheel_now_ + 1) & (kWheel - 1));
-  const DramCycle passed = std::min<DramCycle>(now - wheel_now_, kWheel - 1);
-  wheel_now_ = now;
-  uint64_t due = std::rotr(wheel_busy_, shift) & low_bits(static_cast<int>(passed));
-  for (; due != 0; due &= due - 1) {
-    const int slot = (std::countr_zero(due) + shift) & (kWheel - 1);
-    wheel_busy_ &= ~(uint64_t{1} << slot);
-    for (uint8_t event = std::exchange(wheel_[slot], kNone); event != kNone;) {
-      const auto kind = static_cast<Kind>(event / 64);
-      const int bank = event % 64;
-      event = after_[event];
-      if (bank_[bank].ready_at[kind] <= now) {
-        armed_[kind] &= ~bit(bank);
-        ready_[kind] |= bit(bank);
-      } else {
-        schedule_wake(kind, bank, now, bank_[bank].ready_at[kind]);
+// The waiting bursts are numbered anew from 0.
+void DramChannel::renumber_order() {
+  int32_t oldest = order_;
+  for (const Bank& bank : bank_) {
+    for (const Lists& lists : bank.waiting) {
+      for (const List& list : {lists.hit, lists.miss}) {
+        if (list.head >= 0) oldest = std::min(oldest, pool_[list.head].order);
       }
     }
   }
-}
-
-// Banks whose rank and bank group allow a command.
-inline uint64_t DramChannel::allowed(DramCycle now, const Distances& distances) const {
-  uint64_t banks = 0;
-  for (int group = 0; group < groups_; ++group) banks |= now >= distances.group_at[group] ? group_banks_[group] : 0;
-  uint64_t ranks = 0;
-  for (int rank = 0; rank < ranks_; ++rank) ranks |= now >= distances.rank_at[rank] ? rank_banks_[rank] : 0;
-  return banks & ranks;
-}
-
-// When ranks and bank groups allow a command to the first of these banks.
-inline DramCycle DramChannel::earliest(uint64_t banks, const Distances& distances) const {
-  DramCycle first = kNever;
-  if (banks == 0) return first;
-  for (int group = 0; group < groups_; ++group) {
-    const DramCycle at = std::max(distances.group_at[group], distances.rank_at[group >> (rank_shift_ - bank_bits_)]);
-    first = std::min(first, (banks & group_banks_[group]) != 0 ? at : kNever);
+  for (Burst& burst : pool_) burst.order -= oldest;
+  order_ -= oldest;
+  for (int bank = 0; bank < static_cast<int>(bank_.size()); ++bank) {
+    for (const bool write : {false, true}) {
+      for (const bool hit : {false, true}) new_head(bank, write, hit);
+    }
   }
-  return first;
 }
 
 // The next cycle in which a command may become possible if no burst is accepted before.
-inline DramCycle DramChannel::when_next(DramCycle now) const {
-  if (half_open_ >= 0 || synced_.bank >= 0 || (refreshes_owed_ == 0 && next_mode() != draining_)) return now + 1;
-  DramCycle next = refresh_due_;
-  if (wheel_busy_ != 0) {
-    const int shift = static_cast<int>((now + 1) & (kWheel - 1));
-    next = std::min(next, now + 1 + std::countr_zero(std::rotr(wheel_busy_, shift)));
+inline DramChannel::Time DramChannel::when_next(Time now) const {
+  if (half_open_ >= 0 || synced_ || (refreshes_owed_ == 0 && next_mode() != draining_)) return now + 1;
+  Time next = refresh_due_;
+  for (int i = 0; i < opened_count_; ++i) {
+    next = std::min(next, not_before_.column[opened_[i].write][opened_[i].bank]);
   }
-  for (int write = 0; write < 2; ++write) {
-    next = std::min(next, earliest(opened_[write] & ready_[kColumn], columns_[write]));
-  }
-  const uint64_t opened = opened_[0] | opened_[1];
-  if (refreshes_owed_ == 0) {
-    next = std::min(next, earliest(has_[draining_][1] & ready_[kColumn], columns_[draining_]));
-    next = std::min(next, earliest(has_[draining_][0] & closed_ & ready_[kActivate], activates_));
-    const uint64_t conflicts = has_[draining_][0] & open_ & ~opened & ready_[kPrecharge];
-    for (int rank = 0; rank < ranks_; ++rank) {
-      if ((conflicts & rank_banks_[rank]) != 0) next = std::min(next, precharge_at_[rank]);
-    }
-  } else {
+  if (refreshes_owed_ > 0) {
     const uint64_t banks = rank_banks_[refresh_rank_];
-    if ((open_ & banks) == 0) {
-      next = std::min(next, refresh_at_[refresh_rank_]);
-    } else if ((opened & banks) == 0 && (ready_[kPrecharge] & banks) == banks) {
-      next = std::min(next, precharge_at_[refresh_rank_]);
+    if ((opened_banks_ & banks) != 0) return std::max(next, now + 1);
+    Time at = refresh_at_[refresh_rank_];
+    if ((open_ & banks) != 0) {
+      at = 0;
+      for (uint64_t rest = banks; rest != 0; rest &= rest - 1) raise(at, not_before_.precharge[std::countr_zero(rest)]);
     }
+    return std::max(std::min(next, at), now + 1);
   }
+  next = std::min(next, earliest_ready(waiting_[draining_], not_before_, draining_, lanes_));
   return std::max(next, now + 1);
 }
 
-void DramChannel::tick(DramCycle now) {
-  if (now < next_) return;
-  wake(now);
+void DramChannel::act(DramCycle cycle) {
+  if (cycle - base_ >= kRenumberTime) renumber_time();
+  const Time now = static_cast<Time>(cycle - base_);
   if (now >= refresh_due_) {
     refresh_due_ += timing_.t_refi;
     refreshes_owed_ += static_cast<uint64_t>(ranks_);
   }
   // Another command mostly follows an activation or a precharge at once; after an access it is worth a look.
   const bool again = now >= command_bus_at_ && issue(now);
-  next_ = std::max(again ? now + 1 : when_next(now), command_bus_at_);
-}
-
-bool DramChannel::finished(DramCycle now, uint32_t& tag) {
-  if (returns_ == 0 || return_[first_return_].when > now) return false;
-  tag = return_[first_return_].tag;
-  first_return_ = (first_return_ + 1) & return_mask_;
-  --returns_;
-  --reads_open_;
-  return true;
+  next_ = base_ + std::max(again ? now + 1 : when_next(now), command_bus_at_);
 }
 
 // ---- commands
@@ -304,170 +278,147 @@ bool DramChannel::next_mode() const {
 }
 
 // Returns whether another command may well follow in the next cycle.
-inline bool DramChannel::issue(DramCycle now) {
+inline bool DramChannel::issue(Time now) {
   if (half_open_ >= 0 && now >= half_open_until_) {
     open_row(now);
     return true;
   }
-  uint64_t oldest = UINT64_MAX;
-  Access access = synced_;
-  if (access.bank < 0 && ((opened_[0] | opened_[1]) & ready_[kColumn]) != 0) {
-    oldest = choose_opened(now);
-    if (oldest != UINT64_MAX) access = {static_cast<int>(oldest & 63), true, (oldest & 64) != 0};
-  }
-  if (access.bank < 0 && refreshes_owed_ > 0) {
-    if (refresh(now)) return true;
-  } else if (access.bank < 0) {
-    draining_ = next_mode();
-    oldest = choose(now);
-    if (oldest != UINT64_MAX) {
-      const int bank = static_cast<int>(oldest & 63);
-      if ((oldest & 64) != 0) {
-        access = {bank, false, draining_};
-      } else {
-        if ((closed_ & bit(bank)) != 0) {
-          activate(now, bank, draining_);
-        } else {
-          count(pool_[bank_[bank].waiting[draining_].miss.head], counters_.row_conflicts);
-          precharge(now, bank);
-        }
-        return true;
-      }
-    }
-  }
-  if (access.bank >= 0) {
-    column(now, access);
+  if (synced_ && !synced_opened_) {
+    column_hit(now, synced_bank_, synced_write_);
     return false;
+  }
+  const int opened = ready_opened(now);
+  if (opened >= 0) {
+    column_opened(now, opened);
+    return false;
+  }
+  if (refreshes_owed_ > 0) {
+    if (refresh(now)) return true;
+  } else {
+    draining_ = next_mode();
+    // Between the two commands of an activation no other may begin.
+    const Age oldest = oldest_ready(waiting_[draining_], not_before_, draining_, half_open_ >= 0, now, lanes_);
+    if (oldest != kDramNone) {
+      const int bank = oldest & 63;
+      if ((oldest & 64) != 0) {
+        column_hit(now, bank, draining_);
+        return false;
+      }
+      if (not_before_.no_activate[bank] == 0) {
+        activate(now, bank, draining_);
+      } else {
+        count(pool_[bank_[bank].waiting[draining_].miss.head], counters_.row_conflicts);
+        precharge(now, bank);
+      }
+      return true;
+    }
   }
   if (half_open_ < 0) return false;
   open_row(now);
   return true;
 }
 
-// The oldest burst for which a row was opened and whose column access is allowed.
-inline uint64_t DramChannel::choose_opened(DramCycle now) const {
-  uint64_t oldest = UINT64_MAX;
-  for (int write = 0; write < 2; ++write) {
-    uint64_t banks = opened_[write] & ready_[kColumn];
-    if (banks == 0) continue;
-    banks &= allowed(now, columns_[write]);
-    for (; banks != 0; banks &= banks - 1) oldest = std::min(oldest, opened_age_[std::countr_zero(banks)]);
+// The oldest burst for which a row was opened and whose column access is allowed, or -1.
+inline int DramChannel::ready_opened(Time now) const {
+  for (int i = 0; i < opened_count_; ++i) {
+    if (not_before_.column[opened_[i].write][opened_[i].bank] <= now && (!synced_ || synced_bank_ == opened_[i].bank)) return i;
   }
-  return oldest;
+  return -1;
 }
 
-// The oldest burst whose command is allowed.
-inline uint64_t DramChannel::choose(DramCycle now) const {
-  uint64_t oldest = UINT64_MAX;
-  uint64_t columns = has_[draining_][1] & ready_[kColumn];
-  if (columns != 0) columns &= allowed(now, columns_[draining_]);
-  for (; columns != 0; columns &= columns - 1) {
-    oldest = std::min(oldest, age_[draining_][1][std::countr_zero(columns)]);
+// LPDDR5: if WCK has stopped, a CAS command takes this cycle and the access the next; true if so.
+inline bool DramChannel::sync(Time now, int bank, bool opened, bool write) {
+  if (timing_.t_wckpst < 0 || synced_ || now < wck_until_) {
+    synced_ = false;
+    return false;
   }
-  // Between the two commands of an activation no other may begin.
-  uint64_t activates = half_open_ < 0 ? has_[draining_][0] & closed_ & ready_[kActivate] : 0;
-  if (activates != 0) activates &= allowed(now, activates_);
-  uint64_t precharges = has_[draining_][0] & open_ & ~opened_[0] & ~opened_[1] & ready_[kPrecharge];
-  for (int rank = 0; rank < ranks_; ++rank) precharges &= now >= precharge_at_[rank] ? ~uint64_t{0} : ~rank_banks_[rank];
-  for (uint64_t banks = activates | precharges; banks != 0; banks &= banks - 1) {
-    oldest = std::min(oldest, age_[draining_][0][std::countr_zero(banks)]);
+  // The cycle after a CAS belongs to its access: no second half of an activation may be due then.
+  if (half_open_ >= 0 && half_open_until_ <= now + 1) {
+    open_row(now);
+    return true;
   }
-  return oldest;
+  synced_ = true;
+  synced_bank_ = bank;
+  synced_opened_ = opened;
+  synced_write_ = write;
+  ++counters_.wck_syncs;
+  return true;
 }
 
-void DramChannel::count(Burst& burst, uint64_t& counter) {
-  if (!burst.counted) ++counter;
-  burst.counted = true;
+inline void DramChannel::column_opened(Time now, int index) {
+  const Opened burst = opened_[index];
+  if (sync(now, burst.bank, true, burst.write)) return;
+  --opened_count_;
+  for (int i = index; i < opened_count_; ++i) opened_[i] = opened_[i + 1];
+  opened_banks_ &= ~bit(burst.bank);
+  not_before_.no_precharge[burst.bank] = 0;
+  access(now, burst.bank, burst.write, burst.tag);
 }
 
-// A column access; first a CAS command if WCK has stopped.
-inline void DramChannel::column(DramCycle now, Access access) {
-  const DramTiming& t = timing_;
-  const auto [bank, opened, write] = access;
-  if (t.t_wckpst >= 0 && synced_.bank < 0 && now >= wck_until_) {
-    // The cycle after a CAS belongs to its access: no second half of an activation may be due then.
-    if (half_open_ >= 0 && half_open_until_ <= now + 1) {
-      open_row(now);
-      return;
-    }
-    synced_ = access;
-    ++counters_.wck_syncs;
-    return;
-  }
-  synced_.bank = -1;
-  uint32_t tag;
-  if (opened) {
-    opened_[write] &= ~bit(bank);
-    tag = bank_[bank].opened_tag;
-  } else {
-    const int16_t index = take_head(bank_[bank].waiting[write].hit);
-    new_head(bank, write, true);
-    count(pool_[index], counters_.row_hits);
-    tag = pool_[index].tag;
-    release(index, bank, write);
-  }
+inline void DramChannel::column_hit(Time now, int bank, bool write) {
+  if (sync(now, bank, false, write)) return;
+  const int32_t index = take_head(bank_[bank].waiting[write].hit);
+  new_head(bank, write, true);
+  count(pool_[index], counters_.row_hits);
+  access(now, bank, write, release(index, bank, write));
+}
 
-  const int group = group_of(bank), rank = rank_of(bank);
-  for (int second = 0; second < 2; ++second) {
-    const Gap& gap = gap_[write][second];
-    raise(columns_[second].group_at[group], now + gap.same_group);
-    if (ranks_ > 1) {
-      for (int other = 0; other < ranks_; ++other) raise(columns_[second].rank_at[other], now + gap.other_rank);
-    }
-    raise(columns_[second].rank_at[rank], now + gap.same_rank);
-  }
+inline void DramChannel::access(Time now, int bank, bool write, uint32_t tag) {
+  const Distances& after = after_[bank >> group_shift_];
+  raise_lanes(not_before_.column, after.column[write], now, lanes_);
+  raise(not_before_.precharge[bank], now + precharge_after_[write]);
   raise(wck_until_, now + wck_after_[write]);
-  command_bus_at_ = now + t.ca_column;
-  hold(kPrecharge, bank, now + precharge_after_[write]);
+  command_bus_at_ = now + timing_.ca_column;
   if (write) {
     --writes_open_;
     ++counters_.bursts_written;
   } else {
-    return_[(first_return_ + returns_++) & return_mask_] = {now + t.rl + t.t_burst, tag};
+    const DramCycle when = base_ + now + timing_.rl + timing_.t_burst;
+    return_[(first_return_ + static_cast<uint32_t>(returns_++)) & return_mask_] = {when, tag};
+    next_return_ = std::min(next_return_, when);
     ++counters_.bursts_read;
   }
 }
 
 // Opens the row of the oldest burst that waits for this bank; that burst then goes before all others.
-void DramChannel::activate(DramCycle now, int bank, bool write) {
+inline void DramChannel::activate(Time now, int bank, bool write) {
   const DramTiming& t = timing_;
-  const int16_t index = take_head(bank_[bank].waiting[write].miss);
+  const int32_t index = take_head(bank_[bank].waiting[write].miss);
   new_head(bank, write, false);
   Burst& burst = pool_[index];
   count(burst, counters_.row_misses);
-  release(index, bank, write);
   bank_[bank].row = burst.row;
-  bank_[bank].opened_tag = burst.tag;
-  bank_[bank].opened_arrived = burst.arrived;
-  closed_ &= ~bit(bank);
+  half_opened_ = {burst.arrived, bank, write, release(index, bank, write)};
+  not_before_.no_activate[bank] = kDramNone;
 
-  const int group = group_of(bank), rank = rank_of(bank);
+  const int rank = rank_of(bank);
   auto& last = last_activates_[rank];
   last = {last[1], last[2], last[3], now};
-  raise(activates_.group_at[group], now + t.t_rrd_l);
-  raise(activates_.rank_at[rank], std::max(now + t.t_rrd_s, last[0] + t.t_faw));
+  raise_lanes(not_before_.activate, after_[bank >> group_shift_].activate, now, lanes_);
+  raise_lanes(not_before_.activate, after_[bank >> group_shift_].fourth_activate, last[0], lanes_);
+  raise(not_before_.activate[bank], now + t.t_rc);
+  raise(not_before_.column[0][bank], now + t.t_rcd);
+  raise(not_before_.column[1][bank], now + t.t_rcd);
+  raise(not_before_.precharge[bank], now + t.t_ras);
   raise(refresh_at_[rank], now + t.t_rc);
-  raise(bank_[bank].ready_at[kActivate], now + t.t_rc);
-  hold(kColumn, bank, now + t.t_rcd);
-  hold(kPrecharge, bank, now + t.t_ras);
   command_bus_at_ = now + t.ca_act;
   ++counters_.activates;
   half_open_ = bank;
-  half_open_write_ = write;
   half_open_until_ = now + t.t_aad;
   if (t.t_aad == 0) open_row(now);
 }
 
 // The activation is complete: the bank's bursts of this row become hits.
-void DramChannel::open_row(DramCycle now) {
+void DramChannel::open_row(Time now) {
   const int bank = half_open_;
   half_open_ = -1;
   open_ |= bit(bank);
-  opened_[half_open_write_] |= bit(bank);
-  opened_age_[bank] = (static_cast<uint64_t>(bank_[bank].opened_arrived) << 16 | (opened_count_++ & 0xffff)) << 7 |
-                      uint64_t{half_open_write_} << 6 | static_cast<uint64_t>(bank);
-  for (int write = 0; write < 2; ++write) {
-    if ((has_[write][0] & bit(bank)) == 0) continue;
+  opened_banks_ |= bit(bank);
+  int place = opened_count_++;
+  for (; place > 0 && opened_[place - 1].arrived > half_opened_.arrived; --place) opened_[place] = opened_[place - 1];
+  opened_[place] = half_opened_;
+  for (const bool write : {false, true}) {
+    if (waiting_[write].miss_age[bank] == kDramNone) continue;
     split_by_row(bank_[bank].waiting[write], bank_[bank].row);
     new_head(bank, write, true);
     new_head(bank, write, false);
@@ -477,51 +428,51 @@ void DramChannel::open_row(DramCycle now) {
 
 void DramChannel::close_bank(int bank) {
   open_ &= ~bit(bank);
-  closed_ |= bit(bank);
-  for (int write = 0; write < 2; ++write) {
-    if ((has_[write][1] & bit(bank)) == 0) continue;
+  not_before_.no_activate[bank] = 0;
+  not_before_.no_precharge[bank] = kDramNone;
+  for (const bool write : {false, true}) {
+    if (waiting_[write].hit_age[bank] == kDramNone) continue;
     merge_into_miss(bank_[bank].waiting[write]);
     new_head(bank, write, true);
     new_head(bank, write, false);
   }
 }
 
-void DramChannel::precharge(DramCycle now, int bank) {
-  const int rank = rank_of(bank);
+inline void DramChannel::precharge(Time now, int bank) {
   close_bank(bank);
-  hold(kActivate, bank, now + timing_.t_rp);
-  raise(precharge_at_[rank], now + timing_.t_ppd);
-  raise(refresh_at_[rank], now + timing_.t_rp);
+  raise(not_before_.activate[bank], now + timing_.t_rp);
+  raise_lanes(not_before_.precharge, after_[bank >> group_shift_].precharge, now, lanes_);
+  raise(refresh_at_[rank_of(bank)], now + timing_.t_rp);
   command_bus_at_ = now + timing_.ca_pre;
   ++counters_.precharges;
 }
 
 // The next command of a due refresh: all banks of the rank are precharged, then refreshed.
-bool DramChannel::refresh(DramCycle now) {
+bool DramChannel::refresh(Time now) {
   const DramTiming& t = timing_;
-  const int rank = refresh_rank_;
-  const uint64_t banks = rank_banks_[rank];
-  if (((opened_[0] | opened_[1]) & banks) != 0 || (half_open_ >= 0 && (bit(half_open_) & banks) != 0)) return false;
-  if ((open_ & banks) != 0) {
-    if ((ready_[kPrecharge] & banks) != banks || now < precharge_at_[rank]) return false;
-    for (uint64_t open = open_ & banks; open != 0; open &= open - 1) {
-      close_bank(std::countr_zero(open));
-      hold(kActivate, std::countr_zero(open), now + t.t_rpab);
-    }
-    raise(precharge_at_[rank], now + t.t_ppd);
-    raise(refresh_at_[rank], now + t.t_rp);
+  const uint64_t banks = rank_banks_[refresh_rank_];
+  if ((opened_banks_ & banks) != 0 || (half_open_ >= 0 && (bit(half_open_) & banks) != 0)) return false;
+  const bool precharge_first = (open_ & banks) != 0;
+  if (!precharge_first && now < refresh_at_[refresh_rank_]) return false;
+  for (uint64_t rest = precharge_first ? banks : 0; rest != 0; rest &= rest - 1) {
+    if (not_before_.precharge[std::countr_zero(rest)] > now) return false;
+  }
+  for (uint64_t rest = banks; rest != 0; rest &= rest - 1) {
+    const int bank = std::countr_zero(rest);
+    if (precharge_first && (open_ & bit(bank)) != 0) close_bank(bank);
+    raise(not_before_.activate[bank], now + (precharge_first ? t.t_rpab : t.t_rfc));
+    raise(not_before_.precharge[bank], now + (precharge_first ? t.t_ppd : t.t_rfc));
+  }
+  raise(refresh_at_[refresh_rank_], now + (precharge_first ? t.t_rp : t.t_rfc));
+  if (precharge_first) {
     command_bus_at_ = now + t.ca_pre;
     ++counters_.precharges;
-    return true;
+  } else {
+    command_bus_at_ = now + 1;
+    ++counters_.refreshes;
+    --refreshes_owed_;
+    refresh_rank_ = (refresh_rank_ + 1) & (ranks_ - 1);
   }
-  if (now < refresh_at_[rank]) return false;
-  raise(activates_.rank_at[rank], now + t.t_rfc);
-  raise(precharge_at_[rank], now + t.t_rfc);
-  raise(refresh_at_[rank], now + t.t_rfc);
-  command_bus_at_ = now + 1;
-  ++counters_.refreshes;
-  --refreshes_owed_;
-  refresh_rank_ = (refresh_rank_ + 1) & (ranks_ - 1);
   return true;
 }
 

@@ -25,9 +25,39 @@ std::vector<OfferedBurst> cut_into_bursts(std::span<const DramTransfer> trace, u
   return bursts;
 }
 
+// The configuration files of DRAMsim3 in our terms. Its 32 transactions and 8 commands for each bank become one queue
+// of 48 bursts: a stream works on one or two banks. Its DDR4 channel of 16 GB has two ranks.
+DramTiming lpddr4_2400_dramsim3() {
+  DramTiming t;
+  t.name = "lpddr4-2400";
+  t.bank_groups = 2, t.banks = 4, t.rows = 65536;
+  t.t_ck_ps = 830;
+  t.rl = 17, t.wl = 14, t.t_burst = 8, t.t_burst_l = 8;
+  t.t_rcd = 15, t.t_rp = 15, t.t_rpab = 15, t.t_ras = 32, t.t_rc = 47;
+  t.t_rrd_s = 8, t.t_rrd_l = 8, t.t_faw = 32;
+  t.t_ccd_s = 4, t.t_ccd_l = 6;
+  t.t_rtp = 12, t.t_wr = 30, t.t_wtr_s = 8, t.t_wtr_l = 16, t.t_rtw = 13;
+  t.t_cs = 1, t.t_ppd = 2;
+  t.t_refi = 8660, t.t_rfc = 392;
+  t.read_queue = 48;
+  return t;
+}
+
+DramTiming ddr4_3200_dramsim3() {
+  DramTiming t = *dram_preset("ddr4-3200x1");
+  t.ranks = 2;
+  t.t_ck_ps = 630;
+  t.t_rtw = 12;
+  t.t_cs = 1;
+  t.t_rfc = 560;
+  t.read_queue = 48;
+  return t;
+}
+
 }  // namespace
 
-DramPlay play_dram(const DramTiming& timing, std::span<const DramTransfer> trace, int max_out) {
+DramPlay play_dram(const DramTiming& timing, std::span<const DramTransfer> trace, int max_out,
+                   bool writes_finish_twice) {
   constexpr int kOfferedInACycle = 4;
   const std::vector<OfferedBurst> bursts = cut_into_bursts(trace, timing.burst_bytes());
   const DramPlaces places(timing);
@@ -72,7 +102,12 @@ DramPlay play_dram(const DramTiming& timing, std::span<const DramTransfer> trace
       }
       all_written += channel.counters().bursts_written + channel.counters().writes_merged;
     }
-    for (; written < all_written; ++written, ++finished, --out) write_cycles += now - writes_seen[written];
+    for (; written < all_written; ++written) {
+      write_cycles += now - writes_seen[written];
+      if (!writes_finish_twice) continue;
+      ++finished;
+      --out;
+    }
     over = over || finished >= bursts.size();
   }
   DramPlay play;
@@ -125,6 +160,8 @@ DramTiming dram_reference_timing(const std::string& configuration) {
   if (configuration == "ddr4_3200_1ch_robaraco") return preset("ddr4-3200x1", kRo);
   if (configuration == "ddr4_3200_1ch_mop4") return preset("ddr4-3200x1", kMop4);
   if (configuration == "ddr4_3200_2ch_robaraco") return preset("ddr4-3200x2", kRo);
+  if (configuration == "lpddr4_2400_16b") return lpddr4_2400_dramsim3();
+  if (configuration == "DDR4_8Gb_x8_3200") return ddr4_3200_dramsim3();
   throw std::invalid_argument("dram: no reference configuration is called " + configuration);
 }
 
@@ -135,7 +172,8 @@ std::vector<DramCheck> check_dram(std::span<const DramReference> references) {
     auto [trace, made] = traces.try_emplace(reference.trace);
     if (made) trace->second = dram_trace(reference.trace);
     const DramTiming timing = dram_reference_timing(reference.configuration);
-    const DramPlay play = play_dram(timing, trace->second, reference.max_out);
+    const DramPlay play =
+        play_dram(timing, trace->second, reference.max_out, reference.source == "ramulator2");
     checks.push_back({reference, play});
   }
   return checks;

@@ -2,9 +2,10 @@
 //
 // Idea    The reference runs are played again by their own rules. Requests are cut into bursts and offered in order, up
 //         to four in a cycle; a full queue stops the burst at the front and all behind it. A burst is offered while
-//         fewer than `max_out` are on their way. A write counts as finished twice, when it is accepted and when it is
-//         written, and the run ends when as many have finished as there are bursts. So a trace with one write in three
-//         ends after three quarters of it, with GB/s 4/3 of what crossed the pins: both numbers are kept.
+//         fewer than `max_out` are on their way. The run ends when as many bursts have finished as the trace has. In
+//         the runs of Ramulator 2 a write counted twice, when it was accepted and when it was written: a trace with one
+//         write in three then ends after three quarters of it, with GB/s 4/3 of what crossed the pins. Both numbers
+//         are kept.
 //         Latencies count from the cycle in which the controller sees the burst to the last beat of a read, or to the
 //         command of a write.
 // Docs    docs/memory_timing.md
@@ -32,7 +33,8 @@ struct DramPlay {
   DramChannel::Counters counters;  // of all channels
 };
 
-DramPlay play_dram(const DramTiming& timing, std::span<const DramTransfer> trace, int max_out);
+DramPlay play_dram(const DramTiming& timing, std::span<const DramTransfer> trace, int max_out,
+                   bool writes_finish_twice = false);
 
 // One run of a reference simulator.
 struct DramReference {

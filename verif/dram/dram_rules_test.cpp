@@ -1,0 +1,400 @@
+// Against the timing rules of docs/memory_timing.md: every expected cycle is computed from DramTiming.
+//
+// Idea    A channel is stepped cycle by cycle. Reads show when their last beat arrives, so the cycle of their column
+//         command is known; counters show when writes, activations and refreshes are issued. A burst accepted in cycle
+//         c can cause a command from c + 1 on.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "sim/dram/dram_channel.hpp"
+
+namespace pipegs {
+namespace {
+
+class Bench {
+ public:
+  explicit Bench(const DramTiming& timing) : timing_(timing), channel_(timing) {}
+
+  DramCycle now() const { return now_; }
+  void accept(bool write, uint32_t bank, uint32_t row, uint32_t column, uint32_t tag = 0) {
+    ASSERT_TRUE(channel_.accepts(write));
+    channel_.accept(now_, write, {0, bank, row, column}, tag);
+  }
+  void step() {
+    ++now_;
+    uint32_t tag;
+    while (channel_.finished(now_, tag)) arrived_[tag] = now_;
+    channel_.tick(now_);
+  }
+  void step_to(DramCycle cycle) {
+    while (now_ < cycle) step();
+  }
+  // When the last beat of a read arrives.
+  DramCycle arrival(uint32_t tag) {
+    for (int i = 0; i < 100000 && !arrived_.contains(tag); ++i) step();
+    return arrived_.contains(tag) ? arrived_[tag] : -1;
+  }
+  // When its column command was given.
+  DramCycle read_command(uint32_t tag) { return arrival(tag) - timing_.rl - timing_.t_burst; }
+  DramCycle write_command(uint64_t count) {  // of the write with this number, from 1
+    for (int i = 0; i < 100000 && channel_.counters().bursts_written < count; ++i) step();
+    return now_;
+  }
+  DramCycle activation(uint64_t count) {
+    for (int i = 0; i < 100000 && channel_.counters().activates < count; ++i) step();
+    return now_;
+  }
+  // Opens a row of a bank and leaves the bank alone until no rule of the past holds.
+  void open(uint32_t bank, uint32_t row) {
+    accept(false, bank, row, 63, 1000 + bank);
+    arrival(1000 + bank);
+    step_to(now_ + timing_.t_rc);
+  }
+  const DramChannel& channel() const { return channel_; }
+
+ private:
+  DramTiming timing_;
+  DramChannel channel_;
+  DramCycle now_ = 0;
+  std::map<uint32_t, DramCycle> arrived_;
+};
+
+// WCK that never stops: no CAS command comes between.
+DramTiming without_sync(DramTiming timing) {
+  timing.t_wckpst = -1;
+  return timing;
+}
+
+uint32_t bank_in(const DramTiming& timing, int group, int bank = 0) {
+  return static_cast<uint32_t>(group * timing.banks + bank);
+}
+
+class Rules : public testing::TestWithParam<std::string> {
+ protected:
+  const DramTiming full_ = *dram_preset(GetParam());
+  const DramTiming t_ = without_sync(full_);
+};
+
+TEST_P(Rules, AClosedBankCostsActivationAndRead) {
+  Bench bench(t_);
+  bench.accept(false, 0, 5, 0);
+  EXPECT_EQ(bench.arrival(0), 1 + t_.t_rcd + t_.rl + t_.t_burst);
+  EXPECT_EQ(bench.channel().counters().row_misses, 1u);
+}
+
+TEST_P(Rules, AnOpenRowCostsTheReadAlone) {
+  Bench bench(t_);
+  bench.open(0, 5);
+  const DramCycle now = bench.now();
+  bench.accept(false, 0, 5, 1);
+  EXPECT_EQ(bench.arrival(0), now + 1 + t_.rl + t_.t_burst);
+  EXPECT_EQ(bench.channel().counters().row_hits, 1u);
+}
+
+TEST_P(Rules, AnotherRowCostsAPrecharge) {
+  Bench bench(t_);
+  bench.open(0, 5);
+  const DramCycle now = bench.now();
+  bench.accept(false, 0, 6, 1);
+  EXPECT_EQ(bench.arrival(0), now + 1 + t_.t_rp + t_.t_rcd + t_.rl + t_.t_burst);
+  EXPECT_EQ(bench.channel().counters().row_conflicts, 1u);
+  EXPECT_EQ(bench.channel().counters().precharges, 1u);
+}
+
+TEST_P(Rules, ARowStaysOpenForTRas) {
+  DramTiming slow = t_;
+  slow.t_ras = t_.t_rcd + t_.t_rtp + 20;
+  slow.t_rc = 1;
+  Bench bench(slow);
+  bench.accept(false, 0, 5, 0, 0);
+  bench.accept(false, 0, 6, 0, 1);
+  EXPECT_EQ(bench.read_command(1), 1 + slow.t_ras + slow.t_rp + slow.t_rcd);
+}
+
+TEST_P(Rules, ActivationsOfABankAreTRcApart) {
+  DramTiming slow = t_;
+  slow.t_rc = t_.t_ras + t_.t_rp + 20;
+  Bench bench(slow);
+  bench.accept(false, 0, 5, 0, 0);
+  bench.accept(false, 0, 6, 0, 1);
+  EXPECT_EQ(bench.read_command(1), 1 + slow.t_rc + slow.t_rcd);
+}
+
+TEST_P(Rules, FourActivationsInTFaw) {
+  DramTiming slow = t_;
+  slow.t_faw = 6 * t_.t_rrd_l + 30;
+  Bench bench(slow);
+  for (uint32_t bank = 0; bank < 6; ++bank) {
+    const uint32_t place = slow.bank_groups == 1 ? bank : bank_in(slow, bank % 4, bank / 4);
+    bench.accept(false, place, 5, 0, bank);
+  }
+  const DramCycle first = bench.activation(1), second = bench.activation(2);
+  EXPECT_EQ(bench.activation(5), first + slow.t_faw);
+  EXPECT_EQ(bench.activation(6), second + slow.t_faw);
+}
+
+TEST_P(Rules, ActivationsOfTwoBanksAreTRrdApart) {
+  for (const bool same_group : {true, false}) {
+    if (!same_group && t_.bank_groups == 1) continue;
+    DramTiming slow = t_;
+    slow.t_rrd_s = t_.t_rrd_l + 3, slow.t_rrd_l = t_.t_rrd_l + 8;
+    Bench bench(slow);
+    bench.accept(false, 0, 5, 0, 0);
+    bench.accept(false, same_group ? 1 : bank_in(slow, 1), 5, 0, 1);
+    const DramCycle first = bench.activation(1);
+    EXPECT_EQ(bench.activation(2) - first, same_group ? slow.t_rrd_l : slow.t_rrd_s);
+  }
+}
+
+TEST_P(Rules, ReadsAreTCcdApart) {
+  for (const bool same_group : {true, false}) {
+    if (!same_group && t_.bank_groups == 1) continue;
+    const uint32_t other = same_group ? 1 : bank_in(t_, 1);
+    Bench bench(t_);
+    bench.open(0, 5);
+    bench.open(other, 5);
+    bench.accept(false, 0, 5, 1, 1);
+    bench.accept(false, other, 5, 1, 2);
+    const int distance = std::max(t_.t_burst, same_group ? t_.t_ccd_l : t_.t_ccd_s);
+    EXPECT_EQ(bench.read_command(2) - bench.read_command(1), distance);
+  }
+}
+
+TEST_P(Rules, AWriteDelaysAReadByTheTurnaround) {
+  for (const bool same_group : {true, false}) {
+    if (!same_group && t_.bank_groups == 1) continue;
+    const uint32_t other = same_group ? 0 : bank_in(t_, 1);
+    Bench bench(t_);
+    bench.open(0, 5);
+    if (!same_group) bench.open(other, 5);
+    bench.accept(true, 0, 5, 1);
+    const DramCycle write = bench.write_command(1);
+    bench.accept(false, other, 5, 2, 1);
+    const int distance = same_group ? t_.wl + t_.t_burst_l + t_.t_wtr_l : t_.wl + t_.t_burst + t_.t_wtr_s;
+    EXPECT_EQ(bench.read_command(1) - write, distance);
+  }
+}
+
+TEST_P(Rules, AReadDelaysAWriteByTRtw) {
+  Bench bench(t_);
+  bench.open(0, 5);
+  bench.accept(false, 0, 5, 1, 1);
+  bench.step();  // the read command; from here on only the write waits
+  bench.accept(true, 0, 5, 2);
+  const DramCycle write = bench.write_command(1);
+  EXPECT_EQ(write - bench.read_command(1), t_.t_rtw);
+}
+
+TEST_P(Rules, AWrittenRowStaysOpenForTWr) {
+  Bench bench(t_);
+  bench.open(0, 5);
+  bench.accept(true, 0, 5, 1);
+  const DramCycle write = bench.write_command(1);
+  bench.accept(false, 0, 6, 1, 1);
+  EXPECT_EQ(bench.read_command(1) - write, t_.wl + t_.t_burst + t_.t_wr + t_.t_rp + t_.t_rcd);
+}
+
+TEST_P(Rules, AReadRowStaysOpenForTRtp) {
+  Bench bench(t_);
+  bench.open(0, 5);
+  bench.accept(false, 0, 5, 1, 1);
+  bench.step();
+  bench.accept(false, 0, 6, 1, 2);
+  EXPECT_EQ(bench.read_command(2) - bench.read_command(1), t_.t_rtp + t_.t_rp + t_.t_rcd);
+}
+
+TEST_P(Rules, ARefreshBlocksActivations) {
+  Bench bench(t_);
+  bench.step_to(t_.t_refi);
+  EXPECT_EQ(bench.channel().counters().refreshes, 1u);
+  bench.accept(false, 0, 5, 0);
+  EXPECT_EQ(bench.read_command(0), t_.t_refi + t_.t_rfc + t_.t_rcd);
+}
+
+TEST_P(Rules, ARefreshClosesOpenRows) {
+  Bench bench(t_);
+  bench.open(0, 5);
+  bench.step_to(t_.t_refi);
+  EXPECT_EQ(bench.channel().counters().precharges, 1u);
+  bench.accept(false, 0, 5, 0);
+  EXPECT_EQ(bench.read_command(0), t_.t_refi + t_.t_rp + t_.t_rfc + t_.t_rcd);
+  EXPECT_EQ(bench.channel().counters().refreshes, 1u);
+}
+
+TEST_P(Rules, RefreshesComeEveryTRefi) {
+  Bench bench(t_);
+  bench.step_to(20 * DramCycle{t_.t_refi});
+  EXPECT_EQ(bench.channel().counters().refreshes, 20u);
+}
+
+TEST_P(Rules, StoppedWckCostsOneCycle) {
+  if (full_.t_wckpst < 0) GTEST_SKIP() << "no WCK";
+  Bench bench(full_);
+  const int runs_on = full_.rl + full_.t_burst + full_.t_wckpst;
+  const DramCycle first = 1 + full_.t_rcd + 1;  // after the CAS command
+  bench.accept(false, 0, 5, 0, 0);
+  bench.step_to(first + runs_on - 2);
+  bench.accept(false, 0, 5, 1, 1);  // the last cycle in which WCK runs
+  EXPECT_EQ(bench.read_command(0), first);
+  EXPECT_EQ(bench.read_command(1), first + runs_on - 1);
+  EXPECT_EQ(bench.channel().counters().wck_syncs, 1u);
+  bench.step_to(first + 2 * runs_on - 2);
+  bench.accept(false, 0, 5, 2, 2);  // one cycle later: a CAS command, then the read
+  EXPECT_EQ(bench.read_command(2), first + 2 * runs_on);
+  EXPECT_EQ(bench.channel().counters().wck_syncs, 2u);
+}
+
+TEST_P(Rules, AnActivationInTwoCommandsHoldsUpTheNext) {
+  DramTiming close = t_;
+  close.t_rrd_s = close.t_rrd_l = 1;
+  close.ca_act = 1;
+  Bench bench(close);
+  bench.accept(false, 0, 5, 0, 0);
+  bench.accept(false, 1, 5, 0, 1);
+  const DramCycle first = bench.activation(1);
+  EXPECT_EQ(bench.activation(2) - first, close.t_aad > 0 ? 2 : 1);
+}
+
+TEST_P(Rules, OneCommandAtATime) {
+  DramTiming wide = t_;
+  wide.t_rrd_s = wide.t_rrd_l = 1;
+  wide.t_aad = 0;
+  wide.ca_act = 5;
+  Bench bench(wide);
+  bench.accept(false, 0, 5, 0, 0);
+  bench.accept(false, 1, 5, 0, 1);
+  const DramCycle first = bench.activation(1);
+  EXPECT_EQ(bench.activation(2) - first, wide.ca_act);
+}
+
+TEST_P(Rules, AHitOvertakesAConflictThatCannotStart) {
+  Bench bench(t_);
+  bench.accept(false, 0, 5, 0, 0);
+  bench.accept(false, 0, 6, 0, 1);
+  bench.accept(false, 0, 5, 1, 2);
+  EXPECT_LT(bench.arrival(2), bench.arrival(1));
+}
+
+TEST_P(Rules, OtherwiseTheOldestGoesFirst) {
+  Bench bench(t_);
+  bench.open(0, 5);
+  bench.accept(false, 0, 6, 0, 1);
+  bench.accept(false, 0, 5, 1, 2);
+  EXPECT_LT(bench.arrival(1), bench.arrival(2));
+}
+
+TEST_P(Rules, WritesWaitForTheHighWatermark) {
+  Bench bench(t_);
+  bench.open(0, 5);
+  const int high = static_cast<int>(t_.write_high * t_.write_queue), low = static_cast<int>(t_.write_low * t_.write_queue);
+  uint32_t tag = 0, column = 0;
+  const auto keep_reading = [&] {
+    for (; bench.channel().accepts(false); ++tag) bench.accept(false, 0, 5, tag % 60, tag);
+    bench.step();
+  };
+  keep_reading();
+  for (int i = 0; i < high; ++i) bench.accept(true, 0, 5, 100 + column++);
+  for (int i = 0; i < 40; ++i) keep_reading();
+  EXPECT_EQ(bench.channel().counters().bursts_written, 0u);
+  bench.accept(true, 0, 5, 100 + column++);
+  for (int i = 0; i < 800; ++i) keep_reading();
+  EXPECT_EQ(bench.channel().counters().bursts_written, static_cast<uint64_t>(high + 1 - low));
+}
+
+TEST_P(Rules, AReadOfAWaitingWriteIsAnswered) {
+  Bench bench(t_);
+  bench.accept(true, 0, 5, 7);
+  bench.accept(true, 0, 5, 7);
+  bench.accept(false, 0, 5, 7, 1);
+  EXPECT_EQ(bench.arrival(1), 1);
+  bench.step_to(200);
+  EXPECT_EQ(bench.channel().counters().bursts_written, 1u);
+  EXPECT_EQ(bench.channel().counters().writes_merged, 1u);
+  EXPECT_EQ(bench.channel().counters().reads_forwarded, 1u);
+  EXPECT_EQ(bench.channel().counters().bursts_read, 0u);
+}
+
+TEST_P(Rules, ChangingTheRankCostsTCs) {
+  DramTiming two = t_;
+  two.ranks = 2;
+  two.t_cs = 5;
+  const uint32_t other = static_cast<uint32_t>(two.banks_per_channel() / 2);
+  Bench bench(two);
+  bench.open(0, 5);
+  bench.open(other, 5);
+  bench.accept(false, 0, 5, 1, 1);
+  bench.accept(false, other, 5, 1, 2);
+  EXPECT_EQ(bench.read_command(2) - bench.read_command(1), two.t_burst + two.t_cs);
+}
+
+// Times and ages are kept in 31 bits and start again long before they overflow.
+TEST_P(Rules, LongRunsChangeNothing) {
+  DramChannel channel(t_);
+  uint32_t tag;
+  DramCycle now = 0;
+  const auto run = [&](DramCycle to) {
+    for (now = channel.next(); now < to; now = channel.next()) {
+      while (channel.finished(now, tag)) {
+      }
+      channel.tick(now);
+    }
+    now = to;
+  };
+  const auto latency = [&] {
+    channel.accept(now, false, {0, 0, 5, 0}, 0);
+    const DramCycle start = now;
+    while (!channel.finished(now, tag)) channel.tick(++now);
+    return now - start;
+  };
+  run(t_.t_refi / 2);
+  const DramCycle early = latency();
+  run((DramCycle{1} << 30) / t_.t_refi * t_.t_refi + 40 * t_.t_refi + t_.t_refi / 2);
+  EXPECT_EQ(latency(), early);
+  const auto refreshes = static_cast<uint64_t>(now / t_.t_refi);
+  const DramCycle due = static_cast<DramCycle>(refreshes + 1) * t_.t_refi + t_.t_rp;  // the open row is closed first
+  run(due);
+  EXPECT_EQ(channel.counters().refreshes, refreshes);
+  run(due + 1);
+  EXPECT_EQ(channel.counters().refreshes, refreshes + 1);
+}
+
+TEST_P(Rules, NoBurstIsLost) {
+  for (const int seed : {1, 2, 3, 4}) {
+    DramTiming two = full_;
+    if (seed == 4) two.ranks = 2;
+    DramChannel channel(two);
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::vector<int> seen(20000);
+    uint32_t given = 0, tag;
+    uint64_t reads = 0;
+    for (DramCycle now = 0; given < seen.size() || !channel.idle(); ++now) {
+      ASSERT_LT(now, 4000000);
+      channel.tick(now);
+      while (channel.finished(now, tag)) ++seen[tag];
+      const bool write = random() % 3 == 0;
+      if (given == seen.size() || random() % 4 == 0 || !channel.accepts(write)) continue;
+      const uint32_t bank = random() % static_cast<uint32_t>(seed == 2 ? 2 : two.banks_per_channel());
+      channel.accept(now, write, {0, bank, static_cast<uint32_t>(random() % 3), static_cast<uint32_t>(random() % 8)}, given);
+      if (write) ++seen[given];
+      if (!write) ++reads;
+      ++given;
+    }
+    for (std::size_t i = 0; i < seen.size(); ++i) ASSERT_EQ(seen[i], 1) << "burst " << i << " seed " << seed;
+    const auto& c = channel.counters();
+    EXPECT_EQ(c.bursts_read + c.reads_forwarded, reads);
+    EXPECT_EQ(c.bursts_written + c.writes_merged, seen.size() - reads);
+    EXPECT_EQ(c.row_hits + c.row_misses + c.row_conflicts, c.bursts_read + c.bursts_written);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, Rules, testing::Values("lpddr5-6400x1", "ddr4-3200x1", "lpddr4-3200"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace pipegs
