@@ -8,6 +8,7 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/lib/exp2.hpp"
+#include "cpp_model/pu/pu_cull.hpp"
 
 namespace {
 
@@ -49,6 +50,16 @@ void print_exp2_table(const pipegs::Config& config) {
   }
 }
 
+// The table of rtl/pu/pu_cull.sv: weights of the reach by the leading bits of the opacity, entry 0 lowest.
+void print_cull_weights() {
+  std::printf("\n  // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See cpp_model/pu/pu_cull.hpp.\n"
+              "  localparam logic [%d*9-1:0] CullWeights = {",
+              pipegs::kCullWeights);
+  for (int i = pipegs::kCullWeights - 1; i >= 0; --i) {
+    std::printf("%s9'd%llu%s", i % 16 == 15 ? "\n    " : " ", static_cast<unsigned long long>(pipegs::cull_weight(i)), i > 0 ? "," : "\n  };\n");
+  }
+}
+
 void print_package(const pipegs::Config& config) {
   std::map<std::string_view, pipegs::ConfigEntry> entries;
   std::printf("// pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from\n"
@@ -66,6 +77,7 @@ void print_package(const pipegs::Config& config) {
               "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
               "  localparam logic [1:0] KindWindowEnd = 2'd2;\n");
   print_exp2_table(config);
+  print_cull_weights();
   for (const Record& record : records()) {
     int bits = 0;
     for (const Field& field : record.fields) bits += entries.at(field.width).value;

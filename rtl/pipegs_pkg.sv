@@ -132,6 +132,14 @@ package pipegs_pkg;
     32'h60c50a, 32'h5f444c, 32'h5e4390, 32'h5dc2d5, 32'h5c421d, 32'h5b4167, 32'h5ac0b2, 32'h594000
   };
 
+  // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See cpp_model/pu/pu_cull.hpp.
+  localparam logic [64*9-1:0] CullWeights = {
+    9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
+    9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
+    9'd45, 9'd64, 9'd79, 9'd91, 9'd101, 9'd111, 9'd120, 9'd128, 9'd136, 9'd143, 9'd150, 9'd157, 9'd164, 9'd170, 9'd176, 9'd181,
+    9'd187, 9'd192, 9'd198, 9'd203, 9'd208, 9'd213, 9'd218, 9'd222, 9'd227, 9'd231, 9'd236, 9'd240, 9'd244, 9'd248, 9'd252, 9'd256
+  };
+
   typedef struct packed {
     logic [AddressW-1:0] overflow;  // first line of the overflow areas
     logic [AddressW-1:0] pixels;  // first line of the frame

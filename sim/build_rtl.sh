@@ -11,7 +11,8 @@ mkdir -p "$out"
 out=$(cd "$out" && pwd)
 exec 9> "$out/lock"
 flock 9
-if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl_bridge.cpp" "$root/sim/rtl_model.hpp" "$root/sim/build_rtl.sh" \
+if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl_bridge.cpp" "$root/sim/rtl_model.hpp" \
+    "$root/sim/external_memory.hpp" "$root/sim/memory_timing.hpp" "$root/sim/build_rtl.sh" \
     "$root/sim/verilate.sh" "$root/cpp_model/config.def" "$root/cpp_model/records.def" "$build/cpp_model/package_sv" \
     -newer "$out/librtl.so" -type f)" ]; then
   exit 0
@@ -32,5 +33,6 @@ export ccache cxx flags
   echo "$root/sim/rtl_bridge.cpp $out/bridge.o -O2 -Wall -Wextra"; } |
   xargs -P "$(nproc)" -L 1 bash -c 'compile -c "$0" -o "$1" "${@:2}"'
 "$cxx" -shared -o "$out/librtl.so.new" "$out"/shard*.o "$out/bridge.o" "$build/sim/libpipegs_memory.a" \
+  "$build/sim/dram/libpipegs_dram.a" \
   "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" -lz -latomic -lpthread
 mv "$out/librtl.so.new" "$out/librtl.so"

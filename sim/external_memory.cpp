@@ -2,15 +2,10 @@
 #include "sim/external_memory.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace pipegs {
 
-ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options) : options_(options), rng_(options.seed) {
-  if (options.latency < 1 || options.bytes_per_cycle <= 0 || options.jitter < 0 || options.queue < 1) {
-    throw std::invalid_argument("external memory: latency, bandwidth and queue must be positive");
-  }
-}
+ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options) : timing_(memory_timing(options)) {}
 
 MemoryLine& ExternalMemory::line(uint64_t address) {
   const uint64_t page = address / kPageLines;
@@ -31,10 +26,7 @@ const MemoryLine& ExternalMemory::line(uint64_t address) const {
 }
 
 void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data) {
-  const double start = std::max(now_, pins_free_);
-  pins_free_ = start + 64.0 / options_.bytes_per_cycle;
-  starts_.push_back(start);
-  waiting_ = static_cast<int>(starts_.size());
+  timing_->request(write, address, tag);
   ++lines_;
   if (write) {
     std::copy(data, data + 16, line(address).begin());
@@ -42,24 +34,15 @@ void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32
     return;
   }
   ++traffic_[tag].lines_read;
-  double due = start + options_.latency;
-  if (options_.jitter > 0) due += static_cast<double>(rng_() % (static_cast<uint64_t>(options_.jitter) + 1));
-  due = std::max(due, last_due_[tag]);
-  last_due_[tag] = due;
-  pending_.push({due, order_++, {tag, line(address)}});
+  read_[tag].push_back(line(address));
 }
 
-const ExternalMemory::Answer* ExternalMemory::answer() const { return shown_ ? &*shown_ : nullptr; }
-
 void ExternalMemory::step() {
-  now_ += 1;
-  while (!starts_.empty() && starts_.front() <= now_) starts_.pop_front();
-  waiting_ = static_cast<int>(starts_.size());
+  const int tag = timing_->step();
   shown_.reset();
-  if (!pending_.empty() && pending_.top().due <= now_) {
-    shown_ = pending_.top().answer;
-    pending_.pop();
-  }
+  if (tag == MemoryTiming::kNoAnswer) return;
+  shown_ = Answer{tag, read_[tag].front()};
+  read_[tag].pop_front();
 }
 
 }  // namespace pipegs

@@ -16,14 +16,16 @@ int64_t to_view(const Config& c, int64_t row_times_offset, int shift, int64_t or
   return saturate(origin + shift_round(row_times_offset, shift), c.view_w);
 }
 
-// Largest scale in view units, never too small; `huge` when it needs ViewW bits or more.
-int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t view_exp, bool& huge) {
+// Largest scale in view units, weighted by the opacity, never too small; `huge` when it needs ViewW bits or more.
+int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_t view_exp, bool& huge) {
   const int e = static_cast<int>(scale >> c.scale_m_w);
   int64_t m = 0;
   if (e != 0) {
     m = (int64_t{1} << c.scale_m_w) + static_cast<int64_t>(scale & ((uint64_t{1} << c.scale_m_w) - 1));
     // The rotation of rounded quaternions stretches by up to 2^-(QuatW-4).
     m += int64_t{1} << std::max(0, c.scale_m_w + 5 - c.quat_w);
+    const int64_t weight = static_cast<int64_t>(cull_weight(static_cast<int>(opacity >> (c.opacity_f - 2))));
+    m = (m * weight + (int64_t{1} << kCullWeightF) - 1) >> kCullWeightF;
   }
   const int shift = e - 8 - c.scale_m_w - static_cast<int>(view_exp);
   const int64_t s = shift >= 0 ? m << shift : shift_floor(m, -shift);
@@ -62,7 +64,7 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   if (out.view_z <= near) return std::nullopt;
 
   bool huge = false;
-  const int64_t s = scale_in_view(c, std::max({in.scale_0, in.scale_1, in.scale_2}), in.view_exp, huge);
+  const int64_t s = scale_in_view(c, std::max({in.scale_0, in.scale_1, in.scale_2}), in.opacity, in.view_exp, huge);
   const auto size = [](int64_t v) { return static_cast<uint64_t>(v < 0 ? ~v : v); };
   const int cut = std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - kCutW);
   const int64_t cut_z = out.view_z >> cut, cut_s = (s >> cut) + 1;

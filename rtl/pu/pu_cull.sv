@@ -145,7 +145,12 @@ module pu_cull (
   localparam int unsigned HighW  = ViewW + OneW;       // a scale at the upper end of the range that is not huge
   localparam int unsigned StepW  = ExpW + 2;
   localparam logic signed [StepW-1:0] TopStep = StepW'(ViewW + Bias + ScaleMW);
+  localparam int unsigned WeightW = 9;                 // u1.8, from the leading bits of the opacity
+  localparam int unsigned WeightedW = OneW + WeightW;
   logic [ScaleW-1:0]        larger, scale1_q;
+  logic [WeightW-1:0]       weight1_q;
+  logic [OneW-1:0]          one1;
+  logic [WeightedW-1:0]     weighted1;
   logic [OneW-1:0]          one2_q;
   logic signed [StepW-1:0]  lower2_q;  // how far below the upper end; negative: beyond it
   logic [HighW-1:0]         size3;
@@ -154,6 +159,9 @@ module pu_cull (
   assign larger = fetched_i.scale_0 > fetched_i.scale_1 ? fetched_i.scale_0 : fetched_i.scale_1;
   assign some1  = scale1_q[ScaleW-1:ScaleMW] != '0;
   assign size3  = {one2_q, {ViewW{1'b0}}} >> $unsigned(lower2_q);
+  // The mantissa, its slack and the weight, rounded up.
+  assign one1      = {2'b01, scale1_q[ScaleMW-1:0]} + OneW'(64'd1 << SlackW);
+  assign weighted1 = WeightedW'(one1) * WeightedW'(weight1_q) + WeightedW'(255);
   ride_t ride1;
   assign ride1 = ride_q[1];
   logic beyond3;
@@ -161,7 +169,8 @@ module pu_cull (
   always_ff @(posedge clk_i) begin
     if (advance) begin
       scale1_q <= larger > fetched_i.scale_2 ? larger : fetched_i.scale_2;
-      one2_q   <= some1 ? {2'b01, scale1_q[ScaleMW-1:0]} + OneW'(64'd1 << SlackW) : '0;
+      weight1_q <= pipegs_pkg::CullWeights[WeightW*32'(fetched_i.opacity[pipegs_pkg::OpacityW-1 -: 6]) +: WeightW];
+      one2_q   <= some1 ? OneW'(weighted1 >> (WeightW - 1)) : '0;
       lower2_q <= TopStep + $signed(StepW'(ride1.view_exp)) - $signed(StepW'(scale1_q[ScaleW-1:ScaleMW]));
       huge3_q  <= beyond3;
       s3_q     <= beyond3 ? ViewW'((64'd1 << (ViewW - 1)) - 64'd1) : size3[ViewW-1:0] + ViewW'(1);

@@ -146,12 +146,15 @@ Dram::Statistics Dram::statistics() const {
   s.data_bus_busy = (s.bursts_read + s.bursts_written) * static_cast<uint64_t>(timing_.t_burst);
   const double all = static_cast<double>(step_) * ratio_ * timing_.channels;
   s.data_bus_share = all > 0 ? static_cast<double>(s.data_bus_busy) / all : 0;
+  s.latency_mean = latency_.mean();
+  s.latency_p50 = latency_.percentile(50), s.latency_p90 = latency_.percentile(90);
+  s.latency_p99 = latency_.percentile(99), s.latency_max = latency_.max();
   return s;
 }
 
 double Dram::achieved_gbps() const {
   const Statistics s = statistics();
-  const double bytes = static_cast<double>((s.bursts_read + s.bursts_written) * static_cast<uint64_t>(timing_.burst_bytes()));
+  const double bytes = static_cast<double>(s.bursts_read + s.bursts_written) * timing_.burst_bytes();
   return step_ == 0 ? 0 : bytes * 1e-9 / seconds();
 }
 

@@ -51,6 +51,8 @@ class Dram {
     uint64_t activates = 0, precharges = 0, refreshes = 0;
     uint64_t data_bus_busy = 0;  // cycles of the DRAM, summed over the channels
     double data_bus_share = 0;   // of all cycles of all channels
+    double latency_mean = 0;     // of reads, from request() to done(), in cycles of the machine
+    int64_t latency_p50 = 0, latency_p90 = 0, latency_p99 = 0, latency_max = 0;
   };
 
   explicit Dram(const DramTiming& timing, double machine_clock_ghz = 1.0);

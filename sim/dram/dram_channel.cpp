@@ -112,7 +112,8 @@ inline int32_t DramChannel::take_head(List& list) {
 inline void DramChannel::new_head(int bank, bool write, bool hit) {
   const Lists& lists = bank_[bank].waiting[write];
   const int32_t head = hit ? lists.hit.head : lists.miss.head;
-  (hit ? waiting_[write].hit_age : waiting_[write].miss_age)[bank] = head < 0 ? kDramNone : pool_[head].order << 7 | (hit ? 64 : 0) | bank;
+  DramLanes& ages = hit ? waiting_[write].hit_age : waiting_[write].miss_age;
+  ages[bank] = head < 0 ? kDramNone : pool_[head].order << 7 | (hit ? 64 : 0) | bank;
 }
 
 // A burst leaves its queue.
@@ -265,9 +266,8 @@ void DramChannel::act(DramCycle cycle) {
     refresh_due_ += timing_.t_refi;
     refreshes_owed_ += static_cast<uint64_t>(ranks_);
   }
-  // Another command mostly follows an activation or a precharge at once; after an access it is worth a look.
-  const bool again = now >= command_bus_at_ && issue(now);
-  next_ = base_ + std::max(again ? now + 1 : when_next(now), command_bus_at_);
+  if (now >= command_bus_at_) issue(now);
+  next_ = base_ + std::max(when_next(now), command_bus_at_);
 }
 
 // ---- commands
@@ -277,23 +277,22 @@ bool DramChannel::next_mode() const {
   return writes_ > drain_above_ || reads_ == 0;
 }
 
-// Returns whether another command may well follow in the next cycle.
-inline bool DramChannel::issue(Time now) {
+inline void DramChannel::issue(Time now) {
   if (half_open_ >= 0 && now >= half_open_until_) {
     open_row(now);
-    return true;
+    return;
   }
   if (synced_ && !synced_opened_) {
     column_hit(now, synced_bank_, synced_write_);
-    return false;
+    return;
   }
   const int opened = ready_opened(now);
   if (opened >= 0) {
     column_opened(now, opened);
-    return false;
+    return;
   }
   if (refreshes_owed_ > 0) {
-    if (refresh(now)) return true;
+    if (refresh(now)) return;
   } else {
     draining_ = next_mode();
     // Between the two commands of an activation no other may begin.
@@ -302,26 +301,23 @@ inline bool DramChannel::issue(Time now) {
       const int bank = oldest & 63;
       if ((oldest & 64) != 0) {
         column_hit(now, bank, draining_);
-        return false;
-      }
-      if (not_before_.no_activate[bank] == 0) {
+      } else if (not_before_.no_activate[bank] == 0) {
         activate(now, bank, draining_);
       } else {
         count(pool_[bank_[bank].waiting[draining_].miss.head], counters_.row_conflicts);
         precharge(now, bank);
       }
-      return true;
+      return;
     }
   }
-  if (half_open_ < 0) return false;
-  open_row(now);
-  return true;
+  if (half_open_ >= 0) open_row(now);
 }
 
 // The oldest burst for which a row was opened and whose column access is allowed, or -1.
 inline int DramChannel::ready_opened(Time now) const {
   for (int i = 0; i < opened_count_; ++i) {
-    if (not_before_.column[opened_[i].write][opened_[i].bank] <= now && (!synced_ || synced_bank_ == opened_[i].bank)) return i;
+    const Opened& burst = opened_[i];
+    if (not_before_.column[burst.write][burst.bank] <= now && (!synced_ || synced_bank_ == burst.bank)) return i;
   }
   return -1;
 }

@@ -114,7 +114,7 @@ class DramChannel {
 
   // commands
   void act(DramCycle now);
-  bool issue(Time now);
+  void issue(Time now);
   int ready_opened(Time now) const;
   Time when_next(Time now) const;
   void column_opened(Time now, int index);

@@ -48,7 +48,7 @@ DramTiming lpddr4_3200() {
   t.t_rcd = 29, t.t_rp = 29, t.t_rpab = 34, t.t_ras = 68, t.t_rc = 97;
   t.t_rrd_s = 16, t.t_rrd_l = 16, t.t_faw = 64;
   t.t_ccd_s = 8, t.t_ccd_l = 8;
-  t.t_rtp = 12, t.t_wr = 29, t.t_wtr_s = 16, t.t_wtr_l = 16, t.t_rtw = 26;
+  t.t_rtp = 12, t.t_wr = 29, t.t_wtr_s = 16, t.t_wtr_l = 16, t.t_rtw = 30;
   t.t_ppd = 4;
   t.t_refi = 6246, t.t_rfc = 288;
   t.ca_act = 4, t.ca_pre = 2, t.ca_column = 4;

@@ -16,7 +16,7 @@ namespace pipegs {
 
 enum class DramMapping {
   kRoBaRaCoCh,  // from the top: row, bank, bank group, rank, column, channel
-  kMop4ClXor,   // four bursts, then the next bank; bank, group and row are XORed with the column ("minimalist open page")
+  kMop4ClXor,   // four bursts, then the next bank; rank, group, bank and row are XORed with the column
 };
 
 struct DramTiming {
@@ -24,8 +24,8 @@ struct DramTiming {
 
   // organisation
   int channels = 1, ranks = 1, bank_groups = 4, banks = 4;  // banks in each group
-  int rows = 32768, columns = 1024;                        // columns of channel_width bits
-  int channel_width = 16, burst_length = 16;               // bits, beats
+  int rows = 32768, columns = 1024;                         // columns of channel_width bits
+  int channel_width = 16, burst_length = 16;                // bits, beats
   DramMapping mapping = DramMapping::kRoBaRaCoCh;
   int interleave_bytes = 0;  // consecutive bytes in one channel; 0: one burst
 
@@ -41,14 +41,14 @@ struct DramTiming {
   int t_cs = 2;    // gap on the pins between ranks
   int t_ppd = 2;   // precharge to precharge
   int t_refi = 3125, t_rfc = 168;
-  int t_aad = 0;                  // > 0: activation in two commands, the second at most t_aad after the first
-  int t_wckpst = -1;              // >= 0: WCK runs t_wckpst past the last burst, after that a CAS command precedes
+  int t_aad = 0;                              // > 0: two commands activate, the second at most t_aad after the first
+  int t_wckpst = -1;                          // >= 0: WCK stops t_wckpst after a burst, then a CAS command precedes
   int ca_act = 1, ca_pre = 1, ca_column = 1;  // cycles of the command bus
 
   // controller
-  int read_queue = 32, write_queue = 32;            // bursts, for each channel
-  double write_high = 0.8, write_low = 0.2;         // of write_queue: start and end of draining writes
-  int front_queue = 16;                             // lines that wait in order before the channels
+  int read_queue = 32, write_queue = 32;     // bursts, for each channel
+  double write_high = 0.8, write_low = 0.2;  // of write_queue: start and end of draining writes
+  int front_queue = 16;                      // lines that wait in order before the channels
 
   int burst_bytes() const { return channel_width / 8 * burst_length; }
   int banks_per_channel() const { return ranks * bank_groups * banks; }

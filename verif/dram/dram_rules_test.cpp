@@ -229,11 +229,11 @@ TEST_P(Rules, RefreshesComeEveryTRefi) {
   EXPECT_EQ(bench.channel().counters().refreshes, 20u);
 }
 
-TEST_P(Rules, StoppedWckCostsOneCycle) {
-  if (full_.t_wckpst < 0) GTEST_SKIP() << "no WCK";
-  Bench bench(full_);
-  const int runs_on = full_.rl + full_.t_burst + full_.t_wckpst;
-  const DramCycle first = 1 + full_.t_rcd + 1;  // after the CAS command
+TEST(Wck, CostsOneCycleAfterItHasStopped) {
+  const DramTiming t = *dram_preset("lpddr5-6400x1");
+  Bench bench(t);
+  const int runs_on = t.rl + t.t_burst + t.t_wckpst;
+  const DramCycle first = 1 + t.t_rcd + 1;  // after the CAS command
   bench.accept(false, 0, 5, 0, 0);
   bench.step_to(first + runs_on - 2);
   bench.accept(false, 0, 5, 1, 1);  // the last cycle in which WCK runs
@@ -288,7 +288,8 @@ TEST_P(Rules, OtherwiseTheOldestGoesFirst) {
 TEST_P(Rules, WritesWaitForTheHighWatermark) {
   Bench bench(t_);
   bench.open(0, 5);
-  const int high = static_cast<int>(t_.write_high * t_.write_queue), low = static_cast<int>(t_.write_low * t_.write_queue);
+  const int high = static_cast<int>(t_.write_high * t_.write_queue);
+  const int low = static_cast<int>(t_.write_low * t_.write_queue);
   uint32_t tag = 0, column = 0;
   const auto keep_reading = [&] {
     for (; bench.channel().accepts(false); ++tag) bench.accept(false, 0, 5, tag % 60, tag);
@@ -376,7 +377,8 @@ TEST_P(Rules, NoBurstIsLost) {
       const bool write = random() % 3 == 0;
       if (given == seen.size() || random() % 4 == 0 || !channel.accepts(write)) continue;
       const uint32_t bank = random() % static_cast<uint32_t>(seed == 2 ? 2 : two.banks_per_channel());
-      channel.accept(now, write, {0, bank, static_cast<uint32_t>(random() % 3), static_cast<uint32_t>(random() % 8)}, given);
+      const auto row = static_cast<uint32_t>(random() % 3), column = static_cast<uint32_t>(random() % 8);
+      channel.accept(now, write, {0, bank, row, column}, given);
       if (write) ++seen[given];
       if (!write) ++reads;
       ++given;

@@ -97,7 +97,10 @@ TEST(PuCull, TwinDropsNothingThatReachesAPixelOfTheWindow) {
     const Frame frame = random.frame();
     for (int k = 0; k < 10; ++k) {
       Fetched in = make(random, frame);
-      in.opacity = 0;  // alpha 1 at the mean
+      // A pixel where the exponent is above -power_max can be seen: power_max = ln(255 opacity).
+      if (random.chance(3)) in.opacity = 0;
+      const double power_max = std::log(255.0) - std::log(2.0) * std::ldexp(static_cast<double>(in.opacity), -config.opacity_f);
+      if (power_max < 0) continue;
       Fetched near = in;  // the same, made visible by a window that is all of the plane: a huge scale
       near.scale_0 = (uint64_t{1} << config.scale_w()) - 1;
       const std::optional<Visible> seen = pu_cull(config, frame, near);
@@ -116,7 +119,7 @@ TEST(PuCull, TwinDropsNothingThatReachesAPixelOfTheWindow) {
       };
       const double far = std::max(side(v.view_x, frame.focal_x, frame.center_x, in.window_x, e.a),
                                   side(v.view_y, frame.focal_y, frame.center_y, in.window_y, e.c));
-      const bool reaches = far <= 2 * std::log(255.0);
+      const bool reaches = far <= 2 * power_max;
       const bool keeps = pu_cull(config, frame, in).has_value();
       if (reaches) { ASSERT_TRUE(keeps) << to_text(config, in) << "\n" << to_text(config, frame); }
       dropped += !keeps;
