@@ -6,7 +6,7 @@
 //         While the RUs blend layer i, the SUs sort behind them and the PUs already work on layer i + 1, across windows too.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
 // Stream  start_i with frame_i; the scene and the frame lie in external memory; busy_o falls when the last pixel is written.
-//         tap_*: what moves on the streams, for the harness. perf_o: cycles busy, starved, blocked, memory of each unit,
+//         tap_*: what moves on the streams and what each unit does, for the harness. perf_o: cycles busy, starved, blocked, memory of each unit,
 //         in the order DOPU, PUs, SUs, RUs.
 // Model   cpp_model/golden.hpp
 
@@ -50,7 +50,12 @@ module pipegs_top #(
   output logic [Units-1:0]                     tap_pixels_valid_o,
   output logic [Units*pipegs_pkg::RegionW-1:0] tap_pixels_region_o,
   output logic [Units*2-1:0]                   tap_pixels_quarter_o,
-  output logic [Units*PixelWordW-1:0]          tap_pixels_o
+  output logic [Units*PixelWordW-1:0]          tap_pixels_o,
+  output logic [Units-1:0]                     tap_chunk_valid_o,  // DOPU -> PU
+  output logic [pipegs_pkg::KindW-1:0]         tap_chunk_kind_o,
+  output logic [PerfUnits*2-1:0]               tap_state_o,        // of each unit in the order of perf_o, see perf
+  output logic [Units-1:0]                     tap_layer_done_o,   // pulse: the RU has blended a layer
+  output logic [Units-1:0]                     tap_window_done_o   // pulse: with it, the window is complete
 );
 
   localparam int unsigned Ports         = pipegs_pkg::MemoryPorts;
@@ -243,5 +248,10 @@ module pipegs_top #(
   assign tap_sorted_o       = sorted;
   assign tap_window_x_o     = done_x;
   assign tap_window_y_o     = done_y;
+  assign tap_chunk_valid_o  = chunk_valid & chunk_ready;
+  assign tap_chunk_kind_o   = chunk.kind;
+  assign tap_state_o        = perf_state;
+  assign tap_layer_done_o   = layer_done;
+  assign tap_window_done_o  = window_done;
 
 endmodule

@@ -14,23 +14,50 @@
 
 namespace pipegs {
 
-void ViewArguments::add(CLI::App& app) {
+void ViewArguments::add(CLI::App& app, bool one_rung) {
   app.add_option("SCENE", scene, "scene as .ply (INRIA layout); without it our own scene");
   app.add_option("--cameras", cameras, "cameras.json (INRIA layout); needed with SCENE");
   app.add_option("--view", view, "which camera of the file, counted from 0")->capture_default_str();
   app.add_option("--window", window, "only this window: column,row")->delimiter(',')->expected(2);
+  if (one_rung) app.add_option("--rung", rung, "rung of the ladder: baseline, dpc, tspp, dop, late or exact (--set comes after it)");
   app.add_option("--set", settings, "configuration entry, key=value; may be repeated")->allow_extra_args(false);
   app.add_option("--near", near_plane, "near plane, scene units")->capture_default_str();
 }
 
+SimulateOptions ViewArguments::options(const Rung& on) const {
+  for (const std::string& setting : settings) {
+    const std::string key = setting.substr(0, setting.find('='));
+    if (key == "late" || key == "order" || key == "quadratic") throw ConfigError(fmt::format("--set {}: the rungs set {}", setting, key));
+  }
+  ViewArguments same = *this;
+  same.rung = on.name;
+  return same.options();
+}
+
 SimulateOptions ViewArguments::options() const {
   SimulateOptions options;
+  if (!rung.empty()) apply_rung(find_rung(rung), options.config);
   for (const std::string& setting : settings) config_set(options.config, setting);
   config_check(options.config);
   if (!window.empty()) options.window = {window.at(0), window.at(1)};
   if (!(near_plane > 0)) throw ConfigError(fmt::format("--near: found {}, expected a positive number", near_plane));
   options.near_plane = near_plane;
   return options;
+}
+
+void MemoryArguments::add(CLI::App& app, bool with_bandwidth) {
+  app.add_option("--latency", external.latency, "external memory: cycles to an answer")->capture_default_str()->check(CLI::Range(1, 100000));
+  if (with_bandwidth) {
+    app.add_option("--bandwidth", external.bytes_per_cycle, "external memory: bytes per cycle")->capture_default_str()->check(CLI::Range(0.1, 64.0));
+  }
+  app.add_option("--jitter", external.jitter, "external memory: largest random extra latency, cycles")->default_val(20)->check(CLI::Range(0, 100000));
+  app.add_option("--seed", seed, "seed of the jitter and of the registers' initial values")->capture_default_str();
+}
+
+void MemoryArguments::apply(SimulateOptions& options) const {
+  options.memory = external;
+  options.memory.seed = seed;
+  options.rtl.seed = seed;
 }
 
 LoadedView load_view(const ViewArguments& arguments) {
@@ -64,6 +91,13 @@ void write_text(const std::string& path, const std::string& text) {
   out.close();
   if (!out) throw InputError(path, "", "cannot be written");
   file.commit();
+}
+
+void write_charts(const std::string& path, const std::vector<Chart>& charts) {
+  if (path.empty()) return;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder);
+  write_text(path, charts_svg(charts));
 }
 
 }  // namespace pipegs

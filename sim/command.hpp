@@ -11,6 +11,8 @@
 
 #include "scenes/camera.hpp"
 #include "scenes/scene.hpp"
+#include "sim/chart.hpp"
+#include "sim/rung.hpp"
 #include "sim/simulate.hpp"
 
 namespace pipegs {
@@ -22,14 +24,26 @@ using Run = std::function<int()>;
 
 // What every subcommand that renders a view takes.
 struct ViewArguments {
-  std::string scene, cameras;
+  std::string scene, cameras, rung;
   int view = 0;
   std::vector<int> window;
   std::vector<std::string> settings;
   double near_plane = 0.2;
 
-  void add(CLI::App& app);
-  SimulateOptions options() const;  // throws ConfigError
+  void add(CLI::App& app, bool one_rung = true);  // with --rung unless the command walks over several
+  // The configuration is the rung, then the settings. Throws ConfigError.
+  SimulateOptions options() const;
+  // The same on another rung; the settings must leave alone what makes a rung.
+  SimulateOptions options(const Rung& rung) const;
+};
+
+// External memory and seed, for the subcommands that run the RTL.
+struct MemoryArguments {
+  ExternalMemoryOptions external;
+  uint64_t seed = 1;
+
+  void add(CLI::App& app, bool with_bandwidth = true);
+  void apply(SimulateOptions& options) const;
 };
 
 // The scene and camera that the arguments name; our own without a scene. Throws InputError.
@@ -42,10 +56,15 @@ LoadedView load_view(const ViewArguments& arguments);
 // Writes frame.exr and frame.png; nothing is left half-written.
 void write_images(const std::string& folder, const Image& image);
 void write_text(const std::string& path, const std::string& text);
+void write_charts(const std::string& path, const std::vector<Chart>& charts);  // nothing without a path
 
 void add_info(CLI::App& app, Run& run);
 void add_sim(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);
+void add_ladder(CLI::App& app, Run& run);
+void add_profile(CLI::App& app, Run& run);
+void add_timeline(CLI::App& app, Run& run);
+void add_sweep(CLI::App& app, Run& run);
 
 }  // namespace pipegs

@@ -9,8 +9,7 @@ namespace {
 
 struct Arguments {
   ViewArguments view;
-  ExternalMemoryOptions memory;
-  uint64_t seed = 1;
+  MemoryArguments memory;
   std::string out = "out", waves;
   bool json = false, no_truth = false, no_rtl = false;
 };
@@ -21,17 +20,16 @@ std::string replay(const Arguments& arguments, const Mismatch& mismatch) {
   if (!arguments.view.scene.empty()) command += fmt::format(" '{}'", arguments.view.scene);
   if (!arguments.view.cameras.empty()) command += fmt::format(" --cameras '{}'", arguments.view.cameras);
   command += fmt::format(" --view {} --window {},{} --seed {} --latency {} --bandwidth {} --jitter {} --no-truth --waves window.fst",
-                         arguments.view.view, mismatch.window_x, mismatch.window_y, arguments.seed, arguments.memory.latency,
-                         arguments.memory.bytes_per_cycle, arguments.memory.jitter);
+                         arguments.view.view, mismatch.window_x, mismatch.window_y, arguments.memory.seed, arguments.memory.external.latency,
+                         arguments.memory.external.bytes_per_cycle, arguments.memory.external.jitter);
+  if (!arguments.view.rung.empty()) command += " --rung " + arguments.view.rung;
   for (const std::string& setting : arguments.view.settings) command += " --set " + setting;
   return command;
 }
 
 int simulate(const Arguments& arguments) {
   SimulateOptions options = arguments.view.options();
-  options.memory = arguments.memory;
-  options.memory.seed = arguments.seed;
-  options.rtl.seed = arguments.seed;
+  arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
   const LoadedView loaded = load_view(arguments.view);
 
@@ -62,11 +60,8 @@ void add_sim(CLI::App& app, Run& run) {
                   "Exit code 0 only when every bit agrees, 1 on a mismatch, 2 on bad input.");
   static Arguments arguments;
   arguments.view.add(*command);
+  arguments.memory.add(*command);
   command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json")->capture_default_str();
-  command->add_option("--latency", arguments.memory.latency, "external memory: cycles to an answer")->capture_default_str()->check(CLI::Range(1, 100000));
-  command->add_option("--bandwidth", arguments.memory.bytes_per_cycle, "external memory: bytes per cycle")->capture_default_str()->check(CLI::Range(0.1, 64.0));
-  command->add_option("--jitter", arguments.memory.jitter, "external memory: largest random extra latency, cycles")->default_val(20)->check(CLI::Range(0, 100000));
-  command->add_option("--seed", arguments.seed, "seed of the jitter and of the registers' initial values")->capture_default_str();
   command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only");

@@ -14,6 +14,10 @@ int main(int argc, char** argv) {
   add_sim(app, run);
   add_render(app, run);
   add_explain(app, run);
+  add_ladder(app, run);
+  add_profile(app, run);
+  add_timeline(app, run);
+  add_sweep(app, run);
   add_info(app, run);
   try {
     app.parse(argc, argv);

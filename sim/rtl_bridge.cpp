@@ -33,12 +33,15 @@ class VerilatedMachine final : public RtlModel {
 
  private:
   void tap(RtlTaps& taps);
+  void tap_cycle(RtlTaps& taps);
   std::string position() const { return "cycle " + std::to_string(cycle_); }
 
   const Widths w_;
   std::unique_ptr<VerilatedContext> context_;
   std::unique_ptr<Vpipegs_top> dut_;
   uint64_t cycle_ = 0, windows_ = 0;
+  bool running_ = false;   // the machine was busy in the cycle before; its first cycle restarts the counters
+  uint64_t counted_ = 0;   // cycles that they have counted
 };
 
 // `width` bits at `at` of a wide port, as words.
@@ -97,6 +100,21 @@ void VerilatedMachine::tap(RtlTaps& taps) {
   }
 }
 
+// What each unit does in this cycle, and the pulses that no stream shows.
+void VerilatedMachine::tap_cycle(RtlTaps& taps) {
+  const Vpipegs_top& top = *dut_;
+  if (running_ && top.busy_o) {
+    uint8_t states[1 + 3 * 4];
+    for (int unit = 0; unit < 1 + 3 * w_.units; ++unit) states[unit] = static_cast<uint8_t>(top.tap_state_o >> (2 * unit) & 3);
+    taps.on_cycle(counted_++, states);
+  }
+  running_ = top.busy_o;
+  for (int unit = 0; unit < w_.units; ++unit) {
+    if (top.tap_chunk_valid_o >> unit & 1) taps.on_chunk(unit, static_cast<int>(top.tap_chunk_kind_o));
+    if (top.tap_layer_done_o >> unit & 1) taps.on_layer_done(unit, top.tap_window_done_o >> unit & 1);
+  }
+}
+
 RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
                                 const std::function<bool(uint64_t, uint64_t)>& progress) {
   context_ = std::make_unique<VerilatedContext>();
@@ -111,7 +129,9 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
     top.trace(waves.get(), 99);
     waves->open(options.waves.c_str());
   }
-  cycle_ = windows_ = 0;
+  cycle_ = windows_ = counted_ = 0;
+  running_ = false;
+  const bool cycles = taps != nullptr && taps->wants_cycles();
   uint64_t last_request = 0;
   constexpr uint64_t kResetCycles = 4;
 
@@ -141,12 +161,14 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
     top.eval();
     if (waves) waves->dump(cycle_ * 10);
     if (cycle_ >= kResetCycles) {
+      if (cycles) tap_cycle(*taps);
       if (top.mem_valid_o && top.mem_ready_i) {
         uint32_t request[2];
         slice(top.mem_request_o, 0, w_.request, request);
         const bool write = request[0] & 1;
-        memory.request(write, get_bits(request, 1, w_.address),
-                       static_cast<int>(get_bits(request, 1 + w_.address, w_.tag)), top.mem_data_o.data());
+        const int tag = static_cast<int>(get_bits(request, 1 + w_.address, w_.tag));
+        memory.request(write, get_bits(request, 1, w_.address), tag, top.mem_data_o.data());
+        if (cycles) taps->on_request(tag, write);
         last_request = cycle_;
       }
       if (taps != nullptr) tap(*taps);

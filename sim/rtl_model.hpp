@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ class RtlTaps {
   // A line of alphas that RU `unit` starts to blend, and the window in which it does.
   virtual void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region, const uint32_t* line) = 0;
   virtual void on_pixels(int unit, int region, int quarter, const uint32_t* word) = 0;     // T and RGB that it writes back
+
+  // What follows is shown only when `wants_cycles` says so, because it costs time in every cycle.
+  virtual bool wants_cycles() const { return false; }
+  // First in each cycle that the performance counters count, from 0 on: what each unit does (0 busy, 1 starved, 2 blocked,
+  // 3 memory), in the order DOPU, PUs, SUs, RUs. What else the cycle shows comes after it.
+  virtual void on_cycle(uint64_t /*cycle*/, const uint8_t* /*states*/) {}
+  virtual void on_chunk(int /*unit*/, int /*kind*/) {}                 // DOPU -> PU: a chunk or an end beat
+  virtual void on_layer_done(int /*unit*/, bool /*window_done*/) {}   // RU `unit` has blended a layer
+  virtual void on_request(int /*tag*/, bool /*write*/) {}             // a line to or from external memory, see MemoryRequest
 };
 
 struct RtlOptions {
@@ -52,6 +62,14 @@ class RtlModel {
   virtual RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
                         const std::function<bool(uint64_t cycle, uint64_t windows_done)>& progress) = 0;
 };
+
+// The RTL of a configuration does not build.
+struct RtlBuildError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws ConfigError, one line, when the configuration's rung (late, order, quadratic) is not in this RTL.
+void check_rtl(const Config& config);
 
 // Loads the machine for a configuration, building it first when this has not been done (see sim/build_rtl.sh).
 std::unique_ptr<RtlModel> load_rtl(const Config& config);

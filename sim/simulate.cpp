@@ -23,27 +23,70 @@ struct Rectangle {
 Rectangle asked(int width, int height, const SimulateOptions& options) {
   if (!options.window) return {0, 0, width, height};
   const int side = options.config.window, x = (*options.window)[0] * side, y = (*options.window)[1] * side;
-  return {x, y, std::min(x + side, width), std::min(y + side, height)};
+  return {x, y, std::min(x + options.windows * side, width), std::min(y + side, height)};
 }
 
-// The streams of the memory ports, in the order of rtl/buf/memory_arbiter.sv.
+// Ports of the lists of windows, which stand behind the others that write.
+int list_ports(const Config& config) { return config.memory_ports() - 5 * config.units - 1; }
+
 std::vector<MemoryTraffic> by_stream(const Config& config, const ExternalMemory& memory) {
-  static const char* const kNames[] = {"alpha_overflow_write", "sort_overflow", "raster", "geometry", "color"};
   std::vector<MemoryTraffic> result;
-  const auto add = [&](const std::string& name, int first, int count) {
-    MemoryTraffic traffic{.stream = name};
-    for (int port = first; port < first + count; ++port) {
-      traffic.bytes_read += 64 * memory.traffic()[port].lines_read;
-      traffic.bytes_written += 64 * memory.traffic()[port].lines_written;
-    }
-    result.push_back(traffic);
-  };
-  for (int i = 0; i < 5; ++i) add(kNames[i], i * config.units, config.units);
-  add("nodes", 5 * config.units, 1);
+  for (const std::string& name : memory_streams(config)) result.push_back({.stream = name});
+  for (int port = 0; port < config.memory_ports(); ++port) {
+    MemoryTraffic& traffic = result[memory_stream(config, port)];
+    traffic.bytes_read += 64 * memory.traffic()[port].lines_read;
+    traffic.bytes_written += 64 * memory.traffic()[port].lines_written;
+  }
   return result;
 }
 
+// Shows the machine to two watchers.
+class TapFan final : public RtlTaps {
+ public:
+  TapFan(RtlTaps& first, RtlTaps* second) : first_(first), second_(second) {}
+
+  void on_splat(int unit, const uint32_t* splat) override {
+    first_.on_splat(unit, splat);
+    if (second_ != nullptr) second_->on_splat(unit, splat);
+  }
+  void on_sorted(const uint32_t* sorted) override {
+    first_.on_sorted(sorted);
+    if (second_ != nullptr) second_->on_sorted(sorted);
+  }
+  void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region, const uint32_t* line) override {
+    first_.on_alphas(unit, window_x, window_y, index, region, line);
+    if (second_ != nullptr) second_->on_alphas(unit, window_x, window_y, index, region, line);
+  }
+  void on_pixels(int unit, int region, int quarter, const uint32_t* word) override {
+    first_.on_pixels(unit, region, quarter, word);
+    if (second_ != nullptr) second_->on_pixels(unit, region, quarter, word);
+  }
+  // Only the second one looks at cycles.
+  bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }
+  void on_cycle(uint64_t cycle, const uint8_t* states) override { second_->on_cycle(cycle, states); }
+  void on_chunk(int unit, int kind) override { second_->on_chunk(unit, kind); }
+  void on_layer_done(int unit, bool window_done) override { second_->on_layer_done(unit, window_done); }
+  void on_request(int tag, bool write) override { second_->on_request(tag, write); }
+
+ private:
+  RtlTaps& first_;
+  RtlTaps* second_;
+};
+
 }  // namespace
+
+std::vector<std::string> memory_streams(const Config& config) {
+  std::vector<std::string> names = {"alpha_overflow_write", "sort_overflow", "raster", "geometry", "color", "nodes"};
+  if (list_ports(config) > 0) names.insert(names.begin() + 3, "lists");
+  return names;
+}
+
+size_t memory_stream(const Config& config, int port) {
+  const int writers = 3 * config.units, lists = list_ports(config);
+  if (port < writers) return static_cast<size_t>(port / config.units);
+  if (port < writers + lists) return 3;
+  return static_cast<size_t>((port - lists) / config.units + (lists > 0));
+}
 
 Image crop_window(const Image& image, const SimulateOptions& options) {
   const Rectangle r = asked(image.width, image.height, options);
@@ -72,7 +115,8 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
     if (x < 0 || y < 0 || x > static_cast<int>(frame.last_x) || y > static_cast<int>(frame.last_y)) {
       throw std::invalid_argument(fmt::format("--window {},{}: expected 0,0 to {},{}", x, y, frame.last_x, frame.last_y));
     }
-    frame.first_x = frame.last_x = static_cast<uint64_t>(x);
+    frame.first_x = static_cast<uint64_t>(x);
+    frame.last_x = std::min(frame.last_x, static_cast<uint64_t>(x + options.windows - 1));
     frame.first_y = frame.last_y = static_cast<uint64_t>(y);
   }
   Progress progress("golden");
@@ -84,7 +128,8 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
   result.wall_golden = watch.seconds();
 }
 
-void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,
+                    const Simulation* known) {
   const Stopwatch watch;
   const Rectangle r = asked(camera.width, camera.height, options);
   const auto render = [&](const char* name, Semantics semantics, const std::vector<uint32_t>* rank) {
@@ -102,9 +147,10 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
     };
     return render_truth(scene, camera, truth);
   };
-  result.truth_order = render("truth", Semantics::kExact, &result.golden.rank);
-  result.truth_exact = render("truth", Semantics::kExact, nullptr);
-  result.truth_inria = render("truth", Semantics::kInria, nullptr);
+  const bool same_order = known != nullptr && known->golden.rank == result.golden.rank;
+  result.truth_order = same_order ? known->truth_order : render("truth", Semantics::kExact, &result.golden.rank);
+  result.truth_exact = known != nullptr ? known->truth_exact : render("truth", Semantics::kExact, nullptr);
+  result.truth_inria = known != nullptr ? known->truth_inria : render("truth", Semantics::kInria, nullptr);
   result.wall_truth = watch.seconds();
 
   const Image golden = crop_window(result.golden.image, options);  // the truths are clipped already
@@ -124,12 +170,13 @@ void simulate_rtl(const SimulateOptions& options, Simulation& result) {
 
   StreamCheck check(result.input);
   if (options.watch) check.watch((*options.watch)[0], (*options.watch)[1]);
+  TapFan taps(check, options.taps);
   std::vector<uint32_t> words(record_words<Frame>(config) + 1);
   pack(config, frame, words.data());
   const double windows = static_cast<double>((frame.last_x - frame.first_x + 1) * (frame.last_y - frame.first_y + 1));
   Progress progress("rtl");
   const Stopwatch watch;
-  result.rtl = model->run(words.data(), memory, options.rtl, &check, [&](uint64_t cycle, uint64_t windows_done) {
+  result.rtl = model->run(words.data(), memory, options.rtl, &taps, [&](uint64_t cycle, uint64_t windows_done) {
     progress.update(static_cast<double>(windows_done) / windows, fmt::format("{:.0f} kHz", static_cast<double>(cycle) / watch.seconds() / 1000));
     return !interrupted();
   });

@@ -18,8 +18,10 @@ struct SimulateOptions {
   ExternalMemoryOptions memory;
   RtlOptions rtl;
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
+  int windows = 1;                           // with `window`: so many side by side, up to the end of the row
   double near_plane = 0.2;                   // scene units
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
+  RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison
 };
 
 struct MemoryTraffic {
@@ -47,12 +49,19 @@ struct Simulation {
 
 // Packs the scene, sets up the frame and runs the golden model.
 void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
-// Renders the three truths and the figures that compare golden with them; needs simulate_golden.
-void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
+// Renders the three truths and the figures that compare golden with them; needs simulate_golden. Truths that `known`, a
+// simulation of the same view, holds already are copied: the same ranks give the same picture.
+void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,
+                    const Simulation* known = nullptr);
 // Runs the RTL and compares every stream and every pixel; needs simulate_golden.
 void simulate_rtl(const SimulateOptions& options, Simulation& result);
 
-// The part of an image that was asked for: all of it, or one window.
+// The streams of external memory, in the order of the ports of rtl/buf/memory_arbiter.sv, and that of one port (a
+// request's tag).
+std::vector<std::string> memory_streams(const Config& config);
+size_t memory_stream(const Config& config, int port);
+
+// The part of an image that was asked for: all of it, or some windows.
 Image crop_window(const Image& image, const SimulateOptions& options);
 
 }  // namespace pipegs

@@ -1,0 +1,158 @@
+// command_sweep.cpp: `pipegs sweep`: cycles of a frame by rung and memory bandwidth.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "sim/command.hpp"
+#include "sim/cycle_engine.hpp"
+#include "sim/progress.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr double kPort = 64;     // bytes: the machine's port takes one line per cycle
+constexpr double kFlat = 1.05;   // within 5 % of the highest bandwidth
+
+struct Arguments {
+  ViewArguments view;
+  MemoryArguments memory;
+  std::vector<std::string> rungs;
+  std::vector<double> bandwidths = {12.8, 25.6, 51.2, 102.4};
+  std::string svg;
+  bool json = false;
+};
+
+struct SweepRow {
+  const Rung* rung = nullptr;
+  std::vector<EngineResult> results;  // by bandwidth
+  std::string failure;
+
+  // The lowest bandwidth from which on more of it saves less than 5 %.
+  double knee(const std::vector<double>& bandwidths) const {
+    size_t first = bandwidths.size() - 1;
+    while (first > 0 && static_cast<double>(results[first - 1].cycles) <= kFlat * static_cast<double>(results.back().cycles)) --first;
+    return bandwidths[first];
+  }
+};
+
+nlohmann::ordered_json to_json(const std::vector<SweepRow>& rows, const std::vector<double>& bandwidths) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const SweepRow& row : rows) {
+    nlohmann::ordered_json json = {{"name", row.rung->name}};
+    if (!row.failure.empty()) {
+      json["failure"] = row.failure;
+      list.push_back(json);
+      continue;
+    }
+    for (const EngineResult& result : row.results) {
+      json["cycles"].push_back(result.cycles);
+      json["bytes"].push_back(result.bytes);
+      json["mismatches"].push_back(result.mismatches);
+    }
+    json["memory_bound_below_bytes_per_cycle"] = row.knee(bandwidths);
+    list.push_back(json);
+  }
+  return list;
+}
+
+std::string to_text(const std::vector<SweepRow>& rows, const std::vector<double>& bandwidths) {
+  std::string text = "  cycles at B/cycle";
+  for (const double bandwidth : bandwidths) text += fmt::format("{:>12g}", bandwidth);
+  text += "   not memory-bound from      MB\n";
+  for (const SweepRow& row : rows) {
+    if (!row.failure.empty()) {
+      text += fmt::format("  {}: not run: {}\n", row.rung->name, row.failure);
+      continue;
+    }
+    text += fmt::format("  {:<17}", row.rung->name);
+    for (const EngineResult& result : row.results) text += fmt::format("{:>12}", result.cycles);
+    const double knee = row.knee(bandwidths);
+    text += fmt::format("   {:>14g} B/cycle  {:>7.1f}{}\n", knee, static_cast<double>(row.results.back().bytes) / 1e6,
+                        knee == bandwidths.back() && knee < kPort ? "  (the highest: maybe more)" : "");
+  }
+  if (bandwidths.back() > kPort) text += fmt::format("  the machine's port takes one line per cycle: beyond {:g} B/cycle the memory waits for it\n", kPort);
+  return text;
+}
+
+Chart chart(const std::vector<SweepRow>& rows, const std::vector<double>& bandwidths) {
+  Chart chart{.form = Chart::Form::kLines, .title = "Cycles of a frame by memory bandwidth", .x_label = "bytes per cycle (GB/s at 1 GHz)",
+              .y_label = "cycles", .x = bandwidths, .log_x = true, .log_y = true};
+  for (const SweepRow& row : rows) {
+    if (!row.failure.empty()) continue;
+    Series series{.name = std::string(row.rung->name)};
+    for (const EngineResult& result : row.results) series.values.push_back(static_cast<double>(result.cycles));
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
+int sweep(Arguments arguments) {
+  std::vector<double>& bandwidths = arguments.bandwidths;
+  for (const double bandwidth : bandwidths) {
+    if (!(bandwidth >= 0.1 && bandwidth <= 1024)) throw ConfigError(fmt::format("--bandwidth: found {}, expected 0.1 to 1024", bandwidth));
+  }
+  std::sort(bandwidths.begin(), bandwidths.end());
+  bandwidths.erase(std::unique(bandwidths.begin(), bandwidths.end()), bandwidths.end());
+  std::vector<SweepRow> rows;
+  std::vector<SimulateOptions> options;
+  for (const Rung* rung : find_rungs(arguments.rungs)) {
+    rows.push_back({.rung = rung});
+    options.push_back(arguments.view.options(*rung));
+    arguments.memory.apply(options.back());
+  }
+  const LoadedView loaded = load_view(arguments.view);
+  const CycleEngine engine = rtl_engine(loaded.scene, loaded.camera, options.front());
+
+  bool differs = false, any = false;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    try {
+      for (const double bandwidth : bandwidths) {
+        if (!arguments.json) fmt::print(stderr, "{} at {:g} B/cycle\n", rows[i].rung->name, bandwidth);
+        ExternalMemoryOptions memory = options[i].memory;
+        memory.bytes_per_cycle = bandwidth;
+        rows[i].results.push_back(engine(options[i].config, memory));
+        differs = differs || rows[i].results.back().mismatches > 0;
+      }
+      any = true;
+    } catch (const ConfigError& error) {  // this RTL has no such rung
+      rows[i].failure = error.what();
+    } catch (const RtlBuildError& error) {
+      rows[i].failure = error.what();
+    } catch (const std::runtime_error& error) {  // an assertion, or the machine hangs
+      if (interrupted()) throw;
+      rows[i].failure = error.what();
+      differs = true;
+    }
+  }
+  if (any) write_charts(arguments.svg, {chart(rows, bandwidths)});
+  if (arguments.json) {
+    fmt::print("{}\n", nlohmann::ordered_json{{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"engine", "rtl"},
+                                              {"latency", arguments.memory.external.latency}, {"bytes_per_cycle", bandwidths},
+                                              {"rungs", to_json(rows, bandwidths)}}
+                           .dump(2));
+  } else {
+    fmt::print("{}: view {} ({}x{}); RTL, latency {}\n\n{}", loaded.scene.name, loaded.camera.name, loaded.camera.width, loaded.camera.height,
+               arguments.memory.external.latency, to_text(rows, bandwidths));
+  }
+  if (differs) return kExitMismatch;
+  return any ? kExitOk : kExitBadInput;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("sweep", "cycles of a view by rung and memory bandwidth");
+  command->footer("Example: pipegs sweep garden.ply --cameras cameras.json --bandwidth 12.8,25.6,51.2 --rungs dop,late --svg sweep.svg\n"
+                  "A rung is not memory-bound from the bandwidth on beyond which more of it saves less than 5 % of the cycles.");
+  static Arguments arguments;
+  arguments.view.add(*command, false);
+  arguments.memory.add(*command, false);
+  command->add_option("--bandwidth", arguments.bandwidths, "bytes per cycle, by commas")->delimiter(',')->capture_default_str();
+  command->add_option("--rungs", arguments.rungs, "which, by commas: baseline, dpc, tspp, dop, late, exact; without it all")->delimiter(',');
+  command->add_option("--svg", arguments.svg, "chart");
+  command->add_flag("--json", arguments.json, "as JSON");
+  command->callback([&run] { run = [] { return sweep(arguments); }; });
+}
+
+}  // namespace pipegs

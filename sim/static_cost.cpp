@@ -1,0 +1,159 @@
+// static_cost.cpp: see static_cost.hpp. Depths that are not in the configuration stand as constants beside their module.
+#include "sim/static_cost.hpp"
+
+#include "cpp_model/records.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr int kRows = 8;    // Row Units of a unit, Table 2
+constexpr int kLanes = 16;  // Rendering Units of an RU, Table 2
+
+// The Row Units, wherever they stand.
+void add_power(const Config& c, StaticCost& cost) {
+  const std::string unit = c.late ? "ru" : "pu";
+  const int rows = kRows * c.units, pixels = c.pixels_per_row;
+  const auto add = [&](const char* module, int instances, int multipliers, int adders, int constant_adders = 0) {
+    cost.arithmetic.push_back({module, "power", unit, instances, multipliers, adders, constant_adders});
+  };
+  add("pu_region", c.units, 8 * c.units, 9 * c.units);
+  if (c.quadratic) {
+    // Row dy, each pixel: slope_x x, curve_x x x, twist x (none in row 0); six summands (three in row 0). The products of
+    // slope_y, curve_y and twist with dy are constant ones; the first two are shared by the pixels of a cycle.
+    int multipliers = 0, adders = 0, constant = 0;
+    for (int dy = 0; dy < kRows; ++dy) {
+      multipliers += pixels * (dy == 0 ? 3 : 4);
+      adders += pixels * (dy == 0 ? 2 : 5);
+      constant += constant_product_adders(dy) * (3 + pixels);
+    }
+    add("pu_power", rows, multipliers * c.units, adders * c.units, constant * c.units);
+  } else {
+    int adders = 0, constant = 0;
+    for (int dy = 0; dy < kRows; ++dy) {
+      adders += dy == 0 ? 1 : 4;
+      constant += 2 * constant_product_adders(dy) + constant_product_adders(dy * dy);
+    }
+    add("pu_row_init", rows, 0, adders * c.units, constant * c.units);
+    add("pu_row_unit", rows, 0, rows * (pixels == 1 ? 2 : 4));
+  }
+  add("exp2", rows * pixels, rows * pixels, rows * pixels);
+}
+
+void add_arithmetic(const Config& c, StaticCost& cost) {
+  const auto times = [](std::initializer_list<int> constants) {
+    int adders = 0;
+    for (const int constant : constants) adders += constant_product_adders(constant);
+    return adders;
+  };
+  // `each` per unit (the DOPU is one), and what one of them holds.
+  const auto add = [&](const char* module, const char* kind, const char* unit, int each, int multipliers, int adders, int constant = 0) {
+    const int n = each * (std::string(unit) == "dopu" ? 1 : c.units);
+    cost.arithmetic.push_back({module, kind, unit, n, n * multipliers, n * adders, n * constant});
+  };
+  add("dopu_layer", "partition", "dopu", 1, 0, 2);
+  add("dopu_origin", "partition", "dopu", 1, 3, 6);
+  add("dopu_planes", "partition", "dopu", 1, 1, 3);
+  add("dopu_test", "partition", "dopu", 1, 8, 9);
+  const int span = (c.window - 1 + 4) * 16 + 1;  // of a window with its margin, sixteenths of a pixel
+  add("pu_cull", "projection", "pu", 1, 15, 29, times({span}));
+  add("pu_project", "projection", "pu", 1, 1, 1);
+  add("pu_orient", "projection", "pu", 1, 4, 14);
+  add("pu_jacobian", "projection", "pu", 1, 2, 4);
+  add("pu_factors", "projection", "pu", 1, 2, 0);
+  add("pu_squares", "projection", "pu", 1, 2, 2);
+  add("pu_covariance", "projection", "pu", 1, 1, 1);
+  add("pu_conic", "projection", "pu", 1, 1, 0);
+  add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
+  add("pu_root", "projection", "pu", 2, 0, 2);
+  add("recip", "projection", "pu", 2, 3, 1);
+  add("pu_coeff", "projection", "pu", 1, 1, 5);
+  add("pu_intersect", "projection", "pu", 1, 6, 16);
+  add("pu_edge", "projection", "pu", 1, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
+  if (c.sh_degree > 0) {
+    add("pu_color_rotate", "color", "pu", 1, 2, 2);
+    add("pu_color_normalise", "color", "pu", 1, 1, 0);
+    add("rsqrt", "color", "pu", 1, 1, 1);
+    add("pu_color_basis", "color", "pu", 1, 4, 4);
+    add("pu_color_sum", "color", "pu", 1, 6, 6);
+  }
+  add_power(c, cost);
+  add("ru_blend", "blend", "ru", kLanes, 4, 4);
+}
+
+int power_of_two(int n) { return 1 << clog2(n); }
+
+void add_buffers(const Config& c, StaticCost& cost) {
+  const auto add = [&](const char* buffer, const char* purpose, int width, int depth, int count) {
+    cost.buffers.push_back({buffer, purpose, width, depth, count});
+  };
+  const int units = c.units, splat = record_width<Splat>(c), memory = c.memory_w();
+  if (!c.late) add("alpha store u_lines", "alphas", c.line_w(), c.alpha_lines, units);
+  add("RU u_pixels", "pixels", c.pixel_word_w(), c.regions() / units * 4, 2 * units);
+  add("SU u_records", "records", splat - c.key_w() - c.kind_w(), 2 * c.records, units);
+  add("SU u_keys", "records", c.key_w(), 2 * c.records, units);
+  add("SU u_split.u_links", "sorter", c.record_w(), c.records, units);
+  const int stack = c.records / 8 + c.key_w() / 4 + 2;  // groups that may wait
+  add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
+  add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
+  add("SU u_emit.u_waiting", "sorter", c.kind_w() + 2 + c.record_w() + c.key_w(), 32, units);
+  add("SU u_port.u_answers", "overflow", memory, 32, units);
+  add("PU u_fetch.u_reader.u_lines", "parameters", memory, 32, units);
+  add("PU u_visible", "parameters", record_width<Visible>(c), 4, units);
+  if (c.sh_degree > 0) {
+    add("PU u_color..u_lines", "parameters", memory, 32, units);
+    add("PU u_color..u_tasks", "parameters", record_width<ColorTask>(c), 32, units);
+    add("PU u_color..u_directions", "parameters", record_width<ViewDirection>(c), 32, units);
+  }
+  if (c.late) {
+    add("PU u_late.u_coeffs", "parameters", c.a_w() + 2 * c.bc_w() + 3 * c.def_w(), 64, units);
+  } else {
+    add("PU u_jobs", "parameters", record_width<RowJob>(c), 4, units);
+    add("RU u_fetch.u_external", "overflow", c.line_w(), c.fetch_lines, units);
+    add("RU u_fetch.u_records", "queues", record_width<Blend>(c), c.fetch_lines + 8, units);
+  }
+  add("RU u_queue", "queues", record_width<Sorted>(c), 16, units);
+  add("DOPU u_descend..u_reader.u_lines", "scene", memory, 32, 2);
+  const int cell_bits = 3 * (c.grid > 1 ? clog2(c.grid) : 1);
+  add("DOPU u_cells.u_table", "scene", 2 * record_width<Node>(c), 1 << (cell_bits - 1), 1);
+}
+
+}  // namespace
+
+int constant_product_adders(int constant) {
+  int digits = 0;
+  for (int rest = constant; rest != 0; rest >>= 1) {
+    if ((rest & 1) == 0) continue;
+    ++digits;
+    rest += (rest & 3) == 3 ? 1 : -1;  // a run of ones is 2^n - 1
+  }
+  return digits > 1 ? digits - 1 : 0;
+}
+
+int StaticCost::multipliers(const std::string& kind) const {
+  int sum = 0;
+  for (const ArithmeticCost& row : arithmetic) sum += kind.empty() || row.kind == kind ? row.multipliers : 0;
+  return sum;
+}
+
+int StaticCost::adders(const std::string& kind) const {
+  int sum = 0;
+  for (const ArithmeticCost& row : arithmetic) sum += kind.empty() || row.kind == kind ? row.adders + row.constant_adders : 0;
+  return sum;
+}
+
+double StaticCost::buffer_kb(const std::string& purpose) const {
+  uint64_t bits = 0;
+  for (const BufferCost& row : buffers) bits += purpose.empty() || row.purpose == purpose ? row.bits() : 0;
+  return static_cast<double>(bits) / 8192;
+}
+
+StaticCost static_cost(const Config& config) {
+  StaticCost cost;
+  cost.row_lanes = kRows * config.pixels_per_row * config.units;
+  cost.blend_lanes = kLanes * config.units;
+  add_arithmetic(config, cost);
+  add_buffers(config, cost);
+  return cost;
+}
+
+}  // namespace pipegs
