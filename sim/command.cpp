@@ -2,6 +2,7 @@
 #include "sim/command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include "scenes/generate.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/ply.hpp"
+#include "sim/dram_memory.hpp"
 
 namespace pipegs {
 
@@ -46,15 +48,19 @@ SimulateOptions ViewArguments::options() const {
 }
 
 void MemoryArguments::add(CLI::App& app, bool with_bandwidth) {
-  app.add_option("--latency", external.latency, "external memory: cycles to an answer")->capture_default_str()->check(CLI::Range(1, 100000));
+  external.dram = "lpddr5-6400x4";
+  app.add_option("--memory", external.dram, "external memory: a DRAM (" + fmt::format("{}", fmt::join(dram_memory_names(), ", ")) + ") or ideal")
+      ->capture_default_str();
+  app.add_option("--latency", external.latency, "ideal memory: cycles to an answer")->capture_default_str()->check(CLI::Range(1, 100000));
   if (with_bandwidth) {
-    app.add_option("--bandwidth", external.bytes_per_cycle, "external memory: bytes per cycle")->capture_default_str()->check(CLI::Range(0.1, 64.0));
+    app.add_option("--bandwidth", external.bytes_per_cycle, "ideal memory: bytes per cycle")->capture_default_str()->check(CLI::Range(0.1, 64.0));
   }
-  app.add_option("--jitter", external.jitter, "external memory: largest random extra latency, cycles")->default_val(20)->check(CLI::Range(0, 100000));
+  app.add_option("--jitter", external.jitter, "ideal memory: largest random extra latency, cycles")->default_val(20)->check(CLI::Range(0, 100000));
   app.add_option("--seed", seed, "seed of the jitter and of the registers' initial values")->capture_default_str();
 }
 
 void MemoryArguments::apply(SimulateOptions& options) const {
+  if (external.dram != "ideal") dram_memory_timing(external.dram);  // throws for an unknown name
   options.memory = external;
   options.memory.seed = seed;
   options.rtl.seed = seed;

@@ -90,16 +90,16 @@ int ladder(const Arguments& arguments) {
   nlohmann::ordered_json json = {
       {"scene", {{"name", loaded.scene.name}, {"gaussians", loaded.scene.gaussians.size()}}},
       {"camera", {{"name", camera.name}, {"width", camera.width}, {"height", camera.height}}},
-      {"memory", {{"latency", arguments.memory.external.latency}, {"bytes_per_cycle", arguments.memory.external.bytes_per_cycle},
-                  {"jitter", arguments.memory.external.jitter}, {"seed", arguments.memory.seed}}},
+      {"memory", {{"kind", arguments.memory.external.dram}, {"bytes_per_cycle", memory_peak(arguments.memory.external)},
+                  {"seed", arguments.memory.seed}}},
       {"rungs", ladder_json(rows)}};
   if (done > 0) write_text(arguments.out + "/ladder.json", json.dump(2) + "\n");
   if (done > 0) write_charts(arguments.svg, ladder_charts(rows));
   if (arguments.json) {
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}: {} Gaussians; view {} ({}x{}); {} B/cycle, latency {}\n\n{}", loaded.scene.name, loaded.scene.gaussians.size(), camera.name,
-               camera.width, camera.height, arguments.memory.external.bytes_per_cycle, arguments.memory.external.latency, ladder_text(rows));
+    fmt::print("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle\n\n{}", loaded.scene.name, loaded.scene.gaussians.size(), camera.name,
+               camera.width, camera.height, arguments.memory.external.dram, memory_peak(arguments.memory.external), ladder_text(rows));
     if (done > 0) fmt::print("  figures {0}/ladder.json, pictures and reports {0}/<rung>\n", arguments.out);
   }
   if (differs) return kExitMismatch;

@@ -19,8 +19,8 @@ std::string replay(const Arguments& arguments, const Mismatch& mismatch) {
   std::string command = "build/pipegs sim";
   if (!arguments.view.scene.empty()) command += fmt::format(" '{}'", arguments.view.scene);
   if (!arguments.view.cameras.empty()) command += fmt::format(" --cameras '{}'", arguments.view.cameras);
-  command += fmt::format(" --view {} --window {},{} --seed {} --latency {} --bandwidth {} --jitter {} --no-truth --waves window.fst",
-                         arguments.view.view, mismatch.window_x, mismatch.window_y, arguments.memory.seed, arguments.memory.external.latency,
+  command += fmt::format(" --view {} --window {},{} --seed {} --memory {} --latency {} --bandwidth {} --jitter {} --no-truth --waves window.fst",
+                         arguments.view.view, mismatch.window_x, mismatch.window_y, arguments.memory.seed, arguments.memory.external.dram, arguments.memory.external.latency,
                          arguments.memory.external.bytes_per_cycle, arguments.memory.external.jitter);
   if (!arguments.view.rung.empty()) command += " --rung " + arguments.view.rung;
   for (const std::string& setting : arguments.view.settings) command += " --set " + setting;

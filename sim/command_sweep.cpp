@@ -87,6 +87,18 @@ Chart chart(const std::vector<SweepRow>& rows, const std::vector<double>& bandwi
   return chart;
 }
 
+// The same kind of memory with another bandwidth: LPDDR5 by its channels, the ideal one at will.
+void set_bandwidth(ExternalMemoryOptions& memory, double bandwidth) {
+  memory.bytes_per_cycle = bandwidth;
+  if (memory.dram == "ideal") return;
+  for (const int channels : {1, 2, 4, 8}) {
+    if (bandwidth != 12.8 * channels) continue;
+    memory.dram = fmt::format("lpddr5-6400x{}", channels);
+    return;
+  }
+  throw ConfigError(fmt::format("--bandwidth: found {}, expected 12.8, 25.6, 51.2 or 102.4 (LPDDR5 channels) unless --memory ideal", bandwidth));
+}
+
 int sweep(Arguments arguments) {
   std::vector<double>& bandwidths = arguments.bandwidths;
   for (const double bandwidth : bandwidths) {
@@ -110,7 +122,7 @@ int sweep(Arguments arguments) {
       for (const double bandwidth : bandwidths) {
         if (!arguments.json) fmt::print(stderr, "{} at {:g} B/cycle\n", rows[i].rung->name, bandwidth);
         ExternalMemoryOptions memory = options[i].memory;
-        memory.bytes_per_cycle = bandwidth;
+        set_bandwidth(memory, bandwidth);
         rows[i].results.push_back(engine(options[i].config, memory));
         differs = differs || rows[i].results.back().mismatches > 0;
       }
@@ -128,12 +140,12 @@ int sweep(Arguments arguments) {
   if (any) write_charts(arguments.svg, {chart(rows, bandwidths)});
   if (arguments.json) {
     fmt::print("{}\n", nlohmann::ordered_json{{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"engine", "rtl"},
-                                              {"latency", arguments.memory.external.latency}, {"bytes_per_cycle", bandwidths},
+                                              {"memory", arguments.memory.external.dram == "ideal" ? "ideal" : "lpddr5-6400"}, {"bytes_per_cycle", bandwidths},
                                               {"rungs", to_json(rows, bandwidths)}}
                            .dump(2));
   } else {
-    fmt::print("{}: view {} ({}x{}); RTL, latency {}\n\n{}", loaded.scene.name, loaded.camera.name, loaded.camera.width, loaded.camera.height,
-               arguments.memory.external.latency, to_text(rows, bandwidths));
+    fmt::print("{}: view {} ({}x{}); RTL, memory {}\n\n{}", loaded.scene.name, loaded.camera.name, loaded.camera.width, loaded.camera.height,
+               arguments.memory.external.dram == "ideal" ? "ideal" : "LPDDR5-6400", to_text(rows, bandwidths));
   }
   if (differs) return kExitMismatch;
   return any ? kExitOk : kExitBadInput;

@@ -1,21 +1,41 @@
 // dram_memory.cpp: see dram_memory.hpp.
 #include "sim/dram_memory.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace pipegs {
 namespace {
 
-DramTiming preset(const std::string& name) {
-  if (const DramTiming* timing = dram_preset(name)) return *timing;
-  std::string known = "ideal";
-  for (const std::string& other : dram_presets()) known += ", " + other;
-  throw std::invalid_argument("external memory '" + name + "': expected one of " + known);
-}
+constexpr int kLineBytes = 64;
+constexpr double kChannelGbps = 12.8;  // LPDDR5-6400, 16 bit
+const std::string kLpddr5 = "lpddr5-6400x";
 
 }  // namespace
 
-DramMemory::DramMemory(const ExternalMemoryOptions& options) : dram_(preset(options.dram)), path_(options.path) {
+std::vector<std::string> dram_memory_names() {
+  std::vector<std::string> names = dram_presets();
+  for (const int channels : {1, 2, 4, 8}) {
+    const std::string name = kLpddr5 + std::to_string(channels);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+DramTiming dram_memory_timing(const std::string& name) {
+  const std::vector<std::string> names = dram_memory_names();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    std::string known = "ideal";
+    for (const std::string& other : names) known += ", " + other;
+    throw std::invalid_argument("external memory '" + name + "': expected one of " + known);
+  }
+  const DramTiming* preset = dram_preset(name);
+  DramTiming timing = preset != nullptr ? *preset : dram_scaled(kChannelGbps * std::stoi(name.substr(kLpddr5.size())));
+  timing.interleave_bytes = std::max(timing.interleave_bytes, kLineBytes);
+  return timing;
+}
+
+DramMemory::DramMemory(const ExternalMemoryOptions& options) : dram_(dram_memory_timing(options.dram)), path_(options.path) {
   if (options.path < 0) throw std::invalid_argument("external memory: path must not be negative");
   for (uint32_t i = 0; i < kFlying; ++i) free_.push_back(i);
 }

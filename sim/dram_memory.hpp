@@ -9,11 +9,19 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <string>
+#include <vector>
 
 #include "sim/dram/dram.hpp"
 #include "sim/memory_timing.hpp"
 
 namespace pipegs {
+
+// The names of ExternalMemoryOptions::dram: the presets of dram_preset(), and LPDDR5-6400 with 1, 2, 4 or 8 channels.
+std::vector<std::string> dram_memory_names();
+// The timing of a name. Channels take turns with every 64-byte line, so that a line opens one row only. Throws
+// std::invalid_argument for an unknown name.
+DramTiming dram_memory_timing(const std::string& name);
 
 class DramMemory final : public MemoryTiming {
  public:

@@ -39,6 +39,7 @@ class ExternalMemory {
   const MemoryLine& line(uint64_t address) const;  // contents, for host access; untouched lines hold zero
   MemoryLine& line(uint64_t address);
   const std::array<Traffic, 256>& traffic() const { return traffic_; }
+  const Dram* dram() const { return timing_->dram(); }  // for its statistics, if the memory is one
   uint64_t busy_line_cycles() const { return lines_; }  // lines that crossed the pins
 
  private:

@@ -60,6 +60,10 @@ int PinsTiming::step() {
   return kNoAnswer;
 }
 
+double memory_peak(const ExternalMemoryOptions& options) {
+  return options.dram == "ideal" ? options.bytes_per_cycle : dram_memory_timing(options.dram).peak_gbps();
+}
+
 std::unique_ptr<MemoryTiming> memory_timing(const ExternalMemoryOptions& options) {
   if (options.dram == "ideal") return std::make_unique<PinsTiming>(options);
   return std::make_unique<DramMemory>(options);

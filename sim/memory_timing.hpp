@@ -23,7 +23,7 @@ namespace pipegs {
 class Dram;
 
 struct ExternalMemoryOptions {
-  std::string dram = "ideal";     // a preset of dram_preset() at a clock of 1 GHz, or "ideal"
+  std::string dram = "ideal";     // dram_memory_names(), at a machine clock of 1 GHz, or "ideal"
   int latency = 100;              // ideal: cycles from acceptance to answer when nothing waits
   double bytes_per_cycle = 51.2;  // ideal: of the pins
   int jitter = 0;                 // ideal: largest random delay added to an answer
@@ -74,6 +74,7 @@ class PinsTiming final : public MemoryTiming {
 };
 
 // Throws std::invalid_argument for an unknown preset or options out of range.
+double memory_peak(const ExternalMemoryOptions& options);  // bytes per cycle at the pins
 std::unique_ptr<MemoryTiming> memory_timing(const ExternalMemoryOptions& options);
 
 }  // namespace pipegs

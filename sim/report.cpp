@@ -39,7 +39,7 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
   bounds.ru = static_cast<double>(work.regions) * 4 / units;
   bounds.su = static_cast<double>(work.keys) / units;
   bounds.cull = static_cast<double>(work.fetched) / units;
-  bounds.memory = static_cast<double>(total_lines(simulation)) * 64 / options.memory.bytes_per_cycle;
+  bounds.memory = static_cast<double>(total_lines(simulation)) * 64 / memory_peak(options.memory);
   for (const auto& [name, value] : {std::pair{"PU rows", bounds.rows}, {"RU", bounds.ru}, {"SU", bounds.su},
                                     {"cull", bounds.cull}, {"memory", bounds.memory}}) {
     if (value > bounds.largest) bounds.largest = value, bounds.largest_name = name;
@@ -59,9 +59,12 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
   if (options.window) report["window"] = {(*options.window)[0], (*options.window)[1]};
   Json config;
   for (const ConfigEntry& entry : config_entries(options.config)) config[std::string(entry.name)] = entry.value;
-  config["memory_latency"] = options.memory.latency;
-  config["memory_bytes_per_cycle"] = options.memory.bytes_per_cycle;
-  config["memory_jitter"] = options.memory.jitter;
+  config["memory"] = options.memory.dram;
+  if (options.memory.dram == "ideal") {
+    config["memory_latency"] = options.memory.latency;
+    config["memory_jitter"] = options.memory.jitter;
+  }
+  config["memory_bytes_per_cycle"] = memory_peak(options.memory);
   config["seed"] = options.rtl.seed;
   report["config"] = config;
 
@@ -75,6 +78,14 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
     by_stream[traffic.stream] = {{"read", traffic.bytes_read}, {"written", traffic.bytes_written}};
   }
   report["memory"] = {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}};
+  if (simulation.dram) {
+    const Dram::Statistics& s = simulation.dram->statistics;
+    report["memory"]["dram"] = {{"gbps", simulation.dram->gbps}, {"peak_gbps", simulation.dram->peak_gbps},
+                                {"row_hits", s.row_hits}, {"row_misses", s.row_misses}, {"row_conflicts", s.row_conflicts},
+                                {"activates", s.activates}, {"refreshes", s.refreshes},
+                                {"read_latency_cycles", {{"mean", s.latency_mean}, {"p50", s.latency_p50}, {"p90", s.latency_p90},
+                                                         {"p99", s.latency_p99}, {"max", s.latency_max}}}};
+  }
   const Work& work = simulation.golden.work;
   report["work"] = {{"fetched", work.fetched}, {"visible", work.visible}, {"records", work.records}, {"regions", work.regions},
                     {"alphas", work.alphas}, {"blended", work.blended}, {"keys", work.keys},
@@ -125,6 +136,15 @@ std::string report_text(const Json& report) {
   line("  memory {:>12.1f} MB read, {:.1f} MB written", report["memory"]["bytes_read"].get<double>() / 1e6, report["memory"]["bytes_written"].get<double>() / 1e6);
   for (const auto& [stream, bytes] : report["memory"]["by_stream"].items()) {
     line("    {:<22} {:9.1f} MB read {:9.1f} MB written", stream, bytes["read"].get<double>() / 1e6, bytes["written"].get<double>() / 1e6);
+  }
+  if (report["memory"].contains("dram")) {
+    const auto& dram = report["memory"]["dram"];
+    const auto& latency = dram["read_latency_cycles"];
+    const double columns = dram["row_hits"].get<double>() + dram["row_misses"].get<double>() + dram["row_conflicts"].get<double>();
+    line("    {}: {:.1f} GB/s (bytes over the pins / time) of {:.1f}, {:.1f}% row hits; read latency {} / {} / {} cycles (50, 90, 99 %)",
+         report["config"]["memory"].get<std::string>(), dram["gbps"].get<double>(), dram["peak_gbps"].get<double>(),
+         100 * dram["row_hits"].get<double>() / std::max(1.0, columns), latency["p50"].get<int64_t>(), latency["p90"].get<int64_t>(),
+         latency["p99"].get<int64_t>());
   }
   const auto& work = report["work"];
   line("  work   fetched {}, visible {}, records {}, regions {}, blended {}, overflow lines {}", work["fetched"].get<uint64_t>(),

@@ -183,6 +183,8 @@ void simulate_rtl(const SimulateOptions& options, Simulation& result) {
   check.finish();
   result.wall_rtl = watch.seconds();
   result.traffic = by_stream(config, memory);
+  result.dram.reset();
+  if (const Dram* dram = memory.dram()) result.dram = {dram->statistics(), dram->achieved_gbps(), dram->timing().peak_gbps()};
   result.seen = check.seen();
   result.beats = check.beats();
   result.mismatches = check.mismatches();

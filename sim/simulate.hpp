@@ -8,6 +8,7 @@
 #include "cpp_model/golden.hpp"
 #include "scenes/camera.hpp"
 #include "scenes/scene.hpp"
+#include "sim/dram/dram.hpp"
 #include "sim/rtl_model.hpp"
 #include "sim/stream_check.hpp"
 
@@ -29,6 +30,12 @@ struct MemoryTraffic {
   uint64_t bytes_read = 0, bytes_written = 0;
 };
 
+// What the DRAM says of itself after a frame.
+struct MemoryFigures {
+  Dram::Statistics statistics;
+  double gbps = 0, peak_gbps = 0;  // bytes over the pins / time of the frame, and what the pins can carry
+};
+
 struct Simulation {
   PackedScene packed;
   GoldenInput input;  // points at packed
@@ -40,6 +47,7 @@ struct Simulation {
   std::vector<StreamCheck::Seen> seen;
   uint64_t beats = 0, mismatches = 0;
   std::optional<Mismatch> first_mismatch;
+  std::optional<MemoryFigures> dram;  // when external memory is one
   double psnr_numeric = 0, psnr_order = 0, psnr_total = 0, max_abs_error = 0;
   double wall_truth = 0, wall_golden = 0, wall_rtl = 0;
 
