@@ -1,60 +1,8 @@
 // cli_test: `pipegs` with good and bad input: exit codes, one clear line, nothing half-written.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-
-#include "scenes/camera.hpp"
-#include "scenes/ply.hpp"
-#include "verif/frame/scenes.hpp"
+#include "verif/cli/cli.hpp"
 
 namespace pipegs {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Outcome {
-  int code;
-  std::string out, err;
-};
-
-class Cli : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("pipegs_cli_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-    write_ply(folder_ / "scene.ply", random_scene(1, 300, 1));
-    write_cameras(folder_ / "cameras.json", {test_camera(70, 50)});
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  Outcome run(const std::string& arguments) {
-    const std::string command = "cd '" + folder_.string() + "' && '" PIPEGS_BINARY "' " + arguments + " > out.txt 2> err.txt";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text("out.txt"), text("err.txt")};
-  }
-  std::string text(const std::string& name) {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  void write(const std::string& name, const std::string& contents) { std::ofstream(folder_ / name, std::ios::binary) << contents; }
-
-  // Exit 2, one line that holds `part`, no picture.
-  void expect_refused(const std::string& arguments, const std::string& part) {
-    const Outcome outcome = run(arguments + (arguments.starts_with("sim") ? " --out pictures" : ""));
-    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << "'" << part << "' is not in: " << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_FALSE(fs::exists(folder_ / "pictures")) << "something was left behind by " << arguments;
-  }
-
-  fs::path folder_;
-};
 
 TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
   const Outcome outcome = run("sim scene.ply --cameras cameras.json --out pictures");
@@ -79,6 +27,21 @@ TEST_F(Cli, OneWindowAlone) {
 TEST_F(Cli, SettingsMayStandBeforeTheScene) {
   const Outcome outcome = run("sim --set grid=4 --set units=4 scene.ply --cameras cameras.json --no-truth --out pictures");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+TEST_F(Cli, ARungIsItsSettings) {
+  const Outcome outcome = run("sim scene.ply --cameras cameras.json --rung late --no-truth --out pictures");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto config = nlohmann::json::parse(text("pictures/report.json"))["config"];
+  EXPECT_EQ(config["late"], 1);
+  EXPECT_EQ(config["order"], 0);
+  EXPECT_EQ(config["quadratic"], 0);
+}
+
+TEST_F(Cli, SettingsComeAfterTheRung) {
+  const Outcome outcome = run("sim scene.ply --cameras cameras.json --rung late --set late=0 --no-truth --no-rtl --out pictures");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(text("pictures/report.json"))["config"]["late"], 0);
 }
 
 TEST_F(Cli, RenderWritesEveryModel) {
@@ -118,6 +81,7 @@ TEST_F(Cli, BadInputIsRefusedInOneLine) {
   expect_refused("sim scene.ply --cameras cameras.json --set nonsense=3", "nonsense");
   expect_refused("sim scene.ply --cameras cameras.json --set alpha_w=99", "alpha_w");
   expect_refused("sim scene.ply --cameras cameras.json --set alpha_w", "key=value");
+  expect_refused("sim scene.ply --cameras cameras.json --rung nonsense", "baseline, dpc, tspp, dop, late, exact");
   expect_refused("explain scene.ply --cameras cameras.json --pixel 900,2", "--pixel");
 }
 

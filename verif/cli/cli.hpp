@@ -1,0 +1,61 @@
+// cli.hpp: the fixture of the command line's tests: a folder with a small scene, and `pipegs` run in it.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "scenes/camera.hpp"
+#include "scenes/ply.hpp"
+#include "verif/frame/scenes.hpp"
+
+namespace pipegs {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code;
+  std::string out, err;
+};
+
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("pipegs_cli_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    write_ply(folder_ / "scene.ply", random_scene(1, 300, 1));
+    write_cameras(folder_ / "cameras.json", {test_camera(70, 50)});
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome run(const std::string& arguments) {
+    const std::string command = "cd '" + folder_.string() + "' && '" PIPEGS_BINARY "' " + arguments + " > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text("out.txt"), text("err.txt")};
+  }
+  std::string text(const std::string& name) {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void write(const std::string& name, const std::string& contents) { std::ofstream(folder_ / name, std::ios::binary) << contents; }
+
+  // Exit 2, one line that holds `part`, no picture.
+  void expect_refused(const std::string& arguments, const std::string& part) {
+    const Outcome outcome = run(arguments + (arguments.starts_with("sim") ? " --out pictures" : ""));
+    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << "'" << part << "' is not in: " << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_FALSE(fs::exists(folder_ / "pictures")) << "something was left behind by " << arguments;
+  }
+
+  fs::path folder_;
+};
+
+}  // namespace pipegs

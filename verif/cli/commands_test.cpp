@@ -1,0 +1,255 @@
+// commands_test: ladder, profile, timeline and sweep: what they print and write holds together and agrees with the RTL.
+#include <cmath>
+#include <map>
+
+#include "sim/rtl_model.hpp"
+#include "sim/rung.hpp"
+#include "verif/cli/cli.hpp"
+#include "verif/cli/well_formed.hpp"
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::json;
+
+class Commands : public Cli {
+ protected:
+  const std::string view_ = " scene.ply --cameras cameras.json ";
+
+  Json json(const std::string& arguments, int code = 0) {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    return Json::parse(outcome.out);
+  }
+  void expect_chart(const std::string& file) { EXPECT_EQ(xml_fault(text(file)), "") << file; }
+
+  // A rung that this RTL does not have; "" when it has all of them.
+  static std::string missing_rung() {
+    for (const Rung& rung : rungs()) {
+      Config config;
+      apply_rung(rung, config);
+      try {
+        check_rtl(config);
+      } catch (const ConfigError&) {
+        return std::string(rung.name);
+      }
+    }
+    return "";
+  }
+};
+
+TEST_F(Commands, LadderComparesRungsAndWritesTheirFigures) {
+  const Json ladder = json("ladder" + view_ + "--rungs dop,late --out rungs --svg charts/ladder.svg");
+  EXPECT_EQ(ladder, Json::parse(text("rungs/ladder.json")));
+  expect_chart("charts/ladder.svg");
+  ASSERT_EQ(ladder["rungs"].size(), 2u);
+  for (const Json& rung : ladder["rungs"]) {
+    SCOPED_TRACE(rung["name"]);
+    const Json report = Json::parse(text("rungs/" + rung["name"].get<std::string>() + "/report.json"));
+    EXPECT_EQ(rung["mismatches"], 0);
+    EXPECT_EQ(rung["cycles"], report["cycles"]);
+    EXPECT_EQ(rung["bytes_by_stream"], report["memory"]["by_stream"]);
+    EXPECT_EQ(rung["psnr_order_db"], report["psnr_order_db"]);
+    EXPECT_EQ(rung["psnr_numeric_db"], report["psnr_numeric_db"]);
+    EXPECT_DOUBLE_EQ(rung["fps"].get<double>(), 1e9 / report["cycles"].get<double>());
+    EXPECT_TRUE(rung["speedup"].is_null()) << "there is no baseline to compare with";
+    double busy = 0, sorting = 0;
+    for (const Json& unit : report["units"]["ru"]) busy += unit["busy"].get<double>();
+    for (const Json& unit : report["units"]["su"]) sorting += unit["busy"].get<double>();
+    EXPECT_NEAR(rung["raster_over_sort"].get<double>(), busy / sorting, 1e-12);
+    EXPECT_NEAR(rung["bubbles"].get<double>(), 1 - busy / (4 * report["cycles"].get<double>()), 1e-12);
+    EXPECT_GT(rung["exposed_cycles"], 0);
+    EXPECT_LT(rung["exposed_cycles"], rung["cycles"]);
+    EXPECT_GT(rung["peak_records"], 0);
+    EXPECT_GT(rung["static"]["buffer_bytes"], 0);
+  }
+  EXPECT_EQ(ladder["rungs"][1]["same_pixels_as"], "dop");
+  EXPECT_GT(ladder["rungs"][0]["peak_alpha_lines"], 0);
+  EXPECT_TRUE(ladder["rungs"][1]["peak_alpha_lines"].is_null());
+}
+
+TEST_F(Commands, LadderPrintsATable) {
+  const Outcome outcome = run("ladder" + view_ + "--rungs late --no-truth");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* part : {"raster/sort", "  late ", "bubbles", "buffers KB"}) EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+}
+
+TEST_F(Commands, ARungWithoutRtlIsNamedAndLeftOut) {
+  const std::string missing = missing_rung();
+  if (missing.empty()) GTEST_SKIP() << "this RTL has every rung";
+  const Json ladder = json("ladder" + view_ + "--no-truth --rungs dop," + missing);
+  EXPECT_EQ(ladder["rungs"][0]["mismatches"], 0);
+  EXPECT_EQ(ladder["rungs"][1]["failure"].get<std::string>().find('\n'), std::string::npos);
+  EXPECT_FALSE(ladder["rungs"][1].contains("cycles"));
+  const Json swept = json("sweep" + view_ + "--bandwidth 51.2 --rungs dop," + missing);
+  EXPECT_TRUE(swept["rungs"][1].contains("failure"));
+  EXPECT_EQ(run("ladder" + view_ + "--out alone --rungs " + missing).code, 2);
+  EXPECT_FALSE(fs::exists(folder_ / "alone"));
+  expect_refused("sim" + view_ + "--rung " + missing, "is not in this RTL");
+  expect_refused("timeline" + view_ + "--out t.json --rung " + missing, "is not in this RTL");
+}
+
+TEST_F(Commands, ProfileCountsAndMeasures) {
+  const Json profile = json("profile" + view_ + "--rung late --svg profile.svg");
+  expect_chart("profile.svg");
+  EXPECT_EQ(profile["source"], "rtl");
+  EXPECT_EQ(profile["mismatches"], 0);
+  double sum = 0;
+  for (const auto& [name, stage] : profile["stages"].items()) sum += stage["share"].get<double>();
+  EXPECT_NEAR(sum, 1, 1e-12);
+  const Json counted = json("profile" + view_ + "--no-rtl");
+  EXPECT_EQ(counted["source"], "counts at full rate");
+  EXPECT_EQ(counted["gaussians"], profile["gaussians"]);
+  EXPECT_FALSE(counted.contains("cycles"));
+  const auto &all = counted["gaussians"], &cost = counted["coefficient_cost"];
+  EXPECT_GE(all["tile_pairs"], all["window_pairs"]);
+  EXPECT_GE(all["window_pairs"], all["visible"]);
+  EXPECT_NEAR(cost["once_per_gaussian"].get<double>() * all["mean_tiles"].get<double>(), 1, 1e-12);
+  EXPECT_LE(cost["once_per_gaussian"], cost["once_per_gaussian_and_window"]);
+  EXPECT_LE(cost["once_per_gaussian"], cost["mean_of_inverse_tiles"]);  // Jensen
+}
+
+// Tiles that are known by hand: a small Gaussian inside a tile, one on a corner of four tiles, one that nobody sees.
+TEST_F(Commands, ProfileCountsTilesRightly) {
+  const Camera camera = test_camera(128, 96);
+  const auto at = [&](double x, double y) {
+    return gaussian_at({static_cast<float>((x - camera.cx) / camera.fx * 2), static_cast<float>((y - camera.cy) / camera.fy * 2), 2}, 0.01f);
+  };
+  // Pixel x lies at its centre: the border of two tiles is at 15.5.
+  write_ply(folder_ / "tiles.ply", scene_of({at(40, 40), at(79.5, 31.5), gaussian_at({0, 0, -3})}));
+  write_cameras(folder_ / "tiles.json", {camera});
+  const Json profile = json("profile tiles.ply --cameras tiles.json --no-rtl");
+  EXPECT_EQ(profile["gaussians"]["visible"], 2);
+  EXPECT_EQ(profile["gaussians"]["tile_pairs"], 5);
+  EXPECT_EQ(profile["gaussians"]["window_pairs"], 2);
+  EXPECT_DOUBLE_EQ(profile["gaussians"]["share_in_two_or_more"].get<double>(), 0.5);
+  EXPECT_DOUBLE_EQ(profile["coefficient_cost"]["mean_of_inverse_tiles"].get<double>(), (1 + 0.25) / 2);
+}
+
+TEST_F(Commands, ProfileGivesThePapersArithmetic) {
+  const Json profile = json("profile" + view_ + "--no-rtl");
+  const Json direct = profile["arithmetic_per_pixel"]["direct"];
+  for (const Json& row : profile["arithmetic_per_pixel"]["dpc"]) {
+    if (row["tile"] != 16) continue;
+    const double multiplications = row["multiplications"], additions = row["additions"];
+    EXPECT_NEAR(1 - multiplications / direct["multiplications"].get<double>(), 0.962, 5e-4);
+    EXPECT_NEAR(1 - (multiplications + additions) / (direct["multiplications"].get<double>() + direct["additions"].get<double>()), 0.769, 5e-4);
+  }
+}
+
+// Slices of one track do not overlap, and the states of each unit sum to its performance counters.
+void expect_whole_trace(const Json& trace, bool late) {
+  std::map<std::pair<int, int>, std::vector<Json>> tracks;
+  std::map<std::string, int> counters;
+  uint64_t bytes = 0;
+  const auto cycles = [](const Json& microseconds) { return std::llround(microseconds.get<double>() * 1000); };
+  for (const Json& event : trace["traceEvents"]) {
+    if (event["ph"] == "X") tracks[{event["pid"], event["tid"]}].push_back(event);
+    if (event["ph"] != "C") continue;
+    ++counters[event["name"]];
+    if (event["name"].get<std::string>().starts_with("bytes")) {
+      for (const auto& [stream, value] : event["args"].items()) bytes += value.get<uint64_t>();
+    }
+  }
+  EXPECT_GT(bytes, 0u);
+  EXPECT_EQ(counters.contains("lines in the alpha stores"), !late);
+  EXPECT_TRUE(counters.contains("records in the SUs"));
+  const Json& other = trace["otherData"];
+  const long long frame = other["cycles"].get<long long>();
+  for (auto& [track, slices] : tracks) {
+    long long end = 0;
+    std::sort(slices.begin(), slices.end(), [&](const Json& a, const Json& b) { return cycles(a["ts"]) < cycles(b["ts"]); });
+    for (const Json& slice : slices) {
+      EXPECT_GE(cycles(slice["ts"]), end) << track.first << "," << track.second << ": " << slice;
+      EXPECT_GT(cycles(slice["dur"]), 0) << slice;
+      end = cycles(slice["ts"]) + cycles(slice["dur"]);
+    }
+    EXPECT_LE(end, frame);
+  }
+  ASSERT_EQ(other["units"].size(), 13u);
+  size_t layers = 0;
+  for (const Json& unit : other["units"]) {
+    SCOPED_TRACE(unit["unit"]);
+    const int process = unit["pid"], thread = unit["tid"];
+    const std::vector<Json>&work = tracks[{process, thread}], &states = tracks[{process, thread + 1}];
+    // A slice for each layer: all units see the same layers.
+    if (layers == 0) layers = work.size();
+    EXPECT_GT(work.size(), 0u);
+    EXPECT_EQ(work.size(), layers);
+    long long whole = 0, sums = 0;
+    for (const Json& slice : states) whole += cycles(slice["dur"]);
+    EXPECT_EQ(whole, frame);
+    for (const char* state : {"busy", "starved", "blocked", "memory"}) {
+      long long sum = 0;
+      for (const Json& slice : states) sum += slice["args"][state].get<long long>();
+      EXPECT_EQ(sum, unit[state].get<long long>()) << state;
+      sums += sum;
+    }
+    EXPECT_EQ(sums, frame);
+  }
+}
+
+TEST_F(Commands, TimelineIsAWholeTrace) {
+  const Outcome sim = run("sim" + view_ + "--no-truth --out pictures");
+  ASSERT_EQ(sim.code, 0) << sim.err;
+  const Json report = Json::parse(text("pictures/report.json"));
+  const Outcome outcome = run("timeline" + view_ + "--out trace.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json trace = Json::parse(text("trace.json"));
+  expect_whole_trace(trace, false);
+  // The same run as `sim`: looking at it changes nothing.
+  EXPECT_EQ(trace["otherData"]["cycles"], report["cycles"]);
+  EXPECT_EQ(trace["otherData"]["units"][1]["busy"], report["units"]["pu"][0]["busy"]);
+  uint64_t bytes = 0;
+  for (const Json& event : trace["traceEvents"]) {
+    if (event["ph"] != "C" || !event["name"].get<std::string>().starts_with("bytes")) continue;
+    for (const auto& [stream, value] : event["args"].items()) bytes += value.get<uint64_t>();
+  }
+  EXPECT_EQ(bytes, report["memory"]["bytes_read"].get<uint64_t>() + report["memory"]["bytes_written"].get<uint64_t>());
+}
+
+TEST_F(Commands, TimelineOfSomeWindowsOnAnotherRung) {
+  const Outcome outcome = run("timeline" + view_ + "--rung late --window 0,0 --windows 2 --grain 5 --sample 100 --out trace.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  expect_whole_trace(Json::parse(text("trace.json")), true);
+}
+
+TEST_F(Commands, SweepFindsWhereMemoryStopsToMatter) {
+  const Json swept = json("sweep" + view_ + "--rungs dop,late --bandwidth 102.4,1.6,25.6 --svg sweep.svg");
+  expect_chart("sweep.svg");
+  EXPECT_EQ(swept["bytes_per_cycle"], Json({1.6, 25.6, 102.4}));
+  for (const Json& rung : swept["rungs"]) {
+    SCOPED_TRACE(rung["name"]);
+    const auto cycles = rung["cycles"].get<std::vector<double>>();
+    ASSERT_EQ(cycles.size(), 3u);
+    EXPECT_GT(cycles[0], 1.5 * cycles[1]) << "1.6 bytes per cycle is the bottleneck";
+    for (const Json& mismatches : rung["mismatches"]) EXPECT_EQ(mismatches, 0);
+    const double knee = rung["memory_bound_below_bytes_per_cycle"];
+    for (size_t i = 0; i < 3; ++i) {
+      const double bandwidth = swept["bytes_per_cycle"][i];
+      if (bandwidth >= knee) EXPECT_LE(cycles[i], 1.05 * cycles[2]);
+    }
+    EXPECT_GT(knee, 1.6);
+  }
+}
+
+TEST_F(Commands, BadInputIsRefusedInOneLine) {
+  expect_refused("ladder" + view_ + "--rungs dop,nonsense", "nonsense");
+  expect_refused("ladder" + view_ + "--rungs dop,dop", "twice");
+  expect_refused("ladder" + view_ + "--set late=1", "the rungs set late");
+  expect_refused("ladder scene.ply", "--cameras");
+  expect_refused("profile" + view_ + "--rung nonsense", "nonsense");
+  expect_refused("profile missing.ply --cameras cameras.json --no-rtl", "missing.ply");
+  expect_refused("timeline" + view_ + "--window 9,9 --out t.json", "--window");
+  expect_refused("timeline" + view_ + "--out nowhere/t.json", "nowhere");
+  expect_refused("sweep" + view_ + "--bandwidth 0", "--bandwidth");
+  expect_refused("sweep" + view_ + "--rungs nonsense", "nonsense");
+  EXPECT_EQ(run("timeline" + view_).code, 2) << "--out is needed";
+  for (const auto& file : fs::directory_iterator(folder_)) {
+    const std::string name = file.path().filename().string();
+    EXPECT_TRUE(name == "scene.ply" || name == "cameras.json" || name == "out.txt" || name == "err.txt") << "left behind: " << name;
+  }
+}
+
+}  // namespace
+}  // namespace pipegs

@@ -1,0 +1,205 @@
+// static_cost_test: what a rung is built of, against the RTL as Yosys elaborates it: every multiplier, adder and SRAM.
+#include "sim/static_cost.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sim/rtl_model.hpp"
+#include "sim/rung.hpp"
+
+namespace pipegs {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr size_t kAdderWidth = 14;  // narrower sums are not counted, see static_cost.hpp
+
+struct Found {
+  int instances = 0, multipliers = 0, adders = 0, constant_adders = 0;
+};
+
+struct Elaborated {
+  std::map<std::string, Found> modules;
+  uint64_t sram_bits = 0;
+};
+
+// Nonzero digits of the non-adjacent form, less one, counted another way: a digit is where 3n and n differ.
+int shifts_and_adders(uint64_t n) {
+  const int digits = __builtin_popcountll((n ^ 3 * n) >> 1);
+  return digits > 0 ? digits - 1 : 0;
+}
+
+// "$paramod$hash\name" or "$paramod\name\Width=..." -> "name"
+std::string plain(std::string name) {
+  if (name.starts_with("$paramod")) name = name.substr(name.find('\\') + 1);
+  if (name.starts_with("\\")) name = name.substr(1);
+  return name.substr(0, name.find('\\'));
+}
+
+size_t variable_bits(const Json& bits) {
+  std::set<int> variables;
+  for (const Json& bit : bits) {
+    if (bit.is_number()) variables.insert(bit.get<int>());
+  }
+  return variables.size();
+}
+
+uint64_t constant_value(const Json& bits) {
+  uint64_t value = 0;
+  for (size_t i = 0; i < bits.size() && i < 64; ++i) value |= uint64_t{bits[i] == "1"} << i;
+  return value;
+}
+
+class Netlist {
+ public:
+  explicit Netlist(const Json& design) : modules_(design["modules"]) {
+    for (const auto& [name, module] : modules_.items()) {
+      if (plain(name) == "pipegs_top") add(name, 1);
+    }
+  }
+  Elaborated result;
+
+ private:
+  void add(const std::string& name, int times) {
+    const Json& module = modules_[name];
+    Found& found = result.modules[plain(name)];
+    found.instances += times;
+    if (plain(name) == "sram") {
+      uint64_t words = 0;
+      for (const auto& [cell, body] : module["memories"].items()) words += body["size"].get<uint64_t>();
+      result.sram_bits += uint64_t(times) * words * module["ports"]["wdata_i"]["bits"].size();
+    }
+    for (const auto& [cell, body] : module["cells"].items()) {
+      const std::string type = body["type"];
+      if (modules_.contains(type)) {
+        add(type, times);
+        continue;
+      }
+      if (type != "$mul" && type != "$add" && type != "$sub") continue;
+      const Json &a = body["connections"]["A"], &b = body["connections"]["B"];
+      const size_t wide_a = variable_bits(a), wide_b = variable_bits(b);
+      Found& place = result.modules[plain(name)];
+      if (type != "$mul") {
+        place.adders += std::min(wide_a, wide_b) >= kAdderWidth ? times : 0;
+      } else if (wide_a > 0 && wide_b > 0) {
+        place.multipliers += times;
+      } else {
+        place.constant_adders += times * shifts_and_adders(constant_value(wide_a == 0 ? a : b));
+      }
+    }
+  }
+  const Json modules_;
+};
+
+Elaborated elaborate(const std::string& settings) {
+  const fs::path folder = fs::temp_directory_path() / ("pipegs_cost_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const std::string package = (folder / "pipegs_pkg.sv").string(), netlist = (folder / "top.json").string();
+  EXPECT_EQ(std::system(("'" PIPEGS_PACKAGE_SV "' " + settings + " > '" + package + "'").c_str()), 0);
+  std::string files;
+  for (const auto& file : fs::recursive_directory_iterator(PIPEGS_SOURCE_DIR "/rtl")) {
+    if (file.path().extension() == ".sv" && file.path().filename() != "pipegs_pkg.sv") files += " " + file.path().string();
+  }
+  const std::string script = "read_verilog -sv -defer -DSYNTHESIS " + package + files +
+                             "; hierarchy -top pipegs_top; proc; opt_expr; opt_merge; opt_clean; write_json " + netlist;
+  EXPECT_EQ(std::system(("yosys -q -p '" + script + "' > '" + (folder / "log").string() + "' 2>&1").c_str()), 0);
+  std::ifstream text(netlist);
+  Elaborated result = Netlist(Json::parse(text)).result;
+  fs::remove_all(folder);
+  return result;
+}
+
+void expect_as_built(const std::string& settings) {
+  SCOPED_TRACE(settings);
+  Config config;
+  for (size_t at = 0; at < settings.size();) {
+    const size_t space = std::min(settings.find(' ', at), settings.size());
+    config_set(config, settings.substr(at, space - at));
+    at = space + 1;
+  }
+  const Elaborated built = elaborate(settings);
+  const StaticCost cost = static_cost(config);
+  std::map<std::string, Found> claimed;
+  for (const ArithmeticCost& row : cost.arithmetic) {
+    Found& sum = claimed[row.module];
+    sum.instances += row.instances, sum.multipliers += row.multipliers, sum.adders += row.adders, sum.constant_adders += row.constant_adders;
+  }
+  // rsqrt and recip may serve more than one kind: sums by module.
+  for (const auto& [module, sum] : claimed) {
+    SCOPED_TRACE(module);
+    const auto found = built.modules.find(module);
+    ASSERT_NE(found, built.modules.end()) << "no such module is built";
+    EXPECT_EQ(sum.instances, found->second.instances);
+    EXPECT_EQ(sum.multipliers, found->second.multipliers);
+    EXPECT_EQ(sum.adders, found->second.adders);
+    EXPECT_EQ(sum.constant_adders, found->second.constant_adders);
+  }
+  // What multiplies and is not claimed counts windows only.
+  for (const auto& [module, found] : built.modules) {
+    if (found.multipliers > 0 && !claimed.contains(module)) {
+      EXPECT_TRUE(module == "ru_window" || module == "scheduler") << module << " multiplies and is not in the table";
+    }
+  }
+  uint64_t bits = 0;
+  for (const BufferCost& row : cost.buffers) bits += row.bits();
+  EXPECT_EQ(bits, built.sram_bits);
+}
+
+TEST(StaticCost, DefaultIsAsBuilt) { expect_as_built(""); }
+TEST(StaticCost, LateAlphasAreAsBuilt) { expect_as_built("late=1"); }
+TEST(StaticCost, OtherCountsAndWidthsAreAsBuilt) {
+  expect_as_built("units=2 pixels_per_row=1 grid=8 window=32 alpha_w=10 records=64 alpha_lines=256 fetch_lines=16");
+  expect_as_built("units=1 pixels_per_row=1 grid=1 late=1 quadratic=1 records=1024");
+}
+
+// Every other rung that this RTL has.
+TEST(StaticCost, EveryRungIsAsBuilt) {
+  bool any = false;
+  for (const Rung& rung : rungs()) {
+    Config config;
+    apply_rung(rung, config);
+    try {
+      check_rtl(config);
+    } catch (const ConfigError&) {
+      continue;
+    }
+    std::string settings = config_difference(config);
+    if (settings == "default" || settings == "late=1") continue;  // above
+    for (char& c : settings) c = c == ',' ? ' ' : c;
+    expect_as_built(settings);
+    any = true;
+  }
+  if (!any) GTEST_SKIP() << "this RTL has no rung of another order";
+}
+
+TEST(StaticCost, ConstantProducts) {
+  for (const auto& [constant, adders] : {std::pair{0, 0}, {1, 0}, {8, 0}, {3, 1}, {7, 1}, {14, 1}, {49, 2}, {361, 4}, {25, 2}, {15, 1}}) {
+    EXPECT_EQ(constant_product_adders(constant), adders) << constant;
+    EXPECT_EQ(constant_product_adders(constant), shifts_and_adders(static_cast<uint64_t>(constant))) << constant;
+  }
+}
+
+TEST(Rungs, AreLegalAndKnownByTheirSettings) {
+  for (const Rung& rung : rungs()) {
+    Config config;
+    apply_rung(rung, config);
+    EXPECT_NO_THROW(config_check(config)) << rung.name;
+    EXPECT_EQ(rung_name(config), rung.name);
+    EXPECT_EQ(&find_rung(rung.name), &rung);
+  }
+  EXPECT_EQ(rung_name(Config{}), "dop");
+  EXPECT_THROW(find_rung("nonsense"), ConfigError);
+  EXPECT_THROW(find_rungs({"dop", "dop"}), ConfigError);
+  EXPECT_EQ(find_rungs({}).size(), rungs().size());
+}
+
+}  // namespace
+}  // namespace pipegs
