@@ -6,7 +6,7 @@
 //         goes to the output register. A record of the same window right behind it takes the count from there.
 //         When a frame begins the counts of its windows are cleared, one per cycle.
 // Stream  splats and their windows' numbers in, one stream per PU, in turn; an end is taken at once. Memory writes out.
-//         done_o: every PU's end has come and every line was accepted.
+//         done_o: the counts are cleared, every PU's end has come and every line was accepted.
 // Pace    One record per cycle while the memory takes it.
 // Model   cpp_model/list/list_write.hpp
 
@@ -93,7 +93,7 @@ module list_write #(
   assign mem_valid_o   = out_valid_q;
   assign mem_address_o = address_q;
   assign mem_data_o    = pipegs_pkg::MemoryW'(out_q);
-  assign done_o        = ended_q == '1 && !held_valid_q && !out_valid_q;
+  assign done_o        = ended_q == '1 && !clearing && !held_valid_q && !out_valid_q;
   assign active_o      = restart_i || clearing || splat_valid_i != '0 || held_valid_q || out_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
