@@ -92,6 +92,11 @@ void set_windows(const Config& config, const Setter& set, const std::optional<Wi
     throw FrameError(fmt::format("camera '{}': windows ({}, {}) to ({}, {}) do not lie in {} x {} windows", camera.name,
                                  range.first_x, range.first_y, range.last_x, range.last_y, columns, rows));
   }
+  const int count = (range.last_x - range.first_x + 1) * (range.last_y - range.first_y + 1);
+  if (config.order == 1 && count > 1 << config.list_window_w()) {
+    throw FrameError(fmt::format("camera '{}': {} windows, but order = 1 has {} lists at most: use larger windows", camera.name, count,
+                                 1 << config.list_window_w()));
+  }
   frame.width = static_cast<uint64_t>(camera.width);
   frame.height = static_cast<uint64_t>(camera.height);
   frame.first_x = static_cast<uint64_t>(range.first_x);

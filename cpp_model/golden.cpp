@@ -14,6 +14,7 @@
 #include "cpp_model/pu/pu_conic.hpp"
 #include "cpp_model/pu/pu_covariance.hpp"
 #include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/pu_expand.hpp"
 #include "cpp_model/pu/pu_factors.hpp"
 #include "cpp_model/pu/pu_intersect.hpp"
 #include "cpp_model/pu/pu_jacobian.hpp"
@@ -66,29 +67,65 @@ double key_depth(const PackedScene& packed, uint64_t key) {
   return std::ldexp(mantissa, static_cast<int>(key >> mantissa_bits) + packed.scene_exponent);
 }
 
-// One Gaussian through the PU; appends to the layer what survives.
-void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& window, GoldenLayer& layer) {
+// One Gaussian up to its conic; nothing when the cull drops it.
+std::optional<Conic> project(const GoldenInput& input, const Fetched& fetched, Work& work, Saturations& saturations) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
-  ++window.work.fetched;
+  ++work.fetched;
   const std::optional<Visible> visible = pu_cull(config, frame, fetched);
-  if (!visible) return;
-  ++window.work.visible;
-  const Projected projected = pu_project(config, frame, *visible, &window.saturations.mean);
+  if (!visible) return std::nullopt;
+  ++work.visible;
+  const Projected projected = pu_project(config, frame, *visible, &saturations.mean);
   const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
-  const Covariance covariance = pu_covariance(config, frame, pu_squares(config, frame, factors));
-  const Coeff coeff = pu_coeff(config, frame, pu_conic(config, frame, covariance));
+  return pu_conic(config, frame, pu_covariance(config, frame, pu_squares(config, frame, factors)));
+}
+
+// The regions of a Gaussian in the window that its mean is relative to; counts what has some.
+Tiles intersect(const GoldenInput& input, const Conic& conic, GoldenWindow& window) {
+  const Coeff coeff = pu_coeff(input.packed->config, input.frame, conic);
   window.saturations.dead += coeff.dead;
-  const Tiles tiles = pu_intersect(config, frame, coeff);
-  if (tiles.mask == 0) return;
-  ++window.work.records;
+  const Tiles tiles = pu_intersect(input.packed->config, input.frame, coeff);
+  window.work.records += tiles.mask != 0;
   window.work.regions += static_cast<uint64_t>(std::popcount(tiles.mask));
-  const ColorJob job = color_job(tiles);
+  return tiles;
+}
+
+Colored color(const GoldenInput& input, const ColorJob& job, Saturations& saturations) {
+  const Config& config = input.packed->config;
   ColorCounts counts;
-  const uint32_t* line = color_degree(config, frame) == 0 ? nullptr : input.packed->colors[color_line(frame, job.slot) - frame.colors].data();
-  const Colored colored = pu_color(config, frame, job, line, &counts);
-  layer.splats.push_back({golden_splat(config, colored, tiles), row_job(tiles)});
-  window.saturations.color += counts.saturated;
+  const uint32_t* line =
+      color_degree(config, input.frame) == 0 ? nullptr : input.packed->colors[color_line(input.frame, job.slot) - input.frame.colors].data();
+  const Colored colored = pu_color(config, input.frame, job, line, &counts);
+  saturations.color += counts.saturated;
+  return colored;
+}
+
+// One Gaussian through the PU; appends to the layer what survives.
+void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& window, GoldenLayer& layer) {
+  const std::optional<Conic> conic = project(input, fetched, window.work, window.saturations);
+  if (!conic) return;
+  const Tiles tiles = intersect(input, *conic, window);
+  if (tiles.mask == 0) return;
+  const Colored colored = color(input, color_job(tiles), window.saturations);
+  layer.splats.push_back({golden_splat(input.packed->config, colored, tiles), row_job(tiles)});
+}
+
+// The list of a window: its candidates with at least one region.
+void read_list(const GoldenInput& input, GoldenWindow& window) {
+  const Config& config = input.packed->config;
+  const Frame& frame = input.frame;
+  const GoldenLists& lists = golden_lists(input);
+  const auto x = static_cast<int64_t>(window.x - frame.first_x), y = static_cast<int64_t>(window.y - frame.first_y);
+  GoldenLayer list;
+  for (const uint32_t number : lists.windows[pu_expand_number(frame, x, y)]) {
+    const GoldenLists::Entry& entry = lists.gaussians[number];
+    const Tiles tiles = intersect(input, pu_expand(config, frame, entry.conic, entry.colored, x, y), window);
+    if (tiles.mask == 0) continue;
+    Colored colored = entry.colored;
+    colored.mask = tiles.mask;
+    list.splats.push_back({golden_splat(config, colored, tiles), row_job(tiles)});
+  }
+  if (!list.splats.empty()) window.layers.push_back(std::move(list));
 }
 
 void blend(const GoldenInput& input, GoldenWindow& window) {
@@ -142,19 +179,67 @@ Saturations& Saturations::operator+=(const Saturations& o) {
   return *this;
 }
 
+const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
+  static std::mutex making;
+  const std::lock_guard lock(making);
+  if (input.lists) return *input.lists;
+  const PackedScene& packed = *input.packed;
+  const Frame& frame = input.frame;
+  std::vector<Chunk> chunks;
+  dopu_window(packed.config, frame, packed, static_cast<int>(frame.first_x), static_cast<int>(frame.first_y),
+              [&](int, const Chunk& chunk, uint64_t) { chunks.push_back(chunk); });
+  // A part of the chunks for each item; the parts are joined in order, so the result does not depend on the threads.
+  constexpr size_t kChunksOfPart = 64;
+  std::vector<GoldenLists> parts((chunks.size() + kChunksOfPart - 1) / kChunksOfPart);
+  parallel_for(parts.size(), threads, [&](size_t i) {
+    GoldenLists& part = parts[i];
+    for (size_t k = i * kChunksOfPart; k < std::min(chunks.size(), (i + 1) * kChunksOfPart); ++k) {
+      ++part.work.chunks;
+      for (uint64_t slot = chunks[k].slot; slot < chunks[k].slot + chunks[k].count; ++slot) {
+        const std::optional<Conic> conic = project(input, fetched_beat(chunks[k], packed.gaussians[slot], slot), part.work, part.saturations);
+        if (!conic || !pu_expand_box(packed.config, frame, *conic)) continue;
+        part.gaussians.push_back({*conic, color(input, pu_expand_job(*conic), part.saturations)});
+      }
+    }
+  });
+  auto lists = std::make_shared<GoldenLists>();
+  lists->windows.resize((frame.last_x - frame.first_x + 1) * (frame.last_y - frame.first_y + 1));
+  for (const GoldenLists& part : parts) {
+    lists->work += part.work;
+    lists->saturations += part.saturations;
+    for (const GoldenLists::Entry& entry : part.gaussians) {
+      const PuExpandBox box = *pu_expand_box(packed.config, frame, entry.conic);
+      for (int64_t y = box.first_y; y <= box.last_y; ++y) {
+        for (int64_t x = box.first_x; x <= box.last_x; ++x) {
+          lists->windows[pu_expand_number(frame, x, y)].push_back(static_cast<uint32_t>(lists->gaussians.size()));
+        }
+      }
+      lists->gaussians.push_back(entry);
+    }
+  }
+  input.lists = lists;
+  return *lists;
+}
+
 GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t window_y) {
   const PackedScene& packed = *input.packed;
   GoldenWindow window;
   window.x = window_x;
   window.y = window_y;
-  dopu_window(packed.config, input.frame, packed, static_cast<int>(window_x), static_cast<int>(window_y),
-              [&](int ordinal, const Chunk& chunk, uint64_t) {
-                if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
-                ++window.work.chunks;
-                for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
-                  preprocess(input, fetched_beat(chunk, packed.gaussians[slot], slot), window, window.layers.back());
-                }
-              });
+  const int order = packed.config.order;
+  const auto walk = [&](int ordinal, const Chunk& chunk, uint64_t) {
+    if (order != 0) ordinal = 0;  // sorted as a whole
+    if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
+    ++window.work.chunks;
+    for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
+      preprocess(input, fetched_beat(chunk, packed.gaussians[slot], slot), window, window.layers.back());
+    }
+  };
+  if (order == 1) {
+    read_list(input, window);
+  } else {
+    dopu_window(packed.config, input.frame, packed, static_cast<int>(window_x), static_cast<int>(window_y), walk);
+  }
   for (GoldenLayer& layer : window.layers) {
     std::sort(layer.splats.begin(), layer.splats.end(),
               [](const GoldenSplat& a, const GoldenSplat& b) { return splat_before(a.splat, b.splat); });
@@ -185,6 +270,11 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   std::vector<uint64_t> order(input.packed->scene_gaussians, kUnseen);
   std::mutex mutex;
   uint64_t finished = 0;
+  if (config.order == 1) {
+    const GoldenLists& lists = golden_lists(input, options.threads);
+    result.work += lists.work;
+    result.saturations += lists.saturations;
+  }
 
   parallel_for(count, options.threads, [&](size_t i) {
     const GoldenWindow window = golden_window(input, frame.first_x + i % columns, frame.first_y + i / columns);

@@ -4,11 +4,14 @@
 // Idea    Window by window, layer by layer: the twins of the units in the order of the streams. What depends on timing in
 //         the hardware (which unit takes a chunk, which regions are skipped because they are done already) is left out: the
 //         golden model computes everything, and skipping can only leave out work that changes no pixel.
+// Order   0: layer by layer. 1: the frame is preprocessed into lists of the windows. 1 and 2: a window is one layer, sorted
+//         by {depth, index}.
 // Threads Windows are independent; the result does not depend on their number.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "cpp_model/float/image.hpp"
@@ -55,7 +58,7 @@ struct GoldenLayer {
 
 struct GoldenWindow {
   uint64_t x = 0, y = 0;
-  std::vector<GoldenLayer> layers;    // those with at least one chunk; maybe none
+  std::vector<GoldenLayer> layers;    // those with at least one chunk (order 1: one, if a list has an entry); maybe none
   std::vector<RegionState> regions;   // row by row: T, RGB, done of the finished window
   std::vector<double> depth;          // sum of weight * view depth in scene units, by region and pixel
   std::vector<uint32_t> blended;      // Gaussians blended, by region and pixel
@@ -63,10 +66,27 @@ struct GoldenWindow {
   Saturations saturations;
 };
 
+// Order 1: what the preprocessing of the whole frame leaves, each Gaussian once, and who stands in the list of a window.
+struct GoldenLists {
+  struct Entry {
+    Conic conic;  // mean relative to the frame's first window
+    Colored colored;
+  };
+  std::vector<Entry> gaussians;
+  std::vector<std::vector<uint32_t>> windows;  // by number (pu_expand_number): those whose box touches the window
+  Work work;                                   // fetched, visible, chunks of the frame
+  Saturations saturations;                     // mean, color
+};
+
 struct GoldenInput {
   const PackedScene* packed = nullptr;
   Frame frame;
+  // Made by the first golden_lists(); a copy of the input shares them, another frame needs a new input.
+  mutable std::shared_ptr<const GoldenLists> lists = {};
 };
+
+// The lists of the frame, computed once on all threads (or `threads`). Only for order 1.
+const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads = 0);
 
 // One Gaussian as a window sees it: what each twin said, for `explain` and for finding a wrong bit.
 GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t window_y);

@@ -67,7 +67,8 @@ package pipegs_pkg;
   localparam int unsigned ScaleW         = 18;  // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
   localparam int unsigned TanW           = 27;  // x/z, y/z
-  localparam int unsigned MeanW          = 31;  // projected mean relative to the window's first pixel
+  localparam int unsigned WindowMeanW    = 31;  // projected mean relative to its window's first pixel
+  localparam int unsigned MeanW          = 31;  // projected mean; with lists it comes relative to the first window, and a bit more keeps what saturates in no window
   localparam int unsigned DirectionW     = 18;  // component of the view direction, signed, block-normalised
   localparam int unsigned WorldDirectionW = 20;  // component of the view direction in world axes, s(DirectionW).1
   localparam int unsigned LengthW        = 36;  // squared length of the view direction
@@ -101,7 +102,11 @@ package pipegs_pkg;
   localparam int unsigned LateBcW        = 0;  // coefficients B and C in a splat; absent unless late
   localparam int unsigned LateDefW       = 0;  // coefficients D, E and F in a splat; absent unless late
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
-  localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set
+  localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set; with lists {unit, line} of the area of all alphas
+  localparam int unsigned AlphaAreaW     = 29;  // the area of all alphas begins 2^AlphaAreaW lines into the overflow area (lists)
+  localparam int unsigned ListAreaW      = 30;  // the lists begin 2^ListAreaW lines into the overflow area
+  localparam int unsigned ListWindowW    = 12;  // number of a window, row by row from the frame's first to its last: at most 2^ListWindowW lists
+  localparam int unsigned ListEntryW     = 20;  // entry of a list, one line each
   localparam int unsigned UnitW          = 2;  // number of a unit
   localparam int unsigned GaussiansPerLine = 2;  // geometry records in a line of memory, at 0 and 256 bits
   localparam int unsigned PixelW         = 64;  // pixel in the frame in memory: T u1.15, blue, green, red u2.14, red lowest
@@ -110,8 +115,8 @@ package pipegs_pkg;
   localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits
   localparam int unsigned TStop          = 27;  // a pixel stops before its transmittance falls below 1e-4: ceil(1e-4 * 2^(TW-1))
   localparam int unsigned PerfW          = 40;  // a performance counter, cycles or events
-  localparam int unsigned WritePorts     = 12;  // memory ports that may write: PU alphas, SU, RU of each unit
-  localparam int unsigned MemoryPorts    = 21;  // memory ports: PU alphas, SU, RU, PU geometry, PU colour of each unit, then DOPU
+  localparam int unsigned WritePorts     = 12;  // memory ports that may write: PU alphas, SU, RU of each unit, then the lists if there are any
+  localparam int unsigned MemoryPorts    = 21;  // memory ports: those that may write, PU geometry, PU colour of each unit, then DOPU
   localparam int unsigned PixelWordW     = 1088;  // sixteen pixels of T, red, green, blue, done: a word of the pixel buffer
 
   // What a beat of a stream is.
@@ -492,14 +497,14 @@ package pipegs_pkg;
   localparam int unsigned CovarianceBits = 383;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;
+    logic [SlotW-1:0] slot;  // behind pu_expand the number of the window
     logic [IndexW-1:0] index;
     logic signed [BaseW-1:0] base_b;
     logic signed [BaseW-1:0] base_g;
     logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;
-    logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;
+    logic signed [DirectionW-1:0] dir_z;  // behind pu_expand blue
+    logic signed [DirectionW-1:0] dir_y;  // behind pu_expand green
+    logic signed [DirectionW-1:0] dir_x;  // behind pu_expand red, for the colour is known there
     logic [DepthW-1:0] depth;
     logic [OpacityW-1:0] opacity;
     logic signed [FloatEW-1:0] wide_e;

@@ -2,7 +2,8 @@
 //
 // Paper   Fig. 7, Table 2.
 // Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> SU[k] -> su_merge -> ru_dispatch -> RU[j]; alpha store k lies between PU k and all RUs
-//         (with cached coefficients there is none: Late).
+//         (with cached coefficients there is none: Late). With lists (Order 1) they lie between the PUs and the SUs, and
+//         in time between the two halves of the machine.
 //         While the RUs blend layer i, the SUs sort behind them and the PUs already work on layer i + 1, across windows too.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
 // Stream  start_i with frame_i; the scene and the frame lie in external memory; busy_o falls when the last pixel is written.
@@ -34,6 +35,7 @@ module pipegs_top #(
   input  logic [MemoryW-1:0]                   mem_rsp_data_i,
 
   output logic [PerfW-1:0]                     cycles_o,
+  output logic [PerfW-1:0]                     preprocess_cycles_o,  // with lists: of cycles_o, before the first list is read
   output logic [PerfW-1:0]                     overflow_lines_o,
   output logic [PerfUnits*4*PerfW-1:0]         perf_o,
 
@@ -69,9 +71,10 @@ module pipegs_top #(
   localparam int unsigned AlphaPort    = 0;
   localparam int unsigned SortPort     = Units;
   localparam int unsigned RasterPort   = 2 * Units;
-  localparam int unsigned GeometryPort = 3 * Units;
-  localparam int unsigned ColorPort    = 4 * Units;
-  localparam int unsigned NodePort     = 5 * Units;
+  localparam int unsigned ListPort     = 3 * Units;   // there are lists only if Order is 1
+  localparam int unsigned GeometryPort = WritePorts;
+  localparam int unsigned ColorPort    = WritePorts + Units;
+  localparam int unsigned NodePort     = WritePorts + 2 * Units;
 
   logic                          restart, running, idle, layer_free;
   logic [Units-1:0]              window_done, layer_done, overflow_sort;
@@ -92,6 +95,10 @@ module pipegs_top #(
   pipegs_pkg::chunk_t            chunk;
   logic [Units-1:0]              splat_valid, splat_ready, in_order_valid, in_order_ready;
   logic [Units*pipegs_pkg::SplatBits-1:0] splat, in_order;
+  logic [Units-1:0]              made_valid, made_ready;  // splats as the PUs make them
+  logic [Units*pipegs_pkg::SplatBits-1:0] made;
+  logic [Units*pipegs_pkg::ListWindowW-1:0] made_number;
+  logic                          written, lists_busy;
   logic                          sorted_valid, sorted_ready;
   pipegs_pkg::sorted_t           sorted;
   logic [Units-1:0]              raster_valid, raster_ready;
@@ -107,12 +114,12 @@ module pipegs_top #(
 
   scheduler u_scheduler (
     .clk_i, .rst_ni, .start_i, .frame_i, .window_done_i(window_done), .idle_i(idle),
-    .overflow_sort_i(overflow_sort), .overflow_alpha_i(overflow_alpha),
-    .restart_o(restart), .busy_o, .cycles_o, .overflow_lines_o
+    .overflow_sort_i(overflow_sort), .overflow_alpha_i(overflow_alpha), .written_i(written),
+    .restart_o(restart), .busy_o, .cycles_o, .preprocess_cycles_o, .overflow_lines_o
   );
   assign running = busy_o && !restart;
   assign idle    = !dopu_active && pu_active == '0 && su_active == '0 && ru_active == '0 && !merge_active &&
-                   !dispatch_active && !deal_active && mem_valid == '0 && !mem_valid_o;
+                   !dispatch_active && !deal_active && !lists_busy && mem_valid == '0 && !mem_valid_o;
 
   layer_free u_layer_free (.clk_i, .rst_ni, .done_i(layer_done), .free_o(layer_free));
 
@@ -156,13 +163,14 @@ module pipegs_top #(
       .spill_valid_o(mem_valid[AlphaPort+k]), .spill_ready_i(mem_ready[AlphaPort+k]),
       .spill_address_o(mem_address[(AlphaPort+k)*AddressW +: AddressW]), .spill_data_o(mem_data[(AlphaPort+k)*MemoryW +: MemoryW]),
       .store_write_o(store_write), .store_address_o(store_address), .store_line_o(store_line),
-      .splat_valid_o(splat_valid[k]), .splat_ready_i(splat_ready[k]),
-      .splat_o(splat[k*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]),
+      .splat_valid_o(made_valid[k]), .splat_ready_i(made_ready[k]),
+      .splat_o(made[k*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]),
+      .number_o(made_number[k*pipegs_pkg::ListWindowW +: pipegs_pkg::ListWindowW]),
       .overflowed_o(overflow_alpha[k*LinesW +: LinesW]), .active_o(pu_active[k]), .perf_o(perf_state[2*(1+k) +: 2])
     );
     assign mem_write[AlphaPort+k] = 1'b1;
 
-    if (pipegs_pkg::Late == 0) begin : gen_store
+    if (pipegs_pkg::Late == 0 && pipegs_pkg::Order != 1) begin : gen_store
       logic             store_clk, store_active;
       logic [Units-1:0] store_read_valid, store_read_ready, store_answer_valid;
       for (genvar j = 0; j < Units; j += 1) begin : gen_reader
@@ -218,6 +226,30 @@ module pipegs_top #(
       .tap_word_region_o(tap_pixels_region_o[k*pipegs_pkg::RegionW +: pipegs_pkg::RegionW]),
       .tap_word_quarter_o(tap_pixels_quarter_o[k*2 +: 2]), .tap_word_o(tap_pixels_o[k*PixelWordW +: PixelWordW])
     );
+  end
+
+  if (pipegs_pkg::Order == 1) begin : gen_lists
+    logic               lists_clk, lists_active;
+    pipegs_pkg::splat_t listed;
+    clock_gate u_lists_gate (.clk_i, .rst_ni, .enable_i(lists_active), .clk_o(lists_clk));
+    lists u_lists (
+      .clk_i(lists_clk), .rst_ni, .frame_i, .restart_i(restart),
+      .made_valid_i(made_valid), .made_ready_o(made_ready), .made_i(made), .number_i(made_number),
+      .mem_valid_o(mem_valid[ListPort]), .mem_ready_i(mem_ready[ListPort]), .mem_write_o(mem_write[ListPort]),
+      .mem_address_o(mem_address[ListPort*AddressW +: AddressW]), .mem_data_o(mem_data[ListPort*MemoryW +: MemoryW]),
+      .rsp_valid_i(rsp_valid[ListPort]), .rsp_data_i(rsp_data),
+      .splat_valid_o(splat_valid), .splat_ready_i(splat_ready), .splat_o(listed),
+      .written_o(written), .busy_o(lists_busy), .active_o(lists_active)
+    );
+    assign splat = {Units{listed}};
+  end else begin : gen_direct
+    assign splat_valid = made_valid;
+    assign made_ready  = splat_ready;
+    assign splat       = made;
+    assign written     = 1'b0;
+    assign lists_busy  = 1'b0;
+    logic unused_number;
+    assign unused_number = &{1'b0, made_number};
   end
 
   pu_deal u_deal (

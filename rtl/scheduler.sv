@@ -19,9 +19,12 @@ module scheduler (
   input  logic [pipegs_pkg::Units-1:0] overflow_sort_i,
   input  logic [pipegs_pkg::Units*(pipegs_pkg::RegionW+1)-1:0] overflow_alpha_i,
 
+  input  logic                         written_i,       // with lists: the last one is written (else never)
+
   output logic                         restart_o,
   output logic                         busy_o,
   output logic [pipegs_pkg::PerfW-1:0] cycles_o,
+  output logic [pipegs_pkg::PerfW-1:0] preprocess_cycles_o,  // of cycles_o, those before written_i
   output logic [pipegs_pkg::PerfW-1:0] overflow_lines_o
 );
 
@@ -34,7 +37,7 @@ module scheduler (
   logic [CountW-1:0] left_q [Units];  // windows that each RU has still to complete
   logic [Units-1:0]  complete;
   logic              restart_q, busy_q;
-  logic [PerfW-1:0]  cycles_q, overflow_q, overflow_now;
+  logic [PerfW-1:0]  cycles_q, preprocess_q, overflow_q, overflow_now;
   logic [WindowW:0]   columns, rows;  // up to 2^WindowW
 
   assign columns = (WindowW+1)'(frame_i.last_x - frame_i.first_x) + 1'b1;
@@ -51,25 +54,29 @@ module scheduler (
   assign restart_o        = restart_q;
   assign busy_o           = busy_q;
   assign cycles_o         = cycles_q;
+  assign preprocess_cycles_o = preprocess_q;
   assign overflow_lines_o = overflow_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       restart_q  <= 1'b0;
       busy_q     <= 1'b0;
-      cycles_q   <= '0;
-      overflow_q <= '0;
+      cycles_q     <= '0;
+      preprocess_q <= '0;
+      overflow_q   <= '0;
       for (int unsigned i = 0; i < Units; i += 1) left_q[i] <= '0;
     end else begin
       restart_q <= start_i && !busy_q;
       if (start_i && !busy_q) begin
         busy_q     <= 1'b1;
-        cycles_q   <= '0;
-        overflow_q <= '0;
+        cycles_q     <= '0;
+        preprocess_q <= '0;
+        overflow_q   <= '0;
         for (int unsigned i = 0; i < Units; i += 1) left_q[i] <= CountW'(columns) * CountW'(rows);
       end else begin
         // The restart cycle itself belongs to no unit: counting starts behind it, as in perf.
         if (busy_q && !restart_q) cycles_q <= cycles_q + 1'b1;
+        if (busy_q && written_i) preprocess_q <= cycles_q;
         if (busy_q) overflow_q <= overflow_q + overflow_now;
         if (busy_q && !restart_q && complete == '1 && idle_i) busy_q <= 1'b0;
         for (int unsigned i = 0; i < Units; i += 1) if (window_done_i[i]) left_q[i] <= left_q[i] - 1'b1;

@@ -191,6 +191,9 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
   slice(top.cycles_o, 0, w_.perf, words);
   result.cycles = get_bits(words, 0, w_.perf);
   words[1] = 0;
+  slice(top.preprocess_cycles_o, 0, w_.perf, words);
+  result.preprocess_cycles = get_bits(words, 0, w_.perf);
+  words[1] = 0;
   slice(top.overflow_lines_o, 0, w_.perf, words);
   result.overflow_lines = get_bits(words, 0, w_.perf);
   int unit = 0;

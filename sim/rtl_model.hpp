@@ -49,6 +49,7 @@ struct UnitCycles {
 
 struct RtlResult {
   uint64_t cycles = 0;
+  uint64_t preprocess_cycles = 0;  // of these, before the first list was read (order 1; else 0)
   std::vector<UnitCycles> dopu, pu, su, ru;
   uint64_t overflow_lines = 0;  // lines of alphas, records and keys that went to external memory
 };

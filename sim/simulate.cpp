@@ -107,8 +107,7 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
   // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
   const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
   result.packed = pack_scene(options.config, scene, bound);
-  result.input.packed = &result.packed;
-  result.input.frame = frame_setup(options.config, result.packed, camera, {}, options.near_plane);
+  result.input = {.packed = &result.packed, .frame = frame_setup(options.config, result.packed, camera, {}, options.near_plane)};
   Frame& frame = result.input.frame;
   if (options.window) {
     const auto [x, y] = *options.window;

@@ -1,7 +1,7 @@
 // stream_check.hpp: holds every stream of the RTL against the golden model while the machine runs.
 //
 // Idea    The golden window is computed when the RTL first shows something of it and dropped when it has left it.
-//           PU -> SU      every splat equals the golden one; regions may be missing only where the window is done there
+//           PU -> SU      (with lists: list -> SU) every splat equals the golden one; regions may be missing only where the window is done there
 //           merge -> RU   the order equals the golden order, layer by layer
 //           alphas        the line that an RU starts to blend equals the golden codes of that Gaussian and region
 //           pixels        T and RGB that an RU writes back equal the golden blend of that line
@@ -70,6 +70,8 @@ class StreamCheck final : public RtlTaps {
   };
 
   Window& window(uint64_t ordinal);
+  // Regions that the stream before the RUs may leave out. Lists are made before anything is done: they are complete.
+  uint64_t may_miss(const Window& window) const { return config_.order == 1 ? 0 : window.done; }
   void release();
   void fail(uint64_t window, std::string what);
   void end(Place& place, uint64_t kind);

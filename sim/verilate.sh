@@ -11,7 +11,7 @@ mkdir -p "$out"
 rm -f "$out"/V"$module"*
 verilator --cc --prefix "V$module" --top-module "$module" --Mdir "$out" -O3 --assert --trace-fst \
   --x-initial unique --x-assign unique --unroll-count 256 --output-split 20000 --output-split-cfuncs 2000 -Wall \
-  "$root/verif/support/waivers.vlt" "$package" -y "$root/rtl" -y "$root/rtl/dopu" -y "$root/rtl/pu" -y "$root/rtl/su" -y "$root/rtl/ru" \
+  "$root/verif/support/waivers.vlt" "$package" -y "$root/rtl" -y "$root/rtl/dopu" -y "$root/rtl/pu" -y "$root/rtl/su" -y "$root/rtl/ru" -y "$root/rtl/list" \
   -y "$root/rtl/buf" -y "$root/rtl/lib" "$module"
 i=0
 for shard in $(seq 0 $((shards - 1))); do : > "$out/V${module}__shard$shard.cpp"; done

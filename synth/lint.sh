@@ -8,14 +8,16 @@
 # which goes with one of them, is an error. Ends in a count.
 set -uo pipefail
 cd "$(dirname "$0")/.."
-paths=(-y rtl -y rtl/dopu -y rtl/pu -y rtl/su -y rtl/ru -y rtl/buf -y rtl/lib)
+paths=(-y rtl -y rtl/dopu -y rtl/pu -y rtl/su -y rtl/ru -y rtl/list -y rtl/buf -y rtl/lib)
 files=(); for file in rtl/*.sv rtl/*/*.sv; do [ "$file" = rtl/pipegs_pkg.sv ] || files+=("$file"); done
 modules=("$@")
 if [ ${#modules[@]} -eq 0 ]; then for file in "${files[@]}"; do modules+=("$(basename "$file" .sv)"); done; fi
 build=${BUILD:-build} failed=0 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-rungs=("" "late=1")  # the machines, as settings
-declare -A rung_of=([pu_late]="late=1" [ru_rows]="late=1" [pu_power]="late=1 quadratic=1")
+rungs=("" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1")  # the machines, as settings
+declare -A rung_of=([pu_late]="late=1" [ru_rows]="late=1" [pu_power]="late=1 quadratic=1"
+  [pu_expand]="late=1 order=1" [pu_list]="late=1 order=1" [pu_lines]="order=1"
+  [lists]="late=1 order=1" [list_write]="late=1 order=1" [list_read]="late=1 order=1")
 package() {  # the path of the package with these settings
   local folder=$scratch/${1// /,}
   if [ -z "$1" ]; then echo rtl/pipegs_pkg.sv; return; fi

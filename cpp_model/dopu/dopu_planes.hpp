@@ -43,12 +43,15 @@ inline Plane dopu_planes_side(const Config& config, const int64_t (&side)[3], co
   return plane;
 }
 
+// With lists (order 1) the planes of the rectangle from this window to the frame's last one.
 inline Planes dopu_planes(const Config& config, const Frame& frame, int window_x, int window_y) {
   const int64_t right[3] = {frame.w00, frame.w01, frame.w02}, down[3] = {frame.w10, frame.w11, frame.w12};
   const int64_t forward[3] = {frame.w20, frame.w21, frame.w22};
   const int64_t x0 = int64_t{window_x} * config.window, y0 = int64_t{window_y} * config.window;
-  const int64_t x1 = std::min<int64_t>(x0 + config.window, static_cast<int64_t>(frame.width)) - 1;
-  const int64_t y1 = std::min<int64_t>(y0 + config.window, static_cast<int64_t>(frame.height)) - 1;
+  const int64_t end_x = (config.order == 1 ? static_cast<int64_t>(frame.last_x) : window_x) + 1;
+  const int64_t end_y = (config.order == 1 ? static_cast<int64_t>(frame.last_y) : window_y) + 1;
+  const int64_t x1 = std::min<int64_t>(end_x * config.window, static_cast<int64_t>(frame.width)) - 1;
+  const int64_t y1 = std::min<int64_t>(end_y * config.window, static_cast<int64_t>(frame.height)) - 1;
   const int drop = config.rot_w() - config.test_w();
   Planes planes;
   planes[kNear] = {shift_floor(frame.w20, drop), shift_floor(frame.w21, drop), shift_floor(frame.w22, drop),

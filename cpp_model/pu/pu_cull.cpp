@@ -33,12 +33,13 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
   return huge ? (int64_t{1} << (c.view_w - 1)) - 1 : s + 1;
 }
 
-// Does [x - reach s, x + reach s] touch the window along one axis? All at the common exponent.
+// Does [x - reach s, x + reach s] touch the windows `window` to `last` along one axis? All at the common exponent.
 bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach,
-             int64_t center, uint64_t window) {
+             int64_t center, uint64_t window, uint64_t last) {
   const int64_t first = (static_cast<int64_t>(window) * c.window << kEdgeF) - (int64_t{kCullMargin} << kEdgeF);
   const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);                          // s17.4, rounded down
-  const int64_t span = ((int64_t{c.window} - 1 + 2 * kCullMargin) << kEdgeF) + 1;  // covers the rounding of a
+  const int64_t pixels = static_cast<int64_t>(last - window + 1) * c.window;
+  const int64_t span = ((pixels - 1 + 2 * kCullMargin) << kEdgeF) + 1;  // covers the rounding of a
   const int to_edge = c.focal_f() - kEdgeF;
   const int64_t f = static_cast<int64_t>(focal), r = shift_ceil(static_cast<int64_t>(reach), 8) << 8;
   const int64_t fx = f * x, az = (a * z) << to_edge, rs = r * s;
@@ -69,9 +70,9 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   const int cut = std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - kCutW);
   const int64_t cut_z = out.view_z >> cut, cut_s = (s >> cut) + 1;
   const bool touches_x = touches(c, out.view_x >> cut, cut_z, cut_s, frame.focal_x, frame.reach_x,
-                                 frame.center_x, in.window_x);
+                                 frame.center_x, in.window_x, c.order == 1 ? frame.last_x : in.window_x);
   const bool touches_y = touches(c, out.view_y >> cut, cut_z, cut_s, frame.focal_y, frame.reach_y,
-                                 frame.center_y, in.window_y);
+                                 frame.center_y, in.window_y, c.order == 1 ? frame.last_y : in.window_y);
   if (!huge && !(touches_x && touches_y)) return std::nullopt;
 
   out.window_x = in.window_x;

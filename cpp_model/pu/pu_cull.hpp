@@ -5,7 +5,8 @@
 //         weight = sqrt(1 - (-log2 opacity) / log2 255), plus 3.33 sqrt(0.3) for the dilation. Times z, each of the four sides is a plane, no division:
 //           keep iff  fx x - a z + reach s >= 0,   a = Window window_x - center_x - 2        (and the other three)
 //         x, z, s are cut to 17 bits with a common exponent, always to the side that keeps: it never drops a Gaussian
-//         with alpha >= 1/255 in a pixel of the window.
+//         with alpha >= 1/255 in a pixel of the window. With lists (order 1) the window is the rectangle from
+//         window_x, window_y to the frame's last one.
 // Numbers view s(ViewW-1).0 in units of 2^view_exp, rounded to nearest, saturated (DOPU's view_exp leaves room).
 //         near plane exact: keep iff z 2^view_exp > near_plane.
 // RTL     rtl/pu/pu_cull.sv

@@ -47,9 +47,11 @@ inline uint64_t ru_line(const Sorted& splat, int region) {
   return splat.address + std::popcount(splat.mask & ((uint64_t{1} << region) - 1));
 }
 
-// First memory line of an alpha line in the overflow area 0 of `unit` and layer parity `parity`.
+// First memory line of an alpha line in the overflow area 0 of `unit` and layer parity `parity`; with lists in the
+// one area of all alphas.
 inline uint64_t ru_overflow_line(const Config& c, const Frame& frame, uint64_t unit, uint64_t parity, uint64_t line) {
-  return frame.overflow + (((unit << 3) | (parity << 2)) << 24) + line * c.alpha_memory_lines();
+  const uint64_t area = c.order == 1 ? uint64_t{1} << c.alpha_area_w() : ((unit << 3) | (parity << 2)) << 24;
+  return frame.overflow + area + line * static_cast<uint64_t>(c.alpha_memory_lines());
 }
 
 }  // namespace pipegs

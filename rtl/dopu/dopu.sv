@@ -140,7 +140,7 @@ module dopu (
   logic busy_q, last_q, last_end;  // last_q: the last end stands at the output
 
   assign last_end = chunk_valid && chunk_ready && chunk.kind == pipegs_pkg::KindWindowEnd
-                    && chunk.window_x == frame_i.last_x && chunk.window_y == frame_i.last_y;
+                    && (pipegs_pkg::Order == 1 || (chunk.window_x == frame_i.last_x && chunk.window_y == frame_i.last_y));
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

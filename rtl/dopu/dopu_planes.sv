@@ -82,7 +82,14 @@ module dopu_planes (
   assign far         = side_q[0];
   assign size        = vertical ? WindowPixelW'(frame_i.height) : WindowPixelW'(frame_i.width);
   assign first_pixel = (vertical ? WindowPixelW'(window_y_q) : WindowPixelW'(window_x_q)) << $clog2(pipegs_pkg::Window);
-  assign end_pixel   = first_pixel + WindowPixelW'(pipegs_pkg::Window);
+  // With lists the rectangle of this window to the frame's last one.
+  if (pipegs_pkg::Order == 1) begin : gen_frame
+    logic [pipegs_pkg::WindowW-1:0] last_window;
+    assign last_window = vertical ? frame_i.last_y : frame_i.last_x;
+    assign end_pixel   = (WindowPixelW'(last_window) + 1'b1) << $clog2(pipegs_pkg::Window);
+  end else begin : gen_window
+    assign end_pixel = first_pixel + WindowPixelW'(pipegs_pkg::Window);
+  end
   assign pixel       = far ? (end_pixel < size ? end_pixel : size) - 1'b1 : first_pixel;
   assign center      = vertical ? EdgeW'(frame_i.center_y) : EdgeW'(frame_i.center_x);
   assign margin      = EdgeW'(2) <<< pipegs_pkg::CenterF;

@@ -2,7 +2,8 @@
 //
 // Paper   Sec. 4.1 (scheduling); early termination of a whole window is the feedback of Fig. 7's RU.
 // Idea    Two sets of planes: while the walk uses one, dopu_planes fills the other. A set is done when every region of its
-//         window is done; region (rx, ry) counts only if the RU that owns it is in this window.
+//         window is done; region (rx, ry) counts only if the RU that owns it is in this window. With lists (Order 1)
+//         there is one set, of all windows as one rectangle, and it is never done.
 // Stream  start_i for one cycle; set_valid_o: a set may be walked, until walked_i; release_i gives back the oldest set.
 // Pace    One window per 52 cycles.
 // Model   cpp_model/dopu/dopu_planes.hpp
@@ -34,6 +35,7 @@ module dopu_windows (
   localparam int unsigned Units = pipegs_pkg::Units;
   localparam int unsigned Regions = pipegs_pkg::Regions;
   localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
+  localparam logic Whole = pipegs_pkg::Order == 1;  // one walk of all windows: nothing is done before it ends
 
   // --- windows, row by row ----------------------------------------------------------------------------------------
   logic               asking_q, more_q;  // a window is with dopu_planes; windows are left
@@ -48,7 +50,7 @@ module dopu_windows (
 
   assign window_valid = more_q && !asking_q;
   assign planes_ready = !valid_q[fill_q];
-  assign last         = x_q == frame_i.last_x && y_q == frame_i.last_y;
+  assign last         = Whole || (x_q == frame_i.last_x && y_q == frame_i.last_y);
 
   dopu_planes u_planes (
     .clk_i, .rst_ni, .frame_i,
@@ -130,7 +132,7 @@ module dopu_windows (
   endfunction
 
   always_comb begin
-    for (int unsigned s = 0; s < 2; s += 1) done_d[s] = valid_q[s] && region_done[s] == '1;
+    for (int unsigned s = 0; s < 2; s += 1) done_d[s] = !Whole && valid_q[s] && region_done[s] == '1;
   end
   always_ff @(posedge clk_i) done_q <= done_d;
   assign done_news_o = done_d != done_q;

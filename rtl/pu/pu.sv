@@ -3,7 +3,7 @@
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
 // Idea    fetch -> cull -> (pu_deal, shared by all PUs) -> queue -> project -> orient -> jacobian -> factors -> squares ->
 //         covariance -> conic -> coeff -> intersect -> back: pu_cache (alphas are cached) or pu_late (coefficients
-//         are). Only wiring here.
+//         are). With lists (Order 1) pu_list stands before coeff and behind intersect. Only wiring here.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
 // Pace    One Gaussian per cycle into the cull, one per eight cycles behind it.
 // Model   preprocess() in cpp_model/golden.cpp
@@ -60,6 +60,7 @@ module pu #(
   output logic                                 splat_valid_o,
   input  logic                                 splat_ready_i,
   output pipegs_pkg::splat_t                   splat_o,
+  output logic [pipegs_pkg::ListWindowW-1:0]   number_o,    // of its window, with lists
 
   output logic [pipegs_pkg::RegionW:0]         overflowed_o,
   output logic                                 active_o,
@@ -71,7 +72,7 @@ module pu #(
   logic fetched_valid, fetched_ready, visible_valid, visible_ready, projected_valid, projected_ready;
   logic oriented_valid, oriented_ready, jacobian_valid, jacobian_ready, factors_valid, factors_ready;
   logic squares_valid, squares_ready, covariance_valid, covariance_ready, conic_valid, conic_ready;
-  logic coeff_valid, coeff_ready, tiles_valid, tiles_ready;
+  logic placed_valid, placed_ready, coeff_valid, coeff_ready, tiles_valid, tiles_ready;
   logic [$clog2(VisibleDepth+1)-1:0] visible_count;
   logic fetch_idle, fetch_waiting, color_busy, color_waiting, rows_busy, back_moved, back_busy, back_waiting;
   logic cull_busy, project_busy, orient_busy, jacobian_busy, factors_busy, squares_busy, covariance_busy;
@@ -85,7 +86,7 @@ module pu #(
   pipegs_pkg::factors_t    factors;
   pipegs_pkg::squares_t    squares;
   pipegs_pkg::covariance_t covariance;
-  pipegs_pkg::conic_t      conic;
+  pipegs_pkg::conic_t      conic, placed;
   pipegs_pkg::coeff_t      coeff;
   pipegs_pkg::tiles_t      tiles;
 
@@ -145,7 +146,7 @@ module pu #(
   );
 
   pu_coeff u_coeff (
-    .clk_i, .rst_ni, .conic_valid_i(conic_valid), .conic_ready_o(conic_ready), .conic_i(conic),
+    .clk_i, .rst_ni, .conic_valid_i(placed_valid), .conic_ready_o(placed_ready), .conic_i(placed),
     .coeff_valid_o(coeff_valid), .coeff_ready_i(coeff_ready), .coeff_o(coeff), .busy_o(coeff_busy)
   );
 
@@ -154,7 +155,31 @@ module pu #(
     .tiles_valid_o(tiles_valid), .tiles_ready_i(tiles_ready), .tiles_o(tiles), .busy_o(intersect_busy)
   );
 
-  if (pipegs_pkg::Late == 0) begin : gen_cache
+  if (pipegs_pkg::Order != 1) begin : gen_window  // a Gaussian comes once for each window
+    assign placed_valid = conic_valid;
+    assign conic_ready  = placed_ready;
+    assign placed       = conic;
+    assign number_o     = '0;
+  end
+
+  if (pipegs_pkg::Order == 1) begin : gen_list
+    pu_list u_back (
+      .clk_i, .rst_ni, .frame_i, .unit_i, .restart_i,
+      .conic_valid_i(conic_valid), .conic_ready_o(conic_ready), .conic_i(conic),
+      .placed_valid_o(placed_valid), .placed_ready_i(placed_ready), .placed_o(placed),
+      .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
+      .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
+      .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .splat_valid_o, .splat_ready_i, .splat_o, .number_o,
+      .moved_o(back_moved), .busy_o(back_busy), .rows_busy_o(rows_busy), .color_busy_o(color_busy), .color_waiting_o(color_waiting)
+    );
+    assign store_write_o   = 1'b0;
+    assign store_address_o = '0;
+    assign store_line_o    = '0;
+    assign overflowed_o    = '0;
+    assign back_waiting    = 1'b0;
+    logic unused_done;
+    assign unused_done = &{1'b0, done_i, done_x_i, done_y_i};
+  end else if (pipegs_pkg::Late == 0) begin : gen_cache
     pu_cache u_back (
       .clk_i, .rst_ni, .frame_i, .unit_i, .restart_i,
       .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),

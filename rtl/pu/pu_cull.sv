@@ -257,19 +257,46 @@ module pu_cull (
   // --- stage 8: on which side of the two lines of an axis ----------------------------------------------------------
   // Both are 0 or more exactly when the axis touches. `side` adds what the cutting of x and z may have taken away.
   function automatic logic touches(input logic signed [SideW-1:0] fx, input logic signed [SideW-1:0] az,
-                                   input logic signed [SideW-1:0] rs, input logic signed [SideW-1:0] focal,
-                                   input logic signed [SideW-1:0] first, input logic signed [SideW-1:0] z);
-    logic signed [SideW-1:0] last, low, high;
-    last = first + SideW'(Span);
+                                   input logic signed [SideW-1:0] bz, input logic signed [SideW-1:0] rs,
+                                   input logic signed [SideW-1:0] focal, input logic signed [SideW-1:0] first,
+                                   input logic signed [SideW-1:0] last);
+    logic signed [SideW-1:0] low, high;
     low  = fx + focal - (az <<< ToEdge) + rs - ((first < 0 ? first : SideW'(0)) <<< ToEdge);
-    high = fx - ((az + SideW'(Span) * z) <<< ToEdge) - rs - ((last > 0 ? last : SideW'(0)) <<< ToEdge);
+    high = fx - (bz <<< ToEdge) - rs - ((last > 0 ? last : SideW'(0)) <<< ToEdge);
     touches = low >= 0 && high <= 0;
   endfunction
-  logic touch_x, touch_y;
-  assign touch_x = touches(fx7_q, ax7_q, rx7_q <<< Coarse, $signed(SideW'(frame_i.focal_x)), SideW'(edge_x7_q),
-                           SideW'(cz7_q));
-  assign touch_y = touches(fy7_q, ay7_q, ry7_q <<< Coarse, $signed(SideW'(frame_i.focal_y)), SideW'(edge_y7_q),
-                           SideW'(cz7_q));
+  logic signed [SideW-1:0] bx7, by7, last_x7, last_y7;  // the far edges times z, the far edges
+  logic                    touch_x, touch_y;
+  if (pipegs_pkg::Order == 1) begin : gen_frame  // the rectangle of all windows: two more products
+    logic [WindowW-1:0]      more_x, more_y;  // windows behind the first one
+    logic signed [EdgeW-1:0] last_x6, last_y6, last_x7_q, last_y7_q;
+    logic signed [SideW-1:0] bx7_q, by7_q;
+    assign more_x  = frame_i.last_x - frame_i.first_x;
+    assign more_y  = frame_i.last_y - frame_i.first_y;
+    assign last_x6 = edge_x6_q + EdgeW'(Span) + $signed(EdgeW'(more_x) << ($clog2(pipegs_pkg::Window) + EdgeF));
+    assign last_y6 = edge_y6_q + EdgeW'(Span) + $signed(EdgeW'(more_y) << ($clog2(pipegs_pkg::Window) + EdgeF));
+    always_ff @(posedge clk_i) begin
+      if (advance) begin
+        last_x7_q <= last_x6;
+        last_y7_q <= last_y6;
+        bx7_q     <= SideW'(last_x6) * SideW'(cz6_q);
+        by7_q     <= SideW'(last_y6) * SideW'(cz6_q);
+      end
+    end
+    assign last_x7 = SideW'(last_x7_q);
+    assign last_y7 = SideW'(last_y7_q);
+    assign bx7     = bx7_q;
+    assign by7     = by7_q;
+    logic unused_depth;
+    assign unused_depth = &{1'b0, cz7_q};
+  end else begin : gen_window
+    assign last_x7 = SideW'(edge_x7_q) + SideW'(Span);
+    assign last_y7 = SideW'(edge_y7_q) + SideW'(Span);
+    assign bx7     = ax7_q + SideW'(Span) * SideW'(cz7_q);
+    assign by7     = ay7_q + SideW'(Span) * SideW'(cz7_q);
+  end
+  assign touch_x = touches(fx7_q, ax7_q, bx7, rx7_q <<< Coarse, $signed(SideW'(frame_i.focal_x)), SideW'(edge_x7_q), last_x7);
+  assign touch_y = touches(fy7_q, ay7_q, by7, ry7_q <<< Coarse, $signed(SideW'(frame_i.focal_y)), SideW'(edge_y7_q), last_y7);
   assign keep    = ride7.kind != '0 || (front7_q && (huge7_q || (touch_x && touch_y)));
 
   pipegs_pkg::visible_t out_q;

@@ -55,7 +55,9 @@ module pu_spill #(
   assign is_data = alphas_i.kind == pipegs_pkg::KindData;
   assign load    = alphas_valid_i && is_data && alphas_i.ext && left_q == '0;
   assign next    = mem_valid_o && mem_ready_i;
-  assign area    = AddressW'({unit_i, alphas_i.parity, AreasW'(0)}) << AreaW;
+  // With lists all alphas lie in one area, and the address tells the unit.
+  assign area    = pipegs_pkg::Order == 1 ? AddressW'(1) << pipegs_pkg::AlphaAreaW
+                                          : AddressW'({unit_i, alphas_i.parity, AreasW'(0)}) << AreaW;
 
   always_comb begin
     if (!is_data) alphas_ready_o = left_q == '0 && rows_end_ready_i;

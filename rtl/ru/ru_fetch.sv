@@ -82,8 +82,10 @@ module ru_fetch (
   end
   assign read_address_o = in_i.address;
 
-  // The overflow area of this unit and parity, area 0. A line of two parts takes two memory lines.
-  assign area        = overflow_i + (AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift);
+  // The overflow area of this unit and parity, area 0; with lists the area of all alphas. A line of two parts takes two
+  // memory lines.
+  assign area        = overflow_i + (pipegs_pkg::Order == 1 ? AddressW'(1) << pipegs_pkg::AlphaAreaW
+                                                            : AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift);
   assign mem_valid_o = external_want;
   if (Parts == 1) begin : gen_one_part
     assign external_last = 1'b1;

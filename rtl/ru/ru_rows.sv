@@ -3,8 +3,9 @@
 // Paper   Eq. 3, Fig. 5a; the paper's Row Units stand in the PU. Here they stand behind the sort, so nothing is computed for
 //         regions that nearer splats have closed, and no alpha is ever stored.
 // Idea    Owned regions that are still open make a job for the same Row Units as in pu_cache; the colour waits in a queue
-//         beside them with the mask, so that the last line of a splat is known. The done mask is not looked at while an
-//         earlier window is still being blended.
+//         beside them with the mask, so that the last line of a splat is known. The lanes hold a line while they blend it,
+//         so two lines wait in a queue, or the Row Units would stand still meanwhile. The done mask is not looked at while
+//         an earlier window is still being blended.
 // Stream  sorted_t in; blend_t with its line of alphas beside it out; end beats pass in order.
 // Pace    One region per 8 / PixelsPerRow cycles; a splat without an open region takes one cycle.
 // Model   cpp_model/pu/pu_rows.hpp, ru_own_mask in cpp_model/ru/ru_walk.hpp
@@ -44,7 +45,11 @@ module ru_rows #(
   logic [EndsW-1:0]      ends_q;      // window ends that passed here and not yet the lanes
   logic                  job_valid, job_ready, tag_room, tag_valid, tag_pop, rows_active;
   pipegs_pkg::row_job_t  job;
-  pipegs_pkg::alphas_t   alphas;
+  localparam int unsigned LinesDepth = 2;
+  logic                  made_valid, made_ready, lines_valid;
+  logic [LineW-1:0]      made_line;
+  pipegs_pkg::alphas_t   made, alphas;
+  logic [$clog2(LinesDepth+1)-1:0] lines_count;
   logic [3*ColorW-1:0]   tag_color;
   logic [$clog2(TagDepth+1)-1:0] tag_count;
 
@@ -96,8 +101,14 @@ module ru_rows #(
 
   pu_rows u_rows (
     .clk_i, .rst_ni, .row_job_valid_i(job_valid), .row_job_ready_o(job_ready), .row_job_i(job),
-    .alphas_valid_o(out_valid_o), .alphas_ready_i(out_ready_i), .alphas_o(alphas), .line_o(out_line_o), .active_o(rows_active)
+    .alphas_valid_o(made_valid), .alphas_ready_i(made_ready), .alphas_o(made), .line_o(made_line), .active_o(rows_active)
   );
+
+  fifo #(.DataW(pipegs_pkg::AlphasBits + LineW), .Depth(LinesDepth)) u_lines (
+    .clk_i, .rst_ni, .in_valid_i(made_valid), .in_ready_o(made_ready), .in_i({made, made_line}),
+    .out_valid_o(lines_valid), .out_ready_i(out_ready_i), .out_o({alphas, out_line_o}), .count_o(lines_count)
+  );
+  assign out_valid_o = lines_valid;
 
   // Regions come lowest first: the last one has none above it.
   assign above   = tag_mask & ~((Regions'(2) << alphas.region) - Regions'(1));
@@ -113,7 +124,7 @@ module ru_rows #(
     out_o.index  = alphas.index;
   end
 
-  assign idle_o = !splat_valid_q && !rows_active;
+  assign idle_o = !splat_valid_q && !rows_active && lines_count == '0;
 
   logic unused_fields;
   assign unused_fields = &{1'b0, splat_q.depth, alphas.address, alphas.ext, alphas.parity, tag_valid, tag_count};

@@ -83,10 +83,10 @@ struct World {
     const MemoryImage image = memory_image(packed);
     for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
   }
-  // What the frame must send: chunks, and ends as (chunks before, kind).
+  // What the frame must send: chunks, and ends as (chunks before, kind). With lists one walk from the first window on.
   void expect(std::vector<Chunk>& chunks, std::vector<std::pair<size_t, uint64_t>>& ends) const {
-    for (uint64_t y = frame.first_y; y <= frame.last_y; ++y) {
-      for (uint64_t x = frame.first_x; x <= frame.last_x; ++x) {
+    for (uint64_t y = frame.first_y; y <= (config.order == 1 ? frame.first_y : frame.last_y); ++y) {
+      for (uint64_t x = frame.first_x; x <= (config.order == 1 ? frame.first_x : frame.last_x); ++x) {
         std::vector<size_t> in_layer(static_cast<size_t>(config.grid));
         dopu_window(config, frame, packed, static_cast<int>(x), static_cast<int>(y), [&](int layer, const Chunk& chunk, uint64_t) {
           chunks.push_back(chunk);
@@ -208,6 +208,10 @@ TEST(Dopu, SkipsTheRestOfAWindowThatIsDone) {
   feedback.frame = &world.frame;
   start(bench, world);
   ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o; }, 2000000));
+  if (config.order == 1) {  // lists are made before anything is done
+    EXPECT_EQ(units.beats, chunks);
+    return;
+  }
   const size_t windows = static_cast<size_t>((world.frame.last_x + 1) * (world.frame.last_y + 1));
   EXPECT_EQ(feedback.ends, windows * static_cast<size_t>(config.units));
   EXPECT_GE(units.beats.size(), std::min(chunks.size(), 10 * windows) / 2);
@@ -275,8 +279,8 @@ TEST(Dopu, KeepsItsTestBusy) {
   const World world(bench.rng, 20000, 10 * config.window, 7 * config.window);
   world.load(memory);
   DopuCounts sum;
-  for (uint64_t y = 0; y <= world.frame.last_y; ++y) {
-    for (uint64_t x = 0; x <= world.frame.last_x; ++x) {
+  for (uint64_t y = 0; y <= (config.order == 1 ? 0 : world.frame.last_y); ++y) {
+    for (uint64_t x = 0; x <= (config.order == 1 ? 0 : world.frame.last_x); ++x) {
       const DopuCounts part = dopu_window(config, world.frame, world.packed, static_cast<int>(x), static_cast<int>(y), [](int, const Chunk&, uint64_t) {});
       sum.cell_tests += part.cell_tests, sum.group_tests += part.group_tests, sum.chunk_tests += part.chunk_tests, sum.chunks += part.chunks;
     }

@@ -77,6 +77,13 @@ TEST_F(FrameSetup, RefusesWithOneLineWhatDoesNotFit) {
   bad.width = 0;
   EXPECT_NE(error(bad).find("the width is 0"), std::string::npos) << error(bad);
   EXPECT_NE(error(good, WindowRange{0, 0, 10, 0}).find("do not lie in 10 x 8 windows"), std::string::npos) << error(good, WindowRange{0, 0, 10, 0});
+  Camera large = good;
+  large.width = 65 * config.window, large.height = 64 * config.window, large.fx = large.fy = 4000;
+  EXPECT_EQ(error(large), "");
+  config.order = 1;
+  packed = pack_scene(config, random_scene(rng, 100), 30);
+  EXPECT_NE(error(large).find("4160 windows, but order = 1 has 4096 lists at most"), std::string::npos) << error(large);
+  EXPECT_EQ(error(large, WindowRange{0, 0, 63, 63}), "");
   config.units = 1;
   EXPECT_NE(error(good).find("another configuration"), std::string::npos);
 }

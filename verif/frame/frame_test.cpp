@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "sim/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 
@@ -14,7 +16,8 @@ namespace {
 // The machine of Table 2, then half and a quarter of it, the last with stores so small that every one of them overflows;
 // then the rungs of the ladder.
 const std::vector<std::vector<std::string>> kMachines = {
-    {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}, {"late=1"}};
+    {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}, {"late=1"},
+    {"order=1"}, {"late=1", "order=1"}, {"late=1", "order=1", "quadratic=1"}};
 
 SimulateOptions machine(size_t number) {
   SimulateOptions options;
@@ -42,14 +45,14 @@ std::vector<uint64_t> expect_equal(const Scene& scene, const Camera& camera, con
 }
 
 void expect_equal_on_all_machines(const Scene& scene, const Camera& camera) {
-  std::vector<uint64_t> first;
+  std::map<int, std::vector<uint64_t>> first;  // of each order
   for (size_t i = 0; i < kMachines.size(); ++i) {
     const SimulateOptions options = machine(i);
     const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
     // The grid changes the layers and so the order; units, pixels per row and stores must not change a bit.
     if (options.config.grid != Config{}.grid) continue;
-    if (first.empty()) first = pixels;
-    EXPECT_EQ(pixels, first) << "the image depends on the machine: " << config_difference(options.config);
+    const auto& [order, equal] = *first.emplace(options.config.order, pixels).first;
+    EXPECT_EQ(pixels, equal) << "the image depends on the machine: " << config_difference(options.config);
   }
 }
 

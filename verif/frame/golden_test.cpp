@@ -42,12 +42,48 @@ TEST(Golden, DoesNotDependOnThreadsUnitsOrStores) {
 TEST(Golden, OneWindowIsTheCropOfTheFrame) {
   const Scene scene = random_scene(4, 2000, 0);
   const Camera camera = test_camera(200, 140);
+  for (const int order : {0, 1}) {
+    SimulateOptions options;
+    options.config.order = order;
+    Simulation all, one;
+    simulate_golden(scene, camera, options, all);
+    options.window = {1, 1};
+    simulate_golden(scene, camera, options, one);
+    EXPECT_EQ(max_abs_error(crop_window(all.golden.image, options), crop_window(one.golden.image, options)), 0) << "order " << order;
+  }
+}
+
+// Lists and watermarks give every window the one global order, so they give the same pixels, whatever is cached.
+TEST(Golden, ListsGiveThePixelsOfTheExactOrder) {
+  for (uint64_t seed = 60; seed < 66; ++seed) {
+    const Scene scene = random_scene(seed, 2000, static_cast<int>(seed % 4));
+    const Camera camera = test_camera(260, 200, 90);
+    std::vector<uint64_t> exact;
+    for (const auto& [late, order, quadratic] : {std::tuple{1, 2, 0}, {0, 1, 0}, {1, 1, 0}, {1, 1, 1}}) {
+      SimulateOptions options;
+      options.config.late = late, options.config.order = order, options.config.quadratic = quadratic;
+      Simulation result;
+      simulate_golden(scene, camera, options, result);
+      if (exact.empty()) exact = result.golden.pixels;
+      EXPECT_EQ(result.golden.pixels, exact) << "order " << order << ", late " << late << ", seed " << seed;
+      EXPECT_GT(result.golden.work.blended, 0u);
+      if (order != 1) continue;
+      EXPECT_EQ(golden_frame({.packed = &result.packed, .frame = result.input.frame}, {.threads = 1, .progress = {}}).pixels, exact) << "one thread";
+      EXPECT_LE(result.golden.work.fetched, scene.gaussians.size()) << "each Gaussian is fetched once";
+      EXPECT_EQ(result.golden.work.layers, result.golden.work.windows);
+    }
+  }
+}
+
+// The rank of lists is the order of depth: of two Gaussians that are drawn, the nearer one comes first.
+TEST(Golden, ListsRankByDepth) {
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 40; ++i) gaussians.push_back(gaussian_at({0.01f * (i % 3), 0, 5 - 0.1f * i}));
   SimulateOptions options;
-  Simulation all, one;
-  simulate_golden(scene, camera, options, all);
-  options.window = {1, 1};
-  simulate_golden(scene, camera, options, one);
-  EXPECT_EQ(max_abs_error(crop_window(all.golden.image, options), crop_window(one.golden.image, options)), 0);
+  options.config.order = 1;
+  Simulation result;
+  simulate_golden(scene_of(gaussians), test_camera(64, 64), options, result);
+  for (uint32_t i = 0; i < 40; ++i) EXPECT_EQ(result.golden.rank[i], 39 - i);
 }
 
 TEST(Golden, RanksEveryGaussianEvenWhenTheLastOnesAreLeftOut) {

@@ -11,13 +11,18 @@ namespace {
 
 PIPEGS_STAGE(pu_cull, Fetched, fetched, Visible, visible);
 
+// Pixels that a Gaussian is tested against along one axis: of its window; with lists, of all windows of the frame.
+double side_pixels(const Config& config, uint64_t window, uint64_t last) {
+  return static_cast<double>((config.order == 1 ? last - window + 1 : 1) * static_cast<uint64_t>(config.window));
+}
+
 // A Gaussian near the edge of its window: the mean lies about its own reach beyond a side, and the chunk anywhere.
 Fetched make(PuRandom& random, const Frame& frame) {
   const Config& config = random.config;
   const Visible v = random.visible(frame);
   Fetched in;
-  in.window_x = v.window_x;
-  in.window_y = v.window_y;
+  in.window_x = config.order == 1 ? frame.first_x : v.window_x;
+  in.window_y = config.order == 1 ? frame.first_y : v.window_y;
   in.view_exp = v.view_exp;
   const int lead = config.view_w - config.pos_w - 3;  // view_exp >= offset_exp - lead
   const int64_t highest = std::min<int64_t>(63, static_cast<int64_t>(v.view_exp) + lead);
@@ -35,14 +40,14 @@ Fetched make(PuRandom& random, const Frame& frame) {
   const auto real = [](auto m, int down) { return std::ldexp(static_cast<double>(m), -down); };
   const double z = static_cast<double>(v.view_z), size = random.scale_value(std::max({in.scale_0, in.scale_1, in.scale_2}));
   const double s = std::ldexp(size, -static_cast<int>(in.view_exp));
-  const auto aim = [&](uint64_t focal, uint64_t reach, int64_t center, uint64_t window) {
-    const double reach_px = real(reach, config.focal_f()) * s / z + 2, pixel = real(center, config.center_f());
-    const double side = random.chance(2) ? -reach_px * random.uniform(0, 1.2) : config.window + reach_px * random.uniform(0, 1.2);
-    const double at = random.chance(2) ? random.uniform(0, config.window) : side;
+  const auto aim = [&](uint64_t focal, uint64_t reach, int64_t center, uint64_t window, uint64_t last) {
+    const double pixels = side_pixels(config, window, last), reach_px = real(reach, config.focal_f()) * s / z + 2, pixel = real(center, config.center_f());
+    const double side = random.chance(2) ? -reach_px * random.uniform(0, 1.2) : pixels + reach_px * random.uniform(0, 1.2);
+    const double at = random.chance(2) ? random.uniform(0, pixels) : side;
     return (static_cast<double>(window) * config.window + at - pixel) / real(focal, config.focal_f()) * z;
   };
-  const double x = aim(frame.focal_x, frame.reach_x, frame.center_x, in.window_x);
-  const double y = aim(frame.focal_y, frame.reach_y, frame.center_y, in.window_y);
+  const double x = aim(frame.focal_x, frame.reach_x, frame.center_x, in.window_x, frame.last_x);
+  const double y = aim(frame.focal_y, frame.reach_y, frame.center_y, in.window_y, frame.last_y);
   const double unit = std::ldexp(1.0, static_cast<int>(in.offset_exp) - static_cast<int>(in.view_exp) - config.rot_f());
   const auto row = [&](int64_t a, int64_t b, int64_t c) {
     return unit * (static_cast<double>(a) * static_cast<double>(in.offset_x) + static_cast<double>(b) * static_cast<double>(in.offset_y) +
@@ -111,14 +116,15 @@ TEST(PuCull, TwinDropsNothingThatReachesAPixelOfTheWindow) {
       const ExactCovariance e = exact_covariance(random, frame, o);
       // Conservative in favour of "reaches": the largest power over the window seen along each axis alone.
       const auto real = [](auto value, int down) { return std::ldexp(static_cast<double>(value), -down); };
-      const auto side = [&](int64_t x, uint64_t focal, int64_t center, uint64_t window, double variance) {
+      const auto side = [&](int64_t x, uint64_t focal, int64_t center, uint64_t window, uint64_t last, double variance) {
+        const double most = side_pixels(config, window, last) - 1;
         const double m = real(focal, config.focal_f()) * static_cast<double>(x) / static_cast<double>(v.view_z) +
                          real(center, config.center_f()) - static_cast<double>(window) * config.window;
-        const double off = m < 0 ? -m : m > config.window - 1 ? m - (config.window - 1) : 0;
+        const double off = m < 0 ? -m : m > most ? m - most : 0;
         return off * off / variance;
       };
-      const double far = std::max(side(v.view_x, frame.focal_x, frame.center_x, in.window_x, e.a),
-                                  side(v.view_y, frame.focal_y, frame.center_y, in.window_y, e.c));
+      const double far = std::max(side(v.view_x, frame.focal_x, frame.center_x, in.window_x, frame.last_x, e.a),
+                                  side(v.view_y, frame.focal_y, frame.center_y, in.window_y, frame.last_y, e.c));
       const bool reaches = far <= 2 * power_max;
       const bool keeps = pu_cull(config, frame, in).has_value();
       if (reaches) { ASSERT_TRUE(keeps) << to_text(config, in) << "\n" << to_text(config, frame); }

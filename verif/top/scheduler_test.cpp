@@ -11,7 +11,7 @@ namespace {
 struct Schedule {
   Schedule() {
     auto& dut = bench.dut;
-    dut.start_i = dut.window_done_i = dut.overflow_sort_i = 0;
+    dut.start_i = dut.window_done_i = dut.overflow_sort_i = dut.written_i = 0;
     dut.idle_i = 1;
     write_record(config, dut.frame_i, Frame{});
     write_overflow(0);
@@ -63,6 +63,8 @@ struct Schedule {
     ASSERT_EQ(dut.restart_o, 1) << "no restart behind the start";
 
     std::vector<uint64_t> left(units, columns * rows);
+    const uint64_t written = bench.rng() % 3 == 0 ? ~uint64_t{0} : 1 + bench.rng() % 20;  // the cycle in which the lists are written; or never
+    uint64_t preprocess = 0;
     uint64_t cycles = 0, overflow = 0, last = bench.rng() % units;  // one RU is the last one
     bool over = false;
     for (uint64_t cycle = 0; !over; ++cycle) {
@@ -71,6 +73,9 @@ struct Schedule {
       ASSERT_EQ(dut.restart_o, cycle == 0);
       ASSERT_EQ(dut.cycles_o, cycles) << "cycle " << cycle;
       ASSERT_EQ(dut.overflow_lines_o, overflow) << "cycle " << cycle;
+      ASSERT_EQ(dut.preprocess_cycles_o, preprocess) << "cycle " << cycle;
+      dut.written_i = cycle == written;
+      if (dut.written_i) preprocess = cycles;
       const bool complete = std::all_of(left.begin(), left.end(), [](uint64_t n) { return !n; });
       dut.idle_i = bench.rng() % idle_one_in == 0;
       dut.start_i = bench.rng() % 8 == 0;  // a start while it is busy changes nothing
@@ -89,8 +94,9 @@ struct Schedule {
       overflow += write_overflow(cycle == 0 ? 0 : 3);
       bench.step();
     }
-    dut.start_i = dut.window_done_i = 0;
+    dut.start_i = dut.window_done_i = dut.written_i = 0;
     write_overflow(0);
+    ASSERT_EQ(dut.preprocess_cycles_o, preprocess);
     ASSERT_EQ(dut.busy_o, 0) << "busy although all windows are complete and all is idle";
     ASSERT_EQ(dut.cycles_o, cycles);
     ASSERT_EQ(dut.overflow_lines_o, overflow);

@@ -1,0 +1,141 @@
+// list_read: reads the lists of the windows, one after another, and deals their entries to the SUs.
+//
+// Paper   the reproduced GSCore of Sec. 5: rasterization begins when the preprocessing of the frame is over.
+// Idea    For each window two jobs for line_reader: its lines, and a marker that becomes the window's end. So the lines of
+//         the next windows are asked for while this one is dealt. An entry goes to any SU that is ready, in turn; an end
+//         goes to all.
+// Stream  start_i: all lists are written. Counts from their SRAM; memory reads; splats out, one record for all SUs with one
+//         valid each. A list is one layer: only windows end.
+// Pace    One entry per cycle (with a single SU every second one).
+// Model   cpp_model/list/list_write.hpp (the lists); any dealing is right.
+
+module list_read #(
+  parameter  int unsigned Lines     = 64,  // in flight or waiting
+  localparam int unsigned Units     = pipegs_pkg::Units,
+  localparam int unsigned SplatBits = pipegs_pkg::SplatBits,
+  localparam int unsigned NumberW   = pipegs_pkg::ListWindowW,
+  localparam int unsigned EntryW    = pipegs_pkg::ListEntryW,
+  localparam int unsigned AddressW  = pipegs_pkg::AddressW
+) (
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
+  input  pipegs_pkg::frame_t             frame_i,
+  input  logic                           start_i,       // one cycle
+
+  output logic                           count_read_o,  // to the SRAM of the counts
+  output logic [NumberW-1:0]             count_number_o,
+  input  logic [EntryW-1:0]              count_i,
+
+  output logic                           mem_valid_o,
+  input  logic                           mem_ready_i,
+  output logic [AddressW-1:0]            mem_address_o,
+  input  logic                           rsp_valid_i,
+  input  logic [pipegs_pkg::MemoryW-1:0] rsp_data_i,
+
+  output logic [Units-1:0]               splat_valid_o,
+  input  logic [Units-1:0]               splat_ready_i,
+  output pipegs_pkg::splat_t             splat_o,
+
+  output logic                           busy_o,   // from start_i until the last end is taken
+  output logic                           active_o  // needs a clock
+);
+
+  localparam int unsigned WindowW = pipegs_pkg::WindowW;
+  localparam int unsigned LeftW   = NumberW + 1;
+  localparam int unsigned FirstW  = NumberW + EntryW;
+  localparam int unsigned PortW   = Units > 1 ? $clog2(Units) : 1;
+
+  // --- jobs ----------------------------------------------------------------------------------------------------------------
+  typedef enum logic [1:0] {
+    StateIdle,   // waits for start_i
+    StateCount,  // asks for the count of the window
+    StateLines,  // gives the job of its lines, if it has any
+    StateEnd     // gives the job of its end
+  } state_e;
+  state_e             state_q;
+  logic [NumberW-1:0] number_q;
+  logic [LeftW-1:0]   left_q, windows;  // windows behind this one
+  logic [WindowW-1:0] most_x, most_y;
+  logic               job_valid, job_ready, leave;
+
+  assign most_x         = frame_i.last_x - frame_i.first_x;
+  assign most_y         = frame_i.last_y - frame_i.first_y;
+  assign windows        = (LeftW'(most_x) + LeftW'(1)) * (LeftW'(most_y) + LeftW'(1));
+  assign count_read_o   = state_q == StateCount;
+  assign count_number_o = number_q;
+  assign job_valid      = (state_q == StateLines && count_i != '0) || state_q == StateEnd;
+  assign leave          = job_valid ? job_ready : state_q != StateIdle;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) state_q <= StateIdle;
+    else unique case (state_q)
+      StateIdle:  if (start_i) state_q <= StateCount;
+      StateCount: state_q <= StateLines;
+      StateLines: if (leave) state_q <= StateEnd;
+      default:    if (leave) state_q <= left_q == '0 ? StateIdle : StateCount;
+    endcase
+  end
+  always_ff @(posedge clk_i) begin
+    if (start_i) begin
+      number_q <= '0;
+      left_q   <= windows - LeftW'(1);
+    end else if (state_q == StateEnd && leave) begin
+      number_q <= number_q + NumberW'(1);
+      left_q   <= left_q - LeftW'(1);
+    end
+  end
+
+  // --- lines ---------------------------------------------------------------------------------------------------------------
+  logic                 item_valid, item_ready, item_read, item_tag, waiting, idle;
+  logic [FirstW-1:0]    item_index;
+  logic [SplatBits-1:0] item;
+
+  line_reader #(
+    .TagW(1), .ItemW(SplatBits), .ItemsPerLine(1), .Lines(Lines), .Jobs(8), .IndexW(FirstW), .CountW(EntryW)
+  ) u_reader (
+    .clk_i, .rst_ni, .base_i(frame_i.overflow + (AddressW'(1) << pipegs_pkg::ListAreaW)),
+    .job_valid_i(job_valid), .job_ready_o(job_ready), .job_read_i(state_q == StateLines),
+    .job_first_i({number_q, EntryW'(0)}), .job_count_i(count_i), .job_tag_i(1'b0),
+    .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
+    .out_valid_o(item_valid), .out_ready_i(item_ready), .out_read_o(item_read), .out_index_o(item_index),
+    .out_tag_o(item_tag), .out_item_o(item), .waiting_o(waiting), .idle_o(idle)
+  );
+
+  // --- dealing -------------------------------------------------------------------------------------------------------------
+  logic [Units-1:0]     waiting_q, target;  // SUs that have still to take the record
+  logic [PortW-1:0]     target_port;
+  logic                 free, give;
+  logic [SplatBits-1:0] out_q;
+
+  // An SU that takes the present record in this cycle may have no room for another.
+  arbiter #(.Ports(Units)) u_target (
+    .clk_i, .rst_ni, .request_i(splat_ready_i & ~waiting_q), .advance_i(give), .grant_o(target), .port_o(target_port)
+  );
+  assign free       = (waiting_q & ~splat_ready_i) == '0;
+  assign item_ready = free && (!item_read || target != '0);
+  assign give       = item_valid && item_ready;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) waiting_q <= '0;
+    else if (give) waiting_q <= item_read ? target : '1;
+    else waiting_q <= waiting_q & ~splat_ready_i;
+  end
+  always_ff @(posedge clk_i) begin
+    if (give) out_q <= item_read ? item : SplatBits'(pipegs_pkg::KindWindowEnd);
+  end
+  assign splat_valid_o = waiting_q;
+  assign splat_o       = out_q;
+
+  // --- clock: a line that has come needs two cycles to the door, all else shows at once ------------------------------------
+  logic moved, asleep;
+  assign moved    = (state_q != StateIdle && leave) || give || (waiting_q & splat_ready_i) != '0;
+  assign busy_o   = state_q != StateIdle || !idle || waiting_q != '0;
+  assign active_o = start_i || (busy_o && !asleep);
+  pu_sleep #(.Patience(7)) u_sleep (
+    .clk_i, .rst_ni, .moved_i(moved), .wake_i(start_i || moved || rsp_valid_i || (mem_valid_o && mem_ready_i)), .asleep_o(asleep)
+  );
+
+  logic unused_reader;
+  assign unused_reader = &{1'b0, frame_i, item_index, item_tag, waiting, target_port};
+
+endmodule

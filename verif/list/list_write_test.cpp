@@ -1,0 +1,119 @@
+// list_write_test: rtl/list/list_write.sv against its twin, with the SRAM of the counts in the test.
+#include "Vlist_write.h"
+#include "verif/list/list_bench.hpp"
+
+namespace pipegs {
+namespace {
+
+// The memory's port: takes writes at a pace, in order.
+class Writes : public Endpoint {
+ public:
+  explicit Writes(GatedBench<Vlist_write>& bench, const Config& config) : bench_(bench), config_(config) {
+    bench.dut.mem_ready_i = 0;
+    bench.add(*this);
+  }
+  void drive() override { bench_.dut.mem_ready_i = goes(pace, bench_.rng); }
+  void observe() override {
+    auto& dut = bench_.dut;
+    const Splat splat = read_record<Splat>(config_, dut.mem_data_o);
+    if (shown_) {
+      EXPECT_TRUE(dut.mem_valid_o && dut.mem_address_o == last_ && splat == splat_) << "a request changed, cycle " << bench_.cycle;
+    }
+    shown_ = dut.mem_valid_o && !dut.mem_ready_i;
+    last_ = dut.mem_address_o;
+    splat_ = splat;
+    if (!dut.mem_valid_o || !dut.mem_ready_i) return;
+    EXPECT_FALSE(dut.done_o);
+    lines.push_back({last_, splat});
+  }
+  Pace pace = Pace::kAlways;
+  std::vector<std::pair<uint64_t, Splat>> lines;
+
+ private:
+  GatedBench<Vlist_write>& bench_;
+  Config config_;
+  bool shown_ = false;
+  uint64_t last_ = 0;
+  Splat splat_;
+};
+
+struct WriteRun {
+  using Dut = Vlist_write;
+  WriteRun()
+      : pus(bench, config, bench.dut.splat_valid_i, bench.dut.splat_ready_o, bench.dut.splat_i, bench.dut.number_i),
+        writes(bench, config), counts(bench, config, bench.dut) {
+    bench.dut.restart_i = 0;
+    write_record(config, bench.dut.frame_i, Frame{});
+    bench.reset();
+  }
+  // One frame; gives its cycles from the first record taken to the last line written.
+  uint64_t frame(uint64_t columns, uint64_t rows, size_t count) {
+    auto& dut = bench.dut;
+    const Frame frame = list_frame(config, bench.rng, columns, rows);
+    write_record(config, dut.frame_i, frame);
+    dut.restart_i = 1;
+    bench.gated_step();
+    dut.restart_i = 0;
+    ListRecords records;
+    records.add(config, bench.rng, columns * rows, count);
+    pus.offer(records);
+    writes.lines.clear();
+    const uint64_t before = pus.taken;
+    EXPECT_TRUE(bench.run_gated_until([&] { return pus.taken > before; }));
+    const uint64_t start = bench.cycle;
+    EXPECT_TRUE(bench.run_gated_until([&] { return dut.done_o != 0; }, 40 * count + 2 * columns * rows + 1000));
+    const uint64_t cycles = bench.cycle - start;
+    EXPECT_TRUE(pus.empty());
+    const std::vector<uint64_t> when_done = counts.counts;
+    for (int i = 0; i < 20; ++i) bench.gated_step();
+    EXPECT_EQ(dut.done_o, 1);
+    // Every record once, and each at the next line of its window in the order in which they were written.
+    ListWrite twin(config, frame);
+    std::vector<bool> seen(count);
+    EXPECT_EQ(writes.lines.size(), count);
+    for (const auto& [address, splat] : writes.lines) {
+      if (splat.index >= count || seen[splat.index]) {
+        ADD_FAILURE() << "record " << splat.index << " was not offered, or written twice, seed " << bench.seed;
+        return 0;
+      }
+      seen[splat.index] = true;
+      EXPECT_EQ(first_difference(config, records.splats[splat.index], splat), "");
+      EXPECT_EQ(address, twin(records.numbers[splat.index])) << "record " << splat.index << " of window " << records.numbers[splat.index] << ", seed " << bench.seed;
+      if (testing::Test::HasFailure()) return 0;
+    }
+    for (uint64_t i = 0; i < columns * rows; ++i) EXPECT_EQ(when_done[i], twin.counts[i]) << "window " << i;
+    return cycles;
+  }
+  Config config = test_config();
+  GatedBench<Dut> bench;
+  ListPus<Dut, CData, std::remove_reference_t<decltype(Dut::splat_i)>, std::remove_reference_t<decltype(Dut::number_i)>> pus;
+  Writes writes;
+  ListCounts<Dut> counts;
+};
+
+TEST(ListWrite, EqualsItsTwinAtEveryPace) {
+  for (const Pace source : kPaces) {
+    for (const Pace sink : kPaces) {
+      WriteRun run;
+      run.pus.pace = source;
+      run.writes.pace = sink;
+      run.frame(7, 5, 3000);
+      run.frame(1, 1, 300);  // every record in the same window
+      run.frame(2, 1, 500);
+      run.frame(64, 64, 2000);
+      run.frame(3, 3, 0);
+      run.frame(7, 5, 1000);
+      EXPECT_GT(run.bench.gated, 0u);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+TEST(ListWrite, WritesARecordEveryCycle) {
+  WriteRun run;
+  EXPECT_LE(run.frame(5, 5, 2000), 2010u);
+  EXPECT_LE(run.frame(1, 1, 2000), 2010u);
+}
+
+}  // namespace
+}  // namespace pipegs
