@@ -39,7 +39,8 @@ package pipegs_pkg;
   localparam int unsigned TW             = 19;  // transmittance, u1.(TW-1)
   localparam int unsigned RgbW           = 16;  // accumulated colour, u2.(RgbW-2)
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
-  localparam int unsigned Records        = 1024;  // record store of one SU, a ring of layers
+  localparam int unsigned Records        = 1024;  // record store of one SU, a pool of slots
+  localparam int unsigned BucketBits     = 3;  // mantissa bits of the depth key that choose an SU's bucket, below the 6 exponent bits
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
   localparam int unsigned RegionsX       = 8;  // regions along a window's side
   localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
@@ -48,6 +49,7 @@ package pipegs_pkg;
   localparam int unsigned BitW           = 1;  // a flag
   localparam int unsigned KeyW           = 48;  // sort key: depth above index, so equal depths are ordered by index
   localparam int unsigned RecordW        = 10;  // slot of a key or record in an SU's stores
+  localparam int unsigned BucketW        = 9;  // bucket of an SU: the leading bits of the depth key
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
   localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned

@@ -77,7 +77,7 @@ module pipegs_top #(
   localparam int unsigned NodePort     = WritePorts + 2 * Units;
 
   logic                          restart, running, idle, layer_free;
-  logic [Units-1:0]              window_done, layer_done, overflow_sort;
+  logic [Units-1:0]              window_done, layer_done, overflow_sort, spilling;
   logic [Units*LinesW-1:0]       overflow_alpha;
   logic [Units*Regions-1:0]      done;
   logic [Units*WindowW-1:0]      done_x, done_y;
@@ -200,6 +200,7 @@ module pipegs_top #(
       .in_i(splat[k*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]),
       .out_valid_o(in_order_valid[k]), .out_ready_i(in_order_ready[k]),
       .out_o(in_order[k*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]),
+      .spill_i((spilling & ~(Units'(1) << k)) != '0), .spilling_o(spilling[k]),
       .mem_valid_o(mem_valid[SortPort+k]), .mem_ready_i(mem_ready[SortPort+k]), .mem_write_o(mem_write[SortPort+k]),
       .mem_address_o(mem_address[(SortPort+k)*AddressW +: AddressW]), .mem_data_o(mem_data[(SortPort+k)*MemoryW +: MemoryW]),
       .rsp_valid_i(rsp_valid[SortPort+k]), .rsp_data_i(rsp_data),

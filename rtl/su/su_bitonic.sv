@@ -5,7 +5,8 @@
 // Idea    for (size = 1..4) for (distance = size-1..0): channels a and a + 2^distance are compared and exchanged,
 //         downwards where bit `size` of a is set. A batch of n keys needs only the sizes up to log2(n). Unused
 //         channels are void, which is above every key.
-// Stream  in: keys with their slots, `last` ends a batch of 1 to 16. out: the batch in ascending order.
+// Stream  in: keys with their slots, `last` ends a batch of 1 to 16. out: the batch in ascending order. A batch of one may be
+//         the end of a layer instead of a key: it only keeps its place among the others.
 // Pace    One key per cycle in and out; 0, 1, 3, 6 or 10 cycles of sorting. While a batch leaves, the next is loaded
 //         into the channels already emptied.
 // Model   cpp_model/su/su_bitonic.hpp
@@ -17,11 +18,13 @@ module su_bitonic (
   input  logic                           in_valid_i,
   output logic                           in_ready_o,
   input  logic                           in_last_i,
+  input  logic                           in_end_i,   // the batch is an end
   input  logic [pipegs_pkg::KeyW-1:0]    in_key_i,
   input  logic [pipegs_pkg::RecordW-1:0] in_slot_i,
 
   output logic                           out_valid_o,
   input  logic                           out_ready_i,
+  output logic                           out_end_o,
   output logic [pipegs_pkg::KeyW-1:0]    out_key_o,
   output logic [pipegs_pkg::RecordW-1:0] out_slot_o,
 
@@ -44,7 +47,8 @@ module su_bitonic (
   logic [DistanceW-1:0]      distance_q;  // log2
   logic [DistanceW:0]        size_q;      // log2, 1 to 4
   logic [ChannelW:0]         live_q, sent_q;  // keys of the sorted batch, those already sent
-  logic                      load, send, start, last_stage;
+  logic                      load, send, start, last_stage, sorted_now;
+  logic                      end_q, live_end_q;  // the coming and the sorted batch are ends
 
   assign in_ready_o  = !sorting_q && !loaded_q && (fill_q >= live_q || fill_q < sent_q);
   assign out_valid_o = !sorting_q && sent_q < live_q;
@@ -53,6 +57,8 @@ module su_bitonic (
   assign send        = out_valid_o && out_ready_i;
   assign start       = !sorting_q && loaded_q && sent_q == live_q;
   assign last_stage  = distance_q == '0 && ((ChannelW+1)'(1) << size_q) >= fill_q;
+  assign sorted_now  = (start && fill_q == (ChannelW+1)'(1)) || (sorting_q && last_stage);
+  assign out_end_o   = live_end_q;
   assign idle_o      = !sorting_q && fill_q == '0 && sent_q == live_q;
   assign active_o    = sorting_q || start || load || send;
 
@@ -108,7 +114,7 @@ module su_bitonic (
       if (send) sent_q <= sent_q + 1'b1;
       if (start) sorting_q <= fill_q != (ChannelW+1)'(1);
       if (sorting_q) sorting_q <= !last_stage;
-      if ((start && fill_q == (ChannelW+1)'(1)) || (sorting_q && last_stage)) begin
+      if (sorted_now) begin
         live_q   <= fill_q;
         sent_q   <= '0;
         fill_q   <= '0;
@@ -118,6 +124,8 @@ module su_bitonic (
   end
 
   always_ff @(posedge clk_i) begin
+    if (load) end_q <= in_end_i;
+    if (sorted_now) live_end_q <= end_q;
     if (start) begin
       size_q     <= (DistanceW+1)'(1);
       distance_q <= '0;
@@ -129,6 +137,7 @@ module su_bitonic (
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) load |-> fill_q < (ChannelW+1)'(Channels));
+  assert property (@(posedge clk_i) disable iff (!rst_ni) load && in_end_i |-> fill_q == '0 && in_last_i);
 `endif
 
 endmodule

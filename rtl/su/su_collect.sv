@@ -1,164 +1,118 @@
-// su_collect: takes the splats of a layer in and hands the complete layer to the sorter.
+// su_collect: takes the splats of a layer in, to a free slot each, and passes the ends on as marks.
 //
-// Paper   Sec. 4.1 (double buffer: layer i + 1 is collected while layer i is sorted).
-// Idea    The stores are a ring in which several layers live: record n of a layer goes to slot n from the layer's base on
-//         and waits while older layers fill the ring; the MinMax Finder looks at its key. When a layer alone has filled
-//         the ring, its next records go to external memory (one line each, from record Records on), and their keys are
-//         packed, eight into a line. Such a layer is sorted from the list of keys in external memory, so at its end the
-//         keys that lie in the store are appended to that list too: key n stands in part n % 8 of line n / 8.
-// Stream  in: splats, then an end beat. layer: how many, their range, the kind of the end. record and keys: lines to
-//         write.
-// Pace    One splat per cycle while the ring has room; two cycles to hand over.
+// Paper   Sec. 4.1 (layer i + 1 is collected while layer i is sorted).
+// Idea    A set is what one end releases whole: a layer, or a window when Order is 2. Two sets of buckets take turns. A
+//         mark waits in a queue until su_buckets has released what lies before it, and collecting goes on. When the
+//         pool is full and nothing of it is on its way out, or another SU spills (then it may wait for our marks), the
+//         present set goes to external memory: its next records and marks are taken at once, until its end.
+// Stream  in: splats, then an end beat. insert: slot and bucket; record: a splat for external memory; mark: an end.
+// Pace    One splat per two cycles; spilling: as fast as su_spill takes them.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
 module su_collect (
-  input  logic                            clk_i,
-  input  logic                            rst_ni,
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
 
-  input  logic                            in_valid_i,
-  output logic                            in_ready_o,
-  input  pipegs_pkg::splat_t              in_i,
+  input  logic                           in_valid_i,
+  output logic                           in_ready_o,
+  input  logic [pipegs_pkg::KindW-1:0]   in_kind_i,
+  input  logic [pipegs_pkg::BucketW-1:0] in_bucket_i,
 
-  output logic                            layer_valid_o,
-  input  logic                            layer_ready_i,
-  output logic [pipegs_pkg::SlotW-1:0]    layer_count_o,
-  output logic [pipegs_pkg::KeyW-1:0]     layer_min_o,
-  output logic [pipegs_pkg::KeyW-1:0]     layer_max_o,
-  output logic [pipegs_pkg::KindW-1:0]    layer_kind_o,
+  input  logic                           slot_valid_i,
+  output logic                           insert_valid_o,  // the splat goes to the slot and to its bucket
+  input  logic                           insert_ready_i,
+  output logic                           set_o,
+  output logic                           write_o,         // insert_valid_o and taken
 
-  output logic [pipegs_pkg::RecordW-1:0]  layer_base_o,   // slot of its first record
+  output logic                           record_valid_o,
+  input  logic                           record_ready_i,
 
-  input  logic                            room_i,         // the ring has a free slot
-  input  logic                            sorter_idle_i,  // no older layer is inside: the key store's read port is free
-  output logic                            write_o,        // to the key store and the record store, at slot_o
-  output logic [pipegs_pkg::RecordW-1:0]  slot_o,
-  output logic                            key_read_o,
-  output logic [pipegs_pkg::RecordW-1:0]  key_slot_o,
-  input  logic [pipegs_pkg::KeyW-1:0]     key_i,
+  output logic                           mark_valid_o,
+  input  logic                           mark_ready_i,
+  output logic                           mark_all_o,      // releases everything before it
+  output logic                           spilled_o,       // the mark is one of the set that spills
 
-  output logic                            record_valid_o,
-  input  logic                            record_ready_i,
-  output logic [pipegs_pkg::SlotW-1:0]    record_line_o,
-  output logic [pipegs_pkg::SplatBits-1:0] record_o,
-  output logic                            keys_valid_o,
-  input  logic                            keys_ready_i,
-  output logic [pipegs_pkg::SlotW-1:0]    keys_line_o,
-  output logic [pipegs_pkg::MemoryW-1:0]  keys_o,
+  input  logic                           released_i,      // a set was released whole
+  input  logic                           released_set_i,
+  input  logic                           full_i,          // no slot is free
+  input  logic                           drained_i,       // nothing that was released is left inside
+  input  logic                           spill_i,         // another SU spills
+  output logic                           spill_start_o,
+  output logic                           spilling_o,
+  output logic                           ended_o,         // the set that spilled has ended
+  input  logic                           spill_done_i,    // ... and was sent
 
-  output logic                            moved_o,   // took a beat
-  output logic                            active_o
+  output logic                           active_o
 );
 
-  localparam int unsigned SlotW = pipegs_pkg::SlotW;
-  localparam int unsigned KeyPartW = 64;  // of a line of keys
-  localparam int unsigned KeysPerLine = pipegs_pkg::MemoryW / KeyPartW;
-  localparam int unsigned PartW = $clog2(KeysPerLine);
+  localparam int unsigned Order = pipegs_pkg::Order;
 
   typedef enum logic [1:0] {
-    Collect,  // waits for splats and the layer's end
-    Close,    // an overflowed layer: waits for the lines in hand, writes the last line of keys
-    Append,   // ... waits for the sorter to rest, appends the stored keys
-    Hand      // waits for the sorter to take the layer
+    Collect,  // waits for splats and ends
+    Spill,    // the same; they go to external memory
+    Sort      // waits until the set that spilled was sent
   } state_e;
   state_e state_q;
 
-  logic [pipegs_pkg::RecordW-1:0] base_q;  // slot of the layer's first record
-  logic [SlotW-1:0] number_q;  // records so far
-  logic [pipegs_pkg::KindW-1:0] kind_q;
-  logic             record_valid_q, keys_valid_q;
-  logic [SlotW-1:0] record_line_q, keys_line_q;
-  logic [pipegs_pkg::SplatBits-1:0] record_q;
-  logic [pipegs_pkg::MemoryW-1:0]   keys_q;
-  logic [pipegs_pkg::RecordW:0]     append_q;    // stored keys read so far
-  logic             arrives_q;                   // the key store shows stored key append_q - 1
-  logic             take, data, fits, lines_free, appended;
-  logic [pipegs_pkg::KeyW-1:0] key;
-  logic [pipegs_pkg::KeyW-1:0] put_key;
-  logic             put;        // a key goes into the line of keys
-  logic [SlotW-1:0] put_number;
+  logic       set_q, take, data, open, stuck;
+  logic [1:0] closed_q;  // the set has ended and is not yet released whole
 
-  assign key        = {in_i.depth, in_i.index};
-  assign fits       = number_q < SlotW'(pipegs_pkg::Records);
-  assign lines_free = !record_valid_q && !keys_valid_q;
-  assign in_ready_o = state_q == Collect && lines_free && (room_i || !fits || in_i.kind != pipegs_pkg::KindData);
-  assign take       = in_valid_i && in_ready_o;
-  assign data       = take && in_i.kind == pipegs_pkg::KindData;
-  assign write_o    = data && fits;
-  assign slot_o     = base_q + number_q[pipegs_pkg::RecordW-1:0];
+  assign data  = in_kind_i == pipegs_pkg::KindData;
+  assign open  = state_q == Collect && !closed_q[set_q];
+  assign take  = in_valid_i && in_ready_o;
+  assign stuck = in_valid_i && open && data && full_i;
+  assign spill_start_o = stuck && (drained_i || (Order == 2 && spill_i));
 
-  assign key_read_o = state_q == Append && sorter_idle_i && !keys_valid_q && !arrives_q && !appended;
-  assign appended   = append_q == (pipegs_pkg::RecordW+1)'(pipegs_pkg::Records);
-  assign key_slot_o = base_q + append_q[pipegs_pkg::RecordW-1:0];
-  assign put        = (data && !fits) || arrives_q;
-  assign put_key    = arrives_q ? key_i : key;
-  assign put_number = arrives_q ? SlotW'(append_q) - 1'b1 : number_q;
-
-  su_minmax u_minmax (
-    .clk_i, .rst_ni, .clear_i(layer_valid_o && layer_ready_i), .valid_i(data), .key_i(key),
-    .min_o(layer_min_o), .max_o(layer_max_o)
-  );
-
-  assign layer_valid_o = state_q == Hand && lines_free;
-  assign layer_count_o = number_q;
-  assign layer_base_o  = base_q;
-  assign layer_kind_o  = kind_q;
-  assign record_valid_o = record_valid_q;
-  assign record_line_o  = record_line_q;
-  assign record_o       = record_q;
-  assign keys_valid_o   = keys_valid_q;
-  assign keys_line_o    = keys_line_q;
-  assign keys_o         = keys_q;
-  assign moved_o        = take;
-  assign active_o       = take || record_valid_q || keys_valid_q || arrives_q || key_read_o ||
-                          state_q == Close || (state_q == Append && sorter_idle_i) || (layer_valid_o && layer_ready_i);
+  assign insert_valid_o = in_valid_i && open && data && slot_valid_i;
+  assign record_valid_o = in_valid_i && state_q == Spill && data;
+  assign mark_valid_o   = in_valid_i && (open || state_q == Spill) && !data;
+  assign write_o        = insert_valid_o && insert_ready_i;
+  assign in_ready_o     = data ? (open && slot_valid_i && insert_ready_i) || (state_q == Spill && record_ready_i)
+                               : (open || state_q == Spill) && mark_ready_i;
+  assign mark_all_o     = Order != 2 || in_kind_i == pipegs_pkg::KindWindowEnd;
+  assign set_o          = set_q;
+  assign spilled_o      = state_q == Spill;
+  assign spilling_o     = state_q == Spill;
+  assign ended_o        = state_q == Sort;
+  assign active_o       = take || spill_start_o || released_i || spill_done_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q        <= Collect;
-      base_q         <= '0;
-      number_q       <= '0;
-      record_valid_q <= 1'b0;
-      keys_valid_q   <= 1'b0;
-      append_q       <= '0;
-      arrives_q      <= 1'b0;
+      state_q  <= Collect;
+      set_q    <= 1'b0;
+      closed_q <= '0;
     end else begin
       unique case (state_q)
-        Collect: if (take && !data) state_q <= number_q > SlotW'(pipegs_pkg::Records) ? Close : Hand;
-        Close:   if (lines_free) state_q <= Append;
-        Append:  if (appended && !arrives_q && lines_free) state_q <= Hand;
-        default: if (layer_valid_o && layer_ready_i) state_q <= Collect;
+        Collect: if (spill_start_o) state_q <= Spill;
+        Spill:   if (take && !data && mark_all_o) state_q <= Sort;
+        default: if (spill_done_i) state_q <= Collect;
       endcase
-      if (data) number_q <= number_q + 1'b1;
-      if (record_ready_i) record_valid_q <= 1'b0;
-      if (data && !fits) record_valid_q <= 1'b1;
-      if (keys_ready_i) keys_valid_q <= 1'b0;
-      if (put && put_number[PartW-1:0] == PartW'(KeysPerLine - 1)) keys_valid_q <= 1'b1;
-      if (state_q == Close && lines_free && number_q[PartW-1:0] != '0) keys_valid_q <= 1'b1;
-      arrives_q <= key_read_o;
-      if (key_read_o) append_q <= append_q + 1'b1;
-      if (layer_valid_o && layer_ready_i) begin
-        base_q   <= base_q + number_q[pipegs_pkg::RecordW-1:0];
-        number_q <= '0;
-        append_q <= '0;
+      if (released_i) closed_q[released_set_i] <= 1'b0;
+      if (take && !data && mark_all_o && state_q == Collect) begin
+        closed_q[set_q] <= 1'b1;
+        set_q           <= !set_q;
       end
     end
   end
 
-  always_ff @(posedge clk_i) begin
-    if (take) kind_q <= in_i.kind;
-    if (data && !fits) begin
-      record_q      <= in_i;
-      record_line_q <= number_q - SlotW'(pipegs_pkg::Records);
-    end
-    if (put) begin
-      keys_q[put_number[PartW-1:0]*KeyPartW +: KeyPartW] <= KeyPartW'(put_key);
-      keys_line_q <= put_number >> PartW;
+`ifndef SYNTHESIS
+  // Watermarks of the present window so far; the queue of marks holds those of two windows.
+  logic [4:0]                     marks_q;
+  logic [pipegs_pkg::BucketW-1:0] mark_q;
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      marks_q <= '0;
+      mark_q  <= '0;
+    end else if (take && !data) begin
+      marks_q <= mark_all_o ? '0 : marks_q + 1'b1;
+      mark_q  <= mark_all_o ? '0 : in_bucket_i;
     end
   end
-
-`ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) record_ready_i |-> record_valid_q);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) keys_ready_i |-> keys_valid_q);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) take && !data && !mark_all_o |-> marks_q != '1);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) take && data |-> in_bucket_i >= mark_q);
+`else
+  logic unused_bucket;
+  assign unused_bucket = &{1'b0, in_bucket_i};
 `endif
 
 endmodule

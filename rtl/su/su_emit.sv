@@ -1,13 +1,11 @@
-// su_emit: turns sorted keys back into splats.
+// su_emit: turns sorted keys back into splats and frees their slots.
 //
-// Idea    Sorted keys wait in a queue while their records are fetched: from the record store when their turn comes,
-//         from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of an
-//         overflowed layer has a record number of its own, kept beside the key store; in other layers slot and number
-//         are the same. The end beat walks through the queue behind its layer, so the next layer may be sorted
-//         meanwhile.
-// Stream  item: keys with slots in order; end: the layer's end. out: splats. release_o: a layer's end was sent, its slots
-//         are free.
-// Pace    One splat per cycle; in an overflowed layer one in two cycles, or as fast as the memory gives lines.
+// Idea    Sorted keys wait in a queue while their records are fetched: from the pool when their turn comes, which frees the
+//         slot, from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of a
+//         set that spilled has a record number of its own, kept beside the key store. Ends walk through the queue behind
+//         their layer, so the next layer is sorted meanwhile.
+// Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was read.
+// Pace    One splat per cycle; of a set that spilled one in two cycles, or as fast as the memory gives lines.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
 module su_emit (
@@ -18,14 +16,10 @@ module su_emit (
   output logic                            item_ready_o,
   input  logic [pipegs_pkg::KeyW-1:0]     item_key_i,
   input  logic [pipegs_pkg::RecordW-1:0]  item_slot_i,
-  input  logic                            end_valid_i,
-  output logic                            end_ready_o,
-  input  logic [pipegs_pkg::KindW-1:0]    end_kind_i,
-  input  logic [pipegs_pkg::RecordW-1:0]  base_i,      // first slot of the layer that is being sorted
-  input  logic [pipegs_pkg::RecordW:0]    slots_i,     // ... and how many it takes
-  input  logic                            spilled_i,   // it is an overflowed layer
+  input  logic                            item_end_i,   // kind in the slot's low bits
+  input  logic                            spilled_i,    // slots are those of a set that spilled
 
-  input  logic                            number_write_i,  // record numbers of an overflowed layer
+  input  logic                            number_write_i,  // record numbers of that set
   input  logic [pipegs_pkg::RecordW-1:0]  number_slot_i,
   input  logic [pipegs_pkg::SlotW-1:0]    number_i,
 
@@ -44,8 +38,8 @@ module su_emit (
   input  logic                            out_ready_i,
   output pipegs_pkg::splat_t              out_o,
 
-  output logic                            release_o,
-  output logic [pipegs_pkg::RecordW:0]    release_slots_o,
+  output logic                            free_o,
+  output logic [pipegs_pkg::RecordW-1:0]  free_slot_o,
   output logic                            empty_o,
   output logic                            active_o
 );
@@ -55,26 +49,23 @@ module su_emit (
   localparam int unsigned SlotW = pipegs_pkg::RecordW;
   localparam int unsigned NumberW = pipegs_pkg::SlotW;
   localparam int unsigned Waiting = 32;
-  localparam int unsigned EntryW = KindW + 1 + SlotW + KeyW;  // the key of an end is the number of slots
+  localparam int unsigned EntryW = KindW + 1 + SlotW + KeyW;
   localparam int unsigned PayloadAt = KindW + KeyW;  // a splat is {payload, key's index, key's depth, kind}
 
-  // Where is the record? In an overflowed layer the number is read first.
-  logic               looked_q, known, outside, item_go, queue_ready, push;
+  // Where is the record? For a set that spilled the number is read first.
+  logic               looked_q, look, outside, known, item_go, queue_ready;
   logic [NumberW-1:0] number;
-  logic [SlotW-1:0]   slot;
   sram #(.DataW(NumberW), .Depth(pipegs_pkg::Records)) u_numbers (
     .clk_i, .write_i(number_write_i), .waddr_i(number_slot_i), .wdata_i(number_i),
-    .read_i(spilled_i && item_valid_i && !looked_q), .raddr_i(item_slot_i), .rdata_o(number)
+    .read_i(look), .raddr_i(item_slot_i), .rdata_o(number)
   );
-  assign known        = !spilled_i || looked_q;
-  assign outside      = spilled_i && number >= NumberW'(pipegs_pkg::Records);
-  assign slot         = base_i + (spilled_i ? number[SlotW-1:0] : item_slot_i);
-  assign read_valid_o = item_valid_i && known && outside && queue_ready;
-  assign read_line_o  = number - NumberW'(pipegs_pkg::Records);
-  assign item_go      = item_valid_i && known && queue_ready && (!outside || read_ready_i);
+  assign outside      = spilled_i && !item_end_i;
+  assign look         = item_valid_i && outside && !looked_q;
+  assign known        = !outside || looked_q;
+  assign read_valid_o = item_valid_i && outside && looked_q && queue_ready;
+  assign read_line_o  = number;
   assign item_ready_o = known && queue_ready && (!outside || read_ready_i);
-  assign end_ready_o  = queue_ready && !item_valid_i;
-  assign push         = item_go || (end_valid_i && end_ready_o);
+  assign item_go      = item_valid_i && item_ready_o;
 
   // The queue of sorted keys, and the beat whose record is being read.
   logic              head_valid, head_ready;
@@ -89,11 +80,10 @@ module su_emit (
   logic [pipegs_pkg::IndexW-1:0] key_index;
   logic              sent;
 
-  assign entry = item_valid_i ? {pipegs_pkg::KindData, outside, slot, item_key_i}
-                              : {end_kind_i, 1'b0, SlotW'(0), KeyW'(slots_i)};
+  assign entry = {item_end_i ? item_slot_i[KindW-1:0] : pipegs_pkg::KindData, outside, item_slot_i, item_key_i};
   sram_fifo #(.DataW(EntryW), .Depth(Waiting)) u_waiting (
     .clk_i, .rst_ni,
-    .in_valid_i(push), .in_ready_o(queue_ready), .in_i(entry),
+    .in_valid_i(item_go), .in_ready_o(queue_ready), .in_i(entry),
     .out_valid_o(head_valid), .out_ready_i(head_ready), .out_o(head),
     .count_o(waiting)
   );
@@ -109,11 +99,10 @@ module su_emit (
                         outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
   assign {key_depth, key_index} = kind_q == pipegs_pkg::KindData ? key_q : '0;
   assign out_o        = {payload, key_index, key_depth, kind_q};
-  assign release_o       = sent && kind_q != pipegs_pkg::KindData;
-  assign release_slots_o = key_q[SlotW:0];
+  assign free_o       = record_read_o;
+  assign free_slot_o  = head_slot;
   assign empty_o      = waiting == '0 && !valid_q;
-  assign active_o     = item_go || (spilled_i && item_valid_i && !looked_q) || number_write_i || push || sent ||
-                        (head_valid && head_ready) || (waiting != '0 && !head_valid);
+  assign active_o     = item_go || look || number_write_i || sent || (head_valid && head_ready) || (waiting != '0 && !head_valid);
 
   logic unused_line;
   assign unused_line = &{1'b0, line_i[PayloadAt-1:0]};
@@ -123,7 +112,7 @@ module su_emit (
       looked_q <= 1'b0;
       valid_q  <= 1'b0;
     end else begin
-      looked_q <= spilled_i && item_valid_i && !item_go;
+      looked_q <= item_valid_i && outside && !item_go;
       if (head_ready) valid_q <= head_valid;
     end
   end

@@ -4,6 +4,7 @@
 // Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes. Each pair of heads
 //         is compared once, side by side; the winner is the one that is below all others. End beats are above every
 //         splat, so they are left when the layer is out of splats; then all are taken at once and one goes out.
+//         Watermarks (a layer's end when Order is 2) have done their work here and do not go out.
 // Stream  in: one sorted stream per lane, a layer each up to an end beat of the same kind. out: the merged layers;
 //         `unit` is the lane. A lane's ready depends on the other lanes' valid, as in every join.
 // Pace    One beat per cycle, latency one cycle; a layer's end costs one beat.
@@ -27,7 +28,7 @@ module su_merge (
   localparam int unsigned Units = pipegs_pkg::Units;
   localparam int unsigned HeadW = pipegs_pkg::KeyW + 1;
 
-  logic                   out_valid_q, go;
+  logic                   out_valid_q, go, mark;
   pipegs_pkg::sorted_t    out_q, out_d;
   logic [Units*HeadW-1:0] heads;
   logic [Units-1:0]       ends, nearest;
@@ -47,6 +48,7 @@ module su_merge (
   assign unused_heads = &{1'b0, heads, head};
 
   assign go         = in_valid_i == '1 && (!out_valid_q || out_ready_i);
+  assign mark       = pipegs_pkg::Order == 2 && ends == '1 && in_i[pipegs_pkg::KindW-1:0] == pipegs_pkg::KindLayerEnd;
   assign in_ready_o = !go ? '0 : ends == '1 ? '1 : nearest;
   assign active_o   = go || (out_valid_q && out_ready_i);
 
@@ -80,7 +82,7 @@ module su_merge (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) out_valid_q <= 1'b0;
-    else if (!out_valid_q || out_ready_i) out_valid_q <= go;
+    else if (!out_valid_q || out_ready_i) out_valid_q <= go && !mark;
   end
 
   always_ff @(posedge clk_i) begin

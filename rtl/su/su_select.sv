@@ -1,12 +1,12 @@
-// su_select: sorts a layer that does not fit the key store, store by store, from the list of keys in external memory.
+// su_select: sorts a set that does not fit the key store, store by store, from the list of keys in external memory.
 //
 // Idea    Sixteen pivots cut [low, max] into equal parts; one pass over the list counts the keys of each part. As
 //         many parts as fit the store together are loaded in a second pass and sorted; then the next parts, until the
 //         sixteen are done and the rest is cut anew. A part that alone is too large is cut by the next four bits;
 //         keys are unique, so this ends. Nothing is ever estimated: any number of keys in any arrangement is sorted
 //         exactly.
-// Stream  start_i with the layer; read: numbers of lines of keys; line: these lines; write: a key and its record's
-//         number go to the next slot of the store; group: the store is ready to be sorted, group_done_i: it was sent.
+// Stream  start_i with the set; read: numbers of lines of keys; line: these lines; write: a key and its record's
+//         number go to the next slot of the store; group: slots 0 .. count - 1 are to be sorted, group_done_i: were sent.
 // Pace    One key per cycle and pass.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 

@@ -6,9 +6,10 @@
 //         buckets are chained together while they hold at most sixteen keys. The nearest group is gone on with, the
 //         farther ones wait on a stack, the nearest on top; a group that is still too large is cut again by the next
 //         four bits. When all keys fell into one bucket, the range is measured anew, so a far outlier costs one pass.
-// Stream  start_i with the number of keys (at least 1) and their range; keys are read from slots 0.. of the key store,
-//         rdata in the next cycle, held. out: keys and slots, `last` on the last of each group.
-// Pace    One cycle per key and pass, up to 19 more per pass; one key per cycle out.
+// Stream  start_i with a chain of keys (at least 1) and a range that holds them; keys and links are read from their stores,
+//         rdata in the next cycle, held; links are changed. out: keys and slots, `last` on the last of each group.
+// Pace    One cycle per key and pass, up to 19 more per pass; one key per cycle out. A chain that is small enough leaves as
+//         it is: two cycles and one per key.
 // Model   cpp_model/su/su_split.hpp
 
 module su_split (
@@ -16,15 +17,20 @@ module su_split (
   input  logic                           rst_ni,
 
   input  logic                           start_i,
+  input  logic [pipegs_pkg::RecordW-1:0] head_i,
   input  logic [pipegs_pkg::RecordW:0]   count_i,
   input  logic [pipegs_pkg::KeyW-1:0]    min_i,
   input  logic [pipegs_pkg::KeyW-1:0]    max_i,
   output logic                           idle_o,
   output logic                           active_o,
 
-  output logic                           key_read_o,
+  output logic                           key_read_o,    // of a key and of its link
   output logic [pipegs_pkg::RecordW-1:0] key_slot_o,
   input  logic [pipegs_pkg::KeyW-1:0]    key_i,
+  input  logic [pipegs_pkg::RecordW-1:0] link_i,        // the slot behind it in its chain
+  output logic                           link_write_o,  // never waits
+  output logic [pipegs_pkg::RecordW-1:0] link_slot_o,
+  output logic [pipegs_pkg::RecordW-1:0] link_o,
 
   output logic                           out_valid_o,
   input  logic                           out_ready_i,
@@ -59,22 +65,18 @@ module su_split (
   logic [ShiftW-1:0] shift_q, wide_shift, next_shift;
   logic [SlotW-1:0]  head_q;
   logic [SlotW:0]    count_q;
-  logic              chained_q;  // the keys are a chain, not yet slots 0, 1, 2, ...
   logic              go;         // a group stands in head_q, count_q, shift_q: begin with it
+  logic [SlotW:0]    go_count;
   logic              fits;
 
   // Walking along the keys of the group, for Walk and Load.
   logic              first_q, data_valid_q, step, read;
-  logic [SlotW-1:0]  slot_q, slot, link;
+  logic [SlotW-1:0]  slot_q, slot;
   logic [SlotW:0]    left_q;  // keys still to read
 
   assign step = !data_valid_q || (state_q == Walk) || out_ready_i;
   assign read = (state_q == Walk || state_q == Load) && step && left_q != '0;
-  always_comb begin
-    slot = slot_q + 1'b1;
-    if (chained_q) slot = link;
-    if (first_q) slot = head_q;
-  end
+  assign slot = first_q ? head_q : link_i;
   assign key_read_o  = read;
   assign key_slot_o  = slot;
   assign out_valid_o = state_q == Load && data_valid_q;
@@ -106,15 +108,9 @@ module su_split (
   assign join_near = gathered_q && {1'b0, count} + {1'b0, count_q} <= (SlotW+2)'(Group);
   assign push      = state_q == Gather && filled_q != '0 && gathered_q && !join_near;
 
-  sram #(.DataW(SlotW), .Depth(pipegs_pkg::Records)) u_links (
-    .clk_i,
-    .write_i(drop_q || (state_q == Gather && filled_q != '0 && join_near)),
-    .waddr_i(drop_q ? drop_slot_q : tail),
-    .wdata_i(drop_q ? head : head_q),
-    .read_i(read),
-    .raddr_i(slot),
-    .rdata_o(link)
-  );
+  assign link_write_o = drop_q || (state_q == Gather && filled_q != '0 && join_near);
+  assign link_slot_o  = drop_q ? drop_slot_q : tail;
+  assign link_o       = drop_q ? head : head_q;
 
   // The stack of farther groups.
   logic [StackW-1:0] depth_q;
@@ -144,8 +140,10 @@ module su_split (
   end
 
   always_comb begin
-    go = state_q == Measure || state_q == Take || (state_q == Gather && filled_q == '0 && several_q);
-    fits = (state_q == Take ? frame_count : count_q) <= (SlotW+1)'(Group);
+    go_count = state_q == Idle ? count_i : state_q == Take ? frame_count : count_q;
+    fits = go_count <= (SlotW+1)'(Group);
+    go = (state_q == Idle && start_i && fits) || state_q == Measure || state_q == Take ||
+         (state_q == Gather && filled_q == '0 && several_q);
   end
   assign idle_o   = state_q == Idle;
   assign active_o = start_i || (state_q != Idle && !(out_valid_o && !out_ready_i));
@@ -177,9 +175,8 @@ module su_split (
     if (start_i && state_q == Idle) begin
       min_q     <= min_i;
       range_q   <= max_i - min_i;
-      head_q    <= '0;
+      head_q    <= head_i;
       count_q   <= count_i;
-      chained_q <= 1'b0;
     end
     if (state_q == Measure) shift_q <= wide_shift;
     if (state_q == Take) begin
@@ -190,7 +187,7 @@ module su_split (
     if (state_q == Gather && filled_q == '0 && several_q) shift_q <= next_shift;
 
     if (go) begin
-      left_q     <= state_q == Take ? frame_count : count_q;
+      left_q     <= go_count;
       first_q    <= 1'b1;
       filled_q   <= '0;
       dropped_q  <= 1'b0;
@@ -220,7 +217,6 @@ module su_split (
       filled_q[far] <= 1'b0;
       gathered_q    <= 1'b1;
       several_q     <= gathered_q;
-      chained_q     <= 1'b1;
       head_q        <= head;
       count_q       <= join_near ? count_q + count : count;
     end

@@ -36,14 +36,16 @@ struct SortBench : Bench<Vsu_bitonic>, Endpoint {
     dut.in_valid_i = dut.out_ready_i = 0;
   }
   void push(const std::vector<uint64_t>& keys) {
-    for (size_t i = 0; i < keys.size(); ++i) pending.push_back({keys[i], static_cast<uint32_t>(i), i + 1 == keys.size()});
+    for (size_t i = 0; i < keys.size(); ++i) pending.push_back({keys[i], static_cast<uint32_t>(i), i + 1 == keys.size(), false});
   }
+  void push_end(uint32_t slot) { pending.push_back({rng(), slot, true, true}); }
   void drive() override {
     if (!up && !pending.empty() && goes(source, rng)) up = true;
     dut.in_valid_i = up;
     dut.in_key_i = up ? pending.front().key : rng() & 0xffffff;
     dut.in_slot_i = up ? pending.front().slot : 0;
     dut.in_last_i = up ? pending.front().last : rng() & 1;
+    dut.in_end_i = up ? pending.front().end : 0;
     dut.out_ready_i = goes(sink, rng);
   }
   void observe() override {
@@ -55,6 +57,7 @@ struct SortBench : Bench<Vsu_bitonic>, Endpoint {
     }
     if (dut.out_valid_o && dut.out_ready_i) {
       sent.push_back({false, dut.out_key_o, dut.out_slot_o});
+      ends.push_back(dut.out_end_o);
       sends.push_back(cycle);
       EXPECT_TRUE(dut.active_o);
     }
@@ -62,11 +65,12 @@ struct SortBench : Bench<Vsu_bitonic>, Endpoint {
   struct Beat {
     uint64_t key;
     uint32_t slot;
-    bool last;
+    bool last, end;
   };
   Pace source, sink;
   std::deque<Beat> pending;
   std::vector<SortItem> sent;
+  std::vector<bool> ends;
   std::vector<uint64_t> loads, sends;
   bool up = false;
 };
@@ -78,6 +82,7 @@ TEST(SuBitonic, EqualsTheNetworkForEveryCountAndArrangement) {
       SortBench bench(source, sink);
       bench.reset();
       std::vector<SortItem> expected;
+      std::vector<bool> ends;
       for (const Arrangement arrangement : kArrangements) {
         for (int count = 1; count <= kChannels; ++count) {
           const std::vector<uint64_t> keys = su_keys(config, arrangement, count, bench.rng);
@@ -85,11 +90,18 @@ TEST(SuBitonic, EqualsTheNetworkForEveryCountAndArrangement) {
           SortItems items = items_of(keys);
           su_bitonic(items, count);
           expected.insert(expected.end(), items.begin(), items.begin() + count);
+          ends.resize(expected.size(), false);
+          for (uint64_t n = bench.rng() % 4; n > 1; --n) {  // an end or two between the batches
+            bench.push_end(static_cast<uint32_t>(bench.rng() % 4));
+            expected.push_back({false, 0, bench.pending.back().slot});
+            ends.push_back(true);
+          }
         }
       }
       bench.run_until([&] { return bench.sent.size() == expected.size(); });
       for (size_t i = 0; i < bench.sent.size(); ++i) {
-        ASSERT_EQ(bench.sent[i].key, expected[i].key) << "key " << i;
+        ASSERT_EQ(bench.ends[i], ends[i]) << "key " << i;
+        if (!ends[i]) { ASSERT_EQ(bench.sent[i].key, expected[i].key) << "key " << i; }
         ASSERT_EQ(bench.sent[i].slot, expected[i].slot) << "key " << i;
       }
       EXPECT_TRUE(bench.dut.idle_o);

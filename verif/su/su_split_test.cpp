@@ -14,7 +14,7 @@ namespace {
 
 const Config kConfig = test_config();
 
-// The splitter with a key store beside it.
+// The splitter with a store of keys and one of links beside it.
 struct SplitBench : Bench<Vsu_split>, Endpoint {
   explicit SplitBench(Pace sink) : sink(sink) {
     add(static_cast<Endpoint&>(*this));
@@ -23,38 +23,56 @@ struct SplitBench : Bench<Vsu_split>, Endpoint {
   void drive() override {
     dut.out_ready_i = goes(sink, rng);
     dut.key_i = shown;
+    dut.link_i = shown_link;
   }
   void observe() override {
     if (dut.out_valid_o && dut.out_ready_i) {
       EXPECT_EQ(dut.out_key_o, keys.at(dut.out_slot_o));
       if (fresh) groups.emplace_back();
-      groups.back().push_back(dut.out_slot_o);
+      groups.back().push_back(place.at(dut.out_slot_o));
       fresh = dut.out_last_o;
       EXPECT_TRUE(dut.active_o);
     }
-    if (dut.key_read_o) shown = keys.at(dut.key_slot_o);
+    if (dut.key_read_o) {
+      shown = keys.at(dut.key_slot_o);
+      shown_link = links.at(dut.key_slot_o);
+    }
+    if (dut.link_write_o) links.at(dut.link_slot_o) = dut.link_o;
   }
-  // Returns the cycles it took.
-  uint64_t split(std::vector<uint64_t> set) {
-    keys = std::move(set);
+  // Returns the cycles it took. The keys are a chain in the order of `set`, in any slots; `groups` names them by their
+  // place in the set.
+  uint64_t split(const std::vector<uint64_t>& set, const KeyRange& range) {
+    slots.resize(kConfig.records);
+    std::iota(slots.begin(), slots.end(), 0u);
+    std::shuffle(slots.begin(), slots.end(), rng);
+    keys.assign(kConfig.records, 0);
+    links.assign(kConfig.records, 0);
+    place.assign(kConfig.records, 0);
+    for (size_t i = 0; i < set.size(); ++i) {
+      keys[slots[i]] = set[i];
+      place[slots[i]] = static_cast<uint32_t>(i);
+      links[slots[i]] = i + 1 < set.size() ? slots[i + 1] : static_cast<uint32_t>(rng() % kConfig.records);
+    }
     groups.clear();
     fresh = true;
-    const KeyRange range = su_minmax(keys);
     dut.start_i = 1;
-    dut.count_i = keys.size();
+    dut.head_i = slots[0];
+    dut.count_i = set.size();
     dut.min_i = range.min;
     dut.max_i = range.max;
     const uint64_t begin = cycle;
     step();
     dut.start_i = 0;
-    dut.min_i = dut.max_i = dut.count_i = 0;
-    run_until([&] { return dut.idle_o; }, 200 * keys.size() + 1000);
+    dut.min_i = dut.max_i = dut.count_i = dut.head_i = 0;
+    run_until([&] { return dut.idle_o; }, 200 * set.size() + 1000);
     return cycle - begin;
   }
+  uint64_t split(const std::vector<uint64_t>& set) { return split(set, su_minmax(set)); }
   Pace sink;
   std::vector<uint64_t> keys;
   std::vector<std::vector<uint32_t>> groups;
-  uint64_t shown = 0;
+  std::vector<uint32_t> slots, links, place;
+  uint64_t shown = 0, shown_link = 0;
   bool fresh = true;
 };
 
@@ -94,6 +112,30 @@ TEST(SuSplit, EqualsItsTwinForEveryArrangementAndPace) {
       }
     }
   }
+}
+
+// The keys of one bucket of depth: the range is that of the bucket.
+TEST(SuSplit, TakesARangeThatIsWiderThanTheKeys) {
+  SplitBench bench(Pace::kAlways);
+  bench.reset();
+  const uint64_t width = uint64_t{1} << (kConfig.key_w() - kConfig.bucket_w());
+  for (const size_t count : {16, 17, 100, kConfig.records}) {
+    for (const uint64_t spread : {width, uint64_t{1} << 12, uint64_t{count}}) {  // of the keys
+      std::set<uint64_t> seen;
+      const KeyRange range{5 * width, 6 * width - 1};
+      while (seen.size() < count) seen.insert(range.max - bench.rng() % spread);
+      std::vector<uint64_t> keys(seen.begin(), seen.end());
+      std::shuffle(keys.begin(), keys.end(), bench.rng);
+      bench.split(keys, range);
+      ASSERT_EQ(bench.groups, su_split(keys, range)) << count << " keys";
+    }
+  }
+}
+
+TEST(SuSplit, SendsAChainOfSixteenAtOnce) {
+  SplitBench bench(Pace::kAlways);
+  bench.reset();
+  EXPECT_EQ(bench.split(su_keys(kConfig, Arrangement::kRandom, 16, bench.rng)), 16u + 2u);
 }
 
 TEST(SuSplit, TakesOneCyclePerKeyAndPass) {

@@ -1,0 +1,210 @@
+// su_buckets: the records of an SU in buckets of depth, and their release, nearest bucket first.
+//
+// Paper   Sec. 4.2.2 sorts what is complete; the buckets let go of what is complete earlier.
+// Idea    A bucket is the leading bits of the depth, absolute; its records are a chain of slots {head, tail, count}. Two
+//         sets of buckets, so that one layer is collected while the former is released. Which buckets are filled
+//         stands in words of bits (SRAM), which words are not zero in registers: the first filled bucket is the first
+//         bit of the first word. A release takes the words below its mark, clears them, and walks along their bits;
+//         neighbours are joined while they hold at most sixteen records. Records that come later lie above the mark.
+// Stream  insert: a slot to a bucket. job: release everything below job_bucket_i, or all; stays until job_done_o.
+//         chain: released chains, then the end of kind job_kind_i (none when that is KindData). link: writes of links.
+// Pace    One record per two cycles, one bucket per cycle between them; an empty bucket costs nothing.
+// Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
+
+module su_buckets (
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
+
+  input  logic                           insert_valid_i,
+  output logic                           insert_ready_o,
+  input  logic                           insert_set_i,
+  input  logic [pipegs_pkg::BucketW-1:0] insert_bucket_i,
+  input  logic [pipegs_pkg::RecordW-1:0] insert_slot_i,
+
+  input  logic                           job_valid_i,
+  output logic                           job_done_o,
+  input  logic                           job_set_i,
+  input  logic                           job_all_i,
+  input  logic [pipegs_pkg::BucketW-1:0] job_bucket_i,
+  input  logic [pipegs_pkg::KindW-1:0]   job_kind_i,
+
+  output logic                           chain_valid_o,
+  input  logic                           chain_ready_i,
+  output logic [pipegs_pkg::KindW-1:0]   chain_kind_o,    // KindData: a chain
+  output logic [pipegs_pkg::RecordW-1:0] chain_head_o,
+  output logic [pipegs_pkg::RecordW:0]   chain_count_o,
+  output logic [pipegs_pkg::BucketW-1:0] chain_bucket_o,  // of all its records if they are more than sixteen
+  input  logic                           hungry_i,        // nobody sorts: do not wait for neighbours
+
+  output logic                           link_write_o,
+  input  logic                           link_ready_i,
+  output logic [pipegs_pkg::RecordW-1:0] link_slot_o,
+  output logic [pipegs_pkg::RecordW-1:0] link_o,
+
+  output logic                           active_o
+);
+
+  localparam int unsigned BucketW = pipegs_pkg::BucketW;
+  localparam int unsigned SlotW = pipegs_pkg::RecordW;
+  localparam int unsigned LowW = (BucketW + 1) / 2;  // bucket = {word, bit}
+  localparam int unsigned HighW = BucketW - LowW;
+  localparam int unsigned Words = 2 ** HighW;
+  localparam int unsigned WordBits = 2 ** LowW;
+  localparam int unsigned Group = 16;
+
+  // Each operation reads in one cycle and ends in the next; the next one may read in that cycle unless it needs what the
+  // former writes.
+  typedef enum logic [1:0] {
+    None,
+    Insert,  // a record enters its bucket
+    Word,    // the filled buckets of a word are taken for release
+    Entry    // one of them is read and leaves
+  } operation_e;
+  operation_e operation_q, operation_d;
+  logic       ends;  // the present operation ends in this cycle
+
+  // --- the record that is inserted -----------------------------------------------------------------------------------
+  logic               set_q;
+  logic [BucketW-1:0] bucket_q;
+  logic [SlotW-1:0]   slot_q;
+  logic               filled, held;  // its bucket, its word
+  logic [SlotW-1:0]   head, tail;
+  logic [SlotW:0]     count;
+
+  // --- the release ---------------------------------------------------------------------------------------------------
+  logic [2*Words-1:0]  held_q;       // words that are not zero, of both sets
+  logic [Words-1:0]    candidates;   // words that the present job still has to take
+  logic [HighW-1:0]    first_word, word_q;
+  logic                edge_q;       // the word that the mark cuts was taken
+  logic [WordBits-1:0] work_q;       // buckets of word_q that were taken and not yet read
+  logic [LowW-1:0]     first_bit;
+  logic [WordBits-1:0] word, below, left, with_bucket;
+  logic                word_wanted, quiet;
+  logic [HighW-1:0]    job_high;
+  logic [LowW-1:0]     job_low;
+
+  assign {job_high, job_low} = job_bucket_i;
+  always_comb begin
+    for (int unsigned i = 0; i < Words; i += 1) begin
+      candidates[i] = job_valid_i && (job_set_i ? held_q[Words+i] : held_q[i]) &&
+                      (job_all_i || HighW'(i) < job_high || (HighW'(i) == job_high && !edge_q && job_low != '0));
+    end
+    first_word = '0;
+    for (int unsigned i = Words; i > 0; i -= 1) if (candidates[i-1]) first_word = HighW'(i - 1);
+    first_bit = '0;
+    for (int unsigned i = WordBits; i > 0; i -= 1) if (work_q[i-1]) first_bit = LowW'(i - 1);
+    for (int unsigned i = 0; i < WordBits; i += 1) below[i] = job_all_i || word_q != job_high || LowW'(i) < job_low;
+  end
+  assign word_wanted = candidates != '0 && work_q == '0 && operation_q != Word;
+  assign quiet       = candidates == '0 && work_q == '0 && operation_q == None;  // an insertion may still fill a bucket
+
+  // --- what is done next ---------------------------------------------------------------------------------------------
+  logic insert_reads, entry_reads, word_reads;
+  always_comb begin
+    operation_d = None;
+    if (word_wanted) operation_d = operation_q == Insert ? None : Word;
+    else if (insert_valid_i && operation_q != Insert && operation_q != Word) operation_d = Insert;
+    else if (work_q != '0 && chain_ready_i && !chain_valid_o) operation_d = Entry;
+    if (!ends) operation_d = None;
+  end
+  assign insert_ready_o = ends && !word_wanted && operation_q != Insert && operation_q != Word;
+  assign insert_reads   = operation_d == Insert;
+  assign word_reads     = operation_d == Word;
+  assign entry_reads    = operation_d == Entry;
+
+  sram #(.DataW(2 * SlotW + SlotW + 1), .Depth(2 ** (BucketW + 1))) u_table (
+    .clk_i,
+    .write_i(operation_q == Insert && ends),
+    .waddr_i({set_q, bucket_q}),
+    .wdata_i({filled ? tail : slot_q, slot_q, filled ? count + 1'b1 : (SlotW+1)'(1)}),
+    .read_i(insert_reads || entry_reads),
+    .raddr_i(insert_reads ? {insert_set_i, insert_bucket_i} : {job_set_i, word_q, first_bit}),
+    .rdata_o({tail, head, count})
+  );
+  sram #(.DataW(WordBits), .Depth(2 * Words)) u_words (
+    .clk_i,
+    .write_i((operation_q == Insert && !filled) || operation_q == Word),
+    .waddr_i(operation_q == Insert ? {set_q, bucket_q[BucketW-1:LowW]} : {job_set_i, word_q}),
+    .wdata_i(operation_q == Insert ? with_bucket : left),
+    .read_i(insert_reads || word_reads),
+    .raddr_i(insert_reads ? {insert_set_i, insert_bucket_i[BucketW-1:LowW]} : {job_set_i, first_word}),
+    .rdata_o(word)
+  );
+  assign held   = held_q[{set_q, bucket_q[BucketW-1:LowW]}];
+  assign filled = held && word[bucket_q[LowW-1:0]];
+  assign left   = word & ~below;
+  always_comb begin
+    with_bucket = held ? word : '0;
+    with_bucket[bucket_q[LowW-1:0]] = 1'b1;
+  end
+
+  // --- the group that is being joined --------------------------------------------------------------------------------
+  logic               group_valid_q, fits, join_group, push_group;
+  logic [SlotW-1:0]   group_head_q, group_tail_q;
+  logic [SlotW:0]     group_count_q;
+  logic [BucketW-1:0] group_bucket_q, entry_bucket_q;
+
+  assign fits       = {1'b0, group_count_q} + {1'b0, count} <= (SlotW+2)'(Group);
+  assign join_group = operation_q == Entry && group_valid_q && fits;
+  assign push_group = group_valid_q && (operation_q == Entry ? !fits : (quiet || hungry_i));
+
+  assign link_write_o = (operation_q == Insert && filled) || join_group;
+  assign link_slot_o  = operation_q == Insert ? slot_q : group_tail_q;
+  assign link_o       = head;
+  assign ends         = !link_write_o || link_ready_i;
+
+  assign chain_valid_o  = push_group || (job_valid_i && quiet && job_kind_i != pipegs_pkg::KindData);
+  assign chain_kind_o   = push_group ? pipegs_pkg::KindData : job_kind_i;
+  assign chain_head_o   = group_head_q;
+  assign chain_count_o  = group_count_q;
+  assign chain_bucket_o = group_bucket_q;
+  assign job_done_o     = job_valid_i && quiet && !group_valid_q && (chain_ready_i || job_kind_i == pipegs_pkg::KindData);
+  assign active_o       = operation_q != None || operation_d != None || (chain_valid_o && chain_ready_i) || job_done_o;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      operation_q   <= None;
+      held_q        <= '0;
+      work_q        <= '0;
+      edge_q        <= 1'b0;
+      group_valid_q <= 1'b0;
+    end else begin
+      if (ends) operation_q <= operation_d;
+      if (operation_q == Insert) held_q[{set_q, bucket_q[BucketW-1:LowW]}] <= 1'b1;
+      if (operation_q == Word) begin
+        held_q[{job_set_i, word_q}] <= left != '0;
+        work_q <= word & below;
+      end
+      if (entry_reads) work_q[first_bit] <= 1'b0;
+      if (job_done_o) edge_q <= 1'b0;
+      else if (operation_q == Word && word_q == job_high) edge_q <= 1'b1;
+      if (push_group && chain_ready_i) group_valid_q <= 1'b0;
+      if (operation_q == Entry && ends) group_valid_q <= 1'b1;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (insert_reads) begin
+      set_q    <= insert_set_i;
+      bucket_q <= insert_bucket_i;
+      slot_q   <= insert_slot_i;
+    end
+    if (word_reads) word_q <= first_word;
+    if (entry_reads) entry_bucket_q <= {word_q, first_bit};
+    if (operation_q == Entry && ends) begin
+      group_tail_q <= tail;
+      if (join_group) begin
+        group_count_q <= group_count_q + count;
+      end else begin
+        group_head_q   <= head;
+        group_count_q  <= count;
+        group_bucket_q <= entry_bucket_q;
+      end
+    end
+  end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) operation_q == Entry && push_group |-> chain_ready_i);
+`endif
+
+endmodule

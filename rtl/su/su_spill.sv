@@ -1,0 +1,149 @@
+// su_spill: brings a set that does not fit the pool to external memory, whole.
+//
+// Idea    What was released before leaves first; then everything that the set has in the pool is released too, and what comes
+//         out of su_emit goes to memory instead of to the merge, which frees the slots. Records that come in meanwhile
+//         go to memory as well and first. Record n is line n of the area of records, its key part n % 8 of line n / 8
+//         of the area of keys. When the set has ended and lies in memory, su_select sorts it.
+// Stream  in: records as they come; back: records out of the pool; record and keys: lines to write; select_start_o with
+//         the number of records (not 0) and the range of their keys.
+// Pace    One record in two cycles, as the port.
+// Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
+
+module su_spill (
+  input  logic                             clk_i,
+  input  logic                             rst_ni,
+
+  input  logic                             start_i,
+  input  logic                             drained_i,     // nothing that was released is left inside
+  input  logic                             ended_i,       // the set's end has come
+  output logic                             job_valid_o,   // release the whole set ...
+  input  logic                             job_done_i,
+  output logic                             divert_o,      // ... to memory
+  output logic                             selecting_o,
+  output logic                             select_start_o,
+  input  logic                             done_i,        // the set was sent
+
+  input  logic                             in_valid_i,
+  output logic                             in_ready_o,
+  input  logic [pipegs_pkg::SplatBits-1:0] in_i,
+  input  logic                             back_valid_i,
+  output logic                             back_ready_o,
+  input  logic [pipegs_pkg::SplatBits-1:0] back_i,
+
+  output logic [pipegs_pkg::SlotW-1:0]     count_o,
+  output logic [pipegs_pkg::KeyW-1:0]      min_o,
+  output logic [pipegs_pkg::KeyW-1:0]      max_o,
+
+  output logic                             record_valid_o,
+  input  logic                             record_ready_i,
+  output logic [pipegs_pkg::SlotW-1:0]     record_line_o,
+  output logic [pipegs_pkg::SplatBits-1:0] record_o,
+  output logic                             keys_valid_o,
+  input  logic                             keys_ready_i,
+  output logic [pipegs_pkg::SlotW-1:0]     keys_line_o,
+  output logic [pipegs_pkg::MemoryW-1:0]   keys_o,
+
+  output logic                             active_o
+);
+
+  localparam int unsigned KeyW = pipegs_pkg::KeyW;
+  localparam int unsigned SlotW = pipegs_pkg::SlotW;
+  localparam int unsigned KeyPartW = 64;  // of a line of keys
+  localparam int unsigned KeysPerLine = pipegs_pkg::MemoryW / KeyPartW;
+  localparam int unsigned PartW = $clog2(KeysPerLine);
+
+  typedef enum logic [2:0] {
+    Idle,    // waits for start_i
+    Wait,    // until what was released before has left
+    Release, // su_buckets releases the set
+    Drain,   // until that lies in memory
+    Close,   // until the set has ended and all lines are written; writes the last line of keys
+    Select   // until the set was sent
+  } state_e;
+  state_e state_q;
+
+  logic             record_valid_q, keys_valid_q, closing_q, free, take, last_part;
+  logic [SlotW-1:0] number_q, record_line_q, keys_line_q;
+  logic [pipegs_pkg::SplatBits-1:0] record_q, record;
+  logic [pipegs_pkg::MemoryW-1:0]   keys_q;
+  logic [KeyW-1:0]  key;
+  logic             close, all_written;
+
+  assign free         = (!record_valid_q || record_ready_i) && !keys_valid_q;
+  assign in_ready_o   = free;
+  assign back_ready_o = free && !in_valid_i && divert_o;
+  assign take         = free && (in_valid_i || (back_valid_i && divert_o));
+  assign record       = in_valid_i ? in_i : back_i;
+  // A splat is {payload, index, depth, kind}.
+  assign key          = {record[pipegs_pkg::KindW +: pipegs_pkg::DepthW],
+                         record[pipegs_pkg::KindW+pipegs_pkg::DepthW +: pipegs_pkg::IndexW]};
+  assign last_part    = number_q[PartW-1:0] == PartW'(KeysPerLine - 1);
+
+  su_minmax u_minmax (.clk_i, .rst_ni, .clear_i(start_i), .valid_i(take), .key_i(key), .min_o, .max_o);
+
+  assign job_valid_o    = state_q == Release;
+  assign divert_o       = state_q == Release || state_q == Drain;
+  assign selecting_o    = state_q == Select;
+  assign close          = state_q == Close && ended_i && !record_valid_q && !keys_valid_q;
+  assign all_written    = close && (closing_q || number_q[PartW-1:0] == '0);
+  assign select_start_o = all_written && number_q != '0;
+  assign count_o        = number_q;
+  assign record_valid_o = record_valid_q;
+  assign record_line_o  = record_line_q;
+  assign record_o       = record_q;
+  assign keys_valid_o   = keys_valid_q;
+  assign keys_line_o    = keys_line_q;
+  assign keys_o         = keys_q;
+  assign active_o       = start_i || take || record_ready_i || keys_ready_i || (state_q == Wait && drained_i) || job_done_i ||
+                          (state_q == Drain && drained_i) || close || done_i;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q        <= Idle;
+      number_q       <= '0;
+      closing_q      <= 1'b0;
+      record_valid_q <= 1'b0;
+      keys_valid_q   <= 1'b0;
+    end else begin
+      unique case (state_q)
+        Idle:    if (start_i) state_q <= Wait;
+        Wait:    if (drained_i) state_q <= Release;
+        Release: if (job_done_i) state_q <= Drain;
+        Drain:   if (drained_i) state_q <= Close;
+        Close:   if (all_written) state_q <= Select;
+        default: if (done_i) state_q <= Idle;
+      endcase
+      if (record_ready_i) record_valid_q <= 1'b0;
+      if (keys_ready_i) keys_valid_q <= 1'b0;
+      if (take) begin
+        record_valid_q <= 1'b1;
+        if (last_part) keys_valid_q <= 1'b1;
+        number_q <= number_q + 1'b1;
+      end
+      if (close && !all_written) begin
+        keys_valid_q <= 1'b1;
+        closing_q    <= 1'b1;
+      end
+      if (start_i) begin
+        number_q  <= '0;
+        closing_q <= 1'b0;
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (take) begin
+      record_q      <= record;
+      record_line_q <= number_q;
+      keys_q[number_q[PartW-1:0]*KeyPartW +: KeyPartW] <= KeyPartW'(key);
+      keys_line_q   <= number_q >> PartW;
+    end
+  end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) record_ready_i |-> record_valid_q);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) keys_ready_i |-> keys_valid_q);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> state_q == Idle);
+`endif
+
+endmodule
