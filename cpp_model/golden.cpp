@@ -147,8 +147,10 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   GoldenWindow window;
   window.x = window_x;
   window.y = window_y;
+  const bool layered = packed.config.order == 0;  // else the whole window is one layer, in exact order
   dopu_window(packed.config, input.frame, packed, static_cast<int>(window_x), static_cast<int>(window_y),
-              [&](int ordinal, const Chunk& chunk, uint64_t) {
+              [&](int layer, const Chunk& chunk, uint64_t) {
+                const int ordinal = layered ? layer : 0;
                 if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
                 ++window.work.chunks;
                 for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {

@@ -41,6 +41,8 @@ package pipegs_pkg;
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
   localparam int unsigned Records        = 512;  // record store of one SU, each half of the double buffer
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
+  localparam int unsigned NearestNodes   = 512;  // nodes that wait in the DOPU, the nearest first (order = 2)
+  localparam int unsigned MarkChunks     = 8;  // fewest chunks between two watermarks of a window (order = 2)
   localparam int unsigned RegionsX       = 8;  // regions along a window's side
   localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
   localparam int unsigned RegionW        = 6;  // index of a region, row by row
@@ -100,6 +102,7 @@ package pipegs_pkg;
   localparam int unsigned LateAW         = 0;  // coefficient A in a splat; absent unless late
   localparam int unsigned LateBcW        = 0;  // coefficients B and C in a splat; absent unless late
   localparam int unsigned LateDefW       = 0;  // coefficients D, E and F in a splat; absent unless late
+  localparam int unsigned MarkW          = 0;  // watermark of a chunk; absent unless Order is 2
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
   localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set
   localparam int unsigned UnitW          = 2;  // number of a unit
