@@ -11,7 +11,7 @@
 // Model   An array of stacks (verif/dopu/dopu_bucket_test.cpp).
 
 module dopu_bucket #(
-  parameter int unsigned Lists = 4,
+  parameter int unsigned Lists = 6,
   parameter int unsigned Buckets = 128,     // a multiple of 8, a power of two
   parameter int unsigned Nodes = pipegs_pkg::NearestNodes,
   parameter int unsigned DataW = 170,
@@ -27,6 +27,7 @@ module dopu_bucket #(
   input  logic [BucketW-1:0]       insert_bucket_i,
   input  logic [DataW-1:0]         insert_data_i,
   output logic                     full_o,
+  output logic                     crowded_o,       // three quarters of the places are taken
 
   input  logic                     pop_valid_i,     // only of a list that has a node
   output logic                     pop_ready_o,
@@ -149,6 +150,7 @@ module dopu_bucket #(
 
   // --- free places ----------------------------------------------------------------------------------------------------
   logic [NodeW:0]   fresh_q;  // places used so far
+  logic [NodeW:0]   taken_q;
   logic             back_valid, back_ready;
   logic [NodeW-1:0] back;
   logic [$clog2(Nodes+1)-1:0] back_count;
@@ -156,9 +158,16 @@ module dopu_bucket #(
   assign free_place = back_valid ? back : fresh_q[NodeW-1:0];
   assign full_o     = !back_valid && fresh_q[NodeW];
 
+  assign crowded_o  = taken_q >= (NodeW+1)'(Nodes / 4 * 3);
+
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) fresh_q <= '0;
-    else if (take_insert && !back_valid) fresh_q <= fresh_q + 1'b1;
+    if (!rst_ni) begin
+      fresh_q <= '0;
+      taken_q <= '0;
+    end else begin
+      if (take_insert && !back_valid) fresh_q <= fresh_q + 1'b1;
+      taken_q <= taken_q + (NodeW+1)'(take_insert) - (NodeW+1)'(out_valid_o);
+    end
   end
 
   sram_fifo #(.DataW(NodeW), .Depth(Nodes)) u_back (

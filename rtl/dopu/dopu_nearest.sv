@@ -1,20 +1,21 @@
 // dopu_nearest: from the cells of the walk down to the chunks that can touch the window, the nearest first.
 //
 // Paper   None: instead of dopu_descend, when Order is 2.
-// Idea    Best first: cells, groups and chunks that pass the test (dopu_rank) wait in dopu_bucket by depth; the nearest cell or
-//         group is opened (dopu_open), the nearest chunk is sent (dopu_send). Opening runs ahead of sending while fewer than
-//         Ahead chunks wait, so that the memory's latency hides; a chunk is sent when nothing that is still closed, or being
-//         opened, can hide a nearer one. When the queue is full a node is not queued but sent or opened at once: right too,
-//         only out of order. The next window's walk begins when this one's nodes are all opened and only chunks wait.
-//         What belongs to a done window is dropped wherever it stands.
+// Idea    Best first: cells, groups and chunks that pass the test (dopu_rank) wait in dopu_bucket by depth; the nearest cell and
+//         the nearest group are opened (dopu_open), the nearest chunk is sent (dopu_send). Opening runs ahead of sending, so
+//         that the memory's latency hides, as long as few chunks wait; a chunk is sent when nothing that is still closed, or
+//         being opened, can hide a nearer one. When the queue is full a node is not queued but sent or opened at once: right
+//         too, only out of order. Scanning cells, opening cells, opening groups and sending each go on to the next window
+//         when they are through with one, so two windows overlap. What belongs to a done window is dropped wherever it
+//         stands.
 // Stream  cell in (layer ends are ignored); chunk out: chunks, layer ends with a watermark, the window's end.
 // Pace    Two tests in three cycles; a node that passes costs the queue five.
 // Model   cpp_model/dopu/dopu_nearest.hpp
 
 module dopu_nearest #(
-  parameter int unsigned Lines = 32,   // of the node tables, in flight or waiting, each level
+  parameter int unsigned Lines = 64,   // of the node tables, in flight or waiting, each level
   parameter int unsigned Results = 8,  // of the test that may wait, each level
-  parameter int unsigned Ahead = 48    // chunks that wait, from which on nothing is opened without need
+  parameter int unsigned Ahead = 128   // chunks that wait, from which on no group is opened without need
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
@@ -47,7 +48,8 @@ module dopu_nearest #(
 );
 
   localparam int unsigned Levels = 3;       // cells, groups, chunks
-  localparam int unsigned Lists = 4;        // of the queue: cells, groups, chunks of either set
+  localparam int unsigned Lists = 2 * Levels;  // of the queue: of each level those of either set
+  localparam int unsigned ListW = $clog2(Lists);
   localparam int unsigned Buckets = 128;
   localparam int unsigned BucketW = $clog2(Buckets);
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
@@ -65,12 +67,36 @@ module dopu_nearest #(
     .value_i({1'b0, frame_i.near_plane}), .exponent_i('0), .step_o(near_step)
   );
 
-  // --- the window walked and the window sent: the same, or the one before ------------------------------------------------
-  logic walk_set_q, cells_in_q;  // all cells of the window walked have come
-  logic [1:0] opened_q;          // all nodes of the set's window are opened: chunks may wait
-  logic send_set, window_end, walk_done, tree_done;
+  // --- each level works on one window's set, and then on the other's: 0 scans cells, 1 opens cells, 2 opens groups --------
+  logic [Levels-1:0] set_q, through, working, level_done;  // the set at work; through: nothing of it is left here
+  logic [1:0]        complete_q [Levels];                  // the levels that are through with a set
+  logic              cells_in_q;                           // all cells of the window scanned have come
+  logic              send_set, window_end;
 
-  assign walk_done = set_done_i[walk_set_q];
+  always_comb begin
+    for (int unsigned l = 0; l < Levels; l += 1) begin
+      working[l]    = !complete_q[l][set_q[l]];  // else the other set is still being sent
+      level_done[l] = set_done_i[set_q[l]];
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      set_q      <= '0;
+      cells_in_q <= 1'b0;
+      for (int unsigned l = 0; l < Levels; l += 1) complete_q[l] <= '0;
+    end else begin
+      if (cell_here && cell_kind_i == pipegs_pkg::KindWindowEnd) cells_in_q <= 1'b1;
+      else if (through[0]) cells_in_q <= 1'b0;
+      for (int unsigned l = 0; l < Levels; l += 1) begin
+        if (window_end) complete_q[l][send_set] <= 1'b0;
+        if (through[l]) begin
+          complete_q[l][set_q[l]] <= 1'b1;
+          set_q[l] <= !set_q[l];
+        end
+      end
+    end
+  end
 
   // --- nodes to test: children of what was opened first, so that what is near can be sent ---------------------------------
   logic [Levels-1:0]    want, enter, drop, child_valid, child_last, missed, retired;
@@ -80,7 +106,7 @@ module dopu_nearest #(
   logic                 cell_here, rank_ready;
   logic [1:0]           level;
 
-  assign cell_here       = cell_valid_i && cell_set_i == walk_set_q && !cells_in_q && !opened_q[walk_set_q];
+  assign cell_here       = cell_valid_i && cell_set_i == set_q[0] && !cells_in_q && working[0];
   assign child_valid[0]  = cell_here && cell_kind_i == pipegs_pkg::KindData;
   assign child_last[0]   = 1'b0;
   assign child_parent[0] = '0;
@@ -89,7 +115,7 @@ module dopu_nearest #(
 
   always_comb begin
     for (int unsigned l = 0; l < Levels; l += 1) begin
-      drop[l] = child_valid[l] && walk_done && !child_last[l];  // the last child goes on: its parent is open until then
+      drop[l] = child_valid[l] && level_done[l] && !child_last[l];  // the last child goes on: its parent is open until then
       want[l] = child_valid[l] && !drop[l] && reserved_q[l] != ReservedW'(Results);
     end
     level = want[2] ? 2'd2 : want[1] ? 2'd1 : 2'd0;
@@ -105,7 +131,7 @@ module dopu_nearest #(
 
   dopu_rank #(.TagW(3), .BucketW(BucketW)) u_rank (
     .clk_i, .rst_ni, .frame_i, .planes_i, .near_step_i(near_step),
-    .node_valid_i(want != '0), .node_ready_o(rank_ready), .node_i(child[level]), .set_i(walk_set_q),
+    .node_valid_i(want != '0), .node_ready_o(rank_ready), .node_i(child[level]), .set_i(set_q[level]),
     .parent_i(child_parent[level]), .tag_i({child_last[level], level}),
     .result_valid_o(result_valid), .result_pass_o(result_pass), .result_tag_o({result_last, result_level}),
     .result_bucket_o(result_bucket), .result_place_o(result_place), .result_range_o(result_range)
@@ -139,7 +165,7 @@ module dopu_nearest #(
         .out_valid_o(held_valid[l]), .out_ready_i(retired[l]),
         .out_o({held_last[l], held_pass[l], held_bucket[l], held_data}), .count_o(count)
       );
-      assign live[l] = held_valid[l] && held_pass[l] && !walk_done;
+      assign live[l] = held_valid[l] && held_pass[l] && !level_done[l];
 
       always_ff @(posedge clk_i or negedge rst_ni) begin
         if (!rst_ni) reserved_q[l] <= '0;
@@ -154,15 +180,15 @@ module dopu_nearest #(
   endgenerate
 
   // --- the queue: live results go in; when it is full they are opened or sent at once ---------------------------------------
-  logic                     insert_ready, full, pop_valid, pop_ready, out_valid, queue_idle, insert;
-  logic [1:0]               insert_level, insert_list, pop_list, out_list;
+  logic                     insert_ready, full, crowded, pop_valid, pop_ready, out_valid, queue_idle, insert, out_done;
+  logic [1:0]               insert_level, out_level;
+  logic [ListW-1:0]         insert_list, pop_list, out_list;
   logic [BucketW-1:0]       out_bucket;
   logic [DataW-1:0]         out_data;
   logic [Lists-1:0]         first_valid;
   logic [Lists*BucketW-1:0] first_bucket;
-  logic [BucketW-1:0]       first_cell, first_group, first_chunk;  // of the window walked
-  logic                     has_chunk;
-  logic [Levels-1:0]        direct;
+  logic [Levels-1:0]        direct, some;      // some: cells that wait for level 1, groups for level 2, its chunks
+  logic [BucketW-1:0]       first [Levels];
   logic                     direct_chunk, direct_ready, send_pop;
   logic [WaitW-1:0]         waiting_q [2];     // chunks of either set in the queue
   logic [1:0]               open_ready, open_valid, any_open, pop_open, reading;
@@ -171,28 +197,28 @@ module dopu_nearest #(
   logic [RangeW-1:0]        open_range [2];
 
   assign insert_level = live[2] ? 2'd2 : live[1] ? 2'd1 : 2'd0;
-  assign insert_list  = live[2] ? {1'b1, walk_set_q} : insert_level;
+  assign insert_list  = {insert_level, set_q[insert_level]};
   assign insert       = live != '0 && insert_ready;
 
   dopu_bucket #(.Lists(Lists), .Buckets(Buckets), .DataW(DataW)) u_bucket (
     .clk_i, .rst_ni,
     .insert_valid_i(live != '0), .insert_ready_o(insert_ready), .insert_list_i(insert_list),
-    .insert_bucket_i(held_bucket[insert_level]), .insert_data_i(held[insert_level]), .full_o(full),
+    .insert_bucket_i(held_bucket[insert_level]), .insert_data_i(held[insert_level]), .full_o(full), .crowded_o(crowded),
     .pop_valid_i(pop_valid), .pop_ready_o(pop_ready), .pop_list_i(pop_list),
     .out_valid_o(out_valid), .out_list_o(out_list), .out_bucket_o(out_bucket), .out_data_o(out_data),
     .first_valid_o(first_valid), .first_bucket_o(first_bucket), .idle_o(queue_idle)
   );
-  assign first_cell  = first_bucket[0 +: BucketW];
-  assign first_group = first_bucket[BucketW +: BucketW];
-  assign first_chunk = walk_set_q ? first_bucket[3*BucketW +: BucketW] : first_bucket[2*BucketW +: BucketW];
-  assign has_chunk   = first_valid[{1'b1, walk_set_q}];
+  assign out_level = out_list[2:1];
+  assign out_done  = set_done_i[out_list[0]];
 
-  // A pop that is wanted goes first: it makes room.
-  assign direct_chunk = full && queue_idle && live[2] && walk_set_q == send_set;
+  // A pop that is wanted goes first: it makes room. Nodes of the next window wait for their turn.
+  assign direct_chunk = full && queue_idle && live[2] && set_q[2] == send_set;
   always_comb begin
     direct    = '0;
     direct[2] = direct_chunk && direct_ready;
-    for (int unsigned l = 0; l < 2; l += 1) direct[l] = full && queue_idle && !pop_valid && live[l] && open_ready[l];
+    for (int unsigned l = 0; l < 2; l += 1) begin
+      direct[l] = full && queue_idle && !pop_valid && live[l] && open_ready[l] && set_q[l] == set_q[l+1];
+    end
     for (int unsigned l = 0; l < Levels; l += 1) begin
       retired[l] = held_valid[l] && (!live[l] || direct[l] || (insert && insert_level == 2'(l)));
     end
@@ -204,29 +230,35 @@ module dopu_nearest #(
       waiting_q[1] <= '0;
     end else begin
       for (int unsigned s = 0; s < 2; s += 1) begin
-        waiting_q[s] <= waiting_q[s] + WaitW'(insert && insert_list == 2'(2 + s)) - WaitW'(out_valid && out_list == 2'(2 + s));
+        waiting_q[s] <= waiting_q[s] + WaitW'(insert && insert_list == ListW'(4 + s)) - WaitW'(out_valid && out_list == ListW'(4 + s));
       end
     end
   end
 
-  // --- opening: the nearest cell or group, while few chunks wait, or before the chunks behind it ----------------------------
-  logic few, cell_needed, group_needed;
+  // --- opening: the nearest cell, the nearest group; ahead while there is room, and always before the chunks behind ------
+  logic few, cell_first, group_first;
 
-  assign few          = 32'(waiting_q[walk_set_q]) < Ahead || !has_chunk;
-  assign cell_needed  = (few || first_cell <= first_chunk) && (!first_valid[1] || first_cell <= first_group);
-  assign group_needed = few || first_group <= first_chunk;
-  assign pop_open[0]  = first_valid[0] && (walk_done || (open_ready[0] && cell_needed));
-  assign pop_open[1]  = first_valid[1] && (walk_done || (open_ready[1] && group_needed));
-  assign pop_valid    = send_pop || pop_open != '0;
-  assign pop_list     = send_pop ? {1'b1, send_set} : pop_open[1] ? 2'd1 : 2'd0;
+  always_comb begin
+    for (int unsigned l = 0; l < Levels; l += 1) begin
+      some[l]  = first_valid[{2'(l), set_q[l == 0 ? 1 : 2]}];
+      first[l] = first_bucket[32'({2'(l), set_q[l == 0 ? 1 : 2]})*BucketW +: BucketW];
+    end
+  end
+  assign few         = 32'(waiting_q[set_q[2]]) < Ahead && !crowded;
+  assign group_first = !some[2] || first[1] <= first[2];
+  assign cell_first  = set_q[1] == set_q[2] && (!some[2] || first[0] <= first[2]) && (!some[1] || first[0] <= first[1]);
+  assign pop_open[0] = some[0] && (level_done[1] || (open_ready[0] && (!crowded || cell_first)));
+  assign pop_open[1] = some[1] && (level_done[2] || (open_ready[1] && (few || group_first)));
+  assign pop_valid   = send_pop || pop_open != '0;
+  assign pop_list    = send_pop ? {2'd2, send_set} : pop_open[1] ? {2'd1, set_q[2]} : {2'd0, set_q[1]};
 
   generate
     for (genvar l = 0; l < 2; l += 1) begin : gen_open
-      assign open_valid[l]  = (out_valid && out_list == 2'(l) && !walk_done) || direct[l];
+      assign open_valid[l]  = (out_valid && out_level == 2'(l) && !out_done) || direct[l];
       assign open_bucket[l] = out_valid ? out_bucket : held_bucket[l];
       assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
 
-      dopu_open #(.Most(l == 0 ? 2 : 4), .Lines(Lines), .BucketW(BucketW)) u_open (
+      dopu_open #(.Most(l == 0 ? 4 : 8), .Lines(Lines), .BucketW(BucketW)) u_open (
         .clk_i, .rst_ni, .base_i(l == 0 ? frame_i.groups : frame_i.chunks),
         .open_valid_i(open_valid[l]), .open_ready_o(open_ready[l]), .open_bucket_i(open_bucket[l]),
         .open_first_i(open_range[l][0 +: SlotW]), .open_count_i(open_range[l][SlotW +: CountW]),
@@ -243,44 +275,37 @@ module dopu_nearest #(
     end
   endgenerate
 
-  assign tree_done = cells_in_q && reserved_q[0] == '0 && first_valid[1:0] == '0 && any_open == '0;
-
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      walk_set_q <= 1'b0;
-      cells_in_q <= 1'b0;
-      opened_q   <= '0;
-    end else begin
-      if (cell_here && cell_kind_i == pipegs_pkg::KindWindowEnd) cells_in_q <= 1'b1;
-      else if (tree_done) cells_in_q <= 1'b0;
-      if (tree_done) walk_set_q <= !walk_set_q;
-      for (int unsigned s = 0; s < 2; s += 1) begin
-        if (tree_done && walk_set_q == 1'(s)) opened_q[s] <= 1'b1;
-        else if (window_end && send_set == 1'(s)) opened_q[s] <= 1'b0;
-      end
-    end
-  end
+  assign through[0] = cells_in_q && reserved_q[0] == '0;
+  assign through[1] = working[1] && complete_q[0][set_q[1]] && !some[0] && !any_open[0];
+  assign through[2] = working[2] && complete_q[1][set_q[2]] && !some[1] && !any_open[1];
 
   // --- sending ------------------------------------------------------------------------------------------------------------
-  logic [BucketW-1:0] unopened;  // the nearest bucket of what is not opened yet
+  logic [BucketW-1:0] unopened;  // of the window sent, the nearest bucket of what is not opened yet
 
   always_comb begin
-    unopened = open_nearest[0] < open_nearest[1] ? open_nearest[0] : open_nearest[1];
-    if (first_valid[0] && first_cell < unopened) unopened = first_cell;
-    if (first_valid[1] && first_group < unopened) unopened = first_group;
-    if (!cells_in_q || reserved_q[0] != '0) unopened = '0;
+    unopened = '1;
+    if (!complete_q[0][send_set]) begin
+      unopened = '0;
+    end else begin
+      if (!complete_q[1][send_set]) begin  // then level 1 works on it, and level 2 too
+        unopened = open_nearest[0];
+        if (some[0] && first[0] < unopened) unopened = first[0];
+      end
+      if (open_nearest[1] < unopened) unopened = open_nearest[1];
+      if (some[1] && first[1] < unopened) unopened = first[1];
+    end
   end
 
   dopu_send #(.BucketW(BucketW)) u_send (
     .clk_i, .rst_ni, .near_step_i(near_step), .set_done_i, .set_o(send_set),
-    .opened_i(opened_q[send_set]), .unopened_i(unopened), .window_end_o(window_end),
-    .first_valid_i(first_valid[3:2]), .first_bucket_i(first_bucket[2*BucketW +: 2*BucketW]),
-    .pop_o(send_pop), .pop_ready_i(pop_ready), .popped_i(out_valid && out_list[1]), .popped_data_i(out_data),
+    .opened_i(complete_q[2][send_set]), .unopened_i(unopened), .window_end_o(window_end),
+    .first_valid_i(first_valid[5:4]), .first_bucket_i(first_bucket[4*BucketW +: 2*BucketW]),
+    .pop_o(send_pop), .pop_ready_i(pop_ready), .popped_i(out_valid && out_level == 2'd2), .popped_data_i(out_data),
     .direct_valid_i(direct_chunk), .direct_ready_o(direct_ready), .direct_bucket_i(held_bucket[2]), .direct_data_i(held[2]),
     .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .mark_o
   );
 
-  assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid || tree_done || window_end;
+  assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid || through != '0 || window_end;
   assign waiting_o = reading != '0;
 
   logic unused;
