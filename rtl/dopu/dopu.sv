@@ -37,9 +37,9 @@ module dopu (
   localparam int unsigned KindW = pipegs_pkg::KindW;
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
   localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1;
-  localparam int unsigned Lines = 32;         // of node tables in flight, each level
+  localparam int unsigned Lines = pipegs_pkg::Order == 2 ? 64 : 32;  // of node tables in flight, each level
   localparam int unsigned Ports = 3;          // of memory: chunks, groups, cells
-  localparam int unsigned Asked = 4 * Lines;  // answers of chunks and groups to come
+  localparam int unsigned Asked = 2 * Lines;  // answers of chunks and groups to come
 
   // --- the frame's geometry ---------------------------------------------------------------------------------------------
   logic [1:0]           axis;
@@ -88,7 +88,7 @@ module dopu (
   );
 
   if (pipegs_pkg::Order == 2) begin : gen_nearest
-    dopu_nearest #(.Lines(2 * Lines)) u_nearest (
+    dopu_nearest #(.Lines(Lines)) u_nearest (
       .clk_i, .rst_ni, .frame_i, .planes_i(planes), .set_done_i(set_done),
       .cell_valid_i(cell_valid), .cell_ready_o(cell_ready), .cell_kind_i(cell_kind), .cell_set_i(cell_set), .cell_i(cell_node),
       .mem_valid_o(request[1:0]), .mem_ready_i(request_ready[1:0]), .mem_address_o(address[0 +: 2*AddressW]),

@@ -14,7 +14,7 @@
 
 module dopu_nearest #(
   parameter int unsigned Lines = 64,   // of the node tables, in flight or waiting, each level
-  parameter int unsigned Results = 8,  // of the test that may wait, each level
+  parameter int unsigned Results = 16, // of the test that may wait, each level
   parameter int unsigned Ahead = 128   // chunks that wait, from which on no group is opened without need
 ) (
   input  logic                                  clk_i,
@@ -98,7 +98,7 @@ module dopu_nearest #(
     end
   end
 
-  // --- nodes to test: children of what was opened first, so that what is near can be sent ---------------------------------
+  // --- nodes to test: upper levels first, so that the memory always has work ------------------------------------------------
   logic [Levels-1:0]    want, enter, drop, child_valid, child_last, missed, retired;
   logic [NodeBits-1:0]  child [Levels];
   logic [BucketW-1:0]   child_parent [Levels];
@@ -118,7 +118,7 @@ module dopu_nearest #(
       drop[l] = child_valid[l] && level_done[l] && !child_last[l];  // the last child goes on: its parent is open until then
       want[l] = child_valid[l] && !drop[l] && reserved_q[l] != ReservedW'(Results);
     end
-    level = want[2] ? 2'd2 : want[1] ? 2'd1 : 2'd0;
+    level = want[0] ? 2'd0 : want[1] ? 2'd1 : 2'd2;
     enter = '0;
     enter[level] = want[level] && rank_ready;
   end
@@ -258,7 +258,7 @@ module dopu_nearest #(
       assign open_bucket[l] = out_valid ? out_bucket : held_bucket[l];
       assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
 
-      dopu_open #(.Most(l == 0 ? 4 : 8), .Lines(Lines), .BucketW(BucketW)) u_open (
+      dopu_open #(.Most(l == 0 ? 8 : 12), .Lines(Lines), .BucketW(BucketW)) u_open (
         .clk_i, .rst_ni, .base_i(l == 0 ? frame_i.groups : frame_i.chunks),
         .open_valid_i(open_valid[l]), .open_ready_o(open_ready[l]), .open_bucket_i(open_bucket[l]),
         .open_first_i(open_range[l][0 +: SlotW]), .open_count_i(open_range[l][SlotW +: CountW]),
