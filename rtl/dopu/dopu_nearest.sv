@@ -15,6 +15,7 @@
 module dopu_nearest #(
   parameter int unsigned Lines = 64,   // of the node tables, in flight or waiting, each level
   parameter int unsigned Results = 16, // of the test that may wait, each level
+  parameter int unsigned Most = 16,    // nodes open at a time, each level
   parameter int unsigned Ahead = 128   // chunks that wait, from which on no group is opened without need
 ) (
   input  logic                                  clk_i,
@@ -258,7 +259,7 @@ module dopu_nearest #(
       assign open_bucket[l] = out_valid ? out_bucket : held_bucket[l];
       assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
 
-      dopu_open #(.Most(l == 0 ? 8 : 12), .Lines(Lines), .BucketW(BucketW)) u_open (
+      dopu_open #(.Most(Most), .Lines(Lines), .BucketW(BucketW)) u_open (
         .clk_i, .rst_ni, .base_i(l == 0 ? frame_i.groups : frame_i.chunks),
         .open_valid_i(open_valid[l]), .open_ready_o(open_ready[l]), .open_bucket_i(open_bucket[l]),
         .open_first_i(open_range[l][0 +: SlotW]), .open_count_i(open_range[l][SlotW +: CountW]),
