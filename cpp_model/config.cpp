@@ -50,7 +50,8 @@ void config_set(Config& config, std::string_view assignment) {
 void config_check(const Config& config) {
   const auto power_of_two = [](int n) { return (n & (n - 1)) == 0; };
   for (const auto& [name, value] : {std::pair{"units", config.units}, {"window", config.window}, {"alpha_lines", config.alpha_lines},
-                                    {"records", config.records}, {"chunk", config.chunk}, {"grid", config.grid}}) {
+                                    {"records", config.records}, {"chunk", config.chunk}, {"grid", config.grid},
+                                    {"nearest_nodes", config.nearest_nodes}}) {
     if (!power_of_two(value)) {
       throw ConfigError(std::string("configuration: ") + name + " = " + std::to_string(value) + ", expected a power of two");
     }

@@ -42,6 +42,8 @@ package pipegs_pkg;
   localparam int unsigned Records        = 1024;  // record store of one SU, a pool of slots
   localparam int unsigned BucketBits     = 3;  // mantissa bits of the depth key that choose an SU's bucket, below the 6 exponent bits
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
+  localparam int unsigned NearestNodes   = 512;  // nodes that wait in the DOPU, the nearest first (order = 2)
+  localparam int unsigned MarkChunks     = 8;  // fewest chunks between two watermarks of a window (order = 2)
   localparam int unsigned RegionsX       = 8;  // regions along a window's side
   localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
   localparam int unsigned RegionW        = 6;  // index of a region, row by row
@@ -103,6 +105,7 @@ package pipegs_pkg;
   localparam int unsigned LateAW         = 0;  // coefficient A in a splat; absent unless late
   localparam int unsigned LateBcW        = 0;  // coefficients B and C in a splat; absent unless late
   localparam int unsigned LateDefW       = 0;  // coefficients D, E and F in a splat; absent unless late
+  localparam int unsigned MarkW          = 0;  // watermark of a chunk; absent unless Order is 2
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
   localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set; with lists {unit, line} of the area of all alphas
   localparam int unsigned AlphaAreaW     = 29;  // the area of all alphas begins 2^AlphaAreaW lines into the overflow area (lists)

@@ -2,8 +2,8 @@
 //
 // Paper   Sec. 3.2, Sec. 4.1, Fig. 7.
 // Idea    dopu_axis and dopu_layer find the order of the slabs, dopu_windows the planes of each window, dopu_cells walks the
-//         cells, dopu_descend finds their chunks that can touch the window, dopu_origin brings these into view space,
-//         dopu_emit deals them out. Each works ahead of the next; the walk of a window begins while the one before ends.
+//         cells, dopu_descend finds their chunks that can touch the window (with Order 2 dopu_nearest, nearest first),
+//         dopu_origin brings these into view space, dopu_emit deals them out. Each works ahead of the next; the walk of a window begins while the one before ends.
 // Stream  start_i with a constant frame_i; memory reads; chunk_o with one valid per PU. done_*: what the RUs have finished.
 // Pace    One node test in three cycles; a chunk in ten.
 // Model   cpp_model/dopu/dopu.hpp
@@ -37,7 +37,7 @@ module dopu (
   localparam int unsigned KindW = pipegs_pkg::KindW;
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
   localparam int unsigned GridW = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1;
-  localparam int unsigned Lines = 32;         // of node tables in flight, each level
+  localparam int unsigned Lines = pipegs_pkg::Order == 2 ? 64 : 32;  // of node tables in flight, each level
   localparam int unsigned Ports = 3;          // of memory: chunks, groups, cells
   localparam int unsigned Asked = 2 * Lines;  // answers of chunks and groups to come
 
@@ -75,6 +75,7 @@ module dopu (
   pipegs_pkg::node_t         cell_node, chunk_node;
   logic                      node_valid, node_ready, node_set, testing, waiting, walking;
   logic [KindW-1:0]          node_kind;
+  logic [pipegs_pkg::DepthW-1:0] node_mark;  // a layer end's watermark
 
   dopu_cells u_cells (
     .clk_i, .rst_ni, .start_i, .cells_i(frame_i.cells), .loading_o(loading),
@@ -86,14 +87,27 @@ module dopu (
     .walking_o(walking)
   );
 
-  dopu_descend #(.Lines(Lines)) u_descend (
-    .clk_i, .rst_ni, .frame_i, .planes_i(planes), .set_done_i(set_done),
-    .cell_valid_i(cell_valid), .cell_ready_o(cell_ready), .cell_kind_i(cell_kind), .cell_set_i(cell_set), .cell_i(cell_node),
-    .mem_valid_o(request[1:0]), .mem_ready_i(request_ready[1:0]), .mem_address_o(address[0 +: 2*AddressW]),
-    .rsp_valid_i(level_rsp), .rsp_data_i,
-    .chunk_valid_o(node_valid), .chunk_ready_i(node_ready), .chunk_kind_o(node_kind), .chunk_set_o(node_set),
-    .chunk_o(chunk_node), .testing_o(testing), .waiting_o(waiting)
-  );
+  if (pipegs_pkg::Order == 2) begin : gen_nearest
+    dopu_nearest #(.Lines(Lines)) u_nearest (
+      .clk_i, .rst_ni, .frame_i, .planes_i(planes), .set_done_i(set_done),
+      .cell_valid_i(cell_valid), .cell_ready_o(cell_ready), .cell_kind_i(cell_kind), .cell_set_i(cell_set), .cell_i(cell_node),
+      .mem_valid_o(request[1:0]), .mem_ready_i(request_ready[1:0]), .mem_address_o(address[0 +: 2*AddressW]),
+      .rsp_valid_i(level_rsp), .rsp_data_i,
+      .chunk_valid_o(node_valid), .chunk_ready_i(node_ready), .chunk_kind_o(node_kind), .chunk_set_o(node_set),
+      .chunk_o(chunk_node), .mark_o(node_mark),
+      .testing_o(testing), .waiting_o(waiting)
+    );
+  end else begin : gen_layers
+    dopu_descend #(.Lines(Lines)) u_descend (
+      .clk_i, .rst_ni, .frame_i, .planes_i(planes), .set_done_i(set_done),
+      .cell_valid_i(cell_valid), .cell_ready_o(cell_ready), .cell_kind_i(cell_kind), .cell_set_i(cell_set), .cell_i(cell_node),
+      .mem_valid_o(request[1:0]), .mem_ready_i(request_ready[1:0]), .mem_address_o(address[0 +: 2*AddressW]),
+      .rsp_valid_i(level_rsp), .rsp_data_i,
+      .chunk_valid_o(node_valid), .chunk_ready_i(node_ready), .chunk_kind_o(node_kind), .chunk_set_o(node_set),
+      .chunk_o(chunk_node), .testing_o(testing), .waiting_o(waiting)
+    );
+    assign node_mark = '0;
+  end
 
   // --- one memory port: the answers come back in the order of the requests ------------------------------------------------
   logic [1:0] granted, asked_level;
@@ -124,7 +138,7 @@ module dopu (
     .clk_i, .rst_ni, .frame_i,
     .node_valid_i(node_valid), .node_ready_o(node_ready), .kind_i(node_kind),
     .window_x_i(node_set ? set_x[WindowW +: WindowW] : set_x[0 +: WindowW]),
-    .window_y_i(node_set ? set_y[WindowW +: WindowW] : set_y[0 +: WindowW]), .node_i(chunk_node),
+    .window_y_i(node_set ? set_y[WindowW +: WindowW] : set_y[0 +: WindowW]), .node_i(chunk_node), .mark_i(node_mark),
     .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_o(chunk)
   );
   // Nothing of the window needs its planes any more once its end has left the test.

@@ -99,7 +99,8 @@ module dopu_descend #(
     .clk_i, .rst_ni, .frame_i, .planes_i,
     .node_valid_i(test_valid), .node_ready_o(test_ready), .node_i(test_beat[0 +: NodeBits]), .set_i(test_beat[BeatW-1]),
     .tag_i({test_level, test_beat[BeatW-1:NodeBits]}),
-    .result_valid_o(result_valid), .result_pass_o(result_pass), .result_node_o(result_node), .result_tag_o(result_tag)
+    .result_valid_o(result_valid), .result_pass_o(result_pass), .result_node_o(result_node), .result_tag_o(result_tag),
+    .result_nearest_o(), .result_exponent_o()
   );
   assign {result_level, result_set, result_kind} = result_tag;
   assign result_kept = result_pass || result_kind != pipegs_pkg::KindData;

@@ -20,6 +20,7 @@ module dopu_origin (
   input  logic [pipegs_pkg::WindowW-1:0]  window_x_i,
   input  logic [pipegs_pkg::WindowW-1:0]  window_y_i,
   input  pipegs_pkg::node_t               node_i,
+  input  logic [pipegs_pkg::DepthW-1:0]   mark_i,   // a layer end's watermark, Order 2 only
 
   output logic                            chunk_valid_o,
   input  logic                            chunk_ready_i,
@@ -138,7 +139,6 @@ module dopu_origin (
   assign shifted       = source_q[0] >>> view_exp_q;
   assign rounded       = ViewW'(shifted >>> 1) + ViewW'({1'b0, shifted[0]});
   assign chunk_valid_o = shifting_q && shift_step_q == 2'd3;
-  assign chunk_o       = chunk_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -177,7 +177,24 @@ module dopu_origin (
     end
   end
 
+  // A watermark passes like the end that carries it: it is the chunk's last field.
+  if (pipegs_pkg::Order == 2) begin : gen_mark
+    localparam int unsigned DepthW = pipegs_pkg::DepthW;
+    logic [DepthW-1:0]                mark_taken_q, mark_q;
+    logic [pipegs_pkg::ChunkBits-1:0] beat;
+    always_ff @(posedge clk_i) begin
+      if (take) mark_taken_q <= mark_i;
+      if (handover) mark_q <= mark_taken_q;
+    end
+    assign beat    = chunk_q;
+    assign chunk_o = {mark_q, beat[pipegs_pkg::ChunkBits-DepthW-1:0]};
+    logic unused_beat;
+    assign unused_beat = ^beat;
+  end else begin : gen_no_mark
+    assign chunk_o = chunk_q;
+  end
+
   logic unused;  // fields and bits that do not matter here
-  assign unused = &{1'b0, frame_i, node_i, shifted, magnitudes_q[RotF-1:0], origin_q[0], origin_q[1], origin_q[2]};
+  assign unused = &{1'b0, frame_i, node_i, mark_i, chunk_q, shifted, magnitudes_q[RotF-1:0], origin_q[0], origin_q[1], origin_q[2]};
 
 endmodule

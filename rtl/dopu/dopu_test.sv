@@ -5,12 +5,17 @@
 //         scale and near distance share one block exponent; what flooring takes away is given back as a constant Slack.
 // Stream  node: a node, the set of planes to use (stable while the node is inside), a tag. result: node, tag, pass; it
 //         has no ready: the caller asks only for what it can take.
-// Pace    One node in three cycles (two planes per cycle, eight TestW-bit multipliers), result 14 cycles later.
+//         nearest (Order 2 only, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is nearer: there
+//         the nearest corner takes the place beside the fifth plane.
+// Pace    One node in three cycles (two planes per cycle, eight TestW-bit multipliers), result 14 cycles later. A node is
+//         taken in every third cycle; Phase shifts which.
 //           slot 0: corners, one axis per cycle | 1: exponent, shift x, y | 2: shift z, near+left, right+top | 3: bottom, sum
-// Model   cpp_model/dopu/dopu_test.hpp
+// Model   cpp_model/dopu/dopu_test.hpp, cpp_model/dopu/dopu_depth.hpp (nearest)
 
 module dopu_test #(
-  parameter int unsigned TagW = 4
+  parameter int unsigned TagW = 4,
+  parameter int unsigned Phase = 0,  // 0 to 2
+  localparam int unsigned NearestW = 2 * pipegs_pkg::TestW + 2
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
@@ -27,7 +32,9 @@ module dopu_test #(
   output logic                                  result_valid_o,
   output logic                                  result_pass_o,
   output pipegs_pkg::node_t                     result_node_o,
-  output logic [TagW-1:0]                       result_tag_o
+  output logic [TagW-1:0]                       result_tag_o,
+  output logic signed [NearestW-1:0]            result_nearest_o,
+  output logic [pipegs_pkg::ExpW-1:0]           result_exponent_o
 );
 
   localparam int unsigned WorldW = pipegs_pkg::WorldW;
@@ -54,7 +61,7 @@ module dopu_test #(
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      phase_q <= '0;
+      phase_q <= 2'(Phase);
       valid_q <= '0;
     end else begin
       phase_q <= last_phase ? '0 : phase_q + 1'b1;
@@ -171,7 +178,9 @@ module dopu_test #(
   end
 
   // --- two planes per cycle: near and left, right and top, bottom ---------------------------------------------------
+  localparam bit Ranks = pipegs_pkg::Order == 2;
   logic [5*PlaneBits-1:0]     planes;
+  logic                       nearest;  // plane b is the near plane's normal, of the corner nearest to it
   pipegs_pkg::plane_t         plane_a, plane_b;
   logic signed [TestW-1:0]    operand_a;
   logic signed [ProductW-1:0] ax_q, ay_q, az_q, ar_q, bx_q, by_q, bz_q, br_q;
@@ -183,9 +192,10 @@ module dopu_test #(
     case (phase_q)
       2'd1: begin plane_a = planes[0 +: PlaneBits]; plane_b = planes[PlaneBits +: PlaneBits]; end
       2'd2: begin plane_a = planes[2*PlaneBits +: PlaneBits]; plane_b = planes[3*PlaneBits +: PlaneBits]; end
-      default: begin plane_a = planes[4*PlaneBits +: PlaneBits]; plane_b = planes[4*PlaneBits +: PlaneBits]; end
+      default: begin plane_a = planes[4*PlaneBits +: PlaneBits]; plane_b = planes[(nearest ? 0 : 4)*PlaneBits +: PlaneBits]; end
     endcase
   end
+  assign nearest   = Ranks && phase_q == 2'd0;
   assign operand_a = phase_q == 2'd1 ? near_q : scale_q;
 
   // The far corner of each plane.
@@ -193,9 +203,9 @@ module dopu_test #(
   assign far_ax = plane_a.nx[TestW-1] ? low_x_q : high_x_q;
   assign far_ay = plane_a.ny[TestW-1] ? low_y_q : high_y_q;
   assign far_az = plane_a.nz[TestW-1] ? low_z_q : high_z_q;
-  assign far_bx = plane_b.nx[TestW-1] ? low_x_q : high_x_q;
-  assign far_by = plane_b.ny[TestW-1] ? low_y_q : high_y_q;
-  assign far_bz = plane_b.nz[TestW-1] ? low_z_q : high_z_q;
+  assign far_bx = plane_b.nx[TestW-1] != nearest ? low_x_q : high_x_q;
+  assign far_by = plane_b.ny[TestW-1] != nearest ? low_y_q : high_y_q;
+  assign far_bz = plane_b.nz[TestW-1] != nearest ? low_z_q : high_z_q;
 
   always_ff @(posedge clk_i) begin
     ax_q <= ProductW'(plane_a.nx) * ProductW'(far_ax);
@@ -205,12 +215,12 @@ module dopu_test #(
     bx_q <= ProductW'(plane_b.nx) * ProductW'(far_bx);
     by_q <= ProductW'(plane_b.ny) * ProductW'(far_by);
     bz_q <= ProductW'(plane_b.nz) * ProductW'(far_bz);
-    br_q <= ProductW'(plane_b.reach) * ProductW'(scale_q);
+    br_q <= nearest ? '0 : ProductW'(plane_b.reach) * ProductW'(scale_q);
   end
 
   assign sum_a   = SumW'(ax_q) + SumW'(ay_q) + SumW'(az_q) + SumW'(ar_q) + Slack;
   assign sum_b   = SumW'(bx_q) + SumW'(by_q) + SumW'(bz_q) + SumW'(br_q) + Slack;
-  assign outside = sum_a[SumW-1] || sum_b[SumW-1];
+  assign outside = sum_a[SumW-1] || (sum_b[SumW-1] && !(Ranks && phase_q == 2'd1));
   always_ff @(posedge clk_i) outside_q <= phase_q == 2'd2 ? outside : outside_q || outside;
 
   // The last sum is made in phase 1 of slot 3; the result stands in phase 2.
@@ -218,6 +228,31 @@ module dopu_test #(
   assign result_pass_o  = !outside_q;
   assign result_node_o  = slot3_q[0 +: pipegs_pkg::NodeBits];
   assign result_tag_o   = slot3_q[pipegs_pkg::NodeBits +: TagW];
+
+  // --- the depth of the nearest corner, what roundings may take off, and its unit ---------------------------------------
+  if (Ranks) begin : gen_nearest
+    localparam int unsigned ViewW = pipegs_pkg::ViewW;
+    localparam int unsigned PosW = pipegs_pkg::PosW;
+    localparam int unsigned Boxes = ViewW < 24 ? 24 - ViewW : 0;
+    localparam int unsigned Offsets = PosW + 2 > ViewW ? PosW + 2 - ViewW : 0;
+    localparam int unsigned Rounding = Boxes > Offsets ? Boxes : Offsets;
+    localparam int unsigned NormalF = pipegs_pkg::RotF - (pipegs_pkg::RotW - TestW);
+    localparam logic signed [SumW-1:0] Lost = Slack + (SumW'(1) <<< (TestW + 1)) + (SumW'(1) <<< (Rounding + NormalF));
+    logic signed [SumW-1:0] nearest_q;
+    logic [ExpW-1:0]        exponent2_q, exponent3_q;  // in slots 2 and 3
+    always_ff @(posedge clk_i) begin
+      nearest_q <= sum_b - Lost;
+      if (last_phase) begin
+        exponent2_q <= exponent_q;
+        exponent3_q <= exponent2_q;
+      end
+    end
+    assign result_nearest_o  = nearest_q;
+    assign result_exponent_o = exponent3_q;
+  end else begin : gen_no_nearest
+    assign result_nearest_o  = '0;
+    assign result_exponent_o = '0;
+  end
 
   logic unused_frame;  // fields that do not matter here
   assign unused_frame = &{1'b0, frame_i, slot3_q[SlotW-1], node0, node1};

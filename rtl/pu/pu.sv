@@ -90,8 +90,43 @@ module pu #(
   pipegs_pkg::coeff_t      coeff;
   pipegs_pkg::tiles_t      tiles;
 
+  // --- with Order 2 the watermark of a layer's end stays here until that end leaves the PU ----------------------------------
+  logic                chunk_valid, chunk_ready;
+  pipegs_pkg::splat_t  splat;
+
+  if (pipegs_pkg::Order == 2) begin : gen_marks
+    localparam int unsigned Marks = 16;
+    localparam int unsigned DepthW = pipegs_pkg::DepthW;
+    logic              chunk_is_end, splat_is_end, room, held;
+    logic [DepthW-1:0] mark;
+    logic [$clog2(Marks+1)-1:0] marks;
+    assign chunk_is_end  = chunk_i.kind == pipegs_pkg::KindLayerEnd;
+    assign splat_is_end  = splat.kind == pipegs_pkg::KindLayerEnd;
+    assign chunk_valid   = chunk_valid_i && (room || !chunk_is_end);
+    assign chunk_ready_o = chunk_ready && (room || !chunk_is_end || !chunk_valid_i);
+
+    fifo #(.DataW(DepthW), .Depth(Marks)) u_marks (
+      .clk_i, .rst_ni, .in_valid_i(chunk_valid_i && chunk_ready && chunk_is_end), .in_ready_o(room),
+      .in_i(chunk_i.watermark),
+      .out_valid_o(held), .out_ready_i(splat_valid_o && splat_ready_i && splat_is_end), .out_o(mark), .count_o(marks)
+    );
+    always_comb begin
+      splat_o       = splat;
+      splat_o.depth = splat_is_end ? mark : splat.depth;
+    end
+    logic unused_marks;
+    assign unused_marks = &{1'b0, held, marks};
+`ifndef SYNTHESIS
+    assert property (@(posedge clk_i) disable iff (!rst_ni) splat_valid_o && splat_is_end |-> held);
+`endif
+  end else begin : gen_no_marks
+    assign chunk_valid   = chunk_valid_i;
+    assign chunk_ready_o = chunk_ready;
+    assign splat_o       = splat;
+  end
+
   pu_fetch u_fetch (
-    .clk_i, .rst_ni, .gaussians_i(frame_i.gaussians), .chunk_valid_i, .chunk_ready_o, .chunk_i,
+    .clk_i, .rst_ni, .gaussians_i(frame_i.gaussians), .chunk_valid_i(chunk_valid), .chunk_ready_o(chunk_ready), .chunk_i,
     .mem_valid_o(geometry_valid_o), .mem_ready_i(geometry_ready_i), .mem_address_o(geometry_address_o),
     .rsp_valid_i(geometry_rsp_valid_i), .rsp_data_i,
     .fetched_valid_o(fetched_valid), .fetched_ready_i(fetched_ready), .fetched_o(fetched),
@@ -186,7 +221,7 @@ module pu #(
       .done_i, .done_x_i, .done_y_i, .layer_free_i,
       .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
       .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .store_write_o, .store_address_o, .store_line_o,
-      .splat_valid_o, .splat_ready_i, .splat_o,
+      .splat_valid_o, .splat_ready_i, .splat_o(splat),
       .overflowed_o, .moved_o(back_moved), .busy_o(back_busy), .rows_busy_o(rows_busy), .color_busy_o(color_busy),
       .color_waiting_o(color_waiting), .waiting_o(back_waiting)
     );
@@ -197,7 +232,7 @@ module pu #(
       .done_i, .done_x_i, .done_y_i, .layer_free_i,
       .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
       .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .store_write_o, .store_address_o, .store_line_o,
-      .splat_valid_o, .splat_ready_i, .splat_o,
+      .splat_valid_o, .splat_ready_i, .splat_o(splat),
       .overflowed_o, .moved_o(back_moved), .busy_o(back_busy), .rows_busy_o(rows_busy), .color_busy_o(color_busy),
       .color_waiting_o(color_waiting), .waiting_o(back_waiting)
     );

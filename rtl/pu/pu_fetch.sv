@@ -33,8 +33,8 @@ module pu_fetch #(
   output logic                            idle_o             // holds no chunk
 );
 
-  // The header travels beside the job; slot and count are the job itself.
-  localparam int unsigned HeaderW = pipegs_pkg::ChunkBits - pipegs_pkg::SlotW - pipegs_pkg::CountW;
+  // The header travels beside the job; slot and count are the job itself; pu keeps the watermark.
+  localparam int unsigned HeaderW = pipegs_pkg::ChunkBits - pipegs_pkg::SlotW - pipegs_pkg::CountW - pipegs_pkg::MarkW;
 
   logic [HeaderW-1:0]                  header_in, header;
   logic [pipegs_pkg::GaussianRecordBits-1:0] item;
@@ -56,6 +56,9 @@ module pu_fetch #(
     .out_tag_o(header), .out_item_o(item),
     .waiting_o(waiting_memory_o), .idle_o
   );
+
+  logic unused_chunk;
+  assign unused_chunk = ^chunk_i;
 
   assign gaussian = is_data ? item : '0;  // an end beat carries zeros
 

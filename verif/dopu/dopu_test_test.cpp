@@ -2,6 +2,7 @@
 #include "Vdopu_test.h"
 #include "cpp_model/dopu/dopu_test.hpp"
 #include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/dopu/dopu_depth.hpp"
 #include "scenes/pack_quantize.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/bench.hpp"
@@ -102,6 +103,8 @@ Node random_node(const Config& config, const Frame& frame, Rng& rng) {
   return node;
 }
 
+constexpr int kNearestW = 42;
+
 void compare(Pace pace) {
   const Config config = test_config();
   Bench<Vdopu_test> bench;
@@ -114,7 +117,8 @@ void compare(Pace pace) {
     decltype(dut)& d;
     Bench<Vdopu_test>& b;
     std::vector<bool> pass;
-    std::vector<uint64_t> tags, taken;
+    std::vector<uint64_t> tags, taken, exponents;
+    std::vector<int64_t> nearest;
     explicit Probe(Bench<Vdopu_test>& bench) : d(bench.dut), b(bench) { bench.add(*this); }
     void drive() override {
       d.set_i = taken.size() & 1;
@@ -122,7 +126,9 @@ void compare(Pace pace) {
     }
     void observe() override {
       if (d.node_valid_i && d.node_ready_o) taken.push_back(b.cycle);
-      if (d.result_valid_o) pass.push_back(d.result_pass_o), tags.push_back(d.result_tag_o);
+      if (!d.result_valid_o) return;
+      pass.push_back(d.result_pass_o), tags.push_back(d.result_tag_o), exponents.push_back(d.result_exponent_o);
+      nearest.push_back(static_cast<int64_t>(d.result_nearest_o << (64 - kNearestW)) >> (64 - kNearestW));
     }
   } probe(bench);
   bench.reset();
@@ -160,6 +166,10 @@ void compare(Pace pace) {
       ASSERT_EQ(expected, probe.pass[first + i]) << "node " << first + i << " " << to_text(config, nodes[i]) << " cycle "
                                                  << out.cycles[first + i] << " seed " << bench.seed;
       ASSERT_EQ(probe.tags[first + i], (first + i) & tag_mask);
+      const Corners box = dopu_test_corners(config, frame, nodes[i]);
+      const bool ranks = config.order == 2;  // else the test says nothing about depth
+      ASSERT_EQ(probe.nearest[first + i], ranks ? dopu_depth_bound(config, box, sets[0][kNear]) : 0) << to_text(config, nodes[i]);
+      ASSERT_EQ(probe.exponents[first + i], static_cast<uint64_t>(ranks ? box.exponent : 0));
       ASSERT_EQ(first_difference(config, nodes[i], out.at(first + i)), "");
     }
     if (pace == Pace::kAlways) {

@@ -1,0 +1,187 @@
+// dopu_bucket: nodes that wait, sorted by bucket of depth: lists of them share one memory.
+//
+// Paper   None.
+// Idea    Each bucket of each list is a chain of nodes in one SRAM, newest first; a second SRAM holds the chains' heads, and a
+//         bit for each chain says whether there is one. The first set bit of a list is its nearest bucket. Free places: those
+//         never used, in order, then those given back.
+// Stream  insert: a node for a bucket of a list, refused while full_o. pop: the newest node of the list's first bucket; it comes
+//         out two cycles later and must be taken. first_*: the nearest bucket of each list; a node counts from the cycle
+//         after its insert on, until it has come out.
+// Pace    An insert in two cycles, a pop in three; a pop goes first.
+// Model   An array of stacks (verif/dopu/dopu_bucket_test.cpp).
+
+module dopu_bucket #(
+  parameter int unsigned Lists = 6,
+  parameter int unsigned Buckets = 128,     // a multiple of 8, a power of two
+  parameter int unsigned Nodes = pipegs_pkg::NearestNodes,
+  parameter int unsigned DataW = 170,
+  localparam int unsigned ListW = $clog2(Lists),
+  localparam int unsigned BucketW = $clog2(Buckets)
+) (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+
+  input  logic                     insert_valid_i,
+  output logic                     insert_ready_o,
+  input  logic [ListW-1:0]         insert_list_i,
+  input  logic [BucketW-1:0]       insert_bucket_i,
+  input  logic [DataW-1:0]         insert_data_i,
+  output logic                     full_o,
+  output logic                     crowded_o,       // three quarters of the places are taken
+
+  input  logic                     pop_valid_i,     // only of a list that has a node
+  output logic                     pop_ready_o,
+  input  logic [ListW-1:0]         pop_list_i,
+  output logic                     out_valid_o,
+  output logic [ListW-1:0]         out_list_o,
+  output logic [BucketW-1:0]       out_bucket_o,
+  output logic [DataW-1:0]         out_data_o,
+
+  output logic [Lists-1:0]         first_valid_o,
+  output logic [Lists*BucketW-1:0] first_bucket_o,
+  output logic                     idle_o           // no insert or pop under way
+);
+
+  localparam int unsigned NodeW = $clog2(Nodes);
+  localparam int unsigned Groups = Buckets / 8;
+  localparam int unsigned GroupW = Groups > 1 ? $clog2(Groups) : 1;
+
+  typedef enum logic [1:0] {
+    Idle,    // for an insert or a pop; reads the chain's head
+    Insert,  // the head is there: writes the node before it
+    Fetch,   // the head is there: reads its node
+    Out      // the node is there
+  } state_e;
+
+  // --- first bucket of each list ------------------------------------------------------------------------------------
+  logic [Buckets-1:0] occupied_q [Lists];
+  logic [Groups-1:0]  some;
+  logic [GroupW-1:0]  group;
+  logic [7:0]         eight;
+  logic [2:0]         place;
+
+  always_comb begin
+    some  = '0;
+    group = '0;
+    eight = '0;
+    place = '0;
+    for (int unsigned l = 0; l < Lists; l += 1) begin
+      for (int unsigned g = 0; g < Groups; g += 1) some[g] = occupied_q[l][8*g +: 8] != '0;
+      group = '0;
+      eight = occupied_q[l][7:0];
+      for (int unsigned g = Groups; g > 1; g -= 1) begin
+        if (some[g-1]) begin
+          group = GroupW'(g - 1);
+          eight = occupied_q[l][8*(g-1) +: 8];
+        end
+      end
+      if (some[0]) begin
+        group = '0;
+        eight = occupied_q[l][7:0];
+      end
+      place = '0;
+      for (int unsigned i = 8; i > 0; i -= 1) if (eight[i-1]) place = 3'(i - 1);
+      first_valid_o[l] = some != '0;
+      first_bucket_o[l*BucketW +: BucketW] = BucketW'({group, place});
+    end
+  end
+
+  // --- one insert or pop at a time ------------------------------------------------------------------------------------
+  state_e             state_q;
+  logic [ListW-1:0]   list_q, list_d;
+  logic [BucketW-1:0] bucket_q, bucket_d;
+  logic [DataW-1:0]   data_q;
+  logic               more_q;     // the chain had a node before the insert
+  logic [NodeW-1:0]   place_q;    // of the node written or read
+  logic [NodeW-1:0]   free_place, head;
+  logic               take_insert, take_pop, out_more;
+  logic [NodeW-1:0]   out_next;
+
+  assign idle_o         = state_q == Idle;
+  assign pop_ready_o    = idle_o;
+  assign insert_ready_o = idle_o && !pop_valid_i && !full_o;
+  assign take_pop       = pop_valid_i && pop_ready_o;
+  assign take_insert    = insert_valid_i && insert_ready_o;
+  assign list_d         = take_pop ? pop_list_i : insert_list_i;
+  assign bucket_d       = take_pop ? first_bucket_o[32'(pop_list_i)*BucketW +: BucketW] : insert_bucket_i;
+  assign out_valid_o    = state_q == Out;
+  assign out_list_o     = list_q;
+  assign out_bucket_o   = bucket_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= Idle;
+      for (int unsigned l = 0; l < Lists; l += 1) occupied_q[l] <= '0;
+    end else begin
+      case (state_q)
+        Idle:    if (take_pop) state_q <= Fetch; else if (take_insert) state_q <= Insert;
+        Fetch:   state_q <= Out;
+        default: state_q <= Idle;
+      endcase
+      if (take_insert) occupied_q[insert_list_i][insert_bucket_i] <= 1'b1;
+      if (out_valid_o && !out_more) occupied_q[list_q][bucket_q] <= 1'b0;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (idle_o) begin
+      list_q   <= list_d;
+      bucket_q <= bucket_d;
+      data_q   <= insert_data_i;
+      more_q   <= occupied_q[insert_list_i][insert_bucket_i];
+      place_q  <= free_place;
+    end else if (state_q == Fetch) begin
+      place_q  <= head;
+    end
+  end
+
+  sram #(.DataW(NodeW), .Depth(Lists * Buckets)) u_heads (
+    .clk_i,
+    .write_i(state_q == Insert || (out_valid_o && out_more)), .waddr_i({list_q, bucket_q}),
+    .wdata_i(state_q == Insert ? place_q : out_next),
+    .read_i(take_pop || take_insert), .raddr_i({list_d, bucket_d}), .rdata_o(head)
+  );
+
+  sram #(.DataW(DataW + NodeW + 1), .Depth(Nodes)) u_nodes (
+    .clk_i,
+    .write_i(state_q == Insert), .waddr_i(place_q), .wdata_i({more_q, head, data_q}),
+    .read_i(state_q == Fetch), .raddr_i(head), .rdata_o({out_more, out_next, out_data_o})
+  );
+
+  // --- free places ----------------------------------------------------------------------------------------------------
+  logic [NodeW:0]   fresh_q;  // places used so far
+  logic [NodeW:0]   taken_q;
+  logic             back_valid, back_ready;
+  logic [NodeW-1:0] back;
+  logic [$clog2(Nodes+1)-1:0] back_count;
+
+  assign free_place = back_valid ? back : fresh_q[NodeW-1:0];
+  assign full_o     = !back_valid && fresh_q[NodeW];
+
+  assign crowded_o  = taken_q >= (NodeW+1)'(Nodes / 4 * 3);
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      fresh_q <= '0;
+      taken_q <= '0;
+    end else begin
+      if (take_insert && !back_valid) fresh_q <= fresh_q + 1'b1;
+      taken_q <= taken_q + (NodeW+1)'(take_insert) - (NodeW+1)'(out_valid_o);
+    end
+  end
+
+  sram_fifo #(.DataW(NodeW), .Depth(Nodes)) u_back (
+    .clk_i, .rst_ni,
+    .in_valid_i(out_valid_o), .in_ready_o(back_ready), .in_i(place_q),
+    .out_valid_o(back_valid), .out_ready_i(take_insert), .out_o(back), .count_o(back_count)
+  );
+
+  logic unused;
+  assign unused = &{1'b0, back_ready, back_count};
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) take_pop |-> first_valid_o[pop_list_i]);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) out_valid_o |-> back_ready);
+`endif
+
+endmodule

@@ -1,0 +1,127 @@
+// dopu_send: decides what goes to the PUs next: the nearest chunk, a watermark, or the window's end.
+//
+// Paper   None.
+// Idea    The watermark is the nearest bucket of all that can still come: chunks that wait, and what is not opened yet. A
+//         chunk is due when it lies in that bucket. A watermark is sent when it has risen and MarkChunks chunks have gone
+//         since the last one. With everything opened and no chunk left, the window ends, and the other set's turn begins.
+//         When the queue is full a chunk that finds no place goes ahead of its turn, or a nearer one that waits does.
+// Stream  first: the nearest waiting chunks of both sets; pop asks for one of the set sent, popped brings it. direct: a chunk that
+//         found no place. out: chunk, LayerEnd with its watermark, WindowEnd.
+// Pace    One chunk in five cycles.
+// Model   cpp_model/dopu/dopu_nearest.hpp
+
+module dopu_send #(
+  parameter int unsigned BucketW = 7,
+  localparam int unsigned StepW = pipegs_pkg::ExpW + 3,
+  localparam int unsigned DepthW = pipegs_pkg::DepthW,
+  localparam int unsigned DataW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW + pipegs_pkg::CountW + pipegs_pkg::SlotW
+) (
+  input  logic                          clk_i,
+  input  logic                          rst_ni,
+
+  input  logic [StepW-1:0]              near_step_i,
+  input  logic [1:0]                    set_done_i,
+  output logic                          set_o,           // the set sent
+  input  logic                          opened_i,        // all of it is opened: only chunks wait
+  input  logic [BucketW-1:0]            unopened_i,      // else: the nearest bucket of what is not
+  output logic                          window_end_o,    // its end is on its way: the other set's turn
+
+  input  logic [1:0]                    first_valid_i,
+  input  logic [2*BucketW-1:0]          first_bucket_i,
+  output logic                          pop_o,
+  input  logic                          pop_ready_i,
+  input  logic                          popped_i,
+  input  logic [DataW-1:0]              popped_data_i,   // count, first, offset_exp, centre z, y, x
+
+  input  logic                          direct_valid_i,  // of the set sent
+  output logic                          direct_ready_o,
+  input  logic [BucketW-1:0]            direct_bucket_i,
+  input  logic [DataW-1:0]              direct_data_i,
+
+  output logic                          chunk_valid_o,
+  input  logic                          chunk_ready_i,
+  output logic [pipegs_pkg::KindW-1:0]  chunk_kind_o,
+  output logic                          chunk_set_o,
+  output pipegs_pkg::node_t             chunk_o,
+  output logic [DepthW-1:0]             mark_o           // of a LayerEnd: every later chunk's depth keys are not smaller; else 0
+);
+
+  localparam int unsigned MarkChunks = pipegs_pkg::MarkChunks;
+  localparam int unsigned SinceW = $clog2(MarkChunks + 1);
+
+  logic                         set_q, popping_q, valid_q, chunk_set_q;
+  logic [pipegs_pkg::KindW-1:0] kind_q;
+  logic [DataW-1:0]             data_q;
+  logic [SinceW-1:0]            since_q;  // chunks since the last watermark
+  logic [BucketW-1:0]           mark_q;   // the last watermark of the window
+  logic [DepthW-1:0]            key_q;
+
+  logic               done, has_first, idle, end_due, mark_due, chunk_due, dropped, load_popped, load_direct;
+  logic [BucketW-1:0] first, lowest;
+  logic [StepW-1:0]   step;
+
+  assign done      = set_done_i[set_q];
+  assign has_first = first_valid_i[set_q];
+  assign first     = first_bucket_i[32'(set_q)*BucketW +: BucketW];
+  assign idle      = !valid_q && !popping_q;
+
+  always_comb begin
+    lowest = opened_i ? '1 : unopened_i;
+    if (has_first && first < lowest) lowest = first;
+  end
+  assign end_due   = idle && opened_i && !has_first;
+  assign mark_due  = idle && !done && !end_due && since_q == SinceW'(MarkChunks) && lowest > mark_q;
+  // What waits behind a full queue lets the nearest chunk go early when that one is nearer.
+  assign chunk_due = first == lowest || (direct_valid_i && first <= direct_bucket_i);
+  assign pop_o     = has_first && (done ? !popping_q : idle && !mark_due && chunk_due);
+  assign direct_ready_o = idle && !done && !mark_due && !pop_o;
+  assign load_popped    = popped_i && !done;
+  assign load_direct    = direct_valid_i && direct_ready_o;
+  assign dropped        = kind_q != pipegs_pkg::KindWindowEnd && set_done_i[chunk_set_q];
+  assign window_end_o   = end_due;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      set_q     <= 1'b0;
+      popping_q <= 1'b0;
+      valid_q   <= 1'b0;
+      since_q   <= '0;
+      mark_q    <= '0;
+    end else begin
+      if (popped_i) popping_q <= 1'b0;
+      else if (pop_o && pop_ready_i) popping_q <= 1'b1;
+      if (load_popped || load_direct || mark_due || end_due) valid_q <= 1'b1;
+      else if (chunk_ready_i || dropped) valid_q <= 1'b0;
+      if (end_due || mark_due) since_q <= '0;
+      else if ((load_popped || load_direct) && since_q != SinceW'(MarkChunks)) since_q <= since_q + 1'b1;
+      if (end_due) mark_q <= '0;
+      else if (mark_due) mark_q <= lowest;
+      if (end_due) set_q <= !set_q;
+    end
+  end
+
+  assign step = near_step_i + StepW'(lowest);
+  always_ff @(posedge clk_i) begin
+    if (idle || load_popped) begin
+      kind_q      <= end_due ? pipegs_pkg::KindWindowEnd : mark_due ? pipegs_pkg::KindLayerEnd : pipegs_pkg::KindData;
+      chunk_set_q <= set_q;
+      data_q      <= popped_i ? popped_data_i : direct_data_i;
+      key_q       <= mark_due ? {step, {(DepthW - StepW){1'b0}}} : '0;
+    end
+  end
+
+  assign set_o         = set_q;
+  assign chunk_valid_o = valid_q && !dropped;
+  assign chunk_kind_o  = kind_q;
+  assign chunk_set_o   = chunk_set_q;
+  assign mark_o        = key_q;
+  always_comb begin
+    chunk_o = '0;
+    {chunk_o.count, chunk_o.first, chunk_o.offset_exp, chunk_o.center_z, chunk_o.center_y, chunk_o.center_x} = data_q;
+  end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) load_popped |-> !valid_q);
+`endif
+
+endmodule
