@@ -1,9 +1,9 @@
 // dopu_depth: in which bucket of depth a node lies: no Gaussian in its box is nearer than the bucket's edge.
 //
 // Paper   None: the paper's layers know no order inside a slab.        RTL  rtl/dopu/dopu_depth.sv, the sum in dopu_test.sv
-// Idea    The corner of the box nearest along the view bounds the depth z of every mean in it from below. The leading bits of
-//         the depth key (exponent and three bits of mantissa: eight steps an octave) relative to the near plane's number the
-//         buckets 0 .. 127; all beyond is in the last one. The edge of bucket b is the key of the near plane's step + b.
+// Idea    The corner of the box nearest along the view bounds the depth z of every mean in it from below. The step is the
+//         depth key cut to its exponent and five bits of mantissa: 32 steps an octave. Counted from the near plane's step on
+//         they are the buckets 0 .. 511; all that is farther is in the last one. The edge of bucket b is the key of the near plane's step + b.
 // Bound   (z from here: as the PU has it, in world units; u = 2^exponent, the unit of dopu_test; all sums in u 2^-NormalF.)
 //         1 Sum. The normal is floor(w2 / 2^6), the corners floors of exact ones. For n, c >= their floors N, C and any mean
 //           (n . d >= n . nearest corner, since N and n have the same signs):  n c - N C = N (c - C) + (n - N) c
@@ -25,9 +25,7 @@
 
 namespace pipegs {
 
-inline constexpr int kBuckets = 128;   // of depth
-inline constexpr int kStepBits = 3;    // of the mantissa: eight buckets an octave
-inline constexpr int kNormalF = 18;    // fraction of the near plane's normal: RotF - (RotW - TestW)
+inline constexpr int kNormalF = 18;  // fraction of the near plane's normal: RotF - (RotW - TestW)
 
 // What the sum of products loses to roundings at most, unit 2^(exponent - kNormalF) world units.
 inline int64_t dopu_depth_slack(const Config& config) {
@@ -42,27 +40,30 @@ inline int64_t dopu_depth_bound(const Config& config, const Corners& box, const 
 }
 
 // Exponent and leading mantissa bits of the depth key of value * 2^exponent world units; below one unit: 0.
-inline int dopu_depth_step(int64_t value, int exponent) {
+inline int dopu_depth_step(const Config& config, int64_t value, int exponent) {
+  const int below = config.step_w() - config.exp_w();  // bits of the mantissa
   if (value <= 0) return 0;
   const int length = bit_length(static_cast<uint64_t>(value)), high = length - 1 + exponent;
   if (high < 0) return 0;
-  const int64_t leading = length > kStepBits ? value >> (length - 1 - kStepBits) : value << (kStepBits + 1 - length);
-  return high << kStepBits | static_cast<int>(leading & ((1 << kStepBits) - 1));
+  const int64_t leading = length > below ? value >> (length - 1 - below) : value << (below + 1 - length);
+  return high << below | static_cast<int>(leading & ((1 << below) - 1));
 }
 
 // The step in which the buckets of a frame begin.
-inline int dopu_depth_near(const Frame& frame) { return dopu_depth_step(static_cast<int64_t>(frame.near_plane), 0); }
+inline int dopu_depth_near(const Config& config, const Frame& frame) {
+  return dopu_depth_step(config, static_cast<int64_t>(frame.near_plane), 0);
+}
 
 // The bucket of a node by itself; the walk never takes a smaller one than its parent's.
 inline int dopu_depth(const Config& config, const Frame& frame, const Planes& planes, const Node& node) {
   const Corners box = dopu_test_corners(config, frame, node);
-  const int step = dopu_depth_step(dopu_depth_bound(config, box, planes[kNear]), box.exponent - kNormalF);
-  return std::clamp(step - dopu_depth_near(frame), 0, kBuckets - 1);
+  const int step = dopu_depth_step(config, dopu_depth_bound(config, box, planes[kNear]), box.exponent - kNormalF);
+  return std::clamp(step - dopu_depth_near(config, frame), 0, (1 << config.bucket_w()) - 1);
 }
 
 // The edge of a bucket: no depth key in it, nor in any later one, is smaller.
 inline uint64_t dopu_depth_key(const Config& config, const Frame& frame, int bucket) {
-  return static_cast<uint64_t>(dopu_depth_near(frame) + bucket) << (config.depth_w - config.exp_w() - kStepBits);
+  return static_cast<uint64_t>(dopu_depth_near(config, frame) + bucket) << (config.depth_w - config.step_w());
 }
 
 }  // namespace pipegs

@@ -12,11 +12,10 @@
 
 module dopu_bucket #(
   parameter int unsigned Lists = 6,
-  parameter int unsigned Buckets = 128,     // a multiple of 8, a power of two
   parameter int unsigned Nodes = pipegs_pkg::NearestNodes,
   parameter int unsigned DataW = 170,
   localparam int unsigned ListW = $clog2(Lists),
-  localparam int unsigned BucketW = $clog2(Buckets)
+  localparam int unsigned BucketW = pipegs_pkg::BucketW
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
@@ -43,8 +42,10 @@ module dopu_bucket #(
 );
 
   localparam int unsigned NodeW = $clog2(Nodes);
-  localparam int unsigned Groups = Buckets / 8;
-  localparam int unsigned GroupW = Groups > 1 ? $clog2(Groups) : 1;
+  localparam int unsigned Buckets = 2 ** BucketW;
+  localparam int unsigned WordW = 4;            // buckets in a word of 2^WordW, words in a list
+  localparam int unsigned Word = 2 ** WordW;
+  localparam int unsigned Words = Buckets / Word;
 
   typedef enum logic [1:0] {
     Idle,    // for an insert or a pop; reads the chain's head
@@ -53,36 +54,25 @@ module dopu_bucket #(
     Out      // the node is there
   } state_e;
 
-  // --- first bucket of each list ------------------------------------------------------------------------------------
-  logic [Buckets-1:0] occupied_q [Lists];
-  logic [Groups-1:0]  some;
-  logic [GroupW-1:0]  group;
-  logic [7:0]         eight;
-  logic [2:0]         place;
+  // --- first bucket of each list: the first word with a chain, the first chain in it --------------------------------------
+  logic [Buckets-1:0]       occupied_q [Lists];
+  logic [Words-1:0]         some_q [Lists];  // words that have a chain
+  logic [BucketW-WordW-1:0] which;
+  logic [Word-1:0]          word;
+  logic [WordW-1:0]         place;
 
   always_comb begin
-    some  = '0;
-    group = '0;
-    eight = '0;
+    which = '0;
+    word  = '0;
     place = '0;
     for (int unsigned l = 0; l < Lists; l += 1) begin
-      for (int unsigned g = 0; g < Groups; g += 1) some[g] = occupied_q[l][8*g +: 8] != '0;
-      group = '0;
-      eight = occupied_q[l][7:0];
-      for (int unsigned g = Groups; g > 1; g -= 1) begin
-        if (some[g-1]) begin
-          group = GroupW'(g - 1);
-          eight = occupied_q[l][8*(g-1) +: 8];
-        end
-      end
-      if (some[0]) begin
-        group = '0;
-        eight = occupied_q[l][7:0];
-      end
+      which = '0;
+      for (int unsigned w = Words; w > 0; w -= 1) if (some_q[l][w-1]) which = (BucketW-WordW)'(w - 1);
+      word  = occupied_q[l][32'(which)*Word +: Word];
       place = '0;
-      for (int unsigned i = 8; i > 0; i -= 1) if (eight[i-1]) place = 3'(i - 1);
-      first_valid_o[l] = some != '0;
-      first_bucket_o[l*BucketW +: BucketW] = BucketW'({group, place});
+      for (int unsigned i = Word; i > 0; i -= 1) if (word[i-1]) place = WordW'(i - 1);
+      first_valid_o[l] = some_q[l] != '0;
+      first_bucket_o[l*BucketW +: BucketW] = {which, place};
     end
   end
 
@@ -95,6 +85,8 @@ module dopu_bucket #(
   logic [NodeW-1:0]   place_q;    // of the node written or read
   logic [NodeW-1:0]   free_place, head;
   logic               take_insert, take_pop, out_more;
+  logic [Word-1:0]    out_word;
+  logic               last_of_word;
   logic [NodeW-1:0]   out_next;
 
   assign idle_o         = state_q == Idle;
@@ -107,19 +99,30 @@ module dopu_bucket #(
   assign out_valid_o    = state_q == Out;
   assign out_list_o     = list_q;
   assign out_bucket_o   = bucket_q;
+  assign out_word       = occupied_q[list_q][32'(bucket_q[BucketW-1:WordW])*Word +: Word];
+  assign last_of_word   = (out_word & ~(Word'(1) << bucket_q[WordW-1:0])) == '0;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       state_q <= Idle;
-      for (int unsigned l = 0; l < Lists; l += 1) occupied_q[l] <= '0;
+      for (int unsigned l = 0; l < Lists; l += 1) begin
+        occupied_q[l] <= '0;
+        some_q[l]     <= '0;
+      end
     end else begin
       case (state_q)
         Idle:    if (take_pop) state_q <= Fetch; else if (take_insert) state_q <= Insert;
         Fetch:   state_q <= Out;
         default: state_q <= Idle;
       endcase
-      if (take_insert) occupied_q[insert_list_i][insert_bucket_i] <= 1'b1;
-      if (out_valid_o && !out_more) occupied_q[list_q][bucket_q] <= 1'b0;
+      if (take_insert) begin
+        occupied_q[insert_list_i][insert_bucket_i] <= 1'b1;
+        some_q[insert_list_i][insert_bucket_i[BucketW-1:WordW]] <= 1'b1;
+      end
+      if (out_valid_o && !out_more) begin
+        occupied_q[list_q][bucket_q] <= 1'b0;
+        if (last_of_word) some_q[list_q][bucket_q[BucketW-1:WordW]] <= 1'b0;
+      end
     end
   end
 

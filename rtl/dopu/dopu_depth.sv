@@ -1,8 +1,8 @@
 // dopu_depth: the step of depth of a number: exponent and leading mantissa bits of its depth key.
 //
 // Paper   None.
-// Idea    A depth key is a float of the view depth: six exponent bits, then the mantissa. Its exponent and first StepBits
-//         bits of mantissa name its step, 2^StepBits steps an octave. Steps rise with the number, so the step of a lower
+// Idea    A depth key is a float of the view depth: six exponent bits, then the mantissa. Its exponent and first bits of
+//         mantissa name its step, 32 steps an octave. Steps rise with the number, so the step of a lower
 //         bound of depths is a lower bound of their steps. Numbers below one world unit are in step 0.
 // Stream  None: value_i * 2^(exponent_i - Down) world units in, the step out.
 // Pace    Combinational.
@@ -11,14 +11,15 @@
 module dopu_depth #(
   parameter int unsigned ValueW = 42,
   parameter int unsigned Down = 18,
-  parameter int unsigned StepBits = 3,
-  localparam int unsigned ExpW = pipegs_pkg::ExpW
+  localparam int unsigned ExpW = pipegs_pkg::ExpW,
+  localparam int unsigned StepW = pipegs_pkg::StepW
 ) (
   input  logic signed [ValueW-1:0]     value_i,
   input  logic        [ExpW-1:0]       exponent_i,
-  output logic        [ExpW+StepBits-1:0] step_o
+  output logic        [StepW-1:0]      step_o
 );
 
+  localparam int unsigned StepBits = StepW - ExpW;
   localparam int unsigned HighW = ExpW + 2;
 
   logic [ValueW+StepBits-2:0] wide;      // the magnitude above StepBits zeros

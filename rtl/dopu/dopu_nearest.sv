@@ -51,15 +51,14 @@ module dopu_nearest #(
   localparam int unsigned Levels = 3;       // cells, groups, chunks
   localparam int unsigned Lists = 2 * Levels;  // of the queue: of each level those of either set
   localparam int unsigned ListW = $clog2(Lists);
-  localparam int unsigned Buckets = 128;
-  localparam int unsigned BucketW = $clog2(Buckets);
+  localparam int unsigned BucketW = pipegs_pkg::BucketW;
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
   localparam int unsigned SlotW = pipegs_pkg::SlotW;
   localparam int unsigned CountW = pipegs_pkg::CountW;
   localparam int unsigned PlaceW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW;
   localparam int unsigned RangeW = CountW + SlotW;
   localparam int unsigned DataW = RangeW + PlaceW;
-  localparam int unsigned StepW = pipegs_pkg::ExpW + 3;
+  localparam int unsigned StepW = pipegs_pkg::StepW;
   localparam int unsigned ReservedW = $clog2(Results + 1);
   localparam int unsigned WaitW = $clog2(pipegs_pkg::NearestNodes + 1);
 
@@ -130,7 +129,7 @@ module dopu_nearest #(
   logic [PlaceW-1:0]  result_place;
   logic [RangeW-1:0]  result_range;
 
-  dopu_rank #(.TagW(3), .BucketW(BucketW)) u_rank (
+  dopu_rank #(.TagW(3)) u_rank (
     .clk_i, .rst_ni, .frame_i, .planes_i, .near_step_i(near_step),
     .node_valid_i(want != '0), .node_ready_o(rank_ready), .node_i(child[level]), .set_i(set_q[level]),
     .parent_i(child_parent[level]), .tag_i({child_last[level], level}),
@@ -201,7 +200,7 @@ module dopu_nearest #(
   assign insert_list  = {insert_level, set_q[insert_level]};
   assign insert       = live != '0 && insert_ready;
 
-  dopu_bucket #(.Lists(Lists), .Buckets(Buckets), .DataW(DataW)) u_bucket (
+  dopu_bucket #(.Lists(Lists), .DataW(DataW)) u_bucket (
     .clk_i, .rst_ni,
     .insert_valid_i(live != '0), .insert_ready_o(insert_ready), .insert_list_i(insert_list),
     .insert_bucket_i(held_bucket[insert_level]), .insert_data_i(held[insert_level]), .full_o(full), .crowded_o(crowded),
@@ -259,7 +258,7 @@ module dopu_nearest #(
       assign open_bucket[l] = out_valid ? out_bucket : held_bucket[l];
       assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
 
-      dopu_open #(.Most(Most), .Lines(Lines), .BucketW(BucketW)) u_open (
+      dopu_open #(.Most(Most), .Lines(Lines)) u_open (
         .clk_i, .rst_ni, .base_i(l == 0 ? frame_i.groups : frame_i.chunks),
         .open_valid_i(open_valid[l]), .open_ready_o(open_ready[l]), .open_bucket_i(open_bucket[l]),
         .open_first_i(open_range[l][0 +: SlotW]), .open_count_i(open_range[l][SlotW +: CountW]),
@@ -297,7 +296,7 @@ module dopu_nearest #(
     end
   end
 
-  dopu_send #(.BucketW(BucketW)) u_send (
+  dopu_send u_send (
     .clk_i, .rst_ni, .near_step_i(near_step), .set_done_i, .set_o(send_set),
     .opened_i(complete_q[2][send_set]), .unopened_i(unopened), .window_end_o(window_end),
     .first_valid_i(first_valid[5:4]), .first_bucket_i(first_bucket[4*BucketW +: 2*BucketW]),

@@ -11,8 +11,8 @@
 // Model   cpp_model/dopu/dopu_nearest.hpp
 
 module dopu_send #(
-  parameter int unsigned BucketW = 7,
-  localparam int unsigned StepW = pipegs_pkg::ExpW + 3,
+  localparam int unsigned BucketW = pipegs_pkg::BucketW,
+  localparam int unsigned StepW = pipegs_pkg::StepW,
   localparam int unsigned DepthW = pipegs_pkg::DepthW,
   localparam int unsigned DataW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW + pipegs_pkg::CountW + pipegs_pkg::SlotW
 ) (

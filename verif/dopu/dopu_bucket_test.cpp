@@ -6,7 +6,8 @@
 namespace pipegs {
 namespace {
 
-constexpr int kLists = 4, kChains = 128, kDataWords = 6;
+constexpr int kLists = 6, kDataWords = 6;
+const int kBucketW = test_config().bucket_w(), kChains = 1 << kBucketW;
 
 struct Entry {
   int list, bucket;
@@ -23,11 +24,11 @@ class Driver : public Endpoint {
     if (!inserting_ && rng() % 100 < insert_percent) {
       inserting_ = true;
       const bool narrow = rng() % 2 == 0;  // long chains and single nodes
-      insert_ = {static_cast<int>(rng() % kLists), static_cast<int>(narrow ? rng() % 3 * 63 : rng() % kChains), rng()};
+      insert_ = {static_cast<int>(rng() % kLists), static_cast<int>(narrow ? rng() % 3 * 63 : rng() % static_cast<uint64_t>(kChains)), rng()};
     }
     d.insert_valid_i = inserting_;
     d.insert_list_i = static_cast<CData>(insert_.list);
-    d.insert_bucket_i = static_cast<CData>(insert_.bucket);
+    d.insert_bucket_i = static_cast<SData>(insert_.bucket);
     Words words(kDataWords + 1);
     put_bits(words.data(), 0, 64, insert_.data);
     put_bits(words.data(), 100, 64, ~insert_.data);
@@ -41,7 +42,7 @@ class Driver : public Endpoint {
     for (int l = 0; l < kLists; ++l) {
       if (expecting_ && expected_.list == l) continue;  // the node that is on its way out still counts, or no longer
       ASSERT_EQ((d.first_valid_o >> l) & 1, size(l) != 0) << "cycle " << bench_.cycle;
-      if (size(l) != 0) ASSERT_EQ(static_cast<int>(d.first_bucket_o >> (7 * l)) & 127, first(l)) << "cycle " << bench_.cycle;
+      if (size(l) != 0) ASSERT_EQ(static_cast<int>(d.first_bucket_o >> (kBucketW * l)) & (kChains - 1), first(l)) << "cycle " << bench_.cycle;
     }
     if (d.out_valid_o) {
       ASSERT_TRUE(expecting_);
@@ -92,7 +93,7 @@ class Driver : public Endpoint {
   int nodes_;
   bool inserting_ = false, expecting_ = false;
   Entry insert_{}, expected_{};
-  std::vector<uint64_t> stacks_[kLists][kChains];
+  std::vector<std::vector<std::vector<uint64_t>>> stacks_{kLists, std::vector<std::vector<uint64_t>>(static_cast<size_t>(kChains))};
 };
 
 TEST(DopuBucket, PopsTheNewestOfTheFirstBucket) {

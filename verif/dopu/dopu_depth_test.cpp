@@ -22,7 +22,7 @@ TEST(DopuDepth, EqualsItsTwin) {
     bench.dut.value_i = static_cast<QData>(value) & ((QData{1} << bits) - 1);
     bench.dut.exponent_i = static_cast<CData>(exponent);
     bench.dut.eval();
-    ASSERT_EQ(bench.dut.step_o, dopu_depth_step(value, exponent - kNormalF)) << value << " * 2^" << exponent << ", seed " << bench.seed;
+    ASSERT_EQ(bench.dut.step_o, dopu_depth_step(test_config(), value, exponent - kNormalF)) << value << " * 2^" << exponent << ", seed " << bench.seed;
   }
 }
 
@@ -108,13 +108,12 @@ TEST(DopuDepth, NoGaussianIsNearerThanItsNodes) {
   }
 }
 
-// A scene of lone Gaussians, each a node without size: their roundings take up part of the slack, and never more.
 TEST(DopuDepth, StepsRiseWithTheNumber) {
   std::mt19937_64 rng(test_seed());
   for (int i = 0; i < 100000; ++i) {
     const int64_t a = static_cast<int64_t>(rng() >> (23 + rng() % 41)), b = static_cast<int64_t>(rng() >> (23 + rng() % 41));
     const int e = static_cast<int>(rng() % 27) - kNormalF;
-    ASSERT_LE(dopu_depth_step(std::min(a, b), e), dopu_depth_step(std::max(a, b), e));
+    ASSERT_LE(dopu_depth_step(test_config(), std::min(a, b), e), dopu_depth_step(test_config(), std::max(a, b), e));
   }
 }
 
