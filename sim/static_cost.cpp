@@ -55,7 +55,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("dopu_planes", "partition", "dopu", 1, 1, 3);
   add("dopu_test", "partition", "dopu", 1, 8, 9);
   const int span = (c.window - 1 + 4) * 16 + 1;  // of a window with its margin, sixteenths of a pixel
-  add("pu_cull", "projection", "pu", 1, 15, 29, times({span}));
+  add("pu_cull", "projection", "pu", 1, 16, 29, times({span}));
   add("pu_project", "projection", "pu", 1, 1, 1);
   add("pu_orient", "projection", "pu", 1, 4, 14);
   add("pu_jacobian", "projection", "pu", 1, 2, 4);
@@ -89,13 +89,14 @@ void add_buffers(const Config& c, StaticCost& cost) {
   const int units = c.units, splat = record_width<Splat>(c), memory = c.memory_w();
   if (!c.late) add("alpha store u_lines", "alphas", c.line_w(), c.alpha_lines, units);
   add("RU u_pixels", "pixels", c.pixel_word_w(), c.regions() / units * 4, 2 * units);
-  add("SU u_records", "records", splat - c.key_w() - c.kind_w(), 2 * c.records, units);
-  add("SU u_keys", "records", c.key_w(), 2 * c.records, units);
+  add("SU u_records", "records", splat - c.key_w() - c.kind_w(), c.records, units);
+  add("SU u_keys", "records", c.key_w(), c.records, units);
+  add("SU u_layers", "sorter", c.kind_w() + 2 * c.key_w() + c.record_w() + c.slot_w(), 8, units);
   add("SU u_split.u_links", "sorter", c.record_w(), c.records, units);
   const int stack = c.records / 8 + c.key_w() / 4 + 2;  // groups that may wait
   add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
   add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
-  add("SU u_emit.u_waiting", "sorter", c.kind_w() + 2 + c.record_w() + c.key_w(), 32, units);
+  add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), 32, units);
   add("SU u_port.u_answers", "overflow", memory, 32, units);
   add("PU u_fetch.u_reader.u_lines", "parameters", memory, 32, units);
   add("PU u_visible", "parameters", record_width<Visible>(c), 4, units);

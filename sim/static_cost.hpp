@@ -5,7 +5,8 @@
 // Rules   A multiplier multiplies two variable values. A product with a constant is shifts and adders: one adder for each
 //         nonzero digit of the constant after the first, in the signed-digit form that has the fewest.
 //         An adder adds or subtracts two variable values of at least 14 bits (at the default widths): sums of exponents,
-//         counters, addresses, rounding constants and comparisons are not counted.
+//         counters, addresses, rounding constants and comparisons are not counted. The same holds for products with
+//         constants, so the index of a table is none.
 //         Only modules that compute something of a Gaussian or a pixel are counted, as the RTL states it, equal ones once:
 //         a multiplier that serves several products in turn is one.
 // Units   Bits; 1 KB is 1024 bytes.

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr size_t kAdderWidth = 14;  // narrower sums are not counted, see static_cost.hpp
+constexpr size_t kAdderWidth = 14;  // narrower sums and indices are not counted, see static_cost.hpp
 
 struct Found {
   int instances = 0, multipliers = 0, adders = 0, constant_adders = 0;
@@ -91,7 +91,7 @@ class Netlist {
         place.adders += std::min(wide_a, wide_b) >= kAdderWidth ? times : 0;
       } else if (wide_a > 0 && wide_b > 0) {
         place.multipliers += times;
-      } else {
+      } else if (std::max(wide_a, wide_b) >= kAdderWidth) {
         place.constant_adders += times * shifts_and_adders(constant_value(wide_a == 0 ? a : b));
       }
     }
