@@ -99,15 +99,19 @@ module su_buckets (
   assign quiet       = candidates == '0 && work_q == '0 && operation_q == None;  // an insertion may still fill a bucket
 
   // --- what is done next ---------------------------------------------------------------------------------------------
-  logic insert_reads, entry_reads, word_reads;
+  logic insert_reads, entry_reads, word_reads, same_word, insert_waits;
+  // Is the word that an insertion is about to read, or has read, the one that the release takes?
+  assign same_word    = operation_q == Insert ? {set_q, bucket_q[BucketW-1:LowW]} == {job_set_i, first_word}
+                                              : {insert_set_i, insert_bucket_i[BucketW-1:LowW]} == {job_set_i, word_q};
+  assign insert_waits = word_wanted || operation_q == Insert || (operation_q == Word && same_word);
   always_comb begin
     operation_d = None;
-    if (word_wanted) operation_d = operation_q == Insert ? None : Word;
-    else if (insert_valid_i && operation_q != Insert && operation_q != Word) operation_d = Insert;
+    if (word_wanted) operation_d = operation_q == Insert && same_word ? None : Word;
+    else if (insert_valid_i && !insert_waits) operation_d = Insert;
     else if (work_q != '0 && chain_ready_i && !chain_valid_o) operation_d = Entry;
     if (!ends) operation_d = None;
   end
-  assign insert_ready_o = ends && !word_wanted && operation_q != Insert && operation_q != Word;
+  assign insert_ready_o = ends && !insert_waits;
   assign insert_reads   = operation_d == Insert;
   assign word_reads     = operation_d == Word;
   assign entry_reads    = operation_d == Entry;

@@ -38,7 +38,7 @@ struct SortBench : Bench<Vsu_bitonic>, Endpoint {
   void push(const std::vector<uint64_t>& keys) {
     for (size_t i = 0; i < keys.size(); ++i) pending.push_back({keys[i], static_cast<uint32_t>(i), i + 1 == keys.size(), false});
   }
-  void push_end(uint32_t slot) { pending.push_back({rng(), slot, true, true}); }
+  void push_end(uint32_t slot) { pending.push_back({rng() & 0xffffff, slot, true, true}); }
   void drive() override {
     if (!up && !pending.empty() && goes(source, rng)) up = true;
     dut.in_valid_i = up;
