@@ -85,8 +85,9 @@ class Wheel {
  public:
   static constexpr int kSlots = 256, kWords = 2;
 
-  void wake(int unit, Cycle when) {
+  void wake(int unit, Cycle when) {  // in the next cycle at the earliest
     if (when >= kNever) return;
+    if (when <= now_) when = now_ + 1;
     if (when > now_ + kSlots - 1) when = now_ + kSlots - 1;  // the unit will ask again
     slots_[static_cast<size_t>(when) & (kSlots - 1)][static_cast<size_t>(unit >> 6)] |= uint64_t{1} << (unit & 63);
   }

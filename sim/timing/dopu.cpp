@@ -110,7 +110,7 @@ void Dopu::emit(Machine& m, Cycle now) {
     const bool drop = shifted_.end == kLayerEndBeat && !had_chunk_;
     emit_valid_ = drop ? 0 : (uint32_t{1} << units_) - 1;
     had_chunk_ = false;
-    if (shifted_.end == kWindowEndBeat && sets_[shifted_.set].last) last_sent_ = true;
+    if (shifted_.last) last_sent_ = true;
   }
   emit_from_ = now + 1;
   level_ = false;
@@ -189,6 +189,7 @@ void Dopu::test(Machine& m, Cycle now, bool phase) {
       const Reader::Job& job = reader.job();
       item.end = job.tag.end;
       item.set = job.tag.set;
+      item.last = job.tag.last;
       item.node = job.first + reader.item();
     }
     const bool drop = drops(item);
@@ -260,7 +261,7 @@ void Dopu::read(Machine& m, Cycle now) {
       const bool drop = drops(parent);
       if (!drop && reader.room_before_job(now)) {
         const TimingNode& node = parent.data() ? (l == 0 ? m.trace.cells : m.trace.groups)[parent.node] : TimingNode{};
-        job = {parent.data(), node.first, node.count, {parent.end, parent.set}};
+        job = {parent.data(), node.first, node.count, {parent.end, parent.set, parent.last}};
         take = true;
       }
       if (drop || take) {
@@ -306,6 +307,7 @@ void Dopu::cells(const Machine& m, Cycle now) {
     item_.set = walk_set_;
     if (is_end) {
       item_.end = window_end ? kWindowEndBeat : kLayerEndBeat;
+      item_.last = window_end && set.last;
       item_shown_ = true;
     } else {
       item_.node = static_cast<uint32_t>(dopu_layer_cell(m.config, axis_, slabs_[static_cast<size_t>(walk_step_)], walk_number_));

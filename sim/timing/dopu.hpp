@@ -45,6 +45,7 @@ class Dopu {
   struct Item {
     Beat end = 0;
     uint8_t set = 0;
+    bool last = false;  // the end of the frame's last window
     uint32_t node = 0;
     const TimingChunk* chunk = nullptr;  // of a chunk that passed
     bool data() const { return !is_end(end); }
@@ -52,6 +53,7 @@ class Dopu {
   struct Tag {
     Beat end = 0;
     uint8_t set = 0;
+    bool last = false;
   };
   using Reader = LineReader<Tag, 8>;
   struct Set {

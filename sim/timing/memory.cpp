@@ -13,7 +13,7 @@ Memory::Memory(MemoryTiming& timing, int units) : timing_(timing), units_(units)
   for (int k = 0; k < units; ++k) {
     set(alpha_port(k), unit(kRows, k), unit(kRows, k));
     set(sort_port(k), unit(kSu, k), unit(kSu, k));
-    set(raster_port(k), unit(kRuMemory, k), unit(kSource, k));
+    set(raster_port(k), unit(kSource, k), unit(kSource, k));  // the source wakes kRuMemory
     set(geometry_port(k), unit(kReader, k), unit(kReader, k));
     set(color_port(k), unit(kColor, k), unit(kColor, k));
   }
