@@ -19,7 +19,7 @@ constexpr int kRecordArea = 1, kKeyArea = 2, kParts = 16, kPartW = 4;
 Su::Su(const Machine& m, int lane) : lane_(lane), port_(m.memory.sort_port(lane)), records_(m.config.records) {}
 
 void Su::step(Machine& m, Cycle now) {
-  moved_ = false;
+  moved_ = out_taken_at_ == now;
   sorter_idle_ = sequence_ == kIdle && layers_.empty();
   emit_empty_ = waiting_.empty() && !out.valid && out_taken_at_ != now;
   select_reads_ = select_reads();
