@@ -28,14 +28,6 @@
 namespace pipegs {
 namespace {
 
-Fetched fetched_beat(const Chunk& chunk, const GaussianRecord& g, uint64_t slot) {
-  return {.kind = kData, .window_x = chunk.window_x, .window_y = chunk.window_y, .origin_x = chunk.origin_x,
-          .origin_y = chunk.origin_y, .origin_z = chunk.origin_z, .view_exp = chunk.view_exp, .offset_exp = chunk.offset_exp,
-          .offset_x = g.offset_x, .offset_y = g.offset_y, .offset_z = g.offset_z, .qw = g.qw, .qx = g.qx, .qy = g.qy, .qz = g.qz,
-          .scale_0 = g.scale_0, .scale_1 = g.scale_1, .scale_2 = g.scale_2, .opacity = g.opacity, .base_r = g.base_r,
-          .base_g = g.base_g, .base_b = g.base_b, .index = g.index, .slot = slot};
-}
-
 RowJob row_job(const Tiles& t) {
   RowJob job;
   job.a = t.a, job.b = t.b, job.c = t.c, job.d = t.d, job.e = t.e, job.f = t.f;
@@ -179,6 +171,14 @@ Saturations& Saturations::operator+=(const Saturations& o) {
   return *this;
 }
 
+Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& g, uint64_t slot) {
+  return {.kind = kData, .window_x = chunk.window_x, .window_y = chunk.window_y, .origin_x = chunk.origin_x,
+          .origin_y = chunk.origin_y, .origin_z = chunk.origin_z, .view_exp = chunk.view_exp, .offset_exp = chunk.offset_exp,
+          .offset_x = g.offset_x, .offset_y = g.offset_y, .offset_z = g.offset_z, .qw = g.qw, .qx = g.qx, .qy = g.qy, .qz = g.qz,
+          .scale_0 = g.scale_0, .scale_1 = g.scale_1, .scale_2 = g.scale_2, .opacity = g.opacity, .base_r = g.base_r,
+          .base_g = g.base_g, .base_b = g.base_b, .index = g.index, .slot = slot};
+}
+
 const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
   static std::mutex making;
   const std::lock_guard lock(making);
@@ -196,7 +196,7 @@ const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
     for (size_t k = i * kChunksOfPart; k < std::min(chunks.size(), (i + 1) * kChunksOfPart); ++k) {
       ++part.work.chunks;
       for (uint64_t slot = chunks[k].slot; slot < chunks[k].slot + chunks[k].count; ++slot) {
-        const std::optional<Conic> conic = project(input, fetched_beat(chunks[k], packed.gaussians[slot], slot), part.work, part.saturations);
+        const std::optional<Conic> conic = project(input, golden_fetched(chunks[k], packed.gaussians[slot], slot), part.work, part.saturations);
         if (!conic || !pu_expand_box(packed.config, frame, *conic)) continue;
         part.gaussians.push_back({*conic, color(input, pu_expand_job(*conic), part.saturations)});
       }
@@ -232,7 +232,7 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
     if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
     ++window.work.chunks;
     for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
-      preprocess(input, fetched_beat(chunk, packed.gaussians[slot], slot), window, window.layers.back());
+      preprocess(input, golden_fetched(chunk, packed.gaussians[slot], slot), window, window.layers.back());
     }
   };
   if (order == 1) {

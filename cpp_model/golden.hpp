@@ -91,6 +91,9 @@ const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads = 0);
 // One Gaussian as a window sees it: what each twin said, for `explain` and for finding a wrong bit.
 GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t window_y);
 
+// What pu_fetch makes of a Gaussian of a chunk.
+Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& gaussian, uint64_t slot);
+
 // The alpha codes of one region of a job.
 void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]);
 

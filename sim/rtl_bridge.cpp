@@ -25,6 +25,9 @@ struct Widths {
   int units, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
 };
 
+constexpr uint64_t kResetCycles = 4;
+constexpr int64_t kRestartCycle = kResetCycles + 1;  // start comes with the first cycle behind the reset
+
 class VerilatedMachine final : public RtlModel {
  public:
   explicit VerilatedMachine(const Config& config) : w_(config) {}
@@ -66,6 +69,7 @@ void slice(const Port& port, int at, int width, uint32_t* words) {
 }
 
 void VerilatedMachine::tap(RtlTaps& taps) {
+  taps.cycle = static_cast<int64_t>(cycle_) - kRestartCycle;
   const Vpipegs_top& top = *dut_;
   uint32_t words[64];
   for (int unit = 0; unit < w_.units; ++unit) {
@@ -133,7 +137,6 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
   running_ = false;
   const bool cycles = taps != nullptr && taps->wants_cycles();
   uint64_t last_request = 0;
-  constexpr uint64_t kResetCycles = 4;
 
   top.start_i = 0;
   top.mem_ready_i = 0;

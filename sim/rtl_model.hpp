@@ -26,6 +26,7 @@ class RtlTaps {
   // A line of alphas that RU `unit` starts to blend, and the window in which it does.
   virtual void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region, const uint32_t* line) = 0;
   virtual void on_pixels(int unit, int region, int quarter, const uint32_t* word) = 0;     // T and RGB that it writes back
+  int64_t cycle = 0;  // of what is shown: counted as RtlResult::cycles, 1 is the first one that counts
 
   // What follows is shown only when `wants_cycles` says so, because it costs time in every cycle.
   virtual bool wants_cycles() const { return false; }

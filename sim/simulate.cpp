@@ -103,7 +103,7 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
   return part;
 }
 
-void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
   // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
   const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
   result.packed = pack_scene(options.config, scene, bound);
@@ -118,6 +118,10 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
     frame.last_x = std::min(frame.last_x, static_cast<uint64_t>(x + options.windows - 1));
     frame.first_y = frame.last_y = static_cast<uint64_t>(y);
   }
+}
+
+void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+  simulate_pack(scene, camera, options, result);
   Progress progress("golden");
   const Stopwatch watch;
   result.golden = golden_frame(result.input, {.threads = 0, .progress = [&](double share) {

@@ -55,7 +55,9 @@ struct Simulation {
   Simulation(const Simulation&) = delete;  // input points into packed
 };
 
-// Packs the scene, sets up the frame and runs the golden model.
+// Packs the scene and sets up the frame.
+void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
+// The same, and runs the golden model.
 void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
 // Renders the three truths and the figures that compare golden with them; needs simulate_golden. Truths that `known`, a
 // simulation of the same view, holds already are copied: the same ranks give the same picture.

@@ -30,4 +30,7 @@ struct PuCut {
 // A data beat whose mask is empty is not emitted.
 Tiles pu_intersect(const Config& config, const Frame& frame, const Coeff& coeff);
 
+// Regions of the box, which are walked one per cycle; 0 when nothing is walked.
+int pu_intersect_regions(const Config& config, const Coeff& coeff);
+
 }  // namespace pipegs

@@ -1,0 +1,79 @@
+// machine.hpp: the units of the timing model, wired, and the loop that steps them.
+//
+// RTL     rtl/pipegs_top.sv.
+// Idea    Each unit is a few registers and a step function that plays one cycle of it. A unit is stepped only in cycles for
+//         which somebody woke it: itself for what it knows will come, its neighbours for what they give or take. Units
+//         are stepped in the order of enum Unit, takers before givers (cycle.hpp).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/timing/deal.hpp"
+#include "sim/timing/dopu.hpp"
+#include "sim/timing/memory.hpp"
+#include "sim/timing/perf.hpp"
+#include "sim/timing/pu.hpp"
+#include "sim/timing/ru.hpp"
+#include "sim/timing/ru_order.hpp"
+#include "sim/timing/su.hpp"
+#include "sim/timing/trace.hpp"
+
+namespace pipegs::timing {
+
+inline constexpr int kMaxUnits = 4;
+
+// In the order of their steps. Bit of a unit on the wheel: 4 * Unit + lane.
+enum Unit : int {
+  kPublish,    // what the RUs report, from the cycle on in which the others see it
+  kLanes,      // ru_lanes
+  kSource,     // ru_fetch, or ru_rows when late
+  kRuMemory,   // ru_memory, ru_resolve
+  kStore,      // alpha_store
+  kWalk,       // ru_walk
+  kOrder,      // lane 0: ru_dispatch, 1: su_merge
+  kSu,
+  kColor,      // pu_color, pu_join
+  kRows,       // pu_rows, pu_spill
+  kBack,       // pu_allocate, or pu_late
+  kIntersect,
+  kCoeff,
+  kConic,
+  kStages,     // pu_covariance, squares, factors, jacobian, orient, project: six numbers
+  kDeal = kStages + 6,
+  kCull,
+  kReader,     // pu_fetch
+  kDopu,
+  kUnitEnd
+};
+inline constexpr int unit(int kind, int lane = 0) { return 4 * kind + lane; }
+
+struct Machine {
+  Machine(const TimingTrace& trace, const Config& config, MemoryTiming& memory_timing);
+
+  Cycle run();  // of the frame; throws std::runtime_error when the model hangs
+  void step(int unit, Cycle now);
+
+  const TimingTrace& trace;
+  const Config config;
+  const Frame& frame;
+  const int units;
+  Wheel wheel;
+  Memory memory;
+  std::vector<Ru> ru;
+  AlphaStores stores;
+  Dispatch dispatch;
+  Merge merge;
+  std::vector<Su> su;
+  std::vector<Pu> pu;
+  Deal deal;
+  Dopu dopu;
+
+  // Set by the RUs, seen by others: windows and layers that they finished.
+  LayerFree layer_free;
+  std::vector<Cycle> window_ends;  // when the end of each window left the merge
+  uint64_t overflow_lines = 0;
+  bool every_cycle = false;  // wake everything in every cycle: slow, and must change nothing
+};
+
+}  // namespace pipegs::timing

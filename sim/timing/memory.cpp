@@ -1,0 +1,57 @@
+// memory.cpp: see memory.hpp.
+#include "sim/timing/memory.hpp"
+
+#include "sim/timing/machine.hpp"
+
+namespace pipegs::timing {
+
+Memory::Memory(MemoryTiming& timing, int units) : timing_(timing), units_(units) {
+  const auto set = [this](int port, int grant, int answer) {
+    grant_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(grant);
+    answer_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(answer);
+  };
+  for (int k = 0; k < units; ++k) {
+    set(alpha_port(k), unit(kRows, k), unit(kRows, k));
+    set(sort_port(k), unit(kSu, k), unit(kSu, k));
+    set(raster_port(k), unit(kSource, k), unit(kSource, k));  // the source wakes kRuMemory
+    set(geometry_port(k), unit(kReader, k), unit(kReader, k));
+    set(color_port(k), unit(kColor, k), unit(kColor, k));
+  }
+  set(node_port(), unit(kDopu), unit(kDopu));
+}
+
+void Memory::step(Machine& machine, Cycle now) {
+  answered_ = coming_;
+  coming_ = timing_.step();
+  if (answered_ >= 0) machine.wheel.wake_now(answer_unit_[static_cast<size_t>(answered_)]);
+  if (wanted_ == 0 && !out_valid_) return;
+
+  bool out_free = !out_valid_;
+  if (out_valid_ && timing_.ready()) {
+    timing_.request(out_write_, out_line_, out_port_);
+    ++(out_write_ ? written_ : read_)[static_cast<size_t>(out_port_)];
+    last_accepted_ = now;
+    out_free = true;
+    out_valid_ = false;
+  }
+  if (wanted_ == 0) {
+    locked_ = false;
+    return;
+  }
+  const int port = locked_ && (wanted_ >> shown_ & 1) != 0 ? shown_ : round_robin(wanted_, last_);
+  if (out_free) {
+    out_valid_ = true;
+    out_port_ = port;
+    out_write_ = write_[static_cast<size_t>(port)];
+    out_line_ = line_[static_cast<size_t>(port)];
+    wanted_ &= ~(uint32_t{1} << port);
+    last_ = port;
+    granted_ = port;
+    grant_at_ = now;
+    machine.wheel.wake_now(grant_unit_[static_cast<size_t>(port)]);
+  }
+  locked_ = !out_free;
+  shown_ = port;
+}
+
+}  // namespace pipegs::timing

@@ -1,0 +1,60 @@
+// memory.hpp: the arbiter to external memory in the timing model.
+//
+// RTL     rtl/buf/memory_arbiter.sv: round robin, a register on the way out and one on the way back.
+// Idea    A unit asks by setting its port's bit, which counts from the next cycle on and is cleared by the grant. The unit is
+//         woken in the cycle of its grant and in the cycle of its answer.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/memory_timing.hpp"
+#include "sim/timing/cycle.hpp"
+
+namespace pipegs::timing {
+
+struct Machine;
+
+class Memory {
+ public:
+  Memory(MemoryTiming& timing, int units);
+
+  void ask(int port, uint64_t line, bool write = false) { wanted_ |= uint32_t{1} << port, line_[static_cast<size_t>(port)] = line, write_[static_cast<size_t>(port)] = write; }
+  bool granted(int port, Cycle now) const { return granted_ == port && grant_at_ == now; }
+  bool answered(int port) const { return answered_ == port; }
+  void step(Machine& machine, Cycle now);  // first of all in every cycle
+  void idle_step() { timing_.step(); }      // a cycle before the frame
+  bool idle() const { return wanted_ == 0 && !out_valid_; }
+
+  Cycle last_accepted() const { return last_accepted_; }
+  uint64_t lines_read(int port) const { return read_[static_cast<size_t>(port)]; }
+  uint64_t lines_written(int port) const { return written_[static_cast<size_t>(port)]; }
+
+  // Ports, see rtl/pipegs_top.sv.
+  int alpha_port(int lane) const { return lane; }
+  int sort_port(int lane) const { return units_ + lane; }
+  int raster_port(int lane) const { return 2 * units_ + lane; }
+  int geometry_port(int lane) const { return 3 * units_ + lane; }
+  int color_port(int lane) const { return 4 * units_ + lane; }
+  int node_port() const { return 5 * units_; }
+
+ private:
+  static constexpr int kPorts = 21, kNone = -1;
+
+  MemoryTiming& timing_;
+  int units_;
+  std::array<uint8_t, kPorts> grant_unit_{}, answer_unit_{};  // whom to wake
+  uint32_t wanted_ = 0;
+  std::array<uint64_t, kPorts> line_{};
+  std::array<bool, kPorts> write_{};
+  int last_ = 0, shown_ = 0;
+  bool locked_ = false;
+  bool out_valid_ = false, out_write_ = false;
+  int out_port_ = 0;
+  uint64_t out_line_ = 0;
+  int granted_ = kNone, answered_ = kNone, coming_ = kNone;
+  Cycle grant_at_ = kLongAgo, last_accepted_ = 0;
+  std::array<uint64_t, kPorts> read_{}, written_{};
+};
+
+}  // namespace pipegs::timing

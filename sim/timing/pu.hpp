@@ -1,0 +1,114 @@
+// pu.hpp: a Preprocessing Unit in the timing model.
+//
+// RTL     rtl/pu/pu.sv: fetch, cull | (deal.hpp) | project .. coeff, intersect, then pu_cache or pu_late.
+// Idea    Stages that keep a record for eight cycles act twice: when they take a record and when they claim their output
+//         register. Their phases in between are arithmetic.
+#pragma once
+
+#include <array>
+
+#include "sim/timing/color.hpp"
+#include "sim/timing/cycle.hpp"
+#include "sim/timing/line_reader.hpp"
+#include "sim/timing/perf.hpp"
+#include "sim/timing/rows.hpp"
+
+namespace pipegs::timing {
+
+struct Machine;
+
+// pu_phases.sv: covariance, squares, factors, jacobian, orient, project.
+struct PhaseStage {
+  bool holding = false;  // a record that has not claimed the output
+  Beat beat = 0;
+  Cycle claim_at = 0, ready_at = kLongAgo;
+  Output<Beat> out;
+};
+
+// pu_conic.sv, pu_coeff.sv: slots with a front record.
+struct SlotStage {
+  bool active = false, fresh = false, front_valid = false;
+  Beat front = 0;
+  Cycle out_at = 0, free_at = kLongAgo;
+  Output<Beat> out;
+};
+
+class Pu {
+ public:
+  static constexpr int kPhaseStages = 6;
+
+  Pu(const Machine& machine, int lane);
+
+  void reader(Machine& m, Cycle now);
+  void cull(Machine& m, Cycle now);
+  void phases(Machine& m, Cycle now, int stage);
+  void conic(Machine& m, Cycle now);
+  void coeff(Machine& m, Cycle now);
+  void intersect(Machine& m, Cycle now);
+  void back(Machine& m, Cycle now);
+  void rows(Machine& m, Cycle now);
+
+  void layer_free(Machine& m, Cycle now);  // all RUs have finished the oldest layer
+  bool chunk_room(Cycle now) const { return reader_.job_room(now); }
+
+  Output<Beat> culled;               // to pu_deal
+  SramQueue<Beat, 4> visible;        // from pu_deal
+  Color color;
+  Perf perf;
+
+ private:
+  struct Header {
+    Beat end = 0;
+    uint32_t first = 0;      // survivor
+    uint64_t survivors = 0;
+  };
+  using Reader = LineReader<Header, 4>;
+  enum Intersect { kIdle, kNone, kWalk, kEnd };
+  enum Allocate { kTake, kDecide, kOffer };
+
+  bool take_tiles(Machine& m, Cycle now);
+  void allocate(Machine& m, Cycle now);
+  void late(Machine& m, Cycle now);
+  void slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase, int tail);
+  uint64_t done_regions(const Machine& m) const;
+
+  const int lane_;
+  const bool late_;
+
+  Reader reader_;
+
+  // pu_cull
+  std::array<Beat, 7> pipe_;
+  unsigned pipe_at_ = 0;
+  int pipe_count_ = 0;
+
+  std::array<PhaseStage, kPhaseStages> phases_;  // 0: covariance ... 5: project
+  SlotStage conic_, coeff_;
+
+  Intersect intersect_ = kIdle;
+  Cycle intersect_at_ = kLongAgo;
+  Output<Beat> tiles_;
+
+  // pu_allocate, pu_late
+  size_t window_ = 0;          // of the beats
+  Allocate allocate_ = kTake;
+  Cycle allocate_at_ = kLongAgo;
+  Splat splat_;
+  int lines_ = 0;
+  bool row_valid_ = false, color_valid_ = false, parity_ = false, next_parity_ = false;
+  int ended_ = 0, oldest_ = 0, newest_ = 0;
+  const int alpha_lines_;
+  uint32_t overflow_ = 0;
+  Cycle layer_free_at_ = kLongAgo;
+  Output<uint8_t> late_out_;   // splat_ waits for the colour
+
+  SramQueue<RowJob, 4> jobs_;
+  Rows rows_;
+
+  // pu_spill
+  const int pieces_;
+  int pieces_left_ = 0;
+  uint64_t spill_line_ = 0;
+};
+
+}  // namespace pipegs::timing

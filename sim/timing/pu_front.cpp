@@ -1,0 +1,177 @@
+// pu_front.cpp: a PU's fetch and cull, and its stages up to the regions: see pu.hpp.
+#include <algorithm>
+#include <bit>
+
+#include "sim/timing/machine.hpp"
+
+namespace pipegs::timing {
+namespace {
+
+// Depth and claiming phase of each stage, see pu_phases.sv; covariance first.
+struct Phases {
+  int depth, claim;
+};
+constexpr Phases kPhases[Pu::kPhaseStages] = {{1, 7}, {1, 3}, {1, 2}, {2, 2}, {1, 5}, {4, 4}};
+constexpr int kProject = Pu::kPhaseStages - 1;
+
+}  // namespace
+
+Pu::Pu(const Machine& m, int lane)
+    : color(m, lane), lane_(lane), late_(m.config.late != 0), reader_(m.config.gaussians_per_line(), m.frame.gaussians),
+      alpha_lines_(m.config.alpha_lines), rows_(m.config.pixels_per_row), pieces_(m.config.alpha_memory_lines()) {
+  pipe_.fill(kBubble);
+}
+
+// --- pu_fetch -----------------------------------------------------------------------------------------------------------
+
+void Pu::reader(Machine& m, Cycle now) {
+  const int port = m.memory.geometry_port(lane_);
+  const bool room = reader_.room_before_job(now);
+  Reader::Job job;
+  const bool take = room && m.dopu.chunk_shown(lane_, now);
+  if (take) {
+    const ChunkBeat& chunk = m.dopu.take_chunk(m, lane_);
+    job.read = !is_end(chunk.end);
+    job.first = chunk.slot;
+    job.count = chunk.count;
+    job.tag = {chunk.end, chunk.first, chunk.survivors};
+  }
+  const bool changed = reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
+  if (reader_.wants()) m.memory.ask(port, reader_.line());
+  m.wheel.wake(unit(kCull, lane_), reader_.item_from(now));
+  m.wheel.wake(unit(kReader, lane_), reader_.next(now));
+  if (changed && m.dopu.has_chunk()) {
+    m.wheel.wake(unit(kDopu), now + 1);
+    m.wheel.wake(unit(kReader, lane_), now + 1);
+  }
+}
+
+// --- pu_cull --------------------------------------------------------------------------------------------------------------
+
+void Pu::cull(Machine& m, Cycle now) {
+  if (culled.valid) return;  // pu_deal wakes us
+  const Beat leaving = pipe_[pipe_at_];
+  if (leaving != kBubble) {
+    culled.set(now + 1, leaving);
+    m.wheel.wake(unit(kDeal), now + 1);
+    --pipe_count_;
+  }
+  Beat entering = kBubble;
+  const bool item = reader_.item_shown(now);
+  if (item) {
+    const Reader::Job& job = reader_.job();
+    if (!job.read) {
+      entering = job.tag.end;
+    } else if ((job.tag.survivors >> reader_.item() & 1) != 0) {
+      entering = job.tag.first + static_cast<Beat>(std::popcount(job.tag.survivors & ((uint64_t{1} << reader_.item()) - 1)));
+    }
+    reader_.pop_item(now);
+    m.wheel.wake_now(unit(kReader, lane_));
+  }
+  pipe_[pipe_at_] = entering;
+  pipe_at_ = pipe_at_ + 1 == pipe_.size() ? 0 : pipe_at_ + 1;
+  if (entering != kBubble) ++pipe_count_;
+  if (pipe_count_ > 0 || item) m.wheel.wake(unit(kCull, lane_), now + 1);
+}
+
+// --- stages of eight cycles -------------------------------------------------------------------------------------------------
+
+void Pu::phases(Machine& m, Cycle now, int number) {
+  const auto [depth, claim] = kPhases[number];
+  const int self = unit(kStages + number, lane_);
+  PhaseStage& stage = phases_[static_cast<size_t>(number)];
+  if (stage.holding) {
+    if (now < stage.claim_at) return m.wheel.wake(self, stage.claim_at);
+    if (stage.out.valid) return;  // the next stage wakes us
+    stage.holding = false;
+    stage.ready_at = now + 7 - claim;
+    stage.out.set(now + 8 - claim + depth, stage.beat);
+    m.wheel.wake(number == 0 ? unit(kConic, lane_) : self - 4, stage.out.from);
+  }
+  if (number == kProject) {
+    if (visible.empty()) return;
+    const Cycle when = std::max(stage.ready_at, visible.head_from());
+    if (when > now) return m.wheel.wake(self, when);
+    if (visible.count() == 4) m.wheel.wake(unit(kDeal), now + 1);
+    stage.beat = visible.front();
+    visible.pop(now);
+  } else {
+    Output<Beat>& in = phases_[static_cast<size_t>(number) + 1].out;
+    if (!in.valid) return;
+    const Cycle when = std::max(stage.ready_at, in.from);
+    if (when > now) return m.wheel.wake(self, when);
+    stage.beat = in.value;
+    in.valid = false;
+    m.wheel.wake_now(self + 4);
+  }
+  stage.holding = true;
+  stage.claim_at = now + 1 + claim;
+  m.wheel.wake(self, stage.claim_at);
+}
+
+// A slot takes a new record to the front and sends the front record out, in phase `out_phase`; `tail` cycles later the
+// next slot begins, at once when there was nothing to calculate.
+void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase, int tail) {
+  if (stage.active) {
+    if (now < stage.out_at) return m.wheel.wake(self, stage.out_at);
+    if (stage.front_valid && stage.out.valid) return;  // the taker wakes us
+    if (stage.front_valid) {
+      stage.out.set(now + 1, stage.front);
+      m.wheel.wake(taker, now + 1);
+    }
+    stage.active = false;
+    stage.front_valid = stage.fresh;
+    stage.free_at = now + 1;
+    if (stage.fresh) {
+      stage.front = in.value;
+      in.valid = false;
+      m.wheel.wake_now(giver);
+      if (!is_end(stage.front)) stage.free_at = now + tail;
+    }
+  }
+  if (!stage.front_valid && !in.valid) return;
+  const Cycle when = stage.front_valid ? stage.free_at : std::max(stage.free_at, in.from);
+  if (when > now) return m.wheel.wake(self, when);
+  stage.active = true;
+  stage.fresh = in.shown(now);
+  stage.out_at = now + out_phase;
+  m.wheel.wake(self, stage.out_at);
+}
+
+void Pu::conic(Machine& m, Cycle now) {
+  slot(m, now, conic_, phases_[0].out, unit(kStages, lane_), unit(kConic, lane_), unit(kCoeff, lane_), 5, 3);
+}
+
+void Pu::coeff(Machine& m, Cycle now) {
+  slot(m, now, coeff_, conic_.out, unit(kConic, lane_), unit(kCoeff, lane_), unit(kIntersect, lane_), 2, 6);
+}
+
+// --- pu_intersect -------------------------------------------------------------------------------------------------------------
+
+void Pu::intersect(Machine& m, Cycle now) {
+  const int self = unit(kIntersect, lane_);
+  if (intersect_ != kIdle) {
+    if (now < intersect_at_) return m.wheel.wake(self, intersect_at_);
+    if (intersect_ != kNone && tiles_.valid) return;  // the back wakes us
+    const Beat beat = coeff_.out.value;
+    coeff_.out.valid = false;
+    m.wheel.wake_now(unit(kCoeff, lane_));
+    if (intersect_ == kEnd || (intersect_ == kWalk && m.trace.mask[beat] != 0)) {
+      tiles_.set(now + 1, beat);
+      m.wheel.wake(unit(kBack, lane_), now + 1);
+    }
+    intersect_ = kIdle;
+    intersect_at_ = now + 1;
+    return;  // the next record is seen from the next cycle on
+  }
+  if (!coeff_.out.valid) return;
+  const Cycle when = std::max(intersect_at_, coeff_.out.from);
+  if (when > now) return m.wheel.wake(self, when);
+  const Beat beat = coeff_.out.value;
+  const int regions = is_end(beat) ? 0 : m.trace.boxes[beat];
+  intersect_ = is_end(beat) ? kEnd : regions == 0 ? kNone : kWalk;
+  intersect_at_ = now + (intersect_ == kWalk ? 5 + regions : 1);
+  m.wheel.wake(self, intersect_at_);
+}
+
+}  // namespace pipegs::timing

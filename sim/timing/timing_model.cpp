@@ -1,0 +1,47 @@
+// timing_model.cpp: see timing_model.hpp.
+#include "sim/timing/timing_model.hpp"
+
+#include <stdexcept>
+
+#include "sim/timing/machine.hpp"
+
+namespace pipegs {
+
+TimingResult timing_run(const TimingTrace& trace, const Config& config, const ExternalMemoryOptions& options, const TimingOptions& timing) {
+  const std::unique_ptr<MemoryTiming> memory = memory_timing(options);
+  return timing_run(trace, config, *memory, timing);
+}
+
+TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTiming& memory, const TimingOptions& timing) {
+  if (!(timing_config(trace.config) == timing_config(config))) {
+    throw std::invalid_argument("timing model: the trace is of configuration " + config_difference(timing_config(trace.config)) +
+                                ", asked for is " + config_difference(timing_config(config)));
+  }
+  const auto machine = std::make_unique<timing::Machine>(trace, config, memory);
+  machine->every_cycle = timing.every_cycle;
+  TimingResult result;
+  result.cycles = static_cast<uint64_t>(machine->run());
+  result.overflow_lines = machine->overflow_lines;
+  for (const timing::Cycle end : machine->window_ends) result.window_ends.push_back(static_cast<uint64_t>(end));
+  static const char* const kNames[] = {"alpha_overflow_write", "sort_overflow", "raster", "geometry", "color", "nodes"};
+  for (int i = 0; i < 6; ++i) {
+    TimingResult::Stream stream{kNames[i]};
+    for (int k = 0; k < (i < 5 ? config.units : 1); ++k) {
+      stream.bytes_read += 64 * machine->memory.lines_read(i * config.units + k);
+      stream.bytes_written += 64 * machine->memory.lines_written(i * config.units + k);
+    }
+    result.streams.push_back(stream);
+  }
+  const uint64_t cycles = result.cycles;
+  const auto unit = [&](timing::Perf& perf) {
+    perf.set(static_cast<timing::Cycle>(cycles) + 1, timing::kStarved);
+    return UnitCycles{perf.count(timing::kBusy), perf.count(timing::kStarved), perf.count(timing::kBlocked), perf.count(timing::kMemoryWait)};
+  };
+  result.dopu.push_back(unit(machine->dopu.perf));
+  for (timing::Pu& pu : machine->pu) result.pu.push_back(unit(pu.perf));
+  for (timing::Su& su : machine->su) result.su.push_back(unit(su.perf));
+  for (timing::Ru& ru : machine->ru) result.ru.push_back(unit(ru.perf));
+  return result;
+}
+
+}  // namespace pipegs
