@@ -71,7 +71,7 @@ package pipegs_pkg;
   localparam int unsigned ScaleW         = 18;  // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
   localparam int unsigned StepW          = 11;  // step of depth: the depth key's exponent and leading bits of its mantissa, 32 steps an octave
-  localparam int unsigned BucketW        = 9;  // bucket of depth: a step, counted from the near plane's, in the DOPU (order = 2)
+  localparam int unsigned NearestW       = 9;  // bucket of depth: a step, counted from the near plane's, in the DOPU (order = 2)
   localparam int unsigned TanW           = 27;  // x/z, y/z
   localparam int unsigned WindowMeanW    = 31;  // projected mean relative to its window's first pixel
   localparam int unsigned MeanW          = 31;  // projected mean; with lists it comes relative to the first window, and a bit more keeps what saturates in no window

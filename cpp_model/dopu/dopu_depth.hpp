@@ -58,7 +58,7 @@ inline int dopu_depth_near(const Config& config, const Frame& frame) {
 inline int dopu_depth(const Config& config, const Frame& frame, const Planes& planes, const Node& node) {
   const Corners box = dopu_test_corners(config, frame, node);
   const int step = dopu_depth_step(config, dopu_depth_bound(config, box, planes[kNear]), box.exponent - kNormalF);
-  return std::clamp(step - dopu_depth_near(config, frame), 0, (1 << config.bucket_w()) - 1);
+  return std::clamp(step - dopu_depth_near(config, frame), 0, (1 << config.nearest_w()) - 1);
 }
 
 // The edge of a bucket: no depth key in it, nor in any later one, is smaller.

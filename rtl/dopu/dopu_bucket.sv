@@ -15,7 +15,7 @@ module dopu_bucket #(
   parameter int unsigned Nodes = pipegs_pkg::NearestNodes,
   parameter int unsigned DataW = 170,
   localparam int unsigned ListW = $clog2(Lists),
-  localparam int unsigned BucketW = pipegs_pkg::BucketW
+  localparam int unsigned BucketW = pipegs_pkg::NearestW
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,

@@ -11,7 +11,7 @@
 // Model   cpp_model/dopu/dopu_nearest.hpp
 
 module dopu_send #(
-  localparam int unsigned BucketW = pipegs_pkg::BucketW,
+  localparam int unsigned BucketW = pipegs_pkg::NearestW,
   localparam int unsigned StepW = pipegs_pkg::StepW,
   localparam int unsigned DepthW = pipegs_pkg::DepthW,
   localparam int unsigned DataW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW + pipegs_pkg::CountW + pipegs_pkg::SlotW

@@ -7,7 +7,7 @@ namespace pipegs {
 namespace {
 
 constexpr int kLists = 6, kDataWords = 6;
-const int kBucketW = test_config().bucket_w(), kChains = 1 << kBucketW;
+const int kBucketW = test_config().nearest_w(), kChains = 1 << kBucketW;
 
 struct Entry {
   int list, bucket;
