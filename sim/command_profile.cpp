@@ -18,7 +18,6 @@ int profile(Arguments arguments) {
   if (arguments.view.rung.empty()) arguments.view.rung = "baseline";
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
-  if (!arguments.no_rtl) check_rtl(options.config);
   const LoadedView loaded = load_view(arguments.view);
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);

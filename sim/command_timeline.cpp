@@ -23,7 +23,6 @@ struct Arguments {
 int timeline(Arguments arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
-  check_rtl(options.config);
   if (arguments.windows > 0) {
     options.windows = arguments.windows;
     if (!options.window) options.window = {0, 0};

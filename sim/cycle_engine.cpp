@@ -15,7 +15,6 @@ CycleEngine rtl_engine(const Scene& scene, const Camera& camera, const SimulateO
     asked.config = config;
     asked.memory = memory;
     if (!kept->simulation || !(kept->config == config)) {
-      check_rtl(config);
       kept->simulation.reset();
       auto simulation = std::make_unique<Simulation>();
       simulate_golden(scene, camera, asked, *simulation);

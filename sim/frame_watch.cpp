@@ -43,15 +43,19 @@ void FrameWatch::on_chunk(int unit, int kind) {
 
 void FrameWatch::on_splat(int unit, const uint32_t* words) {
   const auto splat = unpack<Splat>(config_, words);
+  if (config_.order == 1 && !listed_) {  // the lists are read: all PUs have finished the frame
+    listed_ = true;
+    for (int k = 0; k < config_.units; ++k) layer(UnitKind::kPu, k, {}, 0, cycle_ - 1);
+  }
   if (splat.kind != kData) {
-    layer(UnitKind::kPu, unit, pu_[unit].place, pu_[unit].next, cycle_);
+    if (config_.order != 1) layer(UnitKind::kPu, unit, pu_[unit].place, pu_[unit].next, cycle_);
     pu_[unit].end(splat.kind == kWindowEnd, cycle_);
-    splat_ends_[unit].push_back(cycle_);
+    splat_ends_[unit].push_back({splat.kind, cycle_});
     alphas_[unit].layers.push_back(0);
     return;
   }
   peak_records_ = std::max(peak_records_, ++records_);
-  if (config_.late || splat.ext != 0) return;
+  if (!has_alpha_stores() || splat.ext != 0) return;
   const auto lines = static_cast<uint64_t>(std::popcount(splat.mask));
   alphas_[unit].layers.back() += lines;
   alphas_[unit].lines += lines;
@@ -66,8 +70,11 @@ void FrameWatch::on_sorted(const uint32_t* words) {
   }
   for (int unit = 0; unit < config_.units; ++unit) {
     // An end leaves the merge when it has come out of every SU, so it has come into every one.
-    const uint64_t came = splat_ends_[unit].empty() ? cycle_ : splat_ends_[unit].front();
-    if (!splat_ends_[unit].empty()) splat_ends_[unit].pop_front();
+    uint64_t came = cycle_;
+    for (bool found = false; !found && !splat_ends_[unit].empty(); splat_ends_[unit].pop_front()) {
+      found = splat_ends_[unit].front().kind == kind;  // watermarks before it stay in the SU
+      came = splat_ends_[unit].front().cycle;
+    }
     layer(UnitKind::kSu, unit, sorted_.place, std::min(std::max(came + 1, sorted_.next), cycle_), cycle_);
   }
   sorted_.end(kind == kWindowEnd, cycle_);

@@ -5,6 +5,8 @@
 //           PU k    ... when its end beat goes to SU k
 //           SU      ... when the end beat leaves the merge; a layer is sorted from the moment its end beat has come in
 //           RU k    ... when its last line is blended
+//         With Order 2 the ends of layers are watermarks, which do not leave the merge: behind it a window is one layer.
+//         With Order 1 the frame is one layer of the DOPU and the PUs, and each window one of SUs and RUs.
 //         Whoever wants to know derives from FrameWatch and fills in the hooks.
 // Units   Cycles as the performance counters count them. `window` is an ordinal: row by row of the frame.
 #pragma once
@@ -47,6 +49,7 @@ class FrameWatch : public RtlTaps {
   // Splats that are in the SUs and the merge: those that went in less those that came out.
   uint64_t records() const { return records_; }
   uint64_t peak_records() const { return peak_records_; }
+  bool has_alpha_stores() const { return config_.late == 0 && config_.order != 1; }
   // Lines of one alpha store that belong to splats that have left their PU and to layers that are not yet blended.
   uint64_t alpha_lines(int unit) const { return alphas_[unit].lines; }
   uint64_t peak_alpha_lines() const { return peak_alpha_lines_; }  // of the fullest store
@@ -77,11 +80,15 @@ class FrameWatch : public RtlTaps {
   };
 
   const Config config_;
+  bool listed_ = false;  // Order 1: the lists are being read
   uint64_t cycle_ = 0, first_line_ = ~uint64_t{0};
   Stream dopu_, sorted_;
   std::vector<Stream> pu_, ru_;
   std::vector<std::deque<int>> chunk_ends_;        // of each PU: kinds of end beats that not all PUs have taken
-  std::vector<std::deque<uint64_t>> splat_ends_;   // of each SU: cycles in which end beats came in
+  struct End {
+    uint64_t kind, cycle;
+  };
+  std::vector<std::deque<End>> splat_ends_;        // of each SU: end beats that came in
   std::vector<uint64_t> ru_first_;                 // of each RU: cycle of the layer's first line, ~0 before
   std::vector<uint64_t> layers_blended_;           // of each RU
   uint64_t layers_freed_ = 0;

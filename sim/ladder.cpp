@@ -143,6 +143,7 @@ void ladder_figures(LadderRow& row, const Simulation& simulation, const FigureWa
   row.bubbles = all > 0 ? 1 - raster / all : kNone;
   row.exposed = watch.first_line() == ~uint64_t{0} ? kNone : static_cast<double>(watch.first_line());
   row.traffic = simulation.traffic;
+  row.has_alpha_stores = watch.has_alpha_stores();
   row.peak_alpha_lines = watch.peak_alpha_lines();
   row.peak_records = watch.peak_records();
   row.psnr_order = simulation.psnr_order;
@@ -176,7 +177,7 @@ Json ladder_json(const std::vector<LadderRow>& rows) {
     for (const MemoryTraffic& traffic : row.traffic) {
       json["bytes_by_stream"][traffic.stream] = {{"read", traffic.bytes_read}, {"written", traffic.bytes_written}};
     }
-    json["peak_alpha_lines"] = row.rung->late != 0 ? Json(nullptr) : Json(row.peak_alpha_lines);
+    json["peak_alpha_lines"] = row.has_alpha_stores ? Json(row.peak_alpha_lines) : Json(nullptr);
     json["peak_records"] = row.peak_records;
     json["psnr_order_db"] = row.with_truth ? finite(row.psnr_order) : Json(nullptr);
     json["psnr_numeric_db"] = row.with_truth ? finite(row.psnr_numeric) : Json(nullptr);
@@ -239,7 +240,7 @@ std::string ladder_text(const std::vector<LadderRow>& rows) {
         for (const MemoryTraffic& traffic : row->traffic) sum = traffic.stream == stream ? static_cast<double>(bytes(traffic)) / 1e6 : sum;
         line.push_back(cell(sum, 1));
       }
-      line.push_back(row->rung->late != 0 ? "-" : fmt::format("{} of {}", row->peak_alpha_lines, row->options.config.alpha_lines));
+      line.push_back(row->has_alpha_stores ? fmt::format("{} of {}", row->peak_alpha_lines, row->options.config.alpha_lines) : "-");
       line.push_back(std::to_string(row->peak_records));
       table.push_back(line);
     }

@@ -50,6 +50,7 @@ struct LadderRow {
   double bubbles = 0;                                        // share of the RUs' cycles in which they were not busy
   double exposed = 0;                                        // cycles before the first line is blended
   std::vector<MemoryTraffic> traffic;
+  bool has_alpha_stores = false;
   uint64_t peak_alpha_lines = 0, peak_records = 0;
   double psnr_order = 0, psnr_numeric = 0;
   bool with_truth = false;

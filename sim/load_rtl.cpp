@@ -8,8 +8,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "sim/progress.hpp"
@@ -17,24 +15,7 @@
 
 namespace pipegs {
 
-// An entry that no module reads would give the machine of another rung under this one's name.
-void check_rtl(const Config& config) {
-  for (const ConfigEntry& entry : config_entries(config)) {
-    if (entry.name != "late" && entry.name != "order" && entry.name != "quadratic") continue;
-    if (entry.value == 0) continue;
-    const std::string constant = fmt::format("pipegs_pkg::{}", entry.camel_name);
-    bool read = false;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(std::filesystem::path(PIPEGS_SOURCE_DIR) / "rtl")) {
-      if (file.path().extension() != ".sv") continue;
-      std::ifstream text(file.path());
-      read = read || std::string(std::istreambuf_iterator<char>(text), {}).find(constant) != std::string::npos;
-    }
-    if (!read) throw ConfigError(fmt::format("{}={} is not in this RTL: no module reads {}", entry.name, entry.value, constant));
-  }
-}
-
 std::unique_ptr<RtlModel> load_rtl(const Config& config) {
-  check_rtl(config);
   const std::string difference = config_difference(config);
   const std::filesystem::path folder = std::filesystem::path(PIPEGS_BUILD_DIR) / "rtl" / difference;
   std::string command = fmt::format("'{}/sim/build_rtl.sh' '{}' '{}'", PIPEGS_SOURCE_DIR, PIPEGS_BUILD_DIR, folder.string());

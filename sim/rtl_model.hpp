@@ -70,9 +70,6 @@ struct RtlBuildError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws ConfigError, one line, when the configuration's rung (late, order, quadratic) is not in this RTL.
-void check_rtl(const Config& config);
-
 // Loads the machine for a configuration, building it first when this has not been done (see sim/build_rtl.sh).
 std::unique_ptr<RtlModel> load_rtl(const Config& config);
 

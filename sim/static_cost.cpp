@@ -53,9 +53,14 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("dopu_layer", "partition", "dopu", 1, 0, 2);
   add("dopu_origin", "partition", "dopu", 1, 3, 6);
   add("dopu_planes", "partition", "dopu", 1, 1, 3);
-  add("dopu_test", "partition", "dopu", 1, 8, 9);
+  add("dopu_test", "partition", "dopu", c.order == 2 ? 2 : 1, 8, 9);
   const int span = (c.window - 1 + 4) * 16 + 1;  // of a window with its margin, sixteenths of a pixel
-  add("pu_cull", "projection", "pu", 1, 16, 29, times({span}));
+  if (c.order == 1) {  // against the rectangle of all windows; then the mean moves from window to window
+    add("pu_cull", "projection", "pu", 1, 18, 27);
+    add("pu_expand", "projection", "pu", 1, 0, 4);
+  } else {
+    add("pu_cull", "projection", "pu", 1, 16, 29, times({span}));
+  }
   add("pu_project", "projection", "pu", 1, 1, 1);
   add("pu_orient", "projection", "pu", 1, 4, 14);
   add("pu_jacobian", "projection", "pu", 1, 2, 4);
@@ -87,17 +92,24 @@ void add_buffers(const Config& c, StaticCost& cost) {
     cost.buffers.push_back({buffer, purpose, width, depth, count});
   };
   const int units = c.units, splat = record_width<Splat>(c), memory = c.memory_w();
-  if (!c.late) add("alpha store u_lines", "alphas", c.line_w(), c.alpha_lines, units);
+  if (!c.late && c.order != 1) add("alpha store u_lines", "alphas", c.line_w(), c.alpha_lines, units);
   add("RU u_pixels", "pixels", c.pixel_word_w(), c.regions() / units * 4, 2 * units);
+
   add("SU u_records", "records", splat - c.key_w() - c.kind_w(), c.records, units);
   add("SU u_keys", "records", c.key_w(), c.records, units);
-  add("SU u_layers", "sorter", c.kind_w() + 2 * c.key_w() + c.record_w() + c.slot_w(), 8, units);
-  add("SU u_split.u_links", "sorter", c.record_w(), c.records, units);
+  const int low = (c.bucket_w() + 1) / 2;  // a bucket is {word, bit}
+  add("SU u_buckets.u_table", "sorter", 3 * c.record_w() + 1, 2 << c.bucket_w(), units);
+  add("SU u_buckets.u_words", "sorter", 1 << low, 2 << (c.bucket_w() - low), units);
+  add("SU u_slots.u_back", "sorter", c.record_w(), c.records, units);
+  add("SU u_marks", "sorter", 3 + c.kind_w() + c.bucket_w(), c.order == 2 ? 64 : 4, units);
+  add("SU u_chains", "sorter", c.kind_w() + c.bucket_w() + 2 * c.record_w() + 1, 64, units);
+  add("SU u_links", "sorter", c.record_w(), c.records, units);
   const int stack = c.records / 8 + c.key_w() / 4 + 2;  // groups that may wait
   add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
   add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
   add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), 32, units);
   add("SU u_port.u_answers", "overflow", memory, 32, units);
+
   add("PU u_fetch.u_reader.u_lines", "parameters", memory, 32, units);
   add("PU u_visible", "parameters", record_width<Visible>(c), 4, units);
   if (c.sh_degree > 0) {
@@ -105,17 +117,30 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("PU u_color..u_tasks", "parameters", record_width<ColorTask>(c), 32, units);
     add("PU u_color..u_directions", "parameters", record_width<ViewDirection>(c), 32, units);
   }
-  if (c.late) {
+  if (c.order == 1) {
+    const int shape = 2 * c.extent_w() + 1 + c.slope_w() + 2 * (c.mantissa_w + c.float_e_w()) + c.opacity_w();
+    add("PU u_expand.u_queue", "parameters", shape + 2 * c.mean_w() + 4 * c.window_w(), 40, units);
+    add("lists u_counts", "lists", c.list_entry_w(), 1 << c.list_window_w(), 1);
+    add("lists u_read.u_reader.u_lines", "lists", memory, 64, 1);
+  } else if (c.late) {
     add("PU u_late.u_coeffs", "parameters", c.a_w() + 2 * c.bc_w() + 3 * c.def_w(), 64, units);
-  } else {
+  }
+  if (!c.late) {
     add("PU u_jobs", "parameters", record_width<RowJob>(c), 4, units);
     add("RU u_fetch.u_external", "overflow", c.line_w(), c.fetch_lines, units);
     add("RU u_fetch.u_records", "queues", record_width<Blend>(c), c.fetch_lines + 8, units);
   }
   add("RU u_queue", "queues", record_width<Sorted>(c), 16, units);
-  add("DOPU u_descend..u_reader.u_lines", "scene", memory, 32, 2);
+
+  add("DOPU readers u_lines", "scene", memory, c.order == 2 ? 64 : 32, 2);
   const int cell_bits = 3 * (c.grid > 1 ? clog2(c.grid) : 1);
   add("DOPU u_cells.u_table", "scene", 2 * record_width<Node>(c), 1 << (cell_bits - 1), 1);
+  if (c.order == 2) {  // six lists of nodes, each in buckets of depth
+    const int nodes = c.nearest_nodes, number = clog2(nodes);
+    add("DOPU u_nearest.u_bucket.u_heads", "scene", number, 6 << c.nearest_w(), 1);
+    add("DOPU u_nearest.u_bucket.u_nodes", "scene", c.count_w() + c.slot_w() + 3 * c.world_w + c.exp_w() + number + 1, nodes, 1);
+    add("DOPU u_nearest.u_bucket.u_back", "scene", number, nodes, 1);
+  }
 }
 
 }  // namespace

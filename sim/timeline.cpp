@@ -101,7 +101,7 @@ void Timeline::counters(uint64_t at) {
   std::fill(bytes_.begin(), bytes_.end(), 0);
   event(fmt::format(R"({{"ph": "C", "pid": {}, "ts": {}, "name": "bytes per {} cycles", "args": {{{}}}}})", kCounterProcess, time(at), options_.sample, bytes));
   event(fmt::format(R"({{"ph": "C", "pid": {}, "ts": {}, "name": "records in the SUs", "args": {{"records": {}}}}})", kCounterProcess, time(at), records()));
-  if (config().late != 0) return;
+  if (!has_alpha_stores()) return;
   for (int k = 0; k < config().units; ++k) lines += fmt::format("{}\"store {}\": {}", k == 0 ? "" : ", ", k, alpha_lines(k));
   event(fmt::format(R"({{"ph": "C", "pid": {}, "ts": {}, "name": "lines in the alpha stores", "args": {{{}}}}})", kCounterProcess, time(at), lines));
 }

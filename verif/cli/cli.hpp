@@ -35,8 +35,8 @@ class Cli : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  Outcome run(const std::string& arguments) {
-    const std::string command = "cd '" + folder_.string() + "' && '" PIPEGS_BINARY "' " + arguments + " > out.txt 2> err.txt";
+  Outcome run(const std::string& arguments, const std::string& environment = "") {
+    const std::string command = "cd '" + folder_.string() + "' && " + environment + "'" PIPEGS_BINARY "' " + arguments + " > out.txt 2> err.txt";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text("out.txt"), text("err.txt")};
   }

@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "sim/rtl_model.hpp"
 #include "sim/rung.hpp"
 
 namespace pipegs {
@@ -21,6 +20,12 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr size_t kAdderWidth = 14;  // narrower sums and indices are not counted, see static_cost.hpp
+
+// Products of addresses and of numbers of windows, which are not counted: how many in one module.
+int address_products(const std::string& module) {
+  static const std::set<std::string> kModules = {"ru_window", "scheduler", "list_read", "list_write", "pu_expand"};
+  return kModules.contains(module) ? 1 : 0;
+}
 
 struct Found {
   int instances = 0, multipliers = 0, adders = 0, constant_adders = 0;
@@ -138,46 +143,35 @@ void expect_as_built(const std::string& settings) {
     const auto found = built.modules.find(module);
     ASSERT_NE(found, built.modules.end()) << "no such module is built";
     EXPECT_EQ(sum.instances, found->second.instances);
-    EXPECT_EQ(sum.multipliers, found->second.multipliers);
+    EXPECT_EQ(sum.multipliers, found->second.multipliers - found->second.instances * address_products(module));
     EXPECT_EQ(sum.adders, found->second.adders);
     EXPECT_EQ(sum.constant_adders, found->second.constant_adders);
   }
-  // What multiplies and is not claimed counts windows only.
+  // Nothing else multiplies.
   for (const auto& [module, found] : built.modules) {
-    if (found.multipliers > 0 && !claimed.contains(module)) {
-      EXPECT_TRUE(module == "ru_window" || module == "scheduler") << module << " multiplies and is not in the table";
-    }
+    if (!claimed.contains(module)) EXPECT_EQ(found.multipliers, found.instances * address_products(module)) << module << " is not in the table";
   }
   uint64_t bits = 0;
   for (const BufferCost& row : cost.buffers) bits += row.bits();
   EXPECT_EQ(bits, built.sram_bits);
 }
 
-TEST(StaticCost, DefaultIsAsBuilt) { expect_as_built(""); }
-TEST(StaticCost, LateAlphasAreAsBuilt) { expect_as_built("late=1"); }
 TEST(StaticCost, OtherCountsAndWidthsAreAsBuilt) {
   expect_as_built("units=2 pixels_per_row=1 grid=8 window=32 alpha_w=10 records=64 alpha_lines=256 fetch_lines=16");
-  expect_as_built("units=1 pixels_per_row=1 grid=1 late=1 quadratic=1 records=1024");
+  expect_as_built("units=1 pixels_per_row=1 grid=1 late=1 quadratic=1 records=512");
+  expect_as_built("units=1 late=1 order=2 nearest_nodes=128 records=64");
 }
 
-// Every other rung that this RTL has.
+// What static_cost says of the rungs of the ladder: each as it stands.
 TEST(StaticCost, EveryRungIsAsBuilt) {
-  bool any = false;
   for (const Rung& rung : rungs()) {
     Config config;
     apply_rung(rung, config);
-    try {
-      check_rtl(config);
-    } catch (const ConfigError&) {
-      continue;
-    }
     std::string settings = config_difference(config);
-    if (settings == "default" || settings == "late=1") continue;  // above
+    if (settings == "default") settings.clear();
     for (char& c : settings) c = c == ',' ? ' ' : c;
     expect_as_built(settings);
-    any = true;
   }
-  if (!any) GTEST_SKIP() << "this RTL has no rung of another order";
 }
 
 TEST(StaticCost, ConstantProducts) {
