@@ -124,7 +124,7 @@ TEST(Su, KeepsManySmallLayers) {
   bench.blocked = true;
   for (int i = 0; i < 40; ++i) bench.layer(Arrangement::kRandom, 1, i % 3 == 2 ? kWindowEnd : kLayerEnd);
   for (int i = 0; i < 2000; ++i) bench.step();
-  EXPECT_EQ(bench.in.beats.size(), 0u) << "all layers live";
+  EXPECT_GE(bench.in.taken, 2 * std::min<size_t>(40, kConfig.records)) << "as many live as slots reach";
   bench.blocked = false;
   bench.check(100000);
 }
