@@ -13,7 +13,7 @@ namespace {
 
 struct Arguments {
   ViewArguments view;
-  ExternalMemoryOptions memory;
+  MemoryArguments memory;
   bool json = false, check = false, every_cycle = false, windows = false;
 };
 
@@ -39,7 +39,8 @@ std::string units_text(const char* name, const std::vector<UnitCycles>& units, u
 }
 
 int model(const Arguments& arguments) {
-  const SimulateOptions options = arguments.view.options();
+  SimulateOptions options = arguments.view.options();
+  arguments.memory.apply(options);
   const LoadedView loaded = load_view(arguments.view);
   Simulation simulation;
   simulate_pack(loaded.scene, loaded.camera, options, simulation);
@@ -49,12 +50,12 @@ int model(const Arguments& arguments) {
   const double trace_seconds = trace_watch.seconds();
   const Stopwatch watch;
   const double before = thread_seconds();
-  const TimingResult result = timing_run(trace, options.config, arguments.memory, {.every_cycle = arguments.every_cycle});
+  const TimingResult result = timing_run(trace, options.config, options.memory, {.every_cycle = arguments.every_cycle});
   const double cpu_seconds = thread_seconds() - before, seconds = watch.seconds();
   const double cycles = static_cast<double>(result.cycles);
 
   nlohmann::ordered_json report = {{"config", config_difference(options.config)},
-                                   {"memory", {{"latency", arguments.memory.latency}, {"bytes_per_cycle", arguments.memory.bytes_per_cycle}, {"jitter", arguments.memory.jitter}, {"seed", arguments.memory.seed}}},
+                                   {"memory", {{"dram", options.memory.dram}, {"latency", options.memory.latency}, {"bytes_per_cycle", options.memory.bytes_per_cycle}, {"jitter", options.memory.jitter}, {"seed", options.memory.seed}}},
                                    {"cycles", result.cycles},
                                    {"overflow_lines", result.overflow_lines},
                                    {"wall_seconds", {{"trace", trace_seconds}, {"model", seconds}, {"model_cpu", cpu_seconds}}},
@@ -71,7 +72,7 @@ int model(const Arguments& arguments) {
   }
 
   if (arguments.check) {
-    const RtlTiming rtl = rtl_timing(simulation.input, options.config, arguments.memory);
+    const RtlTiming rtl = rtl_timing(simulation.input, options.config, options.memory, options.rtl.seed);
     const TimingErrors errors = timing_errors(result, rtl);
     const double rtl_speed = static_cast<double>(rtl.rtl.cycles) / rtl.wall, model_speed = cycles / seconds;
     report["rtl"] = {{"cycles", rtl.rtl.cycles}, {"overflow_lines", rtl.rtl.overflow_lines}, {"wall_seconds", rtl.wall}, {"khz", rtl_speed * 1e-3},
@@ -96,10 +97,7 @@ void add_model(CLI::App& app, Run& run) {
   command->footer("Example: pipegs model garden.ply --cameras cameras.json --view 0 --set units=2 --check");
   static Arguments arguments;
   arguments.view.add(*command);
-  command->add_option("--latency", arguments.memory.latency, "external memory: cycles to an answer")->capture_default_str()->check(CLI::Range(1, 100000));
-  command->add_option("--bandwidth", arguments.memory.bytes_per_cycle, "external memory: bytes per cycle")->capture_default_str()->check(CLI::Range(0.1, 64.0));
-  command->add_option("--jitter", arguments.memory.jitter, "external memory: largest random extra latency, cycles")->capture_default_str()->check(CLI::Range(0, 100000));
-  command->add_option("--seed", arguments.memory.seed, "seed of the jitter")->capture_default_str();
+  arguments.memory.add(*command);
   command->add_flag("--check", arguments.check, "run the RTL, too, and compare cycles");
   command->add_flag("--windows", arguments.windows, "with --json: when the end of each window leaves the merge");
   command->add_flag("--every-cycle", arguments.every_cycle, "step every unit in every cycle: slow, must change nothing");

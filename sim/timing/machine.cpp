@@ -11,7 +11,7 @@ namespace pipegs::timing {
 static_assert(unit(kUnitEnd) <= 64 * Wheel::kWords);
 
 Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& memory_timing)
-    : trace(trace), config(config), frame(trace.frame), units(config.units), memory(memory_timing, config.units), dopu(*this) {
+    : trace(trace), config(config), frame(trace.frame), units(config.units), memory(memory_timing, config), dopu(*this) {
   for (int k = 0; k < units; ++k) {
     ru.emplace_back(*this, k);
     su.emplace_back(*this, k);
@@ -46,6 +46,13 @@ void Machine::step(int number, Cycle now) {
     case kDopu: dopu.step(*this, now); break;
     default: pu[k].phases(*this, now, kind - kStages); break;
   }
+}
+
+bool Machine::other_spills(int lane) const {
+  for (int k = 0; k < units; ++k) {
+    if (k != lane && su[static_cast<size_t>(k)].spilling()) return true;
+  }
+  return false;
 }
 
 Cycle Machine::run() {

@@ -5,12 +5,12 @@
 
 namespace pipegs::timing {
 
-Memory::Memory(MemoryTiming& timing, int units) : timing_(timing), units_(units) {
+Memory::Memory(MemoryTiming& timing, const Config& config) : timing_(timing), units_(config.units), write_ports_(config.write_ports()) {
   const auto set = [this](int port, int grant, int answer) {
     grant_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(grant);
     answer_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(answer);
   };
-  for (int k = 0; k < units; ++k) {
+  for (int k = 0; k < units_; ++k) {
     set(alpha_port(k), unit(kRows, k), unit(kRows, k));
     set(sort_port(k), unit(kSu, k), unit(kSu, k));
     set(raster_port(k), unit(kSource, k), unit(kSource, k));  // the source wakes kRuMemory

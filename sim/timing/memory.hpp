@@ -8,6 +8,7 @@
 #include <array>
 #include <vector>
 
+#include "cpp_model/config.hpp"
 #include "sim/memory_timing.hpp"
 #include "sim/timing/cycle.hpp"
 
@@ -17,7 +18,7 @@ struct Machine;
 
 class Memory {
  public:
-  Memory(MemoryTiming& timing, int units);
+  Memory(MemoryTiming& timing, const Config& config);
 
   void ask(int port, uint64_t line, bool write = false) { wanted_ |= uint32_t{1} << port, line_[static_cast<size_t>(port)] = line, write_[static_cast<size_t>(port)] = write; }
   bool granted(int port, Cycle now) const { return granted_ == port && grant_at_ == now; }
@@ -34,15 +35,15 @@ class Memory {
   int alpha_port(int lane) const { return lane; }
   int sort_port(int lane) const { return units_ + lane; }
   int raster_port(int lane) const { return 2 * units_ + lane; }
-  int geometry_port(int lane) const { return 3 * units_ + lane; }
-  int color_port(int lane) const { return 4 * units_ + lane; }
-  int node_port() const { return 5 * units_; }
+  int geometry_port(int lane) const { return write_ports_ + lane; }
+  int color_port(int lane) const { return write_ports_ + units_ + lane; }
+  int node_port() const { return write_ports_ + 2 * units_; }
 
  private:
-  static constexpr int kPorts = 21, kNone = -1;
+  static constexpr int kPorts = 22, kNone = -1;
 
   MemoryTiming& timing_;
-  int units_;
+  int units_, write_ports_;
   std::array<uint8_t, kPorts> grant_unit_{}, answer_unit_{};  // whom to wake
   uint32_t wanted_ = 0;
   std::array<uint64_t, kPorts> line_{};

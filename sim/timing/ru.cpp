@@ -56,9 +56,9 @@ void Ru::lanes(Machine& m, Cycle now) {
     Cycle from;
     Beat beat;
     if (late_) {
-      from = rows_.head_from();
+      from = row_lines_.head_from();
       if (from >= kNever) return;
-      beat = rows_.head().end ? rows_.head().beat : 0;
+      beat = row_lines_.front().end ? row_lines_.front().beat : 0;
     } else {
       from = records_.head_from();
       if (from >= kNever) return;
@@ -82,9 +82,8 @@ void Ru::lanes(Machine& m, Cycle now) {
 void Ru::consume(Machine& m, Cycle now) {
   uint8_t region;
   if (late_) {
-    region = rows_.head().region;
-    rows_.take(now);
-    m.wheel.wake_now(unit(kSource, lane_));
+    region = row_lines_.front().region;
+    row_lines_.pop(now);
   } else {
     const Record record = records_.front();
     region = record.region;
@@ -97,8 +96,8 @@ void Ru::consume(Machine& m, Cycle now) {
       --local_out_;
       local_pop_ = now;
     }
-    m.wheel.wake(unit(kSource, lane_), now + 1);
   }
+  m.wheel.wake(unit(kSource, lane_), now + 1);
   last_issue_ = now;
   start_ = kNever;
   if (++lines_[region] == m.trace.windows[window_].done_after[region]) {
@@ -109,12 +108,11 @@ void Ru::consume(Machine& m, Cycle now) {
 
 void Ru::end(Machine& m, Cycle now, Beat beat) {
   if (late_) {
-    rows_.take(now);
-    m.wheel.wake_now(unit(kSource, lane_));
+    row_lines_.pop(now);
   } else {
     records_.pop(now);
-    m.wheel.wake(unit(kSource, lane_), now + 1);
   }
+  m.wheel.wake(unit(kSource, lane_), now + 1);
   m.layer_free.done(m, now, lane_);
   if (beat != kWindowEndBeat) return;
   window_done_at_ = now;
@@ -179,7 +177,11 @@ void Ru::fire(Machine& m, Cycle now) {
 }
 
 void Ru::rows_source(Machine& m, Cycle now) {
-  const bool had_line = rows_.head_from() < kNever;
+  if (rows_.shown(now) && row_lines_.room(now)) {
+    row_lines_.push(now, rows_.head());
+    rows_.take(now);
+    m.wheel.wake(unit(kLanes, lane_), row_lines_.head_from());
+  }
   const bool data = !is_end(splat_.beat);
   const uint64_t regions = live();
   const bool drop = splat_valid_ && data && regions == 0;
@@ -187,7 +189,6 @@ void Ru::rows_source(Machine& m, Cycle now) {
   job.beat = splat_.beat;
   job.mask = regions;
   const bool taken = rows_.step(now, splat_valid_ && !drop ? &job : nullptr);
-  if (!had_line && rows_.head_from() < kNever) m.wheel.wake(unit(kLanes, lane_), rows_.head_from());
   if (taken && splat_.beat == kWindowEndBeat) ++ends_;
   if (window_done_at_ == now) --ends_;
   if (!splat_valid_ || drop || taken) {
@@ -200,6 +201,7 @@ void Ru::rows_source(Machine& m, Cycle now) {
     }
   }
   m.wheel.wake(unit(kSource, lane_), rows_.next(now));
+  if (rows_.head_from() > now) m.wheel.wake(unit(kSource, lane_), rows_.head_from());
   if (splat_valid_ ? rows_.can_load() || (!is_end(splat_.beat) && live() == 0) : !queue.empty()) {
     m.wheel.wake(unit(kSource, lane_), splat_valid_ ? now + 1 : queue.head_from());
   }

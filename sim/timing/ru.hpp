@@ -85,7 +85,8 @@ class Ru {
   Cycle local_pop_ = kLongAgo, external_pop_ = kLongAgo;
   bool ask_part_ = false, answer_part_ = false, parity_ = false;
 
-  Rows rows_;  // when late
+  Rows rows_;                          // when late
+  FallQueue<RowLine, 2> row_lines_;
 
   // ru_lanes
   Cycle start_ = kNever;  // of the line in the lanes

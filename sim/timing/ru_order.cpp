@@ -34,17 +34,19 @@ void Merge::step(Machine& m, Cycle now) {
   int nearest = -1;
   uint64_t key = 0;
   for (int i = 0; i < m.units; ++i) {
-    const Output<Sorted>& head = m.su[static_cast<size_t>(i)].out;
-    if (!head.shown(now)) return;
-    if (is_end(head.value.splat.beat)) continue;
-    if (nearest < 0 || head.value.key < key) nearest = i, key = head.value.key;
+    const Su& su = m.su[static_cast<size_t>(i)];
+    if (!su.shown(now)) return;
+    if (is_end(su.head().splat.beat)) continue;
+    if (nearest < 0 || su.head().key < key) nearest = i, key = su.head().key;
   }
   const bool ends = nearest < 0;
+  // A watermark has done its work.
+  const bool mark = ends && m.config.order == 2 && m.su[0].head().splat.beat == kLayerEndBeat;
   for (int i = 0; i < m.units; ++i) {
     if (!ends && i != nearest) continue;
     Su& su = m.su[static_cast<size_t>(i)];
-    if (i == nearest || i == 0) {
-      out.set(now + 1, su.out.value.splat);
+    if (!mark && (i == nearest || i == 0)) {
+      out.set(now + 1, su.head().splat);
       out.value.unit = static_cast<uint8_t>(i);
     }
     su.taken(m, now);

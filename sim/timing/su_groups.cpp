@@ -19,18 +19,19 @@ struct Range {
 
 }  // namespace
 
-void su_groups(std::vector<uint64_t>& keys, uint64_t min, uint64_t max, std::vector<SortGroup>& groups) {
+void su_groups(std::vector<uint64_t>& keys, uint64_t min, uint64_t max, std::vector<SortGroup>& groups, std::vector<LinkWrites>& links) {
   static thread_local std::vector<uint64_t> moved;
   static thread_local std::vector<Range> stack;
   moved.resize(keys.size());
   stack.clear();
   groups.clear();
+  links.clear();
   for (uint64_t& key : keys) key -= min;
   Range group{0, static_cast<uint32_t>(keys.size()), wide_shift(max - min)};
-  int at = 2;  // first cycle of the state that follows Measure or Take
+  int at = keys.size() <= kGroup ? 1 : 2;  // first cycle of what follows Idle or Measure, or Take
   for (;;) {
     if (group.count <= kGroup) {
-      groups.push_back({at, static_cast<int>(group.count)});
+      groups.push_back({at, static_cast<int>(group.count), links.size()});
       if (stack.empty()) return;
       group = stack.back();
       stack.pop_back();
@@ -55,18 +56,23 @@ void su_groups(std::vector<uint64_t>& keys, uint64_t min, uint64_t max, std::vec
     // From far to near: neighbours are joined while they fit.
     const int shift = std::max(group.shift - kBucketW, 0);
     Range near{group.first + group.count, 0, shift};
+    const int gather = at + static_cast<int>(group.count) + 3;
+    links.push_back({at + 2, gather - 2});  // every key is dropped into its bucket
     int filled = 0;
     for (int b = kBuckets; b-- > 0;) {
       const uint32_t n = count[static_cast<size_t>(b)];
       if (n == 0) continue;
-      if (filled++ > 0 && near.count + n > kGroup) {
+      if (filled > 0 && near.count + n > kGroup) {
         stack.push_back(near);
         near.count = 0;
+      } else if (filled > 0) {
+        links.push_back({gather + filled, gather + filled});
       }
+      ++filled;
       near.first -= n;
       near.count += n;
     }
-    at += static_cast<int>(group.count) + 3 + filled + 1;  // Walk, Gather
+    at = gather + filled + 1;
     if (filled == 1) near.shift = wide_shift(differ), ++at;  // Measure
     group = near;
   }

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "sim/simulate.hpp"
 #include "sim/timing/machine.hpp"
 
 namespace pipegs {
@@ -23,14 +24,11 @@ TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTi
   result.cycles = static_cast<uint64_t>(machine->run());
   result.overflow_lines = machine->overflow_lines;
   for (const timing::Cycle end : machine->window_ends) result.window_ends.push_back(static_cast<uint64_t>(end));
-  static const char* const kNames[] = {"alpha_overflow_write", "sort_overflow", "raster", "geometry", "color", "nodes"};
-  for (int i = 0; i < 6; ++i) {
-    TimingResult::Stream stream{kNames[i]};
-    for (int k = 0; k < (i < 5 ? config.units : 1); ++k) {
-      stream.bytes_read += 64 * machine->memory.lines_read(i * config.units + k);
-      stream.bytes_written += 64 * machine->memory.lines_written(i * config.units + k);
-    }
-    result.streams.push_back(stream);
+  for (const std::string& name : memory_streams(config)) result.streams.push_back({.name = name});
+  for (int port = 0; port < config.memory_ports(); ++port) {
+    TimingResult::Stream& stream = result.streams[memory_stream(config, port)];
+    stream.bytes_read += 64 * machine->memory.lines_read(port);
+    stream.bytes_written += 64 * machine->memory.lines_written(port);
   }
   const uint64_t cycles = result.cycles;
   const auto unit = [&](timing::Perf& perf) {
