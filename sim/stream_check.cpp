@@ -28,7 +28,8 @@ StreamCheck::StreamCheck(const GoldenInput& input)
       windows_x_(input.frame.last_x - input.frame.first_x + 1),
       splat_place_(config_.units),
       ru_window_(config_.units, 0),
-      pending_(config_.units) {}
+      pending_(config_.units),
+      marks_(config_.units, 0) {}
 
 StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
   const auto found = windows_.find(ordinal);
@@ -97,7 +98,9 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   Place& place = splat_place_[unit];
   Window& now = window(place.window);
   const std::string stream = fmt::format("PU {} -> SU", unit);
+  if (splat.kind == kLayerEnd && config_.order == 2) return on_mark(unit, place, splat);
   if (splat.kind != kData) {
+    if (config_.order == 2) marks_[static_cast<size_t>(unit)] = 0;
     expect_end(place, splat.kind, stream.c_str());
     return end(place, splat.kind);
   }
@@ -108,6 +111,10 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
                                           to_text(config_, splat)));
   }
   const Splat& expected = found->second->splat;
+  if (config_.order == 2 && splat.depth < marks_[static_cast<size_t>(unit)]) {
+    return fail(place.window, fmt::format("{}: Gaussian {}: depth {} below the watermark {}", stream, splat.index, splat.depth,
+                                          marks_[static_cast<size_t>(unit)]));
+  }
   const std::string difference = compare_splats(config_, expected, splat);
   if (!difference.empty()) {
     return fail(place.window, fmt::format("{}: Gaussian {}, layer {}, field {}", stream, splat.index, place.layer, difference));
@@ -117,6 +124,13 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
     return fail(place.window, fmt::format("{}: Gaussian {}, layer {}, field mask: expected {:016x}, found {:016x}, done {:016x}", stream,
                                           splat.index, place.layer, expected.mask, splat.mask, now.done));
   }
+}
+
+// A watermark: it may only rise, and no later splat of the window lies below it.
+void StreamCheck::on_mark(int unit, const Place& place, const Splat& mark) {
+  uint64_t& last = marks_[static_cast<size_t>(unit)];
+  if (mark.depth < last) fail(place.window, fmt::format("PU {} -> SU: watermark {} after {}", unit, mark.depth, last));
+  last = mark.depth;
 }
 
 void StreamCheck::on_sorted(const uint32_t* words) {

@@ -75,6 +75,7 @@ class StreamCheck final : public RtlTaps {
   void release();
   void fail(uint64_t window, std::string what);
   void end(Place& place, uint64_t kind);
+  void on_mark(int unit, const Place& place, const Splat& mark);
   void expect_end(const Place& place, uint64_t kind, const char* stream);
 
   GoldenInput input_;
@@ -86,6 +87,7 @@ class StreamCheck final : public RtlTaps {
   Place sorted_place_;
   std::vector<uint64_t> ru_window_;           // of each RU: the window of its latest line
   std::vector<std::deque<Pending>> pending_;  // of each RU
+  std::vector<uint64_t> marks_;               // of each PU: the last watermark of its window (order 2)
   std::unordered_map<uint64_t, Window> windows_;
   uint64_t mismatches_ = 0, beats_ = 0;
   std::optional<Mismatch> first_;

@@ -47,18 +47,21 @@ module dopu_send #(
 );
 
   localparam int unsigned MarkChunks = pipegs_pkg::MarkChunks;
-  localparam int unsigned SinceW = $clog2(MarkChunks + 1);
+  localparam int unsigned MarksW = 5;  // an SU remembers 31 watermarks of a window
+  localparam int unsigned SinceW = $clog2(MarkChunks + 1) + 3;
 
   logic                         set_q, popping_q, valid_q, chunk_set_q;
   logic [pipegs_pkg::KindW-1:0] kind_q;
   logic [DataW-1:0]             data_q;
   logic [SinceW-1:0]            since_q;  // chunks since the last watermark
   logic [BucketW-1:0]           mark_q;   // the last watermark of the window
+  logic [MarksW-1:0]            marks_q;  // watermarks of the window so far
   logic [DepthW-1:0]            key_q;
 
   logic               done, has_first, idle, end_due, mark_due, chunk_due, dropped, load_popped, load_direct;
   logic [BucketW-1:0] first, lowest;
   logic [StepW-1:0]   step;
+  logic [SinceW-1:0]  apart;  // chunks between watermarks: twice as many after every eight of them
 
   assign done      = set_done_i[set_q];
   assign has_first = first_valid_i[set_q];
@@ -70,7 +73,8 @@ module dopu_send #(
     if (has_first && first < lowest) lowest = first;
   end
   assign end_due   = idle && opened_i && !has_first;
-  assign mark_due  = idle && !done && !end_due && since_q == SinceW'(MarkChunks) && lowest > mark_q;
+  assign apart     = SinceW'(MarkChunks) << marks_q[MarksW-1:3];
+  assign mark_due  = idle && !done && !end_due && since_q >= apart && marks_q != '1 && lowest > mark_q;
   // What waits behind a full queue lets the nearest chunk go early when that one is nearer.
   assign chunk_due = first == lowest || (direct_valid_i && first <= direct_bucket_i);
   assign pop_o     = has_first && (done ? !popping_q : idle && !mark_due && chunk_due);
@@ -87,15 +91,18 @@ module dopu_send #(
       valid_q   <= 1'b0;
       since_q   <= '0;
       mark_q    <= '0;
+      marks_q   <= '0;
     end else begin
       if (popped_i) popping_q <= 1'b0;
       else if (pop_o && pop_ready_i) popping_q <= 1'b1;
       if (load_popped || load_direct || mark_due || end_due) valid_q <= 1'b1;
       else if (chunk_ready_i || dropped) valid_q <= 1'b0;
       if (end_due || mark_due) since_q <= '0;
-      else if ((load_popped || load_direct) && since_q != SinceW'(MarkChunks)) since_q <= since_q + 1'b1;
+      else if ((load_popped || load_direct) && since_q != '1) since_q <= since_q + 1'b1;
       if (end_due) mark_q <= '0;
       else if (mark_due) mark_q <= lowest;
+      if (end_due) marks_q <= '0;
+      else if (mark_due) marks_q <= marks_q + 1'b1;
       if (end_due) set_q <= !set_q;
     end
   end

@@ -204,7 +204,7 @@ module pu #(
       .placed_valid_o(placed_valid), .placed_ready_i(placed_ready), .placed_o(placed),
       .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
       .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
-      .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .splat_valid_o, .splat_ready_i, .splat_o, .number_o,
+      .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .splat_valid_o, .splat_ready_i, .splat_o(splat), .number_o,
       .moved_o(back_moved), .busy_o(back_busy), .rows_busy_o(rows_busy), .color_busy_o(color_busy), .color_waiting_o(color_waiting)
     );
     assign store_write_o   = 1'b0;

@@ -70,7 +70,7 @@ TEST(Golden, ListsGiveThePixelsOfTheExactOrder) {
       if (order != 1) continue;
       EXPECT_EQ(golden_frame({.packed = &result.packed, .frame = result.input.frame}, {.threads = 1, .progress = {}}).pixels, exact) << "one thread";
       EXPECT_LE(result.golden.work.fetched, scene.gaussians.size()) << "each Gaussian is fetched once";
-      EXPECT_EQ(result.golden.work.layers, result.golden.work.windows);
+      EXPECT_LE(result.golden.work.layers, result.golden.work.windows) << "at most one layer a window";
     }
   }
 }
