@@ -217,7 +217,17 @@ TEST_F(Commands, SweepFindsWhereMemoryStopsToMatter) {
   }
 }
 
+TEST_F(Commands, DramSaysWhatMappingsAreWorth) {
+  const Outcome outcome = run("dram --mappings --preset lpddr5-6400x4");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* part : {"| two_streams_1k |", "| RoBaRaCoCh | 32 | 41.3 | 22.1 |", "| RoBaCoGrCh | 64 |", "| and hits first |", "| (no refresh at all) |"}) {
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+  }
+}
+
 TEST_F(Commands, BadInputIsRefusedInOneLine) {
+  expect_refused("dram --mappings --preset nonsense", "nonsense");
+  expect_refused("dram --preset lpddr5-6400x4", "--mappings");
   expect_refused("ladder" + view_ + "--rungs dop,nonsense", "nonsense");
   expect_refused("ladder" + view_ + "--rungs dop,dop", "twice");
   expect_refused("ladder" + view_ + "--set late=1", "the rungs set late");

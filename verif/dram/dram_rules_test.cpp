@@ -7,6 +7,8 @@
 
 #include <map>
 #include <random>
+#include <set>
+#include <tuple>
 
 #include "sim/dram/dram_channel.hpp"
 
@@ -229,6 +231,55 @@ TEST_P(Rules, RefreshesComeEveryTRefi) {
   EXPECT_EQ(bench.channel().counters().refreshes, 20u);
 }
 
+// With t_rfcpb: bank by bank, in the order of their numbers.
+class BankRefresh : public Rules {
+ protected:
+  static DramTiming by_bank(DramTiming timing) {
+    timing.t_rfcpb = 96;
+    return timing;
+  }
+  const DramTiming one_ = by_bank(t_);
+  const DramCycle every_ = one_.t_refi / one_.banks_per_channel();
+};
+
+TEST_P(BankRefresh, ComesOnceInTRefiForEachBank) {
+  Bench bench(one_);
+  for (uint64_t n = 1; n <= 40; ++n) {
+    bench.step_to(static_cast<DramCycle>(n) * every_ - 1);
+    EXPECT_EQ(bench.channel().counters().refreshes, n - 1);
+    bench.step();
+    EXPECT_EQ(bench.channel().counters().refreshes, n);
+  }
+}
+
+TEST_P(BankRefresh, BlocksItsBankForTRfcpb) {
+  Bench bench(one_);
+  bench.step_to(every_);
+  bench.accept(false, 0, 5, 0);
+  EXPECT_EQ(bench.read_command(0), every_ + one_.t_rfcpb + one_.t_rcd);
+}
+
+TEST_P(BankRefresh, ClosesTheRowOfItsBank) {
+  Bench bench(one_);
+  bench.open(0, 5);
+  bench.step_to(every_);
+  EXPECT_EQ(bench.channel().counters().precharges, 1u);
+  bench.accept(false, 0, 5, 0);
+  EXPECT_EQ(bench.read_command(0), every_ + one_.t_rp + one_.t_rfcpb + one_.t_rcd);
+  EXPECT_EQ(bench.channel().counters().refreshes, 1u);
+}
+
+TEST_P(BankRefresh, LetsTheOtherBanksGoOn) {
+  Bench bench(one_);
+  bench.open(1, 5);
+  bench.step_to(every_);  // the refresh of bank 0
+  bench.accept(false, 1, 5, 1, 1);
+  bench.accept(false, 2, 5, 0, 2);
+  EXPECT_EQ(bench.read_command(1), every_ + 1);
+  EXPECT_EQ(bench.read_command(2), every_ + one_.t_pbr2act + one_.t_rcd);
+  EXPECT_EQ(bench.channel().counters().refreshes, 1u);
+}
+
 TEST(Wck, CostsOneCycleAfterItHasStopped) {
   const DramTiming t = *dram_preset("lpddr5-6400x1");
   Bench bench(t);
@@ -283,6 +334,35 @@ TEST_P(Rules, OtherwiseTheOldestGoesFirst) {
   bench.accept(false, 0, 6, 0, 1);
   bench.accept(false, 0, 5, 1, 2);
   EXPECT_LT(bench.arrival(1), bench.arrival(2));
+}
+
+TEST_P(Rules, WithHitsFirstARowStaysOpenWhileItsBurstsWait) {
+  DramTiming hits = t_;
+  hits.hits_first = true;
+  constexpr uint64_t kHits = 10;
+  Bench bench(hits);
+  bench.open(0, 5);
+  bench.accept(false, 0, 6, 0, 1);  // the oldest, for another row
+  for (uint32_t i = 0; i < kHits; ++i) bench.accept(false, 0, 5, i, 2 + i);
+  while (bench.channel().counters().bursts_read < 1 + kHits && bench.now() < 1000) {
+    EXPECT_EQ(bench.channel().counters().precharges, 0u);
+    bench.step();
+  }
+  const DramCycle last = bench.now();
+  EXPECT_EQ(bench.read_command(1), last + hits.t_rtp + hits.t_rp + hits.t_rcd);
+  EXPECT_EQ(bench.channel().counters().row_hits, kHits);
+}
+
+// Reads and writes take turns, so a write that must wait anyway keeps no row open.
+TEST_P(Rules, WithHitsFirstAWriteKeepsNoRowOpenForReads) {
+  DramTiming hits = t_;
+  hits.hits_first = true;
+  Bench bench(hits);
+  bench.open(0, 5);
+  const DramCycle now = bench.now();
+  bench.accept(true, 0, 5, 1);
+  bench.accept(false, 0, 6, 0, 1);
+  EXPECT_EQ(bench.read_command(1), now + 1 + hits.t_rp + hits.t_rcd);
 }
 
 TEST_P(Rules, WritesWaitForTheHighWatermark) {
@@ -391,12 +471,58 @@ TEST_P(Rules, NoBurstIsLost) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Presets, Rules, testing::Values("lpddr5-6400x1", "ddr4-3200x1", "lpddr4-3200"),
-                         [](const auto& info) {
-                           std::string name = info.param;
-                           std::erase(name, '-');
-                           return name;
-                         });
+// Consecutive lines: channel after channel, after group_bytes of each the next bank group, after all columns the next bank.
+TEST(Places, LinesGoRoundChannelsThenGroups) {
+  DramTiming t = *dram_preset("lpddr5-6400x4");
+  t.mapping = DramMapping::kRoBaCoGrCh;
+  t.interleave_bytes = 64;
+  const DramPlaces places(t);
+  const auto bursts_per_line = static_cast<uint64_t>(64 / t.burst_bytes());
+  const uint64_t lines_of_group = 4 * static_cast<uint64_t>(t.group_bytes) / 64;  // in all channels
+  const uint64_t lines_of_bank = 4 * static_cast<uint64_t>(t.columns * t.channel_width / 8) / 64 * 4;  // in all groups
+  for (uint64_t line = 0; line < 20 * lines_of_bank; ++line) {
+    const DramPlace place = places(line * bursts_per_line), second = places(line * bursts_per_line + 1);
+    EXPECT_EQ(place.channel, line % 4);
+    const auto row = static_cast<uint32_t>(line / lines_of_bank / 4);
+    ASSERT_EQ(place.row, row);
+    EXPECT_EQ(place.bank / 4, (line / lines_of_group % 4) ^ (row >> 2 & 3)) << "group of line " << line;
+    EXPECT_EQ(place.bank % 4, (line / lines_of_bank % 4) ^ (row & 3)) << "bank of line " << line;
+    EXPECT_EQ(std::tie(second.channel, second.bank, second.row), std::tie(place.channel, place.bank, place.row)) << "a line opens one row";
+    EXPECT_EQ(second.column, place.column + 1);
+  }
+}
+
+TEST(Places, NoTwoBurstsShareAPlace) {
+  for (const char* name : {"lpddr5-6400x1", "lpddr5-6400x4", "lpddr4-3200", "ddr4-3200x2"}) {
+    for (const DramMapping mapping : {DramMapping::kRoBaRaCoCh, DramMapping::kRoBaCoGrCh, DramMapping::kMop4ClXor}) {
+      for (const int ranks : {1, 2}) {
+        for (const int interleave : {0, 64, 256}) {
+          DramTiming t = *dram_preset(name);
+          t.mapping = mapping, t.ranks = ranks, t.interleave_bytes = interleave, t.rows = 8;
+          const DramPlaces places(t);
+          const auto bursts = static_cast<uint64_t>(t.channels * t.banks_per_channel() * t.rows * (t.columns / t.burst_length));
+          std::set<std::tuple<uint32_t, uint32_t, uint32_t, uint32_t>> seen;
+          for (uint64_t burst = 0; burst < bursts; ++burst) {
+            const DramPlace p = places(burst);
+            ASSERT_TRUE(p.channel < static_cast<uint32_t>(t.channels) && p.bank < static_cast<uint32_t>(t.banks_per_channel()) &&
+                        p.row < 8 && p.column < static_cast<uint32_t>(t.columns / t.burst_length));
+            seen.emplace(p.channel, p.bank, p.row, p.column);
+          }
+          EXPECT_EQ(seen.size(), bursts) << name << ", mapping " << static_cast<int>(mapping) << ", ranks " << ranks << ", interleave " << interleave;
+        }
+      }
+    }
+  }
+}
+
+const auto kPresets = testing::Values("lpddr5-6400x1", "ddr4-3200x1", "lpddr4-3200");
+std::string preset_name(const testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::erase(name, '-');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(Presets, Rules, kPresets, preset_name);
+INSTANTIATE_TEST_SUITE_P(Presets, BankRefresh, kPresets, preset_name);
 
 }  // namespace
 }  // namespace pipegs

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <random>
 
 #include "sim/dram/dram_check.hpp"
+#include "sim/dram/dram_worth.hpp"
 
 namespace pipegs {
 namespace {
@@ -72,6 +75,41 @@ TEST(Dram, LinesReachTheBandwidthOfTheChannels) {
       EXPECT_NEAR(play(dram, lines).gbps / channels, 1, 0.05) << name << " " << trace;
     }
   }
+}
+
+TEST(DramWorth, StepsLeadFromThePresetToTheMachine) {
+  const DramTiming preset = *dram_preset("lpddr5-6400x4");
+  DramTiming machine = preset;
+  machine.interleave_bytes = 64;
+  machine.mapping = DramMapping::kRoBaCoGrCh;
+  machine.hits_first = true;
+  machine.read_queue = machine.write_queue = 64;
+  machine.write_high = 0.9, machine.write_low = 0.1;
+  machine.t_rfcpb = 96;
+  const std::vector<DramRow> rows = dram_step_rows(preset, machine);
+  ASSERT_EQ(rows.size(), 7u);  // six of the machine, one without refresh
+  const auto trace = dram_trace("stream_rdwr64");
+  const auto play = [&](const DramTiming& timing) { return play_dram(timing, trace, 1 << 20); };
+  DramTiming first = preset;
+  first.interleave_bytes = 64;
+  EXPECT_EQ(play(rows[0].timing).cycles, play(first).cycles);
+  EXPECT_EQ(play(rows[5].timing).cycles, play(machine).cycles);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_GT(play(rows[i].timing).pin_gbps, play(rows[i - 1].timing).pin_gbps) << rows[i].what;
+  }
+  machine.t_rfcpb = 0;
+  EXPECT_EQ(dram_step_rows(preset, machine).size(), 6u);
+}
+
+TEST(DramWorth, TheTableHoldsEveryMappingAndWhatIsPlayed) {
+  const std::vector<DramRow> rows = dram_mapping_rows(*dram_preset("ddr4-3200x2"));
+  ASSERT_EQ(rows.size(), 6u);  // three mappings, with one line (a burst here) and four
+  const std::string table = dram_mapping_table(rows);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 8);
+  char start[80];
+  std::snprintf(start, sizeof start, "| ddr4-3200x2 | RoBaCoGrCh | 64 | %.1f |", play_dram(rows[4].timing, dram_trace("stream_rd64"), 1 << 20).pin_gbps);
+  EXPECT_NE(table.find(start), std::string::npos) << start << "\n" << table;
+  EXPECT_EQ(dram_mapping_rows(*dram_preset("ddr4-3200x1")).size(), 3u) << "one channel has nothing to interleave";
 }
 
 TEST(Dram, TheMachinesClockChangesCyclesNotTime) {
