@@ -9,10 +9,9 @@
 
 namespace pipegs::timing {
 
-template <class Tag, int Jobs>
+template <class Tag, int Jobs, int Lines>
 class LineReader {
  public:
-  static constexpr int kLines = 32;
   struct Job {
     bool read = false;
     uint32_t first = 0, count = 0;
@@ -74,7 +73,7 @@ class LineReader {
  private:
   int half_;
   uint64_t base_, line_ = 0;
-  int lines_left_ = 0, credits_ = kLines, stored_ = 0;
+  int lines_left_ = 0, credits_ = Lines, stored_ = 0;
   Cycle free_from_ = kLongAgo, taken_at_ = kLongAgo;
   bool line_valid_ = false, line_popped_ = false;
   FallQueue<Job, Jobs> jobs_;

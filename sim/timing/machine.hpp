@@ -12,7 +12,6 @@
 #include "sim/timing/deal.hpp"
 #include "sim/timing/dopu.hpp"
 #include "sim/timing/memory.hpp"
-#include "sim/timing/perf.hpp"
 #include "sim/timing/pu.hpp"
 #include "sim/timing/ru.hpp"
 #include "sim/timing/ru_order.hpp"

@@ -10,7 +10,6 @@
 #include "sim/timing/color.hpp"
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/line_reader.hpp"
-#include "sim/timing/perf.hpp"
 #include "sim/timing/rows.hpp"
 
 namespace pipegs::timing {
@@ -50,11 +49,11 @@ class Pu {
 
   void layer_free(Machine& m, Cycle now);  // all RUs have finished the oldest layer
   bool chunk_room(Cycle now) const { return reader_.job_room(now); }
+  FallQueue<uint32_t, 16> marks;     // watermarks of the ends inside (order 2)
 
   Output<Beat> culled;               // to pu_deal
   SramQueue<Beat, 4> visible;        // from pu_deal
   Color color;
-  Perf perf;
 
  private:
   struct Header {
@@ -62,7 +61,7 @@ class Pu {
     uint32_t first = 0;      // survivor
     uint64_t survivors = 0;
   };
-  using Reader = LineReader<Header, 4>;
+  using Reader = LineReader<Header, 4, 32>;  // Jobs of line_reader, Lines of pu_fetch
   enum Intersect { kIdle, kNone, kWalk, kEnd };
   enum Allocate { kTake, kDecide, kOffer };
 

@@ -28,9 +28,11 @@ void Pu::reader(Machine& m, Cycle now) {
   const int port = m.memory.geometry_port(lane_);
   const bool room = reader_.room_before_job(now);
   Reader::Job job;
-  const bool take = room && m.dopu.chunk_shown(lane_, now);
+  const bool is_mark = m.config.order == 2 && m.dopu.chunk().end == kLayerEndBeat;
+  const bool take = room && m.dopu.chunk_shown(lane_, now) && (!is_mark || marks.room(now));
   if (take) {
     const ChunkBeat& chunk = m.dopu.take_chunk(m, lane_);
+    if (is_mark) marks.push(now, chunk.mark);
     job.read = !is_end(chunk.end);
     job.first = chunk.slot;
     job.count = chunk.count;

@@ -9,7 +9,6 @@
 #include <array>
 
 #include "sim/timing/cycle.hpp"
-#include "sim/timing/perf.hpp"
 #include "sim/timing/rows.hpp"
 
 namespace pipegs::timing {
@@ -44,7 +43,6 @@ class Ru {
   SramQueue<Splat, 16> queue;
   Cycle last_window_done() const { return window_done_at_; }
   bool written() const { return lines_left_ == 0 && !memory_valid_; }
-  Perf perf;
 
  private:
   struct Fetch {

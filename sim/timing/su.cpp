@@ -173,9 +173,12 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.job_done = is.job && is.quiet && !group_valid_ && (is.released_room || !is_end(job_end));
   is.next = kNone;
   if (is.ends) {
+    const auto word_of = [this](uint8_t set, uint32_t bucket) { return (static_cast<uint32_t>(set) << bits_high_) + (bucket >> bits_low_); };
+    const uint32_t job_words = static_cast<uint32_t>(is.job_set) << bits_high_;
     if (is.word_wanted) {
-      is.next = operation_ == kInsert ? kNone : kWord;
-    } else if (insert && operation_ != kInsert && operation_ != kWord) {
+      const bool same = operation_ == kInsert && word_of(insert_set_, insert_bucket_) == job_words + static_cast<uint32_t>(std::countr_zero(is.candidates));
+      is.next = same ? kNone : kWord;
+    } else if (insert && operation_ != kInsert && !(operation_ == kWord && word_of(set_, bucket_of(m.trace.key[is.in->beat])) == job_words + word_)) {
       is.next = kInsert;
     } else if (work_ != 0 && is.released_room && !is.chain_valid) {
       is.next = kEntry;
@@ -593,7 +596,10 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
   }
   if (is.mark_push) {
     const uint8_t set = set_;
-    marks_.push(now, {is.in->beat, set, all, before == kSpill, 0});
+    FallQueue<uint32_t, 16>& marks = m.pu[static_cast<size_t>(lane_)].marks;
+    const uint32_t bucket = all ? 0 : bucket_of(static_cast<uint64_t>(marks.front()) << m.config.index_w);
+    if (!all) marks.pop(now);
+    marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});
     if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
   }
   if (collect_ != before) moved_ = true;

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "sim/timing/cycle.hpp"
-#include "sim/timing/perf.hpp"
 #include "sim/timing/ru.hpp"
 
 namespace pipegs::timing {
@@ -48,7 +47,6 @@ class Su {
   void taken(Machine& m, Cycle now);
 
   bool spilling() const { return collect_ == kSpill; }
-  Perf perf;
 
  private:
   static constexpr int kChains = 64, kMarks = 64, kWaiting = 32, kAnswers = 32, kKeysPerLine = 8, kGroup = 16;
