@@ -1,6 +1,7 @@
 // color.hpp: the colour of a PU in the timing model, and the join behind it.
 //
 // RTL     rtl/pu/pu_color*.sv, pu_join.sv.
+// Order   With lists it stands between pu_expand and pu_expand, else before the SU.
 // Idea    The direction's path (rotate, normalise, basis) has fixed times and stops only for the sum behind it, so a record's
 //         times through it follow from those of the record before.
 #pragma once
@@ -25,7 +26,7 @@ class Color {
   void step(Machine& m, Cycle now);
 
   // For the SU: the join holds an end back until the lines of its layer are written.
-  bool shown(Cycle now) const { return out.shown(now) && (!is_end(out.value.beat) || late_ || ends_ > 0); }
+  bool shown(Cycle now) const { return out.shown(now) && (!is_end(out.value.beat) || !joins_ || ends_ > 0); }
   void taken(Machine& m, Cycle now);
   void rows_end(Machine& m, Cycle now);
   Output<Splat> out;
@@ -43,7 +44,8 @@ class Color {
   Cycle basis_from(Cycle pushed);  // of the next shaded record
 
   const int lane_, port_;
-  const bool late_, memory_;  // memory_: the colour hardware is there and asks for lines
+  const int self_, giver_, taker_;  // units
+  const bool joins_, memory_;  // pu_join is there; the colour hardware is there and asks for lines
   int degree_ = 0, last_step_ = 0;
 
   SramQueue<Task, 32> tasks_;

@@ -11,6 +11,7 @@
 
 #include "sim/timing/deal.hpp"
 #include "sim/timing/dopu.hpp"
+#include "sim/timing/lists.hpp"
 #include "sim/timing/memory.hpp"
 #include "sim/timing/pu.hpp"
 #include "sim/timing/ru.hpp"
@@ -32,11 +33,14 @@ enum Unit : int {
   kWalk,       // ru_walk
   kOrder,      // lane 0: ru_dispatch, 1: su_merge
   kSu,
+  kLists,      // only with lists
   kColor,      // pu_color, pu_join
   kRows,       // pu_rows, pu_spill
-  kBack,       // pu_allocate, or pu_late
+  kBack,       // pu_allocate, pu_late or pu_lines
   kIntersect,
   kCoeff,
+  kExpand,     // only with lists
+  kListColor,  // with lists, instead of kColor
   kConic,
   kStages,     // pu_covariance, squares, factors, jacobian, orient, project: six numbers
   kDeal = kStages + 6,
@@ -65,6 +69,7 @@ struct Machine {
   Dispatch dispatch;
   Merge merge;
   std::vector<Su> su;
+  Lists lists;
   std::vector<Pu> pu;
   Deal deal;
   Dopu dopu;

@@ -17,6 +17,7 @@ Memory::Memory(MemoryTiming& timing, const Config& config) : timing_(timing), un
     set(geometry_port(k), unit(kReader, k), unit(kReader, k));
     set(color_port(k), unit(kColor, k), unit(kColor, k));
   }
+  if (config.order == 1) set(list_port(), unit(kLists), unit(kLists));
   set(node_port(), unit(kDopu), unit(kDopu));
 }
 

@@ -35,6 +35,7 @@ class Memory {
   int alpha_port(int lane) const { return lane; }
   int sort_port(int lane) const { return units_ + lane; }
   int raster_port(int lane) const { return 2 * units_ + lane; }
+  int list_port() const { return 3 * units_; }  // only with lists
   int geometry_port(int lane) const { return write_ports_ + lane; }
   int color_port(int lane) const { return write_ports_ + units_ + lane; }
   int node_port() const { return write_ports_ + 2 * units_; }

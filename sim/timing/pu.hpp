@@ -9,6 +9,7 @@
 
 #include "sim/timing/color.hpp"
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/expand.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/rows.hpp"
 
@@ -42,6 +43,7 @@ class Pu {
   void cull(Machine& m, Cycle now);
   void phases(Machine& m, Cycle now, int stage);
   void conic(Machine& m, Cycle now);
+  void expand(Machine& m, Cycle now) { expand_.step(m, now, conic_.out); }
   void coeff(Machine& m, Cycle now);
   void intersect(Machine& m, Cycle now);
   void back(Machine& m, Cycle now);
@@ -50,6 +52,11 @@ class Pu {
   void layer_free(Machine& m, Cycle now);  // all RUs have finished the oldest layer
   bool chunk_room(Cycle now) const { return reader_.job_room(now); }
   FallQueue<uint32_t, 16> marks;     // watermarks of the ends inside (order 2)
+
+  // For the lists: the records that this PU makes, one after the other.
+  bool made_shown(Cycle now) const { return late_ ? tiles_.shown(now) : splat_valid_ && splat_from_ <= now && (!is_end(splat_.beat) || rows_ended_); }
+  Beat made() const { return late_ ? tiles_.value : splat_.beat; }
+  Splat take_made(Machine& m, Cycle now);
 
   Output<Beat> culled;               // to pu_deal
   SramQueue<Beat, 4> visible;        // from pu_deal
@@ -68,11 +75,12 @@ class Pu {
   bool take_tiles(Machine& m, Cycle now);
   void allocate(Machine& m, Cycle now);
   void late(Machine& m, Cycle now);
+  void lines(Machine& m, Cycle now);
   void slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase, int tail);
   uint64_t done_regions(const Machine& m) const;
 
   const int lane_;
-  const bool late_;
+  const bool late_, lists_;
 
   Reader reader_;
 
@@ -83,6 +91,7 @@ class Pu {
 
   std::array<PhaseStage, kPhaseStages> phases_;  // 0: covariance ... 5: project
   SlotStage conic_, coeff_;
+  Expand expand_;              // only with lists
 
   Intersect intersect_ = kIdle;
   Cycle intersect_at_ = kLongAgo;
@@ -100,6 +109,10 @@ class Pu {
   uint32_t overflow_ = 0;
   Cycle layer_free_at_ = kLongAgo;
   Output<uint8_t> late_out_;   // splat_ waits for the colour
+
+  // pu_lines
+  bool splat_valid_ = false, rows_ended_ = false;
+  Cycle splat_from_ = 0;
 
   SramQueue<RowJob, 4> jobs_;
   Rows rows_;

@@ -17,8 +17,8 @@ constexpr int kProject = Pu::kPhaseStages - 1;
 }  // namespace
 
 Pu::Pu(const Machine& m, int lane)
-    : color(m, lane), lane_(lane), late_(m.config.late != 0), reader_(m.config.gaussians_per_line(), m.frame.gaussians),
-      alpha_lines_(m.config.alpha_lines), rows_(m.config.pixels_per_row), pieces_(m.config.alpha_memory_lines()) {
+    : color(m, lane), lane_(lane), late_(m.config.late != 0), lists_(m.config.order == 1), reader_(m.config.gaussians_per_line(), m.frame.gaussians),
+      expand_(lane), alpha_lines_(m.config.alpha_lines), rows_(m.config.pixels_per_row), pieces_(m.config.alpha_memory_lines()) {
   pipe_.fill(kBubble);
 }
 
@@ -141,11 +141,11 @@ void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giv
 }
 
 void Pu::conic(Machine& m, Cycle now) {
-  slot(m, now, conic_, phases_[0].out, unit(kStages, lane_), unit(kConic, lane_), unit(kCoeff, lane_), 5, 3);
+  slot(m, now, conic_, phases_[0].out, unit(kStages, lane_), unit(kConic, lane_), unit(lists_ ? kExpand : kCoeff, lane_), 5, 3);
 }
 
 void Pu::coeff(Machine& m, Cycle now) {
-  slot(m, now, coeff_, conic_.out, unit(kConic, lane_), unit(kCoeff, lane_), unit(kIntersect, lane_), 2, 6);
+  slot(m, now, coeff_, lists_ ? expand_.out : conic_.out, unit(lists_ ? kExpand : kConic, lane_), unit(kCoeff, lane_), unit(kIntersect, lane_), 2, 6);
 }
 
 // --- pu_intersect -------------------------------------------------------------------------------------------------------------
@@ -160,7 +160,7 @@ void Pu::intersect(Machine& m, Cycle now) {
     m.wheel.wake_now(unit(kCoeff, lane_));
     if (intersect_ == kEnd || (intersect_ == kWalk && m.trace.mask[beat] != 0)) {
       tiles_.set(now + 1, beat);
-      m.wheel.wake(unit(kBack, lane_), now + 1);
+      m.wheel.wake(lists_ && late_ ? unit(kLists) : unit(kBack, lane_), now + 1);
     }
     intersect_ = kIdle;
     intersect_at_ = now + 1;

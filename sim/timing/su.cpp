@@ -37,7 +37,7 @@ struct Su::Now {
 Su::Su(const Machine& m, int lane)
     : lane_(lane), port_(m.memory.sort_port(lane)), records_(m.config.records),
       bucket_shift_(m.config.key_w() - m.config.bucket_w()), bits_low_((m.config.bucket_w() + 1) / 2), bits_high_(m.config.bucket_w() - bits_low_),
-      marks_cut_(m.config.order == 2), pool_(static_cast<size_t>(records_)), next_slot_(static_cast<size_t>(records_)),
+      marks_cut_(m.config.order == 2), lists_(m.config.order == 1), pool_(static_cast<size_t>(records_)), next_slot_(static_cast<size_t>(records_)),
       marks_(m.config.order == 2 ? kMarks : 4), table_(size_t{2} << m.config.bucket_w()), words_(size_t{2} << bits_high_) {
   for (int i = records_; i-- > 0;) free_slots_.push_back(static_cast<uint32_t>(i));
 }
@@ -51,6 +51,7 @@ void Su::step(Machine& m, Cycle now) {
     sent_ = fill_ = 0;
     loaded_ = false;
   }
+  if (lists_) m.wheel.wake_now(unit(kLists));
   port(m, now);
   const Now is = look(m, now);
   emit(m, now, is);
@@ -138,7 +139,8 @@ Su::Now Su::look(const Machine& m, Cycle now) {
 
   // What comes in.
   const Color& color = m.pu[static_cast<size_t>(lane_)].color;
-  is.in = color.shown(now) ? &color.out.value : nullptr;
+  const Splat* wires = lists_ ? &m.lists.record() : &color.out.value;
+  is.in = (lists_ ? m.lists.shown(lane_) : color.shown(now)) ? wires : nullptr;
   is.data = is.in != nullptr && !is_end(is.in->beat);
   is.open = collect_ == kCollect && !closed_[set_];
   const bool insert = is.data && is.open && slot_valid(now);
@@ -172,9 +174,9 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.chain_valid = is.push_group || (is.job && is.quiet && is_end(job_end));
   is.job_done = is.job && is.quiet && !group_valid_ && (is.released_room || !is_end(job_end));
   is.next = kNone;
+  const auto word_of = [this](uint8_t set, uint32_t bucket) { return (static_cast<uint32_t>(set) << bits_high_) + (bucket >> bits_low_); };
+  const uint32_t job_words = static_cast<uint32_t>(is.job_set) << bits_high_;
   if (is.ends) {
-    const auto word_of = [this](uint8_t set, uint32_t bucket) { return (static_cast<uint32_t>(set) << bits_high_) + (bucket >> bits_low_); };
-    const uint32_t job_words = static_cast<uint32_t>(is.job_set) << bits_high_;
     if (is.word_wanted) {
       const bool same = operation_ == kInsert && word_of(insert_set_, insert_bucket_) == job_words + static_cast<uint32_t>(std::countr_zero(is.candidates));
       is.next = same ? kNone : kWord;
@@ -193,6 +195,12 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.mark_push = is.in != nullptr && !is.data && (is.open || collect_ == kSpill) && marks_.room(now);
   const bool spill_free = (!record_valid_ || record_taken_) && !keys_valid_;
   is.taken = is.write || is.mark_push || (is.record && spill_free);
+  if (lists_) {
+    const bool same = operation_ == kWord && !is_end(wires->beat) && word_of(set_, bucket_of(m.trace.key[wires->beat])) == job_words + word_;
+    const bool insert_ready = is.ends && !is.word_wanted && operation_ != kInsert && !same;
+    ready_ = is_end(wires->beat) ? (is.open || collect_ == kSpill) && marks_.room(now)
+                                 : (is.open && slot_valid(now) && insert_ready) || (collect_ == kSpill && spill_free);
+  }
   return is;
 }
 
@@ -604,7 +612,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
   }
   if (collect_ != before) moved_ = true;
   if (!is.taken) return;
-  m.pu[static_cast<size_t>(lane_)].color.taken(m, now);
+  lists_ ? m.lists.taken(m, lane_) : m.pu[static_cast<size_t>(lane_)].color.taken(m, now);
   moved_ = true;
 }
 

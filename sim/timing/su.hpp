@@ -46,6 +46,7 @@ class Su {
   const Sorted& head() const { return out_.value; }
   void taken(Machine& m, Cycle now);
 
+  bool ready() const { return ready_; }  // for the record on the lists' wires, in the cycle in which it was stepped last
   bool spilling() const { return collect_ == kSpill; }
 
  private:
@@ -102,6 +103,8 @@ class Su {
 
   const int lane_, port_, records_, bucket_shift_, bits_low_, bits_high_;
   const bool marks_cut_;  // a layer's end is a watermark (order 2)
+  const bool lists_;
+  bool ready_ = false;
 
   // su_slots, and what lies in them
   std::vector<Sorted> pool_;
