@@ -15,7 +15,8 @@ Memory::Memory(MemoryTiming& timing, const Config& config) : timing_(timing), un
     set(sort_port(k), unit(kSu, k), unit(kSu, k));
     set(raster_port(k), unit(kSource, k), unit(kSource, k));  // the source wakes kRuMemory
     set(geometry_port(k), unit(kReader, k), unit(kReader, k));
-    set(color_port(k), unit(kColor, k), unit(kColor, k));
+    const int color = unit(config.order == 1 ? kListColor : kColor, k);
+    set(color_port(k), color, color);
   }
   if (config.order == 1) set(list_port(), unit(kLists), unit(kLists));
   set(node_port(), unit(kDopu), unit(kDopu));
