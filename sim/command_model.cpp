@@ -28,9 +28,16 @@ struct ModelRow {
   double speed() const { return 1e3 * mega_cycles() / rtl_khz(); }
 };
 
+// The rung alone, or all that is set.
+std::string name(const Config& config) {
+  const std::string rung = rung_name(config);
+  Config pure;
+  if (!rung.empty()) apply_rung(find_rung(rung), pure);
+  return pure == config ? rung : config_difference(config);
+}
+
 ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, bool check) {
-  ModelRow row{.name = rung_name(options.config)};
-  if (row.name.empty()) row.name = config_difference(options.config);
+  ModelRow row{.name = name(options.config)};
   Simulation simulation;
   simulate_pack(loaded.scene, loaded.camera, options, simulation);
   const Stopwatch watch;

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "sim/timing/timing_model.hpp"
+
 namespace pipegs {
 
 CycleEngine rtl_engine(const Scene& scene, const Camera& camera, const SimulateOptions& options) {
@@ -24,6 +26,22 @@ CycleEngine rtl_engine(const Scene& scene, const Camera& camera, const SimulateO
     simulate_rtl(asked, *kept->simulation);
     EngineResult result{.cycles = kept->simulation->rtl.cycles, .mismatches = kept->simulation->mismatches};
     for (const MemoryTraffic& traffic : kept->simulation->traffic) result.bytes += traffic.bytes_read + traffic.bytes_written;
+    return result;
+  };
+}
+
+CycleEngine model_engine(const Scene& scene, const Camera& camera, const SimulateOptions& options) {
+  return [&scene, &camera, options, kept = std::make_shared<TimingTrace>()](const Config& config, const ExternalMemoryOptions& memory) {
+    if (kept->windows.empty() || !(timing_config(kept->config) == timing_config(config))) {
+      SimulateOptions asked = options;
+      asked.config = config;
+      Simulation simulation;
+      simulate_pack(scene, camera, asked, simulation);
+      *kept = timing_trace(simulation.input);
+    }
+    const TimingResult timing = timing_run(*kept, config, memory);
+    EngineResult result{.cycles = timing.cycles};
+    for (const TimingResult::Stream& stream : timing.streams) result.bytes += stream.bytes_read + stream.bytes_written;
     return result;
   };
 }

@@ -12,7 +12,7 @@ Color::Color(const Machine& m, int lane)
       giver_(unit(m.config.order == 1 ? kExpand : kBack, lane)), taker_(unit(m.config.order == 1 ? kExpand : kSu, lane)),
       joins_(m.config.late == 0 && m.config.order != 1), memory_(m.config.sh_degree != 0 && m.frame.sh_degree != 0),
       degree_(std::min(static_cast<int>(m.frame.sh_degree), m.config.sh_degree)), last_step_(degree_ == 1 ? 1 : degree_ == 2 ? 3 : 7),
-      tasks_(m.config.sh_degree != 0 ? 32 : 2), flat_(m.config.sh_degree == 0) {}
+      tasks_(m.config.sh_degree != 0 ? kColorDepth : 2), flat_(m.config.sh_degree == 0) {}
 
 void Color::push(Machine& m, Cycle now, const Splat& splat) {
   const bool shaded = !is_end(splat.beat) && memory_;

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/depths.hpp"
 #include "sim/timing/ru.hpp"
 
 namespace pipegs::timing {
@@ -48,9 +49,9 @@ class Color {
   const bool joins_, memory_;  // pu_join is there; the colour hardware is there and asks for lines
   int degree_ = 0, last_step_ = 0;
 
-  SramQueue<Task, 32> tasks_;
+  SramQueue<Task, kColorDepth> tasks_;
   const bool flat_;  // without SH hardware: a queue of registers, which is a cycle faster
-  SramQueue<uint8_t, 32> lines_;
+  SramQueue<uint8_t, kColorDepth> lines_;
   Cycle free_from_ = kLongAgo;  // the request register
   int ends_ = 0;
 

@@ -5,6 +5,7 @@
 //         results for each level, and a reader of children for each of the two upper ones.
 #pragma once
 
+#include "sim/timing/depths.hpp"
 #include "sim/timing/dopu_item.hpp"
 #include "sim/timing/line_reader.hpp"
 
@@ -23,7 +24,7 @@ class Descend {
 
  private:
   static constexpr int kLevels = 3;
-  static constexpr int kResults = 8;        // Results of dopu_descend
+  static constexpr int kResults = kDescendResults;
   static constexpr Cycle kTestCycles = 12;  // of dopu_test
 
   struct Tag {
@@ -31,7 +32,7 @@ class Descend {
     uint8_t set = 0;
     bool last = false;
   };
-  using Reader = LineReader<Tag, 8, 32>;    // Jobs, Lines
+  using Reader = LineReader<Tag, kDescendJobs, kDescendLines>;
   struct InTest {
     Cycle due = 0;
     DopuItem item;

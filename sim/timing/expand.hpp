@@ -6,6 +6,7 @@
 #pragma once
 
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/depths.hpp"
 
 namespace pipegs::timing {
 
@@ -21,7 +22,7 @@ class Expand {
  private:
   const int lane_;
   bool give_ = false;           // BoxGive: the conic's box is known
-  SramQueue<Beat, 40> queue_;   // Depth of pu_expand
+  SramQueue<Beat, kExpandDepth> queue_;
   bool walking_ = false;
   uint32_t next_ = 0, end_ = 0; // of the walk: pairs
 };

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "sim/timing/depths.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/ru.hpp"
 
@@ -45,7 +46,7 @@ class Lists {
   // list_read
   Read state_ = kIdle;
   size_t number_ = 0;
-  LineReader<Tag, 8, 64> reader_;  // Jobs, Lines of list_read
+  LineReader<Tag, kListJobs, kListLines> reader_;
   size_t item_list_ = 0;           // the list of the reader's present job
   uint32_t waiting_ = 0, taken_ = 0;  // SUs that have still to take the record
   int target_last_ = 0, target_shown_ = 0;

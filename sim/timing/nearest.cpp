@@ -102,7 +102,7 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   is.lowest = opened ? kNone : unopened;
   if (has_first) is.lowest = std::min(is.lowest, first_send);
   is.end_due = idle_send && opened && !has_first;
-  is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ << (marks_ >> 3) && marks_ != kMarksMost && is.lowest > mark_;
+  is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ << (marks_ >> 3) && marks_ != kNearestMarks && is.lowest > mark_;
   const bool direct_chunk = is.full && idle && is.live[2] && set2 == send_set_;
   const bool chunk_due = first_send == is.lowest || (direct_chunk && first_send <= held_[2].front().node.bucket);
   is.pop_send = has_first && (is.done ? !popping_ : idle_send && !is.mark_due && chunk_due);
@@ -110,7 +110,7 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   is.load_popped = queue_->out() && queue_->list() >= 4 && !is.done;
 
   // Opening: the nearest cell, the nearest group.
-  const bool few = waiting_[static_cast<size_t>(set2)] < kAhead && !crowded;
+  const bool few = waiting_[static_cast<size_t>(set2)] < kNearestAhead && !crowded;
   const bool group_first = !some[2] || first[1] <= first[2];
   const bool cell_first = set1 == set2 && (!some[2] || first[0] <= first[2]) && (!some[1] || first[0] <= first[1]);
   const bool pop_cell = some[0] && (is.level_done[1] || (open_[0].room() && (!crowded || cell_first)));

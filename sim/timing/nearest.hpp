@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "sim/timing/depths.hpp"
 #include "sim/timing/dopu_item.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/nearest_queue.hpp"
@@ -26,14 +27,13 @@ class Nearest {
 
  private:
   static constexpr int kLevels = 3;
-  static constexpr int kResults = 16, kMost = 16, kAhead = 128;  // Results, Most, Ahead of dopu_nearest
-  static constexpr Cycle kTestCycles = 13;                       // of dopu_rank
-  static constexpr int kMarksMost = 31;                          // of a window, dopu_send
+  static constexpr int kResults = kNearestResults, kMost = kNearestMost;
+  static constexpr Cycle kTestCycles = 13;  // of dopu_rank
 
   struct Parent {
     uint32_t first_pass = 0;  // of its children
   };
-  using Reader = LineReader<Parent, kMost, 64>;  // Jobs, Lines
+  using Reader = LineReader<Parent, kMost, kNearestLines>;
   struct Result {
     bool last = false, pass = false;
     NearestNode node;

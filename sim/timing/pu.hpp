@@ -9,6 +9,7 @@
 
 #include "sim/timing/color.hpp"
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/depths.hpp"
 #include "sim/timing/expand.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/rows.hpp"
@@ -51,7 +52,7 @@ class Pu {
 
   void layer_free(Machine& m, Cycle now);  // all RUs have finished the oldest layer
   bool chunk_room(Cycle now) const { return reader_.job_room(now); }
-  FallQueue<uint32_t, 16> marks;     // watermarks of the ends inside (order 2)
+  FallQueue<uint32_t, kPuMarks> marks;     // watermarks of the ends inside (order 2)
 
   // For the lists: the records that this PU makes, one after the other.
   bool made_shown(Cycle now) const { return late_ ? tiles_.shown(now) : splat_valid_ && splat_from_ <= now && (!is_end(splat_.beat) || rows_ended_); }
@@ -59,7 +60,7 @@ class Pu {
   Splat take_made(Machine& m, Cycle now);
 
   Output<Beat> culled;               // to pu_deal
-  SramQueue<Beat, 4> visible;        // from pu_deal
+  SramQueue<Beat, kVisibleDepth> visible;        // from pu_deal
   Color color;
 
  private:
@@ -68,7 +69,7 @@ class Pu {
     uint32_t first = 0;      // survivor
     uint64_t survivors = 0;
   };
-  using Reader = LineReader<Header, 4, 32>;  // Jobs of line_reader, Lines of pu_fetch
+  using Reader = LineReader<Header, kFetchJobs, kFetchLines>;
   enum Intersect { kIdle, kNone, kWalk, kEnd };
   enum Allocate { kTake, kDecide, kOffer };
 
@@ -114,7 +115,7 @@ class Pu {
   bool splat_valid_ = false, rows_ended_ = false;
   Cycle splat_from_ = 0;
 
-  SramQueue<RowJob, 4> jobs_;
+  SramQueue<RowJob, kRowJobs> jobs_;
   Rows rows_;
 
   // pu_spill

@@ -94,7 +94,7 @@ void Pu::phases(Machine& m, Cycle now, int number) {
     if (visible.empty()) return;
     const Cycle when = std::max(stage.ready_at, visible.head_from());
     if (when > now) return m.wheel.wake(self, when);
-    if (visible.count() == 4) m.wheel.wake(unit(kDeal), now + 1);
+    if (visible.count() == kVisibleDepth) m.wheel.wake(unit(kDeal), now + 1);
     stage.beat = visible.front();
     visible.pop(now);
   } else {

@@ -9,13 +9,9 @@
 
 namespace pipegs::timing {
 
-namespace {
-constexpr int kLocalLines = 4;
-}
-
 Ru::Ru(const Machine& m, int lane)
-    : lane_(lane), port_(m.memory.raster_port(lane)), late_(m.config.late != 0), fetch_lines_(m.config.fetch_lines),
-      parts_(m.config.alpha_memory_lines()), records_(m.config.fetch_lines + 2 * kLocalLines), external_(m.config.fetch_lines),
+    : queue(ru_queue_depth(m.config)), lane_(lane), port_(m.memory.raster_port(lane)), late_(m.config.late != 0), fetch_lines_(m.config.fetch_lines),
+      parts_(m.config.alpha_memory_lines()), records_(m.config.fetch_lines + 2 * kRuLocalLines), external_(m.config.fetch_lines),
       rows_(m.config.pixels_per_row), own_(ru_own_mask(m.config, lane)) {
   set_window(m, 0);
 }
@@ -153,7 +149,7 @@ void Ru::source(Machine& m, Cycle now) {
   const Fetch& fetch = out_.value;
   if (is_end(fetch.beat)) return fire(m, now);
   if (!fetch.ext) {
-    if (local_out_ + (local_pop_ == now ? 1 : 0) < kLocalLines) m.stores.want(m, fetch.unit, lane_);
+    if (local_out_ + (local_pop_ == now ? 1 : 0) < kRuLocalLines) m.stores.want(m, fetch.unit, lane_);
     return;
   }
   if (external_out_ + (external_pop_ == now ? 1 : 0) >= fetch_lines_) return;

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/depths.hpp"
 #include "sim/timing/rows.hpp"
 
 namespace pipegs::timing {
@@ -40,7 +41,7 @@ class Ru {
   uint64_t done() const { return done_; }
   size_t window() const { return window_; }  // number in the frame
 
-  SramQueue<Splat, 16> queue;
+  SramQueue<Splat, kRuQueueMost> queue;
   Cycle last_window_done() const { return window_done_at_; }
   bool written() const { return lines_left_ == 0 && !memory_valid_; }
 
@@ -84,7 +85,7 @@ class Ru {
   bool ask_part_ = false, answer_part_ = false, parity_ = false;
 
   Rows rows_;                          // when late
-  FallQueue<RowLine, 2> row_lines_;
+  FallQueue<RowLine, kRuLines> row_lines_;
 
   // ru_lanes
   Cycle start_ = kNever;  // of the line in the lanes

@@ -38,7 +38,7 @@ Su::Su(const Machine& m, int lane)
     : lane_(lane), port_(m.memory.sort_port(lane)), records_(m.config.records),
       bucket_shift_(m.config.key_w() - m.config.bucket_w()), bits_low_((m.config.bucket_w() + 1) / 2), bits_high_(m.config.bucket_w() - bits_low_),
       marks_cut_(m.config.order == 2), lists_(m.config.order == 1), pool_(static_cast<size_t>(records_)), next_slot_(static_cast<size_t>(records_)),
-      marks_(m.config.order == 2 ? kMarks : 4), table_(size_t{2} << m.config.bucket_w()), words_(size_t{2} << bits_high_) {
+      marks_(m.config.order == 2 ? kSuMarks : kSuMarksLayers), table_(size_t{2} << m.config.bucket_w()), words_(size_t{2} << bits_high_) {
   for (int i = records_; i-- > 0;) free_slots_.push_back(static_cast<uint32_t>(i));
 }
 
@@ -604,7 +604,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
   }
   if (is.mark_push) {
     const uint8_t set = set_;
-    FallQueue<uint32_t, 16>& marks = m.pu[static_cast<size_t>(lane_)].marks;
+    auto& marks = m.pu[static_cast<size_t>(lane_)].marks;
     const uint32_t bucket = all ? 0 : bucket_of(static_cast<uint64_t>(marks.front()) << m.config.index_w);
     if (!all) marks.pop(now);
     marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});

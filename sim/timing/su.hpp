@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/depths.hpp"
 #include "sim/timing/ru.hpp"
 
 namespace pipegs::timing {
@@ -50,7 +51,7 @@ class Su {
   bool spilling() const { return collect_ == kSpill; }
 
  private:
-  static constexpr int kChains = 64, kMarks = 64, kWaiting = 32, kAnswers = 32, kKeysPerLine = 8, kGroup = 16;
+  static constexpr int kAnswers = kSuAnswers, kKeysPerLine = 8, kGroup = 16;
   static constexpr uint32_t kNil = ~uint32_t{0};
 
   struct Mark {
@@ -118,7 +119,7 @@ class Su {
   Collect collect_ = kCollect;
   uint8_t set_ = 0;
   std::array<bool, 2> closed_{};
-  SramQueue<Mark, kMarks> marks_;
+  SramQueue<Mark, kSuMarks> marks_;
 
   // su_buckets
   Operation operation_ = kNone;
@@ -131,7 +132,7 @@ class Su {
   uint64_t work_ = 0;
   bool edge_ = false, group_valid_ = false;
   Chain joined_;
-  SramQueue<Chain, kChains> chains_;
+  SramQueue<Chain, kSuChains> chains_;
 
   // su_split
   std::vector<uint64_t> keys_;
@@ -152,7 +153,7 @@ class Su {
   int fill_ = 0, live_ = 0, sent_ = 0;
 
   // su_emit
-  SramQueue<Entry, kWaiting> waiting_;
+  SramQueue<Entry, kSuWaiting> waiting_;
   Output<Sorted> out_;
   bool out_outside_ = false, looked_ = false;  // looked_: the record's number was read
   Cycle out_taken_at_ = kLongAgo;
