@@ -15,6 +15,7 @@
 namespace pipegs {
 namespace {
 
+constexpr const char* kMemory = "lpddr5-6400x4";
 constexpr double kFrame = 0.01, kWindow = 0.03;  // errors allowed
 
 struct View {
@@ -45,12 +46,14 @@ struct TimedFrame {
 
 SimulateOptions machine(const std::vector<std::string>& settings) {
   SimulateOptions options;
+  options.memory.dram = kMemory;
   for (const std::string& setting : settings) config_set(options.config, setting);
   return options;
 }
 
 SimulateOptions rung(std::string_view name) {
   SimulateOptions options;
+  options.memory.dram = kMemory;
   apply_rung(find_rung(name), options.config);
   return options;
 }
