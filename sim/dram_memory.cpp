@@ -8,6 +8,7 @@ namespace pipegs {
 namespace {
 
 constexpr int kLineBytes = 64;
+constexpr int kQueue = 64;  // reads, and as many writes, that a channel's controller chooses from
 constexpr double kChannelGbps = 12.8;  // LPDDR5-6400, 16 bit
 const std::string kLpddr5 = "lpddr5-6400x";
 
@@ -32,6 +33,10 @@ DramTiming dram_memory_timing(const std::string& name) {
   const DramTiming* preset = dram_preset(name);
   DramTiming timing = preset != nullptr ? *preset : dram_scaled(kChannelGbps * std::stoi(name.substr(kLpddr5.size())));
   timing.interleave_bytes = std::max(timing.interleave_bytes, kLineBytes);
+  timing.mapping = DramMapping::kRoBaCoGrCh;
+  timing.hits_first = true;
+  timing.read_queue = timing.write_queue = kQueue;
+  timing.write_high = 0.9, timing.write_low = 0.1;
   return timing;
 }
 

@@ -14,12 +14,6 @@
 
 namespace pipegs {
 
-// Which RU owns a region of a window.
-inline int region_owner(const Config& config, int region) {
-  const int rx = region % config.regions_x(), ry = region / config.regions_x();
-  return config.units == 1 ? 0 : config.units == 2 ? (rx ^ ry) & 1 : 2 * (ry & 1) + (rx & 1);
-}
-
 struct PuAllocate {
   struct Out {
     RowJob row_job;

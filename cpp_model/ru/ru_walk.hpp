@@ -1,9 +1,9 @@
 // ru_walk: which regions of a window belong to which RU, and where the alpha line of a region lies.
 //
 // Paper   Sec. 5.3 (four RUs render different tiles in parallel).
-// Idea    The regions of a window are dealt to the RUs like the squares of a chess board, so that any splat that
-//         covers 2x2 regions keeps all of them busy. A splat's lines lie one behind the other, lowest region of its
-//         mask first.
+// Idea    Two RUs own the colours of a chess board; four own every fourth region of a row, each row starting two further: a
+//         splat that covers 2x2 regions, or four in a row, keeps all of them busy. A splat's lines lie one behind the
+//         other, lowest region of its mask first.
 // Stream  sorted_t in, one job per owned region of its mask out: region and line.
 // RTL     rtl/ru/ru_dispatch.sv (owners), rtl/ru/ru_walk.sv (lines), rtl/ru/ru_fetch.sv (memory addresses)
 #pragma once
@@ -17,8 +17,7 @@ namespace pipegs {
 
 // The RU that blends region r of every window.
 inline int ru_owner(const Config& c, int region) {
-  const int rx = region % c.regions_x(), ry = region / c.regions_x();
-  return c.units == 1 ? 0 : c.units == 2 ? (rx ^ ry) & 1 : 2 * (ry & 1) + (rx & 1);
+  return (region % c.regions_x() + c.units / 2 * (region / c.regions_x())) % c.units;
 }
 
 // All regions of an RU, as a mask.
@@ -29,17 +28,13 @@ inline uint64_t ru_own_mask(const Config& c, int unit) {
 }
 
 // The number of an RU's region among its own regions, in the order in which the pixel buffer holds them.
-inline int ru_slot(const Config& c, int region) {
-  const int rx = region % c.regions_x(), ry = region / c.regions_x(), half = c.regions_x() / 2;
-  return c.units == 1 ? region : c.units == 2 ? region / 2 : (ry / 2) * half + rx / 2;
-}
+inline int ru_slot(const Config& c, int region) { return region / c.units; }
 
 // The region that RU `unit` holds in `slot`: the inverse of ru_slot.
 inline int ru_region(const Config& c, int unit, int slot) {
-  const int half = c.regions_x() / 2;
-  if (c.units == 1) return slot;
-  if (c.units == 2) return 2 * slot + (((slot / half) & 1) ^ unit);
-  return (2 * (slot / half) + unit / 2) * c.regions_x() + 2 * (slot % half) + unit % 2;
+  int region = slot * c.units;
+  while (ru_owner(c, region) != unit) ++region;
+  return region;
 }
 
 // Line of region r of a splat: the lines follow the set bits of the whole mask.

@@ -34,7 +34,6 @@ module dopu_windows (
   localparam int unsigned PlanesW = 5 * pipegs_pkg::PlaneBits;
   localparam int unsigned Units = pipegs_pkg::Units;
   localparam int unsigned Regions = pipegs_pkg::Regions;
-  localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
   localparam logic Whole = pipegs_pkg::Order == 1;  // one walk of all windows: nothing is done before it ends
 
   // --- windows, row by row ----------------------------------------------------------------------------------------
@@ -117,19 +116,10 @@ module dopu_windows (
       for (int unsigned u = 0; u < Units; u += 1) begin
         here[s][u] = done_x_i[u*WindowW +: WindowW] == set_x_q[s] && done_y_i[u*WindowW +: WindowW] == set_y_q[s];
       end
-      for (int unsigned r = 0; r < Regions; r += 1) begin
-        region_done[s][r] = here[s][owner(r)] && done_i[owner(r)*Regions + r];
-      end
+      region_done[s] = '0;
+      for (int unsigned u = 0; u < Units; u += 1) if (here[s][u]) region_done[s] |= done_i[u*Regions +: Regions];
     end
   end
-
-  // Which RU blends a region: a checkerboard of two, or of four.
-  function automatic int unsigned owner(input int unsigned region);
-    int unsigned x, y;
-    x = region % RegionsX;
-    y = region / RegionsX;
-    owner = Units == 1 ? 0 : Units == 2 ? (x + y) % 2 : 2 * (y % 2) + x % 2;
-  endfunction
 
   always_comb begin
     for (int unsigned s = 0; s < 2; s += 1) done_d[s] = !Whole && valid_q[s] && region_done[s] == '1;

@@ -8,7 +8,7 @@
 // Model   None: a queue in verif/pu/pu_fetch_test.cpp.
 
 module pu_fetch #(
-  parameter int unsigned Lines = 32  // lines of geometry in flight or waiting
+  parameter int unsigned Lines = 64  // lines of geometry in flight or waiting
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
@@ -46,7 +46,8 @@ module pu_fetch #(
                       chunk_i.window_y, chunk_i.window_x, chunk_i.kind};
 
   line_reader #(
-    .TagW(HeaderW), .ItemW(pipegs_pkg::GaussianRecordBits), .ItemsPerLine(pipegs_pkg::GaussiansPerLine), .Lines(Lines)
+    .TagW(HeaderW), .ItemW(pipegs_pkg::GaussianRecordBits), .ItemsPerLine(pipegs_pkg::GaussiansPerLine), .Lines(Lines),
+    .Jobs(8)
   ) u_reader (
     .clk_i, .rst_ni, .base_i(gaussians_i),
     .job_valid_i(chunk_valid_i), .job_ready_o(chunk_ready_o), .job_read_i(chunk_i.kind == pipegs_pkg::KindData),

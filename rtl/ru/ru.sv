@@ -58,7 +58,7 @@ module ru #(
   output logic [WordW-1:0]                     tap_word_o
 );
 
-  localparam int unsigned QueueDepth = 16;
+  localparam int unsigned QueueDepth = pipegs_pkg::Late == 0 ? 16 : 64;  // evens out which RU has more to do
   localparam int unsigned QueueW = $clog2(QueueDepth + 1);
   localparam int unsigned Words = pipegs_pkg::Regions / Units * 4;
   localparam int unsigned AddrW = $clog2(Words);

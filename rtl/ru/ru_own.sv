@@ -1,7 +1,7 @@
 // ru_own: the regions of a window that belong to one RU, as a mask.
 //
-// Idea    Regions are dealt to the RUs like the squares of a chess board: one RU owns all, two own the squares of one
-//         colour each, four own one square of each block of 2x2. A mask is two constants and a few gates.
+// Idea    Two RUs own the colours of a chess board; four own every fourth region of a row, each row starting two further:
+//         2x2 regions, and four in a row, keep all of them busy. A mask is a constant for each RU.
 // Stream  unit_i, constant. Combinational.
 // Model   ru_own_mask in cpp_model/ru/ru_walk.hpp
 
@@ -10,21 +10,13 @@ module ru_own (
   output logic [pipegs_pkg::Regions-1:0] own_o
 );
 
-  localparam int unsigned Regions = pipegs_pkg::Regions;
+  localparam int unsigned Units = pipegs_pkg::Units;
   localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
-  localparam logic [Regions-1:0] OddX = {(Regions / 2){2'b10}};
-  localparam logic [Regions-1:0] OddY = {(RegionsX / 2){{RegionsX{1'b1}}, {RegionsX{1'b0}}}};
+  localparam int unsigned Step = Units / 2;  // from one row to the next
 
-  if (pipegs_pkg::Units == 1) begin : gen_one
-    assign own_o = '1;
-    logic unused_unit;
-    assign unused_unit = &{1'b0, unit_i};
-  end else if (pipegs_pkg::Units == 2) begin : gen_two
-    assign own_o = unit_i[0] ? OddX ^ OddY : ~(OddX ^ OddY);
-    logic unused_unit;
-    assign unused_unit = &{1'b0, unit_i};
-  end else begin : gen_four
-    assign own_o = (unit_i[0] ? OddX : ~OddX) & (unit_i[1] ? OddY : ~OddY);
+  for (genvar r = 0; r < pipegs_pkg::Regions; r += 1) begin : gen_region
+    localparam int unsigned Owner = (r % RegionsX + Step * (r / RegionsX)) % Units;
+    assign own_o[r] = unit_i == pipegs_pkg::UnitW'(Owner);
   end
 
 endmodule

@@ -108,12 +108,15 @@ inline int32_t DramChannel::take_head(List& list) {
   return burst;
 }
 
-// The list of a bank has another head, or none.
+// The list of a bank has another head, or none. With hits_first a burst for another row is not seen while hits wait.
 inline void DramChannel::new_head(int bank, bool write, bool hit) {
   const Lists& lists = bank_[bank].waiting[write];
   const int32_t head = hit ? lists.hit.head : lists.miss.head;
   DramLanes& ages = hit ? waiting_[write].hit_age : waiting_[write].miss_age;
   ages[bank] = head < 0 ? kDramNone : pool_[head].order << 7 | (hit ? 64 : 0) | bank;
+  if (!timing_.hits_first) return;
+  const int32_t miss = lists.hit.head >= 0 ? -1 : lists.miss.head;
+  waiting_[write].miss_age[bank] = miss < 0 ? kDramNone : pool_[miss].order << 7 | bank;
 }
 
 // A burst leaves its queue.

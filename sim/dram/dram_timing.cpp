@@ -77,6 +77,7 @@ void check_dram(const DramTiming& t) {
   demand(power_of_two(t.burst_length) && t.columns >= 4 * t.burst_length, "beats of a burst", t.burst_length);
   demand(t.interleave_bytes == 0 || (power_of_two(t.interleave_bytes) && t.interleave_bytes >= t.burst_bytes()),
          "bytes in one channel", t.interleave_bytes);
+  demand(power_of_two(t.group_bytes) && t.group_bytes <= t.columns * t.channel_width / 8, "bytes in one bank group", t.group_bytes);
   demand(t.t_ck_ps > 0 && t.t_burst > 0 && t.rl > 0 && t.wl > 0, "clock period in ps", t.t_ck_ps);
   demand(t.t_refi > t.t_rfc + t.t_rc, "refresh interval", t.t_refi);
   demand(t.read_queue >= 1 && t.write_queue >= 1 && t.read_queue + t.write_queue <= 4096, "read queue", t.read_queue);

@@ -16,6 +16,7 @@ namespace pipegs {
 
 enum class DramMapping {
   kRoBaRaCoCh,  // from the top: row, bank, bank group, rank, column, channel
+  kRoBaCoGrCh,  // row, bank, rank, column, bank group, group_bytes, channel; bank and group XORed with the row
   kMop4ClXor,   // four bursts, then the next bank; rank, group, bank and row are XORed with the column
 };
 
@@ -28,6 +29,7 @@ struct DramTiming {
   int channel_width = 16, burst_length = 16;                // bits, beats
   DramMapping mapping = DramMapping::kRoBaRaCoCh;
   int interleave_bytes = 0;  // consecutive bytes in one channel; 0: one burst
+  int group_bytes = 512;     // RoBaCoGrCh: consecutive bytes of a channel in one bank group
 
   // timing
   int t_ck_ps = 1250;
@@ -48,6 +50,7 @@ struct DramTiming {
   // controller
   int read_queue = 32, write_queue = 32;     // bursts, for each channel
   double write_high = 0.8, write_low = 0.2;  // of write_queue: start and end of draining writes
+  bool hits_first = false;  // a bank stays open while bursts of its row wait, though an older one waits for another row
   int front_queue = 16;                      // lines that wait in order before the channels
 
   int burst_bytes() const { return channel_width / 8 * burst_length; }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "Vdopu.h"
+#include "cpp_model/ru/ru_walk.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
@@ -96,9 +97,7 @@ struct Feedback : Endpoint {
     Words bits(sizeof(bench.dut.done_i) / 4 + 2), x(4), y(4);
     for (int u = 0; u < config.units; ++u) {
       for (int r = 0; r < config.regions(); ++r) {
-        const int rx = r % config.regions_x(), ry = r / config.regions_x();
-        const int owner = config.units == 1 ? 0 : config.units == 2 ? (rx ^ ry) & 1 : 2 * (ry & 1) + (rx & 1);
-        if (owner == u) put_bits(bits.data(), u * config.regions() + r, 1, done);
+        if (ru_owner(config, r) == u) put_bits(bits.data(), u * config.regions() + r, 1, done);
       }
       put_bits(x.data(), u * config.window_w(), config.window_w(), frame->first_x + window % columns);
       put_bits(y.data(), u * config.window_w(), config.window_w(), frame->first_y + window / columns);

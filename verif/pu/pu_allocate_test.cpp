@@ -2,6 +2,7 @@
 #include <set>
 
 #include "cpp_model/pu/pu_allocate.hpp"
+#include "cpp_model/ru/ru_walk.hpp"
 #include "verif/support/config.hpp"
 #include "verif/support/gated_bench.hpp"
 #include "Vpu_allocate.h"
@@ -28,7 +29,7 @@ struct World : Endpoint {
       put_bits(done_x.data(), j * 10, 10, here || same_x ? x : (x + 1) & 1023);
       put_bits(done_y.data(), j * 10, 10, here || !same_x ? y : (y + 1) & 1023);
       for (int r = 0; r < config.regions(); ++r) {
-        if (here && region_owner(config, r) == j) live |= bits & (uint64_t{1} << r);
+        if (here && ru_owner(config, r) == j) live |= bits & (uint64_t{1} << r);
       }
     }
     write_port(dut.done_i, done.data());
