@@ -9,7 +9,7 @@
 namespace pipegs::timing {
 
 // rtl/pu/pu_fetch.sv: Jobs and Lines of its line_reader.
-inline constexpr int kFetchJobs = 4, kFetchLines = 32;
+inline constexpr int kFetchJobs = 8, kFetchLines = 64;
 // rtl/dopu/dopu_descend.sv: Results; Jobs and Lines of its readers (Lines of dopu.sv for orders 0 and 1).
 inline constexpr int kDescendResults = 8, kDescendJobs = 8, kDescendLines = 32;
 // rtl/dopu/dopu_nearest.sv: Results, Most, Ahead; Lines of dopu.sv for order 2.
@@ -26,7 +26,7 @@ inline constexpr int kListJobs = 8, kListLines = 64;
 inline constexpr int kSuChains = 64, kSuMarks = 64, kSuMarksLayers = 4, kSuWaiting = 32, kSuAnswers = 32;
 // rtl/ru/ru.sv: QueueDepth.
 inline constexpr int kRuQueueMost = 64;
-inline int ru_queue_depth(const Config&) { return 16; }
+inline int ru_queue_depth(const Config& config) { return config.late == 0 ? 16 : 64; }
 // rtl/ru/ru_rows.sv: LinesDepth; rtl/ru/ru_fetch.sv: LocalLines.
 inline constexpr int kRuLines = 2, kRuLocalLines = 4;
 
