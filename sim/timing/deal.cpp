@@ -16,7 +16,7 @@ void Deal::step(Machine& m, Cycle now) {
   }
   // The arbiter of the targets turned in the cycles in between, too: nothing changed in them.
   if (first_) targets_ = room, first_ = false;
-  if (targets_ != 0) {
+  if (targets_ != 0 && stepped_ != now - 1) {
     for (Cycle turns = (now - 1 - stepped_) % std::popcount(targets_); turns > 0; --turns) target_last_ = round_robin(targets_, target_last_);
   }
   targets_ = room & ~waiting_;

@@ -74,9 +74,9 @@ void Dopu::step(Machine& m, Cycle now) {
 
   // What comes by itself.
   if (cycle.changed || cycle.moved) cycle.at(now + 1);
-  if (multiplying_) cycle.at(multiplied_at_);
-  if (shifting_) cycle.at(shifted_at_);
-  if (planes_ == kPlanesBusy) cycle.at(planes_at_);
+  if (multiplying_ && multiplied_at_ > now) cycle.at(multiplied_at_);
+  if (shifting_ && shifted_at_ > now) cycle.at(shifted_at_);
+  if (planes_ == kPlanesBusy && planes_at_ > now) cycle.at(planes_at_);
   if (now < 2 + m.config.focal_w()) cycle.at(2 + m.config.focal_w());
   m.wheel.wake(unit(kDopu), cycle.next);
 }

@@ -84,6 +84,7 @@ class Pu {
   const bool late_, lists_;
 
   Reader reader_;
+  bool chunk_room_ = true;     // in the next cycle
 
   // pu_cull
   std::array<Beat, 7> pipe_;

@@ -38,13 +38,16 @@ void Pu::reader(Machine& m, Cycle now) {
     job.count = chunk.count;
     job.tag = {chunk.end, chunk.first, chunk.survivors};
   }
-  const bool changed = reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
+  reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
   if (reader_.wants()) m.memory.ask(port, reader_.line());
   m.wheel.wake(unit(kCull, lane_), reader_.item_from(now));
   m.wheel.wake(unit(kReader, lane_), reader_.next(now));
-  if (changed && m.dopu.has_chunk()) {
-    m.wheel.wake(unit(kDopu), now + 1);
-    m.wheel.wake(unit(kReader, lane_), now + 1);
+  if (const bool next = reader_.room_next(now); next != chunk_room_) {
+    chunk_room_ = next;
+    if (m.dopu.has_chunk()) {
+      m.wheel.wake(unit(kDopu), now + 1);
+      m.wheel.wake(unit(kReader, lane_), now + 1);
+    }
   }
 }
 
@@ -68,7 +71,7 @@ void Pu::cull(Machine& m, Cycle now) {
       entering = job.tag.first + static_cast<Beat>(std::popcount(job.tag.survivors & ((uint64_t{1} << reader_.item()) - 1)));
     }
     reader_.pop_item(now);
-    m.wheel.wake_now(unit(kReader, lane_));
+    if (reader_.needs_step(now)) m.wheel.wake_now(unit(kReader, lane_));
   }
   pipe_[pipe_at_] = entering;
   pipe_at_ = pipe_at_ + 1 == pipe_.size() ? 0 : pipe_at_ + 1;

@@ -606,7 +606,10 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     const uint8_t set = set_;
     auto& marks = m.pu[static_cast<size_t>(lane_)].marks;
     const uint32_t bucket = all ? 0 : bucket_of(static_cast<uint64_t>(marks.front()) << m.config.index_w);
-    if (!all) marks.pop(now);
+    if (!all) {
+      marks.pop(now);
+      m.wheel.wake(unit(kReader, lane_), now + 1);
+    }
     marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});
     if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
   }
