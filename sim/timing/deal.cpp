@@ -28,7 +28,7 @@ void Deal::step(Machine& m, Cycle now) {
     const int k = std::countr_zero(rest);
     Pu& pu = m.pu[static_cast<size_t>(k)];
     pu.visible.push(now, beat_);
-    m.wheel.wake(unit(kStages + Pu::kPhaseStages - 1, k), pu.visible.head_from());
+    m.wheel.wake(unit(kProject, k), pu.visible.head_from());
     waiting_ &= ~(uint32_t{1} << k);
     moved = true;
   }

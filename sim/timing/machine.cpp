@@ -47,7 +47,8 @@ void Machine::step(int number, Cycle now) {
     case kCull: pu[k].cull(*this, now); break;
     case kReader: pu[k].reader(*this, now); break;
     case kDopu: dopu.step(*this, now); break;
-    default: pu[k].phases(*this, now, kind - kStages); break;
+    case kProject: pu[k].project(*this, now); break;
+    default: break;
   }
 }
 

@@ -42,8 +42,8 @@ enum Unit : int {
   kExpand,     // only with lists
   kListColor,  // with lists, instead of kColor
   kConic,
-  kStages,     // pu_covariance, squares, factors, jacobian, orient, project: six numbers
-  kDeal = kStages + 6,
+  kProject,    // pu_project, and the stages behind it up to pu_covariance
+  kDeal,
   kCull,
   kReader,     // pu_fetch
   kDopu,

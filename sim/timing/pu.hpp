@@ -1,8 +1,7 @@
 // pu.hpp: a Preprocessing Unit in the timing model.
 //
 // RTL     rtl/pu/pu.sv: fetch, cull | (deal.hpp) | project .. coeff, intersect, then pu_cache or pu_late.
-// Idea    Stages that keep a record for eight cycles act twice: when they take a record and when they claim their output
-//         register. Their phases in between are arithmetic.
+// Idea    A stage acts when it takes a record and when it gives one; its phases in between are arithmetic.
 #pragma once
 
 #include <array>
@@ -12,19 +11,12 @@
 #include "sim/timing/depths.hpp"
 #include "sim/timing/expand.hpp"
 #include "sim/timing/line_reader.hpp"
+#include "sim/timing/phases.hpp"
 #include "sim/timing/rows.hpp"
 
 namespace pipegs::timing {
 
 struct Machine;
-
-// pu_phases.sv: covariance, squares, factors, jacobian, orient, project.
-struct PhaseStage {
-  bool holding = false;  // a record that has not claimed the output
-  Beat beat = 0;
-  Cycle claim_at = 0, ready_at = kLongAgo;
-  Output<Beat> out;
-};
 
 // pu_conic.sv, pu_coeff.sv: slots with a front record.
 struct SlotStage {
@@ -36,13 +28,11 @@ struct SlotStage {
 
 class Pu {
  public:
-  static constexpr int kPhaseStages = 6;
-
   Pu(const Machine& machine, int lane);
 
   void reader(Machine& m, Cycle now);
   void cull(Machine& m, Cycle now);
-  void phases(Machine& m, Cycle now, int stage);
+  void project(Machine& m, Cycle now);
   void conic(Machine& m, Cycle now);
   void expand(Machine& m, Cycle now) { expand_.step(m, now, conic_.out); }
   void coeff(Machine& m, Cycle now);
@@ -91,7 +81,7 @@ class Pu {
   unsigned pipe_at_ = 0;
   int pipe_count_ = 0;
 
-  std::array<PhaseStage, kPhaseStages> phases_;  // 0: covariance ... 5: project
+  Phases phases_;              // project to covariance
   SlotStage conic_, coeff_;
   Expand expand_;              // only with lists
 

@@ -5,17 +5,6 @@
 #include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
-namespace {
-
-// Depth and claiming phase of each stage, see pu_phases.sv; covariance first.
-struct Phases {
-  int depth, claim;
-};
-constexpr Phases kPhases[Pu::kPhaseStages] = {{1, 7}, {1, 3}, {1, 2}, {2, 2}, {1, 5}, {4, 4}};
-constexpr int kProject = Pu::kPhaseStages - 1;
-
-}  // namespace
-
 Pu::Pu(const Machine& m, int lane)
     : color(m, lane), lane_(lane), late_(m.config.late != 0), lists_(m.config.order == 1), reader_(m.config.gaussians_per_line(), m.frame.gaussians),
       expand_(lane), alpha_lines_(m.config.alpha_lines), rows_(m.config.pixels_per_row), pieces_(m.config.alpha_memory_lines()) {
@@ -81,37 +70,16 @@ void Pu::cull(Machine& m, Cycle now) {
 
 // --- stages of eight cycles -------------------------------------------------------------------------------------------------
 
-void Pu::phases(Machine& m, Cycle now, int number) {
-  const auto [depth, claim] = kPhases[number];
-  const int self = unit(kStages + number, lane_);
-  PhaseStage& stage = phases_[static_cast<size_t>(number)];
-  if (stage.holding) {
-    if (now < stage.claim_at) return m.wheel.wake(self, stage.claim_at);
-    if (stage.out.valid) return;  // the next stage wakes us
-    stage.holding = false;
-    stage.ready_at = now + 7 - claim;
-    stage.out.set(now + 8 - claim + depth, stage.beat);
-    m.wheel.wake(number == 0 ? unit(kConic, lane_) : self - 4, stage.out.from);
-  }
-  if (number == kProject) {
-    if (visible.empty()) return;
-    const Cycle when = std::max(stage.ready_at, visible.head_from());
-    if (when > now) return m.wheel.wake(self, when);
-    if (visible.count() == kVisibleDepth) m.wheel.wake(unit(kDeal), now + 1);
-    stage.beat = visible.front();
-    visible.pop(now);
-  } else {
-    Output<Beat>& in = phases_[static_cast<size_t>(number) + 1].out;
-    if (!in.valid) return;
-    const Cycle when = std::max(stage.ready_at, in.from);
-    if (when > now) return m.wheel.wake(self, when);
-    stage.beat = in.value;
-    in.valid = false;
-    m.wheel.wake_now(self + 4);
-  }
-  stage.holding = true;
-  stage.claim_at = now + 1 + claim;
-  m.wheel.wake(self, stage.claim_at);
+void Pu::project(Machine& m, Cycle now) {
+  if (visible.empty() || !phases_.can_take()) return;  // pu_deal, or pu_conic wakes us
+  const int self = unit(kProject, lane_);
+  const Cycle when = std::max(phases_.ready(), visible.head_from());
+  if (when > now) return m.wheel.wake(self, when);
+  if (visible.count() == kVisibleDepth) m.wheel.wake(unit(kDeal), now + 1);
+  const Beat beat = visible.front();
+  visible.pop(now);
+  if (phases_.take(now, beat)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
+  if (!visible.empty() && phases_.can_take()) m.wheel.wake(self, std::max(phases_.ready(), visible.head_from()));
 }
 
 // A slot takes a new record to the front and sends the front record out, in phase `out_phase`; `tail` cycles later the
@@ -144,7 +112,10 @@ void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giv
 }
 
 void Pu::conic(Machine& m, Cycle now) {
-  slot(m, now, conic_, phases_[0].out, unit(kStages, lane_), unit(kConic, lane_), unit(lists_ ? kExpand : kCoeff, lane_), 5, 3);
+  const bool there = phases_.out.valid;
+  slot(m, now, conic_, phases_.out, unit(kProject, lane_), unit(kConic, lane_), unit(lists_ ? kExpand : kCoeff, lane_), 5, 3);
+  if (!there || phases_.out.valid) return;
+  if (phases_.taken(now)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
 }
 
 void Pu::coeff(Machine& m, Cycle now) {
