@@ -27,7 +27,7 @@ module pu_edge #(
   input  logic [AxisW-1:0]         column_i,
   input  logic [AxisW-1:0]         row_i,
 
-  input  logic signed [MeanW-1:0]  mean_x_i,   // of the Gaussian: stay until its last verdict
+  input  logic signed [MeanW-1:0]  mean_x_i,   // of the Gaussian
   input  logic signed [MeanW-1:0]  mean_y_i,
   input  logic signed [DefW-1:0]   d_i,
   input  logic signed [DefW-1:0]   e_i,
@@ -69,6 +69,7 @@ module pu_edge #(
   // --- 1: differences across the region; gradients along the facing edges, at both ends ----------------------------
   logic signed [PowerW-1:0] power_1_q, across_1_q, down_1_q;
   logic signed [GradW-1:0]  gx, gy, gx_1_q, gy_1_q, gx_end_1_q, gy_end_1_q;
+  logic signed [DefW-1:0]   d_1_q, e_1_q, f_1_q;
   logic                     vertical_1_q, horizontal_1_q, right_1_q, below_1_q;
   assign gx = gx_i + (below ? GradW'(f_i) * GradW'(7) : GradW'(0));
   assign gy = gy_i + (right ? GradW'(f_i) * GradW'(7) : GradW'(0));
@@ -85,6 +86,9 @@ module pu_edge #(
       horizontal_1_q <= above || below;
       right_1_q      <= right;
       below_1_q      <= below;
+      d_1_q          <= d_i;
+      e_1_q          <= e_i;
+      f_1_q          <= f_i;
     end
   end
 
@@ -95,12 +99,12 @@ module pu_edge #(
   logic                     bends_x, bends_y;
   assign power_x    = power_1_q + across_1_q;
   assign power_y    = power_1_q + down_1_q;
-  assign power_xy   = power_1_q + across_1_q + down_1_q + PowerW'(f_i) * PowerW'(49);
+  assign power_xy   = power_1_q + across_1_q + down_1_q + PowerW'(f_1_q) * PowerW'(49);
   assign bends_x    = horizontal_1_q && gx_1_q > 0 && gx_end_1_q < 0;
   assign bends_y    = vertical_1_q && gy_1_q > 0 && gy_end_1_q < 0;
   assign power_edge = bends_x ? (below_1_q ? power_y : power_1_q) : (right_1_q ? power_x : power_1_q);
   assign grad_edge  = bends_x ? gx_1_q : gy_1_q;
-  assign curve_edge = bends_x ? d_i : e_i;
+  assign curve_edge = bends_x ? d_1_q : e_1_q;
 
   logic signed [PowerW-1:0] deficit;
   logic                     sure_2_q, maybe_2_q;

@@ -5,8 +5,9 @@
 //         if it holds the mean, if P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls, and its
 //         peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
 //           P += 8 gx + 64 D,  gx += 16 D,  gy += 8 F          P += 8 gy + 64 E,  gx += 8 F,  gy += 16 E
+//         Three records are inside at once: one is set up, one walks, the regions of one are being tested.
 // Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through.
-// Pace    6 + (regions in the box) cycles; 2 for a Gaussian without a box, or for an end beat.
+// Pace    The regions in the box, but at least 3 cycles; 2 for a Gaussian without a box; an end beat waits for those before it.
 //         box | start | place | walk ... | ends of edges | products | compare, out
 // Model   cpp_model/pu/pu_intersect.hpp
 
@@ -47,18 +48,17 @@ module pu_intersect (
   localparam logic signed [PowerW-1:0] MinusCut =
     PowerW'((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + Slack);
 
-  typedef enum logic [2:0] {
-    StateIdle,   // waits for a record; makes its box
+  typedef enum logic [1:0] {
+    StateBox,    // waits for a record; makes its box
     StateStart,  // gradients at the first region
-    StatePlace,  // P there
-    StateWalk,   // one region per cycle
-    StateDrain,  // the last regions are being tested; then waits for the output register
-    StateEnd     // an end beat, waits for the output register
+    StatePlace   // P there; waits until the walk takes the record
   } state_e;
 
   state_e              state_q;
-  logic                tiles_valid_q, out_free, last, none_q;
-  pipegs_pkg::tiles_t  tiles, tiles_q;
+  logic                tiles_valid_q, walk_valid_q, drain_valid_q, none_q;
+  logic                is_end, take_end, drop, load, step, test_last, hold, out_free, leave;
+  pipegs_pkg::coeff_t  walk_q;   // the record whose regions are walked
+  pipegs_pkg::tiles_t  walked, drain_q, tiles_q;  // drain: its last region is being tested
   logic [Regions-1:0]  mask, mask_q;
 
   // --- the box of pixels, as columns and rows of regions -----------------------------------------------------------
@@ -68,7 +68,7 @@ module pu_intersect (
   logic signed [BoxW-1:0] half_x, half_y, x_low, x_high, y_low, y_high;
   logic [PixelW-1:0]      x_first, x_last, y_first, y_last;
   logic                   none;
-  logic [AxisW-1:0]       column_first_q, column_last_q, row_last_q, column_q, row_q;
+  logic [AxisW-1:0]       box_left_q, box_right_q, box_top_q, box_bottom_q;
 
   assign half_x  = BoxW'(coeff_i.extent_x) << (MeanF - ExtentF);
   assign half_y  = BoxW'(coeff_i.extent_y) << (MeanF - ExtentF);
@@ -86,10 +86,10 @@ module pu_intersect (
   // --- first region: gradients, then P -----------------------------------------------------------------------------
   logic signed [FactorW-1:0] column, row;
   logic signed [CurveW-1:0]  e_row, f_row, f_column, d_column;
-  logic signed [GradW-1:0]   b, c, along_x_q, along_y_q;  // B + F y + D x,  C + E y
-  logic signed [PowerW-1:0]  place;
-  assign column   = {1'b0, column_q};
-  assign row      = {1'b0, row_q};
+  logic signed [GradW-1:0]   b, c, along_x_q, along_y_q, first_gx_q, first_gy_q;  // along: B + F y + D x,  C + E y
+  logic signed [PowerW-1:0]  place, first_power;
+  assign column   = {1'b0, box_left_q};
+  assign row      = {1'b0, box_top_q};
   assign d_column = CurveW'(coeff_i.d) * CurveW'(column);
   assign e_row    = CurveW'(coeff_i.e) * CurveW'(row);
   assign f_column = CurveW'(coeff_i.f) * CurveW'(column);
@@ -97,17 +97,35 @@ module pu_intersect (
   assign b        = GradW'(coeff_i.b);
   assign c        = GradW'(coeff_i.c);
   assign place    = PowerW'(along_x_q) * PowerW'(column) + PowerW'(along_y_q) * PowerW'(row);
+  assign first_power = PowerW'(coeff_i.a) + MinusCut + (place <<< EightW);
+
+  always_ff @(posedge clk_i) begin
+    if (state_q == StateBox) begin
+      box_left_q   <= x_first[PixelW-1:EightW];
+      box_right_q  <= x_last[PixelW-1:EightW];
+      box_top_q    <= y_first[PixelW-1:EightW];
+      box_bottom_q <= y_last[PixelW-1:EightW];
+      none_q       <= none;
+    end
+    if (state_q == StateStart) begin
+      along_x_q  <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< EightW);
+      along_y_q  <= c + (GradW'(e_row) <<< EightW);
+      first_gx_q <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< (EightW + 1));
+      first_gy_q <= c + (GradW'(f_column) <<< EightW) + (GradW'(e_row) <<< (EightW + 1));
+    end
+  end
 
   // --- the walk ----------------------------------------------------------------------------------------------------
   logic                     last_column, last_region;
+  logic [AxisW-1:0]         column_first_q, column_last_q, row_last_q, column_q, row_q;
   logic signed [PowerW-1:0] power_q, power_row_q, power_from;
   logic signed [GradW-1:0]  gx_q, gy_q, gx_row_q, gy_row_q, gx_from, gy_from, grad;
   logic signed [DefW-1:0]   d, e, f, curve;
   logic signed [PowerW-1:0] power_next;
   logic signed [GradW-1:0]  gx_next, gy_next;
-  assign d           = coeff_i.d;
-  assign e           = coeff_i.e;
-  assign f           = coeff_i.f;
+  assign d           = walk_q.d;
+  assign e           = walk_q.e;
+  assign f           = walk_q.f;
   assign last_column = column_q == column_last_q;
   assign last_region = last_column && row_q == row_last_q;
   assign power_from  = last_column ? power_row_q : power_q;  // down from the row's first region, or to the right
@@ -120,50 +138,40 @@ module pu_intersect (
   assign gy_next     = gy_from + (last_column ? GradW'(e) <<< (EightW + 1) : GradW'(f) <<< EightW);
 
   always_ff @(posedge clk_i) begin
-    case (state_q)
-      StateIdle: begin
-        column_q       <= x_first[PixelW-1:EightW];
-        column_first_q <= x_first[PixelW-1:EightW];
-        column_last_q  <= x_last[PixelW-1:EightW];
-        row_q          <= y_first[PixelW-1:EightW];
-        row_last_q     <= y_last[PixelW-1:EightW];
-        none_q         <= none;
+    if (load) begin
+      walk_q         <= coeff_i;
+      column_q       <= box_left_q;
+      column_first_q <= box_left_q;
+      column_last_q  <= box_right_q;
+      row_q          <= box_top_q;
+      row_last_q     <= box_bottom_q;
+      power_q        <= first_power;
+      power_row_q    <= first_power;
+      gx_q           <= first_gx_q;
+      gy_q           <= first_gy_q;
+      gx_row_q       <= first_gx_q;
+      gy_row_q       <= first_gy_q;
+    end else if (step) begin
+      power_q  <= power_next;
+      gx_q     <= gx_next;
+      gy_q     <= gy_next;
+      column_q <= last_column ? column_first_q : column_q + AxisW'(1);
+      if (last_column) begin
+        row_q       <= row_q + AxisW'(1);
+        power_row_q <= power_next;
+        gx_row_q    <= gx_next;
+        gy_row_q    <= gy_next;
       end
-      StateStart: begin
-        along_x_q <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< EightW);
-        along_y_q <= c + (GradW'(e_row) <<< EightW);
-        gx_q      <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< (EightW + 1));
-        gy_q      <= c + (GradW'(f_column) <<< EightW) + (GradW'(e_row) <<< (EightW + 1));
-      end
-      StatePlace: begin
-        power_q     <= PowerW'(coeff_i.a) + MinusCut + (place <<< EightW);
-        power_row_q <= PowerW'(coeff_i.a) + MinusCut + (place <<< EightW);
-        gx_row_q    <= gx_q;
-        gy_row_q    <= gy_q;
-      end
-      StateWalk: begin
-        power_q  <= power_next;
-        gx_q     <= gx_next;
-        gy_q     <= gy_next;
-        column_q <= last_column ? column_first_q : column_q + AxisW'(1);
-        if (last_column) begin
-          row_q       <= row_q + AxisW'(1);
-          power_row_q <= power_next;
-          gx_row_q    <= gx_next;
-          gy_row_q    <= gy_next;
-        end
-      end
-      default: ;
-    endcase
+    end
   end
 
   // --- the test ----------------------------------------------------------------------------------------------------
-  logic               keep, test_last;
+  logic               keep;
   logic [RegionW-1:0] test_region;
   pu_edge u_edge (
-    .clk_i, .rst_ni, .hold_i(!out_free && last),
-    .valid_i(state_q == StateWalk), .last_i(last_region), .column_i(column_q), .row_i(row_q),
-    .mean_x_i(coeff_i.mean_x), .mean_y_i(coeff_i.mean_y), .d_i(d), .e_i(e), .f_i(f),
+    .clk_i, .rst_ni, .hold_i(hold),
+    .valid_i(step), .last_i(last_region), .column_i(column_q), .row_i(row_q),
+    .mean_x_i(walk_q.mean_x), .mean_y_i(walk_q.mean_y), .d_i(d), .e_i(e), .f_i(f),
     .power_i(power_q), .gx_i(gx_q), .gy_i(gy_q),
     .keep_o(keep), .region_o(test_region), .last_o(test_last)
   );
@@ -172,65 +180,77 @@ module pu_intersect (
     mask = mask_q;
     if (keep) mask[test_region] = 1'b1;
   end
-  always_ff @(posedge clk_i) begin
-    if (state_q == StateStart) mask_q <= '0;
-    else mask_q <= mask;
-  end
 
   // --- control -----------------------------------------------------------------------------------------------------
-  assign out_free      = !tiles_valid_q || tiles_ready_i;
-  assign last          = state_q == StateDrain && test_last;
-  assign coeff_ready_o = (state_q == StateStart && none_q) || ((last || state_q == StateEnd) && out_free);
+  assign is_end   = coeff_i.kind != pipegs_pkg::KindData;
+  assign out_free = !tiles_valid_q || tiles_ready_i;
+  assign hold     = test_last && !out_free;
+  assign leave    = test_last && out_free;
+  assign step     = walk_valid_q && !hold && (!last_region || !drain_valid_q || leave);
+  assign drop     = state_q == StateStart && none_q;
+  assign load     = state_q == StatePlace && (!walk_valid_q || (step && last_region));
+  assign take_end = state_q == StateBox && coeff_valid_i && is_end && !walk_valid_q && !drain_valid_q && out_free;
+
+  assign coeff_ready_o = drop || load || take_end;
   assign tiles_valid_o = tiles_valid_q;
   assign tiles_o       = tiles_q;
-  assign busy_o        = state_q != StateIdle || tiles_valid_q;
+  assign busy_o        = state_q != StateBox || walk_valid_q || drain_valid_q || tiles_valid_q;
 
   always_comb begin
-    tiles      = '0;
-    tiles.kind = coeff_i.kind;
-    if (state_q != StateEnd) begin
-      tiles.mask  = mask;
-      tiles.a     = coeff_i.a;
-      tiles.b     = coeff_i.b;
-      tiles.c     = coeff_i.c;
-      tiles.d     = coeff_i.d;
-      tiles.e     = coeff_i.e;
-      tiles.f     = coeff_i.f;
-      tiles.depth = coeff_i.depth;
-      tiles.dir_x = coeff_i.dir_x;
-      tiles.dir_y = coeff_i.dir_y;
-      tiles.dir_z = coeff_i.dir_z;
-      tiles.base_r = coeff_i.base_r;
-      tiles.base_g = coeff_i.base_g;
-      tiles.base_b = coeff_i.base_b;
-      tiles.index = coeff_i.index;
-      tiles.slot  = coeff_i.slot;
-    end
+    walked = '0;  // a data beat
+    walked.a      = walk_q.a;
+    walked.b      = walk_q.b;
+    walked.c      = walk_q.c;
+    walked.d      = walk_q.d;
+    walked.e      = walk_q.e;
+    walked.f      = walk_q.f;
+    walked.depth  = walk_q.depth;
+    walked.dir_x  = walk_q.dir_x;
+    walked.dir_y  = walk_q.dir_y;
+    walked.dir_z  = walk_q.dir_z;
+    walked.base_r = walk_q.base_r;
+    walked.base_g = walk_q.base_g;
+    walked.base_b = walk_q.base_b;
+    walked.index  = walk_q.index;
+    walked.slot   = walk_q.slot;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q       <= StateIdle;
+      state_q       <= StateBox;
+      walk_valid_q  <= 1'b0;
+      drain_valid_q <= 1'b0;
       tiles_valid_q <= 1'b0;
+      mask_q        <= '0;
     end else begin
-      if (tiles_ready_i) tiles_valid_q <= 1'b0;
       case (state_q)
-        StateIdle:
-          if (coeff_valid_i) state_q <= coeff_i.kind == pipegs_pkg::KindData ? StateStart : StateEnd;
-        StateStart: state_q <= none_q ? StateIdle : StatePlace;
-        StatePlace: state_q <= StateWalk;
-        StateWalk: if (last_region) state_q <= StateDrain;
-        default: begin
-          if ((last || state_q == StateEnd) && out_free) begin
-            state_q       <= StateIdle;
-            tiles_valid_q <= state_q == StateEnd || mask != '0;
-          end
-        end
+        StateBox: if (coeff_valid_i && !is_end) state_q <= StateStart;
+        StateStart: state_q <= none_q ? StateBox : StatePlace;
+        default: if (load) state_q <= StateBox;
       endcase
+      if (load) walk_valid_q <= 1'b1;
+      else if (step && last_region) walk_valid_q <= 1'b0;
+      if (step && last_region) drain_valid_q <= 1'b1;
+      else if (leave) drain_valid_q <= 1'b0;
+      mask_q <= leave ? '0 : mask;
+      if (leave) tiles_valid_q <= mask != '0;
+      else if (take_end) tiles_valid_q <= 1'b1;
+      else if (tiles_ready_i) tiles_valid_q <= 1'b0;
     end
   end
+
   always_ff @(posedge clk_i) begin
-    if ((last || state_q == StateEnd) && out_free) tiles_q <= tiles;
+    if (step && last_region) drain_q <= walked;
+    if (leave) begin
+      tiles_q      <= drain_q;
+      tiles_q.mask <= mask;
+    end else if (take_end) begin
+      tiles_q      <= '0;
+      tiles_q.kind <= coeff_i.kind;
+    end
   end
+
+  logic unused_walk;
+  assign unused_walk = ^walk_q;
 
 endmodule

@@ -62,7 +62,7 @@ TEST(PuIntersect, EqualsItsTwinForAnyConcaveCoefficients) {
   s.compare(records);
 }
 
-TEST(PuIntersect, TakesSixCyclesAndOnePerRegionOfTheBox) {
+TEST(PuIntersect, TakesOneCyclePerRegionOfTheBoxAndAtLeastThree) {
   Stage s;
   std::vector<Coeff> records;
   Covariance round;  // variance 4 px^2: one region from its middle, four from the corner of four
@@ -76,9 +76,9 @@ TEST(PuIntersect, TakesSixCyclesAndOnePerRegionOfTheBox) {
   }
   for (int i = 0; i < 50; ++i) records.push_back({.kind = kLayerEnd});
   s.compare(records);
-  EXPECT_EQ(s.out.cycles.at(40) - s.out.cycles.at(10), 30u * 7);
-  EXPECT_EQ(s.out.cycles.at(90) - s.out.cycles.at(60), 30u * 10);
-  EXPECT_EQ(s.out.cycles.at(140) - s.out.cycles.at(110), 30u * 2);
+  EXPECT_EQ(s.out.cycles.at(40) - s.out.cycles.at(10), 30u * 3);
+  EXPECT_EQ(s.out.cycles.at(90) - s.out.cycles.at(60), 30u * 4);
+  EXPECT_EQ(s.out.cycles.at(140) - s.out.cycles.at(110), 30u);
 }
 
 // Brute force: every pixel of the window as pu_region and pu_row_init give it to the Row Units.
