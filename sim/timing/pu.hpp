@@ -10,6 +10,7 @@
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/depths.hpp"
 #include "sim/timing/expand.hpp"
+#include "sim/timing/intersect.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/phases.hpp"
 #include "sim/timing/rows.hpp"
@@ -60,7 +61,6 @@ class Pu {
     uint64_t survivors = 0;
   };
   using Reader = LineReader<Header, kFetchJobs, kFetchLines>;
-  enum Intersect { kIdle, kNone, kWalk, kEnd };
   enum Allocate { kTake, kDecide, kOffer };
 
   bool take_tiles(Machine& m, Cycle now);
@@ -85,8 +85,7 @@ class Pu {
   SlotStage conic_, coeff_;
   Expand expand_;              // only with lists
 
-  Intersect intersect_ = kIdle;
-  Cycle intersect_at_ = kLongAgo;
+  Intersect intersect_;
   Output<Beat> tiles_;
 
   // pu_allocate, pu_late

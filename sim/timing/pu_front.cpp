@@ -126,28 +126,14 @@ void Pu::coeff(Machine& m, Cycle now) {
 
 void Pu::intersect(Machine& m, Cycle now) {
   const int self = unit(kIntersect, lane_);
-  if (intersect_ != kIdle) {
-    if (now < intersect_at_) return m.wheel.wake(self, intersect_at_);
-    if (intersect_ != kNone && tiles_.valid) return;  // the back wakes us
-    const Beat beat = coeff_.out.value;
+  const bool full = tiles_.valid;
+  if (intersect_.step(now, coeff_.out, tiles_, m.trace)) {
     coeff_.out.valid = false;
     m.wheel.wake_now(unit(kCoeff, lane_));
-    if (intersect_ == kEnd || (intersect_ == kWalk && m.trace.mask[beat] != 0)) {
-      tiles_.set(now + 1, beat);
-      m.wheel.wake(lists_ && late_ ? unit(kLists) : unit(kBack, lane_), now + 1);
-    }
-    intersect_ = kIdle;
-    intersect_at_ = now + 1;
-    return;  // the next record is seen from the next cycle on
   }
-  if (!coeff_.out.valid) return;
-  const Cycle when = std::max(intersect_at_, coeff_.out.from);
-  if (when > now) return m.wheel.wake(self, when);
-  const Beat beat = coeff_.out.value;
-  const int regions = is_end(beat) ? 0 : m.trace.boxes[beat];
-  intersect_ = is_end(beat) ? kEnd : regions == 0 ? kNone : kWalk;
-  intersect_at_ = now + (intersect_ == kWalk ? 5 + regions : 1);
-  m.wheel.wake(self, intersect_at_);
+  if (!full && tiles_.valid) m.wheel.wake(lists_ && late_ ? unit(kLists) : unit(kBack, lane_), now + 1);
+  m.wheel.wake(self, intersect_.next(now));
+  if (coeff_.out.valid && is_end(coeff_.out.value)) m.wheel.wake(self, now + 1);
 }
 
 }  // namespace pipegs::timing
