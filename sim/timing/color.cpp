@@ -8,7 +8,7 @@
 namespace pipegs::timing {
 
 Color::Color(const Machine& m, int lane)
-    : lane_(lane), port_(m.memory.color_port(lane)), self_(unit(m.config.order == 1 ? kListColor : kColor, lane)),
+    : port_(m.memory.color_port(lane)), self_(unit(m.config.order == 1 ? kListColor : kColor, lane)),
       giver_(unit(m.config.order == 1 ? kExpand : kBack, lane)), taker_(unit(m.config.order == 1 ? kExpand : kSu, lane)),
       joins_(m.config.late == 0 && m.config.order != 1), memory_(m.config.sh_degree != 0 && m.frame.sh_degree != 0),
       degree_(std::min(static_cast<int>(m.frame.sh_degree), m.config.sh_degree)), last_step_(degree_ == 1 ? 1 : degree_ == 2 ? 3 : 7),

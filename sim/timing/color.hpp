@@ -44,7 +44,7 @@ class Color {
   Cycle tasks_from() const { return flat_ && !tasks_.empty() ? std::max(tasks_.front().pushed + 1, tasks_.last_pop() + 1) : tasks_.head_from(); }
   Cycle basis_from(Cycle pushed);  // of the next shaded record
 
-  const int lane_, port_;
+  const int port_;
   const int self_, giver_, taker_;  // units
   const bool joins_, memory_;  // pu_join is there; the colour hardware is there and asks for lines
   int degree_ = 0, last_step_ = 0;

@@ -74,6 +74,12 @@ void Ru::lanes(Machine& m, Cycle now) {
   }
 }
 
+// Lanes without work get some: a line is played in its last cycle, what may have to wait from its first one on.
+void Ru::queued(Machine& m, Cycle from, bool line) {
+  if (line) start_ = from;
+  m.wheel.wake(unit(kLanes, lane_), line ? from + 3 : from);
+}
+
 // The last quarter of the line in the lanes.
 void Ru::consume(Machine& m, Cycle now) {
   uint8_t region;
@@ -162,7 +168,7 @@ void Ru::source(Machine& m, Cycle now) {
 void Ru::fire(Machine& m, Cycle now) {
   const Fetch& fetch = out_.value;
   records_.push(now, {fetch.beat, fetch.region, fetch.ext && !is_end(fetch.beat)});
-  m.wheel.wake(unit(kLanes, lane_), records_.head_from());
+  if (records_.count() == 1) queued(m, records_.head_from(), !fetch.ext && !is_end(fetch.beat));
   if (is_end(fetch.beat)) {
     parity_ = !parity_;
   } else {
@@ -176,7 +182,7 @@ void Ru::rows_source(Machine& m, Cycle now) {
   if (rows_.shown(now) && row_lines_.room(now)) {
     row_lines_.push(now, rows_.head());
     rows_.take(now);
-    m.wheel.wake(unit(kLanes, lane_), row_lines_.head_from());
+    if (row_lines_.count() == 1) queued(m, row_lines_.head_from(), !row_lines_.front().end);
   }
   const bool data = !is_end(splat_.beat);
   const uint64_t regions = live();

@@ -58,6 +58,7 @@ class Ru {
     bool ext;
   };
 
+  void queued(Machine& m, Cycle from, bool line);
   void consume(Machine& m, Cycle now);
   void end(Machine& m, Cycle now, Beat beat);
   void rows_source(Machine& m, Cycle now);
