@@ -52,9 +52,9 @@ void Machine::step(int number, Cycle now) {
   }
 }
 
-bool Machine::other_spills(int lane) const {
+bool Machine::other_spills(int lane, Cycle now) const {
   for (int k = 0; k < units; ++k) {
-    if (k != lane && su[static_cast<size_t>(k)].spilling()) return true;
+    if (k != lane && su[static_cast<size_t>(k)].spilling(now)) return true;
   }
   return false;
 }

@@ -56,7 +56,7 @@ struct Machine {
 
   Cycle run();  // of the frame; throws std::runtime_error when the model hangs
   void step(int unit, Cycle now);
-  bool other_spills(int lane) const;  // an SU other than this one brings a set to memory
+  bool other_spills(int lane, Cycle now) const;  // an SU other than this one brings a set to memory
 
   const TimingTrace& trace;
   const Config config;

@@ -156,7 +156,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
 
   // Collect.
   is.record = is.data && collect_ == kSpill;
-  is.spill_start = is.data && is.open && used_ == records_ && (is.drained || (marks_cut_ && m.other_spills(lane_)));
+  is.spill_start = is.data && is.open && used_ == records_ && (is.drained || (marks_cut_ && m.other_spills(lane_, now)));
   is.write = is.insert;
   is.mark_push = is.in != nullptr && !is.data && (is.open || collect_ == kSpill) && marks_.room(now);
   const bool spill_free = (!record_valid_ || record_taken_) && !keys_valid_;
@@ -208,6 +208,10 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
   }
   if (collect_ != before) moved_ = true;
+  if ((collect_ == kSpill) != (before == kSpill)) {
+    spill_turned_ = now;
+    for (int k = 0; k < m.units; ++k) m.wheel.wake(unit(kSu, k), now + 1);
+  }
   if (!is.taken) return;
   lists_ ? m.lists.taken(m, lane_) : m.pu[static_cast<size_t>(lane_)].color.taken(m, now);
   moved_ = true;

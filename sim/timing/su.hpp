@@ -48,7 +48,7 @@ class Su {
   void taken(Machine& m, Cycle now);
 
   bool ready() const { return ready_; }  // for the record on the lists' wires, in the cycle in which it was stepped last
-  bool spilling() const { return collect_ == kSpill; }
+  bool spilling(Cycle now) const { return (collect_ == kSpill) != (spill_turned_ == now); }  // a register: as this cycle began
 
  private:
   static constexpr int kAnswers = kSuAnswers, kKeysPerLine = 8, kGroup = 16;
@@ -117,6 +117,7 @@ class Su {
 
   // su_collect
   Collect collect_ = kCollect;
+  Cycle spill_turned_ = kLongAgo;               // when it began or ceased to be kSpill
   uint8_t set_ = 0;
   std::array<bool, 2> closed_{};
   SramQueue<Mark, kSuMarks> marks_;
