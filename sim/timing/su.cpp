@@ -45,7 +45,7 @@ void Su::step(Machine& m, Cycle now) {
   if (marks_.head_from() > now) at(marks_.head_from());
   if (answers_.head_from() > now) at(answers_.head_from());
   if (!link_writes_.empty() && (operation_ != kNone || work_ != 0)) at(now + 1);
-  if (back_ > 0 && fresh_ == records_ && !slot_valid(now + 1)) at(now + 1);
+  if (back_ > 0 && !slot_valid(now)) at(now + 1);
   m.wheel.wake(unit(kSu, lane_), next);
 }
 
