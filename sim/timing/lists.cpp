@@ -71,6 +71,17 @@ void Lists::taken(Machine& m, int lane) {
 }
 
 void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
+  // Jobs.
+  decltype(reader_)::Job job;
+  bool take = false, leave = state_ == kCount;
+  if (state_ == kLines || state_ == kEnd) {
+    const auto count = static_cast<uint32_t>(lists_[number_].size());
+    const bool wanted = state_ == kEnd || count != 0;
+    take = wanted && reader_.room_before_job(now);
+    leave = take || !wanted;
+    if (take) job = {state_ == kLines, static_cast<uint32_t>(number_ << m.config.list_entry_w()), state_ == kLines ? count : 0, {}};
+  }
+
   // Dealing.
   uint32_t ready = 0;
   for (int k = 0; k < units_; ++k) ready |= uint32_t{m.su[static_cast<size_t>(k)].ready()} << k;
@@ -79,10 +90,13 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
   const bool item = reader_.item_shown(now), data = item && reader_.job().read;
   const bool give = item && free && (!data || request != 0);
   const int target = request == 0 ? 0 : target_locked_ && (request >> target_shown_ & 1) != 0 ? target_shown_ : round_robin(request, target_last_);
-  if (give && request != 0) target_last_ = target;
-  target_locked_ = request != 0 && !give;
-  target_shown_ = target;
-  if (taken_ != 0) moved_ = true;
+  const bool wake = granted || answered || leave || give || (waiting_ & ready) != 0;
+  if (wake || now - woken_ <= kPatience) {  // else the clock stands, and the arbiter with it
+    if (give && request != 0) target_last_ = target;
+    target_locked_ = request != 0 && !give;
+    target_shown_ = target;
+  }
+  if (wake) woken_ = now, moved_ = true;
   waiting_ &= ~taken_;
   taken_ = 0;
   if (give) {
@@ -90,37 +104,19 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
     out_.beat = kWindowEndBeat;
     waiting_ = (uint32_t{1} << units_) - 1;
     if (data) {
-      item_list_ = reader_.job().first >> m.config.list_entry_w();
-      out_ = lists_[item_list_][reader_.item()];
+      out_ = lists_[reader_.job().first >> m.config.list_entry_w()][reader_.item()];
       waiting_ = uint32_t{1} << target;
     }
     reader_.pop_item(now);
     for (int k = 0; k < units_; ++k) m.wheel.wake(unit(kSu, k), now + 1);
-    moved_ = true;
   }
-  // Jobs.
-  decltype(reader_)::Job job;
-  bool take = false;
-  switch (state_) {
-    case kIdle: break;
-    case kCount:
-      state_ = kLines;
-      moved_ = true;
-      break;
-    case kLines:
-    case kEnd: {
-      const auto count = static_cast<uint32_t>(lists_[number_].size());
-      const bool wanted = state_ == kEnd || count != 0;
-      take = wanted && reader_.room_before_job(now);
-      if (wanted && !take) break;
-      moved_ = true;
-      job = {state_ == kLines, static_cast<uint32_t>(number_ << m.config.list_entry_w()), state_ == kLines ? count : 0, {}};
-      if (state_ == kLines) {
-        state_ = kEnd;
-      } else {
-        state_ = ++number_ == windows_ ? kIdle : kCount;
-      }
-      break;
+
+  if (leave) {
+    switch (state_) {
+      case kIdle: break;
+      case kCount: state_ = kLines; break;
+      case kLines: state_ = kEnd; break;
+      case kEnd: state_ = ++number_ == windows_ ? kIdle : kCount; break;
     }
   }
   if (reader_.step(now, granted, answered, take ? &job : nullptr)) moved_ = true;

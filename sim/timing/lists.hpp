@@ -47,7 +47,8 @@ class Lists {
   Read state_ = kIdle;
   size_t number_ = 0;
   LineReader<Tag, kListJobs, kListLines> reader_;
-  size_t item_list_ = 0;           // the list of the reader's present job
+  static constexpr Cycle kPatience = 7;  // of its pu_sleep
+  Cycle woken_ = kLongAgo;
   uint32_t waiting_ = 0, taken_ = 0;  // SUs that have still to take the record
   int target_last_ = 0, target_shown_ = 0;
   bool target_locked_ = false;
