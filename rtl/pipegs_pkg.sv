@@ -10,8 +10,8 @@ package pipegs_pkg;
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   localparam int unsigned Window         = 64;  // side of a window (16, 32 or 64); regions are 8x8 pixels
   localparam int unsigned Grid           = 4;  // cells of the orthogonal grid along one axis; 4 outdoor, 8 indoor
-  localparam int unsigned Chunk          = 32;  // most Gaussians in one chunk
-  localparam int unsigned Group          = 16;  // most chunks in one group, the node between a cell and its chunks
+  localparam int unsigned Chunk          = 16;  // most Gaussians in one chunk
+  localparam int unsigned Group          = 32;  // most chunks in one group, the node between a cell and its chunks
   localparam int unsigned ShDegree       = 3;  // highest SH degree that the colour hardware evaluates
   localparam int unsigned Late           = 0;  // 0: the PUs compute alphas and a store caches them; 1: coefficients are cached, the Row Units stand in the RUs
   localparam int unsigned Order          = 0;  // 0: layers (DOP); 1: global preprocessing into lists of the windows; 2: nearest chunk first, released by watermarks

@@ -1,8 +1,8 @@
 // rung.hpp: the rungs of the paper's ladder (Fig. 8, 9) as configurations of the one machine, and two of our own.
 //
 // Idea    A rung is what is computed where, and in which order: the entries `late`, `order` and `quadratic` of
-//         cpp_model/config.def. All else (units, widths, buffers' depths, memory) stays the same from rung to rung, so that
-//         a difference between two rungs has one cause.
+//         cpp_model/config.def. Units, widths and memory stay the same from rung to rung. Rungs without alpha stores have
+//         twice the records in their SUs: still fewer bytes of buffers (docs/ladder.md).
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace pipegs {
 
 struct Rung {
   std::string_view name;
-  int late, order, quadratic;
+  int late, order, quadratic, records;
   std::string_view what;  // one line
   bool in_paper;
   // What the paper reports of this variant; 0 where its text gives no figure.

@@ -1,7 +1,9 @@
 // memory_arbiter: all requesters of the chip share the one port to external memory.
 //
-// Idea    Round robin among the ports, one request per cycle, registered on its way out; the port number travels as the
-//         tag, and an answer goes back to the port that its tag names. Writes carry a line of data and get no answer.
+// Idea    The ports that may write stand nearer to the image and go first, with the DOPU's, which asks for little and waits
+//         for each answer: what these wait for holds up all others. Round robin among them, and among the others; one request per cycle, registered on its way out; the
+//         port number travels as the tag, and an answer goes back to the port that its tag names. Writes carry a line
+//         of data and get no answer.
 //         Port order: WritePorts that may write, then those that only read.
 // Stream  ports: valid, ready, write, address, data. out: memory_request_t and the data. answers: tag and data in, one
 //         valid per port out; a requester asks only for what it has room for, so answers are never refused.
@@ -33,25 +35,28 @@ module memory_arbiter #(
   input  logic [pipegs_pkg::MemoryW-1:0]                 mem_rsp_data_i
 );
 
-  logic [Ports-1:0]                  grant;
+  logic [Ports-1:0]                  first, request, grant;
   logic [PortW-1:0]                  port;
   logic                              take;
   logic                              out_valid_q;
-  pipegs_pkg::memory_request_t       request, request_q;
+  pipegs_pkg::memory_request_t       out, request_q;
   logic [pipegs_pkg::MemoryW-1:0]    data_q;
 
+  assign first   = {valid_i[Ports-1], (Ports - 1)'(valid_i[WritePorts-1:0])};
+  assign request = first != '0 ? first : valid_i;
+
   arbiter #(.Ports(Ports)) u_arbiter (
-    .clk_i, .rst_ni, .request_i(valid_i), .advance_i(take), .grant_o(grant), .port_o(port)
+    .clk_i, .rst_ni, .request_i(request), .advance_i(take), .grant_o(grant), .port_o(port)
   );
 
   assign take    = (valid_i != '0) && (!out_valid_q || mem_ready_i);
   assign ready_o = take ? grant : '0;
 
   always_comb begin
-    request.write   = 1'b0;
-    for (int unsigned i = 0; i < WritePorts; i += 1) if (grant[i]) request.write = write_i[i];
-    request.address = address_i[port*pipegs_pkg::AddressW +: pipegs_pkg::AddressW];
-    request.tag     = pipegs_pkg::TagW'(port);
+    out.write   = 1'b0;
+    for (int unsigned i = 0; i < WritePorts; i += 1) if (grant[i]) out.write = write_i[i];
+    out.address = address_i[port*pipegs_pkg::AddressW +: pipegs_pkg::AddressW];
+    out.tag     = pipegs_pkg::TagW'(port);
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -61,7 +66,7 @@ module memory_arbiter #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (take) request_q <= request;
+    if (take) request_q <= out;
     for (int unsigned i = 0; i < WritePorts; i += 1) begin
       if (take && grant[i] && write_i[i]) data_q <= data_i[i*pipegs_pkg::MemoryW +: pipegs_pkg::MemoryW];
     end
