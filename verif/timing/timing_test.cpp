@@ -51,10 +51,12 @@ SimulateOptions machine(const std::vector<std::string>& settings) {
   return options;
 }
 
+// With the stores of the other machines, so that the RTL of verif/frame serves.
 SimulateOptions rung(std::string_view name) {
+  const Rung& one = find_rung(name);
   SimulateOptions options;
   options.memory.dram = kMemory;
-  apply_rung(find_rung(name), options.config);
+  options.config.late = one.late, options.config.order = one.order, options.config.quadratic = one.quadratic;
   return options;
 }
 
