@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cpp_model/float/parallel.hpp"
 #include "sim/command.hpp"
 #include "sim/cycle_engine.hpp"
 #include "sim/progress.hpp"
@@ -122,13 +123,15 @@ int sweep(Arguments arguments) {
   bool differs = false, any = false;
   for (size_t i = 0; i < rows.size(); ++i) {
     try {
-      for (const double bandwidth : bandwidths) {
-        if (rtl && !arguments.json) fmt::print(stderr, "{} at {:g} B/cycle\n", rows[i].rung->name, bandwidth);
+      std::vector<EngineResult> results(bandwidths.size());
+      parallel_for(bandwidths.size(), rtl ? 1 : 0, [&](size_t k) {
+        if (rtl && !arguments.json) fmt::print(stderr, "{} at {:g} B/cycle\n", rows[i].rung->name, bandwidths[k]);
         ExternalMemoryOptions memory = options[i].memory;
-        set_bandwidth(memory, bandwidth);
-        rows[i].results.push_back(engine(options[i].config, memory));
-        differs = differs || rows[i].results.back().mismatches > 0;
-      }
+        set_bandwidth(memory, bandwidths[k]);
+        results[k] = engine(options[i].config, memory);
+      });
+      for (const EngineResult& result : results) differs = differs || result.mismatches > 0;
+      rows[i].results = std::move(results);
       any = true;
     } catch (const RtlBuildError& error) {
       rows[i].failure = error.what();

@@ -25,7 +25,7 @@ using CycleEngine = std::function<EngineResult(const Config&, const ExternalMemo
 CycleEngine rtl_engine(const Scene& scene, const Camera& camera, const SimulateOptions& options);
 
 // The timing model on one view, without pixels. The trace of the latest configuration is kept, and serves all that differ
-// only in what timing_config() names. `scene` and `camera` must outlive the engine.
+// only in what timing_config() names. May be asked from several threads. `scene` and `camera` must outlive the engine.
 CycleEngine model_engine(const Scene& scene, const Camera& camera, const SimulateOptions& options);
 
 }  // namespace pipegs
