@@ -69,11 +69,13 @@ void Descend::test(DopuCycle& cycle, DopuSets& sets) {
     const bool drop = drops(item, sets);
     bool enter = false;
     if (drop) {
-      cycle.moved = true;
+      cycle.moved = cycle.changed = true;
     } else if (!entered && reserved_[static_cast<size_t>(level)] + (level == 2 ? freed_now : 0) != kResults) {
       cycle.moved = true;
       entered = true;  // lower levels wait
       enter = cycle.phase == 2;
+      if (enter) cycle.changed = true;
+      cycle.at(now + (enter ? 3 : 2 - cycle.phase));
     }
     if (enter) {
       InTest in{now + kTestCycles, item, static_cast<uint8_t>(level), false};

@@ -73,7 +73,7 @@ void Dopu::step(Machine& m, Cycle now) {
   if (last_sent_ && emit_valid_ == 0) busy_ = false;
 
   // What comes by itself.
-  if (cycle.changed || cycle.moved) cycle.at(now + 1);
+  if (cycle.changed) cycle.at(now + 1);
   if (multiplying_ && multiplied_at_ > now) cycle.at(multiplied_at_);
   if (shifting_ && shifted_at_ > now) cycle.at(shifted_at_);
   if (planes_ == kPlanesBusy && planes_at_ > now) cycle.at(planes_at_);
@@ -99,7 +99,7 @@ void Dopu::emit(Machine& m, DopuCycle& cycle) {
   level_ = ready != 0;
   if (held || !standing || (shifted_.data() && ready == 0)) return;
   // The chunk, or the end, moves to the output.
-  cycle.moved = origin_taken_ = true;
+  cycle.moved = cycle.changed = origin_taken_ = true;
   emit_chunk_ = {};
   if (shifted_.data()) {
     const TimingNode& node = m.trace.chunks[shifted_.node];
@@ -142,7 +142,7 @@ void Dopu::origin(DopuCycle& cycle) {
   multiplied_ = *item;
   multiplied_at_ = now + (multiplied_.data() ? kOriginCycles : 1);
   window_sent_ = multiplied_.end == kWindowEndBeat;
-  cycle.node_taken = cycle.moved = true;
+  cycle.node_taken = cycle.moved = cycle.changed = true;
 }
 
 // --- the memory port --------------------------------------------------------------------------------------------------------
@@ -196,7 +196,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   if (!walking_ || loading || now < 2 + m.config.focal_w() || !set.fresh) return;
   const bool done = set.done;
   const bool inside = walk_step_ < 2 * grid_ && slabs_[static_cast<size_t>(walk_step_)] >= 0;
-  if (advance || !inside) cycle.moved = true;
+  if (advance || !inside) cycle.moved = cycle.changed = true;
   const bool read = advance && (inside || done);
   const bool is_end = end_next_ || done, window_end = walk_layer_ == grid_ - 1 || done;
   const bool finished = read && is_end && window_end;

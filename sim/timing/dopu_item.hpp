@@ -36,7 +36,7 @@ struct DopuCycle {
   const DopuItem* cell = nullptr;    // that the walk of the cells shows
   bool cell_taken = false;
   bool node_taken = false;           // dopu_origin takes what is shown
-  bool moved = false;                // as the unit's clock counts it
+  bool moved = false;                // as the unit's clock counts it: it runs on
   bool changed = false;              // a register changed: the next cycle must be played
   Cycle next = kNever;               // what comes by itself
 

@@ -26,7 +26,7 @@ Nearest::Nearest(const TimingTrace& trace, const Config& config)
 void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
   const Cycle now = cycle.now;
   const Said is = look(cycle, sets);
-  if (!queue_->idle() || is.pop >= 0 || is.end_due || is.retired[0] || is.retired[1] || is.retired[2] || is.through[0] || is.through[1] || is.through[2]) cycle.moved = true;
+  if (!queue_->idle() || is.pop >= 0 || is.end_due || is.retired[0] || is.retired[1] || is.retired[2] || is.through[0] || is.through[1] || is.through[2]) cycle.moved = cycle.changed = true;
 
   enter(cycle, sets, is);
   if (send(cycle, sets, is)) cycle.changed = true;
@@ -155,13 +155,15 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
   const auto offer = [&](int level, uint32_t node, bool last) {  // tells whether the node leaves its giver
     const auto l = static_cast<size_t>(level);
     if (is.level_done[l] && !last) {
-      cycle.moved = true;
+      cycle.moved = cycle.changed = true;
       return true;
     }
     if (entered || reserved_[l] == kResults) return false;
     cycle.moved = true;
     entered = true;  // lower levels wait
+    cycle.at(now + 1);
     if (!rank_ready) return false;
+    cycle.changed = true;
     in_test_.push(now, {now + kTestCycles, static_cast<uint8_t>(level), child(level, node, last, sets)});
     return true;
   };
@@ -185,7 +187,7 @@ void Nearest::enter(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
   }
   if (left[0]) cycle.cell_taken = true;
   if (here && !cycle.cell->data()) {
-    cycle.cell_taken = cycle.moved = true;
+    cycle.cell_taken = cycle.moved = cycle.changed = true;
     if (cycle.cell->end == kWindowEndBeat) cells_in_ = true, cycle.changed = true;
   }
   // Results.
