@@ -35,7 +35,12 @@ const ChunkBeat& Dopu::take_chunk(Machine& m, int lane) {
 
 uint32_t Dopu::ready_pus(const Machine& m, Cycle now) const {
   uint32_t ready = 0;
-  for (int k = 0; k < units_; ++k) ready |= uint32_t{m.pu[static_cast<size_t>(k)].chunk_room(now)} << k;
+  const bool is_mark = m.config.order == 2 && emit_chunk_.end == kLayerEndBeat;
+  for (int k = 0; k < units_; ++k) {
+    const Pu& pu = m.pu[static_cast<size_t>(k)];
+    const bool full = is_mark && (emit_valid_ >> k & 1) != 0 && !pu.marks.room(now);
+    ready |= uint32_t{pu.chunk_room(now) && !full} << k;
+  }
   return ready;
 }
 
