@@ -14,6 +14,7 @@ flock 9
 if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl_bridge.cpp" "$root/sim/rtl_model.hpp" \
     "$root/sim/external_memory.hpp" "$root/sim/memory_timing.hpp" "$root/sim/build_rtl.sh" \
     "$root/sim/verilate.sh" "$root/cpp_model/config.def" "$root/cpp_model/records.def" "$build/cpp_model/package_sv" \
+    "$build/sim/libpipegs_memory.a" "$build/sim/dram/libpipegs_dram.a" \
     -newer "$out/librtl.so" -type f)" ]; then
   exit 0
 fi

@@ -36,6 +36,8 @@ DramTiming dram_memory_timing(const std::string& name) {
   timing.mapping = DramMapping::kRoBaCoGrCh;
   timing.hits_first = true;
   timing.read_queue = timing.write_queue = kQueue;
+  if (name.starts_with("lpddr5")) timing.t_rfcpb = 96;   // 120 ns (JESD209-5, 8 Gb)
+  if (name.starts_with("lpddr4")) timing.t_rfcpb = 144;  // 90 ns (JESD209-4, 8 Gb)
   timing.write_high = 0.9, timing.write_low = 0.1;
   return timing;
 }

@@ -2,7 +2,7 @@
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
 // Idea    fetch -> cull -> (pu_deal, shared by all PUs) -> queue -> project -> orient -> jacobian -> factors -> squares ->
-//         covariance -> conic -> coeff -> intersect -> back: pu_cache (alphas are cached) or pu_late (coefficients
+//         covariance -> conic -> coeff -> queue -> intersect -> back: pu_cache (alphas are cached) or pu_late (coefficients
 //         are). With lists (Order 1) pu_list stands before coeff and behind intersect. Only wiring here.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
 // Pace    One Gaussian per cycle into the cull, one per eight cycles behind it.
@@ -68,12 +68,15 @@ module pu #(
 );
 
   localparam int unsigned VisibleDepth = 4;   // short: what waits here cannot go to another PU
+  localparam int unsigned WalkDepth    = 16;  // evens out pu_intersect, which takes 3 to 64 cycles where the others take 8
 
   logic fetched_valid, fetched_ready, visible_valid, visible_ready, projected_valid, projected_ready;
   logic oriented_valid, oriented_ready, jacobian_valid, jacobian_ready, factors_valid, factors_ready;
   logic squares_valid, squares_ready, covariance_valid, covariance_ready, conic_valid, conic_ready;
   logic placed_valid, placed_ready, coeff_valid, coeff_ready, tiles_valid, tiles_ready;
+  logic walk_valid, walk_ready;
   logic [$clog2(VisibleDepth+1)-1:0] visible_count;
+  logic [$clog2(WalkDepth+1)-1:0]    walk_count;
   logic fetch_idle, fetch_waiting, color_busy, color_waiting, rows_busy, back_moved, back_busy, back_waiting;
   logic cull_busy, project_busy, orient_busy, jacobian_busy, factors_busy, squares_busy, covariance_busy;
   logic conic_busy, coeff_busy, intersect_busy, front_busy;
@@ -87,7 +90,7 @@ module pu #(
   pipegs_pkg::squares_t    squares;
   pipegs_pkg::covariance_t covariance;
   pipegs_pkg::conic_t      conic, placed;
-  pipegs_pkg::coeff_t      coeff;
+  pipegs_pkg::coeff_t      coeff, walk;
   pipegs_pkg::tiles_t      tiles;
 
   // --- with Order 2 the watermark of a layer's end stays here until that end leaves the PU ----------------------------------
@@ -185,8 +188,13 @@ module pu #(
     .coeff_valid_o(coeff_valid), .coeff_ready_i(coeff_ready), .coeff_o(coeff), .busy_o(coeff_busy)
   );
 
+  sram_fifo #(.DataW(pipegs_pkg::CoeffBits), .Depth(WalkDepth)) u_walks (
+    .clk_i, .rst_ni, .in_valid_i(coeff_valid), .in_ready_o(coeff_ready), .in_i(coeff),
+    .out_valid_o(walk_valid), .out_ready_i(walk_ready), .out_o(walk), .count_o(walk_count)
+  );
+
   pu_intersect u_intersect (
-    .clk_i, .rst_ni, .coeff_valid_i(coeff_valid), .coeff_ready_o(coeff_ready), .coeff_i(coeff),
+    .clk_i, .rst_ni, .coeff_valid_i(walk_valid), .coeff_ready_o(walk_ready), .coeff_i(walk),
     .tiles_valid_o(tiles_valid), .tiles_ready_i(tiles_ready), .tiles_o(tiles), .busy_o(intersect_busy)
   );
 
@@ -239,12 +247,12 @@ module pu #(
   end
 
   assign front_busy = cull_busy || project_busy || orient_busy || jacobian_busy || factors_busy || squares_busy ||
-                      covariance_busy || conic_busy || coeff_busy || intersect_busy || visible_count != '0;
+                      covariance_busy || conic_busy || coeff_busy || intersect_busy || visible_count != '0 || walk_count != '0;
   // Beats that move inside, and what may come from outside.
   assign moved = (fetched_valid && fetched_ready) || (visible_valid && visible_ready) ||
                  (projected_valid && projected_ready) || (oriented_valid && oriented_ready) ||
                  (jacobian_valid && jacobian_ready) || (factors_valid && factors_ready) || (squares_valid && squares_ready) ||
-                 (covariance_valid && covariance_ready) || (conic_valid && conic_ready) || (coeff_valid && coeff_ready) ||
+                 (covariance_valid && covariance_ready) || (conic_valid && conic_ready) || (coeff_valid && coeff_ready) || (walk_valid && walk_ready) ||
                  (tiles_valid && tiles_ready) || back_moved;
   assign wake  = (chunk_valid_i && chunk_ready_o) || (culled_valid_o && culled_ready_i) || (visible_valid_i && visible_ready_o) ||
                  geometry_valid_o || color_valid_o || spill_valid_o ||

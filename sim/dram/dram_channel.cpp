@@ -37,6 +37,7 @@ DramChannel::Counters& DramChannel::Counters::operator+=(const Counters& of) {
 
 DramChannel::DramChannel(const DramTiming& timing)
     : timing_(timing),
+      bank_refresh_(timing.t_rfcpb > 0),
       lanes_((timing.banks_per_channel() + kDramBlock - 1) / kDramBlock * kDramBlock),
       ranks_(timing.ranks),
       rank_shift_(log2_of(timing.banks * timing.bank_groups)),
@@ -45,8 +46,9 @@ DramChannel::DramChannel(const DramTiming& timing)
       write_queue_(timing.write_queue),
       drain_above_(static_cast<int>(std::floor(timing.write_high * timing.write_queue))),
       drain_below_(static_cast<int>(std::ceil(timing.write_low * timing.write_queue))),
-      refresh_due_(timing.t_refi),
-      next_(timing.t_refi),
+      refresh_every_(bank_refresh_ ? timing.t_refi / timing.banks_per_channel() : timing.t_refi),
+      refresh_due_(refresh_every_),
+      next_(refresh_every_),
       returns_limit_(timing.rl + timing.t_burst + timing.read_queue) {
   check_dram(timing);
   const DramTiming& t = timing_;
@@ -243,12 +245,15 @@ void DramChannel::renumber_order() {
 
 // The next cycle in which a command may become possible if no burst is accepted before.
 inline DramChannel::Time DramChannel::when_next(Time now) const {
-  if (half_open_ >= 0 || synced_ || (refreshes_owed_ == 0 && next_mode() != draining_)) return now + 1;
+  if (half_open_ >= 0 || synced_ || ((bank_refresh_ || refreshes_owed_ == 0) && next_mode() != draining_)) return now + 1;
   Time next = refresh_due_;
   for (int i = 0; i < opened_count_; ++i) {
     next = std::min(next, not_before_.column[opened_[i].write][opened_[i].bank]);
   }
-  if (refreshes_owed_ > 0) {
+  if (refreshes_owed_ > 0 && bank_refresh_) {
+    const bool open = (open_ & bit(refresh_bank_)) != 0;
+    if ((opened_banks_ & bit(refresh_bank_)) == 0) next = std::min(next, (open ? not_before_.precharge : not_before_.activate)[refresh_bank_]);
+  } else if (refreshes_owed_ > 0) {
     const uint64_t banks = rank_banks_[refresh_rank_];
     if ((opened_banks_ & banks) != 0) return std::max(next, now + 1);
     Time at = refresh_at_[refresh_rank_];
@@ -266,8 +271,8 @@ void DramChannel::act(DramCycle cycle) {
   if (cycle - base_ >= kRenumberTime) renumber_time();
   const Time now = static_cast<Time>(cycle - base_);
   if (now >= refresh_due_) {
-    refresh_due_ += timing_.t_refi;
-    refreshes_owed_ += static_cast<uint64_t>(ranks_);
+    refresh_due_ += refresh_every_;
+    refreshes_owed_ += bank_refresh_ ? 1 : static_cast<uint64_t>(ranks_);
   }
   if (now >= command_bus_at_) issue(now);
   next_ = base_ + std::max(when_next(now), command_bus_at_);
@@ -294,9 +299,8 @@ inline void DramChannel::issue(Time now) {
     column_opened(now, opened);
     return;
   }
-  if (refreshes_owed_ > 0) {
-    if (refresh(now)) return;
-  } else {
+  if (refreshes_owed_ > 0 && (bank_refresh_ ? refresh_bank(now) : refresh(now))) return;
+  if (refreshes_owed_ == 0 || bank_refresh_) {
     draining_ = next_mode();
     // Between the two commands of an activation no other may begin.
     const Age oldest = oldest_ready(waiting_[draining_], not_before_, draining_, half_open_ >= 0, now, lanes_);
@@ -444,6 +448,28 @@ inline void DramChannel::precharge(Time now, int bank) {
   raise(refresh_at_[rank_of(bank)], now + timing_.t_rp);
   command_bus_at_ = now + timing_.ca_pre;
   ++counters_.precharges;
+}
+
+// The next command of a due refresh of one bank. The others go on; in this one no access begins any more.
+bool DramChannel::refresh_bank(Time now) {
+  const int bank = refresh_bank_;
+  if ((opened_banks_ & bit(bank)) != 0 || half_open_ == bank) return false;
+  if ((open_ & bit(bank)) != 0) {
+    if (not_before_.precharge[bank] <= now) {
+      precharge(now, bank);
+      return true;
+    }
+    for (DramLanes& column : not_before_.column) raise(column[bank], not_before_.precharge[bank]);
+    return false;
+  }
+  if (not_before_.activate[bank] > now) return false;
+  for (int other = 0; other < static_cast<int>(bank_.size()); ++other) raise(not_before_.activate[other], now + timing_.t_pbr2act);
+  raise(not_before_.activate[bank], now + timing_.t_rfcpb);
+  command_bus_at_ = now + 1;
+  ++counters_.refreshes;
+  --refreshes_owed_;
+  refresh_bank_ = (refresh_bank_ + 1) % static_cast<int>(bank_.size());
+  return true;
 }
 
 // The next command of a due refresh: all banks of the rank are precharged, then refreshed.

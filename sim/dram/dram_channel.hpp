@@ -126,12 +126,14 @@ class DramChannel {
   void precharge(Time now, int bank);
   void close_bank(int bank);
   bool refresh(Time now);
+  bool refresh_bank(Time now);
   bool next_mode() const;
 
   int rank_of(int bank) const { return bank >> rank_shift_; }
   static uint64_t bit(int bank) { return uint64_t{1} << bank; }
 
   DramTiming timing_;
+  bool bank_refresh_;
   int lanes_, ranks_, rank_shift_, group_shift_, read_queue_, write_queue_;
   int drain_above_, drain_below_;
   std::array<uint64_t, 16> rank_banks_{};
@@ -173,9 +175,9 @@ class DramChannel {
   bool synced_opened_ = false, synced_write_ = false;
   int synced_bank_ = 0;
 
-  Time refresh_due_;
+  Time refresh_every_, refresh_due_;
   uint64_t refreshes_owed_ = 0;
-  int refresh_rank_ = 0;
+  int refresh_rank_ = 0, refresh_bank_ = 0;
 
   DramCycle base_ = 0, next_ = 0, next_return_ = kNever;
   std::vector<Return> return_;  // a ring in order of arrival

@@ -80,6 +80,7 @@ void check_dram(const DramTiming& t) {
   demand(power_of_two(t.group_bytes) && t.group_bytes <= t.columns * t.channel_width / 8, "bytes in one bank group", t.group_bytes);
   demand(t.t_ck_ps > 0 && t.t_burst > 0 && t.rl > 0 && t.wl > 0, "clock period in ps", t.t_ck_ps);
   demand(t.t_refi > t.t_rfc + t.t_rc, "refresh interval", t.t_refi);
+  demand(t.t_rfcpb >= 0 && t.t_rfcpb + t.t_rc < t.t_refi / t.banks_per_channel(), "refresh of a bank", t.t_rfcpb);
   demand(t.read_queue >= 1 && t.write_queue >= 1 && t.read_queue + t.write_queue <= 4096, "read queue", t.read_queue);
   demand(t.write_low >= 0 && t.write_low < t.write_high && t.write_high <= 1, "high watermark of writes", t.write_high);
   demand(t.front_queue >= 1, "front queue", t.front_queue);

@@ -43,6 +43,8 @@ struct DramTiming {
   int t_cs = 2;    // gap on the pins between ranks
   int t_ppd = 2;   // precharge to precharge
   int t_refi = 3125, t_rfc = 168;
+  int t_rfcpb = 0;    // > 0: bank by bank instead of all of a rank at once, each bank once in t_refi
+  int t_pbr2act = 6;  // from such a refresh to an activation elsewhere
   int t_aad = 0;                              // > 0: two commands activate, the second at most t_aad after the first
   int t_wckpst = -1;                          // >= 0: WCK stops t_wckpst after a burst, then a CAS command precedes
   int ca_act = 1, ca_pre = 1, ca_column = 1;  // cycles of the command bus
