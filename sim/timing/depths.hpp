@@ -16,8 +16,8 @@ inline constexpr int kDescendResults = 8, kDescendJobs = 8, kDescendLines = 32;
 inline constexpr int kNearestResults = 16, kNearestMost = 16, kNearestAhead = 128, kNearestLines = 64;
 // rtl/dopu/dopu_send.sv: MarksW is 5.
 inline constexpr int kNearestMarks = 31;
-// rtl/pu/pu.sv: VisibleDepth; Marks.
-inline constexpr int kVisibleDepth = 4, kPuMarks = 16;
+// rtl/pu/pu.sv: VisibleDepth, WalkDepth; Marks.
+inline constexpr int kVisibleDepth = 4, kWalkDepth = 16, kPuMarks = 16;
 // rtl/pu/pu_color.sv: Depth; rtl/pu/pu_expand.sv: Depth; rtl/pu/pu_cache.sv and pu_list.sv: JobDepth.
 inline constexpr int kColorDepth = 32, kExpandDepth = 40, kRowJobs = 4;
 // rtl/list/list_read.sv: Jobs and Lines of its line_reader.

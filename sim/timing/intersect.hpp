@@ -12,9 +12,9 @@ namespace pipegs::timing {
 
 class Intersect {
  public:
-  // A cycle: tells whether the record at the input was taken. `mask`, `boxes`: by pair, see TimingTrace.
+  // A cycle with the record at the input, or null: tells whether it was taken. `mask`, `boxes`: by pair, see TimingTrace.
   template <class Trace>
-  bool step(Cycle now, const Output<Beat>& in, Output<Beat>& out, const Trace& trace) {
+  bool step(Cycle now, const Beat* in, Output<Beat>& out, const Trace& trace) {
     const bool empty = !walking_ && !testing_, out_free = !out.valid;
     if (testing_ && now >= test_at_ && out_free) {
       testing_ = false;
@@ -28,8 +28,8 @@ class Intersect {
       test_ = walk_;
       test_at_ = now + kTest;
     }
-    if (!in.shown(now) || now < box_from_) return false;
-    const Beat beat = in.value;
+    if (in == nullptr || now < box_from_) return false;
+    const Beat beat = *in;
     if (is_end(beat)) {
       if (!empty || !out_free) return false;
       out.set(now + 1, beat);

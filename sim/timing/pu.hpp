@@ -85,6 +85,7 @@ class Pu {
   SlotStage conic_, coeff_;
   Expand expand_;              // only with lists
 
+  SramQueue<Beat, kWalkDepth> walks_;  // before pu_intersect
   Intersect intersect_;
   Output<Beat> tiles_;
 

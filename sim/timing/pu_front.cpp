@@ -127,13 +127,21 @@ void Pu::coeff(Machine& m, Cycle now) {
 void Pu::intersect(Machine& m, Cycle now) {
   const int self = unit(kIntersect, lane_);
   const bool full = tiles_.valid;
-  if (intersect_.step(now, coeff_.out, tiles_, m.trace)) {
-    coeff_.out.valid = false;
-    m.wheel.wake_now(unit(kCoeff, lane_));
-  }
+  if (intersect_.step(now, walks_.valid(now) ? &walks_.front() : nullptr, tiles_, m.trace)) walks_.pop(now);
   if (!full && tiles_.valid) m.wheel.wake(lists_ && late_ ? unit(kLists) : unit(kBack, lane_), now + 1);
+  if (coeff_.out.shown(now)) {
+    if (walks_.room(now)) {
+      walks_.push(now, coeff_.out.value);
+      coeff_.out.valid = false;
+      m.wheel.wake_now(unit(kCoeff, lane_));
+    } else if (walks_.last_pop() == now) {
+      m.wheel.wake(self, now + 1);
+    }
+  }
   m.wheel.wake(self, intersect_.next(now));
-  if (coeff_.out.valid && is_end(coeff_.out.value)) m.wheel.wake(self, now + 1);
+  if (walks_.empty()) return;
+  if (walks_.head_from() > now) m.wheel.wake(self, walks_.head_from());
+  if (is_end(walks_.front())) m.wheel.wake(self, now + 1);
 }
 
 }  // namespace pipegs::timing
