@@ -139,6 +139,7 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
       for (uint64_t rest = splat.splat.mask & ~done; rest != 0; rest &= rest - 1) {
         const int r = std::countr_zero(rest);
         RegionState& region = window.regions[r];
+        ++window.work.open_regions;
         alignas(64) uint16_t codes[kRegionPixels];
         pu_region_line(rows, splat.job, r, codes);
         uint32_t before[kRegionPixels], done_before[kRegionPixels];
@@ -161,7 +162,8 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
 }  // namespace
 
 Work& Work::operator+=(const Work& o) {
-  fetched += o.fetched, visible += o.visible, records += o.records, regions += o.regions, alphas += o.alphas;
+  fetched += o.fetched, visible += o.visible, records += o.records, regions += o.regions;
+  open_regions += o.open_regions, alphas += o.alphas;
   blended += o.blended, keys += o.keys, chunks += o.chunks, layers += o.layers, windows += o.windows;
   return *this;
 }

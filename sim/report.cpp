@@ -35,8 +35,10 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
   const Work& work = simulation.golden.work;
   const double units = config.units;
   Bounds bounds;
-  bounds.rows = static_cast<double>(work.regions) * 8 / config.pixels_per_row / units;
-  bounds.ru = static_cast<double>(work.regions) * 4 / units;
+  // Regions that are done are skipped, save by PUs that cache the alphas of the whole frame before the first is blended.
+  const uint64_t rows = config.late == 0 && config.order == 1 ? work.regions : work.open_regions;
+  bounds.rows = static_cast<double>(rows) * 8 / config.pixels_per_row / units;
+  bounds.ru = static_cast<double>(work.open_regions) * 4 / units;
   bounds.su = static_cast<double>(work.keys) / units;
   bounds.cull = static_cast<double>(work.fetched) / units;
   bounds.memory = static_cast<double>(total_lines(simulation)) * 64 / memory_peak(options.memory);
@@ -88,7 +90,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
                                                          {"p99", s.latency_p99}, {"max", s.latency_max}}}};
   }
   const Work& work = simulation.golden.work;
-  report["work"] = {{"fetched", work.fetched}, {"visible", work.visible}, {"records", work.records}, {"regions", work.regions},
+  report["work"] = {{"fetched", work.fetched}, {"visible", work.visible}, {"records", work.records}, {"regions", work.regions}, {"open_regions", work.open_regions},
                     {"alphas", work.alphas}, {"blended", work.blended}, {"keys", work.keys},
                     {"overflow_lines", simulation.rtl.overflow_lines}, {"chunks", work.chunks}, {"layers", work.layers},
                     {"windows", work.windows}};
@@ -149,8 +151,9 @@ std::string report_text(const Json& report) {
          latency["p99"].get<int64_t>());
   }
   const auto& work = report["work"];
-  line("  work   fetched {}, visible {}, records {}, regions {}, blended {}, overflow lines {}", work["fetched"].get<uint64_t>(),
-       work["visible"].get<uint64_t>(), work["records"].get<uint64_t>(), work["regions"].get<uint64_t>(), work["blended"].get<uint64_t>(),
+  line("  work   fetched {}, visible {}, records {}, regions {} ({} still open), blended {}, overflow lines {}", work["fetched"].get<uint64_t>(),
+       work["visible"].get<uint64_t>(), work["records"].get<uint64_t>(), work["regions"].get<uint64_t>(),
+       work["open_regions"].get<uint64_t>(), work["blended"].get<uint64_t>(),
        work["overflow_lines"].get<uint64_t>());
   line("  error  numeric {}, order {}, total {}; largest {:.4f}", decibel("psnr_numeric_db"), decibel("psnr_order_db"),
        decibel("psnr_total_db"), report["max_abs_error"].get<double>());
