@@ -26,12 +26,13 @@ void Su::step(Machine& m, Cycle now) {
   if (lists_) m.wheel.wake_now(unit(kLists));
   port(m, now);
   const Now is = look(m, now);
+  divert(now, is);
   emit(m, now, is);
   sort(now, is);
   buckets(now, is);
   if (spill_ != kSpillIdle || is.spill_start) {
     if (is.selecting) select(now, is);
-    spill(now, is);
+    spill(is);
   }
   collect(m, now, is);
   if (line_used_) --flight_, line_used_ = false, moved_ = true;

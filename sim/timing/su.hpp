@@ -95,10 +95,11 @@ class Su {
   void begin_group(Cycle origin);
   Now look(const Machine& m, Cycle now);
   void port(Machine& m, Cycle now);
+  void divert(Cycle now, const Now& is);
   void emit(Machine& m, Cycle now, const Now& is);
   void sort(Cycle now, const Now& is);
   void buckets(Cycle now, const Now& is);
-  void spill(Cycle now, const Now& is);
+  void spill(const Now& is);
   void select(Cycle now, const Now& is);
   void collect(Machine& m, Cycle now, const Now& is);
 
@@ -163,6 +164,8 @@ class Su {
   Spill spill_ = kSpillIdle;
   std::vector<Sorted> records_out_;  // records of the set in memory
   bool record_valid_ = false, keys_valid_ = false, closing_ = false;
+  bool diverted_ = false;            // in this cycle
+  Sorted diverted_record_;
 
   // su_select
   Select select_ = kSelectIdle;

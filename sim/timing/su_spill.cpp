@@ -54,12 +54,22 @@ void Su::port(Machine& m, Cycle now) {
 
 // --- su_spill, su_select ------------------------------------------------------------------------------------------------------
 
-void Su::spill(Cycle now, const Now& is) {
+// What stands at the output goes to memory: before the output takes the next one in the same cycle.
+void Su::divert(Cycle now, const Now& is) {
+  diverted_ = is.diverts && out_.shown(now) && !is.record && (!record_valid_ || record_taken_) && !keys_valid_;
+  if (!diverted_) return;
+  diverted_record_ = out_.value;
+  out_.valid = false;
+  out_taken_at_ = now;
+  moved_ = true;
+}
+
+void Su::spill(const Now& is) {
   const bool record_was = record_valid_, keys_were = keys_valid_;
-  const bool free = (!record_was || record_taken_) && !keys_were, back = is.diverts && out_.shown(now);
+  const bool free = (!record_was || record_taken_) && !keys_were;
   const bool close = spill_ == kClose && collect_ == kSort && !record_was && !keys_were;
   const bool written = close && (closing_ || records_out_.size() % kKeysPerLine == 0);
-  const bool take = free && (is.record || back);
+  const bool take = free && (is.record || diverted_);
   if (record_taken_) record_valid_ = false;
   if (keys_taken_) keys_valid_ = false;
   if (take) {
@@ -67,9 +77,7 @@ void Su::spill(Cycle now, const Now& is) {
     if (is.record) {
       record.splat = *is.in;
     } else {
-      record = out_.value;
-      out_.valid = false;
-      out_taken_at_ = now;
+      record = diverted_record_;
     }
     record.number = static_cast<uint32_t>(records_out_.size());
     records_out_.push_back(record);
