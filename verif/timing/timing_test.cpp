@@ -51,12 +51,10 @@ SimulateOptions machine(const std::vector<std::string>& settings) {
   return options;
 }
 
-// With the stores of the other machines, so that the RTL of verif/frame serves.
 SimulateOptions rung(std::string_view name) {
-  const Rung& one = find_rung(name);
   SimulateOptions options;
   options.memory.dram = kMemory;
-  options.config.late = one.late, options.config.order = one.order, options.config.quadratic = one.quadratic;
+  apply_rung(find_rung(name), options.config);
   return options;
 }
 
@@ -82,6 +80,7 @@ TEST(Timing, EveryRungOnOurOwnScene) {
 TEST(Timing, HalfAndQuarterOfTheMachine) {
   expect_alike(TimedFrame(own_view(), machine({"units=2", "pixels_per_row=1", "grid=8"}), 2));
   expect_alike(TimedFrame(own_view(), machine({"units=1", "alpha_lines=64", "records=16"}), 1));
+  expect_alike(TimedFrame(own_view(), machine({"units=2", "late=1", "order=2", "records=16"}), 1));
 }
 
 TEST(Timing, OtherMemories) {
