@@ -80,7 +80,6 @@ TEST(Timing, EveryRungOnOurOwnScene) {
 TEST(Timing, HalfAndQuarterOfTheMachine) {
   expect_alike(TimedFrame(own_view(), machine({"units=2", "pixels_per_row=1", "grid=8"}), 2));
   expect_alike(TimedFrame(own_view(), machine({"units=1", "alpha_lines=64", "records=16"}), 1));
-  expect_alike(TimedFrame(own_view(), machine({"units=2", "late=1", "order=2", "records=16"}), 1));
 }
 
 TEST(Timing, OtherMemories) {
