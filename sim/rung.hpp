@@ -2,7 +2,7 @@
 //
 // Idea    A rung is what is computed where, and in which order: the entries `late`, `order` and `quadratic` of
 //         cpp_model/config.def. Units, widths and memory stay the same from rung to rung. Rungs without alpha stores have
-//         twice the records in their SUs: still fewer bytes of buffers (docs/ladder.md).
+//         twice the records in their SUs (docs/ladder.md).
 #pragma once
 
 #include <string>
