@@ -3,7 +3,8 @@
 // Paper   the reproduced GSCore of Sec. 5: rasterization begins when the preprocessing of the frame is over.
 // Idea    For each window two jobs for line_reader: its lines, and a marker that becomes the window's end. So the lines of
 //         the next windows are asked for while this one is dealt. An entry goes to any SU that is ready, in turn; an end
-//         goes to all.
+//         goes to all. When none is ready for some cycles the next one in turn gets it: a full SU brings records to
+//         memory only when another one is at its door.
 // Stream  start_i: all lists are written. Counts from their SRAM; memory reads; splats out, one record for all SUs with one
 //         valid each. A list is one layer: only windows end.
 // Pace    One entry per cycle (with a single SU every second one).
@@ -102,23 +103,30 @@ module list_read #(
   );
 
   // --- dealing -------------------------------------------------------------------------------------------------------------
-  logic [Units-1:0]     waiting_q, target;  // SUs that have still to take the record
+  logic [Units-1:0]     waiting_q, request, target;  // waiting: SUs that have still to take the record
+  logic [1:0]           none_q;                      // cycles in which no SU was ready
   logic [PortW-1:0]     target_port;
   logic                 free, give;
   logic [SplatBits-1:0] out_q;
 
   // An SU that takes the present record in this cycle may have no room for another.
   arbiter #(.Ports(Units)) u_target (
-    .clk_i, .rst_ni, .request_i(splat_ready_i & ~waiting_q), .advance_i(give), .grant_o(target), .port_o(target_port)
+    .clk_i, .rst_ni, .request_i(request), .advance_i(give), .grant_o(target), .port_o(target_port)
   );
+  assign request    = (splat_ready_i & ~waiting_q) == '0 && none_q == '1 ? '1 : splat_ready_i & ~waiting_q;
   assign free       = (waiting_q & ~splat_ready_i) == '0;
   assign item_ready = free && (!item_read || target != '0);
   assign give       = item_valid && item_ready;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) waiting_q <= '0;
-    else if (give) waiting_q <= item_read ? target : '1;
-    else waiting_q <= waiting_q & ~splat_ready_i;
+    if (!rst_ni) begin
+      waiting_q <= '0;
+      none_q    <= '0;
+    end else begin
+      waiting_q <= give ? (item_read ? target : '1) : waiting_q & ~splat_ready_i;
+      if (give || !item_valid || !free || (splat_ready_i & ~waiting_q) != '0) none_q <= '0;
+      else if (none_q != '1) none_q <= none_q + 1'b1;
+    end
   end
   always_ff @(posedge clk_i) begin
     if (give) out_q <= item_read ? item : SplatBits'(pipegs_pkg::KindWindowEnd);

@@ -85,9 +85,13 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
   // Dealing.
   uint32_t ready = 0;
   for (int k = 0; k < units_; ++k) ready |= uint32_t{m.su[static_cast<size_t>(k)].ready()} << k;
-  const uint32_t request = ready & ~waiting_;
   const bool free = (waiting_ & ~ready) == 0;
   const bool item = reader_.item_shown(now), data = item && reader_.job().read;
+  uint32_t request = ready & ~waiting_;
+  if (request != 0 || !item || !free) none_from_ = kNever;
+  else if (none_from_ == kNever) none_from_ = now;
+  if (request == 0 && item && free && now - none_from_ >= kNobody) request = (uint32_t{1} << units_) - 1;
+  if (none_from_ != kNever) m.wheel.wake(unit(kLists), none_from_ + kNobody);
   const bool give = item && free && (!data || request != 0);
   const int target = request == 0 ? 0 : target_locked_ && (request >> target_shown_ & 1) != 0 ? target_shown_ : round_robin(request, target_last_);
   const bool wake = granted || answered || leave || give || (waiting_ & ready) != 0;
@@ -100,6 +104,7 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
   waiting_ &= ~taken_;
   taken_ = 0;
   if (give) {
+    none_from_ = kNever;
     out_ = {};
     out_.beat = kWindowEndBeat;
     waiting_ = (uint32_t{1} << units_) - 1;

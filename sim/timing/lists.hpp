@@ -50,6 +50,8 @@ class Lists {
   static constexpr Cycle kPatience = 7;  // of its pu_sleep
   Cycle woken_ = kLongAgo;
   uint32_t waiting_ = 0, taken_ = 0;  // SUs that have still to take the record
+  static constexpr Cycle kNobody = 3;  // cycles without a ready SU until the next one in turn gets the record
+  Cycle none_from_ = kNever;
   int target_last_ = 0, target_shown_ = 0;
   bool target_locked_ = false;
   Splat out_;

@@ -114,6 +114,7 @@ class ListSus : public Endpoint {
   }
   void drive() override {
     for (size_t u = 0; u < window.size(); ++u) {
+      if (full && ((shown_ >> u) & 1) == 0) continue;
       if (goes(pace, bench_.rng)) up_ |= 1u << u;
     }
     ready_ = static_cast<ValidPort>(up_);
@@ -148,6 +149,7 @@ class ListSus : public Endpoint {
     for (uint64_t& w : window) w = 0;
   }
   Pace pace = Pace::kAlways;
+  bool full = false;  // ready only for what is offered already
 
  private:
   BenchBase& bench_;

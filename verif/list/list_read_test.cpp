@@ -82,6 +82,17 @@ TEST(ListRead, GivesEveryEntryOnceInItsWindowAtEveryPace) {
   }
 }
 
+// SUs whose stores are full make room only for a record that stands at their door.
+TEST(ListRead, OffersARecordThoughNoSuIsReady) {
+  for (const Pace sink : kPaces) {
+    ReadRun run({.latency = 40, .jitter = 60});
+    run.sus.pace = sink;
+    run.sus.full = true;
+    run.frame(3, 2, 300);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
 TEST(ListRead, ReadsAheadOfTheWindowAndDealsInTurn) {
   ReadRun run({.latency = 60, .bytes_per_cycle = 64});
   constexpr uint64_t kEntries = 6000, kWindows = 100;
