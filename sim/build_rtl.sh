@@ -18,6 +18,7 @@ if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl_bridge.cpp
     -newer "$out/librtl.so" -type f)" ]; then
   exit 0
 fi
+touch "$out/begun"  # the library is as old as this: a file that changes from here on is newer
 "$build/cpp_model/package_sv" "$@" > "$out/pipegs_pkg.sv"
 shards=8
 "$root/sim/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards
@@ -36,4 +37,5 @@ export ccache cxx flags
 "$cxx" -shared -o "$out/librtl.so.new" "$out"/shard*.o "$out/bridge.o" "$build/sim/libpipegs_memory.a" \
   "$build/sim/dram/libpipegs_dram.a" \
   "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" -lz -latomic -lpthread
+touch -r "$out/begun" "$out/librtl.so.new"
 mv "$out/librtl.so.new" "$out/librtl.so"

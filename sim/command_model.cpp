@@ -1,9 +1,7 @@
-// command_model.cpp: `pipegs model`: the cycles of one view by the timing model, and against the RTL.
-#include <ctime>
+// command_model.cpp: `pipegs model`: the cycles of one view by the timing model, rung by rung, and against the RTL.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cpp_model/frame_setup.hpp"
 #include "sim/command.hpp"
 #include "sim/progress.hpp"
 #include "sim/timing_check.hpp"
@@ -14,79 +12,92 @@ namespace {
 struct Arguments {
   ViewArguments view;
   MemoryArguments memory;
-  bool json = false, check = false, every_cycle = false, windows = false;
+  std::vector<std::string> rungs;
+  bool json = false, check = false, windows = false;
 };
 
-// Seconds that this thread has computed: other work on the machine does not count.
-double thread_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+struct ModelRow {
+  std::string name;
+  double trace_seconds = 0, seconds = 0;  // of all threads' wall, of one core
+  TimingResult result;
+  RtlTiming rtl;
+  TimingErrors errors;
+
+  double mega_cycles() const { return static_cast<double>(result.cycles) / seconds * 1e-6; }
+  double rtl_khz() const { return static_cast<double>(rtl.cycles) / rtl.seconds * 1e-3; }
+  double speed() const { return 1e3 * mega_cycles() / rtl_khz(); }
+};
+
+// The rung alone, or all that is set.
+std::string name(const Config& config) {
+  const std::string rung = rung_name(config);
+  Config pure;
+  if (!rung.empty()) apply_rung(find_rung(rung), pure);
+  return pure == config ? rung : config_difference(config);
 }
 
-nlohmann::ordered_json units_json(const std::vector<UnitCycles>& units) {
-  nlohmann::ordered_json result = nlohmann::ordered_json::array();
-  for (const UnitCycles& unit : units) result.push_back({{"busy", unit.busy}, {"starved", unit.starved}, {"blocked", unit.blocked}, {"memory", unit.memory}});
-  return result;
+ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, bool check) {
+  ModelRow row{.name = name(options.config)};
+  Simulation simulation;
+  simulate_pack(loaded.scene, loaded.camera, options, simulation);
+  const Stopwatch watch;
+  const TimingTrace trace = timing_trace(simulation.input);
+  row.trace_seconds = watch.seconds();
+  const double before = thread_seconds();
+  row.result = timing_run(trace, options.config, options.memory);
+  row.seconds = thread_seconds() - before;
+  if (!check) return row;
+  row.rtl = rtl_timing(simulation.input, options.config, options.memory, options.rtl.seed);
+  row.errors = timing_errors(row.result, row.rtl);
+  return row;
 }
 
-std::string units_text(const char* name, const std::vector<UnitCycles>& units, uint64_t cycles) {
-  UnitCycles sum;
-  for (const UnitCycles& unit : units) sum.busy += unit.busy, sum.starved += unit.starved, sum.blocked += unit.blocked, sum.memory += unit.memory;
-  const double all = static_cast<double>(cycles) * static_cast<double>(units.size()) / 100;
-  return fmt::format("  {:<5} busy {:5.1f} %  starved {:5.1f} %  blocked {:5.1f} %  memory {:5.1f} %\n", name, static_cast<double>(sum.busy) / all,
-                     static_cast<double>(sum.starved) / all, static_cast<double>(sum.blocked) / all, static_cast<double>(sum.memory) / all);
+nlohmann::ordered_json to_json(const ModelRow& row, bool check, bool windows) {
+  nlohmann::ordered_json json = {{"name", row.name}, {"cycles", row.result.cycles}, {"overflow_lines", row.result.overflow_lines},
+                                 {"seconds", {{"trace", row.trace_seconds}, {"model", row.seconds}}}, {"model_mhz", row.mega_cycles()}};
+  for (const TimingResult::Stream& stream : row.result.streams) json["bytes"][stream.name] = {{"read", stream.bytes_read}, {"written", stream.bytes_written}};
+  if (windows) json["window_ends"] = row.result.window_ends;
+  if (!check) return json;
+  json["rtl"] = {{"cycles", row.rtl.cycles}, {"overflow_lines", row.rtl.overflow_lines}, {"khz", row.rtl_khz()}};
+  if (windows) json["rtl"]["window_ends"] = row.rtl.window_ends;
+  json["error"] = {{"frame", row.errors.frame}, {"worst_window", row.errors.worst_window}, {"windows", row.errors.windows}};
+  json["speed_ratio"] = row.speed();
+  return json;
+}
+
+std::string to_text(const ModelRow& row, bool check) {
+  std::string text = fmt::format("  {:<10}{:>12}{:>9.2f}{:>9.3f}{:>9.1f}", row.name, row.result.cycles, row.trace_seconds, row.seconds, row.mega_cycles());
+  if (!check) return text + "\n";
+  const std::string window = row.errors.windows == 0 ? "none" : fmt::format("{:+.3f} %", 100 * row.errors.worst_window);
+  return text + fmt::format("{:>12}{:>9.0f}{:>+10.3f} %{:>12}{:>9}{:>8.0f}\n", row.rtl.cycles, row.rtl_khz(), 100 * row.errors.frame, window,
+                            row.errors.windows, row.speed());
 }
 
 int model(const Arguments& arguments) {
-  SimulateOptions options = arguments.view.options();
-  arguments.memory.apply(options);
+  std::vector<SimulateOptions> options;
+  if (arguments.rungs.empty()) {
+    options.push_back(arguments.view.options());
+  } else {
+    for (const Rung* rung : find_rungs(arguments.rungs)) options.push_back(arguments.view.options(*rung));
+  }
   const LoadedView loaded = load_view(arguments.view);
-  Simulation simulation;
-  simulate_pack(loaded.scene, loaded.camera, options, simulation);
-
-  const Stopwatch trace_watch;
-  const TimingTrace trace = timing_trace(simulation.input);
-  const double trace_seconds = trace_watch.seconds();
-  const Stopwatch watch;
-  const double before = thread_seconds();
-  const TimingResult result = timing_run(trace, options.config, options.memory, {.every_cycle = arguments.every_cycle});
-  const double cpu_seconds = thread_seconds() - before, seconds = watch.seconds();
-  const double cycles = static_cast<double>(result.cycles);
-
-  nlohmann::ordered_json report = {{"config", config_difference(options.config)},
-                                   {"memory", {{"dram", options.memory.dram}, {"latency", options.memory.latency}, {"bytes_per_cycle", options.memory.bytes_per_cycle}, {"jitter", options.memory.jitter}, {"seed", options.memory.seed}}},
-                                   {"cycles", result.cycles},
-                                   {"overflow_lines", result.overflow_lines},
-                                   {"wall_seconds", {{"trace", trace_seconds}, {"model", seconds}, {"model_cpu", cpu_seconds}}},
-                                   {"model_mhz", cycles / cpu_seconds * 1e-6},
-                                   {"units", {{"dopu", units_json(result.dopu)}, {"pu", units_json(result.pu)}, {"su", units_json(result.su)}, {"ru", units_json(result.ru)}}}};
-  for (const TimingResult::Stream& stream : result.streams) report["bytes"][stream.name] = {{"read", stream.bytes_read}, {"written", stream.bytes_written}};
-  if (arguments.windows) report["window_ends"] = result.window_ends;
-  std::string text = fmt::format("timing model, {}: {} cycles; trace {:.2f} s, model {:.3f} s of one core: {:.1f} M cycles/s\n",
-                                 config_difference(options.config), result.cycles, trace_seconds, cpu_seconds, cycles / cpu_seconds * 1e-6);
-  text += units_text("dopu", result.dopu, result.cycles) + units_text("pu", result.pu, result.cycles) + units_text("su", result.su, result.cycles) +
-          units_text("ru", result.ru, result.cycles);
-  for (const TimingResult::Stream& stream : result.streams) {
-    text += fmt::format("  {:<22} read {:8.2f} MB  written {:8.2f} MB\n", stream.name, static_cast<double>(stream.bytes_read) * 1e-6, static_cast<double>(stream.bytes_written) * 1e-6);
+  if (!arguments.json) {
+    fmt::print("{}: view {} ({}x{}), memory {}\n\n  {:<10}{:>12}{:>9}{:>9}{:>9}{}\n", loaded.scene.name, loaded.camera.name, loaded.camera.width, loaded.camera.height,
+               arguments.memory.external.dram, "rung", "model", "trace s", "model s", "Mcycle/s",
+               arguments.check ? fmt::format("{:>12}{:>9}{:>12}{:>12}{:>9}{:>8}", "RTL", "kHz", "error", "window", "windows", "speed") : "");
   }
-
-  if (arguments.check) {
-    const RtlTiming rtl = rtl_timing(simulation.input, options.config, options.memory, options.rtl.seed);
-    const TimingErrors errors = timing_errors(result, rtl);
-    const double rtl_speed = static_cast<double>(rtl.rtl.cycles) / rtl.wall, model_speed = cycles / seconds;
-    report["rtl"] = {{"cycles", rtl.rtl.cycles}, {"overflow_lines", rtl.rtl.overflow_lines}, {"wall_seconds", rtl.wall}, {"khz", rtl_speed * 1e-3},
-                     {"units", {{"dopu", units_json(rtl.rtl.dopu)}, {"pu", units_json(rtl.rtl.pu)}, {"su", units_json(rtl.rtl.su)}, {"ru", units_json(rtl.rtl.ru)}}}};
-    if (arguments.windows) report["rtl"]["window_ends"] = rtl.window_ends;
-    report["error"] = {{"frame", errors.frame}, {"worst_window", errors.worst_window}, {"windows", errors.windows}};
-    report["speed_ratio"] = model_speed / rtl_speed;
-    text += fmt::format("RTL: {} cycles at {:.0f} kHz\n", rtl.rtl.cycles, rtl_speed * 1e-3);
-    text += units_text("dopu", rtl.rtl.dopu, rtl.rtl.cycles) + units_text("pu", rtl.rtl.pu, rtl.rtl.cycles) + units_text("su", rtl.rtl.su, rtl.rtl.cycles) +
-            units_text("ru", rtl.rtl.ru, rtl.rtl.cycles);
-    text += fmt::format("error: frame {:+.4f} %, worst of {} windows above {} cycles {:+.4f} %; {:.0f} times the RTL's speed\n", 100 * errors.frame, errors.windows,
-                        kWindowCycles, 100 * errors.worst_window, model_speed / rtl_speed);
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (SimulateOptions& one : options) {
+    arguments.memory.apply(one);
+    const ModelRow row = model_row(loaded, one, arguments.check);
+    if (arguments.json) {
+      list.push_back(to_json(row, arguments.check, arguments.windows));
+    } else {
+      fmt::print("{}", to_text(row, arguments.check));
+      std::fflush(stdout);
+    }
   }
-  fmt::print("{}", arguments.json ? report.dump(2) + "\n" : text);
+  if (arguments.json) fmt::print("{}\n", nlohmann::ordered_json{{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"rungs", list}}.dump(2));
   return kExitOk;
 }
 
@@ -94,13 +105,15 @@ int model(const Arguments& arguments) {
 
 void add_model(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("model", "cycles of one view by the timing model, without pixels; with --check also by the RTL");
-  command->footer("Example: pipegs model garden.ply --cameras cameras.json --view 0 --set units=2 --check");
+  command->footer("Example: pipegs model garden.ply --cameras cameras.json --view 0 --rungs late,exact --check\n"
+                  "error: cycles of the frame, window: the worst window of 20000 cycles or more; both against the RTL.\n"
+                  "Seconds of the model and kHz of the RTL (nothing compared) are of one core; speed is their ratio.");
   static Arguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
+  command->add_option("--rungs", arguments.rungs, "which, by commas, instead of --rung: baseline, dpc, tspp, dop, late, exact")->delimiter(',');
   command->add_flag("--check", arguments.check, "run the RTL, too, and compare cycles");
   command->add_flag("--windows", arguments.windows, "with --json: when the end of each window leaves the merge");
-  command->add_flag("--every-cycle", arguments.every_cycle, "step every unit in every cycle: slow, must change nothing");
   command->add_flag("--json", arguments.json, "print JSON instead of the table");
   command->callback([&run] { run = [] { return model(arguments); }; });
 }

@@ -1,6 +1,6 @@
 // cycle_engine.hpp: what tells how many cycles a frame takes in a configuration and with a memory.
 //
-// Idea    A sweep asks the same question many times. The RTL is one who can answer; a model of its timing may be another.
+// Idea    A sweep asks the same question many times. The RTL is one who can answer; the timing model (sim/timing) is another.
 #pragma once
 
 #include <cstdint>
@@ -23,5 +23,9 @@ using CycleEngine = std::function<EngineResult(const Config&, const ExternalMemo
 // The RTL on one view, with all comparisons. The golden model of the latest configuration is kept: ask for one
 // configuration after the other. `scene` and `camera` must outlive the engine.
 CycleEngine rtl_engine(const Scene& scene, const Camera& camera, const SimulateOptions& options);
+
+// The timing model on one view, without pixels. The trace of the latest configuration is kept, and serves all that differ
+// only in what timing_config() names. May be asked from several threads. `scene` and `camera` must outlive the engine.
+CycleEngine model_engine(const Scene& scene, const Camera& camera, const SimulateOptions& options);
 
 }  // namespace pipegs

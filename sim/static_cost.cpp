@@ -110,8 +110,9 @@ void add_buffers(const Config& c, StaticCost& cost) {
   add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), 32, units);
   add("SU u_port.u_answers", "overflow", memory, 32, units);
 
-  add("PU u_fetch.u_reader.u_lines", "parameters", memory, 32, units);
+  add("PU u_fetch.u_reader.u_lines", "parameters", memory, 64, units);
   add("PU u_visible", "parameters", record_width<Visible>(c), 4, units);
+  add("PU u_walks", "parameters", record_width<Coeff>(c), 16, units);
   if (c.sh_degree > 0) {
     add("PU u_color..u_lines", "parameters", memory, 32, units);
     add("PU u_color..u_tasks", "parameters", record_width<ColorTask>(c), 32, units);
@@ -130,7 +131,7 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("RU u_fetch.u_external", "overflow", c.line_w(), c.fetch_lines, units);
     add("RU u_fetch.u_records", "queues", record_width<Blend>(c), c.fetch_lines + 8, units);
   }
-  add("RU u_queue", "queues", record_width<Sorted>(c), 16, units);
+  add("RU u_queue", "queues", record_width<Sorted>(c), c.late ? 64 : 16, units);
 
   add("DOPU readers u_lines", "scene", memory, c.order == 2 ? 64 : 32, 2);
   const int cell_bits = 3 * (c.grid > 1 ? clog2(c.grid) : 1);

@@ -7,10 +7,13 @@
 namespace pipegs {
 
 struct RtlTiming {
-  RtlResult rtl;
+  uint64_t cycles = 0, overflow_lines = 0;
   std::vector<uint64_t> window_ends;  // as TimingResult::window_ends
-  double wall = 0;                    // seconds, nothing compared
+  double seconds = 0;                 // of one core, nothing compared
 };
+
+// Seconds that this thread has computed: other work on the machine does not count.
+double thread_seconds();
 
 // Runs the RTL of input's scene in the given configuration, and looks at nothing but time.
 RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const ExternalMemoryOptions& memory, uint64_t seed = 1);

@@ -8,9 +8,11 @@
 namespace pipegs::timing {
 
 Color::Color(const Machine& m, int lane)
-    : lane_(lane), port_(m.memory.color_port(lane)), late_(m.config.late != 0), memory_(m.config.sh_degree != 0 && m.frame.sh_degree != 0),
+    : port_(m.memory.color_port(lane)), self_(unit(m.config.order == 1 ? kListColor : kColor, lane)),
+      giver_(unit(m.config.order == 1 ? kExpand : kBack, lane)), taker_(unit(m.config.order == 1 ? kExpand : kSu, lane)),
+      joins_(m.config.late == 0 && m.config.order != 1), memory_(m.config.sh_degree != 0 && m.frame.sh_degree != 0),
       degree_(std::min(static_cast<int>(m.frame.sh_degree), m.config.sh_degree)), last_step_(degree_ == 1 ? 1 : degree_ == 2 ? 3 : 7),
-      tasks_(m.config.sh_degree != 0 ? 32 : 2), flat_(m.config.sh_degree == 0) {}
+      tasks_(m.config.sh_degree != 0 ? kColorDepth : 2), flat_(m.config.sh_degree == 0) {}
 
 void Color::push(Machine& m, Cycle now, const Splat& splat) {
   const bool shaded = !is_end(splat.beat) && memory_;
@@ -20,7 +22,7 @@ void Color::push(Machine& m, Cycle now, const Splat& splat) {
     m.memory.ask(port_, m.frame.colors + (m.frame.sh_degree == 1 ? slot >> 2 : slot));
     free_from_ = kNever;
   }
-  m.wheel.wake(unit(kColor, lane_), tasks_from());
+  m.wheel.wake(self_, tasks_from());
 }
 
 Cycle Color::basis_from(Cycle pushed) {
@@ -37,7 +39,7 @@ Cycle Color::basis_from(Cycle pushed) {
 void Color::step(Machine& m, Cycle now) {
   if (m.memory.granted(port_, now)) {
     free_from_ = now + 1;
-    m.wheel.wake(unit(kBack, lane_), now + 1);
+    m.wheel.wake(giver_, now + 1);
   }
   if (m.memory.answered(port_)) lines_.push(now, 0);
   if (tasks_.empty()) return;
@@ -50,30 +52,30 @@ void Color::step(Machine& m, Cycle now) {
     when += last_step_;
   }
   when = std::max(when, tail_free_);
-  if (when > now) return m.wheel.wake(unit(kColor, lane_), when);
+  if (when > now) return m.wheel.wake(self_, when);
   if (out.valid) return;  // the SU wakes us
   tail_free_ = now + (task.shaded ? 5 : 2);
   out.set(tail_free_, task.splat);
-  m.wheel.wake(unit(kSu, lane_), tail_free_);
+  m.wheel.wake(taker_, tail_free_);
   if (task.shaded) {
     lines_.pop(now);
     sum_pop_ = now;
     basis_known_ = false;
   }
   tasks_.pop(now);
-  m.wheel.wake(unit(kBack, lane_), now + 1);
-  m.wheel.wake(unit(kColor, lane_), now + 1);
+  m.wheel.wake(giver_, now + 1);
+  m.wheel.wake(self_, now + 1);
 }
 
-void Color::taken(Machine& m, Cycle now) {
-  if (is_end(out.value.beat) && !late_) --ends_;
+void Color::taken(Machine& m, Cycle) {
+  if (is_end(out.value.beat) && joins_) --ends_;
   out.valid = false;
-  m.wheel.wake_now(unit(kColor, lane_));
+  m.wheel.wake_now(self_);
 }
 
 void Color::rows_end(Machine& m, Cycle now) {
   ++ends_;
-  m.wheel.wake(unit(kSu, lane_), now + 1);
+  m.wheel.wake(taker_, now + 1);
 }
 
 bool Color::waiting(Cycle now) const { return tasks_.valid(now) && tasks_.front().shaded && !lines_.valid(now); }

@@ -1,6 +1,7 @@
 // color.hpp: the colour of a PU in the timing model, and the join behind it.
 //
 // RTL     rtl/pu/pu_color*.sv, pu_join.sv.
+// Order   With lists it stands between pu_expand and pu_expand, else before the SU.
 // Idea    The direction's path (rotate, normalise, basis) has fixed times and stops only for the sum behind it, so a record's
 //         times through it follow from those of the record before.
 #pragma once
@@ -8,6 +9,7 @@
 #include <algorithm>
 
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/depths.hpp"
 #include "sim/timing/ru.hpp"
 
 namespace pipegs::timing {
@@ -25,7 +27,7 @@ class Color {
   void step(Machine& m, Cycle now);
 
   // For the SU: the join holds an end back until the lines of its layer are written.
-  bool shown(Cycle now) const { return out.shown(now) && (!is_end(out.value.beat) || late_ || ends_ > 0); }
+  bool shown(Cycle now) const { return out.shown(now) && (!is_end(out.value.beat) || !joins_ || ends_ > 0); }
   void taken(Machine& m, Cycle now);
   void rows_end(Machine& m, Cycle now);
   Output<Splat> out;
@@ -42,13 +44,14 @@ class Color {
   Cycle tasks_from() const { return flat_ && !tasks_.empty() ? std::max(tasks_.front().pushed + 1, tasks_.last_pop() + 1) : tasks_.head_from(); }
   Cycle basis_from(Cycle pushed);  // of the next shaded record
 
-  const int lane_, port_;
-  const bool late_, memory_;  // memory_: the colour hardware is there and asks for lines
+  const int port_;
+  const int self_, giver_, taker_;  // units
+  const bool joins_, memory_;  // pu_join is there; the colour hardware is there and asks for lines
   int degree_ = 0, last_step_ = 0;
 
-  SramQueue<Task, 32> tasks_;
+  SramQueue<Task, kColorDepth> tasks_;
   const bool flat_;  // without SH hardware: a queue of registers, which is a cycle faster
-  SramQueue<uint8_t, 32> lines_;
+  SramQueue<uint8_t, kColorDepth> lines_;
   Cycle free_from_ = kLongAgo;  // the request register
   int ends_ = 0;
 

@@ -51,6 +51,7 @@ class Queue {
   Cycle head_from() const { return count_ > 0 ? head_from_ : kNever; }  // when the head can be seen
   T& front() { return items_[head_]; }
   const T& front() const { return items_[head_]; }
+  const T& at(int i) const { return items_[(head_ + static_cast<unsigned>(i)) & kMask]; }
   Cycle last_pop() const { return last_pop_; }
 
   void push(Cycle now, T item) {

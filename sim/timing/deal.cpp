@@ -16,7 +16,7 @@ void Deal::step(Machine& m, Cycle now) {
   }
   // The arbiter of the targets turned in the cycles in between, too: nothing changed in them.
   if (first_) targets_ = room, first_ = false;
-  if (targets_ != 0) {
+  if (targets_ != 0 && stepped_ != now - 1) {
     for (Cycle turns = (now - 1 - stepped_) % std::popcount(targets_); turns > 0; --turns) target_last_ = round_robin(targets_, target_last_);
   }
   targets_ = room & ~waiting_;
@@ -28,7 +28,7 @@ void Deal::step(Machine& m, Cycle now) {
     const int k = std::countr_zero(rest);
     Pu& pu = m.pu[static_cast<size_t>(k)];
     pu.visible.push(now, beat_);
-    m.wheel.wake(unit(kStages + Pu::kPhaseStages - 1, k), pu.visible.head_from());
+    m.wheel.wake(unit(kProject, k), pu.visible.head_from());
     waiting_ &= ~(uint32_t{1} << k);
     moved = true;
   }

@@ -9,10 +9,9 @@
 
 namespace pipegs::timing {
 
-template <class Tag, int Jobs>
+template <class Tag, int Jobs, int Lines>
 class LineReader {
  public:
-  static constexpr int kLines = 32;
   struct Job {
     bool read = false;
     uint32_t first = 0, count = 0;
@@ -32,7 +31,7 @@ class LineReader {
     item_ = last ? 0 : item_ + 1;
     if (last) jobs_.pop(now);
   }
-  bool waiting(Cycle now) const { return jobs_.valid(now) && jobs_.front().read && !line_valid_; }
+  bool needs_step(Cycle now) const { return line_popped_ || jobs_.last_pop() == now; }  // after items were taken
 
   // --- jobs: is there room in this cycle? ---------------------------------------------------------------------------------
   bool job_room(Cycle now) const { return taken_at_ == now || (jobs_.room(now) && free_from_ <= now); }
@@ -60,6 +59,7 @@ class LineReader {
     }
     return load || popped || granted || answered || job != nullptr;
   }
+  bool room_next(Cycle now) const { return jobs_.count() < Jobs && free_from_ <= now + 1; }  // after step: in the next cycle
   bool room_before_job(Cycle now) const { return jobs_.room(now) && free_from_ <= now; }  // as job_room, asked for in step's cycle
 
   // From the next cycle on.
@@ -74,7 +74,7 @@ class LineReader {
  private:
   int half_;
   uint64_t base_, line_ = 0;
-  int lines_left_ = 0, credits_ = kLines, stored_ = 0;
+  int lines_left_ = 0, credits_ = Lines, stored_ = 0;
   Cycle free_from_ = kLongAgo, taken_at_ = kLongAgo;
   bool line_valid_ = false, line_popped_ = false;
   FallQueue<Job, Jobs> jobs_;

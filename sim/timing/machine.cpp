@@ -11,7 +11,7 @@ namespace pipegs::timing {
 static_assert(unit(kUnitEnd) <= 64 * Wheel::kWords);
 
 Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& memory_timing)
-    : trace(trace), config(config), frame(trace.frame), units(config.units), memory(memory_timing, config), dopu(*this) {
+    : trace(trace), config(config), frame(trace.frame), units(config.units), memory(memory_timing, config), lists(*this), dopu(*this) {
   for (int k = 0; k < units; ++k) {
     ru.emplace_back(*this, k);
     su.emplace_back(*this, k);
@@ -34,23 +34,27 @@ void Machine::step(int number, Cycle now) {
     case kWalk: ru[k].walk(*this, now); break;
     case kOrder: lane == 0 ? dispatch.step(*this, now) : merge.step(*this, now); break;
     case kSu: su[k].step(*this, now); break;
-    case kColor: pu[k].color.step(*this, now); break;
+    case kLists: lists.step(*this, now); break;
+    case kColor:
+    case kListColor: pu[k].color.step(*this, now); break;
     case kRows: pu[k].rows(*this, now); break;
     case kBack: pu[k].back(*this, now); break;
     case kIntersect: pu[k].intersect(*this, now); break;
     case kCoeff: pu[k].coeff(*this, now); break;
+    case kExpand: pu[k].expand(*this, now); break;
     case kConic: pu[k].conic(*this, now); break;
     case kDeal: deal.step(*this, now); break;
     case kCull: pu[k].cull(*this, now); break;
     case kReader: pu[k].reader(*this, now); break;
     case kDopu: dopu.step(*this, now); break;
-    default: pu[k].phases(*this, now, kind - kStages); break;
+    case kProject: pu[k].project(*this, now); break;
+    default: break;
   }
 }
 
-bool Machine::other_spills(int lane) const {
+bool Machine::other_spills(int lane, Cycle now) const {
   for (int k = 0; k < units; ++k) {
-    if (k != lane && su[static_cast<size_t>(k)].spilling()) return true;
+    if (k != lane && su[static_cast<size_t>(k)].spilling(now)) return true;
   }
   return false;
 }
@@ -62,8 +66,9 @@ Cycle Machine::run() {
   std::array<uint64_t, Wheel::kWords> all{};
   for (int kind = 0; kind < kUnitEnd; ++kind) {
     for (int lane = 0; lane < 4; ++lane) {
-      const bool there = kind == kOrder ? lane < 2 : kind == kPublish || kind == kDeal || kind == kDopu ? lane == 0 : lane < units;
-      if (!there || (config.late != 0 && (kind == kWalk || kind == kStore || kind == kRows))) continue;
+      const bool there = kind == kOrder ? lane < 2 : kind == kPublish || kind == kDeal || kind == kDopu || kind == kLists ? lane == 0 : lane < units;
+      const bool listed = kind == kLists || kind == kExpand || kind == kListColor;
+      if (!there || (config.late != 0 && (kind == kWalk || kind == kStore || kind == kRows)) || (config.order == 1 ? kind == kColor : listed)) continue;
       all[static_cast<size_t>(unit(kind, lane) / 64)] |= uint64_t{1} << (unit(kind, lane) % 64);
     }
   }

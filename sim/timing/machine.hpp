@@ -11,8 +11,8 @@
 
 #include "sim/timing/deal.hpp"
 #include "sim/timing/dopu.hpp"
+#include "sim/timing/lists.hpp"
 #include "sim/timing/memory.hpp"
-#include "sim/timing/perf.hpp"
 #include "sim/timing/pu.hpp"
 #include "sim/timing/ru.hpp"
 #include "sim/timing/ru_order.hpp"
@@ -33,14 +33,17 @@ enum Unit : int {
   kWalk,       // ru_walk
   kOrder,      // lane 0: ru_dispatch, 1: su_merge
   kSu,
+  kLists,      // only with lists
   kColor,      // pu_color, pu_join
   kRows,       // pu_rows, pu_spill
-  kBack,       // pu_allocate, or pu_late
+  kBack,       // pu_allocate, pu_late or pu_lines
   kIntersect,
   kCoeff,
+  kExpand,     // only with lists
+  kListColor,  // with lists, instead of kColor
   kConic,
-  kStages,     // pu_covariance, squares, factors, jacobian, orient, project: six numbers
-  kDeal = kStages + 6,
+  kProject,    // pu_project, and the stages behind it up to pu_covariance
+  kDeal,
   kCull,
   kReader,     // pu_fetch
   kDopu,
@@ -53,7 +56,7 @@ struct Machine {
 
   Cycle run();  // of the frame; throws std::runtime_error when the model hangs
   void step(int unit, Cycle now);
-  bool other_spills(int lane) const;  // an SU other than this one brings a set to memory
+  bool other_spills(int lane, Cycle now) const;  // an SU other than this one brings a set to memory
 
   const TimingTrace& trace;
   const Config config;
@@ -66,6 +69,7 @@ struct Machine {
   Dispatch dispatch;
   Merge merge;
   std::vector<Su> su;
+  Lists lists;
   std::vector<Pu> pu;
   Deal deal;
   Dopu dopu;

@@ -5,7 +5,7 @@
 
 namespace pipegs::timing {
 
-Memory::Memory(MemoryTiming& timing, const Config& config) : timing_(timing), units_(config.units), write_ports_(config.write_ports()) {
+Memory::Memory(MemoryTiming& timing, const Config& config) : timing_(timing), units_(config.units), write_ports_(config.write_ports()), first_(((uint32_t{1} << write_ports_) - 1) | uint32_t{1} << node_port()) {
   const auto set = [this](int port, int grant, int answer) {
     grant_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(grant);
     answer_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(answer);
@@ -15,8 +15,10 @@ Memory::Memory(MemoryTiming& timing, const Config& config) : timing_(timing), un
     set(sort_port(k), unit(kSu, k), unit(kSu, k));
     set(raster_port(k), unit(kSource, k), unit(kSource, k));  // the source wakes kRuMemory
     set(geometry_port(k), unit(kReader, k), unit(kReader, k));
-    set(color_port(k), unit(kColor, k), unit(kColor, k));
+    const int color = unit(config.order == 1 ? kListColor : kColor, k);
+    set(color_port(k), color, color);
   }
+  if (config.order == 1) set(list_port(), unit(kLists), unit(kLists));
   set(node_port(), unit(kDopu), unit(kDopu));
 }
 
@@ -38,7 +40,8 @@ void Memory::step(Machine& machine, Cycle now) {
     locked_ = false;
     return;
   }
-  const int port = locked_ && (wanted_ >> shown_ & 1) != 0 ? shown_ : round_robin(wanted_, last_);
+  const uint32_t first = wanted_ & first_, requests = first != 0 ? first : wanted_;
+  const int port = locked_ && (requests >> shown_ & 1) != 0 ? shown_ : round_robin(requests, last_);
   if (out_free) {
     out_valid_ = true;
     out_port_ = port;

@@ -1,6 +1,6 @@
 // memory.hpp: the arbiter to external memory in the timing model.
 //
-// RTL     rtl/buf/memory_arbiter.sv: round robin, a register on the way out and one on the way back.
+// RTL     rtl/buf/memory_arbiter.sv: round robin among those that go first, then among the others; a register on the way out and one on the way back.
 // Idea    A unit asks by setting its port's bit, which counts from the next cycle on and is cleared by the grant. The unit is
 //         woken in the cycle of its grant and in the cycle of its answer.
 #pragma once
@@ -35,6 +35,7 @@ class Memory {
   int alpha_port(int lane) const { return lane; }
   int sort_port(int lane) const { return units_ + lane; }
   int raster_port(int lane) const { return 2 * units_ + lane; }
+  int list_port() const { return 3 * units_; }  // only with lists
   int geometry_port(int lane) const { return write_ports_ + lane; }
   int color_port(int lane) const { return write_ports_ + units_ + lane; }
   int node_port() const { return write_ports_ + 2 * units_; }
@@ -44,6 +45,7 @@ class Memory {
 
   MemoryTiming& timing_;
   int units_, write_ports_;
+  uint32_t first_;  // ports that go first: those that may write, and the DOPU's
   std::array<uint8_t, kPorts> grant_unit_{}, answer_unit_{};  // whom to wake
   uint32_t wanted_ = 0;
   std::array<uint64_t, kPorts> line_{};

@@ -1,29 +1,23 @@
 // pu.hpp: a Preprocessing Unit in the timing model.
 //
 // RTL     rtl/pu/pu.sv: fetch, cull | (deal.hpp) | project .. coeff, intersect, then pu_cache or pu_late.
-// Idea    Stages that keep a record for eight cycles act twice: when they take a record and when they claim their output
-//         register. Their phases in between are arithmetic.
+// Idea    A stage acts when it takes a record and when it gives one; its phases in between are arithmetic.
 #pragma once
 
 #include <array>
 
 #include "sim/timing/color.hpp"
 #include "sim/timing/cycle.hpp"
+#include "sim/timing/depths.hpp"
+#include "sim/timing/expand.hpp"
+#include "sim/timing/intersect.hpp"
 #include "sim/timing/line_reader.hpp"
-#include "sim/timing/perf.hpp"
+#include "sim/timing/phases.hpp"
 #include "sim/timing/rows.hpp"
 
 namespace pipegs::timing {
 
 struct Machine;
-
-// pu_phases.sv: covariance, squares, factors, jacobian, orient, project.
-struct PhaseStage {
-  bool holding = false;  // a record that has not claimed the output
-  Beat beat = 0;
-  Cycle claim_at = 0, ready_at = kLongAgo;
-  Output<Beat> out;
-};
 
 // pu_conic.sv, pu_coeff.sv: slots with a front record.
 struct SlotStage {
@@ -35,14 +29,13 @@ struct SlotStage {
 
 class Pu {
  public:
-  static constexpr int kPhaseStages = 6;
-
   Pu(const Machine& machine, int lane);
 
   void reader(Machine& m, Cycle now);
   void cull(Machine& m, Cycle now);
-  void phases(Machine& m, Cycle now, int stage);
+  void project(Machine& m, Cycle now);
   void conic(Machine& m, Cycle now);
+  void expand(Machine& m, Cycle now) { expand_.step(m, now, conic_.out); }
   void coeff(Machine& m, Cycle now);
   void intersect(Machine& m, Cycle now);
   void back(Machine& m, Cycle now);
@@ -50,11 +43,16 @@ class Pu {
 
   void layer_free(Machine& m, Cycle now);  // all RUs have finished the oldest layer
   bool chunk_room(Cycle now) const { return reader_.job_room(now); }
+  FallQueue<uint32_t, kPuMarks> marks;     // watermarks of the ends inside (order 2)
+
+  // For the lists: the records that this PU makes, one after the other.
+  bool made_shown(Cycle now) const { return late_ ? tiles_.shown(now) : splat_valid_ && splat_from_ <= now && (!is_end(splat_.beat) || rows_ended_); }
+  Beat made() const { return late_ ? tiles_.value : splat_.beat; }
+  Splat take_made(Machine& m, Cycle now);
 
   Output<Beat> culled;               // to pu_deal
-  SramQueue<Beat, 4> visible;        // from pu_deal
+  SramQueue<Beat, kVisibleDepth> visible;        // from pu_deal
   Color color;
-  Perf perf;
 
  private:
   struct Header {
@@ -62,31 +60,33 @@ class Pu {
     uint32_t first = 0;      // survivor
     uint64_t survivors = 0;
   };
-  using Reader = LineReader<Header, 4>;
-  enum Intersect { kIdle, kNone, kWalk, kEnd };
+  using Reader = LineReader<Header, kFetchJobs, kFetchLines>;
   enum Allocate { kTake, kDecide, kOffer };
 
   bool take_tiles(Machine& m, Cycle now);
   void allocate(Machine& m, Cycle now);
   void late(Machine& m, Cycle now);
+  void lines(Machine& m, Cycle now);
   void slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase, int tail);
   uint64_t done_regions(const Machine& m) const;
 
   const int lane_;
-  const bool late_;
+  const bool late_, lists_;
 
   Reader reader_;
+  bool chunk_room_ = true;     // in the next cycle
 
   // pu_cull
   std::array<Beat, 7> pipe_;
   unsigned pipe_at_ = 0;
   int pipe_count_ = 0;
 
-  std::array<PhaseStage, kPhaseStages> phases_;  // 0: covariance ... 5: project
+  Phases phases_;              // project to covariance
   SlotStage conic_, coeff_;
+  Expand expand_;              // only with lists
 
-  Intersect intersect_ = kIdle;
-  Cycle intersect_at_ = kLongAgo;
+  SramQueue<Beat, kWalkDepth> walks_;  // before pu_intersect
+  Intersect intersect_;
   Output<Beat> tiles_;
 
   // pu_allocate, pu_late
@@ -102,7 +102,11 @@ class Pu {
   Cycle layer_free_at_ = kLongAgo;
   Output<uint8_t> late_out_;   // splat_ waits for the colour
 
-  SramQueue<RowJob, 4> jobs_;
+  // pu_lines
+  bool splat_valid_ = false, rows_ended_ = false;
+  Cycle splat_from_ = 0;
+
+  SramQueue<RowJob, kRowJobs> jobs_;
   Rows rows_;
 
   // pu_spill

@@ -22,6 +22,7 @@ void Pu::layer_free(Machine& m, Cycle now) {
 }
 
 void Pu::back(Machine& m, Cycle now) {
+  if (lists_) return late_ ? void() : lines(m, now);
   if (late_) return late(m, now);
   allocate(m, now);
 }
@@ -116,6 +117,59 @@ void Pu::late(Machine& m, Cycle now) {
   m.wheel.wake(unit(kBack, lane_), now + 1);
 }
 
+// --- pu_lines; late records go to the lists as they are -----------------------------------------------------------------
+
+void Pu::lines(Machine& m, Cycle now) {
+  const int self = unit(kBack, lane_);
+  if (now < allocate_at_) return;
+  switch (allocate_) {
+    case kTake:
+      if (!tiles_.shown(now)) break;
+      splat_ = {tiles_.value, static_cast<uint32_t>(lane_) << (m.config.alpha_address_w() - m.config.unit_w()) | overflow_, 0, static_cast<uint8_t>(lane_), true};
+      if (!is_end(splat_.beat)) splat_.mask = m.trace.mask[splat_.beat];
+      tiles_.valid = false;
+      m.wheel.wake_now(unit(kIntersect, lane_));
+      allocate_ = kDecide;
+      allocate_at_ = now + 1;
+      m.wheel.wake(self, allocate_at_);
+      break;
+    case kDecide:
+      overflow_ += static_cast<uint32_t>(std::popcount(splat_.mask));
+      row_valid_ = splat_valid_ = true;
+      splat_from_ = now + 1;
+      allocate_ = kOffer;
+      allocate_at_ = now + 1;
+      m.wheel.wake(self, allocate_at_);
+      m.wheel.wake(unit(kLists), splat_from_);
+      break;
+    case kOffer:
+      if (row_valid_ && jobs_.room(now)) {
+        jobs_.push(now, {splat_.beat, splat_.mask, splat_.address, true, false});
+        m.wheel.wake(unit(kRows, lane_), jobs_.head_from());
+        row_valid_ = false;
+      }
+      if (row_valid_ || splat_valid_) break;  // the rows or the lists wake us
+      allocate_ = kTake;
+      allocate_at_ = now + 1;
+      m.wheel.wake(self, allocate_at_);
+      break;
+  }
+}
+
+Splat Pu::take_made(Machine& m, Cycle) {
+  if (!late_) {
+    splat_valid_ = false;
+    m.wheel.wake_now(unit(kBack, lane_));
+    return splat_;
+  }
+  Splat splat;
+  splat.beat = tiles_.value;
+  if (!is_end(splat.beat)) splat.mask = m.trace.mask[splat.beat];
+  tiles_.valid = false;
+  m.wheel.wake_now(unit(kIntersect, lane_));
+  return splat;
+}
+
 // --- pu_rows and pu_spill -----------------------------------------------------------------------------------------------
 
 void Pu::rows(Machine& m, Cycle now) {
@@ -128,7 +182,10 @@ void Pu::rows(Machine& m, Cycle now) {
   if (rows_.shown(now)) {
     const RowLine& line = rows_.head();
     if (line.end ? spill_free : !line.ext || spill_free) {
-      if (line.end) {
+      if (line.end && lists_) {
+        rows_ended_ = true;
+        m.wheel.wake(unit(kLists), now + 1);
+      } else if (line.end) {
         color.rows_end(m, now);
       } else if (line.ext) {
         pieces_left_ = pieces_;

@@ -5,20 +5,9 @@
 #include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
-namespace {
-
-// Depth and claiming phase of each stage, see pu_phases.sv; covariance first.
-struct Phases {
-  int depth, claim;
-};
-constexpr Phases kPhases[Pu::kPhaseStages] = {{1, 7}, {1, 3}, {1, 2}, {2, 2}, {1, 5}, {4, 4}};
-constexpr int kProject = Pu::kPhaseStages - 1;
-
-}  // namespace
-
 Pu::Pu(const Machine& m, int lane)
-    : color(m, lane), lane_(lane), late_(m.config.late != 0), reader_(m.config.gaussians_per_line(), m.frame.gaussians),
-      alpha_lines_(m.config.alpha_lines), rows_(m.config.pixels_per_row), pieces_(m.config.alpha_memory_lines()) {
+    : color(m, lane), lane_(lane), late_(m.config.late != 0), lists_(m.config.order == 1), reader_(m.config.gaussians_per_line(), m.frame.gaussians),
+      expand_(lane), alpha_lines_(m.config.alpha_lines), rows_(m.config.pixels_per_row), pieces_(m.config.alpha_memory_lines()) {
   pipe_.fill(kBubble);
 }
 
@@ -28,21 +17,26 @@ void Pu::reader(Machine& m, Cycle now) {
   const int port = m.memory.geometry_port(lane_);
   const bool room = reader_.room_before_job(now);
   Reader::Job job;
-  const bool take = room && m.dopu.chunk_shown(lane_, now);
+  const bool is_mark = m.config.order == 2 && m.dopu.chunk().end == kLayerEndBeat;
+  const bool take = room && m.dopu.chunk_shown(lane_, now) && (!is_mark || marks.room(now));
   if (take) {
     const ChunkBeat& chunk = m.dopu.take_chunk(m, lane_);
+    if (is_mark) marks.push(now, chunk.mark);
     job.read = !is_end(chunk.end);
     job.first = chunk.slot;
     job.count = chunk.count;
     job.tag = {chunk.end, chunk.first, chunk.survivors};
   }
-  const bool changed = reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
+  reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
   if (reader_.wants()) m.memory.ask(port, reader_.line());
   m.wheel.wake(unit(kCull, lane_), reader_.item_from(now));
   m.wheel.wake(unit(kReader, lane_), reader_.next(now));
-  if (changed && m.dopu.has_chunk()) {
-    m.wheel.wake(unit(kDopu), now + 1);
-    m.wheel.wake(unit(kReader, lane_), now + 1);
+  if (const bool next = reader_.room_next(now); next != chunk_room_) {
+    chunk_room_ = next;
+    if (m.dopu.has_chunk()) {
+      m.wheel.wake(unit(kDopu), now + 1);
+      m.wheel.wake(unit(kReader, lane_), now + 1);
+    }
   }
 }
 
@@ -66,7 +60,7 @@ void Pu::cull(Machine& m, Cycle now) {
       entering = job.tag.first + static_cast<Beat>(std::popcount(job.tag.survivors & ((uint64_t{1} << reader_.item()) - 1)));
     }
     reader_.pop_item(now);
-    m.wheel.wake_now(unit(kReader, lane_));
+    if (reader_.needs_step(now)) m.wheel.wake_now(unit(kReader, lane_));
   }
   pipe_[pipe_at_] = entering;
   pipe_at_ = pipe_at_ + 1 == pipe_.size() ? 0 : pipe_at_ + 1;
@@ -76,37 +70,16 @@ void Pu::cull(Machine& m, Cycle now) {
 
 // --- stages of eight cycles -------------------------------------------------------------------------------------------------
 
-void Pu::phases(Machine& m, Cycle now, int number) {
-  const auto [depth, claim] = kPhases[number];
-  const int self = unit(kStages + number, lane_);
-  PhaseStage& stage = phases_[static_cast<size_t>(number)];
-  if (stage.holding) {
-    if (now < stage.claim_at) return m.wheel.wake(self, stage.claim_at);
-    if (stage.out.valid) return;  // the next stage wakes us
-    stage.holding = false;
-    stage.ready_at = now + 7 - claim;
-    stage.out.set(now + 8 - claim + depth, stage.beat);
-    m.wheel.wake(number == 0 ? unit(kConic, lane_) : self - 4, stage.out.from);
-  }
-  if (number == kProject) {
-    if (visible.empty()) return;
-    const Cycle when = std::max(stage.ready_at, visible.head_from());
-    if (when > now) return m.wheel.wake(self, when);
-    if (visible.count() == 4) m.wheel.wake(unit(kDeal), now + 1);
-    stage.beat = visible.front();
-    visible.pop(now);
-  } else {
-    Output<Beat>& in = phases_[static_cast<size_t>(number) + 1].out;
-    if (!in.valid) return;
-    const Cycle when = std::max(stage.ready_at, in.from);
-    if (when > now) return m.wheel.wake(self, when);
-    stage.beat = in.value;
-    in.valid = false;
-    m.wheel.wake_now(self + 4);
-  }
-  stage.holding = true;
-  stage.claim_at = now + 1 + claim;
-  m.wheel.wake(self, stage.claim_at);
+void Pu::project(Machine& m, Cycle now) {
+  if (visible.empty() || !phases_.can_take()) return;  // pu_deal, or pu_conic wakes us
+  const int self = unit(kProject, lane_);
+  const Cycle when = std::max(phases_.ready(), visible.head_from());
+  if (when > now) return m.wheel.wake(self, when);
+  if (visible.count() == kVisibleDepth) m.wheel.wake(unit(kDeal), now + 1);
+  const Beat beat = visible.front();
+  visible.pop(now);
+  if (phases_.take(now, beat)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
+  if (!visible.empty() && phases_.can_take()) m.wheel.wake(self, std::max(phases_.ready(), visible.head_from()));
 }
 
 // A slot takes a new record to the front and sends the front record out, in phase `out_phase`; `tail` cycles later the
@@ -139,39 +112,36 @@ void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giv
 }
 
 void Pu::conic(Machine& m, Cycle now) {
-  slot(m, now, conic_, phases_[0].out, unit(kStages, lane_), unit(kConic, lane_), unit(kCoeff, lane_), 5, 3);
+  const bool there = phases_.out.valid;
+  slot(m, now, conic_, phases_.out, unit(kProject, lane_), unit(kConic, lane_), unit(lists_ ? kExpand : kCoeff, lane_), 5, 3);
+  if (!there || phases_.out.valid) return;
+  if (phases_.taken(now)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
 }
 
 void Pu::coeff(Machine& m, Cycle now) {
-  slot(m, now, coeff_, conic_.out, unit(kConic, lane_), unit(kCoeff, lane_), unit(kIntersect, lane_), 2, 6);
+  slot(m, now, coeff_, lists_ ? expand_.out : conic_.out, unit(lists_ ? kExpand : kConic, lane_), unit(kCoeff, lane_), unit(kIntersect, lane_), 2, 6);
 }
 
 // --- pu_intersect -------------------------------------------------------------------------------------------------------------
 
 void Pu::intersect(Machine& m, Cycle now) {
   const int self = unit(kIntersect, lane_);
-  if (intersect_ != kIdle) {
-    if (now < intersect_at_) return m.wheel.wake(self, intersect_at_);
-    if (intersect_ != kNone && tiles_.valid) return;  // the back wakes us
-    const Beat beat = coeff_.out.value;
-    coeff_.out.valid = false;
-    m.wheel.wake_now(unit(kCoeff, lane_));
-    if (intersect_ == kEnd || (intersect_ == kWalk && m.trace.mask[beat] != 0)) {
-      tiles_.set(now + 1, beat);
-      m.wheel.wake(unit(kBack, lane_), now + 1);
+  const bool full = tiles_.valid;
+  if (intersect_.step(now, walks_.valid(now) ? &walks_.front() : nullptr, tiles_, m.trace)) walks_.pop(now);
+  if (!full && tiles_.valid) m.wheel.wake(lists_ && late_ ? unit(kLists) : unit(kBack, lane_), now + 1);
+  if (coeff_.out.shown(now)) {
+    if (walks_.room(now)) {
+      walks_.push(now, coeff_.out.value);
+      coeff_.out.valid = false;
+      m.wheel.wake_now(unit(kCoeff, lane_));
+    } else if (walks_.last_pop() == now) {
+      m.wheel.wake(self, now + 1);
     }
-    intersect_ = kIdle;
-    intersect_at_ = now + 1;
-    return;  // the next record is seen from the next cycle on
   }
-  if (!coeff_.out.valid) return;
-  const Cycle when = std::max(intersect_at_, coeff_.out.from);
-  if (when > now) return m.wheel.wake(self, when);
-  const Beat beat = coeff_.out.value;
-  const int regions = is_end(beat) ? 0 : m.trace.boxes[beat];
-  intersect_ = is_end(beat) ? kEnd : regions == 0 ? kNone : kWalk;
-  intersect_at_ = now + (intersect_ == kWalk ? 5 + regions : 1);
-  m.wheel.wake(self, intersect_at_);
+  m.wheel.wake(self, intersect_.next(now));
+  if (walks_.empty()) return;
+  if (walks_.head_from() > now) m.wheel.wake(self, walks_.head_from());
+  if (is_end(walks_.front())) m.wheel.wake(self, now + 1);
 }
 
 }  // namespace pipegs::timing

@@ -9,13 +9,9 @@
 
 namespace pipegs::timing {
 
-namespace {
-constexpr int kLocalLines = 4;
-}
-
 Ru::Ru(const Machine& m, int lane)
-    : lane_(lane), port_(m.memory.raster_port(lane)), late_(m.config.late != 0), fetch_lines_(m.config.fetch_lines),
-      parts_(m.config.alpha_memory_lines()), records_(m.config.fetch_lines + 2 * kLocalLines), external_(m.config.fetch_lines),
+    : queue(ru_queue_depth(m.config)), lane_(lane), port_(m.memory.raster_port(lane)), late_(m.config.late != 0), fetch_lines_(m.config.fetch_lines),
+      parts_(m.config.alpha_memory_lines()), records_(m.config.fetch_lines + 2 * kRuLocalLines), external_(m.config.fetch_lines),
       rows_(m.config.pixels_per_row), own_(ru_own_mask(m.config, lane)) {
   set_window(m, 0);
 }
@@ -76,6 +72,12 @@ void Ru::lanes(Machine& m, Cycle now) {
     if (beat == kWindowEndBeat && (lines_left_ > 0 || resolved_from_ > now)) return;  // ru_resolve wakes us
     end(m, now, beat);
   }
+}
+
+// Lanes without work get some: a line is played in its last cycle, what may have to wait from its first one on.
+void Ru::queued(Machine& m, Cycle from, bool line) {
+  if (line) start_ = from;
+  m.wheel.wake(unit(kLanes, lane_), line ? from + 3 : from);
 }
 
 // The last quarter of the line in the lanes.
@@ -153,7 +155,7 @@ void Ru::source(Machine& m, Cycle now) {
   const Fetch& fetch = out_.value;
   if (is_end(fetch.beat)) return fire(m, now);
   if (!fetch.ext) {
-    if (local_out_ + (local_pop_ == now ? 1 : 0) < kLocalLines) m.stores.want(m, fetch.unit, lane_);
+    if (local_out_ + (local_pop_ == now ? 1 : 0) < kRuLocalLines) m.stores.want(m, fetch.unit, lane_);
     return;
   }
   if (external_out_ + (external_pop_ == now ? 1 : 0) >= fetch_lines_) return;
@@ -166,7 +168,7 @@ void Ru::source(Machine& m, Cycle now) {
 void Ru::fire(Machine& m, Cycle now) {
   const Fetch& fetch = out_.value;
   records_.push(now, {fetch.beat, fetch.region, fetch.ext && !is_end(fetch.beat)});
-  m.wheel.wake(unit(kLanes, lane_), records_.head_from());
+  if (records_.count() == 1) queued(m, records_.head_from(), !fetch.ext && !is_end(fetch.beat));
   if (is_end(fetch.beat)) {
     parity_ = !parity_;
   } else {
@@ -180,7 +182,7 @@ void Ru::rows_source(Machine& m, Cycle now) {
   if (rows_.shown(now) && row_lines_.room(now)) {
     row_lines_.push(now, rows_.head());
     rows_.take(now);
-    m.wheel.wake(unit(kLanes, lane_), row_lines_.head_from());
+    if (row_lines_.count() == 1) queued(m, row_lines_.head_from(), !row_lines_.front().end);
   }
   const bool data = !is_end(splat_.beat);
   const uint64_t regions = live();
@@ -261,42 +263,6 @@ void Ru::walk(Machine& m, Cycle now) {
   } else if (!splat_valid_) {
     m.wheel.wake(unit(kWalk, lane_), queue.head_from());
   }
-}
-
-// --- alpha stores and layers ------------------------------------------------------------------------------------------------
-
-void AlphaStores::want(Machine& m, int store, int ru) {
-  wanted_[static_cast<size_t>(store)] |= uint32_t{1} << ru;
-  m.wheel.wake_now(unit(kStore, store));
-}
-
-void AlphaStores::step(Machine& m, Cycle now, int store) {
-  uint32_t& wanted = wanted_[static_cast<size_t>(store)];
-  if (wanted == 0) return;
-  const int ru = round_robin(wanted, last_[static_cast<size_t>(store)]);
-  last_[static_cast<size_t>(store)] = ru;
-  m.ru[static_cast<size_t>(ru)].fire(m, now);
-  for (wanted &= ~(uint32_t{1} << ru); wanted != 0; wanted &= wanted - 1) m.wheel.wake(unit(kSource, std::countr_zero(wanted)), now + 1);
-}
-
-void LayerFree::done(Machine& m, Cycle now, int ru) {
-  coming[static_cast<size_t>(ru)] = true;
-  m.wheel.wake(unit(kPublish), now + 1);
-}
-
-void LayerFree::publish(Machine& m, Cycle now) {
-  bool all = true;
-  for (size_t i = 0; i < static_cast<size_t>(m.units); ++i) {
-    count[i] += coming[i] ? 1 : 0;
-    coming[i] = false;
-    all = all && count[i] > 0;
-  }
-  if (!all) return;
-  for (size_t i = 0; i < static_cast<size_t>(m.units); ++i) {
-    --count[i];
-    m.pu[i].layer_free(m, now);
-  }
-  m.wheel.wake(unit(kPublish), now + 1);
 }
 
 }  // namespace pipegs::timing

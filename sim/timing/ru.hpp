@@ -9,7 +9,7 @@
 #include <array>
 
 #include "sim/timing/cycle.hpp"
-#include "sim/timing/perf.hpp"
+#include "sim/timing/depths.hpp"
 #include "sim/timing/rows.hpp"
 
 namespace pipegs::timing {
@@ -41,10 +41,9 @@ class Ru {
   uint64_t done() const { return done_; }
   size_t window() const { return window_; }  // number in the frame
 
-  SramQueue<Splat, 16> queue;
+  SramQueue<Splat, kRuQueueMost> queue;
   Cycle last_window_done() const { return window_done_at_; }
   bool written() const { return lines_left_ == 0 && !memory_valid_; }
-  Perf perf;
 
  private:
   struct Fetch {
@@ -59,6 +58,7 @@ class Ru {
     bool ext;
   };
 
+  void queued(Machine& m, Cycle from, bool line);
   void consume(Machine& m, Cycle now);
   void end(Machine& m, Cycle now, Beat beat);
   void rows_source(Machine& m, Cycle now);
@@ -86,7 +86,7 @@ class Ru {
   bool ask_part_ = false, answer_part_ = false, parity_ = false;
 
   Rows rows_;                          // when late
-  FallQueue<RowLine, 2> row_lines_;
+  FallQueue<RowLine, kRuLines> row_lines_;
 
   // ru_lanes
   Cycle start_ = kNever;  // of the line in the lanes

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/timing/cycle.hpp"
-#include "sim/timing/perf.hpp"
+#include "sim/timing/depths.hpp"
 #include "sim/timing/ru.hpp"
 
 namespace pipegs::timing {
@@ -47,11 +47,11 @@ class Su {
   const Sorted& head() const { return out_.value; }
   void taken(Machine& m, Cycle now);
 
-  bool spilling() const { return collect_ == kSpill; }
-  Perf perf;
+  bool ready() const { return ready_; }  // for the record on the lists' wires, in the cycle in which it was stepped last
+  bool spilling(Cycle now) const { return (collect_ == kSpill) != (spill_turned_ == now); }  // a register: as this cycle began
 
  private:
-  static constexpr int kChains = 64, kMarks = 64, kWaiting = 32, kAnswers = 32, kKeysPerLine = 8, kGroup = 16;
+  static constexpr int kAnswers = kSuAnswers, kKeysPerLine = 8, kGroup = 16;
   static constexpr uint32_t kNil = ~uint32_t{0};
 
   struct Mark {
@@ -95,15 +95,18 @@ class Su {
   void begin_group(Cycle origin);
   Now look(const Machine& m, Cycle now);
   void port(Machine& m, Cycle now);
+  void divert(Cycle now, const Now& is);
   void emit(Machine& m, Cycle now, const Now& is);
   void sort(Cycle now, const Now& is);
   void buckets(Cycle now, const Now& is);
-  void spill(Cycle now, const Now& is);
+  void spill(const Now& is);
   void select(Cycle now, const Now& is);
   void collect(Machine& m, Cycle now, const Now& is);
 
   const int lane_, port_, records_, bucket_shift_, bits_low_, bits_high_;
   const bool marks_cut_;  // a layer's end is a watermark (order 2)
+  const bool lists_;
+  bool ready_ = false;
 
   // su_slots, and what lies in them
   std::vector<Sorted> pool_;
@@ -115,9 +118,10 @@ class Su {
 
   // su_collect
   Collect collect_ = kCollect;
+  Cycle spill_turned_ = kLongAgo;               // when it began or ceased to be kSpill
   uint8_t set_ = 0;
   std::array<bool, 2> closed_{};
-  SramQueue<Mark, kMarks> marks_;
+  SramQueue<Mark, kSuMarks> marks_;
 
   // su_buckets
   Operation operation_ = kNone;
@@ -130,7 +134,7 @@ class Su {
   uint64_t work_ = 0;
   bool edge_ = false, group_valid_ = false;
   Chain joined_;
-  SramQueue<Chain, kChains> chains_;
+  SramQueue<Chain, kSuChains> chains_;
 
   // su_split
   std::vector<uint64_t> keys_;
@@ -151,7 +155,7 @@ class Su {
   int fill_ = 0, live_ = 0, sent_ = 0;
 
   // su_emit
-  SramQueue<Entry, kWaiting> waiting_;
+  SramQueue<Entry, kSuWaiting> waiting_;
   Output<Sorted> out_;
   bool out_outside_ = false, looked_ = false;  // looked_: the record's number was read
   Cycle out_taken_at_ = kLongAgo;
@@ -160,6 +164,8 @@ class Su {
   Spill spill_ = kSpillIdle;
   std::vector<Sorted> records_out_;  // records of the set in memory
   bool record_valid_ = false, keys_valid_ = false, closing_ = false;
+  bool diverted_ = false;            // in this cycle
+  Sorted diverted_record_;
 
   // su_select
   Select select_ = kSelectIdle;

@@ -30,15 +30,6 @@ TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTi
     stream.bytes_read += 64 * machine->memory.lines_read(port);
     stream.bytes_written += 64 * machine->memory.lines_written(port);
   }
-  const uint64_t cycles = result.cycles;
-  const auto unit = [&](timing::Perf& perf) {
-    perf.set(static_cast<timing::Cycle>(cycles) + 1, timing::kStarved);
-    return UnitCycles{perf.count(timing::kBusy), perf.count(timing::kStarved), perf.count(timing::kBlocked), perf.count(timing::kMemoryWait)};
-  };
-  result.dopu.push_back(unit(machine->dopu.perf));
-  for (timing::Pu& pu : machine->pu) result.pu.push_back(unit(pu.perf));
-  for (timing::Su& su : machine->su) result.su.push_back(unit(su.perf));
-  for (timing::Ru& ru : machine->ru) result.ru.push_back(unit(ru.perf));
   return result;
 }
 

@@ -11,14 +11,12 @@
 #include <vector>
 
 #include "sim/memory_timing.hpp"
-#include "sim/rtl_model.hpp"
 #include "sim/timing/trace.hpp"
 
 namespace pipegs {
 
 struct TimingResult {
   uint64_t cycles = 0;
-  std::vector<UnitCycles> dopu, pu, su, ru;
   struct Stream {
     std::string name;  // as in report.json
     uint64_t bytes_read = 0, bytes_written = 0;

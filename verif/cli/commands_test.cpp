@@ -1,4 +1,4 @@
-// commands_test: ladder, profile, timeline and sweep: what they print and write holds together and agrees with the RTL.
+// commands_test: ladder, profile, timeline, sweep and model: what they print and write holds together and agrees with the RTL.
 #include <cmath>
 #include <map>
 
@@ -67,7 +67,7 @@ TEST_F(Commands, ARungWhoseRtlDoesNotBuildIsNamedAndLeftOut) {
   EXPECT_EQ(ladder["rungs"][0]["failure"].get<std::string>().find('\n'), std::string::npos);
   EXPECT_FALSE(ladder["rungs"][0].contains("cycles"));
   EXPECT_FALSE(fs::exists(folder_ / "left"));
-  const Outcome swept = run("sweep" + view_ + "--rungs dop,late --bandwidth 51.2", "PATH=/nowhere ");
+  const Outcome swept = run("sweep" + view_ + "--engine rtl --rungs dop,late --set alpha_lines=128 --bandwidth 51.2", "PATH=/nowhere ");
   EXPECT_EQ(swept.code, 2);
   EXPECT_NE(swept.out.find("dop: not run: "), std::string::npos) << swept.out;
   EXPECT_NE(swept.out.find("late: not run: "), std::string::npos) << swept.out;
@@ -201,6 +201,7 @@ TEST_F(Commands, TimelineOfSomeWindowsOnAnotherRung) {
 TEST_F(Commands, SweepFindsWhereMemoryStopsToMatter) {
   const Json swept = json("sweep" + view_ + "--rungs dop,late --memory ideal --bandwidth 102.4,1.6,25.6 --svg sweep.svg");
   expect_chart("sweep.svg");
+  EXPECT_EQ(swept["engine"], "model");
   EXPECT_EQ(swept["bytes_per_cycle"], Json({1.6, 25.6, 102.4}));
   for (const Json& rung : swept["rungs"]) {
     SCOPED_TRACE(rung["name"]);
@@ -225,6 +226,32 @@ TEST_F(Commands, DramSaysWhatMappingsAreWorth) {
   }
 }
 
+TEST_F(Commands, TheModelAndTheRtlSweepAlike) {
+  const std::string sweep = "sweep" + view_ + "--rungs dop,late --memory ideal --bandwidth 6.4,51.2";
+  const Json model = json(sweep), rtl = json(sweep + " --engine rtl");
+  EXPECT_EQ(rtl["engine"], "rtl");
+  for (size_t r = 0; r < 2; ++r) {
+    for (size_t i = 0; i < 2; ++i) {
+      const double cycles = rtl["rungs"][r]["cycles"][i];
+      EXPECT_NEAR(model["rungs"][r]["cycles"][i].get<double>(), cycles, 0.01 * cycles) << rtl["rungs"][r]["name"];
+    }
+  }
+}
+
+TEST_F(Commands, ModelComparesItselfWithTheRtl) {
+  const Json model = json("model" + view_ + "--rungs dop,late --check --windows");
+  ASSERT_EQ(model["rungs"].size(), 2u);
+  for (const Json& rung : model["rungs"]) {
+    SCOPED_TRACE(rung["name"]);
+    EXPECT_LT(std::abs(rung["error"]["frame"].get<double>()), 0.01);
+    EXPECT_NEAR(rung["cycles"].get<double>() / rung["rtl"]["cycles"].get<double>() - 1, rung["error"]["frame"].get<double>(), 1e-12);
+    EXPECT_EQ(rung["window_ends"].size(), rung["rtl"]["window_ends"].size());
+  }
+  const Outcome outcome = run("model" + view_ + "--rung late --set units=2");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("units=2"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Commands, BadInputIsRefusedInOneLine) {
   expect_refused("dram --mappings --preset nonsense", "nonsense");
   expect_refused("dram --preset lpddr5-6400x4", "--mappings");
@@ -239,6 +266,7 @@ TEST_F(Commands, BadInputIsRefusedInOneLine) {
   expect_refused("sweep" + view_ + "--bandwidth 0", "--bandwidth");
   expect_refused("sweep" + view_ + "--rungs nonsense", "nonsense");
   expect_refused("sweep" + view_ + "--bandwidth 13", "--memory ideal");
+  expect_refused("model" + view_ + "--rungs nonsense", "nonsense");
   EXPECT_EQ(run("timeline" + view_).code, 2) << "--out is needed";
   for (const auto& file : fs::directory_iterator(folder_)) {
     const std::string name = file.path().filename().string();

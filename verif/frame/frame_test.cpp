@@ -14,10 +14,11 @@ namespace pipegs {
 namespace {
 
 // The machine of Table 2, then half and a quarter of it, the last with stores so small that every one of them overflows;
-// then the rungs of the ladder.
+// then the other rungs of the ladder, and `exact` with a pool so small that it spills.
 const std::vector<std::vector<std::string>> kMachines = {
-    {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}, {"late=1"},
-    {"order=1"}, {"late=1", "order=1"}, {"late=1", "order=1", "quadratic=1"}};
+    {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}, {"late=1", "records=2048"},
+    {"order=1"}, {"late=1", "order=1", "records=2048"}, {"late=1", "order=1", "quadratic=1", "records=2048"},
+    {"late=1", "order=2", "records=2048"}, {"units=2", "late=1", "order=2", "records=16"}};
 
 SimulateOptions machine(size_t number) {
   SimulateOptions options;
