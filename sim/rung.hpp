@@ -1,8 +1,8 @@
 // rung.hpp: the rungs of the paper's ladder (Fig. 8, 9) as configurations of the one machine, and two of our own.
 //
 // Idea    A rung is what is computed where, and in which order: the entries `late`, `order` and `quadratic` of
-//         cpp_model/config.def. Units, widths and memory stay the same from rung to rung. Rungs without alpha stores have
-//         twice the records in their SUs (docs/ladder.md).
+//         cpp_model/config.def. Units, widths and memory stay the same from rung to rung. Rungs that cache coefficients
+//         (late) have no alpha stores and twice the records in their SUs; what that comes to in bytes: docs/memories.md.
 #pragma once
 
 #include <string>
