@@ -22,6 +22,7 @@ struct Arguments {
 };
 
 int check(const Arguments& arguments) {
+  if (!arguments.preset.empty()) throw InputError("--preset", "", "goes with --mappings");
   std::ifstream in(arguments.references);
   if (!in) throw InputError(arguments.references, "", "cannot be read");
   std::vector<DramReference> references = read_dram_references(in);
@@ -59,8 +60,8 @@ void add_dram(CLI::App& app, Run& run) {
   static Arguments arguments;
   command->add_option("--references", arguments.references, "reference runs, CSV")->capture_default_str();
   command->add_option("--source", arguments.source, "only the runs of this simulator: ramulator2 or dramsim3");
-  CLI::Option* worth = command->add_flag("--mappings", arguments.mappings, "instead: bandwidth by mapping, and what each rule of the machine's controller adds");
-  command->add_option("--preset", arguments.preset, "with --mappings: only this preset; without it all")->needs(worth);
+  command->add_flag("--mappings", arguments.mappings, "instead: bandwidth by mapping, and what each rule of the machine's controller adds");
+  command->add_option("--preset", arguments.preset, "with --mappings: only this preset; without it all");
   command->callback([&run] { run = [] { return arguments.mappings ? mappings(arguments) : check(arguments); }; });
 }
 
