@@ -60,12 +60,4 @@ struct PuAllocate {
   uint64_t parity = 0;    // of the current layer; a new frame starts with a new PuAllocate
 };
 
-// Address of part `part` of an alpha line in the overflow area of `unit` in a layer of parity `parity`; with lists
-// (order 1) in the one area of all alphas.
-inline uint64_t overflow_line(const Config& config, const Frame& frame, int unit, int parity, uint64_t address,
-                              int part) {
-  const uint64_t area = config.order == 1 ? uint64_t{1} << config.alpha_area_w() : static_cast<uint64_t>(unit * 8 + parity * 4) << 24;
-  return frame.overflow + area + address * static_cast<uint64_t>(config.alpha_memory_lines()) + static_cast<uint64_t>(part);
-}
-
 }  // namespace pipegs

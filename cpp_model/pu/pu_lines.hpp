@@ -2,7 +2,7 @@
 //
 // Paper   TSPP (Sec. 3.1) without layers.        RTL  rtl/pu/pu_lines.sv
 // Idea    One line for each region of the mask, counted through the frame: address = {unit, lines given before}. All lie in
-//         one area of external memory (overflow_line in pu_allocate.hpp).
+//         one area of external memory (ru_overflow_line in ru_walk.hpp).
 // Stream  tiles in; row_job, splat and the number of its window out. An end passes; it takes no line.
 #pragma once
 

@@ -1,7 +1,7 @@
 // pu_spill_test: rtl/pu/pu_spill.sv: every line reaches its place before the end behind it leaves.
 #include <map>
 
-#include "cpp_model/pu/pu_allocate.hpp"
+#include "cpp_model/ru/ru_walk.hpp"
 #include "verif/support/config.hpp"
 #include "verif/support/gated_bench.hpp"
 #include "Vpu_spill.h"
@@ -77,7 +77,7 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
             Words line = line_of(s.config, alphas);
             line.resize(static_cast<size_t>(pieces) * 16);
             for (int piece = 0; piece < pieces; ++piece) {
-              spilled[overflow_line(s.config, s.frame, 3, static_cast<int>(layer % 2), alphas.address, piece)] =
+              spilled[ru_overflow_line(s.config, s.frame, 3, layer % 2, alphas.address) + static_cast<uint64_t>(piece)] =
                   Words(line.begin() + 16 * piece, line.begin() + 16 * (piece + 1));
             }
           } else {
