@@ -2,6 +2,7 @@
 #include "sim/static_cost.hpp"
 
 #include "cpp_model/records.hpp"
+#include "sim/timing/depths.hpp"
 
 namespace pipegs {
 namespace {
@@ -101,39 +102,39 @@ void add_buffers(const Config& c, StaticCost& cost) {
   add("SU u_buckets.u_table", "sorter", 3 * c.record_w() + 1, 2 << c.bucket_w(), units);
   add("SU u_buckets.u_words", "sorter", 1 << low, 2 << (c.bucket_w() - low), units);
   add("SU u_slots.u_back", "sorter", c.record_w(), c.records, units);
-  add("SU u_marks", "sorter", 3 + c.kind_w() + c.bucket_w(), c.order == 2 ? 64 : 4, units);
-  add("SU u_chains", "sorter", c.kind_w() + c.bucket_w() + 2 * c.record_w() + 1, 64, units);
+  add("SU u_marks", "sorter", 3 + c.kind_w() + c.bucket_w(), c.order == 2 ? timing::kSuMarks : timing::kSuMarksLayers, units);
+  add("SU u_chains", "sorter", c.kind_w() + c.bucket_w() + 2 * c.record_w() + 1, timing::kSuChains, units);
   add("SU u_links", "sorter", c.record_w(), c.records, units);
   const int stack = c.records / 8 + c.key_w() / 4 + 2;  // groups that may wait
   add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
   add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
-  add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), 32, units);
-  add("SU u_port.u_answers", "overflow", memory, 32, units);
+  add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), timing::kSuWaiting, units);
+  add("SU u_port.u_answers", "overflow", memory, timing::kSuAnswers, units);
 
-  add("PU u_fetch.u_reader.u_lines", "parameters", memory, 64, units);
-  add("PU u_visible", "parameters", record_width<Visible>(c), 4, units);
-  add("PU u_walks", "parameters", record_width<Coeff>(c), 16, units);
+  add("PU u_fetch.u_reader.u_lines", "parameters", memory, timing::kFetchLines, units);
+  add("PU u_visible", "parameters", record_width<Visible>(c), timing::kVisibleDepth, units);
+  add("PU u_walks", "parameters", record_width<Coeff>(c), timing::kWalkDepth, units);
   if (c.sh_degree > 0) {
-    add("PU u_color..u_lines", "parameters", memory, 32, units);
-    add("PU u_color..u_tasks", "parameters", record_width<ColorTask>(c), 32, units);
-    add("PU u_color..u_directions", "parameters", record_width<ViewDirection>(c), 32, units);
+    add("PU u_color..u_lines", "parameters", memory, timing::kColorDepth, units);
+    add("PU u_color..u_tasks", "parameters", record_width<ColorTask>(c), timing::kColorDepth, units);
+    add("PU u_color..u_directions", "parameters", record_width<ViewDirection>(c), timing::kColorDepth, units);
   }
   if (c.order == 1) {
     const int shape = 2 * c.extent_w() + 1 + c.slope_w() + 2 * (c.mantissa_w + c.float_e_w()) + c.opacity_w();
-    add("PU u_expand.u_queue", "parameters", shape + 2 * c.mean_w() + 4 * c.window_w(), 40, units);
+    add("PU u_expand.u_queue", "parameters", shape + 2 * c.mean_w() + 4 * c.window_w(), timing::kExpandDepth, units);
     add("lists u_counts", "lists", c.list_entry_w(), 1 << c.list_window_w(), 1);
-    add("lists u_read.u_reader.u_lines", "lists", memory, 64, 1);
+    add("lists u_read.u_reader.u_lines", "lists", memory, timing::kListLines, 1);
   } else if (c.late) {
     add("PU u_late.u_coeffs", "parameters", c.a_w() + 2 * c.bc_w() + 3 * c.def_w(), 64, units);
   }
   if (!c.late) {
-    add("PU u_jobs", "parameters", record_width<RowJob>(c), 4, units);
+    add("PU u_jobs", "parameters", record_width<RowJob>(c), timing::kRowJobs, units);
     add("RU u_fetch.u_external", "overflow", c.line_w(), c.fetch_lines, units);
     add("RU u_fetch.u_records", "queues", record_width<Blend>(c), c.fetch_lines + 8, units);
   }
-  add("RU u_queue", "queues", record_width<Sorted>(c), c.late ? 64 : 16, units);
+  add("RU u_queue", "queues", record_width<Sorted>(c), timing::ru_queue_depth(c), units);
 
-  add("DOPU readers u_lines", "scene", memory, c.order == 2 ? 64 : 32, 2);
+  add("DOPU readers u_lines", "scene", memory, c.order == 2 ? timing::kNearestLines : timing::kDescendLines, 2);
   const int cell_bits = 3 * (c.grid > 1 ? clog2(c.grid) : 1);
   add("DOPU u_cells.u_table", "scene", 2 * record_width<Node>(c), 1 << (cell_bits - 1), 1);
   if (c.order == 2) {  // six lists of nodes, each in buckets of depth

@@ -1,9 +1,9 @@
 // memory_arbiter: all requesters of the chip share the one port to external memory.
 //
 // Idea    The ports that may write stand nearer to the image and go first, with the DOPU's, which asks for little and waits
-//         for each answer: what these wait for holds up all others. Round robin among them, and among the others; one request per cycle, registered on its way out; the
-//         port number travels as the tag, and an answer goes back to the port that its tag names. Writes carry a line
-//         of data and get no answer.
+//         for each answer: what these wait for holds up all others. Round robin among them, and among the others; one
+//         request per cycle, registered on its way out; the port number travels as the tag, and an answer goes back to
+//         the port that its tag names. Writes carry a line of data and get no answer.
 //         Port order: WritePorts that may write, then those that only read.
 // Stream  ports: valid, ready, write, address, data. out: memory_request_t and the data. answers: tag and data in, one
 //         valid per port out; a requester asks only for what it has room for, so answers are never refused.
