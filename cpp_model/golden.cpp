@@ -11,6 +11,7 @@
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/pu_coeff.hpp"
 #include "cpp_model/pu/pu_color.hpp"
+#include "cpp_model/pu/pu_compensate.hpp"
 #include "cpp_model/pu/pu_conic.hpp"
 #include "cpp_model/pu/pu_covariance.hpp"
 #include "cpp_model/pu/pu_cull.hpp"
@@ -67,9 +68,7 @@ std::optional<Conic> project(const GoldenInput& input, const Fetched& fetched, W
   const std::optional<Visible> visible = pu_cull(config, frame, fetched);
   if (!visible) return std::nullopt;
   ++work.visible;
-  const Projected projected = pu_project(config, frame, *visible, &saturations.mean);
-  const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
-  return pu_conic(config, frame, pu_covariance(config, frame, pu_squares(config, frame, factors)));
+  return golden_conic(config, frame, *visible, &saturations.mean);
 }
 
 // The regions of a Gaussian in the window that its mean is relative to; counts what has some.
@@ -171,6 +170,13 @@ Work& Work::operator+=(const Work& o) {
 Saturations& Saturations::operator+=(const Saturations& o) {
   mean += o.mean, color += o.color, accumulated += o.accumulated, dead += o.dead;
   return *this;
+}
+
+Conic golden_conic(const Config& config, const Frame& frame, const Visible& visible, uint64_t* saturated) {
+  const Projected projected = pu_project(config, frame, visible, saturated);
+  const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
+  const Covariance covariance = pu_covariance(config, frame, pu_squares(config, frame, factors));
+  return pu_conic(config, frame, config.antialias ? pu_compensate(config, frame, covariance) : covariance);
 }
 
 Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& g, uint64_t slot) {

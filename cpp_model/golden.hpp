@@ -95,6 +95,9 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
 // What pu_fetch makes of a Gaussian of a chunk.
 Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& gaussian, uint64_t slot);
 
+// From view space to the conic; counts a saturated mean.
+Conic golden_conic(const Config& config, const Frame& frame, const Visible& visible, uint64_t* saturated = nullptr);
+
 // The alpha codes of one region of a job.
 void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]);
 
