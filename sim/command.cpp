@@ -84,6 +84,10 @@ LoadedView load_view(const ViewArguments& arguments) {
   return loaded;
 }
 
+void follow_scene(const Scene& scene, SimulateOptions& options) {
+  if (scene.antialiased) options.config.antialias = 1;
+}
+
 void write_images(const std::string& folder, const Image& image) {
   std::filesystem::create_directories(folder);
   write_exr(std::filesystem::path(folder) / "frame.exr", image);

@@ -53,6 +53,9 @@ struct LoadedView {
 };
 LoadedView load_view(const ViewArguments& arguments);
 
+// Switches on what the scene cannot do without: the compensation of an antialiased one.
+void follow_scene(const Scene& scene, SimulateOptions& options);
+
 // Writes frame.exr and frame.png; nothing is left half-written.
 void write_images(const std::string& folder, const Image& image);
 void write_text(const std::string& path, const std::string& text);

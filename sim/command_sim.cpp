@@ -32,6 +32,7 @@ int simulate(const Arguments& arguments) {
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
   const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
 
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
