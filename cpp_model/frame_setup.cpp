@@ -75,7 +75,7 @@ void set_lens(const Config& config, const Setter& set, bool x, uint64_t& focal, 
   // From the rounded fields and one unit up: a bound on what the machine computes.
   const double slope = std::ldexp(static_cast<double>(limit + 1), -config.tan_f);
   const double pixels = std::ldexp(static_cast<double>(focal), -config.focal_f());
-  reach = set.unsigned_field("the reach of a unit scale in pixels", std::sqrt(2 * std::log(255.0)) * pixels * std::hypot(1, slope),
+  reach = set.unsigned_field("the reach of a unit scale in pixels", std::sqrt(2 * std::log(config.alpha_cut)) * pixels * std::hypot(1, slope),
                              config.focal_f(), config.reach_w(), true) + 1;
 }
 

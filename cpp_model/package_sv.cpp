@@ -40,7 +40,7 @@ const std::vector<Record>& records() {
 void print_exp2_table(const pipegs::Config& config) {
   const pipegs::Exp2 table(config);
   const int last = (1 << config.exp_index_w) - 1, width = config.exp_delta_w() + config.exp_value_w() > 32 ? 64 : 32;
-  std::printf("\n  // Chords of 2^f: entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.\n"
+  std::printf("\n  // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.\n"
               "  localparam int unsigned Exp2EntryW = %d;\n"
               "  localparam logic [%d*Exp2EntryW-1:0] Exp2Table = {",
               width, last + 1);
@@ -51,12 +51,12 @@ void print_exp2_table(const pipegs::Config& config) {
 }
 
 // The table of rtl/pu/pu_cull.sv: weights of the reach by the leading bits of the opacity, entry 0 lowest.
-void print_cull_weights() {
+void print_cull_weights(const pipegs::Config& config) {
   std::printf("\n  // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See cpp_model/pu/pu_cull.hpp.\n"
               "  localparam logic [%d*9-1:0] CullWeights = {",
               pipegs::kCullWeights);
   for (int i = pipegs::kCullWeights - 1; i >= 0; --i) {
-    std::printf("%s9'd%llu%s", i % 16 == 15 ? "\n    " : " ", static_cast<unsigned long long>(pipegs::cull_weight(i)), i > 0 ? "," : "\n  };\n");
+    std::printf("%s9'd%llu%s", i % 16 == 15 ? "\n    " : " ", static_cast<unsigned long long>(pipegs::cull_weight(config, i)), i > 0 ? "," : "\n  };\n");
   }
 }
 
@@ -77,7 +77,7 @@ void print_package(const pipegs::Config& config) {
               "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
               "  localparam logic [1:0] KindWindowEnd = 2'd2;\n");
   print_exp2_table(config);
-  print_cull_weights();
+  print_cull_weights(config);
   for (const Record& record : records()) {
     int bits = 0;
     for (const Field& field : record.fields) bits += entries.at(field.width).value;

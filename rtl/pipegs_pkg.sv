@@ -33,10 +33,14 @@ package pipegs_pkg;
   localparam int unsigned MantissaW      = 26;  // normalised mantissas of the projection, leading one included
   localparam int unsigned CoeffF         = 28;  // fraction of the power coefficients A to F, log2 units
   localparam int unsigned PowerF         = 20;  // fraction of the Row Units' accumulators, log2 units
-  localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table (linear interpolation between its entries)
-  localparam int unsigned AlphaW         = 8;  // alpha, u0.AlphaW; 0 means below 1/255
+  localparam int unsigned AlphaCut       = 255;  // a pixel counts iff alpha >= 1/AlphaCut
+  localparam int unsigned TileTest       = 1;  // 1: the regions of a Gaussian's box that hold a pixel that counts; 0: all regions of the box
+  localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
+  localparam int unsigned ExpLinear      = 1;  // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
+  localparam int unsigned AlphaW         = 8;  // alpha, u0.AlphaW; 0 means below 1/AlphaCut
   localparam int unsigned ColorW         = 12;  // colour of a Gaussian, u2.(ColorW-2)
   localparam int unsigned TW             = 19;  // transmittance, u1.(TW-1)
+  localparam int unsigned TCut           = 10000;  // a pixel stops before its transmittance falls below 1/TCut
   localparam int unsigned RgbW           = 16;  // accumulated colour, u2.(RgbW-2)
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
   localparam int unsigned Records        = 1024;  // record store of one SU, a pool of slots
@@ -44,6 +48,7 @@ package pipegs_pkg;
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
   localparam int unsigned NearestNodes   = 512;  // nodes that wait in the DOPU, the nearest first (order = 2)
   localparam int unsigned MarkChunks     = 8;  // fewest chunks between two watermarks of a window (order = 2)
+  localparam int unsigned Taps           = 1;  // 1: the streams show at the top level (tap_*), so every one is compared; 0: only pixels are
   localparam int unsigned RegionsX       = 8;  // regions along a window's side
   localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
   localparam int unsigned RegionW        = 6;  // index of a region, row by row
@@ -94,7 +99,8 @@ package pipegs_pkg;
   localparam int unsigned PowerW         = 41;  // power in a Row Unit, s20.PowerF: holds any pixel of any coefficients, nothing wraps
   localparam int unsigned GradientW      = 34;  // first differences of the power, s13.PowerF
   localparam int unsigned CurveW         = 25;  // D, E and F in a Row Unit, s4.PowerF
-  localparam int unsigned PowerCut       = 8382687;  // a pixel counts iff power >= -PowerCut, unit 2^-PowerF: alpha >= 1/255
+  localparam int unsigned PowerCut       = 8382687;  // a pixel counts iff power >= -PowerCut, unit 2^-PowerF: alpha >= 1/AlphaCut
+  localparam int unsigned ReachMargin    = 2;  // pixels that the dilation of 0.3 adds to a Gaussian's reach, and slack for the rounded mean
   localparam int unsigned ExpF           = 15;  // fraction bits of the power that exp2 reads
   localparam int unsigned ExpValueW      = 15;  // value of an entry of the exp2 table, u1.(ExpValueW-1)
   localparam int unsigned ExpDeltaW      = 9;  // difference of two entries, same unit; the leading bits are 0
@@ -108,6 +114,8 @@ package pipegs_pkg;
   localparam int unsigned LateBcW        = 0;  // coefficients B and C in a splat; absent unless late
   localparam int unsigned LateDefW       = 0;  // coefficients D, E and F in a splat; absent unless late
   localparam int unsigned MarkW          = 0;  // watermark of a chunk; absent unless Order is 2
+  localparam int unsigned TapIndexW      = 24;  // index of a Gaussian where only the taps read it; one bit is left without them
+  localparam int unsigned TapDepthW      = 24;  // depth key where only the taps read it; one bit is left without them
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
   localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set; with lists {unit, line} of the area of all alphas
   localparam int unsigned AlphaAreaW     = 29;  // the area of all alphas begins 2^AlphaAreaW lines into the overflow area (lists)
@@ -120,7 +128,7 @@ package pipegs_pkg;
   localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
   localparam int unsigned MemoryW        = 512;  // a line of external memory
   localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits
-  localparam int unsigned TStop          = 27;  // a pixel stops before its transmittance falls below 1e-4: ceil(1e-4 * 2^(TW-1))
+  localparam int unsigned TStop          = 27;  // a pixel stops before its transmittance falls below 1/TCut: ceil(2^(TW-1) / TCut)
   localparam int unsigned PerfW          = 40;  // a performance counter, cycles or events
   localparam int unsigned WritePorts     = 12;  // memory ports that may write: PU alphas, SU, RU of each unit, then the lists if there are any
   localparam int unsigned MemoryPorts    = 21;  // memory ports: those that may write, PU geometry, PU colour of each unit, then DOPU
@@ -131,7 +139,7 @@ package pipegs_pkg;
   localparam logic [1:0] KindLayerEnd = 2'd1;
   localparam logic [1:0] KindWindowEnd = 2'd2;
 
-  // Chords of 2^f: entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.
+  // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.
   localparam int unsigned Exp2EntryW = 32;
   localparam logic [64*Exp2EntryW-1:0] Exp2Table = {
     32'hb0fe9f, 32'haefd42, 32'had7be8, 32'haafa93, 32'ha97941, 32'ha7f7f2, 32'ha576a8, 32'ha47560,
@@ -169,7 +177,7 @@ package pipegs_pkg;
     logic [KindW-1:0] sh_degree;  // SH degree of the scene, at most ShDegree
     logic [WorldW-1:0] near_plane;  // near plane, world units
     logic [ReachW-1:0] reach_y;
-    logic [ReachW-1:0] reach_x;  // sqrt(2 ln 255) * fx * sqrt(1 + limit_x^2), rounded up, u18.14
+    logic [ReachW-1:0] reach_x;  // sqrt(2 ln AlphaCut) * fx * sqrt(1 + limit_x^2), rounded up, u18.14
     logic [TanW-1:0] limit_y;
     logic [TanW-1:0] limit_x;  // 1.3 tan(fov/2): guard band of the Jacobian, u4.TanF
     logic signed [CenterW-1:0] center_y;
@@ -204,7 +212,7 @@ package pipegs_pkg;
   typedef struct packed {
     logic [CountW-1:0] count;  // cell: groups; group: chunks; chunk: Gaussians
     logic [SlotW-1:0] first;  // cell: first group; group: first chunk; chunk: slot of the first Gaussian (even)
-    logic [ScaleW-1:0] scale_max;  // largest effective scale in the node, rounded up: scale * sqrt(ln(255 opacity) / ln 255)
+    logic [ScaleW-1:0] scale_max;  // largest effective scale in the node, rounded up: scale * sqrt(ln(AlphaCut opacity) / ln AlphaCut)
     logic [ExpW-1:0] offset_exp;  // unit of the offsets of the chunk's means is 2^offset_exp world units
     logic [ExpW-1:0] half_exp;
     logic [HalfW-1:0] half_z;
@@ -521,7 +529,7 @@ package pipegs_pkg;
     logic signed [SlopeW-1:0] slope_m;  // slope of the conditional mean: b/c (b/a when swapped) = m * 2^-25
     logic swap;  // 1 when a > c: the roles of x and y are exchanged below
     logic [ExtentW-1:0] extent_y;  // half height
-    logic [ExtentW-1:0] extent_x;  // half width of the box outside which alpha < 1/255, rounded up, u18.4 pixel
+    logic [ExtentW-1:0] extent_x;  // half width of the box outside which alpha < 1/AlphaCut, rounded up, u18.4 pixel
     logic signed [MeanW-1:0] mean_y;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
@@ -544,7 +552,7 @@ package pipegs_pkg;
     logic signed [BcW-1:0] c;  // d/dy at the first pixel
     logic signed [BcW-1:0] b;  // d/dx at the first pixel
     logic signed [AW-1:0] a;  // power at the window's first pixel, -log2(opacity) subtracted: alpha = 2^power
-    logic dead;  // a coefficient left its range: no pixel of the window can reach 1/255
+    logic dead;  // a coefficient left its range: no pixel of the window can reach 1/AlphaCut
     logic [ExtentW-1:0] extent_y;
     logic [ExtentW-1:0] extent_x;
     logic signed [MeanW-1:0] mean_y;
@@ -563,7 +571,7 @@ package pipegs_pkg;
     logic signed [DirectionW-1:0] dir_y;
     logic signed [DirectionW-1:0] dir_x;
     logic [DepthW-1:0] depth;
-    logic [Regions-1:0] mask;  // regions that hold a pixel with alpha >= 1/255: the 4-bit bitmap of each tile, row by row of regions
+    logic [Regions-1:0] mask;  // regions that hold a pixel with alpha >= 1/AlphaCut: the 4-bit bitmap of each tile, row by row of regions
     logic signed [DefW-1:0] f;
     logic signed [DefW-1:0] e;
     logic signed [DefW-1:0] d;
@@ -575,7 +583,7 @@ package pipegs_pkg;
   localparam int unsigned TilesBits = 451;
 
   typedef struct packed {
-    logic [IndexW-1:0] index;
+    logic [TapIndexW-1:0] index;
     logic parity;  // of the layer: which overflow area
     logic ext;  // the lines lie in the overflow area
     logic [AlphaAddressW-1:0] address;  // line of the mask's first region; the others follow
@@ -592,7 +600,7 @@ package pipegs_pkg;
 
   typedef struct packed {
     logic [RegionW-1:0] region;
-    logic [IndexW-1:0] index;
+    logic [TapIndexW-1:0] index;
     logic parity;
     logic ext;
     logic [AlphaAddressW-1:0] address;
@@ -608,7 +616,7 @@ package pipegs_pkg;
 
   typedef struct packed {
     logic [RegionW-1:0] region;
-    logic [IndexW-1:0] index;
+    logic [TapIndexW-1:0] index;
     logic parity;
     logic ext;
     logic [AlphaAddressW-1:0] address;
@@ -722,14 +730,14 @@ package pipegs_pkg;
     logic ext;
     logic [StoreAddressW-1:0] address;
     logic [Regions-1:0] mask;
-    logic [IndexW-1:0] index;
-    logic [DepthW-1:0] depth;
+    logic [TapIndexW-1:0] index;
+    logic [TapDepthW-1:0] depth;
     logic [KindW-1:0] kind;
   } sorted_t;
   localparam int unsigned SortedBits = 177;
 
   typedef struct packed {
-    logic [IndexW-1:0] index;
+    logic [TapIndexW-1:0] index;
     logic [ColorW-1:0] blue;
     logic [ColorW-1:0] green;
     logic [ColorW-1:0] red;
@@ -742,7 +750,7 @@ package pipegs_pkg;
   localparam int unsigned FetchBits = 95;
 
   typedef struct packed {
-    logic [IndexW-1:0] index;
+    logic [TapIndexW-1:0] index;
     logic [ColorW-1:0] blue;
     logic [ColorW-1:0] green;
     logic [ColorW-1:0] red;

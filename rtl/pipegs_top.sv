@@ -6,8 +6,9 @@
 //         in time between the two halves of the machine.
 //         While the RUs blend layer i, the SUs sort behind them and the PUs already work on layer i + 1, across windows too.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
-// Stream  start_i with frame_i; the scene and the frame lie in external memory; busy_o falls when the last pixel is written.
-//         tap_*: what moves on the streams and what each unit does, for the harness. perf_o: cycles busy, starved, blocked, memory of each unit,
+//         frame_i goes through a register, so that nothing inside depends on an input port combinationally.
+// Stream  start_i with frame_i, which is stable from one cycle before start_i; the scene and the frame lie in external memory; busy_o falls when the last pixel is written.
+//         tap_*: what moves on the streams and what each unit does, for the harness; all 0 if Taps is 0. perf_o: cycles busy, starved, blocked, memory of each unit,
 //         in the order DOPU, PUs, SUs, RUs.
 // Model   cpp_model/golden.hpp
 
@@ -46,7 +47,7 @@ module pipegs_top #(
   output logic [Units*pipegs_pkg::WindowW-1:0] tap_window_x_o,
   output logic [Units*pipegs_pkg::WindowW-1:0] tap_window_y_o,
   output logic [Units-1:0]                     tap_alphas_valid_o,
-  output logic [Units*pipegs_pkg::IndexW-1:0]  tap_alphas_index_o,
+  output logic [Units*pipegs_pkg::TapIndexW-1:0] tap_alphas_index_o,
   output logic [Units*pipegs_pkg::RegionW-1:0] tap_alphas_region_o,
   output logic [Units*LineW-1:0]               tap_alphas_o,
   output logic [Units-1:0]                     tap_pixels_valid_o,
@@ -112,8 +113,18 @@ module pipegs_top #(
   logic [Units*AlphaAddressW-1:0] read_address;                         // of each RU
   logic [Units*LineW-1:0]        answer;                                // of each store
 
+  logic [Units-1:0]                       ru_alphas_valid, ru_pixels_valid;  // for the taps
+  logic [Units*pipegs_pkg::TapIndexW-1:0] ru_alphas_index;
+  logic [Units*pipegs_pkg::RegionW-1:0]   ru_alphas_region, ru_pixels_region;
+  logic [Units*LineW-1:0]                 ru_alphas;
+  logic [Units*2-1:0]                     ru_pixels_quarter;
+  logic [Units*PixelWordW-1:0]            ru_pixels;
+
+  pipegs_pkg::frame_t frame_q;
+  always_ff @(posedge clk_i) frame_q <= frame_i;
+
   scheduler u_scheduler (
-    .clk_i, .rst_ni, .start_i, .frame_i, .window_done_i(window_done), .idle_i(idle),
+    .clk_i, .rst_ni, .start_i, .frame_i(frame_q), .window_done_i(window_done), .idle_i(idle),
     .overflow_sort_i(overflow_sort), .overflow_alpha_i(overflow_alpha), .written_i(written),
     .restart_o(restart), .busy_o, .cycles_o, .preprocess_cycles_o, .overflow_lines_o
   );
@@ -132,7 +143,7 @@ module pipegs_top #(
   logic dopu_clk;
   clock_gate u_dopu_gate (.clk_i, .rst_ni, .enable_i(dopu_active), .clk_o(dopu_clk));
   dopu u_dopu (
-    .clk_i(dopu_clk), .rst_ni, .start_i(restart), .frame_i, .busy_o(),
+    .clk_i(dopu_clk), .rst_ni, .start_i(restart), .frame_i(frame_q), .busy_o(),
     .mem_valid_o(mem_valid[NodePort]), .mem_ready_i(mem_ready[NodePort]),
     .mem_address_o(mem_address[NodePort*AddressW +: AddressW]), .rsp_valid_i(rsp_valid[NodePort]), .rsp_data_i(rsp_data),
     .done_i(done), .done_x_i(done_x), .done_y_i(done_y),
@@ -149,7 +160,7 @@ module pipegs_top #(
 
     clock_gate u_pu_gate (.clk_i, .rst_ni, .enable_i(pu_active[k]), .clk_o(pu_clk));
     pu u_pu (
-      .clk_i(pu_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
+      .clk_i(pu_clk), .rst_ni, .frame_i(frame_q), .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
       .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_i(chunk),
       .culled_valid_o(culled_valid[k]), .culled_ready_i(culled_ready[k]),
       .culled_o(culled[k*pipegs_pkg::VisibleBits +: pipegs_pkg::VisibleBits]),
@@ -195,7 +206,7 @@ module pipegs_top #(
 
     clock_gate u_su_gate (.clk_i, .rst_ni, .enable_i(su_active[k]), .clk_o(su_clk));
     su u_su (
-      .clk_i(su_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)),
+      .clk_i(su_clk), .rst_ni, .frame_i(frame_q), .unit_i(pipegs_pkg::UnitW'(k)),
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]),
       .in_i(splat[k*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]),
       .out_valid_o(in_order_valid[k]), .out_ready_i(in_order_ready[k]),
@@ -210,7 +221,7 @@ module pipegs_top #(
     assign ru_answer_valid = answer_valid[k*Units +: Units];
     clock_gate u_ru_gate (.clk_i, .rst_ni, .enable_i(ru_active[k]), .clk_o(ru_clk));
     ru u_ru (
-      .clk_i(ru_clk), .rst_ni, .frame_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
+      .clk_i(ru_clk), .rst_ni, .frame_i(frame_q), .unit_i(pipegs_pkg::UnitW'(k)), .restart_i(restart),
       .in_valid_i(raster_valid[k]), .in_ready_o(raster_ready[k]), .in_i(raster),
       .read_valid_o(read_valid[k*Units +: Units]), .read_ready_i(read_ready[k*Units +: Units]),
       .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]),
@@ -221,11 +232,11 @@ module pipegs_top #(
       .done_o(done[k*Regions +: Regions]), .done_x_o(done_x[k*WindowW +: WindowW]), .done_y_o(done_y[k*WindowW +: WindowW]),
       .layer_done_o(layer_done[k]), .window_done_o(window_done[k]), .idle_o(),
       .active_o(ru_active[k]), .perf_o(perf_state[2*(1+2*Units+k) +: 2]),
-      .tap_line_valid_o(tap_alphas_valid_o[k]), .tap_line_index_o(tap_alphas_index_o[k*pipegs_pkg::IndexW +: pipegs_pkg::IndexW]),
-      .tap_line_region_o(tap_alphas_region_o[k*pipegs_pkg::RegionW +: pipegs_pkg::RegionW]),
-      .tap_line_o(tap_alphas_o[k*LineW +: LineW]), .tap_word_valid_o(tap_pixels_valid_o[k]),
-      .tap_word_region_o(tap_pixels_region_o[k*pipegs_pkg::RegionW +: pipegs_pkg::RegionW]),
-      .tap_word_quarter_o(tap_pixels_quarter_o[k*2 +: 2]), .tap_word_o(tap_pixels_o[k*PixelWordW +: PixelWordW])
+      .tap_line_valid_o(ru_alphas_valid[k]), .tap_line_index_o(ru_alphas_index[k*pipegs_pkg::TapIndexW +: pipegs_pkg::TapIndexW]),
+      .tap_line_region_o(ru_alphas_region[k*pipegs_pkg::RegionW +: pipegs_pkg::RegionW]),
+      .tap_line_o(ru_alphas[k*LineW +: LineW]), .tap_word_valid_o(ru_pixels_valid[k]),
+      .tap_word_region_o(ru_pixels_region[k*pipegs_pkg::RegionW +: pipegs_pkg::RegionW]),
+      .tap_word_quarter_o(ru_pixels_quarter[k*2 +: 2]), .tap_word_o(ru_pixels[k*PixelWordW +: PixelWordW])
     );
   end
 
@@ -234,7 +245,7 @@ module pipegs_top #(
     pipegs_pkg::splat_t listed;
     clock_gate u_lists_gate (.clk_i, .rst_ni, .enable_i(lists_active), .clk_o(lists_clk));
     lists u_lists (
-      .clk_i(lists_clk), .rst_ni, .frame_i, .restart_i(restart),
+      .clk_i(lists_clk), .rst_ni, .frame_i(frame_q), .restart_i(restart),
       .made_valid_i(made_valid), .made_ready_o(made_ready), .made_i(made), .number_i(made_number),
       .mem_valid_o(mem_valid[ListPort]), .mem_ready_i(mem_ready[ListPort]), .mem_write_o(mem_write[ListPort]),
       .mem_address_o(mem_address[ListPort*AddressW +: AddressW]), .mem_data_o(mem_data[ListPort*MemoryW +: MemoryW]),
@@ -275,16 +286,34 @@ module pipegs_top #(
     );
   end
 
-  assign tap_splat_valid_o  = splat_valid & splat_ready;
-  assign tap_splat_o        = splat;
-  assign tap_sorted_valid_o = sorted_valid && sorted_ready;
-  assign tap_sorted_o       = sorted;
-  assign tap_window_x_o     = done_x;
-  assign tap_window_y_o     = done_y;
-  assign tap_chunk_valid_o  = chunk_valid & chunk_ready;
-  assign tap_chunk_kind_o   = chunk.kind;
-  assign tap_state_o        = perf_state;
-  assign tap_layer_done_o   = layer_done;
-  assign tap_window_done_o  = window_done;
+  if (pipegs_pkg::Taps != 0) begin : gen_taps
+    assign tap_splat_valid_o    = splat_valid & splat_ready;
+    assign tap_splat_o          = splat;
+    assign tap_sorted_valid_o   = sorted_valid && sorted_ready;
+    assign tap_sorted_o         = sorted;
+    assign tap_window_x_o       = done_x;
+    assign tap_window_y_o       = done_y;
+    assign tap_alphas_valid_o   = ru_alphas_valid;
+    assign tap_alphas_index_o   = ru_alphas_index;
+    assign tap_alphas_region_o  = ru_alphas_region;
+    assign tap_alphas_o         = ru_alphas;
+    assign tap_pixels_valid_o   = ru_pixels_valid;
+    assign tap_pixels_region_o  = ru_pixels_region;
+    assign tap_pixels_quarter_o = ru_pixels_quarter;
+    assign tap_pixels_o         = ru_pixels;
+    assign tap_chunk_valid_o    = chunk_valid & chunk_ready;
+    assign tap_chunk_kind_o     = chunk.kind;
+    assign tap_state_o          = perf_state;
+    assign tap_layer_done_o     = layer_done;
+    assign tap_window_done_o    = window_done;
+  end else begin : gen_no_taps
+    assign {tap_splat_valid_o, tap_splat_o, tap_sorted_valid_o, tap_sorted_o, tap_window_x_o, tap_window_y_o} = '0;
+    assign {tap_alphas_valid_o, tap_alphas_index_o, tap_alphas_region_o, tap_alphas_o} = '0;
+    assign {tap_pixels_valid_o, tap_pixels_region_o, tap_pixels_quarter_o, tap_pixels_o} = '0;
+    assign {tap_chunk_valid_o, tap_chunk_kind_o, tap_state_o, tap_layer_done_o, tap_window_done_o} = '0;
+    logic unused_taps;
+    assign unused_taps = &{1'b0, ru_alphas_valid, ru_alphas_index, ru_alphas_region, ru_alphas, ru_pixels_valid,
+                           ru_pixels_region, ru_pixels_quarter, ru_pixels};
+  end
 
 endmodule

@@ -45,7 +45,7 @@ void for_blocks(size_t items, PackCounts& counts, Work&& work) {
   });
 }
 
-std::vector<Survivor> survivors(const Scene& scene, PackCounts& counts) {
+std::vector<Survivor> survivors(const Config& config, const Scene& scene, PackCounts& counts) {
   const size_t n = scene.gaussians.size();
   std::vector<ActivatedGaussian> activated(n);
   std::vector<Cull> cull(n);
@@ -57,7 +57,7 @@ std::vector<Survivor> survivors(const Scene& scene, PackCounts& counts) {
   for (size_t i = 0; i < n; ++i) {
     if (cull[i] == Cull::kNonFinite) ++counts.non_finite;
     else if (cull[i] == Cull::kZeroQuaternion) ++counts.zero_quaternion;
-    else if (!(activated[i].opacity >= 1.0 / 255)) ++counts.transparent;
+    else if (!(activated[i].opacity >= 1.0 / config.alpha_cut)) ++counts.transparent;
     else kept.push_back({activated[i], static_cast<uint32_t>(i)});
   }
   return kept;
@@ -92,7 +92,9 @@ struct CellPart {
 void build_cell(const Config& config, const std::vector<WorldPoint>& world, const std::vector<GaussianRecord>& records,
                 float window, CellPart& cell) {
   const size_t chunk = static_cast<size_t>(config.chunk);
-  pack_order(cell.items, chunk, chunk * static_cast<size_t>(config.group), window);
+  // sqrt(2 ln 255) = 3.33 standard deviations at AlphaCut 255, a little more off the image's centre.
+  const double reach = 4 * std::sqrt(std::log(config.alpha_cut) / std::log(255));
+  pack_order(cell.items, chunk, chunk * static_cast<size_t>(config.group), window, static_cast<float>(reach));
   std::vector<WorldPoint> means;
   for (size_t begin = 0; begin < cell.items.size(); begin += chunk) {
     const size_t count = std::min(chunk, cell.items.size() - begin), slot = cell.slots.size();
@@ -187,7 +189,7 @@ PackedScene pack_scene(const Config& config, const Scene& scene, double coordina
   check_sizes(config, scene, packed);
   if (!std::isfinite(coordinate_bound)) throw std::invalid_argument("pack_scene: the cameras' coordinates are not finite");
 
-  std::vector<Survivor> all = survivors(scene, packed.counts);
+  std::vector<Survivor> all = survivors(config, scene, packed.counts);
   const SceneBox box = robust_box(all);
   double radius = std::max(std::abs(coordinate_bound), 1e-6);
   for (int axis = 0; axis < 3; ++axis) radius = std::max({radius, std::abs(box.low[axis]), std::abs(box.high[axis])});

@@ -6,7 +6,7 @@
 //         by pack_order and cut into chunks, up to Group of them in a group; a chunk's means are offsets from its centre
 //         in units of 2^offset_exp.
 //         A box encloses the ROUNDED means and rounds up; scale_max is the largest *effective* scale, rounded up:
-//           effective scale = largest scale * sqrt(ln(255 opacity) / ln 255)
+//           effective scale = largest scale * sqrt(ln(AlphaCut opacity) / ln AlphaCut)
 //         which is how far a Gaussian of that opacity reaches in the measure of an opaque one.
 // Rule    A Gaussian that cannot be drawn never stops the packing: it is left out and counted by reason.
 #pragma once

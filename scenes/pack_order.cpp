@@ -8,7 +8,6 @@
 namespace pipegs {
 namespace {
 
-constexpr float kReach = 4.0f;  // sqrt(2 ln 255) = 3.33 standard deviations, a little more off the image's centre
 constexpr int kDimensions = 4, kSize = 3;
 constexpr std::size_t kUneven = 32;  // no part below 1/32 of its parent: bounds the depth
 
@@ -27,8 +26,8 @@ struct Bounds {
     scale = std::max(scale, item.value[kSize]);
   }
   // How often a window touches it, up to a constant.
-  float touch(float window) const {
-    const float grown = 2 * kReach * scale + window;
+  float touch(float window, float reach) const {
+    const float grown = 2 * reach * scale + window;
     const float x = high[0] - low[0] + grown, y = high[1] - low[1] + grown, z = high[2] - low[2] + grown;
     return x * y + y * z + z * x;
   }
@@ -36,8 +35,8 @@ struct Bounds {
 
 class Splitter {
  public:
-  Splitter(std::span<const OrderItem> items, std::size_t chunk, std::size_t group, float window)
-      : items_(items), chunk_(chunk), group_(group), window_(window), left_(items.size()), spare_(items.size()) {
+  Splitter(std::span<const OrderItem> items, std::size_t chunk, std::size_t group, float window, float reach)
+      : items_(items), chunk_(chunk), group_(group), window_(window), reach_(reach), left_(items.size()), spare_(items.size()) {
     for (int d = 0; d < kDimensions; ++d) {
       order_[d].resize(items.size());
       for (uint32_t i = 0; i < items.size(); ++i) order_[d][i] = i;
@@ -70,7 +69,7 @@ class Splitter {
     below_.clear();
     Bounds below(items_[order[0]]);
     for (std::size_t i = 1; i < count; ++i) {
-      if (i % step == 0) below_.push_back(below.touch(window_) * static_cast<float>(i));
+      if (i % step == 0) below_.push_back(below.touch(window_, reach_) * static_cast<float>(i));
       below.add(items_[order[i]]);
     }
     Bounds above(items_[order[count - 1]]);
@@ -78,7 +77,7 @@ class Splitter {
       above.add(items_[order[i]]);
       if (i % step != 0) continue;
       const bool even = count <= kUneven * step || (i * kUneven >= count && (count - i) * kUneven >= count);
-      const float cost = below_[i / step - 1] + above.touch(window_) * static_cast<float>(count - i);
+      const float cost = below_[i / step - 1] + above.touch(window_, reach_) * static_cast<float>(count - i);
       if (even && cost < least) {
         least = cost;
         best = d;
@@ -104,7 +103,7 @@ class Splitter {
 
   std::span<const OrderItem> items_;
   std::size_t chunk_, group_;
-  float window_;
+  float window_, reach_;
   std::vector<uint32_t> order_[kDimensions];
   std::vector<char> left_;
   std::vector<uint32_t> spare_;
@@ -113,9 +112,9 @@ class Splitter {
 
 }  // namespace
 
-void pack_order(std::span<OrderItem> items, std::size_t chunk, std::size_t group, float window) {
+void pack_order(std::span<OrderItem> items, std::size_t chunk, std::size_t group, float window, float reach) {
   if (items.size() <= chunk) return;
-  const Splitter splitter(items, chunk, group, window);
+  const Splitter splitter(items, chunk, group, window, reach);
   std::vector<OrderItem> ordered;
   ordered.reserve(items.size());
   for (const uint32_t i : splitter.order()) ordered.push_back(items[i]);

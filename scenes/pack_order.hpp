@@ -19,7 +19,8 @@ struct OrderItem {
   uint32_t index;
 };
 
-// Reorders `items` in place. `chunk` and `group` count items; `window` is the side of a window at a typical distance.
-void pack_order(std::span<OrderItem> items, std::size_t chunk, std::size_t group, float window);
+// Reorders `items` in place. `chunk` and `group` count items; `window` is the side of a window at a typical distance,
+// `reach` how many times its scale a Gaussian reaches.
+void pack_order(std::span<OrderItem> items, std::size_t chunk, std::size_t group, float window, float reach);
 
 }  // namespace pipegs

@@ -49,7 +49,7 @@ uint64_t encode_opacity(const Config& config, double opacity) {
 double effective_scale(const Config& config, const GaussianRecord& record) {
   const double widest = scale_value(config, std::max({record.scale_0, record.scale_1, record.scale_2}));
   const double log2_opacity = -std::ldexp(static_cast<double>(record.opacity), -config.opacity_f);
-  return widest * std::sqrt(std::max(0.0, 1 + log2_opacity / std::log2(255.0)));
+  return widest * std::sqrt(std::max(0.0, 1 + log2_opacity / std::log2(config.alpha_cut)));
 }
 
 GaussianRecord quantize(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,

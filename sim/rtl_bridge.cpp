@@ -22,9 +22,10 @@ namespace {
 struct Widths {
   explicit Widths(const Config& c)
       : units(c.units), splat(record_width<Splat>(c)), sorted(record_width<Sorted>(c)), request(record_width<MemoryRequest>(c)),
-        kind(c.kind_w()), region(c.region_w()), index(c.index_w), window(c.window_w()), line(c.line_w()), pixels(c.pixel_word_w()),
-        address(c.address_w()), tag(c.tag_w()), perf(c.perf_w()) {}
+        kind(c.kind_w()), region(c.region_w()), index(c.tap_index_w()), window(c.window_w()), line(c.line_w()), pixels(c.pixel_word_w()),
+        address(c.address_w()), tag(c.tag_w()), perf(c.perf_w()), taps(c.taps != 0) {}
   int units, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
+  bool taps;  // the streams show
 };
 
 constexpr uint64_t kResetCycles = 4;
@@ -159,6 +160,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
   dut_ = std::make_unique<Vpipegs_top>(context_.get());
   Vpipegs_top& top = *dut_;
   Waves waves(top, options.waves);
+  if (!w_.taps) taps = nullptr;
   cycle_ = windows_ = counted_ = 0;
   running_ = false;
   const bool cycles = taps != nullptr && taps->wants_cycles();

@@ -2,10 +2,10 @@
 //
 // Paper   Sec. 4.1 (DOPU feeds the PUs by layer; the window is ours).        RTL  rtl/dopu/dopu_planes.sv
 // Idea    With t = (x, y, z) the mean in view space and s the scale, pixels x0 .. x1 can be reached only if
-//           left    fx x - (x0 - cx - 2) z + reach_x s >= 0       right  -fx x + (x1 - cx + 2) z + reach_x s >= 0
+//           left    fx x - (x0 - cx - m) z + reach_x s >= 0       right  -fx x + (x1 - cx + m) z + reach_x s >= 0
 //           top, bottom the same in y; near  z - near >= 0
-//         reach s / z bounds 3.33 standard deviations of the projection, 2 pixels bound those of the 0.3 px^2 dilation
-//         (1.83) and all roundings. Each is a plane n . (mean - camera) with a world-space normal n = f w0 - a w2.
+//         reach s / z bounds sqrt(2 ln AlphaCut) = 3.33 standard deviations of the projection, m = ReachMargin pixels those
+//         of the 0.3 px^2 dilation (1.83) and all roundings. Each is a plane n . (mean - camera) with a world-space normal n = f w0 - a w2.
 // Format  Exact in 2^-38, then floored to TestW bits with one unit for n and reach: slack in dopu_test pays for it.
 #pragma once
 
@@ -20,13 +20,11 @@ namespace pipegs {
 enum PlaneSide { kNear, kLeft, kRight, kTop, kBottom, kPlanes };
 using Planes = std::array<Plane, kPlanes>;
 
-inline constexpr int kPlaneMargin = 2;  // pixels
-
 // One side plane: `sign` is +1 for left and top, -1 for right and bottom.
 inline Plane dopu_planes_side(const Config& config, const int64_t (&side)[3], const int64_t (&forward)[3], uint64_t focal,
                               int64_t center, uint64_t reach, int64_t pixel, int sign) {
   const int center_f = config.center_f(), align = config.focal_f() - center_f;
-  const int64_t edge = (pixel << center_f) - center - sign * (int64_t{kPlaneMargin} << center_f);  // s17.12
+  const int64_t edge = (pixel << center_f) - center - sign * (int64_t{config.reach_margin()} << center_f);  // s17.12
   int64_t n[3];
   uint64_t magnitudes = reach << config.rot_f();  // u18.38
   for (int i = 0; i < 3; ++i) {

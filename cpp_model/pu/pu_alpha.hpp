@@ -1,8 +1,8 @@
 // pu_alpha: the alpha code of a pixel from its power.
 //
-// Paper   Eq. 1 and Sec. 4.2.1; the cut at 1/255 and the cap at 0.99 are those of the reference renderer.
+// Paper   Eq. 1 and Sec. 4.2.1; the cut at 1/AlphaCut (255) and the cap at 0.99 are those of the reference renderer.
 // Idea    alpha = 2^power, opacity included. The integer part of the power is a shift, the fraction goes through exp2.
-//           power < -log2(255)  -> 0         (a compare: no exponential decides the cut)
+//           power < -PowerCut   -> 0         (a compare: no exponential decides the cut)
 //           power > 0           -> power 0   (rounding may lift the peak just above 0; it must not vanish)
 // Numbers power s20.PowerF -> u0.AlphaW, rounded to nearest, 1 .. round(0.99 * 2^AlphaW).
 // RTL     rtl/pu/pu_alpha.sv
@@ -22,7 +22,7 @@ struct PuAlpha {
 
   // power in [cut - 1, 0]: what clamping any power to this range gives.
   uint32_t clamped(int32_t power) const {
-    const int whole = -(power >> power_f);                                                            // 0 .. 8
+    const int whole = -(power >> power_f);                                                            // 0 .. 10
     const uint32_t fraction = (static_cast<uint32_t>(power) & ((uint32_t{1} << power_f) - 1)) >> input_shift;
     const uint32_t code = ((exp2(fraction) >> (6 + whole)) + 1) >> 1;
     return power < cut ? 0 : std::clamp(code, 1u, alpha_max);

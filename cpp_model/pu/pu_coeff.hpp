@@ -6,11 +6,11 @@
 //           B = 2 narrow w      C = 2 (wide mean_q - narrow m w)             F = 2 narrow m
 //         w is exact before it is rounded to MantissaW + 3 bits, and every product keeps more bits than its use needs.
 // Numbers A to F: CoeffF fraction bits; each product rounded to nearest, a sum of two rounds twice.
-//         Out of range: `dead`, all coefficients zero. Lossless, because a pixel of the window with power >= -8 bounds them:
-//         with narrow, wide <= 3.34 k = 2.41 (dilation 0.3), sqrt(narrow) |w'| <= sqrt(8) at that pixel, |w - w'| <= 126 and
-//         sqrt(wide) |q'| <= sqrt(8), |mean_q - q'| <= 63:
-//           narrow w^2 <= (2.83 + 126 * 1.553)^2 = 39400,  wide mean_q^2 <= (2.83 + 63 * 1.553)^2 = 10130:  |A| < 49600 < 2^16
-//           |B| <= 2 * 1.553 * 198.5 = 617,  |C| <= 617 + 2 * 1.553 * 100.7 = 930 < 2^12,  |D|, |E| <= 2.41, |F| <= 4.82 < 2^3
+//         Out of range: `dead`, all coefficients zero. Lossless, because a pixel of the window with power >= -10 bounds them:
+//         with narrow, wide <= 3.34 k = 2.41 (dilation 0.3), sqrt(narrow) |w'| <= sqrt(10) at that pixel, |w - w'| <= 126 and
+//         sqrt(wide) |q'| <= sqrt(10), |mean_q - q'| <= 63:
+//           narrow w^2 <= (3.17 + 126 * 1.553)^2 = 39550,  wide mean_q^2 <= (3.17 + 63 * 1.553)^2 = 10210:  |A| < 49800 < 2^16
+//           |B| <= 2 * 1.553 * 198.9 = 618,  |C| <= 618 + 2 * 1.553 * 101.1 = 933 < 2^12,  |D|, |E| <= 2.41, |F| <= 4.82 < 2^3
 // RTL     rtl/pu/pu_coeff.sv
 #pragma once
 

@@ -5,7 +5,7 @@
 //           power = -k [ (c/det) (dx - m dy)^2 + (1/c) dy^2 ] - log2(opacity),   m = b/c, |m| <= 1
 //         Both squares are positive, so nothing cancels: a needle keeps its bits at any distance from its mean.
 //         narrow = k c/det (at most k/0.3 by the dilation), wide = k/c.
-//         Box: |dx| <= sqrt(a (log2(255) - opacity) / k), |dy| the same with c.
+//         Box: |dx| <= sqrt(a (log2(AlphaCut) - opacity) / k), |dy| the same with c.
 // Numbers narrow, wide: MantissaW bits, relative error below 2^-(MantissaW-3). slope s1.(SlopeW-2), rounded, saturated to 1.
 //         extent u18.4: never too small (see kMargin in the .cpp), at most 1 % and 1/4 pixel too large.
 // RTL     rtl/pu/pu_conic.sv

@@ -24,7 +24,7 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
     m = (int64_t{1} << c.scale_m_w) + static_cast<int64_t>(scale & ((uint64_t{1} << c.scale_m_w) - 1));
     // The rotation of rounded quaternions stretches by up to 2^-(QuatW-4).
     m += int64_t{1} << std::max(0, c.scale_m_w + 5 - c.quat_w);
-    const int64_t weight = static_cast<int64_t>(cull_weight(static_cast<int>(opacity >> (c.opacity_f - 2))));
+    const int64_t weight = static_cast<int64_t>(cull_weight(c, static_cast<int>(opacity >> (c.opacity_f - 2))));
     m = (m * weight + (int64_t{1} << kCullWeightF) - 1) >> kCullWeightF;
   }
   const int shift = e - 8 - c.scale_m_w - static_cast<int>(view_exp);
@@ -36,10 +36,10 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
 // Does [x - reach s, x + reach s] touch the windows `window` to `last` along one axis? All at the common exponent.
 bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach,
              int64_t center, uint64_t window, uint64_t last) {
-  const int64_t first = (static_cast<int64_t>(window) * c.window << kEdgeF) - (int64_t{kCullMargin} << kEdgeF);
+  const int64_t first = (static_cast<int64_t>(window) * c.window << kEdgeF) - (int64_t{c.reach_margin()} << kEdgeF);
   const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);                          // s17.4, rounded down
   const int64_t pixels = static_cast<int64_t>(last - window + 1) * c.window;
-  const int64_t span = ((pixels - 1 + 2 * kCullMargin) << kEdgeF) + 1;  // covers the rounding of a
+  const int64_t span = ((pixels - 1 + 2 * c.reach_margin()) << kEdgeF) + 1;  // covers the rounding of a
   const int to_edge = c.focal_f() - kEdgeF;
   const int64_t f = static_cast<int64_t>(focal), r = shift_ceil(static_cast<int64_t>(reach), 8) << 8;
   const int64_t fx = f * x, az = (a * z) << to_edge, rs = r * s;

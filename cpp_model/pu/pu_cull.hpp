@@ -2,10 +2,10 @@
 //
 // Paper   Sec. 4.2, frustum culling of the preprocessing.
 // Idea    view = origin + W offset. A splat reaches at most reach * s / z pixels from its mean, s its largest scale times
-//         weight = sqrt(1 - (-log2 opacity) / log2 255), plus 3.33 sqrt(0.3) for the dilation. Times z, each of the four sides is a plane, no division:
-//           keep iff  fx x - a z + reach s >= 0,   a = Window window_x - center_x - 2        (and the other three)
+//         weight = sqrt(1 - (-log2 opacity) / log2 AlphaCut), plus ReachMargin for the dilation. Times z, each of the four sides is a plane, no division:
+//           keep iff  fx x - a z + reach s >= 0,   a = Window window_x - center_x - ReachMargin        (and the other three)
 //         x, z, s are cut to 17 bits with a common exponent, always to the side that keeps: it never drops a Gaussian
-//         with alpha >= 1/255 in a pixel of the window. With lists (order 1) the window is the rectangle from
+//         with alpha >= 1/AlphaCut in a pixel of the window. With lists (order 1) the window is the rectangle from
 //         window_x, window_y to the frame's last one.
 // Numbers view s(ViewW-1).0 in units of 2^view_exp, rounded to nearest, saturated (DOPU's view_exp leaves room).
 //         near plane exact: keep iff z 2^view_exp > near_plane.
@@ -24,12 +24,10 @@ inline constexpr int kCullWeightF = 8;        // fraction of a weight, u1.8
 inline constexpr int kCullWeights = 64;       // entries of the table: the six leading bits of -log2(opacity), u4.2
 
 // Weight of the reach of the Gaussians whose -log2(opacity) begins with these bits, rounded up: 1 to 256.
-inline uint64_t cull_weight(int entry) {
-  const double rest = 1 - entry / 4.0 / std::log2(255.0);
+inline uint64_t cull_weight(const Config& config, int entry) {
+  const double rest = 1 - entry / 4.0 / std::log2(config.alpha_cut);
   return std::max<uint64_t>(1, static_cast<uint64_t>(std::ceil(std::sqrt(std::max(0.0, rest)) * (1 << kCullWeightF))));
 }
-
-inline constexpr int kCullMargin = 2;  // pixels beyond the window: 3.33 sqrt(0.3) = 1.83 and slack for the rounded mean
 
 // Nothing for a Gaussian that is dropped; other beats pass with all other fields zero.
 std::optional<Visible> pu_cull(const Config& config, const Frame& frame, const Fetched& fetched);

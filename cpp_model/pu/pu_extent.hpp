@@ -1,7 +1,7 @@
 // pu_extent: the half extents of the box of pixels that a Gaussian can reach.
 //
 // Paper   the bounding box before the tile test (Sec. 4.2).
-// Idea    On the box's side the power is -budget:  extent^2 = 2 ln(2) variance (log2(255) - opacity).
+// Idea    On the box's side the power is -budget:  extent^2 = 2 ln(2) variance (log2(AlphaCut) - opacity).
 // Numbers u18.4, never too small, at most 1 % and 1/4 pixel too large for opacities above 0.006; saturates at 2^18 pixels.
 // RTL     rtl/pu/pu_extent.sv
 #pragma once

@@ -51,7 +51,7 @@ Tiles pu_intersect(const Config& config, const Frame&, const Coeff& in) {
     const int64_t y0 = 8 * ry;
     PuEdgeStart p{a - low + y0 * (c + e * y0) + x0 * (b + f * y0 + d * x0), b + f * y0 + 2 * d * x0, c + f * x0 + 2 * e * y0};
     for (int64_t rx = x_first; rx <= x_last; ++rx) {
-      if (pu_edge(config, in, rx, ry, p)) out.mask |= uint64_t{1} << (ry * config.regions_x() + rx);
+      if (!config.tile_test || pu_edge(config, in, rx, ry, p)) out.mask |= uint64_t{1} << (ry * config.regions_x() + rx);
       p.power += 8 * p.gx + 64 * d;
       p.gx += 16 * d;
       p.gy += 8 * f;

@@ -1,4 +1,4 @@
-// pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/255.
+// pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/AlphaCut.
 //
 // Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
 // Idea    The box mean +- extent gives a range of columns and rows of regions. In it, region by region: the power is concave,
@@ -7,6 +7,7 @@
 //           the power rises at one end of a facing edge and falls at its other end, and the peak between them,
 //           P + g^2 / (4 |E|), reaches it:   g^2 >= 4 |E| (cut - P)      no division, no square root, no slope
 //         P and the gradients step from region to region by additions.
+//         TileTest 0: every region of the box. More work, the same pixels: a region more holds no pixel that counts.
 // Numbers Exact in CoeffF fraction bits up to the last test, whose three numbers are rounded towards "keep".
 //         The cut is lowered by PuCut::slack, which covers what is proved in pu_intersect.cpp, so no pixel is lost.
 // RTL     rtl/pu/pu_intersect.sv
@@ -24,7 +25,7 @@ struct PuCut {
         budget(((2 * slack - low) >> (c.coeff_f - c.opacity_f)) + 1) {}
   int64_t slack;   // unit 2^-CoeffF
   int64_t low;     // cut - slack, unit 2^-CoeffF
-  int64_t budget;  // log2(255) + 3 slack, rounded up, unit 2^-OpacityF
+  int64_t budget;  // log2(AlphaCut) + 3 slack, rounded up, unit 2^-OpacityF
 };
 
 // A data beat whose mask is empty is not emitted.

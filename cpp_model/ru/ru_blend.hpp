@@ -2,7 +2,7 @@
 //
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w. T plus the sum of all weights so stays
-//         exactly 1. INRIA's stop rule: when T' would fall below 1e-4 the pixel is done and this Gaussian is not
+//         exactly 1. INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is not
 //         blended.
 // Stream  alpha u0.AlphaW (0: no contribution), T u1.(TW-1), colour u2.(ColorW-2), accumulated colour u2.(RgbW-2).
 // Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted).

@@ -92,7 +92,7 @@ module dopu_planes (
   end
   assign pixel       = far ? (end_pixel < size ? end_pixel : size) - 1'b1 : first_pixel;
   assign center      = vertical ? EdgeW'(frame_i.center_y) : EdgeW'(frame_i.center_x);
-  assign margin      = EdgeW'(2) <<< pipegs_pkg::CenterF;
+  assign margin      = EdgeW'(pipegs_pkg::ReachMargin) <<< pipegs_pkg::CenterF;
   assign edge_d      = (EdgeW'(pixel) <<< pipegs_pkg::CenterF) - center + (far ? margin : -margin);
   assign reach       = vertical ? frame_i.reach_y : frame_i.reach_x;
 

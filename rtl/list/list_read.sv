@@ -103,7 +103,7 @@ module list_read #(
   );
 
   // --- dealing -------------------------------------------------------------------------------------------------------------
-  logic [Units-1:0]     waiting_q, request, target;  // waiting: SUs that have still to take the record
+  logic [Units-1:0]     waiting_q, able, request, target;  // waiting: SUs that have still to take the record
   logic [1:0]           none_q;                      // cycles in which no SU was ready
   logic [PortW-1:0]     target_port;
   logic                 free, give;
@@ -113,7 +113,8 @@ module list_read #(
   arbiter #(.Ports(Units)) u_target (
     .clk_i, .rst_ni, .request_i(request), .advance_i(give), .grant_o(target), .port_o(target_port)
   );
-  assign request    = (splat_ready_i & ~waiting_q) == '0 && none_q == '1 ? '1 : splat_ready_i & ~waiting_q;
+  assign able       = splat_ready_i & ~waiting_q;
+  assign request    = able == '0 && none_q == '1 ? '1 : able;
   assign free       = (waiting_q & ~splat_ready_i) == '0;
   assign item_ready = free && (!item_read || target != '0);
   assign give       = item_valid && item_ready;
@@ -124,7 +125,7 @@ module list_read #(
       none_q    <= '0;
     end else begin
       waiting_q <= give ? (item_read ? target : '1) : waiting_q & ~splat_ready_i;
-      if (give || !item_valid || !free || (splat_ready_i & ~waiting_q) != '0) none_q <= '0;
+      if (give || !item_valid || !free || able != '0) none_q <= '0;
       else if (none_q != '1) none_q <= none_q + 1'b1;
     end
   end

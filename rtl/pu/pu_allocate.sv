@@ -182,7 +182,7 @@ module pu_allocate #(
     row_job_o.address = address_q;
     row_job_o.ext     = ext_q;
     row_job_o.parity  = parity_q;
-    row_job_o.index   = tiles_q.index;
+    row_job_o.index   = pipegs_pkg::TapIndexW'(tiles_q.index);
     color_job_o.kind    = tiles_q.kind;
     color_job_o.depth   = tiles_q.depth;
     color_job_o.index   = tiles_q.index;

@@ -1,6 +1,6 @@
 // pu_alpha: the alpha code of a pixel from its power.
 //
-// Paper   Eq. 1 and Sec. 4.2.1; the cut at 1/255 and the cap at 0.99 are those of the reference renderer.
+// Paper   Eq. 1 and Sec. 4.2.1; the cut at 1/AlphaCut (255) and the cap at 0.99 are those of the reference renderer.
 // Idea    alpha = 2^power, opacity included: the integer part is a shift, the fraction goes through exp2.
 //           power < -PowerCut -> code 0   (a compare: no exponential decides the cut)
 //           power > 0         -> power 0  (rounding may lift the peak just above 0; it must not vanish)
@@ -22,7 +22,7 @@ module pu_alpha (
   localparam int unsigned ExpF   = pipegs_pkg::ExpF;
   localparam int unsigned OutW   = pipegs_pkg::ExpOutW;
   localparam int unsigned AlphaW = pipegs_pkg::AlphaW;
-  localparam int unsigned WholeW = 4;              // the whole part of a visible power is 0 .. -8
+  localparam int unsigned WholeW = 4;              // the whole part of a visible power is 0 .. -10
   localparam int unsigned Drop   = OutW - 2 - AlphaW;  // the code's half bit moves to bit 0
   localparam int unsigned CodeW  = AlphaW + 2;
 

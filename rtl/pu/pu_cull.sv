@@ -182,7 +182,7 @@ module pu_cull (
   localparam int unsigned CutW   = 17;  // magnitude bits of what is multiplied
   localparam int unsigned EdgeF  = 4;
   localparam int unsigned EdgeW  = WindowW + $clog2(pipegs_pkg::Window) + EdgeF + 2;
-  localparam int unsigned Margin = 2;
+  localparam int unsigned Margin = pipegs_pkg::ReachMargin;
   localparam int unsigned Span   = ((pipegs_pkg::Window - 1 + 2 * Margin) << EdgeF) + 1;
   localparam int unsigned CenterCut = pipegs_pkg::CenterF - EdgeF;
   localparam int unsigned CutShiftW = $clog2(ViewW);

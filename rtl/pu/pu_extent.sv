@@ -1,7 +1,7 @@
 // pu_extent: the half extents of the box of pixels that a Gaussian can reach.
 //
 // Paper   the bounding box before the tile test (Sec. 4.2).
-// Idea    On the box's side the power is -budget:  extent^2 = 2 ln(2) variance (log2(255) - opacity).
+// Idea    On the box's side the power is -budget:  extent^2 = 2 ln(2) variance (log2(AlphaCut) - opacity).
 //         t = budget * 2 ln(2) here, variance * t in pu_conic's multiplier, the roots here, two bits per cycle.
 // Stream  Follows the slots of pu_conic: t for cycles 2 and 3, product_i in 3 (a t) and 4 (c t), extents in cycle 5 of
 //         the next slot.
@@ -38,7 +38,7 @@ module pu_extent #(
   localparam int unsigned SumW      = FloatEW + 4;  // sums of exponents
   localparam int unsigned Cut       = MantissaW + OpacityW - RadicandW;
 
-  // PuCut::budget: log2(255) and three times the slack, rounded up.
+  // PuCut::budget: log2(AlphaCut) and three times the slack, rounded up.
   localparam logic [63:0] Slack  = (64'd1 << (CoeffF + 8 - PowerF)) + (64'd1 << 16) + (64'd1 << (CoeffF - 12));
   localparam logic [63:0] Budget =
     (((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + 64'd3 * Slack) >> (CoeffF - OpacityF)) + 64'd1;

@@ -1,10 +1,11 @@
-// pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/255.
+// pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/AlphaCut.
 //
 // Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
 // Idea    The box mean +- extent gives columns and rows of regions, walked row by row. P = power - cut. Keep a region
 //         if it holds the mean, if P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls, and its
 //         peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
 //           P += 8 gx + 64 D,  gx += 16 D,  gy += 8 F          P += 8 gy + 64 E,  gx += 8 F,  gy += 16 E
+//         TileTest 0: every region of the box, at the same pace.
 //         Three records are inside at once: one is set up, one walks, the regions of one are being tested.
 // Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through.
 // Pace    The regions in the box, but at least 3 cycles; 2 for a Gaussian without a box; an end beat waits for those before it.

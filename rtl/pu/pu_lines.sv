@@ -105,7 +105,7 @@ module pu_lines #(
     row_job_o.address = {unit_i, lines_q};
     row_job_o.ext     = 1'b1;
     row_job_o.parity  = 1'b0;
-    row_job_o.index   = tiles_q.index;
+    row_job_o.index   = pipegs_pkg::TapIndexW'(tiles_q.index);
     splat_o.kind      = tiles_q.kind;
     splat_o.depth     = tiles_q.depth;
     splat_o.index     = tiles_q.index;

@@ -49,7 +49,7 @@ module ru #(
   output logic [1:0]                           perf_o,          // 0 busy, 1 starved, 2 blocked, 3 memory
 
   output logic                                 tap_line_valid_o,  // a line is consumed
-  output logic [pipegs_pkg::IndexW-1:0]        tap_line_index_o,  // by this Gaussian
+  output logic [pipegs_pkg::TapIndexW-1:0]     tap_line_index_o,  // by this Gaussian
   output logic [pipegs_pkg::RegionW-1:0]       tap_line_region_o,
   output logic [LineW-1:0]                     tap_line_o,
   output logic                                 tap_word_valid_o,  // a word of sixteen pixels is written back

@@ -74,8 +74,14 @@ module su_merge (
     end
   end
 
-  // A sorted splat is the splat with its unit on top; when nothing is stored in units, without.
-  assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits});
+  // A sorted splat is the splat with its unit on top; when nothing is stored in units, without. Depth and index are there
+  // for the taps.
+  localparam int unsigned KindW  = pipegs_pkg::KindW;
+  localparam int unsigned DepthW = pipegs_pkg::DepthW;
+  localparam int unsigned IndexW = pipegs_pkg::IndexW;
+  assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits[pipegs_pkg::SplatBits-1:KindW+DepthW+IndexW],
+                                          winner_bits[KindW+DepthW +: pipegs_pkg::TapIndexW],
+                                          winner_bits[KindW +: pipegs_pkg::TapDepthW], winner_bits[KindW-1:0]});
 
   assign out_valid_o = out_valid_q;
   assign out_o       = out_q;

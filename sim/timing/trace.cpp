@@ -158,6 +158,7 @@ Config timing_config(Config config) {
   config.mark_chunks = standard.mark_chunks;
   config.late = standard.late;
   config.quadratic = standard.quadratic;
+  config.taps = standard.taps;
   return config;
 }
 

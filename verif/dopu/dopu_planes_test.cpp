@@ -23,7 +23,7 @@ TEST(DopuPlanesTwin, PassesThroughTheEdgesOfTheWindow) {
     const Plane left = dopu_planes(config, f, wx, wy)[kLeft];
     // A point on the left edge at depth 1, two pixels outside, lies in the plane: distance zero, here in pixels.
     const double fx = std::ldexp(static_cast<double>(f.focal_x), -config.focal_f()), cx = std::ldexp(static_cast<double>(f.center_x), -config.center_f());
-    const double x = (wx * config.window - kPlaneMargin - cx) / fx;
+    const double x = (wx * config.window - config.reach_margin() - cx) / fx;
     const double w[9] = {double(f.w00), double(f.w01), double(f.w02), 0, 0, 0, double(f.w20), double(f.w21), double(f.w22)};
     double distance = 0, unit = 0;
     const double n[3] = {double(left.nx), double(left.ny), double(left.nz)};

@@ -11,7 +11,7 @@
 namespace pipegs {
 namespace {
 
-// Can this Gaussian put alpha >= 1/255 on a pixel of the window? In double, from the packed values, pixel by pixel of the
+// Can this Gaussian put alpha >= 1/AlphaCut on a pixel of the window? In double, from the packed values, pixel by pixel of the
 // window's border box: the ellipse's exact bounding box against the window, which only errs towards yes.
 bool touches(const Config& config, const Frame& frame, const Camera& camera, const Node& node, const GaussianRecord& g,
              int window_x, int window_y) {
@@ -22,7 +22,7 @@ bool touches(const Config& config, const Frame& frame, const Camera& camera, con
                          world(node.center_z, g.offset_z, frame.camera_z));
   const glm::dvec3 t = camera.world_to_camera * delta;
   if (t.z <= static_cast<double>(frame.near_plane)) return false;
-  const double reach2 = 2 * std::log(255.0) - 2 * std::log(2.0) * std::ldexp(static_cast<double>(g.opacity), -config.opacity_f);
+  const double reach2 = 2 * std::log(config.alpha_cut) - 2 * std::log(2.0) * std::ldexp(static_cast<double>(g.opacity), -config.opacity_f);
   if (reach2 < 0) return false;
   const double w = static_cast<double>(g.qw), x = static_cast<double>(g.qx), y = static_cast<double>(g.qy), z = static_cast<double>(g.qz);
   const double n = w * w + x * x + y * y + z * z;

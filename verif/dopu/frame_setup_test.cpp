@@ -38,7 +38,7 @@ TEST_F(FrameSetup, RoundsTheCameraToTheNearestFields) {
     ASSERT_NEAR(std::ldexp(static_cast<double>(f.camera_x), packed.scene_exponent), camera.position.x, std::ldexp(0.51, packed.scene_exponent));
     const double limit = 1.3 * camera.width / (2 * camera.fx);
     ASSERT_NEAR(std::ldexp(static_cast<double>(f.limit_x), -config.tan_f), limit, 1e-6);
-    const double reach = std::sqrt(2 * std::log(255.0)) * camera.fx * std::sqrt(1 + limit * limit);
+    const double reach = std::sqrt(2 * std::log(config.alpha_cut)) * camera.fx * std::sqrt(1 + limit * limit);
     ASSERT_GE(std::ldexp(static_cast<double>(f.reach_x), -14), reach - 1e-3);
     ASSERT_LE(std::ldexp(static_cast<double>(f.reach_x), -14), reach + 1e-2);
     std::vector<uint32_t> words(static_cast<size_t>(record_words<Frame>(config)));

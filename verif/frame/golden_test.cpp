@@ -86,6 +86,43 @@ TEST(Golden, ListsRankByDepth) {
   for (uint32_t i = 0; i < 40; ++i) EXPECT_EQ(result.golden.rank[i], 39 - i);
 }
 
+// A region that holds no pixel that counts blends nothing: without the test there is more work, and the same picture.
+TEST(Golden, TheRegionsOfTheWholeBoxGiveTheSamePixels) {
+  const Scene scene = random_scene(9, 2000, 1);
+  const Camera camera = test_camera(200, 140);
+  for (const int alpha_cut : {32, 255, 1023}) {
+    SimulateOptions options;
+    options.config.alpha_cut = alpha_cut;
+    Simulation tested, box;
+    simulate_golden(scene, camera, options, tested);
+    options.config.tile_test = 0;
+    simulate_golden(scene, camera, options, box);
+    EXPECT_EQ(tested.golden.pixels, box.golden.pixels) << "cut at 1/" << alpha_cut;
+    EXPECT_GT(box.golden.work.regions, tested.golden.work.regions);
+    EXPECT_EQ(box.golden.work.blended, tested.golden.work.blended);
+  }
+}
+
+// The truth keeps 1/255 and 1e-4: what the machine cuts away besides shows in the picture, and only there.
+TEST(Golden, CutsOfAlphaAndTransmittanceMoveThePictureAwayFromTheTruth) {
+  const Scene scene = random_scene(10, 3000, 0);
+  const Camera camera = test_camera(160, 120, 120);
+  const auto run = [&](int alpha_cut, int t_cut) {
+    SimulateOptions options;
+    options.config.alpha_cut = alpha_cut, options.config.t_cut = t_cut;
+    Simulation result;
+    simulate_golden(scene, camera, options, result);
+    simulate_truth(scene, camera, options, result);
+    return std::pair{result.psnr_numeric, result.golden.work.blended};
+  };
+  const auto standard = run(255, 10000), opaque = run(255, 100), faint = run(1023, 10000), coarse = run(32, 10000);
+  EXPECT_LT(opaque.first, standard.first);
+  EXPECT_LT(coarse.first, standard.first);
+  EXPECT_LT(opaque.second, standard.second);
+  EXPECT_LT(coarse.second, standard.second);
+  EXPECT_GT(faint.second, standard.second);
+}
+
 TEST(Golden, RanksEveryGaussianEvenWhenTheLastOnesAreLeftOut) {
   Scene scene = random_scene(8, 300, 0);
   for (size_t i = 290; i < 300; ++i) scene.gaussians[i].opacity_logit = -20;  // below 1/255: not packed

@@ -57,13 +57,13 @@ TEST(PuAlpha, IsTheRoundedExponentialAndNothingBelowTheCut) {
     const double value = std::ldexp(static_cast<double>(std::min<int64_t>(power, 0)), -config.power_f);
     const double exact = std::clamp(std::ldexp(std::exp2(value), config.alpha_w), 1.0, 1.0 * config.alpha_max());
     if (power < -config.power_cut()) {
-      ASSERT_LT(std::exp2(value), 1 / 255.0) << "power " << power;
+      ASSERT_LT(std::exp2(value), 1.0 / config.alpha_cut) << "power " << power;
       ASSERT_EQ(twin(power), 0u) << "power " << power;
     } else {
       worst = std::max(worst, std::abs(twin(power) - exact));
     }
   }
-  EXPECT_GE(std::exp2(std::ldexp(-config.power_cut(), -config.power_f)), 1 / 255.0);
+  EXPECT_GE(std::exp2(std::ldexp(-config.power_cut(), -config.power_f)), 1.0 / config.alpha_cut);
   std::printf("pu_alpha: error at most %.4f codes, bound %.4f\n", worst, bound);
   EXPECT_LE(worst, bound);
 }

@@ -87,7 +87,7 @@ TEST(PuCoeff, PowerAgreesWithDouble) {
       for (int y = 0; y < config.window; ++y) {
         for (int x = 0; x < config.window; ++x) {
           const double exact = s.power(x, y), dx = x - s.mean_x, dy = y - s.mean_y;
-          if (exact < -std::log2(255)) continue;
+          if (exact < -std::log2(config.alpha_cut)) continue;
           ASSERT_EQ(q.dead, 0u);
           const double found = std::ldexp(static_cast<double>(q.a + q.b * x + q.c * y + q.d * x * x + q.e * y * y + q.f * x * y),
                                           -config.coeff_f);

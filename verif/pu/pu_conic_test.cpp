@@ -73,7 +73,7 @@ TEST(PuConic, AgreesWithDouble) {
     narrow_worst = std::max(narrow_worst, std::abs(std::ldexp(static_cast<double>(k.narrow_m), static_cast<int>(k.narrow_e)) / narrow - 1));
     wide_worst = std::max(wide_worst, std::abs(std::ldexp(static_cast<double>(k.wide_m), static_cast<int>(k.wide_e)) / wide - 1));
     slope_worst = std::max(slope_worst, std::abs(std::ldexp(static_cast<double>(k.slope_m), 2 - config.slope_w()) - s.b / larger));
-    const double reach = std::log2(255) - s.opacity;
+    const double reach = std::log2(config.alpha_cut) - s.opacity;
     for (const auto& [extent, variance] : {std::pair{k.extent_x, s.a}, std::pair{k.extent_y, s.c}}) {
       const double exact = std::sqrt(variance * std::max(reach, 0.0) / kHalfLog2E), found = std::ldexp(static_cast<double>(extent), -4);
       ASSERT_GE(found, exact);

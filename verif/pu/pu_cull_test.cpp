@@ -92,7 +92,7 @@ TEST(PuCull, TakesAGaussianEveryCycle) {
   EXPECT_EQ(bench.cycle - start, run.inputs.size());
 }
 
-// The largest alpha of the window's pixels must be below 1/255 for all that is dropped in front of the near plane.
+// The largest alpha of the window's pixels must be below 1/AlphaCut for all that is dropped in front of the near plane.
 TEST(PuCull, TwinDropsNothingThatReachesAPixelOfTheWindow) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
@@ -102,9 +102,9 @@ TEST(PuCull, TwinDropsNothingThatReachesAPixelOfTheWindow) {
     const Frame frame = random.frame();
     for (int k = 0; k < 10; ++k) {
       Fetched in = make(random, frame);
-      // A pixel where the exponent is above -power_max can be seen: power_max = ln(255 opacity).
+      // A pixel where the exponent is above -power_max can be seen: power_max = ln(AlphaCut opacity).
       if (random.chance(3)) in.opacity = 0;
-      const double power_max = std::log(255.0) - std::log(2.0) * std::ldexp(static_cast<double>(in.opacity), -config.opacity_f);
+      const double power_max = std::log(config.alpha_cut) - std::log(2.0) * std::ldexp(static_cast<double>(in.opacity), -config.opacity_f);
       if (power_max < 0) continue;
       Fetched near = in;  // the same, made visible by a window that is all of the plane: a huge scale
       near.scale_0 = (uint64_t{1} << config.scale_w()) - 1;

@@ -63,7 +63,7 @@ struct PuRandom {
     const double focal = std::ldexp(static_cast<double>(focal_field), -config.focal_f());
     limit = std::min((uint64_t{1} << (config.tan_w() - 1)) - 1, static_cast<uint64_t>(std::ldexp(1.3 * size / 2 / focal, config.tan_f)));
     const double slope = std::ldexp(static_cast<double>(limit + 1), -config.tan_f);
-    reach = static_cast<uint64_t>(std::ldexp(std::sqrt(2 * std::log(255.0)) * focal * std::hypot(1, slope), config.focal_f())) + 2;
+    reach = static_cast<uint64_t>(std::ldexp(std::sqrt(2 * std::log(config.alpha_cut)) * focal * std::hypot(1, slope), config.focal_f())) + 2;
   }
 
   // Log-uniform in all of the field, sometimes zero.

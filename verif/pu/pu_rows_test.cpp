@@ -109,11 +109,11 @@ TEST(PuRows, AlphasAreThoseOfEq1) {
       Row row = pu_row_init(region, pixel / 8);
       for (int dx = 0; dx < pixel % 8; ++dx) row = pu_row_unit(row, region.curve_x);
       worst_power = std::max(worst_power, std::abs(std::ldexp(static_cast<double>(row.power), -config.power_f) - power));
-      const bool counts = power >= -std::log2(255.0);
+      const bool counts = power >= -std::log2(config.alpha_cut);
       visible += counts;
       if (counts != (codes[pixel] != 0)) {  // only where the power is within its error of the cut
         ++flipped;
-        ASSERT_LE(std::abs(power + std::log2(255.0)), power_bound + std::ldexp(1, -config.power_f));
+        ASSERT_LE(std::abs(power + std::log2(config.alpha_cut)), power_bound + std::ldexp(1, -config.power_f));
         continue;
       }
       if (!counts) continue;
@@ -122,7 +122,7 @@ TEST(PuRows, AlphasAreThoseOfEq1) {
     }
   }
   std::printf("pu_rows: %llu visible pixels, alpha error at most %.4f codes (bound %.4f), power error %.2f ulp of PowerF "
-              "(bound 81), %llu decisions at 1/255 flipped\n",
+              "(bound 81), %llu decisions at the cut flipped\n",
               static_cast<unsigned long long>(visible), worst, bound, std::ldexp(worst_power, config.power_f),
               static_cast<unsigned long long>(flipped));
   EXPECT_LE(worst, bound);

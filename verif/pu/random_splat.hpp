@@ -64,7 +64,7 @@ RandomSplat random_splat(const Config& config, Rng& rng, double longest) {
   std::frexp(std::max(s.a, s.c), &exponent);
   r.b_e = exponent - (config.slope_w() - 1);
   r.b_m = std::llround(std::ldexp(s.b, static_cast<int>(-r.b_e)));
-  const double opacity = rng() % 2 == 0 ? uniform(0, 1) : uniform(0, 7.994);
+  const double opacity = rng() % 2 == 0 ? uniform(0, 1) : uniform(0, 0.9999 * std::log2(config.alpha_cut));
   r.opacity = static_cast<uint64_t>(std::ldexp(opacity, config.opacity_f));
   s.opacity = std::ldexp(static_cast<double>(r.opacity), -config.opacity_f);
   return s;
