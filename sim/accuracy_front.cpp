@@ -27,7 +27,9 @@ std::vector<Choice> choices(const MeasuredPoint& base, const SweptKnob& swept) {
   for (size_t i = 0; i < swept.points.size(); ++i) {
     const Accuracy& a = swept.points[i].figures;
     if (!a.failure.empty()) continue;
-    const double cycles = static_cast<double>(a.cycles) / static_cast<double>(base.figures.cycles);
+    // A wider record costs a line of memory only where all fields together no longer fit: that is not this knob's alone.
+    const bool same_lines = swept.points[i].config.gaussians_per_line() == base.config.gaussians_per_line();
+    const double cycles = same_lines ? static_cast<double>(a.cycles) / static_cast<double>(base.figures.cycles) : 1;
     const double buffers = static_cast<double>(a.buffer_bits) / static_cast<double>(base.figures.buffer_bits);
     all.push_back({i, loss(a) - loss(base.figures),
                    std::round(cycles / kCycleStep) * kCycleStep + kBufferShare * buffers + kValueShare * static_cast<double>(i)});
