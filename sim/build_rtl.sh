@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so: build_rtl.sh BUILD_DIR OUT_DIR [key=value ...]
+# build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so:
+#   build_rtl.sh BUILD_DIR OUT_DIR [+nowaves] [+noasserts] [+threads=N] [key=value ...]
 #
+# What begins with + says how the machine is simulated (RtlVariant), the rest which machine it is.
 # BUILD_DIR is the CMake build folder (its package_sv and static libraries are used). Nothing is done twice: the library
 # is newer than every RTL file or it is built again, the C++ through ccache where that is installed.
 set -euo pipefail
@@ -18,16 +20,26 @@ if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl_bridge.cpp
     -newer "$out/librtl.so" -type f)" ]; then
   exit 0
 fi
+settings=() options=() threads=1 waves=1
+for argument in "$@"; do
+  case $argument in
+    +nowaves) options+=(--no-trace) waves=0 ;;
+    +noasserts) options+=(--no-assert) ;;
+    +threads=*) threads=${argument#+threads=} options+=(--threads "$threads") ;;
+    +*) echo "build_rtl.sh: $argument is unknown" >&2; exit 1 ;;
+    *) settings+=("$argument") ;;
+  esac
+done
 touch "$out/begun"  # the library is as old as this: a file that changes from here on is newer
-"$build/cpp_model/package_sv" "$@" > "$out/pipegs_pkg.sv"
+"$build/cpp_model/package_sv" "${settings[@]}" > "$out/pipegs_pkg.sv"
 shards=8
-"$root/sim/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards
+"$root/sim/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards "${options[@]}"
 cxx=$(command -v clang++ || echo "${CXX:-g++}")
 ccache=$(command -v ccache || true)
 verilator=$(verilator -V | sed -n 's/^ *VERILATOR_ROOT *= //p' | grep -v '^$' | tail -n 1)
 verilator=${verilator:-/usr/share/verilator}
 flags="-std=c++20 -fPIC -I$root -isystem $verilator/include -isystem $verilator/include/vltstd -isystem $out -DVL_USER_STOP \
-  -DVM_COVERAGE=0 -DVM_SC=0 -DVM_TRACE=1 -DVM_TRACE_FST=1 -DVM_TRACE_VCD=0"
+  -DVM_COVERAGE=0 -DVM_SC=0 -DVM_TRACE=$waves -DVM_TRACE_FST=$waves -DVM_TRACE_VCD=0 -DPIPEGS_THREADS=$threads"
 compile() { $ccache "$cxx" $flags "$@"; }
 export -f compile
 export ccache cxx flags

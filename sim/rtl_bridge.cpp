@@ -3,7 +3,9 @@
 // In each cycle the external memory shows its answer and its readiness while the clock is low; the machine settles; the
 // taps and the memory port are sampled; the clock rises.
 #include <verilated.h>
+#if VM_TRACE
 #include <verilated_fst_c.h>
+#endif
 
 #include <cstring>
 #include <stdexcept>
@@ -28,6 +30,34 @@ struct Widths {
 
 constexpr uint64_t kResetCycles = 4;
 constexpr int64_t kRestartCycle = kResetCycles + 1;  // start comes with the first cycle behind the reset
+
+// The file of waves; nothing without a path, and in a variant that has no waves only that.
+class Waves {
+ public:
+#if VM_TRACE
+  Waves(Vpipegs_top& top, const std::string& path) {
+    if (path.empty()) return;
+    file_ = std::make_unique<VerilatedFstC>();
+    top.trace(file_.get(), 99);
+    file_->open(path.c_str());
+  }
+  void dump(uint64_t time) {
+    if (file_) file_->dump(time);
+  }
+  void close() {
+    if (file_) file_->close();
+  }
+
+ private:
+  std::unique_ptr<VerilatedFstC> file_;
+#else
+  Waves(Vpipegs_top&, const std::string& path) {
+    if (!path.empty()) throw std::logic_error("RTL: waves of a variant that was built without them");
+  }
+  void dump(uint64_t) {}
+  void close() {}
+#endif
+};
 
 class VerilatedMachine final : public RtlModel {
  public:
@@ -123,17 +153,13 @@ void VerilatedMachine::tap_cycle(RtlTaps& taps) {
 RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
                                 const std::function<bool(uint64_t, uint64_t)>& progress) {
   context_ = std::make_unique<VerilatedContext>();
+  context_->threads(PIPEGS_THREADS);
   context_->randReset(2);
   context_->randSeed(static_cast<int>(options.seed % 0x7ffffffe) + 1);
   context_->traceEverOn(!options.waves.empty());
   dut_ = std::make_unique<Vpipegs_top>(context_.get());
   Vpipegs_top& top = *dut_;
-  std::unique_ptr<VerilatedFstC> waves;
-  if (!options.waves.empty()) {
-    waves = std::make_unique<VerilatedFstC>();
-    top.trace(waves.get(), 99);
-    waves->open(options.waves.c_str());
-  }
+  Waves waves(top, options.waves);
   if (!w_.taps) taps = nullptr;
   cycle_ = windows_ = counted_ = 0;
   running_ = false;
@@ -164,7 +190,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
       write_port(top.mem_rsp_data_i, answer->data.data());
     }
     top.eval();
-    if (waves) waves->dump(cycle_ * 10);
+    waves.dump(cycle_ * 10);
     if (cycle_ >= kResetCycles) {
       if (cycles) tap_cycle(*taps);
       if (top.mem_valid_o && top.mem_ready_i) {
@@ -180,7 +206,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
     }
     top.clk_i = 1;
     top.eval();
-    if (waves) waves->dump(cycle_ * 10 + 5);
+    waves.dump(cycle_ * 10 + 5);
     started = started || top.busy_o;
     if (started && !top.busy_o) break;
     if (cycle_ - last_request > options.quiet_limit) {
@@ -189,7 +215,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
     }
     if (cycle_ % 4096 == 0 && progress && !progress(cycle_, windows_)) throw std::runtime_error("RTL: interrupted");
   }
-  if (waves) waves->close();
+  waves.close();
 
   RtlResult result;
   uint32_t words[2] = {};

@@ -40,7 +40,7 @@ class RtlTaps {
 
 struct RtlOptions {
   uint64_t seed = 1;           // of the random initial values of registers and memories
-  std::string waves;           // FST file, empty for none
+  std::string waves;           // FST file, empty for none; needs a variant with waves
   uint64_t quiet_limit = 200000;  // cycles without a memory request after which the machine counts as hung
 };
 
@@ -70,8 +70,18 @@ struct RtlBuildError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// How a machine is simulated. It changes neither a cycle nor a bit, only time and what can be seen.
+struct RtlVariant {
+  int threads = 1;
+  bool waves = true;    // they can be written
+  bool asserts = true;  // the assertions of the RTL are checked
+};
+
 // Loads the machine for a configuration, building it first when this has not been done (see sim/build_rtl.sh).
-std::unique_ptr<RtlModel> load_rtl(const Config& config);
+std::unique_ptr<RtlModel> load_rtl(const Config& config, const RtlVariant& variant = {});
+
+// Brings its library up to date without loading it and returns its path. Throws RtlBuildError.
+std::string build_rtl(const Config& config, const RtlVariant& variant = {});
 
 }  // namespace pipegs
 

@@ -166,7 +166,7 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
 void simulate_rtl(const SimulateOptions& options, Simulation& result) {
   const Config& config = options.config;
   if (!config.taps && (options.taps != nullptr || options.watch)) throw ConfigError("configuration: what shows the streams needs taps = 1");
-  const std::unique_ptr<RtlModel> model = load_rtl(config);
+  const std::unique_ptr<RtlModel> model = load_rtl(config, options.variant);
   const Frame& frame = result.input.frame;
   ExternalMemory memory(options.memory);
   const MemoryImage image = memory_image(result.packed);

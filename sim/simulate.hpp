@@ -18,6 +18,7 @@ struct SimulateOptions {
   Config config;
   ExternalMemoryOptions memory;
   RtlOptions rtl;
+  RtlVariant variant;
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
   int windows = 1;                           // with `window`: so many side by side, up to the end of the row
   double near_plane = 0.2;                   // scene units

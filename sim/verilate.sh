@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
-# verilate.sh: turns one module of rtl/ into C++: verilate.sh MODULE OUT_DIR PACKAGE [SHARDS]
+# verilate.sh: turns one module of rtl/ into C++: verilate.sh MODULE OUT_DIR PACKAGE [SHARDS [OPTION ...]]
 #
 # PACKAGE is a pipegs_pkg.sv printed by package_sv. The C++ is gathered into SHARDS files (default 1)
 # OUT_DIR/V<module>__shard<i>.cpp, so that a build system knows their names and can compile them side by side.
-# OUT_DIR/depends.d lists the RTL files read. Waves are always built in; they cost nothing until they are switched on.
+# OUT_DIR/depends.d lists the RTL files read. Waves and assertions are built in unless an OPTION (of Verilator: --no-trace,
+# --no-assert) leaves them out.
 set -euo pipefail
 module=$1 out=$2 package=$3 shards=${4:-1}
+options=("${@:5}")
 root=$(cd "$(dirname "$0")/.." && pwd)
 mkdir -p "$out"
 rm -f "$out"/V"$module"*
 verilator --cc --prefix "V$module" --top-module "$module" --Mdir "$out" -O3 --assert --trace-fst \
-  --x-initial unique --x-assign unique --unroll-count 256 --output-split 20000 --output-split-cfuncs 2000 -Wall \
+  --x-initial unique --x-assign unique --unroll-count 256 --output-split 20000 --output-split-cfuncs 2000 -Wall "${options[@]}" \
   "$root/verif/support/waivers.vlt" "$package" -y "$root/rtl" -y "$root/rtl/dopu" -y "$root/rtl/pu" -y "$root/rtl/su" -y "$root/rtl/ru" -y "$root/rtl/list" \
   -y "$root/rtl/buf" -y "$root/rtl/lib" "$module"
 i=0
