@@ -169,6 +169,19 @@ double color_error(const Config& config, const Geometry& g, const float* rest, i
   return error + sum * (unit(12) + 3 * position / glm::length(g.offset));
 }
 
+// The colour without the clamp at 0, as the record holds its constant band.
+glm::dvec3 open_color(const Config& config, const glm::vec3& dc, const float* rest, int degree, const glm::dvec3& offset) {
+  const double top = 4 - unit(config.base_w - 3), length = glm::length(offset);
+  double basis[15];
+  sh_basis(length > 0 ? offset / length : glm::dvec3(0, 0, 1), basis);
+  glm::dvec3 color(0);
+  for (int i = 0; i < 3; ++i) {
+    color[i] = std::clamp(kSh0 * static_cast<double>(dc[i]) + 0.5, -4.0, top);
+    for (int k = 0; k < sh_rest_count(degree); ++k) color[i] += basis[k] * rest[3 * k + i];
+  }
+  return color;
+}
+
 }  // namespace
 
 GaussianBudget gaussian_budget(const Config& config, const Camera& camera, const ProjectionOptions& options, const ActivatedGaussian& gaussian,
@@ -191,7 +204,9 @@ GaussianBudget gaussian_budget(const Config& config, const Camera& camera, const
   out.power.conic = conic_power(config, g, out.truth, budget);
   out.power.coefficients = coefficient_power(config, budget);
   out.power.accumulators = accumulator_power(config);
-  out.color = color_error(config, g, sh_rest, std::min(sh_degree, config.sh_degree), units, exact_record);
+  const int degree = std::min(sh_degree, config.sh_degree);
+  out.rgb = open_color(config, sh_dc, sh_rest, degree, g.offset);
+  out.color = color_error(config, g, sh_rest, degree, units, exact_record);
   return out;
 }
 

@@ -37,7 +37,8 @@ struct PowerBudget {
 struct GaussianBudget {
   TruthProjection truth;
   PowerBudget power;
-  double color = 0;      // each channel, before the clamp to the format
+  glm::dvec3 rgb{0};     // the truth's colour before its clamps, the constant band clipped as the record does
+  double color = 0;      // error of each channel of it
   bool certain = true;   // false: so near the near plane that the machine may drop it
 };
 

@@ -122,10 +122,8 @@ void Walk::collect(const Scene& scene, const Camera& camera, const SimulateOptio
       if (!budget.truth.visible) continue;
       Entry entry{index, budget, budget.power.total(), {}};
       for (int i = 0; i < 3; ++i) {
-        // The band that the record clips shifts the colour by what it loses.
-        const double base = kSh0 * static_cast<double>(dc[i]) + 0.5, clipped = std::clamp(base, -4.0, 4 - std::ldexp(1.0, 3 - config_.base_w));
-        entry.budget.truth.rgb[i] = std::clamp(budget.truth.rgb[i] + (clipped - base), 0.0, 4.0);
-        entry.color[i] = color_interval(config_, budget.truth.rgb[i] + (clipped - base), budget.color);
+        entry.budget.truth.rgb[i] = std::clamp(budget.rgb[i], 0.0, 4.0);
+        entry.color[i] = color_interval(config_, budget.rgb[i], budget.color);
       }
       entries_.push_back(std::move(entry));
     }
@@ -138,6 +136,7 @@ void Walk::splat(const Entry& entry, const RowJob* job, const GoldenWindow& wind
   const TruthProjection& truth = entry.budget.truth;
   const double cut = -std::log2(255.0), one = std::ldexp(1.0, config_.alpha_w);
   const double rgb[3] = {truth.rgb.x, truth.rgb.y, truth.rgb.z};
+  const Image& image = simulation_.golden.image;
   bool drawn = false;
   for (int region = 0; region < config_.regions(); ++region) {
     uint16_t codes[kRegionPixels] = {};
@@ -145,6 +144,7 @@ void Walk::splat(const Entry& entry, const RowJob* job, const GoldenWindow& wind
     for (int i = 0; i < kRegionPixels; ++i) {
       const int x = static_cast<int>(window.x) * config_.window + 8 * (region % config_.regions_x()) + i % 8;
       const int y = static_cast<int>(window.y) * config_.window + 8 * (region / config_.regions_x()) + i / 8;
+      if (x >= image.width || y >= image.height) continue;
       const double power = budget_power(truth, x, y);
       Interval alpha = alpha_interval(config_, power, entry.error);
       if (!entry.budget.certain) alpha.low = 0;
