@@ -69,5 +69,6 @@ void add_sweep(CLI::App& app, Run& run);
 void add_dram(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
 void add_stress(CLI::App& app, Run& run);
+void add_budget(CLI::App& app, Run& run);
 
 }  // namespace pipegs

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   add_dram(app, run);
   add_model(app, run);
   add_stress(app, run);
+  add_budget(app, run);
   add_info(app, run);
   try {
     app.parse(argc, argv);
