@@ -73,5 +73,7 @@ void add_dram(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
 void add_accuracy(CLI::App& app, Run& run);
 void add_fidelity(CLI::App& app, Run& run);
+void add_stress(CLI::App& app, Run& run);
+void add_budget(CLI::App& app, Run& run);
 
 }  // namespace pipegs

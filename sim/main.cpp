@@ -22,6 +22,8 @@ int main(int argc, char** argv) {
   add_model(app, run);
   add_accuracy(app, run);
   add_fidelity(app, run);
+  add_stress(app, run);
+  add_budget(app, run);
   add_info(app, run);
   try {
     app.parse(argc, argv);
