@@ -68,5 +68,6 @@ void add_timeline(CLI::App& app, Run& run);
 void add_sweep(CLI::App& app, Run& run);
 void add_dram(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
+void add_effects(CLI::App& app, Run& run);
 
 }  // namespace pipegs

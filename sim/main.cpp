@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   add_sweep(app, run);
   add_dram(app, run);
   add_model(app, run);
+  add_effects(app, run);
   add_info(app, run);
   try {
     app.parse(argc, argv);

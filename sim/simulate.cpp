@@ -103,10 +103,7 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
   return part;
 }
 
-void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
-  // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
-  const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
-  result.packed = pack_scene(options.config, scene, bound);
+void simulate_frame(const Camera& camera, const SimulateOptions& options, Simulation& result) {
   result.input = {.packed = &result.packed, .frame = frame_setup(options.config, result.packed, camera, {}, options.near_plane)};
   Frame& frame = result.input.frame;
   if (options.window) {
@@ -118,6 +115,13 @@ void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptio
     frame.last_x = std::min(frame.last_x, static_cast<uint64_t>(x + options.windows - 1));
     frame.first_y = frame.last_y = static_cast<uint64_t>(y);
   }
+}
+
+void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+  // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
+  const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
+  result.packed = pack_scene(options.config, scene, bound);
+  simulate_frame(camera, options, result);
 }
 
 void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
@@ -166,7 +170,7 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
 void simulate_rtl(const SimulateOptions& options, Simulation& result) {
   const Config& config = options.config;
   if (!config.taps && (options.taps != nullptr || options.watch)) throw ConfigError("configuration: what shows the streams needs taps = 1");
-  const std::unique_ptr<RtlModel> model = load_rtl(config);
+  const std::unique_ptr<RtlModel> model = load_rtl(config, options.variant);
   const Frame& frame = result.input.frame;
   ExternalMemory memory(options.memory);
   const MemoryImage image = memory_image(result.packed);

@@ -18,6 +18,7 @@ struct SimulateOptions {
   Config config;
   ExternalMemoryOptions memory;
   RtlOptions rtl;
+  RtlVariant variant;
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
   int windows = 1;                           // with `window`: so many side by side, up to the end of the row
   double near_plane = 0.2;                   // scene units
@@ -55,6 +56,8 @@ struct Simulation {
   Simulation(const Simulation&) = delete;  // input points into packed
 };
 
+// Sets up the frame for the scene that is packed already.
+void simulate_frame(const Camera& camera, const SimulateOptions& options, Simulation& result);
 // Packs the scene and sets up the frame.
 void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
 // The same, and runs the golden model.
