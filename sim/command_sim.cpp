@@ -1,7 +1,10 @@
 // command_sim.cpp: `pipegs sim`: golden model, truth and RTL of one view, compared bit for bit.
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "sim/command.hpp"
+#include "sim/effects_run.hpp"
 #include "sim/report.hpp"
 
 namespace pipegs {
@@ -11,6 +14,7 @@ struct Arguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string out = "out", waves;
+  std::string effects = "all";
   bool json = false, no_truth = false, no_rtl = false;
 };
 
@@ -27,19 +31,32 @@ std::string replay(const Arguments& arguments, const Mismatch& mismatch) {
   return command;
 }
 
+// What --effects asks for without a look at the view.
+EffectPlan named_effects(const Arguments& arguments, const SimulateOptions& options) {
+  if (arguments.effects == "all" || arguments.effects == "auto") return {options, {"all"}, {}};
+  std::vector<std::string> names;
+  std::istringstream list(arguments.effects);
+  for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+  return plan_effects(options, names);
+}
+
 int simulate(const Arguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
+  EffectPlan plan = named_effects(arguments, options);
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
 
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
   if (!arguments.no_truth) simulate_truth(loaded.scene, loaded.camera, options, simulation);
-  if (!arguments.no_rtl) simulate_rtl(options, simulation);
+  if (arguments.effects == "auto") plan = plan_effects(options, find_effects(effect_facts(loaded.scene, options, simulation, false)));
+  std::string wrong;
+  if (!arguments.no_rtl) wrong = simulate_effects(loaded.scene, loaded.camera, options, plan, simulation);
 
-  const auto report = report_json(loaded.scene, loaded.camera, options, simulation);
+  auto report = report_json(loaded.scene, loaded.camera, wrong.empty() ? plan.options : options, simulation);
+  report["effects"] = {{"simulated", plan.simulated}, {"left_out", plan.left_out}};
   write_images(arguments.out, crop_window(simulation.golden.image, options));
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
   if (arguments.json) {
@@ -47,7 +64,8 @@ int simulate(const Arguments& arguments) {
   } else {
     fmt::print("{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n", report_text(report), arguments.out, arguments.out, arguments.out);
   }
-  if (simulation.mismatches == 0) return kExitOk;
+  if (!wrong.empty()) fmt::print(stderr, "pipegs: {}\n", wrong);
+  if (simulation.mismatches == 0) return wrong.empty() ? kExitOk : kExitMismatch;
   fmt::print(stderr, "first mismatch, window {},{}: {}\nreplay with waves: {}\n", simulation.first_mismatch->window_x,
              simulation.first_mismatch->window_y, simulation.first_mismatch->what, replay(arguments, *simulation.first_mismatch));
   return kExitMismatch;
@@ -64,6 +82,8 @@ void add_sim(CLI::App& app, Run& run) {
   arguments.memory.add(*command);
   command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json")->capture_default_str();
   command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
+  command->add_option("--effects", arguments.effects, "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
+      ->capture_default_str();
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only");
   command->add_flag("--json", arguments.json, "print report.json instead of the table");

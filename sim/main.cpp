@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   add_fidelity(app, run);
   add_stress(app, run);
   add_budget(app, run);
+  add_effects(app, run);
   add_info(app, run);
   try {
     app.parse(argc, argv);

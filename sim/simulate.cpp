@@ -103,10 +103,7 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
   return part;
 }
 
-void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
-  // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
-  const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
-  result.packed = pack_scene(options.config, scene, bound);
+void simulate_frame(const Camera& camera, const SimulateOptions& options, Simulation& result) {
   result.input = {.packed = &result.packed, .frame = frame_setup(options.config, result.packed, camera, {}, options.near_plane)};
   Frame& frame = result.input.frame;
   if (options.window) {
@@ -118,6 +115,13 @@ void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptio
     frame.last_x = std::min(frame.last_x, static_cast<uint64_t>(x + options.windows - 1));
     frame.first_y = frame.last_y = static_cast<uint64_t>(y);
   }
+}
+
+void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+  // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
+  const double bound = std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
+  result.packed = pack_scene(options.config, scene, bound);
+  simulate_frame(camera, options, result);
 }
 
 void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {

@@ -56,6 +56,8 @@ struct Simulation {
   Simulation(const Simulation&) = delete;  // input points into packed
 };
 
+// Sets up the frame for the scene that is packed already.
+void simulate_frame(const Camera& camera, const SimulateOptions& options, Simulation& result);
 // Packs the scene and sets up the frame.
 void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
 // The same, and runs the golden model.

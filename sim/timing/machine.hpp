@@ -78,6 +78,7 @@ struct Machine {
   LayerFree layer_free;
   std::vector<Cycle> window_ends;  // when the end of each window left the merge
   uint64_t overflow_lines = 0;
+  uint64_t peak_lines = 0, peak_records = 0;  // in one alpha store, in one SU's store
   bool every_cycle = false;  // wake everything in every cycle: slow, and must change nothing
 };
 

@@ -1,4 +1,5 @@
 // pu_back.cpp: a PU behind the regions: pu_cache (allocate, rows, spill) or pu_late: see pu.hpp.
+#include <algorithm>
 #include <bit>
 
 #include "cpp_model/ru/ru_walk.hpp"
@@ -66,6 +67,7 @@ void Pu::allocate(Machine& m, Cycle now) {
         if (fits && oldest_ + newest_ + lines_ > alpha_lines_) break;  // a free layer wakes us
         if (fits) {
           (ended_ == 0 ? oldest_ : newest_) += lines_;
+          m.peak_lines = std::max(m.peak_lines, static_cast<uint64_t>(oldest_ + newest_));
         } else {
           splat_.ext = true;
           splat_.address = overflow_;

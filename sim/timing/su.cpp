@@ -188,6 +188,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
       back_pop_ = now;
     }
     ++used_;
+    m.peak_records = std::max(m.peak_records, static_cast<uint64_t>(used_));
   }
   if (is.record && is.taken) records_out_.back().key = m.trace.key[is.in->beat];
   const Collect before = collect_;

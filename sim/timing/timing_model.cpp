@@ -23,6 +23,8 @@ TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTi
   TimingResult result;
   result.cycles = static_cast<uint64_t>(machine->run());
   result.overflow_lines = machine->overflow_lines;
+  result.peak_lines = machine->peak_lines;
+  result.peak_records = machine->peak_records;
   for (const timing::Cycle end : machine->window_ends) result.window_ends.push_back(static_cast<uint64_t>(end));
   for (const std::string& name : memory_streams(config)) result.streams.push_back({.name = name});
   for (int port = 0; port < config.memory_ports(); ++port) {

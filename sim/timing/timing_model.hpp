@@ -23,6 +23,7 @@ struct TimingResult {
   };
   std::vector<Stream> streams;
   uint64_t overflow_lines = 0;
+  uint64_t peak_lines = 0, peak_records = 0;  // most that one alpha store, one SU's store held
   std::vector<uint64_t> window_ends;  // of each window: the cycle in which its end leaves the merge
 };
 

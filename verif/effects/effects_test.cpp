@@ -1,0 +1,184 @@
+// effects_test: detectors against scenes that call for one thing each, and machines without the rest against the whole one.
+//
+// Golden level: a plan's configuration gives the same pixels as the full one, for every scene. RTL level: one machine without
+// anything that can be left out (built by CMakeLists.txt) draws what calls for nothing, and is caught where it may not.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/effects_run.hpp"
+#include "verif/frame/scenes.hpp"
+
+namespace pipegs {
+namespace {
+
+struct View {
+  std::string name;
+  Scene scene;
+  Camera camera;
+};
+
+// Four Gaussians side by side at four depths, far from the near plane, none opaque; no SH.
+Scene quiet_scene() {
+  return scene_of({gaussian_at({-0.4f, 0.05f, 2}), gaussian_at({-0.1f, 0, 2.1f}), gaussian_at({0.2f, -0.1f, 2.2f}), gaussian_at({0.5f, 0.1f, 2.3f})});
+}
+
+// The same with SH of degree 3, of which only one band is not zero.
+Scene banded_scene(int band) {
+  Scene scene = quiet_scene();
+  scene.sh_degree = 3;
+  scene.sh_rest.assign(scene.gaussians.size() * 45, 0);
+  for (size_t i = 0; i < scene.gaussians.size(); ++i) {
+    for (int k = sh_rest_count(band - 1); k < sh_rest_count(band); ++k) scene.sh_rest[i * 45 + static_cast<size_t>(3 * k)] = 0.3f;
+  }
+  return scene;
+}
+
+const std::vector<View>& views() {
+  static const std::vector<View> all = {{"empty", scene_of({}), test_camera(100, 70)},
+                                        {"quiet", quiet_scene(), test_camera(64, 64)},
+                                        {"band 1", banded_scene(1), test_camera(64, 64)},
+                                        {"band 2", banded_scene(2), test_camera(64, 64)},
+                                        {"band 3", banded_scene(3), test_camera(64, 64)},
+                                        {"cloud", random_scene(3, 400, 3), test_camera(130, 66, 60)},
+                                        {"flat cloud", random_scene(9, 300, 0), test_camera(128, 96)}};
+  return all;
+}
+
+const View& view(const std::string& name) {
+  return *std::find_if(views().begin(), views().end(), [&](const View& v) { return v.name == name; });
+}
+
+struct Looked {
+  explicit Looked(const std::string& name, const SimulateOptions& asked = {}) : view(pipegs::view(name)), options(asked) {
+    simulate_golden(view.scene, view.camera, options, simulation);
+    findings = find_effects(effect_facts(view.scene, options, simulation, true));
+  }
+  const Effect::Verdict& verdict(std::string_view name) const {
+    return std::find_if(findings.begin(), findings.end(), [&](const EffectFinding& f) { return f.effect->name == name; })->verdict;
+  }
+  std::vector<std::string> called() const {
+    std::vector<std::string> names;
+    for (const EffectFinding& f : findings) {
+      if (f.verdict.called_for) names.emplace_back(f.effect->name);
+    }
+    return names;
+  }
+  // The golden pixels of another machine.
+  std::vector<uint64_t> pixels(const SimulateOptions& other) const {
+    Simulation lean;
+    simulate_golden(view.scene, view.camera, other, lean);
+    return lean.golden.pixels;
+  }
+
+  const View& view;
+  SimulateOptions options;
+  Simulation simulation;
+  std::vector<EffectFinding> findings;
+};
+
+using Names = std::vector<std::string>;
+
+TEST(Effects, AQuietSceneCallsForNothing) { EXPECT_EQ(Looked("quiet").called(), Names{}); }
+
+TEST(Effects, EachBandOfShIsSeenWithItsCoefficient) {
+  EXPECT_EQ(Looked("band 1").called(), Names{"sh1"});
+  EXPECT_EQ(Looked("band 2").called(), (Names{"sh1", "sh2"}));
+  EXPECT_EQ(Looked("band 3").called(), (Names{"sh1", "sh2", "sh3"}));
+  EXPECT_EQ(Looked("band 1").verdict("sh1").evidence, "largest coefficient 0.3");
+  EXPECT_EQ(Looked("band 1").verdict("sh3").evidence, "largest coefficient 0");
+  EXPECT_EQ(Looked("band 3").verdict("sh1").evidence, "largest coefficient 0, but a higher band needs it");
+  EXPECT_EQ(Looked("quiet").verdict("sh1").evidence, "the scene has degree 0");
+}
+
+TEST(Effects, TheTimingOfMemoryIsCalledForWhereItMovesCycles) {
+  SimulateOptions options;
+  options.memory.dram = "lpddr5-6400x4";
+  const Looked run("cloud", options);
+  EXPECT_TRUE(run.verdict("dram").called_for) << run.verdict("dram").evidence;
+  options.memory.dram = "ideal";
+  EXPECT_FALSE(Looked("cloud", options).verdict("dram").called_for);
+}
+
+TEST(Effects, WhatWatchesTheMachineCallsForItsParts) {
+  SimulateOptions options;
+  options.rtl.waves = "window.fst";
+  const Looked waves("quiet", options);
+  for (const char* name : {"waves", "taps", "asserts"}) EXPECT_TRUE(waves.verdict(name).called_for) << name;
+  options.rtl.waves.clear();
+  options.watch = {1, 1};
+  const Looked watch("quiet", options);
+  EXPECT_FALSE(watch.verdict("waves").called_for);
+  for (const char* name : {"taps", "asserts"}) EXPECT_TRUE(watch.verdict(name).called_for) << name;
+}
+
+TEST(Effects, AutoGivesThePixelsOfAll) {
+  for (const View& view : views()) {
+    const Looked run(view.name);
+    const EffectPlan plan = plan_effects(run.options, run.findings);
+    EXPECT_EQ(run.pixels(plan.options), run.simulation.golden.pixels) << view.name << ": " << config_difference(plan.options.config);
+  }
+}
+
+TEST(Effects, AnEffectThatIsNotCalledForChangesNoPixelWhenItIsForcedOn) {
+  for (const char* name : {"quiet", "band 1"}) {
+    const Looked run(name);
+    for (const EffectFinding& finding : run.findings) {
+      if (finding.verdict.called_for) continue;
+      Names names = run.called();
+      names.emplace_back(finding.effect->name);
+      EXPECT_EQ(run.pixels(plan_effects(run.options, names).options), run.simulation.golden.pixels) << name << ", " << finding.effect->name;
+    }
+  }
+}
+
+// Of every scene: leaving out one thing that is called for shows.
+TEST(Effects, LeavingOutWhatIsCalledForChangesPixels) {
+  const std::vector<std::pair<std::string, std::string>> cases = {{"band 1", "sh1"}, {"band 2", "sh2"}, {"band 3", "sh3"}};
+  for (const auto& [name, effect] : cases) {
+    const Looked run(name);
+    ASSERT_TRUE(run.verdict(effect).called_for) << name << ": " << run.verdict(effect).evidence;
+    SimulateOptions without = run.options;
+    std::find_if(effects().begin(), effects().end(), [&, e = effect](const Effect& x) { return x.name == e; })->leave_out(without);
+    EXPECT_NE(run.pixels(without), run.simulation.golden.pixels) << name << " without " << effect;
+  }
+}
+
+TEST(Effects, NamesAreChecked) {
+  const SimulateOptions full;
+  EXPECT_EQ(plan_effects(full, Names{"sh2"}).simulated, (Names{"sh1", "sh2"}));
+  try {
+    plan_effects(full, Names{"sh4"});
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 41), "--effects sh4: expected auto, all, or som") << error.what();
+  }
+}
+
+// --- RTL: one machine without everything ----------------------------------------------------------------------------------
+
+EffectPlan nothing(const Looked& run) { return plan_effects(run.options, Names{}); }
+
+TEST(EffectsRtl, AMachineWithoutEffectsDrawsWhatCallsForNone) {
+  Looked run("quiet");
+  EXPECT_EQ(simulate_effects(run.view.scene, run.view.camera, run.options, nothing(run), run.simulation), "");
+  EXPECT_EQ(run.simulation.mismatches, 0u);
+  Looked all("quiet");
+  simulate_rtl(all.options, all.simulation);
+  EXPECT_EQ(all.simulation.mismatches, 0u);
+  EXPECT_EQ(all.simulation.rtl.cycles, run.simulation.rtl.cycles);
+}
+
+TEST(EffectsRtl, AWrongDecisionIsCaught) {
+  for (const char* name : {"band 1", "cloud"}) {
+    Looked run(name);
+    const std::string caught = simulate_effects(run.view.scene, run.view.camera, run.options, nothing(run), run.simulation);
+    EXPECT_NE(caught.find("sh1"), std::string::npos) << caught;
+    EXPECT_NE(caught.find("something left out is called for"), std::string::npos) << caught;
+    EXPECT_EQ(run.simulation.mismatches, 0u) << "with all effects";
+  }
+}
+
+}  // namespace
+}  // namespace pipegs
