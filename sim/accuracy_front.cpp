@@ -13,6 +13,8 @@ namespace {
 constexpr double kBufferShare = 0.01, kValueShare = 1e-4;  // beside a share of cycles of 1
 constexpr double kLowest = 36;  // decibels: below, nothing is worth measuring
 constexpr double kCycleStep = 0.005;  // smaller differences of cycles are chance
+constexpr double kLossStep = 0.002;   // and of the squared error, beside the base's: 0.01 dB
+constexpr double kFinest = 0.02;      // of the base's squared error: no prediction goes below
 
 // What a value of a knob adds to the base's squared error, and what it costs beside the others.
 struct Choice {
@@ -31,7 +33,8 @@ std::vector<Choice> choices(const MeasuredPoint& base, const SweptKnob& swept) {
     const bool same_lines = swept.points[i].config.gaussians_per_line() == base.config.gaussians_per_line();
     const double cycles = same_lines ? static_cast<double>(a.cycles) / static_cast<double>(base.figures.cycles) : 1;
     const double buffers = static_cast<double>(a.buffer_bits) / static_cast<double>(base.figures.buffer_bits);
-    all.push_back({i, loss(a) - loss(base.figures),
+    const double chance = kLossStep * mean_square(base.figures.numeric.psnr);
+    all.push_back({i, std::round((loss(a) - loss(base.figures)) / chance) * chance,
                    std::round(cycles / kCycleStep) * kCycleStep + kBufferShare * buffers + kValueShare * static_cast<double>(i)});
   }
   std::sort(all.begin(), all.end(), [](const Choice& a, const Choice& b) { return std::tie(a.loss, a.cost) < std::tie(b.loss, b.cost); });
@@ -85,7 +88,7 @@ class Path {
   double predicted() const {
     double sum = mean_square(base_.figures.numeric.psnr) + mean_square(base_.figures.order.psnr);
     for (size_t k = 0; k < choices_.size(); ++k) sum += choices_[k].empty() ? 0 : choices_[k][at_[k]].loss;
-    return -10 * std::log10(std::max(sum, 1e-10));
+    return -10 * std::log10(std::max({sum, kFinest * mean_square(base_.figures.numeric.psnr), 1e-12}));
   }
 
   // One knob one step coarser: the one that loses least for what it saves.
