@@ -10,9 +10,12 @@
 namespace pipegs {
 namespace {
 
-constexpr double kBufferShare = 0.01, kValueShare = 1e-4;  // beside a share of cycles of 1
+constexpr double kBufferShares[] = {0.01, 1};  // of the two paths, beside a share of cycles of 1
+constexpr double kValueShare = 1e-4;
 constexpr double kLowest = 36;  // decibels: below, nothing is worth measuring
 constexpr double kCycleStep = 0.005;  // smaller differences of cycles are chance
+constexpr double kLossStep = 0.002;   // and of the squared error, beside the base's: 0.01 dB
+constexpr double kFinest = 0.02;      // of the base's squared error: no prediction goes below
 
 // What a value of a knob adds to the base's squared error, and what it costs beside the others.
 struct Choice {
@@ -21,7 +24,7 @@ struct Choice {
 };
 
 // The values worth having of one knob, the most accurate first: each next one loses more and costs less.
-std::vector<Choice> choices(const MeasuredPoint& base, const SweptKnob& swept) {
+std::vector<Choice> choices(const MeasuredPoint& base, const SweptKnob& swept, double buffer_share) {
   const auto loss = [&](const Accuracy& a) { return mean_square(a.numeric.psnr) + (swept.knob->orders ? mean_square(a.order.psnr) : 0); };
   std::vector<Choice> all;
   for (size_t i = 0; i < swept.points.size(); ++i) {
@@ -31,8 +34,9 @@ std::vector<Choice> choices(const MeasuredPoint& base, const SweptKnob& swept) {
     const bool same_lines = swept.points[i].config.gaussians_per_line() == base.config.gaussians_per_line();
     const double cycles = same_lines ? static_cast<double>(a.cycles) / static_cast<double>(base.figures.cycles) : 1;
     const double buffers = static_cast<double>(a.buffer_bits) / static_cast<double>(base.figures.buffer_bits);
-    all.push_back({i, loss(a) - loss(base.figures),
-                   std::round(cycles / kCycleStep) * kCycleStep + kBufferShare * buffers + kValueShare * static_cast<double>(i)});
+    const double chance = kLossStep * mean_square(base.figures.numeric.psnr);
+    all.push_back({i, std::round((loss(a) - loss(base.figures)) / chance) * chance,
+                   std::round(cycles / kCycleStep) * kCycleStep + buffer_share * buffers + kValueShare * static_cast<double>(i)});
   }
   std::sort(all.begin(), all.end(), [](const Choice& a, const Choice& b) { return std::tie(a.loss, a.cost) < std::tie(b.loss, b.cost); });
   std::vector<Choice> kept;
@@ -49,11 +53,11 @@ struct Step {
 
 class Path {
  public:
-  Path(const MeasuredPoint& base, const std::vector<SweptKnob>& knobs) : base_(base) {
+  Path(const MeasuredPoint& base, const std::vector<SweptKnob>& knobs, double buffer_share) : base_(base) {
     for (const SweptKnob& swept : knobs) {
       if (!swept.knob->together || swept.points.empty()) continue;
       swept_.push_back(&swept);
-      choices_.push_back(choices(base, swept));
+      choices_.push_back(choices(base, swept, buffer_share));
       at_.push_back(0);
     }
   }
@@ -85,7 +89,7 @@ class Path {
   double predicted() const {
     double sum = mean_square(base_.figures.numeric.psnr) + mean_square(base_.figures.order.psnr);
     for (size_t k = 0; k < choices_.size(); ++k) sum += choices_[k].empty() ? 0 : choices_[k][at_[k]].loss;
-    return -10 * std::log10(std::max(sum, 1e-10));
+    return -10 * std::log10(std::max({sum, kFinest * mean_square(base_.figures.numeric.psnr), 1e-12}));
   }
 
   // One knob one step coarser: the one that loses least for what it saves.
@@ -112,17 +116,20 @@ class Path {
 }  // namespace
 
 std::vector<Config> together_path(const MeasuredPoint& base, const std::vector<SweptKnob>& knobs, int count) {
-  // Errors add, so the prediction falls from step to step.
-  const std::vector<Step> steps = Path(base, knobs).walk();
   std::vector<Config> chosen;
-  if (steps.empty() || count < 1) return chosen;
-  const double high = steps.front().decibels, low = std::max(kLowest, steps.back().decibels);
-  for (int i = 0; i < count; ++i) {
-    const double wanted = high - (high - low) * i / std::max(1, count - 1);
-    // Of the steps that promise so much the last one costs least.
-    const auto after = std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return step.decibels < wanted - 1e-9; });
-    const Config& config = after == steps.begin() ? steps.front().config : std::prev(after)->config;
-    if (chosen.empty() || !(chosen.back() == config)) chosen.push_back(config);
+  for (const double buffer_share : kBufferShares) {
+    // Errors add, so the prediction falls from step to step.
+    const std::vector<Step> steps = Path(base, knobs, buffer_share).walk();
+    const int part = (count + (buffer_share < 1 ? 1 : 0)) / 2;
+    if (steps.empty()) continue;
+    const double high = steps.front().decibels, low = std::max(kLowest, steps.back().decibels);
+    for (int i = 0; i < part; ++i) {
+      const double wanted = high - (high - low) * i / std::max(1, part - 1);
+      // Of the steps that promise so much the last one costs least.
+      const auto after = std::find_if(steps.begin(), steps.end(), [&](const Step& step) { return step.decibels < wanted - 1e-9; });
+      const Config& config = after == steps.begin() ? steps.front().config : std::prev(after)->config;
+      if (std::find(chosen.begin(), chosen.end(), config) == chosen.end()) chosen.push_back(config);
+    }
   }
   return chosen;
 }

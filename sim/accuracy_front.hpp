@@ -5,7 +5,7 @@
 //         loses least predicted accuracy for the cost that it saves is taken, again and again, down to the coarsest: a path.
 //         Configurations evenly spaced along it, in predicted decibels, are then measured; what is reported is measured.
 // Cost    Cycles. Most widths change none, so beside a cycle's share there is a hundredth of the buffers' share, and a
-//         little for a coarser value as such (it saves area).
+//         little for a coarser value as such (it saves area). A second path weighs cycles and buffers alike.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@ struct SweptKnob {
   std::vector<MeasuredPoint> points;     // by value
 };
 
-// At most `count` configurations along the path, the most accurate first; `base` is what the knobs were swept around.
+// At most `count` configurations along both paths, of each the most accurate first; `base` is what the knobs were swept around.
 std::vector<Config> together_path(const MeasuredPoint& base, const std::vector<SweptKnob>& knobs, int count);
 
 // What a front is drawn over.

@@ -118,7 +118,7 @@ std::string knob_sentence(const SweptKnob& swept) {
   const size_t last = measured.back();
   if (to == from) {
     const double coarse = quality(knob, swept.points[from].figures);
-    return fmt::format("{}: no finer value than {} gains a decibel of {} ({:.1f} dB there, {:.1f} dB at best); from {} to {} costs {}.", knob.name,
+    return fmt::format("{}: no finer value than {} gains a decibel of {} ({:.1f} dB there, {:.1f} dB at best); from {} to {}: {}.", knob.name,
                        swept.values[from]->label, what, coarse, best, swept.values[from]->label, swept.values[last]->label,
                        cost(swept.points[from], swept.points[last]));
   }

@@ -151,11 +151,13 @@ TEST_F(SmallView, TogetherGoesFromTheFinestToTheCoarsest) {
   const AccuracyView view(scene_, camera_, options_);
   const AccuracyStore store("", scene_, camera_, options_);
   const AccuracySweep sweep = accuracy_sweep(view, store, options_.config, {.knobs = find_knobs({"alpha_w", "rgb_w", "sh_degree"}), .points = 8});
-  ASSERT_GE(sweep.together.size(), 4u);
+  ASSERT_GE(sweep.together.size(), 3u);
   ASSERT_LE(sweep.together.size(), 8u);
   EXPECT_EQ(sweep.together.front().config.alpha_w, 12);
   EXPECT_GT(sweep.together.front().figures.numeric.psnr, sweep.base.figures.numeric.psnr);
-  EXPECT_LT(sweep.together.back().figures.numeric.psnr, sweep.base.figures.numeric.psnr);
+  double coarsest = sweep.base.figures.numeric.psnr;
+  for (const MeasuredPoint& p : sweep.together) coarsest = std::min(coarsest, p.figures.numeric.psnr);
+  EXPECT_LT(coarsest, sweep.base.figures.numeric.psnr - 3);
   for (const MeasuredPoint& p : sweep.all()) EXPECT_NO_THROW(config_check(p.config));
 
   std::string page = accuracy_page("a <b> & c", sweep, {{"caption < 1", "PNG"}});
