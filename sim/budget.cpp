@@ -101,42 +101,68 @@ double position_error(const Config& config, const Geometry& g, const BudgetUnits
 
 double view_rounding(const BudgetUnits& u) { return u.view; }  // half for the origin, half for the offset
 
-double record_power(const Config& config, const Geometry& g, const BudgetUnits& u, double budget) {
-  const double position = position_error(config, g, u);
+// Half a unit of a scale's mantissa, what is flushed below its smallest, what is clipped beyond its largest.
+double scale_error(const Config& config, double scale, double world) {
+  const double smallest = 2 * unit(8) * world, top = std::ldexp(2.0, 55) * world;
+  return scale * unit(config.scale_m_w + 1) + (scale < smallest ? smallest / 2 : 0) + (scale > top ? scale - top * (1 - unit(config.scale_m_w + 1)) : 0);
+}
+
+// |S^-1/2 dU| of what the record rounds.
+double record_change(const Config& config, const Geometry& g, const BudgetUnits& u) {
   double scales = 0;
-  const double smallest = 2 * unit(8) * u.world, top = std::ldexp(2.0, 55) * u.world;
   for (int j = 0; j < 3; ++j) {
-    const double s = g.scale[j];
-    double error = s * unit(config.scale_m_w + 1) + (s < smallest ? smallest / 2 : 0);
-    if (s > top) error += s - top * (1 - unit(config.scale_m_w + 1));
     const glm::dvec3& axis = g.axes[j];
-    const double column = g.metric.length(g.gx * (axis.x - g.tx * axis.z), g.gy * (axis.y - g.ty * axis.z)) * error;
+    const double column = g.metric.length(g.gx * (axis.x - g.tx * axis.z), g.gy * (axis.y - g.ty * axis.z)) * scale_error(config, g.scale[j], u.world);
     scales += column * column;
   }
+  const double focal = unit(config.focal_f() + 1), lens = std::max(focal / g.camera.fx, focal / g.camera.fy) * std::sqrt(2.0);
+  return g.turned(of_quaternion(config.quat_w - 1)) + std::sqrt(scales) + g.moved(position_error(config, g, u)) + lens;
+}
+
+double record_power(const Config& config, const Geometry& g, const BudgetUnits& u, double budget) {
   const double focal = unit(config.focal_f() + 1), center = unit(config.center_f() + 1);
-  const double lens = std::max(focal / g.camera.fx, focal / g.camera.fy) * std::sqrt(2.0);
-  const double change = g.turned(of_quaternion(config.quat_w - 1)) + std::sqrt(scales) + g.moved(position) + lens;
-  const double shift = g.shifted(position) + g.metric.longest(focal * std::abs(g.view.x / g.view.z) + center, focal * std::abs(g.view.y / g.view.z) + center);
-  return of_change(change, budget) + of_shift(shift, budget) + unit(config.opacity_f + 1);
+  const double lens = g.metric.longest(focal * std::abs(g.view.x / g.view.z) + center, focal * std::abs(g.view.y / g.view.z) + center);
+  return of_change(record_change(config, g, u), budget) + of_shift(g.shifted(position_error(config, g, u)) + lens, budget) + unit(config.opacity_f + 1);
+}
+
+// 1/z: z rounded to MantissaW bits, recip, x / z rounded to ViewW bits: below four units together.
+double ratio_error(const Config& config) { return unit(std::min(config.mantissa_w, config.view_w) - 3); }
+
+// How far the matrix R' may be from W R: the camera's quaternion, q', and R' itself.
+double turn_error(const Config& config) { return 2 * of_quaternion(config.cam_quat_w() - 2) + 3 * unit(config.rotation_w() - 1); }
+
+// |S^-1/2 dU| of what projection and rotation round.
+double projection_change(const Config& config, const Geometry& g, const BudgetUnits& u) {
+  const double ratio = ratio_error(config), tan = unit(config.tan_f);
+  return g.turned(turn_error(config)) + g.tangent(tan + ratio * std::abs(g.tx), tan + ratio * std::abs(g.ty)) + g.moved(view_rounding(u));
 }
 
 double projection_power(const Config& config, const Geometry& g, const BudgetUnits& u, double budget) {
-  // 1/z: z rounded to MantissaW bits, recip, x / z rounded to ViewW bits: below four units together.
-  const double ratio = unit(std::min(config.mantissa_w, config.view_w) - 3);
-  const double x = std::abs(g.view.x / g.view.z), y = std::abs(g.view.y / g.view.z);
-  const double tangents = g.tangent(unit(config.tan_f) + ratio * std::abs(g.tx), unit(config.tan_f) + ratio * std::abs(g.ty));
-  const double turn = 2 * of_quaternion(config.cam_quat_w() - 2) + 3 * unit(config.rotation_w() - 1);
-  const double change = g.turned(turn) + tangents + g.moved(view_rounding(u));
-  const double mean = unit(config.mean_f);
-  const double shift = g.shifted(view_rounding(u)) + g.metric.longest(mean + ratio * g.camera.fx * x, mean + ratio * g.camera.fy * y);
-  return of_change(change, budget) + of_shift(shift, budget);
+  const double ratio = ratio_error(config), mean = unit(config.mean_f);
+  const double shift = g.shifted(view_rounding(u)) + g.metric.longest(mean + ratio * g.camera.fx * std::abs(g.view.x / g.view.z),
+                                                                      mean + ratio * g.camera.fy * std::abs(g.view.y / g.view.z));
+  return of_change(projection_change(config, g, u), budget) + of_shift(shift, budget);
+}
+
+// Error of -log2 of the compensated opacity: `share`, the determinant before dilation over that after it, may be off.
+double compensation_power(const Config& config, const Geometry& g, const BudgetUnits& u, const TruthProjection& t, double share) {
+  const double x = 2 * (record_change(config, g, u) + projection_change(config, g, u));
+  const double moved = 2 * (position_error(config, g, u) + view_rounding(u)) / g.view.z;
+  double scales = 0;
+  for (int j = 0; j < 3; ++j) scales = std::max(scales, scale_error(config, g.scale[j], u.world) / g.largest);
+  const double tangents = unit(config.tan_f) + ratio_error(config) + moved * (1 + std::max(std::abs(g.tx), std::abs(g.ty)));
+  // Scales and tangents count beside the largest one: a product of two small ones may change by more than itself.
+  const double wide = g.gx * g.gy * g.largest * g.largest * 2 * (scales + tangents) * std::sqrt(3 * (1 + g.tx * g.tx + g.ty * g.ty));
+  const double turned = g.determinant(turn_error(config) + of_quaternion(config.quat_w - 1), t.det);
+  const double error = turned + (2 * std::sqrt(share * t.det) * wide + wide * wide) / t.det + share * (2 * x + x * x + 8 * moved + 64 * unit(config.mantissa_w - 1));
+  const double low = std::max(kMinCompensation, share - error), high = std::max(kMinCompensation, share + error);
+  return std::max(std::log2(high / share), std::log2(share / low)) / 2 + 6e-5 + unit(config.opacity_f + 1);
 }
 
 double conic_power(const Config& config, const Geometry& g, const TruthProjection& t, double budget) {
   const double u = unit(config.mantissa_w - 1);
   const double variance = 16 * u, mixed = 16 * u, det = 23 * u, product = 4 * u;
-  double turn = 2 * of_quaternion(config.cam_quat_w() - 2) + 3 * unit(config.rotation_w() - 1);
-  turn += of_quaternion(config.quat_w - 1);  // the length of the stored quaternion, also of an exact record
+  const double turn = turn_error(config) + of_quaternion(config.quat_w - 1);  // its length counts, also of an exact record
   const double relative = 2 * variance + det + 2 * product + g.determinant(turn, t.det);
   const double slope = mixed * std::sqrt(std::min(t.a, t.c) / std::max(t.a, t.c)) + (variance + product) * std::abs(g.metric.slope) + unit(config.slope_w() - 2);
   const double lever = slope * std::sqrt(g.metric.narrow / g.metric.wide);
@@ -204,6 +230,10 @@ GaussianBudget gaussian_budget(const Config& config, const Camera& camera, const
   out.power.conic = conic_power(config, g, out.truth, budget);
   out.power.coefficients = coefficient_power(config, budget);
   out.power.accumulators = accumulator_power(config);
+  if (options.antialiased) {
+    const double lowered = out.truth.opacity / gaussian.opacity;
+    out.power.compensation = compensation_power(config, g, units, out.truth, lowered * lowered);
+  }
   const int degree = std::min(sh_degree, config.sh_degree);
   out.rgb = open_color(config, sh_dc, sh_rest, degree, g.offset);
   out.color = color_error(config, g, sh_rest, degree, units, exact_record);

@@ -30,7 +30,8 @@ struct PowerBudget {
   double conic = 0;         // covariance, determinant, curvatures, slope
   double coefficients = 0;  // A to F
   double accumulators = 0;  // the region's start and the Row Units' additions
-  double total() const { return record + projection + conic + coefficients + accumulators; }
+  double compensation = 0;  // the opacity of antialiased scenes
+  double total() const { return record + projection + conic + coefficients + accumulators + compensation; }
 };
 
 // One Gaussian's truth and how far the machine may stray from it.

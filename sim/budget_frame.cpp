@@ -90,7 +90,7 @@ void join(BudgetFigure& sum, const BudgetFigure& part) {
 class Walk {
  public:
   Walk(const Scene& scene, const Camera& camera, const SimulateOptions& options, const Simulation& simulation)
-      : simulation_(simulation), config_(options.config), rounding_(config_), rows_(config_) {
+      : simulation_(simulation), config_(options.config), rounding_(config_), rows_(config_), near_(options.near_plane) {
     collect(scene, camera, options);
   }
   BudgetReport window(uint64_t x, uint64_t y) const;
@@ -103,6 +103,7 @@ class Walk {
   const Config& config_;
   Rounding rounding_;
   PuRows rows_;
+  double near_;
   std::vector<Entry> entries_;  // by rank
 };
 
@@ -150,7 +151,7 @@ void Walk::splat(const Entry& entry, const RowJob* job, const GoldenWindow& wind
       if (!entry.budget.certain) alpha.low = 0;
       if (alpha.high == 0 && codes[i] == 0) continue;
       Pixel& pixel = pixels[static_cast<size_t>(region) * kRegionPixels + i];
-      const double exact = power >= cut && truth.depth > 0 ? std::min(kMaxAlpha, std::exp2(power)) : 0;
+      const double exact = power >= cut && truth.depth > near_ ? std::min(kMaxAlpha, std::exp2(power)) : 0;
       drawn = true;
       ++report.pairs;
       report.vacuous += !std::isfinite(entry.error);

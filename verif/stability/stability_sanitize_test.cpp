@@ -10,7 +10,7 @@ namespace pipegs {
 namespace {
 
 TEST(Stability, T28_TheSameBitsWhateverTheCompilerDoes) {
-  constexpr int kScenes = 20;
+  constexpr int kScenes = 60;
   const std::string command = "'" PIPEGS_SANITIZED "' " + std::to_string(kScenes) + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   ASSERT_NE(pipe, nullptr);
