@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cpp_model/float/image.hpp"
+#include "cpp_model/pu/pu_project.hpp"
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
 #include "scenes/pack.hpp"
@@ -46,6 +47,16 @@ struct Saturations {
   Saturations& operator+=(const Saturations& other);
 };
 
+// How often something happened that a part of the machine is there for: none, and the machine does without (config.def).
+struct Called {
+  uint64_t near = 0;     // (Gaussian, window) pairs before the near plane
+  uint64_t guard = 0;    // visible pairs whose x/z or y/z was clamped
+  uint64_t stopped = 0;  // pixels that stopped early
+  uint64_t ties = 0;     // neighbours in the order of a layer of a window with equal depth keys
+  uint64_t layers = 0;   // most layers of one window with at least one record
+  Called& operator+=(const Called& other);
+};
+
 // A Gaussian in a window, as it leaves the PU. Its lines of alphas follow from the job.
 struct GoldenSplat {
   Splat splat;  // address and ext are zero: they depend on timing
@@ -65,6 +76,7 @@ struct GoldenWindow {
   std::vector<uint32_t> blended;      // Gaussians blended, by region and pixel
   Work work;
   Saturations saturations;
+  Called called;
 };
 
 // Order 1: what the preprocessing of the whole frame leaves, each Gaussian once, and who stands in the list of a window.
@@ -77,6 +89,7 @@ struct GoldenLists {
   std::vector<std::vector<uint32_t>> windows;  // by number (pu_expand_number): those whose box touches the window
   Work work;                                   // fetched, visible, chunks of the frame
   Saturations saturations;                     // mean, color
+  Called called;                               // near, guard
 };
 
 struct GoldenInput {
@@ -95,8 +108,8 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
 // What pu_fetch makes of a Gaussian of a chunk.
 Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& gaussian, uint64_t slot);
 
-// From view space to the conic; counts a saturated mean.
-Conic golden_conic(const Config& config, const Frame& frame, const Visible& visible, uint64_t* saturated = nullptr);
+// From view space to the conic.
+Conic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts = nullptr);
 
 // The alpha codes of one region of a job.
 void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]);
@@ -106,6 +119,7 @@ struct GoldenFrame {
   std::vector<uint64_t> pixels;  // as in external memory (ru_resolve), row by row of the image
   Work work;
   Saturations saturations;
+  Called called;
   std::vector<uint32_t> rank;  // by scene index: position in the hardware's order (layer, depth key, index)
 };
 
