@@ -60,14 +60,17 @@ double key_depth(const PackedScene& packed, uint64_t key) {
 }
 
 // One Gaussian up to its conic; nothing when the cull drops it.
-std::optional<Conic> project(const GoldenInput& input, const Fetched& fetched, Work& work, Saturations& saturations) {
+std::optional<Conic> project(const GoldenInput& input, const Fetched& fetched, Work& work, Saturations& saturations, Called& called) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
   ++work.fetched;
-  const std::optional<Visible> visible = pu_cull(config, frame, fetched);
+  const std::optional<Visible> visible = pu_cull(config, frame, fetched, &called.near);
   if (!visible) return std::nullopt;
   ++work.visible;
-  const Projected projected = pu_project(config, frame, *visible, &saturations.mean);
+  ProjectCounts counts;
+  const Projected projected = pu_project(config, frame, *visible, &counts);
+  saturations.mean += counts.saturated;
+  called.guard += counts.clamped;
   const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
   return pu_conic(config, frame, pu_covariance(config, frame, pu_squares(config, frame, factors)));
 }
@@ -94,7 +97,7 @@ Colored color(const GoldenInput& input, const ColorJob& job, Saturations& satura
 
 // One Gaussian through the PU; appends to the layer what survives.
 void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& window, GoldenLayer& layer) {
-  const std::optional<Conic> conic = project(input, fetched, window.work, window.saturations);
+  const std::optional<Conic> conic = project(input, fetched, window.work, window.saturations, window.called);
   if (!conic) return;
   const Tiles tiles = intersect(input, *conic, window);
   if (tiles.mask == 0) return;
@@ -157,6 +160,7 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
   }
   window.work.blended = counts.blended;
   window.saturations.accumulated = counts.saturated;
+  window.called.stopped = counts.stopped;
 }
 
 }  // namespace
@@ -170,6 +174,11 @@ Work& Work::operator+=(const Work& o) {
 
 Saturations& Saturations::operator+=(const Saturations& o) {
   mean += o.mean, color += o.color, accumulated += o.accumulated, dead += o.dead;
+  return *this;
+}
+
+Called& Called::operator+=(const Called& o) {
+  near += o.near, guard += o.guard, stopped += o.stopped, ties += o.ties, layers = std::max(layers, o.layers);
   return *this;
 }
 
@@ -198,7 +207,7 @@ const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
     for (size_t k = i * kChunksOfPart; k < std::min(chunks.size(), (i + 1) * kChunksOfPart); ++k) {
       ++part.work.chunks;
       for (uint64_t slot = chunks[k].slot; slot < chunks[k].slot + chunks[k].count; ++slot) {
-        const std::optional<Conic> conic = project(input, golden_fetched(chunks[k], packed.gaussians[slot], slot), part.work, part.saturations);
+        const std::optional<Conic> conic = project(input, golden_fetched(chunks[k], packed.gaussians[slot], slot), part.work, part.saturations, part.called);
         if (!conic || !pu_expand_box(packed.config, frame, *conic)) continue;
         part.gaussians.push_back({*conic, color(input, pu_expand_job(*conic), part.saturations)});
       }
@@ -209,6 +218,7 @@ const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
   for (const GoldenLists& part : parts) {
     lists->work += part.work;
     lists->saturations += part.saturations;
+    lists->called += part.called;
     for (const GoldenLists::Entry& entry : part.gaussians) {
       const PuExpandBox box = *pu_expand_box(packed.config, frame, entry.conic);
       for (int64_t y = box.first_y; y <= box.last_y; ++y) {
@@ -245,6 +255,8 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   for (GoldenLayer& layer : window.layers) {
     std::sort(layer.splats.begin(), layer.splats.end(),
               [](const GoldenSplat& a, const GoldenSplat& b) { return splat_before(a.splat, b.splat); });
+    window.called.layers += !layer.splats.empty();
+    for (size_t i = 1; i < layer.splats.size(); ++i) window.called.ties += layer.splats[i].splat.depth == layer.splats[i - 1].splat.depth;
   }
   window.work.keys = window.work.records;
   window.work.alphas = window.work.regions * kRegionPixels;
@@ -276,6 +288,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
     const GoldenLists& lists = golden_lists(input, options.threads);
     result.work += lists.work;
     result.saturations += lists.saturations;
+    result.called += lists.called;
   }
 
   parallel_for(count, options.threads, [&](size_t i) {
@@ -300,6 +313,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
     }
     result.work += window.work;
     result.saturations += window.saturations;
+    result.called += window.called;
     ++finished;
     if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(count));
   });

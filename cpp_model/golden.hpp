@@ -46,6 +46,16 @@ struct Saturations {
   Saturations& operator+=(const Saturations& other);
 };
 
+// How often something happened that a part of the machine is there for: none, and the machine does without (config.def).
+struct Called {
+  uint64_t near = 0;     // (Gaussian, window) pairs before the near plane
+  uint64_t guard = 0;    // visible pairs whose x/z or y/z was clamped
+  uint64_t stopped = 0;  // pixels that stopped early
+  uint64_t ties = 0;     // neighbours in the order of a layer of a window with equal depth keys
+  uint64_t layers = 0;   // most layers of one window with at least one record
+  Called& operator+=(const Called& other);
+};
+
 // A Gaussian in a window, as it leaves the PU. Its lines of alphas follow from the job.
 struct GoldenSplat {
   Splat splat;  // address and ext are zero: they depend on timing
@@ -65,6 +75,7 @@ struct GoldenWindow {
   std::vector<uint32_t> blended;      // Gaussians blended, by region and pixel
   Work work;
   Saturations saturations;
+  Called called;
 };
 
 // Order 1: what the preprocessing of the whole frame leaves, each Gaussian once, and who stands in the list of a window.
@@ -77,6 +88,7 @@ struct GoldenLists {
   std::vector<std::vector<uint32_t>> windows;  // by number (pu_expand_number): those whose box touches the window
   Work work;                                   // fetched, visible, chunks of the frame
   Saturations saturations;                     // mean, color
+  Called called;                               // near, guard
 };
 
 struct GoldenInput {
@@ -103,6 +115,7 @@ struct GoldenFrame {
   std::vector<uint64_t> pixels;  // as in external memory (ru_resolve), row by row of the image
   Work work;
   Saturations saturations;
+  Called called;
   std::vector<uint32_t> rank;  // by scene index: position in the hardware's order (layer, depth key, index)
 };
 

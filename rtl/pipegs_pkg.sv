@@ -48,13 +48,21 @@ package pipegs_pkg;
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
   localparam int unsigned NearestNodes   = 512;  // nodes that wait in the DOPU, the nearest first (order = 2)
   localparam int unsigned MarkChunks     = 8;  // fewest chunks between two watermarks of a window (order = 2)
+  localparam int unsigned NearTest       = 1;  // 1: what lies before the near plane is dropped; 0: nothing does
+  localparam int unsigned GuardBand      = 1;  // 1: the Jacobian's x/z, y/z are clamped to 1.3 tan(fov/2); 0: only saturated
+  localparam int unsigned Saturation     = 1;  // 1: colours clip at the top; 0: they wrap
+  localparam int unsigned EarlyStop      = 1;  // 1: pixels stop at 1/TCut and regions close; 0: every Gaussian is blended
+  localparam int unsigned Layered        = 1;  // 1: a window is walked slab by slab, each slab a layer; 0: a window is one layer (order = 0)
+  localparam int unsigned IndexTies      = 1;  // 1: equal depth keys are ordered by index; 0: the depth alone is the sort key, no two are equal
+  localparam int unsigned Overflow       = 1;  // 1: alphas, records and keys that find no room go to external memory; 0: there is always room
+  localparam int unsigned LargeGroups    = 1;  // 1: the SU cuts chains of more than 16 keys; 0: no bucket holds more
   localparam int unsigned Taps           = 1;  // 1: the streams show at the top level (tap_*), so every one is compared; 0: only pixels are
   localparam int unsigned RegionsX       = 8;  // regions along a window's side
   localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
   localparam int unsigned RegionW        = 6;  // index of a region, row by row
   localparam int unsigned KindW          = 2;  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
   localparam int unsigned BitW           = 1;  // a flag
-  localparam int unsigned KeyW           = 48;  // sort key: depth above index, so equal depths are ordered by index
+  localparam int unsigned KeyW           = 48;  // sort key: depth above index, so equal depths are ordered by index; the depth alone without IndexTies
   localparam int unsigned RecordW        = 10;  // slot of a key or record in an SU's stores
   localparam int unsigned BucketW        = 9;  // bucket of an SU: the leading bits of the depth key
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
@@ -114,6 +122,7 @@ package pipegs_pkg;
   localparam int unsigned LateBcW        = 0;  // coefficients B and C in a splat; absent unless late
   localparam int unsigned LateDefW       = 0;  // coefficients D, E and F in a splat; absent unless late
   localparam int unsigned MarkW          = 0;  // watermark of a chunk; absent unless Order is 2
+  localparam int unsigned SplatIndexW    = 24;  // index of a Gaussian on its way to the RUs: for the sort and for the taps; else one bit is left
   localparam int unsigned TapIndexW      = 24;  // index of a Gaussian where only the taps read it; one bit is left without them
   localparam int unsigned TapDepthW      = 24;  // depth key where only the taps read it; one bit is left without them
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
@@ -635,7 +644,7 @@ package pipegs_pkg;
     logic [AlphaAddressW-1:0] address;
     logic [Regions-1:0] mask;
     logic [SlotW-1:0] slot;
-    logic [IndexW-1:0] index;
+    logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;
   } color_job_t;
@@ -649,7 +658,7 @@ package pipegs_pkg;
     logic [AlphaAddressW-1:0] address;
     logic [Regions-1:0] mask;
     logic [QuarterW-1:0] quarter;  // where the coefficients lie in their line, SH degree 1
-    logic [IndexW-1:0] index;
+    logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;
   } color_task_t;
@@ -703,7 +712,7 @@ package pipegs_pkg;
     logic ext;
     logic [AlphaAddressW-1:0] address;
     logic [Regions-1:0] mask;
-    logic [IndexW-1:0] index;
+    logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;
   } colored_t;
@@ -716,7 +725,7 @@ package pipegs_pkg;
     logic ext;
     logic [StoreAddressW-1:0] address;
     logic [Regions-1:0] mask;
-    logic [IndexW-1:0] index;
+    logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;  // of a layer's end when Order is 2: the watermark
     logic [KindW-1:0] kind;
   } splat_t;

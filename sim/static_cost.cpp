@@ -37,7 +37,8 @@ void add_power(const Config& c, StaticCost& cost) {
     add("pu_row_init", rows, 0, adders * c.units, constant * c.units);
     add("pu_row_unit", rows, 0, rows * (pixels == 1 ? 2 : 4));
   }
-  add("exp2", rows * pixels, rows * pixels, rows * pixels);
+  const int chords = c.exp_linear ? rows * pixels : 0;
+  add("exp2", rows * pixels, chords, chords);
 }
 
 void add_arithmetic(const Config& c, StaticCost& cost) {
@@ -51,11 +52,11 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
     const int n = each * (std::string(unit) == "dopu" ? 1 : c.units);
     cost.arithmetic.push_back({module, kind, unit, n, n * multipliers, n * adders, n * constant});
   };
-  add("dopu_layer", "partition", "dopu", 1, 0, 2);
+  add("dopu_layer", "partition", "dopu", 1, 0, c.layered ? 2 : 0);
   add("dopu_origin", "partition", "dopu", 1, 3, 6);
   add("dopu_planes", "partition", "dopu", 1, 1, 3);
   add("dopu_test", "partition", "dopu", c.order == 2 ? 2 : 1, 8, 9, c.order == 2 ? 1 : 0);
-  const int span = (c.window - 1 + 4) * 16 + 1;  // of a window with its margin, sixteenths of a pixel
+  const int span = (c.window - 1 + 2 * c.reach_margin()) * 16 + 1;  // of a window with its margin, sixteenths of a pixel
   if (c.order == 1) {  // against the rectangle of all windows; then the mean moves from window to window
     add("pu_cull", "projection", "pu", 1, 18, 27);
     add("pu_expand", "projection", "pu", 1, 0, 4);
@@ -74,7 +75,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("recip", "projection", "pu", 2, 3, 1);
   add("pu_coeff", "projection", "pu", 1, 1, 5);
   add("pu_intersect", "projection", "pu", 1, 6, 16);
-  add("pu_edge", "projection", "pu", 1, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
+  if (c.tile_test) add("pu_edge", "projection", "pu", 1, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
   if (c.sh_degree > 0) {
     add("pu_color_rotate", "color", "pu", 1, 2, 2);
     add("pu_color_normalise", "color", "pu", 1, 1, 0);
@@ -106,10 +107,10 @@ void add_buffers(const Config& c, StaticCost& cost) {
   add("SU u_chains", "sorter", c.kind_w() + c.bucket_w() + 2 * c.record_w() + 1, timing::kSuChains, units);
   add("SU u_links", "sorter", c.record_w(), c.records, units);
   const int stack = c.records / 8 + c.key_w() / 4 + 2;  // groups that may wait
-  add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
-  add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
+  if (c.large_groups) add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
+  if (c.overflow) add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
   add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), timing::kSuWaiting, units);
-  add("SU u_port.u_answers", "overflow", memory, timing::kSuAnswers, units);
+  if (c.overflow) add("SU u_port.u_answers", "overflow", memory, timing::kSuAnswers, units);
 
   add("PU u_fetch.u_reader.u_lines", "parameters", memory, timing::kFetchLines, units);
   add("PU u_visible", "parameters", record_width<Visible>(c), timing::kVisibleDepth, units);
@@ -129,7 +130,7 @@ void add_buffers(const Config& c, StaticCost& cost) {
   }
   if (!c.late) {
     add("PU u_jobs", "parameters", record_width<RowJob>(c), timing::kRowJobs, units);
-    add("RU u_fetch.u_external", "overflow", c.line_w(), c.fetch_lines, units);
+    if (c.overflow || c.order == 1) add("RU u_fetch.u_external", "overflow", c.line_w(), c.fetch_lines, units);
     add("RU u_fetch.u_records", "queues", record_width<Blend>(c), c.fetch_lines + 8, units);
   }
   add("RU u_queue", "queues", record_width<Sorted>(c), timing::ru_queue_depth(c), units);

@@ -50,7 +50,7 @@ DopuCounts dopu_window(const Config& config, const Frame& frame, const PackedSce
         }
       }
     }
-    ++layer;
+    layer += config.layered;
   }
   return counts;
 }

@@ -4,7 +4,7 @@
 // Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as
 //         integers and the sum is shifted once:  s(ShMW+BasisW+4) sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF
 // Stream  color_task, SH line, sh_basis -> colored. WorkF = two guard bits below the finer of base and colour.
-// Round   To nearest at the shift and at the end; below 0 clamps to 0, above u2 saturates (counted).
+// Round   To nearest at the shift and at the end; below 0 clamps to 0, above u2 saturates (counted; wraps if Saturation is 0).
 // RTL     rtl/pu/pu_color_sum.sv
 #pragma once
 
@@ -74,7 +74,9 @@ inline Colored pu_color_sum(const Config& config, const Frame& frame, const Colo
   for (int c = 0; c < 3; ++c) {
     const int64_t total = shift_round(sums.sum[c], shift) + (base[c] << (work_f - base_f));
     const int64_t value = shift_round(total, work_f - color_f);
-    color[c] = static_cast<uint64_t>(saturate_unsigned(value, config.color_w));
+    // Without Saturation the bits above are cut.
+    const int64_t mask = (int64_t{1} << config.color_w) - 1;
+    color[c] = static_cast<uint64_t>(config.saturation || value < 0 ? saturate_unsigned(value, config.color_w) : value & mask);
     if (counts != nullptr && value >= int64_t{1} << config.color_w) ++counts->saturated;
   }
   colored.red = color[0], colored.green = color[1], colored.blue = color[2];

@@ -51,7 +51,7 @@ bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, u
 
 }  // namespace
 
-std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetched& in) {
+std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetched& in, uint64_t* behind) {
   Visible out;
   out.kind = in.kind;
   if (in.kind != kData) return out;
@@ -62,7 +62,8 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   out.view_y = to_view(c, frame.w10 * x + frame.w11 * y + frame.w12 * z, shift, in.origin_y);
   out.view_z = to_view(c, frame.w20 * x + frame.w21 * y + frame.w22 * z, shift, in.origin_z);
   const int64_t near = static_cast<int64_t>(frame.near_plane >> in.view_exp);
-  if (out.view_z <= near) return std::nullopt;
+  if (behind != nullptr && out.view_z <= near) ++*behind;
+  if (out.view_z <= (c.near_test ? near : 0)) return std::nullopt;
 
   bool huge = false;
   const int64_t s = scale_in_view(c, std::max({in.scale_0, in.scale_1, in.scale_2}), in.opacity, in.view_exp, huge);

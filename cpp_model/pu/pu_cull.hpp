@@ -29,7 +29,8 @@ inline uint64_t cull_weight(const Config& config, int entry) {
   return std::max<uint64_t>(1, static_cast<uint64_t>(std::ceil(std::sqrt(std::max(0.0, rest)) * (1 << kCullWeightF))));
 }
 
-// Nothing for a Gaussian that is dropped; other beats pass with all other fields zero.
-std::optional<Visible> pu_cull(const Config& config, const Frame& frame, const Fetched& fetched);
+// Nothing for a Gaussian that is dropped; other beats pass with all other fields zero. `behind` counts those that do not lie
+// beyond the near plane; with NearTest 0 they are kept, but never one with z <= 0 (there the RTL complains).
+std::optional<Visible> pu_cull(const Config& config, const Frame& frame, const Fetched& fetched, uint64_t* behind = nullptr);
 
 }  // namespace pipegs

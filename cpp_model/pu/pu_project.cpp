@@ -23,12 +23,12 @@ Ratio divide(const Config& c, int64_t x, uint64_t inv_z, int z_bits) {
   return {shift_round(n.value * static_cast<int64_t>(inv_z), c.mantissa_w), n.shift + z_bits - 1};
 }
 
-int64_t clamped_tan(const Config& c, Ratio r, uint64_t limit) {
-  const int64_t bound = static_cast<int64_t>(limit);
+int64_t clamped_tan(const Config& c, Ratio r, uint64_t limit, bool& clamped) {
   const int down = r.down - c.tan_f;
-  if (down >= 0) return std::clamp(shift_round(r.m, down), -bound, bound);
-  const Int128 wide = Int128{r.m} << -down;
-  return static_cast<int64_t>(std::clamp<Int128>(wide, -bound, bound));
+  const Int128 exact = down >= 0 ? Int128{shift_round(r.m, down)} : Int128{r.m} << -down;
+  const Int128 bound = static_cast<Int128>(limit), held = std::clamp(exact, -bound, bound);
+  clamped |= held != exact;
+  return static_cast<int64_t>(c.guard_band ? held : saturate(exact, c.tan_w()));
 }
 
 int64_t mean(const Config& c, Ratio r, uint64_t focal, int64_t center, uint64_t window, bool& saturated) {
@@ -48,7 +48,7 @@ int64_t direction(const Config& c, int64_t v, int bits) {
 
 }  // namespace
 
-Projected pu_project(const Config& c, const Frame& frame, const Visible& in, uint64_t* saturated) {
+Projected pu_project(const Config& c, const Frame& frame, const Visible& in, ProjectCounts* counts) {
   Projected out;
   out.kind = in.kind;
   if (in.kind != kData) return out;
@@ -62,12 +62,12 @@ Projected pu_project(const Config& c, const Frame& frame, const Visible& in, uin
   out.inv_z_e = -(c.mantissa_w + z_bits - 1 + static_cast<int>(in.view_exp));
 
   const Ratio x = divide(c, in.view_x, out.inv_z_m, z_bits), y = divide(c, in.view_y, out.inv_z_m, z_bits);
-  out.tan_x = clamped_tan(c, x, frame.limit_x);
-  out.tan_y = clamped_tan(c, y, frame.limit_y);
-  bool clipped = false;
+  bool beyond = false, clipped = false;
+  out.tan_x = clamped_tan(c, x, frame.limit_x, beyond);
+  out.tan_y = clamped_tan(c, y, frame.limit_y, beyond);
   out.mean_x = mean(c, x, frame.focal_x, frame.center_x, in.window_x, clipped);
   out.mean_y = mean(c, y, frame.focal_y, frame.center_y, in.window_y, clipped);
-  if (saturated != nullptr && clipped) ++*saturated;
+  if (counts != nullptr) counts->saturated += clipped, counts->clamped += beyond;
 
   const int key_w = c.depth_w - c.exp_w(), below_w = c.view_w - 2;
   const uint64_t below = static_cast<uint64_t>(z.value) & ((uint64_t{1} << below_w) - 1);

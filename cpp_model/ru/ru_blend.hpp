@@ -5,7 +5,7 @@
 //         exactly 1. INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is not
 //         blended.
 // Stream  alpha u0.AlphaW (0: no contribution), T u1.(TW-1), colour u2.(ColorW-2), accumulated colour u2.(RgbW-2).
-// Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted).
+// Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted; wraps if Saturation is 0).
 // RTL     rtl/ru/ru_blend.sv
 #pragma once
 
@@ -20,15 +20,17 @@ struct BlendConstants {
       : alpha_w(c.alpha_w),
         color_shift(c.t_w + c.color_w - c.rgb_w - 1),
         one(1u << (c.t_w - 1)),
-        stop(static_cast<uint32_t>(c.t_stop())),
+        stop(c.early_stop ? static_cast<uint32_t>(c.t_stop()) : 0),
         rgb_max((1u << c.rgb_w) - 1),
+        rgb_top(c.saturation ? rgb_max : 0),
         narrow(c.t_w - 1 + c.alpha_w <= 32 && c.t_w - 1 + c.color_w <= 32) {}
 
   int alpha_w;
   int color_shift;   // from the fraction of w * colour to that of the accumulated colour
   uint32_t one;      // T = 1
-  uint32_t stop;     // smallest T that may remain
+  uint32_t stop;     // smallest T that may remain; 0: none stops
   uint32_t rgb_max;
+  uint32_t rgb_top;  // bits that stay set above it: all when it saturates, none when it wraps
   bool narrow;       // every product fits 32 bits
 };
 
@@ -62,7 +64,7 @@ inline uint32_t ru_blend(const BlendConstants& k, PixelState& pixel, uint32_t co
     const auto add =
         static_cast<uint32_t>((uint64_t{weight} * color[i] + (uint64_t{1} << (k.color_shift - 1))) >> k.color_shift);
     const bool over = pixel.rgb[i] + add > k.rgb_max;
-    pixel.rgb[i] = over ? k.rgb_max : pixel.rgb[i] + add;
+    pixel.rgb[i] = over ? k.rgb_top | ((pixel.rgb[i] + add) & k.rgb_max) : pixel.rgb[i] + add;
     if (over && counts != nullptr) ++counts->saturated;
   }
   if (code != 0 && counts != nullptr) ++counts->blended;

@@ -20,7 +20,7 @@ inline __attribute__((always_inline)) LoopResult blend_loop(const BlendConstants
                                                             const uint16_t* codes, const uint32_t* color) {
   const int alpha_shift = k.alpha_w, color_shift = k.color_shift;
   const Wide alpha_half = Wide{1} << (alpha_shift - 1), color_half = Wide{1} << (color_shift - 1);
-  const uint32_t stop_at = k.stop, rgb_max = k.rgb_max;
+  const uint32_t stop_at = k.stop, rgb_max = k.rgb_max, rgb_top = k.rgb_top;
   const Wide c0 = color[0], c1 = color[1], c2 = color[2];
   LoopResult sum{0, 0, 0, 0};
   for (int i = 0; i < kRegionPixels; ++i) {
@@ -34,9 +34,9 @@ inline __attribute__((always_inline)) LoopResult blend_loop(const BlendConstants
     const uint32_t b = s.rgb[2][i] + static_cast<uint32_t>((Wide{weight} * c2 + color_half) >> color_shift);
     s.t[i] = t - weight;
     s.done[i] = was_done | stops;
-    s.rgb[0][i] = r > rgb_max ? rgb_max : r;
-    s.rgb[1][i] = g > rgb_max ? rgb_max : g;
-    s.rgb[2][i] = b > rgb_max ? rgb_max : b;
+    s.rgb[0][i] = r > rgb_max ? rgb_top | (r & rgb_max) : r;
+    s.rgb[1][i] = g > rgb_max ? rgb_top | (g & rgb_max) : g;
+    s.rgb[2][i] = b > rgb_max ? rgb_top | (b & rgb_max) : b;
     sum.blended += live & (codes[i] != 0 ? 1u : 0u);
     sum.stopped += stops & ~was_done & 1u;
     sum.saturated += (r > rgb_max ? 1u : 0u) + (g > rgb_max ? 1u : 0u) + (b > rgb_max ? 1u : 0u);

@@ -14,8 +14,10 @@
 
 namespace pipegs {
 
-// Sort key of a splat: depth above index.
-inline uint64_t splat_key(const Config& config, const Splat& splat) { return splat.depth << config.index_w | splat.index; }
+// Sort key: depth above index; without IndexTies the depth alone.
+inline uint64_t splat_key(const Config& config, uint64_t depth, uint64_t index) {
+  return config.index_ties ? depth << config.index_w | index : depth;
+}
 
 inline bool splat_before(const Splat& a, const Splat& b) { return a.depth != b.depth ? a.depth < b.depth : a.index < b.index; }
 

@@ -3,6 +3,7 @@
 // Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
 // Idea    The table is read once per frame, two cells per line; every window walks it again from the SRAM. Empty cells cost one
 //         cycle. After a slab comes a layer end, after the last slab a window end. A window that is done has only that.
+//         Layered 0: no slab has an end.
 // Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.
 // Pace    One cell per cycle.
 // Model   cpp_model/dopu/dopu.hpp (the outer loops)
@@ -95,7 +96,7 @@ module dopu_cells #(
   logic                 end_next_q;           // the next item is the slab's end
   logic                 item_valid_q, item_half_q, item_set_q;
   logic [pipegs_pkg::KindW-1:0] item_kind_q, kind_next;
-  logic                 run, advance, read, window_end, is_end, finished;
+  logic                 run, advance, read, window_end, is_end, is_shown, finished;
   logic [2*NodeBits-1:0] line;
   pipegs_pkg::node_t    item;
 
@@ -104,7 +105,7 @@ module dopu_cells #(
   assign window_end = layer_q == LastLayer || set_done_i[set_q];
   assign kind_next  = !is_end ? pipegs_pkg::KindData
                     : window_end ? pipegs_pkg::KindWindowEnd : pipegs_pkg::KindLayerEnd;
-  // An item moves on when it is taken, and at once when it is an empty cell.
+  // An item moves on when it is taken, and at once when it is an empty cell or, without layers, a slab's end.
   assign advance    = !item_valid_q || (cell_valid_o ? cell_ready_i : 1'b1);
   assign read       = run && advance && (inside_i || set_done_i[set_q]);
   assign finished   = read && is_end && window_end;
@@ -160,7 +161,9 @@ module dopu_cells #(
   );
 
   assign item         = item_half_q ? line[NodeBits +: NodeBits] : line[0 +: NodeBits];
-  assign cell_valid_o = item_valid_q && (item_kind_q != pipegs_pkg::KindData || item.count != '0);
+  assign is_shown     = item_kind_q == pipegs_pkg::KindData ? item.count != '0
+                                                            : pipegs_pkg::Layered != 0 || item_kind_q == pipegs_pkg::KindWindowEnd;
+  assign cell_valid_o = item_valid_q && is_shown;
   assign kind_o       = item_kind_q;
   assign set_o        = item_set_q;
   assign cell_o       = item;

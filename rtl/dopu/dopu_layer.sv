@@ -4,6 +4,7 @@
 // Idea    camera slab c = clamp(floor((camera - low) * scale / 2^WorldW), 0, Grid - 1), one bit of scale per cycle, once a
 //         frame. Step s of the walk is slab c + (s+1)/2 or c - s/2: c, c+1, c-1, c+2 ... front to back for every ray.
 //         Cell = slab and two other coordinates, put in order by the axis.
+//         Layered 0: the cells in the order of their table; nothing is known of the camera.
 // Stream  start_i for one cycle; ready_o when the camera's slab is known. Then step_i, number_i -> slab, cell at once.
 // Pace    FocalW + 2 cycles a frame.
 // Model   cpp_model/dopu/dopu_layer.hpp
@@ -25,75 +26,83 @@ module dopu_layer #(
   output logic [3*GridW-1:0]                  cell_o
 );
 
-  localparam int unsigned WorldW = pipegs_pkg::WorldW;
-  localparam int unsigned FocalW = pipegs_pkg::FocalW;
-  localparam int unsigned SumW = WorldW + FocalW;
-  localparam int unsigned BitsW = $clog2(FocalW + 1);
+  if (pipegs_pkg::Layered != 0) begin : gen_slabs
+    localparam int unsigned WorldW = pipegs_pkg::WorldW;
+    localparam int unsigned FocalW = pipegs_pkg::FocalW;
+    localparam int unsigned SumW = WorldW + FocalW;
+    localparam int unsigned BitsW = $clog2(FocalW + 1);
 
-  // --- normalisation -------------------------------------------------------------------------------------------
-  logic signed [WorldW-1:0] camera, low;
-  logic signed [WorldW:0]   delta;
-  logic [FocalW-1:0]        scale, scale_q;   // scale_q: bits still to come, highest first
-  logic [WorldW-1:0]        delta_q;
-  logic [SumW-1:0]          sum_q;            // u28.40
-  logic [BitsW-1:0]         bits_left_q;
-  logic [GridW-1:0]         slab_q;
-  logic                     ready_q;
-  logic                     unused_frame;     // only the grid's fields matter here
+    // --- normalisation -------------------------------------------------------------------------------------------
+    logic signed [WorldW-1:0] camera, low;
+    logic signed [WorldW:0]   delta;
+    logic [FocalW-1:0]        scale, scale_q;   // scale_q: bits still to come, highest first
+    logic [WorldW-1:0]        delta_q;
+    logic [SumW-1:0]          sum_q;            // u28.40
+    logic [BitsW-1:0]         bits_left_q;
+    logic [GridW-1:0]         slab_q;
+    logic                     ready_q;
+    logic                     unused_frame;     // only the grid's fields matter here
 
-  always_comb begin
-    case (axis_i)
-      2'd0: begin camera = frame_i.camera_x; low = frame_i.grid_x; scale = frame_i.grid_scale_x; end
-      2'd1: begin camera = frame_i.camera_y; low = frame_i.grid_y; scale = frame_i.grid_scale_y; end
-      default: begin camera = frame_i.camera_z; low = frame_i.grid_z; scale = frame_i.grid_scale_z; end
-    endcase
-  end
-  assign delta = (WorldW+1)'(camera) - (WorldW+1)'(low);
-  assign unused_frame = &{1'b0, frame_i};
-
-  always_ff @(posedge clk_i) begin
-    if (start_i) begin
-      delta_q <= delta[WorldW] ? '0 : delta[WorldW-1:0];  // below the grid: slab 0
-      scale_q <= scale;
-      sum_q   <= '0;
-    end else begin
-      scale_q <= scale_q << 1;
-      if (bits_left_q != '0) sum_q <= (sum_q << 1) + (scale_q[FocalW-1] ? SumW'(delta_q) : '0);
+    always_comb begin
+      case (axis_i)
+        2'd0: begin camera = frame_i.camera_x; low = frame_i.grid_x; scale = frame_i.grid_scale_x; end
+        2'd1: begin camera = frame_i.camera_y; low = frame_i.grid_y; scale = frame_i.grid_scale_y; end
+        default: begin camera = frame_i.camera_z; low = frame_i.grid_z; scale = frame_i.grid_scale_z; end
+      endcase
     end
-    if (bits_left_q == '0 && !ready_q) begin
-      slab_q <= (sum_q >> WorldW) >= SumW'(pipegs_pkg::Grid) ? GridW'(pipegs_pkg::Grid - 1) : sum_q[WorldW +: GridW];
+    assign delta = (WorldW+1)'(camera) - (WorldW+1)'(low);
+    assign unused_frame = &{1'b0, frame_i};
+
+    always_ff @(posedge clk_i) begin
+      if (start_i) begin
+        delta_q <= delta[WorldW] ? '0 : delta[WorldW-1:0];  // below the grid: slab 0
+        scale_q <= scale;
+        sum_q   <= '0;
+      end else begin
+        scale_q <= scale_q << 1;
+        if (bits_left_q != '0) sum_q <= (sum_q << 1) + (scale_q[FocalW-1] ? SumW'(delta_q) : '0);
+      end
+      if (bits_left_q == '0 && !ready_q) begin
+        slab_q <= (sum_q >> WorldW) >= SumW'(pipegs_pkg::Grid) ? GridW'(pipegs_pkg::Grid - 1) : sum_q[WorldW +: GridW];
+      end
     end
-  end
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      bits_left_q <= '0;
-      ready_q     <= 1'b1;
-    end else begin
-      if (start_i) bits_left_q <= BitsW'(FocalW);
-      else if (bits_left_q != '0) bits_left_q <= bits_left_q - 1'b1;
-      if (start_i) ready_q <= 1'b0;
-      else if (bits_left_q == '0) ready_q <= 1'b1;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) begin
+        bits_left_q <= '0;
+        ready_q     <= 1'b1;
+      end else begin
+        if (start_i) bits_left_q <= BitsW'(FocalW);
+        else if (bits_left_q != '0) bits_left_q <= bits_left_q - 1'b1;
+        if (start_i) ready_q <= 1'b0;
+        else if (bits_left_q == '0) ready_q <= 1'b1;
+      end
     end
-  end
-  assign ready_o = ready_q;
+    assign ready_o = ready_q;
 
-  // --- walk and three-way multiplexer ----------------------------------------------------------------------------
-  logic signed [GridW+1:0] camera_slab, distance, slab;
-  logic [GridW-1:0]        first, second;
+    // --- walk and three-way multiplexer ----------------------------------------------------------------------------
+    logic signed [GridW+1:0] camera_slab, distance, slab;
+    logic [GridW-1:0]        first, second;
 
-  assign camera_slab = (GridW+2)'(slab_q);
-  assign distance    = (GridW+2)'((step_i + 1'b1) >> 1);  // (s+1)/2; for an even step the same as s/2
-  assign slab        = step_i[0] ? camera_slab + distance : camera_slab - distance;
-  assign inside_o    = slab >= 0 && slab < (GridW+2)'(pipegs_pkg::Grid);
-  assign {second, first} = number_i;
+    assign camera_slab = (GridW+2)'(slab_q);
+    assign distance    = (GridW+2)'((step_i + 1'b1) >> 1);  // (s+1)/2; for an even step the same as s/2
+    assign slab        = step_i[0] ? camera_slab + distance : camera_slab - distance;
+    assign inside_o    = slab >= 0 && slab < (GridW+2)'(pipegs_pkg::Grid);
+    assign {second, first} = number_i;
 
-  always_comb begin
-    case (axis_i)
-      2'd0: cell_o = {second, first, slab[GridW-1:0]};
-      2'd1: cell_o = {second, slab[GridW-1:0], first};
-      default: cell_o = {slab[GridW-1:0], second, first};
-    endcase
+    always_comb begin
+      case (axis_i)
+        2'd0: cell_o = {second, first, slab[GridW-1:0]};
+        2'd1: cell_o = {second, slab[GridW-1:0], first};
+        default: cell_o = {slab[GridW-1:0], second, first};
+      endcase
+    end
+  end else begin : gen_table
+    assign ready_o  = 1'b1;
+    assign inside_o = step_i < (GridW+1)'(pipegs_pkg::Grid);
+    assign cell_o   = {step_i[GridW-1:0], number_i};
+    logic unused_inputs;
+    assign unused_inputs = &{1'b0, clk_i, rst_ni, start_i, axis_i, frame_i, step_i};
   end
 
 endmodule

@@ -3,7 +3,7 @@
 // Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
 // Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a row
 //         if the lines of their own layer leave room for them, waiting until the older layer's lines are free; otherwise
-//         they take lines of the overflow area in memory. So where a line lies depends on the stream only, not on timing.
+//         they take lines of the overflow area in memory (Overflow 0: there is always room). So where a line lies depends on the stream only, not on timing.
 // Stream  tiles in; row_job and color_job out (each taken by itself), or nothing when no region is left. Ends pass.
 //         At most two layers live: behind an end, beats of the next layer but one wait for layer_free_i.
 // Pace    One Gaussian per four cycles (take, count, decide, offer).
@@ -83,7 +83,7 @@ module pu_allocate #(
 
   // A data beat in StateDecide implies that at most one layer has ended.
   assign current     = ended_q == '0 ? oldest_q : newest_q;
-  assign fits        = SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
+  assign fits        = pipegs_pkg::Overflow == 0 || SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
   assign room        = SumW'(oldest_q) + SumW'(newest_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
   assign decided     = state_q == StateDecide && (room || !fits);
   assign local_lines = decided && fits;
@@ -185,7 +185,7 @@ module pu_allocate #(
     row_job_o.index   = pipegs_pkg::TapIndexW'(tiles_q.index);
     color_job_o.kind    = tiles_q.kind;
     color_job_o.depth   = tiles_q.depth;
-    color_job_o.index   = tiles_q.index;
+    color_job_o.index   = pipegs_pkg::SplatIndexW'(tiles_q.index);
     color_job_o.slot    = tiles_q.slot;
     color_job_o.mask    = tiles_q.mask;
     color_job_o.address = address_q;
@@ -206,6 +206,9 @@ module pu_allocate #(
   assert property (@(posedge clk_i) disable iff (!rst_ni)
                    overflow_q <= ~AlphaAddressW'(0) - AlphaAddressW'(2 * Regions))
     else $error("the overflow area of a layer is full");
+  assert property (@(posedge clk_i) disable iff (!rst_ni) pipegs_pkg::Overflow == 0 && state_q == StateDecide
+                   |-> SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
+    else $error("pu_allocate: the alphas of a layer do not fit, and Overflow is 0");
 `endif
 
 endmodule

@@ -214,7 +214,7 @@ module pu_color_sum (
 
     always_comb begin
       color = value[ColorW-1:0];
-      if (value[TotalW-1:ColorW] != '0) color = '1;
+      if (pipegs_pkg::Saturation != 0 && value[TotalW-1:ColorW] != '0) color = '1;
       if (value[TotalW-1] || !data_q) color = '0;
     end
     assign colors[c*ColorW +: ColorW] = color;

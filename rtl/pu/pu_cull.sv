@@ -1,7 +1,7 @@
 // pu_cull: moves a Gaussian into view space and drops it when it is behind the near plane or cannot reach the window.
 //
 // Paper   Sec. 4.2, frustum culling of the preprocessing.
-// Idea    view = origin + W offset; keep iff z > near and fx x - a z + reach s >= 0 and the same on the three other
+// Idea    view = origin + W offset; keep iff z > near (unless NearTest is 0) and fx x - a z + reach s >= 0 and the same on the three other
 //         sides. x, z, s are cut to 17 bits with a common exponent, always to the side that keeps (see the model).
 //         Stages:
 //           1 nine products   2 sums       3 shift to view units   4 view; edges   5 near plane; common exponent
@@ -195,9 +195,8 @@ module pu_cull (
     // -ceil(center) = floor(-center).
     edge_of = first + EdgeW'((-wide) >>> CenterCut);
   endfunction
-  logic [WorldW-1:0]          near4_q;
   logic signed [EdgeW-1:0]    edge_x5_q, edge_y5_q, edge_x6_q, edge_y6_q, edge_x7_q, edge_y7_q;
-  logic                       front5_q, front6_q, front7_q;
+  logic                       front7;
   logic signed [ViewW-1:0]    x5_q, y5_q, z5_q, sizes, normal;
   logic [ViewW-1:0]           s5_q;
   logic [CutShiftW-1:0]       shift, cut5_q;
@@ -210,13 +209,27 @@ module pu_cull (
   always_ff @(posedge clk_i) begin
     if (advance) begin
       {x4_q, y4_q, z4_q} <= {x4, y4, z4};
-      near4_q   <= frame_i.near_plane >> ride3.view_exp;
       {x5_q, y5_q, z5_q, s5_q, huge5_q} <= {x4_q, y4_q, z4_q, s4_q, huge4_q};
       cut5_q    <= shift < NoCut ? NoCut - shift : '0;
-      front5_q  <= !z4_q[ViewW-1] && WorldW'($unsigned(z4_q)) > near4_q;
       edge_x5_q <= edge_of(ride4.window_x, frame_i.center_x);
       edge_y5_q <= edge_of(ride4.window_y, frame_i.center_y);
     end
+  end
+
+  if (pipegs_pkg::NearTest != 0) begin : gen_near
+    logic [WorldW-1:0] near4_q;
+    logic              front5_q, front6_q, front7_q;
+    always_ff @(posedge clk_i) begin
+      if (advance) begin
+        near4_q  <= frame_i.near_plane >> ride3.view_exp;
+        front5_q <= !z4_q[ViewW-1] && WorldW'($unsigned(z4_q)) > near4_q;
+        front6_q <= front5_q;
+        front7_q <= front6_q;
+      end
+    end
+    assign front7 = front7_q;
+  end else begin : gen_no_near
+    assign front7 = 1'b1;
   end
 
   // --- stages 6 and 7: cut, products -------------------------------------------------------------------------------
@@ -236,13 +249,13 @@ module pu_cull (
   assign reach_y = SmallW'(frame_i.reach_y[ReachW-1:Coarse]) + SmallW'(frame_i.reach_y[Coarse-1:0] != '0);
   always_ff @(posedge clk_i) begin
     if (advance) begin
-      {x6_q, y6_q, z6_q, huge6_q, front6_q} <= {x5_q, y5_q, z5_q, huge5_q, front5_q};
+      {x6_q, y6_q, z6_q, huge6_q} <= {x5_q, y5_q, z5_q, huge5_q};
       {edge_x6_q, edge_y6_q} <= {edge_x5_q, edge_y5_q};
       cx6_q <= (CutW + 1)'(x5_q >>> cut5_q);
       cy6_q <= (CutW + 1)'(y5_q >>> cut5_q);
       cz6_q <= (CutW + 1)'(z5_q >>> cut5_q);
       cs6_q <= (CutW + 1)'(s5_q >> cut5_q) + (CutW + 1)'(1);
-      {x7_q, y7_q, z7_q, huge7_q, front7_q} <= {x6_q, y6_q, z6_q, huge6_q, front6_q};
+      {x7_q, y7_q, z7_q, huge7_q} <= {x6_q, y6_q, z6_q, huge6_q};
       {edge_x7_q, edge_y7_q} <= {edge_x6_q, edge_y6_q};
       cz7_q <= cz6_q;
       fx7_q <= $signed(SideW'(frame_i.focal_x)) * SideW'(cx6_q);
@@ -297,7 +310,7 @@ module pu_cull (
   end
   assign touch_x = touches(fx7_q, ax7_q, bx7, rx7_q <<< Coarse, $signed(SideW'(frame_i.focal_x)), SideW'(edge_x7_q), last_x7);
   assign touch_y = touches(fy7_q, ay7_q, by7, ry7_q <<< Coarse, $signed(SideW'(frame_i.focal_y)), SideW'(edge_y7_q), last_y7);
-  assign keep    = ride7.kind != '0 || (front7_q && (huge7_q || (touch_x && touch_y)));
+  assign keep    = ride7.kind != '0 || (front7 && (huge7_q || (touch_x && touch_y)));
 
   pipegs_pkg::visible_t out_q;
   assign visible_o = out_q;
@@ -313,5 +326,10 @@ module pu_cull (
 
   // Only the camera is used of the frame; of the normalised sizes only the shift.
   wire unused_bits = &{1'b0, frame_i, normal, ride2, ride3, ride4, ride1, s4_q[ViewW-1], size3[HighW-1:ViewW]};
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) pipegs_pkg::NearTest == 0 && out_valid_q && out_q.kind == '0 |-> out_q.view_z > 0)
+    else $error("pu_cull: a Gaussian behind the camera, and NearTest is 0");
+`endif
 
 endmodule

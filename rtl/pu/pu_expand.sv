@@ -110,7 +110,7 @@ module pu_expand #(
     color_job_o       = '0;
     color_job_o.kind  = conic_i.kind;
     color_job_o.depth = conic_i.depth;
-    color_job_o.index = conic_i.index;
+    color_job_o.index = pipegs_pkg::SplatIndexW'(conic_i.index);
     color_job_o.slot  = conic_i.slot;
     color_job_o.dir_x = conic_i.dir_x;
     color_job_o.dir_y = conic_i.dir_y;
@@ -177,7 +177,7 @@ module pu_expand #(
       placed.mean_x = MeanW'(placed_x);
       placed.mean_y = MeanW'(placed_y);
       placed.depth  = colored_i.depth;
-      placed.index  = colored_i.index;
+      placed.index  = pipegs_pkg::IndexW'(colored_i.index);
       placed.dir_x  = $signed(pipegs_pkg::DirectionW'(colored_i.red));
       placed.dir_y  = $signed(pipegs_pkg::DirectionW'(colored_i.green));
       placed.dir_z  = $signed(pipegs_pkg::DirectionW'(colored_i.blue));

@@ -100,7 +100,7 @@ module pu_late #(
   always_comb begin
     job.kind    = tiles_q.kind;
     job.depth   = tiles_q.depth;
-    job.index   = tiles_q.index;
+    job.index   = pipegs_pkg::SplatIndexW'(tiles_q.index);
     job.slot    = tiles_q.slot;
     job.mask    = tiles_q.mask;
     job.address = '0;

@@ -108,7 +108,7 @@ module pu_lines #(
     row_job_o.index   = pipegs_pkg::TapIndexW'(tiles_q.index);
     splat_o.kind      = tiles_q.kind;
     splat_o.depth     = tiles_q.depth;
-    splat_o.index     = tiles_q.index;
+    splat_o.index     = pipegs_pkg::SplatIndexW'(tiles_q.index);
     splat_o.mask      = tiles_q.mask;
     splat_o.address   = {unit_i, lines_q};
     splat_o.ext       = 1'b1;

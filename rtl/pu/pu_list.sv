@@ -119,7 +119,7 @@ module pu_list #(
     always_comb begin
       splat_o.kind  = tiles_i.kind;
       splat_o.depth = tiles_i.depth;
-      splat_o.index = tiles_i.index;
+      splat_o.index = pipegs_pkg::SplatIndexW'(tiles_i.index);
       splat_o.mask  = tiles_i.mask;
       splat_o.red   = tiles_i.dir_x[ColorW-1:0];
       splat_o.green = tiles_i.dir_y[ColorW-1:0];

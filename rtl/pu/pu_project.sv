@@ -133,15 +133,19 @@ module pu_project (
 
   // --- tangents: cycles 8 and 9 ------------------------------------------------------------------------------------
   localparam int unsigned WideW = ViewW + TanF + 1;  // a ratio with TanF and one more fraction bits
-  logic signed [WideW-1:0] tan_down, tan_rounded, bound;
+  logic signed [WideW-1:0] tan_down, tan_rounded;
   logic signed [TanW-1:0]  tan;
-  logic        [TanW-1:0]  limit;
-  assign limit = cycle8 ? frame_i.limit_x : frame_i.limit_y;
-  always_comb begin
-    tan_down    = $signed({cycle8 ? x_ratio_q : y_ratio_q, {(TanF + 1){1'b0}}}) >>> (cycle8 ? x_down_q : y_down_q);
-    tan_rounded = (tan_down + WideW'(1)) >>> 1;
-    bound       = $signed(WideW'(limit));
-    tan         = tan_rounded > bound ? TanW'(bound) : tan_rounded < -bound ? TanW'(-bound) : TanW'(tan_rounded);
+  assign tan_down    = $signed({cycle8 ? x_ratio_q : y_ratio_q, {(TanF + 1){1'b0}}}) >>> (cycle8 ? x_down_q : y_down_q);
+  assign tan_rounded = (tan_down + WideW'(1)) >>> 1;
+  if (pipegs_pkg::GuardBand != 0) begin : gen_guard
+    logic signed [WideW-1:0] bound;
+    logic        [TanW-1:0]  limit;
+    assign limit = cycle8 ? frame_i.limit_x : frame_i.limit_y;
+    assign bound = $signed(WideW'(limit));
+    assign tan   = tan_rounded > bound ? TanW'(bound) : tan_rounded < -bound ? TanW'(-bound) : TanW'(tan_rounded);
+  end else begin : gen_format
+    assign tan = tan_rounded[WideW-1:TanW-1] == {(WideW - TanW + 1){tan_rounded[WideW-1]}} ? tan_rounded[TanW-1:0] :
+                 {tan_rounded[WideW-1], {(TanW - 1){!tan_rounded[WideW-1]}}};
   end
 
   // --- means: shifted in cycles 9 and 10, rounded, moved to the window and saturated in 10 and 11 ------------------

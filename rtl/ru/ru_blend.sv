@@ -2,10 +2,11 @@
 //
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w, so T plus the sum of all weights stays 1.
-//         INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is not blended.
+//         INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is not blended
+//         (EarlyStop 0: never; done says only that the pixel lies outside the image).
 // Stream  cycle 0 (enable_1_i): alpha code, T and done. cycle 1 (enable_2_i): colour. cycle 2: accumulated colour in,
 //         new T, done and colour out. T u1.(TW-1), alpha u0.AlphaW, colour u2.(ColorW-2), accumulated u2.(RgbW-2).
-// Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top.
+// Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (wraps if Saturation is 0).
 // Pace    One pixel per cycle; one multiplication per stage. Registers hold while their enable is low.
 // Model   cpp_model/ru/ru_blend.hpp
 
@@ -47,7 +48,7 @@ module ru_blend (
   function automatic logic [RgbW-1:0] added(input logic [RgbW-1:0] sum, input logic [AddW-1:0] add);
     logic [AddW:0] total;
     total = (AddW + 1)'(sum) + (AddW + 1)'(add);
-    added = total[AddW:RgbW] != '0 ? '1 : total[RgbW-1:0];
+    added = pipegs_pkg::Saturation != 0 && total[AddW:RgbW] != '0 ? '1 : total[RgbW-1:0];
   endfunction
 
   logic [TW-1:0]   weight_1_q, t_1_q, t_2_q;
@@ -57,7 +58,7 @@ module ru_blend (
   logic            hold;  // the pixel was done, or is now
 
   assign remain = t_1_q - weight_1_q;
-  assign hold   = done_1_q || remain < TW'(pipegs_pkg::TStop);
+  assign hold   = done_1_q || (pipegs_pkg::EarlyStop != 0 && remain < TW'(pipegs_pkg::TStop));
 
   always_ff @(posedge clk_i) begin
     if (enable_1_i) begin

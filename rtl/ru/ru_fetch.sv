@@ -3,7 +3,7 @@
 // Paper   Sec. 4, "precompute and cache the alphas"; the overflow area is what makes a full cache cost time, not
 //         pixels.
 // Idea    Lines are asked for in order as long as there is room for the answers: local lines come one cycle after the
-//         store took the request, external ones after any time, up to FetchLines in flight. A queue of records
+//         store took the request, external ones after any time, up to FetchLines in flight (Overflow 0: there are none). A queue of records
 //         remembers where each next line comes from, so lines leave in the order of the records.
 // Stream  fetch_t in; blend_t with its line beside it out. End beats pass in order; each toggles the layer's parity.
 // Pace    One region per cycle while lines come as fast.
@@ -54,24 +54,24 @@ module ru_fetch (
   localparam int unsigned Records = FetchLines + 2 * LocalLines;
   localparam int unsigned RecordsW = $clog2(Records + 1);
 
-  logic                 parity_q;         // of the layer
+  // With lists all alphas come from memory.
+  localparam bit Outside = pipegs_pkg::Overflow != 0 || pipegs_pkg::Order == 1;
+
   logic                 asked_q;          // a local line was asked for in the cycle before
-  logic [FetchW-1:0]    external_q;       // external lines asked for and not yet blended
-  logic                 is_data, local_want, external_want, external_last, fire;
+  logic                 is_data, ext, local_want, external_want, external_last, fire;
   logic                 record_ready, record_valid, pop;
   logic [LocalW-1:0]    local_count;
-  logic                 local_valid, external_valid, external_push, line_valid;
-  logic [AddressW-1:0]  area;
-  logic [LineW-1:0]     local_in, local_line, external_in, external_line;
+  logic                 local_valid, external_valid, line_valid, head_ext;
+  logic [LineW-1:0]     local_in, local_line, external_line;
   logic [RecordsW-1:0]  record_count;
-  logic                 local_ready, external_ready;
-  logic [FetchW-1:0]    external_count;
+  logic                 local_ready;
   pipegs_pkg::blend_t   record, head;
 
   assign is_data       = in_i.kind == pipegs_pkg::KindData;
-  assign local_want    = in_valid_i && is_data && !in_i.ext && record_ready &&
+  assign ext           = Outside && in_i.ext;
+  assign head_ext      = Outside && head.ext;
+  assign local_want    = in_valid_i && is_data && !ext && record_ready &&
                          local_count + LocalW'(asked_q) < LocalW'(LocalLines);
-  assign external_want = in_valid_i && is_data && in_i.ext && record_ready && external_q != FetchW'(FetchLines);
   assign fire          = (local_want && read_ready_i[in_i.unit[UnitIndexW-1:0]]) ||
                          (external_want && mem_ready_i && external_last) || (in_valid_i && !is_data && record_ready);
   assign in_ready_o    = fire;
@@ -81,41 +81,6 @@ module ru_fetch (
     read_valid_o[in_i.unit[UnitIndexW-1:0]] = local_want;
   end
   assign read_address_o = in_i.address;
-
-  // The overflow area of this unit and parity, area 0; with lists the area of all alphas. A line of two parts takes two
-  // memory lines.
-  assign area        = overflow_i + (pipegs_pkg::Order == 1 ? AddressW'(1) << pipegs_pkg::AlphaAreaW
-                                                            : AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift);
-  assign mem_valid_o = external_want;
-  if (Parts == 1) begin : gen_one_part
-    assign external_last = 1'b1;
-    assign mem_address_o = area + AddressW'(in_i.address);
-    assign external_push = rsp_valid_i;
-    assign external_in   = rsp_data_i[LineW-1:0];
-    if (LineW < MemoryW) begin : gen_unused
-      logic unused_rsp;
-      assign unused_rsp = &{1'b0, rsp_data_i[MemoryW-1:LineW]};
-    end
-  end else begin : gen_two_parts
-    logic               ask_part_q, rsp_part_q;
-    logic [MemoryW-1:0] first_q;  // the part that came first
-    assign external_last = ask_part_q;
-    assign mem_address_o = area + AddressW'({in_i.address, ask_part_q});
-    assign external_push = rsp_valid_i && rsp_part_q;
-    assign external_in   = {rsp_data_i[LineW-MemoryW-1:0], first_q};
-    always_ff @(posedge clk_i or negedge rst_ni) begin
-      if (!rst_ni) begin
-        ask_part_q <= 1'b0;
-        rsp_part_q <= 1'b0;
-      end else begin
-        if (mem_valid_o && mem_ready_i) ask_part_q <= !ask_part_q;
-        if (rsp_valid_i) rsp_part_q <= !rsp_part_q;
-      end
-    end
-    always_ff @(posedge clk_i) if (rsp_valid_i && !rsp_part_q) first_q <= rsp_data_i;
-    logic unused_rsp;
-    assign unused_rsp = &{1'b0, rsp_data_i[MemoryW-1:LineW-MemoryW]};
-  end
 
   // Lines and records wait for each other.
   always_comb begin
@@ -130,25 +95,19 @@ module ru_fetch (
     record.index  = in_i.index;
   end
 
-  assign line_valid  = head.ext ? external_valid : local_valid;
+  assign line_valid  = head_ext ? external_valid : local_valid;
   assign out_o       = head;
-  assign out_line_o  = head.ext ? external_line : local_line;
+  assign out_line_o  = head_ext ? external_line : local_line;
   assign out_valid_o = record_valid && (head.kind != pipegs_pkg::KindData || line_valid);
   assign pop         = out_valid_o && out_ready_i && head.kind == pipegs_pkg::KindData;
-  assign memory_o    = record_valid && head.kind == pipegs_pkg::KindData && head.ext && !external_valid;
+  assign memory_o    = record_valid && head.kind == pipegs_pkg::KindData && head_ext && !external_valid;
   assign idle_o      = record_count == '0;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      parity_q   <= 1'b0;
-      asked_q    <= 1'b0;
-      external_q <= '0;
+      asked_q <= 1'b0;
     end else begin
-      if (restart_i) parity_q <= 1'b0;
-      else if (fire && !is_data) parity_q <= !parity_q;
-      asked_q <= fire && is_data && !in_i.ext;
-      if (fire && is_data && in_i.ext && !(pop && head.ext)) external_q <= external_q + 1'b1;
-      if (pop && head.ext && !(fire && is_data && in_i.ext)) external_q <= external_q - 1'b1;
+      asked_q <= fire && is_data && !ext;
     end
   end
 
@@ -159,24 +118,94 @@ module ru_fetch (
 
   fifo #(.DataW(LineW), .Depth(LocalLines)) u_local (
     .clk_i, .rst_ni, .in_valid_i(answer_valid_i != '0), .in_ready_o(local_ready), .in_i(local_in),
-    .out_valid_o(local_valid), .out_ready_i(pop && !head.ext), .out_o(local_line), .count_o(local_count)
+    .out_valid_o(local_valid), .out_ready_i(pop && !head_ext), .out_o(local_line), .count_o(local_count)
   );
 
-  sram_fifo #(.DataW(LineW), .Depth(FetchLines)) u_external (
-    .clk_i, .rst_ni, .in_valid_i(external_push), .in_ready_o(external_ready), .in_i(external_in),
-    .out_valid_o(external_valid), .out_ready_i(pop && head.ext), .out_o(external_line), .count_o(external_count)
-  );
+  // --- lines from memory -----------------------------------------------------------------------------------------------
+  if (Outside) begin : gen_outside
+    logic                parity_q;    // of the layer
+    logic [FetchW-1:0]   external_q;  // external lines asked for and not yet blended
+    logic                external_push, external_ready;
+    logic [AddressW-1:0] area;
+    logic [LineW-1:0]    external_in;
+    logic [FetchW-1:0]   external_count;
+
+    // The overflow area of this unit and parity, area 0; with lists the area of all alphas. A line of two parts takes two
+    // memory lines.
+    assign area        = overflow_i + (pipegs_pkg::Order == 1 ? AddressW'(1) << pipegs_pkg::AlphaAreaW
+                                                              : AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift);
+    assign external_want = in_valid_i && is_data && ext && record_ready && external_q != FetchW'(FetchLines);
+    assign mem_valid_o   = external_want;
+    if (Parts == 1) begin : gen_one_part
+      assign external_last = 1'b1;
+      assign mem_address_o = area + AddressW'(in_i.address);
+      assign external_push = rsp_valid_i;
+      assign external_in   = rsp_data_i[LineW-1:0];
+      if (LineW < MemoryW) begin : gen_unused
+        logic unused_rsp;
+        assign unused_rsp = &{1'b0, rsp_data_i[MemoryW-1:LineW]};
+      end
+    end else begin : gen_two_parts
+      logic               ask_part_q, rsp_part_q;
+      logic [MemoryW-1:0] first_q;  // the part that came first
+      assign external_last = ask_part_q;
+      assign mem_address_o = area + AddressW'({in_i.address, ask_part_q});
+      assign external_push = rsp_valid_i && rsp_part_q;
+      assign external_in   = {rsp_data_i[LineW-MemoryW-1:0], first_q};
+      always_ff @(posedge clk_i or negedge rst_ni) begin
+        if (!rst_ni) begin
+          ask_part_q <= 1'b0;
+          rsp_part_q <= 1'b0;
+        end else begin
+          if (mem_valid_o && mem_ready_i) ask_part_q <= !ask_part_q;
+          if (rsp_valid_i) rsp_part_q <= !rsp_part_q;
+        end
+      end
+      always_ff @(posedge clk_i) if (rsp_valid_i && !rsp_part_q) first_q <= rsp_data_i;
+      logic unused_rsp;
+      assign unused_rsp = &{1'b0, rsp_data_i[MemoryW-1:LineW-MemoryW]};
+    end
+
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) begin
+        parity_q   <= 1'b0;
+        external_q <= '0;
+      end else begin
+        if (restart_i) parity_q <= 1'b0;
+        else if (fire && !is_data) parity_q <= !parity_q;
+        if (fire && is_data && ext && !(pop && head_ext)) external_q <= external_q + 1'b1;
+        if (pop && head_ext && !(fire && is_data && ext)) external_q <= external_q - 1'b1;
+      end
+    end
+
+    sram_fifo #(.DataW(LineW), .Depth(FetchLines)) u_external (
+      .clk_i, .rst_ni, .in_valid_i(external_push), .in_ready_o(external_ready), .in_i(external_in),
+      .out_valid_o(external_valid), .out_ready_i(pop && head_ext), .out_o(external_line), .count_o(external_count)
+    );
+
+    logic unused_count;
+    assign unused_count = &{1'b0, external_ready, external_count};
+`ifndef SYNTHESIS
+    assert property (@(posedge clk_i) disable iff (!rst_ni) external_push |-> external_ready)
+      else $error("ru_fetch: no room for a line from memory");
+`endif
+  end else begin : gen_inside
+    assign {external_want, external_valid, mem_valid_o} = '0;
+    assign external_last = 1'b1;
+    assign external_line = '0;
+    assign mem_address_o = '0;
+    logic unused_memory;
+    assign unused_memory = &{1'b0, restart_i, overflow_i, rsp_valid_i, rsp_data_i};
+  end
 
   logic unused_ready;
-  assign unused_ready = &{1'b0, local_ready, external_ready, external_count};
+  assign unused_ready = local_ready;
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) answer_valid_i != '0 |-> local_ready && asked_q)
     else $error("ru_fetch: a line that was not asked for");
   assert property (@(posedge clk_i) disable iff (!rst_ni) asked_q |-> answer_valid_i != '0)
     else $error("ru_fetch: an alpha store did not answer in the next cycle");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) external_push |-> external_ready)
-    else $error("ru_fetch: no room for a line from memory");
 `endif
 
 endmodule

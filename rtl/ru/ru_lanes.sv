@@ -69,9 +69,7 @@ module ru_lanes #(
   logic [3*ColorW-1:0]      color_1_q, color_2_q;
   logic [Lanes-1:0]         outside_1_q;
   logic [Lanes*ColorsW-1:0] rgb_2_q, rgb_3_q;
-  logic [pipegs_pkg::Regions-1:0] done_q;
-  logic                     all_q;       // all quarters of this region so far are done
-  logic                     is_data, ended, all_done;
+  logic                     is_data, ended;
   logic [RegionW-1:0]       slot;
   logic [Lanes-1:0]         outside;
 
@@ -104,14 +102,11 @@ module ru_lanes #(
       valid_2_q <= 1'b0;
       valid_3_q <= 1'b0;
       quarter_q <= '0;
-      done_q    <= '0;
     end else begin
       valid_1_q <= issue_o;
       valid_2_q <= valid_1_q;
       valid_3_q <= valid_2_q;
       if (issue_o) quarter_q <= quarter_q + 1'b1;
-      if (restart_i || window_done_o) done_q <= '0;
-      else if (valid_3_q && quarter_3_q == 2'd3 && all_done) done_q[region_3_q] <= 1'b1;
     end
   end
 
@@ -137,7 +132,6 @@ module ru_lanes #(
       address_3_q <= address_2_q;
       rgb_3_q     <= rgb_2_q;
     end
-    if (valid_3_q) all_q <= all_done;
   end
 
   // Cycles 1 to 3: the Rendering Units.
@@ -159,10 +153,25 @@ module ru_lanes #(
     );
   end
 
-  assign all_done      = (quarter_3_q == 2'd0 || all_q) && wdata_o[DoneLow +: Lanes] == '1;
+  if (pipegs_pkg::EarlyStop != 0) begin : gen_done
+    logic [pipegs_pkg::Regions-1:0] done_q;
+    logic                           all_q, all_done;  // all quarters of this region so far are done
+    assign all_done = (quarter_3_q == 2'd0 || all_q) && wdata_o[DoneLow +: Lanes] == '1;
+    assign done_o   = done_q;
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) done_q <= '0;
+      else if (restart_i || window_done_o) done_q <= '0;
+      else if (valid_3_q && quarter_3_q == 2'd3 && all_done) done_q[region_3_q] <= 1'b1;
+    end
+    always_ff @(posedge clk_i) if (valid_3_q) all_q <= all_done;
+  end else begin : gen_open
+    assign done_o = '0;
+    logic unused_restart;
+    assign unused_restart = restart_i;
+  end
+
   assign write_o       = valid_3_q;
   assign waddr_o       = address_3_q;
-  assign done_o        = done_q;
   assign tap_region_o  = region_3_q;
   assign tap_quarter_o = quarter_3_q;
 

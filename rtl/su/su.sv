@@ -4,7 +4,8 @@
 // Idea    One pool of slots. su_collect gives a record a slot and puts it into its bucket of depth; an end releases the
 //         buckets before it (su_buckets), nearest first, as chains: chain -> su_split -> su_bitonic -> su_emit, which
 //         frees the slots one by one. Ends walk along in the same queues, so many layers live at once. A set that
-//         alone fills the pool goes to external memory (su_spill) and through the same path store by store (su_select).
+//         alone fills the pool goes to external memory (su_spill) and through the same path store by store (su_select);
+//         with Overflow 0 there is no such set.
 //         Here: wiring and the stores.
 // Stream  in: splats in any order, then an end beat. out: the same splats by {depth, index}, then the end beat. A layer's end
 //         when Order is 2 is a watermark: no later splat of the window is nearer than its depth; it comes out behind
@@ -49,7 +50,7 @@ module su (
   localparam int unsigned NumberW = pipegs_pkg::SlotW;
   localparam int unsigned BucketW = pipegs_pkg::BucketW;
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits;
-  localparam int unsigned PayloadAt = KindW + KeyW;
+  localparam int unsigned PayloadAt = KindW + KeyW;  // without IndexTies the index is of the payload
   localparam int unsigned PayloadW = SplatBits - PayloadAt;
   localparam int unsigned Chains = 64;  // released chains and ends that wait for the splitter
   localparam int unsigned Marks = pipegs_pkg::Order == 2 ? 64 : 4;  // of two windows; of two layers
@@ -62,6 +63,7 @@ module su (
   // --- what comes in -------------------------------------------------------------------------------------------------
   logic [SplatBits-1:0] in_bits;
   logic [BucketW-1:0]   in_bucket;
+  logic [KeyW-1:0]      in_key;
   logic                 slot_valid, write, full, empty, slots_active, free;
   logic [SlotW-1:0]     slot, free_slot;
   logic                 insert_valid, insert_ready, set, record_valid, record_ready, mark_push, mark_room, mark_all, mark_spills;
@@ -69,6 +71,7 @@ module su (
 
   assign in_bits   = in_i;
   assign in_bucket = in_i.depth[DepthW-1 -: BucketW];
+  assign in_key    = KeyW'({in_i.depth, in_i.index} >> (DepthW + pipegs_pkg::SplatIndexW - KeyW));
 
   su_slots u_slots (
     .clk_i, .rst_ni, .slot_valid_o(slot_valid), .slot_ready_i(write), .slot_o(slot),
@@ -138,7 +141,7 @@ module su (
   sram #(.DataW(KeyW), .Depth(pipegs_pkg::Records)) u_keys (
     .clk_i,
     .write_i(select_write || write), .waddr_i(select_write ? select_slot : slot),
-    .wdata_i(select_write ? select_key : {in_i.depth, in_i.index}),
+    .wdata_i(select_write ? select_key : in_key),
     .read_i(split_read), .raddr_i(split_slot), .rdata_o(stored_key)
   );
   // The splitter never waits for a link. Selected keys are a chain from the last slot to the first; nobody else is there then.
@@ -202,26 +205,52 @@ module su (
   logic [NumberW-1:0] select_line, emit_line, select_number;
   logic               emit_valid, emit_ready, emit_is_end, emit_empty, emit_active, port_active, port_waits;
 
-  su_spill u_spill (
-    .clk_i, .rst_ni, .start_i(spill_start), .drained_i(drained), .ended_i(ended), .job_valid_o(spill_job), .job_done_i(job_done),
-    .divert_o(divert), .selecting_o(selecting), .select_start_o(select_start), .done_i(spill_done),
-    .in_valid_i(record_valid), .in_ready_o(record_ready), .in_i(in_bits),
-    .back_valid_i(back_valid), .back_ready_o(back_ready), .back_i(back),
-    .count_o(spill_count), .min_o(spill_min), .max_o(spill_max),
-    .record_valid_o(line_record_valid), .record_ready_i(line_record_ready), .record_line_o(record_line), .record_o(line_record),
-    .keys_valid_o(keys_valid), .keys_ready_i(keys_ready), .keys_line_o(keys_line), .keys_o(keys), .active_o(spill_active)
-  );
   assign drained = !mark_waits && (marks == '0 || mark_valid) && chains == '0 && split_idle && bitonic_idle && emit_empty;
 
-  su_select u_select (
-    .clk_i, .rst_ni, .start_i(select_start), .count_i(spill_count), .min_i(spill_min), .max_i(spill_max),
-    .idle_o(select_idle), .active_o(select_active),
-    .read_valid_o(select_read), .read_ready_i(read_ready && select_read), .read_line_o(select_line),
-    .line_valid_i(line_valid && select_turn), .line_ready_o(select_line_ready), .line_i(line),
-    .write_o(select_write), .write_slot_o(select_slot), .write_key_o(select_key), .write_number_o(select_number),
-    .group_o(group), .group_count_o(group_count), .group_min_o(group_min), .group_max_o(group_max),
-    .group_done_i(split_idle && bitonic_idle)
-  );
+  if (pipegs_pkg::Overflow != 0) begin : gen_overflow
+    su_spill u_spill (
+      .clk_i, .rst_ni, .start_i(spill_start), .drained_i(drained), .ended_i(ended), .job_valid_o(spill_job), .job_done_i(job_done),
+      .divert_o(divert), .selecting_o(selecting), .select_start_o(select_start), .done_i(spill_done),
+      .in_valid_i(record_valid), .in_ready_o(record_ready), .in_i(in_bits),
+      .back_valid_i(back_valid), .back_ready_o(back_ready), .back_i(back),
+      .count_o(spill_count), .min_o(spill_min), .max_o(spill_max),
+      .record_valid_o(line_record_valid), .record_ready_i(line_record_ready), .record_line_o(record_line), .record_o(line_record),
+      .keys_valid_o(keys_valid), .keys_ready_i(keys_ready), .keys_line_o(keys_line), .keys_o(keys), .active_o(spill_active)
+    );
+
+    su_select u_select (
+      .clk_i, .rst_ni, .start_i(select_start), .count_i(spill_count), .min_i(spill_min), .max_i(spill_max),
+      .idle_o(select_idle), .active_o(select_active),
+      .read_valid_o(select_read), .read_ready_i(read_ready && select_read), .read_line_o(select_line),
+      .line_valid_i(line_valid && select_turn), .line_ready_o(select_line_ready), .line_i(line),
+      .write_o(select_write), .write_slot_o(select_slot), .write_key_o(select_key), .write_number_o(select_number),
+      .group_o(group), .group_count_o(group_count), .group_min_o(group_min), .group_max_o(group_max),
+      .group_done_i(split_idle && bitonic_idle)
+    );
+
+    su_port u_port (
+      .clk_i, .rst_ni, .overflow_i(frame_i.overflow), .unit_i,
+      .record_valid_i(line_record_valid), .record_ready_o(line_record_ready), .record_line_i(record_line), .record_i(line_record),
+      .keys_valid_i(keys_valid), .keys_ready_o(keys_ready), .keys_line_i(keys_line), .keys_i(keys),
+      .read_valid_i(select_read || emit_read), .read_ready_o(read_ready), .read_keys_i(select_read),
+      .read_line_i(select_read ? select_line : emit_line),
+      .line_valid_o(line_valid), .line_ready_i(select_turn ? select_line_ready : emit_line_ready), .line_o(line),
+      .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o, .rsp_valid_i, .rsp_data_i,
+      .overflow_o, .waits_o(port_waits), .active_o(port_active)
+    );
+  end else begin : gen_room
+    assign {spill_job, divert, selecting, select_start, record_ready, back_ready, spill_active} = '0;
+    assign {spill_count, spill_min, spill_max, record_line, line_record, keys_line, keys, line_record_valid, keys_valid} = '0;
+    assign {select_idle, select_active, select_read, select_line, select_line_ready} = '0;
+    assign {select_write, select_slot, select_key, select_number, group, group_count, group_min, group_max} = '0;
+    assign {line_record_ready, keys_ready, read_ready, line_valid, line, port_waits, port_active} = '0;
+    assign {mem_valid_o, mem_write_o, mem_address_o, mem_data_o, overflow_o} = '0;
+    logic unused_overflow;
+    assign unused_overflow = &{1'b0, unit_i, mem_ready_i, rsp_valid_i, rsp_data_i, in_bits, line, spill_start, ended, record_valid, spill_count, spill_min,
+                               spill_max, record_line, line_record, line_record_valid, line_record_ready, keys, keys_line, keys_valid,
+                               keys_ready, select_start, select_line, select_line_ready, emit_read, emit_line, emit_line_ready,
+                               select_turn};
+  end
   // The first line in flight is one of keys: all records that were asked for were sent.
   assign select_turn = selecting && emit_empty && split_idle && bitonic_idle;
 
@@ -251,16 +280,6 @@ module su (
   assign out_valid_o = back_valid && !divert;
   assign out_o       = back;
 
-  su_port u_port (
-    .clk_i, .rst_ni, .overflow_i(frame_i.overflow), .unit_i,
-    .record_valid_i(line_record_valid), .record_ready_o(line_record_ready), .record_line_i(record_line), .record_i(line_record),
-    .keys_valid_i(keys_valid), .keys_ready_o(keys_ready), .keys_line_i(keys_line), .keys_i(keys),
-    .read_valid_i(select_read || emit_read), .read_ready_o(read_ready), .read_keys_i(select_read),
-    .read_line_i(select_read ? select_line : emit_line),
-    .line_valid_o(line_valid), .line_ready_i(select_turn ? select_line_ready : emit_line_ready), .line_o(line),
-    .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o, .rsp_valid_i, .rsp_data_i,
-    .overflow_o, .waits_o(port_waits), .active_o(port_active)
-  );
 
   // --- what the unit does in this cycle: 0 busy, 1 starved, 2 blocked, 3 memory --------------------------------------
   logic moves;

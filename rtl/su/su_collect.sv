@@ -61,7 +61,7 @@ module su_collect (
   assign open  = state_q == Collect && !closed_q[set_q];
   assign take  = in_valid_i && in_ready_o;
   assign stuck = in_valid_i && open && data && full_i;
-  assign spill_start_o = stuck && (drained_i || (Order == 2 && spill_i));
+  assign spill_start_o = pipegs_pkg::Overflow != 0 && stuck && (drained_i || (Order == 2 && spill_i));
 
   assign insert_valid_o = in_valid_i && open && data && slot_valid_i;
   assign record_valid_o = in_valid_i && state_q == Spill && data;
@@ -110,6 +110,8 @@ module su_collect (
   end
   assert property (@(posedge clk_i) disable iff (!rst_ni) take && !data && !mark_all_o |-> marks_q != '1);
   assert property (@(posedge clk_i) disable iff (!rst_ni) take && data |-> in_bucket_i >= mark_q);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) pipegs_pkg::Overflow == 0 |-> !(stuck && drained_i))
+    else $error("su_collect: the records of a set do not fit, and Overflow is 0");
 `else
   logic unused_bucket;
   assign unused_bucket = &{1'b0, in_bucket_i};

@@ -55,11 +55,17 @@ module su_emit (
   // Where is the record? For a set that spilled the number is read first.
   logic               looked_q, look, outside, known, item_go, queue_ready;
   logic [NumberW-1:0] number;
-  sram #(.DataW(NumberW), .Depth(pipegs_pkg::Records)) u_numbers (
-    .clk_i, .write_i(number_write_i), .waddr_i(number_slot_i), .wdata_i(number_i),
-    .read_i(look), .raddr_i(item_slot_i), .rdata_o(number)
-  );
-  assign outside      = spilled_i && !item_end_i;
+  if (pipegs_pkg::Overflow != 0) begin : gen_numbers
+    sram #(.DataW(NumberW), .Depth(pipegs_pkg::Records)) u_numbers (
+      .clk_i, .write_i(number_write_i), .waddr_i(number_slot_i), .wdata_i(number_i),
+      .read_i(look), .raddr_i(item_slot_i), .rdata_o(number)
+    );
+  end else begin : gen_no_numbers
+    assign number = '0;
+    logic unused_number;
+    assign unused_number = &{1'b0, number_slot_i, number_i};
+  end
+  assign outside      = pipegs_pkg::Overflow != 0 && spilled_i && !item_end_i;
   assign look         = item_valid_i && outside && !looked_q;
   assign known        = !outside || looked_q;
   assign read_valid_o = item_valid_i && outside && looked_q && queue_ready;
@@ -76,8 +82,7 @@ module su_emit (
   logic [SlotW-1:0]  head_slot;
   logic [KeyW-1:0]   head_key, key_q;
   logic [pipegs_pkg::SplatBits-PayloadAt-1:0] payload;
-  logic [pipegs_pkg::DepthW-1:0] key_depth;
-  logic [pipegs_pkg::IndexW-1:0] key_index;
+  logic [KeyW-1:0]   key;
   logic              sent;
 
   assign entry = {item_end_i ? item_slot_i[KindW-1:0] : pipegs_pkg::KindData, outside, item_slot_i, item_key_i};
@@ -97,8 +102,12 @@ module su_emit (
   assign line_ready_o = sent && outside_q;
   assign payload      = kind_q != pipegs_pkg::KindData ? '0 :
                         outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
-  assign {key_depth, key_index} = kind_q == pipegs_pkg::KindData ? key_q : '0;
-  assign out_o        = {payload, key_index, key_depth, kind_q};
+  assign key          = kind_q == pipegs_pkg::KindData ? key_q : '0;
+  if (pipegs_pkg::IndexTies != 0) begin : gen_index  // the key's index is the lower part, that of a splat the upper one
+    assign out_o = {payload, key[KeyW-pipegs_pkg::DepthW-1:0], key[KeyW-1 -: pipegs_pkg::DepthW], kind_q};
+  end else begin : gen_depth
+    assign out_o = {payload, key, kind_q};
+  end
   assign free_o       = record_read_o;
   assign free_slot_o  = head_slot;
   assign empty_o      = waiting == '0 && !valid_q;

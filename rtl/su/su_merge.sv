@@ -1,7 +1,7 @@
 // su_merge: joins the sorted streams of all lanes into one.
 //
 // Paper   Fig. 7, between SU and RU.
-// Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes. Each pair of heads
+// Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes (without IndexTies {end, depth}). Each pair of heads
 //         is compared once, side by side; the winner is the one that is below all others. End beats are above every
 //         splat, so they are left when the layer is out of splats; then all are taken at once and one goes out.
 //         Watermarks (a layer's end when Order is 2) have done their work here and do not go out.
@@ -26,7 +26,11 @@ module su_merge (
 );
 
   localparam int unsigned Units = pipegs_pkg::Units;
-  localparam int unsigned HeadW = pipegs_pkg::KeyW + 1;
+  localparam int unsigned KindW = pipegs_pkg::KindW;
+  localparam int unsigned DepthW = pipegs_pkg::DepthW;
+  localparam int unsigned IndexW = pipegs_pkg::SplatIndexW;
+  localparam int unsigned KeyW = pipegs_pkg::KeyW;
+  localparam int unsigned HeadW = KeyW + 1;
 
   logic                   out_valid_q, go, mark;
   pipegs_pkg::sorted_t    out_q, out_d;
@@ -42,7 +46,7 @@ module su_merge (
     for (int unsigned i = 0; i < Units; i += 1) begin
       head = in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits];
       ends[i] = head.kind != pipegs_pkg::KindData;
-      heads[i*HeadW +: HeadW] = {ends[i], head.depth, head.index};
+      heads[i*HeadW +: HeadW] = {ends[i], KeyW'({head.depth, head.index} >> (DepthW + IndexW - KeyW))};
     end
   end
   assign unused_heads = &{1'b0, heads, head};
@@ -76,9 +80,6 @@ module su_merge (
 
   // A sorted splat is the splat with its unit on top; when nothing is stored in units, without. Depth and index are there
   // for the taps.
-  localparam int unsigned KindW  = pipegs_pkg::KindW;
-  localparam int unsigned DepthW = pipegs_pkg::DepthW;
-  localparam int unsigned IndexW = pipegs_pkg::IndexW;
   assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits[pipegs_pkg::SplatBits-1:KindW+DepthW+IndexW],
                                           winner_bits[KindW+DepthW +: pipegs_pkg::TapIndexW],
                                           winner_bits[KindW +: pipegs_pkg::TapDepthW], winner_bits[KindW-1:0]});
@@ -94,5 +95,20 @@ module su_merge (
   always_ff @(posedge clk_i) begin
     if (go) out_q <= out_d;
   end
+
+`ifndef SYNTHESIS
+  if (pipegs_pkg::IndexTies == 0) begin : gen_no_ties
+    logic              before_q;  // a splat of this layer has gone, with this depth
+    logic [DepthW-1:0] depth, depth_q;
+    assign depth = winner_bits[KindW +: DepthW];
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) before_q <= 1'b0;
+      else if (go && !mark) before_q <= ends != '1;
+    end
+    always_ff @(posedge clk_i) if (go && !mark) depth_q <= depth;
+    assert property (@(posedge clk_i) disable iff (!rst_ni) go && before_q && ends != '1 |-> depth > depth_q)
+      else $error("su_merge: two splats of one depth, and IndexTies is 0");
+  end
+`endif
 
 endmodule

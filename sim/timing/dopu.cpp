@@ -198,7 +198,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
   const bool advance = !item_valid_ || !item_shown_ || cycle.cell_taken;
   if (advance && item_valid_) item_valid_ = false, cycle.changed = true;
   const bool loading = table_coming_ > 0 || cycle.answered == 2;  // an answer of this cycle counts from the next one on
-  if (!walking_ || loading || now < 2 + m.config.focal_w() || !set.fresh) return;
+  if (!walking_ || loading || (m.config.layered != 0 && now < 2 + m.config.focal_w()) || !set.fresh) return;
   const bool done = set.done;
   const bool inside = walk_step_ < 2 * grid_ && slabs_[static_cast<size_t>(walk_step_)] >= 0;
   if (advance || !inside) cycle.moved = cycle.changed = true;
@@ -212,7 +212,7 @@ void Dopu::cells(const Machine& m, DopuCycle& cycle) {
     if (is_end) {
       item_.end = window_end ? kWindowEndBeat : kLayerEndBeat;
       item_.last = window_end && set.last;
-      item_shown_ = true;
+      item_shown_ = window_end || m.config.layered != 0;
     } else {
       item_.node = static_cast<uint32_t>(dopu_layer_cell(m.config, axis_, slabs_[static_cast<size_t>(walk_step_)], walk_number_));
       item_shown_ = m.trace.cells[item_.node].count != 0;

@@ -201,7 +201,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
   if (is.mark_push) {
     const uint8_t set = set_;
     auto& marks = m.pu[static_cast<size_t>(lane_)].marks;
-    const uint32_t bucket = all ? 0 : bucket_of(static_cast<uint64_t>(marks.front()) << m.config.index_w);
+    const uint32_t bucket = all ? 0 : bucket_of(static_cast<uint64_t>(marks.front()) << (m.config.key_w() - m.config.depth_w));
     if (!all) {
       marks.pop(now);
       m.wheel.wake(unit(kReader, lane_), now + 1);

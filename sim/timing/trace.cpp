@@ -52,7 +52,7 @@ class WindowTrace {
     for (int step = 0; step < 2 * config_.grid; ++step) {
       const int slab = dopu_layer_step(config_, camera, step);
       if (slab < 0) continue;
-      layers_.emplace_back();
+      if (config_.layered || layers_.empty()) layers_.emplace_back();
       for (int n = 0; n < config_.grid * config_.grid; ++n) {
         const auto number = static_cast<uint64_t>(dopu_layer_cell(config_, axis, slab, n));
         const Node& cell = packed_.cells[number];

@@ -15,6 +15,7 @@
 #include "cpp_model/pu/pu_project.hpp"
 #include "cpp_model/pu/pu_rows.hpp"
 #include "cpp_model/pu/pu_squares.hpp"
+#include "cpp_model/su/su.hpp"
 
 namespace pipegs {
 
@@ -36,7 +37,7 @@ TracePair trace_pair(const GoldenInput& input, const Conic& conic) {
   pair.boxes = static_cast<uint8_t>(pu_intersect_regions(config, coeff));
   if (tiles.mask == 0) return pair;
   pair.splat.mask = tiles.mask;
-  pair.splat.key = tiles.depth << config.index_w | tiles.index;
+  pair.splat.key = splat_key(config, tiles.depth, tiles.index);
   RowJob& job = pair.splat.job;
   job.a = tiles.a, job.b = tiles.b, job.c = tiles.c, job.d = tiles.d, job.e = tiles.e, job.f = tiles.f;
   return pair;

@@ -63,7 +63,7 @@ struct Bounds {
             const std::optional<Visible> visible = pu_cull(config, frame, f);
             if (!visible) continue;
             ++kept;
-            const uint64_t key = pu_project(config, frame, *visible, nullptr).depth;
+            const uint64_t key = pu_project(config, frame, *visible).depth;
             check(planes, node, *visible, key, "chunk");
             check(planes, group, *visible, key, "group");
             check(planes, cell, *visible, key, "cell");

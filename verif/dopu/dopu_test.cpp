@@ -12,7 +12,7 @@ void expect(const World& world, std::vector<Chunk>& chunks, std::vector<std::pai
   const bool once = config.order == 1;
   for (uint64_t y = frame.first_y; y <= (once ? frame.first_y : frame.last_y); ++y) {
     for (uint64_t x = frame.first_x; x <= (once ? frame.first_x : frame.last_x); ++x) {
-      std::vector<size_t> in_layer(static_cast<size_t>(config.grid));
+      std::vector<size_t> in_layer(static_cast<size_t>(config.layered ? config.grid : 1));
       dopu_window(config, frame, world.packed, static_cast<int>(x), static_cast<int>(y), [&](int layer, const Chunk& chunk, uint64_t) {
         chunks.push_back(chunk);
         ++in_layer[static_cast<size_t>(layer)];

@@ -123,6 +123,52 @@ TEST(Golden, CutsOfAlphaAndTransmittanceMoveThePictureAwayFromTheTruth) {
   EXPECT_GT(faint.second, standard.second);
 }
 
+// A part that nothing calls for changes no pixel when it is left out.
+TEST(Golden, PartsThatNothingCallsForChangeNoPixel) {
+  Scene scene = random_scene(12, 300, 1);
+  for (Gaussian& gaussian : scene.gaussians) {
+    gaussian.mean.z = std::abs(gaussian.mean.z) + 0.5f;
+    gaussian.mean.x = 0.3f * gaussian.mean.z * std::sin(gaussian.mean.x), gaussian.mean.y = 0.3f * gaussian.mean.z * std::sin(gaussian.mean.y);
+    gaussian.log_scale -= glm::vec3(2), gaussian.opacity_logit = std::min(gaussian.opacity_logit, -2.0f);
+  }
+  SimulateOptions options;
+  Simulation all, none;
+  simulate_golden(scene, test_camera(100, 80), options, all);
+  const Called& called = all.golden.called;
+  ASSERT_EQ(called.near + called.guard + called.stopped + called.ties + all.golden.saturations.accumulated + all.golden.saturations.color, 0u);
+  for (const char* part : {"near_test", "guard_band", "saturation", "early_stop", "index_ties", "overflow", "large_groups"}) {
+    config_set(options.config, std::string(part) + "=0");
+  }
+  simulate_golden(scene, test_camera(100, 80), options, none);
+  EXPECT_EQ(none.golden.pixels, all.golden.pixels);
+}
+
+// What a part does when it is called for, counted, and the other picture without it.
+TEST(Golden, CountsWhatPartsAreCalledFor) {
+  std::vector<Gaussian> gaussians;
+  for (int i = 0; i < 40; ++i) gaussians.push_back(gaussian_at({0.001f * i, 0, 2 + 0.05f * i}, 2.0f, 0.9, {4, 4, 4}));
+  gaussians.push_back(gaussian_at({0, 0, 2}, 2.0f, 0.9));        // as deep as the first one
+  for (const float z : {0.19f, 0.21f}) gaussians.push_back(gaussian_at({0.01f, 0, z}, 0.02f));  // before the near plane and behind it
+  gaussians.push_back(gaussian_at({3, 0, 0.5f}, 2.0f));          // far beside the image
+  const Scene scene = scene_of(gaussians);
+  const auto run = [&](const char* setting) {
+    SimulateOptions options;
+    config_set(options.config, setting);
+    Simulation result;
+    simulate_golden(scene, test_camera(64, 64), options, result);
+    return std::pair{result.golden.pixels, result.golden.called};
+  };
+  const auto [pixels, called] = run("taps=1");
+  EXPECT_GT(called.near, 0u);
+  EXPECT_GT(called.guard, 0u);
+  EXPECT_GT(called.stopped, 0u);
+  EXPECT_GT(called.ties, 0u);
+  EXPECT_GT(called.layers, 1u);
+  for (const char* setting : {"near_test=0", "guard_band=0", "early_stop=0"}) EXPECT_NE(run(setting).first, pixels) << setting;
+  EXPECT_EQ(run("layered=0").second.layers, 1u);
+  EXPECT_EQ(run("early_stop=0").second.stopped, 0u);
+}
+
 TEST(Golden, RanksEveryGaussianEvenWhenTheLastOnesAreLeftOut) {
   Scene scene = random_scene(8, 300, 0);
   for (size_t i = 290; i < 300; ++i) scene.gaussians[i].opacity_logit = -20;  // below 1/255: not packed

@@ -150,7 +150,9 @@ TEST(PuCull, TheNearPlaneIsExact) {
       in.view_exp = view_exp;
       in.origin_z = 1000;
       frame.near_plane = static_cast<uint64_t>((int64_t{1000} << view_exp) + below);
-      EXPECT_EQ(pu_cull(config, frame, in).has_value(), below < 0) << "z 2^view_exp > near, near is " << below << " above z";
+      uint64_t behind = 0;
+      EXPECT_EQ(pu_cull(config, frame, in, &behind).has_value(), !config.near_test || below < 0) << "z 2^view_exp > near, near is " << below << " above z";
+      EXPECT_EQ(behind, below >= 0);
     }
   }
 }

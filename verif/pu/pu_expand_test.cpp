@@ -185,11 +185,11 @@ TEST(PuExpandTwin, PlacesAMeanAsTheProjectionInItsWindow) {
       const Projected whole = pu_project(config, frame, first);
       conic.mean_x = whole.mean_x, conic.mean_y = whole.mean_y;
       const Conic placed = pu_expand(config, frame, conic, Colored{}, static_cast<int64_t>(v.window_x), static_cast<int64_t>(v.window_y));
-      uint64_t clipped = 0;
-      const Projected alone = pu_project(windowed, frame, v, &clipped);
+      ProjectCounts counts;
+      const Projected alone = pu_project(windowed, frame, v, &counts);
       ASSERT_EQ(placed.mean_x, alone.mean_x) << to_text(windowed, v);
       ASSERT_EQ(placed.mean_y, alone.mean_y) << to_text(windowed, v);
-      saturated += clipped != 0;
+      saturated += counts.saturated;
       ++compared;
     }
   }

@@ -97,7 +97,7 @@ class Around : public Endpoint {
     }
     EXPECT_TRUE(expected_.empty()) << "an end passed before all words were written";
     uint64_t done = 0;
-    for (int r = 0; r < kConfig.regions(); ++r) done |= uint64_t{(touched >> r & 1) && regions[r].all_done()} << r;
+    for (int r = 0; r < kConfig.regions(); ++r) done |= uint64_t{kConfig.early_stop && (touched >> r & 1) && regions[r].all_done()} << r;
     EXPECT_EQ(dut.done_o, done) << "cycle " << bench_.cycle;
     EXPECT_EQ(dut.window_done_o, blend.kind == kWindowEnd);
     if (blend.kind != kWindowEnd) return;
