@@ -129,6 +129,8 @@ Frame frame_setup(const Config& config, const PackedScene& scene, const Camera& 
   set_lens(config, set, false, frame.focal_y, frame.center_y, frame.limit_y, frame.reach_y);
   frame.near_plane = set.unsigned_field("the near plane", near_plane, -scene.scene_exponent, config.world_w - 1);
   frame.sh_degree = static_cast<uint64_t>(scene.sh_degree);
+  if (scene.antialiased && !config.antialias) throw FrameError("the scene is antialiased, the configuration has antialias = 0");
+  frame.antialias = scene.antialiased;
   frame.grid_x = scene.grid.low[0];
   frame.grid_y = scene.grid.low[1];
   frame.grid_z = scene.grid.low[2];

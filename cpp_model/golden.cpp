@@ -11,6 +11,7 @@
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/pu_coeff.hpp"
 #include "cpp_model/pu/pu_color.hpp"
+#include "cpp_model/pu/pu_compensate.hpp"
 #include "cpp_model/pu/pu_conic.hpp"
 #include "cpp_model/pu/pu_covariance.hpp"
 #include "cpp_model/pu/pu_cull.hpp"
@@ -68,11 +69,10 @@ std::optional<Conic> project(const GoldenInput& input, const Fetched& fetched, W
   if (!visible) return std::nullopt;
   ++work.visible;
   ProjectCounts counts;
-  const Projected projected = pu_project(config, frame, *visible, &counts);
+  const Conic conic = golden_conic(config, frame, *visible, &counts);
   saturations.mean += counts.saturated;
   called.guard += counts.clamped;
-  const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
-  return pu_conic(config, frame, pu_covariance(config, frame, pu_squares(config, frame, factors)));
+  return conic;
 }
 
 // The regions of a Gaussian in the window that its mean is relative to; counts what has some.
@@ -180,6 +180,13 @@ Saturations& Saturations::operator+=(const Saturations& o) {
 Called& Called::operator+=(const Called& o) {
   near += o.near, guard += o.guard, stopped += o.stopped, ties += o.ties, layers = std::max(layers, o.layers);
   return *this;
+}
+
+Conic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts) {
+  const Projected projected = pu_project(config, frame, visible, counts);
+  const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
+  const Covariance covariance = pu_covariance(config, frame, pu_squares(config, frame, factors));
+  return pu_conic(config, frame, config.antialias ? pu_compensate(config, frame, covariance) : covariance);
 }
 
 Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& g, uint64_t slot) {

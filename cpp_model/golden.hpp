@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cpp_model/float/image.hpp"
+#include "cpp_model/pu/pu_project.hpp"
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
 #include "scenes/pack.hpp"
@@ -106,6 +107,9 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
 
 // What pu_fetch makes of a Gaussian of a chunk.
 Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& gaussian, uint64_t slot);
+
+// From view space to the conic.
+Conic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts = nullptr);
 
 // The alpha codes of one region of a job.
 void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]);

@@ -30,6 +30,7 @@ package pipegs_pkg;
   localparam int unsigned DepthW         = 24;  // depth key: 6 exponent bits, then mantissa
   localparam int unsigned TanF           = 22;  // fraction of x/z and y/z, s4.F
   localparam int unsigned MeanF          = 12;  // fraction of a projected mean, s18.F pixel
+  localparam int unsigned Antialias      = 0;  // 1: the PUs can lower a Gaussian's opacity by what the dilation adds to its area, for scenes trained so
   localparam int unsigned MantissaW      = 26;  // normalised mantissas of the projection, leading one included
   localparam int unsigned CoeffF         = 28;  // fraction of the power coefficients A to F, log2 units
   localparam int unsigned PowerF         = 20;  // fraction of the Row Units' accumulators, log2 units
@@ -80,6 +81,9 @@ package pipegs_pkg;
   localparam int unsigned CenterW        = 28;  // principal point, s15.12 pixel
   localparam int unsigned CenterF        = 12;  // its fraction
   localparam int unsigned TestW          = 20;  // corners and plane normals of the DOPU's box test, signed, block-normalised
+  localparam int unsigned AntialiasW     = 0;  // flag of the frame; absent unless antialias
+  localparam int unsigned SharpW         = 0;  // leading bits of the determinant before dilation; absent unless antialias
+  localparam int unsigned SharpEW        = 0;  // its exponent
   localparam int unsigned ReachW         = 32;  // pixels of reach per unit of scale and 1/z, u18.14
   localparam int unsigned ScaleW         = 18;  // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF

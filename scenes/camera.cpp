@@ -105,8 +105,9 @@ Camera read_camera(const Entry& entry) {
   camera.world_to_camera = read_rotation(entry);
   camera.fx = entry.focal("fx");
   camera.fy = entry.focal("fy");
-  camera.cx = (camera.width - 1) / 2.0;
-  camera.cy = (camera.height - 1) / 2.0;
+  // INRIA's file has no principal point; ours may, in pixels with the centre of pixel i at i.
+  camera.cx = entry.json.contains("cx") ? entry.number(entry.at("cx"), "cx") : (camera.width - 1) / 2.0;
+  camera.cy = entry.json.contains("cy") ? entry.number(entry.at("cy"), "cy") : (camera.height - 1) / 2.0;
   return camera;
 }
 
@@ -145,6 +146,8 @@ void write_cameras(const std::filesystem::path& path, const std::vector<Camera>&
                     {"rotation", rotation},
                     {"fx", camera.fx},
                     {"fy", camera.fy}});
+    if (camera.cx != (camera.width - 1) / 2.0) json.back()["cx"] = camera.cx;
+    if (camera.cy != (camera.height - 1) / 2.0) json.back()["cy"] = camera.cy;
   }
   AtomicFile out(path);
   std::ofstream stream(out.temporary(), std::ios::binary);

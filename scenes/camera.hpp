@@ -4,7 +4,7 @@
 //         Axes x right, y down, z forward. Pixel i has its centre at coordinate i, hence the
 //         principal point of a centred camera is (width - 1) / 2.
 // Layout  cameras.json: "rotation" holds the rows of the camera-to-world matrix, which are the
-//         columns of world_to_camera.
+//         columns of world_to_camera. "cx", "cy" are ours, and optional: a principal point off the centre.
 // Rule    A rotation within 1e-4 of orthonormal is accepted and made orthonormal in double;
 //         anything else is an InputError naming the camera's index and the field.
 #pragma once

@@ -184,6 +184,7 @@ void check_sizes(const Config& config, const Scene& scene, const PackedScene& pa
 PackedScene pack_scene(const Config& config, const Scene& scene, double coordinate_bound) {
   PackedScene packed;
   packed.config = config;
+  packed.antialiased = scene.antialiased;
   packed.sh_degree = std::min(scene.sh_degree, config.sh_degree);
   packed.scene_gaussians = scene.gaussians.size();
   check_sizes(config, scene, packed);

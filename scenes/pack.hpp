@@ -45,6 +45,7 @@ struct PackCounts {
 struct PackedScene {
   Config config;
   int scene_exponent = 0;  // scene units of one world unit = 2^scene_exponent
+  bool antialiased = false;  // as the scene says
   int sh_degree = 0;       // of the packed colours: the scene's, at most the configuration's
   std::vector<Node> cells, groups, chunks;  // cell -> groups -> chunks -> Gaussians
   std::vector<GaussianRecord> gaussians;  // by slot

@@ -65,8 +65,10 @@ class Drawing {
   void bars();
   void stacked();
   void lines();
+  void points();
   void histogram_bars();
   double largest() const;
+  double smallest() const;
   std::string color(size_t series) const { return kColors[series % kColors.size()]; }
   std::string paint(size_t series) const;
   void box(double x, double y0, double y1, double width, size_t series, const std::string& what);
@@ -85,7 +87,16 @@ void Drawing::check() const {
   if (chart_.form == Chart::Form::kHistogram && (chart_.x.size() < 2 || chart_.series.size() != 1)) {
     throw std::invalid_argument(fmt::format("chart '{}': a histogram has bins and one series", chart_.title));
   }
+  const bool lines = chart_.form == Chart::Form::kLines;
+  if (lines && !chart_.categories.empty() && chart_.categories.size() != points) {
+    throw std::invalid_argument(fmt::format("chart '{}': {} categories, expected {}", chart_.title, chart_.categories.size(), points));
+  }
   for (const Series& series : chart_.series) {
+    if (chart_.form == Chart::Form::kScatter) {
+      if (series.x.size() == series.values.size() && series.labels.size() == series.values.size()) continue;
+      throw std::invalid_argument(fmt::format("chart '{}': series '{}' has {} values at {} places with {} labels", chart_.title, series.name,
+                                              series.values.size(), series.x.size(), series.labels.size()));
+    }
     if (series.values.size() == points) continue;
     throw std::invalid_argument(fmt::format("chart '{}': series '{}' has {} values, expected {}", chart_.title, series.name, series.values.size(), points));
   }
@@ -131,6 +142,15 @@ double Drawing::largest() const {
   return top;
 }
 
+// Of what is drawn, or 0.
+double Drawing::smallest() const {
+  double low = largest();
+  for (const Series& series : chart_.series) {
+    for (const double value : series.values) low = std::isfinite(value) ? std::min(low, value) : low;
+  }
+  return low;
+}
+
 void Drawing::vertical_axis() {
   up_.logarithmic = chart_.log_y && chart_.form != Chart::Form::kStacked && chart_.form != Chart::Form::kHistogram;
   up_.from = bottom_, up_.to = top_;
@@ -144,6 +164,9 @@ void Drawing::vertical_axis() {
     const std::vector<double> ticks = axis_ticks(low, std::max(top, low * 1.001), true);
     up_.low = ticks.front(), up_.high = ticks.back();
     if (chart_.form == Chart::Form::kBars && up_.low >= low) up_.low /= 2;  // the smallest bar has a height too
+  } else if (chart_.form == Chart::Form::kScatter || !chart_.from_zero) {
+    const double low = smallest(), room = std::max(0.05 * (top - low), 1e-3 * std::abs(top));
+    up_.low = low - room, up_.high = top + room > up_.low ? top + room : up_.low + 1;
   } else {
     up_.high = top > 0 ? top * 1.08 : 1;  // room above the highest bar for its number
   }
@@ -171,12 +194,28 @@ void Drawing::axes() {
     for (size_t i = 0; i < chart_.categories.size(); ++i) text(across_.place(static_cast<double>(i) + 0.5), bottom_ + 16, "middle", chart_.categories[i]);
     return;
   }
+  if (chart_.form == Chart::Form::kScatter) {
+    bool any = false;
+    for (const Series& series : chart_.series) {
+      for (const double x : series.x) {
+        if (!std::isfinite(x)) continue;
+        across_.low = any ? std::min(across_.low, x) : x, across_.high = any ? std::max(across_.high, x) : x;
+        any = true;
+      }
+    }
+    const double room = std::max(0.05 * (across_.high - across_.low), 1e-3 * std::abs(across_.high));
+    across_.low -= room, across_.high += room;
+  }
   across_.logarithmic = chart_.log_x;
   if (!chart_.x.empty()) across_.low = chart_.x.front(), across_.high = chart_.x.back();
   if (!(across_.high > across_.low)) across_.high = across_.low + (across_.low > 0 ? across_.low : 1);
   if (chart_.form == Chart::Form::kLines) across_.from += 14, across_.to -= 14;
   // A few points are their own ticks.
   const bool own = chart_.form == Chart::Form::kLines && chart_.x.size() <= 8;
+  if (!chart_.categories.empty()) {
+    for (size_t i = 0; i < chart_.x.size(); ++i) text(across_.place(chart_.x[i]), bottom_ + 16, "middle", chart_.categories[i]);
+    return;
+  }
   for (const double tick : own ? chart_.x : axis_ticks(across_.low, across_.high, across_.logarithmic)) {
     if (tick < across_.low || tick > across_.high * 1.0001) continue;
     out_ += fmt::format("<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\" stroke=\"currentColor\"/>\n", across_.place(tick), bottom_, bottom_ + 4);
@@ -234,11 +273,28 @@ void Drawing::lines() {
       path += fmt::format("{}{:.1f} {:.1f} ", joined ? 'L' : 'M', x, y);
       joined = true;
       out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"><title>{}</title></circle>\n", x, y, color(k),
-                          escaped(fmt::format("{}, {}: {}", chart_.series[k].name, short_number(chart_.x[i]), short_number(value))));
+                          escaped(fmt::format("{}, {}: {}", chart_.series[k].name, chart_.categories.empty() ? short_number(chart_.x[i]) : chart_.categories[i],
+                                              short_number(value))));
     }
     if (path.empty()) continue;
     out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", path, color(k),
                         chart_.series[k].outlined ? " stroke-dasharray=\"5 4\"" : "");
+  }
+}
+
+void Drawing::points() {
+  for (size_t k = 0; k < chart_.series.size(); ++k) {
+    const Series& series = chart_.series[k];
+    std::string path;
+    for (size_t i = 0; i < series.values.size(); ++i) {
+      if (!up_.holds(series.values[i]) || !across_.holds(series.x[i])) continue;
+      const double x = across_.place(series.x[i]), y = up_.place(series.values[i]);
+      path += fmt::format("{}{:.1f} {:.1f} ", path.empty() ? 'M' : 'L', x, y);
+      out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" {}><title>{}</title></circle>\n", x, y, paint(k),
+                          escaped(fmt::format("{}, {}: {}, {}", series.name, series.labels[i], short_number(series.x[i]), short_number(series.values[i]))));
+    }
+    if (!series.outlined || path.empty()) continue;
+    out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" stroke-dasharray=\"5 4\"/>\n", path, color(k));
   }
 }
 
@@ -262,6 +318,7 @@ std::string Drawing::draw() {
     case Chart::Form::kStacked: stacked(); break;
     case Chart::Form::kLines: lines(); break;
     case Chart::Form::kHistogram: histogram_bars(); break;
+    case Chart::Form::kScatter: points(); break;
   }
   return out_;
 }

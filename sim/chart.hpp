@@ -1,4 +1,4 @@
-// chart.hpp: charts as SVG: bars side by side or stacked, lines with markers, histograms.
+// chart.hpp: charts as SVG: bars side by side or stacked, lines with markers, histograms, clouds of points.
 //
 // Idea    A Chart is data and labels; `charts_svg` lays charts out in a grid and draws axes, ticks, legend and values.
 //         Background is transparent and text takes the page's colour (black or white by the reader's colour scheme when
@@ -15,7 +15,9 @@ namespace pipegs {
 struct Series {
   std::string name;
   std::vector<double> values;  // one for each category, x or bin
-  bool outlined = false;       // drawn as a dashed outline: what others reported
+  bool outlined = false;       // drawn as a dashed outline: what others reported; of points: joined by a line
+  std::vector<double> x = {};            // of points: where each lies
+  std::vector<std::string> labels = {};  // of points: what each is
 };
 
 struct Chart {
@@ -24,13 +26,15 @@ struct Chart {
     kStacked,    // series on top of each other, by category
     kLines,      // markers at x, joined
     kHistogram,  // one series; bin i lies between x[i] and x[i + 1]
+    kScatter,    // points anywhere, of each series its own; axes begin near the lowest
   };
   Form form = Form::kBars;
   std::string title, x_label, y_label;
-  std::vector<std::string> categories;  // of bars
+  std::vector<std::string> categories;  // of bars; of lines: what stands at x, if not its number
   std::vector<double> x;                // of lines and histograms, ascending
   std::vector<Series> series;
   bool log_x = false, log_y = false;    // log_x: lines and histograms only; log_y: bars and lines
+  bool from_zero = true;                // of lines: the linear vertical axis begins at 0, else near the lowest value
   std::string note;                     // one line beneath
 };
 

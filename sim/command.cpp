@@ -12,6 +12,7 @@
 #include "scenes/generate.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/ply.hpp"
+#include "sim/config_file.hpp"
 #include "sim/dram_memory.hpp"
 
 namespace pipegs {
@@ -22,15 +23,20 @@ void ViewArguments::add(CLI::App& app, bool one_rung) {
   app.add_option("--view", view, "which camera of the file, counted from 0")->capture_default_str();
   app.add_option("--window", window, "only this window: column,row")->delimiter(',')->expected(2);
   if (one_rung) app.add_option("--rung", rung, "rung of the ladder: baseline, dpc, tspp, dop, late or exact (--set comes after it)");
+  app.add_option("--config", config, "file with a configuration entry in each line, key=value; # begins a comment");
   app.add_option("--set", settings, "configuration entry, key=value; may be repeated")->allow_extra_args(false);
   app.add_option("--near", near_plane, "near plane, scene units")->capture_default_str();
 }
 
 SimulateOptions ViewArguments::options(const Rung& on) const {
-  for (const std::string& setting : settings) {
+  const auto leave_alone = [](const std::string& place, const std::string& setting) {
     const std::string key = setting.substr(0, setting.find('='));
-    if (key == "late" || key == "order" || key == "quadratic") throw ConfigError(fmt::format("--set {}: the rungs set {}", setting, key));
+    if (key == "late" || key == "order" || key == "quadratic") throw ConfigError(fmt::format("{} {}: the rungs set {}", place, setting, key));
+  };
+  if (!config.empty()) {
+    for (const ConfigLine& line : read_config_file(config)) leave_alone(line.place + ":", line.setting);
   }
+  for (const std::string& setting : settings) leave_alone("--set", setting);
   ViewArguments same = *this;
   same.rung = on.name;
   return same.options();
@@ -39,6 +45,7 @@ SimulateOptions ViewArguments::options(const Rung& on) const {
 SimulateOptions ViewArguments::options() const {
   SimulateOptions options;
   if (!rung.empty()) apply_rung(find_rung(rung), options.config);
+  if (!config.empty()) apply_config_file(config, options.config);
   for (const std::string& setting : settings) config_set(options.config, setting);
   config_check(options.config);
   if (!window.empty()) options.window = {window.at(0), window.at(1)};
@@ -82,6 +89,10 @@ LoadedView load_view(const ViewArguments& arguments) {
   }
   loaded.camera = cameras[arguments.view];
   return loaded;
+}
+
+void follow_scene(const Scene& scene, SimulateOptions& options) {
+  if (scene.antialiased) options.config.antialias = 1;
 }
 
 void write_images(const std::string& folder, const Image& image) {

@@ -24,14 +24,14 @@ using Run = std::function<int()>;
 
 // What every subcommand that renders a view takes.
 struct ViewArguments {
-  std::string scene, cameras, rung;
+  std::string scene, cameras, rung, config;
   int view = 0;
   std::vector<int> window;
   std::vector<std::string> settings;
   double near_plane = 0.2;
 
   void add(CLI::App& app, bool one_rung = true);  // with --rung unless the command walks over several
-  // The configuration is the rung, then the settings. Throws ConfigError.
+  // The configuration is the rung, then the lines of --config, then the settings. Throws ConfigError.
   SimulateOptions options() const;
   // The same on another rung; the settings must leave alone what makes a rung.
   SimulateOptions options(const Rung& rung) const;
@@ -53,6 +53,9 @@ struct LoadedView {
 };
 LoadedView load_view(const ViewArguments& arguments);
 
+// Switches on what the scene cannot do without: the compensation of an antialiased one.
+void follow_scene(const Scene& scene, SimulateOptions& options);
+
 // Writes frame.exr and frame.png; nothing is left half-written.
 void write_images(const std::string& folder, const Image& image);
 void write_text(const std::string& path, const std::string& text);
@@ -68,6 +71,10 @@ void add_timeline(CLI::App& app, Run& run);
 void add_sweep(CLI::App& app, Run& run);
 void add_dram(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
+void add_accuracy(CLI::App& app, Run& run);
+void add_fidelity(CLI::App& app, Run& run);
+void add_stress(CLI::App& app, Run& run);
+void add_budget(CLI::App& app, Run& run);
 void add_effects(CLI::App& app, Run& run);
 
 }  // namespace pipegs

@@ -31,6 +31,7 @@ double golden_power(const Config& config, const RowJob& job, double x, double y)
 int explain(const Arguments& arguments) {
   SimulateOptions options = arguments.view.options();
   const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
   const int x = arguments.pixel.at(0), y = arguments.pixel.at(1), side = options.config.window;
   if (x < 0 || y < 0 || x >= loaded.camera.width || y >= loaded.camera.height) {
     throw ConfigError(fmt::format("--pixel {},{}: expected 0,0 to {},{}", x, y, loaded.camera.width - 1, loaded.camera.height - 1));

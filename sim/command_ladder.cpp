@@ -62,6 +62,7 @@ int ladder(const Arguments& arguments) {
     arguments.memory.apply(rows.back().options);
   }
   const LoadedView loaded = load_view(arguments.view);
+  for (LadderRow& row : rows) follow_scene(loaded.scene, row.options);
 
   Known known;
   int done = 0;

@@ -81,6 +81,7 @@ int model(const Arguments& arguments) {
     for (const Rung* rung : find_rungs(arguments.rungs)) options.push_back(arguments.view.options(*rung));
   }
   const LoadedView loaded = load_view(arguments.view);
+  for (SimulateOptions& one : options) follow_scene(loaded.scene, one);
   if (!arguments.json) {
     fmt::print("{}: view {} ({}x{}), memory {}\n\n  {:<10}{:>12}{:>9}{:>9}{:>9}{}\n", loaded.scene.name, loaded.camera.name, loaded.camera.width, loaded.camera.height,
                arguments.memory.external.dram, "rung", "model", "trace s", "model s", "Mcycle/s",

@@ -19,6 +19,7 @@ int profile(Arguments arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
   FigureWatch watch(options.config);

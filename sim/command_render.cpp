@@ -36,8 +36,9 @@ void print_difference(const Image& image, const std::string& path) {
 }
 
 int render(const Arguments& arguments) {
-  const SimulateOptions options = arguments.view.options();
+  SimulateOptions options = arguments.view.options();
   const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
   Simulation simulation;
   if (arguments.model != "truth") simulate_golden(loaded.scene, loaded.camera, options, simulation);
   Image image;

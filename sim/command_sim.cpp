@@ -46,6 +46,7 @@ int simulate(const Arguments& arguments) {
   options.rtl.waves = arguments.waves;
   EffectPlan plan = named_effects(arguments, options);
   const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
 
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);

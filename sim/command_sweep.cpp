@@ -117,6 +117,7 @@ int sweep(Arguments arguments) {
     arguments.memory.apply(options.back());
   }
   const LoadedView loaded = load_view(arguments.view);
+  for (SimulateOptions& one : options) follow_scene(loaded.scene, one);
   const bool rtl = arguments.engine == "rtl";
   const CycleEngine engine = (rtl ? rtl_engine : model_engine)(loaded.scene, loaded.camera, options.front());
 

@@ -28,6 +28,7 @@ int timeline(Arguments arguments) {
     if (!options.window) options.window = {0, 0};
   }
   const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
   const Frame& frame = simulation.input.frame;

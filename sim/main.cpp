@@ -20,6 +20,10 @@ int main(int argc, char** argv) {
   add_sweep(app, run);
   add_dram(app, run);
   add_model(app, run);
+  add_accuracy(app, run);
+  add_fidelity(app, run);
+  add_stress(app, run);
+  add_budget(app, run);
   add_effects(app, run);
   add_info(app, run);
   try {

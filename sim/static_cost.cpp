@@ -69,6 +69,10 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("pu_factors", "projection", "pu", 1, 2, 0);
   add("pu_squares", "projection", "pu", 1, 2, 2);
   add("pu_covariance", "projection", "pu", 1, 1, 1);
+  if (c.antialias) {
+    add("pu_compensate", "projection", "pu", 1, 0, 3);
+    add("log2", "projection", "pu", 2, 1, 1);
+  }
   add("pu_conic", "projection", "pu", 1, 1, 0);
   add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
   add("pu_root", "projection", "pu", 2, 0, 2);

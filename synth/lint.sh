@@ -14,8 +14,8 @@ modules=("$@")
 if [ ${#modules[@]} -eq 0 ]; then for file in "${files[@]}"; do modules+=("$(basename "$file" .sv)"); done; fi
 build=${BUILD:-build} failed=0 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-rungs=("" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1" "late=1 order=2")  # the machines, as settings
-declare -A rung_of=([pu_late]="late=1" [ru_rows]="late=1" [pu_power]="late=1 quadratic=1"
+rungs=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1" "late=1 order=2")  # the machines, as settings
+declare -A rung_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows]="late=1" [pu_power]="late=1 quadratic=1"
   [pu_expand]="late=1 order=1" [pu_list]="late=1 order=1" [pu_lines]="order=1"
   [lists]="late=1 order=1" [list_write]="late=1 order=1" [list_read]="late=1 order=1"
   [dopu_depth]="late=1 order=2" [dopu_bucket]="late=1 order=2" [dopu_rank]="late=1 order=2" [dopu_open]="late=1 order=2"

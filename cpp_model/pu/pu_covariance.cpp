@@ -40,6 +40,10 @@ Covariance pu_covariance(const Config& c, const Frame&, const Squares& in) {
   out.a_m = a.m, out.a_e = exponent(c, a.e);
   out.c_m = cc.m, out.c_e = exponent(c, cc.e);
   out.det_m = det.m, out.det_e = exponent(c, det.e);
+  if (c.antialias) {
+    out.sharp_m = d0.m >> (w - c.sharp_w());
+    out.sharp_e = exponent(c, d0.e);
+  }
   pass_projection(in, out);
   pass_splat(in, out);
   return out;

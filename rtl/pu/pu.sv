@@ -2,7 +2,7 @@
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
 // Idea    fetch -> cull -> (pu_deal, shared by all PUs) -> queue -> project -> orient -> jacobian -> factors -> squares ->
-//         covariance -> conic -> coeff -> queue -> intersect -> back: pu_cache (alphas are cached) or pu_late (coefficients
+//         covariance (-> compensate, with Antialias) -> conic -> coeff -> queue -> intersect -> back: pu_cache (alphas are cached) or pu_late (coefficients
 //         are). With lists (Order 1) pu_list stands before coeff and behind intersect. Only wiring here.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
 // Pace    One Gaussian per cycle into the cull, one per eight cycles behind it.
@@ -73,6 +73,7 @@ module pu #(
   logic fetched_valid, fetched_ready, visible_valid, visible_ready, projected_valid, projected_ready;
   logic oriented_valid, oriented_ready, jacobian_valid, jacobian_ready, factors_valid, factors_ready;
   logic squares_valid, squares_ready, covariance_valid, covariance_ready, conic_valid, conic_ready;
+  logic compensated_valid, compensated_ready, compensate_busy;
   logic placed_valid, placed_ready, coeff_valid, coeff_ready, tiles_valid, tiles_ready;
   logic walk_valid, walk_ready;
   logic [$clog2(VisibleDepth+1)-1:0] visible_count;
@@ -88,7 +89,7 @@ module pu #(
   pipegs_pkg::jacobian_t   jacobian;
   pipegs_pkg::factors_t    factors;
   pipegs_pkg::squares_t    squares;
-  pipegs_pkg::covariance_t covariance;
+  pipegs_pkg::covariance_t covariance, compensated;
   pipegs_pkg::conic_t      conic, placed;
   pipegs_pkg::coeff_t      coeff, walk;
   pipegs_pkg::tiles_t      tiles;
@@ -178,8 +179,22 @@ module pu #(
     .busy_o(covariance_busy)
   );
 
+  if (pipegs_pkg::Antialias == 1) begin : gen_compensate
+    pu_compensate u_compensate (
+      .clk_i, .rst_ni, .antialias_i(frame_i.antialias),
+      .covariance_valid_i(covariance_valid), .covariance_ready_o(covariance_ready), .covariance_i(covariance),
+      .compensated_valid_o(compensated_valid), .compensated_ready_i(compensated_ready), .compensated_o(compensated),
+      .busy_o(compensate_busy)
+    );
+  end else begin : gen_sharp
+    assign compensated_valid = covariance_valid;
+    assign covariance_ready  = compensated_ready;
+    assign compensated       = covariance;
+    assign compensate_busy   = 1'b0;
+  end
+
   pu_conic u_conic (
-    .clk_i, .rst_ni, .covariance_valid_i(covariance_valid), .covariance_ready_o(covariance_ready), .covariance_i(covariance),
+    .clk_i, .rst_ni, .covariance_valid_i(compensated_valid), .covariance_ready_o(compensated_ready), .covariance_i(compensated),
     .conic_valid_o(conic_valid), .conic_ready_i(conic_ready), .conic_o(conic), .busy_o(conic_busy)
   );
 
@@ -247,12 +262,13 @@ module pu #(
   end
 
   assign front_busy = cull_busy || project_busy || orient_busy || jacobian_busy || factors_busy || squares_busy ||
-                      covariance_busy || conic_busy || coeff_busy || intersect_busy || visible_count != '0 || walk_count != '0;
+                      covariance_busy || compensate_busy || conic_busy || coeff_busy || intersect_busy || visible_count != '0 || walk_count != '0;
   // Beats that move inside, and what may come from outside.
   assign moved = (fetched_valid && fetched_ready) || (visible_valid && visible_ready) ||
                  (projected_valid && projected_ready) || (oriented_valid && oriented_ready) ||
                  (jacobian_valid && jacobian_ready) || (factors_valid && factors_ready) || (squares_valid && squares_ready) ||
-                 (covariance_valid && covariance_ready) || (conic_valid && conic_ready) || (coeff_valid && coeff_ready) || (walk_valid && walk_ready) ||
+                 (covariance_valid && covariance_ready) ||
+                 (compensated_valid && compensated_ready) || (conic_valid && conic_ready) || (coeff_valid && coeff_ready) || (walk_valid && walk_ready) ||
                  (tiles_valid && tiles_ready) || back_moved;
   assign wake  = (chunk_valid_i && chunk_ready_o) || (culled_valid_o && culled_ready_i) || (visible_valid_i && visible_ready_o) ||
                  geometry_valid_o || color_valid_o || spill_valid_o ||

@@ -290,4 +290,6 @@ module pu_conic (
     end
   end
 
+  wire unused_sharp = &{1'b0, covariance_i};  // with Antialias it has served already
+
 endmodule

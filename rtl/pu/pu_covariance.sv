@@ -54,7 +54,6 @@ module pu_covariance (
 
   pipegs_pkg::squares_t    in_q;
   pipegs_pkg::covariance_t out_q;
-  assign covariance_o = out_q;
 
   // --- multiplier ---------------------------------------------------------------------------------------------------
   logic        [MantissaW-1:0]  left;
@@ -179,6 +178,26 @@ module pu_covariance (
       out_q.det_m <= sum_m;
       out_q.det_e <= clip(sum_e);
     end
+  end
+
+  // --- the determinant before dilation, for pu_compensate ---------------------------------------------------------------
+  if (pipegs_pkg::Antialias == 1) begin : gen_sharp
+    localparam int unsigned SharpW = pipegs_pkg::SharpW;
+    logic        [SharpW-1:0]  sharp_m_q;
+    logic signed [FloatEW-1:0] sharp_e_q;
+    always_ff @(posedge clk_i) begin
+      if (claim) begin
+        sharp_m_q <= in_q.kind == '0 ? d0_m_q[MantissaW-1 -: SharpW] : '0;
+        sharp_e_q <= in_q.kind == '0 ? clip(d0_e_q) : '0;
+      end
+    end
+    always_comb begin
+      covariance_o         = out_q;
+      covariance_o.sharp_m = sharp_m_q;
+      covariance_o.sharp_e = sharp_e_q;
+    end
+  end else begin : gen_no_sharp
+    assign covariance_o = out_q;
   end
 
   // Valid is only looked at beside results; bits below a mantissa and copies of the sign are cut.

@@ -1,9 +1,11 @@
 // phases.hpp: the stages of a PU that keep a record for eight cycles, one behind the other, in the timing model.
 //
-// RTL     rtl/pu/pu_phases.sv: project, orient, jacobian, factors, squares, covariance.
+// RTL     rtl/pu/pu_phases.sv: project, orient, jacobian, factors, squares, covariance; and rtl/pu/pu_compensate.sv, which
+//         is there only with antialias, and shorter.
 // Idea    What a stage does follows from when it got its record and when its former result was taken:
-//           take  = max(ready, the record is there)            ready = claim + 7 - Claim
-//           claim = max(take + 1 + Claim, former result taken)  out   = claim + 8 - Claim + Depth
+//           take  = max(ready, the record is there)               ready = claim + free:     7 - Claim
+//           claim = max(take + begin, former result taken)        out   = claim + result:   8 - Claim + Depth
+//                             begin: 1 + Claim
 //         so all times are computed as soon as they are known, often ahead of the clock. Only the first take and the last
 //         result are seen by others.
 #pragma once
@@ -15,14 +17,21 @@
 
 namespace pipegs::timing {
 
+struct StageTimes {
+  int begin, free, result;
+};
+constexpr StageTimes eight_cycles(int depth, int claim) { return {1 + claim, 7 - claim, 8 - claim + depth}; }
+
 class Phases {
  public:
+  explicit Phases(bool compensate) : last_(compensate ? 0 : 1) {}
+
   // The last result: conic takes it, then says so.
   Output<Beat> out;
   bool taken(Cycle now) {  // tells whether there is another result
-    stages_[0].result = false;
-    stages_[0].freed = now;
-    resolve(1);
+    stages_[static_cast<size_t>(last_)].result = false;
+    stages_[static_cast<size_t>(last_)].freed = now;
+    resolve(1u << last_);
     return out.valid;
   }
 
@@ -37,12 +46,10 @@ class Phases {
   }
 
  private:
-  static constexpr int kStages = 6;
-  struct Parameters {
-    int depth, claim;
-  };
-  // Depth and Claim of covariance, squares, factors, jacobian, orient, project.
-  static constexpr std::array<Parameters, kStages> kParameters = {{{1, 7}, {1, 3}, {1, 2}, {2, 2}, {1, 5}, {4, 4}}};
+  static constexpr int kStages = 7;
+  // compensate, then covariance, squares, factors, jacobian, orient, project with their Depth and Claim.
+  static constexpr std::array<StageTimes, kStages> kParameters = {
+      {{3, 0, 1}, eight_cycles(1, 7), eight_cycles(1, 3), eight_cycles(1, 2), eight_cycles(2, 2), eight_cycles(1, 5), eight_cycles(4, 4)}};
   struct Stage {
     bool holding = false, result = false;  // a record that has not claimed the output; an output that is not taken
     Beat beat = 0, result_beat = 0;
@@ -53,7 +60,7 @@ class Phases {
     Stage& stage = stages_[static_cast<size_t>(s)];
     stage.holding = true;
     stage.beat = beat;
-    stage.claim = take + 1 + kParameters[static_cast<size_t>(s)].claim;
+    stage.claim = take + kParameters[static_cast<size_t>(s)].begin;
   }
 
   void resolve(uint32_t stages) {
@@ -61,15 +68,15 @@ class Phases {
       const int s = std::countr_zero(stages);
       stages &= stages - 1;
       Stage& stage = stages_[static_cast<size_t>(s)];
-      const auto [depth, claim] = kParameters[static_cast<size_t>(s)];
+      const auto [begin, free, result] = kParameters[static_cast<size_t>(s)];
       if (stage.holding && !stage.result) {
         const Cycle when = std::max(stage.claim, stage.freed);
         stage.holding = false;
         stage.result = true;
-        stage.ready = when + 7 - claim;
-        stage.result_from = when + 8 - claim + depth;
+        stage.ready = when + free;
+        stage.result_from = when + result;
         stage.result_beat = stage.beat;
-        if (s == 0) {
+        if (s == last_) {
           out.set(stage.result_from, stage.result_beat);
         } else {
           stages |= 1u << (s - 1);
@@ -85,6 +92,7 @@ class Phases {
     }
   }
 
+  const int last_;  // the stage whose result others see
   std::array<Stage, kStages> stages_;
 };
 

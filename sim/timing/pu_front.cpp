@@ -7,7 +7,7 @@
 namespace pipegs::timing {
 Pu::Pu(const Machine& m, int lane)
     : color(m, lane), lane_(lane), late_(m.config.late != 0), lists_(m.config.order == 1), reader_(m.config.gaussians_per_line(), m.frame.gaussians),
-      expand_(lane), alpha_lines_(m.config.alpha_lines), rows_(m.config.pixels_per_row), pieces_(m.config.alpha_memory_lines()) {
+      phases_(m.config.antialias != 0), expand_(lane), alpha_lines_(m.config.alpha_lines), rows_(m.config.pixels_per_row), pieces_(m.config.alpha_memory_lines()) {
   pipe_.fill(kBubble);
 }
 

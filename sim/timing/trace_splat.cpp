@@ -5,16 +5,9 @@
 #include <bit>
 
 #include "cpp_model/pu/pu_coeff.hpp"
-#include "cpp_model/pu/pu_conic.hpp"
-#include "cpp_model/pu/pu_covariance.hpp"
 #include "cpp_model/pu/pu_cull.hpp"
-#include "cpp_model/pu/pu_factors.hpp"
 #include "cpp_model/pu/pu_intersect.hpp"
-#include "cpp_model/pu/pu_jacobian.hpp"
-#include "cpp_model/pu/pu_orient.hpp"
-#include "cpp_model/pu/pu_project.hpp"
 #include "cpp_model/pu/pu_rows.hpp"
-#include "cpp_model/pu/pu_squares.hpp"
 #include "cpp_model/su/su.hpp"
 
 namespace pipegs {
@@ -24,9 +17,7 @@ std::optional<Conic> trace_conic(const GoldenInput& input, const Chunk& chunk, u
   const Frame& frame = input.frame;
   const std::optional<Visible> visible = pu_cull(config, frame, golden_fetched(chunk, input.packed->gaussians[slot], slot));
   if (!visible) return std::nullopt;
-  const Projected projected = pu_project(config, frame, *visible);
-  const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
-  return pu_conic(config, frame, pu_covariance(config, frame, pu_squares(config, frame, factors)));
+  return golden_conic(config, frame, *visible);
 }
 
 TracePair trace_pair(const GoldenInput& input, const Conic& conic) {

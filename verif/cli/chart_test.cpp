@@ -54,6 +54,32 @@ TEST(Chart, EveryFormDrawsEveryValueOnce) {
   EXPECT_EQ(marks(histogram("h", "x", {1, 1, 2, 3, 9}, 4)), 3);  // one bin is empty
 }
 
+TEST(Chart, PointsLieWhereTheirSeriesSays) {
+  Chart chart{.form = Chart::Form::kScatter, .title = "Points", .x_label = "x", .y_label = "y"};
+  chart.series = {{.name = "cloud", .values = {60, 61, kNone}, .x = {900, 950, 990}, .labels = {"a", "b<", "c"}},
+                  {.name = "front", .values = {61}, .outlined = true, .x = {950}, .labels = {"b"}}};
+  EXPECT_EQ(marks(chart), 3);
+  EXPECT_EQ(count(charts_svg({chart}), "<path"), 1);  // only what is outlined is joined
+  chart.series[0].labels.pop_back();
+  EXPECT_THROW(charts_svg({chart}), std::invalid_argument);
+  chart.series = {};
+  EXPECT_EQ(marks(chart), 0);
+}
+
+TEST(Chart, LinesMayHaveNamesAtTheirPlacesAndAnAxisNearTheirValues) {
+  Chart chart = bars();
+  chart.form = Chart::Form::kLines;
+  chart.x = {0, 1, 2};
+  chart.series = {{"one", {60, 61, 62}}};
+  chart.from_zero = false;
+  EXPECT_EQ(marks(chart), 3);
+  const std::string svg = charts_svg({chart});
+  for (const char* name : {">a<", ">b<", ">c<"}) EXPECT_EQ(count(svg, name), 1) << name;
+  EXPECT_EQ(count(svg, ">0<"), 0);
+  chart.categories.pop_back();
+  EXPECT_THROW(charts_svg({chart}), std::invalid_argument);
+}
+
 TEST(Chart, WhatIsNotPositiveLeavesAGapOnALogarithmicAxis) {
   Chart chart = bars();
   chart.log_y = true;

@@ -20,7 +20,7 @@ const std::vector<std::vector<std::string>> kMachines = {
     {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}, {"late=1", "records=2048"},
     {"order=1"}, {"late=1", "order=1", "records=2048"}, {"late=1", "order=1", "quadratic=1", "records=2048"},
     {"late=1", "order=2", "records=2048"}, {"units=2", "late=1", "order=2", "records=16"},
-    {"late=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "records=2048", "guard_band=0", "early_stop=0", "taps=0"}};
+    {"late=1", "antialias=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "records=2048", "guard_band=0", "early_stop=0", "taps=0"}};
 
 SimulateOptions machine(size_t number) {
   SimulateOptions options;
@@ -113,6 +113,14 @@ TEST(Frame, NeedlesFlatSplatsAndExtremeOpacities) {
     if (i % 4 == 0) gaussian.opacity_logit = i % 8 == 0 ? INFINITY : -5.5373f;  // opacity 1 and just about 1/255
   }
   expect_equal_on_all_machines(scene, test_camera(128, 128));
+}
+
+TEST(Frame, AnAntialiasedSceneOnTheMachineThatCompensates) {
+  Scene scene = random_scene(15, 400, 1);
+  const Camera camera = test_camera(96, 70);
+  const std::vector<uint64_t> plain = expect_equal(scene, camera, machine(kMachines.size() - 1));
+  scene.antialiased = true;
+  EXPECT_NE(expect_equal(scene, camera, machine(kMachines.size() - 1)), plain);
 }
 
 TEST(Frame, BadGaussiansAreLeftOutAndCounted) {

@@ -3,6 +3,7 @@
 
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
+#include "cpp_model/frame_setup.hpp"
 #include "sim/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 
@@ -22,6 +23,35 @@ TEST(Golden, ComesCloseToTheTruthInTheSameOrder) {
     EXPECT_GT(result.psnr_numeric, decibel) << "alpha " << alpha_w << " bit";
     RecordProperty("psnr_alpha_" + std::to_string(alpha_w), std::to_string(result.psnr_numeric));
   }
+}
+
+// Small Gaussians far away: the dilation adds most of their area, so without the compensation the picture is far too dense.
+TEST(Golden, AntialiasedScenesComeCloseToTheTruth) {
+  Scene scene = random_scene(14, 3000, 1);
+  scene.antialiased = true;
+  for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale -= 2.0f;
+  const Camera camera = test_camera(160, 120, 120);
+  SimulateOptions options;
+  EXPECT_THROW(
+      {
+        Simulation refused;
+        simulate_golden(scene, camera, options, refused);
+      },
+      FrameError);
+  options.config.antialias = 1;
+  Simulation result, sharp;
+  simulate_golden(scene, camera, options, result);
+  simulate_truth(scene, camera, options, result);
+  EXPECT_GT(result.psnr_numeric, 50.0);
+  scene.antialiased = false;  // the stage is there and the frame's flag is 0: nothing changes
+  simulate_golden(scene, camera, options, sharp);
+  simulate_truth(scene, camera, options, sharp);
+  EXPECT_GT(sharp.psnr_numeric, 50.0);
+  EXPECT_LT(psnr(result.golden.image, sharp.golden.image), 40.0) << "the compensation was meant to matter";
+  options.config.antialias = 0;
+  Simulation plain;
+  simulate_golden(scene, camera, options, plain);
+  EXPECT_EQ(plain.golden.pixels, sharp.golden.pixels);
 }
 
 TEST(Golden, DoesNotDependOnThreadsUnitsOrStores) {

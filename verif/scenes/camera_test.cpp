@@ -61,6 +61,19 @@ TEST(Camera, WriterRoundTrip) {
   EXPECT_EQ(scratch.files(), 1u);
 }
 
+// INRIA's file has no principal point; ours keeps one that is off the centre, to the last bit.
+TEST(Camera, KeepsThePrincipalPoint) {
+  const ScratchFolder scratch;
+  Camera camera = look_at("off", 1, 64, 48, {0, 0, -2}, {0, 0, 0}, 60);
+  camera.cx = 11.123456789012345, camera.cy = -3.7;
+  write_cameras(scratch / "c.json", {camera, look_at("centred", 2, 64, 48, {0, 0, -2}, {0, 0, 0}, 60)});
+  const auto cameras = read_cameras(scratch / "c.json");
+  EXPECT_EQ(cameras.at(0).cx, camera.cx);
+  EXPECT_EQ(cameras.at(0).cy, camera.cy);
+  EXPECT_EQ(cameras.at(1).cx, 31.5);
+  expect_refused(replaced(kGood, "\"fx\": 800.5", "\"cx\": \"left\", \"fx\": 800.5"), {"camera 0", "cx"});
+}
+
 TEST(Camera, LookAtPutsTheTargetInTheMiddleAndUpUp) {
   const Camera c = look_at("", 0, 100, 100, {3, -2, -5}, {0, -1, 0}, 60);
   const glm::dvec3 target = c.world_to_camera * (glm::dvec3(0, -1, 0) - c.position);
