@@ -178,7 +178,7 @@ Saturations& Saturations::operator+=(const Saturations& o) {
 }
 
 Called& Called::operator+=(const Called& o) {
-  near += o.near, guard += o.guard, stopped += o.stopped, ties += o.ties, layers = std::max(layers, o.layers);
+  near += o.near, guard += o.guard, stopped += o.stopped, ties += o.ties, layers = std::max(layers, o.layers), bucket = std::max(bucket, o.bucket);
   return *this;
 }
 
@@ -263,7 +263,13 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
     std::sort(layer.splats.begin(), layer.splats.end(),
               [](const GoldenSplat& a, const GoldenSplat& b) { return splat_before(a.splat, b.splat); });
     window.called.layers += !layer.splats.empty();
-    for (size_t i = 1; i < layer.splats.size(); ++i) window.called.ties += layer.splats[i].splat.depth == layer.splats[i - 1].splat.depth;
+    uint64_t bucket = 0;  // keys of the bucket so far
+    for (size_t i = 0; i < layer.splats.size(); ++i) {
+      const uint64_t depth = layer.splats[i].splat.depth, before = i > 0 ? layer.splats[i - 1].splat.depth : ~depth;
+      window.called.ties += depth == before;
+      bucket = i > 0 && su_bucket(packed.config, depth) == su_bucket(packed.config, before) ? bucket + 1 : 1;
+      window.called.bucket = std::max(window.called.bucket, bucket);
+    }
   }
   window.work.keys = window.work.records;
   window.work.alphas = window.work.regions * kRegionPixels;

@@ -54,6 +54,7 @@ struct Called {
   uint64_t stopped = 0;  // pixels that stopped early
   uint64_t ties = 0;     // neighbours in the order of a layer of a window with equal depth keys
   uint64_t layers = 0;   // most layers of one window with at least one record
+  uint64_t bucket = 0;   // most keys of one bucket of depth in a layer of a window
   Called& operator+=(const Called& other);
 };
 

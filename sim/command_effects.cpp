@@ -106,6 +106,7 @@ int effects(const Arguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
   Json json = {{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"configuration", config_difference(options.config)}};
   {
     Simulation simulation;

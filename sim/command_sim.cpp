@@ -44,9 +44,9 @@ int simulate(const Arguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
-  EffectPlan plan = named_effects(arguments, options);
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
+  EffectPlan plan = named_effects(arguments, options);
 
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);

@@ -13,16 +13,16 @@
 namespace pipegs {
 namespace {
 
+using Names = std::vector<std::string>;
+
 struct View {
   std::string name;
   Scene scene;
   Camera camera;
 };
 
-// Four Gaussians side by side at four depths, far from the near plane, none opaque; no SH.
-Scene quiet_scene() {
-  return scene_of({gaussian_at({-0.4f, 0.05f, 2}), gaussian_at({-0.1f, 0, 2.1f}), gaussian_at({0.2f, -0.1f, 2.2f}), gaussian_at({0.5f, 0.1f, 2.3f})});
-}
+// A Gaussian in each of two windows, at one depth, far from the near plane; no SH.
+Scene quiet_scene() { return scene_of({gaussian_at({-0.5f, 0, 2}), gaussian_at({0.6f, 0, 2})}); }
 
 // The same with SH of degree 3, of which only one band is not zero.
 Scene banded_scene(int band) {
@@ -35,12 +35,34 @@ Scene banded_scene(int band) {
   return scene;
 }
 
+// One thing each, beside others that come with it.
+Scene near_scene() { return scene_of({gaussian_at({0, 0, 0.19f}, 0.01f), gaussian_at({0.02f, 0, 0.5f}), gaussian_at({0.1f, 0, 8}), gaussian_at({0.1f, 0.5f, 8})}); }
+Scene wide_scene() { return scene_of({gaussian_at({1.2f, 0, 2}, 0.4f)}); }
+Scene bright_scene() {  // SH carries red above what a packed colour holds
+  Scene scene = scene_of({gaussian_at({-0.5f, 0, 2}, 0.05f, 0.8, {12, 1, 0})});
+  scene.sh_degree = 1;
+  scene.sh_rest = {0, 0, 0, 0.6f, 0, 0, 0, 0, 0};
+  return scene;
+}
+Scene opaque_scene() {
+  std::vector<Gaussian> stack;
+  for (int i = 0; i < 6; ++i) stack.push_back(gaussian_at({0.1f, 0, 2 + 0.1f * static_cast<float>(i)}, 0.2f, 0.98));
+  return scene_of(stack);
+}
+Scene tied_scene(int count) { return scene_of(std::vector<Gaussian>(static_cast<size_t>(count), gaussian_at({0.3f, 0, 2}, 0.05f, 0.1))); }
+
 const std::vector<View>& views() {
   static const std::vector<View> all = {{"empty", scene_of({}), test_camera(100, 70)},
-                                        {"quiet", quiet_scene(), test_camera(64, 64)},
-                                        {"band 1", banded_scene(1), test_camera(64, 64)},
-                                        {"band 2", banded_scene(2), test_camera(64, 64)},
-                                        {"band 3", banded_scene(3), test_camera(64, 64)},
+                                        {"quiet", quiet_scene(), test_camera(128, 64)},
+                                        {"band 1", banded_scene(1), test_camera(128, 64)},
+                                        {"band 2", banded_scene(2), test_camera(128, 64)},
+                                        {"band 3", banded_scene(3), test_camera(128, 64)},
+                                        {"near", near_scene(), test_camera(64, 64)},
+                                        {"wide", wide_scene(), test_camera(64, 64)},
+                                        {"bright", bright_scene(), test_camera(128, 64)},
+                                        {"opaque", opaque_scene(), test_camera(64, 64)},
+                                        {"two tied", tied_scene(2), test_camera(64, 64)},
+                                        {"twenty tied", tied_scene(20), test_camera(64, 64)},
                                         {"cloud", random_scene(3, 400, 3), test_camera(130, 66, 60)},
                                         {"flat cloud", random_scene(9, 300, 0), test_camera(128, 96)}};
   return all;
@@ -78,8 +100,6 @@ struct Looked {
   std::vector<EffectFinding> findings;
 };
 
-using Names = std::vector<std::string>;
-
 TEST(Effects, AQuietSceneCallsForNothing) { EXPECT_EQ(Looked("quiet").called(), Names{}); }
 
 TEST(Effects, EachBandOfShIsSeenWithItsCoefficient) {
@@ -90,6 +110,43 @@ TEST(Effects, EachBandOfShIsSeenWithItsCoefficient) {
   EXPECT_EQ(Looked("band 1").verdict("sh3").evidence, "largest coefficient 0");
   EXPECT_EQ(Looked("band 3").verdict("sh1").evidence, "largest coefficient 0, but a higher band needs it");
   EXPECT_EQ(Looked("quiet").verdict("sh1").evidence, "the scene has degree 0");
+}
+
+TEST(Effects, EachPartIsSeenWithItsCount) {
+  const auto expect = [](const char* view, const char* effect, const char* evidence) {
+    const Effect::Verdict verdict = Looked(view).verdict(effect);
+    EXPECT_TRUE(verdict.called_for) << view << ", " << effect;
+    EXPECT_EQ(verdict.evidence, evidence) << view;
+  };
+  expect("near", "near", "1 pairs of Gaussian and window before the near plane");
+  expect("near", "layers", "at most 2 layers of a window hold something");
+  expect("wide", "guard_band", "1 visible pairs of Gaussian and window beyond the guard band");
+  expect("bright", "saturation", "1 colours, 0 accumulated colours at the top");
+  expect("two tied", "ties", "1 neighbours of equal depth in the sorted order");
+  expect("twenty tied", "large_groups", "a bucket of depth holds 20 keys");
+  EXPECT_TRUE(Looked("opaque").verdict("early_stop").called_for);
+  EXPECT_EQ(Looked("bright").called(), (Names{"sh1", "saturation"}));
+  EXPECT_EQ(Looked("wide").called(), Names{"guard_band"});
+  EXPECT_EQ(Looked("two tied").called(), Names{"ties"});
+}
+
+TEST(Effects, StoresThatFillUpCallForTheirOverflow) {
+  EXPECT_FALSE(Looked("cloud").verdict("overflow").called_for) << Looked("cloud").verdict("overflow").evidence;
+  SimulateOptions tiny;
+  tiny.config.alpha_lines = 64, tiny.config.records = 16;
+  EXPECT_TRUE(Looked("cloud", tiny).verdict("overflow").called_for) << Looked("cloud", tiny).verdict("overflow").evidence;
+}
+
+TEST(Effects, AScenesTagCallsForTheCompensation) {
+  Scene scene = quiet_scene();
+  scene.antialiased = true;
+  SimulateOptions options;
+  options.config.antialias = 1;
+  Simulation simulation;
+  simulate_golden(scene, test_camera(128, 64), options, simulation);
+  const EffectPlan plan = plan_effects(options, find_effects(effect_facts(scene, options, simulation, true)));
+  EXPECT_EQ(plan.simulated, Names{"antialias"});
+  EXPECT_EQ(plan.options.config.antialias, 1);
 }
 
 TEST(Effects, TheTimingOfMemoryIsCalledForWhereItMovesCycles) {
@@ -135,7 +192,8 @@ TEST(Effects, AnEffectThatIsNotCalledForChangesNoPixelWhenItIsForcedOn) {
 
 // Of every scene: leaving out one thing that is called for shows.
 TEST(Effects, LeavingOutWhatIsCalledForChangesPixels) {
-  const std::vector<std::pair<std::string, std::string>> cases = {{"band 1", "sh1"}, {"band 2", "sh2"}, {"band 3", "sh3"}};
+  const std::vector<std::pair<std::string, std::string>> cases = {{"band 1", "sh1"}, {"band 2", "sh2"}, {"band 3", "sh3"},
+                                                                    {"near", "near"}, {"wide", "guard_band"}, {"bright", "saturation"}, {"opaque", "early_stop"}};
   for (const auto& [name, effect] : cases) {
     const Looked run(name);
     ASSERT_TRUE(run.verdict(effect).called_for) << name << ": " << run.verdict(effect).evidence;
@@ -154,6 +212,9 @@ TEST(Effects, NamesAreChecked) {
   } catch (const ConfigError& error) {
     EXPECT_EQ(std::string(error.what()).substr(0, 41), "--effects sh4: expected auto, all, or som") << error.what();
   }
+  SimulateOptions waves;
+  waves.rtl.waves = "window.fst";
+  EXPECT_THROW(plan_effects(waves, Names{"sh1"}), ConfigError);
 }
 
 // --- RTL: one machine without everything ----------------------------------------------------------------------------------
@@ -171,10 +232,11 @@ TEST(EffectsRtl, AMachineWithoutEffectsDrawsWhatCallsForNone) {
 }
 
 TEST(EffectsRtl, AWrongDecisionIsCaught) {
-  for (const char* name : {"band 1", "cloud"}) {
+  for (const auto& [name, effect] : {std::pair{"band 1", "sh1"}, {"opaque", "early_stop"}, {"bright", "saturation"}}) {
     Looked run(name);
+    ASSERT_TRUE(run.verdict(effect).called_for);
     const std::string caught = simulate_effects(run.view.scene, run.view.camera, run.options, nothing(run), run.simulation);
-    EXPECT_NE(caught.find("sh1"), std::string::npos) << caught;
+    EXPECT_NE(caught.find(effect), std::string::npos) << caught;
     EXPECT_NE(caught.find("something left out is called for"), std::string::npos) << caught;
     EXPECT_EQ(run.simulation.mismatches, 0u) << "with all effects";
   }
