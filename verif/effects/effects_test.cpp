@@ -228,7 +228,7 @@ TEST(EffectsRtl, AMachineWithoutEffectsDrawsWhatCallsForNone) {
   Looked all("quiet");
   simulate_rtl(all.options, all.simulation);
   EXPECT_EQ(all.simulation.mismatches, 0u);
-  EXPECT_EQ(all.simulation.rtl.cycles, run.simulation.rtl.cycles);
+  EXPECT_LE(run.simulation.rtl.cycles, all.simulation.rtl.cycles);  // without SH and layers a pipeline and a walk are shorter
 }
 
 TEST(EffectsRtl, AWrongDecisionIsCaught) {
