@@ -8,7 +8,7 @@
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/pu/pu_region.hpp"
 #include "cpp_model/pu/pu_row_unit.hpp"
-#include "sim/accuracy_page.hpp"
+#include "sim/accuracy/page.hpp"
 #include "sim/rung.hpp"
 #include "verif/cli/well_formed.hpp"
 #include "verif/frame/scenes.hpp"

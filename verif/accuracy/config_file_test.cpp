@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "sim/accuracy_report.hpp"
+#include "sim/accuracy/report.hpp"
 #include "sim/rung.hpp"
 
 namespace pipegs {

@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-#include "sim/accuracy_flips.hpp"
+#include "sim/accuracy/flips.hpp"
 #include "sim/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "sim/effects_run.hpp"
+#include "sim/effects/run.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {

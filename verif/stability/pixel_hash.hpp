@@ -3,7 +3,7 @@
 
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/golden.hpp"
-#include "sim/stress_scene.hpp"
+#include "sim/stress/scene.hpp"
 
 namespace pipegs {
 

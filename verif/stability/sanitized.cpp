@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "sim/stress_scene.hpp"
+#include "sim/stress/scene.hpp"
 #include "verif/stability/pixel_hash.hpp"
 
 int main(int argc, char** argv) {

@@ -1,7 +1,7 @@
 // stability.hpp: one hard scene through golden model, RTL and bounds: what every test of this folder asks.
 //
 //   expect_stable("T05", scene, camera)   golden = RTL on every beat and pixel, with assertions on, on the default machine and
-//                                         on `exact`; alpha, T and colour within the bounds of sim/budget.hpp of the truth
+//                                         on `exact`; alpha, T and colour within the bounds of sim/budget/budget.hpp of the truth
 // The figures (worst error and worst bound) are printed and stand in the test's XML; docs/stability.md quotes them.
 #pragma once
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/budget_frame.hpp"
+#include "sim/budget/frame.hpp"
 #include "sim/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 

@@ -1,12 +1,12 @@
-// The bounds of sim/budget.hpp: measured errors lie below them, a changed width moves them, and FP16 is what it is (T9).
+// The bounds of sim/budget/budget.hpp: measured errors lie below them, a changed width moves them, and FP16 is what it is (T9).
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "sim/budget.hpp"
-#include "sim/budget_sample.hpp"
+#include "sim/budget/budget.hpp"
+#include "sim/budget/sample.hpp"
 
 namespace pipegs {
 namespace {

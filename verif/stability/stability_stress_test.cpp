@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "sim/stress.hpp"
+#include "sim/stress/stress.hpp"
 #include "verif/stability/stability.hpp"
 
 namespace pipegs {

@@ -8,7 +8,7 @@
 
 #include "scenes/generate.hpp"
 #include "sim/simulate.hpp"
-#include "sim/stress_scene.hpp"
+#include "sim/stress/scene.hpp"
 #include "verif/frame/scenes.hpp"
 #include "verif/stability/pu_walk.hpp"
 #include "verif/support/records_fit.hpp"

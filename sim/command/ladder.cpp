@@ -1,0 +1,124 @@
+// ladder.cpp: `pipegs ladder`: one view on every rung, each compared bit for bit: the paper's Fig. 8 and 9.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "scenes/input_error.hpp"
+#include "sim/command/command.hpp"
+#include "sim/ladder.hpp"
+#include "sim/progress.hpp"
+#include "sim/report.hpp"
+
+namespace pipegs {
+namespace {
+
+struct Arguments {
+  ViewArguments view;
+  MemoryArguments memory;
+  std::vector<std::string> rungs;
+  std::string out = "ladder", svg;
+  bool json = false, no_truth = false;
+};
+
+// What the rungs above have shown, for comparing pictures and for truths that need not be rendered again.
+struct Known {
+  std::vector<std::pair<const Rung*, std::vector<uint64_t>>> pixels;
+  std::unique_ptr<Simulation> first;
+};
+
+void compare_pixels(LadderRow& row, const std::vector<uint64_t>& pixels, Known& known) {
+  for (const auto& [rung, other] : known.pixels) {
+    if (row.same_pixels.empty() && other == pixels) row.same_pixels = rung->name;
+    if (rung->order != row.rung->order || row.different_pixels > 0) continue;
+    for (size_t i = 0; i < pixels.size(); ++i) row.different_pixels += pixels[i] != other[i];
+  }
+  known.pixels.emplace_back(row.rung, pixels);
+}
+
+void run_rung(LadderRow& row, const Arguments& arguments, const LoadedView& loaded, Known& known) {
+  auto simulation = std::make_unique<Simulation>();
+  simulate_golden(loaded.scene, loaded.camera, row.options, *simulation);
+  row.with_truth = !arguments.no_truth;
+  FigureWatch watch(row.options.config);
+  row.options.taps = &watch;
+  simulate_rtl(row.options, *simulation);
+  row.options.taps = nullptr;
+  if (row.with_truth) simulate_truth(loaded.scene, loaded.camera, row.options, *simulation, known.first.get());
+  ladder_figures(row, *simulation, watch);
+  compare_pixels(row, simulation->golden.pixels, known);
+  const std::string folder = arguments.out + "/" + std::string(row.rung->name);
+  write_images(folder, crop_window(simulation->golden.image, row.options));
+  write_text(folder + "/report.json", report_json(loaded.scene, loaded.camera, row.options, *simulation).dump(2) + "\n");
+  if (simulation->first_mismatch) fmt::print(stderr, "{}: first mismatch: {}\n", row.rung->name, simulation->first_mismatch->what);
+  if (!known.first) known.first = std::move(simulation);
+}
+
+int ladder(const Arguments& arguments) {
+  const std::vector<const Rung*> chosen = find_rungs(arguments.rungs);
+  std::vector<LadderRow> rows;
+  for (const Rung* rung : chosen) {
+    rows.push_back({.rung = rung, .options = arguments.view.options(*rung)});
+    arguments.memory.apply(rows.back().options);
+  }
+  const LoadedView loaded = load_view(arguments.view);
+  for (LadderRow& row : rows) follow_scene(loaded.scene, row.options);
+
+  Known known;
+  int done = 0;
+  bool differs = false;
+  for (LadderRow& row : rows) {
+    if (!arguments.json) fmt::print(stderr, "{}: {}\n", row.rung->name, row.rung->what);
+    try {
+      run_rung(row, arguments, loaded, known);
+      ++done;
+      differs = differs || row.mismatches > 0 || row.different_pixels > 0;
+    } catch (const InputError&) {
+      throw;  // a file cannot be written
+    } catch (const RtlBuildError& error) {
+      row.failure = error.what();
+    } catch (const std::runtime_error& error) {  // an assertion, or the machine hangs
+      if (interrupted()) throw;
+      row.failure = error.what();
+      differs = true;
+    }
+  }
+
+  const Camera& camera = loaded.camera;
+  nlohmann::ordered_json json = {
+      {"scene", {{"name", loaded.scene.name}, {"gaussians", loaded.scene.gaussians.size()}}},
+      {"camera", {{"name", camera.name}, {"width", camera.width}, {"height", camera.height}}},
+      {"memory", {{"kind", arguments.memory.external.dram}, {"bytes_per_cycle", memory_peak(arguments.memory.external)},
+                  {"seed", arguments.memory.seed}}},
+      {"rungs", ladder_json(rows)}};
+  if (done > 0) write_text(arguments.out + "/ladder.json", json.dump(2) + "\n");
+  if (done > 0) write_charts(arguments.svg, ladder_charts(rows));
+  if (arguments.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle\n\n{}", loaded.scene.name, loaded.scene.gaussians.size(), camera.name,
+               camera.width, camera.height, arguments.memory.external.dram, memory_peak(arguments.memory.external), ladder_text(rows));
+    if (done > 0) fmt::print("  figures {0}/ladder.json, pictures and reports {0}/<rung>\n", arguments.out);
+  }
+  if (differs) return kExitMismatch;
+  return done > 0 ? kExitOk : kExitBadInput;
+}
+
+}  // namespace
+
+void add_ladder(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("ladder", "one view on the paper's rungs, from the baseline to the final design, and on ours");
+  command->footer("Example: pipegs ladder garden.ply --cameras cameras.json --view 0 --svg ladder.svg\n"
+                  "Exit code 0 only when every bit of every rung agrees, 1 on a mismatch, 2 on bad input. A rung whose RTL does not build is named and left out.");
+  static Arguments arguments;
+  arguments.view.add(*command, false);
+  arguments.memory.add(*command);
+  command->add_option("--rungs", arguments.rungs, "which, by commas: baseline, dpc, tspp, dop, late, exact; without it all")->delimiter(',');
+  command->add_option("--out", arguments.out, "folder for ladder.json and, for each rung, report.json and the picture")->capture_default_str();
+  command->add_option("--svg", arguments.svg, "charts");
+  command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
+  command->add_flag("--json", arguments.json, "print ladder.json instead of the tables");
+  command->callback([&run] { run = [] { return ladder(arguments); }; });
+}
+
+}  // namespace pipegs

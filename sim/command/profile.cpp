@@ -1,0 +1,60 @@
+// profile.cpp: `pipegs profile`: where a view's time goes and what could be reused: the paper's Fig. 3, 4 and 5b.
+#include <fmt/format.h>
+
+#include "sim/command/command.hpp"
+#include "sim/profile.hpp"
+
+namespace pipegs {
+namespace {
+
+struct Arguments {
+  ViewArguments view;
+  MemoryArguments memory;
+  std::string svg;
+  bool json = false, no_rtl = false;
+};
+
+int profile(Arguments arguments) {
+  if (arguments.view.rung.empty()) arguments.view.rung = "baseline";
+  SimulateOptions options = arguments.view.options();
+  arguments.memory.apply(options);
+  const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
+  Simulation simulation;
+  simulate_golden(loaded.scene, loaded.camera, options, simulation);
+  FigureWatch watch(options.config);
+  options.taps = &watch;
+  if (!arguments.no_rtl) simulate_rtl(options, simulation);
+  const ViewProfile found = view_profile(simulation, options, arguments.no_rtl ? nullptr : &watch);
+
+  write_charts(arguments.svg, profile_charts(found));
+  if (arguments.json) {
+    nlohmann::ordered_json json = {{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"rung", arguments.view.rung},
+                                   {"mismatches", simulation.mismatches}};
+    json.update(profile_json(found));
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}: {} Gaussians; view {} ({}x{}); rung {}\n\n{}", loaded.scene.name, loaded.scene.gaussians.size(), loaded.camera.name,
+               loaded.camera.width, loaded.camera.height, arguments.view.rung, profile_text(found));
+  }
+  if (simulation.mismatches == 0) return kExitOk;
+  fmt::print(stderr, "first mismatch: {}\n", simulation.first_mismatch->what);
+  return kExitMismatch;
+}
+
+}  // namespace
+
+void add_profile(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("profile", "where a view's time goes, and how often its Gaussians could be reused");
+  command->footer("Example: pipegs profile garden.ply --cameras cameras.json --rung baseline --svg profile.svg\n"
+                  "Without --rung the baseline. With --no-rtl any rung can be counted.");
+  static Arguments arguments;
+  arguments.view.add(*command);
+  arguments.memory.add(*command);
+  command->add_option("--svg", arguments.svg, "charts");
+  command->add_flag("--no-rtl", arguments.no_rtl, "counts only, times at full rate");
+  command->add_flag("--json", arguments.json, "as JSON");
+  command->callback([&run] { run = [] { return profile(arguments); }; });
+}
+
+}  // namespace pipegs

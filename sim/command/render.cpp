@@ -1,0 +1,82 @@
+// render.cpp: `pipegs render`: the pictures without the RTL.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "cpp_model/float/image.hpp"
+#include "cpp_model/float/truth.hpp"
+#include "scenes/input_error.hpp"
+#include "sim/command/command.hpp"
+#include "sim/progress.hpp"
+
+namespace pipegs {
+namespace {
+
+struct Arguments {
+  ViewArguments view;
+  std::string model = "golden", semantics = "exact", out = "out", compare;
+};
+
+// How the written picture differs from another one, in 8-bit codes.
+void print_difference(const Image& image, const std::string& path) {
+  const Rgb8 mine = to_rgb8(image, glm::dvec3(0)), other = read_png8(path);
+  if (mine.width != other.width || mine.height != other.height) {
+    throw InputError(path, "", fmt::format("found {}x{} pixels, expected {}x{}", other.width, other.height, mine.width, mine.height));
+  }
+  int largest = 0;
+  size_t differing = 0;
+  for (size_t i = 0; i < mine.data.size(); i += 3) {
+    int pixel = 0;
+    for (size_t k = i; k < i + 3; ++k) pixel = std::max(pixel, std::abs(int{mine.data[k]} - int{other.data[k]}));
+    largest = std::max(largest, pixel);
+    differing += pixel > 0;
+  }
+  fmt::print("against {}: {} of {} pixels differ, by {} codes at most\n", path, differing, mine.data.size() / 3, largest);
+}
+
+int render(const Arguments& arguments) {
+  SimulateOptions options = arguments.view.options();
+  const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
+  Simulation simulation;
+  if (arguments.model != "truth") simulate_golden(loaded.scene, loaded.camera, options, simulation);
+  Image image;
+  if (arguments.model == "golden") {
+    image = crop_window(simulation.golden.image, options);
+  } else {
+    TruthOptions truth;
+    truth.semantics = arguments.semantics == "inria" ? Semantics::kInria : arguments.semantics == "gsplat" ? Semantics::kGsplat : Semantics::kExact;
+    if (arguments.model == "layered") truth.rank = &simulation.golden.rank;
+    truth.near_plane = options.near_plane;
+    Progress progress("truth");
+    truth.progress = [&](double share) {
+      if (interrupted()) throw std::runtime_error("interrupted");
+      progress.update(share);
+    };
+    image = crop_window(render_truth(loaded.scene, loaded.camera, truth), options);
+  }
+  write_images(arguments.out, image);
+  fmt::print("picture {}/frame.png, {}/frame.exr\n", arguments.out, arguments.out);
+  if (!arguments.compare.empty()) print_difference(image, arguments.compare);
+  return kExitOk;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("render", "writes frame.exr and frame.png without simulating the RTL");
+  command->footer("Example: pipegs render garden.ply --cameras cameras.json --model truth --semantics inria --out inria");
+  static Arguments arguments;
+  arguments.view.add(*command);
+  command->add_option("--model", arguments.model,
+                      "truth (float64, global depth order), layered (float64, the hardware's order) or golden (fixed point)")
+      ->capture_default_str()->check(CLI::IsMember({"truth", "layered", "golden"}));
+  command->add_option("--semantics", arguments.semantics, "of the float64 models: footprints and pixel centres")
+      ->capture_default_str()->check(CLI::IsMember({"exact", "inria", "gsplat"}));
+  command->add_option("--out", arguments.out, "folder for frame.exr and frame.png")->capture_default_str();
+  command->add_option("--compare", arguments.compare, "print how the picture differs from this 8-bit PNG");
+  command->callback([&run] { run = [] { return render(arguments); }; });
+}
+
+}  // namespace pipegs
