@@ -1,0 +1,153 @@
+// activity.cpp: see activity.hpp.
+#include "sim/silicon/activity.hpp"
+
+#include <gtkwave/fstapi.h>
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "scenes/input_error.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr uint64_t kCycle = 10;   // units of time
+constexpr uint32_t kWidest = 1u << 20;  // bits of a signal; more is a broken file
+
+struct Signal {
+  Switching* sum = nullptr;  // of its group; null when it is left out
+  std::string value;         // the latest
+};
+
+// A signal of one bit, with what it was before the latest change: what an edge at that time has sampled.
+struct Line {
+  bool now = false, before = false;
+  uint64_t changed = 0;
+  bool sampled(uint64_t time) const { return changed == time ? before : now; }
+};
+
+struct Sram {
+  fstHandle clock = 0, read = 0, write = 0;
+  SramAccesses* accesses = nullptr;
+};
+
+class Reader {
+ public:
+  Reader(void* file, const std::function<std::string(const std::string&)>& group, Activity& activity) : file_(file), activity_(activity) {
+    signals_.resize(fstReaderGetMaxHandle(file) + 1);
+    read_names(group);
+  }
+
+  void change(uint64_t time, fstHandle handle, const unsigned char* text, uint32_t width) {
+    if (handle >= signals_.size()) return;
+    if (time != time_) flush(time);
+    Signal& signal = signals_[handle];
+    const std::string_view value(reinterpret_cast<const char*>(text), width);
+    if (signal.sum != nullptr && signal.value.size() == value.size()) {
+      for (size_t i = 0; i < value.size(); ++i) signal.sum->toggles += value[i] != signal.value[i];
+    }
+    signal.value = value;
+    if (const auto found = lines_.find(handle); found != lines_.end()) {
+      Line& line = found->second;
+      line = {value == "1", line.now, time};
+      if (line.now && !line.before) rising_.push_back(handle);
+    }
+  }
+
+  // What rose at the latest time has sampled what was there before.
+  void flush(uint64_t time) {
+    for (const fstHandle clock : rising_) {
+      for (size_t i : srams_of_[clock]) {
+        const Sram& sram = srams_[i];
+        sram.accesses->reads += lines_.at(sram.read).sampled(time_);
+        sram.accesses->writes += lines_.at(sram.write).sampled(time_);
+      }
+      for (uint64_t* edges : edges_of_[clock]) ++*edges;
+    }
+    rising_.clear();
+    time_ = time;
+  }
+
+ private:
+  void read_names(const std::function<std::string(const std::string&)>& group) {
+    struct Scope {
+      std::string path;
+      Switching* sum;
+      std::map<std::string, std::pair<fstHandle, uint32_t>, std::less<>> ports;
+    };
+    std::vector<Scope> scopes;
+    const auto leave = [&] {
+      Scope& scope = scopes.back();
+      const auto port = [&](const char* name) { const auto found = scope.ports.find(name); return found == scope.ports.end() ? fstHandle{0} : found->second.first; };
+      if (const fstHandle clock = port("clk_o"); clock != 0) {
+        lines_[clock];
+        edges_of_[clock].push_back(&activity_.clocks[scope.path]);
+      }
+      const Sram sram = {port("clk_i"), port("read_i"), port("write_i"), nullptr};
+      if (sram.clock != 0 && sram.read != 0 && sram.write != 0 && port("rdata_o") != 0) {
+        SramAccesses& accesses = activity_.srams[scope.path];
+        accesses.width = static_cast<int>(scope.ports["rdata_o"].second);
+        for (const fstHandle line : {sram.clock, sram.read, sram.write}) lines_[line];
+        srams_of_[sram.clock].push_back(srams_.size());
+        srams_.push_back({sram.clock, sram.read, sram.write, &accesses});
+      }
+      scopes.pop_back();
+    };
+    while (const fstHier* item = fstReaderIterateHier(file_)) {
+      if (item->htyp == FST_HT_SCOPE) {
+        const std::string name = item->u.scope.name;
+        const std::string path = scopes.empty() || scopes.back().path == "TOP" ? name : scopes.back().path + "." + name;
+        const std::string to = group(path);
+        scopes.push_back({path, to.empty() ? nullptr : &activity_.groups[to], {}});
+      } else if (item->htyp == FST_HT_UPSCOPE && !scopes.empty()) {
+        leave();
+      } else if (item->htyp == FST_HT_VAR && !scopes.empty() && item->u.var.typ != FST_VT_VCD_PARAMETER) {
+        const auto& var = item->u.var;
+        if (var.length > kWidest || var.handle >= signals_.size()) throw std::length_error("a signal is too wide");
+        std::string name = var.name;
+        name = name.substr(0, name.find(' '));  // the range stands behind
+        scopes.back().ports[name] = {var.handle, var.length};
+        Signal& signal = signals_[var.handle];
+        if (var.is_alias || signal.sum != nullptr || scopes.back().sum == nullptr) continue;
+        signal.sum = scopes.back().sum;
+        signal.sum->bits += var.length;
+      }
+    }
+    while (!scopes.empty()) leave();
+  }
+
+  void* file_;
+  Activity& activity_;
+  std::vector<Signal> signals_;
+  std::vector<Sram> srams_;
+  std::map<fstHandle, Line> lines_;
+  std::map<fstHandle, std::vector<size_t>> srams_of_;
+  std::map<fstHandle, std::vector<uint64_t*>> edges_of_;
+  std::vector<fstHandle> rising_;
+  uint64_t time_ = 0;
+};
+
+void changed(void* reader, uint64_t time, fstHandle handle, const unsigned char* value, uint32_t width) {
+  static_cast<Reader*>(reader)->change(time, handle, value, width);
+}
+
+void changed_short(void* reader, uint64_t time, fstHandle handle, const unsigned char* value) {
+  changed(reader, time, handle, value, static_cast<uint32_t>(std::char_traits<char>::length(reinterpret_cast<const char*>(value))));
+}
+
+}  // namespace
+
+Activity read_activity(const std::filesystem::path& fst, const std::function<std::string(const std::string& scope)>& group) {
+  const std::unique_ptr<void, void (*)(void*)> file(fstReaderOpen(fst.c_str()), [](void* f) { if (f != nullptr) fstReaderClose(f); });
+  if (!file) throw InputError(fst.string() + ": expected waves (.fst)");
+  Activity activity;
+  Reader reader(file.get(), group, activity);
+  fstReaderSetFacProcessMaskAll(file.get());
+  if (fstReaderIterBlocks2(file.get(), changed_short, changed, &reader, nullptr) == 0) throw InputError(fst.string() + ": the waves are cut off");
+  reader.flush(0);
+  activity.cycles = (fstReaderGetEndTime(file.get()) - fstReaderGetStartTime(file.get())) / kCycle;
+  return activity;
+}
+
+}  // namespace pipegs
