@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   add_stress(app, run);
   add_budget(app, run);
   add_effects(app, run);
+  add_silicon(app, run);
   add_info(app, run);
   try {
     app.parse(argc, argv);

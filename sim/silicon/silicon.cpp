@@ -1,0 +1,79 @@
+// silicon.cpp: see silicon.hpp.
+#include "sim/silicon/silicon.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "scenes/input_error.hpp"
+#include "sim/static_cost.hpp"
+
+namespace pipegs {
+namespace {
+
+Range range_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const size_t n = values.size();
+  return {values.front(), (values[(n - 1) / 2] + values[n / 2]) / 2, values.back()};
+}
+
+Range buffer_area(const Config& config, const SramLaw& law) {
+  std::vector<double> by_kind;
+  for (const std::string& kind : law.kinds()) {
+    double sum = 0;
+    for (const BufferCost& buffer : static_cost(config).buffers) sum += law.memory(kind, buffer.width, buffer.depth).area_mm2 * buffer.count;
+    by_kind.push_back(sum);
+  }
+  return range_of(by_kind);
+}
+
+}  // namespace
+
+Synth read_synth(const std::filesystem::path& path, const Config& config) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path.string(), "", "not found: `make synth` writes it");
+  const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  try {
+    Synth synth = {json.at("configuration"), json.at("library"), json.at("fo4_ps"), {}};
+    if (synth.configuration != config_difference(config)) {
+      throw InputError(path.string(), "configuration", fmt::format("found {}, expected {}", quote(synth.configuration), config_difference(config)));
+    }
+    for (const nlohmann::json& unit : json.at("units")) {
+      synth.units.push_back({unit.at("unit"), unit.at("instances"), unit.at("nand2"), unit.at("flipflops"), unit.at("path_ps"),
+                             unit.at("path_from"), unit.at("path_to")});
+    }
+    if (!(synth.fo4_ps > 0)) throw InputError(path.string(), "fo4_ps", "expected a positive number");
+    return synth;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(path.string(), "", fmt::format("expected what `make synth` writes: {}", quote(error.what())));
+  }
+}
+
+std::vector<SiliconRow> silicon_rows(const Config& config, const Synth& synth, const SramLaw& law) {
+  std::vector<SiliconRow> rows = {{.name = "DOPU"}, {.name = "PU"}, {.name = "SU"}, {.name = "RU"}, {.name = "Other"}};
+  const std::map<std::string, size_t> row_of = {{"dopu", 0}, {"pu", 1}, {"su", 2}, {"ru", 3}};
+  for (const SynthUnit& unit : synth.units) {
+    const auto found = row_of.find(unit.unit);
+    SiliconRow& row = rows[found == row_of.end() ? 4 : found->second];
+    if (found != row_of.end()) row.count = unit.instances;
+    const double nand2 = unit.nand2 * unit.instances;
+    row.kilo_nand2 += nand2 / 1000;
+    row.area_mm2 = row.area_mm2 + kNand2Um2 * (nand2 / 1e6);
+    const Range path = kFo4Ps * (unit.path_ps / synth.fo4_ps);
+    if (path.mid > row.path_ps.mid) row.path_ps = path;
+  }
+  rows.push_back({.name = "Buffers", .kb = static_cost(config).buffer_kb(""), .area_mm2 = buffer_area(config, law)});
+  SiliconRow total = {.name = "Total"};
+  for (const SiliconRow& row : rows) {
+    total.kilo_nand2 += row.kilo_nand2, total.kb += row.kb;
+    total.area_mm2 = total.area_mm2 + row.area_mm2;
+    if (row.path_ps.mid > total.path_ps.mid) total.path_ps = row.path_ps;
+  }
+  rows.push_back(total);
+  return rows;
+}
+
+}  // namespace pipegs
