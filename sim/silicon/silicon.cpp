@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "scenes/input_error.hpp"
@@ -53,25 +52,25 @@ Synth read_synth(const std::filesystem::path& path, const Config& config) {
 }
 
 std::vector<SiliconRow> silicon_rows(const Config& config, const Synth& synth, const SramLaw& law) {
-  std::vector<SiliconRow> rows = {{.name = "DOPU"}, {.name = "PU"}, {.name = "SU"}, {.name = "RU"}, {.name = "Other"}};
-  const std::map<std::string, size_t> row_of = {{"dopu", 0}, {"pu", 1}, {"su", 2}, {"ru", 3}};
-  for (const SynthUnit& unit : synth.units) {
-    const auto found = row_of.find(unit.unit);
-    SiliconRow& row = rows[found == row_of.end() ? 4 : found->second];
-    if (found != row_of.end()) row.count = unit.instances;
-    const double nand2 = unit.nand2 * unit.instances;
-    row.kilo_nand2 += nand2 / 1000;
-    row.area_mm2 = row.area_mm2 + kNand2Um2 * (nand2 / 1e6);
-    const Range path = kFo4Ps * (unit.path_ps / synth.fo4_ps);
-    if (path.mid > row.path_ps.mid) row.path_ps = path;
-  }
+  const auto row_of = [&](const char* name, const char* unit_name) {
+    SiliconRow row = {.name = name};
+    for (const SynthUnit& unit : synth.units) {
+      if (unit.unit != unit_name) continue;
+      row.count = unit.instances;
+      row.kilo_nand2 = unit.nand2 * unit.instances / 1000;
+      row.path_ps = kFo4Ps * (unit.path_ps / synth.fo4_ps);
+    }
+    return row;
+  };
+  std::vector<SiliconRow> rows = {row_of("DOPU", "dopu"), row_of("PU", "pu"), row_of("SU", "su"), row_of("RU", "ru")};
+  SiliconRow total = row_of("Total", "top"), other = {.name = "Other", .kilo_nand2 = total.kilo_nand2};  // the top holds all
+  total.count = 0;
+  for (const SiliconRow& row : rows) other.kilo_nand2 -= row.kilo_nand2;
+  rows.push_back(other);
+  for (SiliconRow& row : rows) row.area_mm2 = kNand2Um2 * (row.kilo_nand2 / 1000);
   rows.push_back({.name = "Buffers", .kb = static_cost(config).buffer_kb(""), .area_mm2 = buffer_area(config, law)});
-  SiliconRow total = {.name = "Total"};
-  for (const SiliconRow& row : rows) {
-    total.kilo_nand2 += row.kilo_nand2, total.kb += row.kb;
-    total.area_mm2 = total.area_mm2 + row.area_mm2;
-    if (row.path_ps.mid > total.path_ps.mid) total.path_ps = row.path_ps;
-  }
+  for (const SiliconRow& row : rows) total.area_mm2 = total.area_mm2 + row.area_mm2;
+  total.kb = rows.back().kb;
   rows.push_back(total);
   return rows;
 }
