@@ -2,7 +2,8 @@
 
 Idea    Cells are found by what they do, not by name: the NAND2 that areas are counted in, the inverter of the fan-out-of-4
         delay, a buffer for large nets, a latch for the clock gates. So any library with these and a plain flip-flop will do.
-Rule    Cells for delays, clocks, isolation and probing are never used (UNUSED): they are cut out of the copy that Yosys reads.
+Rule    Cells for delays, clocks, isolation and probing are never used (UNUSED): they are cut out of the copy that is read
+        from here on, and so is power.
         A memory is a flip-flop-like cell: its inputs have a setup, its output shows a stated access time after the edge.
         A clock gate is one too: its enable has a setup before the edge that it lets pass, and no path goes through it.
 """
@@ -31,6 +32,16 @@ def _groups(text, kind):
         at = _block(text, match.end() - 1)
         found.append((match[1].strip(' "'), text[match.start():at], match.start(), at))
     return found
+
+
+def _without(text, kind, names=re.compile("")):
+    """Without the groups of this kind whose name holds names."""
+    kept, at = [], 0
+    for name, _, start, end in _groups(text, kind):
+        if names.search(name):
+            kept.append(text[at:start])
+            at = end
+    return "".join(kept) + text[at:]
 
 
 def _value(text, key, default=None):
@@ -67,14 +78,8 @@ class Library:
     def __init__(self, path):
         with (gzip.open if path.endswith(".gz") else open)(path, "rt", encoding="latin-1") as file:
             text = re.sub(r"/\*.*?\*/", "", file.read(), flags=re.DOTALL)
-        self.cells, kept, at = {}, [], 0
-        for name, body, start, end in _groups(text, "cell"):
-            if UNUSED.search(name):
-                kept.append(text[at:start])
-                at = end
-            else:
-                self.cells[name] = Cell(name, body)
-        self.text = "".join(kept) + text[at:]
+        text = _without(_without(_without(text, "leakage_power"), "internal_power"), "cell", UNUSED)
+        self.text, self.cells = text, {name: Cell(name, body) for name, body, _, _ in _groups(text, "cell")}
         unit = re.search(r'capacitive_load_unit\s*\(\s*([\d.]+)\s*,\s*"?(\w)f"?\s*\)', text)
         self.femto = float(unit[1]) * {"p": 1000, "f": 1}[unit[2].lower()]  # of its unit of capacitance
         gates = self.cells.values()

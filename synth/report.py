@@ -68,7 +68,7 @@ def summary(machine, modules, configuration, library, seconds):
             "sram_access_ps": round(machine.access * 1000), "modules": rows, "units": units,
             "memories": [{"instance": path, "unit": unit, "words": words, "width": width, "ports": "1R1W", "instances": count}
                          for (path, unit, words, width), count in sorted(memories.items(), key=lambda item: item[0][1:2] + item[0][:1])],
-            "longest": longest_paths(machine.paths["pipegs_top"]["many"], machine.fo4), "seconds": round(seconds)}
+            "longest": longest_paths(machine.paths["pipegs_top"]["many"], machine.fo4)[:100], "seconds": round(seconds)}
 
 
 def longest_paths(many, fo4):

@@ -10,6 +10,7 @@ Rule    Memories (rtl/lib/sram.sv) have no area here and a stated access time. W
         (synth/misread.sh looks for these). A latch is an error outside clock_gate.
 """
 import argparse
+import functools
 import glob
 import os
 import re
@@ -27,10 +28,26 @@ from jobs import Failed, Jobs
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 TOP = "pipegs_top"
-ENDS = 20000  # of the whole machine's paths, the longest
-HARMLESS = re.compile(r"Replacing memory .* with list of registers|Whitebox|^Warning: Yosys")
-# abc sees a driver and a load at the borders, so that it buffers and sizes what begins and ends at registers.
-ABC = "+strash;&get,-n;&st;&dch;&nf;&put;buffer,-c,-p;topo;upsize,{D};dnsize,{D}"
+ENDS = 20000   # as many ends of the whole machine's longest paths are read
+SETUP_FO4 = 2  # of a memory's and a clock gate's inputs
+HARMLESS = re.compile(r"Replacing memory .* with list of registers")
+# States stay as the RTL codes them. abc sees a driver and a load at the borders, so that it buffers and sizes what begins and
+# ends at registers.
+MAP = """read_rtlil {folder}/module.il
+synth -noabc -nofsm -noshare -top {name}
+techmap -map {library}/latch.v
+dfflibmap -liberty {library}/cells.lib
+opt
+abc -liberty {library}/cells.lib -constr {library}/abc.constr -script +strash;&get,-n;&st;&dch;&nf;&put;buffer,-c,-p;topo;upsize;dnsize
+setundef -zero
+opt_clean -purge
+write_json {folder}/mapped.json
+"""
+ELABORATE = """read_verilog -sv -defer -DSYNTHESIS {folder}/pipegs_pkg.sv {files}
+hierarchy -check -top {name}
+proc
+write_rtlil {folder}/design.il
+"""
 
 
 def rung_settings(name):
@@ -49,6 +66,11 @@ def check_log(log):
                 raise Failed("Yosys: " + line.strip())
 
 
+def write(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
 def elaborate(jobs, package):
     """{name: rtlil.Module} of the whole machine."""
     files = sorted(path for path in glob.glob(f"{ROOT}/rtl/**/*.sv", recursive=True) if not path.endswith("/pipegs_pkg.sv"))
@@ -56,59 +78,47 @@ def elaborate(jobs, package):
     for path in files:
         with open(path, encoding="utf-8") as file:
             sources.append(file.read())
-    lines = f"hierarchy -check -top {TOP}\nproc\n"
 
     def make(folder):
-        with open(f"{folder}/pipegs_pkg.sv", "w", encoding="utf-8") as file:
-            file.write(package)
         misread = subprocess.run([f"{HERE}/misread.sh", *files], capture_output=True, text=True)
-        with open(f"{folder}/script.ys", "w", encoding="utf-8") as file:
-            file.write(f"read_verilog -sv -defer -DSYNTHESIS {folder}/pipegs_pkg.sv {' '.join(files)}\n{lines}write_rtlil {folder}/top.il\n")
+        write(f"{folder}/log", misread.stdout)
         if misread.returncode != 0:
             raise Failed("Yosys reads this wrong: " + misread.stdout.splitlines()[0])
+        write(f"{folder}/pipegs_pkg.sv", package)
+        write(f"{folder}/script.ys", ELABORATE.format(folder=folder, files=" ".join(files), name=TOP))
         jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
         check_log(f"{folder}/log")
 
-    folder = jobs.each("elaborate", [("design", 1, lambda: jobs.result("design", [lines] + files + sources, make))])["design"]
-    return rtlil.read(f"{folder}/top.il")
+    folder = jobs.each("elaborate", [("design", 1, lambda: jobs.result("design", [ELABORATE] + sources, make))])["design"]
+    return rtlil.read(f"{folder}/design.il")
 
 
 class Machine:
     """All modules mapped, buffered and timed; report.py reads it."""
 
-    def __init__(self, jobs, library, liberty_path, access_fo4):
-        self.jobs, self.library, self.liberty_path = jobs, library, liberty_path
-        fo4 = jobs.each("library", [("library", 1, lambda: jobs.result("library", [library.text], self._library))])["library"]
-        self.folder = fo4
-        with open(f"{fo4}/fo4", encoding="utf-8") as file:
+    def __init__(self, jobs, library, access_fo4):
+        self.jobs, self.library = jobs, library
+        made_from = [library.text, library.latch_map()]
+        self.folder = jobs.each("library", [("library", 1, lambda: jobs.result("library", made_from, self._library))])["library"]
+        with open(f"{self.folder}/fo4", encoding="utf-8") as file:
             self.fo4 = float(file.read())
-        self.access, self.setup = access_fo4 * self.fo4, 2 * self.fo4
+        self.access, self.setup = access_fo4 * self.fo4, SETUP_FO4 * self.fo4
 
     def _library(self, folder):
-        with open(f"{folder}/cells.lib", "w", encoding="utf-8") as file:
-            file.write(self.library.text)
-        with open(f"{folder}/latch.v", "w", encoding="utf-8") as file:
-            file.write(self.library.latch_map())
-        with open(f"{folder}/abc.constr", "w", encoding="utf-8") as file:
-            file.write(f"set_driving_cell {self.library.inverter.name}\nset_load {self.library.load * self.library.femto:.3f}\n")
-        fo4 = timing.fo4(self.jobs, self.library, f"{folder}/cells.lib", folder)
-        with open(f"{folder}/fo4", "w", encoding="utf-8") as file:
-            file.write(f"{fo4:.5f}\n")
+        write(f"{folder}/cells.lib", self.library.text)
+        write(f"{folder}/latch.v", self.library.latch_map())
+        write(f"{folder}/abc.constr", f"set_driving_cell {self.library.inverter.name}\nset_load {self.library.load * self.library.femto:.3f}\n")
+        write(f"{folder}/fo4", f"{timing.fo4(self.jobs, self.library, folder):.5f}\n")
 
     def map(self, module):
-        """The mapped netlist of one module."""
+        """The folder with the mapped netlist of one module."""
         text = module.text() + "".join(child.black_box() for child in module.boxes())
-        library = f"-liberty {self.folder}/cells.lib"
-        lines = [f"synth -noabc -nofsm -noshare -top {module.name}", f"techmap -map {self.folder}/latch.v",
-                 f"dfflibmap {library}", "opt", f"abc {library} -constr {self.folder}/abc.constr -script {ABC}",
-                 "setundef -zero", "opt_clean -purge"]
 
         def make(folder):
-            with open(f"{folder}/module.il", "w", encoding="utf-8") as file:
-                file.write(text)
-            with open(f"{folder}/script.ys", "w", encoding="utf-8") as file:
-                file.write("\n".join([f"read_rtlil {folder}/module.il"] + lines + [f"write_json {folder}/mapped.json", ""]))
+            write(f"{folder}/module.il", text)
+            write(f"{folder}/script.ys", MAP.format(folder=folder, name=module.name, library=self.folder))
             if module.base != rtlil.GATE and "cell $dlatch" in text:
+                write(f"{folder}/log", text)
                 raise Failed("a latch")
             self.jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
             check_log(f"{folder}/log")
@@ -118,48 +128,43 @@ class Machine:
                 raise Failed(str(error)) from None
             os.remove(f"{folder}/mapped.json")
 
-        return self.jobs.result(module.name, [text, self.library.text] + lines[:1] + lines[2:4] + [ABC], make)
+        return self.jobs.result(module.name, [MAP, text, self.library.text, self.library.latch_map()], make)
 
     def build(self, modules):
         """Maps and times them all: self.areas, self.flipflops, self.paths by name."""
         logic = [module for module in modules.values() if module.base != rtlil.MEMORY]
-        cells = [module for module in modules.values() if module.base in (rtlil.MEMORY, rtlil.GATE)]
-        mapped = self.jobs.each("synthesis", [(module.name, len(module.text()), lambda module=module: self.map(module)) for module in logic])
-        self.areas, self.flipflops, loads, self.verilog = {}, {}, {}, {}
-        for module in cells:
-            loads[module.name] = {name: [1] * width for name, direction, width in module.ports() if direction == "input"}
-        for module in reversed(modules[TOP].below()):
-            self._assemble(module, mapped, loads)
-        text = liberty.models([m for m in cells if m.base == rtlil.MEMORY], [m for m in cells if m.base == rtlil.GATE],
-                              self.library, self.access, self.setup)
-        timed = self.jobs.each("timing", [(module.name, sum(len(self.verilog.get(m.name, "")) for m in module.below()) + 1,
-                                           lambda module=module: self.time(module, text)) for module in logic if module.base != rtlil.GATE])
+        memories = [module for module in modules.values() if module.base == rtlil.MEMORY]
+        gates = [module for module in logic if module.base == rtlil.GATE]
+        mapped = self.jobs.each("synthesis", [(module.name, len(module.text()), functools.partial(self.map, module)) for module in logic])
+        self.areas, self.flipflops, self.verilog = {}, {}, {}
+        self._assemble(modules[TOP], mapped, {module.name: one_each(module) for module in memories + gates})
+        models = liberty.models(memories, gates, self.library, self.access, self.setup)
+        parts = {module.name: [m.name for m in module.below() if m.name in self.verilog] for module in logic if module not in gates}
+        timed = self.jobs.each("timing", [(name, sum(len(self.verilog[part]) for part in parts[name]),
+                                           functools.partial(self.time, modules[name], parts[name], models)) for name in parts])
         self.paths = {name: timing.read(f"{folder}/log") for name, folder in timed.items()}
 
     def _assemble(self, module, mapped, loads):
+        """Buffers and writes a module after all below it; loads: {module: {input: [loads of each bit]}}."""
         if module.name in self.areas or module.base == rtlil.MEMORY:
             return
         for child in module.boxes():
             self._assemble(child, mapped, loads)
         gates = netlist.Netlist.load(f"{mapped[module.name]}/netlist.json")
         inner = gates.buffer(self.library, {child.name: loads[child.name] for child in module.boxes()})
-        loads.setdefault(module.name, inner)
         self.areas[module.name], self.flipflops[module.name] = gates.area(self.library), gates.flipflops(self.library)
         if module.base != rtlil.GATE:
-            self.verilog[module.name] = gates.verilog(module.name)
+            loads[module.name], self.verilog[module.name] = inner, gates.verilog(module.name)
 
-    def time(self, module, models):
-        below = [m for m in module.below() if m.name in self.verilog]
-        many = ENDS if module.name == TOP else 0
+    def time(self, module, parts, models):
+        """The folder with the timing of one module and all below it."""
+        verilog = "".join(self.verilog[part] for part in parts)
         has_clock = any(name == "clk_i" for name, _, _ in module.ports())
 
         def make(folder):
-            with open(f"{folder}/models.lib", "w", encoding="utf-8") as file:
-                file.write(models)
-            with open(f"{folder}/netlist.v", "w", encoding="utf-8") as file:
-                file.write("".join(self.verilog[m.name] for m in below))
-            with open(f"{folder}/script.tcl", "w", encoding="utf-8") as file:
-                file.write(timing.script(self.library, f"{self.folder}/cells.lib", f"{folder}/models.lib", f"{folder}/netlist.v", module.name, has_clock, many))
+            write(f"{folder}/models.lib", models)
+            write(f"{folder}/netlist.v", verilog)
+            write(f"{folder}/script.tcl", timing.script(self.library, self.folder, folder, module.name, has_clock, ENDS if module.name == TOP else 0))
             self.jobs.run(["sta", "-no_splash", "-exit", f"{folder}/script.tcl"], f"{folder}/log")
             with open(f"{folder}/log", encoding="utf-8") as file:
                 text = file.read()
@@ -168,8 +173,12 @@ class Machine:
             os.remove(f"{folder}/netlist.v")
             os.remove(f"{folder}/models.lib")
 
-        made_from = [models, self.library.text, timing.script(self.library, "", "", "", module.name, has_clock, many)]
-        return self.jobs.result("time_" + module.name, made_from + [self.verilog[m.name] for m in below], make)
+        made_from = [models, self.library.text, verilog, timing.script(self.library, "", "", module.name, has_clock, ENDS)]
+        return self.jobs.result("time_" + module.name, made_from, make)
+
+
+def one_each(module):
+    return {name: [1] * width for name, direction, width in module.ports() if direction == "input"}
 
 
 def main():
@@ -184,16 +193,16 @@ def main():
     begin = report.now()
     settings = [f"{key}={value}" for key, value in rung_settings(options.rung)] if options.rung else []
     settings += options.settings.split()
+    if not os.path.exists(options.liberty):
+        raise Failed(f"no library {options.liberty}")
     printed = subprocess.run([f"{options.build}/cpp_model/package_sv", *settings], capture_output=True, text=True)
     if printed.returncode != 0:
         raise Failed(printed.stderr.strip())
     configuration = ",".join(([options.rung] if options.rung else []) + options.settings.split()) or "default"
     name = os.path.basename(options.liberty).split(".")[0].replace("_stdcells", "")
-    if not os.path.exists(options.liberty):
-        raise Failed(f"no library {options.liberty}")
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), max(1, options.jobs))
     modules = elaborate(jobs, printed.stdout)
-    machine = Machine(jobs, liberty.Library(options.liberty), options.liberty, options.sram_fo4)
+    machine = Machine(jobs, liberty.Library(options.liberty), options.sram_fo4)
     machine.build(modules)
     report.write(machine, modules, configuration, name, f"{options.build}/synth/{configuration}/{name}", begin)
 

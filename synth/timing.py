@@ -10,7 +10,7 @@ import re
 PERIOD = 1000  # ns; anything longer than a path
 
 
-def fo4(jobs, library, liberty_path, folder):
+def fo4(jobs, library, folder):
     """Delay of an inverter that drives four, ns: mean of a rising and a falling one."""
     (source,), (sink,) = library.inverter.inputs, library.inverter.outputs
     inverter = library.inverter.name
@@ -20,7 +20,7 @@ def fo4(jobs, library, liberty_path, folder):
     with open(f"{folder}/chain.v", "w", encoding="utf-8") as file:
         file.write("\n".join([f"module chain (a, z); input a; output z; {wires} assign z = n8;"] + stages + loads + ["endmodule", ""]))
     with open(f"{folder}/chain.tcl", "w", encoding="utf-8") as file:
-        file.write(f"read_liberty {liberty_path}\nread_verilog {folder}/chain.v\nlink_design chain\n"
+        file.write(f"read_liberty {folder}/cells.lib\nread_verilog {folder}/chain.v\nlink_design chain\n"
                    f"create_clock -name clk -period {PERIOD}\nset_input_delay 0 -clock clk a\nset_output_delay 0 -clock clk z\n"
                    "set_cmd_units -time ns\nreport_checks -path_delay max -digits 5\nexit\n")
     jobs.run(["sta", "-no_splash", "-exit", f"{folder}/chain.tcl"], f"{folder}/log")
@@ -29,11 +29,12 @@ def fo4(jobs, library, liberty_path, folder):
     return (delays[4] + delays[5]) / 2
 
 
-def script(library, liberty_path, models_path, netlist_path, module, has_clock, many):
+def script(library, library_folder, folder, module, has_clock, many):
+    """Tcl; many: how many ends of paths are listed."""
     clock = "[get_ports clk_i]" if has_clock else ""
-    return f"""read_liberty {liberty_path}
-read_liberty {models_path}
-read_verilog {netlist_path}
+    return f"""read_liberty {library_folder}/cells.lib
+read_liberty {folder}/models.lib
+read_verilog {folder}/netlist.v
 link_design {module}
 set_cmd_units -time ns -capacitance pF
 create_clock -name clk -period {PERIOD} {clock}
