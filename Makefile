@@ -6,15 +6,17 @@ PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
-.PHONY: help tools build run test test-long bench lint rooms package wave clean
+.PHONY: help tools build run test test-long bench lint synth rooms package wave clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*##/  make \1:/p' $(MAKEFILE_LIST)
 
-tools:  ## install what is missing (apt)
-	@missing=""; for p in $(PACKAGES); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok' || missing="$$missing $$p"; done; \
+INSTALL = missing=""; for p in $(1); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok' || missing="$$missing $$p"; done; \
 	if [ -n "$$missing" ]; then echo "installing:$$missing"; \
 	$(SUDO) apt-get update -qq && DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
+
+tools:  ## install what is missing (apt)
+	@$(call INSTALL,$(PACKAGES))
 
 $(BUILD)/build.ninja: | tools
 	CC=clang CXX=clang++ cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
@@ -38,6 +40,11 @@ bench: build  ## speed of golden model and RTL on our own scene, apart from the 
 
 lint: tools build  ## each RTL module alone through Verilator's lint and Yosys
 	BUILD=$(BUILD) synth/lint.sh
+
+synth: tools $(BUILD)/build.ninja  ## gates of a library: area and longest paths of every module; RUNG=, SET="key=value ...", LIBERTY=, JOBS=
+	@$(call INSTALL,opensta qflow-tech-osu018)
+	@cmake --build $(BUILD) --target package_sv >/dev/null
+	@synth/synth.py --build $(BUILD) $(if $(RUNG),--rung $(RUNG)) --set "$(SET)" $(if $(LIBERTY),--liberty $(LIBERTY)) $(if $(JOBS),--jobs $(JOBS))
 
 rooms:  ## what lacks its rhyme: module, twin, test, heading
 	verif/self/rooms.sh

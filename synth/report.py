@@ -1,0 +1,109 @@
+"""report.py: synth.json and the tables of a synthesised machine.
+
+Rule    area and flip-flops of a module are its own, without submodules; of a unit, of one instance with all below it. A
+        module that stands in several units has a row in each. A path counts for the module in which most of its time
+        passes (path_in). Memories have no area here.
+        kGE: thousands of NAND2 of the library. FO4: delays of an inverter that drives four.
+"""
+import collections
+import json
+import os
+import re
+import time
+
+import rtlil
+
+UNITS = {"dopu": "dopu", "pu": "pu", "su": "su", "ru": "ru", "lists": "list", "alpha_store": "buf"}
+now = time.time
+
+
+def walk(module, unit="top", path=""):
+    """(module, unit, hierarchical name) of every instance below, itself first."""
+    yield module, unit, path
+    for name, child in module.children:
+        below = UNITS.get(child.base, unit) if unit == "top" else unit
+        yield from walk(child, below, f"{path}.{name}" if path else name)
+
+
+def path_entry(path, module, prefix="path"):
+    if path is None:
+        return {f"{prefix}_ps": 0, f"{prefix}_from": "", f"{prefix}_to": "", f"{prefix}_in": ""}
+    spent = collections.Counter()
+    for pin, ns in path.delays:
+        place, rest = module, pin
+        while True:
+            child = next(((name, child) for name, child in place.children if rest.startswith(name + "/")), None)
+            if child is None:
+                break
+            place, rest = child[1], rest[len(child[0]) + 1:]
+        spent[place.name] += ns
+    inside = spent.most_common(1)[0][0] if spent else module.name
+    return {f"{prefix}_ps": round(path.ns * 1000), f"{prefix}_from": path.start, f"{prefix}_to": path.end, f"{prefix}_in": inside}
+
+
+def summary(machine, modules, configuration, library, seconds):
+    nand2 = machine.library.nand.area
+    instances = list(walk(modules["pipegs_top"]))
+    counts = collections.Counter((module.name, unit) for module, unit, _ in instances if module.base != rtlil.MEMORY)
+    rows = []
+    for (name, unit), count in sorted(counts.items(), key=lambda item: (item[0][1], item[0][0])):
+        module, paths = modules[name], machine.paths.get(name, {"registers": None, "ports": None})
+        longest = max((path for path in (paths["registers"], paths["ports"]) if path), key=lambda path: path.ns, default=None)
+        rows.append({"module": module.base, "unit": unit, "parameters": module.parameters, "instances": count,
+                     "area_um2": round(machine.areas[name], 1), "nand2": round(machine.areas[name] / nand2),
+                     "flipflops": machine.flipflops[name], **path_entry(longest, module)})
+    units = []
+    for base, unit in [*UNITS.items(), ("pipegs_top", "top")]:
+        found = [module for module in modules.values() if module.base == base]
+        if found:
+            below = [module.name for module, _, _ in walk(found[0]) if module.base != rtlil.MEMORY]
+            area = sum(machine.areas[name] for name in below)
+            paths = machine.paths[found[0].name]
+            units.append({"unit": unit, "instances": sum(module is found[0] for module, _, _ in instances), "area_um2": round(area, 1),
+                          "nand2": round(area / nand2), "flipflops": sum(machine.flipflops[name] for name in below),
+                          **path_entry(paths["registers"], found[0]), **path_entry(paths["ports"], found[0], "port_path")})
+    memories = collections.Counter((re.sub(r"\[\d+\]", "[k]", path), unit, module.parameters["Depth"], module.parameters["DataW"])
+                                   for module, unit, path in instances if module.base == rtlil.MEMORY)
+    return {"configuration": configuration, "library": library, "nand2_um2": nand2, "fo4_ps": round(machine.fo4 * 1000, 1),
+            "sram_access_ps": round(machine.access * 1000), "modules": rows, "units": units,
+            "memories": [{"instance": path, "unit": unit, "words": words, "width": width, "ports": "1R1W", "instances": count}
+                         for (path, unit, words, width), count in sorted(memories.items(), key=lambda item: item[0][1:2] + item[0][:1])],
+            "longest": longest_paths(machine.paths["pipegs_top"]["many"], machine.fo4)[:100], "seconds": round(seconds)}
+
+
+def longest_paths(many, fo4):
+    """The longest paths between registers of the whole machine, one for each signal at which they end, equal units once."""
+    found = {}
+    for start, end, ns in sorted(many, key=lambda path: -path[2]):
+        entry = {"path_ps": round(ns * 1000), "fo4": round(ns / fo4, 1), "path_from": start, "path_to": end}
+        found.setdefault(re.sub(r"\[\d+\]", "", end), entry)
+    return list(found.values())
+
+
+def tables(result):
+    fo4 = result["fo4_ps"]
+    lines = [f"{result['configuration']} in {result['library']}: NAND2 {result['nand2_um2']} um2, FO4 {fo4} ps, memories {result['sram_access_ps']} ps", "",
+             f"{'unit':6} {'count':>5} {'kGE of one':>10} {'kGE of all':>10} {'flip-flops':>10} {'path ps':>8} {'FO4':>5}  from -> to (most of it in)"]
+    for row in result["units"]:
+        lines.append(f"{row['unit']:6} {row['instances']:5} {row['nand2'] / 1000:10.1f} {row['nand2'] * row['instances'] / 1000:10.1f} {row['flipflops']:10} "
+                     f"{row['path_ps']:8} {row['path_ps'] / fo4:5.1f}  {row['path_from']} -> {row['path_to']} ({row['path_in']})")
+        lines.append(f"{'':6} {'':5} {'':10} {'':10} {'at its ports':>10} {row['port_path_ps']:6} {row['port_path_ps'] / fo4:5.1f}  {row['port_path_from']} -> {row['port_path_to']} ({row['port_path_in']})")
+    lines += ["", "longest paths between registers, one for each signal at which they end"]
+    lines += [f"{row['path_ps']:6} ps {row['fo4']:5} FO4  {row['path_from']} -> {row['path_to']}" for row in result["longest"][:10]]
+    lines += ["", f"{'unit':5} {'module':44} {'count':>5} {'kGE':>7} {'all kGE':>8} {'flops':>6} {'path ps':>8} {'FO4':>5}  from -> to (most of it in)"]
+    for row in sorted(result["modules"], key=lambda row: -row["nand2"] * row["instances"]):
+        name = row["module"] + "".join(f" {key}={value}" for key, value in row["parameters"].items())
+        lines.append(f"{row['unit']:5} {name:44} {row['instances']:5} {row['nand2'] / 1000:7.2f} {row['nand2'] * row['instances'] / 1000:8.1f} {row['flipflops']:6} "
+                     f"{row['path_ps']:8} {row['path_ps'] / fo4:5.1f}  {row['path_from']} -> {row['path_to']} ({row['path_in']})")
+    return "\n".join(lines + ["", f"{result['seconds']} s", ""])
+
+
+def write(machine, modules, configuration, library, folder, begin):
+    result = summary(machine, modules, configuration, library, now() - begin)
+    os.makedirs(folder, exist_ok=True)
+    text = tables(result)
+    for name, body in (("synth.json", json.dumps(result, indent=1) + "\n"), ("synth.txt", text)):
+        with open(f"{folder}/{name}.new", "w", encoding="utf-8") as file:
+            file.write(body)
+        os.replace(f"{folder}/{name}.new", f"{folder}/{name}")
+    print(text + f"{folder}/synth.json")

@@ -1,0 +1,217 @@
+#!/usr/bin/env python3
+"""synth.py: the machine in gates of a liberty library: area, flip-flops and longest paths of every module.
+
+Idea    Yosys elaborates the design once; each module (each of its parameterisations that occurs) is then a synthesis of
+        its own with its submodules as black boxes. Modules are put together again for OpenSTA only.
+        rtlil.py cuts the design, jobs.py runs and keeps, liberty.py knows the library, netlist.py buffers what crosses
+        modules, timing.py asks OpenSTA, report.py prints.
+Rule    Memories (rtl/lib/sram.sv) have no area here and a stated access time. Whatever Yosys warns of ends the run, but for
+        arrays that become registers: some constructs it reads wrong with no more than a warning, others with none
+        (synth/misread.sh looks for these). A latch is an error outside clock_gate.
+"""
+import argparse
+import functools
+import glob
+import os
+import re
+import signal
+import subprocess
+import sys
+
+import liberty
+import netlist
+import report
+import rtlil
+import timing
+from jobs import Failed, Jobs
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(HERE)
+TOP = "pipegs_top"
+ENDS = 20000   # as many ends of the whole machine's longest paths are read
+SETUP_FO4 = 2  # of a memory's and a clock gate's inputs
+HARMLESS = re.compile(r"Replacing memory .* with list of registers")
+# States stay as the RTL codes them. abc sees a driver and a load at the borders, so that it buffers and sizes what begins and
+# ends at registers.
+MAP = """read_rtlil {folder}/module.il
+synth -noabc -nofsm -noshare -top {name}
+techmap -map {library}/latch.v
+dfflibmap -liberty {library}/cells.lib
+opt
+abc -liberty {library}/cells.lib -constr {library}/abc.constr -script +strash;&get,-n;&st;&dch;&nf;&put;buffer,-c,-p;topo;upsize;dnsize
+setundef -zero
+opt_clean -purge
+write_json {folder}/mapped.json
+"""
+ELABORATE = """read_verilog -sv -defer -DSYNTHESIS {folder}/pipegs_pkg.sv {files}
+hierarchy -check -top {name}
+proc
+write_rtlil {folder}/design.il
+"""
+
+
+def rung_settings(name):
+    """The settings of a rung, from the table in sim/rung.cpp."""
+    with open(f"{ROOT}/sim/rung.cpp", encoding="utf-8") as file:
+        rungs = dict(re.findall(r'\{\.name = "(\w+)", ((?:\.\w+ = \d+, )+)', file.read()))
+    if name not in rungs:
+        raise Failed(f"unknown rung '{name}'; known: {', '.join(rungs)}")
+    return re.findall(r"\.(\w+) = (\d+)", rungs[name])
+
+
+def check_log(log):
+    with open(log, encoding="utf-8") as file:
+        for line in file:
+            if line.startswith(("Warning:", "ERROR:")) and not HARMLESS.search(line):
+                raise Failed("Yosys: " + line.strip())
+
+
+def write(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def elaborate(jobs, package):
+    """{name: rtlil.Module} of the whole machine."""
+    files = sorted(path for path in glob.glob(f"{ROOT}/rtl/**/*.sv", recursive=True) if not path.endswith("/pipegs_pkg.sv"))
+    sources = [package]
+    for path in files:
+        with open(path, encoding="utf-8") as file:
+            sources.append(file.read())
+
+    def make(folder):
+        misread = subprocess.run([f"{HERE}/misread.sh", *files], capture_output=True, text=True)
+        write(f"{folder}/log", misread.stdout)
+        if misread.returncode != 0:
+            raise Failed("Yosys reads this wrong: " + misread.stdout.splitlines()[0])
+        write(f"{folder}/pipegs_pkg.sv", package)
+        write(f"{folder}/script.ys", ELABORATE.format(folder=folder, files=" ".join(files), name=TOP))
+        jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
+        check_log(f"{folder}/log")
+
+    folder = jobs.each("elaborate", [("design", 1, lambda: jobs.result("design", [ELABORATE] + sources, make))])["design"]
+    return rtlil.read(f"{folder}/design.il")
+
+
+class Machine:
+    """All modules mapped, buffered and timed; report.py reads it."""
+
+    def __init__(self, jobs, library, access_fo4):
+        self.jobs, self.library = jobs, library
+        made_from = [library.text, library.latch_map()]
+        self.folder = jobs.each("library", [("library", 1, lambda: jobs.result("library", made_from, self._library))])["library"]
+        with open(f"{self.folder}/fo4", encoding="utf-8") as file:
+            self.fo4 = float(file.read())
+        self.access, self.setup = access_fo4 * self.fo4, SETUP_FO4 * self.fo4
+
+    def _library(self, folder):
+        write(f"{folder}/cells.lib", self.library.text)
+        write(f"{folder}/latch.v", self.library.latch_map())
+        write(f"{folder}/abc.constr", f"set_driving_cell {self.library.inverter.name}\nset_load {self.library.load * self.library.femto:.3f}\n")
+        write(f"{folder}/fo4", f"{timing.fo4(self.jobs, self.library, folder):.5f}\n")
+
+    def map(self, module):
+        """The folder with the mapped netlist of one module."""
+        text = module.text() + "".join(child.black_box() for child in module.boxes())
+
+        def make(folder):
+            write(f"{folder}/module.il", text)
+            write(f"{folder}/script.ys", MAP.format(folder=folder, name=module.name, library=self.folder))
+            if module.base != rtlil.GATE and "cell $dlatch" in text:
+                write(f"{folder}/log", text)
+                raise Failed("a latch")
+            self.jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
+            check_log(f"{folder}/log")
+            try:
+                netlist.Netlist.from_yosys(f"{folder}/mapped.json", module.name, self.library).save(f"{folder}/netlist.json")
+            except ValueError as error:
+                raise Failed(str(error)) from None
+            os.remove(f"{folder}/mapped.json")
+
+        return self.jobs.result(module.name, [MAP, text, self.library.text, self.library.latch_map()], make)
+
+    def build(self, modules):
+        """Maps and times them all: self.areas, self.flipflops, self.paths by name."""
+        logic = [module for module in modules.values() if module.base != rtlil.MEMORY]
+        memories = [module for module in modules.values() if module.base == rtlil.MEMORY]
+        gates = [module for module in logic if module.base == rtlil.GATE]
+        mapped = self.jobs.each("synthesis", [(module.name, len(module.text()), functools.partial(self.map, module)) for module in logic])
+        self.areas, self.flipflops, self.verilog = {}, {}, {}
+        self._assemble(modules[TOP], mapped, {module.name: one_each(module) for module in memories + gates})
+        models = liberty.models(memories, gates, self.library, self.access, self.setup)
+        parts = {module.name: [m.name for m in module.below() if m.name in self.verilog] for module in logic if module not in gates}
+        timed = self.jobs.each("timing", [(name, sum(len(self.verilog[part]) for part in parts[name]),
+                                           functools.partial(self.time, modules[name], parts[name], models)) for name in parts])
+        self.paths = {name: timing.read(f"{folder}/log") for name, folder in timed.items()}
+
+    def _assemble(self, module, mapped, loads):
+        """Buffers and writes a module after all below it; loads: {module: {input: [loads of each bit]}}."""
+        if module.name in self.areas or module.base == rtlil.MEMORY:
+            return
+        for child in module.boxes():
+            self._assemble(child, mapped, loads)
+        gates = netlist.Netlist.load(f"{mapped[module.name]}/netlist.json")
+        inner = gates.buffer(self.library, {child.name: loads[child.name] for child in module.boxes()})
+        self.areas[module.name], self.flipflops[module.name] = gates.area(self.library), gates.flipflops(self.library)
+        if module.base != rtlil.GATE:
+            loads[module.name], self.verilog[module.name] = inner, gates.verilog(module.name)
+
+    def time(self, module, parts, models):
+        """The folder with the timing of one module and all below it."""
+        verilog = "".join(self.verilog[part] for part in parts)
+        has_clock = any(name == "clk_i" for name, _, _ in module.ports())
+
+        def make(folder):
+            write(f"{folder}/models.lib", models)
+            write(f"{folder}/netlist.v", verilog)
+            write(f"{folder}/script.tcl", timing.script(self.library, self.folder, folder, module.name, has_clock, ENDS if module.name == TOP else 0))
+            self.jobs.run(["sta", "-no_splash", "-exit", f"{folder}/script.tcl"], f"{folder}/log")
+            with open(f"{folder}/log", encoding="utf-8") as file:
+                text = file.read()
+            if "@end" not in text or "Error" in text:
+                raise Failed("OpenSTA: " + next((line for line in text.splitlines() if "Error" in line), "no report"))
+            os.remove(f"{folder}/netlist.v")
+            os.remove(f"{folder}/models.lib")
+
+        made_from = [models, self.library.text, verilog, timing.script(self.library, "", "", module.name, has_clock, ENDS)]
+        return self.jobs.result("time_" + module.name, made_from, make)
+
+
+def one_each(module):
+    return {name: [1] * width for name, direction, width in module.ports() if direction == "input"}
+
+
+def main():
+    parser = argparse.ArgumentParser(description="The machine in gates of a liberty library; prints and writes areas and longest paths.")
+    parser.add_argument("--rung", default="", help="a rung of the ladder (sim/rung.cpp)")
+    parser.add_argument("--set", default="", dest="settings", help='"key=value ...", entries of cpp_model/config.def')
+    parser.add_argument("--liberty", default="/usr/share/qflow/tech/osu018/osu018_stdcells.lib", help="the library, .gz too")
+    parser.add_argument("--sram-fo4", type=float, default=20, help="access time of a memory, fan-out-of-4 delays")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="programs at once")
+    parser.add_argument("--build", default="build", help="build folder; holds cpp_model/package_sv")
+    options = parser.parse_args()
+    begin = report.now()
+    settings = [f"{key}={value}" for key, value in rung_settings(options.rung)] if options.rung else []
+    settings += options.settings.split()
+    if not os.path.exists(options.liberty):
+        raise Failed(f"no library {options.liberty}")
+    printed = subprocess.run([f"{options.build}/cpp_model/package_sv", *settings], capture_output=True, text=True)
+    if printed.returncode != 0:
+        raise Failed(printed.stderr.strip())
+    configuration = ",".join(([options.rung] if options.rung else []) + options.settings.split()) or "default"
+    name = os.path.basename(options.liberty).split(".")[0].replace("_stdcells", "")
+    jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), max(1, options.jobs))
+    modules = elaborate(jobs, printed.stdout)
+    machine = Machine(jobs, liberty.Library(options.liberty), options.sram_fo4)
+    machine.build(modules)
+    report.write(machine, modules, configuration, name, f"{options.build}/synth/{configuration}/{name}", begin)
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as control-C: ends what was started
+    try:
+        main()
+    except Failed as error:
+        sys.exit(f"synth: {error}")
+    except KeyboardInterrupt:
+        sys.exit("\nsynth: interrupted; what is done is kept")
