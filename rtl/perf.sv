@@ -26,7 +26,7 @@ module perf (
     end else if (restart_i) begin
       for (int unsigned i = 0; i < 4; i += 1) counts_q[i] <= '0;
     end else if (running_i) begin
-      counts_q[state_i] <= counts_q[state_i] + 1'b1;
+      for (int unsigned i = 0; i < 4; i += 1) if (state_i == 2'(i)) counts_q[i] <= counts_q[i] + 1'b1;  // the state comes late
     end
   end
 

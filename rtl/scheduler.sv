@@ -33,11 +33,13 @@ module scheduler (
   localparam int unsigned CountW  = 2 * WindowW + 2;
   localparam int unsigned LinesW  = pipegs_pkg::RegionW + 1;
   localparam int unsigned PerfW   = pipegs_pkg::PerfW;
+  localparam int unsigned NowW    = LinesW + $clog2(Units + 1);  // lines of one cycle
 
   logic [CountW-1:0] left_q [Units];  // windows that each RU has still to complete
   logic [Units-1:0]  complete;
   logic              restart_q, busy_q;
-  logic [PerfW-1:0]  cycles_q, preprocess_q, overflow_q, overflow_now;
+  logic [PerfW-1:0]  cycles_q, preprocess_q, overflow_q;
+  logic [NowW-1:0]   overflow_now, overflow_now_q;
   logic [WindowW:0]   columns, rows;  // up to 2^WindowW
 
   assign columns = (WindowW+1)'(frame_i.last_x - frame_i.first_x) + 1'b1;
@@ -47,7 +49,7 @@ module scheduler (
     for (int unsigned i = 0; i < Units; i += 1) complete[i] = left_q[i] == '0;
     overflow_now = '0;
     for (int unsigned i = 0; i < Units; i += 1) begin
-      overflow_now = overflow_now + PerfW'(overflow_sort_i[i]) + PerfW'(overflow_alpha_i[i*LinesW +: LinesW]);
+      overflow_now = overflow_now + NowW'(overflow_sort_i[i]) + NowW'(overflow_alpha_i[i*LinesW +: LinesW]);
     end
   end
 
@@ -64,9 +66,12 @@ module scheduler (
       cycles_q     <= '0;
       preprocess_q <= '0;
       overflow_q   <= '0;
+      overflow_now_q <= '0;
       for (int unsigned i = 0; i < Units; i += 1) left_q[i] <= '0;
     end else begin
       restart_q <= start_i && !busy_q;
+      overflow_now_q <= busy_q ? overflow_now : '0;
+      overflow_q     <= overflow_q + PerfW'(overflow_now_q);
       if (start_i && !busy_q) begin
         busy_q     <= 1'b1;
         cycles_q     <= '0;
@@ -77,7 +82,6 @@ module scheduler (
         // The restart cycle itself belongs to no unit: counting starts behind it, as in perf.
         if (busy_q && !restart_q) cycles_q <= cycles_q + 1'b1;
         if (busy_q && written_i) preprocess_q <= cycles_q;
-        if (busy_q) overflow_q <= overflow_q + overflow_now;
         if (busy_q && !restart_q && complete == '1 && idle_i) busy_q <= 1'b0;
         for (int unsigned i = 0; i < Units; i += 1) if (window_done_i[i]) left_q[i] <= left_q[i] - 1'b1;
       end

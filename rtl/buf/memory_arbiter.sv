@@ -2,12 +2,14 @@
 //
 // Idea    The ports that may write stand nearer to the image and go first, with the DOPU's, which asks for little and waits
 //         for each answer: what these wait for holds up all others. Round robin among them, and among the others; one
-//         request per cycle, registered on its way out; the port number travels as the tag, and an answer goes back to
-//         the port that its tag names. Writes carry a line of data and get no answer.
-//         Port order: WritePorts that may write, then those that only read.
+//         request per cycle; the port number travels as the tag, and an answer goes back to the port that its tag names.
+//         Writes carry a line of data and get no answer. Port order: WritePorts that may write, then those that only read.
+//         The choice is registered: a grant is for the next cycle, so no requester's valid reaches a ready in the same one. It
+//         falls on a port other than the one that is served now if there is one, else it stays: one port alone moves a
+//         request each cycle.
 // Stream  ports: valid, ready, write, address, data. out: memory_request_t and the data. answers: tag and data in, one
 //         valid per port out; a requester asks only for what it has room for, so answers are never refused.
-// Pace    One request and one answer per cycle; two cycles of latency out, one back.
+// Pace    One request and one answer per cycle; three cycles of latency out (two for the port served last), one back.
 // Model   sim/external_memory.hpp applies requests in the order in which this port shows them.
 
 module memory_arbiter #(
@@ -35,28 +37,43 @@ module memory_arbiter #(
   input  logic [pipegs_pkg::MemoryW-1:0]                 mem_rsp_data_i
 );
 
-  logic [Ports-1:0]                  first, request, grant;
-  logic [PortW-1:0]                  port;
-  logic                              take;
+  logic [Ports-1:0]                  others, first, request, grant, grant_q;
+  logic [PortW-1:0]                  port, port_q;
+  logic                              served, free, take;  // the port of the grant asks; the register on the way out takes
   logic                              out_valid_q;
   pipegs_pkg::memory_request_t       out, request_q;
-  logic [pipegs_pkg::MemoryW-1:0]    data_q;
+  logic [pipegs_pkg::MemoryW-1:0]    data, data_q;
 
-  assign first   = {valid_i[Ports-1], (Ports - 1)'(valid_i[WritePorts-1:0])};
-  assign request = first != '0 ? first : valid_i;
+  assign others  = valid_i & ~grant_q;
+  assign first   = {others[Ports-1], (Ports - 1)'(others[WritePorts-1:0])};
+  assign request = first != '0 ? first : others;
 
   arbiter #(.Ports(Ports)) u_arbiter (
-    .clk_i, .rst_ni, .request_i(request), .advance_i(take), .grant_o(grant), .port_o(port)
+    .clk_i, .rst_ni, .request_i(request), .advance_i(!served || free), .grant_o(grant), .port_o(port)
   );
 
-  assign take    = (valid_i != '0) && (!out_valid_q || mem_ready_i);
-  assign ready_o = take ? grant : '0;
+  assign served  = (grant_q & valid_i) != '0;
+  assign free    = !out_valid_q || mem_ready_i;
+  assign take    = served && free;
+  assign ready_o = free ? grant_q : '0;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) grant_q <= '0;
+    else if (request != '0 && (!served || free)) grant_q <= grant;
+  end
+  always_ff @(posedge clk_i) if (request != '0 && (!served || free)) port_q <= port;
 
   always_comb begin
-    out.write   = 1'b0;
-    for (int unsigned i = 0; i < WritePorts; i += 1) if (grant[i]) out.write = write_i[i];
-    out.address = address_i[port*pipegs_pkg::AddressW +: pipegs_pkg::AddressW];
-    out.tag     = pipegs_pkg::TagW'(port);
+    out      = '0;
+    out.tag  = pipegs_pkg::TagW'(port_q);
+    data     = '0;
+    for (int unsigned i = 0; i < Ports; i += 1) begin
+      out.address |= address_i[i*pipegs_pkg::AddressW +: pipegs_pkg::AddressW] & {pipegs_pkg::AddressW{grant_q[i]}};
+    end
+    for (int unsigned i = 0; i < WritePorts; i += 1) begin
+      out.write |= write_i[i] && grant_q[i];
+      data      |= data_i[i*pipegs_pkg::MemoryW +: pipegs_pkg::MemoryW] & {pipegs_pkg::MemoryW{grant_q[i]}};
+    end
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -67,9 +84,7 @@ module memory_arbiter #(
 
   always_ff @(posedge clk_i) begin
     if (take) request_q <= out;
-    for (int unsigned i = 0; i < WritePorts; i += 1) begin
-      if (take && grant[i] && write_i[i]) data_q <= data_i[i*pipegs_pkg::MemoryW +: pipegs_pkg::MemoryW];
-    end
+    if (take && out.write) data_q <= data;
   end
 
   assign mem_valid_o   = out_valid_q;

@@ -120,11 +120,9 @@ module recip #(
   // 4: y = y0 (1 + e), rounded to nearest.
   logic signed [ValueW+ErrorW:0] correction;
   logic        [OutF:0]          sum;
-  logic        [DataW:0]         rounded;
   logic        [DataW-1:0]       out_q;
   assign correction = (ValueW + ErrorW + 1)'($signed({1'b0, y1_q})) * (ValueW + ErrorW + 1)'(error_q);
-  assign sum        = {1'b0, y1_q, {(OutF - ValueW){1'b0}}} + (OutF + 1)'(correction);
-  assign rounded    = sum[OutF:Cut] + (DataW + 1)'(sum[Cut-1]);
+  assign sum        = {1'b0, y1_q, {(OutF - ValueW){1'b0}}} + (OutF + 1)'(correction) + ((OutF + 1)'(1) << (Cut - 1));
   assign out_o      = out_q;
 
   always_ff @(posedge clk_i) begin
@@ -134,7 +132,7 @@ module recip #(
     v2_q    <= v1_q;
     error_q <= $signed(rest[ErrorW+12:13]);
     y1_q    <= y0_q;
-    out_q   <= rounded[DataW] ? '1 : rounded[DataW-1:0];
+    out_q   <= sum[OutF] ? '1 : sum[OutF-1:Cut];
   end
 
   logic [3:0] valid_q;
@@ -144,6 +142,6 @@ module recip #(
     else         valid_q <= {valid_q[2:0], in_valid_i};
   end
 
-  wire unused_sum = &{1'b0, sum[Cut-2:0], product[WorkW+ValueW-1:ErrorW+13], rest[12:0]};
+  wire unused_sum = &{1'b0, sum[Cut-1:0], product[WorkW+ValueW-1:ErrorW+13], rest[12:0]};
 
 endmodule

@@ -6,12 +6,13 @@
 //           B = 2 narrow w      C = 2 (wide mean_q - u w)                    F = 2 u
 //         Out of range: dead; no pixel of the window can count (the proof is in the model's head).
 // Stream  conic in, coeff out, in order; an end beat passes through.
-// Pace    One record in eight cycles, latency 12 (an end beat 3 and 5). One multiplier, one normaliser, one aligner:
-//           slot   0        1     2       3        4         5           6     7    | 0     1     2 of the next slot
-//           mult   u        m q   wide q  wide q q narrow w  narrow w w  u w   u m  |
-//           norm   mean_q                 w                                         |
-//           align           u             wide q   wide q q  narrow w    n w w u w  | u m
-//           sums                  F       D        C E       A           B     A    | C     E     out
+// Pace    One record in eight cycles, latency 13 (an end beat 4 and 6). One multiplier behind registers of its operands, one
+//         normaliser, one aligner. A product is there two slots after its operands were chosen:
+//           slot   0        1       2     3         4         5      6           7    | 0     1     2     3 of the next slot
+//           chosen m q      wide q  u     wide q q  narrow w  u w    narrow w w  u m  |
+//           norm   mean_q                 w                                           |
+//           align                         wide q    u         w q q  narrow w    u w  | n w w u m
+//           sums                                    C D       E F    A           B    | C     A     E     out
 // Model   cpp_model/pu/pu_coeff.hpp
 
 module pu_coeff (
@@ -46,14 +47,13 @@ module pu_coeff (
   localparam int unsigned SumBcW    = BcW + 1;
   localparam int unsigned SumDefW   = DefW + 1;
   localparam int unsigned PhaseW    = 3;
-  localparam int unsigned OutPhase  = 2;  // the record before leaves, this one moves to front_q
+  localparam int unsigned OutPhase  = 3;  // the record before leaves, this one moves to front_q
   localparam int unsigned FactorF   = 34;                // magnitude bits of a product that is a factor again
   localparam int unsigned NormalF   = MantissaW + 2;     // magnitude bits of mean_q and w as factors
   localparam int unsigned NormalW   = NormalF + 1;
   localparam int unsigned WideW     = SlopeF + MeanW + 1;  // w, exact
-  localparam int unsigned LeftW     = FactorF + 1;
-  localparam int unsigned MostW     = MeanW > NormalW ? MeanW : NormalW;
-  localparam int unsigned RightW    = MostW > SlopeW ? MostW : SlopeW;
+  localparam int unsigned LeftW     = FactorF + 1 > MeanW ? FactorF + 1 : MeanW;
+  localparam int unsigned RightW    = NormalW > SlopeW ? NormalW : SlopeW;
   localparam int unsigned ProductW  = LeftW + RightW;
   localparam int unsigned Drop      = MantissaW + NormalF - FactorF;
   localparam int unsigned SlopeDrop = MantissaW + SlopeF - FactorF;
@@ -124,7 +124,7 @@ module pu_coeff (
 
   always_ff @(posedge clk_i) begin
     if (phase_q == PhaseW'(2)) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(product_q);
-    if (phase_q == '0 || phase_q == PhaseW'(3)) begin
+    if (phase_q == '0 || (phase_q == PhaseW'(3) && advance)) begin
       normal_q   <= raised;
       normal_e_q <= $signed(SumW'(WideW - 1 - NormalF) - SumW'(spare) -
                             (phase_q == '0 ? SumW'(MeanF) : SumW'(MeanF + SlopeF)));
@@ -134,9 +134,9 @@ module pu_coeff (
   // --- the multiplier, and beside it the shift that aligns its product ---------------------------------------------
   // A product m * 2^e is shifted right by Guard - CoeffF - e (shift_q is one less); e is a constant plus an exponent
   // plus 0, 1 or 2 times normal_e.
-  logic signed [LeftW-1:0]   left, u_q;
-  logic signed [RightW-1:0]  right;
-  logic signed [SumW-1:0]    shift, shift_q, curve_e, normal_e;
+  logic signed [LeftW-1:0]   left, left_q, u_q;
+  logic signed [RightW-1:0]  right, right_q;
+  logic signed [SumW-1:0]    shift, shift_next_q, shift_q, curve_e, normal_e;
   localparam logic signed [SumW-1:0] Base = $signed(SumW'(Guard) - SumW'(CoeffF + 1));
 
   always_comb begin
@@ -146,25 +146,25 @@ module pu_coeff (
     normal_e = '0;
     shift    = Base;
     case (phase_q)
-      PhaseW'(0): begin  // u
-        left    = LeftW'($signed({1'b0, conic_i.narrow_m}));
-        right   = RightW'(conic_i.slope_m);
-        curve_e = SumW'(conic_i.narrow_e);
-        shift   = Base + $signed(SumW'(SlopeF - 1));
+      PhaseW'(0): begin  // m mean_q
+        left  = LeftW'(mean_q);
+        right = RightW'(conic_i.slope_m);
       end
-      PhaseW'(1): begin  // m mean_q
-        left  = LeftW'(conic_i.slope_m);
-        right = RightW'(mean_q);
-      end
-      PhaseW'(2): begin  // wide mean_q
+      PhaseW'(1): begin  // wide mean_q
         left     = LeftW'($signed({1'b0, conic_i.wide_m}));
         curve_e  = SumW'(conic_i.wide_e);
         normal_e = normal_e_q;
         shift    = Base - $signed(SumW'(1));
       end
+      PhaseW'(2): begin  // u
+        left    = LeftW'($signed({1'b0, conic_i.narrow_m}));
+        right   = RightW'(conic_i.slope_m);
+        curve_e = SumW'(conic_i.narrow_e);
+        shift   = Base + $signed(SumW'(SlopeF - 1));
+      end
       PhaseW'(3): begin  // wide mean_q^2
         left     = LeftW'(product_q >>> Drop);
-        curve_e  = SumW'(front_q.wide_e);
+        curve_e  = SumW'(conic_i.wide_e);
         normal_e = normal_e_q <<< 1;
         shift    = Base - $signed(SumW'(Drop));
       end
@@ -172,15 +172,15 @@ module pu_coeff (
         normal_e = normal_e_q;
         shift    = Base - $signed(SumW'(1));
       end
-      PhaseW'(5): begin  // narrow w^2
-        left     = LeftW'(product_q >>> Drop);
-        normal_e = normal_e_q <<< 1;
-        shift    = Base - $signed(SumW'(Drop));
-      end
-      PhaseW'(6): begin  // u w
+      PhaseW'(5): begin  // u w
         left     = u_q;
         normal_e = normal_e_q;
         shift    = Base + $signed(SumW'(SlopeF) - SumW'(SlopeDrop + 1));
+      end
+      PhaseW'(6): begin  // narrow w^2
+        left     = LeftW'(product_q >>> Drop);
+        normal_e = normal_e_q <<< 1;
+        shift    = Base - $signed(SumW'(Drop));
       end
       default: begin  // u m
         left  = u_q;
@@ -192,10 +192,13 @@ module pu_coeff (
 
   always_ff @(posedge clk_i) begin
     if (advance) begin
-      product_q <= ProductW'(left) * ProductW'(right);
-      shift_q   <= shift - curve_e - normal_e;
+      left_q       <= left;
+      right_q      <= right;
+      product_q    <= ProductW'(left_q) * ProductW'(right_q);
+      shift_next_q <= shift - curve_e - normal_e;
+      shift_q      <= shift_next_q;
     end
-    if (phase_q == PhaseW'(1)) u_q <= LeftW'(product_q >>> SlopeDrop);
+    if (phase_q == PhaseW'(4)) u_q <= LeftW'(product_q >>> SlopeDrop);
   end
 
   // --- products to CoeffF fraction bits, to nearest ----------------------------------------------------------------
@@ -206,7 +209,7 @@ module pu_coeff (
     .fits_a_o(fits_a), .fits_bc_o(fits_bc), .fits_def_o(fits_def)
   );
 
-  // narrow and wide themselves: cycles 1 and 2 the shift, 2 and 3 the number, 3 and 4 its use.
+  // narrow and wide themselves: cycles 2 and 3 the shift, 3 and 4 the number, 4 and 5 its use.
   localparam int unsigned FlatW = MantissaW + FlatGuard;
   logic [MantissaW-1:0]      flat_m;
   logic signed [FloatEW-1:0] flat_e;
@@ -214,8 +217,8 @@ module pu_coeff (
   logic [FlatByW-1:0]        flat_by;
   logic [FlatW-1:0]          flat_halves, flat_q;
   logic                      flat_right_q, fits_flat;
-  assign flat_m      = phase_q == PhaseW'(2) ? conic_i.narrow_m : front_q.wide_m;
-  assign flat_e      = phase_q == PhaseW'(1) ? conic_i.narrow_e : conic_i.wide_e;
+  assign flat_m      = phase_q == PhaseW'(OutPhase) ? conic_i.narrow_m : front_q.wide_m;
+  assign flat_e      = phase_q == PhaseW'(2) ? conic_i.narrow_e : conic_i.wide_e;
   assign flat_by     = flat_shift_q[SumW-2:FlatByW] != '0 ? '1 : flat_shift_q[FlatByW-1:0];
   assign flat_halves = (FlatW'(flat_m) << FlatGuard) >> flat_by;
   assign fits_flat   = flat_right_q && flat_q[FlatW-1:DefW-1] == '0;
@@ -235,26 +238,29 @@ module pu_coeff (
 
   always_ff @(posedge clk_i) begin
     case (phase_q)
-      PhaseW'(2): f_q <= advance ? DefW'(aligned) + $signed(DefW'(up)) : f_q;
-      PhaseW'(3): d_q <= $signed(DefW'(0) - DefW'(flat_q));
       PhaseW'(4): begin
+        d_q <= $signed(DefW'(0) - DefW'(flat_q));
         c_q <= SumBcW'(aligned) + $signed(SumBcW'(up));
-        e_q <= $signed(SumDefW'(0) - SumDefW'(flat_q));
       end
-      PhaseW'(5): a_q <= $signed(SumAW'(0) - (SumAW'(front_q.opacity) << (CoeffF - OpacityF))) - SumAW'(aligned) -
+      PhaseW'(5): begin
+        e_q <= $signed(SumDefW'(0) - SumDefW'(flat_q));
+        f_q <= DefW'(aligned) + $signed(DefW'(up));
+      end
+      PhaseW'(6): a_q <= $signed(SumAW'(0) - (SumAW'(front_q.opacity) << (CoeffF - OpacityF))) - SumAW'(aligned) -
                          $signed(SumAW'(up));
-      PhaseW'(6): b_q <= BcW'(aligned) + $signed(BcW'(up));
-      PhaseW'(7): a_q <= a_q - SumAW'(aligned) - $signed(SumAW'(up));
+      PhaseW'(7): b_q <= BcW'(aligned) + $signed(BcW'(up));
       PhaseW'(0): c_q <= c_q - SumBcW'(aligned) - $signed(SumBcW'(up));
-      default:    e_q <= e_q - SumDefW'(aligned) - $signed(SumDefW'(up));
+      PhaseW'(1): a_q <= a_q - SumAW'(aligned) - $signed(SumAW'(up));
+      PhaseW'(2): e_q <= e_q - SumDefW'(aligned) - $signed(SumDefW'(up));
+      default: ;  // the record leaves
     endcase
     case (phase_q)
-      PhaseW'(2): dead_q <= advance ? !fits_def || conic_i.opacity >= OpacityW'(Budget) : dead_q;
-      PhaseW'(3): dead_q <= dead_q || !fits_flat;
-      PhaseW'(4): dead_q <= dead_q || !fits_bc || !fits_flat;
-      PhaseW'(5), PhaseW'(7): dead_q <= dead_q || !fits_a;
-      PhaseW'(6), PhaseW'(0): dead_q <= dead_q || !fits_bc;
-      default:    dead_q <= dead_q || !fits_def;
+      PhaseW'(4): dead_q <= !fits_bc || !fits_flat || front_q.opacity >= OpacityW'(Budget);
+      PhaseW'(5): dead_q <= dead_q || !fits_def || !fits_flat;
+      PhaseW'(6), PhaseW'(1): dead_q <= dead_q || !fits_a;
+      PhaseW'(7), PhaseW'(0): dead_q <= dead_q || !fits_bc;
+      PhaseW'(2): dead_q <= dead_q || !fits_def;
+      default: ;
     endcase
   end
 
@@ -297,5 +303,7 @@ module pu_coeff (
       front_q <= conic_i;
     end
   end
+
+  wire unused_bits = &{1'b0, front_q.wide_e};  // looked at while the record is still in front of the stage
 
 endmodule

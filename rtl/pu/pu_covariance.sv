@@ -39,17 +39,18 @@ module pu_covariance (
   localparam logic [MantissaW-1:0] SmallM = MantissaW'(((64'd3 << (MantissaW + 1)) + 64'd5) / 64'd10);
   localparam logic signed [ExponentW-1:0] SmallE = ExponentW'(0) - ExponentW'(MantissaW + 1);
 
-  logic       take, claim, step;
-  logic [7:0] slots;
-  logic       issue_valid, late_valid;
-  logic [2:0] issue, late;  // the phase, and one cycle later
-  assign {late_valid, late, issue_valid, issue} = slots;
+  logic        take, claim, step;
+  logic [7:0]  phase;  // whose operands are chosen now
+  logic [3:0]  slots;
+  logic        late_valid;
+  logic [2:0]  late;  // the phase one cycle ago
+  assign {late_valid, late} = slots;
 
   pu_phases #(.Depth(1), .Claim(7)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(squares_valid_i), .in_ready_o(squares_ready_o),
     .out_valid_o(covariance_valid_o), .out_ready_i(covariance_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .slots_o(slots), .busy_o
+    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
   );
 
   pipegs_pkg::squares_t    in_q;
@@ -62,11 +63,11 @@ module pu_covariance (
   logic        [MantissaW-1:0]  sum_m_q;  // the adder's last result
   logic signed [ExponentW-1:0]  sum_e_q;
   always_comb begin
-    case (issue)
-      3'd0:    begin left = in_q.gxx_m; right = $signed({1'b0, in_q.a_m}); end
-      3'd1:    begin left = in_q.gyy_m; right = $signed({1'b0, in_q.c_m}); end
-      3'd2:    begin left = in_q.gg_m;  right = $signed({1'b0, in_q.d_m}); end
-      3'd3:    begin left = in_q.gxy_m; right = in_q.b_m;                  end
+    (* parallel_case *) case (1'b1)
+      phase[0]: begin left = in_q.gxx_m; right = $signed({1'b0, in_q.a_m}); end
+      phase[1]: begin left = in_q.gyy_m; right = $signed({1'b0, in_q.c_m}); end
+      phase[2]: begin left = in_q.gg_m;  right = $signed({1'b0, in_q.d_m}); end
+      phase[3]: begin left = in_q.gxy_m; right = in_q.b_m;                  end
       default: begin left = SmallM;     right = $signed({1'b0, sum_m_q});  end
     endcase
   end
@@ -107,10 +108,10 @@ module pu_covariance (
   always_comb begin
     y_m = SmallM;
     y_e = SmallE;
-    case (issue)
-      3'd2:    begin x_m = a0_m_q; x_e = a0_e_q; end
-      3'd3:    begin x_m = c0_m_q; x_e = c0_e_q; end
-      3'd4:    begin x_m = a_m_q;  x_e = a_e_q;  y_m = c0_m_q;   y_e = c0_e_q;   end
+    (* parallel_case *) case (1'b1)
+      phase[2]: begin x_m = a0_m_q; x_e = a0_e_q; end
+      phase[3]: begin x_m = c0_m_q; x_e = c0_e_q; end
+      phase[4]: begin x_m = a_m_q;  x_e = a_e_q;  y_m = c0_m_q;   y_e = c0_e_q;   end
       default: begin x_m = d0_m_q; x_e = d0_e_q; y_m = factor_m; y_e = factor_e; end
     endcase
     swap     = x_m == '0 || (y_m != '0 && y_e > x_e);
@@ -201,6 +202,6 @@ module pu_covariance (
   end
 
   // Valid is only looked at beside results; bits below a mantissa and copies of the sign are cut.
-  wire unused_bits = &{1'b0, issue_valid, product_q[ProductW-1:TopW+1], product_q[CutB-2:0], sum[0]};
+  wire unused_bits = &{1'b0, phase, product_q[ProductW-1:TopW+1], product_q[CutB-2:0], sum[0]};
 
 endmodule

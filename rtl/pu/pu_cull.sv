@@ -3,11 +3,11 @@
 // Paper   Sec. 4.2, frustum culling of the preprocessing.
 // Idea    view = origin + W offset; keep iff z > near (unless NearTest is 0) and fx x - a z + reach s >= 0 and the same on the three other
 //         sides. x, z, s are cut to 17 bits with a common exponent, always to the side that keeps (see the model).
-//         Stages:
+//         Stages, behind a register of what comes:
 //           1 nine products   2 sums       3 shift to view units   4 view; edges   5 near plane; common exponent
 //           6 cut             7 six products                       8 four signs -> output
 // Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero.
-// Pace    One per cycle, latency 8; the pipeline stands still while the output is not taken.
+// Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken.
 // Model   cpp_model/pu/pu_cull.hpp
 
 module pu_cull (
@@ -41,7 +41,7 @@ module pu_cull (
   localparam int unsigned Stages  = 7;  // before the output register
 
   // --- handshake: one enable for all stages ------------------------------------------------------------------------
-  logic [Stages:1] valid_q;
+  logic [Stages:0] valid_q;  // 0: the record as it came, out of a memory
   logic            out_valid_q, advance, keep;
   assign advance         = !out_valid_q || visible_ready_i;
   assign fetched_ready_o = advance;
@@ -52,10 +52,12 @@ module pu_cull (
       valid_q     <= '0;
       out_valid_q <= 1'b0;
     end else if (advance) begin
-      valid_q     <= {valid_q[Stages-1:1], fetched_valid_i};
+      valid_q     <= {valid_q[Stages-1:0], fetched_valid_i};
       out_valid_q <= valid_q[Stages] && keep;
     end
   end
+  pipegs_pkg::fetched_t fetched_q;
+  always_ff @(posedge clk_i) if (advance) fetched_q <= fetched_i;
 
   // --- what rides along: all of visible_t but the view coordinates, as vectors -------------------------------------
   localparam int unsigned RideW = pipegs_pkg::VisibleBits - 3 * ViewW;
@@ -68,13 +70,13 @@ module pu_cull (
   } ride_t;
   ride_t            ride, ride2, ride4, ride7;  // stage n reads rideN: the record in register n
   logic [RideW-1:0] ride_q [Stages+1];          // 1 to 7
-  assign ride.gaussian = {fetched_i.slot, fetched_i.index, fetched_i.base_b, fetched_i.base_g, fetched_i.base_r,
-                          fetched_i.opacity, fetched_i.scale_2, fetched_i.scale_1, fetched_i.scale_0,
-                          fetched_i.qz, fetched_i.qy, fetched_i.qx, fetched_i.qw};
-  assign ride.view_exp = fetched_i.view_exp;
-  assign ride.window_x = fetched_i.window_x;
-  assign ride.window_y = fetched_i.window_y;
-  assign ride.kind     = fetched_i.kind;
+  assign ride.gaussian = {fetched_q.slot, fetched_q.index, fetched_q.base_b, fetched_q.base_g, fetched_q.base_r,
+                          fetched_q.opacity, fetched_q.scale_2, fetched_q.scale_1, fetched_q.scale_0,
+                          fetched_q.qz, fetched_q.qy, fetched_q.qx, fetched_q.qw};
+  assign ride.view_exp = fetched_q.view_exp;
+  assign ride.window_x = fetched_q.window_x;
+  assign ride.window_y = fetched_q.window_y;
+  assign ride.kind     = fetched_q.kind;
   assign ride2 = ride_q[2];
   assign ride4 = ride_q[4];
   assign ride7 = ride_q[7];
@@ -95,15 +97,15 @@ module pu_cull (
   logic        [DownW-1:0]    down1_q, down2_q;
   always_ff @(posedge clk_i) begin
     if (advance) begin
-      xx_q <= ProductW'(frame_i.w00) * ProductW'(fetched_i.offset_x);
-      xy_q <= ProductW'(frame_i.w01) * ProductW'(fetched_i.offset_y);
-      xz_q <= ProductW'(frame_i.w02) * ProductW'(fetched_i.offset_z);
-      yx_q <= ProductW'(frame_i.w10) * ProductW'(fetched_i.offset_x);
-      yy_q <= ProductW'(frame_i.w11) * ProductW'(fetched_i.offset_y);
-      yz_q <= ProductW'(frame_i.w12) * ProductW'(fetched_i.offset_z);
-      zx_q <= ProductW'(frame_i.w20) * ProductW'(fetched_i.offset_x);
-      zy_q <= ProductW'(frame_i.w21) * ProductW'(fetched_i.offset_y);
-      zz_q <= ProductW'(frame_i.w22) * ProductW'(fetched_i.offset_z);
+      xx_q <= ProductW'(frame_i.w00) * ProductW'(fetched_q.offset_x);
+      xy_q <= ProductW'(frame_i.w01) * ProductW'(fetched_q.offset_y);
+      xz_q <= ProductW'(frame_i.w02) * ProductW'(fetched_q.offset_z);
+      yx_q <= ProductW'(frame_i.w10) * ProductW'(fetched_q.offset_x);
+      yy_q <= ProductW'(frame_i.w11) * ProductW'(fetched_q.offset_y);
+      yz_q <= ProductW'(frame_i.w12) * ProductW'(fetched_q.offset_z);
+      zx_q <= ProductW'(frame_i.w20) * ProductW'(fetched_q.offset_x);
+      zy_q <= ProductW'(frame_i.w21) * ProductW'(fetched_q.offset_y);
+      zz_q <= ProductW'(frame_i.w22) * ProductW'(fetched_q.offset_z);
       x2_q <= SumW'(xx_q) + SumW'(xy_q) + SumW'(xz_q);
       y2_q <= SumW'(yx_q) + SumW'(yy_q) + SumW'(yz_q);
       z2_q <= SumW'(zx_q) + SumW'(zy_q) + SumW'(zz_q);
@@ -111,11 +113,11 @@ module pu_cull (
       x3_q <= x2_q >>> down2_q;
       y3_q <= y2_q >>> down2_q;
       z3_q <= z2_q >>> down2_q;
-      down1_q <= DownW'(RotF - 1) + DownW'(fetched_i.view_exp) - DownW'(fetched_i.offset_exp);
+      down1_q <= DownW'(RotF - 1) + DownW'(fetched_q.view_exp) - DownW'(fetched_q.offset_exp);
       down2_q <= down1_q;
-      origin_x_q[1] <= fetched_i.origin_x;
-      origin_y_q[1] <= fetched_i.origin_y;
-      origin_z_q[1] <= fetched_i.origin_z;
+      origin_x_q[1] <= fetched_q.origin_x;
+      origin_y_q[1] <= fetched_q.origin_y;
+      origin_z_q[1] <= fetched_q.origin_z;
       for (int unsigned i = 1; i < 3; i += 1) begin
         origin_x_q[i+1] <= origin_x_q[i];
         origin_y_q[i+1] <= origin_y_q[i];
@@ -129,8 +131,7 @@ module pu_cull (
   function automatic logic signed [ViewW-1:0] place(input logic signed [SumW-1:0]  twice,
                                                     input logic signed [ViewW-1:0] origin);
     logic signed [SumW:0] sum;
-    sum = ((SumW + 1)'(twice) + (SumW + 1)'(1)) >>> 1;
-    sum = sum + (SumW + 1)'(origin);
+    sum = ((SumW + 1)'(twice) + ((SumW + 1)'(origin) <<< 1) + $signed((SumW + 1)'(1))) >>> 1;
     if (sum[SumW:ViewW-1] == {(SumW - ViewW + 2){sum[SumW]}}) place = sum[ViewW-1:0];
     else place = {sum[SumW], {(ViewW - 1){!sum[SumW]}}};
   endfunction
@@ -156,7 +157,7 @@ module pu_cull (
   logic [HighW-1:0]         size3;
   logic                     huge3_q, huge4_q, huge5_q, huge6_q, huge7_q, some1;
   logic [ViewW-1:0]         s3_q, s4_q;
-  assign larger = fetched_i.scale_0 > fetched_i.scale_1 ? fetched_i.scale_0 : fetched_i.scale_1;
+  assign larger = fetched_q.scale_0 > fetched_q.scale_1 ? fetched_q.scale_0 : fetched_q.scale_1;
   assign some1  = scale1_q[ScaleW-1:ScaleMW] != '0;
   assign size3  = {one2_q, {ViewW{1'b0}}} >> $unsigned(lower2_q);
   // The mantissa, its slack and the weight, rounded up.
@@ -168,8 +169,8 @@ module pu_cull (
   assign beyond3 = one2_q != '0 && (lower2_q < 0 || size3 >= HighW'((64'd1 << (ViewW - 1)) - 64'd1));
   always_ff @(posedge clk_i) begin
     if (advance) begin
-      scale1_q <= larger > fetched_i.scale_2 ? larger : fetched_i.scale_2;
-      weight1_q <= pipegs_pkg::CullWeights[WeightW*32'(fetched_i.opacity[pipegs_pkg::OpacityW-1 -: 6]) +: WeightW];
+      scale1_q <= larger > fetched_q.scale_2 ? larger : fetched_q.scale_2;
+      weight1_q <= pipegs_pkg::CullWeights[WeightW*32'(fetched_q.opacity[pipegs_pkg::OpacityW-1 -: 6]) +: WeightW];
       one2_q   <= some1 ? OneW'(weighted1 >> (WeightW - 1)) : '0;
       lower2_q <= TopStep + $signed(StepW'(ride1.view_exp)) - $signed(StepW'(scale1_q[ScaleW-1:ScaleMW]));
       huge3_q  <= beyond3;

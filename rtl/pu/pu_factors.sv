@@ -2,11 +2,11 @@
 //
 // Paper   Eq. 1: Sigma = R S S^T R^T, kept as its factor.
 // Idea    u0_j = v0_j s_j,  u1_j = v1_j s_j,  t_k = n_k s_i s_j. A row's largest exponent is known before its
-//         products, so each product is aligned in the cycle after it. Two multipliers:
+//         products, so each product is aligned in the cycle after it. Two multipliers, each with its operands in registers:
 //           phase 0  s1 s2, s2 s0    1  s0 s1, gx gy    2..4  u0_j, u1_j
 //                 5  t_0, t_1        6  t_2, gx^2       7     gy^2, (gx gy)^2
 // Stream  jacobian in, factors out, in order; an end beat passes with all other fields zero.
-// Pace    One record in eight cycles, latency 10.
+// Pace    One record in eight cycles, latency 11.
 // Model   cpp_model/pu/pu_factors.hpp
 
 module pu_factors (
@@ -37,17 +37,18 @@ module pu_factors (
   localparam int unsigned Lowest    = 128;                                          // - exponent of a row of zeros
   localparam int unsigned Bias      = 8;                                            // of a scale's exponent field
 
-  logic       take, claim, step;
-  logic [7:0] slots;
-  logic       issue_valid, late_valid;
-  logic [2:0] issue, late;  // the phase, and one cycle later
-  assign {late_valid, late, issue_valid, issue} = slots;
+  logic        take, claim, step;
+  logic [7:0]  phase;  // whose operands are chosen now
+  logic [7:0]  slots;
+  logic        next_valid, late_valid;
+  logic [2:0]  next, late;  // the phase one cycle ago: its operands; and two: its products
+  assign {late_valid, late, next_valid, next} = slots;
 
-  pu_phases #(.Depth(1), .Claim(2)) u_phases (
+  pu_phases #(.Depth(2), .Claim(2)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(jacobian_valid_i), .in_ready_o(jacobian_ready_o),
     .out_valid_o(factors_valid_o), .out_ready_i(factors_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .slots_o(slots), .busy_o
+    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
   );
 
   pipegs_pkg::jacobian_t in_q;
@@ -70,6 +71,7 @@ module pu_factors (
 
   // --- two products ------------------------------------------------------------------------------------------------
   logic signed [FactorW-1:0]  left0, left1, right0, right1;
+  logic signed [FactorW-1:0]  left0_q, left1_q, right0_q, right1_q;
   logic signed [ProductW-1:0] product0_q, product1_q;
   logic [BothW-1:0]           pair0_q, pair1_q, pair2_q;  // s1 s2, s2 s0, s0 s1
   logic [MantissaW-1:0]       gxy_m_q;
@@ -78,29 +80,29 @@ module pu_factors (
     left1  = $signed({1'b0, in_q.gx_m});
     right0 = $signed(FactorW'(pair2_q));
     right1 = $signed({1'b0, in_q.gx_m});
-    case (issue)
-      3'd0: begin
+    (* parallel_case *) case (1'b1)
+      phase[0]: begin
         left0 = $signed(FactorW'(one1)); right0 = $signed(FactorW'(one2));
         left1 = $signed(FactorW'(one2)); right1 = $signed(FactorW'(one0));
       end
-      3'd1: begin
+      phase[1]: begin
         left0 = $signed(FactorW'(one0)); right0 = $signed(FactorW'(one1));
         right1 = $signed({1'b0, in_q.gy_m});
       end
-      3'd2: begin left0 = in_q.v0_0_m; left1 = in_q.v1_0_m; right0 = $signed(FactorW'(one0)) <<< (BothW - OneW); end
-      3'd3: begin left0 = in_q.v0_1_m; left1 = in_q.v1_1_m; right0 = $signed(FactorW'(one1)) <<< (BothW - OneW); end
-      3'd4: begin left0 = in_q.v0_2_m; left1 = in_q.v1_2_m; right0 = $signed(FactorW'(one2)) <<< (BothW - OneW); end
-      3'd5: begin
+      phase[2]: begin left0 = in_q.v0_0_m; left1 = in_q.v1_0_m; right0 = $signed(FactorW'(one0)) <<< (BothW - OneW); end
+      phase[3]: begin left0 = in_q.v0_1_m; left1 = in_q.v1_1_m; right0 = $signed(FactorW'(one1)) <<< (BothW - OneW); end
+      phase[4]: begin left0 = in_q.v0_2_m; left1 = in_q.v1_2_m; right0 = $signed(FactorW'(one2)) <<< (BothW - OneW); end
+      phase[5]: begin
         left0 = in_q.n_0_m; right0 = $signed(FactorW'(pair0_q));
         left1 = in_q.n_1_m; right1 = $signed(FactorW'(pair1_q));
       end
-      3'd7: begin
+      phase[7]: begin
         left0 = $signed({1'b0, in_q.gy_m}); right0 = $signed({1'b0, in_q.gy_m});
         left1 = $signed({1'b0, gxy_m_q});   right1 = $signed({1'b0, gxy_m_q});
       end
       default: ;
     endcase
-    if (issue == 3'd2 || issue == 3'd3 || issue == 3'd4) right1 = right0;
+    if (phase[4:2] != '0) right1 = right0;
   end
 
   // --- a row's largest exponent: in phase 2 those of u0 and u1, in phase 5 that of t -------------------------------
@@ -119,7 +121,7 @@ module pu_factors (
     e[3] = in_q.v1_0_e; some[3] = some0 && in_q.v1_0_m != '0;
     e[4] = in_q.v1_1_e; some[4] = some1 && in_q.v1_1_m != '0;
     e[5] = in_q.v1_2_e; some[5] = some2 && in_q.v1_2_m != '0;
-    if (issue == 3'd5) begin
+    if (phase[5]) begin
       power[0] = power1 + power2;
       power[1] = power2 + power0;
       power[2] = power0 + power1;
@@ -148,31 +150,28 @@ module pu_factors (
     row_e = any ? top - ExponentW'(scales * (Bias - 1)) : ExponentW'(BothW) - ExponentW'(Lowest);
   endfunction
 
-  // --- one cycle later: align the product to its row, rounded to nearest -------------------------------------------
+  // --- one cycle later: how far its row is above the product; then the product is aligned, rounded to nearest ----------
   localparam int unsigned KeptW = ProductW - BothW + 1;  // with one bit for rounding
-  logic signed [ExponentW-1:0] e0, e1, apart0, apart1;
-  logic        [PowerW-1:0]    late_power0, late_power1;
+  logic signed [ExponentW-1:0] e0, e1, apart0_q, apart1_q;
+  logic        [PowerW-1:0]    next_power0, next_power1;
   logic signed [KeptW-1:0]     aligned0, aligned1;
   logic signed [FactorW-1:0]   m0, m1;
   always_comb begin
-    case (late)
-      3'd2:    begin e0 = in_q.v0_0_e; e1 = in_q.v1_0_e; late_power0 = power0; late_power1 = power0; end
-      3'd3:    begin e0 = in_q.v0_1_e; e1 = in_q.v1_1_e; late_power0 = power1; late_power1 = power1; end
-      3'd4:    begin e0 = in_q.v0_2_e; e1 = in_q.v1_2_e; late_power0 = power2; late_power1 = power2; end
+    case (next)
+      3'd2:    begin e0 = in_q.v0_0_e; e1 = in_q.v1_0_e; next_power0 = power0; next_power1 = power0; end
+      3'd3:    begin e0 = in_q.v0_1_e; e1 = in_q.v1_1_e; next_power0 = power1; next_power1 = power1; end
+      3'd4:    begin e0 = in_q.v0_2_e; e1 = in_q.v1_2_e; next_power0 = power2; next_power1 = power2; end
       3'd5: begin
-        e0 = in_q.n_0_e; late_power0 = power1 + power2;
-        e1 = in_q.n_1_e; late_power1 = power2 + power0;
+        e0 = in_q.n_0_e; next_power0 = power1 + power2;
+        e1 = in_q.n_1_e; next_power1 = power2 + power0;
       end
       default: begin
-        e0 = in_q.n_2_e; late_power0 = power0 + power1;
-        e1 = in_q.n_2_e; late_power1 = power0 + power1;
+        e0 = in_q.n_2_e; next_power0 = power0 + power1;
+        e1 = in_q.n_2_e; next_power1 = power0 + power1;
       end
     endcase
-    // Negative only beside a product of zero.
-    apart0   = top0_q - e0 - $signed(ExponentW'(late_power0));
-    apart1   = top1_q - e1 - $signed(ExponentW'(late_power1));
-    aligned0 = $signed(product0_q[ProductW-1-:KeptW]) >>> $unsigned(apart0);
-    aligned1 = $signed(product1_q[ProductW-1-:KeptW]) >>> $unsigned(apart1);
+    aligned0 = $signed(product0_q[ProductW-1-:KeptW]) >>> $unsigned(apart0_q);
+    aligned1 = $signed(product1_q[ProductW-1-:KeptW]) >>> $unsigned(apart1_q);
     m0       = FactorW'((aligned0 + KeptW'(1)) >>> 1);
     m1       = FactorW'((aligned1 + KeptW'(1)) >>> 1);
   end
@@ -194,11 +193,15 @@ module pu_factors (
   always_ff @(posedge clk_i) begin
     if (take) in_q <= jacobian_i;
     if (step) begin
-      product0_q <= ProductW'(left0) * ProductW'(right0);
-      product1_q <= ProductW'(left1) * ProductW'(right1);
-      if (issue == 3'd2 || issue == 3'd5) begin
+      {left0_q, left1_q, right0_q, right1_q} <= {left0, left1, right0, right1};
+      product0_q <= ProductW'(left0_q) * ProductW'(right0_q);
+      product1_q <= ProductW'(left1_q) * ProductW'(right1_q);
+      // Negative only beside a product of zero.
+      apart0_q <= top0_q - e0 - $signed(ExponentW'(next_power0));
+      apart1_q <= top1_q - e1 - $signed(ExponentW'(next_power1));
+      if (phase[2] || phase[5]) begin
         {any0_q, top0_q} <= {any0, top0};
-        {any1_q, top1_q} <= issue == 3'd5 ? {any0, top0} : {any1, top1};
+        {any1_q, top1_q} <= phase[5] ? {any0, top0} : {any1, top1};
       end
       if (late == 3'd0) pair0_q <= product0_q[2*OneW-1-:BothW];
       if (late == 3'd0) pair1_q <= product1_q[2*OneW-1-:BothW];
@@ -263,6 +266,6 @@ module pu_factors (
     end
   end
 
-  wire unused_bits = &{1'b0, issue_valid};  // the phase is only looked at beside products that count
+  wire unused_bits = &{1'b0, phase, next_valid};  // the phase is only looked at beside products that count
 
 endmodule

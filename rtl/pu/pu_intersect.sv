@@ -86,17 +86,19 @@ module pu_intersect (
 
   // --- first region: gradients, then P -----------------------------------------------------------------------------
   logic signed [FactorW-1:0] column, row;
+  logic signed [pipegs_pkg::BcW-1:0] b_q, c_q;            // the record's, out of the memory that it waits in
+  logic signed [DefW-1:0]    d_q, e_q, f_q;
   logic signed [CurveW-1:0]  e_row, f_row, f_column, d_column;
   logic signed [GradW-1:0]   b, c, along_x_q, along_y_q, first_gx_q, first_gy_q;  // along: B + F y + D x,  C + E y
   logic signed [PowerW-1:0]  place, first_power;
   assign column   = {1'b0, box_left_q};
   assign row      = {1'b0, box_top_q};
-  assign d_column = CurveW'(coeff_i.d) * CurveW'(column);
-  assign e_row    = CurveW'(coeff_i.e) * CurveW'(row);
-  assign f_column = CurveW'(coeff_i.f) * CurveW'(column);
-  assign f_row    = CurveW'(coeff_i.f) * CurveW'(row);
-  assign b        = GradW'(coeff_i.b);
-  assign c        = GradW'(coeff_i.c);
+  assign d_column = CurveW'(d_q) * CurveW'(column);
+  assign e_row    = CurveW'(e_q) * CurveW'(row);
+  assign f_column = CurveW'(f_q) * CurveW'(column);
+  assign f_row    = CurveW'(f_q) * CurveW'(row);
+  assign b        = GradW'(b_q);
+  assign c        = GradW'(c_q);
   assign place    = PowerW'(along_x_q) * PowerW'(column) + PowerW'(along_y_q) * PowerW'(row);
   assign first_power = PowerW'(coeff_i.a) + MinusCut + (place <<< EightW);
 
@@ -107,6 +109,7 @@ module pu_intersect (
       box_top_q    <= y_first[PixelW-1:EightW];
       box_bottom_q <= y_last[PixelW-1:EightW];
       none_q       <= none;
+      {b_q, c_q, d_q, e_q, f_q} <= {coeff_i.b, coeff_i.c, coeff_i.d, coeff_i.e, coeff_i.f};
     end
     if (state_q == StateStart) begin
       along_x_q  <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< EightW);

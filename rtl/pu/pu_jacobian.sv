@@ -41,16 +41,17 @@ module pu_jacobian (
   localparam int unsigned Cut       = SumW - FactorW;  // bits below a mantissa
 
   logic        take, claim, step;
-  logic [11:0] slots;
-  logic        issue_valid, sum_valid, last_valid;
-  logic [2:0]  issue, sum, last;  // phase of the operands, of the products, of the sums
-  assign {last_valid, last, sum_valid, sum, issue_valid, issue} = slots;
+  logic [7:0]  phase;  // whose operands are chosen now
+  logic [7:0]  slots;
+  logic        sum_valid, last_valid;
+  logic [2:0]  sum, last;  // phase of the products, of the sums
+  assign {last_valid, last, sum_valid, sum} = slots;
 
   pu_phases #(.Depth(2), .Claim(2)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(oriented_valid_i), .in_ready_o(oriented_ready_o),
     .out_valid_o(jacobian_valid_o), .out_ready_i(jacobian_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .slots_o(slots), .busy_o
+    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
   );
 
   pipegs_pkg::oriented_t in_q;
@@ -64,13 +65,13 @@ module pu_jacobian (
   always_comb begin
     left0 = LeftW'(in_q.tan_x);
     left1 = LeftW'(in_q.tan_y);
-    case (issue)
-      3'd1:    begin right0 = RightW'(in_q.r20); right1 = RightW'(in_q.r20); end
-      3'd2:    begin right0 = RightW'(in_q.r21); right1 = RightW'(in_q.r21); end
-      3'd3:    begin right0 = RightW'(in_q.r22); right1 = RightW'(in_q.r22); end
-      3'd4:    begin right0 = RightW'(in_q.r00); right1 = RightW'(in_q.r10); end
-      3'd5:    begin right0 = RightW'(in_q.r01); right1 = RightW'(in_q.r11); end
-      3'd6:    begin right0 = RightW'(in_q.r02); right1 = RightW'(in_q.r12); end
+    (* parallel_case *) case (1'b1)
+      phase[1]: begin right0 = RightW'(in_q.r20); right1 = RightW'(in_q.r20); end
+      phase[2]: begin right0 = RightW'(in_q.r21); right1 = RightW'(in_q.r21); end
+      phase[3]: begin right0 = RightW'(in_q.r22); right1 = RightW'(in_q.r22); end
+      phase[4]: begin right0 = RightW'(in_q.r00); right1 = RightW'(in_q.r10); end
+      phase[5]: begin right0 = RightW'(in_q.r01); right1 = RightW'(in_q.r11); end
+      phase[6]: begin right0 = RightW'(in_q.r02); right1 = RightW'(in_q.r12); end
       default: begin
         left0  = $signed(LeftW'(frame_i.focal_x));
         left1  = $signed(LeftW'(frame_i.focal_y));
@@ -164,7 +165,7 @@ module pu_jacobian (
   end
 
   // Valid is only looked at beside results; of the frame only the focal lengths are used here.
-  wire unused_bits = &{1'b0, issue_valid, sum_valid, frame_i, product0_q, product1_q, normal0[Cut-1:0],
+  wire unused_bits = &{1'b0, phase, sum_valid, frame_i, product0_q, product1_q, normal0[Cut-1:0],
                        normal1[Cut-1:0]};
 
 endmodule

@@ -31,17 +31,18 @@ module pu_orient (
   localparam int unsigned ProductW  = 2 * RotationW;
   localparam int unsigned SumW      = ProductW + 3;
 
-  logic                 take, claim, step;
-  logic [7:0]           slots;
-  logic                 issue_valid, sum_valid;
-  logic [2:0]           issue, sum;  // phase whose operands, or whose products are in use
-  assign {sum_valid, sum, issue_valid, issue} = slots;
+  logic        take, claim, step;
+  logic [7:0]  phase;  // whose operands are chosen now
+  logic [3:0]  slots;
+  logic        sum_valid;
+  logic [2:0]  sum;  // phase whose products are in use
+  assign {sum_valid, sum} = slots;
 
   pu_phases #(.Depth(1), .Claim(5)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(projected_valid_i), .in_ready_o(projected_ready_o),
     .out_valid_o(oriented_valid_o), .out_ready_i(oriented_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .slots_o(slots), .busy_o
+    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
   );
 
   pipegs_pkg::projected_t projected_q;
@@ -68,26 +69,26 @@ module pu_orient (
     right[1] = qx;
     right[2] = qy;
     right[3] = qz;
-    case (issue)
-      3'd0: ;
-      3'd1: begin right[0] = qx; right[1] = qw; right[2] = qz; right[3] = qy; end
-      3'd2: begin right[0] = qy; right[1] = qz; right[2] = qw; right[3] = qx; end
-      3'd3: begin right[0] = qz; right[1] = qy; right[2] = qx; right[3] = qw; end
-      3'd5: begin
+    (* parallel_case *) case (1'b1)
+      phase[1]: begin right[0] = qx; right[1] = qw; right[2] = qz; right[3] = qy; end
+      phase[2]: begin right[0] = qy; right[1] = qz; right[2] = qw; right[3] = qx; end
+      phase[3]: begin right[0] = qz; right[1] = qy; right[2] = qx; right[3] = qw; end
+      phase[5]: begin
         left[0] = x_q; right[0] = x_q;
         left[1] = y_q; right[1] = y_q;
         left[2] = z_q; right[2] = z_q;
       end
-      3'd6: begin
+      phase[6]: begin
         left[0] = x_q; right[0] = y_q;
         left[1] = w_q; right[1] = z_q;
         left[2] = x_q; right[2] = z_q;
         left[3] = w_q; right[3] = y_q;
       end
-      default: begin
+      phase[7]: begin
         left[0] = y_q; right[0] = z_q;
         left[1] = w_q; right[1] = x_q;
       end
+      default: ;
     endcase
   end
 
@@ -195,6 +196,6 @@ module pu_orient (
   end
 
   // The phase is only looked at beside products that count; of the frame only the quaternion is used here.
-  wire unused_bits = &{1'b0, issue_valid, frame_i};
+  wire unused_bits = &{1'b0, phase, frame_i};
 
 endmodule

@@ -1,7 +1,7 @@
 // pu_phases: the clockwork of a stage that works on one record for eight cycles, sharing its multipliers over them.
 //
-// Idea    A record is held for phases 0 to 7. What a phase issues travels down the stage's registers: slots_o tells,
-//         for each of these Depth register levels, which phase's values it holds. The output register is the stage's
+// Idea    A record is held for phases 0 to 7 (phase_o). What a phase issues travels down the stage's registers:
+//         slots_o tells, for each of these Depth register levels, which phase's values it holds. The output register is the stage's
 //         second place: in phase Claim it must be free and takes the fields that pass, later the results are written
 //         into it one by one, and it becomes valid when level Depth has handled phase 7, while the next record is in
 //         its first phases.
@@ -28,7 +28,9 @@ module pu_phases #(
   output logic                         take_o,
   output logic                         claim_o,
   output logic                         step_o,
-  output logic [(Depth+1)*SlotW-1:0]   slots_o,  // level 0 (the phase issued now) in the low bits
+  output logic                         held_o,   // a record is held
+  output logic [7:0]                   phase_o,  // the phase issued now, one bit each: operands are chosen early in the cycle
+  output logic [Depth*SlotW-1:0]       slots_o,  // level 1, what was issued one step ago, in the low bits
   output logic                         busy_o
 );
 
@@ -46,8 +48,9 @@ module pu_phases #(
   assign claim_o     = valid_q && phase_q == PhaseW'(Claim) && out_free;
   assign in_ready_o  = !valid_q || (phase_q == LastPhase && step_o);
   assign take_o      = in_valid_i && in_ready_o;
-  assign slots_o     = {levels_q, valid_q, phase_q};
-  assign finish      = slots_o[Depth*SlotW+:SlotW] == {1'b1, LastPhase};
+  assign held_o      = valid_q;
+  assign slots_o     = levels_q;
+  assign finish      = levels_q[(Depth-1)*SlotW+:SlotW] == {1'b1, LastPhase};
   assign out_valid_o = out_valid_q;
   assign busy_o      = valid_q || out_valid_q || work;
 
@@ -61,13 +64,16 @@ module pu_phases #(
     if (!rst_ni) begin
       valid_q     <= 1'b0;
       phase_q     <= '0;
+      phase_o     <= 8'b1;
       levels_q    <= '0;
       out_valid_q <= 1'b0;
     end else begin
       if (in_ready_o) valid_q <= in_valid_i;
       if (in_ready_o) phase_q <= '0;
       else if (step_o) phase_q <= phase_q + 1'b1;
-      if (step_o) levels_q <= slots_o[Depth*SlotW-1:0];
+      if (in_ready_o) phase_o <= 8'b1;
+      else if (step_o) phase_o <= phase_o << 1;
+      if (step_o) levels_q <= (Depth*SlotW)'({levels_q, valid_q, phase_q});
       if (finish && step_o) out_valid_q <= 1'b1;
       else if (out_ready_i) out_valid_q <= 1'b0;
     end
@@ -76,6 +82,7 @@ module pu_phases #(
 `ifndef SYNTHESIS
   initial assert (Depth >= 1 && Depth <= Claim && Claim < 8);
   assert property (@(posedge clk_i) disable iff (!rst_ni) !(finish && out_valid_q));
+  assert property (@(posedge clk_i) disable iff (!rst_ni) phase_o == 8'b1 << phase_q);  // so a parallel_case is safe
 `endif
 
 endmodule

@@ -51,24 +51,26 @@ module pu_project (
   localparam int unsigned ProductW   = ViewW + FactorW;
   localparam int unsigned KeyW       = DepthW - ExpW;
 
-  logic        take, claim, step;
-  logic [19:0] slots;
-  logic        issue_valid, level1_valid, level2_valid, level3_valid, level4_valid;
-  logic [2:0]  issue, level1, level2, level3, level4;
-  assign {level4_valid, level4, level3_valid, level3, level2_valid, level2, level1_valid, level1,
-          issue_valid, issue} = slots;
+  logic        take, claim, step, held;
+  logic [7:0]  phase;  // whose operands are chosen now
+  logic [15:0] slots;
+  logic        level1_valid, level2_valid, level3_valid, level4_valid;
+  logic [2:0]  level1, level2, level3, level4;  // the phases one to four cycles ago
+  assign {level4_valid, level4, level3_valid, level3, level2_valid, level2, level1_valid, level1} = slots;
 
   pu_phases #(.Depth(4), .Claim(4)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(visible_valid_i), .in_ready_o(visible_ready_o),
     .out_valid_o(projected_valid_o), .out_ready_i(projected_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .slots_o(slots), .busy_o
+    .take_o(take), .claim_o(claim), .step_o(step), .held_o(held), .phase_o(phase), .slots_o(slots), .busy_o
   );
 
   // Cycles 8 to 11 of the record in the output register.
-  logic cycle8, cycle9, cycle10, cycle11;
-  assign cycle8  = level1_valid && level1 == 3'd7;
-  assign cycle9  = level2_valid && level2 == 3'd7;
+  logic cycle8, cycle9, cycle10, cycle11;  // 8 and 9 choose the multiplier's operands: registers
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) {cycle8, cycle9} <= '0;
+    else if (step) {cycle8, cycle9} <= {held && phase[7], cycle8};
+  end
   assign cycle10 = level3_valid && level3 == 3'd7;
   assign cycle11 = level4_valid && level4 == 3'd7;
 
@@ -81,7 +83,7 @@ module pu_project (
   logic        [ShiftW-1:0] shift, shift_q;
   assign any = (in_q.view_x ^ (in_q.view_x >>> (ViewW - 1))) | (in_q.view_y ^ (in_q.view_y >>> (ViewW - 1))) |
                (in_q.view_z ^ (in_q.view_z >>> (ViewW - 1)));
-  assign number = issue == 3'd0 ? in_q.view_z : issue == 3'd1 ? in_q.view_x : issue == 3'd2 ? in_q.view_y : any;
+  assign number = phase[0] ? in_q.view_z : phase[1] ? in_q.view_x : phase[2] ? in_q.view_y : any;
   normalize #(.DataW(ViewW)) u_normalize (.in_i(number), .out_o(normal), .shift_o(shift));
 
   // --- z: cycle 1 --------------------------------------------------------------------------------------------------
@@ -118,7 +120,7 @@ module pu_project (
   logic signed [ProductW-1:0] product_q;
   logic signed [ViewW:0]      ratio;
   always_comb begin
-    left  = issue == 3'd6 ? x_q : y_q;
+    left  = phase[6] ? x_q : y_q;
     right = $signed(FactorW'(inv_q));
     if (cycle8) begin
       left  = x_ratio_q;
@@ -173,13 +175,13 @@ module pu_project (
 
   // --- direction: cycles 5 to 7, the shift that leaves the largest component normalised ----------------------------
   logic signed [ViewW-1:0] component;
-  assign component = (issue == 3'd5 ? in_q.view_x : issue == 3'd6 ? in_q.view_y : in_q.view_z) <<< shift_q;
+  assign component = (phase[5] ? in_q.view_x : phase[6] ? in_q.view_y : in_q.view_z) <<< shift_q;
 
   always_ff @(posedge clk_i) begin
     if (take) in_q <= visible_i;
     if (inv_valid) inv_q <= inv;
     if (step) begin
-      if (issue <= 3'd3) begin
+      if (phase[3:0] != '0) begin
         normal_q <= normal;
         shift_q  <= shift;
       end
@@ -227,9 +229,9 @@ module pu_project (
       end
     end
     if (step && out_q.kind == '0) begin
-      if (issue_valid && issue == 3'd5) out_q.dir_x <= component[ViewW-1-:DirectionW];
-      if (issue_valid && issue == 3'd6) out_q.dir_y <= component[ViewW-1-:DirectionW];
-      if (issue_valid && issue == 3'd7) begin
+      if (held && phase[5]) out_q.dir_x <= component[ViewW-1-:DirectionW];
+      if (held && phase[6]) out_q.dir_y <= component[ViewW-1-:DirectionW];
+      if (held && phase[7]) begin
         out_q.dir_z   <= component[ViewW-1-:DirectionW];
         out_q.inv_z_m <= inv_q;
       end
@@ -241,6 +243,6 @@ module pu_project (
   end
 
   // Bits that a narrowing cuts; of the frame only the lens is used here.
-  wire unused_bits = &{1'b0, frame_i, product_q, ratio[ViewW], below, component};
+  wire unused_bits = &{1'b0, phase, frame_i, product_q, ratio[ViewW], below, component, level2_valid, level2};
 
 endmodule

@@ -7,8 +7,9 @@
 //           multiply   ac ac ac bd bd     bd
 //           add           ac ac ac bd     bd     bd
 //           normalise              a      c         b      d
+//         A normalised sum is written one cycle later.
 // Stream  factors in, squares out, in order; an end beat passes with all other fields zero.
-// Pace    One record in eight cycles, latency 10.
+// Pace    One record in eight cycles, latency 11.
 // Model   cpp_model/pu/pu_squares.hpp
 
 module pu_squares (
@@ -33,17 +34,18 @@ module pu_squares (
   localparam int unsigned ShiftW    = $clog2(SumW);
   localparam int unsigned Cut       = SumW - FactorW;  // bits below a mantissa
 
-  logic       take, claim, step;
-  logic [7:0] slots;
-  logic       issue_valid, sum_valid;
-  logic [2:0] issue, sum;  // phase of the operands, of the products
-  assign {sum_valid, sum, issue_valid, issue} = slots;
+  logic        take, claim, step;
+  logic [7:0]  phase;  // whose operands are chosen now
+  logic [7:0]  slots;
+  logic        sum_valid, write_valid;
+  logic [2:0]  sum, write;  // phase of the products, of what is normal
+  assign {write_valid, write, sum_valid, sum} = slots;
 
-  pu_phases #(.Depth(1), .Claim(3)) u_phases (
+  pu_phases #(.Depth(2), .Claim(3)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(factors_valid_i), .in_ready_o(factors_ready_o),
     .out_valid_o(squares_valid_o), .out_ready_i(squares_ready_i),
-    .take_o(take), .claim_o(claim), .step_o(step), .slots_o(slots), .busy_o
+    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
   );
 
   pipegs_pkg::factors_t in_q;
@@ -54,12 +56,12 @@ module pu_squares (
   logic signed [2*FactorW-1:0] product0_q, product1_q;
   logic signed [SumW-1:0]      sum0_q, sum1_q, spare_q;
   always_comb begin
-    case (issue)
-      3'd0:    begin left0 = in_q.u0_0; right0 = in_q.u0_0; left1 = in_q.u1_0; right1 = in_q.u1_0; end
-      3'd1:    begin left0 = in_q.u0_1; right0 = in_q.u0_1; left1 = in_q.u1_1; right1 = in_q.u1_1; end
-      3'd2:    begin left0 = in_q.u0_2; right0 = in_q.u0_2; left1 = in_q.u1_2; right1 = in_q.u1_2; end
-      3'd3:    begin left0 = in_q.u0_0; right0 = in_q.u1_0; left1 = in_q.t_0;  right1 = in_q.t_0;  end
-      3'd4:    begin left0 = in_q.u0_1; right0 = in_q.u1_1; left1 = in_q.t_1;  right1 = in_q.t_1;  end
+    (* parallel_case *) case (1'b1)
+      phase[0]: begin left0 = in_q.u0_0; right0 = in_q.u0_0; left1 = in_q.u1_0; right1 = in_q.u1_0; end
+      phase[1]: begin left0 = in_q.u0_1; right0 = in_q.u0_1; left1 = in_q.u1_1; right1 = in_q.u1_1; end
+      phase[2]: begin left0 = in_q.u0_2; right0 = in_q.u0_2; left1 = in_q.u1_2; right1 = in_q.u1_2; end
+      phase[3]: begin left0 = in_q.u0_0; right0 = in_q.u1_0; left1 = in_q.t_0;  right1 = in_q.t_0;  end
+      phase[4]: begin left0 = in_q.u0_1; right0 = in_q.u1_1; left1 = in_q.t_1;  right1 = in_q.t_1;  end
       default: begin left0 = in_q.u0_2; right0 = in_q.u1_2; left1 = in_q.t_2;  right1 = in_q.t_2;  end
     endcase
   end
@@ -67,12 +69,10 @@ module pu_squares (
   // The first sum of a pair is normalised when the phase after its last is being added, the other one cycle later.
   logic signed [SumW-1:0]      ready, normal;
   logic        [ShiftW-1:0]    shift;
-  logic signed [FactorW-1:0]   m;
-  logic signed [ExponentW-1:0] less;
+  logic signed [FactorW-1:0]   m_q;
+  logic signed [ExponentW-1:0] less_q;
   assign ready = sum == 3'd3 || sum == 3'd6 ? sum0_q : spare_q;
   normalize #(.DataW(SumW)) u_normalize (.in_i(ready), .out_o(normal), .shift_o(shift));
-  assign m    = normal[SumW-1-:FactorW];
-  assign less = $signed(ExponentW'(shift));
 
   logic signed [SumW-1:0] wide0, wide1;
   assign wide0 = SumW'(product0_q);
@@ -88,6 +88,8 @@ module pu_squares (
         sum1_q <= sum == 3'd0 || sum == 3'd3 ? wide1 : sum1_q + wide1;
       end
       if (sum == 3'd3 || sum == 3'd6) spare_q <= sum1_q;
+      m_q    <= normal[SumW-1-:FactorW];
+      less_q <= $signed(ExponentW'(shift));
     end
     if (claim) begin
       out_q      <= '0;
@@ -116,18 +118,18 @@ module pu_squares (
         out_q.slot    <= in_q.slot;
       end
     end
-    if (step && sum_valid && out_q.kind == '0) begin
-      case (sum)
-        3'd3: begin out_q.a_m <= m[MantissaW-1:0]; out_q.a_e <= out_q.a_e - less; end
-        3'd4: begin out_q.c_m <= m[MantissaW-1:0]; out_q.c_e <= out_q.c_e - less; end
-        3'd6: begin out_q.b_m <= m;                out_q.b_e <= out_q.b_e - less; end
-        3'd7: begin out_q.d_m <= m[MantissaW-1:0]; out_q.d_e <= out_q.d_e - less; end
+    if (step && write_valid && out_q.kind == '0) begin
+      case (write)
+        3'd3: begin out_q.a_m <= m_q[MantissaW-1:0]; out_q.a_e <= out_q.a_e - less_q; end
+        3'd4: begin out_q.c_m <= m_q[MantissaW-1:0]; out_q.c_e <= out_q.c_e - less_q; end
+        3'd6: begin out_q.b_m <= m_q;                out_q.b_e <= out_q.b_e - less_q; end
+        3'd7: begin out_q.d_m <= m_q[MantissaW-1:0]; out_q.d_e <= out_q.d_e - less_q; end
         default: ;
       endcase
     end
   end
 
   // Valid is only looked at beside results; bits below a mantissa are cut.
-  wire unused_bits = &{1'b0, issue_valid, normal[Cut-1:0]};
+  wire unused_bits = &{1'b0, phase, sum_valid, normal[Cut-1:0]};
 
 endmodule

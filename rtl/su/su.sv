@@ -133,7 +133,7 @@ module su (
   );
 
   // --- the stores ----------------------------------------------------------------------------------------------------
-  logic                select_write, split_read, split_link, payload_read;
+  logic                select_claim, select_write, split_read, split_claim, split_link, payload_read;
   logic [SlotW-1:0]    select_slot, split_slot, split_link_slot, split_link_to, payload_slot, link;
   logic [KeyW-1:0]     select_key, stored_key;
   logic [PayloadW-1:0] payload;
@@ -145,10 +145,10 @@ module su (
     .read_i(split_read), .raddr_i(split_slot), .rdata_o(stored_key)
   );
   // The splitter never waits for a link. Selected keys are a chain from the last slot to the first; nobody else is there then.
-  assign bucket_link_ready = !split_link && !select_write;
+  assign bucket_link_ready = !split_claim && !select_claim;
   sram #(.DataW(SlotW), .Depth(pipegs_pkg::Records)) u_links (
     .clk_i,
-    .write_i(split_link || select_write || bucket_link),
+    .write_i(split_link || select_write || (bucket_link && bucket_link_ready)),
     .waddr_i(split_link ? split_link_slot : select_write ? select_slot : bucket_link_slot),
     .wdata_i(split_link ? split_link_to : select_write ? select_slot - 1'b1 : bucket_link_to),
     .read_i(split_read), .raddr_i(split_slot), .rdata_o(link)
@@ -181,7 +181,7 @@ module su (
     .max_i(group ? group_max : {chain_bucket, {(KeyW-BucketW){1'b1}}}),
     .idle_o(split_idle), .active_o(split_active),
     .key_read_o(split_read), .key_slot_o(split_slot), .key_i(stored_key),
-    .link_i(link), .link_write_o(split_link), .link_slot_o(split_link_slot), .link_o(split_link_to),
+    .link_i(link), .link_claim_o(split_claim), .link_write_o(split_link), .link_slot_o(split_link_slot), .link_o(split_link_to),
     .out_valid_o(batch_valid), .out_ready_i(batch_ready), .out_last_o(batch_last), .out_key_o(batch_key),
     .out_slot_o(batch_slot)
   );
@@ -223,7 +223,7 @@ module su (
       .idle_o(select_idle), .active_o(select_active),
       .read_valid_o(select_read), .read_ready_i(read_ready && select_read), .read_line_o(select_line),
       .line_valid_i(line_valid && select_turn), .line_ready_o(select_line_ready), .line_i(line),
-      .write_o(select_write), .write_slot_o(select_slot), .write_key_o(select_key), .write_number_o(select_number),
+      .write_claim_o(select_claim), .write_o(select_write), .write_slot_o(select_slot), .write_key_o(select_key), .write_number_o(select_number),
       .group_o(group), .group_count_o(group_count), .group_min_o(group_min), .group_max_o(group_max),
       .group_done_i(split_idle && bitonic_idle)
     );
@@ -242,7 +242,7 @@ module su (
     assign {spill_job, divert, selecting, select_start, record_ready, back_ready, spill_active} = '0;
     assign {spill_count, spill_min, spill_max, record_line, line_record, keys_line, keys, line_record_valid, keys_valid} = '0;
     assign {select_idle, select_active, select_read, select_line, select_line_ready} = '0;
-    assign {select_write, select_slot, select_key, select_number, group, group_count, group_min, group_max} = '0;
+    assign {select_claim, select_write, select_slot, select_key, select_number, group, group_count, group_min, group_max} = '0;
     assign {line_record_ready, keys_ready, read_ready, line_valid, line, port_waits, port_active} = '0;
     assign {mem_valid_o, mem_write_o, mem_address_o, mem_data_o, overflow_o} = '0;
     logic unused_overflow;

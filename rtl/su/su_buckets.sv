@@ -51,6 +51,7 @@ module su_buckets (
   localparam int unsigned Words = 2 ** HighW;
   localparam int unsigned WordBits = 2 ** LowW;
   localparam int unsigned Group = 16;
+  localparam int unsigned GroupW = $clog2(Group + 1);
 
   // Each operation reads in one cycle and ends in the next; the next one may read in that cycle unless it needs what the
   // former writes.
@@ -148,7 +149,9 @@ module su_buckets (
   logic [SlotW:0]     group_count_q;
   logic [BucketW-1:0] group_bucket_q, entry_bucket_q;
 
-  assign fits       = {1'b0, group_count_q} + {1'b0, count} <= (SlotW+2)'(Group);
+  // Neither alone is more than a group, so that the sum is short.
+  assign fits       = group_count_q <= (SlotW+1)'(Group) && count <= (SlotW+1)'(Group) &&
+                      {1'b0, group_count_q[GroupW-1:0]} + {1'b0, count[GroupW-1:0]} <= (GroupW+1)'(Group);
   assign join_group = operation_q == Entry && group_valid_q && fits;
   assign push_group = group_valid_q && (operation_q == Entry ? !fits : (quiet || hungry_i));
 

@@ -28,7 +28,8 @@ module su_select (
   output logic                           line_ready_o,
   input  logic [pipegs_pkg::MemoryW-1:0] line_i,
 
-  output logic                           write_o,
+  output logic                           write_claim_o,  // a key may be written in this cycle: others wait
+  output logic                           write_o,        // with write_claim_o only
   output logic [pipegs_pkg::RecordW-1:0] write_slot_o,
   output logic [pipegs_pkg::KeyW-1:0]    write_key_o,
   output logic [pipegs_pkg::SlotW-1:0]   write_number_o,
@@ -63,7 +64,7 @@ module su_select (
 
   logic [KeyW-1:0]   low_q, max_q;  // low: where the sixteen parts begin
   logic [ShiftW-1:0] shift_q, wide_shift;
-  logic [SlotW-1:0]  count_q, sent_q;
+  logic [SlotW-1:0]  count_q, last_q, sent_q;  // last: count - 1
   logic [PartW:0]    first_q, stop_q;  // parts chosen: first <= part < stop
   logic [SumW-1:0]   sum_q, part_count;
   logic [SumW-1:0]   counts_q [Parts];  // at most Records + 1: then "too many"
@@ -83,7 +84,7 @@ module su_select (
   assign read_valid_o = pass && (SlotW+LinePartW)'({line_q, LinePartW'(0)}) < (SlotW+LinePartW)'(count_q);
   assign read_line_o  = line_q;
   assign look         = pass && line_valid_i && number_q != count_q;
-  assign line_ready_o = look && (number_q[LinePartW-1:0] == '1 || number_q + 1'b1 == count_q);
+  assign line_ready_o = look && (number_q[LinePartW-1:0] == '1 || number_q == last_q);
   assign key          = line_i[number_q[LinePartW-1:0]*KeyPartW +: KeyW];
   assign pass_done    = number_q == count_q && !seen_q;
 
@@ -92,6 +93,7 @@ module su_select (
   assign part     = state_q == Choose ? stop_q[PartW-1:0] : position[PartW-1:0];
   assign part_count = counted_q[part] ? counts_q[part] : '0;
 
+  assign write_claim_o  = state_q == Load && seen_q;
   assign write_o        = state_q == Load && hit && {1'b0, part} >= first_q && {1'b0, part} < stop_q;
   assign write_slot_o   = sum_q[SumW-2:0];
   assign write_key_o    = key_q;
@@ -142,6 +144,7 @@ module su_select (
       low_q   <= min_i;
       max_q   <= max_i;
       count_q <= count_i;
+      last_q  <= count_i - 1'b1;
       sent_q  <= '0;
     end
 

@@ -29,7 +29,8 @@ module su_split (
   output logic [pipegs_pkg::RecordW-1:0] key_slot_o,
   input  logic [pipegs_pkg::KeyW-1:0]    key_i,
   input  logic [pipegs_pkg::RecordW-1:0] link_i,        // the slot behind it in its chain
-  output logic                           link_write_o,  // never waits
+  output logic                           link_claim_o,  // a link may be written in this cycle: others wait
+  output logic                           link_write_o,  // with link_claim_o only
   output logic [pipegs_pkg::RecordW-1:0] link_slot_o,
   output logic [pipegs_pkg::RecordW-1:0] link_o,
 
@@ -124,6 +125,7 @@ module su_split (
     assign join_near = gathered_q && {1'b0, count} + {1'b0, count_q} <= (SlotW+2)'(Group);
     assign push      = gather && gathered_q && !join_near;
 
+    assign link_claim_o = drop_q || gather;
     assign link_write_o = drop_q || (gather && join_near);
     assign link_slot_o  = drop_q ? drop_slot_q : tail;
     assign link_o       = drop_q ? head : head_q;
@@ -202,7 +204,7 @@ module su_split (
     assert property (@(posedge clk_i) disable iff (!rst_ni) push |-> depth_q < StackW'(StackDepth));
 `endif
   end else begin : gen_whole
-    assign {dropping, gather, several, join_near, stacked, link_write_o} = '0;
+    assign {dropping, gather, several, join_near, stacked, link_claim_o, link_write_o} = '0;
     assign gathered = 1'b1;
     assign {head, frame_head, link_slot_o, link_o} = '0;
     assign {count, frame_count} = '0;

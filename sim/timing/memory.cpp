@@ -28,32 +28,34 @@ void Memory::step(Machine& machine, Cycle now) {
   if (answered_ >= 0) machine.wheel.wake_now(answer_unit_[static_cast<size_t>(answered_)]);
   if (wanted_ == 0 && !out_valid_) return;
 
-  bool out_free = !out_valid_;
+  bool free = !out_valid_;
   if (out_valid_ && timing_.ready()) {
     timing_.request(out_write_, out_line_, out_port_);
     ++(out_write_ ? written_ : read_)[static_cast<size_t>(out_port_)];
     last_accepted_ = now;
-    out_free = true;
+    free = true;
     out_valid_ = false;
   }
-  if (wanted_ == 0) {
+  const uint32_t chosen = chosen_ == kNone ? 0 : uint32_t{1} << chosen_;
+  const uint32_t others = wanted_ & ~chosen, first = others & first_, requests = first != 0 ? first : others;
+  const bool served = (wanted_ & chosen) != 0, moves = !served || free;
+  if (served && free) {
+    out_valid_ = true;
+    out_port_ = chosen_;
+    out_write_ = write_[static_cast<size_t>(chosen_)];
+    out_line_ = line_[static_cast<size_t>(chosen_)];
+    wanted_ &= ~chosen;
+    granted_ = chosen_;
+    grant_at_ = now;
+    machine.wheel.wake_now(grant_unit_[static_cast<size_t>(chosen_)]);
+  }
+  if (requests == 0) {
     locked_ = false;
     return;
   }
-  const uint32_t first = wanted_ & first_, requests = first != 0 ? first : wanted_;
   const int port = locked_ && (requests >> shown_ & 1) != 0 ? shown_ : round_robin(requests, last_);
-  if (out_free) {
-    out_valid_ = true;
-    out_port_ = port;
-    out_write_ = write_[static_cast<size_t>(port)];
-    out_line_ = line_[static_cast<size_t>(port)];
-    wanted_ &= ~(uint32_t{1} << port);
-    last_ = port;
-    granted_ = port;
-    grant_at_ = now;
-    machine.wheel.wake_now(grant_unit_[static_cast<size_t>(port)]);
-  }
-  locked_ = !out_free;
+  if (moves) chosen_ = last_ = port;
+  locked_ = !moves;
   shown_ = port;
 }
 

@@ -1,6 +1,7 @@
 // memory.hpp: the arbiter to external memory in the timing model.
 //
-// RTL     rtl/buf/memory_arbiter.sv: round robin among those that go first, then among the others; a register on the way out and one on the way back.
+// RTL     rtl/buf/memory_arbiter.sv: round robin among those that go first, then among the others, for the cycle after; a register on the
+//         way out and one on the way back.
 // Idea    A unit asks by setting its port's bit, which counts from the next cycle on and is cleared by the grant. The unit is
 //         woken in the cycle of its grant and in the cycle of its answer.
 #pragma once
@@ -50,6 +51,7 @@ class Memory {
   uint32_t wanted_ = 0;
   std::array<uint64_t, kPorts> line_{};
   std::array<bool, kPorts> write_{};
+  int chosen_ = kNone;  // granted in this cycle if it asks
   int last_ = 0, shown_ = 0;
   bool locked_ = false;
   bool out_valid_ = false, out_write_ = false;

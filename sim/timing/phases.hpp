@@ -49,7 +49,7 @@ class Phases {
   static constexpr int kStages = 7;
   // compensate, then covariance, squares, factors, jacobian, orient, project with their Depth and Claim.
   static constexpr std::array<StageTimes, kStages> kParameters = {
-      {{3, 0, 1}, eight_cycles(1, 7), eight_cycles(1, 3), eight_cycles(1, 2), eight_cycles(2, 2), eight_cycles(1, 5), eight_cycles(4, 4)}};
+      {{3, 0, 1}, eight_cycles(1, 7), eight_cycles(2, 3), eight_cycles(2, 2), eight_cycles(2, 2), eight_cycles(1, 5), eight_cycles(4, 4)}};
   struct Stage {
     bool holding = false, result = false;  // a record that has not claimed the output; an output that is not taken
     Beat beat = 0, result_beat = 0;

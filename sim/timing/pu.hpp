@@ -77,7 +77,7 @@ class Pu {
   bool chunk_room_ = true;     // in the next cycle
 
   // pu_cull
-  std::array<Beat, 7> pipe_;
+  std::array<Beat, 8> pipe_;
   unsigned pipe_at_ = 0;
   int pipe_count_ = 0;
 

@@ -119,7 +119,7 @@ void Pu::conic(Machine& m, Cycle now) {
 }
 
 void Pu::coeff(Machine& m, Cycle now) {
-  slot(m, now, coeff_, lists_ ? expand_.out : conic_.out, unit(lists_ ? kExpand : kConic, lane_), unit(kCoeff, lane_), unit(kIntersect, lane_), 2, 6);
+  slot(m, now, coeff_, lists_ ? expand_.out : conic_.out, unit(lists_ ? kExpand : kConic, lane_), unit(kCoeff, lane_), unit(kIntersect, lane_), 3, 5);
 }
 
 // --- pu_intersect -------------------------------------------------------------------------------------------------------------

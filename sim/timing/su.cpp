@@ -126,7 +126,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.word_wanted = is.candidates != 0 && work_ == 0 && operation_ != kWord;
   is.quiet = is.candidates == 0 && work_ == 0 && operation_ == kNone;
   is.select_write = select_ == kLoad && select_part() >= first_ && select_part() < stop_ && select_part() >= 0;
-  is.link_ready = !split_links(now) && !is.select_write;
+  is.link_ready = !split_links(now) && !(select_ == kLoad && seen_);
   is.released_room = chains_.room(now);
   if (operation_ == kInsert) {
     const uint32_t word = (insert_set_ << bits_high_) + (insert_bucket_ >> bits_low_);

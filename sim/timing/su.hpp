@@ -28,7 +28,7 @@ struct SortGroup {
   size_t links = 0;  // link writes up to here belong to the passes before this group
 };
 
-// Cycles in which the splitter writes links, counted like SortGroup::delay.
+// Cycles in which the splitter may write links, counted like SortGroup::delay.
 struct LinkWrites {
   int first = 0, last = 0;
 };

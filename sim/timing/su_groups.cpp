@@ -65,13 +65,12 @@ void su_groups(std::vector<uint64_t>& keys, uint64_t min, uint64_t max, std::vec
       if (filled > 0 && near.count + n > kGroup) {
         stack.push_back(near);
         near.count = 0;
-      } else if (filled > 0) {
-        links.push_back({gather + filled, gather + filled});
       }
       ++filled;
       near.first -= n;
       near.count += n;
     }
+    links.push_back({gather, gather + filled - 1});  // it claims the links for each bucket, joined or not
     at = gather + filled + 1;
     if (filled == 1) near.shift = wide_shift(differ), ++at;  // Measure
     group = near;

@@ -62,14 +62,14 @@ TEST(PuCoeff, EqualsItsTwinAroundTheRange) {
   s.compare(records);
 }
 
-TEST(PuCoeff, TakesARecordInEightCyclesAndAnEndInThree) {
+TEST(PuCoeff, TakesARecordInEightCyclesAndAnEndInFour) {
   Stage s;
   std::vector<Conic> records;
   for (int i = 0; i < 100; ++i) records.push_back(pu_conic(s.config, Frame{}, random_splat(s.config, s.bench.rng, 30).record));
   for (int i = 0; i < 100; ++i) records.push_back({.kind = kLayerEnd});
   s.compare(records);
   EXPECT_EQ(s.out.cycles.at(90) - s.out.cycles.at(10), 80u * 8);
-  EXPECT_EQ(s.out.cycles.at(190) - s.out.cycles.at(110), 80u * 3);
+  EXPECT_EQ(s.out.cycles.at(190) - s.out.cycles.at(110), 80u * 4);
 }
 
 // Every pixel of the window that counts, from the exact covariance (and from the quantised one).
