@@ -219,6 +219,10 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
     if (cycle_ % 4096 == 0 && progress && !progress(cycle_, windows_)) throw std::runtime_error("RTL: interrupted");
   }
   waves.close();
+  top.clk_i = 0;  // rtl/perf.sv is one cycle behind
+  top.eval();
+  top.clk_i = 1;
+  top.eval();
 
   RtlResult result;
   uint32_t words[2] = {};

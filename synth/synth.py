@@ -34,13 +34,7 @@ HARMLESS = re.compile(r"Replacing memory .* with list of registers")
 # States stay as the RTL codes them. abc sees a driver and a load at the borders, so that it buffers and sizes what begins and
 # ends at registers.
 MAP = """read_rtlil {folder}/module.il
-synth -run begin:coarse -top {name}
-opt
-wreduce
-opt_clean
-techmap -map {library}/multiply.v t:$mul
-opt
-synth -noabc -nofsm -noshare -run coarse: -top {name}
+synth -noabc -nofsm -noshare -top {name}
 techmap -map {library}/latch.v
 dfflibmap -liberty {library}/cells.lib
 opt
@@ -104,9 +98,7 @@ class Machine:
 
     def __init__(self, jobs, library, access_fo4):
         self.jobs, self.library = jobs, library
-        with open(f"{HERE}/multiply.v", encoding="utf-8") as file:
-            self.multiply = file.read()
-        made_from = [library.text, library.latch_map(), self.multiply]
+        made_from = [library.text, library.latch_map()]
         self.folder = jobs.each("library", [("library", 1, lambda: jobs.result("library", made_from, self._library))])["library"]
         with open(f"{self.folder}/fo4", encoding="utf-8") as file:
             self.fo4 = float(file.read())
@@ -115,7 +107,6 @@ class Machine:
     def _library(self, folder):
         write(f"{folder}/cells.lib", self.library.text)
         write(f"{folder}/latch.v", self.library.latch_map())
-        write(f"{folder}/multiply.v", self.multiply)
         write(f"{folder}/abc.constr", f"set_driving_cell {self.library.inverter.name}\nset_load {self.library.load * self.library.femto:.3f}\n")
         write(f"{folder}/fo4", f"{timing.fo4(self.jobs, self.library, folder):.5f}\n")
 
@@ -137,7 +128,7 @@ class Machine:
                 raise Failed(str(error)) from None
             os.remove(f"{folder}/mapped.json")
 
-        return self.jobs.result(module.name, [MAP, text, self.library.text, self.library.latch_map(), self.multiply], make)
+        return self.jobs.result(module.name, [MAP, text, self.library.text, self.library.latch_map()], make)
 
     def build(self, modules):
         """Maps and times them all: self.areas, self.flipflops, self.paths by name."""

@@ -118,11 +118,11 @@ module recip #(
   assign rest    = -product[ErrorW+12:0];
 
   // 4: y = y0 (1 + e), rounded to nearest.
-  logic signed [ValueW+ErrorW:0] correction;
+  logic signed [OutF:0]          correction;
   logic        [OutF:0]          sum;
   logic        [DataW-1:0]       out_q;
-  assign correction = (ValueW + ErrorW + 1)'($signed({1'b0, y1_q})) * (ValueW + ErrorW + 1)'(error_q);
-  assign sum        = {1'b0, y1_q, {(OutF - ValueW){1'b0}}} + (OutF + 1)'(correction) + ((OutF + 1)'(1) << (Cut - 1));
+  assign correction = (OutF + 1)'($signed({1'b0, y1_q})) * (OutF + 1)'(error_q);
+  assign sum        = {1'b0, y1_q, {(OutF - ValueW){1'b0}}} + $unsigned(correction) + ((OutF + 1)'(1) << (Cut - 1));
   assign out_o      = out_q;
 
   always_ff @(posedge clk_i) begin

@@ -111,7 +111,7 @@ module pu_coeff (
   logic [LengthW-1:0]         spare;  // bits between the sign and the leading one
   logic signed [NormalW-1:0]  normal_q;
   logic signed [SumW-1:0]     normal_e_q;
-  logic signed [ProductW-1:0] product_q;
+  logic signed [ProductW-1:0] product, product_q;
   assign mean_q = conic_i.swap ? conic_i.mean_x : conic_i.mean_y;
   assign mean_p = conic_i.swap ? conic_i.mean_y : conic_i.mean_x;
   assign wide   = phase_q == '0 ? WideW'(mean_q) : w_q;
@@ -190,11 +190,13 @@ module pu_coeff (
     endcase
   end
 
+  multiply #(.LeftW(LeftW), .RightW(RightW)) u_multiply (.left_i(left_q), .right_i(right_q), .out_o(product));
+
   always_ff @(posedge clk_i) begin
     if (advance) begin
       left_q       <= left;
       right_q      <= right;
-      product_q    <= ProductW'(left_q) * ProductW'(right_q);
+      product_q    <= product;
       shift_next_q <= shift - curve_e - normal_e;
       shift_q      <= shift_next_q;
     end

@@ -68,10 +68,16 @@ module su (
   logic [SlotW-1:0]     slot, free_slot;
   logic                 insert_valid, insert_ready, set, record_valid, record_ready, mark_push, mark_room, mark_all, mark_spills;
   logic                 spill_start, ended, spill_done, collect_active, drained, set_released;
+  logic                 in_valid, in_ready;
+  pipegs_pkg::splat_t   in;
 
-  assign in_bits   = in_i;
-  assign in_bucket = in_i.depth[DepthW-1 -: BucketW];
-  assign in_key    = KeyW'({in_i.depth, in_i.index} >> (DepthW + pipegs_pkg::SplatIndexW - KeyW));
+  // Whether there is room hangs on most of the unit: the PU must not wait for that within the cycle.
+  skid #(.DataW(SplatBits)) u_in (
+    .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i, .out_valid_o(in_valid), .out_ready_i(in_ready), .out_o(in_bits)
+  );
+  assign in        = in_bits;
+  assign in_bucket = in.depth[DepthW-1 -: BucketW];
+  assign in_key    = KeyW'({in.depth, in.index} >> (DepthW + pipegs_pkg::SplatIndexW - KeyW));
 
   su_slots u_slots (
     .clk_i, .rst_ni, .slot_valid_o(slot_valid), .slot_ready_i(write), .slot_o(slot),
@@ -79,7 +85,7 @@ module su (
   );
 
   su_collect u_collect (
-    .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_kind_i(in_i.kind), .in_bucket_i(in_bucket),
+    .clk_i, .rst_ni, .in_valid_i(in_valid), .in_ready_o(in_ready), .in_kind_i(in.kind), .in_bucket_i(in_bucket),
     .slot_valid_i(slot_valid), .insert_valid_o(insert_valid), .insert_ready_i(insert_ready), .set_o(set), .write_o(write),
     .record_valid_o(record_valid), .record_ready_i(record_ready),
     .mark_valid_o(mark_push), .mark_ready_i(mark_room), .mark_all_o(mark_all), .spilled_o(mark_spills),
@@ -95,7 +101,7 @@ module su (
 
   sram_fifo #(.DataW(MarkW), .Depth(Marks)) u_marks (
     .clk_i, .rst_ni, .in_valid_i(mark_push), .in_ready_o(mark_room),
-    .in_i({set, mark_all, mark_spills, in_i.kind, in_bucket}),
+    .in_i({set, mark_all, mark_spills, in.kind, in_bucket}),
     .out_valid_o(mark_valid), .out_ready_i(mark_pop), .out_o({head_set, head_all, head_spills, head_kind, head_bucket}),
     .count_o(marks)
   );
@@ -286,7 +292,7 @@ module su (
   assign moves = collect_active || slots_active || buckets_active || split_start || (chains != '0 && !chain_valid) ||
                  (marks != '0 && !mark_valid) || end_go && batch_ready || split_active || bitonic_active || select_active ||
                  emit_active || spill_active;
-  assign active_o = moves || port_active;
+  assign active_o = moves || port_active || (in_valid_i && in_ready_o);
   always_comb begin
     perf_o = 2'd1;
     if (out_valid_o && !out_ready_i) perf_o = 2'd2;

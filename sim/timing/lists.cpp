@@ -84,7 +84,7 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
 
   // Dealing.
   uint32_t ready = 0;
-  for (int k = 0; k < units_; ++k) ready |= uint32_t{m.su[static_cast<size_t>(k)].ready()} << k;
+  for (int k = 0; k < units_; ++k) ready |= uint32_t{m.su[static_cast<size_t>(k)].ready(now)} << k;
   const bool free = (waiting_ & ~ready) == 0;
   const bool item = reader_.item_shown(now), data = item && reader_.job().read;
   uint32_t request = ready & ~waiting_;

@@ -16,6 +16,7 @@ Su::Su(const Machine& m, int lane)
 
 void Su::step(Machine& m, Cycle now) {
   moved_ = out_taken_at_ == now;
+  ready_ = in_.room(now), ready_at_ = now;
   if (sorting_ && now > sort_last_) {
     sorting_ = false;
     live_ = fill_;
@@ -35,6 +36,7 @@ void Su::step(Machine& m, Cycle now) {
     spill(is);
   }
   collect(m, now, is);
+  arrive(m, now);
   if (line_used_) --flight_, line_used_ = false, moved_ = true;
 
   Cycle next = moved_ ? now + 1 : kNever;
@@ -105,9 +107,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.spill_done = is.mark_first && head.all && is.emit_ready;
 
   // What comes in.
-  const Color& color = m.pu[static_cast<size_t>(lane_)].color;
-  const Splat* wires = lists_ ? &m.lists.record() : &color.out.value;
-  is.in = (lists_ ? m.lists.shown(lane_) : color.shown(now)) ? wires : nullptr;
+  is.in = in_.valid(now) ? &in_.front() : nullptr;
   is.data = is.in != nullptr && !is_end(is.in->beat);
   is.open = collect_ == kCollect && !closed_[set_];
   const bool insert = is.data && is.open && slot_valid(now);
@@ -162,12 +162,6 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.mark_push = is.in != nullptr && !is.data && (is.open || collect_ == kSpill) && marks_.room(now);
   const bool spill_free = (!record_valid_ || record_taken_) && !keys_valid_;
   is.taken = is.write || is.mark_push || (is.record && spill_free);
-  if (lists_) {
-    const bool same = operation_ == kWord && !is_end(wires->beat) && word_of(set_, bucket_of(m.trace.key[wires->beat])) == job_words + word_;
-    const bool insert_ready = is.ends && !is.word_wanted && operation_ != kInsert && !same;
-    ready_ = is_end(wires->beat) ? (is.open || collect_ == kSpill) && marks_.room(now)
-                                 : (is.open && slot_valid(now) && insert_ready) || (collect_ == kSpill && spill_free);
-  }
   return is;
 }
 
@@ -214,8 +208,15 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     spill_turned_ = now;
     for (int k = 0; k < m.units; ++k) m.wheel.wake(unit(kSu, k), now + 1);
   }
-  if (!is.taken) return;
-  lists_ ? m.lists.taken(m, lane_) : m.pu[static_cast<size_t>(lane_)].color.taken(m, now);
+  if (is.taken) in_.pop(now), moved_ = true;
+}
+
+// The stage in front of the unit.
+void Su::arrive(Machine& m, Cycle now) {
+  Color& color = m.pu[static_cast<size_t>(lane_)].color;
+  if (!ready_ || !(lists_ ? m.lists.shown(lane_) : color.shown(now))) return;
+  in_.push(now, lists_ ? m.lists.record() : color.out.value);
+  lists_ ? m.lists.taken(m, lane_) : color.taken(m, now);
   moved_ = true;
 }
 

@@ -47,7 +47,7 @@ class Su {
   const Sorted& head() const { return out_.value; }
   void taken(Machine& m, Cycle now);
 
-  bool ready() const { return ready_; }  // for the record on the lists' wires, in the cycle in which it was stepped last
+  bool ready(Cycle now) const { return ready_at_ == now ? ready_ : in_.room(now); }  // for a record from the lists
   bool spilling(Cycle now) const { return (collect_ == kSpill) != (spill_turned_ == now); }  // a register: as this cycle began
 
  private:
@@ -102,11 +102,15 @@ class Su {
   void spill(const Now& is);
   void select(Cycle now, const Now& is);
   void collect(Machine& m, Cycle now, const Now& is);
+  void arrive(Machine& m, Cycle now);
 
   const int lane_, port_, records_, bucket_shift_, bits_low_, bits_high_;
   const bool marks_cut_;  // a layer's end is a watermark (order 2)
   const bool lists_;
-  bool ready_ = false;
+
+  FallQueue<Splat, 2> in_;        // rtl/lib/skid.sv
+  bool ready_ = true;             // as the cycle began in which it was stepped last
+  Cycle ready_at_ = kLongAgo;
 
   // su_slots, and what lies in them
   std::vector<Sorted> pool_;

@@ -13,12 +13,12 @@ TEST(Perf, CountsEachStateWhileRunningAndARestartClears) {
   dut.restart_i = dut.running_i = dut.state_i = 0;
   bench.reset();
   uint64_t counts[4] = {}, running = 0, most = 0;
+  bool restart = false, runs = false;  // of the cycle before: counted one cycle later
+  int state = 0;
   for (int cycle = 0; cycle < 20000; ++cycle) {
     dut.restart_i = bench.rng() % 500 == 0;
     dut.running_i = cycle / 64 % 3 == 0 ? 1 : bench.rng() % 2;
     dut.state_i = cycle / 300 % 2 == 0 ? bench.rng() % 4 : cycle / 600 % 4;
-    const bool restart = dut.restart_i, runs = dut.running_i;
-    const int state = dut.state_i;
     bench.step();
     if (restart) {
       for (uint64_t& count : counts) count = 0;
@@ -27,6 +27,7 @@ TEST(Perf, CountsEachStateWhileRunningAndARestartClears) {
       ++counts[state];
       ++running;
     }
+    restart = dut.restart_i, runs = dut.running_i, state = dut.state_i;
     most = std::max(most, running);
     Words words(port_words<decltype(dut.counts_o)>() + 1);
     read_port(dut.counts_o, words.data());
