@@ -35,7 +35,7 @@ module pu_phases #(
 );
 
   localparam int unsigned PhaseW = SlotW - 1;
-  localparam logic [PhaseW-1:0] LastPhase = '1;
+  localparam logic [PhaseW-1:0] LastPhase = PhaseW'(7);
 
   logic                   valid_q;   // a record is held
   logic [PhaseW-1:0]      phase_q;

@@ -76,6 +76,8 @@ module su (
     .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i, .out_valid_o(in_valid), .out_ready_i(in_ready), .out_o(in_bits)
   );
   assign in        = in_bits;
+  logic unused_in;  // the rest is only kept
+  assign unused_in = &{1'b0, in};
   assign in_bucket = in.depth[DepthW-1 -: BucketW];
   assign in_key    = KeyW'({in.depth, in.index} >> (DepthW + pipegs_pkg::SplatIndexW - KeyW));
 
