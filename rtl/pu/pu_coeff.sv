@@ -111,7 +111,7 @@ module pu_coeff (
   logic [LengthW-1:0]         spare;  // bits between the sign and the leading one
   logic signed [NormalW-1:0]  normal_q;
   logic signed [SumW-1:0]     normal_e_q;
-  logic signed [ProductW-1:0] product, product_q;
+  logic signed [ProductW-1:0] product;
   assign mean_q = conic_i.swap ? conic_i.mean_x : conic_i.mean_y;
   assign mean_p = conic_i.swap ? conic_i.mean_y : conic_i.mean_x;
   assign wide   = phase_q == '0 ? WideW'(mean_q) : w_q;
@@ -123,7 +123,7 @@ module pu_coeff (
   end
 
   always_ff @(posedge clk_i) begin
-    if (phase_q == PhaseW'(2)) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(product_q);
+    if (phase_q == PhaseW'(2)) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(product);
     if (phase_q == '0 || (phase_q == PhaseW'(3) && advance)) begin
       normal_q   <= raised;
       normal_e_q <= $signed(SumW'(WideW - 1 - NormalF) - SumW'(spare) -
@@ -163,7 +163,7 @@ module pu_coeff (
         shift   = Base + $signed(SumW'(SlopeF - 1));
       end
       PhaseW'(3): begin  // wide mean_q^2
-        left     = LeftW'(product_q >>> Drop);
+        left     = LeftW'(product >>> Drop);
         curve_e  = SumW'(conic_i.wide_e);
         normal_e = normal_e_q <<< 1;
         shift    = Base - $signed(SumW'(Drop));
@@ -178,7 +178,7 @@ module pu_coeff (
         shift    = Base + $signed(SumW'(SlopeF) - SumW'(SlopeDrop + 1));
       end
       PhaseW'(6): begin  // narrow w^2
-        left     = LeftW'(product_q >>> Drop);
+        left     = LeftW'(product >>> Drop);
         normal_e = normal_e_q <<< 1;
         shift    = Base - $signed(SumW'(Drop));
       end
@@ -190,24 +190,34 @@ module pu_coeff (
     endcase
   end
 
-  multiply #(.LeftW(LeftW), .RightW(RightW)) u_multiply (.left_i(left_q), .right_i(right_q), .out_o(product));
+  // Two products, of the right operand's low and high bits, are added behind their registers.
+  localparam int unsigned LowW  = RightW / 2;
+  localparam int unsigned HighW = RightW - LowW;
+  logic signed [LeftW+LowW:0]    low_q;
+  logic signed [LeftW+HighW-1:0] high_q;
+  logic signed [RightW-1:0]      right_high;
+  logic signed [LowW:0]          right_low;
+  assign right_low  = {1'b0, right_q[LowW-1:0]};
+  assign right_high = right_q >>> LowW;
+  assign product    = ProductW'(low_q) + (ProductW'(high_q) <<< LowW);
 
   always_ff @(posedge clk_i) begin
     if (advance) begin
       left_q       <= left;
       right_q      <= right;
-      product_q    <= product;
+      low_q        <= (LeftW + LowW + 1)'(left_q) * (LeftW + LowW + 1)'(right_low);
+      high_q       <= (LeftW + HighW)'(left_q) * (LeftW + HighW)'(right_high);
       shift_next_q <= shift - curve_e - normal_e;
       shift_q      <= shift_next_q;
     end
-    if (phase_q == PhaseW'(4)) u_q <= LeftW'(product_q >>> SlopeDrop);
+    if (phase_q == PhaseW'(4)) u_q <= LeftW'(product >>> SlopeDrop);
   end
 
   // --- products to CoeffF fraction bits, to nearest ----------------------------------------------------------------
   logic signed [AW-1:0] aligned;
   logic                 up, fits_a, fits_bc, fits_def;
   pu_align #(.DataW(ProductW), .Guard(Guard), .ShiftW(SumW)) u_align (
-    .clk_i, .enable_i(advance), .product_i(product_q), .shift_i(shift_q), .floor_o(aligned), .up_o(up),
+    .clk_i, .enable_i(advance), .product_i(product), .shift_i(shift_q), .floor_o(aligned), .up_o(up),
     .fits_a_o(fits_a), .fits_bc_o(fits_bc), .fits_def_o(fits_def)
   );
 
