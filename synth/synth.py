@@ -204,7 +204,7 @@ def main():
     printed = subprocess.run([f"{options.build}/cpp_model/package_sv", *settings], capture_output=True, text=True)
     if printed.returncode != 0:
         raise Failed(printed.stderr.strip())
-    configuration = ",".join(([options.rung] if options.rung else []) + options.settings.split()) or "default"
+    configuration = re.search(r"Configuration: (\S+)\.", printed.stdout)[1]  # as the RTL's folders are named
     name = os.path.basename(options.liberty).split(".")[0].replace("_stdcells", "")
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), max(1, options.jobs))
     modules = elaborate(jobs, printed.stdout)
