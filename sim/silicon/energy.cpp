@@ -83,13 +83,12 @@ std::vector<EnergyRow> rows_of(const Config& config, const Synth& synth, const S
 }  // namespace
 
 std::vector<EnergyRow> energy_rows(const Config& config, const Synth& synth, const SramLaw& law, const FrameActivity& activity) {
-  return rows_of(config, synth, law, activity, activity.sum());
-}
-
-double halves_differ(const Config& config, const Synth& synth, const SramLaw& law, const FrameActivity& activity) {
-  const auto total = [&](const Activity& part) { return rows_of(config, synth, law, activity, part)[6].frame_j.mid; };
-  const double one = total(activity.halves[0]), two = total(activity.halves[1]);
-  return std::abs(one - two) / ((one + two) / 2);
+  std::vector<EnergyRow> rows = rows_of(config, synth, law, activity, activity.sum());
+  const std::vector<EnergyRow> one = rows_of(config, synth, law, activity, activity.halves[0]), two = rows_of(config, synth, law, activity, activity.halves[1]);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].frame_j.mid > 0) rows[i].halves_differ = std::abs(one[i].frame_j.mid - two[i].frame_j.mid) / rows[i].frame_j.mid;
+  }
+  return rows;
 }
 
 }  // namespace pipegs

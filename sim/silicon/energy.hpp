@@ -18,15 +18,13 @@
 namespace pipegs {
 
 struct EnergyRow {
-  std::string name;   // DOPU, PU, SU, RU, Other, Buffers, Total, DRAM; Total is that of the chip
+  std::string name;      // DOPU, PU, SU, RU, Other, Buffers, Total, DRAM; Total is that of the chip
   Range frame_j = {};    // without leakage
   Range leakage_w = {};  // while the chip has power
+  double halves_differ = 0;  // how far frame_j (mid) of the halves of the samples lie apart, as a share of it
 
   Range watts(double fps) const { return frame_j * fps + leakage_w; }
 };
 std::vector<EnergyRow> energy_rows(const Config& config, const Synth& synth, const SramLaw& law, const FrameActivity& activity);
-
-// How far the chip's energies apart are that the halves of the samples give, as a share of it.
-double halves_differ(const Config& config, const Synth& synth, const SramLaw& law, const FrameActivity& activity);
 
 }  // namespace pipegs

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "scenes/input_error.hpp"
 #include "sim/static_cost.hpp"
@@ -44,7 +45,10 @@ Synth read_synth(const std::filesystem::path& path, const Config& config) {
       synth.units.push_back({unit.at("unit"), unit.at("instances"), unit.at("nand2"), unit.at("flipflops"), unit.at("path_ps"),
                              unit.at("path_from"), unit.at("path_to"), unit.at("clock_j"), unit.at("switch_j")});
     }
-    for (const nlohmann::json& memory : json.at("memories")) synth.memories.push_back({memory.at("instance"), memory.at("words"), memory.at("width")});
+    for (const nlohmann::json& memory : json.at("memories")) {
+      static const std::regex kUnnamed("genblk[0-9]+\\.");  // blocks that Yosys names, and waves do not
+      synth.memories.push_back({std::regex_replace(memory.at("instance").get<std::string>(), kUnnamed, ""), memory.at("words"), memory.at("width")});
+    }
     for (const auto& [name, value] : {std::pair{"fo4_ps", synth.fo4_ps}, {"nand2_ff", synth.nand2_ff}, {"volts", synth.volts}}) {
       if (!(value > 0)) throw InputError(path.string(), name, "expected a positive number");
     }
