@@ -18,7 +18,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 6> kUnits = {
     {{"u_dopu", "dopu"}, {"u_pu", "pu"}, {"u_su", "su"}, {"u_ru", "ru"}, {"u_lists", "list"}, {"u_store", "buf"}}};
 
 Json to_json(const Activity& activity) {
-  Json json = {{"cycles", activity.cycles}};
+  Json json = {{"cycles", activity.cycles}, {"groups", Json::object()}, {"clocks", Json::object()}, {"srams", Json::object()}};
   for (const auto& [name, group] : activity.groups) json["groups"][name] = {group.bits, group.toggles};
   for (const auto& [name, edges] : activity.clocks) json["clocks"][name] = edges;
   for (const auto& [name, sram] : activity.srams) json["srams"][name] = {sram.width, sram.reads, sram.writes};
