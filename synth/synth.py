@@ -53,7 +53,7 @@ write_rtlil {folder}/design.il
 def rung_settings(name):
     """The settings of a rung, from the table in sim/rung.cpp."""
     with open(f"{ROOT}/sim/rung.cpp", encoding="utf-8") as file:
-        rungs = dict(re.findall(r'\{\.name = "(\w+)", ((?:\.\w+ = \d+, )+)', file.read()))
+        rungs = dict(re.findall(r'\{\.name = "(\w+)", ((?:\.\w+ = \d+,\s+)+)', file.read()))
     if name not in rungs:
         raise Failed(f"unknown rung '{name}'; known: {', '.join(rungs)}")
     return re.findall(r"\.(\w+) = (\d+)", rungs[name])

@@ -16,7 +16,7 @@
 
 namespace pipegs {
 
-inline constexpr uint64_t kSamples = 1024, kSampleCycles = 16;
+inline constexpr uint64_t kSamples = 4096, kSampleCycles = 8;
 
 struct FrameActivity {
   uint64_t cycles = 0, bytes = 0;  // of the frame; over the pins of the external memory
