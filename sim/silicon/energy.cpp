@@ -16,14 +16,18 @@ struct Gates {
   int instances = 1;
 };
 
-double library_joules(const Gates& gates, const Activity& activity, const std::string& unit, double cycles) {
+struct LibraryJoules {
+  double clocks = 0, data = 0;
+};
+
+LibraryJoules library_joules(const Gates& gates, const Activity& activity, const std::string& unit, double cycles) {
   const auto found = activity.groups.find(unit);
   const auto clock = activity.clocks.find(unit);
-  if (found == activity.groups.end() || found->second.bits == 0) return 0;
+  if (found == activity.groups.end() || found->second.bits == 0) return {};
   const double scale = cycles / static_cast<double>(activity.cycles);  // of the samples to the frame
   const double clocked = clock == activity.clocks.end() ? static_cast<double>(activity.cycles) : static_cast<double>(clock->second);
   const double toggles = static_cast<double>(found->second.toggles) / (static_cast<double>(found->second.bits) / gates.instances);
-  return (clocked * gates.clock_j + toggles * gates.switch_j) * scale;
+  return {clocked * gates.clock_j * scale, toggles * gates.switch_j * scale};
 }
 
 Range sram_energy(const Synth& synth, const SramLaw& law, const Activity& activity, double cycles) {
@@ -61,7 +65,9 @@ std::vector<EnergyRow> rows_of(const Config& config, const Synth& synth, const S
   const auto add = [&](const Gates& gates, const std::string& unit) {
     static const std::map<std::string, size_t> kRow = {{"dopu", 0}, {"pu", 1}, {"su", 2}, {"ru", 3}};
     EnergyRow& row = rows[kRow.contains(unit) ? kRow.at(unit) : 4];
-    row.frame_j = row.frame_j + joules * library_joules(gates, activity, unit, cycles);
+    const LibraryJoules taken = library_joules(gates, activity, unit, cycles);
+    row.frame_j = row.frame_j + joules * (taken.clocks + taken.data);
+    row.clocks_j += joules.mid * taken.clocks;
     row.leakage_w = row.leakage_w + kNand2LeakageNw * (gates.kilo_nand2 * gates.instances * 1e-6);
   };
   Gates rest;  // of the top, without the units
@@ -74,7 +80,11 @@ std::vector<EnergyRow> rows_of(const Config& config, const Synth& synth, const S
   add(rest, "top");
   rows.push_back({.name = "Buffers", .frame_j = sram_energy(synth, law, activity, cycles), .leakage_w = sram_leakage(config, law)});
   EnergyRow total = {.name = "Total"};
-  for (const EnergyRow& row : rows) total.frame_j = total.frame_j + row.frame_j, total.leakage_w = total.leakage_w + row.leakage_w;
+  for (const EnergyRow& row : rows) {
+    total.frame_j = total.frame_j + row.frame_j;
+    total.leakage_w = total.leakage_w + row.leakage_w;
+    total.clocks_j += row.clocks_j;
+  }
   rows.push_back(total);
   rows.push_back({.name = "DRAM", .frame_j = kDramPjPerBit * (8e-12 * static_cast<double>(frame.bytes)), .leakage_w = {}});
   return rows;
