@@ -68,6 +68,9 @@ std::vector<EnergyRow> rows_of(const Config& config, const Synth& synth, const S
     const LibraryJoules taken = library_joules(gates, activity, unit, cycles);
     row.frame_j = row.frame_j + joules * (taken.clocks + taken.data);
     row.clocks_j += joules.mid * taken.clocks;
+    if (kRow.contains(unit) && activity.clocks.contains(unit)) {
+      row.awake = static_cast<double>(activity.clocks.at(unit)) / static_cast<double>(activity.cycles) / gates.instances;
+    }
     row.leakage_w = row.leakage_w + kNand2LeakageNw * (gates.kilo_nand2 * gates.instances * 1e-6);
   };
   Gates rest;  // of the top, without the units

@@ -21,6 +21,7 @@ struct EnergyRow {
   std::string name;      // DOPU, PU, SU, RU, Other, Buffers, Total, DRAM; Total is that of the chip
   Range frame_j = {};    // without leakage
   Range leakage_w = {};  // while the chip has power
+  double awake = 0;          // share of the cycles in which a unit of the row has its clock; 0 where that says nothing
   double clocks_j = 0;       // of frame_j (mid): what clocked cycles take in which no data changes
   double halves_differ = 0;  // how far frame_j (mid) of the halves of the samples lie apart, as a share of it
 

@@ -23,6 +23,8 @@ Json to_json(const Range& range) { return {{"low", range.low}, {"mid", range.mid
 
 std::string text_of(const Range& range, int digits) { return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", range.mid, digits, range.low, digits, range.high, digits); }
 
+std::string percent(double share, int digits) { return share > 0 ? fmt::format("{:.{}f} %", 100 * share, digits) : ""; }
+
 std::string area_text(const SiliconRung& rung) {
   std::string text = fmt::format("  {}, gates of {}\n  {:<9}{:>6}{:>9}{:>8}{:>25}{:>24}{:>11}\n", rung.name, rung.synth.library, "", "units", "kNAND2", "KB", "mm2 in 28 nm", "longest path, ps", "paper mm2");
   for (const SiliconRow& row : rung.rows) {
@@ -37,14 +39,14 @@ std::string area_text(const SiliconRung& rung) {
 std::string energy_text(const SiliconRung& rung) {
   if (rung.energy.empty()) return "";
   const double full = rung.fps(), display = std::min(full, kDisplay);
-  std::string text = fmt::format("  {:<9}{:>26}{:>8}{:>8}{:>21}{:>24}{:>25}{:>9}\n", "", "uJ of a frame", "clocks", "halves", "leakage, mW", fmt::format("mW at {:.0f} frames/s", display),
+  std::string text = fmt::format("  {:<9}{:>7}{:>24}{:>8}{:>8}{:>21}{:>24}{:>25}{:>9}\n", "", "awake", "uJ of a frame", "clocks", "halves", "leakage, mW", fmt::format("mW at {:.0f} frames/s", display),
                                  fmt::format("W at {:.0f} frames/s", full), "paper W");
   for (const EnergyRow& row : rung.energy) {
     const PublishedRow* paper = paper_row(row.name);
-    text += fmt::format("  {:<9}{:>26}{:>8}{:>8}{:>21}{:>24}{:>25}{:>9}\n", row.name, text_of(row.frame_j * 1e6, 0), row.clocks_j > 0 ? fmt::format("{:.0f} %", 100 * row.clocks_j / row.frame_j.mid) : "", fmt::format("{:.1f} %", 100 * row.halves_differ), text_of(row.leakage_w * 1e3, 1), text_of(row.watts(display) * 1e3, 0),
+    text += fmt::format("  {:<9}{:>7}{:>24}{:>8}{:>8}{:>21}{:>24}{:>25}{:>9}\n", row.name, percent(row.awake, 0), text_of(row.frame_j * 1e6, 0), percent(row.clocks_j / row.frame_j.mid, 0), percent(row.halves_differ, 1), text_of(row.leakage_w * 1e3, 1), text_of(row.watts(display) * 1e3, 0),
                         text_of(row.watts(full), 3), paper == nullptr ? "" : fmt::format("{:.3f}", paper->power_w));
   }
-  return text + "  uJ without leakage; clocks: share of cycles in which no data changes; halves: how far both halves of the samples lie apart\n";
+  return text + "  awake: cycles in which a unit has its clock; uJ: without leakage; clocks: share of flip-flops' clocks; halves of the samples differ by so much\n";
 }
 
 // The rungs against each other, as Figs. 10 and 11 do: over the baseline where it is among them.
@@ -111,7 +113,7 @@ Json to_json(const std::vector<SiliconRung>& rungs) {
     if (!rung.energy.empty()) {
       json["frames_per_joule"] = rung.frames_per_joule();
       for (const EnergyRow& row : rung.energy) {
-        json["energy"].push_back({{"name", row.name}, {"frame_j", to_json(row.frame_j)}, {"clocks_j", row.clocks_j}, {"halves_differ", row.halves_differ}, {"leakage_w", to_json(row.leakage_w)},
+        json["energy"].push_back({{"name", row.name}, {"frame_j", to_json(row.frame_j)}, {"awake", row.awake}, {"clocks_j", row.clocks_j}, {"halves_differ", row.halves_differ}, {"leakage_w", to_json(row.leakage_w)},
                                   {"watts_60", to_json(row.watts(std::min(rung.fps(), kDisplay)))}, {"watts_full", to_json(row.watts(rung.fps()))}});
       }
     }

@@ -45,6 +45,7 @@ TEST(Energy, FollowsClockedCyclesTogglesAccessesAndBytes) {
   const std::vector<EnergyRow> rows = energy_rows(Config{}, synth(), law, frame());
   // Ten times what was sampled. PUs: 120 clocked cycles, 800 toggles of the 100 bits that each has.
   EXPECT_NEAR(row(rows, "PU").frame_j.mid, 10 * (120 * 50 + 8 * 700) * kTo28, 1e-18);
+  EXPECT_NEAR(row(rows, "PU").awake, 0.6, 1e-9);
   EXPECT_NEAR(row(rows, "PU").clocks_j, 10 * 120 * 50 * kTo28, 1e-18);
   EXPECT_NEAR(row(rows, "SU").frame_j.mid, 10 * 300 * kTo28, 1e-18) << "50 toggles of 50 bits, its clock stands";
   // The top less two PUs and an SU, clocked always.
