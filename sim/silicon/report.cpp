@@ -52,13 +52,18 @@ std::string energy_text(const SiliconRung& rung) {
 // The rungs against each other, as Figs. 10 and 11 do: over the baseline where it is among them.
 std::string rungs_text(const std::vector<SiliconRung>& rungs) {
   const SiliconRung* baseline = rungs.front().name == "baseline" ? &rungs.front() : nullptr;
-  std::string text = fmt::format("  {:<28}{:>10}{:>10}{:>8}{:>14}{:>8}{:>10}{:>8}\n", "rung", "cycles", "frames/s", "mm2", "frames/s/mm2", "x", "frames/J", "x");
+  std::string text = fmt::format("  {:<28}{:>10}{:>10}{:>8}{:>14}{:>8}{:>10}{:>8}{:>11}{:>8}\n", "rung", "cycles", "frames/s", "mm2", "frames/s/mm2", "x", "frames/J", "x", "with DRAM", "x");
   for (const SiliconRung& rung : rungs) {
-    const auto over = [&](double value, double of_baseline) { return baseline == nullptr ? "" : fmt::format("{:.2f}", value / of_baseline); };
-    const bool energy = !rung.energy.empty();
-    text += fmt::format("  {:<28}{:>10}{:>10.0f}{:>8.2f}{:>14.1f}{:>8}{:>10}{:>8}\n", rung.name, rung.cycles, rung.fps(), rung.mm2(), rung.fps_per_mm2(),
-                        baseline == nullptr ? "" : over(rung.fps_per_mm2(), baseline->fps_per_mm2()), energy ? fmt::format("{:.0f}", rung.frames_per_joule()) : "",
-                        energy && baseline != nullptr ? over(rung.frames_per_joule(), baseline->frames_per_joule()) : "");
+    text += fmt::format("  {:<28}{:>10}{:>10.0f}{:>8.2f}", rung.name, rung.cycles, rung.fps(), rung.mm2());
+    const auto add = [&](double (SiliconRung::*value)() const, int width, int digits) {
+      text += fmt::format("{:>{}.{}f}{:>8}", (rung.*value)(), width, digits, baseline == nullptr ? "" : fmt::format("{:.2f}", (rung.*value)() / (baseline->*value)()));
+    };
+    add(&SiliconRung::fps_per_mm2, 14, 1);
+    if (!rung.energy.empty()) {
+      add(&SiliconRung::frames_per_joule, 10, 0);
+      add(&SiliconRung::frames_per_joule_with_dram, 11, 0);
+    }
+    text += "\n";
   }
   return text;
 }
@@ -112,6 +117,7 @@ Json to_json(const std::vector<SiliconRung>& rungs) {
     }
     if (!rung.energy.empty()) {
       json["frames_per_joule"] = rung.frames_per_joule();
+      json["frames_per_joule_with_dram"] = rung.frames_per_joule_with_dram();
       for (const EnergyRow& row : rung.energy) {
         json["energy"].push_back({{"name", row.name}, {"frame_j", to_json(row.frame_j)}, {"awake", row.awake}, {"clocks_j", row.clocks_j}, {"halves_differ", row.halves_differ}, {"leakage_w", to_json(row.leakage_w)},
                                   {"watts_60", to_json(row.watts(std::min(rung.fps(), kDisplay)))}, {"watts_full", to_json(row.watts(rung.fps()))}});

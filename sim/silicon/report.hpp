@@ -25,6 +25,7 @@ struct SiliconRung {
   double fps_per_mm2() const { return fps() / mm2(); }
   const EnergyRow& chip() const { return energy[energy.size() - 2]; }
   double frames_per_joule() const { return fps() / chip().watts(fps()).mid; }  // of the chip
+  double frames_per_joule_with_dram() const { return fps() / (chip().watts(fps()).mid + energy.back().watts(fps()).mid); }
 };
 
 nlohmann::ordered_json to_json(const std::vector<SiliconRung>& rungs);

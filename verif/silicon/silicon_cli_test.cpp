@@ -79,6 +79,7 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
     EXPECT_DOUBLE_EQ(row["watts_60"]["mid"], rows[i].watts(60).mid);
   }
   EXPECT_DOUBLE_EQ(rung["frames_per_joule"], 1e5 / rows[6].watts(1e5).mid);
+  EXPECT_DOUBLE_EQ(rung["frames_per_joule_with_dram"], 1e5 / (rows[6].watts(1e5).mid + rows[7].watts(1e5).mid));
 }
 
 TEST_F(SiliconCli, RefusesWhatMakeSynthDidNotWrite) {
