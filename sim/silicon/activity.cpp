@@ -97,6 +97,7 @@ class Reader {
       std::string path;
       Switching* sum;
       std::map<std::string, std::pair<fstHandle, uint32_t>, std::less<>> ports;
+      std::vector<std::pair<fstHandle, uint32_t>> own;  // signals that appear here first
     };
     std::vector<Scope> scopes;
     const auto leave = [&] {
@@ -110,6 +111,10 @@ class Reader {
       if (sram.clock != 0 && sram.read != 0 && sram.write != 0 && port("rdata_o") != 0) {
         SramAccesses& accesses = activity_.srams[scope.path];
         accesses.width = static_cast<int>(scope.ports["rdata_o"].second);
+        for (const auto& [handle, bits] : scope.own) {  // its words are no nets between gates
+          scope.sum->bits -= bits;
+          signals_[handle].sum = nullptr;
+        }
         for (const fstHandle line : {sram.clock, sram.read, sram.write}) lines_[line];
         srams_of_[sram.clock].push_back(srams_.size());
         srams_.push_back({sram.clock, sram.read, sram.write, &accesses});
@@ -121,7 +126,7 @@ class Reader {
         const std::string name = item->u.scope.name;
         const std::string path = scopes.empty() || scopes.back().path == "TOP" ? name : scopes.back().path + "." + name;
         const std::string to = group(path);
-        scopes.push_back({path, to.empty() ? nullptr : &activity_.groups[to], {}});
+        scopes.push_back({path, to.empty() ? nullptr : &activity_.groups[to], {}, {}});
       } else if (item->htyp == FST_HT_UPSCOPE && !scopes.empty()) {
         leave();
       } else if (item->htyp == FST_HT_VAR && !scopes.empty() && item->u.var.typ != FST_VT_VCD_PARAMETER) {
@@ -134,6 +139,7 @@ class Reader {
         if (var.is_alias || signal.sum != nullptr || scopes.back().sum == nullptr) continue;
         signal.sum = scopes.back().sum;
         signal.sum->bits += var.length;
+        scopes.back().own.emplace_back(var.handle, var.length);
       }
     }
     while (!scopes.empty()) leave();

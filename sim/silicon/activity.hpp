@@ -2,7 +2,7 @@
 //
 // Idea    Waves hold every value of every signal, so each signal's Hamming distances are its toggles. A signal that
 //         has a name in several modules (a port) counts once, where it appears first on the way down.
-//         An SRAM is known by its ports: read_i and write_i at a rising edge of its clk_i are accesses.
+//         An SRAM is known by its ports: read_i and write_i at a rising edge of its clk_i are accesses; its words are left out.
 // Sample  Waves with gaps (RtlOptions::sample_period) are samples: of each, its first time is what the others are held against.
 // Group   Signals are summed by the name that `group` gives to the scope they stand in, "" leaves them out.
 // Units   Bits, toggles of one bit, edges, accesses. The waves are those of sim/rtl_bridge.cpp: ten units of time a cycle.
