@@ -36,26 +36,32 @@ constexpr int64_t kRestartCycle = kResetCycles + 1;  // start comes with the fir
 class Waves {
  public:
 #if VM_TRACE
-  Waves(Vpipegs_top& top, const std::string& path) {
-    if (path.empty()) return;
+  Waves(Vpipegs_top& top, const RtlOptions& options) : options_(options) {
+    if (options.waves.empty()) return;
     file_ = std::make_unique<VerilatedFstC>();
     top.trace(file_.get(), 99);
-    file_->open(path.c_str());
+    file_->open(options.waves.c_str());
   }
-  void dump(uint64_t time) {
-    if (file_) file_->dump(time);
+  void dump_low(uint64_t cycle) {
+    if (file_ && in_sample(options_, cycle)) file_->dump(cycle * 10);
+  }
+  // Of the cycle before a sample too: the change to its first low phase is a part of the sample.
+  void dump_high(uint64_t cycle) {
+    if (file_ && (in_sample(options_, cycle) || in_sample(options_, cycle + 1))) file_->dump(cycle * 10 + 5);
   }
   void close() {
     if (file_) file_->close();
   }
 
  private:
+  const RtlOptions& options_;
   std::unique_ptr<VerilatedFstC> file_;
 #else
-  Waves(Vpipegs_top&, const std::string& path) {
-    if (!path.empty()) throw std::logic_error("RTL: waves of a variant that was built without them");
+  Waves(Vpipegs_top&, const RtlOptions& options) {
+    if (!options.waves.empty()) throw std::logic_error("RTL: waves of a variant that was built without them");
   }
-  void dump(uint64_t) {}
+  void dump_low(uint64_t) {}
+  void dump_high(uint64_t) {}
   void close() {}
 #endif
 };
@@ -160,7 +166,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
   context_->traceEverOn(!options.waves.empty());
   dut_ = std::make_unique<Vpipegs_top>(context_.get());
   Vpipegs_top& top = *dut_;
-  Waves waves(top, options.waves);
+  Waves waves(top, options);
   if (!w_.taps) taps = nullptr;
   cycle_ = windows_ = counted_ = 0;
   running_ = false;
@@ -191,7 +197,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
       write_port(top.mem_rsp_data_i, answer->data.data());
     }
     top.eval();
-    waves.dump(cycle_ * 10);
+    waves.dump_low(cycle_);
     if (cycle_ >= kResetCycles) {
       if (cycles) tap_cycle(*taps);
       if (top.mem_valid_o && top.mem_ready_i) {
@@ -209,7 +215,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
     }
     top.clk_i = 1;
     top.eval();
-    waves.dump(cycle_ * 10 + 5);
+    waves.dump_high(cycle_);
     started = started || top.busy_o;
     if (started && !top.busy_o) break;
     if (cycle_ - last_request > options.quiet_limit) {

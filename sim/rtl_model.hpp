@@ -41,8 +41,20 @@ class RtlTaps {
 struct RtlOptions {
   uint64_t seed = 1;           // of the random initial values of registers and memories
   std::string waves;           // FST file, empty for none; needs a variant with waves
+  uint64_t sample_period = 0, sample_cycles = 0;  // waves of so many cycles in each period only; 0: of all
   uint64_t quiet_limit = 200000;  // cycles without a memory request after which the machine counts as hung
 };
+
+// Whether waves show this cycle. Where in its period a sample lies is drawn from the period's number, so that samples meet no
+// rhythm of the machine.
+inline bool in_sample(const RtlOptions& options, uint64_t cycle) {
+  if (options.sample_period == 0) return true;
+  uint64_t draw = cycle / options.sample_period * 0x9e3779b97f4a7c15ull;  // splitmix64
+  draw = (draw ^ draw >> 30) * 0xbf58476d1ce4e5b9ull;
+  draw = (draw ^ draw >> 27) * 0x94d049bb133111ebull;
+  const uint64_t begin = (draw ^ draw >> 31) % (options.sample_period - options.sample_cycles + 1), at = cycle % options.sample_period;
+  return at >= begin && at < begin + options.sample_cycles;
+}
 
 struct UnitCycles {
   uint64_t busy = 0, starved = 0, blocked = 0, memory = 0;

@@ -2,8 +2,8 @@
 
 Idea    Cells are found by what they do, not by name: the NAND2 that areas are counted in, the inverter of the fan-out-of-4
         delay, a buffer for large nets, a latch for the clock gates. So any library with these and a plain flip-flop will do.
-Rule    Cells for delays, clocks, isolation and probing are never used (UNUSED): they are cut out of the copy that is read
-        from here on, and so is power.
+Rule    Cells for delays, clocks, isolation and probing are never used (UNUSED): they are cut out of the copies that are read
+        from here on. Power is in one of the two copies only: it makes no difference to mapping and paths.
         A memory is a flip-flop-like cell: its inputs have a setup, its output shows a stated access time after the edge.
         A clock gate is one too: its enable has a setup before the edge that it lets pass, and no path goes through it.
 """
@@ -55,7 +55,9 @@ class Cell:
         pins = {pin: body for pin, body, _, _ in _groups(text, "pin")}
         self.inputs = {pin: float(_value(body, "capacitance", "0")) for pin, body in pins.items() if _value(body, "direction") == "input"}
         self.outputs = {pin: _value(body, "function") for pin, body in pins.items() if _value(body, "direction") == "output"}
-        self.is_flop, latches = bool(_groups(text, "ff")), _groups(text, "latch")
+        flops, latches = _groups(text, "ff"), _groups(text, "latch")
+        self.is_flop = bool(flops)
+        self.clock_load = self.inputs.get(_value(flops[0][1], "clocked_on", "").strip("!() '"), 0) if flops else 0
         self.latch = (_value(latches[0][1], "data_in"), _value(latches[0][1], "enable")) if latches else None
 
     def computes(self, inputs, function):
@@ -78,16 +80,19 @@ class Library:
     def __init__(self, path):
         with (gzip.open if path.endswith(".gz") else open)(path, "rt", encoding="latin-1") as file:
             text = re.sub(r"/\*.*?\*/", "", file.read(), flags=re.DOTALL)
-        text = _without(_without(_without(text, "leakage_power"), "internal_power"), "cell", UNUSED)
+        self.power_text = _without(text, "cell", UNUSED)
+        text = _without(_without(self.power_text, "leakage_power"), "internal_power")
         self.text, self.cells = text, {name: Cell(name, body) for name, body, _, _ in _groups(text, "cell")}
         unit = re.search(r'capacitive_load_unit\s*\(\s*([\d.]+)\s*,\s*"?(\w)f"?\s*\)', text)
         self.femto = float(unit[1]) * {"p": 1000, "f": 1}[unit[2].lower()]  # of its unit of capacitance
+        self.volts = float(_value(text, "nom_voltage", "0") or 0)
         gates = self.cells.values()
         self.nand = min((c for c in gates if c.computes(2, lambda a, b: not (a and b))), key=lambda c: c.area)
         self.inverter = min((c for c in gates if c.computes(1, lambda a: not a)), key=lambda c: min(c.inputs.values()))
         self.buffer = max((c for c in gates if c.computes(1, lambda a: a) and c.area <= 2 * self.nand.area), key=lambda c: c.area)
         latches = [c for c in gates if c.latch and c.latch[0] in c.inputs and c.latch[1] in c.inputs and len(c.inputs) == 2]
         self.latch = min(latches, key=lambda c: (len(c.outputs), c.area))
+        self.nand_load = sum(self.nand.inputs.values()) / 2  # of one input
         self.load = 4 * min(self.inverter.inputs.values())  # in its unit of capacitance
 
     def latch_map(self):

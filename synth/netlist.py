@@ -60,6 +60,10 @@ class Netlist:
     def flipflops(self, library):
         return sum(kind in library.cells and library.cells[kind].is_flop for kind, _, _ in self.cells)
 
+    def clock_load(self, library):
+        """Of all clock pins, in the library's unit of capacitance."""
+        return sum(library.cells[kind].clock_load for kind, _, _ in self.cells if kind in library.cells)
+
     def buffer(self, library, loads):
         """Adds the trees; loads: {submodule: {pin: [loads of each bit]}} -> loads of this module's own inputs."""
         sinks, ideal = {}, set()

@@ -4,6 +4,8 @@ Rule    area and flip-flops of a module are its own, without submodules; of a un
         module that stands in several units has a row in each. A path counts for the module in which most of its time
         passes (path_in). Memories have no area here.
         kGE: thousands of NAND2 of the library. FO4: delays of an inverter that drives four.
+        Power of one unit, in the library's own technology and voltage, without wires: leakage_w; clock_j, energy of a clocked
+        cycle in which no data changes; switch_j, energy that a cycle takes more when each net toggles once on average.
 """
 import collections
 import json
@@ -12,6 +14,7 @@ import re
 import time
 
 import rtlil
+import timing
 
 UNITS = {"dopu": "dopu", "pu": "pu", "su": "su", "ru": "ru", "lists": "list", "alpha_store": "buf"}
 now = time.time
@@ -41,6 +44,16 @@ def path_entry(path, module, prefix="path"):
     return {f"{prefix}_ps": round(path.ns * 1000), f"{prefix}_from": path.start, f"{prefix}_to": path.end, f"{prefix}_in": inside}
 
 
+def power_entry(machine, names, power):
+    """OpenSTA leaves out what drives a clock net: its pins are added."""
+    leakage, cycle = power
+    pins = sum(machine.clock_loads[name] for name in names) * machine.library.femto * 1e-15 * machine.library.volts ** 2
+    low, mid, high = cycle
+    slope = (high - low) / (timing.ACTIVITIES[2] - timing.ACTIVITIES[0])
+    bend = abs(2 * mid - low - high) / max(high - low, 1e-30)  # 0 when energy is linear in activity
+    return {"leakage_w": leakage, "clock_j": low + pins, "switch_j": slope, "bend": round(bend, 4)}
+
+
 def summary(machine, modules, configuration, library, seconds):
     nand2 = machine.library.nand.area
     instances = list(walk(modules["pipegs_top"]))
@@ -61,10 +74,12 @@ def summary(machine, modules, configuration, library, seconds):
             paths = machine.paths[found[0].name]
             units.append({"unit": unit, "instances": sum(module is found[0] for module, _, _ in instances), "area_um2": round(area, 1),
                           "nand2": round(area / nand2), "flipflops": sum(machine.flipflops[name] for name in below),
-                          **path_entry(paths["registers"], found[0]), **path_entry(paths["ports"], found[0], "port_path")})
+                          **path_entry(paths["registers"], found[0]), **path_entry(paths["ports"], found[0], "port_path"),
+                          **power_entry(machine, below, paths["power"])})
     memories = collections.Counter((re.sub(r"\[\d+\]", "[k]", path), unit, module.parameters["Depth"], module.parameters["DataW"])
                                    for module, unit, path in instances if module.base == rtlil.MEMORY)
-    return {"configuration": configuration, "library": library, "nand2_um2": nand2, "fo4_ps": round(machine.fo4 * 1000, 1),
+    return {"configuration": configuration, "library": library, "nand2_um2": nand2, "nand2_ff": round(machine.library.nand_load * machine.library.femto, 3),
+            "volts": machine.library.volts, "fo4_ps": round(machine.fo4 * 1000, 1),
             "sram_access_ps": round(machine.access * 1000), "modules": rows, "units": units,
             "memories": [{"instance": path, "unit": unit, "words": words, "width": width, "ports": "1R1W", "instances": count}
                          for (path, unit, words, width), count in sorted(memories.items(), key=lambda item: item[0][1:2] + item[0][:1])],
@@ -88,6 +103,8 @@ def tables(result):
         lines.append(f"{row['unit']:6} {row['instances']:5} {row['nand2'] / 1000:10.1f} {row['nand2'] * row['instances'] / 1000:10.1f} {row['flipflops']:10} "
                      f"{row['path_ps']:8} {row['path_ps'] / fo4:5.1f}  {row['path_from']} -> {row['path_to']} ({row['path_in']})")
         lines.append(f"{'':6} {'':5} {'':10} {'':10} {'at its ports':>10} {row['port_path_ps']:6} {row['port_path_ps'] / fo4:5.1f}  {row['port_path_from']} -> {row['port_path_to']} ({row['port_path_in']})")
+    lines += ["", f"{'unit':6} {'leakage uW':>10} {'clock pJ':>9} {'switch pJ':>10}  of one, {result['volts']} V, no wires; energy of a clocked cycle, and more for each toggle of a net"]
+    lines += [f"{row['unit']:6} {row['leakage_w'] * 1e6:10.3f} {row['clock_j'] * 1e12:9.1f} {row['switch_j'] * 1e12:10.1f}" for row in result["units"]]
     lines += ["", "longest paths between registers, one for each signal at which they end"]
     lines += [f"{row['path_ps']:6} ps {row['fo4']:5} FO4  {row['path_from']} -> {row['path_to']}" for row in result["longest"][:10]]
     lines += ["", f"{'unit':5} {'module':44} {'count':>5} {'kGE':>7} {'all kGE':>8} {'flops':>6} {'path ps':>8} {'FO4':>5}  from -> to (most of it in)"]

@@ -53,7 +53,7 @@ write_rtlil {folder}/design.il
 def rung_settings(name):
     """The settings of a rung, from the table in sim/rung.cpp."""
     with open(f"{ROOT}/sim/rung.cpp", encoding="utf-8") as file:
-        rungs = dict(re.findall(r'\{\.name = "(\w+)", ((?:\.\w+ = \d+, )+)', file.read()))
+        rungs = dict(re.findall(r'\{\.name = "(\w+)", ((?:\.\w+ = \d+,\s+)+)', file.read()))
     if name not in rungs:
         raise Failed(f"unknown rung '{name}'; known: {', '.join(rungs)}")
     return re.findall(r"\.(\w+) = (\d+)", rungs[name])
@@ -98,7 +98,7 @@ class Machine:
 
     def __init__(self, jobs, library, access_fo4):
         self.jobs, self.library = jobs, library
-        made_from = [library.text, library.latch_map()]
+        made_from = [library.power_text, library.latch_map()]
         self.folder = jobs.each("library", [("library", 1, lambda: jobs.result("library", made_from, self._library))])["library"]
         with open(f"{self.folder}/fo4", encoding="utf-8") as file:
             self.fo4 = float(file.read())
@@ -106,6 +106,7 @@ class Machine:
 
     def _library(self, folder):
         write(f"{folder}/cells.lib", self.library.text)
+        write(f"{folder}/power.lib", self.library.power_text)
         write(f"{folder}/latch.v", self.library.latch_map())
         write(f"{folder}/abc.constr", f"set_driving_cell {self.library.inverter.name}\nset_load {self.library.load * self.library.femto:.3f}\n")
         write(f"{folder}/fo4", f"{timing.fo4(self.jobs, self.library, folder):.5f}\n")
@@ -136,7 +137,7 @@ class Machine:
         memories = [module for module in modules.values() if module.base == rtlil.MEMORY]
         gates = [module for module in logic if module.base == rtlil.GATE]
         mapped = self.jobs.each("synthesis", [(module.name, len(module.text()), functools.partial(self.map, module)) for module in logic])
-        self.areas, self.flipflops, self.verilog = {}, {}, {}
+        self.areas, self.flipflops, self.clock_loads, self.verilog = {}, {}, {}, {}
         self._assemble(modules[TOP], mapped, {module.name: one_each(module) for module in memories + gates})
         models = liberty.models(memories, gates, self.library, self.access, self.setup)
         parts = {module.name: [m.name for m in module.below() if m.name in self.verilog] for module in logic if module not in gates}
@@ -153,6 +154,7 @@ class Machine:
         gates = netlist.Netlist.load(f"{mapped[module.name]}/netlist.json")
         inner = gates.buffer(self.library, {child.name: loads[child.name] for child in module.boxes()})
         self.areas[module.name], self.flipflops[module.name] = gates.area(self.library), gates.flipflops(self.library)
+        self.clock_loads[module.name] = gates.clock_load(self.library)
         if module.base != rtlil.GATE:
             loads[module.name], self.verilog[module.name] = inner, gates.verilog(module.name)
 
@@ -160,11 +162,15 @@ class Machine:
         """The folder with the timing of one module and all below it."""
         verilog = "".join(self.verilog[part] for part in parts)
         has_clock = any(name == "clk_i" for name, _, _ in module.ports())
+        power = module.base in (*report.UNITS, TOP)
+
+        def script(library_folder, folder):
+            return timing.script(self.library, library_folder, folder, module.name, has_clock, ENDS if module.name == TOP else 0, power)
 
         def make(folder):
             write(f"{folder}/models.lib", models)
             write(f"{folder}/netlist.v", verilog)
-            write(f"{folder}/script.tcl", timing.script(self.library, self.folder, folder, module.name, has_clock, ENDS if module.name == TOP else 0))
+            write(f"{folder}/script.tcl", script(self.folder, folder))
             self.jobs.run(["sta", "-no_splash", "-exit", f"{folder}/script.tcl"], f"{folder}/log")
             with open(f"{folder}/log", encoding="utf-8") as file:
                 text = file.read()
@@ -173,7 +179,7 @@ class Machine:
             os.remove(f"{folder}/netlist.v")
             os.remove(f"{folder}/models.lib")
 
-        made_from = [models, self.library.text, verilog, timing.script(self.library, "", "", module.name, has_clock, ENDS)]
+        made_from = [models, self.library.power_text if power else self.library.text, verilog, script("", "")]
         return self.jobs.result("time_" + module.name, made_from, make)
 
 
@@ -198,7 +204,7 @@ def main():
     printed = subprocess.run([f"{options.build}/cpp_model/package_sv", *settings], capture_output=True, text=True)
     if printed.returncode != 0:
         raise Failed(printed.stderr.strip())
-    configuration = ",".join(([options.rung] if options.rung else []) + options.settings.split()) or "default"
+    configuration = re.search(r"Configuration: (\S+)\.", printed.stdout)[1]  # as the RTL's folders are named
     name = os.path.basename(options.liberty).split(".")[0].replace("_stdcells", "")
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), max(1, options.jobs))
     modules = elaborate(jobs, printed.stdout)

@@ -1,13 +1,16 @@
-"""timing.py: the longest paths of an assembled module, by OpenSTA.
+"""timing.py: the longest paths of an assembled module, and the power of a unit, by OpenSTA.
 
 Idea    One session links the module with all below it. Memories and clock gates are cells of liberty.models, so a path
         ends at their inputs and begins at a memory's output; none passes through the latch of a clock gate.
         Paths between registers, from inputs and to outputs are groups of their own; ports have a delay of zero.
+        Power is asked for at several activities, the same at all nets: toggles of a net in a cycle. Without activity what is
+        left beside leakage is what flip-flops take for their clock.
 Rule    A path is as long as the shortest clock that it allows: arrival plus setup. Clock and reset are ideal.
 """
 import re
 
 PERIOD = 1000  # ns; anything longer than a path
+ACTIVITIES = (0, 0.1, 0.2)
 
 
 def fo4(jobs, library, folder):
@@ -29,10 +32,11 @@ def fo4(jobs, library, folder):
     return (delays[4] + delays[5]) / 2
 
 
-def script(library, library_folder, folder, module, has_clock, many):
-    """Tcl; many: how many ends of paths are listed."""
+def script(library, library_folder, folder, module, has_clock, many, power):
+    """Tcl; many: how many ends of paths are listed; power: whether it is asked for."""
+    asked = "".join(f"set_power_activity -global -activity {activity} -duty 0.5\nreport_power -digits 8\n" for activity in ACTIVITIES)
     clock = "[get_ports clk_i]" if has_clock else ""
-    return f"""read_liberty {library_folder}/cells.lib
+    return f"""read_liberty {library_folder}/{'power' if power else 'cells'}.lib
 read_liberty {folder}/models.lib
 read_verilog {folder}/netlist.v
 link_design {module}
@@ -55,6 +59,8 @@ puts @full
 report_checks -path_delay max -digits 4
 puts @many
 {f"report_checks -path_delay max -format summary -group_count {many} -digits 4" if many else ""}
+puts @power
+{asked if power else ""}
 puts @end
 exit
 """
@@ -78,14 +84,17 @@ def _name(pin):
 
 
 def read(path):
-    """{"registers": Path or None, "ports": Path or None, "many": [(from, to, ns)]}"""
+    """{"registers": Path or None, "ports": Path or None, "many": [(from, to, ns)], "power": (leakage W, dynamic J of a cycle at each activity)}"""
     with open(path, encoding="utf-8") as file:
         text = file.read()
-    full, many = text.split("@full\n")[1].split("@end")[0].split("@many\n")
+    full, rest = text.split("@full\n")[1].split("@end")[0].split("@many\n")
+    many, power = rest.split("@power\n")
     paths = {"clk": None, "in": None, "out": None}
     for body in full.split("Startpoint:")[1:]:
         paths[re.search(r"Path Group: (\w+)", body)[1]] = Path(body)
     rows = [line.split() for line in many.splitlines() if re.search(r"\) +[\d.]+$", line)]  # from (cell) to (cell) slack
     many = [(_name(row[0]), _name(row[2]), PERIOD - float(row[4])) for row in rows if row[1] != "(input)" and row[3] != "(output)"]
     ports = [path for path in (paths["in"], paths["out"]) if path]
-    return {"registers": paths["clk"], "ports": max(ports, key=lambda path: path.ns, default=None), "many": many}
+    totals = [[float(watts) for watts in line.split()[1:4]] for line in power.splitlines() if line.startswith("Total")]
+    power = (totals[0][2], [(internal + switching) * PERIOD * 1e-9 for internal, switching, _ in totals]) if totals else None
+    return {"registers": paths["clk"], "ports": max(ports, key=lambda path: path.ns, default=None), "many": many, "power": power}

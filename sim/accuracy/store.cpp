@@ -1,40 +1,13 @@
 // store.cpp: see store.hpp.
 #include "sim/accuracy/store.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
-#include <fstream>
 #include <limits>
-
-#include "scenes/atomic_file.hpp"
-#include "scenes/input_error.hpp"
-#include "sim/measured_by.hpp"
 
 namespace pipegs {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// FNV-1a.
-class Hash {
- public:
-  void add(const void* data, size_t bytes) {
-    for (size_t i = 0; i < bytes; ++i) hash_ = (hash_ ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001b3ull;
-  }
-  std::string text() const { return fmt::format("{:016x}", hash_); }
-
- private:
-  uint64_t hash_ = 0xcbf29ce484222325ull;
-};
-
-std::string contents(const Scene& scene) {
-  Hash hash;
-  hash.add(scene.gaussians.data(), scene.gaussians.size() * sizeof(Gaussian));
-  hash.add(scene.sh_rest.data(), scene.sh_rest.size() * sizeof(float));
-  hash.add(&scene.antialiased, sizeof scene.antialiased);
-  return hash.text();
-}
 
 // JSON has no infinity: equal images have a PSNR of null.
 Json psnr_json(double psnr) { return std::isfinite(psnr) ? Json(psnr) : Json(nullptr); }
@@ -85,60 +58,13 @@ Accuracy accuracy_from_json(const Json& json) {
   return a;
 }
 
-AccuracyStore::AccuracyStore(std::filesystem::path folder, const Scene& scene, const Camera& camera, const SimulateOptions& options) : folder_(std::move(folder)) {
-  std::vector<double> pose = {camera.position.x, camera.position.y, camera.position.z, camera.fx, camera.fy, camera.cx, camera.cy};
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) pose.push_back(camera.world_to_camera[i][k]);
-  }
-  const ExternalMemoryOptions& m = options.memory;
-  view_ = {{"measured_by", kMeasuredBy},
-           {"scene", scene.name},
-           {"gaussians", scene.gaussians.size()},
-           {"contents", contents(scene)},
-           {"camera", {camera.width, camera.height}},
-           {"pose", pose},
-           {"near", options.near_plane},
-           {"memory", m.dram}};
-  if (m.dram == "ideal") view_["ideal"] = {m.latency, m.bytes_per_cycle, m.jitter, m.seed};
-  if (options.window) view_["window"] = {(*options.window)[0], (*options.window)[1], options.windows};
-  if (!folder_.empty()) std::filesystem::create_directories(folder_);
-}
-
-Json AccuracyStore::key(const Config& config) const {
-  Json key = view_;
-  for (const ConfigEntry& entry : config_entries(config)) {
-    if (entry.member != nullptr) key["config"][std::string(entry.name)] = entry.value;
-  }
-  return key;
-}
-
-std::filesystem::path AccuracyStore::path(const Config& config) const {
-  const std::string text = key(config).dump();
-  Hash hash;
-  hash.add(text.data(), text.size());
-  return folder_ / (config_difference(config).substr(0, 120) + "-" + hash.text() + ".json");
-}
-
 std::optional<Accuracy> AccuracyStore::load(const Config& config) const {
-  if (folder_.empty()) return std::nullopt;
-  std::ifstream file(path(config), std::ios::binary);
-  const Json json = Json::parse(file, nullptr, false);
-  if (!json.is_object() || !json.contains("key") || json["key"] != key(config)) return std::nullopt;
+  const std::optional<Json> measured = store_.load(config);
   try {
-    return accuracy_from_json(json.at("measured"));
+    return measured ? std::optional(accuracy_from_json(*measured)) : std::nullopt;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
-}
-
-void AccuracyStore::save(const Config& config, const Accuracy& accuracy) const {
-  if (folder_.empty()) return;
-  AtomicFile file(path(config));
-  std::ofstream out(file.temporary(), std::ios::binary);
-  out << Json{{"key", key(config)}, {"measured", to_json(accuracy)}}.dump(1) << "\n";
-  out.close();
-  if (!out) throw InputError(path(config).string(), "", "cannot be written");
-  file.commit();
 }
 
 }  // namespace pipegs

@@ -1,16 +1,12 @@
-// store.hpp: measured points in a folder, one JSON file each, so that a sweep can be stopped and taken up again.
-//
-// Idea    A file holds what it was measured of (the key: scene, camera, memory, every entry of the configuration, the
-//         sources of the models) beside what was measured. One that is broken or of another key is as good as none.
-// Rule    A file appears when it is complete, never before.
+// store.hpp: measured points in a folder, so that a sweep can be stopped and taken up again: see sim/measurement_store.hpp.
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 
 #include "sim/accuracy/view.hpp"
+#include "sim/measurement_store.hpp"
 
 namespace pipegs {
 
@@ -19,18 +15,15 @@ Accuracy accuracy_from_json(const nlohmann::ordered_json& json);  // throws nloh
 
 class AccuracyStore {
  public:
-  // Without a folder nothing is kept.
-  AccuracyStore(std::filesystem::path folder, const Scene& scene, const Camera& camera, const SimulateOptions& options);
+  AccuracyStore(const std::filesystem::path& folder, const Scene& scene, const Camera& camera, const SimulateOptions& options)
+      : store_(folder, scene, camera, options) {}
 
   std::optional<Accuracy> load(const Config& config) const;
-  void save(const Config& config, const Accuracy& accuracy) const;  // any thread; InputError when it cannot be written
-  std::filesystem::path path(const Config& config) const;
+  void save(const Config& config, const Accuracy& accuracy) const { store_.save(config, to_json(accuracy)); }
+  std::filesystem::path path(const Config& config) const { return store_.path(config); }
 
  private:
-  nlohmann::ordered_json key(const Config& config) const;
-
-  std::filesystem::path folder_;
-  nlohmann::ordered_json view_;  // the key's part that all points share
+  MeasurementStore store_;
 };
 
 }  // namespace pipegs

@@ -6,18 +6,13 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "scenes/input_error.hpp"
 #include "sim/static_cost.hpp"
 
 namespace pipegs {
 namespace {
-
-Range range_of(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const size_t n = values.size();
-  return {values.front(), (values[(n - 1) / 2] + values[n / 2]) / 2, values.back()};
-}
 
 Range buffer_area(const Config& config, const SramLaw& law) {
   std::vector<double> by_kind;
@@ -31,20 +26,32 @@ Range buffer_area(const Config& config, const SramLaw& law) {
 
 }  // namespace
 
+Range range_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const size_t n = values.size();
+  return {values.front(), (values[(n - 1) / 2] + values[n / 2]) / 2, values.back()};
+}
+
 Synth read_synth(const std::filesystem::path& path, const Config& config) {
   std::ifstream file(path);
   if (!file) throw InputError(path.string(), "", "not found: `make synth` writes it");
   const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
   try {
-    Synth synth = {json.at("configuration"), json.at("library"), json.at("fo4_ps"), {}};
+    Synth synth = {json.at("configuration"), json.at("library"), json.at("fo4_ps"), json.at("nand2_ff"), json.at("volts"), {}, {}};
     if (synth.configuration != config_difference(config)) {
       throw InputError(path.string(), "configuration", fmt::format("found {}, expected {}", quote(synth.configuration), config_difference(config)));
     }
     for (const nlohmann::json& unit : json.at("units")) {
       synth.units.push_back({unit.at("unit"), unit.at("instances"), unit.at("nand2"), unit.at("flipflops"), unit.at("path_ps"),
-                             unit.at("path_from"), unit.at("path_to")});
+                             unit.at("path_from"), unit.at("path_to"), unit.at("clock_j"), unit.at("switch_j")});
     }
-    if (!(synth.fo4_ps > 0)) throw InputError(path.string(), "fo4_ps", "expected a positive number");
+    for (const nlohmann::json& memory : json.at("memories")) {
+      static const std::regex kUnnamed("genblk[0-9]+\\.");  // blocks that Yosys names, and waves do not
+      synth.memories.push_back({std::regex_replace(memory.at("instance").get<std::string>(), kUnnamed, ""), memory.at("words"), memory.at("width")});
+    }
+    for (const auto& [name, value] : {std::pair{"fo4_ps", synth.fo4_ps}, {"nand2_ff", synth.nand2_ff}, {"volts", synth.volts}}) {
+      if (!(value > 0)) throw InputError(path.string(), name, "expected a positive number");
+    }
     return synth;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(path.string(), "", fmt::format("expected what `make synth` writes: {}", quote(error.what())));

@@ -22,14 +22,24 @@ struct SynthUnit {
   double nand2 = 0, flipflops = 0;  // of one
   double path_ps = 0;               // of the library
   std::string from, to;
+  double clock_j = 0, switch_j = 0;  // of one and of the library: a clocked cycle without data; more when each net toggles once
+};
+
+struct SynthMemory {
+  std::string instance;  // [k] for any number
+  int words = 0, width = 0;
 };
 
 struct Synth {
   std::string configuration, library;
-  double fo4_ps = 0;
+  double fo4_ps = 0, nand2_ff = 0, volts = 0;
   std::vector<SynthUnit> units;
+  std::vector<SynthMemory> memories;
 };
 Synth read_synth(const std::filesystem::path& json, const Config& config);
+
+// The least, the median and the most.
+Range range_of(std::vector<double> values);
 
 struct SiliconRow {
   std::string name;  // DOPU, PU, SU, RU, Other, Buffers, Total
