@@ -45,11 +45,11 @@ def module_text(module, gates, library):
             if direction == "output" and pins.get(port):
                 nets.place(pins[port], f"u{number}_{port}")
                 lines.append(f"  wire [{width - 1}:0] u{number}_{port};" if width > 1 else f"  wire u{number}_{port};")
-    lines += [_instance(boxes[kind], number, label, pins, nets) for number, (kind, label, pins) in enumerate(instances)]
     shown = [bit for _, (direction, bits) in gates.ports.items() if direction == "output" for bit in bits]
     shown += [bit for kind, _, pins in instances for port, direction, _ in boxes[kind].ports() if direction == "input" for bit in pins.get(port, [])]
     logic = Logic([cell for cell in gates.cells if cell[0] not in boxes], library, nets)
     lines += logic.lines(shown)
+    lines += [_instance(boxes[kind], number, label, pins, nets) for number, (kind, label, pins) in enumerate(instances)]
     lines += [f"  assign {port} = {nets.bus(bits)};" for port, (direction, bits) in gates.ports.items() if direction == "output"]
     ports = [f"  {direction} {f'[{len(bits) - 1}:0] ' if len(bits) > 1 else ''}{port}" for port, (direction, bits) in gates.ports.items()]
     return "\n".join([f"module {module.name} ("] + [",\n".join(ports)] + [");"] + lines + ["endmodule", ""])
