@@ -38,7 +38,7 @@ shards=8
 if [ ${#units[@]} -gt 0 ]; then
   "$root/synth/synth.py" --build "$build" --set "${settings[*]}" --netlist "$out/netlists" "${units[@]}"
   for unit in "${units[@]}"; do
-    "$root/sim/verilate.sh" "$unit" "$out/units/$unit" "$out/netlists/$unit.v" $shards --lib-create "$unit"
+    "$root/sim/verilate.sh" "$unit" "$out/units/$unit" "$out/netlists/$unit.v" $shards --lib-create "$unit" --clk clk_i --clk rst_ni
     options+=(-y "$out/units/$unit")  # the wrapper that it wrote stands before the RTL
   done
 fi
