@@ -71,15 +71,21 @@ function(pipegs_unit_test name)
   endif()
 endfunction()
 
-# pipegs_netlist_test(NAME MODULE module [SOURCE file]): the same GoogleTest on the netlist of the module, as test
-# netlist_NAME. The target `netlists` builds them, not `all`; the test netlists_build does.
+# pipegs_netlist_test(NAME MODULE module [SOURCE file] [BROKEN]): the same GoogleTest on the netlist of the module, as test
+# netlist_NAME. The target `netlists` builds them, not `all`; the test netlists_build does. With BROKEN one gate of it is
+# another, an or for an and, and the GoogleTest must fail.
 function(pipegs_netlist_test name)
-  cmake_parse_arguments(ARG "" "MODULE;SOURCE" "" ${ARGN})
+  cmake_parse_arguments(ARG "BROKEN" "MODULE;SOURCE" "" ${ARGN})
   if(NOT ARG_SOURCE)
     set(ARG_SOURCE ${name}_test.cpp)
   endif()
   set_property(GLOBAL APPEND PROPERTY PIPEGS_NETLISTS ${ARG_MODULE})
   set(netlist ${CMAKE_BINARY_DIR}/netlists/${ARG_MODULE}.v)
+  if(ARG_BROKEN)
+    set(whole ${netlist})
+    set(netlist ${CMAKE_BINARY_DIR}/netlists/${name}.v)
+    add_custom_command(OUTPUT ${netlist} COMMAND sed "0,/&/s//|/" ${whole} > ${netlist} DEPENDS ${whole} netlist_files VERBATIM)
+  endif()
   set(dir ${CMAKE_BINARY_DIR}/verilated/netlist_${name})
   add_custom_command(OUTPUT ${dir}/V${ARG_MODULE}__shard0.cpp
     COMMAND ${CMAKE_SOURCE_DIR}/sim/verilate.sh ${ARG_MODULE} ${dir} ${netlist}
@@ -92,6 +98,9 @@ function(pipegs_netlist_test name)
   add_dependencies(netlists netlist_${name}_test)
   add_test(NAME netlist_${name} COMMAND netlist_${name}_test)
   set_tests_properties(netlist_${name} PROPERTIES LABELS "long;netlist" FIXTURES_REQUIRED netlists)
+  if(ARG_BROKEN)
+    set_tests_properties(netlist_${name} PROPERTIES PASS_REGULAR_EXPRESSION "FAILED TEST")
+  endif()
 endfunction()
 
 # pipegs_netlists(): behind the last pipegs_netlist_test: how their netlists are made, all in one run.

@@ -1,7 +1,8 @@
 """gates.py: a mapped, buffered module as Verilog for simulation.
 
-Idea    Each gate is an expression, the library's own function of it, and no instance of a cell: Verilator reads, orders and
-        compiles that many times faster. Modules stay modules, with their ports.
+Idea    Each gate is an expression, the library's own function of it, and no instance of a cell; modules stay modules, with
+        their ports. Gates that only flip-flops look at stand in the process that clocks these, in order, so that they are
+        computed once for each edge: Verilator would order the others and write each of them three times.
 Rule    Flip-flops and latches do what the `ff` and `latch` groups of the library say, clear and preset included; what they
         hold at the beginning is up to the simulator. A memory stays rtl/lib/sram.sv.
         What is not understood raises ValueError.
@@ -56,13 +57,12 @@ def module_text(module, gates, library):
 
 
 class Logic:
-    """The gates of one module: `drivers` of combinational nets, what is `held`."""
+    """The gates of one module: the drivers of its combinational nets, flip-flops by clock and reset, latches."""
 
     def __init__(self, cells, library, nets):
-        self.nets, self.drivers, self.flops, self.latches, self.controls = nets, {}, {}, [], []
+        self.nets, self.drivers, self.flops, self.latches = nets, {}, {}, []
         for kind, _, pins in cells:
             cell, pins = library.cells[kind], {pin: bits[0] for pin, bits in pins.items() if bits}
-            names = {pin: ("net", bit) for pin, bit in pins.items()}
             outputs = [pin for pin in cell.outputs if pin in pins]
             if cell.rules and outputs:
                 self._hold(cell, pins, outputs)
@@ -88,9 +88,9 @@ class Logic:
     def filled(self, function, pins):
         return re.sub(r"[A-Za-z_]\w*", lambda name: self.nets.bit(pins[name[0]]), function)
 
-    def cone(self, bits, known):
-        """The gates behind these bits, in order, without those that are known."""
-        order, found, stack = [], set(known), [(bit, False) for bit in bits]
+    def cone(self, bits):
+        """The gates behind these bits, in order."""
+        order, found, stack = [], set(), [(bit, False) for bit in bits]
         while stack:
             bit, done = stack.pop()
             if done:
@@ -108,10 +108,11 @@ class Logic:
         flops = list(self.flops.items())
         for number, (_, group) in enumerate(flops):
             lines.append(f"  logic [{len(group) - 1}:0] q{number};" if len(group) > 1 else f"  logic q{number};")
-        shown = shown + [bit for _, pins, _ in self.latches for bit in pins.values()]
-        cones = [self.cone([pins[pin] for _, _, pins in group for pin in pins if pin not in ()], ()) for _, group in flops]
+        controls = {literal[1] for key in self.flops for literal in key if literal}
+        shown = shown + [bit for _, pins, _ in self.latches for bit in pins.values()] + [bit for bit in self.drivers if self.nets.bit(bit) in controls]
+        cones = [self.cone([pins[pin] for _, _, pins in group for pin in pins]) for _, group in flops]
         counts = collections.Counter(bit for cone in cones for bit in cone)
-        eager = self.cone(shown + [bit for bit in counts if counts[bit] > 1], ())
+        eager = self.cone(shown + [bit for bit in counts if counts[bit] > 1])
         known = set(eager)
         lines += [f"  logic {self.nets.bit(bit)};" for bit in eager]
         lines += [f"  assign {self.nets.bit(bit)} = {self.filled(*self.drivers[bit])};" for bit in eager]
