@@ -31,7 +31,8 @@ test: build  ## every test but the long ones
 	cmake --build $(BUILD)
 	$(CTEST) -LE long
 
-test-long: build  ## the long tests too
+test-long: build  ## the long tests too, those of the netlists among them
+	@$(call INSTALL,opensta qflow-tech-osu018)
 	cmake --build $(BUILD)
 	$(CTEST)
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so:
-#   build_rtl.sh BUILD_DIR OUT_DIR [+nowaves] [+noasserts] [+threads=N] [key=value ...]
+#   build_rtl.sh BUILD_DIR OUT_DIR [+nowaves] [+noasserts] [+netlist] [+threads=N] [key=value ...]
 #
-# What begins with + says how the machine is simulated (RtlVariant), the rest which machine it is.
+# With +netlist DOPU, PUs, SUs and RUs are the gates that synth/synth.py maps them to, each unit Verilated once as a library of
+# its own; the rest is RTL. What begins with + says how the machine is simulated (RtlVariant), the rest which machine it is.
 # BUILD_DIR is the CMake build folder (its package_sv and static libraries are used). Nothing is done twice: the library
 # is newer than every RTL file or it is built again, the C++ through ccache where that is installed.
 set -euo pipefail
@@ -20,11 +21,12 @@ if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl_bridge.cpp
     -newer "$out/librtl.so" -type f)" ]; then
   exit 0
 fi
-settings=() options=() threads=1 waves=1
+settings=() options=() threads=1 waves=1 units=()
 for argument in "$@"; do
   case $argument in
     +nowaves) options+=(--no-trace) waves=0 ;;
     +noasserts) options+=(--no-assert) ;;
+    +netlist) units=(dopu pu su ru) ;;
     +threads=*) threads=${argument#+threads=} options+=(--threads "$threads") ;;
     +*) echo "build_rtl.sh: $argument is unknown" >&2; exit 1 ;;
     *) settings+=("$argument") ;;
@@ -33,6 +35,13 @@ done
 touch "$out/begun"  # the library is as old as this: a file that changes from here on is newer
 "$build/cpp_model/package_sv" "${settings[@]}" > "$out/pipegs_pkg.sv"
 shards=8
+if [ ${#units[@]} -gt 0 ]; then
+  "$root/synth/synth.py" --build "$build" --set "${settings[*]}" --netlist "$out/netlists" "${units[@]}"
+  for unit in "${units[@]}"; do
+    "$root/sim/verilate.sh" "$unit" "$out/units/$unit" "$out/netlists/$unit.v" $shards --lib-create "$unit" --clk clk_i --clk rst_ni
+    options+=(-y "$out/units/$unit")  # the wrapper that it wrote stands before the RTL
+  done
+fi
 "$root/sim/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards "${options[@]}"
 cxx=$(command -v clang++ || echo "${CXX:-g++}")
 ccache=$(command -v ccache || true)
@@ -43,10 +52,13 @@ flags="-std=c++20 -fPIC -I$root -isystem $verilator/include -isystem $verilator/
 compile() { $ccache "$cxx" $flags "$@"; }
 export -f compile
 export ccache cxx flags
-{ for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o -O3 -march=native -w"; done
+{ for unit in "${units[@]}"; do
+    for i in $(seq 0 $((shards - 1))); do echo "$out/units/$unit/V${unit}__shard$i.cpp $out/${unit}_shard$i.o -O0 -w -I$out/units/$unit"; done
+  done
+  for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o -O3 -march=native -w"; done
   echo "$root/sim/rtl_bridge.cpp $out/bridge.o -O2 -Wall -Wextra"; } |
   xargs -P "$(nproc)" -L 1 bash -c 'compile -c "$0" -o "$1" "${@:2}"'
-"$cxx" -shared -o "$out/librtl.so.new" "$out"/shard*.o "$out/bridge.o" "$build/sim/libpipegs_memory.a" \
+"$cxx" -shared -o "$out/librtl.so.new" "$out"/*.o "$build/sim/libpipegs_memory.a" \
   "$build/sim/dram/libpipegs_dram.a" \
   "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" -lz -latomic -lpthread
 touch -r "$out/begun" "$out/librtl.so.new"

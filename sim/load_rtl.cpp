@@ -21,6 +21,7 @@ std::string variant_words(const RtlVariant& variant, const char* between) {
   std::string words;
   if (!variant.waves) words += fmt::format("{}+nowaves", between);
   if (!variant.asserts) words += fmt::format("{}+noasserts", between);
+  if (variant.netlist) words += fmt::format("{}+netlist", between);
   if (variant.threads > 1) words += fmt::format("{}+threads={}", between, variant.threads);
   return words;
 }
@@ -28,7 +29,8 @@ std::string variant_words(const RtlVariant& variant, const char* between) {
 }  // namespace
 
 RtlVariant built_variant(const Config& config, RtlVariant variant, const RtlOptions& options) {
-  if (options.waves.empty() && config_difference(config) != "default") variant.waves = false;
+  if (variant.netlist && !options.waves.empty()) throw ConfigError("--waves: the netlist writes none");
+  if (options.waves.empty() && (variant.netlist || config_difference(config) != "default")) variant.waves = false;
   return variant;
 }
 

@@ -164,6 +164,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
   context_->randReset(2);
   context_->randSeed(static_cast<int>(options.seed % 0x7ffffffe) + 1);
   context_->traceEverOn(!options.waves.empty());
+  Verilated::threadContextp(context_.get());  // that of units which are libraries of their own
   dut_ = std::make_unique<Vpipegs_top>(context_.get());
   Vpipegs_top& top = *dut_;
   Waves waves(top, options);

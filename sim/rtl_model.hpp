@@ -87,6 +87,7 @@ struct RtlVariant {
   int threads = 1;
   bool waves = true;    // they can be written
   bool asserts = true;  // the assertions of the RTL are checked
+  bool netlist = false;  // DOPU, PUs, SUs and RUs are gates
 };
 
 // The variant that is built for a run. Waves are three quarters of the C++ to compile, so of the machines that nobody wants

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # verilate.sh: turns one module of rtl/ into C++: verilate.sh MODULE OUT_DIR PACKAGE [SHARDS [OPTION ...]]
 #
-# PACKAGE is a pipegs_pkg.sv printed by package_sv. The C++ is gathered into SHARDS files (default 1)
+# PACKAGE is a pipegs_pkg.sv printed by package_sv, or the netlist MODULE.v that `synth/synth.py --netlist` wrote: then only
+# memories are read from rtl/, and Verilator optimises nothing, for its optimisations are slow on gates. The C++ is gathered into SHARDS files (default 1)
 # OUT_DIR/V<module>__shard<i>.cpp, so that a build system knows their names and can compile them side by side.
 # OUT_DIR/depends.d lists the RTL files read. Waves and assertions are built in unless an OPTION (of Verilator: --no-trace,
 # --no-assert) leaves them out.
@@ -11,10 +12,15 @@ options=("${@:5}")
 root=$(cd "$(dirname "$0")/.." && pwd)
 mkdir -p "$out"
 rm -f "$out"/V"$module"*
+sources=("$package" -y "$root/rtl" -y "$root/rtl/dopu" -y "$root/rtl/pu" -y "$root/rtl/su" -y "$root/rtl/ru" -y "$root/rtl/list"
+  -y "$root/rtl/buf" -y "$root/rtl/lib" "$module")
+if [[ $package == *.v ]]; then
+  sources=("$package" -y "$root/rtl/lib")
+  options+=(-O0 --no-trace --no-assert -Wno-UNUSED -Wno-DECLFILENAME)
+fi
 verilator --cc --prefix "V$module" --top-module "$module" --Mdir "$out" -O3 --assert --trace-fst \
   --x-initial unique --x-assign unique --unroll-count 256 --output-split 20000 --output-split-cfuncs 2000 -Wall "${options[@]}" \
-  "$root/verif/support/waivers.vlt" "$package" -y "$root/rtl" -y "$root/rtl/dopu" -y "$root/rtl/pu" -y "$root/rtl/su" -y "$root/rtl/ru" -y "$root/rtl/list" \
-  -y "$root/rtl/buf" -y "$root/rtl/lib" "$module"
+  "$root/verif/support/waivers.vlt" "${sources[@]}"
 i=0
 for shard in $(seq 0 $((shards - 1))); do : > "$out/V${module}__shard$shard.cpp"; done
 for file in $(ls -S "$out"/V"$module"*.cpp | grep -v __shard); do

@@ -11,6 +11,7 @@ import gzip
 import itertools
 import re
 
+RULES = ("next_state", "clocked_on", "data_in", "enable", "clear", "preset")
 UNUSED = re.compile(r"lpflow|probe|dly|clkbuf|clkinv|macro|decap|fill", re.IGNORECASE)
 
 
@@ -49,16 +50,24 @@ def _value(text, key, default=None):
     return match[1] if match else default
 
 
+def operators(function):
+    """A function of a liberty file with Verilog's operators; a blank is an and too."""
+    function = re.sub(r"(?<=[\w)])\s+(?=[\w!(])", "&", function.strip())
+    return function.replace("*", "&").replace("+", "|").replace(" ", "")
+
+
 class Cell:
     def __init__(self, name, text):
         self.name, self.area = name, float(_value(text, "area", "0"))
         pins = {pin: body for pin, body, _, _ in _groups(text, "pin")}
         self.inputs = {pin: float(_value(body, "capacitance", "0")) for pin, body in pins.items() if _value(body, "direction") == "input"}
         self.outputs = {pin: _value(body, "function") for pin, body in pins.items() if _value(body, "direction") == "output"}
-        flops, latches = _groups(text, "ff"), _groups(text, "latch")
-        self.is_flop = bool(flops)
-        self.clock_load = self.inputs.get(_value(flops[0][1], "clocked_on", "").strip("!() '"), 0) if flops else 0
-        self.latch = (_value(latches[0][1], "data_in"), _value(latches[0][1], "enable")) if latches else None
+        flop, latch = (next(iter(_groups(text, kind)), None) for kind in ("ff", "latch"))
+        held, rules = (flop or latch or ("", ""))[:2]
+        self.held = [name.strip(' "') for name in held.split(",")]  # the names of what it holds and of its complement
+        self.rules = {rule: operators(_value(rules, rule)) for rule in RULES if _value(rules, rule)}
+        self.is_flop, self.latch = flop is not None, (self.rules.get("data_in"), self.rules.get("enable")) if latch else None
+        self.clock_load = self.inputs.get(_value(rules, "clocked_on", "").strip("!() '"), 0) if flop else 0
 
     def computes(self, inputs, function):
         """Whether it is a gate of so many inputs and one output with this truth."""
@@ -67,8 +76,7 @@ class Cell:
         text = next(iter(self.outputs.values()))
         if not text or re.search(r"[^\w\s!&|*+()]", text):
             return False
-        text = re.sub(r"(?<=[\w)])\s+(?=[\w!(])", "&", text.strip())  # a blank is an and too
-        python = re.sub("[&*]", " and ", re.sub("[|+]", " or ", text.replace("!", " not ")))
+        python = operators(text).replace("!", " not ").replace("&", " and ").replace("|", " or ")
         try:
             return all(bool(eval(python, {}, dict(zip(self.inputs, values)))) == function(*values)
                        for values in itertools.product((False, True), repeat=inputs))

@@ -18,6 +18,7 @@ import signal
 import subprocess
 import sys
 
+import gates
 import liberty
 import netlist
 import report
@@ -71,8 +72,19 @@ def write(path, text):
         file.write(text)
 
 
-def elaborate(jobs, package):
-    """{name: rtlil.Module} of the whole machine."""
+def write_new(path, text):
+    """Leaves a file alone that says the same already."""
+    if os.path.exists(path):
+        with open(path, encoding="utf-8") as file:
+            if file.read() == text:
+                return
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    write(f"{path}.new", text)
+    os.replace(f"{path}.new", path)
+
+
+def elaborate(jobs, package, top=TOP):
+    """{name: rtlil.Module} of one module and all below it."""
     files = sorted(path for path in glob.glob(f"{ROOT}/rtl/**/*.sv", recursive=True) if not path.endswith("/pipegs_pkg.sv"))
     sources = [package]
     for path in files:
@@ -85,12 +97,11 @@ def elaborate(jobs, package):
         if misread.returncode != 0:
             raise Failed("Yosys reads this wrong: " + misread.stdout.splitlines()[0])
         write(f"{folder}/pipegs_pkg.sv", package)
-        write(f"{folder}/script.ys", ELABORATE.format(folder=folder, files=" ".join(files), name=TOP))
+        write(f"{folder}/script.ys", ELABORATE.format(folder=folder, files=" ".join(files), name=top))
         jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
         check_log(f"{folder}/log")
 
-    folder = jobs.each("elaborate", [("design", 1, lambda: jobs.result("design", [ELABORATE] + sources, make))])["design"]
-    return rtlil.read(f"{folder}/design.il")
+    return rtlil.read(jobs.result(f"design_{top}", [ELABORATE, top] + sources, make) + "/design.il")
 
 
 class Machine:
@@ -131,32 +142,41 @@ class Machine:
 
         return self.jobs.result(module.name, [MAP, text, self.library.text, self.library.latch_map()], make)
 
+    def netlists(self, modules, tops):
+        """{name: Netlist} of the modules with these names and all below them, mapped and buffered."""
+        logic = {module.name: module for top in tops for module in modules[top].below() if module.base != rtlil.MEMORY}
+        mapped = self.jobs.each("synthesis", [(name, len(module.text()), functools.partial(self.map, module)) for name, module in logic.items()])
+        loads = {module.name: one_each(module) for module in modules.values() if module.base in (rtlil.MEMORY, rtlil.GATE)}
+        netlists = {}
+        for top in tops:
+            self._assemble(modules[top], mapped, loads, netlists)
+        return netlists
+
     def build(self, modules):
         """Maps and times them all: self.areas, self.flipflops, self.paths by name."""
         logic = [module for module in modules.values() if module.base != rtlil.MEMORY]
         memories = [module for module in modules.values() if module.base == rtlil.MEMORY]
         gates = [module for module in logic if module.base == rtlil.GATE]
-        mapped = self.jobs.each("synthesis", [(module.name, len(module.text()), functools.partial(self.map, module)) for module in logic])
-        self.areas, self.flipflops, self.clock_loads, self.verilog = {}, {}, {}, {}
-        self._assemble(modules[TOP], mapped, {module.name: one_each(module) for module in memories + gates})
+        netlists = self.netlists(modules, [TOP])
+        self.areas = {name: gate.area(self.library) for name, gate in netlists.items()}
+        self.flipflops = {name: gate.flipflops(self.library) for name, gate in netlists.items()}
+        self.clock_loads = {name: gate.clock_load(self.library) for name, gate in netlists.items()}
+        self.verilog = {name: gate.verilog(name) for name, gate in netlists.items() if modules[name] not in gates}
         models = liberty.models(memories, gates, self.library, self.access, self.setup)
         parts = {module.name: [m.name for m in module.below() if m.name in self.verilog] for module in logic if module not in gates}
         timed = self.jobs.each("timing", [(name, sum(len(self.verilog[part]) for part in parts[name]),
                                            functools.partial(self.time, modules[name], parts[name], models)) for name in parts])
         self.paths = {name: timing.read(f"{folder}/log") for name, folder in timed.items()}
 
-    def _assemble(self, module, mapped, loads):
-        """Buffers and writes a module after all below it; loads: {module: {input: [loads of each bit]}}."""
-        if module.name in self.areas or module.base == rtlil.MEMORY:
+    def _assemble(self, module, mapped, loads, netlists):
+        """Buffers a module after all below it; loads: {module: {input: [loads of each bit]}}."""
+        if module.name in netlists or module.base == rtlil.MEMORY:
             return
         for child in module.boxes():
-            self._assemble(child, mapped, loads)
-        gates = netlist.Netlist.load(f"{mapped[module.name]}/netlist.json")
-        inner = gates.buffer(self.library, {child.name: loads[child.name] for child in module.boxes()})
-        self.areas[module.name], self.flipflops[module.name] = gates.area(self.library), gates.flipflops(self.library)
-        self.clock_loads[module.name] = gates.clock_load(self.library)
-        if module.base != rtlil.GATE:
-            loads[module.name], self.verilog[module.name] = inner, gates.verilog(module.name)
+            self._assemble(child, mapped, loads, netlists)
+        netlists[module.name] = gate = netlist.Netlist.load(f"{mapped[module.name]}/netlist.json")
+        inner = gate.buffer(self.library, {child.name: loads[child.name] for child in module.boxes()})
+        loads.setdefault(module.name, inner)  # a clock gate keeps its ideal ones
 
     def time(self, module, parts, models):
         """The folder with the timing of one module and all below it."""
@@ -187,6 +207,21 @@ def one_each(module):
     return {name: [1] * width for name, direction, width in module.ports() if direction == "input"}
 
 
+def write_netlists(jobs, machine, package, folder, names):
+    """FOLDER/NAME.v of each: those that stand in the machine without parameters from there, the others alone."""
+    whole = elaborate(jobs, package)
+    alone = [name for name in names if name not in whole or whole[name].parameters]
+    designs = jobs.each("elaborate", [(name, 1, functools.partial(elaborate, jobs, package, name)) for name in alone])
+    for modules, tops in [(whole, [name for name in names if name not in alone])] + [(designs[name], [name]) for name in alone]:
+        netlists = machine.netlists(modules, tops)
+        for top in tops:
+            try:
+                text = gates.text(modules[top].below(), netlists, machine.library)
+            except ValueError as error:
+                raise Failed(f"netlist of {top}: {error}") from None
+            write_new(f"{folder}/{top}.v", text)
+
+
 def main():
     parser = argparse.ArgumentParser(description="The machine in gates of a liberty library; prints and writes areas and longest paths.")
     parser.add_argument("--rung", default="", help="a rung of the ladder (sim/rung.cpp)")
@@ -195,7 +230,11 @@ def main():
     parser.add_argument("--sram-fo4", type=float, default=20, help="access time of a memory, fan-out-of-4 delays")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="programs at once")
     parser.add_argument("--build", default="build", help="build folder; holds cpp_model/package_sv")
+    parser.add_argument("--netlist", metavar="FOLDER", help="write FOLDER/MODULE.v for simulation instead: each of the modules with all below it")
+    parser.add_argument("modules", nargs="*", metavar="MODULE", help="with --netlist: which")
     options = parser.parse_args()
+    if bool(options.netlist) != bool(options.modules):
+        parser.error("--netlist FOLDER and the modules go together")
     begin = report.now()
     settings = [f"{key}={value}" for key, value in rung_settings(options.rung)] if options.rung else []
     settings += options.settings.split()
@@ -207,8 +246,11 @@ def main():
     configuration = re.search(r"Configuration: (\S+)\.", printed.stdout)[1]  # as the RTL's folders are named
     name = os.path.basename(options.liberty).split(".")[0].replace("_stdcells", "")
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), max(1, options.jobs))
-    modules = elaborate(jobs, printed.stdout)
     machine = Machine(jobs, liberty.Library(options.liberty), options.sram_fo4)
+    if options.netlist:
+        write_netlists(jobs, machine, printed.stdout, options.netlist, options.modules)
+        return
+    modules = jobs.each("elaborate", [(TOP, 1, functools.partial(elaborate, jobs, printed.stdout))])[TOP]
     machine.build(modules)
     report.write(machine, modules, configuration, name, f"{options.build}/synth/{configuration}/{name}", begin)
 

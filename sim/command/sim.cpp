@@ -15,7 +15,7 @@ struct Arguments {
   MemoryArguments memory;
   std::string out = "out", waves;
   std::string effects = "all";
-  bool json = false, no_truth = false, no_rtl = false;
+  bool netlist = false, json = false, no_truth = false, no_rtl = false;
 };
 
 // The command that replays the window of the first mismatch with waves.
@@ -44,6 +44,7 @@ int simulate(const Arguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
+  options.variant.netlist = arguments.netlist;
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
   EffectPlan plan = named_effects(arguments, options);
@@ -84,6 +85,7 @@ void add_sim(CLI::App& app, Run& run) {
   command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
   command->add_option("--effects", arguments.effects, "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
       ->capture_default_str();
+  command->add_flag("--netlist", arguments.netlist, "DOPU, PUs, SUs and RUs as gates (use with --window; builds for minutes, some 100 cycles/s)");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only");
   command->add_flag("--json", arguments.json, "print report.json instead of the table");

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# misread.sh: synth/misread.sh finds each construct that Yosys reads wrong without a word in a planted file, and passes the
+# same file without it; each find is one line that names file, line and construct.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+search=$(dirname "$0")/../../synth/misread.sh failed=0
+plant() {  # construct, line
+  printf 'module planted;\n%s\nendmodule\n' "$2" > "$scratch/planted.sv"
+  local found
+  if found=$("$search" "$scratch/planted.sv"); then echo "not found: $1"; failed=1; fi
+  if [ "$(wc -l <<< "$found")" -ne 1 ] || [[ $found != *planted.sv:2:*"$1"* ]]; then echo "unclear: $found"; failed=1; fi
+}
+plant "an array of a named type" "  splat_t [3:0] splats;"
+plant "a function that returns a struct" "  function automatic splat_t make(input logic a);"
+plant "a constant table built by a function" "  localparam logic [31:0] Table [4] = table_of(3);"
+plant "a minus before a sized cast" "  assign y = x + (a ? -W'(5) : 0);"
+printf 'module planted;\n  logic [3:0] words [4];\nendmodule\n' > "$scratch/planted.sv"
+"$search" "$scratch/planted.sv" || { echo "found where nothing is"; failed=1; }
+exit "$failed"
