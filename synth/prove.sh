@@ -6,7 +6,7 @@
 #         all assertions for every trace of any length: no step from a state that satisfies them leads to one that does not.
 # Mutants A sed command changes the copy; from reset a trace must be found that breaks an assertion. A proof that fails
 #         in its step only, an error, or a command that changes nothing does not count.
-# Reading Any warning of Yosys, a latch, an undriven or doubly driven signal, or no assertion at all, is a failure.
+# Reading Any warning of Yosys (but that a small array becomes registers), a latch, an undriven or doubly driven signal, or no assertion at all, is a failure.
 # Output  One line per proof and per mutant, with the processor's seconds; $BUILD/prove/NAME.log. Exits 1 when a proof fails or a mutant is proved.
 #         Parameters "machine": every instance on every rung of the ladder, from $BUILD/cpp_model/package_sv.
 set -uo pipefail
@@ -65,7 +65,7 @@ run() {
     select -assert-none t:\$*latch*; memory -nomap; memory_map; async2sync; opt_clean
     select -assert-min 1 t:\$assert; sat -prove-asserts -set-assumes $5" > /dev/null 2>&1
   local status=$?
-  if grep -qiE 'warning|implicitly|unsupported|ignoring' "$log"; then echo "misread: $(grep -iEm1 'warning|implicitly|unsupported|ignoring' "$log")"
+  if name=$(grep -iE 'warning|implicitly|unsupported|ignoring' "$log" | grep -vEm1 '^Warnings: |Replacing memory .* with list of registers'); then echo "misread: $name"
   elif grep -q 'Induction step proven: SUCCESS!' "$log" && [ $status -eq 0 ]; then echo proved
   elif grep -q 'model found for base case: FAIL!' "$log"; then echo refuted
   elif grep -q 'proof failed\|did fail' "$log"; then echo "not proved: a step breaks it, or no trace from reset does"
@@ -74,7 +74,7 @@ run() {
 }
 
 report() {  # NAME VERDICT WHAT FROM: the seconds are those that the processor spent in Yosys since line FROM of the log
-  awk -v name="$1" -v verdict="$2" -v what="$3" -v from="$4" \
+  awk -v name="$1" -v verdict="$2" -v what="${3//\\/}" -v from="$4" \
     'NR > from && /CPU: user/ {sum += $(NF - 6) + $(NF - 4)} END {printf "%-28s %-8s %6.1f s  %s\n", name, verdict, sum, what}' "$log"
 }
 

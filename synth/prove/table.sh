@@ -78,3 +78,12 @@ proof  su_bitonic_cell su_bitonic "su_bitonic+su_bitonic_cell_proof" "@default"
 mutant su_bitonic_cell su_bitonic 's/a\[ItemW-1 -: pipegs_pkg::KeyW\+1\]/a[ItemW-1 -: pipegs_pkg::KeyW]/; s/b\[ItemW-1 -: pipegs_pkg::KeyW\+1\]/b[ItemW-1 -: pipegs_pkg::KeyW]/' "@default" 2 "the lowest bit of the key is not compared"
 mutant su_bitonic_cell su_bitonic 's/ItemW\] += swap \? b : a/ItemW] = swap ? {b[ItemW-1:1], a[0]} : a/' "@default" 2 "a bit of the slot stays behind"
 mutant su_bitonic_cell su_bitonic 's/ \&\& !size_q\[DistanceW\]//' "@default" 2 "direction of the last merge"
+
+# Two sets of planes take turns, on the machine that walks windows and the one that walks the whole frame.
+proof  dopu_planes dopu_planes "dopu_planes+dopu_planes_proof" "@default"
+mutant dopu_planes dopu_planes 's/window_ready_o = !busy_q/window_ready_o = 1'"'"'b1/' "@default" 4 "a window is taken while one is inside"
+proof  dopu_windows dopu_windows "dopu_windows+dopu_windows_proof free_planes" "@default %Regions=8 %RegionW=3; @order=1 %Regions=8 %RegionW=3"
+mutant dopu_windows dopu_windows 's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1'"'"'b1/' "@default %Regions=8 %RegionW=3" 12 "a set is overwritten before it is released"
+mutant dopu_windows dopu_windows 's/valid_q\[oldest_q\] <= 1.b0/valid_q[fill_q] <= 1'"'"'b0/' "@default %Regions=8 %RegionW=3" 12 "a release clears the set filled next instead of the oldest"
+mutant dopu_windows dopu_windows 's/set_done_o = done_q \& valid_q/set_done_o = done_q/' "@default %Regions=8 %RegionW=3" 12 "a set is called done for the window that it held before"
+mutant dopu_windows dopu_windows 's/(if \(x_q == frame_i.last_x\) y_q <= y_q) \+ 1.b1/\1/' "@default %Regions=8 %RegionW=3" 12 "the row of windows stays"
