@@ -16,12 +16,11 @@
 #include <vector>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/memory_line.hpp"
 #include "cpp_model/records.hpp"
 #include "scenes/scene.hpp"
 
 namespace pipegs {
-
-using MemoryLine = std::array<uint32_t, 16>;  // 64 bytes, bit 0 of the line is bit 0 of word 0
 
 inline constexpr uint32_t kPadding = ~uint32_t{0};  // slot_to_index of a slot that holds no Gaussian
 

@@ -13,11 +13,10 @@
 #include <optional>
 #include <unordered_map>
 
+#include "cpp_model/memory_line.hpp"
 #include "sim/memory_timing.hpp"
 
 namespace pipegs {
-
-using MemoryLine = std::array<uint32_t, 16>;
 
 class ExternalMemory {
  public:

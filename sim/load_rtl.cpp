@@ -27,6 +27,11 @@ std::string variant_words(const RtlVariant& variant, const char* between) {
 
 }  // namespace
 
+RtlVariant built_variant(const Config& config, RtlVariant variant, const RtlOptions& options) {
+  if (options.waves.empty() && config_difference(config) != "default") variant.waves = false;
+  return variant;
+}
+
 std::string build_rtl(const Config& config, const RtlVariant& variant) {
   const std::string difference = config_difference(config), name = difference + variant_words(variant, "");
   const std::filesystem::path folder = std::filesystem::path(PIPEGS_BUILD_DIR) / "rtl" / name;

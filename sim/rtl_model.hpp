@@ -77,6 +77,10 @@ struct RtlVariant {
   bool asserts = true;  // the assertions of the RTL are checked
 };
 
+// The variant that is built for a run. Waves are three quarters of the C++ to compile, so of the machines that nobody wants
+// waves of only the default one, which `make build` builds, can write them.
+RtlVariant built_variant(const Config& config, RtlVariant variant = {}, const RtlOptions& options = {});
+
 // Loads the machine for a configuration, building it first when this has not been done (see sim/build_rtl.sh).
 std::unique_ptr<RtlModel> load_rtl(const Config& config, const RtlVariant& variant = {});
 

@@ -167,16 +167,10 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
   result.max_abs_error = max_abs_error(golden, result.truth_order);
 }
 
-RtlVariant built_variant(const SimulateOptions& options) {
-  RtlVariant variant = options.variant;
-  if (options.rtl.waves.empty() && config_difference(options.config) != "default") variant.waves = false;
-  return variant;
-}
-
 void simulate_rtl(const SimulateOptions& options, Simulation& result) {
   const Config& config = options.config;
   if (!config.taps && (options.taps != nullptr || options.watch)) throw ConfigError("configuration: what shows the streams needs taps = 1");
-  const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(options));
+  const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(config, options.variant, options.rtl));
   const Frame& frame = result.input.frame;
   ExternalMemory memory(options.memory);
   const MemoryImage image = memory_image(result.packed);

@@ -18,7 +18,7 @@ struct SimulateOptions {
   Config config;
   ExternalMemoryOptions memory;
   RtlOptions rtl;
-  RtlVariant variant;                        // may be simulated less than this: see built_variant
+  RtlVariant variant;                        // may be simulated less than this: see built_variant in rtl_model.hpp
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
   int windows = 1;                           // with `window`: so many side by side, up to the end of the row
   double near_plane = 0.2;                   // scene units
@@ -66,9 +66,6 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
 // simulation of the same view, holds already are copied: the same ranks give the same picture.
 void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,
                     const Simulation* known = nullptr);
-// The variant that simulate_rtl runs. Waves are three quarters of the C++ to compile, so of the machines that nobody wants waves
-// of only the default one, which `make build` builds, can write them.
-RtlVariant built_variant(const SimulateOptions& options);
 // Runs the RTL and compares every stream and every pixel; needs simulate_golden.
 void simulate_rtl(const SimulateOptions& options, Simulation& result);
 

@@ -33,7 +33,7 @@ double thread_seconds() {
 }
 
 RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const ExternalMemoryOptions& options, uint64_t seed) {
-  const std::unique_ptr<RtlModel> model = load_rtl(config);
+  const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(config));
   ExternalMemory memory(options);
   const MemoryImage image = memory_image(*input.packed);
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];

@@ -196,6 +196,10 @@ module ru_fetch (
     assign mem_address_o = '0;
     logic unused_memory;
     assign unused_memory = &{1'b0, restart_i, overflow_i, rsp_valid_i, rsp_data_i};
+`ifndef SYNTHESIS
+    assert property (@(posedge clk_i) disable iff (!rst_ni) in_valid_i && is_data |-> !in_i.ext)
+      else $error("ru_fetch: a line in memory, and Overflow is 0");
+`endif
   end
 
   logic unused_ready;

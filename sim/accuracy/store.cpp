@@ -9,13 +9,12 @@
 
 #include "scenes/atomic_file.hpp"
 #include "scenes/input_error.hpp"
+#include "sim/measured_by.hpp"
 
 namespace pipegs {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr int kFormat = 1;  // of the files: another one when what is measured changes its meaning
 
 // FNV-1a.
 class Hash {
@@ -92,7 +91,7 @@ AccuracyStore::AccuracyStore(std::filesystem::path folder, const Scene& scene, c
     for (int k = 0; k < 3; ++k) pose.push_back(camera.world_to_camera[i][k]);
   }
   const ExternalMemoryOptions& m = options.memory;
-  view_ = {{"format", kFormat},
+  view_ = {{"measured_by", kMeasuredBy},
            {"scene", scene.name},
            {"gaussians", scene.gaussians.size()},
            {"contents", contents(scene)},

@@ -1,7 +1,7 @@
 // store.hpp: measured points in a folder, one JSON file each, so that a sweep can be stopped and taken up again.
 //
-// Idea    A file holds what it was measured of (the key: scene, camera, memory, every entry of the configuration) beside
-//         what was measured. One that is broken or of another key is as good as none.
+// Idea    A file holds what it was measured of (the key: scene, camera, memory, every entry of the configuration, the
+//         sources of the models) beside what was measured. One that is broken or of another key is as good as none.
 // Rule    A file appears when it is complete, never before.
 #pragma once
 

@@ -65,7 +65,7 @@ Measured measure(const LoadedView& loaded, const SimulateOptions& full, bool lea
   measured.golden = timed([&] { simulate_golden(loaded.scene, loaded.camera, full, simulation); });
   EffectPlan plan{full, {}, {}};
   if (lean) measured.detect = timed([&] { plan = plan_effects(full, find_effects(effect_facts(loaded.scene, full, simulation, false))); });
-  measured.build = timed([&] { build_rtl(plan.options.config, built_variant(plan.options)); });
+  measured.build = timed([&] { build_rtl(plan.options.config, built_variant(plan.options.config, plan.options.variant, plan.options.rtl)); });
   measured.rtl = timed([&] { measured.caught = simulate_effects(loaded.scene, loaded.camera, full, plan, simulation); });
   measured.cycles = simulation.rtl.cycles;
   measured.mismatches = simulation.mismatches;

@@ -42,6 +42,15 @@ TEST_F(ConfigFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(read(config_file(Config{}, "nothing")), Config{});
 }
 
+// The machine that verif/frame runs in RTL.
+TEST_F(ConfigFile, TheFineNumbersOfExact) {
+  Config config;
+  apply_rung(find_rung("exact"), config);
+  apply_config_file(PIPEGS_SOURCE_DIR "/sim/fine.cfg", config);
+  EXPECT_EQ(config_difference(config), "late=1,order=2,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,alpha_w=10,records=2048");
+  EXPECT_EQ(config.gaussians_per_line(), 2) << "as many bytes as by default";
+}
+
 TEST_F(ConfigFile, BlanksAndCommentsDoNotCount) {
   Config expected;
   expected.alpha_w = 10, expected.units = 2;

@@ -8,97 +8,12 @@
 #include <algorithm>
 
 #include "sim/effects/run.hpp"
-#include "verif/frame/scenes.hpp"
+#include "verif/effects/effect_views.hpp"
 
 namespace pipegs {
 namespace {
 
 using Names = std::vector<std::string>;
-
-struct View {
-  std::string name;
-  Scene scene;
-  Camera camera;
-};
-
-// A Gaussian in each of two windows, at one depth, far from the near plane; no SH.
-Scene quiet_scene() { return scene_of({gaussian_at({-0.5f, 0, 2}), gaussian_at({0.6f, 0, 2})}); }
-
-// The same with SH of degree 3, of which only one band is not zero.
-Scene banded_scene(int band) {
-  Scene scene = quiet_scene();
-  scene.sh_degree = 3;
-  scene.sh_rest.assign(scene.gaussians.size() * 45, 0);
-  for (size_t i = 0; i < scene.gaussians.size(); ++i) {
-    for (int k = sh_rest_count(band - 1); k < sh_rest_count(band); ++k) scene.sh_rest[i * 45 + static_cast<size_t>(3 * k)] = 0.3f;
-  }
-  return scene;
-}
-
-// One thing each, beside others that come with it.
-Scene near_scene() { return scene_of({gaussian_at({0, 0, 0.19f}, 0.01f), gaussian_at({0.02f, 0, 0.5f}), gaussian_at({0.1f, 0, 8}), gaussian_at({0.1f, 0.5f, 8})}); }
-Scene wide_scene() { return scene_of({gaussian_at({1.2f, 0, 2}, 0.4f)}); }
-Scene bright_scene() {  // SH carries red above what a packed colour holds
-  Scene scene = scene_of({gaussian_at({-0.5f, 0, 2}, 0.05f, 0.8, {12, 1, 0})});
-  scene.sh_degree = 1;
-  scene.sh_rest = {0, 0, 0, 0.6f, 0, 0, 0, 0, 0};
-  return scene;
-}
-Scene opaque_scene() {
-  std::vector<Gaussian> stack;
-  for (int i = 0; i < 6; ++i) stack.push_back(gaussian_at({0.1f, 0, 2 + 0.1f * static_cast<float>(i)}, 0.2f, 0.98));
-  return scene_of(stack);
-}
-Scene tied_scene(int count) { return scene_of(std::vector<Gaussian>(static_cast<size_t>(count), gaussian_at({0.3f, 0, 2}, 0.05f, 0.1))); }
-
-const std::vector<View>& views() {
-  static const std::vector<View> all = {{"empty", scene_of({}), test_camera(100, 70)},
-                                        {"quiet", quiet_scene(), test_camera(128, 64)},
-                                        {"band 1", banded_scene(1), test_camera(128, 64)},
-                                        {"band 2", banded_scene(2), test_camera(128, 64)},
-                                        {"band 3", banded_scene(3), test_camera(128, 64)},
-                                        {"near", near_scene(), test_camera(64, 64)},
-                                        {"wide", wide_scene(), test_camera(64, 64)},
-                                        {"bright", bright_scene(), test_camera(128, 64)},
-                                        {"opaque", opaque_scene(), test_camera(64, 64)},
-                                        {"two tied", tied_scene(2), test_camera(64, 64)},
-                                        {"twenty tied", tied_scene(20), test_camera(64, 64)},
-                                        {"cloud", random_scene(3, 400, 3), test_camera(130, 66, 60)},
-                                        {"flat cloud", random_scene(9, 300, 0), test_camera(128, 96)}};
-  return all;
-}
-
-const View& view(const std::string& name) {
-  return *std::find_if(views().begin(), views().end(), [&](const View& v) { return v.name == name; });
-}
-
-struct Looked {
-  explicit Looked(const std::string& name, const SimulateOptions& asked = {}) : view(pipegs::view(name)), options(asked) {
-    simulate_golden(view.scene, view.camera, options, simulation);
-    findings = find_effects(effect_facts(view.scene, options, simulation, true));
-  }
-  const Effect::Verdict& verdict(std::string_view name) const {
-    return std::find_if(findings.begin(), findings.end(), [&](const EffectFinding& f) { return f.effect->name == name; })->verdict;
-  }
-  std::vector<std::string> called() const {
-    std::vector<std::string> names;
-    for (const EffectFinding& f : findings) {
-      if (f.verdict.called_for) names.emplace_back(f.effect->name);
-    }
-    return names;
-  }
-  // The golden pixels of another machine.
-  std::vector<uint64_t> pixels(const SimulateOptions& other) const {
-    Simulation lean;
-    simulate_golden(view.scene, view.camera, other, lean);
-    return lean.golden.pixels;
-  }
-
-  const View& view;
-  SimulateOptions options;
-  Simulation simulation;
-  std::vector<EffectFinding> findings;
-};
 
 TEST(Effects, AQuietSceneCallsForNothing) { EXPECT_EQ(Looked("quiet").called(), Names{}); }
 
@@ -125,6 +40,8 @@ TEST(Effects, EachPartIsSeenWithItsCount) {
   expect("two tied", "ties", "1 neighbours of equal depth in the sorted order");
   expect("twenty tied", "large_groups", "a bucket of depth holds 20 keys");
   EXPECT_TRUE(Looked("opaque").verdict("early_stop").called_for);
+  EXPECT_TRUE(Looked("behind").verdict("near").called_for);
+  EXPECT_TRUE(Looked("crowd").verdict("large_groups").called_for);
   EXPECT_EQ(Looked("bright").called(), (Names{"sh1", "saturation"}));
   EXPECT_EQ(Looked("wide").called(), Names{"guard_band"});
   EXPECT_EQ(Looked("two tied").called(), Names{"ties"});
@@ -132,14 +49,14 @@ TEST(Effects, EachPartIsSeenWithItsCount) {
 
 TEST(Effects, StoresThatFillUpCallForTheirOverflow) {
   EXPECT_FALSE(Looked("cloud").verdict("overflow").called_for) << Looked("cloud").verdict("overflow").evidence;
+  EXPECT_TRUE(Looked("crowd").verdict("overflow").called_for) << Looked("crowd").verdict("overflow").evidence;
   SimulateOptions tiny;
   tiny.config.alpha_lines = 64, tiny.config.records = 16;
   EXPECT_TRUE(Looked("cloud", tiny).verdict("overflow").called_for) << Looked("cloud", tiny).verdict("overflow").evidence;
 }
 
 TEST(Effects, AScenesTagCallsForTheCompensation) {
-  Scene scene = quiet_scene();
-  scene.antialiased = true;
+  const Scene scene = antialiased_scene();
   SimulateOptions options;
   options.config.antialias = 1;
   Simulation simulation;
@@ -193,7 +110,8 @@ TEST(Effects, AnEffectThatIsNotCalledForChangesNoPixelWhenItIsForcedOn) {
 // Of every scene: leaving out one thing that is called for shows.
 TEST(Effects, LeavingOutWhatIsCalledForChangesPixels) {
   const std::vector<std::pair<std::string, std::string>> cases = {{"band 1", "sh1"}, {"band 2", "sh2"}, {"band 3", "sh3"},
-                                                                    {"near", "near"}, {"wide", "guard_band"}, {"bright", "saturation"}, {"opaque", "early_stop"}};
+                                                                    {"near", "near"}, {"wide", "guard_band"}, {"bright", "saturation"}, {"opaque", "early_stop"},
+                                                                    {"turned", "layers"}};
   for (const auto& [name, effect] : cases) {
     const Looked run(name);
     ASSERT_TRUE(run.verdict(effect).called_for) << name << ": " << run.verdict(effect).evidence;

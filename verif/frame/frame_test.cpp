@@ -14,12 +14,13 @@ namespace pipegs {
 namespace {
 
 // The machine of Table 2, then half and a quarter of it, the last with stores so small that every one of them overflows;
-// then the other rungs of the ladder, and `exact` with a pool so small that it spills; then `late` with coarse numbers and
-// without some parts.
+// then the other rungs of the ladder, and `exact` with a pool so small that it spills; with the numbers of sim/fine.cfg;
+// then `late` with coarse numbers and without some parts.
 const std::vector<std::vector<std::string>> kMachines = {
     {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}, {"late=1", "records=2048"},
     {"order=1"}, {"late=1", "order=1", "records=2048"}, {"late=1", "order=1", "quadratic=1", "records=2048"},
     {"late=1", "order=2", "records=2048"}, {"units=2", "late=1", "order=2", "records=16"},
+    {"late=1", "order=2", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24", "alpha_w=10", "records=2048"},
     {"late=1", "antialias=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "records=2048", "guard_band=0", "early_stop=0", "taps=0"}};
 
 SimulateOptions machine(size_t number) {
@@ -52,8 +53,8 @@ void expect_equal_on_all_machines(const Scene& scene, const Camera& camera) {
   for (size_t i = 0; i < kMachines.size(); ++i) {
     const SimulateOptions options = machine(i);
     const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
-    // The grid changes the layers and so the order, the cuts the picture; units, pixels per row and stores must not change a bit.
-    if (options.config.grid != Config{}.grid || options.config.alpha_cut != Config{}.alpha_cut) continue;
+    // The grid changes the layers and so the order, the cuts and widths the picture; units, pixels per row and stores must not change a bit.
+    if (options.config.grid != Config{}.grid || options.config.alpha_cut != Config{}.alpha_cut || options.config.alpha_w != Config{}.alpha_w) continue;
     const auto& [order, equal] = *first.emplace(options.config.order, pixels).first;
     EXPECT_EQ(pixels, equal) << "the image depends on the machine: " << config_difference(options.config);
   }

@@ -1,4 +1,5 @@
-// pu_allocate_test: rtl/pu/pu_allocate.sv against its twin, with done bits and layers that change while it runs.
+// pu_allocate_test: rtl/pu/pu_allocate.sv against its twin, with done bits and layers that change while it runs. Without Overflow
+// every layer fits its store, or an assertion says so.
 #include <set>
 
 #include "cpp_model/pu/pu_allocate.hpp"
@@ -118,15 +119,18 @@ struct AllocateBench {
     world.restart = true;
     bench.gated_step();
   }
-  // The four windows of a frame, each of one to three layers of up to `most` Gaussians.
+  // The four windows of a frame, each of one to three layers of up to `most` Gaussians; without Overflow of those that fit.
   void push_frame(uint64_t most) {
     restart();
     for (int w = 0; w < 4; ++w) {
       for (int layers = 1 + static_cast<int>(bench.rng() % 3); layers > 0; --layers) {
+        int room = config.alpha_lines;
         for (uint64_t n = bench.rng() % (most + 1); n > 0; --n) {
           Tiles tiles = random_record<Tiles>(config, bench.rng);
           tiles.kind = kData;
           if (bench.rng() % 2 == 0) tiles.mask &= bench.rng() & bench.rng() & bench.rng() & bench.rng();
+          room -= std::popcount(tiles.mask);
+          if (!config.overflow && room < 0) break;
           in.push(tiles);
         }
         Tiles end = random_record<Tiles>(config, bench.rng);
@@ -163,12 +167,12 @@ TEST(PuAllocate, EqualsItsTwinAtEveryPairOfPaces) {
     for (Pace sink : kPaces) {
       AllocateBench s;
       s.in.pace = source, s.rows.pace = sink, s.colors.pace = Pace::kCoin;
-      s.world.free_one_in = sink == Pace::kAlways ? 1000 : 20;  // also slow RUs: layers wait for each other
+      s.world.free_one_in = sink == Pace::kAlways || !s.config.overflow ? 1000 : 20;  // also slow RUs: layers wait for each other
       for (int frames = 0; frames < 3; ++frames) {
         s.push_frame(8 * static_cast<uint64_t>(s.config.alpha_lines / s.config.regions()));  // some layers overflow
         s.run_and_compare(true);
       }
-      EXPECT_GT(s.world.overflowed, 0u);
+      EXPECT_EQ(s.world.overflowed > 0, s.config.overflow != 0);
       EXPECT_GT(s.world.waited, 0u);
       if (HasFailure()) { FAIL() << "source " << to_text(source) << ", sink " << to_text(sink); }
     }
@@ -240,6 +244,21 @@ TEST(PuAllocate, TakesAGaussianPerFourCycles) {
   }
   s.run_and_compare(false);
   EXPECT_EQ(s.rows.cycles.back() - s.rows.cycles.front(), 4 * (s.rows.size() - 1));
+}
+
+TEST(PuAllocate, SaysSoWhenALayerDoesNotFit) {
+  AllocateBench s;
+  if (s.config.overflow) GTEST_SKIP() << "what does not fit goes to memory";
+  s.world.done_pace = 0;
+  s.restart();
+  // One line too many.
+  for (int left = s.config.alpha_lines + 1; left > 0; left -= s.config.regions()) {
+    Tiles tiles = random_record<Tiles>(s.config, s.bench.rng);
+    tiles.kind = kData, tiles.mask = left > s.config.regions() ? s.world.all() : 1;
+    s.in.push(tiles);
+  }
+  EXPECT_THROW(s.run_and_compare(false), std::runtime_error);
+  EXPECT_EQ(s.in.taken, static_cast<uint64_t>(s.config.alpha_lines / s.config.regions() + 1));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// pu_spill_test: rtl/pu/pu_spill.sv: every line reaches its place before the end behind it leaves.
+// pu_spill_test: rtl/pu/pu_spill.sv: every line reaches its place before the end behind it leaves. Without Overflow every line is for
+// the store, or an assertion says so.
 #include <map>
 
 #include "cpp_model/ru/ru_walk.hpp"
@@ -72,6 +73,7 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
           Alphas alphas = random_record<Alphas>(s.config, s.bench.rng);
           alphas.kind = kData;
           alphas.parity = layer % 2;
+          alphas.ext &= static_cast<uint64_t>(s.config.overflow);
           if (alphas.ext) {
             alphas.address = lines++;
             Words line = line_of(s.config, alphas);
@@ -95,6 +97,7 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
         ASSERT_EQ(s.lines.stored, stored) << "layer " << layer;
         spilled.clear();
       }
+      EXPECT_EQ(s.port.requests > 0, s.config.overflow != 0);
       if (HasFailure()) { FAIL() << "source " << to_text(source) << ", sink " << to_text(sink); }
     }
   }
@@ -102,11 +105,21 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
 
 TEST(PuSpill, KeepsUpWithTheRowUnitsWhenEveryLineSpills) {
   SpillBench s;
+  if (!s.config.overflow) GTEST_SKIP() << "no line spills";
   for (uint64_t n = 0; n < 200; ++n) s.in.push(Alphas{.address = n, .ext = 1});
   s.bench.run_until([&] { return s.in.taken > 0; });
   const uint64_t first = s.bench.cycle;
   s.bench.run_until([&] { return s.in.empty(); });
   EXPECT_EQ(s.bench.cycle - first, 199u * static_cast<uint64_t>(s.config.alpha_memory_lines() + 1));
+}
+
+TEST(PuSpill, SaysSoWhenALineIsForMemory) {
+  SpillBench s;
+  if (s.config.overflow) GTEST_SKIP() << "the memory takes it";
+  s.in.push(Alphas{.address = 1});
+  s.in.push(Alphas{.address = 2, .ext = 1});
+  EXPECT_THROW(s.bench.run_until([&] { return s.in.taken == 2; }), std::runtime_error);
+  EXPECT_EQ(s.lines.stored.front().first, 1u);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
-// su_merge_test: rtl/su/su_merge.sv against std::sort of all lanes together.
+// su_merge_test: rtl/su/su_merge.sv against std::sort of all lanes together. Without IndexTies no two splats of a layer have one
+// depth, or an assertion says so.
 #include <algorithm>
+#include <set>
 
 #include "Vsu_merge.h"
 #include "cpp_model/su/su.hpp"
@@ -49,12 +51,14 @@ struct MergeBench : Bench<Vsu_merge>, Endpoint {
   // One layer with this many splats in each lane; returns what shall come out.
   std::vector<Sorted> layer(const std::vector<size_t>& counts, uint64_t kind, uint64_t depths) {
     std::vector<Sorted> expected;
+    std::set<uint64_t> taken;
     for (int k = 0; k < kConfig.units; ++k) {
       std::vector<Splat> splats;
       for (size_t i = 0; i < counts[k]; ++i) {
         Splat splat = random_record<Splat>(kConfig, rng);
         splat.kind = kData;
         splat.depth %= depths;
+        if (!kConfig.index_ties && !taken.insert(splat.depth).second) continue;
         splat.index = (next_index += 1 + rng() % 7) % (uint64_t{1} << kConfig.index_w);
         splats.push_back(splat);
       }
@@ -111,6 +115,19 @@ TEST(SuMerge, SendsOneBeatPerCycle) {
   const size_t beats = bench.layer(std::vector<size_t>(kConfig.units, 100), kLayerEnd, uint64_t{1} << kConfig.depth_w).size();
   bench.run_until([&] { return bench.out.size() == beats; });
   EXPECT_EQ(bench.out.cycles.back() - bench.out.cycles.front(), beats - 1);
+}
+
+// Two of one depth, in one lane or in two.
+TEST(SuMerge, SaysSoWhenTwoSplatsAreOfOneDepth) {
+  if (kConfig.index_ties) GTEST_SKIP() << "equal depths are ordered by index";
+  for (const size_t lane : {0, 1}) {
+    MergeBench bench(Pace::kAlways, Pace::kAlways);
+    bench.reset();
+    for (const uint64_t depth : {5, 7}) bench.lanes[0].push_back({.depth = depth, .index = depth});
+    bench.lanes[lane].push_back({.depth = 7, .index = 8});
+    for (auto& splats : bench.lanes) splats.push_back({.kind = kLayerEnd});
+    EXPECT_THROW(bench.run_until([&] { return bench.out.size() == 4; }), std::runtime_error) << "lane " << lane;
+  }
 }
 
 }  // namespace
