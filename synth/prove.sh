@@ -6,12 +6,13 @@
 #         all assertions for every trace of any length: no step from a state that satisfies them leads to one that does not.
 # Mutants A sed command changes the copy; from reset a trace must be found that breaks an assertion. A proof that fails
 #         in its step only, an error, or a command that changes nothing does not count.
-# Reading Any warning of Yosys (but that a small array becomes registers), a latch, an undriven or doubly driven signal, or no assertion at all, is a failure.
-# Output  One line per proof and per mutant, with the processor's seconds; $BUILD/prove/NAME.log. Exits 1 when a proof fails or a mutant is proved.
-#         Parameters "machine": every instance on every rung of the ladder, from $BUILD/cpp_model/package_sv.
+# Reading Any warning of Yosys (but that a small array becomes registers), a latch, an undriven or doubly driven signal, or no
+#         assertion at all, is a failure.
+# Output  One line per proof and per mutant, with the processor's seconds; $BUILD/prove/NAME.log. Exits 1 when a proof fails or
+#         a mutant is proved.
 set -uo pipefail
 cd "$(dirname "$0")/.."
-build=${BUILD:-build} here=synth/prove failed=0
+build=${BUILD:-build} here=synth/prove wanted=" $* " proofs=0 mutants=0 failed=0
 out=$build/prove; mkdir -p "$out"
 rungs=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1" "late=1 order=2" "units=2" "units=1")
 
@@ -23,7 +24,7 @@ source_of() {  # the file of a module: the proof's own one, else the RTL
 # instances MODULE: the parameters of its instances on all rungs, one set per line, from Yosys' log of the whole machine
 instances() {
   local list=$out/instances.txt rung files
-  if [ ! -e "$list" ] || [ -n "$(find rtl synth/prove.sh "$build/cpp_model/package_sv" -newer "$list" -name '*[^~]' -type f)" ]; then
+  if [ ! -e "$list" ] || [ -n "$(find rtl "$build/cpp_model/package_sv" -newer "$list" -name '*[^~]' -type f)" ]; then
     files=$(ls rtl/*.sv rtl/*/*.sv | grep -v pipegs_pkg | tr '\n' ' ')
     for rung in "${rungs[@]}"; do
       "$build/cpp_model/package_sv" $rung > "$list.$$.sv" &&
@@ -36,12 +37,19 @@ instances() {
   if grep -q ERROR "$list"; then rm "$list"; echo ERROR; else sed -n "s/^$1 //p" "$list"; fi
 }
 
-# run LOG FOLDER PROOF PARAMETERS SAT: one call of Yosys; modules may lie changed in FOLDER. Prints "proved", "refuted" or
-# what went wrong.
+# sets_of PARAMETERS: one set per line; "machine Name=value": every instance of the top on every rung, with this changed
+sets_of() {
+  if [ "${1%% *}" != machine ]; then tr '\n' ' ' <<< "$1" | sed 's/; */\n/g'; return; fi
+  local change sets; sets=$(instances "$top")
+  for change in ${1#machine}; do sets=$(sed -E "s/\b${change%=*}=[0-9]+/$change/" <<< "$sets"); done
+  sort -u <<< "$sets"
+}
+
+# run FOLDER PARAMETERS SAT: one call of Yosys with the proof's modules, some of which may lie changed in FOLDER. Prints
+# "proved", "refuted" or what went wrong.
 run() {
-  local log=$1 folder=$2 top=${top_of[$3]} modules=${modules_of[$3]} sources=() chparam="" token name
-  : > "$log"
-  for token in $4; do
+  local folder=$1 log=$1/log sources=() chparam="" token name checker
+  for token in $2; do
     case $token in
       @*) package "${token#@}" > "$folder/pipegs_pkg.sv" || { echo "no package"; return; }
           sources+=("$folder/pipegs_pkg.sv") ;;
@@ -52,18 +60,18 @@ run() {
     esac
   done
   for token in $modules; do
-    name=${token%%+*}
+    name=${token%%+*} checker=${token#*+}
     [ -e "$folder/$name.sv" ] || cp "$(source_of "$name")" "$folder/$name.sv" || { echo "no $name"; return; }
     if [ "$name" != "$token" ]; then
       grep -q '^endmodule' "$folder/$name.sv" || { echo "no end of $name"; return; }
-      sed -i "/^endmodule/i \`include \"${token#*+}.svh\"" "$folder/$name.sv"
+      sed -i "/^endmodule/i \`include \"${checker:-$name}_proof.svh\"" "$folder/$name.sv"
     fi
     sources+=("$folder/$name.sv")
   done
-  timeout 600 yosys -ql "$log" -p "read_verilog -sv -formal -DSYNTHESIS -I$here ${sources[*]} $here/proof_*.sv
+  timeout 600 yosys -ql "$log" -p "read_verilog -sv -defer -formal -DSYNTHESIS -I$here ${sources[*]} $here/proof_*.sv
     hierarchy -check -top $top$chparam; proc; flatten; opt_clean; check -assert
     select -assert-none t:\$*latch*; memory -nomap; memory_map; async2sync; opt_clean
-    select -assert-min 1 t:\$assert; sat -prove-asserts -set-assumes $5" > /dev/null 2>&1
+    select -assert-min 1 t:\$assert; sat -prove-asserts -set-assumes $3" > /dev/null 2>&1
   local status=$?
   if name=$(grep -iE 'warning|implicitly|unsupported|ignoring' "$log" | grep -vEm1 '^Warnings: |Replacing memory .* with list of registers'); then echo "misread: $name"
   elif grep -q 'Induction step proven: SUCCESS!' "$log" && [ $status -eq 0 ]; then echo proved
@@ -73,46 +81,49 @@ run() {
   else echo "$(tail -n 1 "$log") ($status)"; fi
 }
 
-report() {  # NAME VERDICT WHAT FROM: the seconds are those that the processor spent in Yosys since line FROM of the log
-  awk -v name="$1" -v verdict="$2" -v what="${3//\\/}" -v from="$4" \
-    'NR > from && /CPU: user/ {sum += $(NF - 6) + $(NF - 4)} END {printf "%-28s %-8s %6.1f s  %s\n", name, verdict, sum, what}' "$log"
+# attempt WHAT PARAMETERS SAT [CHANGED MODULE]: a run in a folder of its own, its log behind that of the proof; the verdict
+attempt() {
+  local folder verdict; folder=$(mktemp -d)
+  [ $# -lt 4 ] || mv "$4" "$folder/$top.sv"
+  verdict=$(run "$folder" "$2" "$3")
+  { echo "== $1, $2: $verdict"; cat "$folder/log"; } >> "$log" 2>/dev/null
+  rm -rf "$folder"
+  echo "$verdict"
 }
 
-# The two words of the table.
-proof() {  # NAME TOP MODULES PARAMETERS [STEPS]
-  local name=$1 parameters=$4 sets set verdict folder log=$out/$1.log
-  top_of[$1]=$2 modules_of[$1]=$3
+report() {  # NAME VERDICT WHAT FROM: the seconds are those that the processor spent in Yosys since line FROM of the log
+  awk -v name="$1" -v verdict="$2" -v what="${3//\\/}" -v from="$4" \
+    'NR > from && /CPU: user/ {sum += $(NF - 6) + $(NF - 4)} END {printf "%-20s %-8s %5.1f s  %s\n", name, verdict, sum, what}' "$log"
+  if [ "$2" = FAILED ]; then failed=$((failed + 1)); fi
+}
+
+# --- the two words of the table ------------------------------------------------------------------------------------------
+proof() {  # NAME MODULES PARAMETERS
+  local sets set verdict
+  name=$1 modules=$2 top=${2%%[ +]*} log=$out/$1.log skipped=1
   [[ $wanted = "  " || $wanted = *" $name "* ]] || return 0
   : > "$log"
-  if [ "$parameters" = machine ]; then mapfile -t sets < <(instances "$2"); else IFS=';' read -ra sets <<< "$parameters"; fi
-  [ ${#sets[@]} -gt 0 ] || sets=("no instances")
-  proofs=$((proofs + 1))
+  skipped="" proofs=$((proofs + 1))
+  mapfile -t sets < <(sets_of "$3")
+  first=${sets[0]}
   for set in "${sets[@]}"; do
-    folder=$(mktemp -d)
-    verdict=$(run "$folder/log" "$folder" "$name" "$set" "-tempinduct -initsteps ${5:-1} -maxsteps $((${5:-1} + 1)) -verify")
-    { echo "== $name, $set: $verdict"; cat "$folder/log"; } >> "$log"
-    rm -rf "$folder"
-    if [ "$verdict" != proved ]; then report "$name" FAILED "$set: $verdict" 0; failed=$((failed + 1)); return; fi
+    verdict=$(attempt "$name" "$set" "-tempinduct -initsteps 1 -maxsteps 2 -verify")
+    if [ "$verdict" != proved ]; then report "$name" FAILED "$set: $verdict" 0; return; fi
   done
   report "$name" proved "${#sets[@]} sets of parameters" 0
 }
 
-mutant() {  # NAME MODULE CHANGE PARAMETERS STEPS WHAT
-  local name=$1 source verdict folder log=$out/$1.log from
-  [[ $wanted = "  " || $wanted = *" $name "* ]] || return 0
-  mutants=$((mutants + 1)) from=$(wc -l < "$log")
-  folder=$(mktemp -d) source=$(source_of "$2")
-  sed -E "$3" "$source" > "$folder/$2.sv"
-  if cmp -s "$folder/$2.sv" "$source"; then verdict="the change did not apply"
-  else verdict=$(run "$folder/log" "$folder" "$name" "$4" "-tempinduct -tempinduct-baseonly -show-public -maxsteps $5"); fi
-  { echo "== $name, changed: $6: $verdict"; cat "$folder/log"; } >> "$log" 2>/dev/null
-  rm -rf "$folder"
-  if [ "$verdict" = refuted ]; then report "  $name, changed" refuted "$6" "$from"
-  else report "  $name, changed" FAILED "$6: $verdict" "$from"; failed=$((failed + 1)); fi
+mutant() {  # WHAT CHANGE [PARAMETERS]: of the proof above
+  local source changed verdict from
+  [ -z "$skipped" ] || return 0
+  mutants=$((mutants + 1)) from=$(wc -l < "$log") source=$(source_of "$top") changed=$(mktemp)
+  sed -E "$2" "$source" > "$changed"
+  if cmp -s "$changed" "$source"; then verdict="the change did not apply"
+  else verdict=$(attempt "$name, changed: $1" "${3:-$first}" "-tempinduct -tempinduct-baseonly -maxsteps 16" "$changed"); fi
+  rm -f "$changed"
+  if [ "$verdict" = refuted ]; then report "" refuted "$1" "$from"; else report "" FAILED "$1: $verdict" "$from"; fi
 }
 
-wanted=" $* " proofs=0 mutants=0
-declare -A top_of modules_of
 . "$here/table.sh"
 [ $proofs -gt 0 ] || { echo "no such proof: $*"; exit 1; }
 echo "$proofs proofs, $mutants changed copies, $failed failed"
