@@ -8,19 +8,22 @@
 // Not said  overflow_q counts the lines of a layer in memory: that an area has room for them depends on the scene, see the
 //           module's own assertion.
 
+localparam int unsigned BeatW = pipegs_pkg::KindW + Regions + AlphaAddressW + 1;
 (* anyconst *) logic [HeadW-1:0] line;
 logic             lives_q, newer_q;  // the line; its layer is not the oldest
 logic             given;
 logic [HeadW-1:0] ahead, behind;
+logic [BeatW-1:0] beat;  // all but the fields that stand in tiles_q untouched
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
-proof_hold #(.DataW(pipegs_pkg::RowJobBits)) u_hold_row (
-  .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i(row_job_o)
+proof_hold #(.DataW(BeatW + 1)) u_hold_row (
+  .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i({row_job_o.parity, beat})
 );
-proof_hold #(.DataW(pipegs_pkg::ColorJobBits)) u_hold_color (
-  .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(color_job_o)
+proof_hold #(.DataW(BeatW)) u_hold_color (
+  .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(beat)
 );
 
+assign beat   = {tiles_q.kind, tiles_q.mask, address_q, ext_q};
 assign ahead  = line - head_q;
 assign behind = head_q - 1'b1 - line;
 assign given  = local_lines && SumW'(ahead) < SumW'(count_q);

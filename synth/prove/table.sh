@@ -102,7 +102,7 @@ mutant "sleeps while something comes" 's/ \&\& !wake_i//'
 mutant "the counter goes on behind its end" "s/else if \(quiet_q != CountW'\(Patience\)\)/else/" "Patience=5"
 
 # The ring of lines of a layer pair: the default machine's, and one in which a layer is often too big.
-proof  pu_allocate "pu_allocate+ pu_done ru_own" "@alpha_lines=64 %Regions=16 %RegionW=4 %RegionsX=4; @default"
+proof  pu_allocate "pu_allocate+ pu_done ru_own" "@default %AlphaLines=16 %Regions=16 %RegionW=4 %RegionsX=4; @default"
 mutant "lines are given before the older layer is free" 's/decided     = state_q == StateDecide \&\& \(room \|\| !fits\)/decided     = state_q == StateDecide/'
 mutant "a third layer begins" 's/tiles_ready_o = state_q == StateTake \&\& !ended_q\[1\]/tiles_ready_o = state_q == StateTake/'
 mutant "lines given in the cycle in which a layer is freed are not counted" "s/newest_q \+ \(local_lines .*;/newest_q;/"
@@ -148,7 +148,7 @@ mutant "an end that waits for its output is counted again" 's/(window_end = )emi
 mutant "an end that comes while one is done is lost" 's/if \(window_done_i \&\& !window_end\)/if (window_done_i)/'
 
 # Small queues, lines from memory in one part and in two; then those of the machine.
-proof  ru_fetch "ru_fetch+ fifo free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4; @default %LineW=8 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4;
+proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4; @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4;
   @default %LineW=4 %MemoryW=4"
 mutant "asks the memory without room" "s/ \&\& external_q != FetchW'\(FetchLines\)//"
 mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </local_count </"
@@ -177,9 +177,9 @@ mutant "a set is called done for the window that it held before" 's/set_done_o =
 mutant "the row of windows stays" 's/(if \(x_q == frame_i.last_x\) y_q <= y_q) \+ 1.b1/\1/'
 
 # Places for results are reserved: three levels, a test and readers of which only the promises are known.
-proof  dopu_descend "dopu_descend+ fifo free_test free_line_reader" "@default %PlaneBits=1 Results=2; @default %PlaneBits=1"
-mutant "a node enters without a place" "s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
+proof  dopu_descend "dopu_descend+ fifo free_test free_line_reader" "@default %PlaneBits=1"
+mutant "a node enters without a place" "s/Results = 8/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
 mutant "the place of a node that failed stays reserved" "s/ - ReservedW'\(missed\[l\]\)//"
-proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=16 Lines=64"
+proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4; @late=1,order=2 Most=16 Lines=64"
 mutant "one bucket too many is opened" "s/open_q != OpenW'\(Most\)/1/"
 mutant "a bucket opened while one is settled is lost" 's/open_q <= left \+ /open_q <= settled_i ? left : left + /'
