@@ -29,7 +29,7 @@ always_comb begin
     assert (!give || (waiting_q & ~splat_ready_i) == '0);
     assert (!give || !item_read || (target != '0 && (target & (target - 1'b1)) == '0));
     if (state_q != StateIdle) begin
-      assert (total_q < LeftW'(1) << NumberW && LeftW'(number_q) + left_q == total_q);
+      assert (total_q < LeftW'(1) << NumberW && (LeftW+1)'(number_q) + (LeftW+1)'(left_q) == (LeftW+1)'(total_q));
     end
   end
 end

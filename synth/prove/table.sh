@@ -160,7 +160,7 @@ mutant "the count of the record before is not yet in the memory" "s/same_q   *<=
 mutant "one count is not cleared" "s/left_q <= windows/left_q <= windows - LeftW'(1)/"
 mutant "a waiting line is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
 
-proof  list_read "list_read+ arbiter free_line_reader pu_sleep" "@order=1,units=2 %SplatBits=8 %WindowW=2 %ListWindowW=4; @order=1 %SplatBits=8"
+proof  list_read "list_read+ arbiter+ free_line_reader pu_sleep" "@order=1,units=2 %WindowW=2 %ListWindowW=4; @order=1"
 mutant "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
 mutant "an SU that has not taken the record loses it" "s/assign free       = .*/assign free = 1;/"
 mutant "one window too many" "s/left_q   <= windows - LeftW'\(1\)/left_q <= windows/"
@@ -179,7 +179,7 @@ mutant "the row of windows stays" 's/(if \(x_q == frame_i.last_x\) y_q <= y_q) \
 # Places for results are reserved: three levels, a test and readers of which only the promises are known.
 proof  dopu_descend "dopu_descend+ fifo free_test free_line_reader" "@default %PlaneBits=1"
 mutant "a node enters without a place" "s/Results = 8/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
-mutant "the place of a node that failed stays reserved" "s/ - ReservedW'\(missed\[l\]\)//"
+mutant "the place of a node that failed stays reserved" "s/Results = 8/Results = 2/; s/ - ReservedW'\(missed\[l\]\)//"
 proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4; @late=1,order=2 Most=16 Lines=64"
 mutant "one bucket too many is opened" "s/open_q != OpenW'\(Most\)/1/"
 mutant "a bucket opened while one is settled is lost" 's/open_q <= left \+ /open_q <= settled_i ? left : left + /'
