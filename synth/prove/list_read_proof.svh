@@ -22,7 +22,7 @@ end
 always_comb begin
   assume (32'(su) < Units);
   assume (frame_i.first_x <= frame_i.last_x && frame_i.first_y <= frame_i.last_y);
-  assume (!start_i || windows <= LeftW'(1) << NumberW);
+  assume (!start_i || (windows != '0 && windows <= LeftW'(1) << NumberW));
   assume (!start_i || !busy_o);
   if (rst_ni) begin
     assert (end_q || others == '0);
