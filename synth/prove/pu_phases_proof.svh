@@ -27,8 +27,8 @@ logic any_tail;
 assign any_tail = tail != '0;
 assign level_phase[0] = phase_q;
 for (genvar i = 1; i <= Depth; i += 1) begin : gen_level
-  assign level_valid[i] = slots_o[i*SlotW+PhaseW];
-  assign level_phase[i] = slots_o[i*SlotW +: PhaseW];
+  assign level_valid[i] = levels_q[(i-1)*SlotW+PhaseW];
+  assign level_phase[i] = levels_q[(i-1)*SlotW +: PhaseW];
   assign tail[i] = level_valid[i] && !(valid_q && phase_q >= PhaseW'(i));
   if (i > 1) begin : gen_before
     always_comb if (rst_ni && tail[i]) assert (level_phase[i] == LastPhase || tail[i-1]);
