@@ -6,7 +6,7 @@ PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
-.PHONY: help tools build run test test-long bench lint synth rooms package wave clean
+.PHONY: help tools build run test test-long bench lint prove synth rooms package wave clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*##/  make \1:/p' $(MAKEFILE_LIST)
@@ -41,6 +41,10 @@ bench: build  ## speed of golden model and RTL on our own scene, apart from the 
 
 lint: tools build  ## each RTL module alone through Verilator's lint and Yosys
 	BUILD=$(BUILD) synth/lint.sh
+
+prove: tools $(BUILD)/build.ninja  ## formal proofs, and changed copies of the RTL that they must refute
+	cmake --build $(BUILD) --target package_sv
+	BUILD=$(BUILD) synth/prove.sh
 
 synth: tools $(BUILD)/build.ninja  ## gates of a library: area and longest paths of every module; RUNG=, SET="key=value ...", LIBERTY=, JOBS=
 	@$(call INSTALL,opensta qflow-tech-osu018)

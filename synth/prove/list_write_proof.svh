@@ -1,0 +1,68 @@
+// The end of rtl/list/list_write.sv in its proof: the records of a window lie one behind another, none over another.
+//
+// Idea    Any one window, of the solver's choice, is followed: the records taken of it are counted beside the module. The SRAM
+//         of the counts stands outside: of the window's count it is assumed that a read shows what was written before.
+// Rule    The line of a record of the window is the list's beginning plus the records before it in this frame; a line shown stays
+//         until taken; the counts of all windows are cleared before the first record is taken.
+// Assumes The SRAM's rule (proof `sram`). A frame begins when nothing is inside; the numbers of windows are the frame's; a list
+//         has room (the module's own promise: a full one would begin anew).
+// Invariant  The count is in the SRAM, one less than the records taken while the last of them is still held.
+
+(* anyconst *) logic [NumberW-1:0] window;
+logic [EntryW-1:0] taken_q, stored_q, shown_q, expected;
+logic              shows_q, takes, held_here, started_q;  // shows_q: the SRAM shows the window's count
+logic [AddressW-1:0] list, at_q;    // at_q: where the record that moved last belongs, if it is of the window
+logic                moved_q;
+
+proof_reset u_proof_reset (.clk_i, .rst_ni);
+proof_hold #(.DataW(AddressW)) u_hold (
+  .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+);
+
+assign takes     = take && number == window;
+assign held_here = held_valid_q && held_number_q == window;
+assign list      = (AddressW'(1) << pipegs_pkg::ListAreaW) + (AddressW'(window) << EntryW);
+assign expected  = held_here ? taken_q - 1'b1 : taken_q;
+always_ff @(posedge clk_i or negedge rst_ni) begin
+  if (!rst_ni) begin
+    taken_q   <= '0;
+    started_q <= 1'b0;
+    shows_q   <= 1'b0;
+    moved_q   <= 1'b0;
+  end else begin
+    if (restart_i) taken_q <= '0;
+    else if (takes) taken_q <= taken_q + 1'b1;
+    if (restart_i) started_q <= 1'b1;
+    if (move) moved_q <= held_here;
+    if (count_read_o) shows_q <= count_number_o == window;
+  end
+end
+always_ff @(posedge clk_i) begin
+  if (count_write_o && count_at_o == window) stored_q <= count_o;
+  if (count_read_o) shown_q <= stored_q;
+  if (move) at_q <= list + AddressW'(expected);
+end
+
+always_comb begin
+  assume (!shows_q || count_i == shown_q);
+  assume (frame_i.overflow == '0 && frame_i.first_x <= frame_i.last_x && frame_i.first_y <= frame_i.last_y);
+  assume (windows <= LeftW'(1) << NumberW && LeftW'(window) < windows);
+  assume (!restart_i || !(clearing || held_valid_q || out_valid_q || take));
+  assume (started_q || splat_valid_i == '0);
+  assume (!takes || taken_q != '1);
+  if (rst_ni) begin
+    assert (left_q <= LeftW'(1) << NumberW);
+    assert (!take || !clearing);
+    assert (splat_ready_o == ((take ? source : '0) | is_end));
+    assert (!moved_q || address_q == at_q);
+    // invariants
+    assert (!(held_valid_q || out_valid_q) || (started_q && !clearing));
+    assert (!clearing || taken_q == '0);
+    assert (!clearing || LeftW'(window) < left_q || stored_q == '0);
+    assert (!started_q || clearing || stored_q == expected);
+    if (held_here) begin
+      assert (taken_q != '0);
+      assert (same_q ? kept_q == expected : (shows_q && shown_q == expected));
+    end
+  end
+end

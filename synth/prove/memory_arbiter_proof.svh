@@ -1,0 +1,80 @@
+// The end of rtl/buf/memory_arbiter.sv in its proof: each request leaves once, unchanged, in the order of the grants.
+//
+// Idea    The request taken last and whether the memory still owes its acceptance are the whole state: one beat fits inside.
+// Rule    At most one port is ready, and it asks. What leaves is what was taken last, with the port's number as its tag, and
+//         stays until the memory takes it; nothing is taken over a request that waits. A port of the first class (those
+//         that may write, and the last one) is never passed by one of the others. An answer goes to the port of its tag
+//         in the next cycle, and to no other.
+// Invariant  The registers hold what was remembered. Fairness inside is that of arbiter_proof.svh, at this size.
+
+localparam int unsigned ProofAddressW = pipegs_pkg::AddressW;
+localparam int unsigned ProofBeatW = 1 + ProofAddressW + pipegs_pkg::TagW;
+(* anyconst *) logic [PortW-1:0] watched;  // any port
+(* anyconst *) logic [$clog2(pipegs_pkg::MemoryW)-1:0] place;  // any bit of a line
+logic                        waits_q;  // a request of the watched port was taken last and is still here
+logic                        any_q;    // some request is here
+logic                        asks, takes, writes, first_asks, line_bit, write_q, line_bit_q, answer_q, answer_bit_q;
+logic [ProofAddressW-1:0]    address_q;
+logic [pipegs_pkg::TagW-1:0] answer_tag_q;
+logic [ProofBeatW-1:0]       beat;
+
+assign asks       = valid_i[watched];
+assign takes      = asks && ready_o[watched];
+assign first_asks = valid_i[WritePorts-1:0] != '0 || valid_i[Ports-1];
+always_comb begin
+  writes   = 1'b0;
+  line_bit = 1'b0;
+  for (int unsigned i = 0; i < WritePorts; i += 1) begin
+    if (watched == PortW'(i)) begin
+      writes   = write_i[i];
+      line_bit = data_i[i*pipegs_pkg::MemoryW + 32'(place)];
+    end
+  end
+end
+
+proof_hold #(.DataW(ProofBeatW)) u_hold (
+  .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(beat)
+);
+proof_hold #(.DataW(pipegs_pkg::MemoryW)) u_hold_data (
+  .clk_i, .rst_ni, .valid_i(mem_valid_o && mem_request_o.write), .ready_i(mem_ready_i), .beat_i(mem_data_o)
+);
+assign beat = {mem_request_o.write, mem_request_o.address, mem_request_o.tag};
+
+always_ff @(posedge clk_i or negedge rst_ni) begin
+  if (!rst_ni) begin
+    waits_q  <= 1'b0;
+    any_q    <= 1'b0;
+    answer_q <= 1'b0;
+  end else begin
+    any_q    <= (valid_i & ready_o) != '0 || (any_q && !(mem_valid_o && mem_ready_i));
+    waits_q  <= takes || (waits_q && !(mem_valid_o && mem_ready_i));
+    answer_q <= mem_rsp_valid_i;
+  end
+end
+always_ff @(posedge clk_i) begin
+  answer_tag_q <= mem_rsp_tag_i;
+  answer_bit_q <= mem_rsp_data_i[place];
+  if (takes) begin
+    write_q    <= writes;
+    address_q  <= address_i[watched*ProofAddressW +: ProofAddressW];
+    line_bit_q <= line_bit;
+  end
+end
+
+always_comb begin
+  assume ((PortW+1)'(watched) < (PortW+1)'(Ports));
+  if (rst_ni) begin
+    assert ((ready_o & (ready_o - 1'b1)) == '0);
+    assert ((ready_o & ~valid_i) == '0);
+    assert (ready_o == '0 || !any_q || mem_ready_i);
+    assert (mem_valid_o == any_q);
+    assert (!waits_q || (any_q && mem_request_o.tag == pipegs_pkg::TagW'(watched)));
+    assert (!(any_q && mem_request_o.tag == pipegs_pkg::TagW'(watched)) || waits_q);
+    assert (!waits_q || (mem_request_o.write == write_q && mem_request_o.address == address_q));
+    assert (!(waits_q && write_q) || mem_data_o[place] == line_bit_q);
+    assert (!takes || !first_asks || watched < PortW'(WritePorts) || watched == PortW'(Ports - 1));
+    assert (valid_i == '0 || ready_o != '0 || (any_q && !mem_ready_i));
+    assert (rsp_valid_o == (answer_q ? Ports'(1) << answer_tag_q : '0));
+    assert (!answer_q || rsp_data_o[place] == answer_bit_q);
+  end
+end

@@ -1,0 +1,47 @@
+// The end of rtl/su/su_port.sv in its proof: every line asked for has room when it comes.
+//
+// Rule    Lines asked for and not used are at most Answers, so the store never refuses an answer; what the memory is shown
+//         stays until it is taken; of the three who ask, only the one shown is told that it was taken.
+// Assumes The memory answers what was asked for; each who asks holds its request (proof_hold).
+// Invariant  A line in flight was asked for and not answered, or it is in the store.
+
+(* hierconn *) logic [FlightW-1:0] \u_answers.held_q ;
+logic [FlightW-1:0] asked_q;  // reads not answered
+
+proof_reset u_proof_reset (.clk_i, .rst_ni);
+proof_hold #(.DataW(1 + pipegs_pkg::AddressW)) u_hold (
+  .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_write_o, mem_address_o})
+);
+proof_hold #(.DataW(pipegs_pkg::MemoryW)) u_hold_data (
+  .clk_i, .rst_ni, .valid_i(mem_valid_o && mem_write_o), .ready_i(mem_ready_i), .beat_i(mem_data_o)
+);
+proof_hold #(.DataW(pipegs_pkg::SplatBits), .Assumed(1'b1)) u_hold_record (
+  .clk_i, .rst_ni, .valid_i(record_valid_i), .ready_i(record_ready_o), .beat_i(record_i)
+);
+proof_hold #(.DataW(pipegs_pkg::MemoryW), .Assumed(1'b1)) u_hold_keys (
+  .clk_i, .rst_ni, .valid_i(keys_valid_i), .ready_i(keys_ready_o), .beat_i(keys_i)
+);
+proof_hold #(.DataW(1), .Assumed(1'b1)) u_hold_read (
+  .clk_i, .rst_ni, .valid_i(read_valid_i), .ready_i(read_ready_o), .beat_i(read_keys_i)
+);
+
+always_ff @(posedge clk_i or negedge rst_ni) begin
+  if (!rst_ni) asked_q <= '0;
+  else asked_q <= asked_q + FlightW'(read_ready_o) - FlightW'(rsp_valid_i);
+end
+
+always_comb begin
+  assume (!rsp_valid_i || asked_q != '0);
+  if (rst_ni) begin
+    assert (flight_q <= FlightW'(Answers));
+    assert (!rsp_valid_i || unused_queue_ready);
+    assert (2'(record_ready_o) + 2'(keys_ready_o) + 2'(read_ready_o) == 2'(taken));
+    assert ((record_valid_i || !record_ready_o) && (keys_valid_i || !keys_ready_o) && (read_valid_i || !read_ready_o));
+    // invariants
+    assert ((FlightW+1)'(flight_q) == (FlightW+1)'(asked_q) + (FlightW+1)'(\u_answers.held_q ));
+    assert (choice_q != Read || flight_q != FlightW'(Answers));
+    assert (choice_q != Record || record_valid_i);
+    assert (choice_q != Keys || keys_valid_i);
+    assert (choice_q != Read || read_valid_i);
+  end
+end
