@@ -1,9 +1,9 @@
 // The end of rtl/buf/memory_arbiter.sv in its proof: each request leaves once, unchanged, in the order of the grants.
 //
 // Idea    The request taken last and whether the memory still owes its acceptance are the whole state: one beat fits inside.
-// Rule    At most one port is ready, and it asks. What leaves is what was taken last, with the port's number as its tag, and
-//         stays until the memory takes it; nothing is taken over a request that waits. A port of the first class (those
-//         that may write, and the last one) is never passed by one of the others. An answer goes to the port of its tag
+// Rule    At most one port is ready. A grant is for a port that asked in the cycle before, one of the first class (those
+//         that may write, and the last one) if such a one did, and stays while its port waits. What leaves is what was taken last, with the port's number as its tag, and
+//         stays until the memory takes it; nothing is taken over a request that waits. An answer goes to the port of its tag
 //         in the next cycle, and to no other.
 // Invariant  The registers hold what was remembered. Fairness inside is that of arbiter_proof.svh, at this size.
 
@@ -13,14 +13,15 @@ localparam int unsigned ProofBeatW = 1 + ProofAddressW + pipegs_pkg::TagW;
 (* anyconst *) logic [$clog2(pipegs_pkg::MemoryW)-1:0] place;  // any bit of a line
 logic                        waits_q;  // a request of the watched port was taken last and is still here
 logic                        any_q;    // some request is here
-logic                        asks, takes, writes, first_asks, line_bit, write_q, line_bit_q, answer_q, answer_bit_q;
+logic                        chosen_q, first_q, held_q;  // in the cycle before: a port was chosen, one of the first class asked, the grant waited
+logic [Ports-1:0]            asked_q, granted_q;
+logic                        asks, takes, writes, line_bit, write_q, line_bit_q, answer_q, answer_bit_q;
 logic [ProofAddressW-1:0]    address_q;
 logic [pipegs_pkg::TagW-1:0] answer_tag_q;
 logic [ProofBeatW-1:0]       beat;
 
 assign asks       = valid_i[watched];
 assign takes      = asks && ready_o[watched];
-assign first_asks = valid_i[WritePorts-1:0] != '0 || valid_i[Ports-1];
 always_comb begin
   writes   = 1'b0;
   line_bit = 1'b0;
@@ -44,14 +45,21 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) begin
     waits_q  <= 1'b0;
     any_q    <= 1'b0;
+    chosen_q <= 1'b0;
+    held_q   <= 1'b0;
     answer_q <= 1'b0;
   end else begin
+    chosen_q <= (valid_i & ~grant_q) != '0 && ((valid_i & grant_q) == '0 || (valid_i & ready_o) != '0);
+    held_q   <= (valid_i & grant_q) != '0 && (valid_i & ready_o) == '0;
     any_q    <= (valid_i & ready_o) != '0 || (any_q && !(mem_valid_o && mem_ready_i));
     waits_q  <= takes || (waits_q && !(mem_valid_o && mem_ready_i));
     answer_q <= mem_rsp_valid_i;
   end
 end
 always_ff @(posedge clk_i) begin
+  first_q   <= (valid_i[WritePorts-1:0] & ~grant_q[WritePorts-1:0]) != '0 || (valid_i[Ports-1] && !grant_q[Ports-1]);
+  asked_q   <= valid_i & ~grant_q;
+  granted_q <= grant_q;
   answer_tag_q <= mem_rsp_tag_i;
   answer_bit_q <= mem_rsp_data_i[place];
   if (takes) begin
@@ -65,15 +73,17 @@ always_comb begin
   assume ((PortW+1)'(watched) < (PortW+1)'(Ports));
   if (rst_ni) begin
     assert ((ready_o & (ready_o - 1'b1)) == '0);
-    assert ((ready_o & ~valid_i) == '0);
+    assert (grant_q == '0 || grant_q == Ports'(1) << port_q);
+    assert (!chosen_q || ((grant_q & asked_q) == grant_q && grant_q != '0));
+    assert (!chosen_q || !first_q || grant_q[WritePorts-1:0] != '0 || grant_q[Ports-1]);
+    assert (!held_q || grant_q == granted_q);
     assert (ready_o == '0 || !any_q || mem_ready_i);
     assert (mem_valid_o == any_q);
     assert (!waits_q || (any_q && mem_request_o.tag == pipegs_pkg::TagW'(watched)));
     assert (!(any_q && mem_request_o.tag == pipegs_pkg::TagW'(watched)) || waits_q);
     assert (!waits_q || (mem_request_o.write == write_q && mem_request_o.address == address_q));
     assert (!(waits_q && write_q) || mem_data_o[place] == line_bit_q);
-    assert (!takes || !first_asks || watched < PortW'(WritePorts) || watched == PortW'(Ports - 1));
-    assert (valid_i == '0 || ready_o != '0 || (any_q && !mem_ready_i));
+    assert (ready_o == grant_q || (any_q && !mem_ready_i));
     assert (rsp_valid_o == (answer_q ? Ports'(1) << answer_tag_q : '0));
     assert (!answer_q || rsp_data_o[place] == answer_bit_q);
   end

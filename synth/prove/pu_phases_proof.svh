@@ -55,6 +55,7 @@ always_comb begin
     assert (busy_o == (held_q != '0));
     // invariants
     assert (valid_q || phase_q == '0);
+    assert (phase_o == 8'b1 << phase_q);
     assert (!out_valid_q || !(any_tail || (valid_q && phase_q > PhaseW'(Claim))));
     assert (claimed_q == 2'(out_valid_q || any_tail || (valid_q && phase_q > PhaseW'(Claim))));
     assert (held_q == 2'(valid_q) + 2'(out_valid_q || any_tail));

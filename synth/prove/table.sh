@@ -56,12 +56,13 @@ mutant "the head is forgotten before it is taken" 's/else if \(out_ready_i\)/els
 
 # The ports of the default machine, of the one with lists, and of smaller ones.
 proof  memory_arbiter "memory_arbiter+ arbiter+" "@units=1 %MemoryW=8; @units=2 %MemoryW=8; @default %MemoryW=8; @order=1 %MemoryW=8"
-mutant "a shown request is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
+mutant "a shown request is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
 mutant "the shown request changes" 's/if \(take\) request_q <= out/request_q <= out/'
-mutant "the data of a shown write changes" 's/if \(take \&\& grant\[i\]/if (grant[i]/'
-mutant "no class goes first" 's/(assign request = ).*/\1valid_i;/'
+mutant "the data of a shown write changes" 's/if \(take \&\& out.write\)/if (out.write)/'
+mutant "no class goes first" 's/(assign request = ).*/\1others;/'
+mutant "a grant leaves a port that waits" 's/if \(request != .0 \&\& \(!served \|\| free\)\) grant_q/if (request != 0) grant_q/'
 mutant "an answer goes to the port beside it" 's/mem_rsp_tag_i == /(mem_rsp_tag_i | 1) == /'
-mutant "the tag names another port" 's/(TagW.\(port)\)/\1 ^ 1)/'
+mutant "the tag names another port" 's/(TagW.\(port_q)\)/\1 ^ 1)/'
 
 # A small store on the real SRAM, then the default machine's store and those of two units and one on free_sram.
 proof  alpha_store "alpha_store+ arbiter+ sram+" "@units=2,alpha_lines=64 %LineW=4 %AlphaLines=8;
@@ -158,7 +159,7 @@ mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (
 proof  list_write "list_write+ arbiter" "@order=1,units=2 %ListEntryW=4 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
 mutant "the count of the record before is not yet in the memory" "s/same_q   *<= move \&\& /same_q <= 0 \&\& /"
 mutant "one count is not cleared" "s/left_q <= windows/left_q <= windows - LeftW'(1)/"
-mutant "a waiting line is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
+mutant "a waiting line is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
 
 proof  list_read "list_read+ arbiter+ free_line_reader pu_sleep" "@order=1,units=2 %WindowW=2 %ListWindowW=4; @order=1"
 mutant "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
