@@ -77,7 +77,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
   add("pu_root", "projection", "pu", 2, 0, 2);
   add("recip", "projection", "pu", 2, 3, 1);
-  add("pu_coeff", "projection", "pu", 1, 1, 5);
+  add("pu_coeff", "projection", "pu", 1, 2, 6);
   add("pu_intersect", "projection", "pu", 1, 6, 16);
   if (c.tile_test) add("pu_edge", "projection", "pu", 1, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
   if (c.sh_degree > 0) {

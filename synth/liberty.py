@@ -2,8 +2,8 @@
 
 Idea    Cells are found by what they do, not by name: the NAND2 that areas are counted in, the inverter of the fan-out-of-4
         delay, a buffer for large nets, a latch for the clock gates. So any library with these and a plain flip-flop will do.
-Rule    Cells for delays, clocks, isolation and probing are never used (UNUSED): they are cut out of the copies that are read
-        from here on. Power is in one of the two copies only: it makes no difference to mapping and paths.
+Rule    Cells for delays, clocks, isolation and probing are never used (UNUSED), nor flip-flops with a scan or an enable input: they
+        are cut out of the copies that are read from here on. Power is in one of the two copies only: it makes no difference to mapping and paths.
         A memory is a flip-flop-like cell: its inputs have a setup, its output shows a stated access time after the edge.
         A clock gate is one too: its enable has a setup before the edge that it lets pass, and no path goes through it.
 """
@@ -88,7 +88,8 @@ class Library:
     def __init__(self, path):
         with (gzip.open if path.endswith(".gz") else open)(path, "rt", encoding="latin-1") as file:
             text = re.sub(r"/\*.*?\*/", "", file.read(), flags=re.DOTALL)
-        self.power_text = _without(text, "cell", UNUSED)
+        muxed = [name for name, body, _, _ in _groups(text, "cell") if re.search(r'next_state\s*:\s*"[^"]*[&|*+]', body)]
+        self.power_text = _without(text, "cell", re.compile("|".join([UNUSED.pattern] + [f"^{name}$" for name in muxed]), re.IGNORECASE))
         text = _without(_without(self.power_text, "leakage_power"), "internal_power")
         self.text, self.cells = text, {name: Cell(name, body) for name, body, _, _ in _groups(text, "cell")}
         unit = re.search(r'capacitive_load_unit\s*\(\s*([\d.]+)\s*,\s*"?(\w)f"?\s*\)', text)

@@ -38,7 +38,7 @@ uint64_t depth_of(uint64_t bucket) { return bucket << (kConfig.depth_w - kConfig
 TEST(SuMarks, SortsWindowsAtEveryPace) {
   std::mt19937_64 rng(test_seed());
   uint64_t overflowed = 0;
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < 8; ++round) {
     for (const Pace source : kPaces) {
       for (const Pace sink : kPaces) {
         MarksBench bench(source, sink, rng() % 2, memory_options(rng), static_cast<int>(rng() % 4));
