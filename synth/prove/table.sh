@@ -159,7 +159,7 @@ mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (
 proof  list_write "list_write+ arbiter" "@order=1,units=2 %ListEntryW=4 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
 mutant "the count of the record before is not yet in the memory" "s/same_q   *<= move \&\& /same_q <= 0 \&\& /"
 mutant "one count is not cleared" "s/left_q <= windows/left_q <= windows - LeftW'(1)/"
-mutant "a waiting line is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
+mutant "a waiting line is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
 
 proof  list_read "list_read+ arbiter+ free_line_reader pu_sleep" "@order=1,units=2 %WindowW=2 %ListWindowW=4; @order=1"
 mutant "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
