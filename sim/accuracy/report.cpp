@@ -120,8 +120,9 @@ std::string knob_sentence(const SweptKnob& swept) {
   }
   const auto cost = [&](const MeasuredPoint& a, const MeasuredPoint& b) {
     const double kb = b.figures.buffer_kb() - a.figures.buffer_kb();
-    return fmt::format("{:+.2f} % cycles, {:+.2f} % bytes, {:+.1f} KB of buffers, {:+.1f} % area and {:+.1f} % energy", percent(cycles(b), cycles(a)), percent(bytes(b), bytes(a)), kb,
-                       percent(b.silicon.mm2.mid, a.silicon.mm2.mid), percent(b.silicon.joules(), a.silicon.joules()));
+    return fmt::format("{:+.2f} % cycles, {:+.2f} % bytes, {:+.1f} KB of buffers, {}{:+.1f} % area and {}{:+.1f} % energy", percent(cycles(b), cycles(a)), percent(bytes(b), bytes(a)), kb,
+                       a.silicon.extrapolated_area || b.silicon.extrapolated_area ? "~" : "", percent(b.silicon.mm2.mid, a.silicon.mm2.mid),
+                       a.silicon.extrapolated_energy || b.silicon.extrapolated_energy ? "~" : "", percent(b.silicon.joules(), a.silicon.joules()));
   };
   const size_t last = measured.back();
   if (to == from) {
