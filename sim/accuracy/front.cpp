@@ -134,11 +134,13 @@ std::vector<Config> together_path(const MeasuredPoint& base, const std::vector<S
   return chosen;
 }
 
-double cost_of(const Accuracy& figures, Cost cost) {
+double cost_of(const MeasuredPoint& point, Cost cost) {
   switch (cost) {
-    case Cost::kCycles: return static_cast<double>(figures.cycles);
-    case Cost::kBytes: return static_cast<double>(figures.bytes);
-    default: return figures.buffer_kb();
+    case Cost::kCycles: return static_cast<double>(point.figures.cycles);
+    case Cost::kBytes: return static_cast<double>(point.figures.bytes);
+    case Cost::kBuffers: return point.figures.buffer_kb();
+    case Cost::kArea: return point.silicon.mm2.mid;
+    default: return point.silicon.joules();
   }
 }
 
@@ -152,7 +154,7 @@ std::vector<const MeasuredPoint*> pareto_front(const std::vector<MeasuredPoint>&
     if (reaches(point.figures, point.figures.numeric.psnr)) sorted.push_back(&point);
   }
   std::stable_sort(sorted.begin(), sorted.end(), [&](const MeasuredPoint* a, const MeasuredPoint* b) {
-    const double ca = cost_of(a->figures, cost), cb = cost_of(b->figures, cost);
+    const double ca = cost_of(*a, cost), cb = cost_of(*b, cost);
     return ca != cb ? ca < cb : a->figures.numeric.psnr > b->figures.numeric.psnr;
   });
   for (const MeasuredPoint* point : sorted) {

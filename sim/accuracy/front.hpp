@@ -12,12 +12,14 @@
 
 #include "sim/accuracy/knobs.hpp"
 #include "sim/accuracy/view.hpp"
+#include "sim/silicon/frame_model.hpp"
 
 namespace pipegs {
 
 struct MeasuredPoint {
   Config config;
   Accuracy figures;
+  FrameCost silicon = {};  // interpolated
 };
 
 struct SweptKnob {
@@ -30,8 +32,8 @@ struct SweptKnob {
 std::vector<Config> together_path(const MeasuredPoint& base, const std::vector<SweptKnob>& knobs, int count);
 
 // What a front is drawn over.
-enum class Cost { kCycles, kBytes, kBuffers };
-double cost_of(const Accuracy& figures, Cost cost);
+enum class Cost { kCycles, kBytes, kBuffers, kArea, kEnergy };
+double cost_of(const MeasuredPoint& point, Cost cost);
 
 // Points that no other one beats in numeric PSNR and cost together, the cheapest first. Only those whose order is good
 // enough (see reaches) for their own numeric PSNR.

@@ -43,15 +43,15 @@ std::string png_bytes(const Rgb8& picture) {
 std::string point_row(const std::string& name, const MeasuredPoint& point, const Config& base) {
   const Accuracy& a = point.figures;
   return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.5f}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</td><td>{}</td><td>{:.3f}</td>"
-                     "<td>{:.1f}</td><td>{:.1f}</td><td>{:.1f}</td><td class=\"left\">{}</td></tr>\n",
+                     "<td>{:.1f}</td><td>{:.1f}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td class=\"left\">{}</td></tr>\n",
                      escaped(name), decibels(a.numeric.psnr), decibels(a.order.psnr), decibels(a.total.psnr), a.total.ssim, a.numeric.max, a.numeric.p999,
                      100 * a.flips.share(), a.cycles, static_cast<double>(a.cycles) * 1e-6, static_cast<double>(a.bytes) / 1e6, a.gbps(), a.buffer_kb(),
-                     escaped(difference(point.config, base)));
+                     area_text(point), energy_text(point), escaped(difference(point.config, base)));
 }
 
 std::string table(const std::string& rows) {
   return "<div class=\"wide\"><table><tr><th></th><th>numeric dB</th><th>order dB</th><th>total dB</th><th>SSIM</th><th>max</th><th>99.9 %</th>"
-         "<th>flips %</th><th>cycles</th><th>ms</th><th>MB</th><th>GB/s</th><th>buffers KB</th><th>configuration</th></tr>\n" + rows + "</table></div>\n";
+         "<th>flips %</th><th>cycles</th><th>ms</th><th>MB</th><th>GB/s</th><th>buffers KB</th><th>mm2</th><th>mJ</th><th>configuration</th></tr>\n" + rows + "</table></div>\n";
 }
 
 std::string front_table(const AccuracySweep& sweep, Cost cost) {
@@ -121,12 +121,13 @@ std::string accuracy_page(const std::string& title, const AccuracySweep& sweep, 
       ".knob {{ display: inline-block; width: 32%; vertical-align: top; font-size: 0.85rem; }}\n</style></head><body>\n<h1>{0}</h1>\n"
       "<p>numeric: golden model against float64 in the same order; order: float64 in that order against depth order; total: golden model against depth "
       "order. Cycles and bytes by the timing model, milliseconds at 1 GHz, SSIM of the total, max and 99.9th percentile of the numeric error, flips: "
-      "decisions at 1/255 unlike the truth's, of {1:.0f} % of the pixels. Widths that cost no cycles still cost area.</p>\n",
+      "decisions at 1/255 unlike the truth's, of {1:.0f} % of the pixels. Area and energy with DRAM: 28 nm, mid, interpolated; ~ beyond what was synthesised or measured.</p>\n",
       escaped(title), 100 * sweep.flips_sampled);
   page += "<h2>The base</h2>\n" + table(point_row("base", sweep.base, Config{}));
   page += "<h2>What is worth having</h2>\n" + inline_svg(front_charts(sweep), 2);
   page += "<h3>Front over cycles</h3>\n" + front_table(sweep, Cost::kCycles) + "<h3>Front over bytes</h3>\n" + front_table(sweep, Cost::kBytes) +
-          "<h3>Front over buffers</h3>\n" + front_table(sweep, Cost::kBuffers);
+          "<h3>Front over buffers</h3>\n" + front_table(sweep, Cost::kBuffers) + "<h3>Front over area</h3>\n" + front_table(sweep, Cost::kArea) + "<h3>Front over energy</h3>\n" +
+          front_table(sweep, Cost::kEnergy);
   page += "<h2>Knob by knob</h2>\n";
   for (const SweptKnob& knob : sweep.knobs) {
     page += fmt::format("<div class=\"knob\">{}<p>{}. {}</p></div>\n", inline_svg({knob_chart(knob)}, 1), escaped(knob.knob->what), escaped(knob_sentence(knob)));

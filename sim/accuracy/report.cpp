@@ -15,26 +15,30 @@ double percent(double value, double base) { return 100 * (value / base - 1); }
 double cycles(const MeasuredPoint& point) { return static_cast<double>(point.figures.cycles); }
 double bytes(const MeasuredPoint& point) { return static_cast<double>(point.figures.bytes); }
 
+// "3.12", or "~3.12" beyond what was synthesised or measured.
+std::string told(double value, bool extrapolated) { return fmt::format("{}{:.2f}", extrapolated ? "~" : "", value); }
+
 // What a knob is judged by: an order knob by the sum of both errors.
 double quality(const Knob& knob, const Accuracy& a) {
   const double sum = mean_square(a.numeric.psnr) + (knob.orders ? mean_square(a.order.psnr) : 0);
   return -10 * std::log10(sum);
 }
 
-std::string row_text(const std::string& label, const Accuracy& a, const Accuracy& base) {
+std::string row_text(const std::string& label, const MeasuredPoint& point, const Accuracy& base) {
+  const Accuracy& a = point.figures;
   if (!a.failure.empty()) return fmt::format("  {:<14}{}\n", label, a.failure);
-  return fmt::format("  {:<14}{:>8}{:>8}{:>8}{:>9.5f}{:>8.4f}{:>8.4f}{:>9.4f}{:>10}{:>+8.2f}{:>8.1f}{:>7.1f}{:>9.1f}{:>8.1f}\n", label, decibels(a.numeric.psnr),
+  return fmt::format("  {:<14}{:>8}{:>8}{:>8}{:>9.5f}{:>8.4f}{:>8.4f}{:>9.4f}{:>10}{:>+8.2f}{:>8.1f}{:>7.1f}{:>9.1f}{:>7}{:>7}{:>8.1f}\n", label, decibels(a.numeric.psnr),
                      decibels(a.order.psnr), decibels(a.total.psnr), a.total.ssim, a.numeric.max, a.numeric.p999, 100 * a.flips.share(), a.cycles,
                      percent(static_cast<double>(a.cycles), static_cast<double>(base.cycles)), static_cast<double>(a.bytes) / 1e6, a.gbps(), a.buffer_kb(),
-                     a.seconds_golden + a.seconds_truth + a.seconds_trace + a.seconds_model);
+                     area_text(point), energy_text(point), a.seconds_golden + a.seconds_truth + a.seconds_trace + a.seconds_model);
 }
 
 std::string front_text(const std::vector<MeasuredPoint>& points, Cost cost, const char* name, const Config& base) {
-  std::string text = fmt::format("\n  front over {}\n  {:>8}{:>8}{:>8}{:>10}{:>8}{:>9}  configuration\n", name, "numeric", "order", "total", "cycles", "MB", "buf KB");
+  std::string text = fmt::format("\n  front over {}\n  {:>8}{:>8}{:>8}{:>10}{:>8}{:>9}{:>7}{:>7}  configuration\n", name, "numeric", "order", "total", "cycles", "MB", "buf KB", "mm2", "mJ");
   for (const MeasuredPoint* point : pareto_front(points, cost)) {
     const Accuracy& a = point->figures;
-    text += fmt::format("  {:>8}{:>8}{:>8}{:>10}{:>8.1f}{:>9.1f}  {}\n", decibels(a.numeric.psnr), decibels(a.order.psnr), decibels(a.total.psnr), a.cycles,
-                        static_cast<double>(a.bytes) / 1e6, a.buffer_kb(), difference(point->config, base));
+    text += fmt::format("  {:>8}{:>8}{:>8}{:>10}{:>8.1f}{:>9.1f}{:>7}{:>7}  {}\n", decibels(a.numeric.psnr), decibels(a.order.psnr), decibels(a.total.psnr), a.cycles,
+                        static_cast<double>(a.bytes) / 1e6, a.buffer_kb(), area_text(*point), energy_text(*point), difference(point->config, base));
   }
   return text;
 }
@@ -51,10 +55,10 @@ void each_row(const AccuracySweep& sweep, Visit&& visit) {
 
 Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& title, const std::string& label) {
   Chart chart{.form = Chart::Form::kScatter, .title = title, .x_label = label, .y_label = "numeric PSNR, dB"};
-  const double unit = cost == Cost::kBytes ? 1e6 : cost == Cost::kCycles ? 1e3 : 1;
+  const double unit = cost == Cost::kBytes ? 1e6 : cost == Cost::kCycles ? 1e3 : cost == Cost::kEnergy ? 1e-3 : 1;
   const auto add = [&](Series& series, const MeasuredPoint& point) {
     if (!point.figures.failure.empty()) return;
-    series.x.push_back(cost_of(point.figures, cost) / unit);
+    series.x.push_back(cost_of(point, cost) / unit);
     series.values.push_back(point.figures.numeric.psnr);
     series.labels.push_back(difference(point.config, sweep.base.config));
   };
@@ -73,6 +77,9 @@ Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& titl
 }
 
 }  // namespace
+
+std::string area_text(const MeasuredPoint& point) { return told(point.silicon.mm2.mid, point.silicon.extrapolated_area); }
+std::string energy_text(const MeasuredPoint& point) { return told(point.silicon.joules() * 1e3, point.silicon.extrapolated_energy); }
 
 std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf"; }
 
@@ -113,7 +120,9 @@ std::string knob_sentence(const SweptKnob& swept) {
   }
   const auto cost = [&](const MeasuredPoint& a, const MeasuredPoint& b) {
     const double kb = b.figures.buffer_kb() - a.figures.buffer_kb();
-    return fmt::format("{:+.2f} % cycles, {:+.2f} % bytes and {:+.1f} KB of buffers", percent(cycles(b), cycles(a)), percent(bytes(b), bytes(a)), kb);
+    return fmt::format("{:+.2f} % cycles, {:+.2f} % bytes, {:+.1f} KB of buffers, {}{:+.1f} % area and {}{:+.1f} % energy", percent(cycles(b), cycles(a)), percent(bytes(b), bytes(a)), kb,
+                       a.silicon.extrapolated_area || b.silicon.extrapolated_area ? "~" : "", percent(b.silicon.mm2.mid, a.silicon.mm2.mid),
+                       a.silicon.extrapolated_energy || b.silicon.extrapolated_energy ? "~" : "", percent(b.silicon.joules(), a.silicon.joules()));
   };
   const size_t last = measured.back();
   if (to == from) {
@@ -134,14 +143,14 @@ std::string knob_sentence(const SweptKnob& swept) {
 
 std::string accuracy_text(const AccuracySweep& sweep) {
   const Accuracy& base = sweep.base.figures;
-  std::string text = fmt::format("  {:<14}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>9}{:>10}{:>8}{:>8}{:>7}{:>9}{:>8}\n", "", "numeric", "order", "total", "SSIM", "max",
-                                 "99.9 %", "flips %", "cycles", "%", "MB", "GB/s", "buf KB", "host s");
-  text += row_text("base", base, base);
+  std::string text = fmt::format("  {:<14}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>9}{:>10}{:>8}{:>8}{:>7}{:>9}{:>7}{:>7}{:>8}\n", "", "numeric", "order", "total", "SSIM", "max",
+                                 "99.9 %", "flips %", "cycles", "%", "MB", "GB/s", "buf KB", "mm2", "mJ", "host s");
+  text += row_text("base", sweep.base, base);
   for (const SweptKnob& knob : sweep.knobs) {
     text += fmt::format("\n  {}: {}\n", knob.knob->name, knob.knob->what);
     for (size_t i = 0; i < knob.points.size(); ++i) {
       const bool is_base = knob.points[i].config == sweep.base.config;
-      text += row_text(knob.values[i]->label + (is_base ? " *" : ""), knob.points[i].figures, base);
+      text += row_text(knob.values[i]->label + (is_base ? " *" : ""), knob.points[i], base);
     }
     text += "  " + knob_sentence(knob) + "\n";
   }
@@ -149,21 +158,22 @@ std::string accuracy_text(const AccuracySweep& sweep) {
   if (!sweep.skipped.empty()) text += "\n";
   const std::vector<MeasuredPoint> all = sweep.all();
   text += front_text(all, Cost::kCycles, "cycles", sweep.base.config) + front_text(all, Cost::kBytes, "bytes", sweep.base.config) +
-          front_text(all, Cost::kBuffers, "buffers", sweep.base.config);
-  text += fmt::format("\n  * the base; flips: of {:.0f} % of the pixels; host s: of one core; free in cycles is not free: widths cost area\n", 100 * sweep.flips_sampled);
+          front_text(all, Cost::kBuffers, "buffers", sweep.base.config) + front_text(all, Cost::kArea, "area", sweep.base.config) +
+          front_text(all, Cost::kEnergy, "energy", sweep.base.config);
+  text += fmt::format("\n  * the base; flips: of {:.0f} % of the pixels; host s: of one core\n  mm2, mJ: 28 nm, mid, SRAMs and DRAM in them, interpolated (docs/accuracy.md); ~: beyond what was synthesised or measured\n", 100 * sweep.flips_sampled);
   return text + fmt::format("  {} points measured in {:.0f} s, {} taken from the folder\n", sweep.computed, sweep.seconds, sweep.kept);
 }
 
 std::string accuracy_csv(const AccuracySweep& sweep) {
   std::string text = "knob,value,configuration,numeric_db,order_db,total_db,numeric_ssim,order_ssim,total_ssim,numeric_max,numeric_p999,total_max,total_p999,"
-                     "decisions,flipped,cycles,ms_at_1ghz,bytes,gbps,buffer_bytes,golden_s,truth_s,trace_s,model_s\n";
+                     "decisions,flipped,cycles,ms_at_1ghz,bytes,gbps,buffer_bytes,mm2,chip_mj,dram_mj,golden_s,truth_s,trace_s,model_s\n";
   each_row(sweep, [&](const std::string& knob, const std::string& label, const MeasuredPoint& point) {
     const Accuracy& a = point.figures;
     if (!a.failure.empty()) return;
-    text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{},{:.6f},{},{:.3f},{},{:.3f},{:.3f},{:.3f},{:.3f}\n", knob, label,
+    text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{},{:.6f},{},{:.3f},{},{:.4f},{:.5f},{:.5f},{:.3f},{:.3f},{:.3f},{:.3f}\n", knob, label,
                         difference(point.config, Config{}), a.numeric.psnr, a.order.psnr, a.total.psnr, a.numeric.ssim, a.order.ssim, a.total.ssim, a.numeric.max,
                         a.numeric.p999, a.total.max, a.total.p999, a.flips.decisions, a.flips.flipped, a.cycles, static_cast<double>(a.cycles) * 1e-6, a.bytes, a.gbps(),
-                        a.buffer_bits / 8, a.seconds_golden, a.seconds_truth, a.seconds_trace, a.seconds_model);
+                        a.buffer_bits / 8, point.silicon.mm2.mid, point.silicon.chip.mid * 1e3, point.silicon.dram.mid * 1e3, a.seconds_golden, a.seconds_truth, a.seconds_trace, a.seconds_model);
   });
   return text;
 }
@@ -172,6 +182,12 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
   using Json = nlohmann::ordered_json;
   const auto row = [&](const MeasuredPoint& point) {
     Json json = to_json(point.figures);
+    const auto range = [](const Range& of, double by) { return Json{{"low", of.low * by}, {"mid", of.mid * by}, {"high", of.high * by}}; };
+    const FrameCost& silicon = point.silicon;
+    if (point.figures.failure.empty()) {
+      json["silicon"] = {{"mm2", range(silicon.mm2, 1)}, {"chip_mj", range(silicon.chip, 1e3)}, {"dram_mj", range(silicon.dram, 1e3)},
+                         {"extrapolated_area", silicon.extrapolated_area}, {"extrapolated_energy", silicon.extrapolated_energy}};
+    }
     json["configuration"] = config_difference(point.config);
     return json;
   };
@@ -186,7 +202,7 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
   }
   for (const MeasuredPoint& point : sweep.together) json["together"].push_back(row(point));
   const std::vector<MeasuredPoint> all = sweep.all();
-  for (const auto& [name, cost] : {std::pair{"cycles", Cost::kCycles}, {"bytes", Cost::kBytes}, {"buffers", Cost::kBuffers}}) {
+  for (const auto& [name, cost] : {std::pair{"cycles", Cost::kCycles}, {"bytes", Cost::kBytes}, {"buffers", Cost::kBuffers}, {"area", Cost::kArea}, {"energy", Cost::kEnergy}}) {
     for (const MeasuredPoint* point : pareto_front(all, cost)) json["front"][name].push_back(config_difference(point->config));
   }
   json["skipped"] = sweep.skipped;
@@ -196,7 +212,9 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
 std::vector<Chart> front_charts(const AccuracySweep& sweep) {
   return {front_chart(sweep, Cost::kCycles, "Accuracy against cycles", "kilocycles of the frame"),
           front_chart(sweep, Cost::kBytes, "Accuracy against memory traffic", "MB a frame"),
-          front_chart(sweep, Cost::kBuffers, "Accuracy against buffers", "KB of SRAM")};
+          front_chart(sweep, Cost::kBuffers, "Accuracy against buffers", "KB of SRAM"),
+          front_chart(sweep, Cost::kArea, "Accuracy against area", "mm2 in 28 nm, mid, interpolated"),
+          front_chart(sweep, Cost::kEnergy, "Accuracy against energy", "mJ a frame with DRAM, mid, interpolated")};
 }
 
 Chart knob_chart(const SweptKnob& knob) {

@@ -88,12 +88,16 @@ std::vector<MeasuredPoint> AccuracySweep::all() const {
   return points;
 }
 
-AccuracySweep accuracy_sweep(const AccuracyView& view, const AccuracyStore& store, const Config& config, const SweepOptions& options) {
+AccuracySweep accuracy_sweep(const AccuracyView& view, const AccuracyStore& store, const FrameModel& silicon, const Config& config, const SweepOptions& options) {
   const Stopwatch watch;
   Measured measured(view, store, options.resume);
+  const auto point = [&](const Config& one) {
+    const Accuracy& figures = measured.at(one);
+    return MeasuredPoint{one, figures, figures.failure.empty() ? silicon.cost(one, figures.cycles, figures.bytes) : FrameCost{}};
+  };
   AccuracySweep sweep{.base = {config, {}}, .flips_sampled = view.flips_sampled()};
   measured.add("base", {config});
-  sweep.base.figures = measured.at(config);
+  sweep.base = point(config);
   if (!sweep.base.figures.failure.empty()) throw std::invalid_argument(sweep.base.figures.failure);
 
   std::vector<Config> alone;
@@ -103,12 +107,12 @@ AccuracySweep accuracy_sweep(const AccuracyView& view, const AccuracyStore& stor
   }
   measured.add("alone", alone);
   for (SweptKnob& knob : sweep.knobs) {
-    for (MeasuredPoint& point : knob.points) point.figures = measured.at(point.config);
+    for (MeasuredPoint& one : knob.points) one = point(one.config);
   }
 
   const std::vector<Config> path = together_path(sweep.base, sweep.knobs, options.points);
   measured.add("together", path);
-  for (const Config& one : path) sweep.together.push_back({one, measured.at(one)});
+  for (const Config& one : path) sweep.together.push_back(point(one));
   sweep.computed = measured.computed;
   sweep.kept = measured.kept;
   sweep.seconds = watch.seconds();

@@ -31,6 +31,7 @@ struct AccuracySweep {
 };
 
 // `config` is the base. Throws std::runtime_error when interrupted; what was measured until then is in the store.
-AccuracySweep accuracy_sweep(const AccuracyView& view, const AccuracyStore& store, const Config& config, const SweepOptions& options);
+// Area and energy are told by `silicon`, and not kept.
+AccuracySweep accuracy_sweep(const AccuracyView& view, const AccuracyStore& store, const FrameModel& silicon, const Config& config, const SweepOptions& options);
 
 }  // namespace pipegs

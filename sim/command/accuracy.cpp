@@ -41,8 +41,8 @@ double parse_target(const std::string& text) {
 
 std::string describe(const MeasuredPoint& point, const Config& base) {
   const Accuracy& a = point.figures;
-  return fmt::format("{} dB numeric, {} dB order, {} cycles, {:.1f} MB, {:.1f} KB of buffers: {}", decibels(a.numeric.psnr), decibels(a.order.psnr), a.cycles,
-                     static_cast<double>(a.bytes) / 1e6, a.buffer_kb(), difference(point.config, base));
+  return fmt::format("{} dB numeric, {} dB order, {} cycles, {:.1f} MB, {:.1f} KB of buffers, {} mm2, {} mJ: {}", decibels(a.numeric.psnr), decibels(a.order.psnr), a.cycles,
+                     static_cast<double>(a.bytes) / 1e6, a.buffer_kb(), area_text(point), energy_text(point), difference(point.config, base));
 }
 
 // The text on --target; writes target.cfg when it is reached.
@@ -91,11 +91,12 @@ int accuracy(const Arguments& arguments) {
   arguments.memory.apply(options);
   const SweepOptions sweep_options{.knobs = find_knobs(arguments.knobs), .points = arguments.points, .resume = arguments.resume};
   const double target = arguments.target.empty() ? 0 : parse_target(arguments.target);
+  const FrameModel silicon = read_frame_model();
   const LoadedView loaded = load_view(arguments.view);
   const std::filesystem::path out = arguments.out;
   const AccuracyView view(loaded.scene, loaded.camera, options);
   const AccuracyStore store(out / "points", loaded.scene, loaded.camera, options);
-  const AccuracySweep sweep = accuracy_sweep(view, store, options.config, sweep_options);
+  const AccuracySweep sweep = accuracy_sweep(view, store, silicon, options.config, sweep_options);
   const std::vector<MeasuredPoint> points = sweep.all();
 
   const std::string title = fmt::format("{}: view {} ({}x{}), memory {}, base {}", loaded.scene.name, loaded.camera.name, loaded.camera.width, loaded.camera.height,

@@ -6,6 +6,7 @@
 #include "sim/command/command.hpp"
 #include "sim/cycle_engine.hpp"
 #include "sim/measurement_store.hpp"
+#include "sim/silicon/frame_model.hpp"
 #include "sim/silicon/report.hpp"
 
 namespace pipegs {
@@ -15,7 +16,7 @@ struct Arguments {
   ViewArguments view;
   MemoryArguments memory;
   std::vector<std::string> rungs;
-  std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", svg;
+  std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table, svg;
   bool json = false, no_energy = false;
 };
 
@@ -32,6 +33,14 @@ FrameActivity frame_activity(const LoadedView& loaded, const SimulateOptions& op
   const FrameActivity activity = measure_activity(loaded.scene, loaded.camera, options, cycles, folder);
   store.save(options.config, to_json(activity));
   return activity;
+}
+
+// Into the table in place of what it holds of the same scene and configuration.
+void keep_frame(const std::string& table, const MeasuredFrame& frame) {
+  std::vector<MeasuredFrame> frames = std::filesystem::exists(table) ? read_frames(table) : std::vector<MeasuredFrame>{};
+  std::erase_if(frames, [&](const MeasuredFrame& old) { return old.scene == frame.scene && old.config == frame.config; });
+  frames.push_back(frame);
+  write_text(table, frames_csv(frames));
 }
 
 int silicon(const Arguments& arguments) {
@@ -60,6 +69,7 @@ int silicon(const Arguments& arguments) {
     const FrameActivity activity = frame_activity(loaded, options[i], rungs[i].cycles, arguments.keep);
     rungs[i].cycles = activity.cycles;
     rungs[i].energy = energy_rows(config, rungs[i].synth, law, activity);
+    if (!arguments.table.empty()) keep_frame(arguments.table, measured_frame(loaded.scene.name, config, activity, rungs[i].rows, rungs[i].energy));
   }
   write_charts(arguments.svg, silicon_charts(rungs));
   if (arguments.json) {
@@ -87,6 +97,7 @@ void add_silicon(CLI::App& app, Run& run) {
   command->add_option("--library", arguments.library, "library whose gates were counted")->capture_default_str();
   command->add_option("--synth", arguments.folder, "folder that `make synth` has written to");
   command->add_option("--keep", arguments.keep, "folder for what switched in the frames that were measured");
+  command->add_option("--table", arguments.table, "add the frames' energies to this table; `pipegs accuracy` interpolates between those of synth/energy.csv");
   command->add_flag("--no-energy", arguments.no_energy, "area and clock only, without the RTL");
   command->add_option("--svg", arguments.svg, "charts");
   command->add_flag("--json", arguments.json, "as JSON");

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "scenes/input_error.hpp"
-#include "sim/static_cost.hpp"
 
 namespace pipegs {
+
 namespace {
 
 // What a unit takes in a frame, all its instances, and without what units inside it take.
@@ -48,16 +48,6 @@ Range sram_energy(const Synth& synth, const SramLaw& law, const Activity& activi
   return range_of(by_kind);
 }
 
-Range sram_leakage(const Config& config, const SramLaw& law) {
-  std::vector<double> by_kind;
-  for (const std::string& kind : law.kinds()) {
-    double sum = 0;
-    for (const BufferCost& buffer : static_cost(config).buffers) sum += law.memory(kind, buffer.width, buffer.depth).leak_mw * 1e-3 * buffer.count;
-    by_kind.push_back(sum);
-  }
-  return range_of(by_kind);
-}
-
 std::vector<EnergyRow> rows_of(const Config& config, const Synth& synth, const SramLaw& law, const FrameActivity& frame, const Activity& activity) {
   const auto cycles = static_cast<double>(frame.cycles);
   const Range joules = kNand2InputFf * (kVolts * kVolts / (synth.nand2_ff * synth.volts * synth.volts));  // in 28 nm for one of the library
@@ -81,7 +71,7 @@ std::vector<EnergyRow> rows_of(const Config& config, const Synth& synth, const S
     if (unit.unit != "top") add(gates, unit.unit);
   }
   add(rest, "top");
-  rows.push_back({.name = "Buffers", .frame_j = sram_energy(synth, law, activity, cycles), .leakage_w = sram_leakage(config, law)});
+  rows.push_back({.name = "Buffers", .frame_j = sram_energy(synth, law, activity, cycles), .leakage_w = sram_sum(config, law, &SramFigures::leak_mw) * 1e-3});
   EnergyRow total = {.name = "Total"};
   for (const EnergyRow& row : rows) {
     total.frame_j = total.frame_j + row.frame_j;

@@ -12,24 +12,21 @@
 #include "sim/static_cost.hpp"
 
 namespace pipegs {
-namespace {
-
-Range buffer_area(const Config& config, const SramLaw& law) {
-  std::vector<double> by_kind;
-  for (const std::string& kind : law.kinds()) {
-    double sum = 0;
-    for (const BufferCost& buffer : static_cost(config).buffers) sum += law.memory(kind, buffer.width, buffer.depth).area_mm2 * buffer.count;
-    by_kind.push_back(sum);
-  }
-  return range_of(by_kind);
-}
-
-}  // namespace
 
 Range range_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const size_t n = values.size();
   return {values.front(), (values[(n - 1) / 2] + values[n / 2]) / 2, values.back()};
+}
+
+Range sram_sum(const Config& config, const SramLaw& law, double SramFigures::*figure) {
+  std::vector<double> by_kind;
+  for (const std::string& kind : law.kinds()) {
+    double sum = 0;
+    for (const BufferCost& buffer : static_cost(config).buffers) sum += law.memory(kind, buffer.width, buffer.depth).*figure * buffer.count;
+    by_kind.push_back(sum);
+  }
+  return range_of(by_kind);
 }
 
 Synth read_synth(const std::filesystem::path& path, const Config& config) {
@@ -75,7 +72,7 @@ std::vector<SiliconRow> silicon_rows(const Config& config, const Synth& synth, c
   for (const SiliconRow& row : rows) other.kilo_nand2 -= row.kilo_nand2;
   rows.push_back(other);
   for (SiliconRow& row : rows) row.area_mm2 = kNand2Um2 * (row.kilo_nand2 / 1000);
-  rows.push_back({.name = "Buffers", .kb = static_cost(config).buffer_kb(""), .area_mm2 = buffer_area(config, law)});
+  rows.push_back({.name = "Buffers", .kb = static_cost(config).buffer_kb(""), .area_mm2 = sram_sum(config, law, &SramFigures::area_mm2)});
   for (const SiliconRow& row : rows) total.area_mm2 = total.area_mm2 + row.area_mm2;
   total.kb = rows.back().kb;
   rows.push_back(total);

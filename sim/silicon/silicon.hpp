@@ -41,6 +41,9 @@ Synth read_synth(const std::filesystem::path& json, const Config& config);
 // The least, the median and the most.
 Range range_of(std::vector<double> values);
 
+// A figure of all SRAMs together.
+Range sram_sum(const Config& config, const SramLaw& law, double SramFigures::*figure);
+
 struct SiliconRow {
   std::string name;  // DOPU, PU, SU, RU, Other, Buffers, Total
   int count = 0;     // of units; 0 where that says nothing

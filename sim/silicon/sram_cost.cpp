@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "scenes/input_error.hpp"
+#include "sim/silicon/least_squares.hpp"
 
 namespace pipegs {
 namespace {
@@ -15,31 +16,7 @@ constexpr const char* kHeader = "tech_um,cell,periph,size_B,width_b,ports,area_m
 constexpr double kNode = 0.028;  // um
 constexpr int kWidestMacro = 256;
 
-std::array<double, 4> terms(double bytes, double width, bool two_ports) { return {1, std::log2(bytes), std::log2(width), two_ports ? 1.0 : 0.0}; }
-
-// Least squares by the normal equations, with partial pivoting: four unknowns, twenty rows.
-std::array<double, 4> fit(const std::vector<std::array<double, 4>>& x, const std::vector<double>& y) {
-  double m[4][5] = {};
-  for (size_t row = 0; row < x.size(); ++row) {
-    for (int i = 0; i < 4; ++i) {
-      for (int k = 0; k < 4; ++k) m[i][k] += x[row][i] * x[row][k];
-      m[i][4] += x[row][i] * y[row];
-    }
-  }
-  for (int i = 0; i < 4; ++i) {
-    int pivot = i;
-    for (int k = i + 1; k < 4; ++k) {
-      if (std::abs(m[k][i]) > std::abs(m[pivot][i])) pivot = k;
-    }
-    std::swap(m[i], m[pivot]);
-    for (int k = 0; k < 4; ++k) {
-      if (k == i) continue;
-      const double factor = m[k][i] / m[i][i];
-      for (int j = i; j < 5; ++j) m[k][j] -= factor * m[i][j];
-    }
-  }
-  return {m[0][4] / m[0][0], m[1][4] / m[1][1], m[2][4] / m[2][2], m[3][4] / m[3][3]};
-}
+std::vector<double> terms(double bytes, double width, bool two_ports) { return {1, std::log2(bytes), std::log2(width), two_ports ? 1.0 : 0.0}; }
 
 }  // namespace
 
@@ -66,12 +43,12 @@ SramLaw::SramLaw(const std::filesystem::path& csv) {
     kinds_[fields[1] + "/" + fields[2]].rows.push_back(row);
   }
   for (auto& [name, kind] : kinds_) {
-    std::vector<std::array<double, 4>> x;
+    std::vector<std::vector<double>> x;
     for (const Row& row : kind.rows) x.push_back(terms(row.bytes, row.width, row.two_ports));
     for (size_t i = 0; i < 6; ++i) {
       std::vector<double> y;
       for (const Row& row : kind.rows) y.push_back(std::log2(row.figures[i]));
-      kind.exponents[i] = fit(x, y);
+      kind.exponents[i] = least_squares(x, y);
       if (!std::all_of(kind.exponents[i].begin(), kind.exponents[i].end(), [](double e) { return std::isfinite(e); })) {
         throw InputError(csv.string(), name, "too few sizes, widths or ports for a law");
       }
@@ -87,7 +64,7 @@ std::vector<std::string> SramLaw::kinds() const {
 }
 
 std::array<double, 6> SramLaw::evaluate(const Kind& kind, double bytes, double width, bool two_ports) const {
-  const std::array<double, 4> x = terms(bytes, width, two_ports);
+  const std::vector<double> x = terms(bytes, width, two_ports);
   std::array<double, 6> figures{};
   for (size_t i = 0; i < 6; ++i) {
     double power = 0;

@@ -43,7 +43,7 @@ class SramLaw {
   };
   struct Kind {
     std::vector<Row> rows;
-    std::array<std::array<double, 4>, 6> exponents;  // of 1, capacity, width, two ports, in log2
+    std::array<std::vector<double>, 6> exponents;  // of 1, capacity, width, two ports, in log2
   };
   std::array<double, 6> evaluate(const Kind& kind, double bytes, double width, bool two_ports) const;
 

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""depends.py: which knobs each block of the machine depends on, into synth/depends.csv: one elaboration for each knob.
+
+Idea    A block depends on a knob when its elaborated text changes with it. Nothing is mapped, so this is exact and cheap, and
+        the area model's least squares (sim/silicon/area_model.hpp) never lays one knob's area on another.
+"""
+import argparse
+import collections
+import hashlib
+import os
+import signal
+import sys
+
+import points
+import synth
+from jobs import Failed, Jobs
+
+# Every knob of `pipegs accuracy` that moves gates, at a value that no rung has.
+KNOBS = ["coeff_f=24", "power_f=16", "window=32", "mean_f=10", "mantissa_w=22", "exp_index_w=5", "exp_linear=0", "alpha_w=10", "t_w=16", "color_w=10",
+         "rgb_w=14", "alpha_cut=128", "t_cut=1000", "depth_w=20", "pos_w=18", "quat_w=14", "scale_m_w=10", "opacity_f=10", "base_w=10", "sh_m_w=9",
+         "sh_degree=2", "tile_test=0", "grid=2", "records=512"]
+RUNGS = ["exact", "dop"]
+
+
+def digests(modules):
+    """{block: digest of all text that it holds}"""
+    texts = collections.defaultdict(list)
+    for module, _, block, _ in points.instances(modules):
+        texts[block].append(hashlib.sha256(module.text().encode()).hexdigest())
+    return {block: sorted(found) for block, found in texts.items()}
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Which knobs each block depends on.")
+    parser.add_argument("--build", default="build", help="build folder; holds cpp_model/package_sv")
+    parser.add_argument("--out", default=f"{synth.HERE}/depends.csv", help="the table")
+    options = parser.parse_args()
+    jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), 1)
+    found = collections.defaultdict(set)
+    for rung in RUNGS:
+        base = digests(points.elaborated(jobs, options.build, rung)[1])
+        for block in base:
+            found[block] |= set()
+        for number, knob in enumerate(KNOBS, 1):
+            print(f"{rung}: {number} of {len(KNOBS)}: {knob}", flush=True)
+            moved = digests(points.elaborated(jobs, options.build, f"{rung} {knob}")[1])
+            for block in base:
+                if moved.get(block) != base[block]:
+                    found[block].add(knob.split("=")[0])
+            synth.write_new(options.out, "block,knobs\n" + "".join(f"{block},{' '.join(sorted(knobs))}\n" for block, knobs in sorted(found.items())))
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as control-C: ends what was started
+    try:
+        main()
+    except Failed as error:
+        sys.exit(f"depends: {error}")
+    except KeyboardInterrupt:
+        sys.exit("\ndepends: interrupted")
