@@ -41,6 +41,7 @@ if [ ${#units[@]} -gt 0 ]; then
     "$root/sim/verilate.sh" "$unit" "$out/units/$unit" "$out/netlists/$unit.v" $shards --lib-create "$unit" --clk clk_i --clk rst_ni
     options+=(-y "$out/units/$unit")  # the wrapper that it wrote stands before the RTL
   done
+  options+=(-Wno-UNOPTFLAT)  # a wrapper is one process: what comes in as ready and goes out as valid looks like a loop
 fi
 "$root/sim/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards "${options[@]}"
 cxx=$(command -v clang++ || echo "${CXX:-g++}")

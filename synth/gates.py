@@ -32,10 +32,43 @@ class Nets:
         return f"1'b{bit}" if isinstance(bit, str) else self.names.get(bit) or f"n{bit}"
 
     def bus(self, bits):
-        return self.bit(bits[0]) if len(bits) == 1 else "{" + ",\n      ".join(self.bit(bit) for bit in reversed(bits)) + "}"
+        return concatenation([self.bit(bit) for bit in reversed(bits)])
+
+
+def concatenation(parts):
+    """Verilog of single bits, highest first; neighbours in one signal are a slice of it: Verilator copies all before each part."""
+    slices = []
+    for part in parts:
+        name, _, at = part.rstrip("]").partition("[")
+        if at.isdigit() and slices and slices[-1][0] == name and slices[-1][2] == int(at) + 1:
+            slices[-1][2] = int(at)
+        else:
+            slices.append([name, int(at), int(at)] if at.isdigit() and part[-1] == "]" else [part, None, None])
+    texts = [name if high is None else f"{name}[{high}]" if high == low else f"{name}[{high}:{low}]" for name, high, low in slices]
+    return texts[0] if len(texts) == 1 else "{" + ",\n      ".join(texts) + "}"
+
+
+def short_circuit(gates, library):
+    """What a buffer drives is what drives it: a tree keeps its wiring and costs no gate."""
+    source, cells = {}, []
+    for kind, label, pins in gates.cells:
+        cell = library.cells.get(kind)
+        output = next(iter(cell.outputs), None) if cell and not cell.rules else None
+        input_pin = operators(cell.outputs[output]) if output else None
+        if input_pin in pins:
+            source[pins[output][0]] = pins[input_pin][0]
+        else:
+            cells.append([kind, label, pins])
+    gates.cells = cells
+    for bits in [bits for _, bits in gates.ports.values()] + [bits for _, _, pins in cells for bits in pins.values()]:
+        for i, bit in enumerate(bits):
+            while bit in source:
+                bit = source[bit]
+            bits[i] = bit
 
 
 def module_text(module, gates, library):
+    short_circuit(gates, library)
     nets, lines, boxes = Nets(), [], {box.name: box for box in module.boxes()}
     for port, (direction, bits) in gates.ports.items():
         if direction == "input":
@@ -159,7 +192,7 @@ def _words(name, expressions):
     """A wide signal, 32 bits with each line: in one piece it would cost Verilator a wide intermediate for each bit."""
     if len(expressions) == 1:
         return [f"    {name} <= {expressions[0]};"]
-    return [f"    {name}[{at} +: {len(expressions[at:at + 32])}] <= {{{', '.join(reversed(expressions[at:at + 32]))}}};" for at in range(0, len(expressions), 32)]
+    return [f"    {name}[{at} +: {len(expressions[at:at + 32])}] <= {concatenation(expressions[at:at + 32][::-1])};" for at in range(0, len(expressions), 32)]
 
 
 def _literal(expression):

@@ -85,7 +85,7 @@ void add_sim(CLI::App& app, Run& run) {
   command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
   command->add_option("--effects", arguments.effects, "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
       ->capture_default_str();
-  command->add_flag("--netlist", arguments.netlist, "DOPU, PUs, SUs and RUs as gates (use with --window; builds for minutes, some 100 cycles/s)");
+  command->add_flag("--netlist", arguments.netlist, "DOPU, PUs, SUs and RUs as gates (use with --window; builds for many minutes)");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only");
   command->add_flag("--json", arguments.json, "print report.json instead of the table");
