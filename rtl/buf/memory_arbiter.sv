@@ -40,6 +40,7 @@ module memory_arbiter #(
   logic [Ports-1:0]                  others, first, request, grant, grant_q;
   logic [PortW-1:0]                  port, port_q;
   logic                              served, free, take;  // the port of the grant asks; the register on the way out takes
+  logic                              moves;               // the grant may fall on another port
   logic                              out_valid_q;
   pipegs_pkg::memory_request_t       out, request_q;
   logic [pipegs_pkg::MemoryW-1:0]    data, data_q;
@@ -49,19 +50,20 @@ module memory_arbiter #(
   assign request = first != '0 ? first : others;
 
   arbiter #(.Ports(Ports)) u_arbiter (
-    .clk_i, .rst_ni, .request_i(request), .advance_i(!served || free), .grant_o(grant), .port_o(port)
+    .clk_i, .rst_ni, .request_i(request), .advance_i(moves), .grant_o(grant), .port_o(port)
   );
 
   assign served  = (grant_q & valid_i) != '0;
   assign free    = !out_valid_q || mem_ready_i;
   assign take    = served && free;
+  assign moves   = !served || free;
   assign ready_o = free ? grant_q : '0;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) grant_q <= '0;
-    else if (request != '0 && (!served || free)) grant_q <= grant;
+    else if (request != '0 && moves) grant_q <= grant;
   end
-  always_ff @(posedge clk_i) if (request != '0 && (!served || free)) port_q <= port;
+  always_ff @(posedge clk_i) if (request != '0 && moves) port_q <= port;
 
   always_comb begin
     out      = '0;

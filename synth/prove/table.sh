@@ -60,7 +60,7 @@ mutant "a shown request is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
 mutant "the shown request changes" 's/if \(take\) request_q <= out/request_q <= out/'
 mutant "the data of a shown write changes" 's/if \(take \&\& out.write\)/if (out.write)/'
 mutant "no class goes first" 's/(assign request = ).*/\1others;/'
-mutant "a grant leaves a port that waits" 's/if \(request != .0 \&\& \(!served \|\| free\)\) grant_q/if (request != 0) grant_q/'
+mutant "a grant leaves a port that waits" 's/if \(request != .0 \&\& moves\) grant_q/if (request != 0) grant_q/'
 mutant "an answer goes to the port beside it" 's/mem_rsp_tag_i == /(mem_rsp_tag_i | 1) == /'
 mutant "the tag names another port" 's/(TagW.\(port_q)\)/\1 ^ 1)/'
 
