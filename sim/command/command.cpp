@@ -17,12 +17,17 @@
 
 namespace pipegs {
 
-void ViewArguments::add(CLI::App& app, bool one_rung) {
+void ViewArguments::add(CLI::App& app, Rungs which) {
   app.add_option("SCENE", scene, "scene as .ply (INRIA layout); without it our own scene");
   app.add_option("--cameras", cameras, "cameras.json (INRIA layout); needed with SCENE");
   app.add_option("--view", view, "which camera of the file, counted from 0")->capture_default_str();
   app.add_option("--window", window, "only this window: column,row")->delimiter(',')->expected(2);
-  if (one_rung) app.add_option("--rung", rung, "rung of the ladder: baseline, dpc, tspp, dop, late or exact (--set comes after it)");
+  if (which != Rungs::kSeveral) app.add_option("--rung", rung, "rung of the ladder: baseline, dpc, tspp, dop, late or exact (--set comes after it)");
+  if (which != Rungs::kOne) {
+    app.add_option("--rungs", rungs, fmt::format("which, by commas{}: baseline, dpc, tspp, dop, late, exact{}", which == Rungs::kSeveral ? "" : ", instead of --rung",
+                                                 which == Rungs::kSeveral ? "; without it all" : ""))
+        ->delimiter(',');
+  }
   app.add_option("--config", config, "file with a configuration entry in each line, key=value; # begins a comment");
   app.add_option("--set", settings, "configuration entry, key=value; may be repeated")->allow_extra_args(false);
   app.add_option("--near", near_plane, "near plane, scene units")->capture_default_str();
@@ -52,6 +57,13 @@ SimulateOptions ViewArguments::options() const {
   if (!(near_plane > 0)) throw ConfigError(fmt::format("--near: found {}, expected a positive number", near_plane));
   options.near_plane = near_plane;
   return options;
+}
+
+std::vector<SimulateOptions> ViewArguments::each() const {
+  if (rungs.empty()) return {options()};
+  std::vector<SimulateOptions> each;
+  for (const Rung* one : find_rungs(rungs)) each.push_back(options(*one));
+  return each;
 }
 
 void MemoryArguments::add(CLI::App& app, bool with_bandwidth) {

@@ -22,19 +22,23 @@ inline constexpr int kExitOk = 0, kExitMismatch = 1, kExitBadInput = 2, kExitInt
 // A subcommand that was chosen sets `run`.
 using Run = std::function<int()>;
 
+// Which rungs of the ladder a subcommand runs: --rung, --rungs (all of them without it), or either.
+enum class Rungs { kOne, kSeveral, kOneOrSeveral };
+
 // What every subcommand that renders a view takes.
 struct ViewArguments {
   std::string scene, cameras, rung, config;
   int view = 0;
   std::vector<int> window;
-  std::vector<std::string> settings;
+  std::vector<std::string> settings, rungs;
   double near_plane = 0.2;
 
-  void add(CLI::App& app, bool one_rung = true);  // with --rung unless the command walks over several
+  void add(CLI::App& app, Rungs which = Rungs::kOne);
   // The configuration is the rung, then the lines of --config, then the settings. Throws ConfigError.
   SimulateOptions options() const;
   // The same on another rung; the settings must leave alone what makes a rung.
   SimulateOptions options(const Rung& rung) const;
+  std::vector<SimulateOptions> each() const;  // of --rungs, or the one of --rung
 };
 
 // External memory and seed, for the subcommands that run the RTL.

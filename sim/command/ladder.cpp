@@ -16,7 +16,6 @@ namespace {
 struct Arguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::vector<std::string> rungs;
   std::string out = "ladder", svg;
   bool json = false, no_truth = false;
 };
@@ -55,7 +54,7 @@ void run_rung(LadderRow& row, const Arguments& arguments, const LoadedView& load
 }
 
 int ladder(const Arguments& arguments) {
-  const std::vector<const Rung*> chosen = find_rungs(arguments.rungs);
+  const std::vector<const Rung*> chosen = find_rungs(arguments.view.rungs);
   std::vector<LadderRow> rows;
   for (const Rung* rung : chosen) {
     rows.push_back({.rung = rung, .options = arguments.view.options(*rung)});
@@ -111,9 +110,8 @@ void add_ladder(CLI::App& app, Run& run) {
   command->footer("Example: pipegs ladder garden.ply --cameras cameras.json --view 0 --svg ladder.svg\n"
                   "Exit code 0 only when every bit of every rung agrees, 1 on a mismatch, 2 on bad input. A rung whose RTL does not build is named and left out.");
   static Arguments arguments;
-  arguments.view.add(*command, false);
+  arguments.view.add(*command, Rungs::kSeveral);
   arguments.memory.add(*command);
-  command->add_option("--rungs", arguments.rungs, "which, by commas: baseline, dpc, tspp, dop, late, exact; without it all")->delimiter(',');
   command->add_option("--out", arguments.out, "folder for ladder.json and, for each rung, report.json and the picture")->capture_default_str();
   command->add_option("--svg", arguments.svg, "charts");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");

@@ -12,7 +12,6 @@ namespace {
 struct Arguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::vector<std::string> rungs;
   bool json = false, check = false, windows = false;
 };
 
@@ -74,12 +73,7 @@ std::string to_text(const ModelRow& row, bool check) {
 }
 
 int model(const Arguments& arguments) {
-  std::vector<SimulateOptions> options;
-  if (arguments.rungs.empty()) {
-    options.push_back(arguments.view.options());
-  } else {
-    for (const Rung* rung : find_rungs(arguments.rungs)) options.push_back(arguments.view.options(*rung));
-  }
+  std::vector<SimulateOptions> options = arguments.view.each();
   const LoadedView loaded = load_view(arguments.view);
   for (SimulateOptions& one : options) follow_scene(loaded.scene, one);
   if (!arguments.json) {
@@ -110,9 +104,8 @@ void add_model(CLI::App& app, Run& run) {
                   "error: cycles of the frame, window: the worst window of 20000 cycles or more; both against the RTL.\n"
                   "Seconds of the model and kHz of the RTL (nothing compared) are of one core; speed is their ratio.");
   static Arguments arguments;
-  arguments.view.add(*command);
+  arguments.view.add(*command, Rungs::kOneOrSeveral);
   arguments.memory.add(*command);
-  command->add_option("--rungs", arguments.rungs, "which, by commas, instead of --rung: baseline, dpc, tspp, dop, late, exact")->delimiter(',');
   command->add_flag("--check", arguments.check, "run the RTL, too, and compare cycles");
   command->add_flag("--windows", arguments.windows, "with --json: when the end of each window leaves the merge");
   command->add_flag("--json", arguments.json, "print JSON instead of the table");

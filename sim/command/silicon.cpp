@@ -15,7 +15,6 @@ namespace {
 struct Arguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::vector<std::string> rungs;
   std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table, svg;
   bool json = false, no_energy = false;
 };
@@ -44,12 +43,7 @@ void keep_frame(const std::string& table, const MeasuredFrame& frame) {
 }
 
 int silicon(const Arguments& arguments) {
-  std::vector<SimulateOptions> options;
-  if (arguments.rungs.empty()) {
-    options.push_back(arguments.view.options());
-  } else {
-    for (const Rung* rung : find_rungs(arguments.rungs)) options.push_back(arguments.view.options(*rung));
-  }
+  std::vector<SimulateOptions> options = arguments.view.each();
   const LoadedView loaded = load_view(arguments.view);
   for (SimulateOptions& one : options) {
     arguments.memory.apply(one);
@@ -91,9 +85,8 @@ void add_silicon(CLI::App& app, Run& run) {
                   "Needs what `make synth` writes for each configuration. Energy needs a run of the RTL, which is kept: each frame is measured\n"
                   "once. Ranges are what 28 nm may be: docs/silicon.md, docs/energy.md.");
   static Arguments arguments;
-  arguments.view.add(*command);
+  arguments.view.add(*command, Rungs::kOneOrSeveral);
   arguments.memory.add(*command);
-  command->add_option("--rungs", arguments.rungs, "which, by commas, instead of --rung: baseline, dpc, tspp, dop, late, exact")->delimiter(',');
   command->add_option("--library", arguments.library, "library whose gates were counted")->capture_default_str();
   command->add_option("--synth", arguments.folder, "folder that `make synth` has written to");
   command->add_option("--keep", arguments.keep, "folder for what switched in the frames that were measured");

@@ -18,7 +18,6 @@ constexpr double kFlat = 1.05;   // within 5 % of the highest bandwidth
 struct Arguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::vector<std::string> rungs;
   std::vector<double> bandwidths = {12.8, 25.6, 51.2, 102.4};
   std::string engine = "model", svg;
   bool json = false;
@@ -111,7 +110,7 @@ int sweep(Arguments arguments) {
   bandwidths.erase(std::unique(bandwidths.begin(), bandwidths.end()), bandwidths.end());
   std::vector<SweepRow> rows;
   std::vector<SimulateOptions> options;
-  for (const Rung* rung : find_rungs(arguments.rungs)) {
+  for (const Rung* rung : find_rungs(arguments.view.rungs)) {
     rows.push_back({.rung = rung});
     options.push_back(arguments.view.options(*rung));
     arguments.memory.apply(options.back());
@@ -164,10 +163,9 @@ void add_sweep(CLI::App& app, Run& run) {
   command->footer("Example: pipegs sweep garden.ply --cameras cameras.json --bandwidth 12.8,25.6,51.2 --rungs dop,late --svg sweep.svg\n"
                   "A rung is not memory-bound from the bandwidth on beyond which more of it saves less than 5 % of the cycles.");
   static Arguments arguments;
-  arguments.view.add(*command, false);
+  arguments.view.add(*command, Rungs::kSeveral);
   arguments.memory.add(*command, false);
   command->add_option("--bandwidth", arguments.bandwidths, "bytes per cycle, by commas")->delimiter(',')->capture_default_str();
-  command->add_option("--rungs", arguments.rungs, "which, by commas: baseline, dpc, tspp, dop, late, exact; without it all")->delimiter(',');
   command->add_option("--engine", arguments.engine, "who counts the cycles: model (the timing model), or rtl (with all comparisons)")
       ->check(CLI::IsMember({"model", "rtl"}))->capture_default_str();
   command->add_option("--svg", arguments.svg, "chart");
