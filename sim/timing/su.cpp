@@ -107,7 +107,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.spill_done = is.mark_first && head.all && is.emit_ready;
 
   // What comes in.
-  is.in = in_.valid(now) ? &in_.front() : nullptr;
+  is.in = in_.valid(now) ? &in_.front().splat : nullptr;
   is.data = is.in != nullptr && !is_end(is.in->beat);
   is.open = collect_ == kCollect && !closed_[set_];
   const bool insert = is.data && is.open && slot_valid(now);
@@ -194,12 +194,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
   }
   if (is.mark_push) {
     const uint8_t set = set_;
-    auto& marks = m.pu[static_cast<size_t>(lane_)].marks;
-    const uint32_t bucket = all ? 0 : bucket_of(static_cast<uint64_t>(marks.front()) << (m.config.key_w() - m.config.depth_w));
-    if (!all) {
-      marks.pop(now);
-      m.wheel.wake(unit(kReader, lane_), now + 1);
-    }
+    const uint32_t bucket = all ? 0 : bucket_of(static_cast<uint64_t>(in_.front().mark) << (m.config.key_w() - m.config.depth_w));
     marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});
     if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
   }
@@ -213,10 +208,16 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
 
 // The stage in front of the unit.
 void Su::arrive(Machine& m, Cycle now) {
-  Color& color = m.pu[static_cast<size_t>(lane_)].color;
-  if (!ready_ || !(lists_ ? m.lists.shown(lane_) : color.shown(now))) return;
-  in_.push(now, lists_ ? m.lists.record() : color.out.value);
-  lists_ ? m.lists.taken(m, lane_) : color.taken(m, now);
+  Pu& pu = m.pu[static_cast<size_t>(lane_)];
+  if (!ready_ || !(lists_ ? m.lists.shown(lane_) : pu.color.shown(now))) return;
+  Arrived arrived{lists_ ? m.lists.record() : pu.color.out.value};
+  if (marks_cut_ && arrived.splat.beat == kLayerEndBeat) {
+    arrived.mark = pu.marks.front();
+    pu.marks.pop(now);
+    m.wheel.wake(unit(kReader, lane_), now + 1);
+  }
+  in_.push(now, arrived);
+  lists_ ? m.lists.taken(m, lane_) : pu.color.taken(m, now);
   moved_ = true;
 }
 

@@ -54,6 +54,10 @@ class Su {
   static constexpr int kAnswers = kSuAnswers, kKeysPerLine = 8, kGroup = 16;
   static constexpr uint32_t kNil = ~uint32_t{0};
 
+  struct Arrived {
+    Splat splat;
+    uint32_t mark = 0;  // watermark of a layer's end (order 2): its PU keeps it no longer
+  };
   struct Mark {
     Beat end = 0;
     uint8_t set = 0;
@@ -108,7 +112,7 @@ class Su {
   const bool marks_cut_;  // a layer's end is a watermark (order 2)
   const bool lists_;
 
-  FallQueue<Splat, 2> in_;        // rtl/lib/skid.sv
+  FallQueue<Arrived, 2> in_;      // rtl/lib/skid.sv
   bool ready_ = true;             // as the cycle began in which it was stepped last
   Cycle ready_at_ = kLongAgo;
 
