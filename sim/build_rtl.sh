@@ -54,6 +54,7 @@ compile() { $ccache "$cxx" $flags "$@"; }
 export -f compile
 export ccache cxx flags
 { for unit in "${units[@]}"; do
+    echo "$out/units/$unit/$unit.cpp $out/$unit.o -O2 -w"
     for i in $(seq 0 $((shards - 1))); do echo "$out/units/$unit/V${unit}__shard$i.cpp $out/${unit}_shard$i.o -O1 -w -I$out/units/$unit"; done
   done
   for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o -O3 -march=native -w"; done
