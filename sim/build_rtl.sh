@@ -39,6 +39,7 @@ if [ ${#units[@]} -gt 0 ]; then
   "$root/synth/synth.py" --build "$build" --set "${settings[*]}" --netlist "$out/netlists" "${units[@]}"
   for unit in "${units[@]}"; do
     "$root/sim/verilate.sh" "$unit" "$out/units/$unit" "$out/netlists/$unit.v" $shards --lib-create "$unit" --clk clk_i --clk rst_ni
+    sed -i 's/long long m_seqnum;/long long m_seqnum = 0;/' "$out/units/$unit/$unit.cpp"  # Verilator 5.006 leaves it undefined, and the wrapper compares it
     options+=(-y "$out/units/$unit")  # the wrapper that it wrote stands before the RTL
   done
   options+=(-Wno-UNOPTFLAT)  # a wrapper is one process: what comes in as ready and goes out as valid looks like a loop
