@@ -60,8 +60,8 @@ TEST(AreaModel, TellsThePointsThatAreLeftOut) {
     const double fitted = sum(model.nand2(left_out.config)) / synthesised - 1, told = sum(model.without(i).nand2(left_out.config)) / synthesised - 1;
     printf("%+7.2f %% fitted, %+7.2f %% left out%s: %s\n", 100 * fitted, 100 * told, model.without(i).inside(left_out.config) ? "" : " (extrapolated)",
            config_difference(left_out.config).c_str());
-    EXPECT_LT(std::abs(fitted), 0.02);
-    EXPECT_LT(std::abs(told), 0.10);
+    EXPECT_LT(std::abs(fitted), 0.005);
+    EXPECT_LT(std::abs(told), 0.07);
   }
 }
 
