@@ -2,8 +2,9 @@
 //
 // Paper   None.
 // Idea    Each bucket of each list is a chain of nodes in one SRAM, newest first; a second SRAM holds the chains' heads, and a
-//         bit for each chain says whether there is one. The first set bit of a list is its nearest bucket. Free places: those
-//         never used, in order, then those given back.
+//         bit for each chain says whether there is one. The first set bit of a list is its nearest bucket, which stands in a
+//         register; while a node is fetched the bucket behind it is found, in two cycles, for the case that its chain ends.
+//         Free places: those never used, in order, then those given back.
 // Stream  insert: a node for a bucket of a list, refused while full_o. pop: the newest node of the list's first bucket; it comes
 //         out two cycles later and must be taken. first_*: the nearest bucket of each list; a node counts from the cycle
 //         after its insert on, until it has come out.
@@ -54,28 +55,6 @@ module dopu_bucket #(
     Out      // the node is there
   } state_e;
 
-  // --- first bucket of each list: the first word with a chain, the first chain in it --------------------------------------
-  logic [Buckets-1:0]       occupied_q [Lists];
-  logic [Words-1:0]         some_q [Lists];  // words that have a chain
-  logic [BucketW-WordW-1:0] which;
-  logic [Word-1:0]          word;
-  logic [WordW-1:0]         place;
-
-  always_comb begin
-    which = '0;
-    word  = '0;
-    place = '0;
-    for (int unsigned l = 0; l < Lists; l += 1) begin
-      which = '0;
-      for (int unsigned w = Words; w > 0; w -= 1) if (some_q[l][w-1]) which = (BucketW-WordW)'(w - 1);
-      word  = occupied_q[l][32'(which)*Word +: Word];
-      place = '0;
-      for (int unsigned i = Word; i > 0; i -= 1) if (word[i-1]) place = WordW'(i - 1);
-      first_valid_o[l] = some_q[l] != '0;
-      first_bucket_o[l*BucketW +: BucketW] = {which, place};
-    end
-  end
-
   // --- one insert or pop at a time ------------------------------------------------------------------------------------
   state_e             state_q;
   logic [ListW-1:0]   list_q, list_d;
@@ -84,9 +63,7 @@ module dopu_bucket #(
   logic               more_q;     // the chain had a node before the insert
   logic [NodeW-1:0]   place_q;    // of the node written or read
   logic [NodeW-1:0]   free_place, head;
-  logic               take_insert, take_pop, out_more;
-  logic [Word-1:0]    out_word;
-  logic               last_of_word;
+  logic               take_insert, take_pop, out_more, chain_ends;
   logic [NodeW-1:0]   out_next;
 
   assign idle_o         = state_q == Idle;
@@ -99,31 +76,16 @@ module dopu_bucket #(
   assign out_valid_o    = state_q == Out;
   assign out_list_o     = list_q;
   assign out_bucket_o   = bucket_q;
-  assign out_word       = occupied_q[list_q][32'(bucket_q[BucketW-1:WordW])*Word +: Word];
-  assign last_of_word   = (out_word & ~(Word'(1) << bucket_q[WordW-1:0])) == '0;
+  assign chain_ends     = out_valid_o && !out_more;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       state_q <= Idle;
-      for (int unsigned l = 0; l < Lists; l += 1) begin
-        occupied_q[l] <= '0;
-        some_q[l]     <= '0;
-      end
-    end else begin
-      case (state_q)
-        Idle:    if (take_pop) state_q <= Fetch; else if (take_insert) state_q <= Insert;
-        Fetch:   state_q <= Out;
-        default: state_q <= Idle;
-      endcase
-      if (take_insert) begin
-        occupied_q[insert_list_i][insert_bucket_i] <= 1'b1;
-        some_q[insert_list_i][insert_bucket_i[BucketW-1:WordW]] <= 1'b1;
-      end
-      if (out_valid_o && !out_more) begin
-        occupied_q[list_q][bucket_q] <= 1'b0;
-        if (last_of_word) some_q[list_q][bucket_q[BucketW-1:WordW]] <= 1'b0;
-      end
-    end
+    end else case (state_q)
+      Idle:    if (take_pop) state_q <= Fetch; else if (take_insert) state_q <= Insert;
+      Fetch:   state_q <= Out;
+      default: state_q <= Idle;
+    endcase
   end
 
   always_ff @(posedge clk_i) begin
@@ -131,7 +93,6 @@ module dopu_bucket #(
       list_q   <= list_d;
       bucket_q <= bucket_d;
       data_q   <= insert_data_i;
-      more_q   <= occupied_q[insert_list_i][insert_bucket_i];
       place_q  <= free_place;
     end else if (state_q == Fetch) begin
       place_q  <= head;
@@ -150,6 +111,67 @@ module dopu_bucket #(
     .write_i(state_q == Insert), .waddr_i(place_q), .wdata_i({more_q, head, data_q}),
     .read_i(state_q == Fetch), .raddr_i(head), .rdata_o({out_more, out_next, out_data_o})
   );
+
+  // --- which chains there are, and the first of each list ---------------------------------------------------------------
+  logic [Buckets-1:0]       occupied_q [Lists];
+  logic [Words-1:0]         some_q [Lists];  // words that have a chain
+  logic [Words-1:0]         some_left;       // without the chain of the node that is fetched, like the rest here
+  logic [Word-1:0]          word;            // Fetch: its own word; Out: the first one left
+  logic [BucketW-WordW-1:0] own, left, left_q, looked;
+  logic [WordW-1:0]         place;
+  logic                     last_of_word, last_of_word_q, any_left_q;
+  logic [Lists-1:0]         first_valid_q;
+  logic [BucketW-1:0]       first_q [Lists];
+
+  assign own    = bucket_q[BucketW-1:WordW];
+  assign looked = out_valid_o ? left_q : own;
+  always_comb begin
+    word = occupied_q[list_q][32'(looked)*Word +: Word];
+    if (looked == own) word[bucket_q[WordW-1:0]] = 1'b0;
+    last_of_word = word == '0;
+    some_left = some_q[list_q];
+    if (last_of_word) some_left[own] = 1'b0;
+    left = '0;
+    for (int unsigned w = Words; w > 0; w -= 1) if (some_left[w-1]) left = (BucketW-WordW)'(w - 1);
+    place = '0;
+    for (int unsigned i = Word; i > 0; i -= 1) if (word[i-1]) place = WordW'(i - 1);
+    for (int unsigned l = 0; l < Lists; l += 1) first_bucket_o[l*BucketW +: BucketW] = first_q[l];
+  end
+  assign first_valid_o = first_valid_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      first_valid_q <= '0;
+      for (int unsigned l = 0; l < Lists; l += 1) begin
+        occupied_q[l] <= '0;
+        some_q[l]     <= '0;
+      end
+    end else begin
+      if (take_insert) begin
+        occupied_q[insert_list_i][insert_bucket_i] <= 1'b1;
+        some_q[insert_list_i][insert_bucket_i[BucketW-1:WordW]] <= 1'b1;
+        first_valid_q[insert_list_i] <= 1'b1;
+      end
+      if (chain_ends) begin
+        occupied_q[list_q][bucket_q] <= 1'b0;
+        if (last_of_word_q) some_q[list_q][own] <= 1'b0;
+        first_valid_q[list_q] <= any_left_q;
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (idle_o) more_q <= occupied_q[insert_list_i][insert_bucket_i];
+    if (state_q == Fetch) begin
+      left_q         <= left;
+      any_left_q     <= some_left != '0;
+      last_of_word_q <= last_of_word;
+    end
+    if (take_insert && (!first_valid_q[insert_list_i] || insert_bucket_i < first_q[insert_list_i])) begin
+      first_q[insert_list_i] <= insert_bucket_i;
+    end
+    if (chain_ends) first_q[list_q] <= {left_q, place};
+  end
 
   // --- free places ----------------------------------------------------------------------------------------------------
   logic [NodeW:0]   fresh_q;  // places used so far

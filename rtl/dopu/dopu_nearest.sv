@@ -280,20 +280,14 @@ module dopu_nearest #(
   assign through[2] = working[2] && complete_q[1][set_q[2]] && !some[1] && !any_open[1];
 
   // --- sending ------------------------------------------------------------------------------------------------------------
-  logic [BucketW-1:0] unopened;  // of the window sent, the nearest bucket of what is not opened yet
+  logic [4*BucketW-1:0] unopened;  // of the window sent, the nearest cell open, cell waiting, group open, group waiting
 
   always_comb begin
-    unopened = '1;
-    if (!complete_q[0][send_set]) begin
-      unopened = '0;
-    end else begin
-      if (!complete_q[1][send_set]) begin  // then level 1 works on it, and level 2 too
-        unopened = open_nearest[0];
-        if (some[0] && first[0] < unopened) unopened = first[0];
-      end
-      if (open_nearest[1] < unopened) unopened = open_nearest[1];
-      if (some[1] && first[1] < unopened) unopened = first[1];
-    end
+    unopened = {first[1], open_nearest[1], first[0], open_nearest[0]};
+    if (complete_q[1][send_set]) unopened[0 +: 2*BucketW] = '1;      // else level 1 works on it, and level 2 too
+    if (!some[0]) unopened[1*BucketW +: BucketW] = '1;
+    if (!some[1]) unopened[3*BucketW +: BucketW] = '1;
+    if (!complete_q[0][send_set]) unopened[0 +: BucketW] = '0;       // cells are still to come
   end
 
   dopu_send u_send (

@@ -3,7 +3,8 @@
 // Paper   None.
 // Idea    A node opened is a job of line_reader; its bucket goes along with each child. It counts as being opened until its
 //         last child is settled (waits in its own turn, was sent, or dropped). Children are settled in the order in which
-//         nodes were opened, so a short queue of buckets knows all that are open.
+//         nodes were opened, so a short queue of buckets knows all that are open. The nearest of them is found a cycle ahead,
+//         with and without the oldest, by a tree of comparisons, and stands in a register.
 // Stream  open: a node's range and bucket. child: its children, the last one marked; settled_i: a last child is settled.
 // Pace    One child per cycle while the memory delivers; Most nodes at a time.
 // Model   None: verif/dopu/dopu_nearest_test.cpp checks the watermarks that follow.
@@ -49,6 +50,8 @@ module dopu_open #(
   // --- buckets open, the oldest at 0 --------------------------------------------------------------------------------
   logic [BucketW-1:0] bucket_q [Most];
   logic [OpenW-1:0]   open_q, left;
+  logic [BucketW-1:0] nearest_q, stays;
+  logic [BucketW-1:0] least [2*Most];  // a tree over all but the oldest: the smaller of 2i and 2i+1 at i, leaves from Most on
   logic               take;
 
   assign take = open_valid_i && open_ready_o;
@@ -56,15 +59,21 @@ module dopu_open #(
   assign any_o = open_q != '0;
 
   always_comb begin
-    nearest_o = '1;
-    for (int unsigned i = 0; i < Most; i += 1) begin
-      if (OpenW'(i) < open_q && bucket_q[i] < nearest_o) nearest_o = bucket_q[i];
-    end
+    least[0] = '1;
+    for (int unsigned i = 0; i < Most; i += 1) least[Most+i] = i != 0 && OpenW'(i) < open_q ? bucket_q[i] : '1;
+    for (int unsigned i = Most - 1; i > 0; i -= 1) least[i] = least[2*i] < least[2*i+1] ? least[2*i] : least[2*i+1];
   end
+  assign stays     = settled_i ? least[1] : nearest_q;
+  assign nearest_o = nearest_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) open_q <= '0;
-    else open_q <= left + OpenW'(take);
+    if (!rst_ni) begin
+      open_q    <= '0;
+      nearest_q <= '1;
+    end else begin
+      open_q    <= left + OpenW'(take);
+      nearest_q <= take && open_bucket_i < stays ? open_bucket_i : stays;
+    end
   end
   always_ff @(posedge clk_i) begin
     if (settled_i) for (int unsigned i = 0; i + 1 < Most; i += 1) bucket_q[i] <= bucket_q[i+1];
@@ -108,7 +117,7 @@ module dopu_open #(
   assign child_last_o = CountW'(index) == last;
 
   logic unused;
-  assign unused = &{1'b0, is_read, idle, index};
+  assign unused = &{1'b0, is_read, idle, index, least[0]};
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) settled_i |-> any_o);

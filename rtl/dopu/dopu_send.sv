@@ -23,7 +23,7 @@ module dopu_send #(
   input  logic [1:0]                    set_done_i,
   output logic                          set_o,           // the set sent
   input  logic                          opened_i,        // all of it is opened: only chunks wait
-  input  logic [BucketW-1:0]            unopened_i,      // else: the nearest bucket of what is not
+  input  logic [4*BucketW-1:0]          unopened_i,      // else: buckets of what is not, the nearest one among them
   output logic                          window_end_o,    // its end is on its way: the other set's turn
 
   input  logic [1:0]                    first_valid_i,
@@ -56,10 +56,10 @@ module dopu_send #(
   logic [SinceW-1:0]            since_q;  // chunks since the last watermark
   logic [BucketW-1:0]           mark_q;   // the last watermark of the window
   logic [MarksW-1:0]            marks_q;  // watermarks of the window so far
-  logic [DepthW-1:0]            key_q;
 
   logic               done, has_first, idle, end_due, mark_due, chunk_due, dropped, load_popped, load_direct;
-  logic [BucketW-1:0] first, lowest;
+  logic               is_lowest, risen;  // first: nothing unopened is nearer; all: behind the last watermark
+  logic [BucketW-1:0] first, lowest, bucket;
   logic [StepW-1:0]   step;
   logic [SinceW-1:0]  apart;  // chunks between watermarks: twice as many after every eight of them
 
@@ -68,15 +68,25 @@ module dopu_send #(
   assign first     = first_bucket_i[32'(set_q)*BucketW +: BucketW];
   assign idle      = !valid_q && !popping_q;
 
+  // What is due is decided by comparing each bucket alone; their minimum is the watermark's alone.
   always_comb begin
-    lowest = opened_i ? '1 : unopened_i;
+    bucket    = '0;
+    lowest    = '1;
+    is_lowest = 1'b1;
+    risen     = !has_first || first > mark_q;
+    for (int unsigned i = 0; i < 4; i += 1) begin
+      bucket = unopened_i[i*BucketW +: BucketW];
+      if (!opened_i && bucket < lowest) lowest = bucket;
+      if (!opened_i && bucket < first) is_lowest = 1'b0;
+      if (!opened_i && bucket <= mark_q) risen = 1'b0;
+    end
     if (has_first && first < lowest) lowest = first;
   end
   assign end_due   = idle && opened_i && !has_first;
   assign apart     = SinceW'(MarkChunks) << marks_q[MarksW-1:3];
-  assign mark_due  = idle && !done && !end_due && since_q >= apart && marks_q != '1 && lowest > mark_q;
+  assign mark_due  = idle && !done && !end_due && since_q >= apart && marks_q != '1 && risen;
   // What waits behind a full queue lets the nearest chunk go early when that one is nearer.
-  assign chunk_due = first == lowest || (direct_valid_i && first <= direct_bucket_i);
+  assign chunk_due = is_lowest || (direct_valid_i && first <= direct_bucket_i);
   assign pop_o     = has_first && (done ? !popping_q : idle && !mark_due && chunk_due);
   assign direct_ready_o = idle && !done && !mark_due && !pop_o;
   assign load_popped    = popped_i && !done;
@@ -107,13 +117,11 @@ module dopu_send #(
     end
   end
 
-  assign step = near_step_i + StepW'(lowest);
   always_ff @(posedge clk_i) begin
     if (idle || load_popped) begin
       kind_q      <= end_due ? pipegs_pkg::KindWindowEnd : mark_due ? pipegs_pkg::KindLayerEnd : pipegs_pkg::KindData;
       chunk_set_q <= set_q;
       data_q      <= popped_i ? popped_data_i : direct_data_i;
-      key_q       <= mark_due ? {step, {(DepthW - StepW){1'b0}}} : '0;
     end
   end
 
@@ -121,7 +129,8 @@ module dopu_send #(
   assign chunk_valid_o = valid_q && !dropped;
   assign chunk_kind_o  = kind_q;
   assign chunk_set_o   = chunk_set_q;
-  assign mark_o        = key_q;
+  assign step          = near_step_i + StepW'(mark_q);
+  assign mark_o        = kind_q == pipegs_pkg::KindLayerEnd ? {step, {(DepthW - StepW){1'b0}}} : '0;
   always_comb begin
     chunk_o = '0;
     {chunk_o.count, chunk_o.first, chunk_o.offset_exp, chunk_o.center_z, chunk_o.center_y, chunk_o.center_x} = data_q;

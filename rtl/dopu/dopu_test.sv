@@ -180,7 +180,7 @@ module dopu_test #(
   // --- two planes per cycle: near and left, right and top, bottom ---------------------------------------------------
   localparam bit Ranks = pipegs_pkg::Order == 2;
   logic [5*PlaneBits-1:0]     planes;
-  logic                       nearest;  // plane b is the near plane's normal, of the corner nearest to it
+  logic                       nearest_q;  // phase 0: plane b is the near plane's normal, of the corner nearest to it
   pipegs_pkg::plane_t         plane_a, plane_b;
   logic signed [TestW-1:0]    operand_a;
   logic signed [ProductW-1:0] ax_q, ay_q, az_q, ar_q, bx_q, by_q, bz_q, br_q;
@@ -192,10 +192,10 @@ module dopu_test #(
     case (phase_q)
       2'd1: begin plane_a = planes[0 +: PlaneBits]; plane_b = planes[PlaneBits +: PlaneBits]; end
       2'd2: begin plane_a = planes[2*PlaneBits +: PlaneBits]; plane_b = planes[3*PlaneBits +: PlaneBits]; end
-      default: begin plane_a = planes[4*PlaneBits +: PlaneBits]; plane_b = planes[(nearest ? 0 : 4)*PlaneBits +: PlaneBits]; end
+      default: begin plane_a = planes[4*PlaneBits +: PlaneBits]; plane_b = planes[(nearest_q ? 0 : 4)*PlaneBits +: PlaneBits]; end
     endcase
   end
-  assign nearest   = Ranks && phase_q == 2'd0;
+  always_ff @(posedge clk_i) nearest_q <= Ranks && last_phase;
   assign operand_a = phase_q == 2'd1 ? near_q : scale_q;
 
   // The far corner of each plane.
@@ -203,9 +203,9 @@ module dopu_test #(
   assign far_ax = plane_a.nx[TestW-1] ? low_x_q : high_x_q;
   assign far_ay = plane_a.ny[TestW-1] ? low_y_q : high_y_q;
   assign far_az = plane_a.nz[TestW-1] ? low_z_q : high_z_q;
-  assign far_bx = plane_b.nx[TestW-1] != nearest ? low_x_q : high_x_q;
-  assign far_by = plane_b.ny[TestW-1] != nearest ? low_y_q : high_y_q;
-  assign far_bz = plane_b.nz[TestW-1] != nearest ? low_z_q : high_z_q;
+  assign far_bx = plane_b.nx[TestW-1] != nearest_q ? low_x_q : high_x_q;
+  assign far_by = plane_b.ny[TestW-1] != nearest_q ? low_y_q : high_y_q;
+  assign far_bz = plane_b.nz[TestW-1] != nearest_q ? low_z_q : high_z_q;
 
   always_ff @(posedge clk_i) begin
     ax_q <= ProductW'(plane_a.nx) * ProductW'(far_ax);
@@ -215,7 +215,7 @@ module dopu_test #(
     bx_q <= ProductW'(plane_b.nx) * ProductW'(far_bx);
     by_q <= ProductW'(plane_b.ny) * ProductW'(far_by);
     bz_q <= ProductW'(plane_b.nz) * ProductW'(far_bz);
-    br_q <= nearest ? '0 : ProductW'(plane_b.reach) * ProductW'(scale_q);
+    br_q <= nearest_q ? '0 : ProductW'(plane_b.reach) * ProductW'(scale_q);
   end
 
   assign sum_a   = SumW'(ax_q) + SumW'(ay_q) + SumW'(az_q) + SumW'(ar_q) + Slack;
@@ -238,16 +238,16 @@ module dopu_test #(
     localparam int unsigned Rounding = Boxes > Offsets ? Boxes : Offsets;
     localparam int unsigned NormalF = pipegs_pkg::RotF - (pipegs_pkg::RotW - TestW);
     localparam logic signed [SumW-1:0] Lost = Slack + (SumW'(1) <<< (TestW + 1)) + (SumW'(1) <<< (Rounding + NormalF));
-    logic signed [SumW-1:0] nearest_q;
+    logic signed [SumW-1:0] depth_q;
     logic [ExpW-1:0]        exponent2_q, exponent3_q;  // in slots 2 and 3
     always_ff @(posedge clk_i) begin
-      nearest_q <= sum_b - Lost;
+      depth_q <= sum_b - Lost;
       if (last_phase) begin
         exponent2_q <= exponent_q;
         exponent3_q <= exponent2_q;
       end
     end
-    assign result_nearest_o  = nearest_q;
+    assign result_nearest_o  = depth_q;
     assign result_exponent_o = exponent3_q;
   end else begin : gen_no_nearest
     assign result_nearest_o  = '0;

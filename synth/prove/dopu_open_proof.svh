@@ -1,13 +1,13 @@
 // The end of rtl/dopu/dopu_open.sv in its proof: at most Most buckets are open, and each waits its turn for the reader.
 //
-// Rule    A bucket is opened only when there is room; the number open is those opened and not settled; the nearest is one of
-//         them, or none is; no job is overwritten before the reader has it.
+// Rule    A bucket is opened only when there is room; the number open is those opened and not settled; the nearest is the
+//         smallest of them, or the largest number; no job is overwritten before the reader has it.
 // Assumes A bucket is settled only while one is open (the module's own promise).
 
 localparam int unsigned ProofW = 16;
-logic [ProofW-1:0] opened_q, settled_q;  // modulo 2^16
-logic              waits_q;              // a job waits for the reader
-logic              found;
+logic [ProofW-1:0]  opened_q, settled_q;  // modulo 2^16
+logic               waits_q;              // a job waits for the reader
+logic [BucketW-1:0] smallest;             // of those open, one after the other
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
 always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -23,8 +23,8 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
 end
 
 always_comb begin
-  found = 1'b0;
-  for (int unsigned i = 0; i < Most; i += 1) if (OpenW'(i) < open_q && bucket_q[i] == nearest_o) found = 1'b1;
+  smallest = '1;
+  for (int unsigned i = 0; i < Most; i += 1) if (OpenW'(i) < open_q && bucket_q[i] < smallest) smallest = bucket_q[i];
   assume (!settled_i || any_o);
   if (rst_ni) begin
     assert (open_q <= OpenW'(Most));
@@ -32,6 +32,6 @@ always_comb begin
     assert (!(take && waits_q));
     assert (waits_q == job_valid_q);
     assert (any_o == (opened_q != settled_q));
-    assert (found || nearest_o == '1);
+    assert (nearest_o == smallest);
   end
 end

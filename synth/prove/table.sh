@@ -181,9 +181,10 @@ mutant "the row of windows stays" 's/(if \(x_q == frame_i.last_x\) y_q <= y_q) \
 proof  dopu_descend "dopu_descend+ fifo free_test free_line_reader" "@default %PlaneBits=1"
 mutant "a node enters without a place" "s/Results = 8/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
 mutant "the place of a node that failed stays reserved" "s/Results = 8/Results = 2/; s/ - ReservedW'\(missed\[l\]\)//"
-proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4; @late=1,order=2 Most=16 Lines=64"
+proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4; @late=1,order=2 %NearestW=4 Most=16 Lines=64"
 mutant "one bucket too many is opened" "s/open_q != OpenW'\(Most\)/1/"
-mutant "a bucket opened while one is settled is lost" 's/open_q <= left \+ /open_q <= settled_i ? left : left + /'
+mutant "a bucket opened while one is settled is lost" 's/open_q    <= left \+ /open_q <= settled_i ? left : left + /'
+mutant "the nearest bucket stays when it is settled" 's/settled_i \? least\[1\] : nearest_q/nearest_q/'
 proof  dopu_bucket "dopu_bucket+ free_sram free_sram_fifo" "@late=1,order=2 %NearestW=5 Lists=2 DataW=2 Nodes=4"
 mutant "a place never used is counted although one came back" 's/take_insert \&\& !back_valid\) fresh_q/take_insert) fresh_q/'
 mutant "a full queue takes another node" 's/ \&\& !full_o//'
