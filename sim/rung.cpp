@@ -27,13 +27,17 @@ const std::vector<Rung>& rungs() {
   return kRungs;
 }
 
+std::string rung_names() {
+  std::string names;
+  for (const Rung& rung : rungs()) names += (names.empty() ? "" : ", ") + std::string(rung.name);
+  return names;
+}
+
 const Rung& find_rung(std::string_view name) {
-  std::string known;
   for (const Rung& rung : rungs()) {
     if (rung.name == name) return rung;
-    known += (known.empty() ? "" : ", ") + std::string(rung.name);
   }
-  throw ConfigError("unknown rung '" + std::string(name) + "'; known: " + known);
+  throw ConfigError("unknown rung '" + std::string(name) + "'; known: " + rung_names());
 }
 
 std::vector<const Rung*> find_rungs(const std::vector<std::string>& names) {

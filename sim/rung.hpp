@@ -25,6 +25,7 @@ struct Rung {
 
 // From the paper's baseline upwards.
 const std::vector<Rung>& rungs();
+std::string rung_names();  // with commas between
 
 // Throws ConfigError, one line that names the known rungs.
 const Rung& find_rung(std::string_view name);

@@ -22,10 +22,10 @@ void ViewArguments::add(CLI::App& app, Rungs which) {
   app.add_option("--cameras", cameras, "cameras.json (INRIA layout); needed with SCENE");
   app.add_option("--view", view, "which camera of the file, counted from 0")->capture_default_str();
   app.add_option("--window", window, "only this window: column,row")->delimiter(',')->expected(2);
-  if (which != Rungs::kSeveral) app.add_option("--rung", rung, "rung of the ladder: baseline, dpc, tspp, dop, late or exact (--set comes after it)");
+  if (which != Rungs::kSeveral) app.add_option("--rung", rung, fmt::format("rung of the ladder: {} (--set comes after it)", rung_names()));
   if (which != Rungs::kOne) {
     const char* otherwise = which == Rungs::kSeveral ? "all of them without it" : "instead of --rung";
-    app.add_option("--rungs", rungs, fmt::format("which, by commas, {}: baseline, dpc, tspp, dop, late, exact", otherwise))->delimiter(',');
+    app.add_option("--rungs", rungs, fmt::format("which, by commas, {}: {}", otherwise, rung_names()))->delimiter(',');
   }
   app.add_option("--config", config, "file with a configuration entry in each line, key=value; # begins a comment");
   app.add_option("--set", settings, "configuration entry, key=value; may be repeated")->allow_extra_args(false);

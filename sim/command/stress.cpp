@@ -107,7 +107,7 @@ void add_stress(CLI::App& app, Run& run) {
   static Arguments arguments;
   command->add_option("--seed", arguments.seed, "of the first view; the next ones count up")->capture_default_str();
   command->add_option("--count", arguments.count, "views")->capture_default_str()->check(CLI::Range(1, 100000000));
-  command->add_option("--rung", arguments.rung, "rung of the ladder: baseline, dpc, tspp, dop, late or exact");
+  command->add_option("--rung", arguments.rung, "rung of the ladder: " + rung_names());
   command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")->allow_extra_args(false);
   command->add_option("--size", arguments.size, "image, WxH; without it up to 160x120");
   command->add_option("--gaussians", arguments.gaussians, "per view; 0 is 10 to 300")->capture_default_str()->check(CLI::Range(0, 1000000));
