@@ -55,7 +55,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("dopu_layer", "partition", "dopu", 1, 0, c.layered ? 2 : 0);
   add("dopu_origin", "partition", "dopu", 1, 3, 6);
   add("dopu_planes", "partition", "dopu", 1, 1, 3);
-  add("dopu_test", "partition", "dopu", c.order == 2 ? 2 : 1, 8, 9, c.order == 2 ? 1 : 0);
+  add("dopu_test", "partition", "dopu", c.order == 2 ? 2 : 1, 8, 9);
   const int span = (c.window - 1 + 2 * c.reach_margin()) * 16 + 1;  // of a window with its margin, sixteenths of a pixel
   if (c.order == 1) {  // against the rectangle of all windows; then the mean moves from window to window
     add("pu_cull", "projection", "pu", 1, 18, 27);

@@ -2,7 +2,7 @@
 # lint.sh: each RTL module alone through `verilator --lint-only -Wall` and every machine through Yosys: lint.sh [MODULE ...]
 #
 # Some modules exist on some rungs of the ladder only: they are read with a package of that rung, printed by
-# $BUILD/cpp_model/package_sv, and so is the whole machine of each rung.
+# $BUILD/cpp_model/package_sv, and so is the whole machine of each rung, and one without any effect that can be left out.
 # The waivers are those of verif/support/waivers.vlt, each with its reason. Yosys 0.23 reads some constructs without a word
 # and gets them wrong (docs/decisions/systemverilog.md): misread.sh searches for those, and its warning "implicitly declared",
 # which goes with one of them, is an error. Ends in a count.
@@ -14,7 +14,8 @@ modules=("$@")
 if [ ${#modules[@]} -eq 0 ]; then for file in "${files[@]}"; do modules+=("$(basename "$file" .sv)"); done; fi
 build=${BUILD:-build} failed=0 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-rungs=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1" "late=1 order=2")  # the machines, as settings
+rungs=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1" "late=1 order=2"
+  "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 taps=0")  # the machines, as settings
 declare -A rung_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows]="late=1" [pu_power]="late=1 quadratic=1"
   [pu_expand]="late=1 order=1" [pu_list]="late=1 order=1" [pu_lines]="order=1"
   [lists]="late=1 order=1" [list_write]="late=1 order=1" [list_read]="late=1 order=1"

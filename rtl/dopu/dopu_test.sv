@@ -192,7 +192,7 @@ module dopu_test #(
     case (phase_q)
       2'd1: begin plane_a = planes[0 +: PlaneBits]; plane_b = planes[PlaneBits +: PlaneBits]; end
       2'd2: begin plane_a = planes[2*PlaneBits +: PlaneBits]; plane_b = planes[3*PlaneBits +: PlaneBits]; end
-      default: begin plane_a = planes[4*PlaneBits +: PlaneBits]; plane_b = planes[(nearest_q ? 0 : 4)*PlaneBits +: PlaneBits]; end
+      default: begin plane_a = planes[4*PlaneBits +: PlaneBits]; plane_b = nearest_q ? planes[0 +: PlaneBits] : planes[4*PlaneBits +: PlaneBits]; end
     endcase
   end
   always_ff @(posedge clk_i) nearest_q <= Ranks && last_phase;

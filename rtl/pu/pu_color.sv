@@ -41,6 +41,21 @@ module pu_color #(
   pipegs_pkg::sh_basis_t   basis;
   logic [pipegs_pkg::MemoryW-1:0] line;
 
+  // A job's task without spherical harmonics: its base colour.
+  pipegs_pkg::color_task_t base_task;
+  always_comb begin
+    base_task.kind    = job_i.kind;
+    base_task.depth   = job_i.depth;
+    base_task.index   = job_i.index;
+    base_task.quarter = '0;
+    base_task.mask    = job_i.mask;
+    base_task.address = job_i.address;
+    base_task.ext     = job_i.ext;
+    base_task.base_r  = job_i.base_r;
+    base_task.base_g  = job_i.base_g;
+    base_task.base_b  = job_i.base_b;
+  end
+
   if (pipegs_pkg::ShDegree != 0) begin : gen_shaded
     logic                         direction_valid, direction_ready, world_valid, world_ready, unit_valid, unit_ready;
     pipegs_pkg::view_direction_t  direction;
@@ -104,29 +119,17 @@ module pu_color #(
       .basis_ready_i(basis_ready),
       .basis_o      (basis)
     );
-  end else begin : gen_flat
-    pipegs_pkg::color_task_t head;
-    logic [1:0]              count;
 
-    always_comb begin
-      head.kind    = job_i.kind;
-      head.depth   = job_i.depth;
-      head.index   = job_i.index;
-      head.quarter = '0;
-      head.mask    = job_i.mask;
-      head.address = job_i.address;
-      head.ext     = job_i.ext;
-      head.base_r  = job_i.base_r;
-      head.base_g  = job_i.base_g;
-      head.base_b  = job_i.base_b;
-    end
+    wire unused_task = &{1'b0, base_task};
+  end else begin : gen_flat
+    logic [1:0] count;
 
     fifo #(.DataW(pipegs_pkg::ColorTaskBits), .Depth(2)) u_tasks (
       .clk_i,
       .rst_ni,
       .in_valid_i (job_valid_i),
       .in_ready_o (job_ready_o),
-      .in_i       (head),
+      .in_i       (base_task),
       .out_valid_o(task_valid),
       .out_ready_i(task_ready),
       .out_o      (color_task),
