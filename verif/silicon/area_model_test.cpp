@@ -52,7 +52,19 @@ TEST(AreaModel, KnowsItsBounds) {
   EXPECT_FALSE(model.inside(other)) << "no point of this rung";
 }
 
-// Every point of the table told from all others. Of a point that alone moves a knob, or has its rung, the others know nothing of that.
+// Whether another point is of the same rung, and another one has spherical harmonics of the same degree.
+bool has_kin(const AreaModel& model, size_t point) {
+  const Config& config = model.points()[point].config;
+  bool rung = false, degree = false;
+  for (size_t i = 0; i < model.points().size(); ++i) {
+    const Config& other = model.points()[i].config;
+    rung = rung || (i != point && other.late == config.late && other.order == config.order && other.quadratic == config.quadratic);
+    degree = degree || (i != point && other.sh_degree == config.sh_degree);
+  }
+  return rung && degree;
+}
+
+// Every point of the table told from all others. Of a point that alone has its rung, or its degree, the others know nothing of that.
 TEST(AreaModel, TellsThePointsThatAreLeftOut) {
   const AreaModel model(read_area_points(std::string(kSynth) + "points.csv"), read_dependences(std::string(kSynth) + "depends.csv"));
   ASSERT_GE(model.points().size(), 3u);
@@ -62,8 +74,8 @@ TEST(AreaModel, TellsThePointsThatAreLeftOut) {
     const double fitted = sum(model.nand2(left_out.config)) / synthesised - 1, told = sum(model.without(i).nand2(left_out.config)) / synthesised - 1;
     printf("%+7.2f %% fitted, %+7.2f %% left out%s: %s\n", 100 * fitted, 100 * told, model.without(i).inside(left_out.config) ? "" : " (extrapolated)",
            config_difference(left_out.config).c_str());
-    EXPECT_LT(std::abs(fitted), 0.005);
-    EXPECT_LT(std::abs(told), 0.07);
+    EXPECT_LT(std::abs(fitted), 0.002);
+    EXPECT_LT(std::abs(told), has_kin(model, i) ? 0.03 : 0.1);
   }
 }
 
