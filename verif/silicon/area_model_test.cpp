@@ -58,7 +58,7 @@ bool has_kin(const AreaModel& model, size_t point) {
   bool rung = false, degree = false;
   for (size_t i = 0; i < model.points().size(); ++i) {
     const Config& other = model.points()[i].config;
-    rung = rung || (i != point && other.late == config.late && other.order == config.order && other.quadratic == config.quadratic);
+    rung = rung || (i != point && rung_name(other) == rung_name(config));
     degree = degree || (i != point && other.sh_degree == config.sh_degree);
   }
   return rung && degree;
