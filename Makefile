@@ -1,19 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
 # PipeGS. `make run` and `make test` do all their set-up on a fresh Debian 12 machine; nothing is done twice.
 
 BUILD ?= build
-PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm-dev libpng-dev zlib1g-dev libcli11-dev \
-            nlohmann-json3-dev libfmt-dev libgtest-dev
+PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm-dev libpng-dev zlib1g-dev \
+            libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libeigen3-dev libclang-rt-14-dev
+STYLE := clang-format black shellcheck codespell
+GATES := opensta qflow-tech-osu018
+TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
-.PHONY: help tools build run test test-long bench lint prove synth rooms package wave clean
+.PHONY: help tools build run test test-long fuzz bench figures lint prove synth \
+        format style lacks rooms package wave clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*##/  make \1:/p' $(MAKEFILE_LIST)
 
-INSTALL = missing=""; for p in $(1); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok' || missing="$$missing $$p"; done; \
-	if [ -n "$$missing" ]; then echo "installing:$$missing"; \
-	$(SUDO) apt-get update -qq && DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
+INSTALL = missing=""; \
+	for p in $(1); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok' || missing="$$missing $$p"; done; \
+	if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update -qq && \
+	DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
 
 tools:  ## install what is missing (apt)
 	@$(call INSTALL,$(PACKAGES))
@@ -28,30 +34,50 @@ run: build  ## simulate our own scene; prints where every cycle went and where t
 	$(BUILD)/pipegs sim --out $(BUILD)/out
 
 test: build  ## every test but the long ones
+	@$(call INSTALL,$(TESTED))
 	cmake --build $(BUILD)
 	$(CTEST) -LE long
 
 test-long: build  ## the long tests too, those of the netlists among them
-	@$(call INSTALL,opensta qflow-tech-osu018)
+	@$(call INSTALL,$(TESTED))
 	cmake --build $(BUILD)
 	$(CTEST)
+
+fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, seven targets of SECONDS / 7 each (60 s without it)
+	cmake --build $(BUILD) --target fuzz
+	verif/fuzz/fuzz.sh $(BUILD)/verif/fuzz $$((($(if $(SECONDS),$(SECONDS),60) + 6) / 7))
 
 bench: build  ## speed of golden model and RTL on our own scene, apart from the tests
 	$(BUILD)/pipegs sim --no-truth --out $(BUILD)/bench --json | grep -A 5 wall_seconds
 
+figures: build  ## measure what is older than the sources and fill the pages of docs: PAGE=ladder, ONLY='sweep/*', ALL=1
+	BUILD=$(BUILD) python3 -B docs/figures $(if $(PAGE),--page $(PAGE)) $(if $(ONLY),--only '$(ONLY)') $(if $(ALL),--all)
+
 lint: tools build  ## each RTL module alone through Verilator's lint and Yosys
 	BUILD=$(BUILD) synth/lint.sh
 
-prove: tools $(BUILD)/build.ninja  ## formal proofs, and changed copies of the RTL that they must refute
+prove: tools $(BUILD)/build.ninja  ## formal proofs, and mutants of the RTL that they must refute
 	cmake --build $(BUILD) --target package_sv
 	BUILD=$(BUILD) synth/prove.sh
 
-synth: tools $(BUILD)/build.ninja  ## gates of a library: area and longest paths of every module; RUNG=, SET="key=value ...", LIBERTY=, JOBS=
-	@$(call INSTALL,opensta qflow-tech-osu018)
+synth: tools $(BUILD)/build.ninja  ## area and longest paths of every module; RUNG=, SET="key=value", LIBERTY=, JOBS=
+	@$(call INSTALL,$(GATES))
 	@cmake --build $(BUILD) --target package_sv >/dev/null
-	@synth/synth.py --build $(BUILD) $(if $(RUNG),--rung $(RUNG)) --set "$(SET)" $(if $(LIBERTY),--liberty $(LIBERTY)) $(if $(JOBS),--jobs $(JOBS))
+	@synth/synth.py --build $(BUILD) $(if $(RUNG),--rung $(RUNG)) --set "$(SET)" \
+	  $(if $(LIBERTY),--liberty $(LIBERTY)) $(if $(JOBS),--jobs $(JOBS))
 
-rooms:  ## what lacks its rhyme: module, twin, test, heading
+format:  ## apply the formats of C++ and Python
+	@$(call INSTALL,$(STYLE))
+	clang-format -i $$(git ls-files '*.cpp' '*.hpp')
+	black -q $$(git ls-files '*.py')
+
+style:  ## columns, formats, links, spelling, layers
+	verif/self/style.sh
+
+lacks:  ## what belongs to a module and what a change to it lacks: MODULE=pu_conic, SINCE=main
+	verif/self/lacks.sh $(MODULE) $(SINCE)
+
+rooms:  ## what lacks its rhyme: module, model, test, heading
 	verif/self/rooms.sh
 
 package: build  ## print rtl/pipegs_pkg.sv from cpp_model/config.def and records.def

@@ -1,17 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
 // config.cpp: see config.hpp.
 #include "cpp_model/config.hpp"
 
-#include <charconv>
+#include "scenes/text/number.hpp"
 
 namespace pipegs {
 
 std::vector<ConfigEntry> config_entries(const Config& c) {
   return {
-#define PIPEGS_CONFIG(name, Name, value, low, high, unit, what) {#name, #Name, &Config::name, c.name, low, high, unit, what},
+#define PIPEGS_CONFIG(name, Name, value, low, high, unit, what) \
+  {#name, #Name, &Config::name, c.name, low, high, unit, what},
 #define PIPEGS_DERIVED(name, Name, expression, what) {#name, #Name, nullptr, c.name(), 0, 0, "", what},
+#define PIPEGS_FIXED(name, Name, value, what) {#name, #Name, nullptr, value, 0, 0, "", what},
+#define PIPEGS_FLAG(name, Name, expression, what) {#name, #Name, nullptr, c.name(), 0, 0, "flag", what},
 #include "cpp_model/config.def"
 #undef PIPEGS_CONFIG
 #undef PIPEGS_DERIVED
+#undef PIPEGS_FIXED
   };
 }
 
@@ -19,14 +24,12 @@ int config_value(const Config& config, std::string_view name) {
   for (const ConfigEntry& entry : config_entries(config)) {
     if (entry.name == name) return entry.value;
   }
-  throw ConfigError("unknown configuration key '" + std::string(name) + "'");
+  throw ConfigError("unknown configuration key " + quote(name));
 }
 
 void config_set(Config& config, std::string_view assignment) {
   const size_t equals = assignment.find('=');
-  if (equals == std::string_view::npos) {
-    throw ConfigError("--set '" + std::string(assignment) + "': expected key=value");
-  }
+  if (equals == std::string_view::npos) { throw ConfigError("--set " + quote(assignment) + ": expected key=value"); }
   const std::string_view key = assignment.substr(0, equals), text = assignment.substr(equals + 1);
   std::string known;
   for (const ConfigEntry& entry : config_entries(config)) {
@@ -35,25 +38,26 @@ void config_set(Config& config, std::string_view assignment) {
       known += (known.empty() ? "" : ", ") + std::string(entry.name);
       continue;
     }
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < entry.low || value > entry.high) {
-      throw ConfigError("--set " + std::string(key) + ": found '" + std::string(text) + "', expected an integer from " +
-                        std::to_string(entry.low) + " to " + std::to_string(entry.high));
-    }
-    config.*entry.member = value;
+    try {
+      config.*entry.member = parse_integer(text, entry.low, entry.high);
+    } catch (const NumberError& error) { throw ConfigError("--set " + std::string(key) + ": " + error.what()); }
     return;
   }
-  throw ConfigError("--set: unknown key '" + std::string(key) + "'; known: " + known);
+  throw ConfigError("--set: unknown key " + quote(key) + "; known: " + known);
 }
 
 void config_check(const Config& config) {
   const auto power_of_two = [](int n) { return (n & (n - 1)) == 0; };
-  for (const auto& [name, value] : {std::pair{"units", config.units}, {"window", config.window}, {"alpha_lines", config.alpha_lines},
-                                    {"records", config.records}, {"chunk", config.chunk}, {"grid", config.grid},
+  for (const auto& [name, value] : {std::pair{"units", config.units},
+                                    {"window", config.window},
+                                    {"alpha_lines", config.alpha_lines},
+                                    {"records", config.records},
+                                    {"chunk", config.chunk},
+                                    {"grid", config.grid},
                                     {"nearest_nodes", config.nearest_nodes}}) {
     if (!power_of_two(value)) {
-      throw ConfigError(std::string("configuration: ") + name + " = " + std::to_string(value) + ", expected a power of two");
+      throw ConfigError(std::string("configuration: ") + name + " = " + std::to_string(value) +
+                        ", expected a power of two");
     }
   }
   if (config.quadratic && !config.late) throw ConfigError("configuration: quadratic = 1 needs late = 1");

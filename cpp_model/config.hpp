@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // config.hpp: the configuration of the machine as a struct, from config.def.
 //
 // A Config is a plain value: the golden model takes it as an argument and works for every legal one. `set` changes one
 // entry by name ("alpha_w", "12") and throws ConfigError, naming the legal range, when it cannot. Derived widths are
-// member functions, so they follow whatever is set.
+// member functions, so they follow whatever is set; fixed depths are constant ones, so they may size an array.
 //
 // Paper   Table 2 (counts), Sec. 5.1 (grid).        RTL  rtl/pipegs_pkg.sv, printed by cpp_model/package_sv.cpp
 #pragma once
@@ -29,9 +30,11 @@ constexpr int clog2(int n) {
 struct Config {
 #define PIPEGS_CONFIG(name, Name, value, low, high, unit, what) int name = value;
 #define PIPEGS_DERIVED(name, Name, expression, what)
+#define PIPEGS_FIXED(name, Name, value, what)
 #include "cpp_model/config.def"
 #undef PIPEGS_CONFIG
 #undef PIPEGS_DERIVED
+#undef PIPEGS_FIXED
 
 #define PIPEGS_CONFIG(name, Name, value, low, high, unit, what)
 #define PIPEGS_DERIVED(name_, Name, expression, what) \
@@ -39,9 +42,12 @@ struct Config {
     [[maybe_unused]] const Config& c = *this;         \
     return expression;                                \
   }
+#define PIPEGS_FIXED(name, Name, value, what) \
+  static constexpr int name() { return value; }
 #include "cpp_model/config.def"
 #undef PIPEGS_CONFIG
 #undef PIPEGS_DERIVED
+#undef PIPEGS_FIXED
 
   bool operator==(const Config&) const = default;
 };
@@ -49,15 +55,15 @@ struct Config {
 struct ConfigEntry {
   std::string_view name;        // as in --set and in C++
   std::string_view camel_name;  // as in SystemVerilog
-  int Config::*member;          // null for a derived entry
+  int Config::*member;          // null for a derived or fixed entry
   int value;                    // in the Config asked about
-  int low, high;                // legal range; 0, 0 for a derived entry
+  int low, high;                // legal range; 0, 0 for a derived or fixed entry
   std::string_view unit, what;
 };
 
 std::vector<ConfigEntry> config_entries(const Config& config);
 
-// Value of an entry, free or derived, by its C++ name; throws ConfigError for an unknown one.
+// Value of an entry of any kind, by its C++ name; throws ConfigError for an unknown one.
 int config_value(const Config& config, std::string_view name);
 
 // Sets `assignment` = "key=value"; throws ConfigError with one clear line.

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // fixed.hpp: the integer operations that the golden model and the RTL share, each with its rounding in its name.
 //
-// Values are plain int64_t (or Int128 for wide products); the width and the binary point of each are written where it is
-// declared (sI.F). Nothing here wraps: a left shift or a sum that could leave 64 bits is done in Int128.
+// Values are plain int64_t (or Int128 for wide products); the width and the binary point of each are written where it
+// is declared (sI.F). Nothing here wraps: a left shift or a sum that could leave 64 bits is done in Int128.
 #pragma once
 
 #include <bit>

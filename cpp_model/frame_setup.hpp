@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // frame_setup: a camera in fixed point: what the host writes into the machine before it starts a frame.
 //
 // Paper   Sec. 2.1 (projection constants).        RTL  frame_t of rtl/pipegs_pkg.sv, constant while a frame runs
@@ -11,7 +12,7 @@
 #include "cpp_model/config.hpp"
 #include "cpp_model/records.hpp"
 #include "scenes/camera.hpp"
-#include "scenes/pack.hpp"
+#include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
 
@@ -24,8 +25,8 @@ struct WindowRange {
   int first_x, first_y, last_x, last_y;
 };
 
-inline constexpr double kNearPlane = 0.2;     // scene units, as in INRIA's renderer
-inline constexpr double kGuardBand = 1.3;     // of tan(fov / 2), where the Jacobian is held
+inline constexpr double kNearPlane = 0.2;        // scene units, as in INRIA's renderer
+inline constexpr double kGuardBand = 1.3;        // of tan(fov / 2), where the Jacobian is held
 inline constexpr int kOverflowAlignment = 4096;  // lines
 
 // `windows` defaults to all windows of the image.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // golden.cpp: see golden.hpp.
 #include "cpp_model/golden.hpp"
 
@@ -29,39 +30,48 @@
 namespace pipegs {
 namespace {
 
-RowJob row_job(const Tiles& t) {
+RowJob row_job(const Tiles& t, uint64_t index) {
   RowJob job;
   job.a = t.a, job.b = t.b, job.c = t.c, job.d = t.d, job.e = t.e, job.f = t.f;
   job.mask = t.mask;
-  job.index = t.index;
+  job.index = index;
   return job;
 }
 
-ColorJob color_job(const Tiles& t) {
+ColorJob color_job(const Payload& p, uint64_t mask) {
   ColorJob job;
-  job.depth = t.depth, job.index = t.index, job.slot = t.slot, job.mask = t.mask;
-  job.dir_x = t.dir_x, job.dir_y = t.dir_y, job.dir_z = t.dir_z;
-  job.base_r = t.base_r, job.base_g = t.base_g, job.base_b = t.base_b;
+  job.depth = p.depth, job.index = p.index, job.slot = p.slot, job.mask = mask;
+  job.dir_x = p.dir_x, job.dir_y = p.dir_y, job.dir_z = p.dir_z;
+  job.base_r = p.base_r, job.base_g = p.base_g, job.base_b = p.base_b;
   return job;
 }
 
 // What the SU takes; where the alphas lie depends on timing and stays zero.
 Splat golden_splat(const Config& config, const Colored& colored, const Tiles& t) {
-  Splat splat{.kind = colored.kind, .depth = colored.depth, .index = colored.index, .mask = colored.mask, .address = 0, .ext = 0,
-              .red = colored.red, .green = colored.green, .blue = colored.blue};
-  if (config.late) splat.a = t.a, splat.b = t.b, splat.c = t.c, splat.d = t.d, splat.e = t.e, splat.f = t.f;
+  Splat splat{.kind = colored.kind,
+              .depth = colored.depth,
+              .index = colored.index,
+              .mask = colored.mask,
+              .address = 0,
+              .ext = 0,
+              .red = colored.red,
+              .green = colored.green,
+              .blue = colored.blue};
+  if (!config.caches_alphas()) splat.a = t.a, splat.b = t.b, splat.c = t.c, splat.d = t.d, splat.e = t.e, splat.f = t.f;
   return splat;
 }
 
 // View depth in scene units that a depth key stands for.
 double key_depth(const PackedScene& packed, uint64_t key) {
   const int mantissa_bits = packed.config.depth_w - 6;
-  const double mantissa = 1 + std::ldexp(static_cast<double>(key & ((uint64_t{1} << mantissa_bits) - 1)), -mantissa_bits);
+  const double mantissa =
+      1 + std::ldexp(static_cast<double>(key & ((uint64_t{1} << mantissa_bits) - 1)), -mantissa_bits);
   return std::ldexp(mantissa, static_cast<int>(key >> mantissa_bits) + packed.scene_exponent);
 }
 
 // One Gaussian up to its conic; nothing when the cull drops it.
-std::optional<Conic> project(const GoldenInput& input, const Fetched& fetched, Work& work, Saturations& saturations, Called& called) {
+std::optional<GoldenConic> project(const GoldenInput& input, const Fetched& fetched, Work& work,
+                                   Saturations& saturations, Called& called) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
   ++work.fetched;
@@ -69,7 +79,7 @@ std::optional<Conic> project(const GoldenInput& input, const Fetched& fetched, W
   if (!visible) return std::nullopt;
   ++work.visible;
   ProjectCounts counts;
-  const Conic conic = golden_conic(config, frame, *visible, &counts);
+  const GoldenConic conic = golden_conic(config, frame, *visible, &counts);
   saturations.mean += counts.saturated;
   called.guard += counts.clamped;
   return conic;
@@ -89,7 +99,9 @@ Colored color(const GoldenInput& input, const ColorJob& job, Saturations& satura
   const Config& config = input.packed->config;
   ColorCounts counts;
   const uint32_t* line =
-      color_degree(config, input.frame) == 0 ? nullptr : input.packed->colors[color_line(input.frame, job.slot) - input.frame.colors].data();
+      color_degree(config, input.frame) == 0
+          ? nullptr
+          : input.packed->colors[color_line(input.frame, job.slot) - input.frame.tables.colors].data();
   const Colored colored = pu_color(config, input.frame, job, line, &counts);
   saturations.color += counts.saturated;
   return colored;
@@ -97,12 +109,13 @@ Colored color(const GoldenInput& input, const ColorJob& job, Saturations& satura
 
 // One Gaussian through the PU; appends to the layer what survives.
 void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& window, GoldenLayer& layer) {
-  const std::optional<Conic> conic = project(input, fetched, window.work, window.saturations, window.called);
-  if (!conic) return;
-  const Tiles tiles = intersect(input, *conic, window);
+  const std::optional<GoldenConic> found = project(input, fetched, window.work, window.saturations, window.called);
+  if (!found) return;
+  const auto& [conic, payload] = *found;
+  const Tiles tiles = intersect(input, conic, window);
   if (tiles.mask == 0) return;
-  const Colored colored = color(input, color_job(tiles), window.saturations);
-  layer.splats.push_back({golden_splat(input.packed->config, colored, tiles), row_job(tiles)});
+  const Colored colored = color(input, color_job(payload, tiles.mask), window.saturations);
+  layer.splats.push_back({golden_splat(input.packed->config, colored, tiles), row_job(tiles, payload.index)});
 }
 
 // The list of a window: its candidates with at least one region.
@@ -110,15 +123,16 @@ void read_list(const GoldenInput& input, GoldenWindow& window) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
   const GoldenLists& lists = golden_lists(input);
-  const auto x = static_cast<int64_t>(window.x - frame.first_x), y = static_cast<int64_t>(window.y - frame.first_y);
+  const auto x = static_cast<int64_t>(window.x - frame.raster.windows.first_x),
+             y = static_cast<int64_t>(window.y - frame.raster.windows.first_y);
   GoldenLayer list;
   for (const uint32_t number : lists.windows[pu_expand_number(frame, x, y)]) {
     const GoldenLists::Entry& entry = lists.gaussians[number];
-    const Tiles tiles = intersect(input, pu_expand(config, frame, entry.conic, entry.colored, x, y), window);
+    const Tiles tiles = intersect(input, pu_expand(config, entry.conic, x, y), window);
     if (tiles.mask == 0) continue;
     Colored colored = entry.colored;
     colored.mask = tiles.mask;
-    list.splats.push_back({golden_splat(config, colored, tiles), row_job(tiles)});
+    list.splats.push_back({golden_splat(config, colored, tiles), row_job(tiles, colored.index)});
   }
   if (!list.splats.empty()) window.layers.push_back(std::move(list));
 }
@@ -137,7 +151,8 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
   window.blended.assign(window.regions.size() * kRegionPixels, 0);
   for (const GoldenLayer& layer : window.layers) {
     for (const GoldenSplat& splat : layer.splats) {
-      const uint32_t color[3] = {static_cast<uint32_t>(splat.splat.red), static_cast<uint32_t>(splat.splat.green), static_cast<uint32_t>(splat.splat.blue)};
+      const uint32_t color[3] = {static_cast<uint32_t>(splat.splat.red), static_cast<uint32_t>(splat.splat.green),
+                                 static_cast<uint32_t>(splat.splat.blue)};
       const double depth = key_depth(*input.packed, splat.splat.depth) / constants.one;
       for (uint64_t rest = splat.splat.mask & ~done; rest != 0; rest &= rest - 1) {
         const int r = std::countr_zero(rest);
@@ -178,23 +193,43 @@ Saturations& Saturations::operator+=(const Saturations& o) {
 }
 
 Called& Called::operator+=(const Called& o) {
-  near += o.near, guard += o.guard, stopped += o.stopped, ties += o.ties, layers = std::max(layers, o.layers), bucket = std::max(bucket, o.bucket);
+  near += o.near, guard += o.guard, stopped += o.stopped, ties += o.ties, layers = std::max(layers, o.layers),
+                                                                          bucket = std::max(bucket, o.bucket);
   return *this;
 }
 
-Conic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts) {
-  const Projected projected = pu_project(config, frame, visible, counts);
+GoldenConic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts) {
+  const auto [projected, center, payload] = pu_project(config, frame, visible, counts);
   const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
-  const Covariance covariance = pu_covariance(config, frame, pu_squares(config, frame, factors));
-  return pu_conic(config, frame, config.antialias ? pu_compensate(config, frame, covariance) : covariance);
+  const Covariance covariance = pu_covariance(config, frame, pu_squares(config, frame, factors), center);
+  return {pu_conic(config, frame, config.antialias ? pu_compensate(config, frame, covariance) : covariance), payload};
 }
 
 Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& g, uint64_t slot) {
-  return {.kind = kData, .window_x = chunk.window_x, .window_y = chunk.window_y, .origin_x = chunk.origin_x,
-          .origin_y = chunk.origin_y, .origin_z = chunk.origin_z, .view_exp = chunk.view_exp, .offset_exp = chunk.offset_exp,
-          .offset_x = g.offset_x, .offset_y = g.offset_y, .offset_z = g.offset_z, .qw = g.qw, .qx = g.qx, .qy = g.qy, .qz = g.qz,
-          .scale_0 = g.scale_0, .scale_1 = g.scale_1, .scale_2 = g.scale_2, .opacity = g.opacity, .base_r = g.base_r,
-          .base_g = g.base_g, .base_b = g.base_b, .index = g.index, .slot = slot};
+  return {.kind = kData,
+          .window_x = chunk.window_x,
+          .window_y = chunk.window_y,
+          .origin_x = chunk.origin_x,
+          .origin_y = chunk.origin_y,
+          .origin_z = chunk.origin_z,
+          .view_exp = chunk.view_exp,
+          .offset_exp = chunk.offset_exp,
+          .offset_x = g.offset_x,
+          .offset_y = g.offset_y,
+          .offset_z = g.offset_z,
+          .qw = g.qw,
+          .qx = g.qx,
+          .qy = g.qy,
+          .qz = g.qz,
+          .scale_0 = g.scale_0,
+          .scale_1 = g.scale_1,
+          .scale_2 = g.scale_2,
+          .opacity = g.opacity,
+          .base_r = g.base_r,
+          .base_g = g.base_g,
+          .base_b = g.base_b,
+          .index = g.index,
+          .slot = slot};
 }
 
 const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
@@ -204,7 +239,8 @@ const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
   const PackedScene& packed = *input.packed;
   const Frame& frame = input.frame;
   std::vector<Chunk> chunks;
-  dopu_window(packed.config, frame, packed, static_cast<int>(frame.first_x), static_cast<int>(frame.first_y),
+  dopu_window(packed.config, frame, packed, static_cast<int>(frame.raster.windows.first_x),
+              static_cast<int>(frame.raster.windows.first_y),
               [&](int, const Chunk& chunk, uint64_t) { chunks.push_back(chunk); });
   // A part of the chunks for each item; the parts are joined in order, so the result does not depend on the threads.
   constexpr size_t kChunksOfPart = 64;
@@ -214,14 +250,16 @@ const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
     for (size_t k = i * kChunksOfPart; k < std::min(chunks.size(), (i + 1) * kChunksOfPart); ++k) {
       ++part.work.chunks;
       for (uint64_t slot = chunks[k].slot; slot < chunks[k].slot + chunks[k].count; ++slot) {
-        const std::optional<Conic> conic = project(input, golden_fetched(chunks[k], packed.gaussians[slot], slot), part.work, part.saturations, part.called);
-        if (!conic || !pu_expand_box(packed.config, frame, *conic)) continue;
-        part.gaussians.push_back({*conic, color(input, pu_expand_job(*conic), part.saturations)});
+        const std::optional<GoldenConic> found = project(input, golden_fetched(chunks[k], packed.gaussians[slot], slot),
+                                                         part.work, part.saturations, part.called);
+        if (!found || !pu_expand_box(packed.config, frame, found->conic)) continue;
+        part.gaussians.push_back({found->conic, color(input, pu_expand_job(found->payload), part.saturations)});
       }
     }
   });
   auto lists = std::make_shared<GoldenLists>();
-  lists->windows.resize((frame.last_x - frame.first_x + 1) * (frame.last_y - frame.first_y + 1));
+  lists->windows.resize((frame.raster.windows.last_x - frame.raster.windows.first_x + 1) *
+                        (frame.raster.windows.last_y - frame.raster.windows.first_y + 1));
   for (const GoldenLists& part : parts) {
     lists->work += part.work;
     lists->saturations += part.saturations;
@@ -245,16 +283,16 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   GoldenWindow window;
   window.x = window_x;
   window.y = window_y;
-  const int order = packed.config.order;
+  const bool layers = packed.config.has_layers();
   const auto walk = [&](int ordinal, const Chunk& chunk, uint64_t) {
-    if (order != 0) ordinal = 0;  // sorted as a whole
+    if (!layers) ordinal = 0;  // sorted as a whole
     if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
     ++window.work.chunks;
     for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
       preprocess(input, golden_fetched(chunk, packed.gaussians[slot], slot), window, window.layers.back());
     }
   };
-  if (order == 1) {
+  if (packed.config.has_lists()) {
     read_list(input, window);
   } else {
     dopu_window(packed.config, input.frame, packed, static_cast<int>(window_x), static_cast<int>(window_y), walk);
@@ -286,8 +324,9 @@ void golden_codes(const Config& config, const RowJob& job, int region, uint16_t 
 GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
-  const int width = static_cast<int>(frame.width), height = static_cast<int>(frame.height);
-  const uint64_t columns = frame.last_x - frame.first_x + 1, count = columns * (frame.last_y - frame.first_y + 1);
+  const int width = static_cast<int>(frame.raster.width), height = static_cast<int>(frame.raster.height);
+  const uint64_t columns = frame.raster.windows.last_x - frame.raster.windows.first_x + 1,
+                 count = columns * (frame.raster.windows.last_y - frame.raster.windows.first_y + 1);
   const double t_one = BlendConstants(config).one, rgb_one = std::ldexp(1.0, config.rgb_w - 2);
   GoldenFrame result;
   result.image = Image(width, height);
@@ -297,7 +336,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   std::vector<uint64_t> order(input.packed->scene_gaussians, kUnseen);
   std::mutex mutex;
   uint64_t finished = 0;
-  if (config.order == 1) {
+  if (config.has_lists()) {
     const GoldenLists& lists = golden_lists(input, options.threads);
     result.work += lists.work;
     result.saturations += lists.saturations;
@@ -305,7 +344,8 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   }
 
   parallel_for(count, options.threads, [&](size_t i) {
-    const GoldenWindow window = golden_window(input, frame.first_x + i % columns, frame.first_y + i / columns);
+    const GoldenWindow window =
+        golden_window(input, frame.raster.windows.first_x + i % columns, frame.raster.windows.first_y + i / columns);
     for (int r = 0; r < config.regions(); ++r) {
       for (int p = 0; p < kRegionPixels; ++p) {
         const int x = static_cast<int>(window.x) * config.window + 8 * (r % config.regions_x()) + p % 8;
@@ -322,7 +362,8 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
     }
     const std::lock_guard lock(mutex);
     for (const GoldenLayer& layer : window.layers) {
-      for (const GoldenSplat& splat : layer.splats) order[splat.splat.index] = static_cast<uint64_t>(layer.ordinal) << 32 | splat.splat.depth;
+      for (const GoldenSplat& splat : layer.splats)
+        order[splat.splat.index] = static_cast<uint64_t>(layer.ordinal) << 32 | splat.splat.depth;
     }
     result.work += window.work;
     result.saturations += window.saturations;
@@ -333,7 +374,8 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
 
   std::vector<uint32_t> sorted(order.size());
   std::iota(sorted.begin(), sorted.end(), 0u);
-  std::sort(sorted.begin(), sorted.end(), [&](uint32_t a, uint32_t b) { return order[a] != order[b] ? order[a] < order[b] : a < b; });
+  std::sort(sorted.begin(), sorted.end(),
+            [&](uint32_t a, uint32_t b) { return order[a] != order[b] ? order[a] < order[b] : a < b; });
   result.rank.resize(order.size());
   for (size_t i = 0; i < sorted.size(); ++i) result.rank[sorted[i]] = static_cast<uint32_t>(i);
   return result;

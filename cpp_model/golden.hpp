@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // golden: the whole machine as pure functions: a packed scene and a camera in, every stream and every pixel out.
 //
 // Paper   Fig. 7.       RTL  rtl/pipegs_top.sv
-// Idea    Window by window, layer by layer: the twins of the units in the order of the streams. What depends on timing in
-//         the hardware (which unit takes a chunk, which regions are skipped because they are done already) is left out: the
-//         golden model computes everything, and skipping can only leave out work that changes no pixel.
-// Order   0: layer by layer. 1: the frame is preprocessed into lists of the windows. 1 and 2: a window is one layer, sorted
-//         by {depth, index}.
+// Idea    Window by window, layer by layer: the models of the units in the order of the streams. What depends on timing
+//         in the hardware (which unit takes a chunk, which regions are skipped because they are done already) is left
+//         out: the golden model computes everything, and skipping can only leave out work that changes no pixel.
+// Order   0: layer by layer. 1: the frame is preprocessed into lists of the windows. 1 and 2: a window is one layer,
+//         sorted by {depth, index}.
 // Threads Windows are independent; the result does not depend on their number.
 #pragma once
 
@@ -18,22 +19,23 @@
 #include "cpp_model/pu/pu_project.hpp"
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
-#include "scenes/pack.hpp"
+#include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
 
 // Counts of the work that a frame asks for, independent of timing.
 struct Work {
-  uint64_t fetched = 0;   // (Gaussian, window) pairs streamed into the PUs
-  uint64_t visible = 0;   // of these, left by the cull
-  uint64_t records = 0;   // of these, with at least one region: (Gaussian, window) pairs that are sorted
-  uint64_t regions = 0;   // (Gaussian, region) pairs whose alphas are computed
-  uint64_t open_regions = 0;  // of these, with a pixel that nearer Gaussians have not stopped: pairs that must be blended
-  uint64_t alphas = 0;    // 64 per region
-  uint64_t blended = 0;   // (Gaussian, pixel) pairs that changed a pixel
-  uint64_t keys = 0;      // keys sorted
-  uint64_t chunks = 0;    // (chunk, window) pairs fetched
-  uint64_t layers = 0;    // (layer, window) pairs with at least one chunk
+  uint64_t fetched = 0;  // (Gaussian, window) pairs streamed into the PUs
+  uint64_t visible = 0;  // of these, left by the cull
+  uint64_t records = 0;  // of these, with at least one region: (Gaussian, window) pairs that are sorted
+  uint64_t regions = 0;  // (Gaussian, region) pairs whose alphas are computed
+  uint64_t open_regions =
+      0;                 // of these, with a pixel that nearer Gaussians have not stopped: pairs that must be blended
+  uint64_t alphas = 0;   // 64 per region
+  uint64_t blended = 0;  // (Gaussian, pixel) pairs that changed a pixel
+  uint64_t keys = 0;     // keys sorted
+  uint64_t chunks = 0;   // (chunk, window) pairs fetched
+  uint64_t layers = 0;   // (layer, window) pairs with at least one chunk
   uint64_t windows = 0;
   Work& operator+=(const Work& other);
 };
@@ -47,7 +49,8 @@ struct Saturations {
   Saturations& operator+=(const Saturations& other);
 };
 
-// How often something happened that a part of the machine is there for: none, and the machine does without (config.def).
+// How often something happened that a part of the machine is there for: none, and the machine does without
+// (config.def).
 struct Called {
   uint64_t near = 0;     // (Gaussian, window) pairs before the near plane
   uint64_t guard = 0;    // visible pairs whose x/z or y/z was clamped
@@ -71,16 +74,17 @@ struct GoldenLayer {
 
 struct GoldenWindow {
   uint64_t x = 0, y = 0;
-  std::vector<GoldenLayer> layers;    // those with at least one chunk (order 1: one, if a list has an entry); maybe none
-  std::vector<RegionState> regions;   // row by row: T, RGB, done of the finished window
-  std::vector<double> depth;          // sum of weight * view depth in scene units, by region and pixel
-  std::vector<uint32_t> blended;      // Gaussians blended, by region and pixel
+  std::vector<GoldenLayer> layers;   // those with at least one chunk (order 1: one, if a list has an entry); maybe none
+  std::vector<RegionState> regions;  // row by row: T, RGB, done of the finished window
+  std::vector<double> depth;         // sum of weight * view depth in scene units, by region and pixel
+  std::vector<uint32_t> blended;     // Gaussians blended, by region and pixel
   Work work;
   Saturations saturations;
   Called called;
 };
 
-// Order 1: what the preprocessing of the whole frame leaves, each Gaussian once, and who stands in the list of a window.
+// Order 1: what the preprocessing of the whole frame leaves, each Gaussian once, and who stands in the list of a
+// window.
 struct GoldenLists {
   struct Entry {
     Conic conic;  // mean relative to the frame's first window
@@ -103,14 +107,19 @@ struct GoldenInput {
 // The lists of the frame, computed once on all threads (or `threads`). Only for order 1.
 const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads = 0);
 
-// One Gaussian as a window sees it: what each twin said, for `explain` and for finding a wrong bit.
+// One Gaussian as a window sees it: what each bit-accurate model said, for `explain` and for finding a wrong bit.
 GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t window_y);
 
 // What pu_fetch makes of a Gaussian of a chunk.
 Fetched golden_fetched(const Chunk& chunk, const GaussianRecord& gaussian, uint64_t slot);
 
-// From view space to the conic.
-Conic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts = nullptr);
+// From view space to the conic, and the payload that goes beside all that follows.
+struct GoldenConic {
+  Conic conic;
+  Payload payload;
+};
+GoldenConic golden_conic(const Config& config, const Frame& frame, const Visible& visible,
+                         ProjectCounts* counts = nullptr);
 
 // The alpha codes of one region of a job.
 void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]);

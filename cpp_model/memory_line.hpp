@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // memory_line.hpp: a line of external memory, the unit of every request.
 #pragma once
 

@@ -1,7 +1,11 @@
-// package_sv.cpp: prints rtl/pipegs_pkg.sv from config.def and records.def: `package_sv [key=value ...] > pipegs_pkg.sv`.
+// SPDX-License-Identifier: Apache-2.0
+// package_sv.cpp: prints rtl/pipegs_pkg.sv from config.def and records.def: `package_sv [key=value ...]`.
 //
 // The committed rtl/pipegs_pkg.sv is the default configuration, so rtl/ reads and builds on its own; a test compares it
 // with this program's output. Other configurations get a package of their own in their build folder.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -14,8 +18,8 @@ namespace {
 
 struct Field {
   const char* name;
-  const char* width;
-  bool is_signed;
+  const char* type;  // a width, or the C++ name of a record
+  enum { kUnsigned, kSigned, kRecord } form;
   const char* what;
 };
 struct Record {
@@ -25,73 +29,228 @@ struct Record {
 };
 
 const std::vector<Record>& records() {
+  // clang-format off
   static const std::vector<Record> table = {
 #define PIPEGS_RECORD(Name, name) {#name, #Name, {
-#define FIELD_U(field, width, what) {#field, #width, false, what},
-#define FIELD_S(field, width, what) {#field, #width, true, what},
+#define FIELD_U(field, width, what) {#field, #width, Field::kUnsigned, what},
+#define FIELD_S(field, width, what) {#field, #width, Field::kSigned, what},
+#define FIELD_R(field, Record, what) {#field, #Record, Field::kRecord, what},
 #define PIPEGS_END(Name) }},
 #include "cpp_model/records.def"
   };
+  // clang-format on
   return table;
 }
 
-// The table of rtl/lib/exp2.sv: entry i is {0, delta, value}, entry 0 in the low bits. An entry fills a machine word, so
-// that a simulator reads it with one load (1.7 times faster rows); synthesis drops the zeros.
+// The table of rtl/lib/exp2.sv: entry i is {0, delta, value}, entry 0 in the low bits. An entry fills a machine word,
+// so that a simulator reads it with one load (1.7 times faster rows); synthesis drops the zeros.
 void print_exp2_table(const pipegs::Config& config) {
   const pipegs::Exp2 table(config);
   const int last = (1 << config.exp_index_w) - 1, width = config.exp_delta_w() + config.exp_value_w() > 32 ? 64 : 32;
-  std::printf("\n  // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.\n"
-              "  localparam int unsigned Exp2EntryW = %d;\n"
-              "  localparam logic [%d*Exp2EntryW-1:0] Exp2Table = {",
-              width, last + 1);
+  std::printf(
+      "\n  // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See "
+      "cpp_model/lib/exp2.hpp.\n"
+      "  localparam int unsigned Exp2EntryW = %d;\n"
+      "  localparam logic [%d*Exp2EntryW-1:0] Exp2Table = {",
+      width, last + 1);
   for (int i = last; i >= 0; --i) {
     std::printf("%s%d'h%llx%s", (last - i) % 8 == 0 ? "\n    " : " ", width,
-                static_cast<unsigned long long>(table.delta[i]) << config.exp_value_w() | table.value[i], i > 0 ? "," : "\n  };\n");
+                static_cast<unsigned long long>(table.delta[i]) << config.exp_value_w() | table.value[i],
+                i > 0 ? "," : "\n  };\n");
   }
 }
 
 // The table of rtl/pu/pu_cull.sv: weights of the reach by the leading bits of the opacity, entry 0 lowest.
 void print_cull_weights(const pipegs::Config& config) {
-  std::printf("\n  // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See cpp_model/pu/pu_cull.hpp.\n"
-              "  localparam logic [%d*9-1:0] CullWeights = {",
-              pipegs::kCullWeights);
+  std::printf(
+      "\n  // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See "
+      "cpp_model/pu/pu_cull.hpp.\n"
+      "  localparam logic [%d*9-1:0] CullWeights = {",
+      pipegs::kCullWeights);
   for (int i = pipegs::kCullWeights - 1; i >= 0; --i) {
-    std::printf("%s9'd%llu%s", i % 16 == 15 ? "\n    " : " ", static_cast<unsigned long long>(pipegs::cull_weight(config, i)), i > 0 ? "," : "\n  };\n");
+    std::printf("%s9'd%llu%s", i % 8 == 7 ? "\n    " : " ",
+                static_cast<unsigned long long>(pipegs::cull_weight(config, i)), i > 0 ? "," : "\n  };\n");
   }
 }
 
-void print_package(const pipegs::Config& config) {
-  std::map<std::string_view, pipegs::ConfigEntry> entries;
-  std::printf("// pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from\n"
-              "// cpp_model/config.def and cpp_model/records.def (`make package`): change those, never this file.\n"
-              "//\n// Configuration: %s.   Model  cpp_model/config.hpp, cpp_model/records.hpp\n"
-              "// Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.\n\n"
-              "package pipegs_pkg;\n\n",
-              pipegs::config_difference(config).c_str());
-  for (const pipegs::ConfigEntry& entry : pipegs::config_entries(config)) {
-    entries.emplace(entry.name, entry);
-    std::printf("  localparam int unsigned %-14s = %d;  // %.*s\n", std::string(entry.camel_name).c_str(), entry.value,
-                static_cast<int>(entry.what.size()), entry.what.data());
+// A declaration and what it is: behind it where the line has room, before it where not.
+void print_line(const std::string& declaration, std::string_view what) {
+  constexpr size_t kColumns = 120;
+  if (what.empty()) {
+    std::printf("%s\n", declaration.c_str());
+    return;
   }
-  std::printf("\n  // What a beat of a stream is.\n"
-              "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
-              "  localparam logic [1:0] KindWindowEnd = 2'd2;\n");
-  print_exp2_table(config);
-  print_cull_weights(config);
-  for (const Record& record : records()) {
-    int bits = 0;
-    for (const Field& field : record.fields) bits += entries.at(field.width).value;
+  if (declaration.size() + 5 + what.size() <= kColumns) {
+    std::printf("%s  // %.*s\n", declaration.c_str(), static_cast<int>(what.size()), what.data());
+    return;
+  }
+  const std::string indent = declaration.substr(0, declaration.find_first_not_of(' ')) + "// ";
+  while (!what.empty()) {
+    const size_t room = kColumns - indent.size();
+    const size_t end = what.size() <= room ? what.size() : what.rfind(' ', room);
+    std::printf("%s%.*s\n", indent.c_str(), static_cast<int>(end), what.data());
+    what.remove_prefix(std::min(end + 1, what.size()));
+  }
+  std::printf("%s\n", declaration.c_str());
+}
+
+// Prints the constants of config.def and the packed structs of records.def.
+class Printer {
+ public:
+  explicit Printer(const pipegs::Config& config) {
+    for (const pipegs::ConfigEntry& entry : pipegs::config_entries(config)) entries_.emplace(entry.name, entry);
+    for (const Record& record : records()) by_name_.emplace(record.camel_name, &record);
+  }
+
+  void print(const pipegs::ConfigEntry& entry) const {
+    const bool flag = entry.member == nullptr && entry.unit == "flag";
+    print_line(flag ? fmt::format("  localparam bit {:<23} = 1'b{};", entry.camel_name, entry.value)
+                    : fmt::format("  localparam int unsigned {:<14} = {};", entry.camel_name, entry.value),
+               entry.what);
+  }
+
+  // A record of no bits does not exist, nor does a field of it.
+  void print(const Record& record) const {
+    if (bits(record) == 0) return;
     std::printf("\n  typedef struct packed {\n");
     for (auto field = record.fields.rbegin(); field != record.fields.rend(); ++field) {
-      const pipegs::ConfigEntry& width = entries.at(field->width);
-      if (width.value == 0) continue;
-      const std::string range = width.value == 1 && !field->is_signed ? "" : "[" + std::string(width.camel_name) + "-1:0] ";
-      std::printf("    logic %s%s%s;%s%s\n", field->is_signed ? "signed " : "", range.c_str(), field->name,
-                  *field->what ? "  // " : "", field->what);
+      if (bits(*field) > 0) print_line(fmt::format("    {}{};", type(*field), field->name), field->what);
     }
-    std::printf("  } %s_t;\n  localparam int unsigned %sBits = %d;\n", record.name, record.camel_name, bits);
+    std::printf("  } %s_t;\n  localparam int unsigned %sBits = %d;\n", record.name, record.camel_name, bits(record));
   }
-  std::printf("\nendpackage\n");
+
+ private:
+  int bits(const Field& field) const {
+    return field.form == Field::kRecord ? bits(*by_name_.at(field.type)) : entries_.at(field.type).value;
+  }
+  int bits(const Record& record) const {
+    int sum = 0;
+    for (const Field& field : record.fields) sum += bits(field);
+    return sum;
+  }
+  std::string type(const Field& field) const {
+    if (field.form == Field::kRecord) return fmt::format("{}_t ", by_name_.at(field.type)->name);
+    const pipegs::ConfigEntry& width = entries_.at(field.type);
+    if (field.form == Field::kSigned) return fmt::format("logic signed [{}-1:0] ", width.camel_name);
+    return width.value == 1 ? "logic " : fmt::format("logic [{}-1:0] ", width.camel_name);
+  }
+
+  std::map<std::string_view, pipegs::ConfigEntry> entries_;
+  std::map<std::string_view, const Record*> by_name_;
+};
+
+// What goes between the parts of the machine beside the streams: wires of all units side by side, wider than a record
+// of records.def may be.
+constexpr const char* kBundles = R"(
+  // Bundles: wires of all units side by side, the first unit lowest.
+  localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
+  typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
+    logic [ReadPorts*AddressW-1:0] address;
+    logic [ReadPorts-1:0] valid;
+  } memory_reads_t;
+  typedef struct packed {
+    logic [ReadPorts-1:0] line;  // an answer is there
+    logic [ReadPorts-1:0] ready;
+  } memory_reads_answer_t;
+
+  typedef struct packed {  // one port of each unit that may write
+    logic [Units*MemoryW-1:0] data;
+    logic [Units*AddressW-1:0] address;
+    logic [Units-1:0] write;
+    logic [Units-1:0] valid;
+  } memory_lanes_t;
+  typedef struct packed {
+    logic [Units-1:0] line;
+    logic [Units-1:0] ready;
+  } memory_lanes_answer_t;
+
+  typedef struct packed {  // the one port of the lists
+    logic [MemoryW-1:0] data;
+    logic [AddressW-1:0] address;
+    logic write;
+    logic valid;
+  } memory_lists_t;
+  typedef struct packed {
+    logic line;
+    logic ready;
+  } memory_lists_answer_t;
+
+  typedef struct packed {  // PUs -> their alpha stores
+    logic [Units*LineW-1:0] line;
+    logic [Units*AlphaAddressW-1:0] address;
+    logic [Units-1:0] write;
+  } store_writes_t;
+
+  typedef struct packed {  // what the RUs have finished, to the front
+    logic [Units*WindowW-1:0] y;  // the window that they are in
+    logic [Units*WindowW-1:0] x;
+    logic [Units*Regions-1:0] done;  // regions of it that need no more alphas
+  } progress_t;
+
+  typedef struct packed {  // what the RUs do, for the harness
+    logic [Units*PixelWordW-1:0] pixels;
+    logic [Units*2-1:0] pixels_quarter;
+    logic [Units*RegionW-1:0] pixels_region;
+    logic [Units-1:0] pixels_valid;
+    logic [Units*LineW-1:0] alphas;
+    logic [Units*RegionW-1:0] alphas_region;
+    logic [Units*TapIndexW-1:0] alphas_index;
+    logic [Units-1:0] alphas_valid;
+  } raster_taps_t;
+
+  typedef struct packed {  // in an SU: an end that waits for what lies before it
+    logic all;  // the whole set, not only nearer buckets
+    logic [KindW-1:0] kind;
+    logic [BucketW-1:0] bucket;
+  } su_mark_t;
+  typedef struct packed {  // in an SU: slots of one bucket, linked, or an end
+    logic [KindW-1:0] kind;
+    logic [BucketW-1:0] bucket;
+    logic [RecordW-1:0] head;  // the first slot
+    logic [RecordW:0] count;
+  } su_chain_t;
+  typedef struct packed {  // in an SU: a key of a set that spilled comes back into the pool
+    logic claim;  // the pool's ports are taken
+    logic write;
+    logic [RecordW-1:0] slot;
+    logic [KeyW-1:0] key;
+    logic [SlotW-1:0] number;  // its record's, in external memory
+  } su_selected_t;
+  typedef struct packed {  // in an SU: such keys, as many as fit the pool, linked from the last slot to the first
+    logic [RecordW:0] count;
+    logic [KeyW-1:0] min;
+    logic [KeyW-1:0] max;
+  } su_group_t;
+  typedef struct packed {  // in an SU: a sorted key, or an end with its kind as slot
+    logic is_end;
+    logic [KeyW-1:0] key;
+    logic [RecordW-1:0] slot;
+  } su_item_t;
+)";
+
+void print_package(const pipegs::Config& config) {
+  std::printf(
+      "// SPDX-License-Identifier: Apache-2.0\n"
+      "// pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from\n"
+      "// cpp_model/config.def and cpp_model/records.def (`make package`): change those, never this file.\n"
+      "//\n// Configuration: %s.   Model  cpp_model/config.hpp, cpp_model/records.hpp\n"
+      "// Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.\n\n"
+      "package pipegs_pkg;\n\n",
+      pipegs::config_difference(config).c_str());
+  const Printer printer(config);
+  for (const pipegs::ConfigEntry& entry : pipegs::config_entries(config)) printer.print(entry);
+  std::printf(
+      "\n  // What a beat of a stream is.\n"
+      "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
+      "  localparam logic [1:0] KindWindowEnd = 2'd2;\n"
+      "\n  // What a unit does in a cycle, see perf: starved has nothing to do, blocked waits for who takes its "
+      "output.\n"
+      "  localparam logic [1:0] PerfBusy = 2'd0;\n  localparam logic [1:0] PerfStarved = 2'd1;\n"
+      "  localparam logic [1:0] PerfBlocked = 2'd2;\n  localparam logic [1:0] PerfMemory = 2'd3;\n");
+  print_exp2_table(config);
+  print_cull_weights(config);
+  for (const Record& record : records()) printer.print(record);
+  std::printf("%s\nendpackage\n", kBundles);
 }
 
 }  // namespace

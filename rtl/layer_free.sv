@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // layer_free: tells the alpha stores that every RU has finished the oldest layer.
 //
 // Paper   Sec. 4.1 (inter-layer pipeline: results are double-buffered).
-// Idea    RUs drift apart, so each has a counter of layers that it has finished ahead of the slowest. When all counters are
-//         above zero the oldest layer is free everywhere and each counter goes down by one.
+// Idea    RUs drift apart, so each has a counter of layers that it has finished ahead of the slowest. When all counters
+//         are above zero the oldest layer is free everywhere and each counter goes down by one.
 // Stream  done_i: one pulse per RU and layer. free_o: one pulse per layer.
 // Pace    One layer per cycle, one cycle of latency.
 // Model   None: what is freed is checked by the streams behind it.

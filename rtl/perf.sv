@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // perf: how one unit spent its cycles: busy, starved, blocked, waiting for memory.
 //
 // Idea    A unit says in every cycle which of four things it does; one of four counters goes up. While the frame runs
 //         exactly one does, so the four sum to the frame's cycles.
 // Stream  state_i: 0 busy, 1 starved, 2 blocked, 3 memory. counts_o: the four counters, busy lowest.
-// Pace    One count per cycle, one cycle later: a state is known late in its cycle. Cleared by restart_i. Runs on the free clock: a gated unit's state holds.
+// Pace    One count per cycle, one cycle later: a state is known late in its cycle. Cleared by restart_i. Runs on the
+//         free clock: a gated unit's state holds.
 // Model   None: the harness checks the sum.
 
 module perf (

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from
 // cpp_model/config.def and cpp_model/records.def (`make package`): change those, never this file.
 //
@@ -13,11 +14,15 @@ package pipegs_pkg;
   localparam int unsigned Chunk          = 16;  // most Gaussians in one chunk
   localparam int unsigned Group          = 32;  // most chunks in one group, the node between a cell and its chunks
   localparam int unsigned ShDegree       = 3;  // highest SH degree that the colour hardware evaluates
-  localparam int unsigned Late           = 0;  // 0: the PUs compute alphas and a store caches them; 1: coefficients are cached, the Row Units stand in the RUs
-  localparam int unsigned Order          = 0;  // 0: layers (DOP); 1: global preprocessing into lists of the windows; 2: nearest chunk first, released by watermarks
-  localparam int unsigned Quadratic      = 0;  // 1: every pixel's power by the full quadratic form instead of differences (needs late)
+  // 0: the PUs compute alphas and a store caches them; 1: coefficients are cached, the Row Units stand in the RUs
+  localparam int unsigned Late           = 0;
+  // 0: layers (DOP); 1: global preprocessing into lists of the windows; 2: nearest chunk first, released by watermarks
+  localparam int unsigned Order          = 0;
+  // 1: every pixel's power by the full quadratic form instead of differences (needs late)
+  localparam int unsigned Quadratic      = 0;
   localparam int unsigned WorldW         = 40;  // world coordinate, signed, unit 2^scene_exponent
-  localparam int unsigned PosW           = 20;  // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units
+  // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units
+  localparam int unsigned PosW           = 20;
   localparam int unsigned QuatW          = 16;  // quaternion component, s0.(QuatW-1)
   localparam int unsigned ScaleMW        = 12;  // mantissa of a scale below its leading one
   localparam int unsigned ScaleEW        = 6;  // exponent of a scale; 0 is scale zero
@@ -30,14 +35,17 @@ package pipegs_pkg;
   localparam int unsigned DepthW         = 24;  // depth key: 6 exponent bits, then mantissa
   localparam int unsigned TanF           = 22;  // fraction of x/z and y/z, s4.F
   localparam int unsigned MeanF          = 12;  // fraction of a projected mean, s18.F pixel
-  localparam int unsigned Antialias      = 0;  // 1: the PUs can lower a Gaussian's opacity by what the dilation adds to its area, for scenes trained so
+  // 1: the PUs can lower a Gaussian's opacity by what the dilation adds to its area, for scenes trained so
+  localparam int unsigned Antialias      = 0;
   localparam int unsigned MantissaW      = 26;  // normalised mantissas of the projection, leading one included
   localparam int unsigned CoeffF         = 28;  // fraction of the power coefficients A to F, log2 units
   localparam int unsigned PowerF         = 20;  // fraction of the Row Units' accumulators, log2 units
   localparam int unsigned AlphaCut       = 255;  // a pixel counts iff alpha >= 1/AlphaCut
-  localparam int unsigned TileTest       = 1;  // 1: the regions of a Gaussian's box that hold a pixel that counts; 0: all regions of the box
+  // 1: the regions of a Gaussian's box that hold a pixel that counts; 0: all regions of the box
+  localparam int unsigned TileTest       = 1;
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
-  localparam int unsigned ExpLinear      = 1;  // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
+  // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
+  localparam int unsigned ExpLinear      = 1;
   localparam int unsigned AlphaW         = 8;  // alpha, u0.AlphaW; 0 means below 1/AlphaCut
   localparam int unsigned ColorW         = 12;  // colour of a Gaussian, u2.(ColorW-2)
   localparam int unsigned TW             = 19;  // transmittance, u1.(TW-1)
@@ -45,25 +53,46 @@ package pipegs_pkg;
   localparam int unsigned RgbW           = 16;  // accumulated colour, u2.(RgbW-2)
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
   localparam int unsigned Records        = 1024;  // record store of one SU, a pool of slots
-  localparam int unsigned BucketBits     = 3;  // mantissa bits of the depth key that choose an SU's bucket, below the 6 exponent bits
+  // mantissa bits of the depth key that choose an SU's bucket, below the 6 exponent bits
+  localparam int unsigned BucketBits     = 3;
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
   localparam int unsigned NearestNodes   = 512;  // nodes that wait in the DOPU, the nearest first (order = 2)
   localparam int unsigned MarkChunks     = 8;  // fewest chunks between two watermarks of a window (order = 2)
   localparam int unsigned NearTest       = 1;  // 1: what lies before the near plane is dropped; 0: nothing does
-  localparam int unsigned GuardBand      = 1;  // 1: the Jacobian's x/z, y/z are clamped to 1.3 tan(fov/2); 0: only saturated
+  // 1: the Jacobian's x/z, y/z are clamped to 1.3 tan(fov/2); 0: only saturated
+  localparam int unsigned GuardBand      = 1;
   localparam int unsigned Saturation     = 1;  // 1: colours clip at the top; 0: they wrap
-  localparam int unsigned EarlyStop      = 1;  // 1: pixels stop at 1/TCut and regions close; 0: every Gaussian is blended
-  localparam int unsigned Layered        = 1;  // 1: a window is walked slab by slab, each slab a layer; 0: a window is one layer (order = 0)
-  localparam int unsigned IndexTies      = 1;  // 1: equal depth keys are ordered by index; 0: the depth alone is the sort key, no two are equal
-  localparam int unsigned Overflow       = 1;  // 1: alphas, records and keys that find no room go to external memory; 0: there is always room
+  // 1: pixels stop at 1/TCut and regions close; 0: every Gaussian is blended
+  localparam int unsigned EarlyStop      = 1;
+  // 1: a window is walked slab by slab, each slab a layer; 0: a window is one layer (order = 0)
+  localparam int unsigned Layered        = 1;
+  // 1: equal depth keys are ordered by index; 0: the depth alone is the sort key, no two are equal
+  localparam int unsigned IndexTies      = 1;
+  // 1: alphas, records and keys that find no room go to external memory; 0: there is always room
+  localparam int unsigned Overflow       = 1;
   localparam int unsigned LargeGroups    = 1;  // 1: the SU cuts chains of more than 16 keys; 0: no bucket holds more
-  localparam int unsigned Taps           = 1;  // 1: the streams show at the top level (tap_*), so every one is compared; 0: only pixels are
+  // 1: the streams show at the top level (tap_*), so every one is compared; 0: only pixels are
+  localparam int unsigned Taps           = 1;
+  localparam bit CachesAlphas            = 1'b1;  // the PUs compute alphas; else coefficients, and the RUs alphas
+  localparam bit HasLayers               = 1'b1;  // a window is sorted and blended layer by layer
+  localparam bit HasLists                = 1'b0;  // the frame is preprocessed into lists of its windows in memory
+  localparam bit HasWatermarks           = 1'b0;  // chunks come nearest first, watermarks release what is sorted
+  localparam bit HasStores               = 1'b1;  // alpha stores lie between the PUs and the RUs
+  localparam bit SpillsAlphas            = 1'b1;  // lines of alphas may lie in external memory
+  // Gaussians from where pu_project gives a payload to pu_conic's output: one, and two in each stage behind it
+  localparam int unsigned ShapePlaces    = 13;
+  // Gaussians from where pu_project gives a centre to where pu_covariance takes it: 1, 2 in each of four stages, 1
+  localparam int unsigned CenterDepth    = 10;
+  // Gaussians from where a payload is known to where pu_intersect takes them: the places before, 2 in pu_coeff, queue
+  localparam int unsigned PayloadDepth   = 31;
   localparam int unsigned RegionsX       = 8;  // regions along a window's side
   localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
   localparam int unsigned RegionW        = 6;  // index of a region, row by row
-  localparam int unsigned KindW          = 2;  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
+  // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
+  localparam int unsigned KindW          = 2;
   localparam int unsigned BitW           = 1;  // a flag
-  localparam int unsigned KeyW           = 48;  // sort key: depth above index, so equal depths are ordered by index; the depth alone without IndexTies
+  // sort key: depth above index, so equal depths are ordered by index; the depth alone without IndexTies
+  localparam int unsigned KeyW           = 48;
   localparam int unsigned RecordW        = 10;  // slot of a key or record in an SU's stores
   localparam int unsigned BucketW        = 9;  // bucket of an SU: the leading bits of the depth key
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
@@ -72,7 +101,8 @@ package pipegs_pkg;
   localparam int unsigned FloatEW        = 9;  // exponent of a normalised mantissa, signed
   localparam int unsigned SlotW          = 24;  // slot of a Gaussian in packed memory
   localparam int unsigned CountW         = 20;  // Gaussians of a chunk, or chunks of a cell
-  localparam int unsigned HalfW          = 16;  // half extent of a bounding box, unsigned, unit 2^half_exp world units, rounded up
+  // half extent of a bounding box, unsigned, unit 2^half_exp world units, rounded up
+  localparam int unsigned HalfW          = 16;
   localparam int unsigned RotW           = 26;  // camera rotation matrix, s1.24
   localparam int unsigned RotF           = 24;  // its fraction
   localparam int unsigned CamQuatW       = 20;  // camera quaternion, s1.18
@@ -80,18 +110,24 @@ package pipegs_pkg;
   localparam int unsigned FocalF         = 14;  // its fraction
   localparam int unsigned CenterW        = 28;  // principal point, s15.12 pixel
   localparam int unsigned CenterF        = 12;  // its fraction
-  localparam int unsigned TestW          = 20;  // corners and plane normals of the DOPU's box test, signed, block-normalised
+  // corners and plane normals of the DOPU's box test, signed, block-normalised
+  localparam int unsigned TestW          = 20;
   localparam int unsigned AntialiasW     = 0;  // flag of the frame; absent unless antialias
-  localparam int unsigned SharpW         = 0;  // leading bits of the determinant before dilation; absent unless antialias
+  // leading bits of the determinant before dilation; absent unless antialias
+  localparam int unsigned SharpW         = 0;
   localparam int unsigned SharpEW        = 0;  // its exponent
   localparam int unsigned ReachW         = 32;  // pixels of reach per unit of scale and 1/z, u18.14
-  localparam int unsigned ScaleW         = 18;  // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
+  // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
+  localparam int unsigned ScaleW         = 18;
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
-  localparam int unsigned StepW          = 11;  // step of depth: the depth key's exponent and leading bits of its mantissa, 32 steps an octave
-  localparam int unsigned NearestW       = 9;  // bucket of depth: a step, counted from the near plane's, in the DOPU (order = 2)
+  // step of depth: the depth key's exponent and leading bits of its mantissa, 32 steps an octave
+  localparam int unsigned StepW          = 11;
+  // bucket of depth: a step, counted from the near plane's, in the DOPU (order = 2)
+  localparam int unsigned NearestW       = 9;
   localparam int unsigned TanW           = 27;  // x/z, y/z
   localparam int unsigned WindowMeanW    = 31;  // projected mean relative to its window's first pixel
-  localparam int unsigned MeanW          = 31;  // projected mean; with lists it comes relative to the first window, and a bit more keeps what saturates in no window
+  // projected mean; with lists it comes relative to the first window, and a bit more keeps what saturates in no window
+  localparam int unsigned MeanW          = 31;
   localparam int unsigned DirectionW     = 18;  // component of the view direction, signed, block-normalised
   localparam int unsigned WorldDirectionW = 20;  // component of the view direction in world axes, s(DirectionW).1
   localparam int unsigned LengthW        = 36;  // squared length of the view direction
@@ -101,18 +137,27 @@ package pipegs_pkg;
   localparam int unsigned BasisF         = 16;  // its fraction
   localparam int unsigned QuarterW       = 2;  // quarter of a line: the slot of a Gaussian of SH degree 1
   localparam int unsigned RotationW      = 20;  // view-space rotation matrix of a Gaussian, s1.18
-  localparam int unsigned FactorW        = 27;  // signed mantissa of a factor of the covariance, normalised: the two top bits differ
+  // signed mantissa of a factor of the covariance, normalised: the two top bits differ
+  localparam int unsigned FactorW        = 27;
   localparam int unsigned WideEW         = 11;  // exponent of a product of factors, signed: nothing can leave it
-  localparam int unsigned SlopeW         = 27;  // slope of the conditional mean, s1.25, magnitude at most 1 after the swap
+  // slope of the conditional mean, s1.25, magnitude at most 1 after the swap
+  localparam int unsigned SlopeW         = 27;
   localparam int unsigned ExtentW        = 22;  // half extent of a splat in the image, u18.4 pixel
   localparam int unsigned AW             = 45;  // coefficient A, s16.CoeffF
   localparam int unsigned BcW            = 41;  // coefficients B and C, s12.CoeffF
   localparam int unsigned DefW           = 32;  // coefficients D, E and F, s3.CoeffF
-  localparam int unsigned PowerW         = 41;  // power in a Row Unit, s20.PowerF: holds any pixel of any coefficients, nothing wraps
+  // power in a Row Unit, s20.PowerF: holds any pixel of any coefficients, nothing wraps
+  localparam int unsigned PowerW         = 41;
   localparam int unsigned GradientW      = 34;  // first differences of the power, s13.PowerF
   localparam int unsigned CurveW         = 25;  // D, E and F in a Row Unit, s4.PowerF
-  localparam int unsigned PowerCut       = 8382687;  // a pixel counts iff power >= -PowerCut, unit 2^-PowerF: alpha >= 1/AlphaCut
-  localparam int unsigned ReachMargin    = 2;  // pixels that the dilation of 0.3 adds to a Gaussian's reach, and slack for the rounded mean
+  // a pixel counts iff power >= -PowerCut, unit 2^-PowerF: alpha >= 1/AlphaCut
+  localparam int unsigned PowerCut       = 8382687;
+  // how much pu_intersect's cut is below the Row Units', unit 2^-CoeffF: what rounding may add
+  localparam int unsigned CutSlack       = 196608;
+  // -log2(opacity) from which nothing counts: log2(AlphaCut) and three slacks, rounded up, unit 2^-OpacityF
+  localparam int unsigned CutBudget      = 32754;
+  // pixels that the dilation of 0.3 adds to a Gaussian's reach, and slack for the rounded mean
+  localparam int unsigned ReachMargin    = 2;
   localparam int unsigned ExpF           = 15;  // fraction bits of the power that exp2 reads
   localparam int unsigned ExpValueW      = 15;  // value of an entry of the exp2 table, u1.(ExpValueW-1)
   localparam int unsigned ExpDeltaW      = 9;  // difference of two entries, same unit; the leading bits are 0
@@ -126,31 +171,83 @@ package pipegs_pkg;
   localparam int unsigned LateBcW        = 0;  // coefficients B and C in a splat; absent unless late
   localparam int unsigned LateDefW       = 0;  // coefficients D, E and F in a splat; absent unless late
   localparam int unsigned MarkW          = 0;  // watermark of a chunk; absent unless Order is 2
-  localparam int unsigned SplatIndexW    = 24;  // index of a Gaussian on its way to the RUs: for the sort and for the taps; else one bit is left
-  localparam int unsigned TapIndexW      = 24;  // index of a Gaussian where only the taps read it; one bit is left without them
+  // index of a Gaussian on its way to the RUs: for the sort and for the taps; else one bit is left
+  localparam int unsigned SplatIndexW    = 24;
+  // index of a Gaussian where only the taps read it; one bit is left without them
+  localparam int unsigned TapIndexW      = 24;
   localparam int unsigned TapDepthW      = 24;  // depth key where only the taps read it; one bit is left without them
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
-  localparam int unsigned AlphaAddressW  = 24;  // line of the alpha store, or of the overflow area when ext is set; with lists {unit, line} of the area of all alphas
-  localparam int unsigned AlphaAreaW     = 29;  // the area of all alphas begins 2^AlphaAreaW lines into the overflow area (lists)
+  // line of the alpha store, or of the overflow area when ext is set; with lists {unit, line} of the area of all alphas
+  localparam int unsigned AlphaAddressW  = 24;
+  // the area of all alphas begins 2^AlphaAreaW lines into the overflow area (lists)
+  localparam int unsigned AlphaAreaW     = 29;
   localparam int unsigned ListAreaW      = 30;  // the lists begin 2^ListAreaW lines into the overflow area
-  localparam int unsigned ListWindowW    = 12;  // number of a window, row by row from the frame's first to its last: at most 2^ListWindowW lists
+  // number of a window, row by row from the frame's first to its last: at most 2^ListWindowW lists
+  localparam int unsigned ListWindowW    = 12;
   localparam int unsigned ListEntryW     = 20;  // entry of a list, one line each
   localparam int unsigned UnitW          = 2;  // number of a unit
   localparam int unsigned GaussiansPerLine = 2;  // geometry records in a line of memory, at 0 and 256 bits
-  localparam int unsigned PixelW         = 64;  // pixel in the frame in memory: T u1.15, blue, green, red u2.14, red lowest
+  // pixel in the frame in memory: T u1.15, blue, green, red u2.14, red lowest
+  localparam int unsigned PixelW         = 64;
   localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
   localparam int unsigned MemoryW        = 512;  // a line of external memory
   localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits
-  localparam int unsigned TStop          = 27;  // a pixel stops before its transmittance falls below 1/TCut: ceil(2^(TW-1) / TCut)
+  // a pixel stops before its transmittance falls below 1/TCut: ceil(2^(TW-1) / TCut)
+  localparam int unsigned TStop          = 27;
   localparam int unsigned PerfW          = 40;  // a performance counter, cycles or events
-  localparam int unsigned WritePorts     = 12;  // memory ports that may write: PU alphas, SU, RU of each unit, then the lists if there are any
-  localparam int unsigned MemoryPorts    = 21;  // memory ports: those that may write, PU geometry, PU colour of each unit, then DOPU
-  localparam int unsigned PixelWordW     = 1088;  // sixteen pixels of T, red, green, blue, done: a word of the pixel buffer
+  // memory ports that may write: PU alphas, SU, RU of each unit, then the lists if there are any
+  localparam int unsigned WritePorts     = 12;
+  // memory ports: those that may write, PU geometry, PU colour of each unit, then DOPU
+  localparam int unsigned MemoryPorts    = 21;
+  // sixteen pixels of T, red, green, blue, done: a word of the pixel buffer
+  localparam int unsigned PixelWordW     = 1088;
+  localparam int unsigned GeometryJobs   = 8;  // chunks whose lines a PU has asked for
+  localparam int unsigned GeometryLines  = 64;  // lines of geometry in flight or waiting in a PU
+  localparam int unsigned DescendResults = 8;  // results of the DOPU's test that may wait, each level (order 0 and 1)
+  // ranges of nodes that the DOPU has asked for, each level (order 0 and 1)
+  localparam int unsigned DescendJobs    = 8;
+  // lines of the node tables in flight or waiting, each level (order 0 and 1)
+  localparam int unsigned DescendLines   = 32;
+  localparam int unsigned NearestResults = 16;  // results of the DOPU's test that may wait, each level (order 2)
+  localparam int unsigned NearestOpen    = 16;  // nodes open at a time, each level (order 2)
+  localparam int unsigned NearestLines   = 64;  // lines of the node tables in flight or waiting, each level (order 2)
+  // chunks that wait, from which on no group is opened without need (order 2)
+  localparam int unsigned NearestAhead   = 128;
+  localparam int unsigned WindowMarks    = 31;  // most watermarks of a window, 2^n - 1
+  // Gaussians that pu_deal has dealt to a PU: few, they cannot go to another one
+  localparam int unsigned VisibleDepth   = 4;
+  // Gaussians before pu_intersect, which takes 3 to 64 cycles where the others take 8
+  localparam int unsigned WalkDepth      = 16;
+  localparam int unsigned PuMarks        = 16;  // watermarks inside a PU (order 2)
+  // Gaussians whose line of SH coefficients is on its way: at 8 cycles each they hide 256 cycles
+  localparam int unsigned ColorDepth     = 32;
+  // Gaussians between pu_expand and the end of pu_color, which has room for ColorDepth lines
+  localparam int unsigned ExpandDepth    = 40;
+  localparam int unsigned LateDepth      = 64;  // coefficients between pu_late and the end of pu_color (late)
+  // Gaussians before a PU's Row Units: one that fills the screen keeps them for hundreds of cycles
+  localparam int unsigned RowJobs        = 4;
+  localparam int unsigned ListJobs       = 8;  // lists whose lines are asked for
+  localparam int unsigned ListLines      = 64;  // lines of lists in flight or waiting
+  localparam int unsigned SuChains       = 64;  // released chains and ends that wait for an SU's splitter
+  localparam int unsigned SuWaiting      = 32;  // sorted keys in an SU that wait for their records
+  localparam int unsigned SuAnswers      = 32;  // lines that an SU has asked for
+  localparam int unsigned RuLocalLines   = 4;  // lines of alpha stores that an RU has asked for
+  localparam int unsigned RuRowLines     = 2;  // lines of alphas that an RU's own Row Units have ready (late)
+  localparam int unsigned NodeLines      = 32;  // lines of the node tables in flight or waiting, each level
+  localparam int unsigned SuMarks        = 4;  // watermarks of two windows, or ends of two layers, that an SU keeps
+  localparam int unsigned RuQueue        = 16;  // Gaussians before an RU: evens out which one has more to do
+  localparam int unsigned RuRecords      = 40;  // Gaussians in an RU whose lines of alphas are on their way
 
   // What a beat of a stream is.
   localparam logic [1:0] KindData = 2'd0;
   localparam logic [1:0] KindLayerEnd = 2'd1;
   localparam logic [1:0] KindWindowEnd = 2'd2;
+
+  // What a unit does in a cycle, see perf: starved has nothing to do, blocked waits for who takes its output.
+  localparam logic [1:0] PerfBusy = 2'd0;
+  localparam logic [1:0] PerfStarved = 2'd1;
+  localparam logic [1:0] PerfBlocked = 2'd2;
+  localparam logic [1:0] PerfMemory = 2'd3;
 
   // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.
   localparam int unsigned Exp2EntryW = 32;
@@ -167,27 +264,52 @@ package pipegs_pkg;
 
   // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See cpp_model/pu/pu_cull.hpp.
   localparam logic [64*9-1:0] CullWeights = {
-    9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
-    9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
-    9'd45, 9'd64, 9'd79, 9'd91, 9'd101, 9'd111, 9'd120, 9'd128, 9'd136, 9'd143, 9'd150, 9'd157, 9'd164, 9'd170, 9'd176, 9'd181,
-    9'd187, 9'd192, 9'd198, 9'd203, 9'd208, 9'd213, 9'd218, 9'd222, 9'd227, 9'd231, 9'd236, 9'd240, 9'd244, 9'd248, 9'd252, 9'd256
+    9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
+    9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
+    9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
+    9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
+    9'd45, 9'd64, 9'd79, 9'd91, 9'd101, 9'd111, 9'd120, 9'd128,
+    9'd136, 9'd143, 9'd150, 9'd157, 9'd164, 9'd170, 9'd176, 9'd181,
+    9'd187, 9'd192, 9'd198, 9'd203, 9'd208, 9'd213, 9'd218, 9'd222,
+    9'd227, 9'd231, 9'd236, 9'd240, 9'd244, 9'd248, 9'd252, 9'd256
   };
 
   typedef struct packed {
-    logic [AddressW-1:0] overflow;  // first line of the overflow areas
-    logic [AddressW-1:0] pixels;  // first line of the frame
-    logic [AddressW-1:0] colors;  // first line of the SH coefficients
-    logic [AddressW-1:0] gaussians;  // first line of the Gaussians' geometry
-    logic [AddressW-1:0] chunks;  // first line of the chunk table
-    logic [AddressW-1:0] groups;  // first line of the group table
-    logic [AddressW-1:0] cells;  // first line of the cell table
-    logic [FocalW-1:0] grid_scale_z;
-    logic [FocalW-1:0] grid_scale_y;
-    logic [FocalW-1:0] grid_scale_x;  // cells per world unit * 2^WorldW
-    logic signed [WorldW-1:0] grid_z;
-    logic signed [WorldW-1:0] grid_y;
-    logic signed [WorldW-1:0] grid_x;  // low corner of the grid
-    logic [KindW-1:0] sh_degree;  // SH degree of the scene, at most ShDegree
+    logic signed [WorldW-1:0] z;
+    logic signed [WorldW-1:0] y;
+    logic signed [WorldW-1:0] x;
+  } position_t;
+  localparam int unsigned PositionBits = 120;
+
+  typedef struct packed {
+    logic signed [RotW-1:0] w22;
+    logic signed [RotW-1:0] w21;
+    logic signed [RotW-1:0] w20;  // row 2 (forward)
+    logic signed [RotW-1:0] w12;
+    logic signed [RotW-1:0] w11;
+    logic signed [RotW-1:0] w10;  // row 1 (down)
+    logic signed [RotW-1:0] w02;
+    logic signed [RotW-1:0] w01;
+    logic signed [RotW-1:0] w00;  // row 0 (right)
+  } rotation_t;
+  localparam int unsigned RotationBits = 234;
+
+  typedef struct packed {
+    logic signed [CamQuatW-1:0] z;
+    logic signed [CamQuatW-1:0] y;
+    logic signed [CamQuatW-1:0] x;
+    logic signed [CamQuatW-1:0] w;
+  } quaternion_t;
+  localparam int unsigned QuaternionBits = 80;
+
+  typedef struct packed {
+    quaternion_t quaternion;  // the same rotation
+    rotation_t rotation;
+    position_t position;  // its centre
+  } camera_t;
+  localparam int unsigned CameraPoseBits = 434;
+
+  typedef struct packed {
     logic [WorldW-1:0] near_plane;  // near plane, world units
     logic [ReachW-1:0] reach_y;
     logic [ReachW-1:0] reach_x;  // sqrt(2 ln AlphaCut) * fx * sqrt(1 + limit_x^2), rounded up, u18.14
@@ -197,35 +319,58 @@ package pipegs_pkg;
     logic signed [CenterW-1:0] center_x;  // s15.12 pixel; pixel i has its centre at i
     logic [FocalW-1:0] focal_y;
     logic [FocalW-1:0] focal_x;  // u14.14 pixel
-    logic signed [CamQuatW-1:0] camera_qz;
-    logic signed [CamQuatW-1:0] camera_qy;
-    logic signed [CamQuatW-1:0] camera_qx;
-    logic signed [CamQuatW-1:0] camera_qw;  // the same rotation as a quaternion, s1.18
-    logic signed [RotW-1:0] w22;
-    logic signed [RotW-1:0] w21;
-    logic signed [RotW-1:0] w20;  // row 2 (forward)
-    logic signed [RotW-1:0] w12;
-    logic signed [RotW-1:0] w11;
-    logic signed [RotW-1:0] w10;  // row 1 (down)
-    logic signed [RotW-1:0] w02;
-    logic signed [RotW-1:0] w01;
-    logic signed [RotW-1:0] w00;  // world to camera, row 0 (right)
-    logic signed [WorldW-1:0] camera_z;
-    logic signed [WorldW-1:0] camera_y;
-    logic signed [WorldW-1:0] camera_x;  // camera centre, world units
-    logic [WindowW-1:0] last_y;  // last window row
-    logic [WindowW-1:0] last_x;  // last window column
-    logic [WindowW-1:0] first_y;  // first window row
-    logic [WindowW-1:0] first_x;  // first window column to render
+  } lens_t;
+  localparam int unsigned LensBits = 270;
+
+  typedef struct packed {
+    logic [FocalW-1:0] scale_z;
+    logic [FocalW-1:0] scale_y;
+    logic [FocalW-1:0] scale_x;  // cells per world unit * 2^WorldW
+    position_t low;  // its low corner
+  } grid_t;
+  localparam int unsigned GridBits = 204;
+
+  typedef struct packed {
+    logic [AddressW-1:0] overflow;  // first line of the overflow areas
+    logic [AddressW-1:0] pixels;  // first line of the frame
+    logic [KindW-1:0] sh_degree;  // degree of the SH coefficients, at most ShDegree
+    logic [AddressW-1:0] colors;  // first line of the SH coefficients
+    logic [AddressW-1:0] gaussians;  // first line of the Gaussians' geometry
+    logic [AddressW-1:0] chunks;  // first line of the chunk table
+    logic [AddressW-1:0] groups;  // first line of the group table
+    logic [AddressW-1:0] cells;  // first line of the cell table
+  } tables_t;
+  localparam int unsigned TablesBits = 240;
+
+  typedef struct packed {
+    logic [WindowW-1:0] last_y;  // row of the last
+    logic [WindowW-1:0] last_x;  // column of the last
+    logic [WindowW-1:0] first_y;  // row of the first
+    logic [WindowW-1:0] first_x;  // column of the first
+  } windows_t;
+  localparam int unsigned WindowsBits = 40;
+
+  typedef struct packed {
+    windows_t windows;
     logic [SizeW-1:0] height;  // pixels
     logic [SizeW-1:0] width;  // pixels
+  } raster_t;
+  localparam int unsigned RasterBits = 70;
+
+  typedef struct packed {
+    raster_t raster;
+    tables_t tables;
+    grid_t grid;
+    lens_t lens;
+    camera_t camera;
   } frame_t;
   localparam int unsigned FrameBits = 1218;
 
   typedef struct packed {
     logic [CountW-1:0] count;  // cell: groups; group: chunks; chunk: Gaussians
     logic [SlotW-1:0] first;  // cell: first group; group: first chunk; chunk: slot of the first Gaussian (even)
-    logic [ScaleW-1:0] scale_max;  // largest effective scale in the node, rounded up: scale * sqrt(ln(AlphaCut opacity) / ln AlphaCut)
+    // largest effective scale in the node, rounded up: scale * sqrt(ln(AlphaCut opacity) / ln AlphaCut)
+    logic [ScaleW-1:0] scale_max;
     logic [ExpW-1:0] offset_exp;  // unit of the offsets of the chunk's means is 2^offset_exp world units
     logic [ExpW-1:0] half_exp;
     logic [HalfW-1:0] half_z;
@@ -331,16 +476,6 @@ package pipegs_pkg;
   localparam int unsigned VisibleBits = 330;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;
-    logic [IndexW-1:0] index;
-    logic signed [BaseW-1:0] base_b;
-    logic signed [BaseW-1:0] base_g;
-    logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;
-    logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;  // view-space direction to the mean, block-normalised
-    logic [DepthW-1:0] depth;  // depth key of view z: exponent, then mantissa
-    logic [OpacityW-1:0] opacity;
     logic [ScaleW-1:0] scale_2;
     logic [ScaleW-1:0] scale_1;
     logic [ScaleW-1:0] scale_0;
@@ -352,11 +487,16 @@ package pipegs_pkg;
     logic [MantissaW-1:0] inv_z_m;  // 1/z = m * 2^e per world unit, m normalised
     logic signed [TanW-1:0] tan_y;
     logic signed [TanW-1:0] tan_x;  // x/z clamped to the guard band
-    logic signed [MeanW-1:0] mean_y;
-    logic signed [MeanW-1:0] mean_x;  // projected mean relative to the window's first pixel, s18.MeanF, saturated
     logic [KindW-1:0] kind;
   } projected_t;
-  localparam int unsigned ProjectedBits = 449;
+  localparam int unsigned ProjectedBits = 209;
+
+  typedef struct packed {
+    logic [OpacityW-1:0] opacity;
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;  // projected mean relative to the window's first pixel, s18.MeanF, saturated
+  } center_t;
+  localparam int unsigned CenterBits = 78;
 
   typedef struct packed {
     logic [SlotW-1:0] slot;
@@ -366,9 +506,12 @@ package pipegs_pkg;
     logic signed [BaseW-1:0] base_r;
     logic signed [DirectionW-1:0] dir_z;
     logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;
-    logic [DepthW-1:0] depth;
-    logic [OpacityW-1:0] opacity;
+    logic signed [DirectionW-1:0] dir_x;  // view-space direction to the mean, block-normalised
+    logic [DepthW-1:0] depth;  // depth key of view z: exponent, then mantissa
+  } payload_t;
+  localparam int unsigned PayloadBits = 162;
+
+  typedef struct packed {
     logic [ScaleW-1:0] scale_2;
     logic [ScaleW-1:0] scale_1;
     logic [ScaleW-1:0] scale_0;
@@ -385,23 +528,11 @@ package pipegs_pkg;
     logic [MantissaW-1:0] inv_z_m;
     logic signed [TanW-1:0] tan_y;
     logic signed [TanW-1:0] tan_x;
-    logic signed [MeanW-1:0] mean_y;
-    logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } oriented_t;
-  localparam int unsigned OrientedBits = 565;
+  localparam int unsigned OrientedBits = 325;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;
-    logic [IndexW-1:0] index;
-    logic signed [BaseW-1:0] base_b;
-    logic signed [BaseW-1:0] base_g;
-    logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;
-    logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;
-    logic [DepthW-1:0] depth;
-    logic [OpacityW-1:0] opacity;
     logic [ScaleW-1:0] scale_2;
     logic [ScaleW-1:0] scale_1;
     logic [ScaleW-1:0] scale_0;
@@ -427,23 +558,11 @@ package pipegs_pkg;
     logic signed [FactorW-1:0] v0_1_m;
     logic signed [WideEW-1:0] v0_0_e;
     logic signed [FactorW-1:0] v0_0_m;  // J R', row x without its factor focal/z: R'0j - tan_x R'2j, j = 0..2
-    logic signed [MeanW-1:0] mean_y;
-    logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } jacobian_t;
-  localparam int unsigned JacobianBits = 712;
+  localparam int unsigned JacobianBits = 472;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;
-    logic [IndexW-1:0] index;
-    logic signed [BaseW-1:0] base_b;
-    logic signed [BaseW-1:0] base_g;
-    logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;
-    logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;
-    logic [DepthW-1:0] depth;
-    logic [OpacityW-1:0] opacity;
     logic signed [WideEW-1:0] gg_e;
     logic [MantissaW-1:0] gg_m;  // (gx gy)^2
     logic signed [WideEW-1:0] gxy_e;
@@ -464,23 +583,11 @@ package pipegs_pkg;
     logic signed [FactorW-1:0] u0_2;
     logic signed [FactorW-1:0] u0_1;
     logic signed [FactorW-1:0] u0_0;  // v0_j * scale_j
-    logic signed [MeanW-1:0] mean_y;
-    logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } factors_t;
-  localparam int unsigned FactorsBits = 666;
+  localparam int unsigned FactorsBits = 426;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;
-    logic [IndexW-1:0] index;
-    logic signed [BaseW-1:0] base_b;
-    logic signed [BaseW-1:0] base_g;
-    logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;
-    logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;
-    logic [DepthW-1:0] depth;
-    logic [OpacityW-1:0] opacity;
     logic [MantissaW-1:0] gg_m;
     logic [MantissaW-1:0] gxy_m;
     logic [MantissaW-1:0] gyy_m;
@@ -493,22 +600,11 @@ package pipegs_pkg;
     logic [MantissaW-1:0] c_m;  // |u1|^2
     logic signed [WideEW-1:0] a_e;
     logic [MantissaW-1:0] a_m;  // |u0|^2, m normalised or 0
-    logic signed [MeanW-1:0] mean_y;
-    logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } squares_t;
-  localparam int unsigned SquaresBits = 495;
+  localparam int unsigned SquaresBits = 255;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;
-    logic [IndexW-1:0] index;
-    logic signed [BaseW-1:0] base_b;
-    logic signed [BaseW-1:0] base_g;
-    logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;
-    logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;
-    logic [DepthW-1:0] depth;
     logic [OpacityW-1:0] opacity;
     logic signed [FloatEW-1:0] det_e;
     logic [MantissaW-1:0] det_m;  // determinant = m * 2^e pixel^4, m normalised
@@ -522,23 +618,15 @@ package pipegs_pkg;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } covariance_t;
-  localparam int unsigned CovarianceBits = 383;
+  localparam int unsigned CovarianceBits = 221;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;  // behind pu_expand the number of the window
-    logic [IndexW-1:0] index;
-    logic signed [BaseW-1:0] base_b;
-    logic signed [BaseW-1:0] base_g;
-    logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;  // behind pu_expand blue
-    logic signed [DirectionW-1:0] dir_y;  // behind pu_expand green
-    logic signed [DirectionW-1:0] dir_x;  // behind pu_expand red, for the colour is known there
-    logic [DepthW-1:0] depth;
     logic [OpacityW-1:0] opacity;
     logic signed [FloatEW-1:0] wide_e;
     logic [MantissaW-1:0] wide_m;  // k / variance along the wide axis: k/c (k/a when swapped) = m * 2^e
     logic signed [FloatEW-1:0] narrow_e;
-    logic [MantissaW-1:0] narrow_m;  // k / conditional variance: k c/det (k a/det when swapped) = m * 2^e, k = log2(e)/2
+    // k / conditional variance: k c/det (k a/det when swapped) = m * 2^e, k = log2(e)/2
+    logic [MantissaW-1:0] narrow_m;
     logic signed [SlopeW-1:0] slope_m;  // slope of the conditional mean: b/c (b/a when swapped) = m * 2^-25
     logic swap;  // 1 when a > c: the roles of x and y are exchanged below
     logic [ExtentW-1:0] extent_y;  // half height
@@ -547,18 +635,19 @@ package pipegs_pkg;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } conic_t;
-  localparam int unsigned ConicBits = 384;
+  localparam int unsigned ConicBits = 222;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;
-    logic [IndexW-1:0] index;
-    logic signed [BaseW-1:0] base_b;
-    logic signed [BaseW-1:0] base_g;
-    logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;
-    logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;
+    logic [ColorW-1:0] blue;
+    logic [ColorW-1:0] green;
+    logic [ColorW-1:0] red;
+    logic [ListWindowW-1:0] window;  // its number
+    logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
+  } listed_t;
+  localparam int unsigned ListedBits = 96;
+
+  typedef struct packed {
     logic signed [DefW-1:0] f;
     logic signed [DefW-1:0] e;
     logic signed [DefW-1:0] d;  // power = A + B x + C y + D x^2 + E y^2 + F x y, Eq. 3
@@ -572,19 +661,11 @@ package pipegs_pkg;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;
   } coeff_t;
-  localparam int unsigned CoeffBits = 494;
+  localparam int unsigned CoeffBits = 332;
 
   typedef struct packed {
-    logic [SlotW-1:0] slot;
-    logic [IndexW-1:0] index;
-    logic signed [BaseW-1:0] base_b;
-    logic signed [BaseW-1:0] base_g;
-    logic signed [BaseW-1:0] base_r;
-    logic signed [DirectionW-1:0] dir_z;
-    logic signed [DirectionW-1:0] dir_y;
-    logic signed [DirectionW-1:0] dir_x;
-    logic [DepthW-1:0] depth;
-    logic [Regions-1:0] mask;  // regions that hold a pixel with alpha >= 1/AlphaCut: the 4-bit bitmap of each tile, row by row of regions
+    // regions that hold a pixel with alpha >= 1/AlphaCut: the 4-bit bitmap of each tile, row by row of regions
+    logic [Regions-1:0] mask;
     logic signed [DefW-1:0] f;
     logic signed [DefW-1:0] e;
     logic signed [DefW-1:0] d;
@@ -593,7 +674,7 @@ package pipegs_pkg;
     logic signed [AW-1:0] a;
     logic [KindW-1:0] kind;
   } tiles_t;
-  localparam int unsigned TilesBits = 451;
+  localparam int unsigned TilesBits = 289;
 
   typedef struct packed {
     logic [TapIndexW-1:0] index;
@@ -779,5 +860,90 @@ package pipegs_pkg;
     logic write;
   } memory_request_t;
   localparam int unsigned MemoryRequestBits = 43;
+
+  // Bundles: wires of all units side by side, the first unit lowest.
+  localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
+  typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
+    logic [ReadPorts*AddressW-1:0] address;
+    logic [ReadPorts-1:0] valid;
+  } memory_reads_t;
+  typedef struct packed {
+    logic [ReadPorts-1:0] line;  // an answer is there
+    logic [ReadPorts-1:0] ready;
+  } memory_reads_answer_t;
+
+  typedef struct packed {  // one port of each unit that may write
+    logic [Units*MemoryW-1:0] data;
+    logic [Units*AddressW-1:0] address;
+    logic [Units-1:0] write;
+    logic [Units-1:0] valid;
+  } memory_lanes_t;
+  typedef struct packed {
+    logic [Units-1:0] line;
+    logic [Units-1:0] ready;
+  } memory_lanes_answer_t;
+
+  typedef struct packed {  // the one port of the lists
+    logic [MemoryW-1:0] data;
+    logic [AddressW-1:0] address;
+    logic write;
+    logic valid;
+  } memory_lists_t;
+  typedef struct packed {
+    logic line;
+    logic ready;
+  } memory_lists_answer_t;
+
+  typedef struct packed {  // PUs -> their alpha stores
+    logic [Units*LineW-1:0] line;
+    logic [Units*AlphaAddressW-1:0] address;
+    logic [Units-1:0] write;
+  } store_writes_t;
+
+  typedef struct packed {  // what the RUs have finished, to the front
+    logic [Units*WindowW-1:0] y;  // the window that they are in
+    logic [Units*WindowW-1:0] x;
+    logic [Units*Regions-1:0] done;  // regions of it that need no more alphas
+  } progress_t;
+
+  typedef struct packed {  // what the RUs do, for the harness
+    logic [Units*PixelWordW-1:0] pixels;
+    logic [Units*2-1:0] pixels_quarter;
+    logic [Units*RegionW-1:0] pixels_region;
+    logic [Units-1:0] pixels_valid;
+    logic [Units*LineW-1:0] alphas;
+    logic [Units*RegionW-1:0] alphas_region;
+    logic [Units*TapIndexW-1:0] alphas_index;
+    logic [Units-1:0] alphas_valid;
+  } raster_taps_t;
+
+  typedef struct packed {  // in an SU: an end that waits for what lies before it
+    logic all;  // the whole set, not only nearer buckets
+    logic [KindW-1:0] kind;
+    logic [BucketW-1:0] bucket;
+  } su_mark_t;
+  typedef struct packed {  // in an SU: slots of one bucket, linked, or an end
+    logic [KindW-1:0] kind;
+    logic [BucketW-1:0] bucket;
+    logic [RecordW-1:0] head;  // the first slot
+    logic [RecordW:0] count;
+  } su_chain_t;
+  typedef struct packed {  // in an SU: a key of a set that spilled comes back into the pool
+    logic claim;  // the pool's ports are taken
+    logic write;
+    logic [RecordW-1:0] slot;
+    logic [KeyW-1:0] key;
+    logic [SlotW-1:0] number;  // its record's, in external memory
+  } su_selected_t;
+  typedef struct packed {  // in an SU: such keys, as many as fit the pool, linked from the last slot to the first
+    logic [RecordW:0] count;
+    logic [KeyW-1:0] min;
+    logic [KeyW-1:0] max;
+  } su_group_t;
+  typedef struct packed {  // in an SU: a sorted key, or an end with its kind as slot
+    logic is_end;
+    logic [KeyW-1:0] key;
+    logic [RecordW-1:0] slot;
+  } su_item_t;
 
 endpackage

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // scheduler: starts a frame, knows when it is over, and counts its cycles.
 //
 // Paper   Sec. 4.1 (inter-layer pipeline): the overlap itself needs no control, it follows from the streams; only the
 //         frame's begin and end are decided here.
 // Idea    start -> restart pulse -> running until the RUs have completed all windows and nothing is left anywhere.
-// Stream  start_i: pulse. busy_o: from the cycle after start until the last pixel is in memory. window_done_i: one pulse per
-//         RU and window.
+// Stream  start_i: pulse. busy_o: from the cycle after start until the last pixel is in memory. window_done_i: one
+//         pulse per RU and window.
 // Pace    Registered; ends two cycles after the last write was accepted.
 // Model   None: the harness checks that all pixels have come.
 
@@ -13,7 +14,7 @@ module scheduler (
   input  logic                         rst_ni,
 
   input  logic                         start_i,
-  input  pipegs_pkg::frame_t           frame_i,
+  input  pipegs_pkg::windows_t         windows_i,
   input  logic [pipegs_pkg::Units-1:0] window_done_i,
   input  logic                         idle_i,          // all units and queues are empty, all writes accepted
   input  logic [pipegs_pkg::Units-1:0] overflow_sort_i,
@@ -42,8 +43,8 @@ module scheduler (
   logic [NowW-1:0]   overflow_now, overflow_now_q;
   logic [WindowW:0]   columns, rows;  // up to 2^WindowW
 
-  assign columns = (WindowW+1)'(frame_i.last_x - frame_i.first_x) + 1'b1;
-  assign rows    = (WindowW+1)'(frame_i.last_y - frame_i.first_y) + 1'b1;
+  assign columns = (WindowW+1)'(windows_i.last_x - windows_i.first_x) + 1'b1;
+  assign rows    = (WindowW+1)'(windows_i.last_y - windows_i.first_y) + 1'b1;
 
   always_comb begin
     for (int unsigned i = 0; i < Units; i += 1) complete[i] = left_q[i] == '0;
@@ -87,8 +88,5 @@ module scheduler (
       end
     end
   end
-
-  logic unused_frame;
-  assign unused_frame = &{1'b0, frame_i};
 
 endmodule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // atomic_file: write aside, then rename; see atomic_file.hpp.
 //
 // Idea    The temporary name holds the process id and a counter, so two processes (or threads)
@@ -10,6 +11,7 @@
 #include <system_error>
 
 #include "scenes/input_error.hpp"
+#include "scenes/own_failure.hpp"
 
 namespace pipegs {
 
@@ -22,6 +24,9 @@ AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
   if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
     throw InputError(path_.string(), "", "cannot write: the folder " + quote(folder.string()) + " does not exist");
   }
+  if (std::filesystem::is_directory(path_, ignored)) {
+    throw InputError(path_.string(), "", "cannot write: a folder bears this name");
+  }
 }
 
 AtomicFile::~AtomicFile() {
@@ -33,7 +38,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::commit() {
   std::error_code error;
   std::filesystem::rename(temporary_, path_, error);
-  if (error) throw InputError(path_.string(), "", "cannot write: " + error.message());
+  if (error) throw OwnFailure(path_.string() + ": cannot write: " + error.message());
   committed_ = true;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // atomic_file: a file that appears under its name only when it is complete.
 //
 // Idea    Write to a temporary name in the same folder, then rename: rename is atomic within a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // camera: reading and writing cameras.json; see camera.hpp.
 //
 // Idea    Nothing is trusted: each field is looked up, its type and range checked, and the error
@@ -10,10 +11,11 @@
 
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "scenes/atomic_file.hpp"
 #include "scenes/input_error.hpp"
+#include "scenes/own_failure.hpp"
+#include "scenes/text/json.hpp"
 
 namespace pipegs {
 namespace {
@@ -35,28 +37,20 @@ struct Entry {
     if (found == json.end()) fail(field, "missing, expected a value");
     return *found;
   }
-  double number(const Json& value, const std::string& field) const {
-    if (!value.is_number()) fail(field, fmt::format("found {}, expected a number", quote(value.dump())));
-    const double number = value.get<double>();
-    if (!std::isfinite(number)) fail(field, "found a non-finite number, expected a finite one");
-    return number;
+  double number(const Json& value, const std::string& field, const RealRange& range = kFinite) const {
+    try {
+      return json_real(value, range);
+    } catch (const NumberError& error) { fail(field, error.what()); }
   }
   int integer(const std::string& field, int lowest, int highest) const {
-    const Json& value = at(field);
-    const double found = number(value, field);
-    if (found != std::floor(found) || found < lowest || found > highest) {
-      fail(field, fmt::format("found {}, expected an integer in {}..{}", value.dump(), lowest, highest));
-    }
-    return static_cast<int>(found);
+    try {
+      return json_integer(at(field), lowest, highest);
+    } catch (const NumberError& error) { fail(field, error.what()); }
   }
-  double focal(const std::string& field) const {
-    const double found = number(at(field), field);
-    if (!(found > 0)) fail(field, fmt::format("found {}, expected a focal length above 0", found));
-    return found;
-  }
+  double focal(const std::string& field) const { return number(at(field), field, kPositive); }
   glm::dvec3 row(const Json& value, const std::string& field) const {
     if (!value.is_array() || value.size() != 3) {
-      fail(field, fmt::format("found {}, expected 3 numbers", quote(value.dump())));
+      fail(field, fmt::format("found {}, expected 3 numbers", quote(json_text(value))));
     }
     return {number(value[0], field), number(value[1], field), number(value[2], field)};
   }
@@ -70,7 +64,7 @@ glm::dmat3 nearest_rotation(glm::dmat3 m) {
 glm::dmat3 read_rotation(const Entry& entry) {
   const Json& value = entry.at("rotation");
   if (!value.is_array() || value.size() != 3) {
-    entry.fail("rotation", fmt::format("found {}, expected 3 rows of 3 numbers", quote(value.dump())));
+    entry.fail("rotation", fmt::format("found {}, expected 3 rows of 3 numbers", quote(json_text(value))));
   }
   glm::dmat3 m;
   for (int r = 0; r < 3; ++r) m[r] = entry.row(value[static_cast<std::size_t>(r)], fmt::format("rotation row {}", r));
@@ -81,20 +75,19 @@ glm::dmat3 read_rotation(const Entry& entry) {
   if (!(worst <= kOrthonormalTolerance)) {
     entry.fail("rotation", fmt::format("rows are orthonormal to {:.3g}, expected {:g}", worst, kOrthonormalTolerance));
   }
-  if (!(glm::determinant(m) > 0)) {
-    entry.fail("rotation", "determinant is -1 (a mirrored frame), expected +1");
-  }
+  if (!(glm::determinant(m) > 0)) { entry.fail("rotation", "determinant is -1 (a mirrored frame), expected +1"); }
   return nearest_rotation(m);
 }
 
 Camera read_camera(const Entry& entry) {
-  if (!entry.json.is_object()) entry.fail("entry", fmt::format("found {}, expected an object", quote(entry.json.dump())));
+  if (!entry.json.is_object())
+    entry.fail("entry", fmt::format("found {}, expected an object", quote(json_text(entry.json))));
   Camera camera;
   constexpr int kAnyId = 0x7fffffff;
   camera.id = entry.json.contains("id") ? entry.integer("id", -kAnyId, kAnyId) : static_cast<int>(entry.index);
   if (entry.json.contains("img_name")) {
     const Json& name = entry.at("img_name");
-    if (!name.is_string()) entry.fail("img_name", fmt::format("found {}, expected a string", quote(name.dump())));
+    if (!name.is_string()) entry.fail("img_name", fmt::format("found {}, expected a string", quote(json_text(name))));
     camera.name = name.get<std::string>();
   } else {
     camera.name = fmt::format("view_{}", entry.index);
@@ -111,23 +104,22 @@ Camera read_camera(const Entry& entry) {
   return camera;
 }
 
-}  // namespace
-
-std::vector<Camera> read_cameras(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path)) throw InputError(file, "", "cannot open, expected a cameras.json");
-  Json json;
-  try {
-    json = Json::parse(in);
-  } catch (const Json::exception& error) {  // the parser's message names the line and column
-    throw InputError(file, "", fmt::format("not JSON: {}", error.what()));
-  }
+std::vector<Camera> cameras_of(const std::string& file, const Json& json) {
   if (!json.is_array()) throw InputError(file, "top level", "found no array, expected a list of cameras");
   if (json.empty()) throw InputError(file, "top level", "found an empty list, expected at least one camera");
   std::vector<Camera> cameras;
   for (std::size_t i = 0; i < json.size(); ++i) cameras.push_back(read_camera(Entry{file, i, json[i]}));
   return cameras;
+}
+
+}  // namespace
+
+std::vector<Camera> parse_cameras(const std::string& file, std::string_view text) {
+  return cameras_of(file, parse_json<Json>(file, text));
+}
+
+std::vector<Camera> read_cameras(const std::filesystem::path& path) {
+  return cameras_of(path.string(), read_json<Json>(path, "a cameras.json"));
 }
 
 void write_cameras(const std::filesystem::path& path, const std::vector<Camera>& cameras) {
@@ -151,9 +143,9 @@ void write_cameras(const std::filesystem::path& path, const std::vector<Camera>&
   }
   AtomicFile out(path);
   std::ofstream stream(out.temporary(), std::ios::binary);
-  stream << json.dump(1) << '\n';
+  stream << json_text(json, 1) << '\n';
   stream.close();
-  if (!stream) throw InputError(path.string(), "", "cannot write");
+  if (!stream) throw OwnFailure(path.string() + ": cannot write");
   out.commit();
 }
 

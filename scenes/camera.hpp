@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // camera: pinhole cameras and INRIA's cameras.json.
 //
 // Idea    camera_space = world_to_camera * (p - position);  pixel = f * xy / z + c
@@ -6,12 +7,13 @@
 // Layout  cameras.json: "rotation" holds the rows of the camera-to-world matrix, which are the
 //         columns of world_to_camera. "cx", "cy" are ours, and optional: a principal point off the centre.
 // Rule    A rotation within 1e-4 of orthonormal is accepted and made orthonormal in double;
-//         anything else is an InputError naming the camera's index and the field.
+//         anything else is an InputError naming the camera's index and the field. Numbers and nesting: json.hpp.
 #pragma once
 
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pipegs {
@@ -28,6 +30,8 @@ struct Camera {
 };
 
 std::vector<Camera> read_cameras(const std::filesystem::path& path);
+// The same of a text; `file` is its name in errors.
+std::vector<Camera> parse_cameras(const std::string& file, std::string_view text);
 void write_cameras(const std::filesystem::path& path, const std::vector<Camera>& cameras);
 
 // A camera at `position` that looks at `target`, with world up = -y and square pixels.

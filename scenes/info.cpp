@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // info: see info.hpp.
 //
 // Idea    One pass activates and collects, then nth_element per percentile; a second pass compares
@@ -8,7 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "scenes/text/json.hpp"
 
 namespace pipegs {
 namespace {
@@ -43,9 +45,9 @@ SceneInfo inspect(const Scene& scene) {
   info.gaussians = scene.gaussians.size();
   info.sh_degree = scene.sh_degree;
   info.antialiased = scene.antialiased;
-  Finding non_finite{"non-finite values, culled"}, zero{"zero quaternion, culled"}, not_unit{"quaternion not of unit length"},
-      faint{"opacity below 1/255, never drawn"}, needle{"largest / smallest scale above 1e4"},
-      huge{"scale above the extent of the scene"};
+  Finding non_finite{"non-finite values, culled"}, zero{"zero quaternion, culled"},
+      not_unit{"quaternion not of unit length"}, faint{"opacity below 1/255, never drawn"},
+      needle{"largest / smallest scale above 1e4"}, huge{"scale above the extent of the scene"};
   std::vector<std::size_t> usable;
   std::vector<double> scale, opacity, anisotropy;
   std::array<std::vector<double>, 3> axes;
@@ -86,16 +88,19 @@ SceneInfo inspect(const Scene& scene) {
     if (finding->count > 0) info.findings.push_back(*finding);
   }
   if (info.usable > 1 && info.scale[3] > extent) {
-    info.findings.push_back({"median scale above the extent: scales look linear where logarithms are expected", huge.count, huge.first});
+    info.findings.push_back(
+        {"median scale above the extent: scales look linear where logarithms are expected", huge.count, huge.first});
   }
   return info;
 }
 
 std::string to_text(const SceneInfo& info) {
-  std::string out = fmt::format("{}: {} Gaussians ({} usable), SH degree {}{}\n", info.name.empty() ? "scene" : info.name, info.gaussians,
-                                info.usable, info.sh_degree, info.antialiased ? ", antialiased" : "");
+  std::string out =
+      fmt::format("{}: {} Gaussians ({} usable), SH degree {}{}\n", info.name.empty() ? "scene" : info.name,
+                  info.gaussians, info.usable, info.sh_degree, info.antialiased ? ", antialiased" : "");
   const auto box = [&](const char* name, const glm::dvec3& a, const glm::dvec3& b) {
-    out += fmt::format("  {:<14}[{:.4g}, {:.4g}, {:.4g}] .. [{:.4g}, {:.4g}, {:.4g}]\n", name, a.x, a.y, a.z, b.x, b.y, b.z);
+    out += fmt::format("  {:<14}[{:.4g}, {:.4g}, {:.4g}] .. [{:.4g}, {:.4g}, {:.4g}]\n", name, a.x, a.y, a.z, b.x, b.y,
+                       b.z);
   };
   box("bounds", info.lowest, info.highest);
   box("2..98 % box", info.box_lowest, info.box_highest);
@@ -111,7 +116,8 @@ std::string to_text(const SceneInfo& info) {
   line("opacity", info.opacity);
   line("anisotropy", info.anisotropy);
   out += fmt::format("  opacity below 1/255: {:.2f} %\n", 100 * info.faint_share);
-  for (const Finding& f : info.findings) out += fmt::format("  note: {}: {}, first at index {}\n", f.what, f.count, f.first);
+  for (const Finding& f : info.findings)
+    out += fmt::format("  note: {}: {}, first at index {}\n", f.what, f.count, f.first);
   return out;
 }
 
@@ -140,7 +146,7 @@ std::string to_json(const SceneInfo& info) {
                     {"anisotropy", table(info.anisotropy)},
                     {"faint_share", info.faint_share},
                     {"findings", findings}};
-  return out.dump(1, ' ', false, Json::error_handler_t::replace);
+  return json_text(out, 1);
 }
 
 }  // namespace pipegs

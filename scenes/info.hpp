@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // info: what is in a scene, in numbers, and what in it looks wrong.
 //
 // Idea    Statistics are taken over the Gaussians that activate() accepts; what it refuses and what
@@ -31,11 +32,11 @@ struct SceneInfo {
   std::size_t gaussians = 0, usable = 0;
   int sh_degree = 0;
   bool antialiased = false;
-  glm::dvec3 lowest{0}, highest{0};      // of the means
-  glm::dvec3 box_lowest{0}, box_highest{0};  // 2..98 percentile, per axis
+  glm::dvec3 lowest{0}, highest{0};              // of the means
+  glm::dvec3 box_lowest{0}, box_highest{0};      // 2..98 percentile, per axis
   Percentiles scale{}, opacity{}, anisotropy{};  // scale: the largest of each Gaussian
-  double faint_share = 0;                // opacity below 1/255: never drawn
-  std::vector<Finding> findings;         // only what occurs
+  double faint_share = 0;                        // opacity below 1/255: never drawn
+  std::vector<Finding> findings;                 // only what occurs
 };
 
 SceneInfo inspect(const Scene& scene);

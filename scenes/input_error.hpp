@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // input_error: what every reader throws when a file or an option is not what it should be.
 //
 // Idea    The message is one line that a user can act on without a debugger:
@@ -11,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "scenes/text/quote.hpp"
+
 namespace pipegs {
 
 class InputError : public std::runtime_error {
@@ -20,8 +23,5 @@ class InputError : public std::runtime_error {
   // "<file>: <where>: <what>", or "<file>: <what>" when `where` is empty.
   InputError(std::string_view file, std::string_view where, std::string_view what);
 };
-
-// A quotation out of a file, cut to a readable length and freed of control characters.
-std::string quote(std::string_view text);
 
 }  // namespace pipegs

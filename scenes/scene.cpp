@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // scene: activation of stored Gaussians, in double; see scene.hpp.
 //
 // Idea    Every test is written so that NaN fails it: a NaN is never compared as "in range".

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // scene: a trained set of 3D Gaussians as stored, and the activation that gives them meaning.
 //
 // Idea    A file stores what the optimiser trained; the renderer needs

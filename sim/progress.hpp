@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // progress.hpp: one line on the terminal that says how far a long stage is: stage, percent, rate, time left.
 //
 // Quiet when standard error is not a terminal. SIGINT is noticed between updates: `interrupted()` turns true and the

@@ -1,10 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
 """gates.py: a mapped, buffered module as Verilog for simulation.
 
-Idea    Each gate is an expression, the library's own function of it, and no instance of a cell; modules stay modules, with
-        their ports. Gates that only flip-flops look at stand in the process that clocks these, in order, so that they are
-        computed once for each edge: Verilator would order the others and write each of them three times.
-Rule    Flip-flops and latches do what the `ff` and `latch` groups of the library say, clear and preset included; what they
-        hold at the beginning is up to the simulator. A memory stays rtl/lib/sram.sv.
+Idea    Each gate is an expression, the library's own function of it, and no instance of a cell; modules stay modules,
+        with their ports. Gates that only flip-flops look at stand in the process that clocks these, in order, so that
+        they are computed once for each edge: Verilator would order the others and write each of them three times.
+Rule    Flip-flops and latches do what the `ff` and `latch` groups of the library say, clear and preset included; what
+        they hold at the beginning is up to the simulator. A memory stays rtl/lib/sram.sv.
         What is not understood raises ValueError.
 """
 import collections
@@ -36,7 +37,9 @@ class Nets:
 
 
 def concatenation(parts):
-    """Verilog of single bits, highest first; neighbours in one signal are a slice of it: Verilator copies all before each part."""
+    """Verilog of single bits, highest first; neighbours in one signal are a slice of it.
+
+    Verilator copies all before each part."""
     slices = []
     for part in parts:
         name, _, at = part.rstrip("]").partition("[")
@@ -44,7 +47,10 @@ def concatenation(parts):
             slices[-1][2] = int(at)
         else:
             slices.append([name, int(at), int(at)] if at.isdigit() and part[-1] == "]" else [part, None, None])
-    texts = [name if high is None else f"{name}[{high}]" if high == low else f"{name}[{high}:{low}]" for name, high, low in slices]
+    texts = [
+        name if high is None else f"{name}[{high}]" if high == low else f"{name}[{high}:{low}]"
+        for name, high, low in slices
+    ]
     return texts[0] if len(texts) == 1 else "{" + ",\n      ".join(texts) + "}"
 
 
@@ -80,12 +86,25 @@ def module_text(module, gates, library):
                 nets.place(pins[port], f"u{number}_{port}")
                 lines.append(f"  wire [{width - 1}:0] u{number}_{port};" if width > 1 else f"  wire u{number}_{port};")
     shown = [bit for _, (direction, bits) in gates.ports.items() if direction == "output" for bit in bits]
-    shown += [bit for kind, _, pins in instances for port, direction, _ in boxes[kind].ports() if direction == "input" for bit in pins.get(port, [])]
+    shown += [
+        bit
+        for kind, _, pins in instances
+        for port, direction, _ in boxes[kind].ports()
+        if direction == "input"
+        for bit in pins.get(port, [])
+    ]
     logic = Logic([cell for cell in gates.cells if cell[0] not in boxes], library, nets)
     lines += logic.lines(shown)
     lines += [_instance(boxes[kind], number, label, pins, nets) for number, (kind, label, pins) in enumerate(instances)]
-    lines += [f"  assign {port} = {nets.bus(bits)};" for port, (direction, bits) in gates.ports.items() if direction == "output"]
-    ports = [f"  {direction} {f'[{len(bits) - 1}:0] ' if len(bits) > 1 else ''}{port}" for port, (direction, bits) in gates.ports.items()]
+    lines += [
+        f"  assign {port} = {nets.bus(bits)};"
+        for port, (direction, bits) in gates.ports.items()
+        if direction == "output"
+    ]
+    ports = [
+        f"  {direction} {f'[{len(bits) - 1}:0] ' if len(bits) > 1 else ''}{port}"
+        for port, (direction, bits) in gates.ports.items()
+    ]
     return "\n".join([f"module {module.name} ("] + [",\n".join(ports)] + [");"] + lines + ["endmodule", ""])
 
 
@@ -114,7 +133,9 @@ class Logic:
         if cell.latch:
             self.latches.append((cell.latch, pins, register))
             return
-        resets = [_reset(self.filled(cell.rules[rule], pins)) if rule in cell.rules else None for rule in ("clear", "preset")]
+        resets = [
+            _reset(self.filled(cell.rules[rule], pins)) if rule in cell.rules else None for rule in ("clear", "preset")
+        ]
         key = (_literal(self.filled(cell.rules["clocked_on"], pins)), *resets)
         self.flops.setdefault(key, []).append((register, cell.rules["next_state"], pins))
 
@@ -142,7 +163,11 @@ class Logic:
         for number, (_, group) in enumerate(flops):
             lines.append(f"  logic [{len(group) - 1}:0] q{number};" if len(group) > 1 else f"  logic q{number};")
         controls = {literal[1] for key in self.flops for literal in key if literal}
-        shown = shown + [bit for _, pins, _ in self.latches for bit in pins.values()] + [bit for bit in self.drivers if self.nets.bit(bit) in controls]
+        shown = (
+            shown
+            + [bit for _, pins, _ in self.latches for bit in pins.values()]
+            + [bit for bit in self.drivers if self.nets.bit(bit) in controls]
+        )
         cones = [self.cone([pins[pin] for _, _, pins in group for pin in pins]) for _, group in flops]
         counts = collections.Counter(bit for cone in cones for bit in cone)
         eager = self.cone(shown + [bit for bit in counts if counts[bit] > 1])
@@ -150,7 +175,10 @@ class Logic:
         lines += [f"  logic {self.nets.bit(bit)};" for bit in eager]
         lines += [f"  assign {self.nets.bit(bit)} = {self.filled(*self.drivers[bit])};" for bit in eager]
         for (data, enable), pins, register in self.latches:
-            lines.append(f"  logic n{register};\n  always_latch if ({self.filled(enable, pins)}) n{register} = {self.filled(data, pins)};")
+            lines.append(
+                f"  logic n{register};\n"
+                f"  always_latch if ({self.filled(enable, pins)}) n{register} = {self.filled(data, pins)};"
+            )
         for number, (key, group) in enumerate(flops):
             lines += self.process(number, *key, group, [bit for bit in cones[number] if bit not in known])
         return lines
@@ -158,10 +186,14 @@ class Logic:
     def process(self, number, clock, clear, preset, group, cone):
         """Flip-flops of one clock and reset, with the gates that only they look at."""
         inside, uses, names = set(cone), collections.Counter(), {}
-        data = [(function, {pin: pins[pin] for pin in re.findall(r"[A-Za-z_]\w*", function)}) for _, function, pins in group]
+        data = [
+            (function, {pin: pins[pin] for pin in re.findall(r"[A-Za-z_]\w*", function)}) for _, function, pins in group
+        ]
         for _, pins in [self.drivers[bit] for bit in cone] + data:
             uses.update(pins.values())
-        filled = lambda function, pins: re.sub(r"[A-Za-z_]\w*", lambda pin: names.get(pins[pin[0]]) or self.nets.bit(pins[pin[0]]), function)
+        filled = lambda function, pins: re.sub(
+            r"[A-Za-z_]\w*", lambda pin: names.get(pins[pin[0]]) or self.nets.bit(pins[pin[0]]), function
+        )
         body, wires = [], []
         for bit in cone:
             text = filled(*self.drivers[bit])
@@ -175,16 +207,25 @@ class Logic:
         for literal, value in ((clear, "'0"), (preset, "'1")):
             if literal:
                 text += f" if ({'!' if literal[0] else ''}{literal[1]}) q{number} <= {value}; else"
-        return [text + f" begin : next{number}"] + [f"    automatic logic {self.nets.bit(bit)};" for bit in wires] + body \
-            + _words(f"q{number}", [filled(*item) for item in data]) + ["  end"]
+        return (
+            [text + f" begin : next{number}"]
+            + [f"    automatic logic {self.nets.bit(bit)};" for bit in wires]
+            + body
+            + _words(f"q{number}", [filled(*item) for item in data])
+            + ["  end"]
+        )
 
 
 def _instance(box, number, label, pins, nets):
     kind = box.name
     if box.base == rtlil.MEMORY:
         kind = f"{box.base} #({', '.join(f'.{key}({value})' for key, value in box.parameters.items())})"
-    ties = [f".{port}({f'u{number}_{port}' if direction == 'output' else nets.bus(pins[port])})" if pins.get(port) else f".{port}()"
-            for port, direction, _ in box.ports()]
+    ties = [
+        f".{port}({f'u{number}_{port}' if direction == 'output' else nets.bus(pins[port])})"
+        if pins.get(port)
+        else f".{port}()"
+        for port, direction, _ in box.ports()
+    ]
     return f"  {kind} {label if label.isidentifier() else chr(92) + label + ' '} ({', '.join(ties)});"
 
 
@@ -192,7 +233,10 @@ def _words(name, expressions):
     """A wide signal, 32 bits with each line: in one piece it would cost Verilator a wide intermediate for each bit."""
     if len(expressions) == 1:
         return [f"    {name} <= {expressions[0]};"]
-    return [f"    {name}[{at} +: {len(expressions[at:at + 32])}] <= {concatenation(expressions[at:at + 32][::-1])};" for at in range(0, len(expressions), 32)]
+    return [
+        f"    {name}[{at} +: {len(expressions[at:at + 32])}] <= {concatenation(expressions[at:at + 32][::-1])};"
+        for at in range(0, len(expressions), 32)
+    ]
 
 
 def _literal(expression):
@@ -215,4 +259,6 @@ def _reset(expression):
 
 def text(modules, netlists, library):
     """A file with all of these modules; netlists: {name: Netlist}."""
-    return HEAD + "".join(module_text(module, netlists[module.name], library) for module in modules if module.base != rtlil.MEMORY)
+    return HEAD + "".join(
+        module_text(module, netlists[module.name], library) for module in modules if module.base != rtlil.MEMORY
+    )

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """jobs.py: programs run in parallel, each result kept under the hash of all that it was made from.
 
 Idea    A result is a folder CACHE/NAME.HASH. It is filled under another name and renamed when it is whole, so what was
@@ -67,14 +68,23 @@ class Jobs:
         done, begin, results = 0, time.time(), {}
         total = sum(cost for _, cost, _ in tasks)
         with concurrent.futures.ThreadPoolExecutor(self.workers) as pool:
-            waiting = {pool.submit(function): (name, cost) for name, cost, function in sorted(tasks, key=lambda task: -task[1])}
+            waiting = {
+                pool.submit(function): (name, cost) for name, cost, function in sorted(tasks, key=lambda task: -task[1])
+            }
             try:
                 for number, future in enumerate(concurrent.futures.as_completed(waiting), 1):
                     name, cost = waiting[future]
                     try:
                         results[name] = future.result()
                     except Failed as error:
-                        log = next((root for root in os.listdir(self.cache) if root.startswith(name + ".") and root.endswith(".failed")), "")
+                        log = next(
+                            (
+                                root
+                                for root in os.listdir(self.cache)
+                                if root.startswith(name + ".") and root.endswith(".failed")
+                            ),
+                            "",
+                        )
                         raise Failed(f"{what} {name}: {error}; log {os.path.join(self.cache, log, 'log')}") from None
                     done += cost
                     self._progress(what, number, len(tasks), (time.time() - begin) * (total / done - 1))

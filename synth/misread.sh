@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# misread.sh: constructs that Yosys 0.23 reads wrong without a word (docs/decisions/systemverilog.md): misread.sh FILE ...
+# SPDX-License-Identifier: Apache-2.0
+# misread.sh FILE ...: constructs that Yosys 0.23 reads wrong without a word (docs/decisions/systemverilog.md)
 #
-# Arrays of structs, of enums and of other named types lose a dimension, functions that return structs return 0, functions
-# that build a table in a constant get it wrong, a parameter of '1 is 1, a sum in a comparison keeps what a sized cast in it
-# cuts off, and a minus before a sized cast binds to the size: write W'(0) - W'(x).
+# Arrays of structs, of enums and of other named types lose a dimension, functions that return structs return 0,
+# functions that build a table in a constant get it wrong, a parameter of '1 is 1, a sum in a comparison keeps what a
+# sized cast in it cuts off, and a minus before a sized cast binds to the size: write W'(0) - W'(x).
 # Prints each place with what is wrong with it; fails when there is one.
 set -uo pipefail
 found=0
@@ -13,5 +14,6 @@ look "a function that returns a struct" 'function automatic +(pipegs_pkg::)?[a-z
 look "a constant table built by a function" 'localparam[^=]*\[[^=]*= *[a-z_]+\(' "$@"
 look "a minus before a sized cast" "[^] A-Za-z0-9_)'] *-(\([^()]*\)|[A-Za-z0-9_:]+)'\(" "$@"
 look "a parameter of all ones" "(local)?param(eter)?[^=]*= *'1 *[;,)]" "$@"
-look "a comparison with a sum that holds a sized cast" "[=!]= *[]A-Za-z0-9_.:[]+ *[+-] *[A-Za-z0-9_:]+'\(|[+-] *[A-Za-z0-9_:]+'\([^()]*\) *[=!]=" "$@"
+look "a comparison with a sum that holds a sized cast" \
+  "[=!]= *[]A-Za-z0-9_.:[]+ *[+-] *[A-Za-z0-9_:]+'\(|[+-] *[A-Za-z0-9_:]+'\([^()]*\) *[=!]=" "$@"
 [ "$found" -eq 0 ]

@@ -1,10 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
 """netlist.py: one module after mapping: counted, its large nets buffered, written for OpenSTA.
 
-Idea    Yosys' JSON says which bits meet at which pins; that is all there is to a netlist. A flip-flop is named after the
-        signal that it holds, so that a path reads as the RTL does.
-Rule    abc buffers the nets of a module's own gates. What it does not see are nets into submodules and from flip-flop to
-        flip-flop: a net with more than FANOUT loads gets a tree of buffers, where a submodule's pin counts as many loads as
-        it has inside (at most FANOUT). Clock and reset stay ideal.
+Idea    Yosys' JSON says which bits meet at which pins; that is all there is to a netlist. A flip-flop is named after
+        the signal that it holds, so that a path reads as the RTL does.
+Rule    abc buffers the nets of a module's own gates. What it does not see are nets into submodules and from flip-flop
+        to flip-flop: a net with more than FANOUT loads gets a tree of buffers, where a submodule's pin counts as many
+        loads as it has inside (at most FANOUT). Clock and reset stay ideal.
 """
 import json
 
@@ -25,20 +26,28 @@ class Netlist:
             design = json.load(file)["modules"]
         module = design[name]
         names = {}
-        for net, body in sorted(module["netnames"].items(), key=lambda item: (not item[0].endswith("_q"), len(item[0]))):
+        for net, body in sorted(
+            module["netnames"].items(), key=lambda item: (not item[0].endswith("_q"), len(item[0]))
+        ):
             if not body["hide_name"]:
                 for i, bit in enumerate(body["bits"]):
                     names.setdefault(bit, net if len(body["bits"]) == 1 else f"{net}[{i}]")
         cells = []
         for number, (cell, body) in enumerate(module["cells"].items()):
             kind = body["type"]
-            pins = {pin: ["0" if bit in ("x", "z") else bit for bit in bits] for pin, bits in body["connections"].items()}
+            pins = {
+                pin: ["0" if bit in ("x", "z") else bit for bit in bits] for pin, bits in body["connections"].items()
+            }
             if kind not in library.cells and kind not in design:
                 raise ValueError(f"{kind} was not mapped")
             if kind in design:
                 label = cell
             elif library.cells[kind].is_flop or library.cells[kind].latch:
-                outputs = [names[pins[pin][0]] for pin in library.cells[kind].outputs if pins.get(pin) and pins[pin][0] in names]
+                outputs = [
+                    names[pins[pin][0]]
+                    for pin in library.cells[kind].outputs
+                    if pins.get(pin) and pins[pin][0] in names
+                ]
                 label = outputs[0] if outputs else f"flop{number}"
             else:
                 label = f"g{number}"
@@ -79,11 +88,19 @@ class Netlist:
                             sinks.setdefault(bit, []).append((loads[kind][pin][i], bits, i))
                 elif pin in library.cells[kind].inputs:
                     sinks.setdefault(bits[0], []).append((1, bits, 0))
-        fresh = 1 + max([bit for _, bits in self.ports.values() for bit in bits if isinstance(bit, int)]
-                        + [bit for _, _, pins in self.cells for bits in pins.values() for bit in bits if isinstance(bit, int)], default=0)
+        fresh = 1 + max(
+            [bit for _, bits in self.ports.values() for bit in bits if isinstance(bit, int)]
+            + [bit for _, _, pins in self.cells for bits in pins.values() for bit in bits if isinstance(bit, int)],
+            default=0,
+        )
         (source,), (sink,) = library.buffer.inputs, library.buffer.outputs
         for bit, pins in sinks.items():
-            while isinstance(bit, int) and bit not in ideal and sum(load for load, _, _ in pins) > FANOUT and len(pins) > 1:
+            while (
+                isinstance(bit, int)
+                and bit not in ideal
+                and sum(load for load, _, _ in pins) > FANOUT
+                and len(pins) > 1
+            ):
                 groups, room = [], 0
                 for pin in sorted(pins, key=lambda pin: -pin[0]):
                     if pin[0] > room:
@@ -99,8 +116,11 @@ class Netlist:
                         bits[i] = fresh
                     pins.append((1, driver, 0))
                     fresh += 1
-        return {port: [min(FANOUT, sum(load for load, _, _ in sinks.get(bit, ()))) for bit in bits]
-                for port, (direction, bits) in self.ports.items() if direction == "input"}
+        return {
+            port: [min(FANOUT, sum(load for load, _, _ in sinks.get(bit, ()))) for bit in bits]
+            for port, (direction, bits) in self.ports.items()
+            if direction == "input"
+        }
 
     def verilog(self, name):
         """Structural Verilog."""
@@ -115,17 +135,26 @@ class Netlist:
                         if at.get(bit) != place or isinstance(bit, str):
                             lines.append(f"  assign {place} = {_constant(bit) or at[bit]};")
         at = {bit: place for bit, place in at.items() if isinstance(bit, int)}
-        wires = sorted({bit for _, _, pins in self.cells for bits in pins.values() for bit in bits if isinstance(bit, int)} - set(at))
+        wires = sorted(
+            {bit for _, _, pins in self.cells for bits in pins.values() for bit in bits if isinstance(bit, int)}
+            - set(at)
+        )
 
         def net(bit):
             return _constant(bit) or at.get(bit) or f"n{bit}"
 
+        def joined(bits):
+            names = [net(bit) for bit in reversed(bits)]
+            return names[0] if len(names) == 1 else "{" + ", ".join(names) + "}"
+
         for kind, label, pins in self.cells:
-            ties = ", ".join(f".{pin}({net(bits[0]) if len(bits) == 1 else '{' + ', '.join(net(bit) for bit in reversed(bits)) + '}'})"
-                             for pin, bits in pins.items() if bits)
+            ties = ", ".join(f".{pin}({joined(bits)})" for pin, bits in pins.items() if bits)
             lines.append(f"  {kind} {label if label.isidentifier() else chr(92) + label + ' '} ({ties});")
         head = [f"module {name} ({', '.join(self.ports)});"]
-        head += [f"  {direction} {f'[{len(bits) - 1}:0] ' if len(bits) > 1 else ''}{port};" for port, (direction, bits) in self.ports.items()]
+        head += [
+            f"  {direction} {f'[{len(bits) - 1}:0] ' if len(bits) > 1 else ''}{port};"
+            for port, (direction, bits) in self.ports.items()
+        ]
         head += [f"  wire n{bit};" for bit in wires]
         return "\n".join(head + lines + ["endmodule", ""])
 

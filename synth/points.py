@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""points.py: synthesises configurations around two rungs into synth/points.csv, which the area model interpolates (sim/silicon/area_model.hpp).
+# SPDX-License-Identifier: Apache-2.0
+"""points.py: synthesises configurations around two design points into synth/data/points.csv, which the area model
+interpolates (sim/study/silicon/area_model.hpp).
 
-Idea    A row is a block of the machine in one configuration: a module with what it holds of rtl/lib. A block depends on few
-        knobs, so few configurations tell them apart: those in which knobs move that seldom meet in a block, then some in
-        which all move. What a change leaves alone comes out of the cache, and nothing is timed.
+Idea    A row is a block of the machine in one configuration: a module with what it holds of rtl/lib. A block depends on
+        few knobs, so few configurations tell them apart: those in which knobs move that seldom meet in a block, then
+        some in which all move. What a change leaves alone comes out of the cache, and nothing is timed.
 Rule    Areas are those of `make synth`, buffers included, memories not; of all instances in the machine.
 """
 import argparse
@@ -21,13 +23,16 @@ import rtlil
 import synth
 from jobs import Failed, Jobs
 
+sys.path.append(f"{synth.ROOT}/docs/figures")
+from sources import csv_line  # noqa: E402  (what tables are measured with)
+
 HEAD = "configuration,unit,block,instances,nand2,flipflops"
 
 
 def settings(text):
-    """["key=value", ...] of "rung key=value ..."."""
-    rung, *rest = text.split()
-    return [f"{key}={value}" for key, value in synth.rung_settings(rung)] + rest
+    """["key=value", ...] of "dop key=value ...": a design point and what is changed in it."""
+    design_point, *rest = text.split()
+    return [f"{key}={value}" for key, value in synth.design_point_settings(design_point)] + rest
 
 
 def instances(modules):
@@ -67,21 +72,29 @@ def point(machine, build, text):
         row[0] += own
         row[1] += areas[module.name]
         row[2] += flipflops[module.name]
-    return [f'"{configuration}",{unit},{block},{count},{nand2:.0f},{flops}' for (unit, block), (count, nand2, flops) in sorted(rows.items())]
+    return [
+        f'"{configuration}",{unit},{block},{count},{nand2:.0f},{flops}'
+        for (unit, block), (count, nand2, flops) in sorted(rows.items())
+    ]
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Synthesises the points of the area model into synth/points.csv.")
-    parser.add_argument("--liberty", default="/usr/share/qflow/tech/osu018/osu018_stdcells.lib", help="the library, .gz too")
+    parser = argparse.ArgumentParser(description="Synthesises the points of the area model into synth/data/points.csv.")
+    parser.add_argument(
+        "--liberty", default="/usr/share/qflow/tech/osu018/osu018_stdcells.lib", help="the library, .gz too"
+    )
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="programs at once")
     parser.add_argument("--build", default="build", help="build folder; holds cpp_model/package_sv")
-    parser.add_argument("--out", default=f"{synth.HERE}/points.csv", help="the table")
-    parser.add_argument("points", nargs="*", help='"RUNG key=value ..."; without any those of points.txt')
+    parser.add_argument("--out", default=f"{synth.HERE}/data/points.csv", help="the table")
+    parser.add_argument("points", nargs="*", help='"POINT key=value ..."; without any those of points.txt')
     options = parser.parse_args()
-    with open(f"{synth.HERE}/points.txt", encoding="utf-8") as file:
-        points = options.points or [line.strip() for line in file if line.strip() and not line.startswith("#")]
-    machine = synth.Machine(Jobs(os.path.abspath(f"{options.build}/synth/cache"), options.jobs), liberty.Library(options.liberty), 20)
-    lines = [HEAD]
+    with open(f"{synth.HERE}/data/points.txt", encoding="utf-8") as file:
+        lines = file.read().replace("\n ", " ").splitlines()  # a line that begins with a blank goes on
+    points = options.points or [" ".join(line.split()) for line in lines if line.strip() and not line.startswith("#")]
+    machine = synth.Machine(
+        Jobs(os.path.abspath(f"{options.build}/synth/cache"), options.jobs), liberty.Library(options.liberty), 20
+    )
+    lines = [csv_line("synth/data/points.csv"), HEAD]  # the sources of now: what changes meanwhile is not in it
     for number, text in enumerate(points, 1):
         print(f"{number} of {len(points)}: {text}", flush=True)
         lines += point(machine, options.build, text)

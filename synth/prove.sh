@@ -1,35 +1,39 @@
 #!/usr/bin/env bash
-# prove.sh: formal proofs of the RTL with Yosys, and changed copies of the RTL that they must refute: prove.sh [NAME ...]
+# SPDX-License-Identifier: Apache-2.0
+# prove.sh [NAME ...]: formal proofs of the RTL with Yosys, and mutants of the RTL that they must refute
 #
 # Idea    synth/prove/table.sh names each proof. A checker (synth/prove/*_proof.svh) is put before the last line of
-#         a copy of its module, where it sees every signal: Yosys 0.23 reads `bind` and ignores it. `sat -tempinduct` then proves
-#         all assertions for every trace of any length: no step from a state that satisfies them leads to one that does not.
+#         a copy of its module, where it sees every signal: Yosys 0.23 reads `bind` and ignores it. `sat -tempinduct`
+#         then proves all assertions for every trace of any length: no step from a state that satisfies them leads to
+#         one that does not.
 # Mutants A sed command changes the copy; from reset a trace must be found that breaks an assertion. A proof that fails
 #         in its step only, an error, or a command that changes nothing does not count.
-# Reading Any warning of Yosys (but that a small array becomes registers), a latch, an undriven or doubly driven signal, or no
-#         assertion at all, is a failure.
-# Output  One line per proof and per mutant, with the processor's seconds; $BUILD/prove/NAME.log. Exits 1 when a proof fails or
-#         a mutant is proved.
+# Reading Any warning of Yosys (but that a small array becomes registers), a latch, an undriven or doubly driven signal,
+#         or no assertion at all, is a failure.
+# Output  One line per proof and per mutant, with the processor's seconds; $BUILD/prove/NAME.log. Exits 1 when a proof
+#         fails or a mutant is proved.
 set -uo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit
 build=${BUILD:-build} here=synth/prove wanted=" $* " proofs=0 mutants=0 failed=0
 out=$build/prove; mkdir -p "$out"
-rungs=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1" "late=1 order=2" "units=2" "units=1")
+machines=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1" "late=1 order=2" "units=2"
+  "units=1")
 
 package() { if [ "$1" = default ]; then cat rtl/pipegs_pkg.sv; else "$build/cpp_model/package_sv" ${1//,/ }; fi; }
 source_of() {  # the file of a module: the proof's own one, else the RTL
   if [ -e "$here/$1.sv" ]; then echo "$here/$1.sv"; else ls rtl/"$1".sv rtl/*/"$1".sv 2>/dev/null; fi
 }
 
-# instances MODULE: the parameters of its instances on all rungs, one set per line, from Yosys' log of the whole machine
+# instances MODULE: the parameters of its instances in all machines, one set per line, from Yosys' log of each
 instances() {
-  local list=$out/instances.txt rung files
+  local list=$out/instances.txt machine files
   if [ ! -e "$list" ] || [ -n "$(find rtl "$build/cpp_model/package_sv" -newer "$list" -name '*[^~]' -type f)" ]; then
-    files=$(ls rtl/*.sv rtl/*/*.sv | grep -v pipegs_pkg | tr '\n' ' ')
-    for rung in "${rungs[@]}"; do
-      "$build/cpp_model/package_sv" $rung > "$list.$$.sv" &&
+    files=$(find rtl -name '*.sv' ! -name pipegs_pkg.sv | sort | tr '\n' ' ')
+    for machine in "${machines[@]}"; do
+      "$build/cpp_model/package_sv" $machine > "$list.$$.sv" &&
         yosys -p "read_verilog -sv -defer $list.$$.sv $files; hierarchy -check -top pipegs_top" || echo ERROR
-    done | awk -F"[\`']" '/ERROR/ {print "ERROR"} /derive mode using pre-parsed AST for module/ {name = substr($2, 2); set = ""}
+    done | awk -F"[\`']" '/ERROR/ {print "ERROR"}
+        /derive mode using pre-parsed AST for module/ {name = substr($2, 2); set = ""}
       /^Parameter / {split($0, part, /[\\ ]+/); set = set " " part[2] "=" part[4]}
       /^Generating RTLIL/ {if (set != "") print name set; set = ""}' | sort -u > "$list.$$"
     mv "$list.$$" "$list"; rm -f "$list.$$.sv"
@@ -37,7 +41,8 @@ instances() {
   if grep -q ERROR "$list"; then rm "$list"; echo ERROR; else sed -n "s/^$1 //p" "$list"; fi
 }
 
-# sets_of PARAMETERS: one set per line; "machine Name=value": every instance of the top on every rung, with this changed
+# sets_of PARAMETERS: one set per line; "machine Name=value": every instance of the top in every machine, with this
+# changed
 sets_of() {
   if [ "${1%% *}" != machine ]; then tr '\n' ' ' <<< "$1" | sed 's/; */\n/g'; return; fi
   local change sets; sets=$(instances "$top")
@@ -73,7 +78,8 @@ run() {
     select -assert-none t:\$*latch*; memory -nomap; memory_map; async2sync; opt_clean
     select -assert-min 1 t:\$assert; sat -prove-asserts -set-assumes $3" > /dev/null 2>&1
   local status=$?
-  if name=$(grep -iE 'warning|implicitly|unsupported|ignoring' "$log" | grep -vEm1 '^Warnings: |Replacing memory .* with list of registers'); then echo "misread: $name"
+  if name=$(grep -iE 'warning|implicitly|unsupported|ignoring' "$log" |
+      grep -vEm1 '^Warnings: |Replacing memory .* with list of registers'); then echo "misread: $name"
   elif grep -q 'Induction step proven: SUCCESS!' "$log" && [ $status -eq 0 ]; then echo proved
   elif grep -q 'model found for base case: FAIL!' "$log"; then echo refuted
   elif grep -q 'proof failed\|did fail' "$log"; then echo "not proved: a step breaks it, or no trace from reset does"
@@ -81,7 +87,8 @@ run() {
   else echo "$(tail -n 1 "$log") ($status)"; fi
 }
 
-# attempt WHAT PARAMETERS SAT [CHANGED MODULE]: a run in a folder of its own, its log behind that of the proof; the verdict
+# attempt WHAT PARAMETERS SAT [CHANGED MODULE]: a run in a folder of its own, its log behind that of the proof;
+# prints the verdict
 attempt() {
   local folder verdict; folder=$(mktemp -d)
   [ $# -lt 4 ] || mv "$4" "$folder/$top.sv"
@@ -93,11 +100,12 @@ attempt() {
 
 report() {  # NAME VERDICT WHAT FROM: the seconds are those that the processor spent in Yosys since line FROM of the log
   awk -v name="$1" -v verdict="$2" -v what="${3//\\/}" -v from="$4" \
-    'NR > from && /CPU: user/ {sum += $(NF - 6) + $(NF - 4)} END {printf "%-20s %-8s %5.1f s  %s\n", name, verdict, sum, what}' "$log"
+    'NR > from && /CPU: user/ {sum += $(NF - 6) + $(NF - 4)}
+     END {printf "%-20s %-8s %5.1f s  %s\n", name, verdict, sum, what}' "$log"
   if [ "$2" = FAILED ]; then failed=$((failed + 1)); fi
 }
 
-# --- the two words of the table ------------------------------------------------------------------------------------------
+# --- the two words of the table ---------------------------------------------------------------------------------------
 proof() {  # NAME MODULES PARAMETERS
   local sets set verdict
   name=$1 modules=$2 top=${2%%[ +]*} log=$out/$1.log skipped=1
@@ -119,12 +127,14 @@ mutant() {  # WHAT CHANGE [PARAMETERS]: of the proof above
   mutants=$((mutants + 1)) from=$(wc -l < "$log") source=$(source_of "$top") changed=$(mktemp)
   sed -E "$2" "$source" > "$changed"
   if cmp -s "$changed" "$source"; then verdict="the change did not apply"
-  else verdict=$(attempt "$name, changed: $1" "${3:-$first}" "-tempinduct -tempinduct-baseonly -maxsteps 16" "$changed"); fi
+  else
+    verdict=$(attempt "$name, changed: $1" "${3:-$first}" "-tempinduct -tempinduct-baseonly -maxsteps 16" "$changed")
+  fi
   rm -f "$changed"
   if [ "$verdict" = refuted ]; then report "" refuted "$1" "$from"; else report "" FAILED "$1: $verdict" "$from"; fi
 }
 
 . "$here/table.sh"
 [ $proofs -gt 0 ] || { echo "no such proof: $*"; exit 1; }
-echo "$proofs proofs, $mutants changed copies, $failed failed"
+echo "$proofs proofs, $mutants mutants, $failed failed"
 [ $failed -eq 0 ]

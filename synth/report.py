@@ -1,11 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0
 """report.py: synth.json and the tables of a synthesised machine.
 
 Rule    area and flip-flops of a module are its own, without submodules; of a unit, of one instance with all below it. A
         module that stands in several units has a row in each. A path counts for the module in which most of its time
         passes (path_in). Memories have no area here.
         kGE: thousands of NAND2 of the library. FO4: delays of an inverter that drives four.
-        Power of one unit, in the library's own technology and voltage, without wires: leakage_w; clock_j, energy of a clocked
-        cycle in which no data changes; switch_j, energy that a cycle takes more when each net toggles once on average.
+        Power of one unit, in the library's own technology and voltage, without wires: leakage_w; clock_j, energy of a
+        clocked cycle in which no data changes; switch_j, energy that a cycle takes more when each net toggles once on
+        average.
 """
 import collections
 import json
@@ -38,16 +40,21 @@ def path_entry(path, module, prefix="path"):
             child = next(((name, child) for name, child in place.children if rest.startswith(name + "/")), None)
             if child is None:
                 break
-            place, rest = child[1], rest[len(child[0]) + 1:]
+            place, rest = child[1], rest[len(child[0]) + 1 :]
         spent[place.name] += ns
     inside = spent.most_common(1)[0][0] if spent else module.name
-    return {f"{prefix}_ps": round(path.ns * 1000), f"{prefix}_from": path.start, f"{prefix}_to": path.end, f"{prefix}_in": inside}
+    return {
+        f"{prefix}_ps": round(path.ns * 1000),
+        f"{prefix}_from": path.start,
+        f"{prefix}_to": path.end,
+        f"{prefix}_in": inside,
+    }
 
 
 def power_entry(machine, names, power):
     """OpenSTA leaves out what drives a clock net: its pins are added."""
     leakage, cycle = power
-    pins = sum(machine.clock_loads[name] for name in names) * machine.library.femto * 1e-15 * machine.library.volts ** 2
+    pins = sum(machine.clock_loads[name] for name in names) * machine.library.femto * 1e-15 * machine.library.volts**2
     low, mid, high = cycle
     slope = (high - low) / (timing.ACTIVITIES[2] - timing.ACTIVITIES[0])
     bend = abs(2 * mid - low - high) / max(high - low, 1e-30)  # 0 when energy is linear in activity
@@ -61,10 +68,21 @@ def summary(machine, modules, configuration, library, seconds):
     rows = []
     for (name, unit), count in sorted(counts.items(), key=lambda item: (item[0][1], item[0][0])):
         module, paths = modules[name], machine.paths.get(name, {"registers": None, "ports": None})
-        longest = max((path for path in (paths["registers"], paths["ports"]) if path), key=lambda path: path.ns, default=None)
-        rows.append({"module": module.base, "unit": unit, "parameters": module.parameters, "instances": count,
-                     "area_um2": round(machine.areas[name], 1), "nand2": round(machine.areas[name] / nand2),
-                     "flipflops": machine.flipflops[name], **path_entry(longest, module)})
+        longest = max(
+            (path for path in (paths["registers"], paths["ports"]) if path), key=lambda path: path.ns, default=None
+        )
+        rows.append(
+            {
+                "module": module.base,
+                "unit": unit,
+                "parameters": module.parameters,
+                "instances": count,
+                "area_um2": round(machine.areas[name], 1),
+                "nand2": round(machine.areas[name] / nand2),
+                "flipflops": machine.flipflops[name],
+                **path_entry(longest, module),
+            }
+        )
     units = []
     for base, unit in [*UNITS.items(), ("pipegs_top", "top")]:
         found = [module for module in modules.values() if module.base == base]
@@ -72,22 +90,46 @@ def summary(machine, modules, configuration, library, seconds):
             below = [module.name for module, _, _ in walk(found[0]) if module.base != rtlil.MEMORY]
             area = sum(machine.areas[name] for name in below)
             paths = machine.paths[found[0].name]
-            units.append({"unit": unit, "instances": sum(module is found[0] for module, _, _ in instances), "area_um2": round(area, 1),
-                          "nand2": round(area / nand2), "flipflops": sum(machine.flipflops[name] for name in below),
-                          **path_entry(paths["registers"], found[0]), **path_entry(paths["ports"], found[0], "port_path"),
-                          **power_entry(machine, below, paths["power"])})
-    memories = collections.Counter((re.sub(r"\[\d+\]", "[k]", path), unit, module.parameters["Depth"], module.parameters["DataW"])
-                                   for module, unit, path in instances if module.base == rtlil.MEMORY)
-    return {"configuration": configuration, "library": library, "nand2_um2": nand2, "nand2_ff": round(machine.library.nand_load * machine.library.femto, 3),
-            "volts": machine.library.volts, "fo4_ps": round(machine.fo4 * 1000, 1),
-            "sram_access_ps": round(machine.access * 1000), "modules": rows, "units": units,
-            "memories": [{"instance": path, "unit": unit, "words": words, "width": width, "ports": "1R1W", "instances": count}
-                         for (path, unit, words, width), count in sorted(memories.items(), key=lambda item: item[0][1:2] + item[0][:1])],
-            "longest": longest_paths(machine.paths["pipegs_top"]["many"], machine.fo4)[:100], "seconds": round(seconds)}
+            units.append(
+                {
+                    "unit": unit,
+                    "instances": sum(module is found[0] for module, _, _ in instances),
+                    "area_um2": round(area, 1),
+                    "nand2": round(area / nand2),
+                    "flipflops": sum(machine.flipflops[name] for name in below),
+                    **path_entry(paths["registers"], found[0]),
+                    **path_entry(paths["ports"], found[0], "port_path"),
+                    **power_entry(machine, below, paths["power"]),
+                }
+            )
+    memories = collections.Counter(
+        (re.sub(r"\[\d+\]", "[k]", path), unit, module.parameters["Depth"], module.parameters["DataW"])
+        for module, unit, path in instances
+        if module.base == rtlil.MEMORY
+    )
+    return {
+        "configuration": configuration,
+        "library": library,
+        "nand2_um2": nand2,
+        "nand2_ff": round(machine.library.nand_load * machine.library.femto, 3),
+        "volts": machine.library.volts,
+        "fo4_ps": round(machine.fo4 * 1000, 1),
+        "sram_access_ps": round(machine.access * 1000),
+        "modules": rows,
+        "units": units,
+        "memories": [
+            {"instance": path, "unit": unit, "words": words, "width": width, "ports": "1R1W", "instances": count}
+            for (path, unit, words, width), count in sorted(
+                memories.items(), key=lambda item: item[0][1:2] + item[0][:1]
+            )
+        ],
+        "longest": longest_paths(machine.paths["pipegs_top"]["many"], machine.fo4)[:100],
+        "seconds": round(seconds),
+    }
 
 
 def longest_paths(many, fo4):
-    """The longest paths between registers of the whole machine, one for each signal at which they end, equal units once."""
+    """The longest paths between registers of the machine, one for each signal at which they end, equal units once."""
     found = {}
     for start, end, ns in sorted(many, key=lambda path: -path[2]):
         entry = {"path_ps": round(ns * 1000), "fo4": round(ns / fo4, 1), "path_from": start, "path_to": end}
@@ -97,21 +139,50 @@ def longest_paths(many, fo4):
 
 def tables(result):
     fo4 = result["fo4_ps"]
-    lines = [f"{result['configuration']} in {result['library']}: NAND2 {result['nand2_um2']} um2, FO4 {fo4} ps, memories {result['sram_access_ps']} ps", "",
-             f"{'unit':6} {'count':>5} {'kGE of one':>10} {'kGE of all':>10} {'flip-flops':>10} {'path ps':>8} {'FO4':>5}  from -> to (most of it in)"]
+    lines = [
+        f"{result['configuration']} in {result['library']}: NAND2 {result['nand2_um2']} um2, FO4 {fo4} ps, "
+        f"memories {result['sram_access_ps']} ps",
+        "",
+        f"{'unit':6} {'count':>5} {'kGE of one':>10} {'kGE of all':>10} {'flip-flops':>10} "
+        f"{'path ps':>8} {'FO4':>5}  from -> to (most of it in)",
+    ]
     for row in result["units"]:
-        lines.append(f"{row['unit']:6} {row['instances']:5} {row['nand2'] / 1000:10.1f} {row['nand2'] * row['instances'] / 1000:10.1f} {row['flipflops']:10} "
-                     f"{row['path_ps']:8} {row['path_ps'] / fo4:5.1f}  {row['path_from']} -> {row['path_to']} ({row['path_in']})")
-        lines.append(f"{'':6} {'':5} {'':10} {'':10} {'at its ports':>10} {row['port_path_ps']:6} {row['port_path_ps'] / fo4:5.1f}  {row['port_path_from']} -> {row['port_path_to']} ({row['port_path_in']})")
-    lines += ["", f"{'unit':6} {'leakage uW':>10} {'clock pJ':>9} {'switch pJ':>10}  of one, {result['volts']} V, no wires; energy of a clocked cycle, and more for each toggle of a net"]
-    lines += [f"{row['unit']:6} {row['leakage_w'] * 1e6:10.3f} {row['clock_j'] * 1e12:9.1f} {row['switch_j'] * 1e12:10.1f}" for row in result["units"]]
+        lines.append(
+            f"{row['unit']:6} {row['instances']:5} {row['nand2'] / 1000:10.1f} "
+            f"{row['nand2'] * row['instances'] / 1000:10.1f} {row['flipflops']:10} "
+            f"{row['path_ps']:8} {row['path_ps'] / fo4:5.1f}  {row['path_from']} -> {row['path_to']} ({row['path_in']})"
+        )
+        lines.append(
+            f"{'':6} {'':5} {'':10} {'':10} {'at its ports':>10} {row['port_path_ps']:6} "
+            f"{row['port_path_ps'] / fo4:5.1f}  {row['port_path_from']} -> {row['port_path_to']} "
+            f"({row['port_path_in']})"
+        )
+    lines += [
+        "",
+        f"{'unit':6} {'leakage uW':>10} {'clock pJ':>9} {'switch pJ':>10}  of one, {result['volts']} V, no wires; "
+        "energy of a clocked cycle, and more for each toggle of a net",
+    ]
+    lines += [
+        f"{row['unit']:6} {row['leakage_w'] * 1e6:10.3f} {row['clock_j'] * 1e12:9.1f} {row['switch_j'] * 1e12:10.1f}"
+        for row in result["units"]
+    ]
     lines += ["", "longest paths between registers, one for each signal at which they end"]
-    lines += [f"{row['path_ps']:6} ps {row['fo4']:5} FO4  {row['path_from']} -> {row['path_to']}" for row in result["longest"][:10]]
-    lines += ["", f"{'unit':5} {'module':44} {'count':>5} {'kGE':>7} {'all kGE':>8} {'flops':>6} {'path ps':>8} {'FO4':>5}  from -> to (most of it in)"]
+    lines += [
+        f"{row['path_ps']:6} ps {row['fo4']:5} FO4  {row['path_from']} -> {row['path_to']}"
+        for row in result["longest"][:10]
+    ]
+    lines += [
+        "",
+        f"{'unit':5} {'module':44} {'count':>5} {'kGE':>7} {'all kGE':>8} {'flops':>6} {'path ps':>8} "
+        f"{'FO4':>5}  from -> to (most of it in)",
+    ]
     for row in sorted(result["modules"], key=lambda row: -row["nand2"] * row["instances"]):
         name = row["module"] + "".join(f" {key}={value}" for key, value in row["parameters"].items())
-        lines.append(f"{row['unit']:5} {name:44} {row['instances']:5} {row['nand2'] / 1000:7.2f} {row['nand2'] * row['instances'] / 1000:8.1f} {row['flipflops']:6} "
-                     f"{row['path_ps']:8} {row['path_ps'] / fo4:5.1f}  {row['path_from']} -> {row['path_to']} ({row['path_in']})")
+        lines.append(
+            f"{row['unit']:5} {name:44} {row['instances']:5} {row['nand2'] / 1000:7.2f} "
+            f"{row['nand2'] * row['instances'] / 1000:8.1f} {row['flipflops']:6} "
+            f"{row['path_ps']:8} {row['path_ps'] / fo4:5.1f}  {row['path_from']} -> {row['path_to']} ({row['path_in']})"
+        )
     return "\n".join(lines + ["", f"{result['seconds']} s", ""])
 
 

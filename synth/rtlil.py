@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 """rtlil.py: a design as Yosys writes it (write_rtlil), cut into its modules.
 
 Idea    One elaboration reads all sources; each module's text, freed of source lines and of numbers that depend on other
@@ -8,8 +9,8 @@ Rule    Modules of the same name and parameters are one. A module is named NAME,
 """
 import re
 
-MEMORY = "sram"       # the only module that stands for a memory macro (rtl/lib/sram.sv)
-GATE = "clock_gate"   # the only one that may hold a latch
+MEMORY = "sram"  # the only module that stands for a memory macro (rtl/lib/sram.sv)
+GATE = "clock_gate"  # the only one that may hold a latch
 
 
 class Module:
@@ -22,7 +23,9 @@ class Module:
         """[(name, direction, width)]"""
         found = []
         for line in self.lines:
-            match = re.match(r"  wire (?:width (\d+) )?(?:upto |offset \d+ |signed )*(input|output) \d+ (?:signed )?\\(\S+)$", line)
+            match = re.match(
+                r"  wire (?:width (\d+) )?(?:upto |offset \d+ |signed )*(input|output) \d+ (?:signed )?\\(\S+)$", line
+            )
             if match:
                 found.append((match[3], match[2], int(match[1] or 1)))
         return found
@@ -74,7 +77,9 @@ def _cut(path):
                 name, lines = line[7:], []
             elif line == "end":
                 cut[name], name = lines, None
-            elif name and not re.match(r"\s*attribute \\(src|module_not_derived|dynports|hdlname|wiretype|enum_value_\S+) ", line):
+            elif name and not re.match(
+                r"\s*attribute \\(src|module_not_derived|dynports|hdlname|wiretype|enum_value_\S+) ", line
+            ):
                 lines.append(line)
     return cut
 

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
 """synth.py: the machine in gates of a liberty library: area, flip-flops and longest paths of every module.
 
 Idea    Yosys elaborates the design once; each module (each of its parameterisations that occurs) is then a synthesis of
         its own with its submodules as black boxes. Modules are put together again for OpenSTA only.
         rtlil.py cuts the design, jobs.py runs and keeps, liberty.py knows the library, netlist.py buffers what crosses
         modules, timing.py asks OpenSTA, report.py prints.
-Rule    Memories (rtl/lib/sram.sv) have no area here and a stated access time. Whatever Yosys warns of ends the run, but for
-        arrays that become registers: some constructs it reads wrong with no more than a warning, others with none
+Rule    Memories (rtl/lib/sram.sv) have no area here and a stated access time. Whatever Yosys warns of ends the run, but
+        for arrays that become registers: some constructs it reads wrong with no more than a warning, others with none
         (synth/misread.sh looks for these). A latch is an error outside clock_gate.
 """
 import argparse
@@ -29,17 +30,18 @@ from jobs import Failed, Jobs
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(HERE)
 TOP = "pipegs_top"
-ENDS = 20000   # as many ends of the whole machine's longest paths are read
+ENDS = 20000  # as many ends of the whole machine's longest paths are read
 SETUP_FO4 = 2  # of a memory's and a clock gate's inputs
 HARMLESS = re.compile(r"Replacing memory .* with list of registers")
-# States stay as the RTL codes them. abc sees a driver and a load at the borders, so that it buffers and sizes what begins and
-# ends at registers.
+# States stay as the RTL codes them. abc sees a driver and a load at the borders, so that it buffers and sizes what
+# begins and ends at registers.
+ABC = "+strash;&get,-n;&st;&dch;&nf;&put;buffer,-c,-p;topo;upsize;dnsize"
 MAP = """read_rtlil {folder}/module.il
 synth -noabc -nofsm -noshare -top {name}
 techmap -map {library}/latch.v
 dfflibmap -liberty {library}/cells.lib
 opt
-abc -liberty {library}/cells.lib -constr {library}/abc.constr -script +strash;&get,-n;&st;&dch;&nf;&put;buffer,-c,-p;topo;upsize;dnsize
+abc -liberty {library}/cells.lib -constr {library}/abc.constr -script {abc}
 setundef -zero
 opt_clean -purge
 write_json {folder}/mapped.json
@@ -51,13 +53,13 @@ write_rtlil {folder}/design.il
 """
 
 
-def rung_settings(name):
-    """The settings of a rung, from the table in sim/rung.cpp."""
-    with open(f"{ROOT}/sim/rung.cpp", encoding="utf-8") as file:
-        rungs = dict(re.findall(r'\{\.name = "(\w+)", ((?:\.\w+ = \d+,\s+)+)', file.read()))
-    if name not in rungs:
-        raise Failed(f"unknown rung '{name}'; known: {', '.join(rungs)}")
-    return re.findall(r"\.(\w+) = (\d+)", rungs[name])
+def design_point_settings(name):
+    """The settings of a design point, from the table in sim/design/design_point.cpp."""
+    with open(f"{ROOT}/sim/design/design_point.cpp", encoding="utf-8") as file:
+        design_points = dict(re.findall(r'\{\.name = "(\w+)",\s+((?:\.\w+ = \d+,\s+)+)', file.read()))
+    if name not in design_points:
+        raise Failed(f"unknown design point '{name}'; known: {', '.join(design_points)}")
+    return re.findall(r"\.(\w+) = (\d+)", design_points[name])
 
 
 def check_log(log):
@@ -85,7 +87,9 @@ def write_new(path, text):
 
 def elaborate(jobs, package, top=TOP):
     """{name: rtlil.Module} of one module and all below it."""
-    files = sorted(path for path in glob.glob(f"{ROOT}/rtl/**/*.sv", recursive=True) if not path.endswith("/pipegs_pkg.sv"))
+    files = sorted(
+        path for path in glob.glob(f"{ROOT}/rtl/**/*.sv", recursive=True) if not path.endswith("/pipegs_pkg.sv")
+    )
     sources = [package]
     for path in files:
         with open(path, encoding="utf-8") as file:
@@ -110,7 +114,9 @@ class Machine:
     def __init__(self, jobs, library, access_fo4):
         self.jobs, self.library = jobs, library
         made_from = [library.power_text, library.latch_map()]
-        self.folder = jobs.each("library", [("library", 1, lambda: jobs.result("library", made_from, self._library))])["library"]
+        self.folder = jobs.each("library", [("library", 1, lambda: jobs.result("library", made_from, self._library))])[
+            "library"
+        ]
         with open(f"{self.folder}/fo4", encoding="utf-8") as file:
             self.fo4 = float(file.read())
         self.access, self.setup = access_fo4 * self.fo4, SETUP_FO4 * self.fo4
@@ -119,7 +125,10 @@ class Machine:
         write(f"{folder}/cells.lib", self.library.text)
         write(f"{folder}/power.lib", self.library.power_text)
         write(f"{folder}/latch.v", self.library.latch_map())
-        write(f"{folder}/abc.constr", f"set_driving_cell {self.library.inverter.name}\nset_load {self.library.load * self.library.femto:.3f}\n")
+        write(
+            f"{folder}/abc.constr",
+            f"set_driving_cell {self.library.inverter.name}\nset_load {self.library.load * self.library.femto:.3f}\n",
+        )
         write(f"{folder}/fo4", f"{timing.fo4(self.jobs, self.library, folder):.5f}\n")
 
     def map(self, module):
@@ -128,25 +137,32 @@ class Machine:
 
         def make(folder):
             write(f"{folder}/module.il", text)
-            write(f"{folder}/script.ys", MAP.format(folder=folder, name=module.name, library=self.folder))
+            write(f"{folder}/script.ys", MAP.format(folder=folder, name=module.name, library=self.folder, abc=ABC))
             if module.base != rtlil.GATE and "cell $dlatch" in text:
                 write(f"{folder}/log", text)
                 raise Failed("a latch")
             self.jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
             check_log(f"{folder}/log")
             try:
-                netlist.Netlist.from_yosys(f"{folder}/mapped.json", module.name, self.library).save(f"{folder}/netlist.json")
+                netlist.Netlist.from_yosys(f"{folder}/mapped.json", module.name, self.library).save(
+                    f"{folder}/netlist.json"
+                )
             except ValueError as error:
                 raise Failed(str(error)) from None
             os.remove(f"{folder}/mapped.json")
 
-        return self.jobs.result(module.name, [MAP, text, self.library.text, self.library.latch_map()], make)
+        return self.jobs.result(module.name, [MAP, ABC, text, self.library.text, self.library.latch_map()], make)
 
     def netlists(self, modules, tops):
         """{name: Netlist} of the modules with these names and all below them, mapped and buffered."""
         logic = {module.name: module for top in tops for module in modules[top].below() if module.base != rtlil.MEMORY}
-        mapped = self.jobs.each("synthesis", [(name, len(module.text()), functools.partial(self.map, module)) for name, module in logic.items()])
-        loads = {module.name: one_each(module) for module in modules.values() if module.base in (rtlil.MEMORY, rtlil.GATE)}
+        mapped = self.jobs.each(
+            "synthesis",
+            [(name, len(module.text()), functools.partial(self.map, module)) for name, module in logic.items()],
+        )
+        loads = {
+            module.name: one_each(module) for module in modules.values() if module.base in (rtlil.MEMORY, rtlil.GATE)
+        }
         netlists = {}
         for top in tops:
             self._assemble(modules[top], mapped, loads, netlists)
@@ -163,9 +179,22 @@ class Machine:
         self.clock_loads = {name: gate.clock_load(self.library) for name, gate in netlists.items()}
         self.verilog = {name: gate.verilog(name) for name, gate in netlists.items() if modules[name] not in gates}
         models = liberty.models(memories, gates, self.library, self.access, self.setup)
-        parts = {module.name: [m.name for m in module.below() if m.name in self.verilog] for module in logic if module not in gates}
-        timed = self.jobs.each("timing", [(name, sum(len(self.verilog[part]) for part in parts[name]),
-                                           functools.partial(self.time, modules[name], parts[name], models)) for name in parts])
+        parts = {
+            module.name: [m.name for m in module.below() if m.name in self.verilog]
+            for module in logic
+            if module not in gates
+        }
+        timed = self.jobs.each(
+            "timing",
+            [
+                (
+                    name,
+                    sum(len(self.verilog[part]) for part in parts[name]),
+                    functools.partial(self.time, modules[name], parts[name], models),
+                )
+                for name in parts
+            ],
+        )
         self.paths = {name: timing.read(f"{folder}/log") for name, folder in timed.items()}
 
     def _assemble(self, module, mapped, loads, netlists):
@@ -185,7 +214,9 @@ class Machine:
         power = module.base in (*report.UNITS, TOP)
 
         def script(library_folder, folder):
-            return timing.script(self.library, library_folder, folder, module.name, has_clock, ENDS if module.name == TOP else 0, power)
+            return timing.script(
+                self.library, library_folder, folder, module.name, has_clock, ENDS if module.name == TOP else 0, power
+            )
 
         def make(folder):
             write(f"{folder}/models.lib", models)
@@ -212,7 +243,9 @@ def write_netlists(jobs, machine, package, folder, names):
     whole = elaborate(jobs, package)
     alone = [name for name in names if name not in whole or whole[name].parameters]
     designs = jobs.each("elaborate", [(name, 1, functools.partial(elaborate, jobs, package, name)) for name in alone])
-    for modules, tops in [(whole, [name for name in names if name not in alone])] + [(designs[name], [name]) for name in alone]:
+    for modules, tops in [(whole, [name for name in names if name not in alone])] + [
+        (designs[name], [name]) for name in alone
+    ]:
         netlists = machine.netlists(modules, tops)
         for top in tops:
             try:
@@ -223,20 +256,28 @@ def write_netlists(jobs, machine, package, folder, names):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="The machine in gates of a liberty library; prints and writes areas and longest paths.")
-    parser.add_argument("--rung", default="", help="a rung of the ladder (sim/rung.cpp)")
+    parser = argparse.ArgumentParser(
+        description="The machine in gates of a liberty library; prints and writes areas and longest paths."
+    )
+    parser.add_argument("--rung", default="", help="a design point (sim/design/design_point.cpp)")
     parser.add_argument("--set", default="", dest="settings", help='"key=value ...", entries of cpp_model/config.def')
-    parser.add_argument("--liberty", default="/usr/share/qflow/tech/osu018/osu018_stdcells.lib", help="the library, .gz too")
+    parser.add_argument(
+        "--liberty", default="/usr/share/qflow/tech/osu018/osu018_stdcells.lib", help="the library, .gz too"
+    )
     parser.add_argument("--sram-fo4", type=float, default=20, help="access time of a memory, fan-out-of-4 delays")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="programs at once")
     parser.add_argument("--build", default="build", help="build folder; holds cpp_model/package_sv")
-    parser.add_argument("--netlist", metavar="FOLDER", help="write FOLDER/MODULE.v for simulation instead: each of the modules with all below it")
+    parser.add_argument(
+        "--netlist",
+        metavar="FOLDER",
+        help="write FOLDER/MODULE.v for simulation instead: each of the modules with all below it",
+    )
     parser.add_argument("modules", nargs="*", metavar="MODULE", help="with --netlist: which")
     options = parser.parse_args()
     if bool(options.netlist) != bool(options.modules):
         parser.error("--netlist FOLDER and the modules go together")
     begin = report.now()
-    settings = [f"{key}={value}" for key, value in rung_settings(options.rung)] if options.rung else []
+    settings = [f"{key}={value}" for key, value in design_point_settings(options.rung)] if options.rung else []
     settings += options.settings.split()
     if not os.path.exists(options.liberty):
         raise Failed(f"no library {options.liberty}")

@@ -1,10 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
 """timing.py: the longest paths of an assembled module, and the power of a unit, by OpenSTA.
 
 Idea    One session links the module with all below it. Memories and clock gates are cells of liberty.models, so a path
         ends at their inputs and begins at a memory's output; none passes through the latch of a clock gate.
         Paths between registers, from inputs and to outputs are groups of their own; ports have a delay of zero.
-        Power is asked for at several activities, the same at all nets: toggles of a net in a cycle. Without activity what is
-        left beside leakage is what flip-flops take for their clock.
+        Power is asked for at several activities, the same at all nets: toggles of a net in a cycle. Without activity
+        what is left beside leakage is what flip-flops take for their clock.
 Rule    A path is as long as the shortest clock that it allows: arrival plus setup. Clock and reset are ideal.
 """
 import re
@@ -21,11 +22,18 @@ def fo4(jobs, library, folder):
     loads = [f"{inverter} l{i}_{k} (.{source}(n{i}), .{sink}());" for i in range(1, 9) for k in range(3)]
     wires = " ".join(f"wire n{i};" for i in range(1, 9))
     with open(f"{folder}/chain.v", "w", encoding="utf-8") as file:
-        file.write("\n".join([f"module chain (a, z); input a; output z; {wires} assign z = n8;"] + stages + loads + ["endmodule", ""]))
+        file.write(
+            "\n".join(
+                [f"module chain (a, z); input a; output z; {wires} assign z = n8;"] + stages + loads + ["endmodule", ""]
+            )
+        )
     with open(f"{folder}/chain.tcl", "w", encoding="utf-8") as file:
-        file.write(f"read_liberty {folder}/cells.lib\nread_verilog {folder}/chain.v\nlink_design chain\n"
-                   f"create_clock -name clk -period {PERIOD}\nset_input_delay 0 -clock clk a\nset_output_delay 0 -clock clk z\n"
-                   "set_cmd_units -time ns\nreport_checks -path_delay max -digits 5\nexit\n")
+        file.write(
+            f"read_liberty {folder}/cells.lib\nread_verilog {folder}/chain.v\nlink_design chain\n"
+            f"create_clock -name clk -period {PERIOD}\nset_input_delay 0 -clock clk a\n"
+            "set_output_delay 0 -clock clk z\n"
+            "set_cmd_units -time ns\nreport_checks -path_delay max -digits 5\nexit\n"
+        )
     jobs.run(["sta", "-no_splash", "-exit", f"{folder}/chain.tcl"], f"{folder}/log")
     with open(f"{folder}/log", encoding="utf-8") as file:
         delays = [float(delay) for delay in re.findall(r"^\s*([\d.]+)\s+[\d.]+ [\^v] s\d/", file.read(), re.MULTILINE)]
@@ -34,7 +42,10 @@ def fo4(jobs, library, folder):
 
 def script(library, library_folder, folder, module, has_clock, many, power):
     """Tcl; many: how many ends of paths are listed; power: whether it is asked for."""
-    asked = "".join(f"set_power_activity -global -activity {activity} -duty 0.5\nreport_power -digits 8\n" for activity in ACTIVITIES)
+    asked = "".join(
+        f"set_power_activity -global -activity {activity} -duty 0.5\nreport_power -digits 8\n"
+        for activity in ACTIVITIES
+    )
     clock = "[get_ports clk_i]" if has_clock else ""
     return f"""read_liberty {library_folder}/{'power' if power else 'cells'}.lib
 read_liberty {folder}/models.lib
@@ -71,7 +82,9 @@ class Path:
 
     def __init__(self, text):
         self.ns = PERIOD - float(re.search(r"([-\d.]+)\s+slack", text)[1])
-        steps = re.findall(r"^\s*([-\d.]+)\s+([-\d.]+) [\^v] (\S+) \((.*)\)$", text.split("data arrival time")[0], re.MULTILINE)
+        steps = re.findall(
+            r"^\s*([-\d.]+)\s+([-\d.]+) [\^v] (\S+) \((.*)\)$", text.split("data arrival time")[0], re.MULTILINE
+        )
         self.delays = [(pin, float(delay)) for delay, _, pin, _ in steps]
         first = next((i for i, (pin, _) in enumerate(self.delays) if not pin.endswith(("/CLK", "/clk_i"))), 0)
         self.start, self.end = _name(self.delays[first][0]), _name(self.delays[-1][0])
@@ -84,7 +97,8 @@ def _name(pin):
 
 
 def read(path):
-    """{"registers": Path or None, "ports": Path or None, "many": [(from, to, ns)], "power": (leakage W, dynamic J of a cycle at each activity)}"""
+    """{"registers": Path or None, "ports": Path or None, "many": [(from, to, ns)],
+    "power": (leakage W, dynamic J of a cycle at each activity)}"""
     with open(path, encoding="utf-8") as file:
         text = file.read()
     full, rest = text.split("@full\n")[1].split("@end")[0].split("@many\n")
@@ -92,9 +106,24 @@ def read(path):
     paths = {"clk": None, "in": None, "out": None}
     for body in full.split("Startpoint:")[1:]:
         paths[re.search(r"Path Group: (\w+)", body)[1]] = Path(body)
-    rows = [line.split() for line in many.splitlines() if re.search(r"\) +[\d.]+$", line)]  # from (cell) to (cell) slack
-    many = [(_name(row[0]), _name(row[2]), PERIOD - float(row[4])) for row in rows if row[1] != "(input)" and row[3] != "(output)"]
+    rows = [
+        line.split() for line in many.splitlines() if re.search(r"\) +[\d.]+$", line)
+    ]  # from (cell) to (cell) slack
+    many = [
+        (_name(row[0]), _name(row[2]), PERIOD - float(row[4]))
+        for row in rows
+        if row[1] != "(input)" and row[3] != "(output)"
+    ]
     ports = [path for path in (paths["in"], paths["out"]) if path]
     totals = [[float(watts) for watts in line.split()[1:4]] for line in power.splitlines() if line.startswith("Total")]
-    power = (totals[0][2], [(internal + switching) * PERIOD * 1e-9 for internal, switching, _ in totals]) if totals else None
-    return {"registers": paths["clk"], "ports": max(ports, key=lambda path: path.ns, default=None), "many": many, "power": power}
+    power = (
+        (totals[0][2], [(internal + switching) * PERIOD * 1e-9 for internal, switching, _ in totals])
+        if totals
+        else None
+    )
+    return {
+        "registers": paths["clk"],
+        "ports": max(ports, key=lambda path: path.ns, default=None),
+        "many": many,
+        "power": power,
+    }

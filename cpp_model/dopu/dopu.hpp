@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu: walks the scene for one window: which chunks go to the PUs, in which layer, in which order.
 //
 // Paper   Sec. 3.2, Sec. 4.1 (Dynamic Orthogonal Partitioning Unit).        RTL  rtl/dopu/dopu.sv
-// Idea    Slabs of the grid outward from the camera's own; in each slab every cell that passes the window test; in each such
-//         cell every group, in each such group every chunk that passes it.
+// Idea    Slabs of the grid outward from the camera's own; in each slab every cell that passes the window test; in each
+//         such cell every group, in each such group every chunk that passes it.
 // Rule    This is the walk without the feedback "all regions are done", which only ever cuts its tail off.
 #pragma once
 
@@ -11,7 +12,7 @@
 #include "cpp_model/dopu/dopu_origin.hpp"
 #include "cpp_model/dopu/dopu_planes.hpp"
 #include "cpp_model/dopu/dopu_test.hpp"
-#include "scenes/pack.hpp"
+#include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
 
@@ -19,8 +20,8 @@ struct DopuCounts {
   uint64_t cell_tests = 0, group_tests = 0, chunk_tests = 0, chunks = 0, gaussians = 0;
 };
 
-// Calls chunk(layer, chunk record, number of the chunk) for each chunk of the window; layers count 0, 1 ... Grid - 1 from
-// the nearest, whether or not they hold a chunk.
+// Calls chunk(layer, chunk record, number of the chunk) for each chunk of the window; layers count 0, 1 ... Grid - 1
+// from the nearest, whether or not they hold a chunk.
 template <class Callback>
 DopuCounts dopu_window(const Config& config, const Frame& frame, const PackedScene& scene, int window_x, int window_y,
                        Callback&& chunk) {

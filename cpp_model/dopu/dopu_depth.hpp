@@ -1,20 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_depth: in which bucket of depth a node lies: no Gaussian in its box is nearer than the bucket's edge.
 //
-// Paper   None: the paper's layers know no order inside a slab.        RTL  rtl/dopu/dopu_depth.sv, the sum in dopu_test.sv
-// Idea    The corner of the box nearest along the view bounds the depth z of every mean in it from below. The step is the
-//         depth key cut to its exponent and five bits of mantissa: 32 steps an octave. Counted from the near plane's step on
-//         they are the buckets 0 .. 511; all that is farther is in the last one. The edge of bucket b is the key of the near plane's step + b.
-// Bound   (z from here: as the PU has it, in world units; u = 2^exponent, the unit of dopu_test; all sums in u 2^-NormalF.)
-//         1 Sum. The normal is floor(w2 / 2^6), the corners floors of exact ones. For n, c >= their floors N, C and any mean
-//           (n . d >= n . nearest corner, since N and n have the same signs):  n c - N C = N (c - C) + (n - N) c
-//           >= min(N, 0) + min(c, 0), of the three axes together >= -(sqrt(3) 2^NormalF + 3 * 2^19) > -2^21 = -8 u.
-//         2 Rounding of z. dopu_origin and pu_cull round to nearest once each: 2^view_exp together. With M the bit length
-//           of the corners: |centre - camera| <= 2^M on each axis, so |origin| < 2^(M + 1). When offset_exp > 0, an offset
-//           unit half as large would not have fitted: half >= 2^(PosW + offset_exp - 3), and half <= 2^M. So
-//           view_exp = max(0, L + 2 - ViewW) <= max(0, M + 5 - ViewW, PosW + 2 - ViewW), and as u >= 2^(M - 19), u >= 1:
-//           2^view_exp <= u 2^max(0, 24 - ViewW, PosW + 2 - ViewW). A parent's M and u are not smaller than its children's.
-//         3 A Gaussian behind the near plane is culled, so z > near, and the key is monotone in z: it is z cut to a float.
-//         So with z >= B = sum - 2^21 - rounding: key(z) >= key(max(B, near)) >= edge of the bucket.
+// Paper   None: the paper's layers know no order inside a slab.
+// Idea    The corner of the box nearest along the view bounds the depth z of every mean in it from below. The step is
+//         the depth key cut to its exponent and five bits of mantissa: 32 steps an octave. Counted from the near
+//         plane's step on they are the buckets 0 .. 511; all that is farther is in the last one. The edge of bucket b
+//         is the key of the near plane's step + b.
+// Bound   (z from here: as the PU has it, in world units; u = 2^exponent, the unit of dopu_test; sums in u 2^-NormalF.)
+//         1 Sum. The normal is floor(w2 / 2^6), the corners floors of exact ones. For n, c >= their floors N, C and
+//           any mean (n . d >= n . nearest corner, since N and n have the same signs):
+//           n c - N C = N (c - C) + (n - N) c >= min(N, 0) + min(c, 0),
+//           of the three axes together >= -(sqrt(3) 2^NormalF + 3 * 2^19) > -2^21 = -8 u.
+//         2 Rounding of z. dopu_origin and pu_cull round to nearest once each: 2^view_exp together. With M the bit
+//           length of the corners: |centre - camera| <= 2^M on each axis, so |origin| < 2^(M + 1). When offset_exp > 0,
+//           an offset unit half as large would not have fitted: half >= 2^(PosW + offset_exp - 3), and half <= 2^M. So
+//           view_exp = max(0, L + 2 - ViewW) <= max(0, M + 5 - ViewW, PosW + 2 - ViewW). As u >= 2^(M - 19), u >= 1:
+//           2^view_exp <= u 2^max(0, 24 - ViewW, PosW + 2 - ViewW). M and u of a parent are not smaller than those of
+//           its children.
+//         3 A Gaussian behind the near plane is culled, so z > near, and the key is monotone in z: it is z cut to a
+//           float. So with z >= B = sum - 2^21 - rounding: key(z) >= key(max(B, near)) >= edge of the bucket.
+// RTL     rtl/dopu/dopu_depth.sv, the sum in dopu_test.sv
 #pragma once
 
 #include <algorithm>
@@ -51,7 +56,7 @@ inline int dopu_depth_step(const Config& config, int64_t value, int exponent) {
 
 // The step in which the buckets of a frame begin.
 inline int dopu_depth_near(const Config& config, const Frame& frame) {
-  return dopu_depth_step(config, static_cast<int64_t>(frame.near_plane), 0);
+  return dopu_depth_step(config, static_cast<int64_t>(frame.lens.near_plane), 0);
 }
 
 // The bucket of a node by itself; the walk never takes a smaller one than its parent's.

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_layer: which slab of the grid holds the camera, and in which order the slabs are walked.
 //
 // Paper   Sec. 4.1: normalization unit and three-way multiplexer.        RTL  rtl/dopu/dopu_layer.sv
 // Idea    The camera's own slab c = clamp(floor((camera - grid) * grid_scale / 2^WorldW), 0, Grid - 1), then outward:
-//         c, c+1, c-1, c+2, c-2 ... without those outside. A ray leaves c towards one side only, so this is front to back
-//         for every ray of a perspective camera, also for rays that run against the principal axis.
-//         Layered 0: the cells in the order of their table, all in one layer.
+//         c, c+1, c-1, c+2, c-2 ... without those outside. A ray leaves c towards one side only, so this is front to
+//         back for every ray of a perspective camera, also for rays that run against the principal axis. Layered 0: the
+//         cells in the order of their table, all in one layer.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +17,11 @@ namespace pipegs {
 
 // Slab of the camera along an axis.
 inline int dopu_layer_camera(const Config& config, const Frame& frame, int axis) {
-  const int64_t camera = axis == 0 ? frame.camera_x : axis == 1 ? frame.camera_y : frame.camera_z;
-  const int64_t low = axis == 0 ? frame.grid_x : axis == 1 ? frame.grid_y : frame.grid_z;
-  const uint64_t scale = axis == 0 ? frame.grid_scale_x : axis == 1 ? frame.grid_scale_y : frame.grid_scale_z;
+  const int64_t camera = axis == 0   ? frame.camera.position.x
+                         : axis == 1 ? frame.camera.position.y
+                                     : frame.camera.position.z;
+  const int64_t low = axis == 0 ? frame.grid.low.x : axis == 1 ? frame.grid.low.y : frame.grid.low.z;
+  const uint64_t scale = axis == 0 ? frame.grid.scale_x : axis == 1 ? frame.grid.scale_y : frame.grid.scale_z;
   const Int128 cell = shift_floor(Int128{camera - low} * static_cast<Int128>(scale), config.world_w);
   return static_cast<int>(std::clamp<Int128>(cell, 0, config.grid - 1));
 }

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_planes: the five planes that a Gaussian must not be behind to touch a window.
 //
 // Paper   Sec. 4.1 (DOPU feeds the PUs by layer; the window is ours).        RTL  rtl/dopu/dopu_planes.sv
 // Idea    With t = (x, y, z) the mean in view space and s the scale, pixels x0 .. x1 can be reached only if
 //           left    fx x - (x0 - cx - m) z + reach_x s >= 0       right  -fx x + (x1 - cx + m) z + reach_x s >= 0
 //           top, bottom the same in y; near  z - near >= 0
-//         reach s / z bounds sqrt(2 ln AlphaCut) = 3.33 standard deviations of the projection, m = ReachMargin pixels those
-//         of the 0.3 px^2 dilation (1.83) and all roundings. Each is a plane n . (mean - camera) with a world-space normal n = f w0 - a w2.
+//         reach s / z bounds sqrt(2 ln AlphaCut) = 3.33 standard deviations of the projection, m = ReachMargin pixels
+//         those of the 0.3 px^2 dilation (1.83) and all roundings. Each is a plane n . (mean - camera) with a
+//         world-space normal n = f w0 - a w2.
 // Format  Exact in 2^-38, then floored to TestW bits with one unit for n and reach: slack in dopu_test pays for it.
 #pragma once
 
@@ -21,8 +23,8 @@ enum PlaneSide { kNear, kLeft, kRight, kTop, kBottom, kPlanes };
 using Planes = std::array<Plane, kPlanes>;
 
 // One side plane: `sign` is +1 for left and top, -1 for right and bottom.
-inline Plane dopu_planes_side(const Config& config, const int64_t (&side)[3], const int64_t (&forward)[3], uint64_t focal,
-                              int64_t center, uint64_t reach, int64_t pixel, int sign) {
+inline Plane dopu_planes_side(const Config& config, const int64_t (&side)[3], const int64_t (&forward)[3],
+                              uint64_t focal, int64_t center, uint64_t reach, int64_t pixel, int sign) {
   const int center_f = config.center_f(), align = config.focal_f() - center_f;
   const int64_t edge = (pixel << center_f) - center - sign * (int64_t{config.reach_margin()} << center_f);  // s17.12
   int64_t n[3];
@@ -43,21 +45,26 @@ inline Plane dopu_planes_side(const Config& config, const int64_t (&side)[3], co
 
 // With lists (order 1) the planes of the rectangle from this window to the frame's last one.
 inline Planes dopu_planes(const Config& config, const Frame& frame, int window_x, int window_y) {
-  const int64_t right[3] = {frame.w00, frame.w01, frame.w02}, down[3] = {frame.w10, frame.w11, frame.w12};
-  const int64_t forward[3] = {frame.w20, frame.w21, frame.w22};
+  const int64_t right[3] = {frame.camera.rotation.w00, frame.camera.rotation.w01, frame.camera.rotation.w02},
+                down[3] = {frame.camera.rotation.w10, frame.camera.rotation.w11, frame.camera.rotation.w12};
+  const int64_t forward[3] = {frame.camera.rotation.w20, frame.camera.rotation.w21, frame.camera.rotation.w22};
   const int64_t x0 = int64_t{window_x} * config.window, y0 = int64_t{window_y} * config.window;
-  const int64_t end_x = (config.order == 1 ? static_cast<int64_t>(frame.last_x) : window_x) + 1;
-  const int64_t end_y = (config.order == 1 ? static_cast<int64_t>(frame.last_y) : window_y) + 1;
-  const int64_t x1 = std::min<int64_t>(end_x * config.window, static_cast<int64_t>(frame.width)) - 1;
-  const int64_t y1 = std::min<int64_t>(end_y * config.window, static_cast<int64_t>(frame.height)) - 1;
+  const int64_t end_x = (config.has_lists() ? static_cast<int64_t>(frame.raster.windows.last_x) : window_x) + 1;
+  const int64_t end_y = (config.has_lists() ? static_cast<int64_t>(frame.raster.windows.last_y) : window_y) + 1;
+  const int64_t x1 = std::min<int64_t>(end_x * config.window, static_cast<int64_t>(frame.raster.width)) - 1;
+  const int64_t y1 = std::min<int64_t>(end_y * config.window, static_cast<int64_t>(frame.raster.height)) - 1;
   const int drop = config.rot_w() - config.test_w();
   Planes planes;
-  planes[kNear] = {shift_floor(frame.w20, drop), shift_floor(frame.w21, drop), shift_floor(frame.w22, drop),
-                   -(int64_t{1} << (config.rot_f() - drop))};
-  planes[kLeft] = dopu_planes_side(config, right, forward, frame.focal_x, frame.center_x, frame.reach_x, x0, +1);
-  planes[kRight] = dopu_planes_side(config, right, forward, frame.focal_x, frame.center_x, frame.reach_x, x1, -1);
-  planes[kTop] = dopu_planes_side(config, down, forward, frame.focal_y, frame.center_y, frame.reach_y, y0, +1);
-  planes[kBottom] = dopu_planes_side(config, down, forward, frame.focal_y, frame.center_y, frame.reach_y, y1, -1);
+  planes[kNear] = {shift_floor(frame.camera.rotation.w20, drop), shift_floor(frame.camera.rotation.w21, drop),
+                   shift_floor(frame.camera.rotation.w22, drop), -(int64_t{1} << (config.rot_f() - drop))};
+  planes[kLeft] =
+      dopu_planes_side(config, right, forward, frame.lens.focal_x, frame.lens.center_x, frame.lens.reach_x, x0, +1);
+  planes[kRight] =
+      dopu_planes_side(config, right, forward, frame.lens.focal_x, frame.lens.center_x, frame.lens.reach_x, x1, -1);
+  planes[kTop] =
+      dopu_planes_side(config, down, forward, frame.lens.focal_y, frame.lens.center_y, frame.lens.reach_y, y0, +1);
+  planes[kBottom] =
+      dopu_planes_side(config, down, forward, frame.lens.focal_y, frame.lens.center_y, frame.lens.reach_y, y1, -1);
   return planes;
 }
 

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_test: can a node (a cell or a chunk) hold a mean that touches the window? Never says no when it can.
 //
 // Paper   Sec. 4.1.        RTL  rtl/dopu/dopu_test.sv
 // Idea    Of the corners of the box, the one farthest along a plane's normal decides: n_i >= 0 takes the high side of
 //         axis i, else the low side, so a plane costs three products and one for reach * scale (near: -1 * near).
 //         Corners, scale and near are brought to one unit 2^e with which the largest fits TestW bits, and floored.
-// Bound   Flooring a corner loses under one unit times n_i, flooring n_i loses under one unit times the corner, the same
-//         for reach and scale: together at most 2^(TestW + 2), which is added before the sign is looked at.
-//         At a 1000 px focal length about 0.07 px on the window's edges for a node ahead (estimate).
+// Bound   Flooring a corner loses under one unit times n_i, flooring n_i loses under one unit times the corner, the
+//         same for reach and scale: together at most 2^(TestW + 2), which is added before the sign is looked at. At a
+//         1000 px focal length about 0.07 px on the window's edges for a node ahead (estimate).
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,8 @@
 
 namespace pipegs {
 
-// The box of a node relative to the camera, in units of 2^exponent world units, floored: the largest number fits TestW bits.
+// The box of a node relative to the camera, in units of 2^exponent world units, floored: the largest number fits TestW
+// bits.
 struct Corners {
   int64_t low[3], high[3];
   int exponent;
@@ -25,7 +27,8 @@ struct Corners {
 
 // Precondition (the packer's): |centre| < 2^(WorldW - 1), half << half_exp < 2^WorldW.
 inline Corners dopu_test_corners(const Config& config, const Frame& frame, const Node& node) {
-  const int64_t delta[3] = {node.center_x - frame.camera_x, node.center_y - frame.camera_y, node.center_z - frame.camera_z};
+  const int64_t delta[3] = {node.center_x - frame.camera.position.x, node.center_y - frame.camera.position.y,
+                            node.center_z - frame.camera.position.z};
   const uint64_t halves[3] = {node.half_x, node.half_y, node.half_z};
   Corners box;
   uint64_t magnitudes = 0;
@@ -54,16 +57,18 @@ inline bool dopu_test(const Config& config, const Frame& frame, const Planes& pl
 
   // scale = mantissa * 2^(scale_e - 8 - ScaleMW)
   const int64_t one = int64_t{1} << config.scale_m_w;
-  const int64_t mantissa = scale_e == 0 ? 0 : one | static_cast<int64_t>(node.scale_max & static_cast<uint64_t>(one - 1));
+  const int64_t mantissa =
+      scale_e == 0 ? 0 : one | static_cast<int64_t>(node.scale_max & static_cast<uint64_t>(one - 1));
   const int up = scale_e - 8 - config.scale_m_w - box.exponent;
   const int64_t scale = up >= 0 ? mantissa << up : shift_floor(mantissa, -up);
   const int64_t most = (int64_t{1} << (width - 1)) - 1;
-  const int64_t near = std::min(most, shift_floor(static_cast<int64_t>(frame.near_plane), box.exponent));
+  const int64_t near = std::min(most, shift_floor(static_cast<int64_t>(frame.lens.near_plane), box.exponent));
   const int64_t slack = int64_t{1} << (width + 2);
   bool inside = true;
   for (int side = 0; side < kPlanes; ++side) {
     const Plane& p = planes[static_cast<size_t>(side)];
-    const int64_t distance = p.nx * (p.nx >= 0 ? box.high[0] : box.low[0]) + p.ny * (p.ny >= 0 ? box.high[1] : box.low[1]) +
+    const int64_t distance = p.nx * (p.nx >= 0 ? box.high[0] : box.low[0]) +
+                             p.ny * (p.ny >= 0 ? box.high[1] : box.low[1]) +
                              p.nz * (p.nz >= 0 ? box.high[2] : box.low[2]) + p.reach * (side == kNear ? near : scale);
     inside = inside && distance + slack >= 0;
   }

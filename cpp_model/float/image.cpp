@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // image: PNG and EXR files; see image.hpp.
 //
-// Idea    libpng's simplified interface, which reports errors without longjmp. It reads any PNG as
-//         8 bit RGB. A NaN (a renderer's fault) is written as 0 and never as undefined behaviour.
+// Idea    libpng's simplified interface, which reports errors without longjmp. It reads any PNG as 8 bit RGB: a regular
+//         file, with no more pixels than its bytes can hold. A NaN (a renderer's fault) is written as 0 and never as
+//         undefined behaviour.
 #include "cpp_model/float/image.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
@@ -12,11 +14,32 @@
 
 #include <cmath>
 #include <exception>
+#include <memory>
+#include <string>
 
 #include "scenes/atomic_file.hpp"
+#include "scenes/camera.hpp"
 #include "scenes/input_error.hpp"
+#include "scenes/own_failure.hpp"
+#include "scenes/text/text_file.hpp"
 
 namespace pipegs {
+namespace {
+
+// Deflate makes at most 1032 bytes of one, and a bit at most the three bytes of a pixel.
+constexpr std::uint64_t kMostPixelsPerByte = std::uint64_t{1032} * 8;
+
+// libpng takes the memory that the header asks for.
+void check_fits(const std::filesystem::path& path, const png_image& png) {
+  const std::uint64_t bytes = std::filesystem::file_size(path), pixels = std::uint64_t{png.width} * png.height;
+  if (png.width <= kMaxImageSide && png.height <= kMaxImageSide && pixels <= bytes * kMostPixelsPerByte) return;
+  throw InputError(path.string(), "",
+                   "found " + std::to_string(png.width) + "x" + std::to_string(png.height) + " pixels in " +
+                       std::to_string(bytes) + " bytes, expected a picture of at most " +
+                       std::to_string(kMaxImageSide) + "x" + std::to_string(kMaxImageSide) + " that is whole");
+}
+
+}  // namespace
 
 Image::Image(int width_pixels, int height_pixels) : width(width_pixels), height(height_pixels) {
   const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -47,7 +70,7 @@ void write_png8(const std::filesystem::path& path, const Rgb8& picture) {
   png.height = static_cast<png_uint_32>(picture.height);
   png.format = PNG_FORMAT_RGB;
   if (png_image_write_to_file(&png, out.temporary().c_str(), 0, picture.data.data(), 0, nullptr) == 0) {
-    throw InputError(path.string(), "", std::string("cannot write: ") + png.message);
+    throw OwnFailure(path.string() + ": cannot write: " + png.message);
   }
   out.commit();
 }
@@ -57,11 +80,14 @@ void write_png(const std::filesystem::path& path, const Image& image, const glm:
 }
 
 Rgb8 read_png8(const std::filesystem::path& path) {
+  require_regular_file(path, "a .png file");
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_file(&png, path.c_str()) == 0) {
     throw InputError(path.string(), "", std::string("cannot read: ") + png.message);
   }
+  const std::unique_ptr<png_image, decltype(&png_image_free)> freed(&png, png_image_free);
+  check_fits(path, png);
   png.format = PNG_FORMAT_RGB;
   Rgb8 out{static_cast<int>(png.width), static_cast<int>(png.height), {}};
   out.data.resize(PNG_IMAGE_SIZE(png));
@@ -86,20 +112,20 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
       plane[i] = static_cast<float>(value);
     }
     header.channels().insert(kNames[c], Imf::Channel(Imf::FLOAT));
-    frame.insert(kNames[c], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float), sizeof(float) * width));
+    frame.insert(kNames[c],
+                 Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float), sizeof(float) * width));
   }
   std::vector<std::uint32_t> blended = image.blended;  // OpenEXR's slices are not const
   header.channels().insert("blended", Imf::Channel(Imf::UINT));
-  frame.insert("blended", Imf::Slice(Imf::UINT, reinterpret_cast<char*>(blended.data()), sizeof(std::uint32_t), sizeof(std::uint32_t) * width));
+  frame.insert("blended", Imf::Slice(Imf::UINT, reinterpret_cast<char*>(blended.data()), sizeof(std::uint32_t),
+                                     sizeof(std::uint32_t) * width));
 
   AtomicFile out(path);
   try {
     Imf::OutputFile file(out.temporary().c_str(), header);
     file.setFrameBuffer(frame);
     file.writePixels(image.height);
-  } catch (const std::exception& error) {
-    throw InputError(path.string(), "", std::string("cannot write: ") + error.what());
-  }
+  } catch (const std::exception& error) { throw OwnFailure(path.string() + ": cannot write: " + error.what()); }
   out.commit();
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // image: what a renderer hands over, and the files it is kept in.
 //
 // Layout  Row-major, pixel (x, y) at y * width + x. rgb is the sum of weight * colour, without a
@@ -23,7 +24,9 @@ struct Image {
 
   Image() = default;
   Image(int width_pixels, int height_pixels);  // black and fully transparent
-  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+  std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
 };
 
 struct Rgb8 {

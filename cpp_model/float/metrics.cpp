@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // metrics: see metrics.hpp.
 //
 // Idea    Plain sums in double in pixel order: the result does not depend on threads.
@@ -16,8 +17,9 @@ namespace {
 
 void check_same_size(const Image& a, const Image& b) {
   if (a.width == b.width && a.height == b.height) return;
-  throw std::invalid_argument("metrics: images of " + std::to_string(a.width) + "x" + std::to_string(a.height) + " and " +
-                              std::to_string(b.width) + "x" + std::to_string(b.height) + " cannot be compared");
+  throw std::invalid_argument("metrics: images of " + std::to_string(a.width) + "x" + std::to_string(a.height) +
+                              " and " + std::to_string(b.width) + "x" + std::to_string(b.height) +
+                              " cannot be compared");
 }
 
 constexpr int kSide = 11;  // of an SSIM window
@@ -38,8 +40,8 @@ std::vector<double> clamped_plane(const Image& image, int channel) {
 }
 
 // The weighted sum down the columns of kSide rows from `top` on, of the product of two planes.
-void fold(const std::vector<double>& a, const std::vector<double>& b, int width, int top, const std::array<double, kSide>& weights,
-          std::vector<double>& columns) {
+void fold(const std::vector<double>& a, const std::vector<double>& b, int width, int top,
+          const std::array<double, kSide>& weights, std::vector<double>& columns) {
   std::fill(columns.begin(), columns.end(), 0.0);
   for (int i = 0; i < kSide; ++i) {
     const double* x = a.data() + static_cast<std::size_t>(top + i) * static_cast<std::size_t>(width);
@@ -53,7 +55,8 @@ double ssim_sum(const std::vector<double>& a, const std::vector<double>& b, int 
   constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03;
   const std::array<double, kSide> weights = ssim_weights();
   const std::vector<double> ones(a.size(), 1.0);
-  const std::pair<const std::vector<double>*, const std::vector<double>*> products[5] = {{&a, &ones}, {&b, &ones}, {&a, &a}, {&b, &b}, {&a, &b}};
+  const std::pair<const std::vector<double>*, const std::vector<double>*> products[5] = {
+      {&a, &ones}, {&b, &ones}, {&a, &a}, {&b, &b}, {&a, &b}};
   std::array<std::vector<double>, 5> columns;
   for (std::vector<double>& column : columns) column.resize(static_cast<std::size_t>(width));
   double sum = 0;
@@ -64,7 +67,8 @@ double ssim_sum(const std::vector<double>& a, const std::vector<double>& b, int 
       for (int m = 0; m < 5; ++m) {
         for (int i = 0; i < kSide; ++i) mean[m] += weights[i] * columns[m][left + i];
       }
-      const double ma = mean[0], mb = mean[1], saa = mean[2] - ma * ma, sbb = mean[3] - mb * mb, sab = mean[4] - ma * mb;
+      const double ma = mean[0], mb = mean[1], saa = mean[2] - ma * ma, sbb = mean[3] - mb * mb,
+                   sab = mean[4] - ma * mb;
       sum += (2 * ma * mb + kC1) * (2 * sab + kC2) / ((ma * ma + mb * mb + kC1) * (saa + sbb + kC2));
     }
   }

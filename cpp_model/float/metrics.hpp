@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // metrics: how far two images are apart.
 //
 // Idea    psnr = -10 log10(mean squared difference), peak 1, over r, g, b of all pixels, each value
@@ -16,8 +17,8 @@ namespace pipegs {
 double psnr(const Image& a, const Image& b);
 double max_abs_error(const Image& a, const Image& b);
 
-// Absolute errors of the unclamped values, all channels of all pixels: the smallest that `share` (0 to 1) of them do not
-// exceed. 1 gives max_abs_error.
+// Absolute errors of the unclamped values, all channels of all pixels: the smallest that `share` (0 to 1) of them do
+// not exceed. 1 gives max_abs_error.
 double percentile_abs_error(const Image& a, const Image& b, double share);
 
 // 1 for equal images; NaN for images with a side below 11 pixels.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // parallel: see parallel.hpp.
 //
 // Idea    The calling thread works too; one item or one thread starts no thread at all.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // parallel: a loop over independent items on a few threads.
 //
 // Idea    Threads take the next item from one atomic counter, so uneven tiles balance themselves.

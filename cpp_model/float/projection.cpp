@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // projection: see projection.hpp.
 //
 // Idea    The three semantics differ in the mean's convention, the near comparison and the
@@ -12,7 +13,7 @@
 namespace pipegs {
 namespace {
 
-constexpr double kInriaW = 1e-7;        // INRIA divides by w + 1e-7
+constexpr double kInriaW = 1e-7;  // INRIA divides by w + 1e-7
 constexpr double kGsplatFar = 1e10;
 constexpr double kGsplatExtent = 3.33;  // sigmas
 constexpr int kTile = 16;
@@ -51,9 +52,10 @@ PixelRect inria_footprint(const TruthProjection& p, const Camera& camera) {
     const int grid = (size + kTile - 1) / kTile;
     return std::clamp(to_pixel(edge / kTile), 0, grid) * kTile;  // to_pixel truncates toward 0 as (int) does
   };
-  return clipped({tile(p.mean.x - radius, camera.width), tile(p.mean.y - radius, camera.height),
-                  tile(p.mean.x + radius + kTile - 1, camera.width), tile(p.mean.y + radius + kTile - 1, camera.height)},
-                 camera);
+  return clipped(
+      {tile(p.mean.x - radius, camera.width), tile(p.mean.y - radius, camera.height),
+       tile(p.mean.x + radius + kTile - 1, camera.width), tile(p.mean.y + radius + kTile - 1, camera.height)},
+      camera);
 }
 
 PixelRect gsplat_footprint(const TruthProjection& p, const Camera& camera) {
@@ -107,8 +109,8 @@ glm::dvec3 sh_color(const glm::vec3& sh_dc, const float* sh_rest, int sh_degree,
   return glm::max(color, 0.0);
 }
 
-TruthProjection project_truth(const ActivatedGaussian& gaussian, const glm::vec3& sh_dc, const float* sh_rest, int sh_degree,
-                        const Camera& camera, const ProjectionOptions& options) {
+TruthProjection project_truth(const ActivatedGaussian& gaussian, const glm::vec3& sh_dc, const float* sh_rest,
+                              int sh_degree, const Camera& camera, const ProjectionOptions& options) {
   TruthProjection out;
   const Semantics semantics = options.semantics;
   const glm::dvec3 offset = gaussian.mean - camera.position;

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // projection: one Gaussian onto one camera in float64.
 //
 // Paper   Eq. 1: cov2d = J W R S S^T R^T W^T J^T + 0.3 I.
 // Idea    With U = J W R S (two rows u0, u1 of three), cov2d = U U^T and
 //           det = |u0 x u1|^2 + 0.3 (|u0|^2 + |u1|^2) + 0.09      every term >= 0
 //         so a needle of ratio 1e6 loses nothing to cancellation, unlike a*c - b*b.
-// Use     The float64 reference in the unit tests of the fixed-point twins.
+// Use     The float64 reference in the unit tests of the fixed-point bit-accurate models.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,8 +17,8 @@ namespace pipegs {
 
 enum class Semantics { kExact, kInria, kGsplat };
 
-inline constexpr double kDilation = 0.3;           // px^2, added to both variances
-inline constexpr double kTruthGuardBand = 1.3;          // times tan(fov/2), for x/z inside J
+inline constexpr double kDilation = 0.3;        // px^2, added to both variances
+inline constexpr double kTruthGuardBand = 1.3;  // times tan(fov/2), for x/z inside J
 inline constexpr double kMaxAlpha = 0.99;
 inline constexpr double kMinAlpha = 1.0 / 255;
 inline constexpr double kMinTransmittance = 1e-4;
@@ -28,10 +29,10 @@ struct TruthProjection {
   glm::dvec2 mean{0};          // pixels; kGsplat: pixel i has its centre at i + 0.5
   double a = 0, b = 0, c = 0;  // cov2d (xx, xy, yy), dilated
   double det = 0;
-  glm::dvec3 conic{0};  // inverse of cov2d (xx, xy, yy)
-  double opacity = 0;   // compensated, if the scene is antialiased
-  glm::dvec3 rgb{0};    // >= 0, without upper clamp
-  bool visible = false; // in front of the near plane, not degenerate; says nothing of the image
+  glm::dvec3 conic{0};   // inverse of cov2d (xx, xy, yy)
+  double opacity = 0;    // compensated, if the scene is antialiased
+  glm::dvec3 rgb{0};     // >= 0, without upper clamp
+  bool visible = false;  // in front of the near plane, not degenerate; says nothing of the image
 };
 
 struct ProjectionOptions {
@@ -42,8 +43,8 @@ struct ProjectionOptions {
 };
 
 // sh_rest: coefficient-major as in Scene, null for degree 0.
-TruthProjection project_truth(const ActivatedGaussian& gaussian, const glm::vec3& sh_dc, const float* sh_rest, int sh_degree,
-                        const Camera& camera, const ProjectionOptions& options);
+TruthProjection project_truth(const ActivatedGaussian& gaussian, const glm::vec3& sh_dc, const float* sh_rest,
+                              int sh_degree, const Camera& camera, const ProjectionOptions& options);
 
 // Colour seen along `direction` (unit, from the camera to the Gaussian): +0.5, negative to 0.
 glm::dvec3 sh_color(const glm::vec3& sh_dc, const float* sh_rest, int sh_degree, const glm::dvec3& direction);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // truth: the renderer of truth.hpp.
 //
 // Idea    project all -> sort once by the wanted order -> bin into 16x16 tiles in that order (a
@@ -57,8 +58,8 @@ void check(const Scene& scene, const Camera& camera, const TruthOptions& options
     throw std::invalid_argument("truth: rank holds " + std::to_string(options.rank->size()) + " entries, the scene " +
                                 std::to_string(scene.gaussians.size()) + " Gaussians");
   }
-  if (options.clip_window && !(0 <= options.x0 && options.x0 < options.x1 && options.x1 <= camera.width && 0 <= options.y0 &&
-                               options.y0 < options.y1 && options.y1 <= camera.height)) {
+  if (options.clip_window && !(0 <= options.x0 && options.x0 < options.x1 && options.x1 <= camera.width &&
+                               0 <= options.y0 && options.y0 < options.y1 && options.y1 <= camera.height)) {
     throw std::invalid_argument("truth: the clip window is empty or outside the image");
   }
 }
@@ -68,24 +69,29 @@ PixelRect intersection(const PixelRect& a, const PixelRect& b) {
 }
 
 // The Gaussians that may touch `window`, in blending order.
-std::vector<Splat> ordered_splats(const Scene& scene, const Camera& camera, const TruthOptions& options, const PixelRect& window) {
+std::vector<Splat> ordered_splats(const Scene& scene, const Camera& camera, const TruthOptions& options,
+                                  const PixelRect& window) {
   constexpr std::size_t kChunk = 8192;
   const std::size_t count = scene.gaussians.size();
   const std::size_t chunks = (count + kChunk - 1) / kChunk;
-  const ProjectionOptions projection{options.semantics, options.near_plane, scene.antialiased, std::max(0, options.sh_degree)};
+  const ProjectionOptions projection{options.semantics, options.near_plane, scene.antialiased,
+                                     std::max(0, options.sh_degree)};
   std::vector<std::vector<Splat>> parts(chunks);
   parallel_for(chunks, options.threads, [&](std::size_t chunk) {
     for (std::size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
       ActivatedGaussian gaussian;
       if (activate(scene, i, gaussian) != Cull::kNone) continue;
-      const TruthProjection p = project_truth(gaussian, scene.gaussians[i].sh_dc, sh_rest_of(scene, i), scene.sh_degree, camera, projection);
+      const TruthProjection p =
+          project_truth(gaussian, scene.gaussians[i].sh_dc, sh_rest_of(scene, i), scene.sh_degree, camera, projection);
       const PixelRect rect = intersection(footprint(p, camera, options.semantics), window);
       if (rect.empty()) continue;
       const double least_power = -std::log(255 * p.opacity) - 1e-9;
       // Both references sort by the bits of a float, so depths that differ less are ties there.
-      const double depth = options.semantics == Semantics::kExact ? p.depth : static_cast<double>(static_cast<float>(p.depth));
+      const double depth =
+          options.semantics == Semantics::kExact ? p.depth : static_cast<double>(static_cast<float>(p.depth));
       const double order = options.rank != nullptr ? (*options.rank)[i] : depth;
-      parts[chunk].push_back({p.mean, p.conic, p.opacity, p.depth, least_power, p.rgb, rect, order, static_cast<std::uint32_t>(i)});
+      parts[chunk].push_back(
+          {p.mean, p.conic, p.opacity, p.depth, least_power, p.rgb, rect, order, static_cast<std::uint32_t>(i)});
     }
   });
   std::vector<Splat> splats;
@@ -124,8 +130,8 @@ Bins bin(const std::vector<Splat>& splats, const PixelRect& window) {
   return bins;
 }
 
-void blend_bin(const std::vector<Splat>& splats, const std::uint32_t* begin, const std::uint32_t* end, const Rules& rules,
-               const PixelRect& area, const PixelRect& window, Image& image) {
+void blend_bin(const std::vector<Splat>& splats, const std::uint32_t* begin, const std::uint32_t* end,
+               const Rules& rules, const PixelRect& area, const PixelRect& window, Image& image) {
   bool finished[kBin * kBin] = {};
   int live = (area.x1 - area.x0) * (area.y1 - area.y0);
   for (const std::uint32_t* it = begin; it != end && live > 0; ++it) {
@@ -176,7 +182,8 @@ Image render_truth(const Scene& scene, const Camera& camera, const TruthOptions&
     const int x = window.x0 + kBin * static_cast<int>(b % static_cast<std::size_t>(bins.columns));
     const int y = window.y0 + kBin * static_cast<int>(b / static_cast<std::size_t>(bins.columns));
     const PixelRect area = intersection({x, y, x + kBin, y + kBin}, window);
-    blend_bin(splats, bins.splats.data() + bins.first[b], bins.splats.data() + bins.first[b + 1], rules, area, window, image);
+    blend_bin(splats, bins.splats.data() + bins.first[b], bins.splats.data() + bins.first[b + 1], rules, area, window,
+              image);
     if (options.progress) {
       const std::lock_guard lock(mutex);
       options.progress(static_cast<double>(++done) / static_cast<double>(total));
@@ -185,7 +192,8 @@ Image render_truth(const Scene& scene, const Camera& camera, const TruthOptions&
   return image;
 }
 
-std::vector<TruthStep> explain_truth(const Scene& scene, const Camera& camera, const TruthOptions& options, int px, int py) {
+std::vector<TruthStep> explain_truth(const Scene& scene, const Camera& camera, const TruthOptions& options, int px,
+                                     int py) {
   TruthOptions pixel = options;
   pixel.clip_window = true;
   pixel.x0 = px;

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // truth: the float64 reference renderer, in three semantics.
 //
 // Paper   Eq. 1 (projection) and Eq. 2 (blending) of 3D Gaussian splatting, without tiles, layers
-//         or fixed point: what the hardware and its integer twin are measured against.
+//         or fixed point: what the hardware and its integer bit-accurate model are measured against.
 // Idea    kExact   what the hardware promises: a Gaussian counts at a pixel iff
 //                    alpha = min(0.99, opacity * exp(power)) >= 1/255     no 3-sigma truncation
 //         kInria   diff-gaussian-rasterization: evaluates the 16x16 tiles that the 3-sigma square
@@ -48,6 +49,7 @@ struct TruthStep {
 Image render_truth(const Scene& scene, const Camera& camera, const TruthOptions& options);
 
 // The Gaussians blended at pixel (px, py) in their order; the clip window plays no role.
-std::vector<TruthStep> explain_truth(const Scene& scene, const Camera& camera, const TruthOptions& options, int px, int py);
+std::vector<TruthStep> explain_truth(const Scene& scene, const Camera& camera, const TruthOptions& options, int px,
+                                     int py);
 
 }  // namespace pipegs

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // exp2: 2^f for a fraction f, by a table of 2^ExpIndexW chords, or without chords (ExpLinear = 0).
 //
 // Paper   "applying exponential function to the power" (Sec. 4.2.1).   RTL  rtl/lib/exp2.sv
 // Idea    f = (i + r / 2^R) / 2^ExpIndexW:   2^f ~ value[i] + delta[i] * r / 2^R.   The table is the flat localparam
-//         Exp2Table of pipegs_pkg, printed from this file, so RTL and twin cannot differ.
+//         Exp2Table of pipegs_pkg, printed from this file, so RTL and bit-accurate model cannot differ.
 //         Without chords delta is 0 and value is that of the middle of its interval, so the error is centred.
 // Numbers f u0.ExpF, value u1.(AlphaW+6), delta in the same unit, result u1.(AlphaW+7), truncated.
 // Error   In units of the last place of an alpha near 1 (result in [1,2) is alpha in [1/2,1)), default widths:

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // log2: the logarithm of a normalised mantissa, by a table of 64 chords.
 //
-// Idea    f = (i + r / 512) / 64:  log2(1 + f) ~ value[i] + delta[i] r / 512.  A chord lies below the curve; the table holds
-//         it raised by half of its largest error, so that the error swings evenly between + and -.
+// Idea    f = (i + r / 512) / 64:  log2(1 + f) ~ value[i] + delta[i] r / 512.  A chord lies below the curve; the table
+//         holds it raised by half of its largest error, so that the error swings evenly between + and -.
 // Stream  m u1.15 with its leading one, so in [1, 2) -> log2(m) u0.16, rounded to nearest.
 // Error   at most 3.1e-5 (measured by the test for every input).
 // RTL     rtl/lib/log2.sv
@@ -30,7 +31,8 @@ inline const std::array<Log2Line, 64>& log2_table() {
       const double left = 1 + i / 64.0, right = 1 + (i + 1) / 64.0, rise = std::log2(right) - std::log2(left);
       const double touch = 1 / (64 * rise * std::log(2.0));  // there the curve is as steep as the chord
       const double gap = std::log2(touch) - std::log2(left) - (touch - left) * 64 * rise;
-      lines[i] = {std::llround((std::log2(left) + gap / 2) * (1 << kLog2TableF)), std::llround(rise * (1 << kLog2TableF))};
+      lines[i] = {std::llround((std::log2(left) + gap / 2) * (1 << kLog2TableF)),
+                  std::llround(rise * (1 << kLog2TableF))};
     }
     return lines;
   }();

@@ -1,6 +1,6 @@
-// mantissa: normalised positive numbers m 2^e, m with its leading one in `width` bits or zero: product and sum,
-// truncated.
-// (No RTL module of its own: each stage has these few gates beside its shared multiplier.)
+// SPDX-License-Identifier: Apache-2.0
+// mantissa: normalised positive numbers m 2^e (m is zero, or has its leading one in `width` bits): product and sum,
+// truncated. (No RTL module of its own: each stage has these few gates beside its shared multiplier.)
 #pragma once
 
 #include <cstdint>

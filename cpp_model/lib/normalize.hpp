@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // normalize: shifts a signed number left until its two top bits differ.
 //
 // Idea    Count the copies of the sign below it (leading zeros of x ^ (x >> 1)), then shift in powers of two.

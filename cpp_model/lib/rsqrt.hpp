@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // rsqrt: 1/sqrt(u) of a normalised number by one table look-up and one multiplication.
 //
 // Idea    Newton's step y (3 - u y^2) / 2 from a fixed y is linear in u, so the table can hold the step itself: for

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // list_write: where the records of a frame lie in external memory: one list for each window.
 //
 // Paper   the reproduced GSCore of Sec. 5.        RTL  rtl/list/list_write.sv, list_read.sv
@@ -12,12 +13,15 @@
 namespace pipegs {
 
 inline uint64_t list_line(const Config& config, const Frame& frame, uint64_t number, uint64_t entry) {
-  return frame.overflow + (uint64_t{1} << config.list_area_w()) + (number << config.list_entry_w()) + entry;
+  return frame.tables.overflow + (uint64_t{1} << config.list_area_w()) + (number << config.list_entry_w()) + entry;
 }
 
 struct ListWrite {
   ListWrite(const Config& config, const Frame& frame)
-      : config(config), frame(frame), counts((frame.last_x - frame.first_x + 1) * (frame.last_y - frame.first_y + 1)) {}
+      : config(config),
+        frame(frame),
+        counts((frame.raster.windows.last_x - frame.raster.windows.first_x + 1) *
+               (frame.raster.windows.last_y - frame.raster.windows.first_y + 1)) {}
 
   // The line of the next record of a window.
   uint64_t operator()(uint64_t number) { return list_line(config, frame, number, counts.at(number)++); }

@@ -1,28 +1,9 @@
-// pass: copies the fields that ride through the projection unchanged. (No RTL module: there each stage copies its
-// record.)
+// SPDX-License-Identifier: Apache-2.0
+// pass: copies the fields that ride through a stage of the projection unchanged. (No RTL module: there each stage
+// copies its record.)
 #pragma once
 
 namespace pipegs {
-
-template <class In, class Out>
-void pass_splat(const In& in, Out& out) {
-  out.opacity = in.opacity;
-  out.base_r = in.base_r;
-  out.base_g = in.base_g;
-  out.base_b = in.base_b;
-  out.index = in.index;
-  out.slot = in.slot;
-}
-
-template <class In, class Out>
-void pass_projection(const In& in, Out& out) {
-  out.mean_x = in.mean_x;
-  out.mean_y = in.mean_y;
-  out.depth = in.depth;
-  out.dir_x = in.dir_x;
-  out.dir_y = in.dir_y;
-  out.dir_z = in.dir_z;
-}
 
 template <class In, class Out>
 void pass_scales(const In& in, Out& out) {

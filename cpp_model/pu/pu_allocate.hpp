@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
 //
 // Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.     RTL  rtl/pu/pu_allocate.sv
 // Idea    The alpha store of a lane is a ring. A Gaussian with n regions takes n lines in a row when the lines of its
-//         own layer leave room for them (the RTL then waits until the older layer's lines are free: timing, not result);
-//         otherwise the lines go to the overflow area in external memory, numbered from 0 in each layer.
+//         own layer leave room for them (the RTL then waits until the older layer's lines are free: timing, not
+//         result); otherwise the lines go to the overflow area in external memory, numbered from 0 in each layer.
 // Stream  tiles in; row_job and color_job out, both or neither (a mask without regions left is dropped). Ends pass.
 #pragma once
 
@@ -24,7 +25,7 @@ struct PuAllocate {
   explicit PuAllocate(const Config& config) : config(config) {}
 
   // `done`: opaque regions of the beat's window. No value: the beat is dropped.
-  std::optional<Out> operator()(const Tiles& tiles, uint64_t done) {
+  std::optional<Out> operator()(const Tiles& tiles, const Payload& payload, uint64_t done) {
     Out out;
     out.row_job.kind = out.color_job.kind = tiles.kind;
     out.row_job.parity = parity;
@@ -46,10 +47,11 @@ struct PuAllocate {
       used += lines;
       head = (head + lines) & (capacity - 1);
     }
-    out.row_job = {kData,   tiles.a, tiles.b, tiles.c, tiles.d,    tiles.e,
-                   tiles.f, mask,    address, ext,     parity, tiles.index};
-    out.color_job = {kData,       tiles.depth, tiles.index, tiles.slot,   mask,         address,     ext,
-                     tiles.dir_x, tiles.dir_y, tiles.dir_z, tiles.base_r, tiles.base_g, tiles.base_b};
+    out.row_job = {kData,   tiles.a, tiles.b, tiles.c, tiles.d, tiles.e,
+                   tiles.f, mask,    address, ext,     parity,  payload.index};
+    const Payload& p = payload;
+    out.color_job = {kData,   p.depth, p.index, p.slot,   mask,     address, ext,
+                     p.dir_x, p.dir_y, p.dir_z, p.base_r, p.base_g, p.base_b};
     return out;
   }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_alpha: the alpha code of a pixel from its power.
 //
 // Paper   Eq. 1 and Sec. 4.2.1; the cut at 1/AlphaCut (255) and the cap at 0.99 are those of the reference renderer.
@@ -17,12 +18,15 @@ namespace pipegs {
 
 struct PuAlpha {
   explicit PuAlpha(const Config& config)
-      : exp2(config), power_f(config.power_f), input_shift(config.power_f - config.exp_f()), cut(-config.power_cut()),
+      : exp2(config),
+        power_f(config.power_f),
+        input_shift(config.power_f - config.exp_f()),
+        cut(-config.power_cut()),
         alpha_max(static_cast<uint32_t>(config.alpha_max())) {}
 
   // power in [cut - 1, 0]: what clamping any power to this range gives.
   uint32_t clamped(int32_t power) const {
-    const int whole = -(power >> power_f);                                                            // 0 .. 10
+    const int whole = -(power >> power_f);  // 0 .. 10
     const uint32_t fraction = (static_cast<uint32_t>(power) & ((uint32_t{1} << power_f) - 1)) >> input_shift;
     const uint32_t code = ((exp2(fraction) >> (6 + whole)) + 1) >> 1;
     return power < cut ? 0 : std::clamp(code, 1u, alpha_max);

@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cpp_model/pu/pu_coeff.hpp"
 
 #include <algorithm>
 
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/pu/pu_align.hpp"
-#include "cpp_model/pu/pu_intersect.hpp"
 
 namespace pipegs {
 namespace {
@@ -65,7 +65,7 @@ Coeff pu_coeff(const Config& config, const Frame&, const Conic& in) {
   const int64_t A = -(a_wide + a_narrow) - (static_cast<int64_t>(in.opacity) << (config.coeff_f - config.opacity_f));
   const int64_t C = c_wide - c_narrow, E = -(e_narrow + e_wide);
   out.dead = align.dead || A != saturate(A, aw) || C != saturate(C, bw) || E != saturate(E, dw) ||
-             static_cast<int64_t>(in.opacity) >= PuCut(config).budget;
+             static_cast<int64_t>(in.opacity) >= config.cut_budget();
   out.mean_x = in.mean_x;
   out.mean_y = in.mean_y;
   out.extent_x = in.extent_x;
@@ -78,15 +78,6 @@ Coeff pu_coeff(const Config& config, const Frame&, const Conic& in) {
     out.e = in.swap ? -d : E;
     out.f = f;
   }
-  out.depth = in.depth;
-  out.dir_x = in.dir_x;
-  out.dir_y = in.dir_y;
-  out.dir_z = in.dir_z;
-  out.base_r = in.base_r;
-  out.base_g = in.base_g;
-  out.base_b = in.base_b;
-  out.index = in.index;
-  out.slot = in.slot;
   return out;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cpp_model/pu/pu_color.hpp"
 
 #include "cpp_model/pu/pu_color_basis.hpp"
@@ -8,7 +9,7 @@
 namespace pipegs {
 
 Colored pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
-               ColorCounts* counts) {
+                 ColorCounts* counts) {
   ShBasis basis;
   if (job.kind == kData && color_degree(config, frame) > 0) {
     basis = pu_color_basis(pu_color_normalise(config, pu_color_rotate(config, frame, color_direction(job))));

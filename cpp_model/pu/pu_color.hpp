@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color: the colour of a Gaussian seen from the camera, and the record that becomes a splat.
 //
 // Paper   SH colours of 3D Gaussian splatting (INRIA's order and constants).
@@ -15,6 +16,6 @@ namespace pipegs {
 // `sh_line`: the 16 words of the job's line of memory (see color_line), null when color_degree() is 0 or for an end
 // beat.
 Colored pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
-               ColorCounts* counts = nullptr);
+                 ColorCounts* counts = nullptr);
 
 }  // namespace pipegs

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_basis: the fifteen SH basis functions of bands 1 to 3 for a unit direction.
 //
 // Paper   Eq. for colours; constants, order and signs of the reference implementation.

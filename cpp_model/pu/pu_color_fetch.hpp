@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_fetch: takes a colour job apart: what travels on, the direction, and the line of memory with its
 // coefficients.
 //
@@ -15,12 +16,12 @@ namespace pipegs {
 
 // The SH degree that the machine evaluates in this frame.
 inline int color_degree(const Config& config, const Frame& frame) {
-  return std::min(static_cast<int>(frame.sh_degree), config.sh_degree);
+  return std::min(static_cast<int>(frame.tables.sh_degree), config.sh_degree);
 }
 
 // Line of the coefficients of `slot`; only asked for when color_degree() > 0.
 inline uint64_t color_line(const Frame& frame, uint64_t slot) {
-  return frame.colors + (frame.sh_degree == 1 ? slot >> 2 : slot);
+  return frame.tables.colors + (frame.tables.sh_degree == 1 ? slot >> 2 : slot);
 }
 
 inline ColorTask color_task(const ColorJob& job) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_normalise: divides the world direction by its length.
 //
 // Idea    length2 = u * 4^h with u in [1, 4); unit = world * rsqrt(u) * 2^-h. Any length works, also an unnormalised

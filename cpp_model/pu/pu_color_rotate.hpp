@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_rotate: turns the view direction into world axes and measures its squared length.
 //
 // Idea    world = W^T view; a rotation keeps the length, so the length is taken from the shorter view components while
@@ -20,9 +21,9 @@ inline WorldDirection pu_color_rotate(const Config& config, const Frame& frame, 
     const int64_t sum = shift_floor(wx, cut) * view.x + shift_floor(wy, cut) * view.y + shift_floor(wz, cut) * view.z;
     return saturate(shift_round(sum, kColorRotF - 1), config.world_direction_w());
   };
-  return {.x = component(frame.w00, frame.w10, frame.w20),
-          .y = component(frame.w01, frame.w11, frame.w21),
-          .z = component(frame.w02, frame.w12, frame.w22),
+  return {.x = component(frame.camera.rotation.w00, frame.camera.rotation.w10, frame.camera.rotation.w20),
+          .y = component(frame.camera.rotation.w01, frame.camera.rotation.w11, frame.camera.rotation.w21),
+          .z = component(frame.camera.rotation.w02, frame.camera.rotation.w12, frame.camera.rotation.w22),
           .length2 = static_cast<uint64_t>(view.x * view.x + view.y * view.y + view.z * view.z)};
 }
 

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_sum: coefficients times basis, plus the constant band, clamped to the colour's range.
 //
 // Paper   SH colour of 3D Gaussian splatting; + 1/2 is already in the base.
 // Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as
 //         integers and the sum is shifted once:  s(ShMW+BasisW+4) sum * 2^(e - 26 - ShMW - BasisF)  ->  s8.WorkF
 // Stream  color_task, SH line, sh_basis -> colored. WorkF = two guard bits below the finer of base and colour.
-// Round   To nearest at the shift and at the end; below 0 clamps to 0, above u2 saturates (counted; wraps if Saturation is 0).
+// Round   To nearest at the shift and at the end; below 0 clamps to 0, above u2 saturates (counted; wraps if
+//         Saturation is 0).
 // RTL     rtl/pu/pu_color_sum.sv
 #pragma once
 
@@ -35,7 +37,7 @@ inline ColorSums color_sums(const Config& config, const Frame& frame, uint64_t q
   const int degree = color_degree(config, frame);
   const int count = (degree + 1) * (degree + 1) - 1;
   uint32_t words[18] = {};  // two more, so that 64 bits can be read at every place
-  if (frame.sh_degree == 1) std::memcpy(words, line + 4 * quarter, 16);
+  if (frame.tables.sh_degree == 1) std::memcpy(words, line + 4 * quarter, 16);
   else std::memcpy(words, line, 64);
   const auto bits_at = [&](int at) {
     uint64_t two;
@@ -57,13 +59,13 @@ inline ColorSums color_sums(const Config& config, const Frame& frame, uint64_t q
 }
 
 inline Colored pu_color_sum(const Config& config, const Frame& frame, const ColorTask& task, const uint32_t* line,
-                          const ShBasis& basis, ColorCounts* counts = nullptr) {
+                            const ShBasis& basis, ColorCounts* counts = nullptr) {
   Colored colored{.kind = task.kind,
-              .depth = task.depth,
-              .index = task.index,
-              .mask = task.mask,
-              .address = task.address,
-              .ext = task.ext};
+                  .depth = task.depth,
+                  .index = task.index,
+                  .mask = task.mask,
+                  .address = task.address,
+                  .ext = task.ext};
   if (task.kind != kData) return colored;
   const int base_f = config.base_w - 3, color_f = config.color_w - 2, work_f = std::max(base_f, color_f) + 2;
   ColorSums sums;
@@ -76,7 +78,8 @@ inline Colored pu_color_sum(const Config& config, const Frame& frame, const Colo
     const int64_t value = shift_round(total, work_f - color_f);
     // Without Saturation the bits above are cut.
     const int64_t mask = (int64_t{1} << config.color_w) - 1;
-    color[c] = static_cast<uint64_t>(config.saturation || value < 0 ? saturate_unsigned(value, config.color_w) : value & mask);
+    color[c] =
+        static_cast<uint64_t>(config.saturation || value < 0 ? saturate_unsigned(value, config.color_w) : value & mask);
     if (counts != nullptr && value >= int64_t{1} << config.color_w) ++counts->saturated;
   }
   colored.red = color[0], colored.green = color[1], colored.blue = color[2];

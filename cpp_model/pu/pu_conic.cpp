@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "cpp_model/pu/pu_conic.hpp"
 
 #include <algorithm>
@@ -44,8 +45,11 @@ Conic pu_conic(const Config& config, const Frame&, const Covariance& in) {
   const int64_t product = in.b_m * static_cast<int64_t>(inverse.m);
   const int64_t shift = -(in.b_e + inverse.e + slope_f);
   const int64_t one = int64_t{1} << slope_f;
-  const int64_t slope = shift <= 0 ? (product < 0 ? -one : product > 0 ? one : 0)
-                                   : std::clamp(shift_round(product, static_cast<int>(std::min<int64_t>(shift, 127))), -one, one);
+  const int64_t slope =
+      shift <= 0 ? (product < 0   ? -one
+                    : product > 0 ? one
+                                  : 0)
+                 : std::clamp(shift_round(product, static_cast<int>(std::min<int64_t>(shift, 127))), -one, one);
 
   out.mean_x = in.mean_x;
   out.mean_y = in.mean_y;
@@ -59,15 +63,6 @@ Conic pu_conic(const Config& config, const Frame&, const Covariance& in) {
   out.wide_m = wide.m;
   out.wide_e = wide.e;
   out.opacity = in.opacity;
-  out.depth = in.depth;
-  out.dir_x = in.dir_x;
-  out.dir_y = in.dir_y;
-  out.dir_z = in.dir_z;
-  out.base_r = in.base_r;
-  out.base_g = in.base_g;
-  out.base_b = in.base_b;
-  out.index = in.index;
-  out.slot = in.slot;
   return out;
 }
 

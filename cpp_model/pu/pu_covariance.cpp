@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_covariance: see pu_covariance.hpp.
 #include "cpp_model/pu/pu_covariance.hpp"
 
@@ -5,7 +6,6 @@
 
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/lib/mantissa.hpp"
-#include "cpp_model/pu/pass.hpp"
 
 namespace pipegs {
 namespace {
@@ -17,7 +17,7 @@ int64_t exponent(const Config& c, int64_t e) { return saturate(e, c.float_e_w())
 
 }  // namespace
 
-Covariance pu_covariance(const Config& c, const Frame&, const Squares& in) {
+Covariance pu_covariance(const Config& c, const Frame&, const Squares& in, const Center& center) {
   Covariance out;
   out.kind = in.kind;
   if (in.kind != kData) return out;
@@ -44,8 +44,9 @@ Covariance pu_covariance(const Config& c, const Frame&, const Squares& in) {
     out.sharp_m = d0.m >> (w - c.sharp_w());
     out.sharp_e = exponent(c, d0.e);
   }
-  pass_projection(in, out);
-  pass_splat(in, out);
+  out.mean_x = center.mean_x;
+  out.mean_y = center.mean_y;
+  out.opacity = center.opacity;
   return out;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_covariance: the projected covariance in square pixels, dilated by 0.3, and its determinant.
 //
 // Paper   Eq. 1; the dilation of the reference rasteriser.
@@ -13,6 +14,7 @@
 
 namespace pipegs {
 
-Covariance pu_covariance(const Config& config, const Frame& frame, const Squares& squares);
+// The centre joins the record here.
+Covariance pu_covariance(const Config& config, const Frame& frame, const Squares& squares, const Center& center);
 
 }  // namespace pipegs

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_cull: see pu_cull.hpp.
 #include "cpp_model/pu/pu_cull.hpp"
 
@@ -9,8 +10,8 @@
 namespace pipegs {
 namespace {
 
-constexpr int kCutW = 17;   // magnitude bits of x, y, z, s in the plane test
-constexpr int kEdgeF = 4;   // fraction of a window's edge in pixels
+constexpr int kCutW = 17;  // magnitude bits of x, y, z, s in the plane test
+constexpr int kEdgeF = 4;  // fraction of a window's edge in pixels
 
 int64_t to_view(const Config& c, int64_t row_times_offset, int shift, int64_t origin) {
   return saturate(origin + shift_round(row_times_offset, shift), c.view_w);
@@ -34,10 +35,10 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
 }
 
 // Does [x - reach s, x + reach s] touch the windows `window` to `last` along one axis? All at the common exponent.
-bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach,
-             int64_t center, uint64_t window, uint64_t last) {
+bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach, int64_t center,
+             uint64_t window, uint64_t last) {
   const int64_t first = (static_cast<int64_t>(window) * c.window << kEdgeF) - (int64_t{c.reach_margin()} << kEdgeF);
-  const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);                          // s17.4, rounded down
+  const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);  // s17.4, rounded down
   const int64_t pixels = static_cast<int64_t>(last - window + 1) * c.window;
   const int64_t span = ((pixels - 1 + 2 * c.reach_margin()) << kEdgeF) + 1;  // covers the rounding of a
   const int to_edge = c.focal_f() - kEdgeF;
@@ -58,10 +59,13 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
 
   const int shift = c.rot_f() + static_cast<int>(in.view_exp) - static_cast<int>(in.offset_exp);
   const int64_t x = in.offset_x, y = in.offset_y, z = in.offset_z;
-  out.view_x = to_view(c, frame.w00 * x + frame.w01 * y + frame.w02 * z, shift, in.origin_x);
-  out.view_y = to_view(c, frame.w10 * x + frame.w11 * y + frame.w12 * z, shift, in.origin_y);
-  out.view_z = to_view(c, frame.w20 * x + frame.w21 * y + frame.w22 * z, shift, in.origin_z);
-  const int64_t near = static_cast<int64_t>(frame.near_plane >> in.view_exp);
+  out.view_x = to_view(c, frame.camera.rotation.w00 * x + frame.camera.rotation.w01 * y + frame.camera.rotation.w02 * z,
+                       shift, in.origin_x);
+  out.view_y = to_view(c, frame.camera.rotation.w10 * x + frame.camera.rotation.w11 * y + frame.camera.rotation.w12 * z,
+                       shift, in.origin_y);
+  out.view_z = to_view(c, frame.camera.rotation.w20 * x + frame.camera.rotation.w21 * y + frame.camera.rotation.w22 * z,
+                       shift, in.origin_z);
+  const int64_t near = static_cast<int64_t>(frame.lens.near_plane >> in.view_exp);
   if (behind != nullptr && out.view_z <= near) ++*behind;
   if (out.view_z <= (c.near_test ? near : 0)) return std::nullopt;
 
@@ -70,10 +74,12 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   const auto size = [](int64_t v) { return static_cast<uint64_t>(v < 0 ? ~v : v); };
   const int cut = std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - kCutW);
   const int64_t cut_z = out.view_z >> cut, cut_s = (s >> cut) + 1;
-  const bool touches_x = touches(c, out.view_x >> cut, cut_z, cut_s, frame.focal_x, frame.reach_x,
-                                 frame.center_x, in.window_x, c.order == 1 ? frame.last_x : in.window_x);
-  const bool touches_y = touches(c, out.view_y >> cut, cut_z, cut_s, frame.focal_y, frame.reach_y,
-                                 frame.center_y, in.window_y, c.order == 1 ? frame.last_y : in.window_y);
+  const bool touches_x =
+      touches(c, out.view_x >> cut, cut_z, cut_s, frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x,
+              in.window_x, c.has_lists() ? frame.raster.windows.last_x : in.window_x);
+  const bool touches_y =
+      touches(c, out.view_y >> cut, cut_z, cut_s, frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y,
+              in.window_y, c.has_lists() ? frame.raster.windows.last_y : in.window_y);
   if (!huge && !(touches_x && touches_y)) return std::nullopt;
 
   out.window_x = in.window_x;
@@ -81,7 +87,12 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   out.view_exp = in.view_exp;
   pass_quaternion(in, out);
   pass_scales(in, out);
-  pass_splat(in, out);
+  out.opacity = in.opacity;
+  out.base_r = in.base_r;
+  out.base_g = in.base_g;
+  out.base_b = in.base_b;
+  out.index = in.index;
+  out.slot = in.slot;
   return out;
 }
 

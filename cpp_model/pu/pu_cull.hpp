@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_cull: moves a Gaussian into view space and drops it when it is behind the near plane or cannot reach the window.
 //
 // Paper   Sec. 4.2, frustum culling of the preprocessing.
-// Idea    view = origin + W offset. A splat reaches at most reach * s / z pixels from its mean, s its largest scale times
-//         weight = sqrt(1 - (-log2 opacity) / log2 AlphaCut), plus ReachMargin for the dilation. Times z, each of the four sides is a plane, no division:
-//           keep iff  fx x - a z + reach s >= 0,   a = Window window_x - center_x - ReachMargin        (and the other three)
+// Idea    view = origin + W offset. A splat reaches at most reach * s / z pixels from its mean, s its largest scale
+//         times weight = sqrt(1 - (-log2 opacity) / log2 AlphaCut), plus ReachMargin for the dilation. Times z, each of
+//         the four sides is a plane, no division:
+//           keep iff  fx x - a z + reach s >= 0,   a = Window window_x - center_x - ReachMargin    (and three more)
 //         x, z, s are cut to 17 bits with a common exponent, always to the side that keeps: it never drops a Gaussian
 //         with alpha >= 1/AlphaCut in a pixel of the window. With lists (order 1) the window is the rectangle from
 //         window_x, window_y to the frame's last one.
@@ -20,8 +22,8 @@
 
 namespace pipegs {
 
-inline constexpr int kCullWeightF = 8;        // fraction of a weight, u1.8
-inline constexpr int kCullWeights = 64;       // entries of the table: the six leading bits of -log2(opacity), u4.2
+inline constexpr int kCullWeightF = 8;   // fraction of a weight, u1.8
+inline constexpr int kCullWeights = 64;  // entries of the table: the six leading bits of -log2(opacity), u4.2
 
 // Weight of the reach of the Gaussians whose -log2(opacity) begins with these bits, rounded up: 1 to 256.
 inline uint64_t cull_weight(const Config& config, int entry) {
@@ -29,8 +31,9 @@ inline uint64_t cull_weight(const Config& config, int entry) {
   return std::max<uint64_t>(1, static_cast<uint64_t>(std::ceil(std::sqrt(std::max(0.0, rest)) * (1 << kCullWeightF))));
 }
 
-// Nothing for a Gaussian that is dropped; other beats pass with all other fields zero. `behind` counts those that do not lie
-// beyond the near plane; with NearTest 0 they are kept, but never one with z <= 0 (there the RTL complains).
-std::optional<Visible> pu_cull(const Config& config, const Frame& frame, const Fetched& fetched, uint64_t* behind = nullptr);
+// Nothing for a Gaussian that is dropped; other beats pass with all other fields zero. `behind` counts those that do
+// not lie beyond the near plane; with NearTest 0 they are kept, but never one with z <= 0 (there the RTL complains).
+std::optional<Visible> pu_cull(const Config& config, const Frame& frame, const Fetched& fetched,
+                               uint64_t* behind = nullptr);
 
 }  // namespace pipegs

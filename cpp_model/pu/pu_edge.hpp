@@ -1,12 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_edge: does a region's box of pixel centres hold a point with P = power - cut >= 0 ?
 //
 // Paper   the test behind the 4-bit bitmap of a tile (Sec. 4.2).
-// Idea    P is concave, so its maximum over the box is at the mean or on the edges that face the mean. Keep the region if
+// Idea    P is concave, so its maximum over the box is at the mean or on the edges that face the mean. A region
+//         is kept if
 //           the mean lies in its box, or P >= 0 at one of its four corners, or
 //           on a facing edge the gradient g is > 0 at the first end, < 0 at the other, and  P + g^2 / (4 |curve|) >= 0
 //         where the last is tested as g^2 >= 4 |curve| (-P), with g rounded up and -P rounded down.
-//         By concavity at most one facing edge rises from the corner where two meet; both (by rounding) keep the region.
-// Numbers Exact in CoeffF fraction bits up to the last test: g u7.(CoeffF/2 + 5), -P u9 with as many bits as make the units equal.
+//         By concavity at most one facing edge rises from the corner where two meet; if rounding makes both rise, the
+//         region is kept.
+// Numbers Exact in CoeffF fraction bits up to the last test: g u7.(CoeffF/2 + 5), -P u9 with as many bits as make the
+//         units equal.
 // RTL     rtl/pu/pu_edge.sv
 #pragma once
 
@@ -23,7 +27,7 @@ struct PuEdgeStart {
 
 inline bool pu_edge(const Config& config, const Coeff& in, int64_t column, int64_t row, const PuEdgeStart& p) {
   const int64_t x0 = 8 * column << config.mean_f, y0 = 8 * row << config.mean_f, side = int64_t{7} << config.mean_f;
-  const bool left = in.mean_x < x0, right = in.mean_x > x0 + side, above = in.mean_y < y0, below = in.mean_y > y0 + side;
+  const bool left = in.mean_x<x0, right = in.mean_x> x0 + side, above = in.mean_y<y0, below = in.mean_y> y0 + side;
   const bool vertical = left || right, horizontal = above || below;
   if (!vertical && !horizontal) return true;
 

@@ -1,23 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_extent: the half extents of the box of pixels that a Gaussian can reach.
 //
 // Paper   the bounding box before the tile test (Sec. 4.2).
 // Idea    On the box's side the power is -budget:  extent^2 = 2 ln(2) variance (log2(AlphaCut) - opacity).
-// Numbers u18.4, never too small, at most 1 % and 1/4 pixel too large for opacities above 0.006; saturates at 2^18 pixels.
+// Numbers u18.4, never too small, at most 1 % and 1/4 pixel too large for opacities above 0.006; saturates at 2^18
+//         pixels.
 // RTL     rtl/pu/pu_extent.sv
 #pragma once
 
 #include <algorithm>
 
 #include "cpp_model/fixed.hpp"
-#include "cpp_model/pu/pu_intersect.hpp"
 #include "cpp_model/pu/pu_root.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
 
 // 2 ln(2) (1 + 1/64) * 2^8, rounded up. The 1/64 covers what the box's variance may differ from the variance that the
-// rounded narrow and wide imply. The rounded slope shifts the far end of a needle by less than its length * 2^-(MantissaW - 1),
-// for which each extent grows by the other's 2^-(MantissaW - 4).
+// rounded narrow and wide imply. The rounded slope shifts the far end of a needle by less than its length *
+// 2^-(MantissaW - 1), for which each extent grows by the other's 2^-(MantissaW - 4).
 inline constexpr int64_t kBoxMargin = 361;
 
 // floor((root + 1) * 2^x) of sqrt(variance * t * 2^-OpacityF) in 1/16 pixel, at most 1 too small.
@@ -31,7 +32,9 @@ inline uint64_t pu_extent_root(const Config& config, uint64_t m, int64_t e, uint
   const uint64_t up = pu_root(product >> (cut + odd)) + 1;
   const int64_t half = (exponent + odd) >> 1;
   const uint64_t top = (uint64_t{1} << config.extent_w()) - 1;
-  return half >= config.extent_w() ? top : half >= 0 ? std::min(top, up << half) : shift_floor(up, static_cast<int>(-half));
+  return half >= config.extent_w() ? top
+         : half >= 0               ? std::min(top, up << half)
+                                   : shift_floor(up, static_cast<int>(-half));
 }
 
 struct PuExtent {
@@ -39,7 +42,7 @@ struct PuExtent {
 };
 
 inline PuExtent pu_extent(const Config& config, const Covariance& in) {
-  const int64_t budget = PuCut(config).budget - static_cast<int64_t>(in.opacity);
+  const int64_t budget = config.cut_budget() - static_cast<int64_t>(in.opacity);
   const uint64_t t = static_cast<uint64_t>((std::max<int64_t>(budget, 0) * kBoxMargin) >> 8) + 1;  // u4.OpacityF
   const uint64_t x = pu_extent_root(config, in.a_m, in.a_e, t), y = pu_extent_root(config, in.c_m, in.c_e, t);
   const uint64_t top = (uint64_t{1} << config.extent_w()) - 1;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_factors: see pu_factors.hpp.
 #include "cpp_model/pu/pu_factors.hpp"
 
@@ -5,7 +6,6 @@
 
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/lib/mantissa.hpp"
-#include "cpp_model/pu/pass.hpp"
 
 namespace pipegs {
 namespace {
@@ -45,7 +45,8 @@ struct Row {
 
 Row scaled_row(const Config& c, const int64_t (&m)[3], const int64_t (&e)[3], const Scale (&s)[3]) {
   int64_t top = kLowest;
-  for (int i = 0; i < 3; ++i) if (m[i] != 0 && s[i].m != 0) top = std::max(top, e[i] + s[i].e);
+  for (int i = 0; i < 3; ++i)
+    if (m[i] != 0 && s[i].m != 0) top = std::max(top, e[i] + s[i].e);
   Row row{};
   for (int i = 0; i < 3; ++i) {
     if (m[i] == 0 || s[i].m == 0) continue;
@@ -79,9 +80,6 @@ Factors pu_factors(const Config& c, const Frame&, const Jacobian& in) {
   out.gyy_m = gyy.m, out.gyy_e = gyy.e;
   out.gxy_m = gxy.m, out.gxy_e = gxy.e;
   out.gg_m = gg.m, out.gg_e = gg.e;
-
-  pass_projection(in, out);
-  pass_splat(in, out);
   return out;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_factors: brings in the scales: the rows of U = J W R diag(s) and their cross product, each with one exponent.
 //
 // Paper   Eq. 1: Sigma = R S S^T R^T, kept as its factor.

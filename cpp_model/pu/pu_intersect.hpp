@@ -1,32 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/AlphaCut.
 //
 // Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
-// Idea    The box mean +- extent gives a range of columns and rows of regions. In it, region by region: the power is concave,
-//         so its maximum over the region's box of pixel centres lies at the mean, or on the edges that face the mean:
+// Idea    The box mean +- extent gives a range of columns and rows of regions. In it, region by region: the power is
+//         concave, so its maximum over the region's box of pixel centres lies at the mean, or on the edges that face
+//         the mean. The region is kept where
 //           a corner reaches the cut (exact: corners are pixels), or
 //           the power rises at one end of a facing edge and falls at its other end, and the peak between them,
 //           P + g^2 / (4 |E|), reaches it:   g^2 >= 4 |E| (cut - P)      no division, no square root, no slope
 //         P and the gradients step from region to region by additions.
 //         TileTest 0: every region of the box. More work, the same pixels: a region more holds no pixel that counts.
 // Numbers Exact in CoeffF fraction bits up to the last test, whose three numbers are rounded towards "keep".
-//         The cut is lowered by PuCut::slack, which covers what is proved in pu_intersect.cpp, so no pixel is lost.
+//         The cut is lowered by cut_slack, which covers what is proved in pu_intersect.cpp, so no pixel is lost.
 // RTL     rtl/pu/pu_intersect.sv
 #pragma once
 
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
-
-// The limits of what counts, shared with pu_conic.
-struct PuCut {
-  explicit PuCut(const Config& c)
-      : slack((int64_t{1} << (c.coeff_f + 8 - c.power_f)) + (int64_t{1} << 16) + (int64_t{1} << (c.coeff_f - 12))),
-        low(-(static_cast<int64_t>(c.power_cut()) << (c.coeff_f - c.power_f)) - slack),
-        budget(((2 * slack - low) >> (c.coeff_f - c.opacity_f)) + 1) {}
-  int64_t slack;   // unit 2^-CoeffF
-  int64_t low;     // cut - slack, unit 2^-CoeffF
-  int64_t budget;  // log2(AlphaCut) + 3 slack, rounded up, unit 2^-OpacityF
-};
 
 // A data beat whose mask is empty is not emitted.
 Tiles pu_intersect(const Config& config, const Frame& frame, const Coeff& coeff);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_jacobian: see pu_jacobian.hpp.
 #include "cpp_model/pu/pu_jacobian.hpp"
 
@@ -44,12 +45,10 @@ Jacobian pu_jacobian(const Config& c, const Frame& frame, const Oriented& in) {
   factor(c, up(in.r20) + tx * in.r00 + ty * in.r10, out.n_0_m, out.n_0_e);
   factor(c, up(in.r21) + tx * in.r01 + ty * in.r11, out.n_1_m, out.n_1_e);
   factor(c, up(in.r22) + tx * in.r02 + ty * in.r12, out.n_2_m, out.n_2_e);
-  gain(c, frame.focal_x, in, out.gx_m, out.gx_e);
-  gain(c, frame.focal_y, in, out.gy_m, out.gy_e);
+  gain(c, frame.lens.focal_x, in, out.gx_m, out.gx_e);
+  gain(c, frame.lens.focal_y, in, out.gy_m, out.gy_e);
 
   pass_scales(in, out);
-  pass_projection(in, out);
-  pass_splat(in, out);
   return out;
 }
 

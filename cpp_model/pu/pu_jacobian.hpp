@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_jacobian: the rows of J R' and their cross product, still without focal/z and without the scales.
 //
 // Paper   Eq. 1: J W of Sigma' = J W Sigma W^T J^T; J of EWA splatting with x/z, y/z clamped to the guard band.

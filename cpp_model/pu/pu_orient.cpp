@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_orient: see pu_orient.hpp.
 #include "cpp_model/pu/pu_orient.hpp"
 
@@ -12,7 +13,8 @@ Oriented pu_orient(const Config& c, const Frame& frame, const Projected& in) {
   if (in.kind != kData) return out;
 
   const int quat_f = c.quat_w - 1, f = c.rotation_w() - 2;  // fractions of q and of q', R'
-  const int64_t cw = frame.camera_qw, cx = frame.camera_qx, cy = frame.camera_qy, cz = frame.camera_qz;
+  const int64_t cw = frame.camera.quaternion.w, cx = frame.camera.quaternion.x, cy = frame.camera.quaternion.y,
+                cz = frame.camera.quaternion.z;
   const auto narrow = [&](int64_t sum) { return saturate(shift_round(sum, quat_f), c.rotation_w()); };
   const int64_t w = narrow(cw * in.qw - cx * in.qx - cy * in.qy - cz * in.qz);
   const int64_t x = narrow(cw * in.qx + cx * in.qw + cy * in.qz - cz * in.qy);
@@ -31,18 +33,11 @@ Oriented pu_orient(const Config& c, const Frame& frame, const Projected& in) {
   out.r12 = entry(2 * (y * z - w * x));
   out.r21 = entry(2 * (y * z + w * x));
 
-  pass_projection(in, out);
   out.tan_x = in.tan_x;
   out.tan_y = in.tan_y;
   out.inv_z_m = in.inv_z_m;
   out.inv_z_e = in.inv_z_e;
   pass_scales(in, out);
-  out.opacity = in.opacity;
-  out.base_r = in.base_r;
-  out.base_g = in.base_g;
-  out.base_b = in.base_b;
-  out.index = in.index;
-  out.slot = in.slot;
   return out;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_orient: the Gaussian's axes in view space, from its quaternion and the camera's.
 //
 // Paper   Eq. 1: the rotation of Sigma = R S S^T R^T and the viewing transform W, as one rotation.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_project: see pu_project.hpp.
 #include "cpp_model/pu/pu_project.hpp"
 
@@ -34,8 +35,8 @@ int64_t clamped_tan(const Config& c, Ratio r, uint64_t limit, bool& clamped) {
 int64_t mean(const Config& c, Ratio r, uint64_t focal, int64_t center, uint64_t window, bool& saturated) {
   const int64_t pixels = shift_round(static_cast<int64_t>(focal) * r.m, c.focal_f() + r.down - c.mean_f);  // sI.MeanF
   const int up = c.mean_f - c.center_f();
-  const int64_t offset = (up >= 0 ? center << up : shift_round(center, -up)) -
-                         (static_cast<int64_t>(window) * c.window << c.mean_f);
+  const int64_t offset =
+      (up >= 0 ? center << up : shift_round(center, -up)) - (static_cast<int64_t>(window) * c.window << c.mean_f);
   const int64_t value = saturate(pixels + offset, c.mean_w());
   saturated |= value != pixels + offset;
   return value;
@@ -48,10 +49,11 @@ int64_t direction(const Config& c, int64_t v, int bits) {
 
 }  // namespace
 
-Projected pu_project(const Config& c, const Frame& frame, const Visible& in, ProjectCounts* counts) {
-  Projected out;
+ProjectedParts pu_project(const Config& c, const Frame& frame, const Visible& in, ProjectCounts* counts) {
+  ProjectedParts parts;
+  auto& [out, center, payload] = parts;
   out.kind = in.kind;
-  if (in.kind != kData) return out;
+  if (in.kind != kData) return parts;
 
   // z > 0, so its normalised value has a zero sign and a leading one below.
   const Normalized z = normalize(c.view_w, in.view_z);
@@ -63,27 +65,32 @@ Projected pu_project(const Config& c, const Frame& frame, const Visible& in, Pro
 
   const Ratio x = divide(c, in.view_x, out.inv_z_m, z_bits), y = divide(c, in.view_y, out.inv_z_m, z_bits);
   bool beyond = false, clipped = false;
-  out.tan_x = clamped_tan(c, x, frame.limit_x, beyond);
-  out.tan_y = clamped_tan(c, y, frame.limit_y, beyond);
-  out.mean_x = mean(c, x, frame.focal_x, frame.center_x, in.window_x, clipped);
-  out.mean_y = mean(c, y, frame.focal_y, frame.center_y, in.window_y, clipped);
+  out.tan_x = clamped_tan(c, x, frame.lens.limit_x, beyond);
+  out.tan_y = clamped_tan(c, y, frame.lens.limit_y, beyond);
+  center.mean_x = mean(c, x, frame.lens.focal_x, frame.lens.center_x, in.window_x, clipped);
+  center.mean_y = mean(c, y, frame.lens.focal_y, frame.lens.center_y, in.window_y, clipped);
   if (counts != nullptr) counts->saturated += clipped, counts->clamped += beyond;
 
   const int key_w = c.depth_w - c.exp_w(), below_w = c.view_w - 2;
   const uint64_t below = static_cast<uint64_t>(z.value) & ((uint64_t{1} << below_w) - 1);
   const uint64_t high = std::min<uint64_t>(z_bits - 1 + in.view_exp, (uint64_t{1} << c.exp_w()) - 1);
-  out.depth = (high << key_w) | (key_w <= below_w ? below >> (below_w - key_w) : below << (key_w - below_w));
+  payload.depth = (high << key_w) | (key_w <= below_w ? below >> (below_w - key_w) : below << (key_w - below_w));
 
   const auto size = [](int64_t v) { return static_cast<uint64_t>(v < 0 ? ~v : v); };
   const int bits = bit_length(size(in.view_x) | size(in.view_y) | size(in.view_z));
-  out.dir_x = direction(c, in.view_x, bits);
-  out.dir_y = direction(c, in.view_y, bits);
-  out.dir_z = direction(c, in.view_z, bits);
+  payload.dir_x = direction(c, in.view_x, bits);
+  payload.dir_y = direction(c, in.view_y, bits);
+  payload.dir_z = direction(c, in.view_z, bits);
 
   pass_quaternion(in, out);
   pass_scales(in, out);
-  pass_splat(in, out);
-  return out;
+  center.opacity = in.opacity;
+  payload.base_r = in.base_r;
+  payload.base_g = in.base_g;
+  payload.base_b = in.base_b;
+  payload.index = in.index;
+  payload.slot = in.slot;
+  return parts;
 }
 
 }  // namespace pipegs

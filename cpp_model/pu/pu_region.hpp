@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_region: the coefficients of a Gaussian moved to the first pixel of one of its regions.
 //
 // Paper   Eq. 3, step 1 of Fig. 5a, in the shared form: A to F once per Gaussian, here only shifted by (8 rx, 8 ry).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_row_unit: from one pixel of a row to the next with two adders.
 //
 // Paper   Eq. 3, step 3 of Fig. 5a.           RTL  rtl/pu/pu_row_unit.sv

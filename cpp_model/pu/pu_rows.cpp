@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_rows.cpp: see pu_rows.hpp.
 #include "cpp_model/pu/pu_rows.hpp"
 

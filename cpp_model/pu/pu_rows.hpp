@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_rows: the 64 alphas of one region of a Gaussian.
 //
 // Paper   Fig. 5a, Fig. 7 (eight Row Units).           RTL  rtl/pu/pu_rows.sv

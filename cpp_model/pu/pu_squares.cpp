@@ -1,8 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_squares: see pu_squares.hpp.
 #include "cpp_model/pu/pu_squares.hpp"
 
 #include "cpp_model/lib/normalize.hpp"
-#include "cpp_model/pu/pass.hpp"
 
 namespace pipegs {
 namespace {
@@ -38,8 +38,6 @@ Squares pu_squares(const Config& c, const Frame&, const Factors& in) {
   out.gyy_m = in.gyy_m;
   out.gxy_m = in.gxy_m;
   out.gg_m = in.gg_m;
-  pass_projection(in, out);
-  pass_splat(in, out);
   return out;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_squares: the sums of squares and products of the factors: |u0|^2, |u1|^2, u0 . u1 and |u0 x u1|^2.
 //
 // Paper   Eq. 1: Sigma' = U U^T.

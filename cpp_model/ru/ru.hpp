@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru: a whole RU over a frame: sorted splats in, finished windows out.
 //
 // Paper   Fig. 7 (RU with its T and RGB buffers), Eq. 2.
@@ -38,8 +39,12 @@ inline void ru_start_window(const Config& c, const Frame& frame, RuState& state)
 }
 
 inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
-  RuState state{.unit = unit, .own = ru_own_mask(c, unit), .window_x = frame.first_x, .window_y = frame.first_y,
-                .regions = {}, .counts = {}};
+  RuState state{.unit = unit,
+                .own = ru_own_mask(c, unit),
+                .window_x = frame.raster.windows.first_x,
+                .window_y = frame.raster.windows.first_y,
+                .regions = {},
+                .counts = {}};
   ru_start_window(c, frame, state);
   return state;
 }
@@ -72,8 +77,8 @@ void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuSta
       pixels(ru_pixel_line(c, frame, state.window_x, state.window_y, region, row), line);
     }
   }
-  if (state.window_x == frame.last_x) {
-    state.window_x = frame.first_x;
+  if (state.window_x == frame.raster.windows.last_x) {
+    state.window_x = frame.raster.windows.first_x;
     ++state.window_y;
   } else {
     ++state.window_x;

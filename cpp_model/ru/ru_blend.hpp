@@ -1,11 +1,13 @@
-// ru_blend: one Rendering Unit blends one Gaussian into one pixel, front to back.
+// SPDX-License-Identifier: Apache-2.0
+// ru_blend: one lane of an RU (the paper's Rendering Unit) blends one Gaussian into one pixel, front to back.
 //
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w. T plus the sum of all weights so stays
-//         exactly 1. INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is not
-//         blended.
+//         exactly 1. INRIA's stop rule: when T' would fall below 1/TCut (1e-4) the pixel is done and this Gaussian is
+//         not blended.
 // Stream  alpha u0.AlphaW (0: no contribution), T u1.(TW-1), colour u2.(ColorW-2), accumulated colour u2.(RgbW-2).
-// Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted; wraps if Saturation is 0).
+// Round   w and w * colour to nearest, ties up; the accumulated colour saturates at the top (counted; wraps if
+//         Saturation is 0).
 // RTL     rtl/ru/ru_blend.sv
 #pragma once
 
@@ -26,9 +28,9 @@ struct BlendConstants {
         narrow(c.t_w - 1 + c.alpha_w <= 32 && c.t_w - 1 + c.color_w <= 32) {}
 
   int alpha_w;
-  int color_shift;   // from the fraction of w * colour to that of the accumulated colour
-  uint32_t one;      // T = 1
-  uint32_t stop;     // smallest T that may remain; 0: none stops
+  int color_shift;  // from the fraction of w * colour to that of the accumulated colour
+  uint32_t one;     // T = 1
+  uint32_t stop;    // smallest T that may remain; 0: none stops
   uint32_t rgb_max;
   uint32_t rgb_top;  // bits that stay set above it: all when it saturates, none when it wraps
   bool narrow;       // every product fits 32 bits

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_lanes.cpp: see ru_lanes.hpp.
 #include "cpp_model/ru/ru_lanes.hpp"
 
@@ -70,7 +71,7 @@ RegionState ru_fresh_region(const Config& config, const Frame& frame, uint64_t w
   const uint64_t y0 = window_y * config.window + 8 * (region / config.regions_x());
   for (int i = 0; i < kRegionPixels; ++i) {
     state.t[i] = constants.one;
-    state.done[i] = x0 + i % 8 >= frame.width || y0 + i / 8 >= frame.height;
+    state.done[i] = x0 + i % 8 >= frame.raster.width || y0 + i / 8 >= frame.raster.height;
   }
   return state;
 }

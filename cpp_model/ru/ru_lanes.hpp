@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_lanes: blends one line of alphas into the 64 pixels of a region.
 //
-// Paper   Sec. 4 (sixteen Rendering Units per RU): a region takes four cycles there.
+// Paper   Sec. 4 (sixteen Rendering Units per RU, here lanes): a region takes four cycles there.
 // Idea    The same arithmetic as ru_blend, pixel by pixel, written as one loop over arrays so that compilers
 //         vectorise it.
 // Stream  64 alpha codes, row by row, and one colour in; the region's state is changed in place.

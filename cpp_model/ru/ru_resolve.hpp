@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_resolve: the pixels of a finished window as they lie in external memory.
 //
 // Paper   Fig. 7: the RU's output buffer. Background is black, so the accumulated colour is the pixel.
@@ -13,19 +14,23 @@
 
 namespace pipegs {
 
-inline uint64_t ru_windows_x(const Config& c, const Frame& frame) { return (frame.width + c.window - 1) / c.window; }
-inline uint64_t ru_windows_y(const Config& c, const Frame& frame) { return (frame.height + c.window - 1) / c.window; }
+inline uint64_t ru_windows_x(const Config& c, const Frame& frame) {
+  return (frame.raster.width + c.window - 1) / c.window;
+}
+inline uint64_t ru_windows_y(const Config& c, const Frame& frame) {
+  return (frame.raster.height + c.window - 1) / c.window;
+}
 
 // Memory line of row `row` (0..7) of a region.
 inline uint64_t ru_pixel_line(const Config& c, const Frame& frame, uint64_t window_x, uint64_t window_y, int region,
                               int row) {
-  return frame.pixels + ((window_y * ru_windows_x(c, frame) + window_x) * c.regions() + region) * 8 + row;
+  return frame.tables.pixels + ((window_y * ru_windows_x(c, frame) + window_x) * c.regions() + region) * 8 + row;
 }
 
 // Whether the region has a pixel inside the image.
 inline bool ru_inside(const Config& c, const Frame& frame, uint64_t window_x, uint64_t window_y, int region) {
-  return window_x * c.window + 8 * (region % c.regions_x()) < frame.width &&
-         window_y * c.window + 8 * (region / c.regions_x()) < frame.height;
+  return window_x * c.window + 8 * (region % c.regions_x()) < frame.raster.width &&
+         window_y * c.window + 8 * (region / c.regions_x()) < frame.raster.height;
 }
 
 // One pixel in memory.

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_walk: which regions of a window belong to which RU, and where the alpha line of a region lies.
 //
 // Paper   Sec. 5.3 (four RUs render different tiles in parallel).
-// Idea    Two RUs own the colours of a chess board; four own every fourth region of a row, each row starting two further: a
-//         splat that covers 2x2 regions, or four in a row, keeps all of them busy. A splat's lines lie one behind the
-//         other, lowest region of its mask first.
+// Idea    Two RUs own the colours of a chess board; four own every fourth region of a row, each row starting two
+//         further: a splat that covers 2x2 regions, or four in a row, keeps all of them busy. A splat's lines lie one
+//         behind the other, lowest region of its mask first.
 // Stream  sorted_t in, one job per owned region of its mask out: region and line.
 // RTL     rtl/ru/ru_dispatch.sv (owners), rtl/ru/ru_walk.sv (lines), rtl/ru/ru_fetch.sv (memory addresses)
 #pragma once
@@ -45,8 +46,8 @@ inline uint64_t ru_line(const Sorted& splat, int region) {
 // First memory line of an alpha line in the overflow area 0 of `unit` and layer parity `parity`; with lists in the
 // one area of all alphas.
 inline uint64_t ru_overflow_line(const Config& c, const Frame& frame, uint64_t unit, uint64_t parity, uint64_t line) {
-  const uint64_t area = c.order == 1 ? uint64_t{1} << c.alpha_area_w() : ((unit << 3) | (parity << 2)) << 24;
-  return frame.overflow + area + line * static_cast<uint64_t>(c.alpha_memory_lines());
+  const uint64_t area = c.has_lists() ? uint64_t{1} << c.alpha_area_w() : ((unit << 3) | (parity << 2)) << 24;
+  return frame.tables.overflow + area + line * static_cast<uint64_t>(c.alpha_memory_lines());
 }
 
 }  // namespace pipegs

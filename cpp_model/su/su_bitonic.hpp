@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_bitonic.hpp: the network of the 16-channel bitonic sorter, stage by stage.
 //
-// Idea    Stage (size, distance): channels a and a + 2^distance are compared and exchanged, downwards where bit `size` of
-//         a is set. A batch of n keys passes the sizes 1 .. ceil(log2(n)); unused channels are void, above every key.
+// Idea    Stage (size, distance): channels a and a + 2^distance are compared and exchanged, downwards where bit `size`
+//         of a is set. A batch of n keys passes the sizes 1 .. ceil(log2(n)); unused channels are void, above every
+//         key.
 // Paper   Sec. 4.2.2.        RTL  rtl/su/su_bitonic.sv
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_minmax.hpp: the range of the keys of a layer.
 //
 // Paper   Sec. 4.2.2, "MinMax Finder".        RTL  rtl/su/su_minmax.sv

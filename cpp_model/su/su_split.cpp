@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_split.cpp: see su_split.hpp.
 #include "cpp_model/su/su_split.hpp"
 

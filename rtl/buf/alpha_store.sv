@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // alpha_store: the lines of alphas of one lane, from a layer's rows until the RUs have blended them.
 //
 // Paper   The alpha buffer of Fig. 7.

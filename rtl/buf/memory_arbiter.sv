@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
 // memory_arbiter: all requesters of the chip share the one port to external memory.
 //
-// Idea    The ports that may write stand nearer to the image and go first, with the DOPU's, which asks for little and waits
-//         for each answer: what these wait for holds up all others. Round robin among them, and among the others; one
-//         request per cycle; the port number travels as the tag, and an answer goes back to the port that its tag names.
-//         Writes carry a line of data and get no answer. Port order: WritePorts that may write, then those that only read.
-//         The choice is registered: a grant is for the next cycle, so no requester's valid reaches a ready in the same one. It
-//         falls on a port other than the one that is served now if there is one, else it stays: one port alone moves a
-//         request each cycle.
+// Idea    The ports that may write stand nearer to the image and go first, with the DOPU's, which asks for little and
+//         waits for each answer: what these wait for holds up all others. Round robin among them, and among the others;
+//         one request per cycle; the port number travels as the tag, and an answer goes back to the port that its tag
+//         names. Writes carry a line of data and get no answer. Port order: WritePorts that may write, then those that
+//         only read. The choice is registered: a grant is for the next cycle, so no requester's valid reaches a ready
+//         in the same one. It falls on a port other than the one that is served now if there is one, else it stays: one
+//         port alone moves a request each cycle.
 // Stream  ports: valid, ready, write, address, data. out: memory_request_t and the data. answers: tag and data in, one
 //         valid per port out; a requester asks only for what it has room for, so answers are never refused.
 // Pace    One request and one answer per cycle; three cycles of latency out (two for the port served last), one back.
-// Model   sim/external_memory.hpp applies requests in the order in which this port shows them.
+// Model   sim/memory/external_memory.hpp applies requests in the order in which this port shows them.
 
 module memory_arbiter #(
   localparam int unsigned Ports      = pipegs_pkg::MemoryPorts,
@@ -39,7 +40,8 @@ module memory_arbiter #(
 
   logic [Ports-1:0]                  others, first, request, grant, grant_q;
   logic [PortW-1:0]                  port, port_q;
-  logic                              served, free, take;  // the port of the grant asks; the register on the way out takes
+  // the port of the grant asks; the register on the way out takes
+  logic                              served, free, take;
   logic                              moves;               // the grant may fall on another port
   logic                              out_valid_q;
   pipegs_pkg::memory_request_t       out, request_q;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pixel_buffer: T and colour of an RU's regions, twice: one half is blended while the other is written out.
 //
 // Paper   Fig. 7, the double-buffered T and RGB buffers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // sram_fifo: a queue of many wide words, in an SRAM.
 //
 // Idea    A ring in a memory with one read and one write port. The memory's own output register is the head: it is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_axis: the principal axis of the view, along which the layers are stacked.
 //
 // Paper   Sec. 3.2, Sec. 4.1.

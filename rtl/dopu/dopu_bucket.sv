@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_bucket: nodes that wait, sorted by bucket of depth: lists of them share one memory.
 //
 // Paper   None.
-// Idea    Each bucket of each list is a chain of nodes in one SRAM, newest first; a second SRAM holds the chains' heads, and a
-//         bit for each chain says whether there is one. The first set bit of a list is its nearest bucket, which stands in a
-//         register; while a node is fetched the bucket behind it is found, in two cycles, for the case that its chain ends.
-//         Free places: those never used, in order, then those given back.
-// Stream  insert: a node for a bucket of a list, refused while full_o. pop: the newest node of the list's first bucket; it comes
-//         out two cycles later and must be taken. first_*: the nearest bucket of each list; a node counts from the cycle
-//         after its insert on, until it has come out.
+// Idea    Each bucket of each list is a chain of nodes in one SRAM, newest first; a second SRAM holds the chains'
+//         heads, and a bit for each chain says whether there is one. The first set bit of a list is its nearest bucket,
+//         which stands in a register; while a node is fetched the bucket behind it is found, in two cycles, for the
+//         case that its chain ends.
+// Stream  insert: a node for a bucket of a list, refused while full_o. pop: the newest node of the list's first bucket;
+//         it comes out two cycles later and must be taken. first_*: the nearest bucket of each list; a node counts from
+//         the cycle after its insert on, until it has come out.
 // Pace    An insert in two cycles, a pop in three; a pop goes first.
 // Model   An array of stacks (verif/dopu/dopu_bucket_test.cpp).
 
@@ -55,7 +56,7 @@ module dopu_bucket #(
     Out      // the node is there
   } state_e;
 
-  // --- one insert or pop at a time ------------------------------------------------------------------------------------
+  // --- one insert or pop at a time ----------------------------------------------------------------------------------
   state_e             state_q;
   logic [ListW-1:0]   list_q, list_d;
   logic [BucketW-1:0] bucket_q, bucket_d;
@@ -112,7 +113,7 @@ module dopu_bucket #(
     .read_i(state_q == Fetch), .raddr_i(head), .rdata_o({out_more, out_next, out_data_o})
   );
 
-  // --- which chains there are, and the first of each list ---------------------------------------------------------------
+  // --- which chains there are, and the first of each list -----------------------------------------------------------
   logic [Buckets-1:0]       occupied_q [Lists];
   logic [Words-1:0]         some_q [Lists];  // words that have a chain
   logic [Words-1:0]         some_left;       // without the chain of the node that is fetched, like the rest here
@@ -131,12 +132,10 @@ module dopu_bucket #(
     last_of_word = word == '0;
     some_left = some_q[list_q];
     if (last_of_word) some_left[own] = 1'b0;
-    left = '0;
-    for (int unsigned w = Words; w > 0; w -= 1) if (some_left[w-1]) left = (BucketW-WordW)'(w - 1);
-    place = '0;
-    for (int unsigned i = Word; i > 0; i -= 1) if (word[i-1]) place = WordW'(i - 1);
     for (int unsigned l = 0; l < Lists; l += 1) first_bucket_o[l*BucketW +: BucketW] = first_q[l];
   end
+  first_set #(.DataW(Words)) u_left (.mask_i(some_left), .one_hot_o(), .number_o(left));
+  first_set #(.DataW(Word)) u_place (.mask_i(word), .one_hot_o(), .number_o(place));
   assign first_valid_o = first_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -173,40 +172,19 @@ module dopu_bucket #(
     if (chain_ends) first_q[list_q] <= {left_q, place};
   end
 
-  // --- free places ----------------------------------------------------------------------------------------------------
-  logic [NodeW:0]   fresh_q;  // places used so far
-  logic [NodeW:0]   taken_q;
-  logic             back_valid, back_ready;
-  logic [NodeW-1:0] back;
-  logic [$clog2(Nodes+1)-1:0] back_count;
+  // --- free places --------------------------------------------------------------------------------------------------
+  logic           place_valid;
+  logic [NodeW:0] taken;
 
-  assign free_place = back_valid ? back : fresh_q[NodeW-1:0];
-  assign full_o     = !back_valid && fresh_q[NodeW];
-
-  assign crowded_o  = taken_q >= (NodeW+1)'(Nodes / 4 * 3);
-
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      fresh_q <= '0;
-      taken_q <= '0;
-    end else begin
-      if (take_insert && !back_valid) fresh_q <= fresh_q + 1'b1;
-      taken_q <= taken_q + (NodeW+1)'(take_insert) - (NodeW+1)'(out_valid_o);
-    end
-  end
-
-  sram_fifo #(.DataW(NodeW), .Depth(Nodes)) u_back (
-    .clk_i, .rst_ni,
-    .in_valid_i(out_valid_o), .in_ready_o(back_ready), .in_i(place_q),
-    .out_valid_o(back_valid), .out_ready_i(take_insert), .out_o(back), .count_o(back_count)
+  slot_pool #(.Slots(Nodes)) u_places (
+    .clk_i, .rst_ni, .slot_valid_o(place_valid), .slot_ready_i(take_insert), .slot_o(free_place),
+    .free_i(out_valid_o), .free_slot_i(place_q), .used_o(taken), .active_o()
   );
-
-  logic unused;
-  assign unused = &{1'b0, back_ready, back_count};
+  assign full_o    = !place_valid;
+  assign crowded_o = taken >= (NodeW+1)'(Nodes / 4 * 3);
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) take_pop |-> first_valid_o[pop_list_i]);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) out_valid_o |-> back_ready);
 `endif
 
 endmodule

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_cells: keeps the cell table on chip and walks it for each window, slab by slab outward from the camera.
 //
 // Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
-// Idea    The table is read once per frame, two cells per line; every window walks it again from the SRAM. Empty cells cost one
-//         cycle. After a slab comes a layer end, after the last slab a window end. A window that is done has only that.
-//         Layered 0: no slab has an end.
+// Idea    The table is read once per frame, two cells per line; every window walks it again from the SRAM. Empty cells
+//         cost one cycle. After a slab comes a layer end, after the last slab a window end. A window that is done has
+//         only that. Layered 0: no slab has an end.
 // Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.
 // Pace    One cell per cycle.
 // Model   cpp_model/dopu/dopu.hpp (the outer loops)
@@ -48,7 +49,7 @@ module dopu_cells #(
   localparam int unsigned CellW = 3 * GridW;
   localparam int unsigned Cells = pipegs_pkg::Grid * pipegs_pkg::Grid * pipegs_pkg::Grid;
   localparam int unsigned TableLines = (Cells + 1) / 2;
-  localparam int unsigned LineW = CellW > 1 ? CellW - 1 : 1;
+  localparam int unsigned TableW = CellW > 1 ? CellW - 1 : 1;
   localparam int unsigned LinesW = $clog2(TableLines + 1);
   localparam logic [2*GridW-1:0] LastNumber = (2*GridW)'(pipegs_pkg::Grid * pipegs_pkg::Grid - 1);
   localparam logic [GridW-1:0] LastLayer = GridW'(pipegs_pkg::Grid - 1);
@@ -56,7 +57,7 @@ module dopu_cells #(
   // --- load, once per frame -----------------------------------------------------------------------------------------
   logic [LinesW-1:0]               to_ask_q, to_come_q;
   logic [pipegs_pkg::AddressW-1:0] address_q;
-  logic [LineW-1:0]                write_line_q;
+  logic [TableW-1:0]                write_line_q;
   logic                            answer;
 
   assign loading_o     = to_come_q != '0;
@@ -86,7 +87,7 @@ module dopu_cells #(
     end
   end
 
-  // --- walk -----------------------------------------------------------------------------------------------------------
+  // --- walk ---------------------------------------------------------------------------------------------------------
   // One item per cycle: a cell of the slab, or the end behind its last cell. The item read stands at the output.
   logic                 walking_q;            // windows are left to walk
   logic                 set_q;                // the set of planes of the window walked
@@ -154,15 +155,15 @@ module dopu_cells #(
     end
   end
 
-  sram #(.DataW(2 * NodeBits), .Depth(2 ** LineW)) u_table (
+  sram #(.DataW(2 * NodeBits), .Depth(2 ** TableW)) u_table (
     .clk_i, .write_i(answer), .waddr_i(write_line_q),
     .wdata_i({rsp_data_i[pipegs_pkg::MemoryW/2 +: NodeBits], rsp_data_i[0 +: NodeBits]}),
-    .read_i(read), .raddr_i(cell_i[CellW-1 -: LineW]), .rdata_o(line)
+    .read_i(read), .raddr_i(cell_i[CellW-1 -: TableW]), .rdata_o(line)
   );
 
   assign item         = item_half_q ? line[NodeBits +: NodeBits] : line[0 +: NodeBits];
-  assign is_shown     = item_kind_q == pipegs_pkg::KindData ? item.count != '0
-                                                            : pipegs_pkg::Layered != 0 || item_kind_q == pipegs_pkg::KindWindowEnd;
+  assign is_shown     = item_kind_q == pipegs_pkg::KindData ? item.count != '0 :
+                        pipegs_pkg::Layered != 0 || item_kind_q == pipegs_pkg::KindWindowEnd;
   assign cell_valid_o = item_valid_q && is_shown;
   assign kind_o       = item_kind_q;
   assign set_o        = item_set_q;

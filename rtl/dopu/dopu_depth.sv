@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_depth: the step of depth of a number: exponent and leading mantissa bits of its depth key.
 //
 // Paper   None.
-// Idea    A depth key is a float of the view depth: six exponent bits, then the mantissa. Its exponent and first bits of
-//         mantissa name its step, 32 steps an octave. Steps rise with the number, so the step of a lower
-//         bound of depths is a lower bound of their steps. Numbers below one world unit are in step 0.
+// Idea    A depth key is a float of the view depth: six exponent bits, then the mantissa. Its exponent and first bits
+//         of mantissa name its step, 32 steps an octave. Steps rise with the number, so the step of a lower bound of
+//         depths is a lower bound of their steps. Numbers below one world unit are in step 0.
 // Stream  None: value_i * 2^(exponent_i - Down) world units in, the step out.
 // Pace    Combinational.
 // Model   cpp_model/dopu/dopu_depth.hpp (dopu_depth_step)

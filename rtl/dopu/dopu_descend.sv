@@ -1,23 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_descend: from the cells of the walk down to the chunks that can touch the window.
 //
 // Paper   Sec. 4.1.
-// Idea    Three levels, cell, group, chunk, share one box test. A cell that passes sends for its groups, a group that passes
-//         for its chunks (line_reader: several lines in flight). Upper levels go first as long as their results have room, so
-//         that the memory always has work; a node enters the test only when a place for its result is reserved.
-//         Order is kept within each level, hence the chunks leave in the order of the nested loops. Ends pass through all
-//         levels in their turn. What belongs to a done window is dropped wherever it stands.
+// Idea    Three levels, cell, group, chunk, share one box test. A cell that passes sends for its groups, a group that
+//         passes for its chunks (line_reader: several lines in flight). Upper levels go first as long as their results
+//         have room, so that the memory always has work; a node enters the test only when a place for its result is
+//         reserved. Order is kept within each level, hence the chunks leave in the order of the nested loops. Ends pass
+//         through all levels in their turn. What belongs to a done window is dropped wherever it stands.
 // Stream  cell in; chunk out: a chunk's node that passed, or an end, with its set of planes.
 // Pace    One test in three cycles.
 // Model   cpp_model/dopu/dopu.hpp (the inner loops)
 
 module dopu_descend #(
-  parameter int unsigned Lines = 16,   // of the node tables, in flight or waiting, each level
-  parameter int unsigned Results = 8   // of the test that may wait, each level
+  parameter int unsigned Lines   = pipegs_pkg::DescendLines,
+  parameter int unsigned Results = pipegs_pkg::DescendResults
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
 
-  input  pipegs_pkg::frame_t                    frame_i,
+  input  pipegs_pkg::position_t                 position_i,
+  input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
+  input  logic [pipegs_pkg::AddressW-1:0]       groups_i,  // first lines of the tables
+  input  logic [pipegs_pkg::AddressW-1:0]       chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [1:0]                            set_done_i,
 
@@ -87,7 +91,7 @@ module dopu_descend #(
   assign node_ready = enter | drop;
   assign testing_o  = test_valid || drop != '0;
 
-  // --- the test ------------------------------------------------------------------------------------------------------
+  // --- the test -----------------------------------------------------------------------------------------------------
   logic              result_valid, result_pass;
   logic [TagW-1:0]   result_tag;
   logic [1:0]        result_level;
@@ -96,7 +100,7 @@ module dopu_descend #(
   pipegs_pkg::node_t result_node;
 
   dopu_test #(.TagW(TagW)) u_test (
-    .clk_i, .rst_ni, .frame_i, .planes_i,
+    .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i,
     .node_valid_i(test_valid), .node_ready_o(test_ready), .node_i(test_beat[0 +: NodeBits]), .set_i(test_beat[BeatW-1]),
     .tag_i({test_level, test_beat[BeatW-1:NodeBits]}),
     .result_valid_o(result_valid), .result_pass_o(result_pass), .result_node_o(result_node), .result_tag_o(result_tag),
@@ -105,7 +109,7 @@ module dopu_descend #(
   assign {result_level, result_set, result_kind} = result_tag;
   assign result_kept = result_pass || result_kind != pipegs_pkg::KindData;
 
-  // --- results: one queue per level; a place is reserved from the entry into the test on --------------------------------
+  // --- results: one queue per level; a place is reserved from the entry into the test on ----------------------------
   logic [Levels-1:0] kept_valid, kept_ready, push, queue_ready;
   logic [BeatW-1:0]  kept [Levels];
 
@@ -134,7 +138,7 @@ module dopu_descend #(
     end
   endgenerate
 
-  // --- readers: a cell's groups, a group's chunks -----------------------------------------------------------------------
+  // --- readers: a cell's groups, a group's chunks -------------------------------------------------------------------
   logic [1:0]        waiting, idle;
   pipegs_pkg::node_t parent_cell, parent_group;
   logic [pipegs_pkg::SlotW-1:0]  first [2];
@@ -158,8 +162,9 @@ module dopu_descend #(
       assign parent_done = parent_data && set_done_i[kept[l][BeatW-1]];
       assign kept_ready[l] = job_ready || parent_done;
 
-      line_reader #(.TagW(KindW + 1), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(8)) u_reader (
-        .clk_i, .rst_ni, .base_i(l == 0 ? frame_i.groups : frame_i.chunks),
+      line_reader #(.TagW(KindW + 1), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines),
+        .Jobs(pipegs_pkg::DescendJobs)) u_reader (
+        .clk_i, .rst_ni, .base_i(l == 0 ? groups_i : chunks_i),
         .job_valid_i(kept_valid[l] && !parent_done), .job_ready_o(job_ready), .job_read_i(parent_data),
         .job_first_i(first[l]), .job_count_i(count[l]), .job_tag_i(kept[l][BeatW-1:NodeBits]),
         .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
@@ -177,7 +182,7 @@ module dopu_descend #(
   endgenerate
   assign waiting_o = waiting != '0;
 
-  // --- chunks that passed ---------------------------------------------------------------------------------------------------
+  // --- chunks that passed -------------------------------------------------------------------------------------------
   logic chunk_done;
   assign chunk_kind_o  = kept[2][NodeBits +: KindW];
   assign chunk_set_o   = kept[2][BeatW-1];
@@ -187,6 +192,6 @@ module dopu_descend #(
   assign kept_ready[2] = chunk_ready_i || chunk_done;
 
   logic unused;
-  assign unused = &{1'b0, frame_i, idle, parent_cell, parent_group};
+  assign unused = &{1'b0, idle, parent_cell, parent_group};
 
 endmodule

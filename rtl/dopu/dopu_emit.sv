@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_emit: hands chunks to the PUs, and ends to all of them.
 //
 // Paper   Fig. 7 (DOPU feeds four PUs).
-// Idea    A chunk goes to one PU: the next one in turn that is ready; once shown it stays there. An end goes to every PU, each
-//         takes it in its own time. A layer end is sent only if the layer had a chunk.
+// Idea    A chunk goes to one PU: the next one in turn that is ready; once shown it stays there. An end goes to every
+//         PU, each takes it in its own time. A layer end is sent only if the layer had a chunk.
 // Stream  chunk in, in the order of the walk; chunk_valid_o has one bit per PU, the beat is shared.
 // Pace    One chunk in two cycles.
-// Model   None: the twin's chunks and ends, in any split among the PUs (verif/dopu/dopu_test.cpp).
+// Model   None: the bit-accurate model's chunks and ends, in any split among the PUs (verif/dopu/dopu_test.cpp).
 
 module dopu_emit (
   input  logic                          clk_i,
@@ -21,20 +22,16 @@ module dopu_emit (
 );
 
   localparam int unsigned Units = pipegs_pkg::Units;
-  localparam int unsigned UnitW = Units > 1 ? $clog2(Units) : 1;
+  localparam int unsigned ChoiceW = Units > 1 ? $clog2(Units) : 1;
 
   logic [Units-1:0]   valid_q, chosen;
-  logic [UnitW-1:0]   last_q, choice;  // who got the chunk before, who gets the next
+  logic [ChoiceW-1:0]   last_q, choice;  // who got the chunk before, who gets the next
   logic               had_chunk_q;     // in this layer
   logic               is_data, drop, take;
   pipegs_pkg::chunk_t chunk_q;
 
+  round_robin #(.Ports(Units)) u_turn (.mask_i(chunk_ready_i), .last_i(last_q), .choice_o(choice));
   always_comb begin
-    choice = '0;
-    for (int unsigned i = Units; i > 0; i -= 1) if (chunk_ready_i[i-1]) choice = UnitW'(i - 1);
-    for (int unsigned i = Units; i > 0; i -= 1) begin
-      if (chunk_ready_i[i-1] && UnitW'(i - 1) > last_q) choice = UnitW'(i - 1);
-    end
     chosen = '0;
     chosen[choice] = 1'b1;
   end

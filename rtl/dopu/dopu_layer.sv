@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_layer: finds the slab of the grid that holds the camera, and names the cells of a slab.
 //
 // Paper   Sec. 4.1: normalization unit and three-way multiplexer.
-// Idea    camera slab c = clamp(floor((camera - low) * scale / 2^WorldW), 0, Grid - 1), one bit of scale per cycle, once a
-//         frame. Step s of the walk is slab c + (s+1)/2 or c - s/2: c, c+1, c-1, c+2 ... front to back for every ray.
-//         Cell = slab and two other coordinates, put in order by the axis.
-//         Layered 0: the cells in the order of their table; nothing is known of the camera.
+// Idea    camera slab c = clamp(floor((camera - low) * scale / 2^WorldW), 0, Grid - 1), one bit of scale per cycle,
+//         once a frame. Step s of the walk is slab c + (s+1)/2 or c - s/2: c, c+1, c-1, c+2 ... front to back for every
+//         ray. Cell = slab and two other coordinates, put in order by the axis. Layered 0: the cells in the order of
+//         their table; nothing is known of the camera.
 // Stream  start_i for one cycle; ready_o when the camera's slab is known. Then step_i, number_i -> slab, cell at once.
 // Pace    FocalW + 2 cycles a frame.
 // Model   cpp_model/dopu/dopu_layer.hpp
@@ -17,7 +18,8 @@ module dopu_layer #(
 
   input  logic                                start_i,
   input  logic [1:0]                          axis_i,
-  input  pipegs_pkg::frame_t                  frame_i,
+  input  pipegs_pkg::position_t               position_i,
+  input  pipegs_pkg::grid_t                   grid_i,
   output logic                                ready_o,
 
   input  logic [GridW:0]                      step_i,
@@ -41,17 +43,15 @@ module dopu_layer #(
     logic [BitsW-1:0]         bits_left_q;
     logic [GridW-1:0]         slab_q;
     logic                     ready_q;
-    logic                     unused_frame;     // only the grid's fields matter here
 
     always_comb begin
       case (axis_i)
-        2'd0: begin camera = frame_i.camera_x; low = frame_i.grid_x; scale = frame_i.grid_scale_x; end
-        2'd1: begin camera = frame_i.camera_y; low = frame_i.grid_y; scale = frame_i.grid_scale_y; end
-        default: begin camera = frame_i.camera_z; low = frame_i.grid_z; scale = frame_i.grid_scale_z; end
+        2'd0: begin camera = position_i.x; low = grid_i.low.x; scale = grid_i.scale_x; end
+        2'd1: begin camera = position_i.y; low = grid_i.low.y; scale = grid_i.scale_y; end
+        default: begin camera = position_i.z; low = grid_i.low.z; scale = grid_i.scale_z; end
       endcase
     end
     assign delta = (WorldW+1)'(camera) - (WorldW+1)'(low);
-    assign unused_frame = &{1'b0, frame_i};
 
     always_ff @(posedge clk_i) begin
       if (start_i) begin
@@ -102,7 +102,7 @@ module dopu_layer #(
     assign inside_o = step_i < (GridW+1)'(pipegs_pkg::Grid);
     assign cell_o   = {step_i[GridW-1:0], number_i};
     logic unused_inputs;
-    assign unused_inputs = &{1'b0, clk_i, rst_ni, start_i, axis_i, frame_i, step_i};
+    assign unused_inputs = &{1'b0, clk_i, rst_ni, start_i, axis_i, position_i, grid_i, step_i};
   end
 
 endmodule

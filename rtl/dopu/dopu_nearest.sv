@@ -1,27 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_nearest: from the cells of the walk down to the chunks that can touch the window, the nearest first.
 //
-// Paper   None: instead of dopu_descend, when Order is 2.
-// Idea    Best first: cells, groups and chunks that pass the test (dopu_rank) wait in dopu_bucket by depth; the nearest cell and
-//         the nearest group are opened (dopu_open), the nearest chunk is sent (dopu_send). Opening runs ahead of sending, so
-//         that the memory's latency hides, as long as few chunks wait; a chunk is sent when nothing that is still closed, or
-//         being opened, can hide a nearer one. When the queue is full a node is not queued but sent or opened at once: right
-//         too, only out of order. Scanning cells, opening cells, opening groups and sending each go on to the next window
-//         when they are through with one, so two windows overlap. What belongs to a done window is dropped wherever it
-//         stands.
+// Paper   None: instead of dopu_descend, with watermarks.
+// Idea    Best first: cells, groups and chunks that pass the test (dopu_rank) wait in dopu_bucket by depth; the nearest
+//         cell and the nearest group are opened (dopu_open), the nearest chunk is sent (dopu_send). Opening runs ahead
+//         of sending, so that the memory's latency hides, as long as few chunks wait; a chunk is sent when nothing that
+//         is still closed, or being opened, can hide a nearer one. When the queue is full a node is not queued but sent
+//         or opened at once: right too, only out of order. Scanning cells, opening cells, opening groups and sending
+//         each go on to the next window when they are through with one, so two windows overlap. What belongs to a done
+//         window is dropped wherever it stands.
 // Stream  cell in (layer ends are ignored); chunk out: chunks, layer ends with a watermark, the window's end.
 // Pace    Two tests in three cycles; a node that passes costs the queue five.
 // Model   cpp_model/dopu/dopu_nearest.hpp
 
 module dopu_nearest #(
-  parameter int unsigned Lines = 64,   // of the node tables, in flight or waiting, each level
-  parameter int unsigned Results = 16, // of the test that may wait, each level
-  parameter int unsigned Most = 16,    // nodes open at a time, each level
-  parameter int unsigned Ahead = 128   // chunks that wait, from which on no group is opened without need
+  parameter int unsigned Lines   = pipegs_pkg::NearestLines,
+  parameter int unsigned Results = pipegs_pkg::NearestResults,
+  parameter int unsigned Most    = pipegs_pkg::NearestOpen,
+  parameter int unsigned Ahead   = pipegs_pkg::NearestAhead
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
 
-  input  pipegs_pkg::frame_t                    frame_i,
+  input  pipegs_pkg::position_t                 position_i,
+  input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
+  input  logic [pipegs_pkg::AddressW-1:0]       groups_i,  // first lines of the tables
+  input  logic [pipegs_pkg::AddressW-1:0]       chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [1:0]                            set_done_i,
 
@@ -64,10 +68,10 @@ module dopu_nearest #(
 
   logic [StepW-1:0] near_step;
   dopu_depth #(.ValueW(pipegs_pkg::WorldW + 1), .Down(0)) u_near (
-    .value_i({1'b0, frame_i.near_plane}), .exponent_i('0), .step_o(near_step)
+    .value_i({1'b0, near_plane_i}), .exponent_i('0), .step_o(near_step)
   );
 
-  // --- each level works on one window's set, and then on the other's: 0 scans cells, 1 opens cells, 2 opens groups --------
+  // --- each level works on one window's set, and then on the other's: 0 scans cells, 1 opens cells, 2 opens groups ---
   logic [Levels-1:0] set_q, through, working, level_done;  // the set at work; through: nothing of it is left here
   logic [1:0]        complete_q [Levels];                  // the levels that are through with a set
   logic              cells_in_q;                           // all cells of the window scanned have come
@@ -98,7 +102,7 @@ module dopu_nearest #(
     end
   end
 
-  // --- nodes to test: upper levels first, so that the memory always has work ------------------------------------------------
+  // --- nodes to test: upper levels first, so that the memory always has work ----------------------------------------
   logic [Levels-1:0]    want, enter, drop, child_valid, child_last, missed, retired;
   logic [NodeBits-1:0]  child [Levels];
   logic [BucketW-1:0]   child_parent [Levels];
@@ -115,7 +119,8 @@ module dopu_nearest #(
 
   always_comb begin
     for (int unsigned l = 0; l < Levels; l += 1) begin
-      drop[l] = child_valid[l] && level_done[l] && !child_last[l];  // the last child goes on: its parent is open until then
+      // the last child goes on: its parent is open until then
+      drop[l] = child_valid[l] && level_done[l] && !child_last[l];
       want[l] = child_valid[l] && !drop[l] && reserved_q[l] != ReservedW'(Results);
     end
     level = want[0] ? 2'd0 : want[1] ? 2'd1 : 2'd2;
@@ -130,7 +135,7 @@ module dopu_nearest #(
   logic [RangeW-1:0]  result_range;
 
   dopu_rank #(.TagW(3)) u_rank (
-    .clk_i, .rst_ni, .frame_i, .planes_i, .near_step_i(near_step),
+    .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i, .near_step_i(near_step),
     .node_valid_i(want != '0), .node_ready_o(rank_ready), .node_i(child[level]), .set_i(set_q[level]),
     .parent_i(child_parent[level]), .tag_i({child_last[level], level}),
     .result_valid_o(result_valid), .result_pass_o(result_pass), .result_tag_o({result_last, result_level}),
@@ -138,7 +143,7 @@ module dopu_nearest #(
   );
   assign result_kept = result_pass || result_last;
 
-  // --- results: one queue per level, so that no level waits for one above it ----------------------------------------------
+  // --- results: one queue per level, so that no level waits for one above it ----------------------------------------
   logic [Levels-1:0]  held_valid, held_pass, held_last, live, queue_ready, push;
   logic [BucketW-1:0] held_bucket [Levels];
   logic [DataW-1:0]   held [Levels];
@@ -161,7 +166,8 @@ module dopu_nearest #(
 
       fifo #(.DataW(2 + BucketW + HeldW), .Depth(Results)) u_queue (
         .clk_i, .rst_ni,
-        .in_valid_i(push[l]), .in_ready_o(queue_ready[l]), .in_i({result_last, result_pass, result_bucket, result_data}),
+        .in_valid_i(push[l]), .in_ready_o(queue_ready[l]),
+        .in_i({result_last, result_pass, result_bucket, result_data}),
         .out_valid_o(held_valid[l]), .out_ready_i(retired[l]),
         .out_o({held_last[l], held_pass[l], held_bucket[l], held_data}), .count_o(count)
       );
@@ -169,7 +175,8 @@ module dopu_nearest #(
 
       always_ff @(posedge clk_i or negedge rst_ni) begin
         if (!rst_ni) reserved_q[l] <= '0;
-        else reserved_q[l] <= reserved_q[l] + ReservedW'(enter[l]) - ReservedW'(missed[l]) - ReservedW'(held_valid[l] && retired[l]);
+        else reserved_q[l] <= reserved_q[l] +
+                              ReservedW'(enter[l]) - ReservedW'(missed[l]) - ReservedW'(held_valid[l] && retired[l]);
       end
       logic unused_count;
       assign unused_count = &{1'b0, count};
@@ -179,7 +186,7 @@ module dopu_nearest #(
     end
   endgenerate
 
-  // --- the queue: live results go in; when it is full they are opened or sent at once ---------------------------------------
+  // --- the queue: live results go in; when it is full they are opened or sent at once -------------------------------
   logic                     insert_ready, full, crowded, pop_valid, pop_ready, out_valid, queue_idle, insert, out_done;
   logic [1:0]               insert_level, out_level;
   logic [ListW-1:0]         insert_list, pop_list, out_list;
@@ -230,12 +237,13 @@ module dopu_nearest #(
       waiting_q[1] <= '0;
     end else begin
       for (int unsigned s = 0; s < 2; s += 1) begin
-        waiting_q[s] <= waiting_q[s] + WaitW'(insert && insert_list == ListW'(4 + s)) - WaitW'(out_valid && out_list == ListW'(4 + s));
+        waiting_q[s] <= waiting_q[s] + WaitW'(insert && insert_list == ListW'(4 + s)) - WaitW'(out_valid &&
+                        out_list == ListW'(4 + s));
       end
     end
   end
 
-  // --- opening: the nearest cell, the nearest group; ahead while there is room, and always before the chunks behind ------
+  // --- opening: the nearest cell, the nearest group; ahead while there is room, and always before the chunks behind --
   logic few, cell_first, group_first;
 
   always_comb begin
@@ -259,7 +267,7 @@ module dopu_nearest #(
       assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
 
       dopu_open #(.Most(Most), .Lines(Lines)) u_open (
-        .clk_i, .rst_ni, .base_i(l == 0 ? frame_i.groups : frame_i.chunks),
+        .clk_i, .rst_ni, .base_i(l == 0 ? groups_i : chunks_i),
         .open_valid_i(open_valid[l]), .open_ready_o(open_ready[l]), .open_bucket_i(open_bucket[l]),
         .open_first_i(open_range[l][0 +: SlotW]), .open_count_i(open_range[l][SlotW +: CountW]),
         .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
@@ -267,7 +275,8 @@ module dopu_nearest #(
         .rsp_valid_i(rsp_valid_i[l]), .rsp_data_i,
         .child_valid_o(child_valid[l+1]), .child_ready_i(enter[l+1] || drop[l+1]), .child_o(child[l+1]),
         .child_parent_o(child_parent[l+1]), .child_last_o(child_last[l+1]),
-        .settled_i(retired[l+1] && held_last[l+1]), .any_o(any_open[l]), .nearest_o(open_nearest[l]), .waiting_o(reading[l])
+        .settled_i(retired[l+1] && held_last[l+1]), .any_o(any_open[l]), .nearest_o(open_nearest[l]),
+        .waiting_o(reading[l])
       );
 `ifndef SYNTHESIS
       assert property (@(posedge clk_i) disable iff (!rst_ni) open_valid[l] |-> open_ready[l]);
@@ -279,7 +288,7 @@ module dopu_nearest #(
   assign through[1] = working[1] && complete_q[0][set_q[1]] && !some[0] && !any_open[0];
   assign through[2] = working[2] && complete_q[1][set_q[2]] && !some[1] && !any_open[1];
 
-  // --- sending ------------------------------------------------------------------------------------------------------------
+  // --- sending ------------------------------------------------------------------------------------------------------
   logic [4*BucketW-1:0] unopened;  // of the window sent, the nearest cell open, cell waiting, group open, group waiting
 
   always_comb begin
@@ -295,14 +304,16 @@ module dopu_nearest #(
     .opened_i(complete_q[2][send_set]), .unopened_i(unopened), .window_end_o(window_end),
     .first_valid_i(first_valid[5:4]), .first_bucket_i(first_bucket[4*BucketW +: 2*BucketW]),
     .pop_o(send_pop), .pop_ready_i(pop_ready), .popped_i(out_valid && out_level == 2'd2), .popped_data_i(out_data),
-    .direct_valid_i(direct_chunk), .direct_ready_o(direct_ready), .direct_bucket_i(held_bucket[2]), .direct_data_i(held[2]),
+    .direct_valid_i(direct_chunk), .direct_ready_o(direct_ready), .direct_bucket_i(held_bucket[2]),
+    .direct_data_i(held[2]),
     .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .mark_o
   );
 
-  assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid || through != '0 || window_end;
+  assign testing_o = want != '0 || drop != '0 || cell_ready_o || !queue_idle || retired != '0 || pop_valid ||
+                     through != '0 || window_end;
   assign waiting_o = reading != '0;
 
   logic unused;
-  assign unused = &{1'b0, frame_i, held_last[0]};
+  assign unused = &{1'b0, held_last[0]};
 
 endmodule

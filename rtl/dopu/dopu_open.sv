@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_open: opens nodes: reads their children, and knows the nearest bucket of what is being opened.
 //
 // Paper   None.
-// Idea    A node opened is a job of line_reader; its bucket goes along with each child. It counts as being opened until its
-//         last child is settled (waits in its own turn, was sent, or dropped). Children are settled in the order in which
-//         nodes were opened, so a short queue of buckets knows all that are open. The nearest of them is found a cycle ahead,
-//         with and without the oldest, by a tree of comparisons, and stands in a register.
-// Stream  open: a node's range and bucket. child: its children, the last one marked; settled_i: a last child is settled.
+// Idea    A node opened is a job of line_reader; its bucket goes along with each child. It counts as being opened until
+//         its last child is settled (waits in its own turn, was sent, or dropped). Children are settled in the order in
+//         which nodes were opened, so a short queue of buckets knows all that are open. The nearest of them is found a
+//         cycle ahead, with and without the oldest, by a tree of comparisons, and stands in a register.
+// Stream  open: a node's range and bucket. child: its children, the last one marked; settled_i: a last child is
+//         settled.
 // Pace    One child per cycle while the memory delivers; Most nodes at a time.
 // Model   None: verif/dopu/dopu_nearest_test.cpp checks the watermarks that follow.
 
@@ -51,7 +53,8 @@ module dopu_open #(
   logic [BucketW-1:0] bucket_q [Most];
   logic [OpenW-1:0]   open_q, left;
   logic [BucketW-1:0] nearest_q, stays;
-  logic [BucketW-1:0] least [2*Most];  // a tree over all but the oldest: the smaller of 2i and 2i+1 at i, leaves from Most on
+  // a tree over all but the oldest: the smaller of 2i and 2i+1 at i, leaves from Most on
+  logic [BucketW-1:0] least [2*Most];
   logic               take;
 
   assign take = open_valid_i && open_ready_o;
@@ -82,7 +85,7 @@ module dopu_open #(
     end
   end
 
-  // --- the job waits here until the reader takes it -------------------------------------------------------------------
+  // --- the job waits here until the reader takes it -----------------------------------------------------------------
   logic               job_valid_q, job_ready;
   logic [BucketW-1:0] job_bucket_q;
   logic [SlotW-1:0]   job_first_q, index;

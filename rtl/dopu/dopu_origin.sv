@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_origin: the centre of a chunk in view space, block-normalised for the PU.
 //
 // Paper   Sec. 4.2 (world to view).
-// Idea    origin = W (centre - camera), exact: the difference is cut into a low half of LowW bits and a high half, and three
-//         multipliers make one row's sum of one half per cycle. Then the exponent, and three rounding shifts.
+// Idea    origin = W (centre - camera), exact: the difference is cut into a low half of LowW bits and a high half, and
+//         three multipliers make one row's sum of one half per cycle. Then the exponent, and three rounding shifts.
 //           view_exp = max(0, L + 2 - ViewW), L = max(bit length of the largest |origin_i|, PosW + offset_exp)
 // Stream  node in (or an end, which passes unchanged); chunk out.
 // Pace    One chunk in 10 cycles, latency 14: products and shifts of two chunks overlap.
@@ -12,7 +13,8 @@ module dopu_origin (
   input  logic                            clk_i,
   input  logic                            rst_ni,
 
-  input  pipegs_pkg::frame_t              frame_i,
+  input  pipegs_pkg::position_t           position_i,
+  input  pipegs_pkg::rotation_t           rotation_i,
 
   input  logic                            node_valid_i,
   output logic                            node_ready_o,
@@ -20,7 +22,7 @@ module dopu_origin (
   input  logic [pipegs_pkg::WindowW-1:0]  window_x_i,
   input  logic [pipegs_pkg::WindowW-1:0]  window_y_i,
   input  pipegs_pkg::node_t               node_i,
-  input  logic [pipegs_pkg::DepthW-1:0]   mark_i,   // a layer end's watermark, Order 2 only
+  input  logic [pipegs_pkg::DepthW-1:0]   mark_i,   // a layer end's watermark, if there are any
 
   output logic                            chunk_valid_o,
   input  logic                            chunk_ready_i,
@@ -79,9 +81,9 @@ module dopu_origin (
 
   always_comb begin
     case (step_q[3:1])
-      3'd0: begin w0 = frame_i.w00; w1 = frame_i.w01; w2 = frame_i.w02; end
-      3'd1: begin w0 = frame_i.w10; w1 = frame_i.w11; w2 = frame_i.w12; end
-      default: begin w0 = frame_i.w20; w1 = frame_i.w21; w2 = frame_i.w22; end
+      3'd0: begin w0 = rotation_i.w00; w1 = rotation_i.w01; w2 = rotation_i.w02; end
+      3'd1: begin w0 = rotation_i.w10; w1 = rotation_i.w11; w2 = rotation_i.w12; end
+      default: begin w0 = rotation_i.w20; w1 = rotation_i.w21; w2 = rotation_i.w22; end
     endcase
   end
   assign added = step_q - 4'd2;
@@ -96,9 +98,9 @@ module dopu_origin (
       offset_exp_q <= node_i.offset_exp;
       slot_q       <= node_i.first;
       count_q      <= node_i.count;
-      delta_x_q    <= DeltaW'(node_i.center_x) - DeltaW'(frame_i.camera_x);
-      delta_y_q    <= DeltaW'(node_i.center_y) - DeltaW'(frame_i.camera_y);
-      delta_z_q    <= DeltaW'(node_i.center_z) - DeltaW'(frame_i.camera_z);
+      delta_x_q    <= DeltaW'(node_i.center_x) - DeltaW'(position_i.x);
+      delta_y_q    <= DeltaW'(node_i.center_y) - DeltaW'(position_i.y);
+      delta_z_q    <= DeltaW'(node_i.center_z) - DeltaW'(position_i.z);
     end
     w0_q <= w0;
     w1_q <= w1;
@@ -119,8 +121,10 @@ module dopu_origin (
     end
   end
 
-  // --- shifts: x, y, z through one rounding shifter --------------------------------------------------------------------
-  logic [LengthW-1:0]        length, reach, longest;
+  // --- shifts: x, y, z through one rounding shifter -----------------------------------------------------------------
+  localparam int unsigned WholeW = OriginW - RotF;  // of a number without its fraction
+  logic [$clog2(WholeW+1)-1:0] length;
+  logic [LengthW-1:0]        reach, longest;
   logic [ExpW-1:0]           view_exp_q;
   logic [1:0]                shift_step_q;  // 0 to 2: x, y, z; 3: stands at the output
   logic                      shifting_q;
@@ -129,12 +133,9 @@ module dopu_origin (
   logic signed [ViewW-1:0]   rounded;
   pipegs_pkg::chunk_t        chunk_q;
 
-  always_comb begin
-    length = '0;
-    for (int unsigned i = RotF; i < OriginW; i += 1) if (magnitudes_q[i]) length = LengthW'(i + 1 - RotF);
-    reach   = LengthW'(offset_exp_q) + LengthW'(pipegs_pkg::PosW);
-    longest = length > reach ? length : reach;
-  end
+  bit_length #(.DataW(WholeW)) u_length (.in_i(magnitudes_q[OriginW-1:RotF]), .length_o(length));
+  assign reach         = LengthW'(offset_exp_q) + LengthW'(pipegs_pkg::PosW);
+  assign longest       = LengthW'(length) > reach ? LengthW'(length) : reach;
   assign handover      = done && (!shifting_q || (shift_step_q == 2'd3 && chunk_ready_i));
   assign shifted       = source_q[0] >>> view_exp_q;
   assign rounded       = ViewW'(shifted >>> 1) + ViewW'({1'b0, shifted[0]});
@@ -178,7 +179,7 @@ module dopu_origin (
   end
 
   // A watermark passes like the end that carries it: it is the chunk's last field.
-  if (pipegs_pkg::Order == 2) begin : gen_mark
+  if (pipegs_pkg::HasWatermarks) begin : gen_mark
     localparam int unsigned DepthW = pipegs_pkg::DepthW;
     logic [DepthW-1:0]                mark_taken_q, mark_q;
     logic [pipegs_pkg::ChunkBits-1:0] beat;
@@ -195,6 +196,7 @@ module dopu_origin (
   end
 
   logic unused;  // fields and bits that do not matter here
-  assign unused = &{1'b0, frame_i, node_i, mark_i, chunk_q, shifted, magnitudes_q[RotF-1:0], origin_q[0], origin_q[1], origin_q[2]};
+  assign unused = &{1'b0, node_i, mark_i, chunk_q, shifted, magnitudes_q[RotF-1:0], origin_q[0], origin_q[1],
+                  origin_q[2]};
 
 endmodule

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_planes: the five planes that bound what a window can see.
 //
 // Paper   Sec. 4.1; windows are ours (docs/units/dopu.md).
-// Idea    A side's world-space normal is n = focal * side row - edge * forward row, edge = pixel - centre -+ 2. One multiplier
-//         makes the six products of a side one after another, then n and reach are floored to TestW bits with one unit.
+// Idea    A side's world-space normal is n = focal * side row - edge * forward row, edge = pixel - centre -+ 2. One
+//         multiplier makes the six products of a side one after another, then n and reach are floored to TestW bits
+//         with one unit.
 // Stream  window: column and row in. planes: near, left, right, top, bottom out, near in the low bits.
 // Pace    One window per 4 * 13 cycles, hidden behind the walk of the window before.
 // Model   cpp_model/dopu/dopu_planes.hpp
@@ -11,7 +13,9 @@ module dopu_planes (
   input  logic                                clk_i,
   input  logic                                rst_ni,
 
-  input  pipegs_pkg::frame_t                  frame_i,
+  input  pipegs_pkg::rotation_t               rotation_i,
+  input  pipegs_pkg::lens_t                   lens_i,
+  input  pipegs_pkg::raster_t                 raster_i,
 
   input  logic                                window_valid_i,
   output logic                                window_ready_o,
@@ -80,23 +84,23 @@ module dopu_planes (
 
   assign vertical    = side_q[1];
   assign far         = side_q[0];
-  assign size        = vertical ? WindowPixelW'(frame_i.height) : WindowPixelW'(frame_i.width);
+  assign size        = vertical ? WindowPixelW'(raster_i.height) : WindowPixelW'(raster_i.width);
   assign first_pixel = (vertical ? WindowPixelW'(window_y_q) : WindowPixelW'(window_x_q)) << $clog2(pipegs_pkg::Window);
   // With lists the rectangle of this window to the frame's last one.
-  if (pipegs_pkg::Order == 1) begin : gen_frame
+  if (pipegs_pkg::HasLists) begin : gen_frame
     logic [pipegs_pkg::WindowW-1:0] last_window;
-    assign last_window = vertical ? frame_i.last_y : frame_i.last_x;
+    assign last_window = vertical ? raster_i.windows.last_y : raster_i.windows.last_x;
     assign end_pixel   = (WindowPixelW'(last_window) + 1'b1) << $clog2(pipegs_pkg::Window);
   end else begin : gen_window
     assign end_pixel = first_pixel + WindowPixelW'(pipegs_pkg::Window);
   end
   assign pixel       = far ? (end_pixel < size ? end_pixel : size) - 1'b1 : first_pixel;
-  assign center      = vertical ? EdgeW'(frame_i.center_y) : EdgeW'(frame_i.center_x);
+  assign center      = vertical ? EdgeW'(lens_i.center_y) : EdgeW'(lens_i.center_x);
   assign margin      = EdgeW'(pipegs_pkg::ReachMargin) <<< pipegs_pkg::CenterF;
   assign edge_d      = (EdgeW'(pixel) <<< pipegs_pkg::CenterF) - center + (far ? margin : -margin);
-  assign reach       = vertical ? frame_i.reach_y : frame_i.reach_x;
+  assign reach       = vertical ? lens_i.reach_y : lens_i.reach_x;
 
-  // --- products ------------------------------------------------------------------------------------------------------
+  // --- products -----------------------------------------------------------------------------------------------------
   logic signed [EdgeW-1:0]    edge_q, left_q;
   logic signed [RotW-1:0]     right_d, right_q;
   logic signed [ProductW-1:0] product_q;
@@ -107,15 +111,15 @@ module dopu_planes (
 
   always_comb begin
     case ({step_q[2:0], vertical})
-      {3'd0, 1'b0}: right_d = frame_i.w00;
-      {3'd2, 1'b0}: right_d = frame_i.w01;
-      {3'd4, 1'b0}: right_d = frame_i.w02;
-      {3'd0, 1'b1}: right_d = frame_i.w10;
-      {3'd2, 1'b1}: right_d = frame_i.w11;
-      {3'd4, 1'b1}: right_d = frame_i.w12;
-      {3'd1, 1'b0}, {3'd1, 1'b1}: right_d = frame_i.w20;
-      {3'd3, 1'b0}, {3'd3, 1'b1}: right_d = frame_i.w21;
-      default: right_d = frame_i.w22;
+      {3'd0, 1'b0}: right_d = rotation_i.w00;
+      {3'd2, 1'b0}: right_d = rotation_i.w01;
+      {3'd4, 1'b0}: right_d = rotation_i.w02;
+      {3'd0, 1'b1}: right_d = rotation_i.w10;
+      {3'd2, 1'b1}: right_d = rotation_i.w11;
+      {3'd4, 1'b1}: right_d = rotation_i.w12;
+      {3'd1, 1'b0}, {3'd1, 1'b1}: right_d = rotation_i.w20;
+      {3'd3, 1'b0}, {3'd3, 1'b1}: right_d = rotation_i.w21;
+      default: right_d = rotation_i.w22;
     endcase
   end
   assign added  = step_q - 4'd2;
@@ -124,7 +128,7 @@ module dopu_planes (
 
   always_ff @(posedge clk_i) begin
     edge_q    <= edge_d;
-    left_q    <= step_q[0] ? edge_q : EdgeW'({1'b0, vertical ? frame_i.focal_y : frame_i.focal_x});
+    left_q    <= step_q[0] ? edge_q : EdgeW'({1'b0, vertical ? lens_i.focal_y : lens_i.focal_x});
     right_q   <= right_d;
     product_q <= ProductW'(left_q) * ProductW'(right_q);
     if (!added[0]) focal_part_q <= NormalW'(product_q);
@@ -138,14 +142,14 @@ module dopu_planes (
   end
 
   // --- block normalisation -----------------------------------------------------------------------------------------
-  logic [ShiftW-1:0]         length, shift_q;
+  logic [$clog2(NormalW+1)-1:0] length;
+  logic [ShiftW-1:0]         shift_q;
   logic signed [NormalW-1:0] chosen;
   logic [NormalW-1:0]        shifted;
   logic [4*PlaneBits-1:0]    planes_q;
 
+  bit_length #(.DataW(NormalW)) u_length (.in_i(magnitudes_q), .length_o(length));
   always_comb begin
-    length = '0;
-    for (int unsigned i = 0; i < NormalW; i += 1) if (magnitudes_q[i]) length = ShiftW'(i + 1);
     case (step_q)
       4'd9: chosen = normal_q[0];
       4'd10: chosen = normal_q[1];
@@ -165,14 +169,14 @@ module dopu_planes (
 
   pipegs_pkg::plane_t near_plane;
   always_comb begin
-    near_plane.nx    = frame_i.w20[RotW-1:Drop];
-    near_plane.ny    = frame_i.w21[RotW-1:Drop];
-    near_plane.nz    = frame_i.w22[RotW-1:Drop];
+    near_plane.nx    = rotation_i.w20[RotW-1:Drop];
+    near_plane.ny    = rotation_i.w21[RotW-1:Drop];
+    near_plane.nz    = rotation_i.w22[RotW-1:Drop];
     near_plane.reach = -(TestW'(1) << (pipegs_pkg::RotF - Drop));
   end
   assign planes_o = {planes_q, near_plane};
 
-  logic unused_frame;  // the frame's other fields
-  assign unused_frame = &{1'b0, frame_i};
+  logic unused_frame;  // fields that do not matter here
+  assign unused_frame = &{1'b0, lens_i, raster_i};
 
 endmodule

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_rank: which nodes can touch the window, and in which bucket of depth they lie.
 //
 // Paper   None.
-// Idea    Two box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to the near
-//         plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the parent's box
-//         holds for what lies inside.
-// Stream  node: a node, its set of planes, its parent's bucket, a tag. result: tag, pass, bucket and those fields of the
-//         node that are still needed, in the order of the nodes; it has no ready: the caller asks only for what it can take.
+// Idea    Two box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to the
+//         near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the
+//         parent's box holds for what lies inside.
+// Stream  node: a node, its set of planes, its parent's bucket, a tag. result: tag, pass, bucket and those fields of
+//         the node that are still needed, in the order of the nodes; it has no ready: the caller asks only for what it
+//         can take.
 // Pace    Two nodes in three cycles, results 15 cycles later.
 // Model   cpp_model/dopu/dopu_nearest.hpp
 
@@ -19,7 +21,8 @@ module dopu_rank #(
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
 
-  input  pipegs_pkg::frame_t                    frame_i,
+  input  pipegs_pkg::position_t                 position_i,
+  input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [StepW-1:0]                      near_step_i,  // of the near plane
 
@@ -41,19 +44,19 @@ module dopu_rank #(
   localparam int unsigned Tests = 2;
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
   localparam int unsigned ExpW = pipegs_pkg::ExpW;
-  localparam int unsigned NearestW = 2 * pipegs_pkg::TestW + 2;
+  localparam int unsigned DistanceW = 2 * pipegs_pkg::TestW + 2;
   localparam int unsigned SumW = StepW + 1;
 
   logic [Tests-1:0]           ready, valid, pass;
   logic [TagW+BucketW-1:0]    tag [Tests];
   logic [NodeBits-1:0]        node [Tests];
-  logic signed [NearestW-1:0] nearest [Tests];
+  logic signed [DistanceW-1:0] nearest [Tests];
   logic [ExpW-1:0]            exponent [Tests];
 
   generate
     for (genvar t = 0; t < Tests; t += 1) begin : gen_tests
       dopu_test #(.TagW(TagW + BucketW), .Phase(t)) u_test (
-        .clk_i, .rst_ni, .frame_i, .planes_i,
+        .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i,
         .node_valid_i, .node_ready_o(ready[t]), .node_i, .set_i, .tag_i({tag_i, parent_i}),
         .result_valid_o(valid[t]), .result_pass_o(pass[t]), .result_node_o(node[t]), .result_tag_o(tag[t]),
         .result_nearest_o(nearest[t]), .result_exponent_o(exponent[t])
@@ -66,7 +69,7 @@ module dopu_rank #(
   logic                       which, valid_q, pass_q;
   logic [TagW+BucketW-1:0]    tag_q;
   pipegs_pkg::node_t          result;
-  logic signed [NearestW-1:0] nearest_q;
+  logic signed [DistanceW-1:0] nearest_q;
   logic [ExpW-1:0]            exponent_q;
   logic [StepW-1:0]           step;
   logic signed [SumW-1:0]     beyond;
@@ -90,7 +93,7 @@ module dopu_rank #(
     range_q    <= {result.count, result.first};
   end
 
-  dopu_depth #(.ValueW(NearestW), .Down(pipegs_pkg::RotF - (pipegs_pkg::RotW - pipegs_pkg::TestW))) u_depth (
+  dopu_depth #(.ValueW(DistanceW), .Down(pipegs_pkg::RotF - (pipegs_pkg::RotW - pipegs_pkg::TestW))) u_depth (
     .value_i(nearest_q), .exponent_i(exponent_q), .step_o(step)
   );
   assign parent = tag_q[BucketW-1:0];

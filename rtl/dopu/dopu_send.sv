@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_send: decides what goes to the PUs next: the nearest chunk, a watermark, or the window's end.
 //
 // Paper   None.
-// Idea    The watermark is the nearest bucket of all that can still come: chunks that wait, and what is not opened yet. A
-//         chunk is due when it lies in that bucket. A watermark is sent when it has risen and MarkChunks chunks have gone
-//         since the last one. With everything opened and no chunk left, the window ends, and the other set's turn begins.
-//         When the queue is full a chunk that finds no place goes ahead of its turn, or a nearer one that waits does.
-// Stream  first: the nearest waiting chunks of both sets; pop asks for one of the set sent, popped brings it. direct: a chunk that
-//         found no place. out: chunk, LayerEnd with its watermark, WindowEnd.
+// Idea    The watermark is the nearest bucket of all that can still come: chunks that wait, and what is not opened yet.
+//         A chunk is due when it lies in that bucket. A watermark is sent when it has risen and MarkChunks chunks have
+//         gone since the last one, twice as many after every eight watermarks of a window. With everything opened and
+//         no chunk left, the window ends, and the other set's turn begins. When the queue is full a chunk that finds no
+//         place goes ahead of its turn, or a nearer one that waits does.
+// Stream  first: the nearest waiting chunks of both sets; pop asks for one of the set sent, popped brings it. direct: a
+//         chunk that found no place. out: chunk, LayerEnd with its watermark, WindowEnd.
 // Pace    One chunk in five cycles.
 // Model   cpp_model/dopu/dopu_nearest.hpp
 
@@ -43,11 +45,12 @@ module dopu_send #(
   output logic [pipegs_pkg::KindW-1:0]  chunk_kind_o,
   output logic                          chunk_set_o,
   output pipegs_pkg::node_t             chunk_o,
-  output logic [DepthW-1:0]             mark_o           // of a LayerEnd: every later chunk's depth keys are not smaller; else 0
+  // of a LayerEnd: every later chunk's depth keys are not smaller; else 0
+  output logic [DepthW-1:0]             mark_o
 );
 
   localparam int unsigned MarkChunks = pipegs_pkg::MarkChunks;
-  localparam int unsigned MarksW = 5;  // an SU remembers 31 watermarks of a window
+  localparam int unsigned MarksW = $clog2(pipegs_pkg::WindowMarks + 1);
   localparam int unsigned SinceW = $clog2(MarkChunks + 1) + 3;
 
   logic                         set_q, popping_q, valid_q, chunk_set_q;
@@ -58,7 +61,8 @@ module dopu_send #(
   logic [MarksW-1:0]            marks_q;  // watermarks of the window so far
 
   logic               done, has_first, idle, end_due, mark_due, chunk_due, dropped, load_popped, load_direct;
-  logic               is_lowest, risen;  // first: nothing unopened is nearer; all: behind the last watermark
+  logic               is_lowest;  // nothing unopened is nearer than the nearest chunk
+  logic               risen;      // all that can still come lies behind the last watermark
   logic [BucketW-1:0] first, lowest, bucket;
   logic [StepW-1:0]   step;
   logic [SinceW-1:0]  apart;  // chunks between watermarks: twice as many after every eight of them
@@ -84,7 +88,8 @@ module dopu_send #(
   end
   assign end_due   = idle && opened_i && !has_first;
   assign apart     = SinceW'(MarkChunks) << marks_q[MarksW-1:3];
-  assign mark_due  = idle && !done && !end_due && since_q >= apart && marks_q != '1 && risen;
+  assign mark_due  = idle && !done && !end_due && since_q >= apart && risen &&
+                     marks_q != MarksW'(pipegs_pkg::WindowMarks);
   // What waits behind a full queue lets the nearest chunk go early when that one is nearer.
   assign chunk_due = is_lowest || (direct_valid_i && first <= direct_bucket_i);
   assign pop_o     = has_first && (done ? !popping_q : idle && !mark_due && chunk_due);

@@ -1,26 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_test: can a node of the scene hold a Gaussian that touches the window? Never says no when it can.
 //
 // Paper   Sec. 4.1.
-// Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale. Corners,
-//         scale and near distance share one block exponent; what flooring takes away is given back as a constant Slack.
+// Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale.
+//         Corners, scale and near distance share one block exponent; what flooring takes away is given back as a
+//         constant Slack.
 // Stream  node: a node, the set of planes to use (stable while the node is inside), a tag. result: node, tag, pass; it
 //         has no ready: the caller asks only for what it can take.
-//         nearest (Order 2 only, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is nearer: there
-//         the nearest corner takes the place beside the fifth plane.
-// Pace    One node in three cycles (two planes per cycle, eight TestW-bit multipliers), result 14 cycles later. A node is
-//         taken in every third cycle; Phase shifts which.
-//           slot 0: corners, one axis per cycle | 1: exponent, shift x, y | 2: shift z, near+left, right+top | 3: bottom, sum
+//         nearest (with watermarks, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is
+//         nearer: there the nearest corner takes the place beside the fifth plane.
+// Pace    One node in three cycles (two planes per cycle, eight TestW-bit multipliers), result 14 cycles later. A node
+//         is taken in every third cycle; Phase shifts which.
+// slot 0: corners, one axis per cycle | 1: exponent, shift x, y | 2: shift z, near+left, right+top | 3: bottom, sum
 // Model   cpp_model/dopu/dopu_test.hpp, cpp_model/dopu/dopu_depth.hpp (nearest)
 
 module dopu_test #(
   parameter int unsigned TagW = 4,
   parameter int unsigned Phase = 0,  // 0 to 2
-  localparam int unsigned NearestW = 2 * pipegs_pkg::TestW + 2
+  localparam int unsigned DistanceW = 2 * pipegs_pkg::TestW + 2
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
 
-  input  pipegs_pkg::frame_t                    frame_i,
+  input  pipegs_pkg::position_t                 position_i,
+  input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,  // two sets: near, left, right, top, bottom
 
   input  logic                                  node_valid_i,
@@ -33,7 +36,7 @@ module dopu_test #(
   output logic                                  result_pass_o,
   output pipegs_pkg::node_t                     result_node_o,
   output logic [TagW-1:0]                       result_tag_o,
-  output logic signed [NearestW-1:0]            result_nearest_o,
+  output logic signed [DistanceW-1:0]            result_nearest_o,
   output logic [pipegs_pkg::ExpW-1:0]           result_exponent_o
 );
 
@@ -46,14 +49,14 @@ module dopu_test #(
   localparam int unsigned CornerW = WorldW + 2;
   localparam int unsigned ProductW = 2 * TestW;
   localparam int unsigned SumW = ProductW + 2;
-  localparam int unsigned SlotW = pipegs_pkg::NodeBits + TagW + 1;
+  localparam int unsigned StageW = pipegs_pkg::NodeBits + TagW + 1;
   localparam logic signed [SumW-1:0] Slack = SumW'(1) <<< (TestW + 2);
   localparam int unsigned ScaleBias = 7;  // scale < 2^(exponent field - 7)
 
   // --- slots: the node moves on every third cycle -------------------------------------------------------------
   logic [1:0]        phase_q;
   logic [4:0]        valid_q;   // of slots 0 to 3; 4: the result
-  logic [SlotW-1:0]  slot0_q, slot1_q, slot2_q, slot3_q;
+  logic [StageW-1:0]  slot0_q, slot1_q, slot2_q, slot3_q;
   logic              last_phase;
 
   assign last_phase   = phase_q == 2'd2;
@@ -90,9 +93,9 @@ module dopu_test #(
   assign node0 = slot0_q[0 +: pipegs_pkg::NodeBits];
   always_comb begin
     case (phase_q)
-      2'd0: begin center = node0.center_x; camera = frame_i.camera_x; half = node0.half_x; end
-      2'd1: begin center = node0.center_y; camera = frame_i.camera_y; half = node0.half_y; end
-      default: begin center = node0.center_z; camera = frame_i.camera_z; half = node0.half_z; end
+      2'd0: begin center = node0.center_x; camera = position_i.x; half = node0.half_x; end
+      2'd1: begin center = node0.center_y; camera = position_i.y; half = node0.half_y; end
+      default: begin center = node0.center_z; camera = position_i.z; half = node0.half_z; end
     endcase
   end
   assign delta     = CornerW'(center) - CornerW'(camera);
@@ -112,6 +115,7 @@ module dopu_test #(
   end
 
   // --- slot 1, phase 0: the block exponent; then the corners through two shifters ---------------------------------
+  logic [$clog2(CornerW+1)-1:0] corner_length;
   logic [ExpW:0]             length;
   logic [ExpW-1:0]           exponent_d, exponent_q;
   logic [ScaleEW-1:0]        scale_e;
@@ -120,9 +124,9 @@ module dopu_test #(
 
   assign node1   = slot1_q[0 +: pipegs_pkg::NodeBits];
   assign scale_e = node1.scale_max[ScaleMW +: ScaleEW];
+  bit_length #(.DataW(CornerW)) u_length (.in_i(magnitudes_q), .length_o(corner_length));
   always_comb begin
-    length = '0;
-    for (int unsigned i = 0; i < CornerW; i += 1) if (magnitudes_q[i]) length = (ExpW+1)'(i + 1);
+    length = (ExpW+1)'(corner_length);
     if ((ExpW+1)'(scale_e) > length + (ExpW+1)'(ScaleBias)) length = (ExpW+1)'(scale_e) - (ExpW+1)'(ScaleBias);
     exponent_d = length > (ExpW+1)'(TestW - 1) ? ExpW'(length - (ExpW+1)'(TestW - 1)) : '0;
   end
@@ -152,7 +156,7 @@ module dopu_test #(
 
   assign scale_top   = (TestW-1)'({1'b1, node1.scale_max[ScaleMW-1:0]}) << (TestW - 2 - ScaleMW);
   assign scale_shift = (ExpW+2)'(exponent_q) + (ExpW+2)'(TestW + ScaleBias - 1) - (ExpW+2)'(scale_e);
-  assign near_wide   = frame_i.near_plane >> exponent_q;
+  assign near_wide   = near_plane_i >> exponent_q;
 
   always_ff @(posedge clk_i) begin
     if (phase_q == 2'd1) scale_cut_q <= scale_e == '0 ? '0 : scale_top >> scale_shift;
@@ -173,12 +177,12 @@ module dopu_test #(
       high_z_q <= high_cut;
       scale_q  <= {1'b0, scale_cut_q};
       near_q   <= {1'b0, near_cut_q};
-      set_q    <= slot2_q[SlotW-1];
+      set_q    <= slot2_q[StageW-1];
     end
   end
 
   // --- two planes per cycle: near and left, right and top, bottom ---------------------------------------------------
-  localparam bit Ranks = pipegs_pkg::Order == 2;
+  localparam bit Ranks = pipegs_pkg::HasWatermarks;
   logic [5*PlaneBits-1:0]     planes;
   logic                       nearest_q;  // phase 0: plane b is the near plane's normal, of the corner nearest to it
   pipegs_pkg::plane_t         plane_a, plane_b;
@@ -192,7 +196,10 @@ module dopu_test #(
     case (phase_q)
       2'd1: begin plane_a = planes[0 +: PlaneBits]; plane_b = planes[PlaneBits +: PlaneBits]; end
       2'd2: begin plane_a = planes[2*PlaneBits +: PlaneBits]; plane_b = planes[3*PlaneBits +: PlaneBits]; end
-      default: begin plane_a = planes[4*PlaneBits +: PlaneBits]; plane_b = nearest_q ? planes[0 +: PlaneBits] : planes[4*PlaneBits +: PlaneBits]; end
+      default: begin
+        plane_a = planes[4*PlaneBits +: PlaneBits];
+        plane_b = nearest_q ? planes[0 +: PlaneBits] : planes[4*PlaneBits +: PlaneBits];
+      end
     endcase
   end
   always_ff @(posedge clk_i) nearest_q <= Ranks && last_phase;
@@ -229,7 +236,7 @@ module dopu_test #(
   assign result_node_o  = slot3_q[0 +: pipegs_pkg::NodeBits];
   assign result_tag_o   = slot3_q[pipegs_pkg::NodeBits +: TagW];
 
-  // --- the depth of the nearest corner, what roundings may take off, and its unit ---------------------------------------
+  // --- the depth of the nearest corner, what roundings may take off, and its unit -----------------------------------
   if (Ranks) begin : gen_nearest
     localparam int unsigned ViewW = pipegs_pkg::ViewW;
     localparam int unsigned PosW = pipegs_pkg::PosW;
@@ -254,7 +261,7 @@ module dopu_test #(
     assign result_exponent_o = '0;
   end
 
-  logic unused_frame;  // fields that do not matter here
-  assign unused_frame = &{1'b0, frame_i, slot3_q[SlotW-1], node0, node1};
+  logic unused;  // fields that do not matter here
+  assign unused = &{1'b0, slot3_q[StageW-1], node0, node1};
 
 endmodule

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_windows: the windows of the frame in rows, each with its planes, one ahead of the walk.
 //
 // Paper   Sec. 4.1 (scheduling); early termination of a whole window is the feedback of Fig. 7's RU.
-// Idea    Two sets of planes: while the walk uses one, dopu_planes fills the other. A set is done when every region of its
-//         window is done; region (rx, ry) counts only if the RU that owns it is in this window. With lists (Order 1)
-//         there is one set, of all windows as one rectangle, and it is never done.
+// Idea    Two sets of planes: while the walk uses one, dopu_planes fills the other. A set is done when every region of
+//         its window is done; region (rx, ry) counts only if the RU that owns it is in this window. With lists there is
+//         one set, of all windows as one rectangle, and it is never done.
 // Stream  start_i for one cycle; set_valid_o: a set may be walked, until walked_i; release_i gives back the oldest set.
 // Pace    One window per 52 cycles.
 // Model   cpp_model/dopu/dopu_planes.hpp
@@ -13,7 +14,9 @@ module dopu_windows (
   input  logic                                  rst_ni,
 
   input  logic                                  start_i,
-  input  pipegs_pkg::frame_t                    frame_i,
+  input  pipegs_pkg::rotation_t                 rotation_i,
+  input  pipegs_pkg::lens_t                     lens_i,
+  input  pipegs_pkg::raster_t                   raster_i,
 
   input  logic [pipegs_pkg::Units*pipegs_pkg::Regions-1:0] done_i,    // from the RUs
   input  logic [pipegs_pkg::Units*pipegs_pkg::WindowW-1:0] done_x_i,
@@ -34,12 +37,12 @@ module dopu_windows (
   localparam int unsigned PlanesW = 5 * pipegs_pkg::PlaneBits;
   localparam int unsigned Units = pipegs_pkg::Units;
   localparam int unsigned Regions = pipegs_pkg::Regions;
-  localparam logic Whole = pipegs_pkg::Order == 1;  // one walk of all windows: nothing is done before it ends
+  localparam logic Whole = pipegs_pkg::HasLists;  // one walk of all windows: nothing is done before it ends
 
   // --- windows, row by row ----------------------------------------------------------------------------------------
   logic               asking_q, more_q;  // a window is with dopu_planes; windows are left
-  logic [WindowW-1:0] x_q, y_q;
-  logic               window_valid, window_ready, planes_valid, planes_ready, last;
+  logic [WindowW-1:0] x, y;
+  logic               window_valid, window_ready, planes_valid, planes_ready, row_ends, last;
   logic [PlanesW-1:0] planes;
   logic [1:0]         valid_q, fresh_q, last_q, done_d, done_q;
   logic               fill_q, walk_q, oldest_q;  // the set filled, walked, released next
@@ -49,11 +52,17 @@ module dopu_windows (
 
   assign window_valid = more_q && !asking_q;
   assign planes_ready = !valid_q[fill_q];
-  assign last         = Whole || (x_q == frame_i.last_x && y_q == frame_i.last_y);
+  assign last         = Whole || (row_ends && y == raster_i.windows.last_y);
+
+  window_walk u_walk (
+    .clk_i, .rst_ni, .first_x_i(raster_i.windows.first_x), .first_y_i(raster_i.windows.first_y),
+    .last_x_i(raster_i.windows.last_x), .start_i, .advance_i(planes_valid && planes_ready),
+    .x_o(x), .y_o(y), .next_x_o(), .next_y_o(), .row_ends_o(row_ends)
+  );
 
   dopu_planes u_planes (
-    .clk_i, .rst_ni, .frame_i,
-    .window_valid_i(window_valid), .window_ready_o(window_ready), .window_x_i(x_q), .window_y_i(y_q),
+    .clk_i, .rst_ni, .rotation_i, .lens_i, .raster_i,
+    .window_valid_i(window_valid), .window_ready_o(window_ready), .window_x_i(x), .window_y_i(y),
     .planes_valid_o(planes_valid), .planes_ready_i(planes_ready), .planes_o(planes)
   );
 
@@ -88,15 +97,10 @@ module dopu_windows (
   end
 
   always_ff @(posedge clk_i) begin
-    if (start_i) begin
-      x_q <= frame_i.first_x;
-      y_q <= frame_i.first_y;
-    end else if (planes_valid && planes_ready) begin
-      x_q <= x_q == frame_i.last_x ? frame_i.first_x : x_q + 1'b1;
-      if (x_q == frame_i.last_x) y_q <= y_q + 1'b1;
+    if (planes_valid && planes_ready) begin
       planes_q[fill_q] <= planes;
-      set_x_q[fill_q]  <= x_q;
-      set_y_q[fill_q]  <= y_q;
+      set_x_q[fill_q]  <= x;
+      set_y_q[fill_q]  <= y;
       last_q[fill_q]   <= last;
     end
   end
@@ -107,7 +111,7 @@ module dopu_windows (
   assign set_y_o     = {set_y_q[1], set_y_q[0]};
   assign planes_o    = {planes_q[1], planes_q[0]};
 
-  // --- done feedback ----------------------------------------------------------------------------------------------------
+  // --- done feedback ------------------------------------------------------------------------------------------------
   logic [Units-1:0]   here [2];  // the RU is in the set's window
   logic [Regions-1:0] region_done [2];
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // arbiter: grants one of N requests, fairly.
 //
 // Idea    Round robin: the search starts after the port that was granted last, so no request waits for more than N - 1
@@ -22,15 +23,11 @@ module arbiter #(
   logic [PortW-1:0] last_q;    // granted and used last
   logic             locked_q;  // a grant was shown and not used: it must not move
   logic [PortW-1:0] shown_q;
-  logic [PortW-1:0] port;
-  logic [Ports-1:0] above;
+  logic [PortW-1:0] turn, port;
 
+  round_robin #(.Ports(Ports)) u_turn (.mask_i(request_i), .last_i(last_q), .choice_o(turn));
+  assign port = locked_q && request_i[shown_q] ? shown_q : turn;
   always_comb begin
-    for (int unsigned i = 0; i < Ports; i += 1) above[i] = request_i[i] && PortW'(i) > last_q;
-    port = '0;
-    for (int unsigned i = Ports; i > 0; i -= 1) if (request_i[i-1]) port = PortW'(i - 1);
-    if (above != '0) for (int unsigned i = Ports; i > 0; i -= 1) if (above[i-1]) port = PortW'(i - 1);
-    if (locked_q && request_i[shown_q]) port = shown_q;
     grant_o = '0;
     grant_o[port] = request_i[port];
   end

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // exp2: 2^f for a fraction f, by a table of 2^ExpIndexW chords, or without chords (ExpLinear = 0).
 //
 // Paper   "applying exponential function to the power" (Sec. 4.2.1).

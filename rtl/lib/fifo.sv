@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // fifo: a queue of registers whose first word falls through.
 //
 // Idea    A ring of Depth words with a read and a write pointer and a count; the head is always visible.

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // line_reader: turns ranges of items that lie packed in external memory into a stream of items.
 //
-// Idea    A job names consecutive items. Its lines are requested at once, as far as the line buffer has room (a credit is a
-//         line's place in the buffer), so the requests of later jobs overlap the answers of earlier ones. A job
-//         without read is a marker: it passes in its turn and needs no memory. Item i lies in line base + i / ItemsPerLine.
-// Stream  job: first item, count (at least 1), tag. mem: one line address per beat; rsp: the lines in the same order, always
-//         accepted. out: one beat per item, or per marker, with the job's tag.
+// Idea    A job names consecutive items. Its lines are requested at once, as far as the line buffer has room (a credit
+//         is a line's place in the buffer), so the requests of later jobs overlap the answers of earlier ones. A job
+//         without read is a marker: it passes in its turn and needs no memory. Item i lies in line base + i /
+//         ItemsPerLine.
+// Stream  job: first item, count (at least 1), tag. mem: one line address per beat; rsp: the lines in the same order,
+//         always accepted. out: one beat per item, or per marker, with the job's tag.
 // Pace    One item per cycle while the memory delivers; one request per cycle, one cycle between jobs.
 // Model   A queue of jobs in verif/lib/line_reader_test.cpp.
 
@@ -91,7 +93,8 @@ module line_reader #(
   assign load = stored_q != '0 && (!line_valid_q || line_pop);
 
   sram #(.DataW(pipegs_pkg::MemoryW), .Depth(Lines)) u_lines (
-    .clk_i, .write_i(rsp_valid_i), .waddr_i(tail_q), .wdata_i(rsp_data_i), .read_i(load), .raddr_i(head_q), .rdata_o(line)
+    .clk_i, .write_i(rsp_valid_i), .waddr_i(tail_q), .wdata_i(rsp_data_i), .read_i(load), .raddr_i(head_q),
+    .rdata_o(line)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -110,7 +113,7 @@ module line_reader #(
     end
   end
 
-  // --- items ---------------------------------------------------------------------------------------------------------
+  // --- items --------------------------------------------------------------------------------------------------------
   logic              job_valid, job_read, job_pop, last, line_end;
   logic [IndexW-1:0] job_first;
   logic [CountW-1:0] job_count, item_q;  // item_q: items of the job sent so far
@@ -120,7 +123,8 @@ module line_reader #(
   fifo #(.DataW(JobW), .Depth(Jobs)) u_jobs (
     .clk_i, .rst_ni,
     .in_valid_i(take), .in_ready_o(jobs_ready), .in_i({job_read_i, job_first_i, job_count_i, job_tag_i}),
-    .out_valid_o(job_valid), .out_ready_i(job_pop), .out_o({job_read, job_first, job_count, job_tag}), .count_o(jobs_count)
+    .out_valid_o(job_valid), .out_ready_i(job_pop), .out_o({job_read, job_first, job_count, job_tag}),
+    .count_o(jobs_count)
   );
 
   assign out_valid_o = job_valid && (!job_read || line_valid_q);

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // log2: the logarithm of a normalised mantissa by one table look-up and one multiplication.
 //
-// Idea    f = (i + r / 512) / 64:  log2(1 + f) ~ value[i] + delta[i] r / 512: 64 chords, raised by half of their largest
-//         error, so that the error swings evenly between + and -.
+// Idea    f = (i + r / 512) / 64:  log2(1 + f) ~ value[i] + delta[i] r / 512: 64 chords, raised by half of their
+//         largest error, so that the error swings evenly between + and -.
 // Stream  m_i, u1.15 with its leading one -> log2_o, u0.16, rounded to nearest; error at most 3.1e-5.
 // Pace    One per cycle, latency two cycles while enable_i, no handshake.
 // Model   cpp_model/lib/log2.hpp

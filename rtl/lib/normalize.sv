@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // normalize: shifts a signed number left until its two top bits differ.
 //
 // Idea    The copies of the sign below it are removed in powers of two, the largest first: shift by 16 if the 17 top

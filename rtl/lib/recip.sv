@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // recip: the reciprocal of a normalised mantissa.
 //
 // Idea    A table of 64 lines gives 1/v to 2^-14.8: y0 = c0[i] - c1[i] d. One Newton step squares the error:

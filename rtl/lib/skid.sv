@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skid: a register stage for a stream that cuts both the valid and the ready path.
 //
 // Idea    The ready it gives is a register, so one beat may still arrive after the output stalls; a second register

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // sram: the only place where memory is made: one write port and one synchronous read port.
 //
 // Idea    Everything that stores more than a handful of words instantiates this module, so that synthesis counts

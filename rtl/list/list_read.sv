@@ -1,17 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
 // list_read: reads the lists of the windows, one after another, and deals their entries to the SUs.
 //
 // Paper   the reproduced GSCore of Sec. 5: rasterization begins when the preprocessing of the frame is over.
-// Idea    For each window two jobs for line_reader: its lines, and a marker that becomes the window's end. So the lines of
-//         the next windows are asked for while this one is dealt. An entry goes to any SU that is ready, in turn; an end
-//         goes to all. When none is ready for some cycles the next one in turn gets it: a full SU brings records to
+// Idea    For each window two jobs for line_reader: its lines, and a marker that becomes the window's end. So the lines
+//         of the next windows are asked for while this one is dealt. An entry goes to any SU that is ready, in turn; an
+//         end goes to all. When none is ready for some cycles the next one in turn gets it: a full SU brings records to
 //         memory only when another one is at its door.
-// Stream  start_i: all lists are written. Counts from their SRAM; memory reads; splats out, one record for all SUs with one
-//         valid each. A list is one layer: only windows end.
+// Stream  start_i: all lists are written. Counts from their SRAM; memory reads; splats out, one record for all SUs with
+//         one valid each. A list is one layer: only windows end.
 // Pace    One entry per cycle (with a single SU every second one).
 // Model   cpp_model/list/list_write.hpp (the lists); any dealing is right.
 
 module list_read #(
-  parameter  int unsigned Lines     = 64,  // in flight or waiting
+  parameter  int unsigned Lines     = pipegs_pkg::ListLines,
   localparam int unsigned Units     = pipegs_pkg::Units,
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits,
   localparam int unsigned NumberW   = pipegs_pkg::ListWindowW,
@@ -20,7 +21,8 @@ module list_read #(
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
-  input  pipegs_pkg::frame_t             frame_i,
+  input  pipegs_pkg::windows_t           windows_i,
+  input  logic [pipegs_pkg::AddressW-1:0] overflow_i,  // first line of the overflow areas
   input  logic                           start_i,       // one cycle
 
   output logic                           count_read_o,  // to the SRAM of the counts
@@ -46,7 +48,7 @@ module list_read #(
   localparam int unsigned FirstW  = NumberW + EntryW;
   localparam int unsigned PortW   = Units > 1 ? $clog2(Units) : 1;
 
-  // --- jobs ----------------------------------------------------------------------------------------------------------------
+  // --- jobs ---------------------------------------------------------------------------------------------------------
   typedef enum logic [1:0] {
     StateIdle,   // waits for start_i
     StateCount,  // asks for the count of the window
@@ -59,8 +61,8 @@ module list_read #(
   logic [WindowW-1:0] most_x, most_y;
   logic               job_valid, job_ready, leave;
 
-  assign most_x         = frame_i.last_x - frame_i.first_x;
-  assign most_y         = frame_i.last_y - frame_i.first_y;
+  assign most_x         = windows_i.last_x - windows_i.first_x;
+  assign most_y         = windows_i.last_y - windows_i.first_y;
   assign windows        = (LeftW'(most_x) + LeftW'(1)) * (LeftW'(most_y) + LeftW'(1));
   assign count_read_o   = state_q == StateCount;
   assign count_number_o = number_q;
@@ -86,15 +88,16 @@ module list_read #(
     end
   end
 
-  // --- lines ---------------------------------------------------------------------------------------------------------------
+  // --- lines --------------------------------------------------------------------------------------------------------
   logic                 item_valid, item_ready, item_read, item_tag, waiting, idle;
   logic [FirstW-1:0]    item_index;
   logic [SplatBits-1:0] item;
 
   line_reader #(
-    .TagW(1), .ItemW(SplatBits), .ItemsPerLine(1), .Lines(Lines), .Jobs(8), .IndexW(FirstW), .CountW(EntryW)
+    .TagW(1), .ItemW(SplatBits), .ItemsPerLine(1), .Lines(Lines), .Jobs(pipegs_pkg::ListJobs), .IndexW(FirstW),
+    .CountW(EntryW)
   ) u_reader (
-    .clk_i, .rst_ni, .base_i(frame_i.overflow + (AddressW'(1) << pipegs_pkg::ListAreaW)),
+    .clk_i, .rst_ni, .base_i(overflow_i + (AddressW'(1) << pipegs_pkg::ListAreaW)),
     .job_valid_i(job_valid), .job_ready_o(job_ready), .job_read_i(state_q == StateLines),
     .job_first_i({number_q, EntryW'(0)}), .job_count_i(count_i), .job_tag_i(1'b0),
     .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
@@ -102,7 +105,7 @@ module list_read #(
     .out_tag_o(item_tag), .out_item_o(item), .waiting_o(waiting), .idle_o(idle)
   );
 
-  // --- dealing -------------------------------------------------------------------------------------------------------------
+  // --- dealing ------------------------------------------------------------------------------------------------------
   logic [Units-1:0]     waiting_q, able, request, target;  // waiting: SUs that have still to take the record
   logic [1:0]           none_q;                      // cycles in which no SU was ready
   logic [PortW-1:0]     target_port;
@@ -135,16 +138,17 @@ module list_read #(
   assign splat_valid_o = waiting_q;
   assign splat_o       = out_q;
 
-  // --- clock: a line that has come needs two cycles to the door, all else shows at once ------------------------------------
+  // --- clock: a line that has come needs two cycles to the door, all else shows at once -----------------------------
   logic moved, asleep;
   assign moved    = (state_q != StateIdle && leave) || give || (waiting_q & splat_ready_i) != '0;
   assign busy_o   = state_q != StateIdle || !idle || waiting_q != '0;
   assign active_o = start_i || (busy_o && !asleep);
-  pu_sleep #(.Patience(7)) u_sleep (
-    .clk_i, .rst_ni, .moved_i(moved), .wake_i(start_i || moved || rsp_valid_i || (mem_valid_o && mem_ready_i)), .asleep_o(asleep)
+  sleep #(.Patience(7)) u_sleep (
+    .clk_i, .rst_ni, .moved_i(moved), .wake_i(start_i || moved || rsp_valid_i || (mem_valid_o && mem_ready_i)),
+    .asleep_o(asleep)
   );
 
   logic unused_reader;
-  assign unused_reader = &{1'b0, frame_i, item_index, item_tag, waiting, target_port};
+  assign unused_reader = &{1'b0, item_index, item_tag, waiting, target_port};
 
 endmodule

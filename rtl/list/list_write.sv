@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // list_write: appends each record to the list of its window in external memory.
 //
 // Paper   the reproduced GSCore of Sec. 5: a global preprocessing writes what rasterization reads later.
 // Idea    One line per record:   address = overflow + 2^ListAreaW + {window, records before it in this list}
-//         The counts lie in an SRAM beside this module: read when a record is taken, written back one higher when its line
-//         goes to the output register. A record of the same window right behind it takes the count from there.
+//         The counts lie in an SRAM beside this module: read when a record is taken, written back one higher when its
+//         line goes to the output register. A record of the same window right behind it takes the count from there.
 //         When a frame begins the counts of its windows are cleared, one per cycle.
 // Stream  splats and their windows' numbers in, one stream per PU, in turn; an end is taken at once. Memory writes out.
 //         done_o: the counts are cleared, every PU's end has come and every line was accepted.
@@ -20,7 +21,8 @@ module list_write #(
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
-  input  pipegs_pkg::frame_t             frame_i,
+  input  pipegs_pkg::windows_t           windows_i,
+  input  logic [pipegs_pkg::AddressW-1:0] overflow_i,  // first line of the overflow areas
   input  logic                           restart_i,  // a frame begins; nothing is inside
 
   input  logic [Units-1:0]               splat_valid_i,
@@ -47,17 +49,17 @@ module list_write #(
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
   localparam int unsigned LeftW   = NumberW + 1;
 
-  // --- clearing the counts ---------------------------------------------------------------------------------------------
+  // --- clearing the counts ------------------------------------------------------------------------------------------
   logic [LeftW-1:0]   left_q, windows;  // counts still to clear: those below left_q
   logic [WindowW-1:0] most_x, most_y;
   logic               clearing;
 
-  assign most_x   = frame_i.last_x - frame_i.first_x;
-  assign most_y   = frame_i.last_y - frame_i.first_y;
+  assign most_x   = windows_i.last_x - windows_i.first_x;
+  assign most_y   = windows_i.last_y - windows_i.first_y;
   assign windows  = (LeftW'(most_x) + LeftW'(1)) * (LeftW'(most_y) + LeftW'(1));
   assign clearing = left_q != '0;
 
-  // --- one record from all PUs, in turn ----------------------------------------------------------------------------------
+  // --- one record from all PUs, in turn -----------------------------------------------------------------------------
   logic [Units-1:0]      is_end, data, source, ended_q;
   logic [UnitIndexW-1:0] port;
   logic                  take, move;
@@ -122,12 +124,9 @@ module list_write #(
     if (move) begin
       out_q     <= held_q;
       kept_q    <= entry + EntryW'(1);
-      address_q <= frame_i.overflow + (AddressW'(1) << pipegs_pkg::ListAreaW) + AddressW'({held_number_q, entry});
+      address_q <= overflow_i + (AddressW'(1) << pipegs_pkg::ListAreaW) + AddressW'({held_number_q, entry});
     end
   end
-
-  logic unused_frame;
-  assign unused_frame = &{1'b0, frame_i};
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) move |-> entry != '1)

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // lists: the lists of the windows: written while the frame is preprocessed, then read window by window.
 //
-// Paper   the reproduced GSCore of Sec. 5: two phases with a synchronisation between them, which the layers do away with.
-// Idea    list_write until every PU's end has come and every line is with the memory, then list_read. The memory applies
-//         requests in the order in which it accepts them, so a read behind a write sees it. Both share one memory port
-//         and the SRAM of the counts, {window} -> records in its list. Only wiring and the phase here.
+// Paper   the reproduced GSCore of Sec. 5: two phases with a synchronisation between them, which the layers do away
+//         with.
+// Idea    list_write until every PU's end has come and every line is with the memory, then list_read. The memory
+//         applies requests in the order in which it accepts them, so a read behind a write sees it. Both share one
+//         memory port and the SRAM of the counts, {window} -> records in its list. Only wiring and the phase here.
 // Stream  splats of the PUs in, splats to the SUs out. written_o: one cycle, when the second phase begins.
 // Pace    One record per cycle in either phase.
 // Model   cpp_model/list/list_write.hpp
@@ -18,7 +20,8 @@ module lists #(
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
-  input  pipegs_pkg::frame_t         frame_i,
+  input  pipegs_pkg::windows_t       windows_i,
+  input  logic [pipegs_pkg::AddressW-1:0] overflow_i,  // first line of the overflow areas
   input  logic                       restart_i,  // a frame begins
 
   input  logic [Units-1:0]           made_valid_i,  // from the PUs
@@ -50,21 +53,25 @@ module lists #(
   logic [AddressW-1:0] write_address, read_address;
 
   list_write u_write (
-    .clk_i, .rst_ni, .frame_i, .restart_i, .splat_valid_i(made_valid_i), .splat_ready_o(made_ready_o), .splat_i(made_i),
+    .clk_i, .rst_ni, .windows_i, .overflow_i, .restart_i, .splat_valid_i(made_valid_i), .splat_ready_o(made_ready_o),
+    .splat_i(made_i),
     .number_i, .count_read_o(write_count_read), .count_number_o(write_number), .count_i(count),
     .count_write_o(count_write), .count_at_o(count_at), .count_o(count_new),
-    .mem_valid_o(write_valid), .mem_ready_i, .mem_address_o(write_address), .mem_data_o, .done_o(done), .active_o(write_active)
+    .mem_valid_o(write_valid), .mem_ready_i, .mem_address_o(write_address), .mem_data_o, .done_o(done),
+    .active_o(write_active)
   );
 
   list_read u_read (
-    .clk_i, .rst_ni, .frame_i, .start_i(written_o), .count_read_o(read_count_read), .count_number_o(read_number),
+    .clk_i, .rst_ni, .windows_i, .overflow_i, .start_i(written_o), .count_read_o(read_count_read),
+    .count_number_o(read_number),
     .count_i(count), .mem_valid_o(read_valid), .mem_ready_i(mem_ready_i), .mem_address_o(read_address),
     .rsp_valid_i, .rsp_data_i, .splat_valid_o, .splat_ready_i, .splat_o, .busy_o(reading), .active_o(read_active)
   );
 
   sram #(.DataW(EntryW), .Depth(2 ** NumberW)) u_counts (
     .clk_i, .write_i(count_write), .waddr_i(count_at), .wdata_i(count_new),
-    .read_i(write_count_read || read_count_read), .raddr_i(write_count_read ? write_number : read_number), .rdata_o(count)
+    .read_i(write_count_read || read_count_read), .raddr_i(write_count_read ? write_number : read_number),
+    .rdata_o(count)
   );
 
   assign mem_valid_o   = write_valid || read_valid;

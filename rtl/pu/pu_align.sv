@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_align: a product of mantissas shifted to CoeffF fraction bits, rounded to nearest.
 //
 // Paper   the coefficients of Eq. 3 in fixed point.

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
 //
 // Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
-// Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a row
-//         if the lines of their own layer leave room for them, waiting until the older layer's lines are free; otherwise
-//         they take lines of the overflow area in memory (Overflow 0: there is always room). So where a line lies depends on the stream only, not on timing.
+// Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a
+//         row if the lines of their own layer leave room for them, waiting until the older layer's lines are free;
+//         otherwise they take lines of the overflow area in memory (Overflow 0: there is always room). So where a line
+//         lies depends on the stream only, not on timing.
 // Stream  tiles in; row_job and color_job out (each taken by itself), or nothing when no region is left. Ends pass.
 //         At most two layers live: behind an end, beats of the next layer but one wait for layer_free_i.
 // Pace    One Gaussian per four cycles (take, count, decide, offer).
@@ -17,12 +19,13 @@ module pu_allocate #(
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
-  input  pipegs_pkg::frame_t       frame_i,
+  input  pipegs_pkg::windows_t     windows_i,
   input  logic                     restart_i,  // a frame begins; the PU is empty
 
   input  logic                     tiles_valid_i,
   output logic                     tiles_ready_o,
   input  pipegs_pkg::tiles_t       tiles_i,
+  input  pipegs_pkg::payload_t     payload_i,  // of the Gaussian in tiles_i
 
   output logic                     row_job_valid_o,
   input  logic                     row_job_ready_i,
@@ -56,6 +59,7 @@ module pu_allocate #(
 
   state_e                     state_q;
   pipegs_pkg::tiles_t         tiles_q;
+  pipegs_pkg::payload_t       payload_q;
   logic [CountW-1:0]          count_q;
   logic [AlphaAddressW-1:0]   address_q;
   logic                       ext_q;
@@ -73,7 +77,7 @@ module pu_allocate #(
   logic [LinesW-1:0]          current;
 
   pu_done u_done (
-    .clk_i, .rst_ni, .frame_i, .restart_i, .advance_i(take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd),
+    .clk_i, .rst_ni, .windows_i, .restart_i, .advance_i(take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd),
     .done_i, .done_x_i, .done_y_i, .done_o(done)
   );
 
@@ -158,6 +162,7 @@ module pu_allocate #(
     if (take) begin
       tiles_q      <= tiles_i;
       tiles_q.mask <= tiles_i.mask & ~done;
+      payload_q    <= payload_i;
       ext_q        <= 1'b0;
     end
     if (state_q == StateCount) count_q <= CountW'($countones(tiles_q.mask));
@@ -182,20 +187,20 @@ module pu_allocate #(
     row_job_o.address = address_q;
     row_job_o.ext     = ext_q;
     row_job_o.parity  = parity_q;
-    row_job_o.index   = pipegs_pkg::TapIndexW'(tiles_q.index);
+    row_job_o.index   = pipegs_pkg::TapIndexW'(payload_q.index);
     color_job_o.kind    = tiles_q.kind;
-    color_job_o.depth   = tiles_q.depth;
-    color_job_o.index   = pipegs_pkg::SplatIndexW'(tiles_q.index);
-    color_job_o.slot    = tiles_q.slot;
+    color_job_o.depth   = payload_q.depth;
+    color_job_o.index   = pipegs_pkg::SplatIndexW'(payload_q.index);
+    color_job_o.slot    = payload_q.slot;
     color_job_o.mask    = tiles_q.mask;
     color_job_o.address = address_q;
     color_job_o.ext     = ext_q;
-    color_job_o.dir_x   = tiles_q.dir_x;
-    color_job_o.dir_y   = tiles_q.dir_y;
-    color_job_o.dir_z   = tiles_q.dir_z;
-    color_job_o.base_r  = tiles_q.base_r;
-    color_job_o.base_g  = tiles_q.base_g;
-    color_job_o.base_b  = tiles_q.base_b;
+    color_job_o.dir_x   = payload_q.dir_x;
+    color_job_o.dir_y   = payload_q.dir_y;
+    color_job_o.dir_z   = payload_q.dir_z;
+    color_job_o.base_r  = payload_q.base_r;
+    color_job_o.base_g  = payload_q.base_g;
+    color_job_o.base_b  = payload_q.base_b;
   end
 
 `ifndef SYNTHESIS

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_alpha: the alpha code of a pixel from its power.
 //
 // Paper   Eq. 1 and Sec. 4.2.1; the cut at 1/AlphaCut (255) and the cap at 0.99 are those of the reference renderer.

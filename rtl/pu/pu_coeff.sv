@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_coeff: the six coefficients of Eq. 3 for one Gaussian and one window.
 //
 // Paper   Eq. 3, step 1 of Fig. 5a, once per Gaussian and window; the anchor is the window's first pixel.
@@ -6,9 +7,9 @@
 //           B = 2 narrow w      C = 2 (wide mean_q - u w)                    F = 2 u
 //         Out of range: dead; no pixel of the window can count (the proof is in the model's head).
 // Stream  conic in, coeff out, in order; an end beat passes through.
-// Pace    One record in eight cycles, latency 13 (an end beat 4 and 6). One multiplier behind registers of its operands, one
-//         normaliser, one aligner. A product is there two slots after its operands were chosen:
-//           slot   0        1       2     3         4         5      6           7    | 0     1     2     3 of the next slot
+// Pace    One record in eight cycles, latency 13 (an end beat 4 and 6). One multiplier behind registers of its
+//         operands, one normaliser, one aligner. A product is there two phases after its operands were chosen:
+//           turn   0        1       2     3         4         5      6           7    | 0     1     2     3 of the next
 //           chosen m q      wide q  u     wide q q  narrow w  u w    narrow w w  u m  |
 //           norm   mean_q                 w                                           |
 //           align                         wide q    u         w q q  narrow w    u w  | n w w u m
@@ -39,7 +40,6 @@ module pu_coeff (
   localparam int unsigned OpacityF  = pipegs_pkg::OpacityF;
   localparam int unsigned OpacityW  = pipegs_pkg::OpacityW;
   localparam int unsigned CoeffF    = pipegs_pkg::CoeffF;
-  localparam int unsigned PowerF    = pipegs_pkg::PowerF;
   localparam int unsigned AW        = pipegs_pkg::AW;
   localparam int unsigned BcW       = pipegs_pkg::BcW;
   localparam int unsigned DefW      = pipegs_pkg::DefW;
@@ -63,46 +63,19 @@ module pu_coeff (
   localparam int unsigned FlatByW   = 7;
   localparam int unsigned LengthW   = 7;            // position of a leading bit
 
-  // PuCut::budget of the model.
-  localparam logic [63:0] Slack  = (64'd1 << (CoeffF + 8 - PowerF)) + (64'd1 << 16) + (64'd1 << (CoeffF - 12));
-  localparam logic [63:0] Budget =
-    (((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + 64'd3 * Slack) >> (CoeffF - OpacityF)) + 64'd1;
-
-  logic [PhaseW-1:0]   phase_q;
-  logic                fresh_q;                 // conic_i holds a record of this slot
-  logic                front_valid_q, coeff_valid_q;
+  logic [PhaseW-1:0]   phase;
+  logic                advance, move, leave;
   pipegs_pkg::conic_t  front_q;
   pipegs_pkg::coeff_t  coeff, coeff_q;
-  logic                advance, data;
 
-  assign advance       = !(phase_q == PhaseW'(OutPhase) && front_valid_q && coeff_valid_q && !coeff_ready_i);
-  assign data          = conic_i.kind == pipegs_pkg::KindData;
-  assign conic_ready_o = phase_q == PhaseW'(OutPhase) && fresh_q && advance;
-  assign coeff_valid_o = coeff_valid_q;
-  assign coeff_o       = coeff_q;
-  assign busy_o        = phase_q != '0 || front_valid_q || coeff_valid_q;
+  assign coeff_o = coeff_q;
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      phase_q       <= '0;
-      fresh_q       <= 1'b0;
-      front_valid_q <= 1'b0;
-      coeff_valid_q <= 1'b0;
-    end else begin
-      if (coeff_ready_i) coeff_valid_q <= 1'b0;
-      if (phase_q == '0) begin
-        fresh_q <= conic_valid_i;
-        if (conic_valid_i || front_valid_q) phase_q <= PhaseW'(1);
-      end else if (advance) begin
-        phase_q <= phase_q + PhaseW'(1);
-        if (phase_q == PhaseW'(OutPhase)) begin
-          if (front_valid_q) coeff_valid_q <= 1'b1;
-          front_valid_q <= fresh_q;
-          if (!fresh_q || !data) phase_q <= '0;  // nothing to calculate in this slot
-        end
-      end
-    end
-  end
+  pu_turns #(.Out(OutPhase)) u_turns (
+    .clk_i, .rst_ni,
+    .in_valid_i(conic_valid_i), .in_ready_o(conic_ready_o), .in_data_i(conic_i.kind == pipegs_pkg::KindData),
+    .out_valid_o(coeff_valid_o), .out_ready_i(coeff_ready_i),
+    .phase_o(phase), .fresh_o(), .advance_o(advance), .move_o(move), .leave_o(leave), .busy_o
+  );
 
   // --- the two numbers that need their leading bits: mean_q and w --------------------------------------------------
   logic signed [MeanW-1:0]    mean_q, mean_p;
@@ -114,7 +87,7 @@ module pu_coeff (
   logic signed [ProductW-1:0] product;
   assign mean_q = conic_i.swap ? conic_i.mean_x : conic_i.mean_y;
   assign mean_p = conic_i.swap ? conic_i.mean_y : conic_i.mean_x;
-  assign wide   = phase_q == '0 ? WideW'(mean_q) : w_q;
+  assign wide   = phase == '0 ? WideW'(mean_q) : w_q;
 
   always_comb begin
     spare = LengthW'(WideW - 1);
@@ -123,11 +96,11 @@ module pu_coeff (
   end
 
   always_ff @(posedge clk_i) begin
-    if (phase_q == PhaseW'(2)) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(product);
-    if (phase_q == '0 || (phase_q == PhaseW'(3) && advance)) begin
+    if (phase == PhaseW'(2)) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(product);
+    if (phase == '0 || (phase == PhaseW'(3) && advance)) begin
       normal_q   <= raised;
       normal_e_q <= $signed(SumW'(WideW - 1 - NormalF) - SumW'(spare) -
-                            (phase_q == '0 ? SumW'(MeanF) : SumW'(MeanF + SlopeF)));
+                            (phase == '0 ? SumW'(MeanF) : SumW'(MeanF + SlopeF)));
     end
   end
 
@@ -145,7 +118,7 @@ module pu_coeff (
     curve_e  = SumW'(front_q.narrow_e);
     normal_e = '0;
     shift    = Base;
-    case (phase_q)
+    case (phase)
       PhaseW'(0): begin  // m mean_q
         left  = LeftW'(mean_q);
         right = RightW'(conic_i.slope_m);
@@ -210,7 +183,7 @@ module pu_coeff (
       shift_next_q <= shift - curve_e - normal_e;
       shift_q      <= shift_next_q;
     end
-    if (phase_q == PhaseW'(4)) u_q <= LeftW'(product >>> SlopeDrop);
+    if (phase == PhaseW'(4)) u_q <= LeftW'(product >>> SlopeDrop);
   end
 
   // --- products to CoeffF fraction bits, to nearest ----------------------------------------------------------------
@@ -229,8 +202,8 @@ module pu_coeff (
   logic [FlatByW-1:0]        flat_by;
   logic [FlatW-1:0]          flat_halves, flat_q;
   logic                      flat_right_q, fits_flat;
-  assign flat_m      = phase_q == PhaseW'(OutPhase) ? conic_i.narrow_m : front_q.wide_m;
-  assign flat_e      = phase_q == PhaseW'(2) ? conic_i.narrow_e : conic_i.wide_e;
+  assign flat_m      = phase == PhaseW'(OutPhase) ? conic_i.narrow_m : front_q.wide_m;
+  assign flat_e      = phase == PhaseW'(2) ? conic_i.narrow_e : conic_i.wide_e;
   assign flat_by     = flat_shift_q[SumW-2:FlatByW] != '0 ? '1 : flat_shift_q[FlatByW-1:0];
   assign flat_halves = (FlatW'(flat_m) << FlatGuard) >> flat_by;
   assign fits_flat   = flat_right_q && flat_q[FlatW-1:DefW-1] == '0;
@@ -249,7 +222,7 @@ module pu_coeff (
   logic                      dead_q;
 
   always_ff @(posedge clk_i) begin
-    case (phase_q)
+    case (phase)
       PhaseW'(4): begin
         d_q <= $signed(DefW'(0) - DefW'(flat_q));
         c_q <= SumBcW'(aligned) + $signed(SumBcW'(up));
@@ -266,8 +239,8 @@ module pu_coeff (
       PhaseW'(2): e_q <= e_q - SumDefW'(aligned) - $signed(SumDefW'(up));
       default: ;  // the record leaves
     endcase
-    case (phase_q)
-      PhaseW'(4): dead_q <= !fits_bc || !fits_flat || front_q.opacity >= OpacityW'(Budget);
+    case (phase)
+      PhaseW'(4): dead_q <= !fits_bc || !fits_flat || front_q.opacity >= OpacityW'(pipegs_pkg::CutBudget);
       PhaseW'(5): dead_q <= dead_q || !fits_def || !fits_flat;
       PhaseW'(6), PhaseW'(1): dead_q <= dead_q || !fits_a;
       PhaseW'(7), PhaseW'(0): dead_q <= dead_q || !fits_bc;
@@ -297,23 +270,12 @@ module pu_coeff (
         coeff.e = front_q.swap ? d_q : DefW'(e_q);
         coeff.f = f_q;
       end
-      coeff.depth    = front_q.depth;
-      coeff.dir_x    = front_q.dir_x;
-      coeff.dir_y    = front_q.dir_y;
-      coeff.dir_z    = front_q.dir_z;
-      coeff.base_r   = front_q.base_r;
-      coeff.base_g   = front_q.base_g;
-      coeff.base_b   = front_q.base_b;
-      coeff.index    = front_q.index;
-      coeff.slot     = front_q.slot;
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (phase_q == PhaseW'(OutPhase) && advance) begin
-      if (front_valid_q) coeff_q <= coeff;
-      front_q <= conic_i;
-    end
+    if (leave) coeff_q <= coeff;
+    if (move) front_q <= conic_i;
   end
 
   wire unused_bits = &{1'b0, front_q.wide_e};  // looked at while the record is still in front of the stage

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color: the colour of a Gaussian seen from the camera, and the record that becomes a splat.
 //
 // Paper   SH colours of 3D Gaussian splatting (INRIA's order and constants).
@@ -8,11 +9,13 @@
 // Wiring only. With ShDegree = 0 nothing of the SH hardware is built.
 
 module pu_color #(
-  parameter int unsigned Depth = 32  // jobs whose line of coefficients may be on its way
+  parameter int unsigned Depth = pipegs_pkg::ColorDepth
 ) (
   input  logic                               clk_i,
   input  logic                               rst_ni,
-  input  pipegs_pkg::frame_t                 frame_i,
+  input  pipegs_pkg::rotation_t              rotation_i,
+  input  logic [pipegs_pkg::AddressW-1:0]    colors_i,  // first line of the SH coefficients
+  input  logic [pipegs_pkg::KindW-1:0]       sh_degree_i,  // of the scene
 
   // from pu_allocate
   input  logic                               job_valid_i,
@@ -65,7 +68,8 @@ module pu_color #(
     pu_color_fetch #(.Depth(Depth)) u_fetch (
       .clk_i,
       .rst_ni,
-      .frame_i,
+      .colors_i,
+      .sh_degree_i,
       .job_valid_i,
       .job_ready_o,
       .job_i,
@@ -89,7 +93,7 @@ module pu_color #(
     pu_color_rotate u_rotate (
       .clk_i,
       .rst_ni,
-      .frame_i,
+      .rotation_i,
       .direction_valid_i(direction_valid),
       .direction_ready_o(direction_ready),
       .direction_i      (direction),
@@ -144,13 +148,14 @@ module pu_color #(
     assign basis_valid   = 1'b0;
     assign basis         = '0;
 
-    wire unused_inputs = &{1'b0, mem_ready_i, rsp_valid_i, rsp_data_i, job_i, line_ready, basis_ready, Depth};
+    wire unused_inputs = &{1'b0, rotation_i, colors_i, mem_ready_i, rsp_valid_i, rsp_data_i, job_i,
+                           line_ready, basis_ready, Depth};
   end
 
   pu_color_sum u_sum (
     .clk_i,
     .rst_ni,
-    .frame_i,
+    .sh_degree_i,
     .task_valid_i (task_valid),
     .task_ready_o (task_ready),
     .task_i       (color_task),

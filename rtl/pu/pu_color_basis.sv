@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_basis: the fifteen SH basis functions of bands 1 to 3 for a unit direction.
 //
 // Idea    Bands 2 and 3 are built from each other with 25 products on four multipliers. A product is registered, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_fetch: asks for the SH line of each colour job and keeps the job until the line is here.
 //
 // Idea    Three queues of one size: tasks, directions and lines. Every direction and every line (asked for or here)
@@ -10,11 +11,12 @@
 // Model   cpp_model/pu/pu_color_fetch.hpp
 
 module pu_color_fetch #(
-  parameter int unsigned Depth = 32  // jobs in flight: at 8 cycles each they hide 256 cycles of memory latency
+  parameter int unsigned Depth = pipegs_pkg::ColorDepth
 ) (
   input  logic                               clk_i,
   input  logic                               rst_ni,
-  input  pipegs_pkg::frame_t                 frame_i,
+  input  logic [pipegs_pkg::AddressW-1:0]    colors_i,  // first line of the SH coefficients
+  input  logic [pipegs_pkg::KindW-1:0]       sh_degree_i,  // of the scene
 
   input  logic                               job_valid_i,
   output logic                               job_ready_o,
@@ -54,7 +56,7 @@ module pu_color_fetch #(
 
   assign job_ready_o = room && !mem_valid_q;
   assign take        = job_valid_i && job_ready_o;
-  assign ask         = take && job_i.kind == pipegs_pkg::KindData && frame_i.sh_degree != '0;
+  assign ask         = take && job_i.kind == pipegs_pkg::KindData && sh_degree_i != '0;
 
   always_comb begin
     head.kind    = job_i.kind;
@@ -79,8 +81,8 @@ module pu_color_fetch #(
   end
   always_ff @(posedge clk_i) begin
     if (ask) begin
-      mem_address_q <= frame_i.colors +
-                       (frame_i.sh_degree == pipegs_pkg::KindW'(1) ?
+      mem_address_q <= colors_i +
+                       (sh_degree_i == pipegs_pkg::KindW'(1) ?
                         AddressW'(job_i.slot[pipegs_pkg::SlotW-1:pipegs_pkg::QuarterW]) : AddressW'(job_i.slot));
     end
   end
@@ -124,7 +126,7 @@ module pu_color_fetch #(
     .count_o    (line_count)
   );
 
-  wire unused_fields = &{1'b0, frame_i, direction_room, line_room, direction_count, line_count};
+  wire unused_fields = &{1'b0, direction_room, line_room, direction_count, line_count};
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) ask |-> direction_room)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_normalise: divides the world direction by its length.
 //
 // Idea    length2 = u * 4^h with u in [1, 4); unit = world * rsqrt(u) * 2^-h. Any length works, also an unnormalised
@@ -75,9 +76,8 @@ module pu_color_normalise (
     endcase
     cut    = product_q >>> ((HalfW + 1)'(product_half_q) + (HalfW + 1)'(ShiftLow));
     near   = (cut >>> 1) + ProductW'($signed({1'b0, cut[0]}));
-    unit_d = UnitW'(near);
-    if (near != ProductW'(unit_d)) unit_d = {near[ProductW-1], {(UnitW - 1){!near[ProductW-1]}}};
   end
+  saturate #(.InW(ProductW), .OutW(UnitW)) u_unit (.in_i(near), .out_o(unit_d));
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_rotate: turns the view direction into world axes and measures its squared length.
 //
 // Idea    world = W^T view by two multiplier-accumulators in six steps; the length comes from the view components:
@@ -11,7 +12,7 @@
 module pu_color_rotate (
   input  logic                          clk_i,
   input  logic                          rst_ni,
-  input  pipegs_pkg::frame_t            frame_i,
+  input  pipegs_pkg::rotation_t         rotation_i,
 
   input  logic                          direction_valid_i,
   output logic                          direction_ready_o,
@@ -56,12 +57,12 @@ module pu_color_rotate (
 
   always_comb begin
     unique case (step_q)
-      3'd0:    begin view = x_q; row_a = '0;          row_b = frame_i.w00; end
-      3'd1:    begin view = y_q; row_a = '0;          row_b = frame_i.w10; end
-      3'd2:    begin view = z_q; row_a = '0;          row_b = frame_i.w20; end
-      3'd3:    begin view = x_q; row_a = frame_i.w02; row_b = frame_i.w01; end
-      3'd4:    begin view = y_q; row_a = frame_i.w12; row_b = frame_i.w11; end
-      default: begin view = z_q; row_a = frame_i.w22; row_b = frame_i.w21; end
+      3'd0:    begin view = x_q; row_a = '0;          row_b = rotation_i.w00; end
+      3'd1:    begin view = y_q; row_a = '0;          row_b = rotation_i.w10; end
+      3'd2:    begin view = z_q; row_a = '0;          row_b = rotation_i.w20; end
+      3'd3:    begin view = x_q; row_a = rotation_i.w02; row_b = rotation_i.w01; end
+      3'd4:    begin view = y_q; row_a = rotation_i.w12; row_b = rotation_i.w11; end
+      default: begin view = z_q; row_a = rotation_i.w22; row_b = rotation_i.w21; end
     endcase
     factor_b = FactorW'(row_b >>> Cut);
     factor_a = step_q < 3'd3 ? FactorW'(view) : FactorW'(row_a >>> Cut);
@@ -108,14 +109,10 @@ module pu_color_rotate (
   // Rounding to nearest, then saturation (only a W that is no rotation needs it).
   logic signed [SumW-1:0]   near_a, near_b;
   logic signed [WorldW-1:0] world_a, world_b;
-  always_comb begin
-    near_a  = (sum_a_q + (SumW'(1) << (Drop - 1))) >>> Drop;
-    near_b  = (sum_b_q + (SumW'(1) << (Drop - 1))) >>> Drop;
-    world_a = WorldW'(near_a);
-    if (near_a != SumW'(world_a)) world_a = {near_a[SumW-1], {(WorldW - 1){!near_a[SumW-1]}}};
-    world_b = WorldW'(near_b);
-    if (near_b != SumW'(world_b)) world_b = {near_b[SumW-1], {(WorldW - 1){!near_b[SumW-1]}}};
-  end
+  assign near_a = (sum_a_q + (SumW'(1) << (Drop - 1))) >>> Drop;
+  assign near_b = (sum_b_q + (SumW'(1) << (Drop - 1))) >>> Drop;
+  saturate #(.InW(SumW), .OutW(WorldW)) u_world_a (.in_i(near_a), .out_o(world_a));
+  saturate #(.InW(SumW), .OutW(WorldW)) u_world_b (.in_i(near_b), .out_o(world_b));
 
   always_ff @(posedge clk_i) begin
     if (product_valid_q && product_step_q == 3'd3) begin
@@ -131,6 +128,5 @@ module pu_color_rotate (
   assign world_valid_o = world_valid_q;
   assign world_o       = world_q;
 
-  wire unused_frame = &{1'b0, frame_i};
 
 endmodule

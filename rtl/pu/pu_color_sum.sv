@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_sum: coefficients times basis, plus the constant band, clamped to the colour's range.
 //
 // Idea    All coefficients of a Gaussian share one exponent e, so the 15 products of a channel are added exactly as
@@ -13,7 +14,7 @@
 module pu_color_sum (
   input  logic                             clk_i,
   input  logic                             rst_ni,
-  input  pipegs_pkg::frame_t               frame_i,
+  input  logic [pipegs_pkg::KindW-1:0]     sh_degree_i,  // of the scene
 
   input  logic                             task_valid_i,
   output logic                             task_ready_o,
@@ -63,7 +64,7 @@ module pu_color_sum (
 
   always_comb begin
     degree = '0;  // the smaller one of frame and machine
-    for (int unsigned i = 1; i <= pipegs_pkg::ShDegree; i += 1) if (frame_i.sh_degree >= 2'(i)) degree = 2'(i);
+    for (int unsigned i = 1; i <= pipegs_pkg::ShDegree; i += 1) if (sh_degree_i >= 2'(i)) degree = 2'(i);
     unique case (degree)
       2'd1:    last_step = 3'd1;
       2'd2:    last_step = 3'd3;
@@ -112,7 +113,7 @@ module pu_color_sum (
 
   always_comb begin
     slot = line_i;
-    if (frame_i.sh_degree == pipegs_pkg::KindW'(1)) begin
+    if (sh_degree_i == pipegs_pkg::KindW'(1)) begin
       for (int unsigned i = 1; i < 4; i += 1) begin
         if (task_i.quarter == pipegs_pkg::QuarterW'(i)) slot[Slot1W-1:0] = line_i[Slot1W*i +: Slot1W];
       end
@@ -239,6 +240,6 @@ module pu_color_sum (
   assign colored_valid_o = colored_valid_q;
   assign colored_o       = colored_q;
 
-  wire unused_fields = &{1'b0, frame_i, slot};
+  wire unused_fields = &{1'b0, slot};
 
 endmodule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_compensate: lowers a Gaussian's opacity by what the dilation adds to its area (scenes trained with antialiasing).
 //
 // Paper   beyond it: the compensation of the mip variant of 3DGS.
@@ -62,7 +63,7 @@ module pu_compensate (
     end
   end
 
-  // --- how far apart the two determinants are -------------------------------------------------------------------------
+  // --- how far apart the two determinants are ------------------------------------------------------------------------
   logic [LogF-1:0]          log_det, log_sharp;
   logic signed [ApartW-1:0] apart;
   logic [FallW-1:0]         fall, halves;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_conic: the inverse of the covariance, as what the coefficients need: two curvatures, a slope, and a box.
 //
 // Paper   Eq. 1 (the exponent), k = log2(e)/2 folded in: alpha = 2^power.
@@ -5,12 +6,12 @@
 //           wide = k / larger,  narrow = k larger / det,  slope = b / larger,  extent = sqrt(variance * budget)
 // Stream  covariance in, conic out, in order; an end beat passes through.
 // Pace    One record in eight cycles, latency 14 (an end beat 6). One multiplier, one reciprocal, two roots.
-//           slot  0     1    2     3     4     5     6     7   | 0      1      2  3      4      5  next slot
+//           turn  0     1    2     3     4     5     6     7   | 0      1      2  3      4      5  next turn
 //           recip larger det             ->    ->              |
 //           mult             a t   c t         wide  k/det slope narrow
 //           root                         a: 4 .. 7             | .. 2          scale
 //                                              c: 5 .. 7       | .. 3                  scale   out
-//         A record stays in covariance_i up to slot cycle 5, then in front_q up to cycle 5 of the next slot.
+//         A record stays in covariance_i up to cycle 5, then in front_q up to cycle 5 of the next turn.
 // Model   cpp_model/pu/pu_conic.hpp
 
 module pu_conic (
@@ -35,8 +36,6 @@ module pu_conic (
   localparam int unsigned OpacityW  = pipegs_pkg::OpacityW;
   localparam int unsigned ExtentW   = pipegs_pkg::ExtentW;
   localparam int unsigned PhaseW    = 3;
-  localparam int unsigned LastPhase = 7;
-  localparam int unsigned OutPhase  = 5;   // the record before leaves, this one moves to front_q
   localparam int unsigned LeftW     = MantissaW + 1 > SlopeW ? MantissaW + 1 : SlopeW;
   localparam int unsigned RightW    = MantissaW > OpacityW ? MantissaW + 1 : OpacityW + 1;
   localparam int unsigned ProductW  = LeftW + RightW;
@@ -60,56 +59,22 @@ module pu_conic (
     logic signed [pipegs_pkg::MeanW-1:0]   mean_x;
     logic signed [pipegs_pkg::MeanW-1:0]   mean_y;
     logic [OpacityW-1:0]                   opacity;
-    logic [pipegs_pkg::DepthW-1:0]         depth;
-    logic signed [pipegs_pkg::DirectionW-1:0] dir_x;
-    logic signed [pipegs_pkg::DirectionW-1:0] dir_y;
-    logic signed [pipegs_pkg::DirectionW-1:0] dir_z;
-    logic signed [pipegs_pkg::BaseW-1:0]   base_r;
-    logic signed [pipegs_pkg::BaseW-1:0]   base_g;
-    logic signed [pipegs_pkg::BaseW-1:0]   base_b;
-    logic [pipegs_pkg::IndexW-1:0]         index;
-    logic [pipegs_pkg::SlotW-1:0]          slot;
   } front_t;
 
-  logic [PhaseW-1:0]   phase_q;
-  logic                fresh_q;  // covariance_i of this slot holds a record (from cycle 1 to OutPhase)
-  logic                front_valid_q;
+  logic [PhaseW-1:0]   phase;
+  logic                fresh, advance, move, leave, data;
   front_t              front, front_q;
-  logic                conic_valid_q;
   pipegs_pkg::conic_t  conic, conic_q;
-  logic                fresh, advance, data;
 
-  assign fresh   = phase_q == '0 ? covariance_valid_i : fresh_q;
-  assign advance = !(phase_q == PhaseW'(OutPhase) && front_valid_q && conic_valid_q && !conic_ready_i);
   assign data    = covariance_i.kind == pipegs_pkg::KindData;
+  assign conic_o = conic_q;
 
-  assign covariance_ready_o = phase_q == PhaseW'(OutPhase) && fresh_q && advance;
-  assign conic_valid_o      = conic_valid_q;
-  assign conic_o            = conic_q;
-  assign busy_o             = phase_q != '0 || front_valid_q || conic_valid_q;
-
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      phase_q       <= '0;
-      fresh_q       <= 1'b0;
-      front_valid_q <= 1'b0;
-      conic_valid_q <= 1'b0;
-    end else begin
-      if (conic_ready_i) conic_valid_q <= 1'b0;
-      if (phase_q == '0) begin
-        fresh_q <= covariance_valid_i;
-        if (covariance_valid_i || front_valid_q) phase_q <= PhaseW'(1);
-      end else if (advance) begin
-        phase_q <= phase_q + PhaseW'(1);
-        if (phase_q == PhaseW'(OutPhase)) begin
-          if (front_valid_q) conic_valid_q <= 1'b1;
-          front_valid_q <= fresh_q;
-          if (!fresh_q || !data) phase_q <= '0;  // nothing to calculate in this slot
-        end
-        if (phase_q == PhaseW'(LastPhase)) phase_q <= '0;
-      end
-    end
-  end
+  pu_turns #(.Out(5)) u_turns (
+    .clk_i, .rst_ni,
+    .in_valid_i(covariance_valid_i), .in_ready_o(covariance_ready_o), .in_data_i(data),
+    .out_valid_o(conic_valid_o), .out_ready_i(conic_ready_i),
+    .phase_o(phase), .fresh_o(fresh), .advance_o(advance), .move_o(move), .leave_o(leave), .busy_o
+  );
 
   // --- which axis is the wider one ---------------------------------------------------------------------------------
   logic                      swap;
@@ -120,11 +85,11 @@ module pu_conic (
   assign larger_m = swap ? covariance_i.a_m : covariance_i.c_m;
   assign larger_e = swap ? covariance_i.a_e : covariance_i.c_e;
 
-  // --- reciprocals: they come four cycles later, whether the slot waits or not -------------------------------------
+  // --- reciprocals: they come four cycles later, whether the turn waits or not -------------------------------------
   logic                 recip_in_valid, recip_valid, second_q;
   logic [MantissaW-1:0] recip_in, recip, inverse_q, inverse_det_q;
-  assign recip_in_valid = fresh && data && (phase_q == '0 || phase_q == PhaseW'(1));
-  assign recip_in       = phase_q == '0 ? larger_m : covariance_i.det_m;
+  assign recip_in_valid = fresh && data && (phase == '0 || phase == PhaseW'(1));
+  assign recip_in       = phase == '0 ? larger_m : covariance_i.det_m;
 
   recip #(.DataW(MantissaW)) u_recip (
     .clk_i, .rst_ni,
@@ -151,7 +116,7 @@ module pu_conic (
   always_comb begin
     left  = LeftW'($signed({1'b0, covariance_i.a_m}));
     right = RightW'($signed({1'b0, t}));
-    case (phase_q)
+    case (phase)
       PhaseW'(0): begin  // narrow
         left  = LeftW'($signed({1'b0, front_q.larger_m}));
         right = RightW'($signed({1'b0, scaled_det_q}));
@@ -207,17 +172,17 @@ module pu_conic (
   logic signed [FloatEW-1:0] wide_e_q, narrow_e_q, scaled_det_e_q;
   logic signed [SlopeW-1:0]  slope_q;
   always_ff @(posedge clk_i) begin
-    if (phase_q == PhaseW'(6)) begin
+    if (phase == PhaseW'(6)) begin
       wide_m_q <= mantissa;
       wide_e_q <= gain - front_q.larger_e - FloatEW'(2 * MantissaW);
     end
-    if (phase_q == PhaseW'(7)) begin
+    if (phase == PhaseW'(7)) begin
       scaled_det_q   <= mantissa;
       scaled_det_e_q <= gain - front_q.det_e - FloatEW'(2 * MantissaW);
       slope_shift_q  <= slope_shift;
     end
-    if (phase_q == '0) slope_q <= slope;
-    if (phase_q == PhaseW'(1)) begin
+    if (phase == '0) slope_q <= slope;
+    if (phase == PhaseW'(1)) begin
       narrow_m_q <= mantissa;
       narrow_e_q <= gain + front_q.larger_e + scaled_det_e_q + FloatEW'(MantissaW - 1);
     end
@@ -226,7 +191,7 @@ module pu_conic (
   // --- the box -----------------------------------------------------------------------------------------------------
   logic [ExtentW-1:0] extent_x, extent_y;
   pu_extent u_extent (
-    .clk_i, .phase_i(phase_q), .advance_i(advance),
+    .clk_i, .phase_i(phase), .advance_i(advance),
     .opacity_i(covariance_i.opacity), .a_e_i(covariance_i.a_e), .c_e_i(covariance_i.c_e),
     .t_o(t), .product_i(product_q[MantissaW+OpacityW-1:0]),
     .extent_x_o(extent_x), .extent_y_o(extent_y)
@@ -246,15 +211,6 @@ module pu_conic (
       front.mean_x   = covariance_i.mean_x;
       front.mean_y   = covariance_i.mean_y;
       front.opacity  = covariance_i.opacity;
-      front.depth    = covariance_i.depth;
-      front.dir_x    = covariance_i.dir_x;
-      front.dir_y    = covariance_i.dir_y;
-      front.dir_z    = covariance_i.dir_z;
-      front.base_r   = covariance_i.base_r;
-      front.base_g   = covariance_i.base_g;
-      front.base_b   = covariance_i.base_b;
-      front.index    = covariance_i.index;
-      front.slot     = covariance_i.slot;
     end
 
     conic      = '0;
@@ -271,23 +227,12 @@ module pu_conic (
       conic.mean_y   = front_q.mean_y;
       conic.swap     = front_q.swap;
       conic.opacity  = front_q.opacity;
-      conic.depth    = front_q.depth;
-      conic.dir_x    = front_q.dir_x;
-      conic.dir_y    = front_q.dir_y;
-      conic.dir_z    = front_q.dir_z;
-      conic.base_r   = front_q.base_r;
-      conic.base_g   = front_q.base_g;
-      conic.base_b   = front_q.base_b;
-      conic.index    = front_q.index;
-      conic.slot     = front_q.slot;
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (phase_q == PhaseW'(OutPhase) && advance) begin
-      if (front_valid_q) conic_q <= conic;
-      front_q <= front;
-    end
+    if (leave) conic_q <= conic;
+    if (move) front_q <= front;
   end
 
   wire unused_sharp = &{1'b0, covariance_i};  // with Antialias it has served already

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_covariance: the projected covariance in square pixels, dilated by 0.3, and its determinant.
 //
 // Paper   Eq. 1; the dilation of the reference rasteriser.
@@ -7,7 +8,8 @@
 //           multiply   a0  c0  d0     b               0.3 sum
 //           align              a0+.3  c0+.3  a+c0              d0+.3 sum
 //           add                       a      c     sum                      det
-// Stream  squares in, covariance out, in order; an end beat passes with all other fields zero.
+// Stream  squares in, covariance out, in order; an end beat passes with all other fields zero. What rides beside the
+//         stages before, the mean and the opacity, joins here: pu_conic is the first that needs it.
 // Pace    One record in eight cycles, latency 10; the output register is needed for two of the eight cycles only.
 // Model   cpp_model/pu/pu_covariance.hpp
 
@@ -18,6 +20,8 @@ module pu_covariance (
   input  logic                     squares_valid_i,
   output logic                     squares_ready_o,
   input  pipegs_pkg::squares_t     squares_i,
+  input  pipegs_pkg::center_t      center_i,       // of the Gaussian in its last phase, in the same order
+  output logic                     center_take_o,
 
   output logic                     covariance_valid_o,
   input  logic                     covariance_ready_i,
@@ -55,6 +59,7 @@ module pu_covariance (
 
   pipegs_pkg::squares_t    in_q;
   pipegs_pkg::covariance_t out_q;
+  assign center_take_o = claim && in_q.kind == pipegs_pkg::KindData;
 
   // --- multiplier ---------------------------------------------------------------------------------------------------
   logic        [MantissaW-1:0]  left;
@@ -125,10 +130,11 @@ module pu_covariance (
     sum_e    = big_e_q + $signed({{(ExponentW - 1){1'b0}}, sum[AlignedW]});
   end
 
-  function automatic logic signed [FloatEW-1:0] clip(input logic signed [ExponentW-1:0] value);
-    if (value[ExponentW-1:FloatEW-1] == {(ExponentW - FloatEW + 1){value[ExponentW-1]}}) clip = value[FloatEW-1:0];
-    else clip = {value[ExponentW-1], {(FloatEW - 1){!value[ExponentW-1]}}};
-  endfunction
+  logic signed [FloatEW-1:0] a_e, b_e, c_e, det_e;
+  saturate #(.InW(ExponentW), .OutW(FloatEW)) u_a_e (.in_i(a_e_q), .out_o(a_e));
+  saturate #(.InW(ExponentW), .OutW(FloatEW)) u_b_e (.in_i(b_e_q), .out_o(b_e));
+  saturate #(.InW(ExponentW), .OutW(FloatEW)) u_c_e (.in_i(c_e_q), .out_o(c_e));
+  saturate #(.InW(ExponentW), .OutW(FloatEW)) u_det_e (.in_i(sum_e), .out_o(det_e));
 
   always_ff @(posedge clk_i) begin
     if (take) in_q <= squares_i;
@@ -154,42 +160,34 @@ module pu_covariance (
     if (claim) begin
       out_q      <= '0;
       out_q.kind <= in_q.kind;
-      if (in_q.kind == '0) begin
+      if (in_q.kind == pipegs_pkg::KindData) begin
         out_q.a_m <= a_m_q;
-        out_q.a_e <= clip(a_e_q);
+        out_q.a_e <= a_e;
         out_q.b_m <= b_m_q;
-        out_q.b_e <= clip(b_e_q);
+        out_q.b_e <= b_e;
         out_q.c_m <= c_m_q;
-        out_q.c_e <= clip(c_e_q);
-        out_q.mean_x  <= in_q.mean_x;
-        out_q.mean_y  <= in_q.mean_y;
-        out_q.depth   <= in_q.depth;
-        out_q.dir_x   <= in_q.dir_x;
-        out_q.dir_y   <= in_q.dir_y;
-        out_q.dir_z   <= in_q.dir_z;
-        out_q.opacity <= in_q.opacity;
-        out_q.base_r  <= in_q.base_r;
-        out_q.base_g  <= in_q.base_g;
-        out_q.base_b  <= in_q.base_b;
-        out_q.index   <= in_q.index;
-        out_q.slot    <= in_q.slot;
+        out_q.c_e <= c_e;
+        out_q.mean_x  <= center_i.mean_x;
+        out_q.mean_y  <= center_i.mean_y;
+        out_q.opacity <= center_i.opacity;
       end
     end
-    if (step && late_valid && late == 3'd7 && out_q.kind == '0) begin
+    if (step && late_valid && late == 3'd7 && out_q.kind == pipegs_pkg::KindData) begin
       out_q.det_m <= sum_m;
-      out_q.det_e <= clip(sum_e);
+      out_q.det_e <= det_e;
     end
   end
 
-  // --- the determinant before dilation, for pu_compensate ---------------------------------------------------------------
+  // --- the determinant before dilation, for pu_compensate ------------------------------------------------------------
   if (pipegs_pkg::Antialias == 1) begin : gen_sharp
     localparam int unsigned SharpW = pipegs_pkg::SharpW;
     logic        [SharpW-1:0]  sharp_m_q;
-    logic signed [FloatEW-1:0] sharp_e_q;
+    logic signed [FloatEW-1:0] d0_e, sharp_e_q;
+    saturate #(.InW(ExponentW), .OutW(FloatEW)) u_d0_e (.in_i(d0_e_q), .out_o(d0_e));
     always_ff @(posedge clk_i) begin
       if (claim) begin
-        sharp_m_q <= in_q.kind == '0 ? d0_m_q[MantissaW-1 -: SharpW] : '0;
-        sharp_e_q <= in_q.kind == '0 ? clip(d0_e_q) : '0;
+        sharp_m_q <= in_q.kind == pipegs_pkg::KindData ? d0_m_q[MantissaW-1 -: SharpW] : '0;
+        sharp_e_q <= in_q.kind == pipegs_pkg::KindData ? d0_e : '0;
       end
     end
     always_comb begin

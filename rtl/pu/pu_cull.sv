@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_cull: moves a Gaussian into view space and drops it when it is behind the near plane or cannot reach the window.
 //
 // Paper   Sec. 4.2, frustum culling of the preprocessing.
-// Idea    view = origin + W offset; keep iff z > near (unless NearTest is 0) and fx x - a z + reach s >= 0 and the same on the three other
-//         sides. x, z, s are cut to 17 bits with a common exponent, always to the side that keeps (see the model).
-//         Stages, behind a register of what comes:
+// Idea    view = origin + W offset; keep iff z > near (unless NearTest is 0) and fx x - a z + reach s >= 0 and the same
+//         on the three other sides. x, z, s are cut to 17 bits with a common exponent, always to the side that keeps
+//         (see the model). Stages, behind a register of what comes:
 //           1 nine products   2 sums       3 shift to view units   4 view; edges   5 near plane; common exponent
 //           6 cut             7 six products                       8 four signs -> output
 // Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero.
@@ -14,7 +15,9 @@ module pu_cull (
   input  logic                  clk_i,
   input  logic                  rst_ni,
 
-  input  pipegs_pkg::frame_t    frame_i,
+  input  pipegs_pkg::rotation_t rotation_i,
+  input  pipegs_pkg::lens_t     lens_i,
+  input  pipegs_pkg::windows_t  windows_i,
 
   input  logic                  fetched_valid_i,
   output logic                  fetched_ready_o,
@@ -97,15 +100,15 @@ module pu_cull (
   logic        [DownW-1:0]    down1_q, down2_q;
   always_ff @(posedge clk_i) begin
     if (advance) begin
-      xx_q <= ProductW'(frame_i.w00) * ProductW'(fetched_q.offset_x);
-      xy_q <= ProductW'(frame_i.w01) * ProductW'(fetched_q.offset_y);
-      xz_q <= ProductW'(frame_i.w02) * ProductW'(fetched_q.offset_z);
-      yx_q <= ProductW'(frame_i.w10) * ProductW'(fetched_q.offset_x);
-      yy_q <= ProductW'(frame_i.w11) * ProductW'(fetched_q.offset_y);
-      yz_q <= ProductW'(frame_i.w12) * ProductW'(fetched_q.offset_z);
-      zx_q <= ProductW'(frame_i.w20) * ProductW'(fetched_q.offset_x);
-      zy_q <= ProductW'(frame_i.w21) * ProductW'(fetched_q.offset_y);
-      zz_q <= ProductW'(frame_i.w22) * ProductW'(fetched_q.offset_z);
+      xx_q <= ProductW'(rotation_i.w00) * ProductW'(fetched_q.offset_x);
+      xy_q <= ProductW'(rotation_i.w01) * ProductW'(fetched_q.offset_y);
+      xz_q <= ProductW'(rotation_i.w02) * ProductW'(fetched_q.offset_z);
+      yx_q <= ProductW'(rotation_i.w10) * ProductW'(fetched_q.offset_x);
+      yy_q <= ProductW'(rotation_i.w11) * ProductW'(fetched_q.offset_y);
+      yz_q <= ProductW'(rotation_i.w12) * ProductW'(fetched_q.offset_z);
+      zx_q <= ProductW'(rotation_i.w20) * ProductW'(fetched_q.offset_x);
+      zy_q <= ProductW'(rotation_i.w21) * ProductW'(fetched_q.offset_y);
+      zz_q <= ProductW'(rotation_i.w22) * ProductW'(fetched_q.offset_z);
       x2_q <= SumW'(xx_q) + SumW'(xy_q) + SumW'(xz_q);
       y2_q <= SumW'(yx_q) + SumW'(yy_q) + SumW'(yz_q);
       z2_q <= SumW'(zx_q) + SumW'(zy_q) + SumW'(zz_q);
@@ -128,16 +131,13 @@ module pu_cull (
 
   // --- stage 4: the view coordinates -------------------------------------------------------------------------------
   logic signed [ViewW-1:0] x4, y4, z4, x4_q, y4_q, z4_q;
-  function automatic logic signed [ViewW-1:0] place(input logic signed [SumW-1:0]  twice,
-                                                    input logic signed [ViewW-1:0] origin);
-    logic signed [SumW:0] sum;
-    sum = ((SumW + 1)'(twice) + ((SumW + 1)'(origin) <<< 1) + $signed((SumW + 1)'(1))) >>> 1;
-    if (sum[SumW:ViewW-1] == {(SumW - ViewW + 2){sum[SumW]}}) place = sum[ViewW-1:0];
-    else place = {sum[SumW], {(ViewW - 1){!sum[SumW]}}};
+  function automatic logic signed [SumW:0] place(input logic signed [SumW-1:0]  twice,
+                                                 input logic signed [ViewW-1:0] origin);
+    place = ((SumW + 1)'(twice) + ((SumW + 1)'(origin) <<< 1) + $signed((SumW + 1)'(1))) >>> 1;
   endfunction
-  assign x4 = place(x3_q, origin_x_q[3]);
-  assign y4 = place(y3_q, origin_y_q[3]);
-  assign z4 = place(z3_q, origin_z_q[3]);
+  saturate #(.InW(SumW + 1), .OutW(ViewW)) u_x4 (.in_i(place(x3_q, origin_x_q[3])), .out_o(x4));
+  saturate #(.InW(SumW + 1), .OutW(ViewW)) u_y4 (.in_i(place(y3_q, origin_y_q[3])), .out_o(y4));
+  saturate #(.InW(SumW + 1), .OutW(ViewW)) u_z4 (.in_i(place(z3_q, origin_z_q[3])), .out_o(z4));
 
   // --- stages 1 to 3 beside them: the largest scale in view units, rounded up --------------------------------------
   localparam int unsigned Bias   = 8;                  // of a scale's exponent field
@@ -212,8 +212,8 @@ module pu_cull (
       {x4_q, y4_q, z4_q} <= {x4, y4, z4};
       {x5_q, y5_q, z5_q, s5_q, huge5_q} <= {x4_q, y4_q, z4_q, s4_q, huge4_q};
       cut5_q    <= shift < NoCut ? NoCut - shift : '0;
-      edge_x5_q <= edge_of(ride4.window_x, frame_i.center_x);
-      edge_y5_q <= edge_of(ride4.window_y, frame_i.center_y);
+      edge_x5_q <= edge_of(ride4.window_x, lens_i.center_x);
+      edge_y5_q <= edge_of(ride4.window_y, lens_i.center_y);
     end
   end
 
@@ -222,7 +222,7 @@ module pu_cull (
     logic              front5_q, front6_q, front7_q;
     always_ff @(posedge clk_i) begin
       if (advance) begin
-        near4_q  <= frame_i.near_plane >> ride3.view_exp;
+        near4_q  <= lens_i.near_plane >> ride3.view_exp;
         front5_q <= !z4_q[ViewW-1] && WorldW'($unsigned(z4_q)) > near4_q;
         front6_q <= front5_q;
         front7_q <= front6_q;
@@ -246,8 +246,8 @@ module pu_cull (
   logic signed [SideW-1:0] fx7_q, fy7_q, ax7_q, ay7_q, rx7_q, ry7_q;
   logic signed [CutW:0]    cz7_q;
   logic [SmallW-1:0]       reach_x, reach_y;
-  assign reach_x = SmallW'(frame_i.reach_x[ReachW-1:Coarse]) + SmallW'(frame_i.reach_x[Coarse-1:0] != '0);
-  assign reach_y = SmallW'(frame_i.reach_y[ReachW-1:Coarse]) + SmallW'(frame_i.reach_y[Coarse-1:0] != '0);
+  assign reach_x = SmallW'(lens_i.reach_x[ReachW-1:Coarse]) + SmallW'(lens_i.reach_x[Coarse-1:0] != '0);
+  assign reach_y = SmallW'(lens_i.reach_y[ReachW-1:Coarse]) + SmallW'(lens_i.reach_y[Coarse-1:0] != '0);
   always_ff @(posedge clk_i) begin
     if (advance) begin
       {x6_q, y6_q, z6_q, huge6_q} <= {x5_q, y5_q, z5_q, huge5_q};
@@ -259,8 +259,8 @@ module pu_cull (
       {x7_q, y7_q, z7_q, huge7_q} <= {x6_q, y6_q, z6_q, huge6_q};
       {edge_x7_q, edge_y7_q} <= {edge_x6_q, edge_y6_q};
       cz7_q <= cz6_q;
-      fx7_q <= $signed(SideW'(frame_i.focal_x)) * SideW'(cx6_q);
-      fy7_q <= $signed(SideW'(frame_i.focal_y)) * SideW'(cy6_q);
+      fx7_q <= $signed(SideW'(lens_i.focal_x)) * SideW'(cx6_q);
+      fy7_q <= $signed(SideW'(lens_i.focal_y)) * SideW'(cy6_q);
       ax7_q <= SideW'(edge_x6_q) * SideW'(cz6_q);
       ay7_q <= SideW'(edge_y6_q) * SideW'(cz6_q);
       rx7_q <= $signed(SideW'(reach_x)) * $signed(SideW'(cs6_q));
@@ -281,12 +281,12 @@ module pu_cull (
   endfunction
   logic signed [SideW-1:0] bx7, by7, last_x7, last_y7;  // the far edges times z, the far edges
   logic                    touch_x, touch_y;
-  if (pipegs_pkg::Order == 1) begin : gen_frame  // the rectangle of all windows: two more products
+  if (pipegs_pkg::HasLists) begin : gen_frame  // the rectangle of all windows: two more products
     logic [WindowW-1:0]      more_x, more_y;  // windows behind the first one
     logic signed [EdgeW-1:0] last_x6, last_y6, last_x7_q, last_y7_q;
     logic signed [SideW-1:0] bx7_q, by7_q;
-    assign more_x  = frame_i.last_x - frame_i.first_x;
-    assign more_y  = frame_i.last_y - frame_i.first_y;
+    assign more_x  = windows_i.last_x - windows_i.first_x;
+    assign more_y  = windows_i.last_y - windows_i.first_y;
     assign last_x6 = edge_x6_q + EdgeW'(Span) + $signed(EdgeW'(more_x) << ($clog2(pipegs_pkg::Window) + EdgeF));
     assign last_y6 = edge_y6_q + EdgeW'(Span) + $signed(EdgeW'(more_y) << ($clog2(pipegs_pkg::Window) + EdgeF));
     always_ff @(posedge clk_i) begin
@@ -309,9 +309,11 @@ module pu_cull (
     assign bx7     = ax7_q + SideW'(Span) * SideW'(cz7_q);
     assign by7     = ay7_q + SideW'(Span) * SideW'(cz7_q);
   end
-  assign touch_x = touches(fx7_q, ax7_q, bx7, rx7_q <<< Coarse, $signed(SideW'(frame_i.focal_x)), SideW'(edge_x7_q), last_x7);
-  assign touch_y = touches(fy7_q, ay7_q, by7, ry7_q <<< Coarse, $signed(SideW'(frame_i.focal_y)), SideW'(edge_y7_q), last_y7);
-  assign keep    = ride7.kind != '0 || (front7 && (huge7_q || (touch_x && touch_y)));
+  assign touch_x = touches(fx7_q, ax7_q, bx7, rx7_q <<< Coarse, $signed(SideW'(lens_i.focal_x)), SideW'(edge_x7_q),
+                           last_x7);
+  assign touch_y = touches(fy7_q, ay7_q, by7, ry7_q <<< Coarse, $signed(SideW'(lens_i.focal_y)), SideW'(edge_y7_q),
+                           last_y7);
+  assign keep    = ride7.kind != pipegs_pkg::KindData || (front7 && (huge7_q || (touch_x && touch_y)));
 
   pipegs_pkg::visible_t out_q;
   assign visible_o = out_q;
@@ -319,17 +321,19 @@ module pu_cull (
     if (advance) begin
       out_q      <= '0;
       out_q.kind <= ride7.kind;
-      if (ride7.kind == '0) begin
+      if (ride7.kind == pipegs_pkg::KindData) begin
         out_q <= {ride7.gaussian, ride7.view_exp, z7_q, y7_q, x7_q, ride7.window_y, ride7.window_x, ride7.kind};
       end
     end
   end
 
-  // Only the camera is used of the frame; of the normalised sizes only the shift.
-  wire unused_bits = &{1'b0, frame_i, normal, ride2, ride3, ride4, ride1, s4_q[ViewW-1], size3[HighW-1:ViewW]};
+  // Of the normalised sizes only the shift is used.
+  wire unused_bits = &{1'b0, lens_i, windows_i, normal, ride2, ride3, ride4, ride1, s4_q[ViewW-1],
+                       size3[HighW-1:ViewW]};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) pipegs_pkg::NearTest == 0 && out_valid_q && out_q.kind == '0 |-> out_q.view_z > 0)
+  assert property (@(posedge clk_i) disable iff (!rst_ni)
+                   pipegs_pkg::NearTest == 0 && out_valid_q && out_q.kind == pipegs_pkg::KindData |-> out_q.view_z > 0)
     else $error("pu_cull: a Gaussian behind the camera, and NearTest is 0");
 `endif
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_deal: deals the Gaussians that survive the culls to the PUs, so that all of them have the same to do.
 //
 // Paper   Table 2 (four PUs); the paper does not say how Gaussians are shared among them.
-// Idea    A chunk goes to one PU's fetch and cull, but chunks differ a hundredfold in work: 32 screen-filling splats or 32
-//         specks. So survivors of all culls are dealt one by one to whichever PU has room, in turn. The sort behind makes
-//         the image independent of who gets which. A layer's end waits until all culls have reached it and goes to all PUs.
+// Idea    A chunk goes to one PU's fetch and cull, but chunks differ a hundredfold in work: 32 screen-filling splats or
+//         32 specks. So survivors of all culls are dealt one by one to whichever PU has room, in turn. The sort behind
+//         makes the image independent of who gets which. A layer's end waits until all culls have reached it and goes
+//         to all PUs.
 // Stream  visible from each cull; visible to each PU, one record for all with one valid each.
 // Pace    One Gaussian per cycle (with a single PU every second one), latency one.
 // Model   Any dealing is right: the test checks that each Gaussian arrives once, in its layer.

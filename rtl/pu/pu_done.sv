@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_done: the regions of the beats' window that are opaque already.
 //
 // Paper   Sec. 4.2.3 (early termination); here it also stops the work before the RU.
-// Idea    Each RU tells which of its regions are done, and of which window. The PU works on that window or on a later one,
-//         so it counts its own windows, row by row from the frame's first to its last, and listens to RUs that are there.
+// Idea    Each RU tells which of its regions are done, and of which window. The PU works on that window or on a later
+//         one, so it counts its own windows, row by row from the frame's first to its last, and listens to RUs that are
+//         there.
 // Stream  advance_i: a window's end passes. done_o: one bit per region of the present window.
 // Pace    Combinational from the RUs' bits.
 // Model   None: skipping done regions never changes a pixel; the tests of pu_allocate and pu_late drive it.
@@ -14,7 +16,7 @@ module pu_done #(
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
-  input  pipegs_pkg::frame_t       frame_i,
+  input  pipegs_pkg::windows_t     windows_i,
   input  logic                     restart_i,  // a frame begins
   input  logic                     advance_i,  // the next window begins
 
@@ -45,15 +47,15 @@ module pu_done #(
       window_x_q <= '0;
       window_y_q <= '0;
     end else if (restart_i) begin
-      window_x_q <= frame_i.first_x;
-      window_y_q <= frame_i.first_y;
+      window_x_q <= windows_i.first_x;
+      window_y_q <= windows_i.first_y;
     end else if (advance_i) begin
-      window_x_q <= window_x_q == frame_i.last_x ? frame_i.first_x : window_x_q + WindowW'(1);
-      window_y_q <= window_x_q == frame_i.last_x ? window_y_q + WindowW'(1) : window_y_q;
+      window_x_q <= window_x_q == windows_i.last_x ? windows_i.first_x : window_x_q + WindowW'(1);
+      window_y_q <= window_x_q == windows_i.last_x ? window_y_q + WindowW'(1) : window_y_q;
     end
   end
 
-  logic unused_frame;
-  assign unused_frame = &{1'b0, frame_i};
+  logic unused_windows;
+  assign unused_windows = ^windows_i;
 
 endmodule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_edge: does a region's box of pixel centres hold a point with P = power - cut >= 0 ?
 //
 // Paper   the test behind the 4-bit bitmap of a tile (Sec. 4.2).

@@ -1,26 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_expand: from one Gaussian of the frame to one beat for each window that its box touches.
 //
 // Paper   the tile intersection of a global preprocessing (GSCore's, as Sec. 5 reproduces it), before the exact test.
-// Idea    The box mean +- extent as columns and rows of windows; a Gaussian without any is dropped. Its colour is asked for
-//         once, while it waits in a queue; then the windows are walked row by row, the mean moved to the first pixel of
-//         each by subtractions and saturated as pu_project does it. A nearly endless extent counts as endless.
+// Idea    The box mean +- extent as columns and rows of windows; a Gaussian without any is dropped. Its colour is asked
+//         for once, while it waits in a queue; then the windows are walked row by row, the mean moved to the first
+//         pixel of each by subtractions and saturated as pu_project does it. A nearly endless extent counts as endless.
 //             conic -> box -> color_job        colored -> walk -> placed
 //                         +-> queue ----------------------^
-// Stream  conic in; color_job out and colored back, in order; one conic beat per window out: its colour in dir_x, dir_y,
-//         dir_z, the window's number in slot. Ends of layers vanish, the window's end passes behind all before it.
+// Stream  conic and beside it the Gaussian's payload in; color_job out and colored back, in order; one conic beat per
+//         window out, and one cycle before it shows what it stands for in the window's list. Ends of layers vanish, the
+//         window's end passes behind all before it.
 // Pace    One Gaussian per two cycles into the queue; one window per cycle out, and one cycle between Gaussians.
 // Model   cpp_model/pu/pu_expand.hpp
 
 module pu_expand #(
-  parameter int unsigned Depth = 40  // Gaussians between here and the end of pu_color: it has room for 32 lines
+  parameter int unsigned Depth = pipegs_pkg::ExpandDepth
 ) (
   input  logic                    clk_i,
   input  logic                    rst_ni,
-  input  pipegs_pkg::frame_t      frame_i,
+  input  pipegs_pkg::windows_t    windows_i,
 
   input  logic                    conic_valid_i,
   output logic                    conic_ready_o,
   input  pipegs_pkg::conic_t      conic_i,
+  input  pipegs_pkg::payload_t    payload_i,       // of the Gaussian in conic_i
+  output logic                    payload_take_o,
 
   output logic                    color_job_valid_o,
   input  logic                    color_job_ready_i,
@@ -33,6 +37,9 @@ module pu_expand #(
   output logic                    placed_valid_o,
   input  logic                    placed_ready_i,
   output pipegs_pkg::conic_t      placed_o,
+
+  output logic                    listed_valid_o,  // placed_o shows this Gaussian from the next cycle on
+  output pipegs_pkg::listed_t     listed_o,
 
   output logic                    busy_o  // a Gaussian is inside
 );
@@ -48,8 +55,8 @@ module pu_expand #(
   localparam int unsigned SideF    = $clog2(pipegs_pkg::Window);
   localparam int unsigned HalfW    = ExtentW + MeanF - ExtentF + 1;
   localparam int unsigned BoxW     = (HalfW > MeanW ? HalfW : MeanW) + 2;
-  localparam int unsigned ShapeW   = 2 * ExtentW + 1 + pipegs_pkg::SlopeW + 2 * (pipegs_pkg::MantissaW + pipegs_pkg::FloatEW) +
-                                     pipegs_pkg::OpacityW;
+  localparam int unsigned ShapeW   = 2 * ExtentW + 1 + pipegs_pkg::SlopeW +
+                                     2 * (pipegs_pkg::MantissaW + pipegs_pkg::FloatEW) + pipegs_pkg::OpacityW;
   localparam int unsigned QueuedW  = ShapeW + 2 * MeanW + 4 * WindowW;
   localparam int unsigned MovedW   = MeanW + 1;                // of a mean that has been moved, exact
 
@@ -64,8 +71,8 @@ module pu_expand #(
   logic [WindowW-1:0]     first_x_q, last_x_q, first_y_q, last_y_q;
   logic                   none_x, none_y, none_q, data, give, room;
 
-  assign most_x = frame_i.last_x - frame_i.first_x;
-  assign most_y = frame_i.last_y - frame_i.first_y;
+  assign most_x = windows_i.last_x - windows_i.first_x;
+  assign most_y = windows_i.last_y - windows_i.first_y;
   assign half_x = BoxW'(conic_i.extent_x) << (MeanF - ExtentF);
   assign half_y = BoxW'(conic_i.extent_y) << (MeanF - ExtentF);
   assign low_x  = (BoxW'(conic_i.mean_x) - half_x + $signed(BoxW'((1 << MeanF) - 1))) >>> MeanF;  // pixels
@@ -93,6 +100,7 @@ module pu_expand #(
   assign color_job_valid_o = box_q == BoxGive && !none_q && (!data || room);
   assign give              = color_job_valid_o && color_job_ready_i;
   assign conic_ready_o     = box_q == BoxGive && (none_q || give);
+  assign payload_take_o    = conic_ready_o && data;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) box_q <= BoxFind;
@@ -107,20 +115,22 @@ module pu_expand #(
   end
 
   always_comb begin
-    color_job_o       = '0;
-    color_job_o.kind  = conic_i.kind;
-    color_job_o.depth = conic_i.depth;
-    color_job_o.index = pipegs_pkg::SplatIndexW'(conic_i.index);
-    color_job_o.slot  = conic_i.slot;
-    color_job_o.dir_x = conic_i.dir_x;
-    color_job_o.dir_y = conic_i.dir_y;
-    color_job_o.dir_z = conic_i.dir_z;
-    color_job_o.base_r = conic_i.base_r;
-    color_job_o.base_g = conic_i.base_g;
-    color_job_o.base_b = conic_i.base_b;
+    color_job_o      = '0;
+    color_job_o.kind = conic_i.kind;
+    if (data) begin
+      color_job_o.depth  = payload_i.depth;
+      color_job_o.index  = pipegs_pkg::SplatIndexW'(payload_i.index);
+      color_job_o.slot   = payload_i.slot;
+      color_job_o.dir_x  = payload_i.dir_x;
+      color_job_o.dir_y  = payload_i.dir_y;
+      color_job_o.dir_z  = payload_i.dir_z;
+      color_job_o.base_r = payload_i.base_r;
+      color_job_o.base_g = payload_i.base_g;
+      color_job_o.base_b = payload_i.base_b;
+    end
   end
 
-  // --- the queue: all of a Gaussian but its colour ---------------------------------------------------------------------
+  // --- the queue: all of a Gaussian but its colour -------------------------------------------------------------------
   logic                       queued_valid, done;
   logic [QueuedW-1:0]         queued;
   logic [$clog2(Depth+1)-1:0] count;
@@ -137,7 +147,7 @@ module pu_expand #(
   );
   assign {shape, mean_x, mean_y, from_x, to_x, from_y, to_y} = queued;
 
-  // --- the walk ----------------------------------------------------------------------------------------------------------
+  // --- the walk ------------------------------------------------------------------------------------------------------
   logic                     walking_q, start, step, last_column, out_free, is_end, pass, out_valid_q;
   logic [WindowW-1:0]       column_q, row_q;
   logic [NumberW-1:0]       number_q, number_row_q, columns;
@@ -160,14 +170,9 @@ module pu_expand #(
   assign placed_o        = placed_q;
   assign busy_o          = box_q != BoxFind || count != '0 || walking_q || out_valid_q;
 
-  function automatic logic [PlacedW-1:0] place(input logic signed [MovedW-1:0] mean);
-    if (mean[MovedW-1:PlacedW-1] == {(MovedW - PlacedW + 1){mean[MovedW-1]}}) place = mean[PlacedW-1:0];
-    else place = {mean[MovedW-1], {(PlacedW - 1){!mean[MovedW-1]}}};
-  endfunction
-
   logic signed [PlacedW-1:0] placed_x, placed_y;
-  assign placed_x = place(x_q);
-  assign placed_y = place(y_q);
+  saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_x (.in_i(x_q), .out_o(placed_x));
+  saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_y (.in_i(y_q), .out_o(placed_y));
   always_comb begin
     placed = '0;
     placed.kind = colored_i.kind;
@@ -176,13 +181,17 @@ module pu_expand #(
        placed.wide_e, placed.opacity} = shape;
       placed.mean_x = MeanW'(placed_x);
       placed.mean_y = MeanW'(placed_y);
-      placed.depth  = colored_i.depth;
-      placed.index  = pipegs_pkg::IndexW'(colored_i.index);
-      placed.dir_x  = $signed(pipegs_pkg::DirectionW'(colored_i.red));
-      placed.dir_y  = $signed(pipegs_pkg::DirectionW'(colored_i.green));
-      placed.dir_z  = $signed(pipegs_pkg::DirectionW'(colored_i.blue));
-      placed.slot   = pipegs_pkg::SlotW'(number_q);
     end
+  end
+
+  assign listed_valid_o = step;
+  always_comb begin
+    listed_o.depth  = colored_i.depth;
+    listed_o.index  = colored_i.index;
+    listed_o.window = number_q;
+    listed_o.red    = colored_i.red;
+    listed_o.green  = colored_i.green;
+    listed_o.blue   = colored_i.blue;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -220,6 +229,6 @@ module pu_expand #(
   end
 
   logic unused_in;
-  assign unused_in = &{1'b0, frame_i, colored_i};
+  assign unused_in = &{1'b0, colored_i};
 
 endmodule

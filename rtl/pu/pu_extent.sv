@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_extent: the half extents of the box of pixels that a Gaussian can reach.
 //
 // Paper   the bounding box before the tile test (Sec. 4.2).
 // Idea    On the box's side the power is -budget:  extent^2 = 2 ln(2) variance (log2(AlphaCut) - opacity).
 //         t = budget * 2 ln(2) here, variance * t in pu_conic's multiplier, the roots here, two bits per cycle.
-// Stream  Follows the slots of pu_conic: t for cycles 2 and 3, product_i in 3 (a t) and 4 (c t), extents in cycle 5 of
-//         the next slot.
+// Stream  Follows the turns of pu_conic: t for cycles 2 and 3, product_i in 3 (a t) and 4 (c t), extents in cycle 5 of
+//         the next turn.
 // Pace    One record in eight cycles.
 // Model   cpp_model/pu/pu_extent.hpp
 
@@ -31,17 +32,12 @@ module pu_extent #(
 );
 
   localparam int unsigned OpacityF  = pipegs_pkg::OpacityF;
-  localparam int unsigned CoeffF    = pipegs_pkg::CoeffF;
-  localparam int unsigned PowerF    = pipegs_pkg::PowerF;
   localparam int unsigned RadicandW = 28;  // of pu_root
   localparam int unsigned RootW     = RadicandW / 2;
   localparam int unsigned SumW      = FloatEW + 4;  // sums of exponents
   localparam int unsigned Cut       = MantissaW + OpacityW - RadicandW;
 
-  // PuCut::budget: log2(AlphaCut) and three times the slack, rounded up.
-  localparam logic [63:0] Slack  = (64'd1 << (CoeffF + 8 - PowerF)) + (64'd1 << 16) + (64'd1 << (CoeffF - 12));
-  localparam logic [63:0] Budget =
-    (((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + 64'd3 * Slack) >> (CoeffF - OpacityF)) + 64'd1;
+  localparam logic [OpacityW-1:0] Budget = OpacityW'(pipegs_pkg::CutBudget);
   // 2 ln(2) (1 + 1/64) * 2^8, rounded up.
   localparam int unsigned MarginF = 8;
   localparam int unsigned MarginW = 9;
@@ -52,7 +48,7 @@ module pu_extent #(
   logic [OpacityW+MarginW-1:0] scaled;
   logic [OpacityW-1:0]         t_q, t_left, t_left_q;
   logic [FloatEW-1:0]          lead, lead_q;
-  assign budget = OpacityW'(Budget) > opacity_i ? OpacityW'(Budget) - opacity_i : '0;
+  assign budget = Budget > opacity_i ? Budget - opacity_i : '0;
   assign scaled = (OpacityW + MarginW)'(budget) * (OpacityW + MarginW)'(Margin);
 
   always_comb begin

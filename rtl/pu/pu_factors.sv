@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_factors: brings in the scales: the rows of U = J W R diag(s) and their cross product, each with one exponent.
 //
 // Paper   Eq. 1: Sigma = R S S^T R^T, kept as its factor.
 // Idea    u0_j = v0_j s_j,  u1_j = v1_j s_j,  t_k = n_k s_i s_j. A row's largest exponent is known before its
-//         products, so each product is aligned in the cycle after it. Two multipliers, each with its operands in registers:
+//         products, so each product is aligned in the cycle after it. Two multipliers, each with its operands in
+//         registers:
 //           phase 0  s1 s2, s2 s0    1  s0 s1, gx gy    2..4  u0_j, u1_j
 //                 5  t_0, t_1        6  t_2, gx^2       7     gy^2, (gx gy)^2
 // Stream  jacobian in, factors out, in order; an end beat passes with all other fields zero.
@@ -150,7 +152,7 @@ module pu_factors (
     row_e = any ? top - ExponentW'(scales * (Bias - 1)) : ExponentW'(BothW) - ExponentW'(Lowest);
   endfunction
 
-  // --- one cycle later: how far its row is above the product; then the product is aligned, rounded to nearest ----------
+  // --- one cycle later: how far its row is above the product; then the product is aligned, rounded to nearest --------
   localparam int unsigned KeptW = ProductW - BothW + 1;  // with one bit for rounding
   logic signed [ExponentW-1:0] e0, e1, apart0_q, apart1_q;
   logic        [PowerW-1:0]    next_power0, next_power1;
@@ -214,25 +216,13 @@ module pu_factors (
     if (claim) begin
       out_q      <= '0;
       out_q.kind <= in_q.kind;
-      if (in_q.kind == '0) begin
+      if (in_q.kind == pipegs_pkg::KindData) begin
         // One is added below when the product is 2 or more.
         out_q.gxx_e <= (in_q.gx_e <<< 1) + ExponentW'(MantissaW - 1);
         out_q.gyy_e <= (in_q.gy_e <<< 1) + ExponentW'(MantissaW - 1);
-        out_q.mean_x  <= in_q.mean_x;
-        out_q.mean_y  <= in_q.mean_y;
-        out_q.depth   <= in_q.depth;
-        out_q.dir_x   <= in_q.dir_x;
-        out_q.dir_y   <= in_q.dir_y;
-        out_q.dir_z   <= in_q.dir_z;
-        out_q.opacity <= in_q.opacity;
-        out_q.base_r  <= in_q.base_r;
-        out_q.base_g  <= in_q.base_g;
-        out_q.base_b  <= in_q.base_b;
-        out_q.index   <= in_q.index;
-        out_q.slot    <= in_q.slot;
       end
     end
-    if (step && late_valid && out_q.kind == '0) begin
+    if (step && late_valid && out_q.kind == pipegs_pkg::KindData) begin
       case (late)
         3'd2: begin
           out_q.u0_0  <= m0;

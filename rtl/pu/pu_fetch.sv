@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_fetch: reads the Gaussians of each chunk from external memory and lays the chunk's header beside each of them.
 //
 // Paper   Sec. 4.2, Fig. 7: the double buffer for Gaussian parameters before the PU.
-// Idea    A chunk's geometry is a run of lines. line_reader asks for the lines of the next chunks while the present one is
-//         sent, so the latency of the memory is hidden behind Lines lines of prefetch.
+// Idea    A chunk's geometry is a run of lines. line_reader asks for the lines of the next chunks while the present one
+//         is sent, so the latency of the memory is hidden behind Lines lines of prefetch.
 // Stream  chunk: one beat per chunk, or an end beat. fetched: one beat per Gaussian, or the end beat in its turn.
 // Pace    One Gaussian per cycle while the memory delivers.
 // Model   None: a queue in verif/pu/pu_fetch_test.cpp.
 
 module pu_fetch #(
-  parameter int unsigned Lines = 64  // lines of geometry in flight or waiting
+  parameter int unsigned Lines = pipegs_pkg::GeometryLines
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
@@ -47,7 +48,7 @@ module pu_fetch #(
 
   line_reader #(
     .TagW(HeaderW), .ItemW(pipegs_pkg::GaussianRecordBits), .ItemsPerLine(pipegs_pkg::GaussiansPerLine), .Lines(Lines),
-    .Jobs(8)
+    .Jobs(pipegs_pkg::GeometryJobs)
   ) u_reader (
     .clk_i, .rst_ni, .base_i(gaussians_i),
     .job_valid_i(chunk_valid_i), .job_ready_o(chunk_ready_o), .job_read_i(chunk_i.kind == pipegs_pkg::KindData),

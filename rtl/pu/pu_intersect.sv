@@ -1,15 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/AlphaCut.
 //
 // Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
 // Idea    The box mean +- extent gives columns and rows of regions, walked row by row. P = power - cut. Keep a region
-//         if it holds the mean, if P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls, and its
-//         peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
+//         if it holds the mean, if P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls,
+//         and its peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
 //           P += 8 gx + 64 D,  gx += 16 D,  gy += 8 F          P += 8 gy + 64 E,  gx += 8 F,  gy += 16 E
 //         TileTest 0: every region of the box, at the same pace.
 //         Three records are inside at once: one is set up, one walks, the regions of one are being tested.
-// Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through.
-// Pace    The regions in the box, but at least 3 cycles; 2 for a Gaussian without a box; an end beat waits for those before it.
-//         box | start | place | walk ... | ends of edges | products | compare, out
+// Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through. For
+//         the payloads (pu_regions): drop_o, one has no box and is gone, whatever walks before it; walk_o, one begins
+//         its walk; leave_o, the oldest of those that walk leaves, its mask may be empty.
+// Pace    The regions in the box, but at least 3 cycles; 2 for a Gaussian without a box; an end beat waits for those
+//         before it. box | start | place | walk ... | ends of edges | products | compare, out
 // Model   cpp_model/pu/pu_intersect.hpp
 
 module pu_intersect (
@@ -23,6 +26,10 @@ module pu_intersect (
   output logic                tiles_valid_o,
   input  logic                tiles_ready_i,
   output pipegs_pkg::tiles_t  tiles_o,
+
+  output logic                drop_o,
+  output logic                walk_o,
+  output logic                leave_o,  // tiles_o shows it from the next cycle on
 
   output logic                busy_o  // a record is inside
 );
@@ -45,9 +52,8 @@ module pu_intersect (
   localparam int unsigned PowerW   = pipegs_pkg::AW + 4;   // P in the window, s20.CoeffF
   localparam int unsigned CurveW   = DefW + FactorW;       // a curvature times a column or row
 
-  localparam logic [63:0] Slack = (64'd1 << (CoeffF + 8 - PowerF)) + (64'd1 << 16) + (64'd1 << (CoeffF - 12));
   localparam logic signed [PowerW-1:0] MinusCut =
-    PowerW'((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + Slack);
+    PowerW'((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + 64'(pipegs_pkg::CutSlack));
 
   typedef enum logic [1:0] {
     StateBox,    // waits for a record; makes its box
@@ -195,10 +201,13 @@ module pu_intersect (
   assign load     = state_q == StatePlace && (!walk_valid_q || (step && last_region));
   assign take_end = state_q == StateBox && coeff_valid_i && is_end && !walk_valid_q && !drain_valid_q && out_free;
 
-  assign coeff_ready_o = drop || load || take_end;
-  assign tiles_valid_o = tiles_valid_q;
-  assign tiles_o       = tiles_q;
-  assign busy_o        = state_q != StateBox || walk_valid_q || drain_valid_q || tiles_valid_q;
+  assign coeff_ready_o  = drop || load || take_end;
+  assign drop_o         = drop;
+  assign walk_o         = load;
+  assign leave_o        = leave;
+  assign tiles_valid_o  = tiles_valid_q;
+  assign tiles_o        = tiles_q;
+  assign busy_o         = state_q != StateBox || walk_valid_q || drain_valid_q || tiles_valid_q;
 
   always_comb begin
     walked = '0;  // a data beat
@@ -208,15 +217,6 @@ module pu_intersect (
     walked.d      = walk_q.d;
     walked.e      = walk_q.e;
     walked.f      = walk_q.f;
-    walked.depth  = walk_q.depth;
-    walked.dir_x  = walk_q.dir_x;
-    walked.dir_y  = walk_q.dir_y;
-    walked.dir_z  = walk_q.dir_z;
-    walked.base_r = walk_q.base_r;
-    walked.base_g = walk_q.base_g;
-    walked.base_b = walk_q.base_b;
-    walked.index  = walk_q.index;
-    walked.slot   = walk_q.slot;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

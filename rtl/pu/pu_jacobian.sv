@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_jacobian: the rows of J R' and their cross product, still without focal/z and without the scales.
 //
 // Paper   Eq. 1: J W of Sigma' = J W Sigma W^T J^T.
@@ -13,7 +14,8 @@ module pu_jacobian (
   input  logic                   clk_i,
   input  logic                   rst_ni,
 
-  input  pipegs_pkg::frame_t     frame_i,
+  input  logic [pipegs_pkg::FocalW-1:0] focal_x_i,
+  input  logic [pipegs_pkg::FocalW-1:0] focal_y_i,
 
   input  logic                   oriented_valid_i,
   output logic                   oriented_ready_o,
@@ -73,8 +75,8 @@ module pu_jacobian (
       phase[5]: begin right0 = RightW'(in_q.r01); right1 = RightW'(in_q.r11); end
       phase[6]: begin right0 = RightW'(in_q.r02); right1 = RightW'(in_q.r12); end
       default: begin
-        left0  = $signed(LeftW'(frame_i.focal_x));
-        left1  = $signed(LeftW'(frame_i.focal_y));
+        left0  = $signed(LeftW'(focal_x_i));
+        left1  = $signed(LeftW'(focal_y_i));
         right0 = $signed(RightW'(in_q.inv_z_m));
         right1 = $signed(RightW'(in_q.inv_z_m));
       end
@@ -127,25 +129,13 @@ module pu_jacobian (
       gain_e_q   <= ExponentW'(in_q.inv_z_e) + ExponentW'(Cut) - ExponentW'(pipegs_pkg::FocalF);
       out_q      <= '0;
       out_q.kind <= in_q.kind;
-      if (in_q.kind == '0) begin
-        out_q.mean_x  <= in_q.mean_x;
-        out_q.mean_y  <= in_q.mean_y;
-        out_q.depth   <= in_q.depth;
-        out_q.dir_x   <= in_q.dir_x;
-        out_q.dir_y   <= in_q.dir_y;
-        out_q.dir_z   <= in_q.dir_z;
+      if (in_q.kind == pipegs_pkg::KindData) begin
         out_q.scale_0 <= in_q.scale_0;
         out_q.scale_1 <= in_q.scale_1;
         out_q.scale_2 <= in_q.scale_2;
-        out_q.opacity <= in_q.opacity;
-        out_q.base_r  <= in_q.base_r;
-        out_q.base_g  <= in_q.base_g;
-        out_q.base_b  <= in_q.base_b;
-        out_q.index   <= in_q.index;
-        out_q.slot    <= in_q.slot;
       end
     end
-    if (step && last_valid && out_q.kind == '0) begin
+    if (step && last_valid && out_q.kind == pipegs_pkg::KindData) begin
       case (last)
         3'd1: begin out_q.v0_0_m <= m0; out_q.v0_0_e <= e0; out_q.v1_0_m <= m1; out_q.v1_0_e <= e1; end
         3'd2: begin out_q.v0_1_m <= m0; out_q.v0_1_e <= e0; out_q.v1_1_m <= m1; out_q.v1_1_e <= e1; end
@@ -164,8 +154,8 @@ module pu_jacobian (
     end
   end
 
-  // Valid is only looked at beside results; of the frame only the focal lengths are used here.
-  wire unused_bits = &{1'b0, phase, sum_valid, frame_i, product0_q, product1_q, normal0[Cut-1:0],
+  // Valid is only looked at beside results.
+  wire unused_bits = &{1'b0, phase, sum_valid, product0_q, product1_q, normal0[Cut-1:0],
                        normal1[Cut-1:0]};
 
 endmodule

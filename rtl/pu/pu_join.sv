@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_join: holds back a layer's end towards the SU until all its lines of alphas are written.
 //
 // Paper   Sec. 4.1: a layer goes to sorting and rasterization as a whole.
-// Idea    Two paths leave pu_allocate: colours (then splats) and rows (then lines). A splat passes at once. The ends of the
-//         rows' path are counted, so that the rows never wait for the colours; an end beat of the splats passes when one
-//         has been counted. So nobody can ask for a line that is not there yet.
+// Idea    Two paths leave pu_allocate: colours (then splats) and rows (then lines). A splat passes at once. The ends of
+//         the rows' path are counted, so that the rows never wait for the colours; an end beat of the splats passes
+//         when one has been counted. So nobody can ask for a line that is not there yet.
 // Stream  colored in, rows_end in (never refused: at most two layers live); splat out.
 // Pace    One splat per cycle, no latency.
 // Model   The identity.

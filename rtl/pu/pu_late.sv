@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_late: the back of a PU that caches coefficients: a splat takes A to F along, the Row Units stand in the RUs.
 //
 // Paper   Eq. 3; the paper caches alphas (pu_cache). Coefficients take 28 bytes a Gaussian and window instead of 64 a
 //         region, and regions that close before the Gaussian's turn are never computed.
-// Idea    Regions that are done leave the mask; a Gaussian without regions is dropped. Coefficients wait in a queue beside
-//         the colour; both make the splat.
+// Idea    Regions that are done leave the mask; a Gaussian without regions is dropped. Coefficients wait in a queue
+//         beside the colour; both make the splat.
 // Stream  tiles in; splat out, in order; one port to external memory. Ends pass behind the splats before them.
 // Pace    One Gaussian per cycle; the colour sets the pace.
 // Model   preprocess() in cpp_model/golden.cpp
@@ -11,23 +12,24 @@
 module pu_late #(
   localparam int unsigned Units    = pipegs_pkg::Units,
   localparam int unsigned AddressW = pipegs_pkg::AddressW,
-  localparam int unsigned MemoryW  = pipegs_pkg::MemoryW,
-  localparam int unsigned LineW    = pipegs_pkg::LineW
+  localparam int unsigned MemoryW  = pipegs_pkg::MemoryW
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
-  input  pipegs_pkg::frame_t                   frame_i,
-  input  logic [pipegs_pkg::UnitW-1:0]         unit_i,      // constant
+  input  pipegs_pkg::rotation_t                rotation_i,
+  input  logic [AddressW-1:0]                  colors_i,     // first line of the SH coefficients
+  input  logic [pipegs_pkg::KindW-1:0]         sh_degree_i,  // of the scene
+  input  pipegs_pkg::windows_t                 windows_i,
   input  logic                                 restart_i,   // a frame begins; the PU is empty
 
   input  logic                                 tiles_valid_i,
   output logic                                 tiles_ready_o,
   input  pipegs_pkg::tiles_t                   tiles_i,
+  input  pipegs_pkg::payload_t                 payload_i,   // of the Gaussian in tiles_i
 
   input  logic [Units*pipegs_pkg::Regions-1:0] done_i,      // from the RUs
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_y_i,
-  input  logic                                 layer_free_i,
 
   output logic                                 color_valid_o,  // SH coefficients
   input  logic                                 color_ready_i,
@@ -35,26 +37,14 @@ module pu_late #(
   input  logic                                 color_rsp_valid_i,
   input  logic [MemoryW-1:0]                   rsp_data_i,
 
-  output logic                                 spill_valid_o,  // writes of lines that found no room
-  input  logic                                 spill_ready_i,
-  output logic [AddressW-1:0]                  spill_address_o,
-  output logic [MemoryW-1:0]                   spill_data_o,
-
-  output logic                                 store_write_o,
-  output logic [pipegs_pkg::AlphaAddressW-1:0] store_address_o,
-  output logic [LineW-1:0]                     store_line_o,
-
   output logic                                 splat_valid_o,
   input  logic                                 splat_ready_i,
   output pipegs_pkg::splat_t                   splat_o,
 
-  output logic [pipegs_pkg::RegionW:0]         overflowed_o,
   output logic                                 moved_o,          // a beat moved inside
   output logic                                 busy_o,           // something is inside
-  output logic                                 rows_busy_o,      // Row Units compute
   output logic                                 color_busy_o,
-  output logic                                 color_waiting_o,  // a colour waits for its coefficients
-  output logic                                 waiting_o         // the alpha store has no room
+  output logic                                 color_waiting_o   // a colour waits for its coefficients
 );
 
   localparam int unsigned Regions = pipegs_pkg::Regions;
@@ -62,10 +52,11 @@ module pu_late #(
   localparam int unsigned BcW     = pipegs_pkg::BcW;
   localparam int unsigned DefW    = pipegs_pkg::DefW;
   localparam int unsigned CoeffsW = AW + 2 * BcW + 3 * DefW;
-  localparam int unsigned Depth   = 64;  // Gaussians between here and the end of pu_color: it has room for 32 lines
+  localparam int unsigned Depth   = pipegs_pkg::LateDepth;
 
   logic                   valid_q, is_end, drop, take, leave, window_end;
   pipegs_pkg::tiles_t     tiles_q;
+  pipegs_pkg::payload_t   payload_q;
   logic [Regions-1:0]     done;
   logic                   job_valid, job_ready, coeffs_room, coeffs_valid;
   logic                   colored_valid, colored_ready, colored_data;
@@ -75,7 +66,7 @@ module pu_late #(
   logic [$clog2(Depth+1)-1:0] count;
 
   pu_done u_done (
-    .clk_i, .rst_ni, .frame_i, .restart_i, .advance_i(window_end), .done_i, .done_x_i, .done_y_i, .done_o(done)
+    .clk_i, .rst_ni, .windows_i, .restart_i, .advance_i(window_end), .done_i, .done_x_i, .done_y_i, .done_o(done)
   );
 
   assign is_end        = tiles_q.kind != pipegs_pkg::KindData;
@@ -94,33 +85,36 @@ module pu_late #(
     if (take) begin
       tiles_q      <= tiles_i;
       tiles_q.mask <= tiles_i.mask & ~done;
+      payload_q    <= payload_i;
     end
   end
 
   always_comb begin
     job.kind    = tiles_q.kind;
-    job.depth   = tiles_q.depth;
-    job.index   = pipegs_pkg::SplatIndexW'(tiles_q.index);
-    job.slot    = tiles_q.slot;
+    job.depth   = payload_q.depth;
+    job.index   = pipegs_pkg::SplatIndexW'(payload_q.index);
+    job.slot    = payload_q.slot;
     job.mask    = tiles_q.mask;
     job.address = '0;
     job.ext     = 1'b0;
-    job.dir_x   = tiles_q.dir_x;
-    job.dir_y   = tiles_q.dir_y;
-    job.dir_z   = tiles_q.dir_z;
-    job.base_r  = tiles_q.base_r;
-    job.base_g  = tiles_q.base_g;
-    job.base_b  = tiles_q.base_b;
+    job.dir_x   = payload_q.dir_x;
+    job.dir_y   = payload_q.dir_y;
+    job.dir_z   = payload_q.dir_z;
+    job.base_r  = payload_q.base_r;
+    job.base_g  = payload_q.base_g;
+    job.base_b  = payload_q.base_b;
   end
 
   sram_fifo #(.DataW(CoeffsW), .Depth(Depth)) u_coeffs (
     .clk_i, .rst_ni, .in_valid_i(job_valid && job_ready && !is_end), .in_ready_o(coeffs_room),
     .in_i({tiles_q.f, tiles_q.e, tiles_q.d, tiles_q.c, tiles_q.b, tiles_q.a}),
-    .out_valid_o(coeffs_valid), .out_ready_i(colored_ready && colored_valid && colored_data), .out_o(coeffs), .count_o(count)
+    .out_valid_o(coeffs_valid), .out_ready_i(colored_ready && colored_valid && colored_data),
+    .out_o(coeffs), .count_o(count)
   );
 
   pu_color u_color (
-    .clk_i, .rst_ni, .frame_i, .job_valid_i(job_valid), .job_ready_o(job_ready), .job_i(job),
+    .clk_i, .rst_ni, .rotation_i, .colors_i, .sh_degree_i,
+    .job_valid_i(job_valid), .job_ready_o(job_ready), .job_i(job),
     .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
     .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
     .colored_valid_o(colored_valid), .colored_ready_i(colored_ready), .colored_o(colored),
@@ -141,19 +135,10 @@ module pu_late #(
     {splat_o.f, splat_o.e, splat_o.d, splat_o.c, splat_o.b, splat_o.a} = coeffs;
   end
 
-  assign spill_valid_o   = 1'b0;
-  assign spill_address_o = '0;
-  assign spill_data_o    = '0;
-  assign store_write_o   = 1'b0;
-  assign store_address_o = '0;
-  assign store_line_o    = '0;
-  assign overflowed_o    = '0;
-  assign rows_busy_o     = 1'b0;
-  assign waiting_o       = 1'b0;
-  assign moved_o         = take || leave || (splat_valid_o && splat_ready_i);
-  assign busy_o          = valid_q || color_busy_o;
+  assign moved_o = take || leave || (splat_valid_o && splat_ready_i);
+  assign busy_o  = valid_q || color_busy_o;
 
   logic unused_in;
-  assign unused_in = &{1'b0, unit_i, layer_free_i, spill_ready_i, colored.address, colored.ext, count};
+  assign unused_in = &{1'b0, colored.address, colored.ext, count};
 
 endmodule

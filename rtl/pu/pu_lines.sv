@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_lines: gives each record of a list the lines of its alphas in external memory, and forks it to the Row Units.
 //
 // Paper   TSPP (Sec. 3.1) without layers: all alphas of the frame are cached, so they lie in external memory.
 // Idea    Lines are counted through the frame, and never freed. A splat says where its first one lies:
 //           address = {unit, lines given before}        in the area of all alphas
 //         The frame's end waits until the lines before it are written, so nobody asks for a line that is not there.
-// Stream  tiles in; row_job and splat out, each taken by itself; rows_end: the rows' end has come. Only the frame's end comes.
+// Stream  tiles in; row_job and splat out, each taken by itself; rows_end: the rows' end has come. Only the frame's end
+//         comes.
 // Pace    One record per three cycles (take, count, offer).
 // Model   cpp_model/pu/pu_lines.hpp
 
@@ -20,6 +22,7 @@ module pu_lines #(
   input  logic                          tiles_valid_i,
   output logic                          tiles_ready_o,
   input  pipegs_pkg::tiles_t            tiles_i,
+  input  pipegs_pkg::listed_t           listed_i,   // of the Gaussian in tiles_i
 
   output logic                          row_job_valid_o,
   input  logic                          row_job_ready_i,
@@ -37,7 +40,6 @@ module pu_lines #(
 
   localparam int unsigned AddressW = pipegs_pkg::AlphaAddressW;
   localparam int unsigned LinesW   = AddressW - pipegs_pkg::UnitW;
-  localparam int unsigned ColorW   = pipegs_pkg::ColorW;
 
   typedef enum logic [1:0] {
     StateTake,   // waits for a record
@@ -47,6 +49,7 @@ module pu_lines #(
 
   state_e             state_q;
   pipegs_pkg::tiles_t tiles_q;
+  pipegs_pkg::listed_t listed_q;
   logic [LinesW-1:0]  lines_q;    // given to the records before
   logic [CountW-1:0]  count_q;
   logic               row_job_valid_q, splat_valid_q, ended_q, is_end, take, taken;
@@ -56,7 +59,8 @@ module pu_lines #(
   assign take            = tiles_valid_i && tiles_ready_o;
   assign row_job_valid_o = row_job_valid_q;
   assign splat_valid_o   = splat_valid_q && (!is_end || ended_q);
-  assign taken           = (!row_job_valid_q || row_job_ready_i) && (!splat_valid_q || (splat_valid_o && splat_ready_i));
+  assign taken           = (!row_job_valid_q || row_job_ready_i) &&
+                           (!splat_valid_q || (splat_valid_o && splat_ready_i));
   assign busy_o          = state_q != StateTake;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -89,7 +93,10 @@ module pu_lines #(
     end
   end
   always_ff @(posedge clk_i) begin
-    if (take) tiles_q <= tiles_i;
+    if (take) begin
+      tiles_q  <= tiles_i;
+      listed_q <= listed_i;
+    end
     if (state_q == StateCount) count_q <= is_end ? '0 : CountW'($countones(tiles_q.mask));
   end
 
@@ -105,21 +112,18 @@ module pu_lines #(
     row_job_o.address = {unit_i, lines_q};
     row_job_o.ext     = 1'b1;
     row_job_o.parity  = 1'b0;
-    row_job_o.index   = pipegs_pkg::TapIndexW'(tiles_q.index);
+    row_job_o.index   = pipegs_pkg::TapIndexW'(listed_q.index);
     splat_o.kind      = tiles_q.kind;
-    splat_o.depth     = tiles_q.depth;
-    splat_o.index     = pipegs_pkg::SplatIndexW'(tiles_q.index);
+    splat_o.depth     = listed_q.depth;
+    splat_o.index     = listed_q.index;
     splat_o.mask      = tiles_q.mask;
     splat_o.address   = {unit_i, lines_q};
     splat_o.ext       = 1'b1;
-    splat_o.red       = tiles_q.dir_x[ColorW-1:0];
-    splat_o.green     = tiles_q.dir_y[ColorW-1:0];
-    splat_o.blue      = tiles_q.dir_z[ColorW-1:0];
+    splat_o.red       = listed_q.red;
+    splat_o.green     = listed_q.green;
+    splat_o.blue      = listed_q.blue;
   end
-  assign window_o = tiles_q.slot[NumberW-1:0];
-
-  logic unused_tiles;
-  assign unused_tiles = &{1'b0, tiles_q};
+  assign window_o = listed_q.window;
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) lines_q <= ~LinesW'(0) - LinesW'(2 * pipegs_pkg::Regions))

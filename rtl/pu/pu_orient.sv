@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_orient: the Gaussian's axes in view space, from its quaternion and the camera's.
 //
 // Paper   Eq. 1: the rotation of Sigma = R S S^T R^T and the viewing transform W, as one rotation.
@@ -12,7 +13,7 @@ module pu_orient (
   input  logic                    clk_i,
   input  logic                    rst_ni,
 
-  input  pipegs_pkg::frame_t      frame_i,
+  input  pipegs_pkg::quaternion_t quaternion_i,
 
   input  logic                    projected_valid_i,
   output logic                    projected_ready_o,
@@ -61,10 +62,10 @@ module pu_orient (
   assign qz = RotationW'(projected_q.qz);
 
   always_comb begin
-    left[0] = frame_i.camera_qw;
-    left[1] = frame_i.camera_qx;
-    left[2] = frame_i.camera_qy;
-    left[3] = frame_i.camera_qz;
+    left[0] = quaternion_i.w;
+    left[1] = quaternion_i.x;
+    left[2] = quaternion_i.y;
+    left[3] = quaternion_i.z;
     right[0] = qw;
     right[1] = qx;
     right[2] = qy;
@@ -107,22 +108,18 @@ module pu_orient (
     endcase
   end
 
-  // Rounds to nearest and saturates to s1.18.
-  function automatic logic signed [RotationW-1:0] clip(input logic signed [SumW-1:0] value);
-    if (value[SumW-1:RotationW-1] == {(SumW - RotationW + 1){value[SumW-1]}}) clip = value[RotationW-1:0];
-    else clip = {value[SumW-1], {(RotationW - 1){!value[SumW-1]}}};
-  endfunction
+  // Rounded to nearest, then saturated to s1.18.
   function automatic logic signed [SumW-1:0] round(input logic signed [SumW-1:0] value, input int unsigned shift);
     round = (value + (SumW'(1) <<< (shift - 1))) >>> shift;
   endfunction
 
   logic signed [RotationW-1:0] component;
-  assign component = clip(round(hamilton, QuatW - 1));
+  saturate #(.InW(SumW), .OutW(RotationW)) u_component (.in_i(round(hamilton, QuatW - 1)), .out_o(component));
 
   // --- R': phase 5 gives the diagonal, 6 and 7 the pairs around it -------------------------------------------------
   localparam logic signed [SumW-1:0] One = SumW'(1) <<< (2 * RotationF);
   logic signed [SumW-1:0] twice [4];
-  logic signed [RotationW-1:0] entry0, entry1, entry2, entry3;
+  logic signed [RotationW-1:0] entry [4];
   always_comb begin
     twice[0] = (p0 - p1) <<< 1;
     twice[1] = (p0 + p1) <<< 1;
@@ -134,10 +131,9 @@ module pu_orient (
       twice[2] = One - ((p0 + p1) <<< 1);
     end
   end
-  assign entry0 = clip(round(twice[0], RotationF));
-  assign entry1 = clip(round(twice[1], RotationF));
-  assign entry2 = clip(round(twice[2], RotationF));
-  assign entry3 = clip(round(twice[3], RotationF));
+  for (genvar i = 0; i < 4; i += 1) begin : gen_entry
+    saturate #(.InW(SumW), .OutW(RotationW)) u_entry (.in_i(round(twice[i], RotationF)), .out_o(entry[i]));
+  end
 
   always_ff @(posedge clk_i) begin
     if (take) projected_q <= projected_i;
@@ -151,9 +147,7 @@ module pu_orient (
     if (claim) begin
       out_q      <= '0;
       out_q.kind <= projected_q.kind;
-      if (projected_q.kind == '0) begin
-        out_q.mean_x  <= projected_q.mean_x;
-        out_q.mean_y  <= projected_q.mean_y;
+      if (projected_q.kind == pipegs_pkg::KindData) begin
         out_q.tan_x   <= projected_q.tan_x;
         out_q.tan_y   <= projected_q.tan_y;
         out_q.inv_z_m <= projected_q.inv_z_m;
@@ -161,41 +155,31 @@ module pu_orient (
         out_q.scale_0 <= projected_q.scale_0;
         out_q.scale_1 <= projected_q.scale_1;
         out_q.scale_2 <= projected_q.scale_2;
-        out_q.opacity <= projected_q.opacity;
-        out_q.depth   <= projected_q.depth;
-        out_q.dir_x   <= projected_q.dir_x;
-        out_q.dir_y   <= projected_q.dir_y;
-        out_q.dir_z   <= projected_q.dir_z;
-        out_q.base_r  <= projected_q.base_r;
-        out_q.base_g  <= projected_q.base_g;
-        out_q.base_b  <= projected_q.base_b;
-        out_q.index   <= projected_q.index;
-        out_q.slot    <= projected_q.slot;
       end
     end
-    if (step && sum_valid && out_q.kind == '0) begin
+    if (step && sum_valid && out_q.kind == pipegs_pkg::KindData) begin
       case (sum)
         3'd5: begin
-          out_q.r00 <= entry0;
-          out_q.r11 <= entry1;
-          out_q.r22 <= entry2;
+          out_q.r00 <= entry[0];
+          out_q.r11 <= entry[1];
+          out_q.r22 <= entry[2];
         end
         3'd6: begin
-          out_q.r01 <= entry0;
-          out_q.r10 <= entry1;
-          out_q.r02 <= entry2;
-          out_q.r20 <= entry3;
+          out_q.r01 <= entry[0];
+          out_q.r10 <= entry[1];
+          out_q.r02 <= entry[2];
+          out_q.r20 <= entry[3];
         end
         3'd7: begin
-          out_q.r12 <= entry0;
-          out_q.r21 <= entry1;
+          out_q.r12 <= entry[0];
+          out_q.r21 <= entry[1];
         end
         default: ;
       endcase
     end
   end
 
-  // The phase is only looked at beside products that count; of the frame only the quaternion is used here.
-  wire unused_bits = &{1'b0, phase, frame_i};
+  // The phase is only looked at beside products that count.
+  wire unused_bits = &{1'b0, phase};
 
 endmodule

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_phases: the clockwork of a stage that works on one record for eight cycles, sharing its multipliers over them.
 //
 // Idea    A record is held for phases 0 to 7 (phase_o). What a phase issues travels down the stage's registers:
-//         slots_o tells, for each of these Depth register levels, which phase's values it holds. The output register is the stage's
-//         second place: in phase Claim it must be free and takes the fields that pass, later the results are written
-//         into it one by one, and it becomes valid when level Depth has handled phase 7, while the next record is in
-//         its first phases.
+//         slots_o tells, for each of these Depth register levels, which phase's values it holds. The output register is
+//         the stage's second place: in phase Claim it must be free and takes the fields that pass, later the results
+//         are written into it one by one, and it becomes valid when level Depth has handled phase 7, while the next
+//         record is in its first phases.
 // Stream  in, out: valid and ready of the stage. take_o: the held record loads at this edge. claim_o: the output
 //         register loads. step_o low: everything in the stage stands still (only in phase Claim, when the levels are
 //         empty of older work).
 // Pace    One record in eight cycles, latency 9 + Depth.
-// Model   The record's twin; plumbing.
+// Model   The record's bit-accurate model; plumbing.
 
 module pu_phases #(
   parameter int unsigned Depth = 1,  // 1 to Claim
@@ -29,7 +30,7 @@ module pu_phases #(
   output logic                         claim_o,
   output logic                         step_o,
   output logic                         held_o,   // a record is held
-  output logic [7:0]                   phase_o,  // the phase issued now, one bit each: operands are chosen early in the cycle
+  output logic [7:0]                   phase_o,  // of the phase issued now; one bit each, for early choices
   output logic [Depth*SlotW-1:0]       slots_o,  // level 1, what was issued one step ago, in the low bits
   output logic                         busy_o
 );

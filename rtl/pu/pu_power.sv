@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_power: one row of a region by the full quadratic form: what differential power computation (Eq. 3) replaces.
 //
 // Paper   Eq. 1, "the original per-pixel power computation requires 7 multiplications and 4 additions".
 // Idea    Every pixel by itself, from its offset (x, Dy) to the region's first pixel:
 //           power + slope_x x + slope_y Dy + curve_x x x + curve_y Dy Dy + twist x Dy
-//         Offsets from the region instead of from the mean change no count, and give the bits of pu_row_init and pu_row_unit.
+//         Offsets from the region instead of from the mean change no count, and give the bits of pu_row_init and
+//         pu_row_unit.
 // Stream  load_i takes a region; power_o holds PixelsPerRow pixels, the next ones after each step_i.
 // Pace    PixelsPerRow pixels per cycle: eight multiplications and five additions each.
 // Model   cpp_model/pu/pu_row_init.hpp, pu_row_unit.hpp: the same numbers, exactly

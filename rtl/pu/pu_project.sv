@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_project: the mean on the screen, 1/z, the clamped tangents of the Jacobian, the depth key and the view direction.
 //
 // Paper   Sec. 2.1, EWA projection of the mean; depth of the sort key.
@@ -9,7 +10,9 @@
 //           multiply                             x/z   y/z   fx tx  fy ty
 //           round                                      x/z   y/z    tan x, y: 8, 9;  mean x, y: shift 9, 10; add 10, 11
 //         Cycles 8 to 11 are the first ones of the next record, but for stalls.
-// Stream  visible in, projected out, in order; an end beat passes with all other fields zero.
+// Stream  visible in, projected out, in order; an end beat passes with all other fields zero. Beside a Gaussian's
+//         record two others leave, each for one cycle as soon as it is known: its payload in phase 7, its centre in
+//         cycle 12.
 // Pace    One record in eight cycles, latency 13.
 // Model   cpp_model/pu/pu_project.hpp
 
@@ -17,7 +20,7 @@ module pu_project (
   input  logic                    clk_i,
   input  logic                    rst_ni,
 
-  input  pipegs_pkg::frame_t      frame_i,
+  input  pipegs_pkg::lens_t       lens_i,
 
   input  logic                    visible_valid_i,
   output logic                    visible_ready_o,
@@ -26,6 +29,11 @@ module pu_project (
   output logic                    projected_valid_o,
   input  logic                    projected_ready_i,
   output pipegs_pkg::projected_t  projected_o,
+
+  output logic                    center_valid_o,   // of each Gaussian, before its record can be taken; not refused
+  output pipegs_pkg::center_t     center_o,
+  output logic                    payload_valid_o,  // the same
+  output pipegs_pkg::payload_t    payload_o,
 
   output logic                    busy_o
 );
@@ -65,18 +73,25 @@ module pu_project (
     .take_o(take), .claim_o(claim), .step_o(step), .held_o(held), .phase_o(phase), .slots_o(slots), .busy_o
   );
 
-  // Cycles 8 to 11 of the record in the output register.
+  pipegs_pkg::visible_t   in_q;
+  pipegs_pkg::projected_t out_q;
+  pipegs_pkg::center_t    center_q;
+  assign projected_o = out_q;
+
+  // Cycles 8 to 12 of the record in the output register.
   logic cycle8, cycle9, cycle10, cycle11;  // 8 and 9 choose the multiplier's operands: registers
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) {cycle8, cycle9} <= '0;
     else if (step) {cycle8, cycle9} <= {held && phase[7], cycle8};
   end
+  logic cycle12;  // the record becomes valid, its centre is complete
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) cycle12 <= 1'b0;
+    else cycle12 <= step && cycle11 && out_q.kind == pipegs_pkg::KindData;
+  end
   assign cycle10 = level3_valid && level3 == 3'd7;
   assign cycle11 = level4_valid && level4 == 3'd7;
 
-  pipegs_pkg::visible_t   in_q;
-  pipegs_pkg::projected_t out_q;
-  assign projected_o = out_q;
 
   // --- normalise: cycles 0 to 3 ------------------------------------------------------------------------------------
   logic signed [ViewW-1:0]  number, normal, normal_q, any;
@@ -124,11 +139,11 @@ module pu_project (
     right = $signed(FactorW'(inv_q));
     if (cycle8) begin
       left  = x_ratio_q;
-      right = $signed(FactorW'(frame_i.focal_x));
+      right = $signed(FactorW'(lens_i.focal_x));
     end
     if (cycle9) begin
       left  = y_ratio_q;
-      right = $signed(FactorW'(frame_i.focal_y));
+      right = $signed(FactorW'(lens_i.focal_y));
     end
   end
   assign ratio = (product_q[MantissaW-1+:ViewW+1] + (ViewW + 1)'(1)) >>> 1;  // rounded to nearest
@@ -142,12 +157,11 @@ module pu_project (
   if (pipegs_pkg::GuardBand != 0) begin : gen_guard
     logic signed [WideW-1:0] bound;
     logic        [TanW-1:0]  limit;
-    assign limit = cycle8 ? frame_i.limit_x : frame_i.limit_y;
+    assign limit = cycle8 ? lens_i.limit_x : lens_i.limit_y;
     assign bound = $signed(WideW'(limit));
     assign tan   = tan_rounded > bound ? TanW'(bound) : tan_rounded < -bound ? TanW'(-bound) : TanW'(tan_rounded);
   end else begin : gen_format
-    assign tan = tan_rounded[WideW-1:TanW-1] == {(WideW - TanW + 1){tan_rounded[WideW-1]}} ? tan_rounded[TanW-1:0] :
-                 {tan_rounded[WideW-1], {(TanW - 1){!tan_rounded[WideW-1]}}};
+    saturate #(.InW(WideW), .OutW(TanW)) u_tan (.in_i(tan_rounded), .out_o(tan));
   end
 
   // --- means: shifted in cycles 9 and 10, rounded, moved to the window and saturated in 10 and 11 ------------------
@@ -160,7 +174,7 @@ module pu_project (
   logic signed [CenterW-1:0]  principal;
   assign down       = cycle9 ? x_down_q : y_down_q;
   assign window     = cycle9 ? window_x_q : window_y_q;
-  assign principal  = cycle9 ? frame_i.center_x : frame_i.center_y;
+  assign principal  = cycle9 ? lens_i.center_x : lens_i.center_y;
   assign pixel_down = (DownW + 1)'(down) + (DownW + 1)'(FocalF - MeanF);
   if (MeanF >= CenterF) begin : gen_fine
     assign center = MeanW'(principal) <<< (MeanF - CenterF);
@@ -170,11 +184,12 @@ module pu_project (
     assign center = MeanW'((fine + (CenterW + 1)'(1)) >>> 1);
   end
   assign mean_wide = ((pixel_q + PixelW'(1)) >>> 1) + PixelW'(offset_q);
-  assign mean = mean_wide[PixelW-1:MeanW-1] == {(PixelW - MeanW + 1){mean_wide[PixelW-1]}} ? mean_wide[MeanW-1:0] :
-                {mean_wide[PixelW-1], {(MeanW - 1){!mean_wide[PixelW-1]}}};
+  saturate #(.InW(PixelW), .OutW(MeanW)) u_mean (.in_i(mean_wide), .out_o(mean));
 
   // --- direction: cycles 5 to 7, the shift that leaves the largest component normalised ----------------------------
   logic signed [ViewW-1:0] component;
+  logic signed [DirectionW-1:0] direction, dir_x_q, dir_y_q;
+  assign direction = component[ViewW-1-:DirectionW];
   assign component = (phase[5] ? in_q.view_x : phase[6] ? in_q.view_y : in_q.view_z) <<< shift_q;
 
   always_ff @(posedge clk_i) begin
@@ -210,9 +225,8 @@ module pu_project (
       window_y_q <= in_q.window_y;
       out_q      <= '0;
       out_q.kind <= in_q.kind;
-      if (in_q.kind == '0) begin
+      if (in_q.kind == pipegs_pkg::KindData) begin
         out_q.inv_z_e <= -$signed(FloatEW'(MantissaW) + FloatEW'(z_place_q) + FloatEW'(in_q.view_exp));
-        out_q.depth   <= depth_q;
         out_q.qw      <= in_q.qw;
         out_q.qx      <= in_q.qx;
         out_q.qy      <= in_q.qy;
@@ -220,29 +234,37 @@ module pu_project (
         out_q.scale_0 <= in_q.scale_0;
         out_q.scale_1 <= in_q.scale_1;
         out_q.scale_2 <= in_q.scale_2;
-        out_q.opacity <= in_q.opacity;
-        out_q.base_r  <= in_q.base_r;
-        out_q.base_g  <= in_q.base_g;
-        out_q.base_b  <= in_q.base_b;
-        out_q.index   <= in_q.index;
-        out_q.slot    <= in_q.slot;
       end
     end
-    if (step && out_q.kind == '0) begin
-      if (held && phase[5]) out_q.dir_x <= component[ViewW-1-:DirectionW];
-      if (held && phase[6]) out_q.dir_y <= component[ViewW-1-:DirectionW];
-      if (held && phase[7]) begin
-        out_q.dir_z   <= component[ViewW-1-:DirectionW];
-        out_q.inv_z_m <= inv_q;
-      end
+    if (step && out_q.kind == pipegs_pkg::KindData) begin
+      if (held && phase[7]) out_q.inv_z_m <= inv_q;
       if (cycle8) out_q.tan_x <= tan;
       if (cycle9) out_q.tan_y <= tan;
-      if (cycle10) out_q.mean_x <= mean;
-      if (cycle11) out_q.mean_y <= mean;
     end
+    if (cycle10) center_q.mean_x <= mean;
+    if (cycle11) center_q.mean_y <= mean;
+    if (claim) center_q.opacity <= in_q.opacity;
+    if (phase[5]) dir_x_q <= direction;
+    if (phase[6]) dir_y_q <= direction;
   end
 
-  // Bits that a narrowing cuts; of the frame only the lens is used here.
-  wire unused_bits = &{1'b0, phase, frame_i, product_q, ratio[ViewW], below, component, level2_valid, level2};
+  // --- what rides beside the stages that follow ----------------------------------------------------------------------
+  assign center_valid_o  = cycle12;
+  assign center_o        = center_q;
+  assign payload_valid_o = held && phase[7] && in_q.kind == pipegs_pkg::KindData;
+  always_comb begin
+    payload_o.depth  = depth_q;
+    payload_o.dir_x  = dir_x_q;
+    payload_o.dir_y  = dir_y_q;
+    payload_o.dir_z  = direction;
+    payload_o.base_r = in_q.base_r;
+    payload_o.base_g = in_q.base_g;
+    payload_o.base_b = in_q.base_b;
+    payload_o.index  = in_q.index;
+    payload_o.slot   = in_q.slot;
+  end
+
+  // Bits that a narrowing cuts, and what of the lens does not matter here.
+  wire unused_bits = &{1'b0, phase, lens_i, product_q, ratio[ViewW], below, component, level2_valid, level2};
 
 endmodule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_region: walks the mask of a job and moves the Gaussian's coefficients to the first pixel of each region.
 //
 // Paper   Eq. 3, step 1 of Fig. 5a, in the shared form: A to F once per Gaussian, here only shifted by (8 rx, 8 ry).

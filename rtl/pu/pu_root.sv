@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_root: the integer square root of a 28-bit number, two bits of the root per cycle.
 //
 // Idea    Digit by digit, from the top: two bits of the radicand give one bit of the root, a compare and a subtraction.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_row_init: where row Dy of a region starts.
 //
 // Paper   Eq. 3, step 2 of Fig. 5a.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_row_unit: walks one row of a region and gives the power of PixelsPerRow pixels per cycle.
 //
 // Paper   Eq. 3, step 3 of Fig. 5a.

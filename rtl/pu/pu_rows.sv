@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_rows: eight Row Units turn the regions of a Gaussian into lines of 64 alphas.
 //
 // Paper   Fig. 5a, Fig. 7: eight Row Units per Preprocessing Unit.

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_spill: sends each line of alphas where pu_allocate gave it room: the alpha store, or the overflow area in memory.
 //
 // Paper   The paper's cache has no bound; docs/units/rows.md says what happens when ours is full.
-// Idea    A line for the store passes at once. A line for memory goes through a register, in AlphaMemoryLines pieces, to
+// Idea    A line for the store passes at once. A line for memory goes through a register, in AlphaMemoryLines pieces,
+//         to
 //           frame.overflow + ({unit, parity, area 0} << 24) + address * AlphaMemoryLines + piece
 //         Overflow 0: every line is for the store.
 //         An end comes out as rows_end only when no line waits for the memory any more: writes are in order behind it.
@@ -18,7 +20,7 @@ module pu_spill #(
 ) (
   input  logic                          clk_i,
   input  logic                          rst_ni,
-  input  pipegs_pkg::frame_t            frame_i,
+  input  logic [pipegs_pkg::AddressW-1:0] overflow_i,  // first line of the overflow areas
   input  logic [pipegs_pkg::UnitW-1:0]  unit_i,
 
   input  logic                          alphas_valid_i,
@@ -49,7 +51,7 @@ module pu_spill #(
   localparam int unsigned AreasW  = 2;   // overflow areas of a unit and parity, log2
 
   // With lists all alphas go through memory.
-  localparam bit Outside = pipegs_pkg::Overflow != 0 || pipegs_pkg::Order == 1;
+  localparam bit Outside = pipegs_pkg::SpillsAlphas;
 
   logic is_data, ext, free;  // free: no line waits for the memory
 
@@ -79,7 +81,7 @@ module pu_spill #(
     assign load = alphas_valid_i && is_data && ext && free;
     assign next = mem_valid_o && mem_ready_i;
     // With lists all alphas lie in one area, and the address tells the unit.
-    assign area = pipegs_pkg::Order == 1 ? AddressW'(1) << pipegs_pkg::AlphaAreaW
+    assign area = pipegs_pkg::HasLists ? AddressW'(1) << pipegs_pkg::AlphaAreaW
                                          : AddressW'({unit_i, alphas_i.parity, AreasW'(0)}) << AreaW;
     assign mem_valid_o   = !free;
     assign mem_address_o = address_q;
@@ -92,7 +94,7 @@ module pu_spill #(
     end
     always_ff @(posedge clk_i) begin
       if (load) begin
-        address_q <= frame_i.overflow + area + AddressW'(alphas_i.address) * AddressW'(Pieces);
+        address_q <= overflow_i + area + AddressW'(alphas_i.address) * AddressW'(Pieces);
         held_q    <= HeldW'(line_i);
       end else if (next && Pieces > 1) begin
         address_q <= address_q + AddressW'(1);
@@ -105,7 +107,7 @@ module pu_spill #(
     assign mem_address_o = '0;
     assign mem_data_o    = '0;
     logic unused_memory;
-    assign unused_memory = &{1'b0, clk_i, rst_ni, unit_i, mem_ready_i};
+    assign unused_memory = &{1'b0, clk_i, rst_ni, overflow_i, unit_i, mem_ready_i};
 `ifndef SYNTHESIS
     assert property (@(posedge clk_i) disable iff (!rst_ni) alphas_valid_i && is_data |-> !alphas_i.ext)
       else $error("pu_spill: a line for memory, and Overflow is 0");
@@ -113,6 +115,6 @@ module pu_spill #(
   end
 
   logic unused_fields;
-  assign unused_fields = &{1'b0, frame_i, alphas_i};
+  assign unused_fields = &{1'b0, alphas_i};
 
 endmodule

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_squares: the sums of squares and products of the factors: |u0|^2, |u1|^2, u0 . u1 and |u0 x u1|^2.
 //
 // Paper   Eq. 1: Sigma' = U U^T.
@@ -94,7 +95,7 @@ module pu_squares (
     if (claim) begin
       out_q      <= '0;
       out_q.kind <= in_q.kind;
-      if (in_q.kind == '0) begin
+      if (in_q.kind == pipegs_pkg::KindData) begin
         // The shifts are subtracted below.
         out_q.a_e <= (in_q.u0_e <<< 1) + in_q.gxx_e + ExponentW'(Cut);
         out_q.c_e <= (in_q.u1_e <<< 1) + in_q.gyy_e + ExponentW'(Cut);
@@ -104,21 +105,9 @@ module pu_squares (
         out_q.gyy_m   <= in_q.gyy_m;
         out_q.gxy_m   <= in_q.gxy_m;
         out_q.gg_m    <= in_q.gg_m;
-        out_q.mean_x  <= in_q.mean_x;
-        out_q.mean_y  <= in_q.mean_y;
-        out_q.depth   <= in_q.depth;
-        out_q.dir_x   <= in_q.dir_x;
-        out_q.dir_y   <= in_q.dir_y;
-        out_q.dir_z   <= in_q.dir_z;
-        out_q.opacity <= in_q.opacity;
-        out_q.base_r  <= in_q.base_r;
-        out_q.base_g  <= in_q.base_g;
-        out_q.base_b  <= in_q.base_b;
-        out_q.index   <= in_q.index;
-        out_q.slot    <= in_q.slot;
       end
     end
-    if (step && write_valid && out_q.kind == '0) begin
+    if (step && write_valid && out_q.kind == pipegs_pkg::KindData) begin
       case (write)
         3'd3: begin out_q.a_m <= m_q[MantissaW-1:0]; out_q.a_e <= out_q.a_e - less_q; end
         3'd4: begin out_q.c_m <= m_q[MantissaW-1:0]; out_q.c_e <= out_q.c_e - less_q; end

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_state: what a Preprocessing Unit does in this cycle, in one of four words.
 //
 // Paper   Fig. 8 (bubbles); the counters behind it are rtl/perf.sv.
 // Idea    The Row Units are the PU's largest part: while they compute it is busy. Otherwise a full buffer or a stalled
 //         output explains the cycle, then work inside the front end, then external memory; else there is nothing to do.
-// Stream  conditions in, state_o out: 0 busy, 1 starved, 2 blocked, 3 memory.
+// Stream  conditions in, state_o out, a pipegs_pkg::Perf* word.
 // Pace    Combinational.
 // Model   None: the four states cover every cycle by construction.
 
@@ -17,11 +18,11 @@ module pu_state (
 );
 
   always_comb begin
-    if (rows_i) state_o = 2'd0;
-    else if (blocked_i) state_o = 2'd2;
-    else if (front_i) state_o = 2'd0;
-    else if (memory_i || color_i) state_o = 2'd3;
-    else state_o = 2'd1;
+    if (rows_i) state_o = pipegs_pkg::PerfBusy;
+    else if (blocked_i) state_o = pipegs_pkg::PerfBlocked;
+    else if (front_i) state_o = pipegs_pkg::PerfBusy;
+    else if (memory_i || color_i) state_o = pipegs_pkg::PerfMemory;
+    else state_o = pipegs_pkg::PerfStarved;
   end
 
 endmodule

@@ -1,9 +1,9 @@
-// ru: one Rendering Unit block: blends the regions of a window that it owns, then writes their pixels.
+// SPDX-License-Identifier: Apache-2.0
+// ru: one Rasterization Unit: blends the regions of a window that it owns, then writes their pixels.
 //
-// Paper   Fig. 7, Table 2 (RU: sixteen Rendering Units, double-buffered T and RGB).
-// Idea    queue -> lines of alphas -> ru_lanes (blend) <-> pixel_buffer -> ru_resolve. The lines come from the alpha stores
-//         (ru_walk -> ru_fetch) or, when coefficients are cached, from Row Units here (ru_rows).
-//         ru_window knows where in the frame the RU is; ru_memory joins alpha reads and pixel writes. Only wiring here.
+// Paper   Fig. 7, Table 2 (RU: sixteen lanes, which it calls Rendering Units; double-buffered T and RGB).
+// Idea    queue -> ru_source (lines of alphas) -> ru_lanes (blend) <-> pixel_buffer -> ru_resolve. ru_window knows
+//         where in the frame the RU is; ru_memory joins alpha reads and pixel writes. Only wiring here.
 // Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the PUs.
 // Pace    Four cycles per region of alphas, pixels are written meanwhile.
 // Model   cpp_model/ru/ru.hpp
@@ -16,7 +16,9 @@ module ru #(
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
-  input  pipegs_pkg::frame_t                   frame_i,
+  input  pipegs_pkg::raster_t                  raster_i,
+  input  logic [pipegs_pkg::AddressW-1:0]      pixels_i,        // first line of the frame
+  input  logic [pipegs_pkg::AddressW-1:0]      overflow_i,      // first line of the overflow areas
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,          // constant
   input  logic                                 restart_i,       // a frame begins; the RU is idle
 
@@ -58,88 +60,62 @@ module ru #(
   output logic [WordW-1:0]                     tap_word_o
 );
 
-  localparam int unsigned QueueDepth = pipegs_pkg::Late == 0 ? 16 : 64;  // evens out which RU has more to do
-  localparam int unsigned QueueW = $clog2(QueueDepth + 1);
-  localparam int unsigned Words = pipegs_pkg::Regions / Units * 4;
-  localparam int unsigned AddrW = $clog2(Words);
-  localparam int unsigned SideW = $clog2(pipegs_pkg::Window) + 1;
+  localparam int unsigned Regions  = pipegs_pkg::Regions;
+  localparam int unsigned AddressW = pipegs_pkg::AddressW;
+  localparam int unsigned Words    = Regions / Units * 4;
+  localparam int unsigned AddrW    = $clog2(Words);
 
-  logic                            splat_valid, splat_ready, blend_valid, blend_ready;
-  pipegs_pkg::sorted_t             splat;
-  pipegs_pkg::blend_t              blend;
-  logic [LineW-1:0]                line;
-  logic [QueueW-1:0]               queue_count;
-  logic                            source_idle, source_waits, fetch_memory, lanes_issue, lanes_busy;
-  logic [pipegs_pkg::Regions-1:0]  own, blended, outside;
-  logic [SideW-1:0]                columns, rows;
-  logic [2*pipegs_pkg::WindowW-1:0] number;
-  logic                            blend_read, blend_write, blend_fresh;
-  logic [AddrW-1:0]                blend_raddr, blend_waddr;
-  logic [WordW-1:0]                blend_rdata, blend_wdata;
-  logic                            resolve_read, resolve_fresh, resolve_ready;
-  logic [AddrW-1:0]                resolve_raddr;
-  logic [WordW-1:0]                resolve_rdata;
-  logic                            load_valid, load_ready, store_valid, store_ready;
-  logic [pipegs_pkg::AddressW-1:0] load_address, store_address;
-  logic [pipegs_pkg::MemoryW-1:0]  store_data;
+  // --- splats -> lines of alphas ------------------------------------------------------------------------------------
+  logic                splat_valid, splat_ready, blend_valid, blend_ready;
+  pipegs_pkg::sorted_t splat;
+  pipegs_pkg::blend_t  blend;
+  logic [LineW-1:0]    line;
+  logic [$clog2(pipegs_pkg::RuQueue+1)-1:0] queued;
+  logic                source_idle, source_waits, source_memory;
+  logic                load_valid, load_ready;
+  logic [AddressW-1:0] load_address;
+
+  sram_fifo #(.DataW(pipegs_pkg::SortedBits), .Depth(pipegs_pkg::RuQueue)) u_queue (
+    .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i,
+    .out_valid_o(splat_valid), .out_ready_i(splat_ready), .out_o(splat), .count_o(queued)
+  );
+
+  ru_source u_source (
+    .clk_i, .rst_ni, .overflow_i, .unit_i, .restart_i, .done_i(done_o), .window_done_i(window_done_o),
+    .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
+    .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
+    .mem_valid_o(load_valid), .mem_ready_i(load_ready), .mem_address_o(load_address), .rsp_valid_i, .rsp_data_i,
+    .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line),
+    .memory_o(source_memory), .waits_o(source_waits), .idle_o(source_idle)
+  );
+
+  // --- where in the frame -------------------------------------------------------------------------------------------
+  logic [Regions-1:0]                own, blended, outside;
+  logic [$clog2(pipegs_pkg::Window):0] columns, rows;
+  logic [2*pipegs_pkg::WindowW-1:0]  number;
 
   ru_own u_own (.unit_i, .own_o(own));
   assign done_o = own & (blended | outside);
 
-  sram_fifo #(.DataW(pipegs_pkg::SortedBits), .Depth(QueueDepth)) u_queue (
-    .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i,
-    .out_valid_o(splat_valid), .out_ready_i(splat_ready), .out_o(splat), .count_o(queue_count)
+  ru_window u_window (
+    .clk_i, .rst_ni, .width_i(raster_i.width), .height_i(raster_i.height), .first_x_i(raster_i.windows.first_x),
+    .first_y_i(raster_i.windows.first_y), .last_x_i(raster_i.windows.last_x), .restart_i, .advance_i(window_done_o),
+    .x_o(done_x_o), .y_o(done_y_o), .columns_o(columns), .rows_o(rows), .outside_o(outside), .number_o(number)
   );
 
-  if (pipegs_pkg::Late == 0) begin : gen_cached
-    logic               fetch_valid, fetch_ready, walk_idle, fetch_idle;
-    pipegs_pkg::fetch_t fetch;
-    ru_walk #(.EndsMax(pipegs_pkg::FetchLines + 16)) u_walk (
-      .clk_i, .rst_ni, .unit_i, .done_i(done_o), .window_done_i(window_done_o),
-      .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .out_valid_o(fetch_valid), .out_ready_i(fetch_ready), .out_o(fetch), .idle_o(walk_idle)
-    );
-
-    ru_fetch u_fetch (
-      .clk_i, .rst_ni, .restart_i, .overflow_i(frame_i.overflow),
-      .in_valid_i(fetch_valid), .in_ready_o(fetch_ready), .in_i(fetch),
-      .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
-      .mem_valid_o(load_valid), .mem_ready_i(load_ready), .mem_address_o(load_address), .rsp_valid_i, .rsp_data_i,
-      .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line),
-      .memory_o(fetch_memory), .idle_o(fetch_idle)
-    );
-    assign source_idle  = walk_idle && fetch_idle;
-    assign source_waits = fetch_valid;
-  end else begin : gen_late
-    ru_rows u_rows (
-      .clk_i, .rst_ni, .unit_i, .done_i(done_o), .window_done_i(window_done_o),
-      .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line), .idle_o(source_idle)
-    );
-    assign source_waits   = 1'b0;
-    assign fetch_memory   = 1'b0;
-    assign read_valid_o   = '0;
-    assign read_address_o = '0;
-    assign load_valid     = 1'b0;
-    assign load_address   = '0;
-    logic unused_answers;
-    assign unused_answers = &{1'b0, read_ready_i, answer_valid_i, answer_i, rsp_valid_i, rsp_data_i, load_ready, frame_i.overflow};
-  end
+  // --- blending -----------------------------------------------------------------------------------------------------
+  logic             lanes_issue, lanes_busy, resolve_ready;
+  logic             blend_read, blend_write, blend_fresh, resolve_read, resolve_fresh;
+  logic [AddrW-1:0] blend_raddr, blend_waddr, resolve_raddr;
+  logic [WordW-1:0] blend_rdata, blend_wdata, resolve_rdata;
 
   ru_lanes u_lanes (
-    .clk_i, .rst_ni, .restart_i,
-    .in_valid_i(blend_valid), .in_ready_o(blend_ready), .in_i(blend), .in_line_i(line),
+    .clk_i, .rst_ni, .restart_i, .in_valid_i(blend_valid), .in_ready_o(blend_ready), .in_i(blend), .in_line_i(line),
     .columns_i(columns), .rows_i(rows), .done_o(blended),
     .read_o(blend_read), .raddr_o(blend_raddr), .rdata_i(blend_rdata), .fresh_i(blend_fresh),
     .write_o(blend_write), .waddr_o(blend_waddr), .wdata_o(blend_wdata),
     .resolve_ready_i(resolve_ready), .layer_done_o, .window_done_o, .issue_o(lanes_issue), .busy_o(lanes_busy),
     .tap_region_o(tap_word_region_o), .tap_quarter_o(tap_word_quarter_o)
-  );
-
-  ru_window u_window (
-    .clk_i, .rst_ni, .width_i(frame_i.width), .height_i(frame_i.height), .first_x_i(frame_i.first_x),
-    .first_y_i(frame_i.first_y), .last_x_i(frame_i.last_x), .restart_i, .advance_i(window_done_o),
-    .x_o(done_x_o), .y_o(done_y_o), .columns_o(columns), .rows_o(rows), .outside_o(outside), .number_o(number)
   );
 
   pixel_buffer #(.DataW(WordW), .Words(Words)) u_pixels (
@@ -150,8 +126,13 @@ module ru #(
     .resolve_fresh_o(resolve_fresh)
   );
 
+  // --- pixels -> memory ---------------------------------------------------------------------------------------------
+  logic                           store_valid, store_ready;
+  logic [AddressW-1:0]            store_address;
+  logic [pipegs_pkg::MemoryW-1:0] store_data;
+
   ru_resolve u_resolve (
-    .clk_i, .rst_ni, .unit_i, .pixels_i(frame_i.pixels),
+    .clk_i, .rst_ni, .unit_i, .pixels_i,
     .start_i(window_done_o), .ready_o(resolve_ready), .number_i(number), .outside_i(outside),
     .read_o(resolve_read), .raddr_o(resolve_raddr), .rdata_i(resolve_rdata), .fresh_i(resolve_fresh),
     .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address), .mem_data_o(store_data)
@@ -160,21 +141,20 @@ module ru #(
   ru_memory u_memory (
     .clk_i, .rst_ni, .read_valid_i(load_valid), .read_ready_o(load_ready), .read_address_i(load_address),
     .write_valid_i(store_valid), .write_ready_o(store_ready), .write_address_i(store_address),
-    .write_data_i(store_data),
-    .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o
+    .write_data_i(store_data), .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o
   );
 
-  assign idle_o   = queue_count == '0 && source_idle && !lanes_busy && resolve_ready && !mem_valid_o;
+  // --- what the unit does in this cycle -----------------------------------------------------------------------------
+  assign idle_o   = queued == '0 && source_idle && !lanes_busy && resolve_ready && !mem_valid_o;
   assign active_o = in_valid_i || restart_i || !idle_o;
 
   // Busy: a quarter is blended, the walk takes a splat or a line of pixels leaves. Memory: the next line, or room for
   // pixels, has to come from there. Blocked: an alpha store does not answer.
-  always_comb begin
-    if (lanes_issue || layer_done_o || (splat_valid && splat_ready) || (store_valid && store_ready)) perf_o = 2'd0;
-    else if (fetch_memory || store_valid || mem_valid_o) perf_o = 2'd3;
-    else if (source_waits) perf_o = 2'd2;
-    else perf_o = 2'd1;
-  end
+  logic moves;
+  assign moves  = lanes_issue || layer_done_o || (splat_valid && splat_ready) || (store_valid && store_ready);
+  assign perf_o = moves ? pipegs_pkg::PerfBusy
+                : source_memory || store_valid || mem_valid_o ? pipegs_pkg::PerfMemory
+                : source_waits ? pipegs_pkg::PerfBlocked : pipegs_pkg::PerfStarved;
 
   assign tap_line_valid_o  = lanes_issue && blend_ready;
   assign tap_line_index_o  = blend.index;
@@ -182,8 +162,5 @@ module ru #(
   assign tap_line_o        = line;
   assign tap_word_valid_o  = blend_write;
   assign tap_word_o        = blend_wdata;
-
-  logic unused_frame;
-  assign unused_frame = &{1'b0, frame_i};
 
 endmodule

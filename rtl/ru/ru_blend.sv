@@ -1,4 +1,5 @@
-// ru_blend: one Rendering Unit: blends one Gaussian into one pixel, front to back.
+// SPDX-License-Identifier: Apache-2.0
+// ru_blend: one lane (the paper's Rendering Unit): blends one Gaussian into one pixel, front to back.
 //
 // Paper   Eq. 2: C += c * alpha * T,  T *= 1 - alpha.
 // Idea    One product serves weight and update: w = T * alpha, T' = T - w, so T plus the sum of all weights stays 1.

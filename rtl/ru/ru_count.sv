@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_count: the number of set bits in a mask of regions.
 //
 // Idea    Neighbouring bits are added, then neighbouring pairs, then fours, ... inside one vector.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_dispatch: deals the sorted splats to the RUs that own a region of them.
 //
 // Paper   Fig. 7 (SUs feed the RUs).

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_fetch: fetches the line of alphas of each region, from an alpha store or from the overflow area in memory.
 //
 // Paper   Sec. 4, "precompute and cache the alphas"; the overflow area is what makes a full cache cost time, not
 //         pixels.
 // Idea    Lines are asked for in order as long as there is room for the answers: local lines come one cycle after the
-//         store took the request, external ones after any time, up to FetchLines in flight (Overflow 0: there are none). A queue of records
-//         remembers where each next line comes from, so lines leave in the order of the records.
+//         store took the request, external ones after any time, up to FetchLines in flight (Overflow 0: there are
+//         none). A queue of records remembers where each next line comes from, so lines leave in the order of the
+//         records.
 // Stream  fetch_t in; blend_t with its line beside it out. End beats pass in order; each toggles the layer's parity.
 // Pace    One region per cycle while lines come as fast.
 // Model   ru_overflow_line in cpp_model/ru/ru_walk.hpp, and a queue in the test.
@@ -47,15 +49,15 @@ module ru_fetch (
   localparam int unsigned UnitIndexW = Units > 1 ? $clog2(Units) : 1;
   localparam int unsigned Parts = pipegs_pkg::AlphaMemoryLines;  // memory lines of a line of alphas, 1 or 2
   localparam int unsigned AreaShift = 24;                           // log2 of the lines of one overflow area
-  localparam int unsigned LocalLines = 4;
+  localparam int unsigned LocalLines = pipegs_pkg::RuLocalLines;
   localparam int unsigned LocalW = $clog2(LocalLines + 1);
   localparam int unsigned FetchLines = pipegs_pkg::FetchLines;
   localparam int unsigned FetchW = $clog2(FetchLines + 1);
-  localparam int unsigned Records = FetchLines + 2 * LocalLines;
+  localparam int unsigned Records = pipegs_pkg::RuRecords;
   localparam int unsigned RecordsW = $clog2(Records + 1);
 
   // With lists all alphas come from memory.
-  localparam bit Outside = pipegs_pkg::Overflow != 0 || pipegs_pkg::Order == 1;
+  localparam bit Outside = pipegs_pkg::SpillsAlphas;
 
   logic                 asked_q;          // a local line was asked for in the cycle before
   logic                 is_data, ext, local_want, external_want, external_last, fire;
@@ -121,7 +123,7 @@ module ru_fetch (
     .out_valid_o(local_valid), .out_ready_i(pop && !head_ext), .out_o(local_line), .count_o(local_count)
   );
 
-  // --- lines from memory -----------------------------------------------------------------------------------------------
+  // --- lines from memory --------------------------------------------------------------------------------------------
   if (Outside) begin : gen_outside
     logic                parity_q;    // of the layer
     logic [FetchW-1:0]   external_q;  // external lines asked for and not yet blended
@@ -130,9 +132,9 @@ module ru_fetch (
     logic [LineW-1:0]    external_in;
     logic [FetchW-1:0]   external_count;
 
-    // The overflow area of this unit and parity, area 0; with lists the area of all alphas. A line of two parts takes two
-    // memory lines.
-    assign area        = overflow_i + (pipegs_pkg::Order == 1 ? AddressW'(1) << pipegs_pkg::AlphaAreaW
+    // The overflow area of this unit and parity, area 0; with lists the area of all alphas. A line of two parts takes
+    // two memory lines.
+    assign area        = overflow_i + (pipegs_pkg::HasLists ? AddressW'(1) << pipegs_pkg::AlphaAreaW
                                                               : AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift);
     assign external_want = in_valid_i && is_data && ext && record_ready && external_q != FetchW'(FetchLines);
     assign mem_valid_o   = external_want;

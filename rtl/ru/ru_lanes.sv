@@ -1,6 +1,7 @@
-// ru_lanes: sixteen Rendering Units blend a line of alphas into the 64 pixels of a region.
+// SPDX-License-Identifier: Apache-2.0
+// ru_lanes: sixteen lanes blend a line of alphas into the 64 pixels of a region.
 //
-// Paper   Table 2: sixteen Rendering Units per RU.
+// Paper   Table 2: sixteen lanes (the paper's Rendering Units) per RU.
 // Idea    A region takes four cycles: quarter q is its pixel rows 2q and 2q+1. Three stages lie between a word's read
 //         and its write, and a word comes again after four cycles at the earliest, so regions follow each other
 //         without a bubble.
@@ -134,7 +135,7 @@ module ru_lanes #(
     end
   end
 
-  // Cycles 1 to 3: the Rendering Units.
+  // Cycles 1 to 3: the lanes.
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_lane
     ru_blend u_blend (
       .clk_i,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_memory: an RU's port to external memory: reads of alpha lines and writes of pixels share it.
 //
 // Idea    One register holds the request, so it never changes while it waits. Reads go first: the lanes wait for them,

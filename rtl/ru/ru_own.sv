@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_own: the regions of a window that belong to one RU, as a mask.
 //
-// Idea    Two RUs own the colours of a chess board; four own every fourth region of a row, each row starting two further:
-//         2x2 regions, and four in a row, keep all of them busy. A mask is a constant for each RU.
+// Idea    Two RUs own the colours of a chess board; four own every fourth region of a row, each row starting two
+//         further: 2x2 regions, and four in a row, keep all of them busy. A mask is a constant for each RU.
 // Stream  unit_i, constant. Combinational.
 // Model   ru_own_mask in cpp_model/ru/ru_walk.hpp
 

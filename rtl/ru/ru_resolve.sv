@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_resolve: writes the pixels of a finished window to external memory.
 //
 // Paper   Fig. 7, the output side of the double buffer. Background is black: the accumulated colour is the pixel.
@@ -58,7 +59,7 @@ module ru_resolve #(
   logic               word_free;
 
   ru_own u_own (.unit_i, .own_o(own));
-  ru_lowest u_lowest (.mask_i(todo_q), .one_hot_o(lowest), .number_o(next_region));
+  first_set #(.DataW(Regions)) u_lowest (.mask_i(todo_q), .one_hot_o(lowest), .number_o(next_region));
   ru_slot u_slot (.region_i(next_region), .slot_o(slot));
 
   assign word_free   = !word_valid_q || (second_q && mem_ready_i);

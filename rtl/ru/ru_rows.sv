@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_rows: turns each splat into the lines of alphas of the regions that this RU owns, nearest splat first.
 //
-// Paper   Eq. 3, Fig. 5a; the paper's Row Units stand in the PU. Here they stand behind the sort, so nothing is computed for
-//         regions that nearer splats have closed, and no alpha is ever stored.
-// Idea    Owned regions that are still open make a job for the same Row Units as in pu_cache; the colour waits in a queue
-//         beside them with the mask, so that the last line of a splat is known. The lanes hold a line while they blend it,
-//         so two lines wait in a queue, or the Row Units would stand still meanwhile. The done mask is not looked at while
-//         an earlier window is still being blended.
+// Paper   Eq. 3, Fig. 5a; the paper's Row Units stand in the PU. Here they stand behind the sort, so nothing is
+//         computed for regions that nearer splats have closed, and no alpha is ever stored.
+// Idea    Owned regions that are still open make a job for the same Row Units as in pu_cache; the colour waits in a
+//         queue beside them with the mask, so that the last line of a splat is known. The lanes hold a line while they
+//         blend it, so two lines wait in a queue, or the Row Units would stand still meanwhile. The done mask is not
+//         looked at while an earlier window is still being blended.
 // Stream  sorted_t in; blend_t with its line of alphas beside it out; end beats pass in order.
 // Pace    One region per 8 / PixelsPerRow cycles; a splat without an open region takes one cycle.
 // Model   cpp_model/pu/pu_rows.hpp, ru_own_mask in cpp_model/ru/ru_walk.hpp
@@ -45,7 +46,7 @@ module ru_rows #(
   logic [EndsW-1:0]      ends_q;      // window ends that passed here and not yet the lanes
   logic                  job_valid, job_ready, tag_room, tag_valid, tag_pop, rows_active;
   pipegs_pkg::row_job_t  job;
-  localparam int unsigned LinesDepth = 2;
+  localparam int unsigned LinesDepth = pipegs_pkg::RuRowLines;
   logic                  made_valid, made_ready, lines_valid;
   logic [LineW-1:0]      made_line;
   pipegs_pkg::alphas_t   made, alphas;
@@ -101,7 +102,8 @@ module ru_rows #(
 
   pu_rows u_rows (
     .clk_i, .rst_ni, .row_job_valid_i(job_valid), .row_job_ready_o(job_ready), .row_job_i(job),
-    .alphas_valid_o(made_valid), .alphas_ready_i(made_ready), .alphas_o(made), .line_o(made_line), .active_o(rows_active)
+    .alphas_valid_o(made_valid), .alphas_ready_i(made_ready), .alphas_o(made), .line_o(made_line),
+    .active_o(rows_active)
   );
 
   fifo #(.DataW(pipegs_pkg::AlphasBits + LineW), .Depth(LinesDepth)) u_lines (
@@ -130,7 +132,8 @@ module ru_rows #(
   assign unused_fields = &{1'b0, splat_q.depth, alphas.address, alphas.ext, alphas.parity, tag_valid, tag_count};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) out_valid_o && alphas.kind == pipegs_pkg::KindData |-> tag_valid)
+  assert property (@(posedge clk_i) disable iff (!rst_ni) out_valid_o &&
+      alphas.kind == pipegs_pkg::KindData |-> tag_valid)
     else $error("ru_rows: a line without its colour");
   assert property (@(posedge clk_i) disable iff (!rst_ni) window_done_i |-> ends_q != '0)
     else $error("ru_rows: a window ended that never came");

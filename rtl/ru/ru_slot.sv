@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_slot: where a region lies among the regions that its RU owns.
 //
 // Idea    Of Units regions in a row (in the order of their numbers) each RU owns one.

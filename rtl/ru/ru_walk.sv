@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_walk: walks the regions of each splat that this RU owns, nearest splat first, and finds the line of their alphas.
 //
 // Paper   Sec. 4: Gaussians are blended in sorted order, region by region of a tile's bitmap.
@@ -32,7 +33,7 @@ module ru_walk #(
 
   localparam int unsigned Regions = pipegs_pkg::Regions;
   localparam int unsigned RegionW = pipegs_pkg::RegionW;
-  localparam int unsigned AddressW = pipegs_pkg::AlphaAddressW;
+  localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
 
   logic [Regions-1:0]  own, live, lowest, others;
   logic                splat_valid_q, pick_valid_q, out_valid_q;
@@ -47,7 +48,7 @@ module ru_walk #(
   logic [RegionW:0]    below_count;
 
   ru_own u_own (.unit_i, .own_o(own));
-  ru_lowest u_lowest (.mask_i(live), .one_hot_o(lowest), .number_o(lowest_number));
+  first_set #(.DataW(Regions)) u_lowest (.mask_i(live), .one_hot_o(lowest), .number_o(lowest_number));
   ru_count u_count (.mask_i(below_q), .count_o(below_count));
 
   assign live       = ends_q == '0 ? rest_q & ~done_i : rest_q;
@@ -100,7 +101,7 @@ module ru_walk #(
     end
     if (out_free && pick_valid_q) begin
       out_q         <= pick_q;
-      out_q.address <= pick_q.address + AddressW'(below_count);
+      out_q.address <= pick_q.address + AlphaAddressW'(below_count);
     end
   end
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_window: which window of the frame the RU is in, and how much of that window lies inside the image.
 //
 // Paper   Sec. 4 (the frame is rendered tile group by tile group).
@@ -43,24 +44,22 @@ module ru_window (
     else span = (Shift + 1)'(SideW'(size) - start);
   endfunction
 
-  logic [WindowW-1:0]             x_q, y_q, x_d, y_d, windows_x;
+  logic [WindowW-1:0]             x_d, y_d, windows_x;
   logic [Shift:0]                 columns_q, rows_q, columns_d, rows_d;
   logic [pipegs_pkg::Regions-1:0] outside_q, outside_d;
   logic [NumberW-1:0]             number_q, row_number_q, row_number_d;
   logic                           row_ends;
 
   assign windows_x = WindowW'((SideW'(width_i) + SideW'(pipegs_pkg::Window - 1)) >> Shift);
-  assign row_ends  = x_q == last_x_i;
+
+  window_walk u_walk (
+    .clk_i, .rst_ni, .first_x_i, .first_y_i, .last_x_i, .start_i(restart_i), .advance_i,
+    .x_o, .y_o, .next_x_o(x_d), .next_y_o(y_d), .row_ends_o(row_ends)
+  );
 
   always_comb begin
-    x_d          = row_ends ? first_x_i : x_q + 1'b1;
-    y_d          = row_ends ? y_q + 1'b1 : y_q;
     row_number_d = row_ends ? row_number_q + NumberW'(windows_x) : row_number_q;
-    if (restart_i) begin
-      x_d          = first_x_i;
-      y_d          = first_y_i;
-      row_number_d = NumberW'(first_y_i) * NumberW'(windows_x);
-    end
+    if (restart_i) row_number_d = NumberW'(first_y_i) * NumberW'(windows_x);
     columns_d = span(width_i, x_d);
     rows_d    = span(height_i, y_d);
     for (int unsigned i = 0; i < RegionsX; i += 1) begin
@@ -72,16 +71,12 @@ module ru_window (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      x_q          <= '0;
-      y_q          <= '0;
       columns_q    <= '0;
       rows_q       <= '0;
       outside_q    <= '0;
       number_q     <= '0;
       row_number_q <= '0;
     end else if (restart_i || advance_i) begin
-      x_q          <= x_d;
-      y_q          <= y_d;
       columns_q    <= columns_d;
       rows_q       <= rows_d;
       outside_q    <= outside_d;
@@ -90,8 +85,6 @@ module ru_window (
     end
   end
 
-  assign x_o       = x_q;
-  assign y_o       = y_q;
   assign columns_o = columns_q;
   assign rows_o    = rows_q;
   assign outside_o = outside_q;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_bitonic: sorts up to sixteen keys at a time with eight compare-exchange cells.
 //
 // Paper   Sec. 4.2.2, "16-channel Bitonic Sorter". Table 2 gives an SU 33 kGE, so one stage of the network is built and
@@ -5,8 +6,8 @@
 // Idea    for (size = 1..4) for (distance = size-1..0): channels a and a + 2^distance are compared and exchanged,
 //         downwards where bit `size` of a is set. A batch of n keys needs only the sizes up to log2(n). Unused
 //         channels are void, which is above every key.
-// Stream  in: keys with their slots, `last` ends a batch of 1 to 16. out: the batch in ascending order. A batch of one may be
-//         the end of a layer instead of a key: it only keeps its place among the others.
+// Stream  in: keys with their slots, `last` ends a batch of 1 to 16. out: the batch in ascending order. A batch of one
+//         may be the end of a layer instead of a key: it only keeps its place among the others.
 // Pace    One key per cycle in and out; 0, 1, 3, 6 or 10 cycles of sorting. While a batch leaves, the next is loaded
 //         into the channels already emptied.
 // Model   cpp_model/su/su_bitonic.hpp

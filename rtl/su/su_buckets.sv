@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_buckets: the records of an SU in buckets of depth, and their release, nearest bucket first.
 //
 // Paper   Sec. 4.2.2 sorts what is complete; the buckets let go of what is complete earlier.
-// Idea    A bucket is the leading bits of the depth, absolute; its records are a chain of slots {head, tail, count}. Two
-//         sets of buckets, so that one layer is collected while the former is released. Which buckets are filled
+// Idea    A bucket is the leading bits of the depth, absolute; its records are a chain of slots {head, tail, count}.
+//         Two sets of buckets, so that one layer is collected while the former is released. Which buckets are filled
 //         stands in words of bits (SRAM), which words are not zero in registers: the first filled bucket is the first
 //         bit of the first word. A release takes the words below its mark, clears them, and walks along their bits;
 //         neighbours are joined while they hold at most sixteen records. Records that come later lie above the mark.
@@ -45,7 +46,7 @@ module su_buckets (
 );
 
   localparam int unsigned BucketW = pipegs_pkg::BucketW;
-  localparam int unsigned SlotW = pipegs_pkg::RecordW;
+  localparam int unsigned RecordW = pipegs_pkg::RecordW;
   localparam int unsigned LowW = (BucketW + 1) / 2;  // bucket = {word, bit}
   localparam int unsigned HighW = BucketW - LowW;
   localparam int unsigned Words = 2 ** HighW;
@@ -53,8 +54,8 @@ module su_buckets (
   localparam int unsigned Group = 16;
   localparam int unsigned GroupW = $clog2(Group + 1);
 
-  // Each operation reads in one cycle and ends in the next; the next one may read in that cycle unless it needs what the
-  // former writes.
+  // Each operation reads in one cycle and ends in the next; the next one may read in that cycle unless it needs what
+  // the former writes.
   typedef enum logic [1:0] {
     None,
     Insert,  // a record enters its bucket
@@ -64,15 +65,15 @@ module su_buckets (
   operation_e operation_q, operation_d;
   logic       ends;  // the present operation ends in this cycle
 
-  // --- the record that is inserted -----------------------------------------------------------------------------------
+  // --- the record that is inserted ----------------------------------------------------------------------------------
   logic               set_q;
   logic [BucketW-1:0] bucket_q;
-  logic [SlotW-1:0]   slot_q;
+  logic [RecordW-1:0]   slot_q;
   logic               filled, held;  // its bucket, its word
-  logic [SlotW-1:0]   head, tail;
-  logic [SlotW:0]     count;
+  logic [RecordW-1:0]   head, tail;
+  logic [RecordW:0]     count;
 
-  // --- the release ---------------------------------------------------------------------------------------------------
+  // --- the release --------------------------------------------------------------------------------------------------
   logic [2*Words-1:0]  held_q;       // words that are not zero, of both sets
   logic [Words-1:0]    candidates;   // words that the present job still has to take
   logic [HighW-1:0]    first_word, word_q;
@@ -90,16 +91,14 @@ module su_buckets (
       candidates[i] = job_valid_i && (job_set_i ? held_q[Words+i] : held_q[i]) &&
                       (job_all_i || HighW'(i) < job_high || (HighW'(i) == job_high && !edge_q && job_low != '0));
     end
-    first_word = '0;
-    for (int unsigned i = Words; i > 0; i -= 1) if (candidates[i-1]) first_word = HighW'(i - 1);
-    first_bit = '0;
-    for (int unsigned i = WordBits; i > 0; i -= 1) if (work_q[i-1]) first_bit = LowW'(i - 1);
     for (int unsigned i = 0; i < WordBits; i += 1) below[i] = job_all_i || word_q != job_high || LowW'(i) < job_low;
   end
+  first_set #(.DataW(Words)) u_word (.mask_i(candidates), .one_hot_o(), .number_o(first_word));
+  first_set #(.DataW(WordBits)) u_bit (.mask_i(work_q), .one_hot_o(), .number_o(first_bit));
   assign word_wanted = candidates != '0 && work_q == '0 && operation_q != Word;
   assign quiet       = candidates == '0 && work_q == '0 && operation_q == None;  // an insertion may still fill a bucket
 
-  // --- what is done next ---------------------------------------------------------------------------------------------
+  // --- what is done next --------------------------------------------------------------------------------------------
   logic insert_reads, entry_reads, word_reads, same_word, insert_waits;
   // Is the word that an insertion is about to read, or has read, the one that the release takes?
   assign same_word    = operation_q == Insert ? {set_q, bucket_q[BucketW-1:LowW]} == {job_set_i, first_word}
@@ -117,11 +116,11 @@ module su_buckets (
   assign word_reads     = operation_d == Word;
   assign entry_reads    = operation_d == Entry;
 
-  sram #(.DataW(2 * SlotW + SlotW + 1), .Depth(2 ** (BucketW + 1))) u_table (
+  sram #(.DataW(2 * RecordW + RecordW + 1), .Depth(2 ** (BucketW + 1))) u_table (
     .clk_i,
     .write_i(operation_q == Insert && ends),
     .waddr_i({set_q, bucket_q}),
-    .wdata_i({filled ? tail : slot_q, slot_q, filled ? count + 1'b1 : (SlotW+1)'(1)}),
+    .wdata_i({filled ? tail : slot_q, slot_q, filled ? count + 1'b1 : (RecordW+1)'(1)}),
     .read_i(insert_reads || entry_reads),
     .raddr_i(insert_reads ? {insert_set_i, insert_bucket_i} : {job_set_i, word_q, first_bit}),
     .rdata_o({tail, head, count})
@@ -143,14 +142,14 @@ module su_buckets (
     with_bucket[bucket_q[LowW-1:0]] = 1'b1;
   end
 
-  // --- the group that is being joined --------------------------------------------------------------------------------
+  // --- the group that is being joined -------------------------------------------------------------------------------
   logic               group_valid_q, fits, join_group, push_group;
-  logic [SlotW-1:0]   group_head_q, group_tail_q;
-  logic [SlotW:0]     group_count_q;
+  logic [RecordW-1:0]   group_head_q, group_tail_q;
+  logic [RecordW:0]     group_count_q;
   logic [BucketW-1:0] group_bucket_q, entry_bucket_q;
 
   // Neither alone is more than a group, so that the sum is short.
-  assign fits       = group_count_q <= (SlotW+1)'(Group) && count <= (SlotW+1)'(Group) &&
+  assign fits       = group_count_q <= (RecordW+1)'(Group) && count <= (RecordW+1)'(Group) &&
                       {1'b0, group_count_q[GroupW-1:0]} + {1'b0, count[GroupW-1:0]} <= (GroupW+1)'(Group);
   assign join_group = operation_q == Entry && group_valid_q && fits;
   assign push_group = group_valid_q && (operation_q == Entry ? !fits : (quiet || hungry_i));
@@ -165,7 +164,8 @@ module su_buckets (
   assign chain_head_o   = group_head_q;
   assign chain_count_o  = group_count_q;
   assign chain_bucket_o = group_bucket_q;
-  assign job_done_o     = job_valid_i && quiet && !group_valid_q && (chain_ready_i || job_kind_i == pipegs_pkg::KindData);
+  assign job_done_o     = job_valid_i && quiet && !group_valid_q && (chain_ready_i ||
+                          job_kind_i == pipegs_pkg::KindData);
   assign active_o       = operation_q != None || operation_d != None || (chain_valid_o && chain_ready_i) || job_done_o;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

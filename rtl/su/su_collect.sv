@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_collect: takes the splats of a layer in, to a free slot each, and passes the ends on as marks.
 //
 // Paper   Sec. 4.1 (layer i + 1 is collected while layer i is sorted).
-// Idea    A set is what one end releases whole: a layer, or a window when Order is 2. Two sets of buckets take turns. A
+// Idea    A set is what one end releases whole: a layer, or a window with watermarks. Two sets of buckets take turns. A
 //         mark waits in a queue until su_buckets has released what lies before it, and collecting goes on. When the
 //         pool is full and nothing of it is on its way out, or another SU spills (then it may wait for our marks), the
 //         present set goes to external memory: its next records and marks are taken at once, until its end.
@@ -45,7 +46,6 @@ module su_collect (
   output logic                           active_o
 );
 
-  localparam int unsigned Order = pipegs_pkg::Order;
 
   typedef enum logic [1:0] {
     Collect,  // waits for splats and ends
@@ -61,7 +61,8 @@ module su_collect (
   assign open  = state_q == Collect && !closed_q[set_q];
   assign take  = in_valid_i && in_ready_o;
   assign stuck = in_valid_i && open && data && full_i;
-  assign lost  = stuck && (drained_i || (Order == 2 && spill_i));  // only memory has room; without it an assertion needs the clock
+  // only memory has room; without it an assertion needs the clock
+  assign lost  = stuck && (drained_i || (pipegs_pkg::HasWatermarks && spill_i));
   assign spill_start_o = pipegs_pkg::Overflow != 0 && lost;
 
   assign insert_valid_o = in_valid_i && open && data && slot_valid_i;
@@ -70,7 +71,7 @@ module su_collect (
   assign write_o        = insert_valid_o && insert_ready_i;
   assign in_ready_o     = data ? (open && slot_valid_i && insert_ready_i) || (state_q == Spill && record_ready_i)
                                : (open || state_q == Spill) && mark_ready_i;
-  assign mark_all_o     = Order != 2 || in_kind_i == pipegs_pkg::KindWindowEnd;
+  assign mark_all_o     = !pipegs_pkg::HasWatermarks || in_kind_i == pipegs_pkg::KindWindowEnd;
   assign set_o          = set_q;
   assign spilled_o      = state_q == Spill;
   assign spilling_o     = state_q == Spill;

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_emit: turns sorted keys back into splats and frees their slots.
 //
-// Idea    Sorted keys wait in a queue while their records are fetched: from the pool when their turn comes, which frees the
-//         slot, from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of a
-//         set that spilled has a record number of its own, kept beside the key store. Ends walk through the queue behind
-//         their layer, so the next layer is sorted meanwhile.
-// Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was read.
+// Idea    Sorted keys wait in a queue while their records are fetched: from the pool when their turn comes, which frees
+//         the slot, from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of a
+//         set that spilled has a record number of its own, kept beside the key store. Ends walk through the queue
+//         behind their layer, so the next layer is sorted meanwhile.
+// Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was
+//         read.
 // Pace    One splat per cycle; of a set that spilled one in two cycles, or as fast as the memory gives lines.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
@@ -46,10 +48,9 @@ module su_emit (
 
   localparam int unsigned KeyW = pipegs_pkg::KeyW;
   localparam int unsigned KindW = pipegs_pkg::KindW;
-  localparam int unsigned SlotW = pipegs_pkg::RecordW;
+  localparam int unsigned RecordW = pipegs_pkg::RecordW;
   localparam int unsigned NumberW = pipegs_pkg::SlotW;
-  localparam int unsigned Waiting = 32;
-  localparam int unsigned EntryW = KindW + 1 + SlotW + KeyW;
+  localparam int unsigned EntryW = KindW + 1 + RecordW + KeyW;
   localparam int unsigned PayloadAt = KindW + KeyW;  // a splat is {payload, key's index, key's depth, kind}
 
   // Where is the record? For a set that spilled the number is read first.
@@ -75,18 +76,18 @@ module su_emit (
 
   // The queue of sorted keys, and the beat whose record is being read.
   logic              head_valid, head_ready;
-  logic [$clog2(Waiting+1)-1:0] waiting;
+  logic [$clog2(pipegs_pkg::SuWaiting+1)-1:0] waiting;
   logic [EntryW-1:0] head, entry;
   logic [KindW-1:0]  head_kind, kind_q;
   logic              head_outside, outside_q, valid_q;
-  logic [SlotW-1:0]  head_slot;
+  logic [RecordW-1:0]  head_slot;
   logic [KeyW-1:0]   head_key, key_q;
   logic [pipegs_pkg::SplatBits-PayloadAt-1:0] payload;
   logic [KeyW-1:0]   key;
   logic              sent;
 
   assign entry = {item_end_i ? item_slot_i[KindW-1:0] : pipegs_pkg::KindData, outside, item_slot_i, item_key_i};
-  sram_fifo #(.DataW(EntryW), .Depth(Waiting)) u_waiting (
+  sram_fifo #(.DataW(EntryW), .Depth(pipegs_pkg::SuWaiting)) u_waiting (
     .clk_i, .rst_ni,
     .in_valid_i(item_go), .in_ready_o(queue_ready), .in_i(entry),
     .out_valid_o(head_valid), .out_ready_i(head_ready), .out_o(head),
@@ -111,7 +112,8 @@ module su_emit (
   assign free_o       = record_read_o;
   assign free_slot_o  = head_slot;
   assign empty_o      = waiting == '0 && !valid_q;
-  assign active_o     = item_go || look || number_write_i || sent || (head_valid && head_ready) || (waiting != '0 && !head_valid);
+  assign active_o     = item_go || look || number_write_i || sent || (head_valid && head_ready) ||
+                        (waiting != '0 && !head_valid);
 
   logic unused_line;
   assign unused_line = &{1'b0, line_i[PayloadAt-1:0]};

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_merge: joins the sorted streams of all lanes into one.
 //
 // Paper   Fig. 7, between SU and RU.
-// Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes (without IndexTies {end, depth}). Each pair of heads
-//         is compared once, side by side; the winner is the one that is below all others. End beats are above every
-//         splat, so they are left when the layer is out of splats; then all are taken at once and one goes out.
-//         Watermarks (a layer's end when Order is 2) have done their work here and do not go out.
+// Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes (without IndexTies
+//         {end, depth}). Each pair of heads is compared once, side by side; the winner is the one that is below all
+//         others. End beats are above every splat, so they are left when the layer is out of splats; then all are taken
+//         at once and one goes out. Watermarks (the ends of layers, if there are any) have done their work here and do
+//         not go out.
 // Stream  in: one sorted stream per lane, a layer each up to an end beat of the same kind. out: the merged layers;
 //         `unit` is the lane. A lane's ready depends on the other lanes' valid, as in every join.
 // Pace    One beat per cycle, latency one cycle; a layer's end costs one beat.
@@ -52,7 +54,8 @@ module su_merge (
   assign unused_heads = &{1'b0, heads, head};
 
   assign go         = in_valid_i == '1 && (!out_valid_q || out_ready_i);
-  assign mark       = pipegs_pkg::Order == 2 && ends == '1 && in_i[pipegs_pkg::KindW-1:0] == pipegs_pkg::KindLayerEnd;
+  assign mark       = pipegs_pkg::HasWatermarks && ends == '1 &&
+                      in_i[pipegs_pkg::KindW-1:0] == pipegs_pkg::KindLayerEnd;
   assign in_ready_o = !go ? '0 : ends == '1 ? '1 : nearest;
   assign active_o   = go || (out_valid_q && out_ready_i);
 
@@ -78,8 +81,8 @@ module su_merge (
     end
   end
 
-  // A sorted splat is the splat with its unit on top; when nothing is stored in units, without. Depth and index are there
-  // for the taps.
+  // A sorted splat is the splat with its unit on top; when nothing is stored in units, without. Depth and index are
+  // there for the taps.
   assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits[pipegs_pkg::SplatBits-1:KindW+DepthW+IndexW],
                                           winner_bits[KindW+DepthW +: pipegs_pkg::TapIndexW],
                                           winner_bits[KindW +: pipegs_pkg::TapDepthW], winner_bits[KindW-1:0]});

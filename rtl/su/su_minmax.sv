@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_minmax: the smallest and the largest key of a layer.
 //
 // Paper   Sec. 4.2.2, "MinMax Finder".

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_port: the one memory port of an SU and the store for the lines that were read.
 //
 // Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the
@@ -44,7 +45,7 @@ module su_port (
   output logic                              active_o
 );
 
-  localparam int unsigned Answers = 32;
+  localparam int unsigned Answers = pipegs_pkg::SuAnswers;
   localparam int unsigned FlightW = $clog2(Answers + 1);
   localparam int unsigned AreaW = 2;
   localparam int unsigned OffsetW = pipegs_pkg::UnitW + 1 + AreaW + pipegs_pkg::SlotW;

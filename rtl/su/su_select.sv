@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_select: sorts a set that does not fit the key store, store by store, from the list of keys in external memory.
 //
 // Idea    Sixteen pivots cut [low, max] into equal parts; one pass over the list counts the keys of each part. As
@@ -6,7 +7,8 @@
 //         keys are unique, so this ends. Nothing is ever estimated: any number of keys in any arrangement is sorted
 //         exactly.
 // Stream  start_i with the set; read: numbers of lines of keys; line: these lines; write: a key and its record's
-//         number go to the next slot of the store; group: slots 0 .. count - 1 are to be sorted, group_done_i: were sent.
+//         number go to the next slot of the store; group: slots 0 .. count - 1 are to be sorted, group_done_i: were
+//         sent.
 // Pace    One key per cycle and pass.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
@@ -108,12 +110,11 @@ module su_select (
   assign fits = !stop_q[PartW] && sum <= (SumW+1)'(Records);
   assign filling = state_q == Choose && fits;
 
-  always_comb begin
-    logic [KeyW-1:0] range;
-    range = max_q - low_q;
-    wide_shift = '0;
-    for (int unsigned i = PartW; i < KeyW; i += 1) if (range[i]) wide_shift = ShiftW'(i + 1 - PartW);
-  end
+  logic [KeyW-PartW-1:0]           range;
+  logic [$clog2(KeyW-PartW+1)-1:0] wide_length;
+  assign range = (KeyW-PartW)'((max_q - low_q) >> PartW);
+  bit_length #(.DataW(KeyW - PartW)) u_wide (.in_i(range), .length_o(wide_length));
+  assign wide_shift = ShiftW'(wide_length);
 
   assign group_o       = state_q == Group;
   assign group_count_o = sum_q;

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_spill: brings a set that does not fit the pool to external memory, whole.
 //
-// Idea    What was released before leaves first; then everything that the set has in the pool is released too, and what comes
-//         out of su_emit goes to memory instead of to the merge, which frees the slots. Records that come in meanwhile
-//         go to memory as well and first. Record n is line n of the area of records, its key part n % 8 of line n / 8
-//         of the area of keys. When the set has ended and lies in memory, su_select sorts it.
+// Idea    What was released before leaves first; then everything that the set has in the pool is released too, and what
+//         comes out of su_emit goes to memory instead of to the merge, which frees the slots. Records that come in
+//         meanwhile go to memory as well and first. Record n is line n of the area of records, its key part n % 8 of
+//         line n / 8 of the area of keys. When the set has ended and lies in memory, su_select sorts it.
 // Stream  in: records as they come; back: records out of the pool; record and keys: lines to write; select_start_o with
 //         the number of records (not 0) and the range of their keys.
 // Pace    One record in two cycles, as the port.
@@ -95,7 +96,8 @@ module su_spill (
   assign keys_valid_o   = keys_valid_q;
   assign keys_line_o    = keys_line_q;
   assign keys_o         = keys_q;
-  assign active_o       = start_i || take || record_ready_i || keys_ready_i || (state_q == Wait && drained_i) || job_done_i ||
+  assign active_o       = start_i || take || record_ready_i || keys_ready_i || (state_q == Wait && drained_i) ||
+                          job_done_i ||
                           (state_q == Drain && drained_i) || close || done_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

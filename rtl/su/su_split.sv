@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_split: cuts a set of keys into groups of at most sixteen, nearest group first.
 //
 // Paper   Sec. 4.2.2, "Pivot-based Splitter".
@@ -7,10 +8,11 @@
 //         farther ones wait on a stack, the nearest on top; a group that is still too large is cut again by the next
 //         four bits. When all keys fell into one bucket, the range is measured anew, so a far outlier costs one pass.
 //         LargeGroups 0: every chain is small enough; nothing is cut.
-// Stream  start_i with a chain of keys (at least 1) and a range that holds them; keys and links are read from their stores,
-//         rdata in the next cycle, held; links are changed. out: keys and slots, `last` on the last of each group.
-// Pace    One cycle per key and pass, up to 19 more per pass; one key per cycle out. A chain that is small enough leaves as
-//         it is: two cycles and one per key.
+// Stream  start_i with a chain of keys (at least 1) and a range that holds them; keys and links are read from their
+//         stores, rdata in the next cycle, held; links are changed. out: keys and slots, `last` on the last of each
+//         group.
+// Pace    One cycle per key and pass, up to 19 more per pass; one key per cycle out. A chain that is small enough
+//         leaves as it is: two cycles and one per key.
 // Model   cpp_model/su/su_split.hpp
 
 module su_split (
@@ -42,14 +44,14 @@ module su_split (
 );
 
   localparam int unsigned KeyW = pipegs_pkg::KeyW;
-  localparam int unsigned SlotW = pipegs_pkg::RecordW;
+  localparam int unsigned RecordW = pipegs_pkg::RecordW;
   localparam int unsigned ShiftW = $clog2(KeyW);
   localparam bit Cuts = pipegs_pkg::LargeGroups != 0;
   localparam int unsigned Group = 16;    // most keys of a group
   localparam int unsigned Buckets = 16;
   localparam int unsigned BucketW = $clog2(Buckets);
-  localparam int unsigned EntryW = 2 * SlotW + SlotW + 1;  // {tail, head, count}
-  localparam int unsigned FrameW = SlotW + SlotW + 1 + ShiftW;  // {head, count, shift}
+  localparam int unsigned EntryW = 2 * RecordW + RecordW + 1;  // {tail, head, count}
+  localparam int unsigned FrameW = RecordW + RecordW + 1 + ShiftW;  // {head, count, shift}
   // Two neighbours on the stack hold more than Group keys together, except at the border of two levels.
   localparam int unsigned StackDepth = pipegs_pkg::Records / 8 + KeyW / BucketW + 2;
   localparam int unsigned StackW = $clog2(StackDepth + 1);
@@ -64,16 +66,16 @@ module su_split (
   } state_e;
   state_e state_q;
 
-  logic [SlotW-1:0]  head_q;
-  logic [SlotW:0]    count_q;
+  logic [RecordW-1:0]  head_q;
+  logic [RecordW:0]    count_q;
   logic              go;         // a group stands in head_q, count_q: begin with it
-  logic [SlotW:0]    go_count;
+  logic [RecordW:0]    go_count;
   logic              fits;
 
   // Walking along the keys of the group, for Walk and Load.
   logic              first_q, data_valid_q, step, read;
-  logic [SlotW-1:0]  slot_q, slot;
-  logic [SlotW:0]    left_q;  // keys still to read
+  logic [RecordW-1:0]  slot_q, slot;
+  logic [RecordW:0]    left_q;  // keys still to read
 
   assign step = !data_valid_q || (state_q == Walk) || out_ready_i;
   assign read = (state_q == Walk || state_q == Load) && step && left_q != '0;
@@ -92,8 +94,8 @@ module su_split (
   logic              several;     // not all keys were in one
   logic              join_near;   // the bucket joins the group in head_q, count_q
   logic              stacked;     // farther groups wait
-  logic [SlotW-1:0]  head, frame_head;
-  logic [SlotW:0]    count, frame_count;
+  logic [RecordW-1:0]  head, frame_head;
+  logic [RecordW:0]    count, frame_count;
 
   if (Cuts) begin : gen_cut
     logic [KeyW-1:0]   min_q, range_q;  // range: max - min, or the bits in which the keys of the group differ
@@ -101,28 +103,27 @@ module su_split (
 
     // Dropping a key into its bucket, one cycle after it was read.
     logic [KeyW-1:0]    offset_q, first_offset_q;  // key - min
-    logic [SlotW-1:0]   drop_slot_q;
+    logic [RecordW-1:0]   drop_slot_q;
     logic               drop_q, dropped_q;  // dropped_q: not the first key of the group
     logic [EntryW-1:0]  table_q [Buckets];
     logic [Buckets-1:0] filled_q;
     logic [BucketW-1:0] bucket, far;
+    logic [BucketW:0]   far_length;
     logic [EntryW-1:0]  entry;
-    logic [SlotW-1:0]   tail;
+    logic [RecordW-1:0]   tail;
     logic               filled, push, gathered_q, several_q;
 
     assign bucket = state_q == Gather ? far : BucketW'(offset_q >> shift_q);
     assign entry  = table_q[bucket];
     assign filled = filled_q[bucket];
     assign {tail, head, count} = entry;
-    always_comb begin
-      far = '0;
-      for (int unsigned i = 0; i < Buckets; i += 1) if (filled_q[i]) far = BucketW'(i);
-    end
+    bit_length #(.DataW(Buckets)) u_far (.in_i(filled_q), .length_o(far_length));
+    assign far       = BucketW'(far_length - 1'b1);  // read only while one is filled
     assign dropping  = drop_q;
     assign gather    = state_q == Gather && filled_q != '0;
     assign gathered  = filled_q == '0;
     assign several   = several_q;
-    assign join_near = gathered_q && {1'b0, count} + {1'b0, count_q} <= (SlotW+2)'(Group);
+    assign join_near = gathered_q && {1'b0, count} + {1'b0, count_q} <= (RecordW+2)'(Group);
     assign push      = gather && gathered_q && !join_near;
 
     assign link_claim_o = drop_q || gather;
@@ -151,10 +152,9 @@ module su_split (
 
     // The next four bits; after measuring, the four bits below the leading one.
     assign next_shift = shift_q > ShiftW'(BucketW) ? shift_q - ShiftW'(BucketW) : '0;
-    always_comb begin
-      wide_shift = '0;
-      for (int unsigned i = BucketW; i < KeyW; i += 1) if (range_q[i]) wide_shift = ShiftW'(i + 1 - BucketW);
-    end
+    logic [$clog2(KeyW-BucketW+1)-1:0] wide_length;
+    bit_length #(.DataW(KeyW - BucketW)) u_wide (.in_i(range_q[KeyW-1:BucketW]), .length_o(wide_length));
+    assign wide_shift = ShiftW'(wide_length);
 
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) begin
@@ -187,7 +187,7 @@ module su_split (
         drop_slot_q <= slot_q;
       end
       if (drop_q) begin
-        table_q[bucket]  <= {filled ? tail : drop_slot_q, drop_slot_q, filled ? count + 1'b1 : (SlotW+1)'(1)};
+        table_q[bucket]  <= {filled ? tail : drop_slot_q, drop_slot_q, filled ? count + 1'b1 : (RecordW+1)'(1)};
         filled_q[bucket] <= 1'b1;
         dropped_q        <= 1'b1;
         if (!dropped_q) first_offset_q <= offset_q;
@@ -212,14 +212,14 @@ module su_split (
     assign unused_range = &{1'b0, min_i, max_i};
 
 `ifndef SYNTHESIS
-    assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> count_i <= (SlotW+1)'(Group))
+    assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> count_i <= (RecordW+1)'(Group))
       else $error("su_split: a chain of more than sixteen keys, and LargeGroups is 0");
 `endif
   end
 
   always_comb begin
     go_count = state_q == Idle ? count_i : state_q == Take ? frame_count : count_q;
-    fits = !Cuts || go_count <= (SlotW+1)'(Group);
+    fits = !Cuts || go_count <= (RecordW+1)'(Group);
     go = (state_q == Idle && start_i && fits) || (Cuts && (state_q == Measure || state_q == Take ||
          (state_q == Gather && gathered && several)));
   end

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // command.hpp: the subcommands of `pipegs`. Each adds its options to the parser and runs when it was chosen.
 //
-// Exit codes: 0 all is well, 1 the RTL differs from the golden model (or hangs), 2 bad input; 130 interrupted.
+// Exit codes: 0 agrees or done, 1 differs (what is held against each other is not equal, or the RTL hangs), 2 bad input
+// or bad use, 3 our own failure; 130 interrupted. main.cpp says which exception is which.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,33 +13,41 @@
 
 #include "scenes/camera.hpp"
 #include "scenes/scene.hpp"
-#include "sim/chart.hpp"
-#include "sim/rung.hpp"
-#include "sim/simulate.hpp"
+#include "sim/command/list_option.hpp"
+#include "sim/command/number_option.hpp"
+#include "sim/command/outputs.hpp"
+#include "sim/command/picture_memory.hpp"
+#include "sim/compare/simulate.hpp"
+#include "sim/design/design_point.hpp"
 
 namespace pipegs {
 
-inline constexpr int kExitOk = 0, kExitMismatch = 1, kExitBadInput = 2, kExitInterrupted = 130;
+inline constexpr int kExitOk = 0, kExitDiffers = 1, kExitBadInput = 2, kExitOwnFailure = 3, kExitInterrupted = 130;
 
 // A subcommand that was chosen sets `run`.
 using Run = std::function<int()>;
 
-// Which rungs of the ladder a subcommand runs: --rung, --rungs (all of them without it), or either.
-enum class Rungs { kOne, kSeveral, kOneOrSeveral };
+// What stands below a subcommand's options: an example, notes, and what its exit codes 0 and 1 mean (without `differs`
+// it compares nothing).
+std::string footer(const std::string& example, const std::string& agrees, const std::string& differs = "",
+                   const std::string& notes = "");
+
+// Which design points a subcommand runs: --rung, --rungs (all of them without it), or either.
+enum class DesignPoints { kOne, kSeveral, kOneOrSeveral };
 
 // What every subcommand that renders a view takes.
 struct ViewArguments {
-  std::string scene, cameras, rung, config;
+  std::string scene, cameras, design_point, config;
   int view = 0;
   std::vector<int> window;
-  std::vector<std::string> settings, rungs;
+  std::vector<std::string> settings, design_points;
   double near_plane = 0.2;
 
-  void add(CLI::App& app, Rungs which = Rungs::kOne);
-  // The configuration is the rung, then the lines of --config, then the settings. Throws ConfigError.
+  void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
+  // The configuration is the design point, then the lines of --config, then the settings. Throws ConfigError.
   SimulateOptions options() const;
-  // The same on another rung; the settings must leave alone what makes a rung.
-  SimulateOptions options(const Rung& rung) const;
+  // The same on another design point; the settings must leave alone what makes one.
+  SimulateOptions options(const DesignPoint& design_point) const;
   std::vector<SimulateOptions> each() const;  // of --rungs, or the one of --rung
 };
 
@@ -60,10 +70,8 @@ LoadedView load_view(const ViewArguments& arguments);
 // Switches on what the scene cannot do without: the compensation of an antialiased one.
 void follow_scene(const Scene& scene, SimulateOptions& options);
 
-// Writes frame.exr and frame.png; nothing is left half-written.
-void write_images(const std::string& folder, const Image& image);
-void write_text(const std::string& path, const std::string& text);
-void write_charts(const std::string& path, const std::vector<Chart>& charts);  // nothing without a path
+// Throws ConfigError when the machine shows no streams, before anything is computed for those who look at them.
+void need_taps(const SimulateOptions& options);
 
 void add_info(CLI::App& app, Run& run);
 void add_sim(CLI::App& app, Run& run);

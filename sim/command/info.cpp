@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
 // info.cpp: `pipegs info SCENE`: what is in a scene and what in it looks wrong.
 #include <fmt/format.h>
 
-#include "scenes/generate.hpp"
+#include "scenes/generate/generate.hpp"
 #include "scenes/info.hpp"
-#include "scenes/ply.hpp"
+#include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
 
 namespace pipegs {
 
 void add_info(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("info", "counts, SH degree, bounds and suspicious values of a scene");
-  command->footer("Example: pipegs info garden.ply --json");
+  command->footer(footer("pipegs info garden.ply --json", "done"));
   static std::string scene, save;
   static bool json = false;
   command->add_option("SCENE", scene, "scene as .ply; without it our own scene");
@@ -18,10 +19,13 @@ void add_info(CLI::App& app, Run& run) {
   command->add_flag("--json", json, "as JSON");
   command->callback([&run] {
     run = [] {
+      try_file("--save", save);
       const Scene loaded = scene.empty() ? generate_scene(1) : read_ply(scene);
       const SceneInfo info = inspect(loaded);
       fmt::print("{}\n", json ? to_json(info) : to_text(info));
-      if (!save.empty()) write_ply(save, loaded);
+      if (save.empty()) return kExitOk;
+      make_folder_of(save);
+      write_ply(save, loaded);
       return kExitOk;
     };
   });

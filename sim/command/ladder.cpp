@@ -1,14 +1,15 @@
-// ladder.cpp: `pipegs ladder`: one view on every rung, each compared bit for bit: the paper's Fig. 8 and 9.
+// SPDX-License-Identifier: Apache-2.0
+// ladder.cpp: `pipegs ladder`: one view on every design point, each compared bit for bit: the paper's Fig. 8 and 9.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
 
-#include "scenes/input_error.hpp"
 #include "sim/command/command.hpp"
-#include "sim/ladder.hpp"
+#include "sim/study/ladder.hpp"
 #include "sim/progress.hpp"
-#include "sim/report.hpp"
+#include "sim/report/report.hpp"
+#include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
 namespace {
@@ -20,22 +21,22 @@ struct Arguments {
   bool json = false, no_truth = false;
 };
 
-// What the rungs above have shown, for comparing pictures and for truths that need not be rendered again.
+// What the design points above have shown, for comparing pictures and for truths that need not be rendered again.
 struct Known {
-  std::vector<std::pair<const Rung*, std::vector<uint64_t>>> pixels;
+  std::vector<std::pair<const DesignPoint*, std::vector<uint64_t>>> pixels;
   std::unique_ptr<Simulation> first;
 };
 
 void compare_pixels(LadderRow& row, const std::vector<uint64_t>& pixels, Known& known) {
-  for (const auto& [rung, other] : known.pixels) {
-    if (row.same_pixels.empty() && other == pixels) row.same_pixels = rung->name;
-    if (rung->order != row.rung->order || row.different_pixels > 0) continue;
+  for (const auto& [design_point, other] : known.pixels) {
+    if (row.same_pixels.empty() && other == pixels) row.same_pixels = design_point->name;
+    if (design_point->order != row.design_point->order || row.different_pixels > 0) continue;
     for (size_t i = 0; i < pixels.size(); ++i) row.different_pixels += pixels[i] != other[i];
   }
-  known.pixels.emplace_back(row.rung, pixels);
+  known.pixels.emplace_back(row.design_point, pixels);
 }
 
-void run_rung(LadderRow& row, const Arguments& arguments, const LoadedView& loaded, Known& known) {
+void run_design_point(LadderRow& row, const Arguments& arguments, const LoadedView& loaded, Known& known) {
   auto simulation = std::make_unique<Simulation>();
   simulate_golden(loaded.scene, loaded.camera, row.options, *simulation);
   row.with_truth = !arguments.no_truth;
@@ -46,38 +47,52 @@ void run_rung(LadderRow& row, const Arguments& arguments, const LoadedView& load
   if (row.with_truth) simulate_truth(loaded.scene, loaded.camera, row.options, *simulation, known.first.get());
   ladder_figures(row, *simulation, watch);
   compare_pixels(row, simulation->golden.pixels, known);
-  const std::string folder = arguments.out + "/" + std::string(row.rung->name);
+  const std::string folder = arguments.out + "/" + std::string(row.design_point->name);
   write_images(folder, crop_window(simulation->golden.image, row.options));
-  write_text(folder + "/report.json", report_json(loaded.scene, loaded.camera, row.options, *simulation).dump(2) + "\n");
-  if (simulation->first_mismatch) fmt::print(stderr, "{}: first mismatch: {}\n", row.rung->name, simulation->first_mismatch->what);
+  write_text(folder + "/report.json",
+             report_json(loaded.scene, loaded.camera, row.options, *simulation).dump(2) + "\n");
+  if (simulation->first_mismatch)
+    fmt::print(stderr, "{}: first mismatch: {}\n", row.design_point->name, simulation->first_mismatch->what);
   if (!known.first) known.first = std::move(simulation);
 }
 
+void check_outputs(const Arguments& arguments, const std::vector<const DesignPoint*>& chosen) {
+  try_folder("--out", arguments.out, {"ladder.json"});
+  for (const DesignPoint* design_point : chosen)
+    try_folder("--out", arguments.out + "/" + std::string(design_point->name),
+               {"frame.exr", "frame.png", "report.json"});
+  try_file("--svg", arguments.svg);
+}
+
+// Of the design point that runs, and of the first one, whose truths are kept.
+PixelBytes memory_of(const Arguments& arguments) {
+  const PixelBytes one = arguments.no_truth ? kGoldenPixels : kGoldenPixels + kTruthPixels;
+  return one + one + kWritePixels + kRtlPixels;
+}
+
 int ladder(const Arguments& arguments) {
-  const std::vector<const Rung*> chosen = find_rungs(arguments.view.rungs);
+  const std::vector<const DesignPoint*> chosen = find_design_points(arguments.view.design_points);
   std::vector<LadderRow> rows;
-  for (const Rung* rung : chosen) {
-    rows.push_back({.rung = rung, .options = arguments.view.options(*rung)});
+  for (const DesignPoint* design_point : chosen) {
+    rows.push_back({.design_point = design_point, .options = arguments.view.options(*design_point)});
     arguments.memory.apply(rows.back().options);
   }
+  check_outputs(arguments, chosen);
+  for (const LadderRow& row : rows) need_taps(row.options);
   const LoadedView loaded = load_view(arguments.view);
   for (LadderRow& row : rows) follow_scene(loaded.scene, row.options);
+  check_picture_memory(loaded.camera, rows.front().options, memory_of(arguments));
 
   Known known;
-  int done = 0;
+  size_t done = 0;
   bool differs = false;
   for (LadderRow& row : rows) {
-    if (!arguments.json) fmt::print(stderr, "{}: {}\n", row.rung->name, row.rung->what);
+    if (!arguments.json) fmt::print(stderr, "{}: {}\n", row.design_point->name, row.design_point->what);
     try {
-      run_rung(row, arguments, loaded, known);
+      run_design_point(row, arguments, loaded, known);
       ++done;
       differs = differs || row.mismatches > 0 || row.different_pixels > 0;
-    } catch (const InputError&) {
-      throw;  // a file cannot be written
-    } catch (const RtlBuildError& error) {
-      row.failure = error.what();
-    } catch (const std::runtime_error& error) {  // an assertion, or the machine hangs
-      if (interrupted()) throw;
+    } catch (const RtlBuildError& error) { row.failure = error.what(); } catch (const RtlFault& error) {
       row.failure = error.what();
       differs = true;
     }
@@ -87,32 +102,40 @@ int ladder(const Arguments& arguments) {
   nlohmann::ordered_json json = {
       {"scene", {{"name", loaded.scene.name}, {"gaussians", loaded.scene.gaussians.size()}}},
       {"camera", {{"name", camera.name}, {"width", camera.width}, {"height", camera.height}}},
-      {"memory", {{"kind", arguments.memory.external.dram}, {"bytes_per_cycle", memory_peak(arguments.memory.external)},
-                  {"seed", arguments.memory.seed}}},
+      {"memory",
+       {{"kind", arguments.memory.external.dram},
+        {"bytes_per_cycle", memory_peak(arguments.memory.external)},
+        {"seed", arguments.memory.seed}}},
       {"rungs", ladder_json(rows)}};
   if (done > 0) write_text(arguments.out + "/ladder.json", json.dump(2) + "\n");
   if (done > 0) write_charts(arguments.svg, ladder_charts(rows));
   if (arguments.json) {
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle\n\n{}", loaded.scene.name, loaded.scene.gaussians.size(), camera.name,
-               camera.width, camera.height, arguments.memory.external.dram, memory_peak(arguments.memory.external), ladder_text(rows));
-    if (done > 0) fmt::print("  figures {0}/ladder.json, pictures and reports {0}/<rung>\n", arguments.out);
+    fmt::print("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle\n\n{}", loaded.scene.name,
+               loaded.scene.gaussians.size(), camera.name, camera.width, camera.height, arguments.memory.external.dram,
+               memory_peak(arguments.memory.external), ladder_text(rows));
+    if (done > 0) fmt::print("  figures {0}/ladder.json, pictures and reports {0}/<design point>\n", arguments.out);
   }
-  if (differs) return kExitMismatch;
-  return done > 0 ? kExitOk : kExitBadInput;
+  if (differs) return kExitDiffers;
+  return done == rows.size() ? kExitOk : kExitOwnFailure;
 }
 
 }  // namespace
 
 void add_ladder(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("ladder", "one view on the paper's rungs, from the baseline to the final design, and on ours");
-  command->footer("Example: pipegs ladder garden.ply --cameras cameras.json --view 0 --svg ladder.svg\n"
-                  "Exit code 0 only when every bit of every rung agrees, 1 on a mismatch, 2 on bad input. A rung whose RTL does not build is named and left out.");
+  CLI::App* command = app.add_subcommand(
+      "ladder", "one view on the paper's design points, from the baseline to the final design, and on ours");
+  command->footer(footer("pipegs ladder garden.ply --cameras cameras.json --view 0 --svg ladder.svg",
+                         "every bit of every design point agrees", "a bit differs or the RTL stops",
+                         "A design point whose RTL does not build is named, the others run; then the exit code is 3."));
   static Arguments arguments;
-  arguments.view.add(*command, Rungs::kSeveral);
+  arguments.view.add(*command, DesignPoints::kSeveral);
   arguments.memory.add(*command);
-  command->add_option("--out", arguments.out, "folder for ladder.json and, for each rung, report.json and the picture")->capture_default_str();
+  command
+      ->add_option("--out", arguments.out,
+                   "folder for ladder.json and, for each design point, report.json and the picture")
+      ->capture_default_str();
   command->add_option("--svg", arguments.svg, "charts");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--json", arguments.json, "print ladder.json instead of the tables");

@@ -1,15 +1,78 @@
-// main.cpp: the command line `pipegs`. Each subcommand lives in its own file.
+// SPDX-License-Identifier: Apache-2.0
+// main.cpp: the command line `pipegs`. Each subcommand lives in its own file; here, and nowhere else, what was thrown
+// becomes an exit code.
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "cpp_model/frame_setup.hpp"
 #include "scenes/input_error.hpp"
+#include "scenes/text/quote.hpp"
 #include "sim/command/command.hpp"
 #include "sim/progress.hpp"
+#include "sim/rtl/rtl_fault.hpp"
+
+namespace pipegs {
+namespace {
+
+int fail(int code, const std::string& what) {
+  fmt::print(stderr, "pipegs: {}\n", one_line(what));
+  return code;
+}
+
+template <class... Errors>
+bool is(const std::exception& error) {
+  return ((dynamic_cast<const Errors*>(&error) != nullptr) || ...);
+}
+
+int tell(const std::exception& error) {
+  if (is<InputError, ConfigError, FrameError>(error)) return fail(kExitBadInput, error.what());
+  if (is<RtlFault>(error)) return fail(kExitDiffers, error.what());
+  if (is<std::bad_alloc>(error)) return fail(kExitOwnFailure, "out of memory");
+  if (is<std::logic_error>(error)) return fail(kExitOwnFailure, fmt::format("a bug of ours: {}", error.what()));
+  return fail(interrupted() ? kExitInterrupted : kExitOwnFailure, error.what());
+}
+
+// Names of files go into reports, which are UTF-8 as all JSON is.
+void check_text(int argc, char** argv) {
+  using Json = nlohmann::json;
+  for (int i = 1; i < argc; ++i) {
+    try {
+      Json(argv[i]).dump();
+    } catch (const Json::type_error&) {
+      throw InputError(fmt::format("argument {}: found {}, expected text in UTF-8 (a name in Latin-1 must be changed)",
+                                   i, Json(argv[i]).dump(-1, ' ', true, Json::error_handler_t::replace)));
+    }
+  }
+}
+
+int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
+  check_text(argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    return fail(kExitBadInput, fmt::format("{} (--help shows how)", error.what()));
+  }
+  const int code = run();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return fail(kExitOwnFailure, "standard output cannot be written");
+  return code;
+}
+
+}  // namespace
+}  // namespace pipegs
 
 int main(int argc, char** argv) {
   using namespace pipegs;
   watch_interrupts();
   CLI::App app("PipeGS: a 3D Gaussian splatting accelerator in SystemVerilog, simulated and compared bit for bit");
   app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 agrees or done, 1 differs, 2 bad input or bad use, 3 our own failure (a machine does not build, "
+      "disk, memory, a bug), 130 interrupted.");
   Run run;
   add_sim(app, run);
   add_render(app, run);
@@ -28,21 +91,6 @@ int main(int argc, char** argv) {
   add_silicon(app, run);
   add_info(app, run);
   try {
-    app.parse(argc, argv);
-    return run();
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitOk : kExitBadInput;
-  } catch (const InputError& error) {
-    fmt::print(stderr, "pipegs: {}\n", error.what());
-    return kExitBadInput;
-  } catch (const ConfigError& error) {
-    fmt::print(stderr, "pipegs: {}\n", error.what());
-    return kExitBadInput;
-  } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "pipegs: {}\n", error.what());
-    return kExitBadInput;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "pipegs: {}\n", error.what());
-    return interrupted() ? kExitInterrupted : kExitMismatch;
-  }
+    return run_command(app, argc, argv, run);
+  } catch (const std::exception& error) { return tell(error); }
 }

@@ -1,10 +1,12 @@
-// model.cpp: `pipegs model`: the cycles of one view by the timing model, rung by rung, and against the RTL.
+// SPDX-License-Identifier: Apache-2.0
+// model.cpp: `pipegs model`: the cycles of one view by the timing model, design point by design point, and against the
+// RTL.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
 #include "sim/progress.hpp"
-#include "sim/timing_check.hpp"
+#include "sim/timing/timing_check.hpp"
 
 namespace pipegs {
 namespace {
@@ -20,19 +22,21 @@ struct ModelRow {
   double trace_seconds = 0, seconds = 0;  // of all threads' wall, of one core
   TimingResult result;
   RtlTiming rtl;
-  TimingErrors errors;
+  std::vector<std::string> differences;     // of --check
+  std::optional<TimingDifference> parting;  // where RTL and model part
 
+  double error() const { return static_cast<double>(result.cycles) / static_cast<double>(rtl.cycles) - 1; }
   double mega_cycles() const { return static_cast<double>(result.cycles) / seconds * 1e-6; }
   double rtl_khz() const { return static_cast<double>(rtl.cycles) / rtl.seconds * 1e-3; }
   double speed() const { return 1e3 * mega_cycles() / rtl_khz(); }
 };
 
-// The rung alone, or all that is set.
+// The design point alone, or all that is set.
 std::string name(const Config& config) {
-  const std::string rung = rung_name(config);
+  const std::string design_point = design_point_name(config);
   Config pure;
-  if (!rung.empty()) apply_rung(find_rung(rung), pure);
-  return pure == config ? rung : config_difference(config);
+  if (!design_point.empty()) apply_design_point(find_design_point(design_point), pure);
+  return pure == config ? design_point : config_difference(config);
 }
 
 ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, bool check) {
@@ -47,44 +51,68 @@ ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, boo
   row.seconds = thread_seconds() - before;
   if (!check) return row;
   row.rtl = rtl_timing(simulation.input, options.config, options.memory, options.rtl.seed);
-  row.errors = timing_errors(row.result, row.rtl);
+  row.differences = timing_differences(row.result, row.rtl);
+  if (row.differences.empty() || options.config.taps == 0) return row;
+  Lockstep lockstep(trace, options.config, options.memory);
+  rtl_timing(simulation.input, options.config, options.memory, options.rtl.seed, &lockstep);
+  row.parting = lockstep.first();
   return row;
 }
 
 nlohmann::ordered_json to_json(const ModelRow& row, bool check, bool windows) {
-  nlohmann::ordered_json json = {{"name", row.name}, {"cycles", row.result.cycles}, {"overflow_lines", row.result.overflow_lines},
-                                 {"seconds", {{"trace", row.trace_seconds}, {"model", row.seconds}}}, {"model_mhz", row.mega_cycles()}};
-  for (const TimingResult::Stream& stream : row.result.streams) json["bytes"][stream.name] = {{"read", stream.bytes_read}, {"written", stream.bytes_written}};
+  nlohmann::ordered_json json = {{"name", row.name},
+                                 {"cycles", row.result.cycles},
+                                 {"overflow_lines", row.result.overflow_lines},
+                                 {"seconds", {{"trace", row.trace_seconds}, {"model", row.seconds}}},
+                                 {"model_mhz", row.mega_cycles()}};
+  for (const TimingResult::Stream& stream : row.result.streams)
+    json["bytes"][stream.name] = {{"read", stream.bytes_read}, {"written", stream.bytes_written}};
   if (windows) json["window_ends"] = row.result.window_ends;
   if (!check) return json;
   json["rtl"] = {{"cycles", row.rtl.cycles}, {"overflow_lines", row.rtl.overflow_lines}, {"khz", row.rtl_khz()}};
   if (windows) json["rtl"]["window_ends"] = row.rtl.window_ends;
-  json["error"] = {{"frame", row.errors.frame}, {"worst_window", row.errors.worst_window}, {"windows", row.errors.windows}};
   json["speed_ratio"] = row.speed();
+  json["differences"] = row.differences;
+  json["first_difference"] = nullptr;
+  if (row.parting) {
+    json["first_difference"] = {{"cycle", row.parting->cycle},
+                                {"unit", row.parting->unit},
+                                {"rtl", row.parting->rtl},
+                                {"model", row.parting->model}};
+  }
   return json;
 }
 
 std::string to_text(const ModelRow& row, bool check) {
-  std::string text = fmt::format("  {:<10}{:>12}{:>9.2f}{:>9.3f}{:>9.1f}", row.name, row.result.cycles, row.trace_seconds, row.seconds, row.mega_cycles());
+  std::string text = fmt::format("  {:<13}{:>12}{:>9.2f}{:>9.3f}{:>9.1f}", row.name, row.result.cycles,
+                                 row.trace_seconds, row.seconds, row.mega_cycles());
   if (!check) return text + "\n";
-  const std::string window = row.errors.windows == 0 ? "none" : fmt::format("{:+.3f} %", 100 * row.errors.worst_window);
-  return text + fmt::format("{:>12}{:>9.0f}{:>+10.3f} %{:>12}{:>9}{:>8.0f}\n", row.rtl.cycles, row.rtl_khz(), 100 * row.errors.frame, window,
-                            row.errors.windows, row.speed());
+  text += fmt::format("{:>12}{:>9.0f}{:>+10.3f} %{:>8.0f}{:>9}\n", row.rtl.cycles, row.rtl_khz(), 100 * row.error(),
+                      row.speed(), row.differences.empty() ? "exact" : "differs");
+  for (const std::string& line : row.differences) text += fmt::format("    {}\n", line);
+  if (row.parting) text += fmt::format("    they part in {}\n", row.parting->text());
+  return text;
 }
 
 int model(const Arguments& arguments) {
   std::vector<SimulateOptions> options = arguments.view.each();
   const LoadedView loaded = load_view(arguments.view);
-  for (SimulateOptions& one : options) follow_scene(loaded.scene, one);
+  for (SimulateOptions& one : options) {
+    follow_scene(loaded.scene, one);
+    if (arguments.check) check_picture_memory(loaded.camera, one, kRtlPixels);
+  }
   if (!arguments.json) {
-    fmt::print("{}: view {} ({}x{}), memory {}\n\n  {:<10}{:>12}{:>9}{:>9}{:>9}{}\n", loaded.scene.name, loaded.camera.name, loaded.camera.width, loaded.camera.height,
-               arguments.memory.external.dram, "rung", "model", "trace s", "model s", "Mcycle/s",
-               arguments.check ? fmt::format("{:>12}{:>9}{:>12}{:>12}{:>9}{:>8}", "RTL", "kHz", "error", "window", "windows", "speed") : "");
+    fmt::print("{}: view {} ({}x{}), memory {}\n\n  {:<13}{:>12}{:>9}{:>9}{:>9}{}\n", loaded.scene.name,
+               loaded.camera.name, loaded.camera.width, loaded.camera.height, arguments.memory.external.dram,
+               "design point", "model", "trace s", "model s", "Mcycle/s",
+               arguments.check ? fmt::format("{:>12}{:>9}{:>12}{:>8}", "RTL", "kHz", "error", "speed") : "");
   }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  bool differs = false;
   for (SimulateOptions& one : options) {
     arguments.memory.apply(one);
     const ModelRow row = model_row(loaded, one, arguments.check);
+    differs = differs || !row.differences.empty();
     if (arguments.json) {
       list.push_back(to_json(row, arguments.check, arguments.windows));
     } else {
@@ -92,21 +120,29 @@ int model(const Arguments& arguments) {
       std::fflush(stdout);
     }
   }
-  if (arguments.json) fmt::print("{}\n", nlohmann::ordered_json{{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"rungs", list}}.dump(2));
-  return kExitOk;
+  if (arguments.json)
+    fmt::print(
+        "{}\n",
+        nlohmann::ordered_json{{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"rungs", list}}.dump(2));
+  return differs ? kExitDiffers : kExitOk;
 }
 
 }  // namespace
 
 void add_model(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("model", "cycles of one view by the timing model, without pixels; with --check also by the RTL");
-  command->footer("Example: pipegs model garden.ply --cameras cameras.json --view 0 --rungs late,exact --check\n"
-                  "error: cycles of the frame, window: the worst window of 20000 cycles or more; both against the RTL.\n"
-                  "Seconds of the model and kHz of the RTL (nothing compared) are of one core; speed is their ratio.");
+  CLI::App* command = app.add_subcommand(
+      "model", "cycles of one view by the timing model, without pixels; with --check also by the RTL");
+  command->footer(footer(
+      "pipegs model garden.ply --cameras cameras.json --view 0 --rungs late,exact --check",
+      "counted (--check: cycles of frame and windows and bytes of each stream equal the RTL's)",
+      "--check: one of them differs, or the RTL stops",
+      "--check compares cycles of the frame and of each window, and bytes of each stream: exact, or it differs, and "
+      "the cycle\nand unit in which RTL and model part are named.\n"
+      "Seconds of the model and kHz of the RTL (no pixel compared) are of one core; speed is their ratio."));
   static Arguments arguments;
-  arguments.view.add(*command, Rungs::kOneOrSeveral);
+  arguments.view.add(*command, DesignPoints::kOneOrSeveral);
   arguments.memory.add(*command);
-  command->add_flag("--check", arguments.check, "run the RTL, too, and compare cycles");
+  command->add_flag("--check", arguments.check, "run the RTL, too, and compare cycles and bytes");
   command->add_flag("--windows", arguments.windows, "with --json: when the end of each window leaves the merge");
   command->add_flag("--json", arguments.json, "print JSON instead of the table");
   command->callback([&run] { run = [] { return model(arguments); }; });

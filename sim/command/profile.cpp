@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // profile.cpp: `pipegs profile`: where a view's time goes and what could be reused: the paper's Fig. 3, 4 and 5b.
 #include <fmt/format.h>
 
 #include "sim/command/command.hpp"
-#include "sim/profile.hpp"
+#include "sim/study/profile.hpp"
 
 namespace pipegs {
 namespace {
@@ -15,11 +16,14 @@ struct Arguments {
 };
 
 int profile(Arguments arguments) {
-  if (arguments.view.rung.empty()) arguments.view.rung = "baseline";
+  if (arguments.view.design_point.empty()) arguments.view.design_point = "baseline";
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
+  if (!arguments.no_rtl) need_taps(options);
+  try_file("--svg", arguments.svg);
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
+  check_picture_memory(loaded.camera, options, kGoldenPixels + kRtlPixels);
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
   FigureWatch watch(options.config);
@@ -29,25 +33,32 @@ int profile(Arguments arguments) {
 
   write_charts(arguments.svg, profile_charts(found));
   if (arguments.json) {
-    nlohmann::ordered_json json = {{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"rung", arguments.view.rung},
-                                   {"mismatches", simulation.mismatches}};
+    nlohmann::ordered_json json = {{"scene", loaded.scene.name},
+                                   {"camera", loaded.camera.name},
+                                   {"rung", arguments.view.design_point},
+                                   {"mismatches", nullptr}};
+    if (!arguments.no_rtl) json["mismatches"] = simulation.mismatches;
     json.update(profile_json(found));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}: {} Gaussians; view {} ({}x{}); rung {}\n\n{}", loaded.scene.name, loaded.scene.gaussians.size(), loaded.camera.name,
-               loaded.camera.width, loaded.camera.height, arguments.view.rung, profile_text(found));
+    fmt::print("{}: {} Gaussians; view {} ({}x{}); design point {}\n\n{}", loaded.scene.name,
+               loaded.scene.gaussians.size(), loaded.camera.name, loaded.camera.width, loaded.camera.height,
+               arguments.view.design_point, profile_text(found));
   }
   if (simulation.mismatches == 0) return kExitOk;
   fmt::print(stderr, "first mismatch: {}\n", simulation.first_mismatch->what);
-  return kExitMismatch;
+  return kExitDiffers;
 }
 
 }  // namespace
 
 void add_profile(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("profile", "where a view's time goes, and how often its Gaussians could be reused");
-  command->footer("Example: pipegs profile garden.ply --cameras cameras.json --rung baseline --svg profile.svg\n"
-                  "Without --rung the baseline. With --no-rtl any rung can be counted.");
+  CLI::App* command =
+      app.add_subcommand("profile", "where a view's time goes, and how often its Gaussians could be reused");
+  command->footer(footer("pipegs profile garden.ply --cameras cameras.json --rung baseline --svg profile.svg",
+                         "every bit of the RTL agrees (or --no-rtl: nothing compared)",
+                         "a bit differs or the RTL stops",
+                         "Without --rung the baseline. With --no-rtl any design point can be counted."));
   static Arguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);

@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // render.cpp: `pipegs render`: the pictures without the RTL.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "cpp_model/float/image.hpp"
 #include "cpp_model/float/truth.hpp"
@@ -18,12 +20,22 @@ struct Arguments {
   std::string model = "golden", semantics = "exact", out = "out", compare;
 };
 
-// How the written picture differs from another one, in 8-bit codes.
-void print_difference(const Image& image, const std::string& path) {
-  const Rgb8 mine = to_rgb8(image, glm::dvec3(0)), other = read_png8(path);
-  if (mine.width != other.width || mine.height != other.height) {
-    throw InputError(path, "", fmt::format("found {}x{} pixels, expected {}x{}", other.width, other.height, mine.width, mine.height));
-  }
+// The picture to compare with, read before anything is rendered.
+std::optional<Rgb8> read_other(const std::string& path, const Camera& camera, const SimulateOptions& options) {
+  if (path.empty()) return std::nullopt;
+  Rgb8 other = read_png8(path);
+  const int side = options.config.window;
+  const auto [column, row] = options.window.value_or(std::array{0, 0});
+  const int width = options.window ? std::min(side, camera.width - column * side) : camera.width,
+            height = options.window ? std::min(side, camera.height - row * side) : camera.height;
+  if (other.width == width && other.height == height) return other;
+  throw InputError(path, "",
+                   fmt::format("found {}x{} pixels, expected {}x{}", other.width, other.height, width, height));
+}
+
+// Prints how the written picture differs from another one, in 8-bit codes; whether it does.
+bool differs(const Image& image, const Rgb8& other, const std::string& path) {
+  const Rgb8 mine = to_rgb8(image, glm::dvec3(0));
   int largest = 0;
   size_t differing = 0;
   for (size_t i = 0; i < mine.data.size(); i += 3) {
@@ -32,13 +44,20 @@ void print_difference(const Image& image, const std::string& path) {
     largest = std::max(largest, pixel);
     differing += pixel > 0;
   }
-  fmt::print("against {}: {} of {} pixels differ, by {} codes at most\n", path, differing, mine.data.size() / 3, largest);
+  fmt::print("against {}: {} of {} pixels differ, by {} codes at most\n", path, differing, mine.data.size() / 3,
+             largest);
+  return differing > 0;
 }
 
 int render(const Arguments& arguments) {
   SimulateOptions options = arguments.view.options();
+  try_folder("--out", arguments.out, {"frame.exr", "frame.png"});
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
+  check_picture_memory(loaded.camera, options,
+                       kWritePixels + (arguments.model == "truth" ? PixelBytes{} : kGoldenPixels) +
+                           (arguments.model == "golden" ? PixelBytes{} : kImagePixels));
+  const std::optional<Rgb8> other = read_other(arguments.compare, loaded.camera, options);
   Simulation simulation;
   if (arguments.model != "truth") simulate_golden(loaded.scene, loaded.camera, options, simulation);
   Image image;
@@ -46,7 +65,9 @@ int render(const Arguments& arguments) {
     image = crop_window(simulation.golden.image, options);
   } else {
     TruthOptions truth;
-    truth.semantics = arguments.semantics == "inria" ? Semantics::kInria : arguments.semantics == "gsplat" ? Semantics::kGsplat : Semantics::kExact;
+    truth.semantics = arguments.semantics == "inria"    ? Semantics::kInria
+                      : arguments.semantics == "gsplat" ? Semantics::kGsplat
+                                                        : Semantics::kExact;
     if (arguments.model == "layered") truth.rank = &simulation.golden.rank;
     truth.near_plane = options.near_plane;
     Progress progress("truth");
@@ -58,24 +79,29 @@ int render(const Arguments& arguments) {
   }
   write_images(arguments.out, image);
   fmt::print("picture {}/frame.png, {}/frame.exr\n", arguments.out, arguments.out);
-  if (!arguments.compare.empty()) print_difference(image, arguments.compare);
-  return kExitOk;
+  return other && differs(image, *other, arguments.compare) ? kExitDiffers : kExitOk;
 }
 
 }  // namespace
 
 void add_render(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("render", "writes frame.exr and frame.png without simulating the RTL");
-  command->footer("Example: pipegs render garden.ply --cameras cameras.json --model truth --semantics inria --out inria");
+  command->footer(footer("pipegs render garden.ply --cameras cameras.json --model truth --semantics inria --out inria",
+                         "written", "with --compare: a pixel differs"));
   static Arguments arguments;
   arguments.view.add(*command);
-  command->add_option("--model", arguments.model,
-                      "truth (float64, global depth order), layered (float64, the hardware's order) or golden (fixed point)")
-      ->capture_default_str()->check(CLI::IsMember({"truth", "layered", "golden"}));
+  command
+      ->add_option(
+          "--model", arguments.model,
+          "truth (float64, global depth order), layered (float64, the hardware's order) or golden (golden model)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"truth", "layered", "golden"}));
   command->add_option("--semantics", arguments.semantics, "of the float64 models: footprints and pixel centres")
-      ->capture_default_str()->check(CLI::IsMember({"exact", "inria", "gsplat"}));
+      ->capture_default_str()
+      ->check(CLI::IsMember({"exact", "inria", "gsplat"}));
   command->add_option("--out", arguments.out, "folder for frame.exr and frame.png")->capture_default_str();
-  command->add_option("--compare", arguments.compare, "print how the picture differs from this 8-bit PNG");
+  command->add_option("--compare", arguments.compare,
+                      "say how the picture differs from this 8-bit PNG of the same size");
   command->callback([&run] { run = [] { return render(arguments); }; });
 }
 

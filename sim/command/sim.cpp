@@ -1,11 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
 // sim.cpp: `pipegs sim`: golden model, truth and RTL of one view, compared bit for bit.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <sstream>
+#include <algorithm>
 
 #include "sim/command/command.hpp"
-#include "sim/effects/run.hpp"
-#include "sim/report.hpp"
+#include "sim/command/replay.hpp"
+#include "sim/report/report.hpp"
+#include "sim/study/effects/run.hpp"
+#include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
 namespace {
@@ -14,82 +18,123 @@ struct Arguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string out = "out", waves;
-  std::string effects = "all";
+  std::vector<std::string> effects = {"all"};
   bool netlist = false, json = false, no_truth = false, no_rtl = false;
 };
 
-// The command that replays the window of the first mismatch with waves.
-std::string replay(const Arguments& arguments, const Mismatch& mismatch) {
-  std::string command = "build/pipegs sim";
-  if (!arguments.view.scene.empty()) command += fmt::format(" '{}'", arguments.view.scene);
-  if (!arguments.view.cameras.empty()) command += fmt::format(" --cameras '{}'", arguments.view.cameras);
-  command += fmt::format(" --view {} --window {},{} --seed {} --memory {} --latency {} --bandwidth {} --jitter {} --no-truth --waves window.fst",
-                         arguments.view.view, mismatch.window_x, mismatch.window_y, arguments.memory.seed, arguments.memory.external.dram, arguments.memory.external.latency,
-                         arguments.memory.external.bytes_per_cycle, arguments.memory.external.jitter);
-  if (!arguments.view.rung.empty()) command += " --rung " + arguments.view.rung;
-  for (const std::string& setting : arguments.view.settings) command += " --set " + setting;
-  return command;
+const std::vector<std::string> kAll = {"all"}, kAuto = {"auto"};
+
+bool are_named(const std::vector<std::string>& effects) { return effects != kAll && effects != kAuto; }
+
+// The command that runs the same again with waves: of one window, or of what was asked for.
+std::string replay(const Arguments& arguments, const CLI::App& command, const std::string& window) {
+  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves"};
+  std::string more = " --no-truth --out replay";
+  if (!window.empty()) {
+    other.insert("--window");
+    more += " --window " + window;
+  }
+  if (!arguments.netlist) more += " --waves replay/window.fst";  // gates write none
+  if (!arguments.netlist && are_named(arguments.effects)) {
+    std::vector<std::string> effects = arguments.effects;
+    for (const char* needed : {"waves", "taps"}) {
+      if (std::find(effects.begin(), effects.end(), needed) == effects.end()) effects.emplace_back(needed);
+    }
+    other.insert("--effects");
+    more += fmt::format(" --effects {}", shell_word(fmt::format("{}", fmt::join(effects, ","))));
+  }
+  return given_again(command, other) + more;
 }
 
 // What --effects asks for without a look at the view.
 EffectPlan named_effects(const Arguments& arguments, const SimulateOptions& options) {
-  if (arguments.effects == "all" || arguments.effects == "auto") return {options, {"all"}, {}};
-  std::vector<std::string> names;
-  std::istringstream list(arguments.effects);
-  for (std::string name; std::getline(list, name, ',');) names.push_back(name);
-  return plan_effects(options, names);
+  if (!are_named(arguments.effects)) return {options, {"all"}, {}};
+  return plan_effects(options, arguments.effects);
 }
 
-int simulate(const Arguments& arguments) {
+// The RTL on the view; when it stops, how to run it again.
+std::string run_rtl(const Arguments& arguments, const CLI::App& command, const LoadedView& loaded,
+                    const SimulateOptions& options, const EffectPlan& plan, Simulation& simulation) {
+  try {
+    return simulate_effects(loaded.scene, loaded.camera, options, plan, simulation);
+  } catch (const RtlFault&) {
+    fmt::print(stderr, "replay with waves: {}\n", replay(arguments, command, ""));
+    throw;
+  }
+}
+
+void check_outputs(const Arguments& arguments) {
+  try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
+  try_file("--waves", arguments.waves);
+}
+
+int simulate(const Arguments& arguments, const CLI::App& command) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
   options.variant.netlist = arguments.netlist;
+  if (arguments.no_rtl && !arguments.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
+  built_variant(options.variant, options.rtl);  // refuses waves of gates
+  check_outputs(arguments);
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
+  check_picture_memory(loaded.camera, options,
+                       kGoldenPixels + kWritePixels + (arguments.no_truth ? PixelBytes{} : kTruthPixels) +
+                           (arguments.no_rtl ? PixelBytes{} : kRtlPixels));
   EffectPlan plan = named_effects(arguments, options);
+  make_folder_of(arguments.waves);
 
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
   if (!arguments.no_truth) simulate_truth(loaded.scene, loaded.camera, options, simulation);
-  if (arguments.effects == "auto") plan = plan_effects(options, find_effects(effect_facts(loaded.scene, options, simulation, false)));
+  if (arguments.effects == kAuto)
+    plan = plan_effects(options, find_effects(effect_facts(loaded.scene, options, simulation, false)));
   std::string wrong;
-  if (!arguments.no_rtl) wrong = simulate_effects(loaded.scene, loaded.camera, options, plan, simulation);
+  if (!arguments.no_rtl) wrong = run_rtl(arguments, command, loaded, options, plan, simulation);
 
   auto report = report_json(loaded.scene, loaded.camera, wrong.empty() ? plan.options : options, simulation);
-  report["effects"] = {{"simulated", plan.simulated}, {"left_out", plan.left_out}};
+  report["effects"] = arguments.no_rtl
+                          ? nlohmann::ordered_json(nullptr)
+                          : nlohmann::ordered_json{{"simulated", plan.simulated}, {"left_out", plan.left_out}};
   write_images(arguments.out, crop_window(simulation.golden.image, options));
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
   if (arguments.json) {
     fmt::print("{}\n", report.dump(2));
   } else {
-    fmt::print("{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n", report_text(report), arguments.out, arguments.out, arguments.out);
+    fmt::print("{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n", report_text(report), arguments.out,
+               arguments.out, arguments.out);
   }
   if (!wrong.empty()) fmt::print(stderr, "pipegs: {}\n", wrong);
-  if (simulation.mismatches == 0) return wrong.empty() ? kExitOk : kExitMismatch;
+  if (simulation.mismatches == 0) return wrong.empty() ? kExitOk : kExitDiffers;
   fmt::print(stderr, "first mismatch, window {},{}: {}\nreplay with waves: {}\n", simulation.first_mismatch->window_x,
-             simulation.first_mismatch->window_y, simulation.first_mismatch->what, replay(arguments, *simulation.first_mismatch));
-  return kExitMismatch;
+             simulation.first_mismatch->window_y, simulation.first_mismatch->what,
+             replay(arguments, command,
+                    fmt::format("{},{}", simulation.first_mismatch->window_x, simulation.first_mismatch->window_y)));
+  return kExitDiffers;
 }
 
 }  // namespace
 
 void add_sim(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("sim", "one view through golden model, truth and RTL, every bit compared");
-  command->footer("Example: pipegs sim garden.ply --cameras cameras.json --view 0 --set units=2 --out garden\n"
-                  "Exit code 0 only when every bit agrees, 1 on a mismatch, 2 on bad input.");
+  CLI::App* command = app.add_subcommand(
+      "sim", "one view through golden (bit-accurate) model, float64 truth and RTL, every bit compared");
+  command->footer(footer("pipegs sim garden.ply --cameras cameras.json --view 0 --set units=2 --out garden",
+                         "every bit of the RTL agrees (or --no-rtl: nothing compared)",
+                         "a bit differs or the RTL stops"));
   static Arguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
   command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json")->capture_default_str();
   command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
-  command->add_option("--effects", arguments.effects, "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
+  add_names(*command, "--effects", arguments.effects,
+            "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
       ->capture_default_str();
-  command->add_flag("--netlist", arguments.netlist, "DOPU, PUs, SUs and RUs as gates (use with --window; builds for many minutes)");
+  command->add_flag("--netlist", arguments.netlist,
+                    "DOPU, PUs, SUs and RUs as gates (use with --window; builds for many minutes)");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
-  command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only");
+  command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only, nothing compared");
   command->add_flag("--json", arguments.json, "print report.json instead of the table");
-  command->callback([&run] { run = [] { return simulate(arguments); }; });
+  command->callback([&run, command] { run = [command] { return simulate(arguments, *command); }; });
 }
 
 }  // namespace pipegs

@@ -1,15 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
 // cycle.hpp: time, and the two kinds of places in which a beat waits: an output register and a queue.
 //
-// Idea    The model keeps the machine's registers, not its wires. In a cycle every unit sees the registers as they were when
-//         the cycle began; units are stepped from the image back to the scene (enum Unit of machine.hpp), so that a taker has
-//         emptied an output register before its owner looks whether it is free: the chain of ready signals of one cycle.
-//         A beat carries the cycle from which it can be seen.
+// Idea    The model keeps the machine's registers, not its wires. In a cycle every unit sees the registers as they were
+//         when the cycle began; units are stepped from the image back to the scene (enum Unit of machine.hpp), so that
+//         a taker has emptied an output register before its owner looks whether it is free: the chain of ready signals
+//         of one cycle. A beat carries the cycle from which it can be seen.
 #pragma once
 
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <utility>
 
 namespace pipegs::timing {
@@ -37,12 +39,14 @@ struct Output {
   void set(Cycle when, const T& what) { valid = true, from = when, value = what; }
 };
 
-// A queue of at most `depth` beats: `Latency` cycles from a push to the output, then one beat per cycle. Whether there is
-// room is a register: a place that is freed in a cycle can be used in the next one.
+// A queue of at most `depth` beats: `Latency` cycles from a push to the output, then one beat per cycle. Whether there
+// is room is a register: a place that is freed in a cycle can be used in the next one.
 template <class T, int Capacity, int Latency>
 class Queue {
  public:
-  explicit Queue(int depth = Capacity) : depth_(depth) {}
+  explicit Queue(int depth = Capacity) : depth_(depth) {
+    if (depth > Capacity) throw std::logic_error("timing model: a queue deeper than its array");
+  }
 
   bool room(Cycle now) const { return count_ + (last_pop_ == now ? 1 : 0) < depth_; }
   bool valid(Cycle now) const { return count_ > 0 && head_from_ <= now; }
@@ -93,7 +97,9 @@ class Wheel {
     slots_[static_cast<size_t>(when) & (kSlots - 1)][static_cast<size_t>(unit >> 6)] |= uint64_t{1} << (unit & 63);
   }
   // Only for a unit that comes later in this cycle.
-  void wake_now(int unit) { slots_[static_cast<size_t>(now_) & (kSlots - 1)][static_cast<size_t>(unit >> 6)] |= uint64_t{1} << (unit & 63); }
+  void wake_now(int unit) {
+    slots_[static_cast<size_t>(now_) & (kSlots - 1)][static_cast<size_t>(unit >> 6)] |= uint64_t{1} << (unit & 63);
+  }
 
   Cycle now() const { return now_; }
   void next_cycle() { ++now_; }

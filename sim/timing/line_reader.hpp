@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // line_reader.hpp: ranges of items in external memory as a stream of items, in the timing model.
 //
 // RTL     rtl/lib/line_reader.sv. The taker of items comes before the reader in a cycle, and the job comes last.
@@ -20,7 +21,7 @@ class LineReader {
 
   explicit LineReader(int items_per_line, uint64_t base) : half_(items_per_line - 1), base_(base) {}
 
-  // --- items, for their taker -----------------------------------------------------------------------------------------
+  // --- items, for their taker ----------------------------------------------------------------------------------------
   bool item_shown(Cycle now) const { return jobs_.valid(now) && (!jobs_.front().read || line_valid_); }
   const Job& job() const { return jobs_.front(); }
   uint32_t item() const { return item_; }  // of the job
@@ -33,10 +34,10 @@ class LineReader {
   }
   bool needs_step(Cycle now) const { return line_popped_ || jobs_.last_pop() == now; }  // after items were taken
 
-  // --- jobs: is there room in this cycle? ---------------------------------------------------------------------------------
+  // --- jobs: is there room in this cycle? ----------------------------------------------------------------------------
   bool job_room(Cycle now) const { return taken_at_ == now || (jobs_.room(now) && free_from_ <= now); }
 
-  // --- a cycle, after the items' taker: request granted, line answered, job taken (or null) ----------------------------------
+  // --- a cycle, after the items' taker: request granted, line answered, job taken (or null) --------------------------
   // Tells whether anything changed.
   bool step(Cycle now, bool granted, bool answered, const Job* job) {
     const bool load = stored_ > 0 && (!line_valid_ || line_popped_), popped = line_popped_;
@@ -53,14 +54,19 @@ class LineReader {
       jobs_.push(now, *job);
       if (job->read) {
         line_ = base_ + (job->first >> half_);
-        lines_left_ = static_cast<int>((job->count + static_cast<uint32_t>(half_) + (job->first & static_cast<uint32_t>(half_))) >> half_);
+        lines_left_ = static_cast<int>(
+            (job->count + static_cast<uint32_t>(half_) + (job->first & static_cast<uint32_t>(half_))) >> half_);
         free_from_ = kNever;
       }
     }
     return load || popped || granted || answered || job != nullptr;
   }
-  bool room_next(Cycle now) const { return jobs_.count() < Jobs && free_from_ <= now + 1; }  // after step: in the next cycle
-  bool room_before_job(Cycle now) const { return jobs_.room(now) && free_from_ <= now; }  // as job_room, asked for in step's cycle
+  bool room_next(Cycle now) const {
+    return jobs_.count() < Jobs && free_from_ <= now + 1;
+  }  // after step: in the next cycle
+  bool room_before_job(Cycle now) const {
+    return jobs_.room(now) && free_from_ <= now;
+  }  // as job_room, asked for in step's cycle
 
   // From the next cycle on.
   bool wants() const { return lines_left_ > 0 && credits_ > 0; }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // machine.cpp: see machine.hpp.
 #include "sim/timing/machine.hpp"
 
@@ -11,11 +12,31 @@ namespace pipegs::timing {
 static_assert(unit(kUnitEnd) <= 64 * Wheel::kWords);
 
 Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& memory_timing)
-    : trace(trace), config(config), frame(trace.frame), units(config.units), memory(memory_timing, config), lists(*this), dopu(*this) {
+    : trace(trace),
+      config(config),
+      frame(trace.frame),
+      units(config.units),
+      memory(memory_timing, config),
+      lists(*this),
+      dopu(*this) {
   for (int k = 0; k < units; ++k) {
     ru.emplace_back(*this, k);
     su.emplace_back(*this, k);
     pu.emplace_back(*this, k);
+  }
+  constexpr Cycle kHarnessCycles = 5;  // of the harness before the restart
+  for (Cycle i = 0; i < kHarnessCycles; ++i) memory.idle_step();
+  for (int kind = 0; kind < kUnitEnd; ++kind) {
+    for (int lane = 0; lane < 4; ++lane) {
+      const bool there = kind == kOrder                                                         ? lane < 2
+                         : kind == kPublish || kind == kDeal || kind == kDopu || kind == kLists ? lane == 0
+                                                                                                : lane < units;
+      const bool listed = kind == kLists || kind == kExpand || kind == kListColor;
+      if (!there || (!config.caches_alphas() && (kind == kWalk || kind == kStore || kind == kRows)) ||
+          (config.has_lists() ? kind == kColor : listed))
+        continue;
+      all_[static_cast<size_t>(unit(kind, lane) / 64)] |= uint64_t{1} << (unit(kind, lane) % 64);
+    }
   }
 }
 
@@ -60,40 +81,38 @@ bool Machine::other_spills(int lane, Cycle now) const {
 }
 
 Cycle Machine::run() {
+  while (cycle()) {}
+  return cycles_;
+}
+
+bool Machine::cycle() {
   constexpr Cycle kQuiet = 200000;  // without a request to memory: the model hangs
-  constexpr Cycle kHarnessCycles = 5;  // of the harness before the restart
-  for (Cycle i = 0; i < kHarnessCycles; ++i) memory.idle_step();
-  std::array<uint64_t, Wheel::kWords> all{};
-  for (int kind = 0; kind < kUnitEnd; ++kind) {
-    for (int lane = 0; lane < 4; ++lane) {
-      const bool there = kind == kOrder ? lane < 2 : kind == kPublish || kind == kDeal || kind == kDopu || kind == kLists ? lane == 0 : lane < units;
-      const bool listed = kind == kLists || kind == kExpand || kind == kListColor;
-      if (!there || (config.late != 0 && (kind == kWalk || kind == kStore || kind == kRows)) || (config.order == 1 ? kind == kColor : listed)) continue;
-      all[static_cast<size_t>(unit(kind, lane) / 64)] |= uint64_t{1} << (unit(kind, lane) % 64);
+  if (cycles_ >= 0) return false;
+  const Cycle now = wheel.now();
+  if (now == 0 || every_cycle) {
+    for (int i = 0; i < Wheel::kWords; ++i) wheel.word(i) |= all_[static_cast<size_t>(i)];
+  }
+  memory.step(*this, now);
+  for (int i = 0; i < Wheel::kWords; ++i) {
+    uint64_t& word = wheel.word(i);
+    while (word != 0) {
+      const int bit = std::countr_zero(word);
+      word &= word - 1;
+      step(64 * i + bit, now);
     }
   }
-  for (;; wheel.next_cycle()) {
-    const Cycle now = wheel.now();
-    if (now == 0 || every_cycle) {
-      for (int i = 0; i < Wheel::kWords; ++i) wheel.word(i) |= all[static_cast<size_t>(i)];
-    }
-    memory.step(*this, now);
-    for (int i = 0; i < Wheel::kWords; ++i) {
-      uint64_t& word = wheel.word(i);
-      while (word != 0) {
-        const int bit = std::countr_zero(word);
-        word &= word - 1;
-        step(64 * i + bit, now);
-      }
-    }
-    if (ru[0].window() == trace.windows.size() && memory.idle() &&
-        std::all_of(ru.begin(), ru.end(), [&](const Ru& one) { return one.window() == trace.windows.size() && one.written(); })) {
-      Cycle end = memory.last_accepted();
-      for (const Ru& one : ru) end = std::max(end, one.last_window_done());
-      return end + 1;
-    }
-    if (now - memory.last_accepted() > kQuiet) throw std::runtime_error("timing model: no memory request for " + std::to_string(kQuiet) + " cycles, cycle " + std::to_string(now) + ": it hangs");
+  if (ru[0].window() == trace.windows.size() && memory.idle() && std::all_of(ru.begin(), ru.end(), [&](const Ru& one) {
+        return one.window() == trace.windows.size() && one.written();
+      })) {
+    Cycle end = memory.last_accepted();
+    for (const Ru& one : ru) end = std::max(end, one.last_window_done());
+    cycles_ = end + 1;
   }
+  if (now - memory.last_accepted() > kQuiet)
+    throw std::runtime_error("timing model: no memory request for " + std::to_string(kQuiet) + " cycles, cycle " +
+                             std::to_string(now) + ": it hangs");
+  wheel.next_cycle();
+  return true;
 }
 
 }  // namespace pipegs::timing

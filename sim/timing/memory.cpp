@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // memory.cpp: see memory.hpp.
 #include "sim/timing/memory.hpp"
 
@@ -5,7 +6,11 @@
 
 namespace pipegs::timing {
 
-Memory::Memory(MemoryTiming& timing, const Config& config) : timing_(timing), units_(config.units), write_ports_(config.write_ports()), first_(((uint32_t{1} << write_ports_) - 1) | uint32_t{1} << node_port()) {
+Memory::Memory(MemoryTiming& timing, const Config& config)
+    : timing_(timing),
+      units_(config.units),
+      write_ports_(config.write_ports()),
+      first_(((uint32_t{1} << write_ports_) - 1) | uint32_t{1} << node_port()) {
   const auto set = [this](int port, int grant, int answer) {
     grant_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(grant);
     answer_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(answer);
@@ -15,10 +20,10 @@ Memory::Memory(MemoryTiming& timing, const Config& config) : timing_(timing), un
     set(sort_port(k), unit(kSu, k), unit(kSu, k));
     set(raster_port(k), unit(kSource, k), unit(kSource, k));  // the source wakes kRuMemory
     set(geometry_port(k), unit(kReader, k), unit(kReader, k));
-    const int color = unit(config.order == 1 ? kListColor : kColor, k);
+    const int color = unit(config.has_lists() ? kListColor : kColor, k);
     set(color_port(k), color, color);
   }
-  if (config.order == 1) set(list_port(), unit(kLists), unit(kLists));
+  if (config.has_lists()) set(list_port(), unit(kLists), unit(kLists));
   set(node_port(), unit(kDopu), unit(kDopu));
 }
 
@@ -32,6 +37,7 @@ void Memory::step(Machine& machine, Cycle now) {
   if (out_valid_ && timing_.ready()) {
     timing_.request(out_write_, out_line_, out_port_);
     ++(out_write_ ? written_ : read_)[static_cast<size_t>(out_port_)];
+    machine.show(now, Border::kRequest, out_port_, shown_request(out_line_, out_write_));
     last_accepted_ = now;
     free = true;
     out_valid_ = false;

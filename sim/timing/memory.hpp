@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
 // memory.hpp: the arbiter to external memory in the timing model.
 //
-// RTL     rtl/buf/memory_arbiter.sv: round robin among those that go first, then among the others, for the cycle after; a register on the
-//         way out and one on the way back.
-// Idea    A unit asks by setting its port's bit, which counts from the next cycle on and is cleared by the grant. The unit is
-//         woken in the cycle of its grant and in the cycle of its answer.
+// RTL     rtl/buf/memory_arbiter.sv: round robin among those that go first, then among the others, for the cycle after;
+//         a register on the way out and one on the way back.
+// Idea    A unit asks by setting its port's bit, which counts from the next cycle on and is cleared by the grant. The
+//         unit is woken in the cycle of its grant and in the cycle of its answer.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "cpp_model/config.hpp"
-#include "sim/memory_timing.hpp"
+#include "sim/memory/memory_timing.hpp"
 #include "sim/timing/cycle.hpp"
 
 namespace pipegs::timing {
@@ -21,11 +22,13 @@ class Memory {
  public:
   Memory(MemoryTiming& timing, const Config& config);
 
-  void ask(int port, uint64_t line, bool write = false) { wanted_ |= uint32_t{1} << port, line_[static_cast<size_t>(port)] = line, write_[static_cast<size_t>(port)] = write; }
+  void ask(int port, uint64_t line, bool write = false) {
+    wanted_ |= uint32_t{1} << port, line_[static_cast<size_t>(port)] = line, write_[static_cast<size_t>(port)] = write;
+  }
   bool granted(int port, Cycle now) const { return granted_ == port && grant_at_ == now; }
   bool answered(int port) const { return answered_ == port; }
   void step(Machine& machine, Cycle now);  // first of all in every cycle
-  void idle_step() { timing_.step(); }      // a cycle before the frame
+  void idle_step() { timing_.step(); }     // a cycle before the frame
   bool idle() const { return wanted_ == 0 && !out_valid_; }
 
   Cycle last_accepted() const { return last_accepted_; }

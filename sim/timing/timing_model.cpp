@@ -1,22 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
 // timing_model.cpp: see timing_model.hpp.
 #include "sim/timing/timing_model.hpp"
 
 #include <stdexcept>
 
-#include "sim/simulate.hpp"
+#include "sim/compare/simulate.hpp"
 #include "sim/timing/machine.hpp"
 
 namespace pipegs {
 
-TimingResult timing_run(const TimingTrace& trace, const Config& config, const ExternalMemoryOptions& options, const TimingOptions& timing) {
+TimingResult timing_run(const TimingTrace& trace, const Config& config, const ExternalMemoryOptions& options,
+                        const TimingOptions& timing) {
   const std::unique_ptr<MemoryTiming> memory = memory_timing(options);
   return timing_run(trace, config, *memory, timing);
 }
 
-TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTiming& memory, const TimingOptions& timing) {
+TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTiming& memory,
+                        const TimingOptions& timing) {
   if (!(timing_config(trace.config) == timing_config(config))) {
-    throw std::invalid_argument("timing model: the trace is of configuration " + config_difference(timing_config(trace.config)) +
-                                ", asked for is " + config_difference(timing_config(config)));
+    throw std::invalid_argument("timing model: the trace is of configuration " +
+                                config_difference(timing_config(trace.config)) + ", asked for is " +
+                                config_difference(timing_config(config)));
   }
   const auto machine = std::make_unique<timing::Machine>(trace, config, memory);
   machine->every_cycle = timing.every_cycle;

@@ -1,17 +1,19 @@
-// timing_model.hpp: how many cycles a frame takes, without its pixels: what parameter sweeps use in the place of the RTL.
+// SPDX-License-Identifier: Apache-2.0
+// timing_model.hpp: how many cycles a frame takes, without its pixels: what parameter sweeps use in the place of the
+// RTL.
 //
-// Idea    timing_trace() runs the golden model once and keeps what control depends on; timing_run() plays the control of
-//         every unit on it: queues, handshakes, latencies, memory. The trace serves every configuration that agrees with its own in
-//         all that timing_config() leaves.
+// Idea    timing_trace() runs the golden model once and keeps what control depends on; timing_run() plays the control
+//         of every unit on it: queues, handshakes, latencies, memory. The trace serves every configuration that agrees
+//         with its own in all that timing_config() leaves.
 // Rule    Same trace, configuration and memory: same result, cycle for cycle.
-// Docs    docs/timing_model.md
+// Docs    docs/cycles/timing_model.md
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "sim/memory_timing.hpp"
-#include "sim/timing/trace.hpp"
+#include "sim/memory/memory_timing.hpp"
+#include "sim/timing/trace/trace.hpp"
 
 namespace pipegs {
 
@@ -24,7 +26,7 @@ struct TimingResult {
   std::vector<Stream> streams;
   uint64_t overflow_lines = 0;
   uint64_t peak_lines = 0, peak_records = 0;  // most that one alpha store, one SU's store held
-  std::vector<uint64_t> window_ends;  // of each window: the cycle in which its end leaves the merge
+  std::vector<uint64_t> window_ends;          // of each window: the cycle in which its end leaves the merge
 };
 
 struct TimingOptions {
@@ -32,8 +34,10 @@ struct TimingOptions {
 };
 
 // Throws std::invalid_argument when the trace is not one of this configuration.
-TimingResult timing_run(const TimingTrace& trace, const Config& config, const ExternalMemoryOptions& memory = {}, const TimingOptions& options = {});
+TimingResult timing_run(const TimingTrace& trace, const Config& config, const ExternalMemoryOptions& memory = {},
+                        const TimingOptions& options = {});
 // With a memory of any timing.
-TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTiming& memory, const TimingOptions& options = {});
+TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTiming& memory,
+                        const TimingOptions& options = {});
 
 }  // namespace pipegs

@@ -1,11 +1,13 @@
-// The end of rtl/buf/alpha_store.sv in its proof: every reader gets what was written, once, one cycle after it was taken.
+// SPDX-License-Identifier: Apache-2.0
+// The end of rtl/buf/alpha_store.sv in its proof: every reader gets what was written, once, one cycle after it was
+// taken.
 //
 // Idea    Scoreboard of one line: the word of the SRAM that proof_memory watches is any word, the reader is any reader.
-// Rule    At most one reader is taken, always one if any asks; the answer goes to the reader taken in the cycle before and to no
-//         other; it shows what was written last to that line, the address taken modulo AlphaLines. No reader that asks waits
-//         more than Units - 1 cycles.
-// Invariant  What is remembered here stands in the SRAM. The cycles that the reader waits are the grants that pass it, which
-//         arbiter_proof.svh bounds.
+// Rule    At most one reader is taken, always one if any asks; the answer goes to the reader taken in the cycle before
+//         and to no other; it shows what was written last to that line, the address taken modulo AlphaLines. No reader
+//         that asks waits more than Units - 1 cycles.
+// Invariant  What is remembered here stands in the SRAM. The cycles that the reader waits are the grants that pass it,
+//         which arbiter_proof.svh bounds.
 
 (* hierconn *) logic [RingW-1:0] \u_lines.u_proof.word_o ;
 (* hierconn *) logic [$clog2(LineW)-1:0] \u_lines.u_proof.place_o ;

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/lib/arbiter.sv in its proof: one grant at most, to a request; a shown grant stays; and fairness.
 //
 // Rule    While port `who` asks, no other port is granted (and uses it) twice, so at most Ports - 1 others go first.
 //         Both ports are the solver's choice. A request may also be withdrawn; a shown grant stays while it is not.
-// Invariant  distance(p): ports between p and `who` on the way round. Each grant that passes `who` brings the last port nearer
-//         to it, and a shown grant lies on that way, unless `who` came after it was shown.
+// Invariant  distance(p): ports between p and `who` on the way round. Each grant that passes `who` brings the last port
+//         nearer to it, and a shown grant lies on that way, unless `who` came after it was shown.
 
 localparam int unsigned ProofW = $clog2(2 * Ports + 1);
 (* anyconst *) logic [PortW-1:0] who;

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/dopu/dopu_descend.sv in its proof: every verdict has a place in the queue of its level.
 //
-// Rule    Of each level at most Results nodes are in the test or wait as results, so no queue refuses one; a node that the readers
-//         or the walk show enters once, or is dropped.
+// Rule    Of each level at most Results nodes are in the test or wait as results, so no queue refuses one; a node that
+//         the readers or the walk show enters once, or is dropped.
 // Assumes Of dopu_test what free_test says. A window that is done stays done while something of it is inside.
 // Invariant  A place is reserved for each node in the test and each result that waits.
 

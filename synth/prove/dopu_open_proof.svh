@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/dopu/dopu_open.sv in its proof: at most Most buckets are open, and each waits its turn for the reader.
 //
-// Rule    A bucket is opened only when there is room; the number open is those opened and not settled; the nearest is the
-//         smallest of them, or the largest number; no job is overwritten before the reader has it.
+// Rule    A bucket is opened only when there is room; the number open is those opened and not settled; the nearest is
+//         the smallest of them, or the largest number; no job is overwritten before the reader has it.
 // Assumes A bucket is settled only while one is open (the module's own promise).
 
 localparam int unsigned ProofW = 16;

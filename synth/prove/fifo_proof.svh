@@ -1,7 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/lib/fifo.sv in its proof: a queue of Depth words, visible in the next cycle.
 //
-// Rule    proof_stream; ready exactly while a place is free, valid exactly while a word is held, count_o is their number.
-// Invariant  Pointers stay inside the ring and apart by the count; the remembered word lies `ahead` places behind the head.
+// Rule    proof_stream; ready exactly while a place is free, valid exactly while a word is held, count_o is their
+//         number.
+// Invariant  Pointers stay inside the ring and apart by the count; the remembered word lies `ahead` places behind the
+//         head.
 
 (* anyseq *) logic pick;
 logic              tracked;  // by u_proof, see proof_stream

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // free_line_reader: stands for rtl/lib/line_reader.sv in proofs of its users: any item at any time.
 //
-// Idea    Of the real one the proof `line_reader` says: what is shown stays until taken, at both ports; idle says whether a job is
-//         inside. Nothing else is known here, so jobs are taken and items shown as the solver likes.
+// Idea    Of the real one the proof `line_reader` says: what is shown stays until taken, at both ports; idle says
+//         whether a job is inside. Nothing else is known here, so jobs are taken and items shown as the solver likes.
 
 module line_reader #(
   parameter int unsigned TagW = 8,
@@ -63,10 +64,12 @@ module line_reader #(
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
   );
   proof_hold #(.DataW(1 + IndexW + TagW + ItemW), .Assumed(1'b1)) u_hold_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_read_o, out_index_o, out_tag_o, out_item_o})
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+    .beat_i({out_read_o, out_index_o, out_tag_o, out_item_o})
   );
 
   logic unused;
-  assign unused = &{1'b0, base_i, job_valid_i, job_read_i, job_first_i, job_count_i, job_tag_i, rsp_valid_i, rsp_data_i};
+  assign unused =
+      &{1'b0, base_i, job_valid_i, job_read_i, job_first_i, job_count_i, job_tag_i, rsp_valid_i, rsp_data_i};
 
 endmodule

@@ -1,13 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
 // free_planes: stands for rtl/dopu/dopu_planes.sv: any planes at any time, one set for each window.
 //
-// Idea    Of the real one the proof `dopu_planes` says: one window inside at most, planes only for a window that was taken,
-//         and what is shown stays until taken. Nothing else is known here.
+// Idea    Of the real one the proof `dopu_planes` says: one window inside at most, planes only for a window that was
+//         taken, and what is shown stays until taken. Nothing else is known here.
 
 module dopu_planes (
   input  logic                                clk_i,
   input  logic                                rst_ni,
 
-  input  pipegs_pkg::frame_t                  frame_i,
+  input  pipegs_pkg::rotation_t               rotation_i,
+  input  pipegs_pkg::lens_t                   lens_i,
+  input  pipegs_pkg::raster_t                 raster_i,
 
   input  logic                                window_valid_i,
   output logic                                window_ready_o,
@@ -40,6 +43,6 @@ module dopu_planes (
   );
 
   logic unused;
-  assign unused = &{1'b0, frame_i, window_x_i, window_y_i};
+  assign unused = &{1'b0, rotation_i, lens_i, raster_i, window_x_i, window_y_i};
 
 endmodule

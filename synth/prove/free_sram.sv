@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // free_sram: stands for rtl/lib/sram.sv in proofs of its users: any output that the rule of proof_memory allows.
 //
-// Idea    Nothing is stored but what proof_memory remembers, so a proof costs the same for any size. All that a real SRAM
-//         does is allowed here (proof `sram`), so what holds with this module holds with that one.
+// Idea    Nothing is stored but what proof_memory remembers, so a proof costs the same for any size. All that a real
+//         SRAM does is allowed here (proof `sram`), so what holds with this module holds with that one.
 
 module sram #(
   parameter int unsigned DataW = 32,

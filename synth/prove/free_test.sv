@@ -1,17 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
 // free_test: stands for rtl/dopu/dopu_test.sv: any verdict at any time, one for each node that entered.
 //
-// Idea    Known of the real one: it is a pipeline, so a verdict carries the tag of a node inside. Nodes inside are counted by the
-//         level in the top of their tag.
+// Idea    Known of the real one: it is a pipeline, so a verdict carries the tag of a node inside. Nodes inside are
+//         counted by the level in the top of their tag.
 
 module dopu_test #(
   parameter int unsigned TagW = 4,
   parameter int unsigned Phase = 0,
-  localparam int unsigned NearestW = 2 * pipegs_pkg::TestW + 2
+  localparam int unsigned DistanceW = 2 * pipegs_pkg::TestW + 2
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
 
-  input  pipegs_pkg::frame_t                    frame_i,
+  input  pipegs_pkg::position_t                 position_i,
+  input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
 
   input  logic                                  node_valid_i,
@@ -24,14 +26,14 @@ module dopu_test #(
   output logic                                  result_pass_o,
   output pipegs_pkg::node_t                     result_node_o,
   output logic [TagW-1:0]                       result_tag_o,
-  output logic signed [NearestW-1:0]            result_nearest_o,
+  output logic signed [DistanceW-1:0]            result_nearest_o,
   output logic [pipegs_pkg::ExpW-1:0]           result_exponent_o
 );
 
   (* anyseq *) logic ready, valid, pass;
   (* anyseq *) logic [pipegs_pkg::NodeBits-1:0] node;
   (* anyseq *) logic [TagW-1:0] tag;
-  (* anyseq *) logic [NearestW-1:0] nearest;
+  (* anyseq *) logic [DistanceW-1:0] nearest;
   (* anyseq *) logic [pipegs_pkg::ExpW-1:0] exponent;
   logic [7:0] inside_q [4];
   logic [1:0] enters, leaves;  // the levels
@@ -58,6 +60,6 @@ module dopu_test #(
   always_comb assume (!rst_ni || !valid || inside_q[leaves] != '0);
 
   logic unused;
-  assign unused = &{1'b0, frame_i, planes_i, node_i, set_i, tag_i};
+  assign unused = &{1'b0, position_i, near_plane_i, planes_i, node_i, set_i, tag_i};
 
 endmodule

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/lib/line_reader.sv in its proof: no line without its place, and both ports keep the stream contract.
 //
-// Rule    A line is asked for only when its place in the buffer is kept free, so an answer is never refused; the address asked
-//         for stays until the memory takes it, the item shown until it is taken; no item beyond the count of its job.
-// Assumes The memory answers what was asked for; a job that reads names at least one item (the module's own promise), at the door
-//         and, since the queue of jobs changes nothing (proof `fifo`), at its head.
+// Rule    A line is asked for only when its place in the buffer is kept free, so an answer is never refused; the
+//         address asked for stays until the memory takes it, the item shown until it is taken; no item beyond the count
+//         of its job.
+// Assumes The memory answers what was asked for; a job that reads names at least one item (the module's own promise),
+//         at the door and, since the queue of jobs changes nothing (proof `fifo`), at its head.
 // Invariant  Every place is free (a credit), asked for or stored; the ring's ends are apart by the lines stored.
 
 logic [CreditW-1:0] flight_q;  // lines asked for and not answered

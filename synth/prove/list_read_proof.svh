@@ -1,8 +1,10 @@
-// The end of rtl/list/list_read.sv in its proof: every window's list is read once, and each record goes to one SU, an end to all.
+// SPDX-License-Identifier: Apache-2.0
+// The end of rtl/list/list_read.sv in its proof: every window's list is read once, and each record goes to one SU, an
+// end to all.
 //
 // Idea    line_reader shows what it likes (free_line_reader); any one SU is watched.
-// Rule    The windows are counted from 0 to the frame's last, and no count leaves that range; a record goes to one SU, an end to
-//         every one; nobody sees a record twice, and what is shown stays until taken.
+// Rule    The windows are counted from 0 to the frame's last, and no count leaves that range; a record goes to one SU,
+//         an end to every one; nobody sees a record twice, and what is shown stays until taken.
 // Assumes A frame has at least one window and at most 2^ListWindowW; it starts when nothing is inside.
 
 (* anyconst *) logic [$clog2(Units + 1)-1:0] su;
@@ -21,7 +23,7 @@ always_ff @(posedge clk_i) begin
 end
 always_comb begin
   assume (32'(su) < Units);
-  assume (frame_i.first_x <= frame_i.last_x && frame_i.first_y <= frame_i.last_y);
+  assume (windows_i.first_x <= windows_i.last_x && windows_i.first_y <= windows_i.last_y);
   assume (!start_i || (windows != '0 && windows <= LeftW'(1) << NumberW));
   assume (!start_i || !busy_o);
   if (rst_ni) begin

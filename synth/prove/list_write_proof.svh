@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/list/list_write.sv in its proof: the records of a window lie one behind another, none over another.
 //
-// Idea    Any one window, of the solver's choice, is followed: the records taken of it are counted beside the module. The SRAM
-//         of the counts stands outside: of the window's count it is assumed that a read shows what was written before.
-// Rule    The line of a record of the window is the list's beginning plus the records before it in this frame; a line shown stays
-//         until taken; the counts of all windows are cleared before the first record is taken.
-// Assumes The SRAM's rule (proof `sram`). A frame begins when nothing is inside; the numbers of windows are the frame's; a list
-//         has room (the module's own promise: a full one would begin anew).
+// Idea    Any one window, of the solver's choice, is followed: the records taken of it are counted beside the module.
+//         The SRAM of the counts stands outside: of the window's count it is assumed that a read shows what was written
+//         before.
+// Rule    The line of a record of the window is the list's beginning plus the records before it in this frame; a line
+//         shown stays until taken; the counts of all windows are cleared before the first record is taken.
+// Assumes The SRAM's rule (proof `sram`). A frame begins when nothing is inside; the numbers of windows are the
+//         frame's; a list has room (the module's own promise: a full one would begin anew).
 // Invariant  The count is in the SRAM, one less than the records taken while the last of them is still held.
 
 (* anyconst *) logic [NumberW-1:0] window;
@@ -45,7 +47,7 @@ end
 
 always_comb begin
   assume (!shows_q || count_i == shown_q);
-  assume (frame_i.overflow == '0 && frame_i.first_x <= frame_i.last_x && frame_i.first_y <= frame_i.last_y);
+  assume (overflow_i == '0 && windows_i.first_x <= windows_i.last_x && windows_i.first_y <= windows_i.last_y);
   assume (windows <= LeftW'(1) << NumberW && LeftW'(window) < windows);
   assume (!restart_i || !(clearing || held_valid_q || out_valid_q || take));
   assume (started_q || splat_valid_i == '0);

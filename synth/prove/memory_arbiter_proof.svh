@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/buf/memory_arbiter.sv in its proof: each request leaves once, unchanged, in the order of the grants.
 //
-// Idea    The request taken last and whether the memory still owes its acceptance are the whole state: one beat fits inside.
-// Rule    At most one port is ready. A grant is for a port that asked in the cycle before, one of the first class (those
-//         that may write, and the last one) if such a one did, and stays while its port waits. What leaves is what was taken last, with the port's number as its tag, and
-//         stays until the memory takes it; nothing is taken over a request that waits. An answer goes to the port of its tag
-//         in the next cycle, and to no other.
+// Idea    The request taken last and whether the memory still owes its acceptance are the whole state: one beat fits
+//         inside.
+// Rule    At most one port is ready. A grant is for a port that asked in the cycle before, one of the first class
+//         (those that may write, and the last one) if such a one did, and stays while its port waits. What leaves is
+//         what was taken last, with the port's number as its tag, and stays until the memory takes it; nothing is taken
+//         over a request that waits. An answer goes to the port of its tag in the next cycle, and to no other.
 // Invariant  The registers hold what was remembered. Fairness inside is that of arbiter_proof.svh, at this size.
 
 localparam int unsigned ProofAddressW = pipegs_pkg::AddressW;
@@ -13,7 +15,8 @@ localparam int unsigned ProofBeatW = 1 + ProofAddressW + pipegs_pkg::TagW;
 (* anyconst *) logic [$clog2(pipegs_pkg::MemoryW)-1:0] place;  // any bit of a line
 logic                        waits_q;  // a request of the watched port was taken last and is still here
 logic                        any_q;    // some request is here
-logic                        chosen_q, first_q, held_q;  // in the cycle before: a port was chosen, one of the first class asked, the grant waited
+// In the cycle before: a port was chosen, one of the first class asked, the grant waited.
+logic                        chosen_q, first_q, held_q;
 logic [Ports-1:0]            asked_q, granted_q;
 logic                        asks, takes, writes, line_bit, write_q, line_bit_q, answer_q, answer_bit_q;
 logic [ProofAddressW-1:0]    address_q;

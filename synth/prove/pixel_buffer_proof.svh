@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/buf/pixel_buffer.sv in its proofs: two halves that change roles, each side sees its own.
 //
-// Idea    Scoreboard of one word, any word, of which both sides have one: what the blender wrote to its own since the last swap,
-//         and what it had written to the other one before. A swap hands the first over and makes a fresh one.
-// Rule    A read shows from the next cycle on, until the side's next read or a swap, whether the word was written, and if so
-//         what was written last before the read. A write shows to the blender alone until the swap.
+// Idea    Scoreboard of one word, any word, of which both sides have one: what the blender wrote to its own since the
+//         last swap, and what it had written to the other one before. A swap hands the first over and makes a fresh
+//         one.
+// Rule    A read shows from the next cycle on, until the side's next read or a swap, whether the word was written, and
+//         if so what was written last before the read. A write shows to the blender alone until the swap.
 // Assumes No access in the cycle of a swap (the module's own promise).
 // Invariant  Flags and SRAM of each half agree with the scoreboard.
 
@@ -24,7 +26,8 @@ logic [AddrW-1:0] word;
 logic [$clog2(DataW)-1:0] place;
 logic blend_written_q, blend_bit_q, resolve_written_q, resolve_bit_q;  // the word on either side
 // what either side shows: the word, written, its bit
-logic blend_shows_q, blend_shows_written_q, blend_shows_bit_q, resolve_shows_q, resolve_shows_written_q, resolve_shows_bit_q;
+logic blend_shows_q, blend_shows_written_q, blend_shows_bit_q;
+logic resolve_shows_q, resolve_shows_written_q, resolve_shows_bit_q;
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
 assign word  = \u_half_0.u_proof.word_o ;

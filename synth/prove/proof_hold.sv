@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // proof_hold: the stream contract at one port: valid, once up, stays up with the same beat until it is taken.
 //
 // Idea    Remembers what was shown and not taken in the cycle before, of the beat one bit of the solver's choice: what

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // proof_memory: what an SRAM promises, kept for one bit of one word, both of the solver's choice.
 //
-// Rule    A read of the word shows in the next cycle what was written to it last, not what is written in the cycle of the read;
-//         and the output stays until the next read.
-// Use     In `sram` the rule is proven (sram_proof.svh). In free_sram it is assumed, and users of any size are proven with
-//         that one in the SRAM's place; they see the ports here by (* hierconn *) wires of the same hierarchical name.
+// Rule    A read of the word shows in the next cycle what was written to it last, not what is written in the cycle of
+//         the read; and the output stays until the next read.
+// Use     In `sram` the rule is proven (sram_proof.svh). In free_sram it is assumed, and users of any size are proven
+//         with that one in the SRAM's place; they see the ports here by (* hierconn *) wires of the same hierarchical
+//         name.
 
 module proof_memory #(
   parameter int unsigned DataW = 1,

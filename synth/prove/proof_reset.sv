@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // proof_reset: every trace begins in reset; later the reset may come at any time.
 //
-// Idea    Registers start with free values, as in silicon. The one initialised register of a proof is here; an induction
-//         step, which starts anywhere, is not bound by it.
+// Idea    Registers start with free values, as in silicon. The one initialised register of a proof is here; an
+//         induction step, which starts anywhere, is not bound by it.
 
 module proof_reset (
   input logic clk_i,

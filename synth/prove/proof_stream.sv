@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // proof_stream: what a queue of beats promises, seen from its two ports.
 //
-// Idea    A scoreboard of one beat. In a cycle of the solver's choice (pick_i) the beat that goes in is remembered, with
-//         the number of beats ahead of it; each beat that leaves takes one off. Since the choice is free, what holds for
-//         this beat holds for all. Of its bits one is remembered, chosen likewise: what holds for it holds for all.
+// Idea    A scoreboard of one beat. In a cycle of the solver's choice (pick_i) the beat that goes in is remembered,
+//         with the number of beats ahead of it; each beat that leaves takes one off. Since the choice is free, what
+//         holds for this beat holds for all. Of its bits one is remembered, chosen likewise: what holds for it holds
+//         for all.
 // Rule    Never more than Capacity beats inside; none leaves that did not come; the remembered beat leaves behind
 //         exactly those that were ahead of it, and unchanged; valid and beat stay until taken.
 

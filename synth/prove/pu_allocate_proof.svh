@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/pu/pu_allocate.sv in its proof: a line of the ring is given again only after its layer is free.
 //
-// Idea    Any one line of the ring, of the solver's choice, is followed from the beat that gets it until its layer is free.
-// Rule    At most two layers live, and no beat of a third comes in; the lines of both fit into the ring; a line that lives is not
-//         given to another beat; both outputs keep what they show.
+// Idea    Any one line of the ring, of the solver's choice, is followed from the beat that gets it until its layer is
+//         free.
+// Rule    At most two layers live, and no beat of a third comes in; the lines of both fit into the ring; a line that
+//         lives is not given to another beat; both outputs keep what they show.
 // Assumes Of layer_free (its proof): a layer is freed only while one lives. A frame begins when no layer lives.
 // Invariant  A line that lives lies behind the head, nearer than all lines of its layer and of the layer after it.
-// Not said  overflow_q counts the lines of a layer in memory: that an area has room for them depends on the scene, see the
-//           module's own assertion.
+// Not said  overflow_q counts the lines of a layer in memory: that an area has room for them depends on the scene, see
+//           the module's own assertion.
 
 localparam int unsigned BeatW = pipegs_pkg::KindW + Regions + AlphaAddressW + 1;
 (* anyconst *) logic [HeadW-1:0] line;

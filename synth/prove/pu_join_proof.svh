@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/pu/pu_join.sv in its proof: a layer's end passes once, after all lines of the layer are written.
 //
-// Rule    An end of the splats passes for each end of the rows, never before it; a splat passes as it comes; what is shown stays.
-// Assumes Of pu_allocate (its proof): at most two layers have ended there and are not free; a layer that did not pass here is
-//         not free. The colours hold what they show.
+// Rule    An end of the splats passes for each end of the rows, never before it; a splat passes as it comes; what is
+//         shown stays.
+// Assumes Of pu_allocate (its proof): at most two layers have ended there and are not free; a layer that did not pass
+//         here is not free. The colours hold what they show.
 // Invariant  Ends counted: of the rows, not yet of the splats.
 
 (* anyseq *) logic freed;

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/pu/pu_phases.sv in its proof: one record in, eight phases, one record out, none lost.
 //
 // Idea    Records inside are counted at the ports; two places, so never more than two.
 // Rule    A record leaves for each that came; a record shown stays; the output register is claimed only when free, once
 //         for each record, and no finished record is overwritten; every level handles a record's phases in order.
-// Invariant  A level in use holds the phase issued as many steps ago; past the claim the records in the levels are one at most.
+// Invariant  A level in use holds the phase issued as many steps ago; past the claim the records in the levels are one
+//         at most.
 
 logic [1:0] held_q;     // records that came and did not leave
 logic [1:0] claimed_q;  // of these, those that have claimed the output register

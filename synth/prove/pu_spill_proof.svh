@@ -1,8 +1,10 @@
-// The end of rtl/pu/pu_spill.sv in its proof: a line goes to the store at once, or to memory whole, in order and before its end.
+// SPDX-License-Identifier: Apache-2.0
+// The end of rtl/pu/pu_spill.sv in its proof: a line goes to the store at once, or to memory whole, in order and before
+// its end.
 //
 // Idea    One bit of the line taken last for memory is remembered, at a place of the solver's choice.
-// Rule    Every line taken goes to one of the two; pieces are shown one after another, each with its part of the line and its
-//         address, until it is taken; no end passes while a piece waits.
+// Rule    Every line taken goes to one of the two; pieces are shown one after another, each with its part of the line
+//         and its address, until it is taken; no end passes while a piece waits.
 // Assumes pu_rows holds what it shows.
 // Invariant  The pieces left stand in the low end of the register.
 
@@ -48,6 +50,7 @@ always_comb begin
     // invariants
     assert (32'(gen_outside.left_q) == (busy_q ? Pieces - 32'(shown_q) : 0));
     assert (!busy_q || 32'(shown_q) < Pieces);
-    assert (!(busy_q && 32'(shown_q) <= 32'(place) / MemoryW) || gen_outside.held_q[32'(place) - 32'(shown_q) * MemoryW] == bit_q);
+    assert (!(busy_q && 32'(shown_q) <= 32'(place) / MemoryW) ||
+            gen_outside.held_q[32'(place) - 32'(shown_q) * MemoryW] == bit_q);
   end
 end

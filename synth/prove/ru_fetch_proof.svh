@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/ru/ru_fetch.sv in its proof: every line that was asked for has room when it comes.
 //
-// Rule    Lines from the memory in flight or waiting are at most FetchLines, local ones at most LocalLines; no queue refuses a line;
-//         a record shown stays, with its line.
-// Assumes The memory answers what was asked for, alpha_store in the next cycle (its proof); ru_walk holds what it shows (its proof).
-// Invariant  An external line is asked for and not answered, or in its queue; of a line in two parts the first is asked for and
-//         answered first.
+// Rule    Lines from the memory in flight or waiting are at most FetchLines, local ones at most LocalLines; no queue
+//         refuses a line; a record shown stays, with its line.
+// Assumes The memory answers what was asked for, alpha_store in the next cycle (its proof); ru_walk holds what it shows
+//         (its proof).
+// Invariant  An external line is asked for and not answered, or in its queue; of a line in two parts the first is asked
+//         for and answered first.
 
 (* hierconn *) logic [FetchW-1:0] \gen_outside.u_external.held_q ;
 (* hierconn *) logic [RecordsW-1:0] \u_records.held_q ;
@@ -17,9 +19,12 @@ proof_hold #(.DataW(pipegs_pkg::BlendBits)) u_hold_out (
   .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
 );
 proof_hold #(.DataW(LineW)) u_hold_line (
-  .clk_i, .rst_ni, .valid_i(out_valid_o && out_o.kind == pipegs_pkg::KindData), .ready_i(out_ready_i), .beat_i(out_line_o)
+  .clk_i, .rst_ni, .valid_i(out_valid_o && out_o.kind == pipegs_pkg::KindData), .ready_i(out_ready_i),
+  .beat_i(out_line_o)
 );
-proof_hold #(.DataW(AddressW)) u_hold_mem (.clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o));
+proof_hold #(.DataW(AddressW)) u_hold_mem (
+  .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+);
 proof_hold #(.DataW(pipegs_pkg::FetchBits), .Assumed(1'b1)) u_hold_in (
   .clk_i, .rst_ni, .valid_i(in_valid_i), .ready_i(in_ready_o), .beat_i(in_i)
 );

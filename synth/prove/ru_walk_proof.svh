@@ -1,16 +1,18 @@
-// The end of rtl/ru/ru_walk.sv in its proof: the windows that ended here and not yet in the lanes are counted without overflow.
+// SPDX-License-Identifier: Apache-2.0
+// The end of rtl/ru/ru_walk.sv in its proof: the windows that ended here and not yet in the lanes are counted without
+// overflow.
 //
-// Rule    The count is the ends that stand here behind the first register and those that have left and are not done; so the
-//         done mask is looked at only when it is that of the splat's window. What is shown stays.
-// Assumes Behind this module at most EndsMax - 2 ends fit: the records of ru_fetch, FetchLines + 8, and the lanes, 2. The lanes
-//         leave a window only when its end has come to them.
+// Rule    The count is the ends that stand here behind the first register and those that have left and are not done; so
+//         the done mask is looked at only when it is that of the splat's window. What is shown stays.
+// Assumes Behind this module at most EndsMax - 2 ends fit: the records of ru_fetch, FetchLines + 8, and the lanes, 2.
+//         The lanes leave a window only when its end has come to them.
 
 localparam int unsigned Fit = EndsMax - 2;
 logic [EndsW-1:0] behind_q, here;  // ends that have left and are not done; ends in the two registers
 logic             leaves;
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
-proof_hold #(.DataW(pipegs_pkg::KindW + RegionW + AddressW)) u_hold (
+proof_hold #(.DataW(pipegs_pkg::KindW + RegionW + AlphaAddressW)) u_hold (
   .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_o.kind, out_o.region, out_o.address})
 );
 

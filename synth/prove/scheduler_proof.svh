@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/scheduler.sv in its proof: a frame ends when every RU has completed all its windows, and not before.
 //
 // Idea    Windows completed are counted beside the module, for each RU.
-// Rule    No count of windows left goes below zero or above the frame's windows; the restart is one cycle long, the first one of a
-//         frame; busy falls only when all is complete, written and idle.
+// Rule    No count of windows left goes below zero or above the frame's windows; the restart is one cycle long, the
+//         first one of a frame; busy falls only when all is complete, written and idle.
 // Assumes Of the RUs: none completes more windows than the frame has, and none between frames.
 // Not said  Cycles and overflowed lines are counted in PerfW bits: 40 last for 18 minutes at 1 GHz.
 
@@ -21,7 +22,8 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     was_busy_q  <= busy_q;
     could_end_q <= idle_i && (complete == '1) && !restart_q;
     if (start_i && !busy_q) begin
-      total_q     <= (CountW'(frame_i.last_x) + 1 - CountW'(frame_i.first_x)) * (CountW'(frame_i.last_y) + 1 - CountW'(frame_i.first_y));
+      total_q     <= (CountW'(windows_i.last_x) + 1 - CountW'(windows_i.first_x)) *
+                     (CountW'(windows_i.last_y) + 1 - CountW'(windows_i.first_y));
       completed_q <= '0;
     end else begin
       completed_q <= completed_q + CountW'(window_done_i[unit]);
@@ -31,7 +33,7 @@ end
 
 always_comb begin
   assume (32'(unit) < Units);
-  assume (frame_i.first_x <= frame_i.last_x && frame_i.first_y <= frame_i.last_y);
+  assume (windows_i.first_x <= windows_i.last_x && windows_i.first_y <= windows_i.last_y);
   assume (!window_done_i[unit] || (busy_o && !restart_o && completed_q < total_q));
   if (rst_ni) begin
     assert (completed_q <= total_q && total_q <= CountW'(1) << (2 * WindowW));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/lib/skid.sv in its proof: a queue of two that is never refused while a place is free.
 //
 // Rule    proof_stream; ready exactly while fewer than two beats are inside, valid exactly while one is.

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/buf/sram_fifo.sv in its proofs: a queue of Depth words in an SRAM, visible two cycles later.
 //
-// Rule    proof_stream; ready exactly while fewer than Depth words are held, count_o is their number; a word that is held
-//         shows in this cycle or the next.
-// Invariant  Pointers stay inside the ring and apart by the words in the memory; the remembered word, which is one that goes to
-//         the word of the SRAM that proof_memory watches, lies there, or in the SRAM's output register once it is the head.
+// Rule    proof_stream; ready exactly while fewer than Depth words are held, count_o is their number; a word that is
+//         held shows in this cycle or the next.
+// Invariant  Pointers stay inside the ring and apart by the words in the memory; the remembered word, which is one that
+//         goes to the word of the SRAM that proof_memory watches, lies there, or in the SRAM's output register once it
+//         is the head.
 
 (* hierconn *) logic [PtrW-1:0] \u_words.u_proof.word_o ;
 (* hierconn *) logic [(DataW > 1 ? $clog2(DataW) : 1)-1:0] \u_words.u_proof.place_o ;
@@ -34,7 +36,8 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   else empty_q <= held == '0 || out_valid_o;
 end
 
-assign place = proof_wrap((PtrW+2)'(head_q) + (PtrW+2)'(ahead - CountW'(out_valid_q)));  // of the word, if it is in the memory
+// Of the word, if it is in the memory.
+assign place = proof_wrap((PtrW+2)'(head_q) + (PtrW+2)'(ahead - CountW'(out_valid_q)));
 always_comb begin
   assume (bit_place == \u_words.u_proof.place_o );
   if (rst_ni) begin

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/su/su_bitonic.sv in the proof of its cells at the widths of the machine.
 //
-// Idea    The proof `su_bitonic` sorts narrow keys. What it says of z, keys against any threshold, it says of wide keys too, if
-//         a stage moves z as there: whatever the threshold, a cell leaves the AND of both z on one side and the OR on the
-//         other, as its direction asks. Cell and threshold are the solver's choice.
+// Idea    The proof `su_bitonic` sorts narrow keys. What it says of z, keys against any threshold, it says of wide keys
+//         too, if a stage moves z as there: whatever the threshold, a cell leaves the AND of both z on one side and the
+//         OR on the other, as its direction asks. Cell and threshold are the solver's choice.
 // Rule    The two items of a cell stay as they are or are exchanged, whole; z(low side) = AND, z(high side) = OR.
 
 localparam int unsigned ProofValueW = pipegs_pkg::KeyW + 1;  // {void, key}

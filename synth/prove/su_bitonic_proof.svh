@@ -1,21 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/su/su_bitonic.sv in its proofs: batches leave in order, sorted, and made of the records that came.
 //
-// Idea    0-1 principle, with a threshold of the solver's choice: z says of each item whether its key is above it. Exchanging keys
-//         exchanges their z as if they were the keys, so a network that sorts z for every threshold sorts the keys. No
-//         width is left out. Permutation: one beat, again of the solver's choice, carries a mark in the top bit of its slot
-//         (RecordW is one more here than in the machine); it leaves once, in its batch, with its key and slot.
-// Rule    Seen from the ports: a batch leaves after the one before it, complete, as often as it has keys; in a batch no key
-//         at or below the threshold follows one above it; a beat shown stays; the first beat shows exactly 1 + 0, 1, 3, 6 or
-//         10 cycles after the batch is complete and the one before it has left.
+// Idea    0-1 principle, with a threshold of the solver's choice: z says of each item whether its key is above it.
+//         Exchanging keys exchanges their z as if they were the keys, so a network that sorts z for every threshold
+//         sorts the keys. No width is left out. Permutation: one beat, again of the solver's choice, carries a mark in
+//         the top bit of its slot (RecordW is one more here than in the machine); it leaves once, in its batch, with
+//         its key and slot.
+// Rule    Seen from the ports: a batch leaves after the one before it, complete, as often as it has keys; in a batch no
+//         key at or below the threshold follows one above it; a beat shown stays; the first beat shows exactly 1 + 0,
+//         1, 3, 6 or 10 cycles after the batch is complete and the one before it has left.
 // Assumes Batches of 1 to 16, and an end alone in its batch (the module's own promises).
-// Invariant  Before the stage at `distance` of the merge of `size`: blocks of 2 * distance channels are bitonic (z changes at most
-//         twice on the way round), and follow each other in the direction of their group of `size` channels. The void
-//         bits lie where the network moves them from the places behind the batch; one item has the mark.
+// Invariant  Before the stage at `distance` of the merge of `size`: blocks of 2 * distance channels are bitonic (z
+//         changes at most twice on the way round), and follow each other in the direction of their group of `size`
+//         channels. The void bits lie where the network moves them from the places behind the batch; one item has the
+//         mark.
 
 (* anyconst *) logic [pipegs_pkg::KeyW-1:0] threshold;
 (* anyconst *) logic [$clog2(DataW)-1:0]    place;      // a bit of the marked beat
 (* anyseq *)   logic                        pick;
-logic [ChannelW:0] coming_q, left_q;                // keys of the batch that comes in, keys to come of the one that leaves
+logic [ChannelW:0] coming_q, left_q;                // keys of the batch that comes in; to come of the one that leaves
 logic              complete_q, end_coming_q, end_leaving_q, first, above_q;
 logic              mark_coming_q, mark_leaving_q, bit_q;  // the marked beat is one of them; its bit
 logic [3:0]        waits_q;                         // cycles that a complete batch waits for its first beat to show
@@ -93,7 +96,7 @@ always_comb begin
   end
 end
 
-// --- invariants ------------------------------------------------------------------------------------------------------------
+// --- invariants ------------------------------------------------------------------------------------------------------
 logic [Channels-1:0] z, marks, bits, void_z, coming, leaving;
 logic                shown;  // of the sorted batch nothing has left yet, so at the ports it is still the one that comes
 assign shown = !sorting_q && sent_q == '0 && live_q != '0;
@@ -167,8 +170,9 @@ for (genvar size = 1; size <= ChannelW; size += 1) begin : gen_size
       localparam bit Down = (i >> size) % 2 != 0 && size < ChannelW;
       localparam bit Upper = (i >> distance) % 2 != 0;
       assign up[i] = z[Place] != Down;
-      assign void_at[(Stage+1)*Channels+i] = Upper != Down ? void_at[Stage*Channels+i] || void_at[Stage*Channels+Other]
-                                                            : void_at[Stage*Channels+i] && void_at[Stage*Channels+Other];
+      assign void_at[(Stage+1)*Channels+i] = Upper != Down
+          ? void_at[Stage*Channels+i] || void_at[Stage*Channels+Other]
+          : void_at[Stage*Channels+i] && void_at[Stage*Channels+Other];
       always_comb if (now) assert (void_z[Place] == void_at[Stage*Channels+i]);
     end
     for (genvar b = 0; b < Channels / Block; b += 1) begin : gen_block

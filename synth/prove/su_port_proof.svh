@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // The end of rtl/su/su_port.sv in its proof: every line asked for has room when it comes.
 //
-// Rule    Lines asked for and not used are at most Answers, so the store never refuses an answer; what the memory is shown
-//         stays until it is taken; of the three who ask, only the one shown is told that it was taken.
+// Rule    Lines asked for and not used are at most Answers, so the store never refuses an answer; what the memory is
+//         shown stays until it is taken; of the three who ask, only the one shown is told that it was taken.
 // Assumes The memory answers what was asked for; each who asks holds its request (proof_hold).
 // Invariant  A line in flight was asked for and not answered, or it is in the store.
 

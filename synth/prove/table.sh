@@ -1,12 +1,16 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
 # The table of proofs, read by synth/prove.sh. The comment above a proof says what its parameters mean.
 #
-# proof  NAME MODULES PARAMETERS     MODULES: the first is the top; `a+b` is module a with the checker b_proof.svh at its end, `a+`
-#        with its own; free_a stands for module a. PARAMETERS: sets of Name=value, with @settings where a package is read
-#        (@default: the machine as it is) and %Name=value for a constant changed in it; or `machine`, see prove.sh
-# mutant WHAT CHANGE [PARAMETERS]    of the top of the proof above; a trace of at most 16 cycles refutes it. CHANGE: of sed -E;
+# proof  NAME MODULES PARAMETERS     MODULES: the first is the top; `a+b` is module a with the checker b_proof.svh at
+#        its end, `a+` with its own; free_a stands for module a. PARAMETERS: sets of Name=value, with @settings where a
+#        package is read (@default: the machine as it is) and %Name=value for a constant changed in it; or `machine`,
+#        see prove.sh
+# mutant WHAT CHANGE [PARAMETERS]    of the top of the proof above; a trace of at most 16 cycles refutes it. CHANGE: of
+#        sed -E;
 #        PARAMETERS: else the first set
 
-# --- rtl/lib -------------------------------------------------------------------------------------------------------------
+# --- rtl/lib ----------------------------------------------------------------------------------------------------------
 # Every bit of a word travels by itself, so a few bits stand for all widths.
 proof  skid "skid+" "DataW=1; DataW=8; DataW=64"
 mutant "the spare register is overwritten" 's/if \(in_ready_o\) spare_q/spare_q/'
@@ -14,7 +18,8 @@ mutant "the spare register is never emptied" 's/(spare_valid_q <= )!out_free \&\
 mutant "the spare beat is lost" 's/spare_valid_q \? spare_q : in_i/in_i/'
 
 # Small rings of every kind: one word, powers of two, others; then every depth of the machine.
-proof  fifo "fifo+" "DataW=2 Depth=2; DataW=2 Depth=1; DataW=2 Depth=3; DataW=2 Depth=5; DataW=2 Depth=8; DataW=2 Depth=13"
+proof  fifo "fifo+" "DataW=2 Depth=2; DataW=2 Depth=1; DataW=2 Depth=3; DataW=2 Depth=5; DataW=2 Depth=8;
+       DataW=2 Depth=13"
 mutant "accepts a word when full" 's/in_valid_i \&\& in_ready_o/in_valid_i/'
 mutant "gives a word when empty" 's/out_valid_o \&\& out_ready_i/out_ready_i/'
 mutant "counts upwards when a word leaves" 's/(if \(pop \&\& !push\) count_q <= count_q) - /\1 + /'
@@ -25,18 +30,20 @@ mutant "shows the word at the tail" 's/words_q\[head_q\]/words_q[tail_q]/' "Data
 # Memory: a word and a bit of the solver's choice; sizes up to 64 words of 8 bits, and 1024 of one.
 proof  sram "sram+" "DataW=1 Depth=2; DataW=3 Depth=5; DataW=8 Depth=64; DataW=1 Depth=1024"
 mutant "the output changes without a read" 's/if \(read_i\) //'
-mutant "a word that is written in the cycle of the read shows" 's/words_q\[raddr_i\]/write_i ? wdata_i : words_q[raddr_i]/'
+mutant "a word that is written in the cycle of the read shows" \
+       's/words_q\[raddr_i\]/write_i ? wdata_i : words_q[raddr_i]/'
 
-proof  arbiter "arbiter+" "Ports=3; Ports=1; Ports=2; Ports=4; Ports=5; Ports=6; Ports=7; Ports=8"
-mutant "the port granted last comes first" 's/> last_q/>= last_q/'
-mutant "a shown grant moves" 's/if \(locked_q \&\& request_i\[shown_q\]\)/if (0)/'
+proof  arbiter "arbiter+ round_robin first_set" "Ports=3; Ports=1; Ports=2; Ports=4; Ports=5; Ports=6; Ports=7; Ports=8"
+mutant "the port granted last comes first" "s/last_i\(last_q\)/last_i(last_q - 1'b1)/"
+mutant "a shown grant moves" 's/locked_q \&\& request_i\[shown_q\]/0/'
 mutant "all are granted" 's/grant_o\[port\] = request_i\[port\]/grant_o = request_i/'
 mutant "the turn goes on from the wrong port" 's/last_q <= port/last_q <= shown_q/'
-proof  arbiter_machine "arbiter+" "machine"
-mutant "the lowest port always comes first" 's/above != .0/0/' "Ports=21"
+proof  arbiter_machine "arbiter+ round_robin first_set" "machine"
+mutant "the lowest port always comes first" "s/last_i\(last_q\)/last_i({PortW{1'b1}})/" "Ports=21"
 
 # Jobs for lines with one item and with two, in a small buffer.
-proof  line_reader "line_reader+ fifo+ free_sram" "@default %MemoryW=4 %AddressW=6 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
+proof  line_reader "line_reader+ fifo+ free_sram" \
+       "@default %MemoryW=4 %AddressW=6 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=4 %AddressW=6 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=8 %AddressW=6 TagW=2 ItemW=4 ItemsPerLine=2 Lines=64 Jobs=8 IndexW=6 CountW=5"
 mutant "asks without a credit" 's/ \&\& credits_q != .0//'
@@ -44,9 +51,10 @@ mutant "a credit comes back with the answer" 's/load \&\& !issue\) credits_q/rsp
 mutant "the address asked for goes on before it is taken" 's/else if \(issue\) line_q/else line_q/'
 mutant "items go on behind the last" 's/item_q \+ 1.b1 == job_count/item_q == job_count/'
 
-# --- rtl/buf -------------------------------------------------------------------------------------------------------------
+# --- rtl/buf ----------------------------------------------------------------------------------------------------------
 # Small rings on the real SRAM, then every depth of the machine on free_sram.
-proof  sram_fifo "sram_fifo+ sram+" "DataW=2 Depth=2; DataW=2 Depth=3; DataW=2 Depth=5; DataW=2 Depth=8; DataW=2 Depth=13"
+proof  sram_fifo "sram_fifo+ sram+" "DataW=2 Depth=2; DataW=2 Depth=3; DataW=2 Depth=5; DataW=2 Depth=8;
+       DataW=2 Depth=13"
 mutant "accepts a word when full" 's/in_valid_i \&\& in_ready_o/in_valid_i/'
 mutant "counts without the head" 's/stored_q \+ CountW.\(out_valid_q\)/stored_q/'
 mutant "fetches over a head that was not taken" 's/\(!out_valid_q \|\| out_ready_i\)/1/'
@@ -55,7 +63,9 @@ proof  sram_fifo_machine "sram_fifo+ free_sram" "machine DataW=2"
 mutant "the head is forgotten before it is taken" 's/else if \(out_ready_i\)/else/' "DataW=512 Depth=32"
 
 # The ports of the default machine, of the one with lists, and of smaller ones.
-proof  memory_arbiter "memory_arbiter+ arbiter+" "@units=1 %MemoryW=8; @units=2 %MemoryW=8; @default %MemoryW=8; @order=1 %MemoryW=8"
+proof  memory_arbiter "memory_arbiter+ arbiter+ round_robin first_set" \
+       "@units=1 %MemoryW=8; @units=2 %MemoryW=8; @default %MemoryW=8;
+       @order=1 %MemoryW=8"
 mutant "a shown request is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
 mutant "the shown request changes" 's/if \(take\) request_q <= out/request_q <= out/'
 mutant "the data of a shown write changes" 's/if \(take \&\& out.write\)/if (out.write)/'
@@ -65,14 +75,15 @@ mutant "an answer goes to the port beside it" 's/mem_rsp_tag_i == /(mem_rsp_tag_
 mutant "the tag names another port" 's/(TagW.\(port_q)\)/\1 ^ 1)/'
 
 # A small store on the real SRAM, then the default machine's store and those of two units and one on free_sram.
-proof  alpha_store "alpha_store+ arbiter+ sram+" "@units=2,alpha_lines=64 %LineW=4 %AlphaLines=8;
+proof  alpha_store "alpha_store+ arbiter+ round_robin first_set sram+" "@units=2,alpha_lines=64 %LineW=4 %AlphaLines=8;
   @units=1,alpha_lines=64 %LineW=4 %AlphaLines=8"
 mutant "the answer goes to all who ask" 's/(answer_valid_q <= )grant/\1read_valid_i/'
 mutant "reads at the address that is written" 's/read_address\[RingW-1:0\]/address_i[RingW-1:0]/'
-proof  alpha_store_machine "alpha_store+ arbiter+ free_sram" "@default; @units=2; @units=1"
+proof  alpha_store_machine "alpha_store+ arbiter+ round_robin first_set free_sram" "@default; @units=2; @units=1"
 mutant "the turn goes on only with a write" 's/\.advance_i\(1.b1\)/.advance_i(write_i)/' "@units=2"
 
-# The double buffer of Fig. 7: small on the real SRAM, then every buffer of the machine on free_sram, of each word eight bits.
+# The double buffer of Fig. 7: small on the real SRAM, then every buffer of the machine on free_sram, of each word eight
+# bits.
 proof  pixel_buffer "pixel_buffer+ sram+" "DataW=2 Words=2; DataW=2 Words=8"
 mutant "the wrong half becomes fresh" 's/if \(half_q\) fresh_0_q/if (!half_q) fresh_0_q/'
 mutant "both halves are written" 's/(write_i\(blend_write_i) \&\& !half_q/\1/'
@@ -82,34 +93,59 @@ mutant "the resolver sees the blender's half" \
 proof  pixel_buffer_machine "pixel_buffer+ free_sram" "machine DataW=8"
 mutant "the halves do not change roles" 's/half_q <= !half_q/half_q <= half_q/'
 
-# --- rtl -----------------------------------------------------------------------------------------------------------------
+# The pool of the default machine, and small ones.
+proof  slot_pool "slot_pool+ free_sram_fifo" "Slots=8; Slots=2; Slots=1024"
+mutant "a slot never used is not counted" 's/if \(take \&\& fresh\) fresh_q/if (take \&\& fresh \&\& !free_i) fresh_q/'
+mutant "the queue loses its head while new slots are left" \
+       's/out_ready_i\(slot_ready_i \&\& !fresh\)/out_ready_i(slot_ready_i)/'
+mutant "a slot that comes back stays counted as used" 's/(if \(free_i) \&\& !take(\) used_q)/\1 \&\& fresh\2/'
+
+# --- rtl --------------------------------------------------------------------------------------------------------------
 proof  scheduler "scheduler+" "@default %WindowW=3 %PerfW=8; @units=1 %WindowW=4"
 mutant "the frame ends before all RUs have completed it" 's/complete == .1/complete != 0/'
-mutant "the windows of a row are one too few" 's/(frame_i.first_x\)) \+ 1.b1/\1/'
+mutant "the windows of a row are one too few" 's/(windows_i.first_x\)) \+ 1.b1/\1/'
 mutant "a second start begins the frame anew" 's/(if \(start_i) \&\& !busy_q\)/\1)/'
 
 proof  layer_free "layer_free+" "@default; @units=2; @units=1"
 mutant "frees when one RU has finished" "s/some == '1/some != 0/"
-mutant "a layer that is finished while one is freed is forgotten" "s/CountW'\(done_i\[i\]\) - /(free_o ? 0 : CountW'(done_i[i])) - /"
+mutant "a layer that is finished while one is freed is forgotten" \
+       "s/CountW'\(done_i\[i\]\) - /(free_o ? 0 : CountW'(done_i[i])) - /"
 
-# --- rtl/pu --------------------------------------------------------------------------------------------------------------
+# --- rtl/pu -----------------------------------------------------------------------------------------------------------
 # The stages' clockwork, with all depths and claims of the machine.
 proof  pu_phases "pu_phases+" "machine"
 mutant "the output is claimed while a record waits in it" 's/assign out_free    = .*/assign out_free    = 1;/'
 mutant "a record is taken before the last phase is over" 's/phase_q == LastPhase \&\& step_o/phase_q >= LastPhase - 1/'
 
-proof  pu_sleep "pu_sleep+" "Patience=7; Patience=127; Patience=5"
+# The clockwork of pu_conic and pu_coeff.
+proof  pu_turns "pu_turns+" "machine"
+mutant "the output is written over" 's/assign advance_o   = .*/assign advance_o   = 1;/'
+mutant "a record is taken that came behind the begin of the turn" \
+       's/(in_ready_o  = move_o) \&\& fresh_q/\1 \&\& in_valid_i/'
+mutant "a Gaussian's turn ends with phase Out" 's/ \&\& !\(fresh_q \&\& in_data_i\)//'
+
+# Rings on the real SRAM, then those of the machine.
+proof  pu_payload "pu_payload+ sram+" "DataW=2 Places=2; DataW=2 Places=3; DataW=2 Places=1"
+mutant "who leaves shows the youngest" 's/\.raddr_i\(head_q\)/.raddr_i(tail_q)/' "DataW=2 Places=3"
+mutant "the tail stays when one leaves" 's/(if \(walk_i)\) tail_q/\1 \&\& !leave_i) tail_q/'
+proof  pu_payload_machine "pu_payload+ free_sram" "machine DataW=2"
+mutant "writes where the next is read" 's/\.waddr_i\(tail_q\)/.waddr_i(head_q)/'
+
+proof  sleep "sleep+" "Patience=7; Patience=127; Patience=5"
 mutant "sleeps while something comes" 's/ \&\& !wake_i//'
 mutant "the counter goes on behind its end" "s/else if \(quiet_q != CountW'\(Patience\)\)/else/" "Patience=5"
 
 # The ring of lines of a layer pair: the default machine's, and one in which a layer is often too big.
 proof  pu_allocate "pu_allocate+ pu_done ru_own" "@default %AlphaLines=16 %Regions=16 %RegionW=4 %RegionsX=4; @default"
-mutant "lines are given before the older layer is free" 's/decided     = state_q == StateDecide \&\& \(room \|\| !fits\)/decided     = state_q == StateDecide/'
-mutant "a third layer begins" 's/tiles_ready_o = state_q == StateTake \&\& !ended_q\[1\]/tiles_ready_o = state_q == StateTake/'
+mutant "lines are given before the older layer is free" \
+       's/decided     = state_q == StateDecide \&\& \(room \|\| !fits\)/decided     = state_q == StateDecide/'
+mutant "a third layer begins" \
+       's/tiles_ready_o = state_q == StateTake \&\& !ended_q\[1\]/tiles_ready_o = state_q == StateTake/'
 mutant "lines given in the cycle in which a layer is freed are not counted" "s/newest_q \+ \(local_lines .*;/newest_q;/"
 
 # Lines of one piece and of two.
-proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8; @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8; @default"
+proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8;
+       @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8; @default"
 mutant "an end passes a line that waits" 's/(rows_end_valid_o = .*) \&\& free/\1/'
 mutant "a line is taken over one that waits" 's/!ext \|\| free/1/'
 mutant "a piece goes on before it is taken" 's/next = mem_valid_o \&\& mem_ready_i/next = mem_valid_o/'
@@ -118,19 +154,15 @@ proof  pu_join "pu_join+" "@default"
 mutant "an end passes before the lines are written" "s/!is_end \|\| ends_q != '0/1/"
 mutant "a splat is counted as an end" 's/is_end \&\& splat_valid_o/splat_valid_o/'
 
-# --- rtl/su --------------------------------------------------------------------------------------------------------------
-# The pool of the default machine, and a small one.
-proof  su_slots "su_slots+ free_sram_fifo" "@default %Records=8 %RecordW=3; @default"
-mutant "a slot never used is not counted" 's/if \(take \&\& fresh\) fresh_q/if (take \&\& fresh \&\& !free_i) fresh_q/'
-mutant "the queue loses its head while new slots are left" 's/out_ready_i\(slot_ready_i \&\& !fresh\)/out_ready_i(slot_ready_i)/'
-mutant "a slot that comes back stays counted as used" 's/(if \(free_i) \&\& !take(\) used_q)/\1 \&\& fresh\2/'
-
+# --- rtl/su -----------------------------------------------------------------------------------------------------------
 proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8"
-mutant "asks for lines without room" 's/Answers = 32/Answers = 2/; s/read_valid_i \&\& room/read_valid_i/'
+mutant "asks for lines without room" \
+       's/Answers = pipegs_pkg::SuAnswers/Answers = 2/; s/read_valid_i \&\& room/read_valid_i/'
 mutant "a line is forgotten when it is answered" 's/if \(used \&\& !read_ready_o\)/if (rsp_valid_i \&\& !read_ready_o)/'
 mutant "the choice moves before it is taken" 's/if \(choice_q == None\) choice_q/if (!taken) choice_q/'
 
-# Narrow keys through the real pipeline and iterations, and the cells at the widths of the machine. RecordW holds a mark too.
+# Narrow keys through the real pipeline and iterations, and the cells at the widths of the machine. RecordW holds a mark
+# too.
 proof  su_bitonic "su_bitonic+" "@default %KeyW=1 %RecordW=2; @default %KeyW=2 %RecordW=11"
 mutant "one stage too many for a full batch" 's/(1\) << size_q\)) >= fill_q/\1 > fill_q/'
 mutant "a key is loaded into a channel that was not sent" 's/fill_q < sent_q\)/fill_q <= sent_q)/'
@@ -143,48 +175,56 @@ mutant "the lowest bit of the key is not compared" 's/([ab]\[ItemW-1 -: pipegs_p
 mutant "a bit of the slot stays behind" 's/ItemW\] += swap \? b : a/ItemW] = swap ? {b[ItemW-1:1], a[0]} : a/'
 mutant "direction of the last merge" 's/ \&\& !size_q\[DistanceW\]//'
 
-# --- rtl/ru --------------------------------------------------------------------------------------------------------------
-proof  ru_walk "ru_walk+ ru_own ru_lowest ru_count" "@default EndsMax=48"
+# --- rtl/ru -----------------------------------------------------------------------------------------------------------
+proof  ru_walk "ru_walk+ ru_own first_set ru_count" "@default EndsMax=48"
 mutant "an end that waits for its output is counted again" 's/(window_end = )emit/\1splat_valid_q/'
 mutant "an end that comes while one is done is lost" 's/if \(window_done_i \&\& !window_end\)/if (window_done_i)/'
 
 # Small queues, lines from memory in one part and in two; then those of the machine.
-proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4; @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4;
+proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12;
+       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12;
   @default %LineW=4 %MemoryW=4"
 mutant "asks the memory without room" "s/ \&\& external_q != FetchW'\(FetchLines\)//"
 mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </local_count </"
 mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (external_push \&\& !/'
 
-# --- rtl/list ------------------------------------------------------------------------------------------------------------
-proof  list_write "list_write+ arbiter" "@order=1,units=2 %ListEntryW=4 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
+# --- rtl/list ---------------------------------------------------------------------------------------------------------
+proof  list_write "list_write+ arbiter round_robin first_set" \
+       "@order=1,units=2 %ListEntryW=4 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
 mutant "the count of the record before is not yet in the memory" "s/same_q   *<= move \&\& /same_q <= 0 \&\& /"
 mutant "one count is not cleared" "s/left_q <= windows/left_q <= windows - LeftW'(1)/"
 mutant "a waiting line is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
 
-proof  list_read "list_read+ arbiter+ free_line_reader pu_sleep" "@order=1,units=2 %WindowW=2 %ListWindowW=4; @order=1"
+proof  list_read "list_read+ arbiter+ round_robin first_set free_line_reader sleep" \
+       "@order=1,units=2 %WindowW=2 %ListWindowW=4; @order=1"
 mutant "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
 mutant "an SU that has not taken the record loses it" "s/assign free       = .*/assign free = 1;/"
 mutant "one window too many" "s/left_q   <= windows - LeftW'\(1\)/left_q <= windows/"
 
-# --- rtl/dopu ------------------------------------------------------------------------------------------------------------
+# --- rtl/dopu ---------------------------------------------------------------------------------------------------------
 # Two sets of planes take turns, on the machine that walks windows and the one that walks the whole frame.
-proof  dopu_planes "dopu_planes+" "@default"
+proof  dopu_planes "dopu_planes+ bit_length" "@default"
 mutant "a window is taken while one is inside" 's/window_ready_o = !busy_q/window_ready_o = 1/'
-proof  dopu_windows "dopu_windows+ free_planes" "@default %Regions=4 %RegionW=2 %PlaneBits=1 %WindowW=3;
+proof  dopu_windows "dopu_windows+ free_planes window_walk" \
+       "@default %Regions=4 %RegionW=2 %PlaneBits=1 %WindowW=3;
   @order=1 %Regions=8 %RegionW=3; @default %Regions=8 %RegionW=3"
 mutant "a set is overwritten before it is released" 's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/'
 mutant "a release clears the set filled next instead of the oldest" 's/valid_q\[oldest_q\] <= /valid_q[fill_q] <= /'
 mutant "a set is called done for the window that it held before" 's/set_done_o = done_q \& valid_q/set_done_o = done_q/'
-mutant "the row of windows stays" 's/(if \(x_q == frame_i.last_x\) y_q <= y_q) \+ 1.b1/\1/'
+mutant "a row has one window less" "s/(last_x_i\(raster_i.windows.last_x)\)/\1 - 1'b1)/"
 
 # Places for results are reserved: three levels, a test and readers of which only the promises are known.
 proof  dopu_descend "dopu_descend+ fifo free_test free_line_reader" "@default %PlaneBits=1"
-mutant "a node enters without a place" "s/Results = 8/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
-mutant "the place of a node that failed stays reserved" "s/Results = 8/Results = 2/; s/ - ReservedW'\(missed\[l\]\)//"
-proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4; @late=1,order=2 %NearestW=4 Most=16 Lines=64"
+mutant "a node enters without a place" \
+       "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
+mutant "the place of a node that failed stays reserved" \
+       "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ - ReservedW'\(missed\[l\]\)//"
+proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4;
+       @late=1,order=2 %NearestW=4 Most=16 Lines=64"
 mutant "one bucket too many is opened" "s/open_q != OpenW'\(Most\)/1/"
 mutant "a bucket opened while one is settled is lost" 's/open_q    <= left \+ /open_q <= settled_i ? left : left + /'
 mutant "the nearest bucket stays when it is settled" 's/settled_i \? least\[1\] : nearest_q/nearest_q/'
-proof  dopu_bucket "dopu_bucket+ free_sram free_sram_fifo" "@late=1,order=2 %NearestW=5 Lists=2 DataW=2 Nodes=4"
-mutant "a place never used is counted although one came back" 's/take_insert \&\& !back_valid\) fresh_q/take_insert) fresh_q/'
+proof  dopu_bucket "dopu_bucket+ slot_pool first_set free_sram free_sram_fifo" \
+       "@late=1,order=2 %NearestW=5 Lists=2 DataW=2 Nodes=4"
+mutant "another place than the node's comes back" 's/free_slot_i\(place_q\)/free_slot_i(free_place)/'
 mutant "a full queue takes another node" 's/ \&\& !full_o//'

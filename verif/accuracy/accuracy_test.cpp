@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // accuracy_test: the table of knobs, what a point measures, fronts and targets.
 #include <gtest/gtest.h>
 
@@ -8,22 +9,22 @@
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/pu/pu_region.hpp"
 #include "cpp_model/pu/pu_row_unit.hpp"
-#include "sim/accuracy/page.hpp"
-#include "sim/rung.hpp"
+#include "sim/study/accuracy/page.hpp"
+#include "sim/design/design_point.hpp"
 #include "verif/cli/well_formed.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
 namespace {
 
-TEST(AccuracyKnobs, EveryValueIsLegalOnEveryRungThatTakesItsOrder) {
-  for (const Rung& rung : rungs()) {
+TEST(AccuracyKnobs, EveryValueIsLegalOnEveryDesignPointThatTakesItsOrder) {
+  for (const DesignPoint& design_point : design_points()) {
     Config base;
-    apply_rung(rung, base);
+    apply_design_point(design_point, base);
     for (const Knob& knob : accuracy_knobs()) {
       for (const KnobValue& value : knob.values) {
         if (base.quadratic && knob.name == "layers") continue;
-        EXPECT_NO_THROW(with_value(base, value)) << rung.name << ": " << knob.name << " " << value.label;
+        EXPECT_NO_THROW(with_value(base, value)) << design_point.name << ": " << knob.name << " " << value.label;
       }
     }
   }
@@ -58,7 +59,7 @@ class SmallView : public testing::Test {
  protected:
   SmallView() {
     options_.memory.dram = "lpddr5-6400x4";
-    apply_rung(find_rung("exact"), options_.config);
+    apply_design_point(find_design_point("exact"), options_.config);
   }
   Config with(const std::vector<std::string>& settings) const {
     Config config = options_.config;
@@ -92,11 +93,13 @@ TEST_F(SmallView, APointHoldsTheFiguresOfASimulation) {
 TEST_F(SmallView, TheTruthKeepsItsRulesWhateverTheMachineDoes) {
   const AccuracyView view(scene_, camera_, options_);
   const double base = view.measure(options_.config).numeric.psnr;
-  for (const char* setting : {"sh_degree=0", "alpha_cut=64", "alpha_cut=1023"}) EXPECT_LT(view.measure(with({setting})).numeric.psnr, base - 1) << setting;
+  for (const char* setting : {"sh_degree=0", "alpha_cut=64", "alpha_cut=1023"})
+    EXPECT_LT(view.measure(with({setting})).numeric.psnr, base - 1) << setting;
 }
 
-// With as many fraction bits as the accumulators, moving the coefficients from region to region is exact: whether differences
-// start at the footprint's anchor or at the region makes no difference, so only the coefficients' own rounding is left.
+// With as many fraction bits as the accumulators, moving the coefficients from region to region is exact: whether
+// differences start at the footprint's anchor or at the region makes no difference, so only the coefficients' own
+// rounding is left.
 TEST_F(SmallView, WithoutARoundingTheAnchorIsThatOfTheFootprint) {
   Config config = with({"coeff_f=20", "power_f=20"});
   std::mt19937_64 rng(1);
@@ -129,7 +132,8 @@ MeasuredPoint point(double numeric, double order, uint64_t cycles, uint64_t buff
 }
 
 TEST(AccuracyFront, HoldsWhatNothingBeats) {
-  const std::vector<MeasuredPoint> points = {point(60, 90, 100, 1), point(50, 90, 90, 1), point(55, 90, 100, 1), point(45, 90, 95, 1), point(70, 30, 80, 1)};
+  const std::vector<MeasuredPoint> points = {point(60, 90, 100, 1), point(50, 90, 90, 1), point(55, 90, 100, 1),
+                                             point(45, 90, 95, 1), point(70, 30, 80, 1)};
   const std::vector<const MeasuredPoint*> front = pareto_front(points, Cost::kCycles);
   ASSERT_EQ(front.size(), 2u);
   EXPECT_EQ(front[0], &points[1]);
@@ -138,7 +142,8 @@ TEST(AccuracyFront, HoldsWhatNothingBeats) {
 
 TEST(AccuracyFront, TheTargetIsReachedByTheCheapest) {
   const double inf = std::numeric_limits<double>::infinity();
-  std::vector<MeasuredPoint> points = {point(61, inf, 1000, 9), point(62, 59, 1005, 5), point(63, inf, 1200, 1), point(80, 40, 10, 1), point(50, inf, 10, 1)};
+  std::vector<MeasuredPoint> points = {point(61, inf, 1000, 9), point(62, 59, 1005, 5), point(63, inf, 1200, 1),
+                                       point(80, 40, 10, 1), point(50, inf, 10, 1)};
   EXPECT_EQ(cheapest(points, 60), &points[1]);  // as many cycles, but for chance
   EXPECT_EQ(cheapest(points, 62.5), &points[2]);
   EXPECT_EQ(cheapest(points, 50), &points[4]);
@@ -150,7 +155,8 @@ TEST(AccuracyFront, TheTargetIsReachedByTheCheapest) {
 TEST_F(SmallView, TogetherGoesFromTheFinestToTheCoarsest) {
   const AccuracyView view(scene_, camera_, options_);
   const AccuracyStore store("", scene_, camera_, options_);
-  const AccuracySweep sweep = accuracy_sweep(view, store, read_frame_model(), options_.config, {.knobs = find_knobs({"alpha_w", "rgb_w", "sh_degree"}), .points = 8});
+  const AccuracySweep sweep = accuracy_sweep(view, store, read_frame_model(), options_.config,
+                                             {.knobs = find_knobs({"alpha_w", "rgb_w", "sh_degree"}), .points = 8});
   ASSERT_GE(sweep.together.size(), 3u);
   ASSERT_LE(sweep.together.size(), 8u);
   EXPECT_EQ(sweep.together.front().config.alpha_w, 12);
@@ -165,7 +171,8 @@ TEST_F(SmallView, TogetherGoesFromTheFinestToTheCoarsest) {
   page.erase(0, 16);
   EXPECT_EQ(xml_fault(page), "");
   EXPECT_EQ(xml_fault(charts_svg(front_charts(sweep))), "");
-  for (const SweptKnob& knob : sweep.knobs) EXPECT_TRUE(knob_sentence(knob).starts_with(knob.knob->name + ": ")) << knob_sentence(knob);
+  for (const SweptKnob& knob : sweep.knobs)
+    EXPECT_TRUE(knob_sentence(knob).starts_with(knob.knob->name + ": ")) << knob_sentence(knob);
 }
 
 TEST(AccuracyPage, Base64AndErrorPictures) {

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
 // flips_test: flipped decisions against a count pixel by pixel.
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numeric>
 
-#include "sim/accuracy/flips.hpp"
-#include "sim/simulate.hpp"
+#include "sim/study/accuracy/flips.hpp"
+#include "sim/compare/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -35,7 +36,8 @@ Flips brute_force(const View& view) {
   std::vector<TruthProjection> truth(rank.size());  // not visible: left out
   for (size_t i = 0; i < rank.size(); ++i) {
     ActivatedGaussian gaussian;
-    if (activate(view.scene, i, gaussian) == Cull::kNone) truth[i] = project_truth(gaussian, view.scene.gaussians[i].sh_dc, nullptr, 0, view.camera, {});
+    if (activate(view.scene, i, gaussian) == Cull::kNone)
+      truth[i] = project_truth(gaussian, view.scene.gaussians[i].sh_dc, nullptr, 0, view.camera, {});
   }
   Flips flips;
   for (int y = 0; y < view.camera.height; ++y) {
@@ -53,10 +55,13 @@ Flips brute_force(const View& view) {
       for (const uint32_t index : order) {
         uint16_t codes[64] = {};
         const auto found = windows[at].find(index);
-        if (found != windows[at].end() && (found->second.splat.mask >> region & 1) != 0) golden_codes(config, found->second.job, region, codes);
+        if (found != windows[at].end() && (found->second.splat.mask >> region & 1) != 0)
+          golden_codes(config, found->second.job, region, codes);
         const uint32_t code = codes[y % 8 * 8 + x % 8];
         const TruthProjection& p = truth[index];
-        const bool counts = p.visible && p.opacity * std::exp(std::min(0.0, power_at(p.conic, p.mean.x - x, p.mean.y - y))) >= kMinAlpha;
+        const bool counts =
+            p.visible &&
+            p.opacity * std::exp(std::min(0.0, power_at(p.conic, p.mean.x - x, p.mean.y - y))) >= kMinAlpha;
         if (!pixel.done) flips.decisions += code != 0 || counts, flips.flipped += (code != 0) != counts;
         if (found == windows[at].end()) continue;
         const uint32_t color[3] = {0, 0, 0};
@@ -68,8 +73,11 @@ Flips brute_force(const View& view) {
 }
 
 TEST(Flips, AreThoseOfACountPixelByPixel) {
-  for (const std::vector<std::string>& settings :
-       {std::vector<std::string>{}, {"power_f=12"}, {"late=1", "order=2", "window=16", "mean_f=6", "t_w=14"}, {"alpha_cut=64"}, {"grid=1", "alpha_cut=1023"}}) {
+  for (const std::vector<std::string>& settings : {std::vector<std::string>{},
+                                                   {"power_f=12"},
+                                                   {"late=1", "order=2", "window=16", "mean_f=6", "t_w=14"},
+                                                   {"alpha_cut=64"},
+                                                   {"grid=1", "alpha_cut=1023"}}) {
     const View view(settings);
     SCOPED_TRACE(config_difference(view.options.config));
     const FlipCounter counter(view.scene, view.camera, 0.2, {0, 0, 100, 80}, 1000);
@@ -84,10 +92,12 @@ TEST(Flips, AreThoseOfACountPixelByPixel) {
 
 TEST(Flips, ASampleIsAPartOfTheSquares) {
   const View view({});
-  const FlipCounter part(view.scene, view.camera, 0.2, {0, 0, 100, 80}, 2), all(view.scene, view.camera, 0.2, {0, 0, 100, 80}, 4);
+  const FlipCounter part(view.scene, view.camera, 0.2, {0, 0, 100, 80}, 2),
+      all(view.scene, view.camera, 0.2, {0, 0, 100, 80}, 4);
   EXPECT_LT(part.sampled(), 0.9);
   EXPECT_GT(part.sampled(), 0.1);
-  EXPECT_LT(part.count(view.simulation.input, view.simulation.golden.rank).decisions, all.count(view.simulation.input, view.simulation.golden.rank).decisions);
+  EXPECT_LT(part.count(view.simulation.input, view.simulation.golden.rank).decisions,
+            all.count(view.simulation.input, view.simulation.golden.rank).decisions);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // alpha_store_test: rtl/buf/alpha_store.sv against an array.
 #include "verif/support/config.hpp"
 #include "verif/support/gated_bench.hpp"
@@ -9,7 +10,12 @@ namespace {
 // All ports of the store: one writer, and one reader per unit that holds its request until it is granted.
 struct Traffic : Endpoint {
   Traffic(BenchBase& bench, Valpha_store& dut, const Config& config)
-      : bench(bench), dut(dut), config(config), model(static_cast<size_t>(config.alpha_lines)), asked(config.units), taken(config.units) {
+      : bench(bench),
+        dut(dut),
+        config(config),
+        model(static_cast<size_t>(config.alpha_lines)),
+        asked(config.units),
+        taken(config.units) {
     bench.add(*this);
   }
   void drive() override {
@@ -21,7 +27,8 @@ struct Traffic : Endpoint {
     written = line;
     Words ports(port_words<decltype(dut.read_address_i)>() + 1);
     for (int j = 0; j < config.units; ++j) {
-      if (!((valid >> j) & 1) && fill == model.size() && goes(read_pace, bench.rng)) valid |= 1u << j, asked[j] = bench.rng() & 0xffffff;
+      if (!((valid >> j) & 1) && fill == model.size() && goes(read_pace, bench.rng))
+        valid |= 1u << j, asked[j] = bench.rng() & 0xffffff;
       put_bits(ports.data(), j * 24, 24, asked[j]);
     }
     write_port(dut.read_address_i, ports.data());

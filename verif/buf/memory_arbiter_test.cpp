@@ -1,7 +1,9 @@
-// memory_arbiter_test: rtl/buf/memory_arbiter.sv with random requests on all ports and sim/external_memory behind it.
+// SPDX-License-Identifier: Apache-2.0
+// memory_arbiter_test: rtl/buf/memory_arbiter.sv with random requests on all ports and sim/memory/external_memory
+// behind it.
 //
-// Each port has 16 lines of its own in memory, so the address alone tells whose request it is; answers of different ports
-// overtake each other.
+// Each port has 16 lines of its own in memory, so the address alone tells whose request it is; answers of different
+// ports overtake each other.
 #include <map>
 
 #include "verif/support/bench.hpp"
@@ -40,9 +42,7 @@ class Requesters : public Endpoint {
     for (uint32_t& word : line) word = static_cast<uint32_t>(bench_.rng());
     return line;
   }
-  void push(int port, bool write) {
-    waiting[port].push_back({write, bases_[port] + bench_.rng() % 16, random_line()});
-  }
+  void push(int port, bool write) { waiting[port].push_back({write, bases_[port] + bench_.rng() % 16, random_line()}); }
   void drive() override {
     auto& dut = bench_.dut;
     Words address(port_words<decltype(dut.address_i)>() + 2), data(port_words<decltype(dut.data_i)>() + 2);
@@ -79,7 +79,8 @@ class Requesters : public Endpoint {
   }
   bool finished() const {
     if (testing::Test::HasFatalFailure()) return true;
-    for (int p = 0; p < ports; ++p) if (!waiting[p].empty() || !taken_[p].empty() || !due_[p].empty()) return false;
+    for (int p = 0; p < ports; ++p)
+      if (!waiting[p].empty() || !taken_[p].empty() || !due_[p].empty()) return false;
     return true;
   }
 
@@ -94,7 +95,8 @@ class Requesters : public Endpoint {
 
  private:
   std::string at(int port) const {
-    return "port " + std::to_string(port) + ", cycle " + std::to_string(bench_.cycle) + ", seed " + std::to_string(bench_.seed);
+    return "port " + std::to_string(port) + ", cycle " + std::to_string(bench_.cycle) + ", seed " +
+           std::to_string(bench_.seed);
   }
   void take() {
     auto& dut = bench_.dut;
@@ -197,7 +199,8 @@ TEST(MemoryArbiter, MovesOneRequestPerCycleAndServesWritersAndTheDopuFirst) {
   Requesters all(bench, Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64, .queue = 64});
   bench.reset();
   constexpr int kEach = 20;
-  for (int p = 0; p < all.ports; ++p) for (int i = 0; i < kEach; ++i) all.push(p, p < all.writers && i % 2 == 0);
+  for (int p = 0; p < all.ports; ++p)
+    for (int i = 0; i < kEach; ++i) all.push(p, p < all.writers && i % 2 == 0);
   bench.run_until([&] { return all.finished(); });
   ASSERT_EQ(all.order.size(), static_cast<size_t>(kEach * all.ports));
   EXPECT_EQ(all.cycles.back() - all.cycles.front(), all.order.size() - 1);
@@ -207,7 +210,8 @@ TEST(MemoryArbiter, MovesOneRequestPerCycleAndServesWritersAndTheDopuFirst) {
     const bool early = i < kEach * first;
     ASSERT_EQ(is_first(all.order[i]), early) << "request " << i;
     const int turn = early ? first : others;
-    if (i >= turn && (early || i >= kEach * first + turn)) ASSERT_EQ(all.order[i], all.order[i - turn]) << "request " << i;
+    if (i >= turn && (early || i >= kEach * first + turn))
+      ASSERT_EQ(all.order[i], all.order[i - turn]) << "request " << i;
   }
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pixel_buffer_test: rtl/buf/pixel_buffer.sv against two arrays with fresh flags.
 #include <array>
 #include <optional>

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
 // chart_test: charts as SVG: well-formed, one mark for each value, axes that hold all values.
-#include "sim/chart.hpp"
+#include "sim/report/chart.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,13 +29,18 @@ int marks(const Chart& chart) {
 }
 
 Chart bars() {
-  return {.form = Chart::Form::kBars, .title = "Title", .x_label = "x", .y_label = "y", .categories = {"a", "b", "c"},
+  return {.form = Chart::Form::kBars,
+          .title = "Title",
+          .x_label = "x",
+          .y_label = "y",
+          .categories = {"a", "b", "c"},
           .series = {{"one", {1, 2, 3}}, {"two", {0.5, kNone, 7}, true}}};
 }
 
 TEST(Chart, TheCheckOfTheTestsFindsBrokenXml) {
   EXPECT_EQ(xml_fault("<a><b x=\"1\"/>t &amp; u</a>"), "");
-  for (const char* broken : {"<a><b></a></b>", "<a>", "<a x=1/>", "<a>&nonsense;</a>", "<a x=\"1\" x=\"2\"/>", "<a/><b/>", "text", "<a x=\"<\"/>"}) {
+  for (const char* broken : {"<a><b></a></b>", "<a>", "<a x=1/>", "<a>&nonsense;</a>", "<a x=\"1\" x=\"2\"/>",
+                             "<a/><b/>", "text", "<a x=\"<\"/>"}) {
     EXPECT_NE(xml_fault(broken), "") << broken;
   }
 }

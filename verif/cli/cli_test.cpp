@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // cli_test: `pipegs` with good and bad input: exit codes, one clear line, nothing half-written.
 #include "verif/cli/cli.hpp"
 
@@ -7,11 +8,13 @@ namespace {
 TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
   const Outcome outcome = run("sim scene.ply --cameras cameras.json --out pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* name : {"frame.exr", "frame.png", "report.json"}) EXPECT_TRUE(fs::exists(folder_ / "pictures" / name)) << name;
+  for (const char* name : {"frame.exr", "frame.png", "report.json"})
+    EXPECT_TRUE(fs::exists(folder_ / "pictures" / name)) << name;
   const auto report = nlohmann::json::parse(text("pictures/report.json"));
   EXPECT_EQ(report["mismatches"], 0);
-  for (const char* key : {"scene", "camera", "config", "cycles", "units", "memory", "work", "psnr_numeric_db", "psnr_order_db",
-                          "psnr_total_db", "max_abs_error", "saturations", "wall_seconds", "rtl_khz"}) {
+  for (const char* key :
+       {"scene", "camera", "config", "cycles", "units", "memory", "work", "psnr_numeric_db", "psnr_order_db",
+        "psnr_total_db", "max_abs_error", "saturations", "wall_seconds", "rtl_khz"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
   uint64_t read = 0;
@@ -25,11 +28,12 @@ TEST_F(Cli, OneWindowAlone) {
 }
 
 TEST_F(Cli, SettingsMayStandBeforeTheScene) {
-  const Outcome outcome = run("sim --set grid=4 --set units=4 scene.ply --cameras cameras.json --no-truth --out pictures");
+  const Outcome outcome =
+      run("sim --set grid=4 --set units=4 scene.ply --cameras cameras.json --no-truth --out pictures");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
-TEST_F(Cli, ARungIsItsSettings) {
+TEST_F(Cli, ADesignPointIsItsSettings) {
   const Outcome outcome = run("sim scene.ply --cameras cameras.json --rung late --no-truth --out pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto config = nlohmann::json::parse(text("pictures/report.json"))["config"];
@@ -38,15 +42,17 @@ TEST_F(Cli, ARungIsItsSettings) {
   EXPECT_EQ(config["quadratic"], 0);
 }
 
-TEST_F(Cli, SettingsComeAfterTheRung) {
-  const Outcome outcome = run("sim scene.ply --cameras cameras.json --rung late --set late=0 --no-truth --no-rtl --out pictures");
+TEST_F(Cli, SettingsComeAfterTheDesignPoint) {
+  const Outcome outcome =
+      run("sim scene.ply --cameras cameras.json --rung late --set late=0 --no-truth --no-rtl --out pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(nlohmann::json::parse(text("pictures/report.json"))["config"]["late"], 0);
 }
 
 TEST_F(Cli, RenderWritesEveryModel) {
   for (const char* model : {"truth", "layered", "golden"}) {
-    EXPECT_EQ(run("render scene.ply --cameras cameras.json --model " + std::string(model) + " --out " + model).code, 0) << model;
+    EXPECT_EQ(run("render scene.ply --cameras cameras.json --model " + std::string(model) + " --out " + model).code, 0)
+        << model;
     EXPECT_TRUE(fs::exists(folder_ / model / "frame.exr"));
   }
 }
@@ -95,7 +101,8 @@ TEST_F(Cli, TruncatedAndHostileFilesAreRefused) {
   expect_refused("sim noise.ply --cameras cameras.json", "noise.ply");
   write("cut.json", text("cameras.json").substr(0, 40));
   expect_refused("sim scene.ply --cameras cut.json", "cut.json");
-  write("size.json", R"([{"id":0,"img_name":"a","width":-4,"height":50,"position":[0,0,0],"rotation":[[1,0,0],[0,1,0],[0,0,1]],"fx":50,"fy":50}])");
+  write("size.json", R"([{"id":0,"img_name":"a","width":-4,"height":50,"position":[0,0,0],)"
+                     R"("rotation":[[1,0,0],[0,1,0],[0,0,1]],"fx":50,"fy":50}])");
   expect_refused("sim scene.ply --cameras size.json", "width");
 }
 

@@ -1,5 +1,7 @@
-// static_cost_test: what a rung is built of, against the RTL as Yosys elaborates it: every multiplier, adder and SRAM.
-#include "sim/static_cost.hpp"
+// SPDX-License-Identifier: Apache-2.0
+// static_cost_test: what a design point is built of, against the RTL as Yosys elaborates it: every multiplier, adder
+// and SRAM.
+#include "sim/design/static_cost.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "sim/rung.hpp"
+#include "sim/design/design_point.hpp"
 
 namespace pipegs {
 namespace {
@@ -111,7 +113,8 @@ Elaborated elaborate(const std::string& settings) {
   EXPECT_EQ(std::system(("'" PIPEGS_PACKAGE_SV "' " + settings + " > '" + package + "'").c_str()), 0);
   std::string files;
   for (const auto& file : fs::recursive_directory_iterator(PIPEGS_SOURCE_DIR "/rtl")) {
-    if (file.path().extension() == ".sv" && file.path().filename() != "pipegs_pkg.sv") files += " " + file.path().string();
+    if (file.path().extension() == ".sv" && file.path().filename() != "pipegs_pkg.sv")
+      files += " " + file.path().string();
   }
   const std::string script = "read_verilog -sv -defer -DSYNTHESIS " + package + files +
                              "; hierarchy -top pipegs_top; proc; opt_expr; opt_merge; opt_clean; write_json " + netlist;
@@ -135,7 +138,8 @@ void expect_as_built(const std::string& settings) {
   std::map<std::string, Found> claimed;
   for (const ArithmeticCost& row : cost.arithmetic) {
     Found& sum = claimed[row.module];
-    sum.instances += row.instances, sum.multipliers += row.multipliers, sum.adders += row.adders, sum.constant_adders += row.constant_adders;
+    sum.instances += row.instances, sum.multipliers += row.multipliers, sum.adders += row.adders,
+        sum.constant_adders += row.constant_adders;
   }
   // rsqrt and recip may serve more than one kind: sums by module.
   for (const auto& [module, sum] : claimed) {
@@ -149,7 +153,8 @@ void expect_as_built(const std::string& settings) {
   }
   // Nothing else multiplies.
   for (const auto& [module, found] : built.modules) {
-    if (!claimed.contains(module)) EXPECT_EQ(found.multipliers, found.instances * address_products(module)) << module << " is not in the table";
+    if (!claimed.contains(module))
+      EXPECT_EQ(found.multipliers, found.instances * address_products(module)) << module << " is not in the table";
   }
   uint64_t bits = 0;
   for (const BufferCost& row : cost.buffers) bits += row.bits();
@@ -162,11 +167,11 @@ TEST(StaticCost, OtherCountsAndWidthsAreAsBuilt) {
   expect_as_built("units=1 late=1 order=2 nearest_nodes=128 records=64");
 }
 
-// What static_cost says of the rungs of the ladder: each as it stands.
-TEST(StaticCost, EveryRungIsAsBuilt) {
-  for (const Rung& rung : rungs()) {
+// What static_cost says of the design points of the ladder: each as it stands.
+TEST(StaticCost, EveryDesignPointIsAsBuilt) {
+  for (const DesignPoint& design_point : design_points()) {
     Config config;
-    apply_rung(rung, config);
+    apply_design_point(design_point, config);
     std::string settings = config_difference(config);
     if (settings == "default") settings.clear();
     for (char& c : settings) c = c == ',' ? ' ' : c;
@@ -175,24 +180,25 @@ TEST(StaticCost, EveryRungIsAsBuilt) {
 }
 
 TEST(StaticCost, ConstantProducts) {
-  for (const auto& [constant, adders] : {std::pair{0, 0}, {1, 0}, {8, 0}, {3, 1}, {7, 1}, {14, 1}, {49, 2}, {361, 4}, {25, 2}, {15, 1}}) {
+  for (const auto& [constant, adders] :
+       {std::pair{0, 0}, {1, 0}, {8, 0}, {3, 1}, {7, 1}, {14, 1}, {49, 2}, {361, 4}, {25, 2}, {15, 1}}) {
     EXPECT_EQ(constant_product_adders(constant), adders) << constant;
     EXPECT_EQ(constant_product_adders(constant), shifts_and_adders(static_cast<uint64_t>(constant))) << constant;
   }
 }
 
-TEST(Rungs, AreLegalAndKnownByTheirSettings) {
-  for (const Rung& rung : rungs()) {
+TEST(DesignPoints, AreLegalAndKnownByTheirSettings) {
+  for (const DesignPoint& design_point : design_points()) {
     Config config;
-    apply_rung(rung, config);
-    EXPECT_NO_THROW(config_check(config)) << rung.name;
-    EXPECT_EQ(rung_name(config), rung.name);
-    EXPECT_EQ(&find_rung(rung.name), &rung);
+    apply_design_point(design_point, config);
+    EXPECT_NO_THROW(config_check(config)) << design_point.name;
+    EXPECT_EQ(design_point_name(config), design_point.name);
+    EXPECT_EQ(&find_design_point(design_point.name), &design_point);
   }
-  EXPECT_EQ(rung_name(Config{}), "dop");
-  EXPECT_THROW(find_rung("nonsense"), ConfigError);
-  EXPECT_THROW(find_rungs({"dop", "dop"}), ConfigError);
-  EXPECT_EQ(find_rungs({}).size(), rungs().size());
+  EXPECT_EQ(design_point_name(Config{}), "dop");
+  EXPECT_THROW(find_design_point("nonsense"), ConfigError);
+  EXPECT_THROW(find_design_points({"dop", "dop"}), ConfigError);
+  EXPECT_EQ(find_design_points({}).size(), design_points().size());
 }
 
 }  // namespace

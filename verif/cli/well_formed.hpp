@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // well_formed.hpp: is a text well-formed XML? Enough of it for the SVG that this project writes.
 #pragma once
 
@@ -15,7 +16,9 @@ inline std::string xml_fault(const std::string& text) {
   const auto fault = [&](const std::string& what) { return what + " at byte " + std::to_string(i); };
   const auto name_at = [&](size_t& at) {
     const size_t from = at;
-    while (at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == ':' || text[at] == '-' || text[at] == '_')) ++at;
+    while (at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) || text[at] == ':' ||
+                                text[at] == '-' || text[at] == '_'))
+      ++at;
     return text.substr(from, at - from);
   };
   const auto entity = [&](size_t& at) {  // at '&'

@@ -1,4 +1,6 @@
-// dopu_bench.hpp: what stands around a whole DOPU in its tests: PUs, a packed random scene in memory, the RUs' feedback.
+// SPDX-License-Identifier: Apache-2.0
+// dopu_bench.hpp: what stands around a whole DOPU in its tests: PUs, a packed random scene in memory, the RUs'
+// feedback.
 #pragma once
 
 #include <cstring>
@@ -10,13 +12,15 @@
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 
 // The PUs: takes chunks at a pace, checks the stream rules of each, keeps the data in order and each unit's ends.
 class Units : public Endpoint {
  public:
-  Units(Bench<Vdopu>& bench, const Config& config, Pace pace) : pace(pace), ends(static_cast<size_t>(config.units)), bench_(bench), config_(config) {
+  Units(Bench<Vdopu>& bench, const Config& config, Pace pace)
+      : pace(pace), ends(static_cast<size_t>(config.units)), bench_(bench), config_(config) {
     bench.add(*this);
   }
   void drive() override {
@@ -39,7 +43,8 @@ class Units : public Endpoint {
       EXPECT_EQ(valid, shown_) << "valid changed, cycle " << bench_.cycle;
       EXPECT_EQ(chunk, last_) << "the chunk changed, cycle " << bench_.cycle;
     }
-    EXPECT_TRUE(chunk.kind != kData || (valid & (valid - 1)) == 0) << "a chunk went to several units, cycle " << bench_.cycle;
+    EXPECT_TRUE(chunk.kind != kData || (valid & (valid - 1)) == 0)
+        << "a chunk went to several units, cycle " << bench_.cycle;
     shown_ = valid & ~now;
     last_ = chunk;
     for (int u = 0; u < config_.units; ++u) {
@@ -60,8 +65,8 @@ class Units : public Endpoint {
   std::function<void()> window_end = [] {};
   std::function<void(int, const Chunk&)> taken = [](int, const Chunk&) {};  // every beat, as a unit takes it
   Pace pace;
-  uint64_t rare = 0;            // a unit becomes ready in one cycle out of so many
-  std::vector<Chunk> beats;     // all units together, in order
+  uint64_t rare = 0;         // a unit becomes ready in one cycle out of so many
+  std::vector<Chunk> beats;  // all units together, in order
   std::vector<uint64_t> cycles;
   std::vector<std::vector<std::pair<size_t, uint64_t>>> ends;  // of each unit: chunks sent before it, kind
   uint64_t count[4] = {};
@@ -92,15 +97,15 @@ struct Feedback : Endpoint {
       seen = units.beats.size();
       next_window();
     }
-    const uint64_t columns = frame->last_x - frame->first_x + 1;
+    const uint64_t columns = frame->raster.windows.last_x - frame->raster.windows.first_x + 1;
     const bool done = units.beats.size() >= seen + after;
     Words bits(sizeof(bench.dut.done_i) / 4 + 2), x(4), y(4);
     for (int u = 0; u < config.units; ++u) {
       for (int r = 0; r < config.regions(); ++r) {
         if (ru_owner(config, r) == u) put_bits(bits.data(), u * config.regions() + r, 1, done);
       }
-      put_bits(x.data(), u * config.window_w(), config.window_w(), frame->first_x + window % columns);
-      put_bits(y.data(), u * config.window_w(), config.window_w(), frame->first_y + window / columns);
+      put_bits(x.data(), u * config.window_w(), config.window_w(), frame->raster.windows.first_x + window % columns);
+      put_bits(y.data(), u * config.window_w(), config.window_w(), frame->raster.windows.first_y + window / columns);
     }
     write_port(bench.dut.done_i, bits.data());
     write_port(bench.dut.done_x_i, x.data());
@@ -134,7 +139,7 @@ struct World {
 using Memory = MemoryEndpoint<QData, VlWide<16>>;
 
 inline void start(Bench<Vdopu>& bench, const World& world) {
-  write_record(world.config, bench.dut.frame_i, world.frame);
+  write_frame(world.config, bench.dut, world.frame);
   bench.dut.start_i = 1;
   bench.step();
   bench.dut.start_i = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_bucket_test: rtl/dopu/dopu_bucket.sv against an array of stacks.
 #include "Vdopu_bucket.h"
 #include "verif/support/bench.hpp"
@@ -24,7 +25,8 @@ class Driver : public Endpoint {
     if (!inserting_ && rng() % 100 < insert_percent) {
       inserting_ = true;
       const bool narrow = rng() % 2 == 0;  // long chains and single nodes
-      insert_ = {static_cast<int>(rng() % kLists), static_cast<int>(narrow ? rng() % 3 * 63 : rng() % static_cast<uint64_t>(kChains)), rng()};
+      insert_ = {static_cast<int>(rng() % kLists),
+                 static_cast<int>(narrow ? rng() % 3 * 63 : rng() % static_cast<uint64_t>(kChains)), rng()};
     }
     d.insert_valid_i = inserting_;
     d.insert_list_i = static_cast<CData>(insert_.list);
@@ -42,7 +44,9 @@ class Driver : public Endpoint {
     for (int l = 0; l < kLists; ++l) {
       if (expecting_ && expected_.list == l) continue;  // the node that is on its way out still counts, or no longer
       ASSERT_EQ((d.first_valid_o >> l) & 1, size(l) != 0) << "cycle " << bench_.cycle;
-      if (size(l) != 0) ASSERT_EQ(static_cast<int>(d.first_bucket_o >> (kBucketW * l)) & (kChains - 1), first(l)) << "cycle " << bench_.cycle;
+      if (size(l) != 0)
+        ASSERT_EQ(static_cast<int>(d.first_bucket_o >> (kBucketW * l)) & (kChains - 1), first(l))
+            << "cycle " << bench_.cycle;
     }
     if (d.out_valid_o) {
       ASSERT_TRUE(expecting_);
@@ -93,7 +97,8 @@ class Driver : public Endpoint {
   int nodes_;
   bool inserting_ = false, expecting_ = false;
   Entry insert_{}, expected_{};
-  std::vector<std::vector<std::vector<uint64_t>>> stacks_{kLists, std::vector<std::vector<uint64_t>>(static_cast<size_t>(kChains))};
+  std::vector<std::vector<std::vector<uint64_t>>> stacks_{
+      kLists, std::vector<std::vector<uint64_t>>(static_cast<size_t>(kChains))};
 };
 
 TEST(DopuBucket, PopsTheNewestOfTheFirstBucket) {

@@ -1,13 +1,15 @@
-// dopu_layer_test: rtl/dopu/dopu_layer.sv against its twin.
+// SPDX-License-Identifier: Apache-2.0
+// dopu_layer_test: rtl/dopu/dopu_layer.sv against its bit-accurate model.
 #include "Vdopu_layer.h"
 #include "cpp_model/dopu/dopu_layer.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
 
-TEST(DopuLayerTwin, WalksEachSlabOnceNearestFirst) {
+TEST(DopuLayerModel, WalksEachSlabOnceNearestFirst) {
   Config config = test_config();
   if (!config.layered) GTEST_SKIP() << "without layers no slab is nearer";
   for (const int grid : {1, 2, 4, 8}) {
@@ -34,7 +36,7 @@ TEST(DopuLayerTwin, WalksEachSlabOnceNearestFirst) {
   }
 }
 
-TEST(DopuLayer, EqualsItsTwin) {
+TEST(DopuLayer, EqualsItsModel) {
   const Config config = test_config();
   Bench<Vdopu_layer> bench;
   auto& dut = bench.dut;
@@ -45,18 +47,24 @@ TEST(DopuLayer, EqualsItsTwin) {
     const int axis = round % 3;
     if (round % 2 == 0) {  // a camera near the grid, so that all slabs occur
       const int64_t size = int64_t{1} << (config.world_w - 4);
-      for (int64_t* field : {&frame.grid_x, &frame.grid_y, &frame.grid_z, &frame.camera_x, &frame.camera_y, &frame.camera_z}) {
+      for (int64_t* field : {&frame.grid.low.x, &frame.grid.low.y, &frame.grid.low.z, &frame.camera.position.x,
+                             &frame.camera.position.y, &frame.camera.position.z}) {
         *field = static_cast<int64_t>(bench.rng() % static_cast<uint64_t>(size));
       }
-      frame.grid_scale_x = frame.grid_scale_y = frame.grid_scale_z = static_cast<uint64_t>(16 * config.grid);
+      frame.grid.scale_x = frame.grid.scale_y = frame.grid.scale_z = static_cast<uint64_t>(16 * config.grid);
     }
-    write_record(config, dut.frame_i, frame);
+    write_frame(config, dut, frame);
     dut.axis_i = static_cast<CData>(axis);
     dut.start_i = 1;
     bench.step();
     dut.start_i = 0;
     const uint64_t before = bench.cycle;
-    ASSERT_TRUE(bench.run_until([&] { dut.eval(); return dut.ready_o != 0; }, 200));
+    ASSERT_TRUE(bench.run_until(
+        [&] {
+          dut.eval();
+          return dut.ready_o != 0;
+        },
+        200));
     EXPECT_LE(bench.cycle - before, static_cast<uint64_t>(config.focal_w() + 2));
     const int camera = dopu_layer_camera(config, frame, axis);
     for (int step = 0; step < 2 * config.grid; ++step) {
@@ -66,7 +74,10 @@ TEST(DopuLayer, EqualsItsTwin) {
         dut.eval();
         const int slab = dopu_layer_step(config, camera, step);
         ASSERT_EQ(dut.inside_o, slab >= 0) << to_text(config, frame) << " axis " << axis << " step " << step;
-        if (slab >= 0) { ASSERT_EQ(static_cast<int>(dut.cell_o), dopu_layer_cell(config, axis, slab, n)) << "axis " << axis << " step " << step << " n " << n; }
+        if (slab >= 0) {
+          ASSERT_EQ(static_cast<int>(dut.cell_o), dopu_layer_cell(config, axis, slab, n))
+              << "axis " << axis << " step " << step << " n " << n;
+        }
       }
     }
   }

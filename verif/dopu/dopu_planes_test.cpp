@@ -1,9 +1,12 @@
-// dopu_planes_test: rtl/dopu/dopu_planes.sv against its twin; the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// dopu_planes_test: rtl/dopu/dopu_planes.sv against its bit-accurate model; the model against double
+// precision.
 #include "Vdopu_planes.h"
 #include "cpp_model/dopu/dopu_planes.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -13,18 +16,22 @@ Frame random_frame(const Config& config, std::mt19937_64& rng) {
   return frame_setup(config, pack_scene(config, random_scene(rng, 20), camera_bound(camera)), camera);
 }
 
-TEST(DopuPlanesTwin, PassesThroughTheEdgesOfTheWindow) {
+TEST(DopuPlanesModel, PassesThroughTheEdgesOfTheWindow) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
   double worst = 0;
   for (int i = 0; i < 300; ++i) {
     const Frame f = random_frame(config, rng);
-    const int wx = static_cast<int>(rng() % (f.last_x + 1)), wy = static_cast<int>(rng() % (f.last_y + 1));
+    const int wx = static_cast<int>(rng() % (f.raster.windows.last_x + 1)),
+              wy = static_cast<int>(rng() % (f.raster.windows.last_y + 1));
     const Plane left = dopu_planes(config, f, wx, wy)[kLeft];
     // A point on the left edge at depth 1, two pixels outside, lies in the plane: distance zero, here in pixels.
-    const double fx = std::ldexp(static_cast<double>(f.focal_x), -config.focal_f()), cx = std::ldexp(static_cast<double>(f.center_x), -config.center_f());
+    const double fx = std::ldexp(static_cast<double>(f.lens.focal_x), -config.focal_f()),
+                 cx = std::ldexp(static_cast<double>(f.lens.center_x), -config.center_f());
     const double x = (wx * config.window - config.reach_margin() - cx) / fx;
-    const double w[9] = {double(f.w00), double(f.w01), double(f.w02), 0, 0, 0, double(f.w20), double(f.w21), double(f.w22)};
+    const double w[9] = {
+        double(f.camera.rotation.w00), double(f.camera.rotation.w01), double(f.camera.rotation.w02), 0, 0, 0,
+        double(f.camera.rotation.w20), double(f.camera.rotation.w21), double(f.camera.rotation.w22)};
     double distance = 0, unit = 0;
     const double n[3] = {double(left.nx), double(left.ny), double(left.nz)};
     for (int k = 0; k < 3; ++k) {
@@ -38,7 +45,7 @@ TEST(DopuPlanesTwin, PassesThroughTheEdgesOfTheWindow) {
   EXPECT_LT(worst, 0.25);
 }
 
-TEST(DopuPlanes, EqualsItsTwinAtEveryPace) {
+TEST(DopuPlanes, EqualsItsModelAtEveryPace) {
   const Config config = test_config();
   Bench<Vdopu_planes> bench;
   auto& dut = bench.dut;
@@ -58,11 +65,12 @@ TEST(DopuPlanes, EqualsItsTwinAtEveryPace) {
     in.pace = kPaces[round % 3];
     out.pace = kPaces[round / 3 % 3];
     const Frame frame = random_frame(config, bench.rng);
-    write_record(config, dut.frame_i, frame);
+    write_frame(config, dut, frame);
     std::vector<Planes> expected;
     const size_t first = out.beats.size();
     for (int i = 0; i < 20; ++i) {
-      const uint32_t x = static_cast<uint32_t>(bench.rng() % (frame.last_x + 1)), y = static_cast<uint32_t>(bench.rng() % (frame.last_y + 1));
+      const uint32_t x = static_cast<uint32_t>(bench.rng() % (frame.raster.windows.last_x + 1)),
+                     y = static_cast<uint32_t>(bench.rng() % (frame.raster.windows.last_y + 1));
       in.push({x});
       row.rows.push_back(y);
       expected.push_back(dopu_planes(config, frame, static_cast<int>(x), static_cast<int>(y)));
@@ -72,8 +80,10 @@ TEST(DopuPlanes, EqualsItsTwinAtEveryPace) {
     for (size_t i = 0; i < expected.size(); ++i) {
       for (int side = 0; side < kPlanes; ++side) {
         Words words(4);
-        for (int bit = 0; bit < width; ++bit) put_bits(words.data(), bit, 1, get_bits(out.beats[first + i].data(), side * width + bit, 1));
-        ASSERT_EQ(first_difference(config, expected[i][static_cast<size_t>(side)], unpack<Plane>(config, words.data())), "")
+        for (int bit = 0; bit < width; ++bit)
+          put_bits(words.data(), bit, 1, get_bits(out.beats[first + i].data(), side * width + bit, 1));
+        ASSERT_EQ(first_difference(config, expected[i][static_cast<size_t>(side)], unpack<Plane>(config, words.data())),
+                  "")
             << "side " << side << " " << to_text(config, frame);
       }
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // dopu_world.hpp: random cameras, scenes and nodes for the tests of the DOPU.
 #pragma once
 
@@ -5,7 +6,7 @@
 #include <random>
 
 #include "cpp_model/frame_setup.hpp"
-#include "scenes/pack.hpp"
+#include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
 
@@ -37,7 +38,8 @@ template <class Rng>
 Camera random_camera(Rng& rng, int width, int height) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform;
-  const glm::dvec3 position(normal(rng) * 3, normal(rng) * 3, normal(rng) * 3), target(normal(rng), normal(rng), normal(rng));
+  const glm::dvec3 position(normal(rng) * 3, normal(rng) * 3, normal(rng) * 3),
+      target(normal(rng), normal(rng), normal(rng));
   Camera camera = look_at("random", 0, width, height, position, target, 30 + 80 * uniform(rng));
   camera.cx += normal(rng) * 20;
   camera.cy += normal(rng) * 20;

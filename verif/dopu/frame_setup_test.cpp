@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // frame_setup_test: cpp_model/frame_setup.cpp against the camera in double precision, and what it refuses.
 #include "cpp_model/frame_setup.hpp"
 
@@ -16,9 +17,7 @@ struct FrameSetup : testing::Test {
   std::string error(const Camera& camera, const std::optional<WindowRange>& windows = {}) {
     try {
       frame_setup(config, packed, camera, windows);
-    } catch (const FrameError& e) {
-      return e.what();
-    }
+    } catch (const FrameError& e) { return e.what(); }
     return "";
   }
 };
@@ -27,20 +26,27 @@ TEST_F(FrameSetup, RoundsTheCameraToTheNearestFields) {
   for (int i = 0; i < 2000; ++i) {
     const Camera camera = random_camera(rng, 640, 480);
     const Frame f = frame_setup(config, packed, camera);
-    const int64_t w[9] = {f.w00, f.w01, f.w02, f.w10, f.w11, f.w12, f.w20, f.w21, f.w22};
-    for (int k = 0; k < 9; ++k) ASSERT_NEAR(std::ldexp(static_cast<double>(w[k]), -24), camera.world_to_camera[k % 3][k / 3], 3.1e-8);
-    const double qw = std::ldexp(static_cast<double>(f.camera_qw), -18), qx = std::ldexp(static_cast<double>(f.camera_qx), -18);
-    const double qy = std::ldexp(static_cast<double>(f.camera_qy), -18), qz = std::ldexp(static_cast<double>(f.camera_qz), -18);
-    const double r[9] = {1 - 2 * (qy * qy + qz * qz), 2 * (qx * qy - qw * qz), 2 * (qx * qz + qw * qy),
-                         2 * (qx * qy + qw * qz), 1 - 2 * (qx * qx + qz * qz), 2 * (qy * qz - qw * qx),
-                         2 * (qx * qz - qw * qy), 2 * (qy * qz + qw * qx), 1 - 2 * (qx * qx + qy * qy)};
-    for (int k = 0; k < 9; ++k) ASSERT_NEAR(r[k], camera.world_to_camera[k % 3][k / 3], 3e-5) << "the quaternion is the same rotation";
-    ASSERT_NEAR(std::ldexp(static_cast<double>(f.camera_x), packed.scene_exponent), camera.position.x, std::ldexp(0.51, packed.scene_exponent));
+    const int64_t w[9] = {f.camera.rotation.w00, f.camera.rotation.w01, f.camera.rotation.w02,
+                          f.camera.rotation.w10, f.camera.rotation.w11, f.camera.rotation.w12,
+                          f.camera.rotation.w20, f.camera.rotation.w21, f.camera.rotation.w22};
+    for (int k = 0; k < 9; ++k)
+      ASSERT_NEAR(std::ldexp(static_cast<double>(w[k]), -24), camera.world_to_camera[k % 3][k / 3], 3.1e-8);
+    const double qw = std::ldexp(static_cast<double>(f.camera.quaternion.w), -18),
+                 qx = std::ldexp(static_cast<double>(f.camera.quaternion.x), -18);
+    const double qy = std::ldexp(static_cast<double>(f.camera.quaternion.y), -18),
+                 qz = std::ldexp(static_cast<double>(f.camera.quaternion.z), -18);
+    const double r[9] = {1 - 2 * (qy * qy + qz * qz), 2 * (qx * qy - qw * qz),     2 * (qx * qz + qw * qy),
+                         2 * (qx * qy + qw * qz),     1 - 2 * (qx * qx + qz * qz), 2 * (qy * qz - qw * qx),
+                         2 * (qx * qz - qw * qy),     2 * (qy * qz + qw * qx),     1 - 2 * (qx * qx + qy * qy)};
+    for (int k = 0; k < 9; ++k)
+      ASSERT_NEAR(r[k], camera.world_to_camera[k % 3][k / 3], 3e-5) << "the quaternion is the same rotation";
+    ASSERT_NEAR(std::ldexp(static_cast<double>(f.camera.position.x), packed.scene_exponent), camera.position.x,
+                std::ldexp(0.51, packed.scene_exponent));
     const double limit = 1.3 * camera.width / (2 * camera.fx);
-    ASSERT_NEAR(std::ldexp(static_cast<double>(f.limit_x), -config.tan_f), limit, 1e-6);
+    ASSERT_NEAR(std::ldexp(static_cast<double>(f.lens.limit_x), -config.tan_f), limit, 1e-6);
     const double reach = std::sqrt(2 * std::log(config.alpha_cut)) * camera.fx * std::sqrt(1 + limit * limit);
-    ASSERT_GE(std::ldexp(static_cast<double>(f.reach_x), -14), reach - 1e-3);
-    ASSERT_LE(std::ldexp(static_cast<double>(f.reach_x), -14), reach + 1e-2);
+    ASSERT_GE(std::ldexp(static_cast<double>(f.lens.reach_x), -14), reach - 1e-3);
+    ASSERT_LE(std::ldexp(static_cast<double>(f.lens.reach_x), -14), reach + 1e-2);
     std::vector<uint32_t> words(static_cast<size_t>(record_words<Frame>(config)));
     pack(config, f, words.data());  // throws when a field does not fit
   }
@@ -51,11 +57,11 @@ TEST_F(FrameSetup, CoversTheImageWithWindows) {
   camera.width = 1;
   camera.height = 65;
   Frame f = frame_setup(config, packed, camera);
-  EXPECT_EQ(f.last_x, 0u);
-  EXPECT_EQ(f.last_y, 1u);
-  EXPECT_GE(f.overflow, f.pixels + 2 * 64 * 64 / 8);
+  EXPECT_EQ(f.raster.windows.last_x, 0u);
+  EXPECT_EQ(f.raster.windows.last_y, 1u);
+  EXPECT_GE(f.tables.overflow, f.tables.pixels + 2 * 64 * 64 / 8);
   f = frame_setup(config, packed, camera, WindowRange{0, 1, 0, 1});
-  EXPECT_EQ(f.first_y, 1u);
+  EXPECT_EQ(f.raster.windows.first_y, 1u);
 }
 
 TEST_F(FrameSetup, RefusesWithOneLineWhatDoesNotFit) {
@@ -76,7 +82,8 @@ TEST_F(FrameSetup, RefusesWithOneLineWhatDoesNotFit) {
   bad = good;
   bad.width = 0;
   EXPECT_NE(error(bad).find("the width is 0"), std::string::npos) << error(bad);
-  EXPECT_NE(error(good, WindowRange{0, 0, 10, 0}).find("do not lie in 10 x 8 windows"), std::string::npos) << error(good, WindowRange{0, 0, 10, 0});
+  EXPECT_NE(error(good, WindowRange{0, 0, 10, 0}).find("do not lie in 10 x 8 windows"), std::string::npos)
+      << error(good, WindowRange{0, 0, 10, 0});
   Camera large = good;
   large.width = 65 * config.window, large.height = 64 * config.window, large.fx = large.fy = 4000;
   EXPECT_EQ(error(large), "");

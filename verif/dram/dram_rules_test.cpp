@@ -1,4 +1,5 @@
-// Against the timing rules of docs/memory_timing.md: every expected cycle is computed from DramTiming.
+// SPDX-License-Identifier: Apache-2.0
+// Against the timing rules of docs/cycles/memory_timing.md: every expected cycle is computed from DramTiming.
 //
 // Idea    A channel is stepped cycle by cycle. Reads show when their last beat arrives, so the cycle of their column
 //         command is known; counters show when writes, activations and refreshes are issued. A burst accepted in cycle
@@ -10,7 +11,7 @@
 #include <set>
 #include <tuple>
 
-#include "sim/dram/dram_channel.hpp"
+#include "sim/memory/dram/dram_channel.hpp"
 
 namespace pipegs {
 namespace {
@@ -417,8 +418,7 @@ TEST_P(Rules, LongRunsChangeNothing) {
   DramCycle now = 0;
   const auto run = [&](DramCycle to) {
     for (now = channel.next(); now < to; now = channel.next()) {
-      while (channel.finished(now, tag)) {
-      }
+      while (channel.finished(now, tag)) {}
       channel.tick(now);
     }
     now = to;
@@ -471,7 +471,8 @@ TEST_P(Rules, NoBurstIsLost) {
   }
 }
 
-// Consecutive lines: channel after channel, after group_bytes of each the next bank group, after all columns the next bank.
+// Consecutive lines: channel after channel, after group_bytes of each the next bank group, after all columns the next
+// bank.
 TEST(Places, LinesGoRoundChannelsThenGroups) {
   DramTiming t = *dram_preset("lpddr5-6400x4");
   t.mapping = DramMapping::kRoBaCoGrCh;
@@ -487,7 +488,8 @@ TEST(Places, LinesGoRoundChannelsThenGroups) {
     ASSERT_EQ(place.row, row);
     EXPECT_EQ(place.bank / 4, (line / lines_of_group % 4) ^ (row >> 2 & 3)) << "group of line " << line;
     EXPECT_EQ(place.bank % 4, (line / lines_of_bank % 4) ^ (row & 3)) << "bank of line " << line;
-    EXPECT_EQ(std::tie(second.channel, second.bank, second.row), std::tie(place.channel, place.bank, place.row)) << "a line opens one row";
+    EXPECT_EQ(std::tie(second.channel, second.bank, second.row), std::tie(place.channel, place.bank, place.row))
+        << "a line opens one row";
     EXPECT_EQ(second.column, place.column + 1);
   }
 }
@@ -500,15 +502,18 @@ TEST(Places, NoTwoBurstsShareAPlace) {
           DramTiming t = *dram_preset(name);
           t.mapping = mapping, t.ranks = ranks, t.interleave_bytes = interleave, t.rows = 8;
           const DramPlaces places(t);
-          const auto bursts = static_cast<uint64_t>(t.channels * t.banks_per_channel() * t.rows * (t.columns / t.burst_length));
+          const auto bursts =
+              static_cast<uint64_t>(t.channels * t.banks_per_channel() * t.rows * (t.columns / t.burst_length));
           std::set<std::tuple<uint32_t, uint32_t, uint32_t, uint32_t>> seen;
           for (uint64_t burst = 0; burst < bursts; ++burst) {
             const DramPlace p = places(burst);
-            ASSERT_TRUE(p.channel < static_cast<uint32_t>(t.channels) && p.bank < static_cast<uint32_t>(t.banks_per_channel()) &&
-                        p.row < 8 && p.column < static_cast<uint32_t>(t.columns / t.burst_length));
+            ASSERT_TRUE(p.channel < static_cast<uint32_t>(t.channels) &&
+                        p.bank < static_cast<uint32_t>(t.banks_per_channel()) && p.row < 8 &&
+                        p.column < static_cast<uint32_t>(t.columns / t.burst_length));
             seen.emplace(p.channel, p.bank, p.row, p.column);
           }
-          EXPECT_EQ(seen.size(), bursts) << name << ", mapping " << static_cast<int>(mapping) << ", ranks " << ranks << ", interleave " << interleave;
+          EXPECT_EQ(seen.size(), bursts) << name << ", mapping " << static_cast<int>(mapping) << ", ranks " << ranks
+                                         << ", interleave " << interleave;
         }
       }
     }

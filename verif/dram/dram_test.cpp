@@ -1,5 +1,6 @@
-// Against the promises of sim/dram/dram.hpp: lines, clocks, bandwidths, statistics.
-#include "sim/dram/dram.hpp"
+// SPDX-License-Identifier: Apache-2.0
+// Against the promises of sim/memory/dram/dram.hpp: lines, clocks, bandwidths, statistics.
+#include "sim/memory/dram/dram.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,8 @@
 #include <cstdio>
 #include <random>
 
-#include "sim/dram/dram_check.hpp"
-#include "sim/dram/dram_worth.hpp"
+#include "sim/memory/dram/dram_check.hpp"
+#include "sim/memory/dram/dram_worth.hpp"
 
 namespace pipegs {
 namespace {
@@ -107,7 +108,8 @@ TEST(DramWorth, TheTableHoldsEveryMappingAndWhatIsPlayed) {
   const std::string table = dram_mapping_table(rows);
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 8);
   char start[80];
-  std::snprintf(start, sizeof start, "| ddr4-3200x2 | RoBaCoGrCh | 64 | %.1f |", play_dram(rows[4].timing, dram_trace("stream_rd64"), 1 << 20).pin_gbps);
+  std::snprintf(start, sizeof start, "| ddr4-3200x2 | RoBaCoGrCh | 64 | %.1f |",
+                play_dram(rows[4].timing, dram_trace("stream_rd64"), 1 << 20).pin_gbps);
   EXPECT_NE(table.find(start), std::string::npos) << start << "\n" << table;
   EXPECT_EQ(dram_mapping_rows(*dram_preset("ddr4-3200x1")).size(), 3u) << "one channel has nothing to interleave";
 }

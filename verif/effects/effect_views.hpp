@@ -1,11 +1,13 @@
-// effect_views.hpp: views that call for one part of the machine each, and what the detectors say of a view on a machine.
+// SPDX-License-Identifier: Apache-2.0
+// effect_views.hpp: views that call for one part of the machine each, and what the detectors say of a view on a
+// machine.
 #pragma once
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "sim/effects/effects.hpp"
+#include "sim/study/effects/effects.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -32,17 +34,20 @@ inline Scene banded_scene(int band) {
   scene.sh_degree = 3;
   scene.sh_rest.assign(scene.gaussians.size() * 45, 0);
   for (size_t i = 0; i < scene.gaussians.size(); ++i) {
-    for (int k = sh_rest_count(band - 1); k < sh_rest_count(band); ++k) scene.sh_rest[i * 45 + static_cast<size_t>(3 * k)] = 0.3f;
+    for (int k = sh_rest_count(band - 1); k < sh_rest_count(band); ++k)
+      scene.sh_rest[i * 45 + static_cast<size_t>(3 * k)] = 0.3f;
   }
   return scene;
 }
 
 // One thing each, beside others that come with it.
 inline Scene near_scene() {
-  return scene_of({gaussian_at({0, 0, 0.19f}, 0.01f), gaussian_at({0.02f, 0, 0.5f}), gaussian_at({0.1f, 0, 8}), gaussian_at({0.1f, 0.5f, 8})});
+  return scene_of({gaussian_at({0, 0, 0.19f}, 0.01f), gaussian_at({0.02f, 0, 0.5f}), gaussian_at({0.1f, 0, 8}),
+                   gaussian_at({0.1f, 0.5f, 8})});
 }
 inline Scene behind_scene() {  // the camera, in one chunk with what it sees: the last ones make cells that large
-  return scene_of({gaussian_at({0, 0, -0.1f}, 0.5f), gaussian_at({0, 0, 2}), gaussian_at({0, 0, 20}), gaussian_at({0, 0, 21})});
+  return scene_of(
+      {gaussian_at({0, 0, -0.1f}, 0.5f), gaussian_at({0, 0, 2}), gaussian_at({0, 0, 20}), gaussian_at({0, 0, 21})});
 }
 inline Scene wide_scene() { return scene_of({gaussian_at({1.2f, 0, 2}, 0.4f)}); }
 inline Scene bright_scene() {  // SH carries red above what a packed colour holds
@@ -56,7 +61,9 @@ inline Scene opaque_scene() {
   for (int i = 0; i < 6; ++i) stack.push_back(gaussian_at({0.1f, 0, 2 + 0.1f * static_cast<float>(i)}, 0.2f, 0.98));
   return scene_of(stack);
 }
-inline Scene tied_scene(int count) { return scene_of(std::vector<Gaussian>(static_cast<size_t>(count), gaussian_at({0.3f, 0, 2}, 0.05f, 0.1))); }
+inline Scene tied_scene(int count) {
+  return scene_of(std::vector<Gaussian>(static_cast<size_t>(count), gaussian_at({0.3f, 0, 2}, 0.05f, 0.1)));
+}
 // Faint dots of one window; nearly all of one layer and of one step of depth, as one in 32 lies far behind.
 inline Scene crowded_scene() {
   std::vector<Gaussian> dots;
@@ -68,7 +75,8 @@ inline Scene crowded_scene() {
   return scene_of(dots);
 }
 
-// A camera that looks 30 degrees beside the axis of the slabs, and wide Gaussians of which the nearer slab holds the deeper ones.
+// A camera that looks 30 degrees beside the axis of the slabs, and wide Gaussians of which the nearer slab holds the
+// deeper ones.
 inline Camera turned_camera() {
   Camera camera = test_camera(64, 64);
   const double c = std::sqrt(0.75);
@@ -76,27 +84,23 @@ inline Camera turned_camera() {
   return camera;
 }
 inline Scene turned_scene() {
-  const auto at = [](double x, double z, glm::vec3 color) { return gaussian_at({x, 0, z}, 0.3f, 0.8, color); };  // depth (x + sqrt(3) z) / 2
-  return scene_of({at(1.55, 1.64, {2, 0, 0}), at(1.56, 1.65, {2, 0, 0}), at(0.55, 1.98, {0, 2, 0}), at(0.56, 1.99, {0, 2, 0})});
+  const auto at = [](double x, double z, glm::vec3 color) {
+    return gaussian_at({x, 0, z}, 0.3f, 0.8, color);
+  };  // depth (x + sqrt(3) z) / 2
+  return scene_of(
+      {at(1.55, 1.64, {2, 0, 0}), at(1.56, 1.65, {2, 0, 0}), at(0.55, 1.98, {0, 2, 0}), at(0.56, 1.99, {0, 2, 0})});
 }
 
 inline const std::vector<View>& views() {
-  static const std::vector<View> all = {{"empty", scene_of({}), test_camera(100, 70)},
-                                        {"quiet", quiet_scene(), test_camera(128, 64)},
-                                        {"band 1", banded_scene(1), test_camera(128, 64)},
-                                        {"band 2", banded_scene(2), test_camera(128, 64)},
-                                        {"band 3", banded_scene(3), test_camera(128, 64)},
-                                        {"near", near_scene(), test_camera(64, 64)},
-                                        {"behind", behind_scene(), test_camera(64, 64)},
-                                        {"wide", wide_scene(), test_camera(64, 64)},
-                                        {"bright", bright_scene(), test_camera(128, 64)},
-                                        {"opaque", opaque_scene(), test_camera(64, 64)},
-                                        {"two tied", tied_scene(2), test_camera(64, 64)},
-                                        {"twenty tied", tied_scene(20), test_camera(64, 64)},
-                                        {"crowd", crowded_scene(), test_camera(64, 64)},
-                                        {"cloud", random_scene(3, 400, 3), test_camera(130, 66, 60)},
-                                        {"turned", turned_scene(), turned_camera()},
-                                        {"flat cloud", random_scene(9, 300, 0), test_camera(128, 96)}};
+  static const std::vector<View> all = {
+      {"empty", scene_of({}), test_camera(100, 70)},     {"quiet", quiet_scene(), test_camera(128, 64)},
+      {"band 1", banded_scene(1), test_camera(128, 64)}, {"band 2", banded_scene(2), test_camera(128, 64)},
+      {"band 3", banded_scene(3), test_camera(128, 64)}, {"near", near_scene(), test_camera(64, 64)},
+      {"behind", behind_scene(), test_camera(64, 64)},   {"wide", wide_scene(), test_camera(64, 64)},
+      {"bright", bright_scene(), test_camera(128, 64)},  {"opaque", opaque_scene(), test_camera(64, 64)},
+      {"two tied", tied_scene(2), test_camera(64, 64)},  {"twenty tied", tied_scene(20), test_camera(64, 64)},
+      {"crowd", crowded_scene(), test_camera(64, 64)},   {"cloud", random_scene(3, 400, 3), test_camera(130, 66, 60)},
+      {"turned", turned_scene(), turned_camera()},       {"flat cloud", random_scene(9, 300, 0), test_camera(128, 96)}};
   return all;
 }
 
@@ -111,7 +115,9 @@ struct Looked {
     findings = find_effects(effect_facts(view.scene, options, simulation, true));
   }
   const Effect::Verdict& verdict(std::string_view name) const {
-    return std::find_if(findings.begin(), findings.end(), [&](const EffectFinding& f) { return f.effect->name == name; })->verdict;
+    return std::find_if(findings.begin(), findings.end(),
+                        [&](const EffectFinding& f) { return f.effect->name == name; })
+        ->verdict;
   }
   std::vector<std::string> called() const {
     std::vector<std::string> names;

@@ -1,14 +1,17 @@
-// effects_alone_test: each part of the machine left out alone, on each rung of other hardware, in RTL with its assertions. Long.
+// SPDX-License-Identifier: Apache-2.0
+// effects_alone_test: each part of the machine left out alone, on each design point of other hardware, in RTL with its
+// assertions. Long.
 //
-// A view that does not call for the part gets the pixels of the whole machine. One that does gets those of the golden model
-// without it, or an assertion of the RTL speaks: never a wrong bit without a word. The RTL of each machine is built on demand.
+// A view that does not call for the part gets the pixels of the whole machine. One that does gets those of the golden
+// model without it, or an assertion of the RTL speaks: never a wrong bit without a word. The RTL of each machine is
+// built on demand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 #include <memory>
 
-#include "sim/rung.hpp"
+#include "sim/design/design_point.hpp"
 #include "verif/effects/effect_views.hpp"
 
 namespace pipegs {
@@ -24,7 +27,8 @@ struct Part {
 };
 void PrintTo(const Part& part, std::ostream* out) { *out << part.entry; }
 
-// `antialias` alone is a part that the default machine does not have: it is switched on. Any view is without it, and without taps.
+// `antialias` alone is a part that the default machine does not have: it is switched on. Any view is without it, and
+// without taps.
 const Part kParts[] = {
     {"near_test", "near", &Config::near_test, "near", "behind", {"pu_cull"}},
     {"guard_band", "guard_band", &Config::guard_band, "wide", "", {}},
@@ -38,19 +42,18 @@ const Part kParts[] = {
     {"antialias", "antialias", &Config::antialias, "", "", {}},
 };
 
-SimulateOptions rung_options(const std::string& rung) {
+SimulateOptions design_point_options(const std::string& design_point) {
   SimulateOptions options;
-  apply_rung(find_rung(rung), options.config);
+  apply_design_point(find_design_point(design_point), options.config);
   options.memory.jitter = 20;
-  options.variant.waves = false;
   return options;
 }
 
-// A view on a rung with everything; many machines ask for the same one.
-const Looked& looked(const std::string& rung, const std::string& view) {
+// A view on a design point with everything; many machines ask for the same one.
+const Looked& looked(const std::string& design_point, const std::string& view) {
   static std::map<std::pair<std::string, std::string>, std::unique_ptr<Looked>> all;
-  std::unique_ptr<Looked>& one = all[{rung, view}];
-  if (!one) one = std::make_unique<Looked>(view, rung_options(rung));
+  std::unique_ptr<Looked>& one = all[{design_point, view}];
+  if (!one) one = std::make_unique<Looked>(view, design_point_options(design_point));
   return *one;
 }
 
@@ -58,9 +61,7 @@ const Looked& looked(const std::string& rung, const std::string& view) {
 std::string simulate(const SimulateOptions& options, Simulation& simulation) {
   try {
     simulate_rtl(options, simulation);
-  } catch (const RtlBuildError&) {
-    throw;
-  } catch (const std::runtime_error& error) {
+  } catch (const RtlBuildError&) { throw; } catch (const std::runtime_error& error) {
     return error.what();
   }
   EXPECT_EQ(simulation.mismatches, 0u) << simulation.first_mismatch->what;
@@ -71,14 +72,14 @@ std::string simulate(const SimulateOptions& options, Simulation& simulation) {
 class Alone : public testing::TestWithParam<std::pair<const char*, Part>> {};
 
 TEST_P(Alone, EveryViewIsRightOrAnAssertionSpeaks) {
-  const auto& [rung, part] = GetParam();
-  SimulateOptions lean = rung_options(rung);
+  const auto& [design_point, part] = GetParam();
+  SimulateOptions lean = design_point_options(design_point);
   lean.config.*part.flag = !(lean.config.*part.flag);
-  fmt::print("building {}: {}\n", rung, config_difference(lean.config));
+  fmt::print("building {}: {}\n", design_point, config_difference(lean.config));
   std::fflush(stdout);
   for (const View& view : views()) {
     SCOPED_TRACE(view.name);
-    const Looked& whole = looked(rung, view.name);
+    const Looked& whole = looked(design_point, view.name);
     Simulation simulation;
     simulate_golden(view.scene, view.camera, lean, simulation);
     const std::string said = simulate(lean, simulation);
@@ -97,7 +98,8 @@ TEST_P(Alone, EveryViewIsRightOrAnAssertionSpeaks) {
     }
     if (view.name == part.spoken) {
       EXPECT_TRUE(called) << whole.verdict(part.effect).evidence;
-      EXPECT_TRUE(std::any_of(part.speakers.begin(), part.speakers.end(), [&](const char* module) { return said.find(module) != std::string::npos; }))
+      EXPECT_TRUE(std::any_of(part.speakers.begin(), part.speakers.end(),
+                              [&](const char* module) { return said.find(module) != std::string::npos; }))
           << "said: " << said;
     }
   }
@@ -105,24 +107,27 @@ TEST_P(Alone, EveryViewIsRightOrAnAssertionSpeaks) {
   Simulation simulation;
   simulate_golden(antialiased_scene(), find_view("quiet").camera, lean, simulation);
   EXPECT_EQ(simulate(lean, simulation), "");
-  EXPECT_FALSE(simulation.golden.pixels == looked(rung, "quiet").simulation.golden.pixels);
+  EXPECT_FALSE(simulation.golden.pixels == looked(design_point, "quiet").simulation.golden.pixels);
 }
 
-// No two of these are one machine: each part stands in every rung, if not in the same units (alphas overflow in `dop` alone, records
-// in all SUs). The rungs left out add none: dpc has the parts of baseline in another row unit, tspp those of baseline and dop.
+// No two of these are one machine: each part stands in every design point, if not in the same units (alphas overflow in
+// `dop` alone, records in all SUs). The design points left out add none: dpc has the parts of baseline in other Row
+// Units, tspp those of baseline and dop.
 std::vector<std::pair<const char*, Part>> machines() {
   std::vector<std::pair<const char*, Part>> all;
-  for (const char* rung : {"dop", "late", "exact", "baseline"}) {
+  for (const char* design_point : {"dop", "late", "exact", "baseline"}) {
     for (const Part& part : kParts) {
-      if (part.flag == &Config::layered && find_rung(rung).order != 0) continue;  // there are no layers to leave out
-      all.emplace_back(rung, part);
+      if (part.flag == &Config::layered && find_design_point(design_point).order != 0)
+        continue;  // there are no layers to leave out
+      all.emplace_back(design_point, part);
     }
   }
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Effects, Alone, testing::ValuesIn(machines()),
-                         [](const auto& info) { return fmt::format("{}_{}", info.param.first, info.param.second.entry); });
+INSTANTIATE_TEST_SUITE_P(Effects, Alone, testing::ValuesIn(machines()), [](const auto& info) {
+  return fmt::format("{}_{}", info.param.first, info.param.second.entry);
+});
 
 }  // namespace
 }  // namespace pipegs

@@ -1,13 +1,16 @@
-// effects_test: detectors against scenes that call for one thing each, and machines without the rest against the whole one.
+// SPDX-License-Identifier: Apache-2.0
+// effects_test: detectors against scenes that call for one thing each, and machines without the rest against the whole
+// one.
 //
-// Golden level: a plan's configuration gives the same pixels as the full one, for every scene. RTL level: one machine without
-// anything that can be left out (built by CMakeLists.txt) draws what calls for nothing, and is caught where it may not.
+// Golden level: a plan's configuration gives the same pixels as the full one, for every scene. RTL level: one machine
+// without anything that can be left out (built by CMakeLists.txt) draws what calls for nothing, and is caught where it
+// may not.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "sim/effects/run.hpp"
+#include "sim/study/effects/run.hpp"
 #include "verif/effects/effect_views.hpp"
 
 namespace pipegs {
@@ -52,7 +55,8 @@ TEST(Effects, StoresThatFillUpCallForTheirOverflow) {
   EXPECT_TRUE(Looked("crowd").verdict("overflow").called_for) << Looked("crowd").verdict("overflow").evidence;
   SimulateOptions tiny;
   tiny.config.alpha_lines = 64, tiny.config.records = 16;
-  EXPECT_TRUE(Looked("cloud", tiny).verdict("overflow").called_for) << Looked("cloud", tiny).verdict("overflow").evidence;
+  EXPECT_TRUE(Looked("cloud", tiny).verdict("overflow").called_for)
+      << Looked("cloud", tiny).verdict("overflow").evidence;
 }
 
 TEST(Effects, AScenesTagCallsForTheCompensation) {
@@ -91,7 +95,8 @@ TEST(Effects, AutoGivesThePixelsOfAll) {
   for (const View& view : views()) {
     const Looked run(view.name);
     const EffectPlan plan = plan_effects(run.options, run.findings);
-    EXPECT_EQ(run.pixels(plan.options), run.simulation.golden.pixels) << view.name << ": " << config_difference(plan.options.config);
+    EXPECT_EQ(run.pixels(plan.options), run.simulation.golden.pixels)
+        << view.name << ": " << config_difference(plan.options.config);
   }
 }
 
@@ -102,21 +107,24 @@ TEST(Effects, AnEffectThatIsNotCalledForChangesNoPixelWhenItIsForcedOn) {
       if (finding.verdict.called_for) continue;
       Names names = run.called();
       names.emplace_back(finding.effect->name);
-      EXPECT_EQ(run.pixels(plan_effects(run.options, names).options), run.simulation.golden.pixels) << name << ", " << finding.effect->name;
+      EXPECT_EQ(run.pixels(plan_effects(run.options, names).options), run.simulation.golden.pixels)
+          << name << ", " << finding.effect->name;
     }
   }
 }
 
 // Of every scene: leaving out one thing that is called for shows.
 TEST(Effects, LeavingOutWhatIsCalledForChangesPixels) {
-  const std::vector<std::pair<std::string, std::string>> cases = {{"band 1", "sh1"}, {"band 2", "sh2"}, {"band 3", "sh3"},
-                                                                    {"near", "near"}, {"wide", "guard_band"}, {"bright", "saturation"}, {"opaque", "early_stop"},
-                                                                    {"turned", "layers"}};
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"band 1", "sh1"},      {"band 2", "sh2"},        {"band 3", "sh3"},        {"near", "near"},
+      {"wide", "guard_band"}, {"bright", "saturation"}, {"opaque", "early_stop"}, {"turned", "layers"}};
   for (const auto& [name, effect] : cases) {
     const Looked run(name);
     ASSERT_TRUE(run.verdict(effect).called_for) << name << ": " << run.verdict(effect).evidence;
     SimulateOptions without = run.options;
-    std::find_if(effects().begin(), effects().end(), [&, e = effect](const Effect& x) { return x.name == e; })->leave_out(without);
+    std::find_if(effects().begin(), effects().end(), [&, e = effect](const Effect& x) {
+      return x.name == e;
+    })->leave_out(without);
     EXPECT_NE(run.pixels(without), run.simulation.golden.pixels) << name << " without " << effect;
   }
 }
@@ -135,7 +143,7 @@ TEST(Effects, NamesAreChecked) {
   EXPECT_THROW(plan_effects(waves, Names{"sh1"}), ConfigError);
 }
 
-// --- RTL: one machine without everything ----------------------------------------------------------------------------------
+// --- RTL: one machine without everything -----------------------------------------------------------------------------
 
 EffectPlan nothing(const Looked& run) { return plan_effects(run.options, Names{}); }
 
@@ -146,14 +154,16 @@ TEST(EffectsRtl, AMachineWithoutEffectsDrawsWhatCallsForNone) {
   Looked all("quiet");
   simulate_rtl(all.options, all.simulation);
   EXPECT_EQ(all.simulation.mismatches, 0u);
-  EXPECT_LE(run.simulation.rtl.cycles, all.simulation.rtl.cycles);  // without SH and layers a pipeline and a walk are shorter
+  EXPECT_LE(run.simulation.rtl.cycles,
+            all.simulation.rtl.cycles);  // without SH and layers a pipeline and a walk are shorter
 }
 
 TEST(EffectsRtl, AWrongDecisionIsCaught) {
   for (const auto& [name, effect] : {std::pair{"band 1", "sh1"}, {"opaque", "early_stop"}, {"bright", "saturation"}}) {
     Looked run(name);
     ASSERT_TRUE(run.verdict(effect).called_for);
-    const std::string caught = simulate_effects(run.view.scene, run.view.camera, run.options, nothing(run), run.simulation);
+    const std::string caught =
+        simulate_effects(run.view.scene, run.view.camera, run.options, nothing(run), run.simulation);
     EXPECT_NE(caught.find(effect), std::string::npos) << caught;
     EXPECT_NE(caught.find("something left out is called for"), std::string::npos) << caught;
     EXPECT_EQ(run.simulation.mismatches, 0u) << "with all effects";

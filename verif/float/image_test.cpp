@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Against cpp_model/float/image and metrics: files hold what was given, errors are one line.
 //
 // Idea    PNG is read back by libpng, EXR by OpenEXR itself, channel by channel.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // metrics_test: PSNR, SSIM and percentiles of the error against values worked out by hand.
 #include "cpp_model/float/metrics.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Against cpp_model/float/projection: covariance, determinant, guard band, SH and footprints.
 //
 // Idea    Covariance is compared with the textbook product J W R S S^T R^T W^T J^T, the SH with
@@ -38,7 +39,8 @@ TEST(Projection, CovarianceIsTheTextbookProduct) {
     EXPECT_NEAR(p.mean.x, camera.fx * t.x / t.z + 99.5, 1e-9);
     const double limit_x = 1.3 * 200 / (2 * camera.fx), limit_y = 1.3 * 150 / (2 * camera.fy);
     const double x = std::clamp(t.x / t.z, -limit_x, limit_x), y = std::clamp(t.y / t.z, -limit_y, limit_y);
-    const glm::dmat3 j(glm::dvec3(camera.fx / t.z, 0, 0), glm::dvec3(0, camera.fy / t.z, 0), glm::dvec3(-camera.fx * x / t.z, -camera.fy * y / t.z, 0));
+    const glm::dmat3 j(glm::dvec3(camera.fx / t.z, 0, 0), glm::dvec3(0, camera.fy / t.z, 0),
+                       glm::dvec3(-camera.fx * x / t.z, -camera.fy * y / t.z, 0));
     const glm::dmat3 r = glm::mat3_cast(glm::dquat(g.rotation[0], g.rotation[1], g.rotation[2], g.rotation[3]));
     const glm::dmat3 s(glm::dvec3(g.scale.x, 0, 0), glm::dvec3(0, g.scale.y, 0), glm::dvec3(0, 0, g.scale.z));
     const glm::dmat3 u = j * camera.world_to_camera * r * s, cov = u * glm::transpose(u);
@@ -89,7 +91,8 @@ TEST(Projection, AntialiasedOpacityShrinksWithTheSplat) {
   const auto opacity = [&](double scale, bool antialiased) {
     ProjectionOptions options;
     options.antialiased = antialiased;
-    return project_truth({{0, 0, 0}, glm::dvec3(scale), {1, 0, 0, 0}, 0.8}, glm::vec3(0), nullptr, 0, camera, options).opacity;
+    return project_truth({{0, 0, 0}, glm::dvec3(scale), {1, 0, 0, 0}, 0.8}, glm::vec3(0), nullptr, 0, camera, options)
+        .opacity;
   };
   EXPECT_EQ(opacity(0.01, false), 0.8);
   EXPECT_NEAR(opacity(10, true), 0.8, 1e-4);
@@ -105,7 +108,8 @@ TEST(Projection, ShHasTheSignsAndOrderOfInria) {
     for (int channel = 0; channel < 3; ++channel) {
       float rest[9] = {};
       rest[k * 3 + channel] = 0.25f;
-      for (int a = 0; a < 3; ++a) EXPECT_NEAR(sh_color(glm::vec3(0), rest, 1, axes[a])[channel], 0.5 + 0.25 * first[a][k], 1e-15);
+      for (int a = 0; a < 3; ++a)
+        EXPECT_NEAR(sh_color(glm::vec3(0), rest, 1, axes[a])[channel], 0.5 + 0.25 * first[a][k], 1e-15);
     }
   }
   EXPECT_EQ(sh_color(glm::vec3(-10), nullptr, 0, axes[0]), glm::dvec3(0));  // clamped below
@@ -114,8 +118,10 @@ TEST(Projection, ShHasTheSignsAndOrderOfInria) {
 
 TEST(Projection, ShBasisIsOrthonormal) {
   // Integrated over the sphere by Gauss' rule in z and evenly in azimuth: exact to degree 6.
-  const double nodes[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845, 0.9739065285171717};
-  const double weights[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806, 0.0666713443086881};
+  const double nodes[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
+                          0.9739065285171717};
+  const double weights[] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806,
+                            0.0666713443086881};
   double gram[15][15] = {};
   constexpr int kTurns = 16;
   for (int n = 0; n < 10; ++n) {

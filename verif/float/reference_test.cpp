@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Against cpp_model/float/truth: INRIA semantics on a real trained scene equal an independent
 // float64 renderer (numpy) to 8-bit rounding.
 //
@@ -8,7 +9,7 @@
 #include <cstdlib>
 
 #include "cpp_model/float/truth.hpp"
-#include "scenes/ply.hpp"
+#include "scenes/ply/ply.hpp"
 
 namespace pipegs {
 namespace {
@@ -30,7 +31,8 @@ TEST(Reference, PlushdogEqualsTheNumpyRenderer) {
   options.semantics = Semantics::kInria;
   for (std::size_t v = 0; v < cameras.size(); ++v) {
     const Rgb8 found = to_rgb8(render_truth(scene, cameras[v], options), {0, 0, 0});
-    const Rgb8 wanted = read_png8(folder / (v == 0 ? std::string("reference.png") : "reference_" + std::to_string(v) + ".png"));
+    const Rgb8 wanted =
+        read_png8(folder / (v == 0 ? std::string("reference.png") : "reference_" + std::to_string(v) + ".png"));
     ASSERT_EQ(found.data.size(), wanted.data.size());
     std::size_t differing = 0;
     int worst = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Against cpp_model/float/truth: pictures of one to a few Gaussians computed by hand, order, window.
 //
 // Idea    An isotropic Gaussian straight ahead has cov2d = (f s / z)^2 + 0.3 on both axes, so every
@@ -11,7 +12,7 @@
 #include <numeric>
 
 #include "cpp_model/float/metrics.hpp"
-#include "scenes/generate.hpp"
+#include "scenes/generate/generate.hpp"
 
 namespace pipegs {
 namespace {
@@ -31,7 +32,8 @@ Camera camera_of(int width, int height, double focal = 100) {
 // A ball of colour (r, g, b) in front of the camera.
 void add_ball(Scene& scene, const glm::vec3& mean, double sigma, float logit, const glm::dvec3& color) {
   const auto log_sigma = static_cast<float>(std::log(sigma));
-  scene.gaussians.push_back({mean, glm::vec3(log_sigma), {1, 0, 0, 0}, logit, glm::vec3((color - 0.5) / 0.28209479177387814)});
+  scene.gaussians.push_back(
+      {mean, glm::vec3(log_sigma), {1, 0, 0, 0}, logit, glm::vec3((color - 0.5) / 0.28209479177387814)});
 }
 
 double sigmoid(double x) { return 1 / (1 + std::exp(-x)); }
@@ -222,17 +224,17 @@ TEST(Truth, LeavesBadAndInvisibleGaussiansOut) {
   add_ball(scene, {0, 0, 1}, 0.5, 0, {1, 1, 1});
   const Camera camera = camera_of(20, 20);
   const Image wanted = render_truth(scene, camera, {});
-  add_ball(scene, {0, 0, -1}, 0.5, 0, {1, 1, 1});                          // behind
-  add_ball(scene, {0, 0, 0}, 0.5, 0, {1, 1, 1});                           // at the camera
-  add_ball(scene, {0, 0, 0.2f}, 0.001, 0, {1, 1, 1});                      // float(0.2) > 0.2, but the next is not
+  add_ball(scene, {0, 0, -1}, 0.5, 0, {1, 1, 1});      // behind
+  add_ball(scene, {0, 0, 0}, 0.5, 0, {1, 1, 1});       // at the camera
+  add_ball(scene, {0, 0, 0.2f}, 0.001, 0, {1, 1, 1});  // float(0.2) > 0.2, but the next is not
   scene.gaussians.back().mean.z = std::nextafter(0.2f, 0.0f);
-  add_ball(scene, {0, 0, 1}, 0.5, -5.55f, {1, 1, 1});                      // opacity below 1/255
-  add_ball(scene, {0, 0, 1}, 0.5, -kOpaque, {1, 1, 1});                    // opacity 0
+  add_ball(scene, {0, 0, 1}, 0.5, -5.55f, {1, 1, 1});    // opacity below 1/255
+  add_ball(scene, {0, 0, 1}, 0.5, -kOpaque, {1, 1, 1});  // opacity 0
   add_ball(scene, {std::nanf(""), 0, 1}, 0.5, 0, {1, 1, 1});
-  add_ball(scene, {0, 0, 1}, 1e300, 0, {1, 1, 1});                         // a scale beyond float
+  add_ball(scene, {0, 0, 1}, 1e300, 0, {1, 1, 1});  // a scale beyond float
   add_ball(scene, {0, 0, 0.9f}, 0.5, 0, {1, 1, 1});
   scene.gaussians.back().rotation = glm::vec4(0);
-  add_ball(scene, {3e38f, 0, 1}, 0.5, 0, {1, 1, 1});                       // far off the image
+  add_ball(scene, {3e38f, 0, 1}, 0.5, 0, {1, 1, 1});  // far off the image
   for (const Semantics semantics : {Semantics::kExact, Semantics::kInria, Semantics::kGsplat}) {
     TruthOptions options;
     options.semantics = semantics;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // frame_test: whole frames through the RTL, every stream and every pixel against the golden model.
 //
 // The RTL of each configuration is built before the tests run (verif/frame/CMakeLists.txt). A failure prints the first
@@ -7,21 +8,28 @@
 
 #include <map>
 
-#include "sim/simulate.hpp"
+#include "sim/compare/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
 namespace {
 
-// The machine of Table 2, then half and a quarter of it, the last with stores so small that every one of them overflows;
-// then the other rungs of the ladder, and `exact` with a pool so small that it spills; with the numbers of sim/fine.cfg;
-// then `late` with coarse numbers and without some parts.
+// The machine of Table 2, then half and a quarter of it, the last with stores so small that every one of them
+// overflows; then the other design points of the ladder, and `exact` with a pool so small that it spills; with the
+// numbers of sim/fine.cfg; then `late` with coarse numbers and without some parts.
 const std::vector<std::vector<std::string>> kMachines = {
-    {}, {"units=2", "pixels_per_row=1", "grid=8"}, {"units=1", "alpha_lines=64", "records=16"}, {"late=1", "records=2048"},
-    {"order=1"}, {"late=1", "order=1", "records=2048"}, {"late=1", "order=1", "quadratic=1", "records=2048"},
-    {"late=1", "order=2", "records=2048"}, {"units=2", "late=1", "order=2", "records=16"},
+    {},
+    {"units=2", "pixels_per_row=1", "grid=8"},
+    {"units=1", "alpha_lines=64", "records=16"},
+    {"late=1", "records=2048"},
+    {"order=1"},
+    {"late=1", "order=1", "records=2048"},
+    {"late=1", "order=1", "quadratic=1", "records=2048"},
+    {"late=1", "order=2", "records=2048"},
+    {"units=2", "late=1", "order=2", "records=16"},
     {"late=1", "order=2", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24", "alpha_w=10", "records=2048"},
-    {"late=1", "antialias=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "records=2048", "guard_band=0", "early_stop=0", "taps=0"}};
+    {"late=1", "antialias=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "records=2048",
+     "guard_band=0", "early_stop=0", "taps=0"}};
 
 SimulateOptions machine(size_t number) {
   SimulateOptions options;
@@ -31,14 +39,16 @@ SimulateOptions machine(size_t number) {
 }
 
 // Runs one frame and expects equality; returns the frame's pixels.
-std::vector<uint64_t> expect_equal(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+std::vector<uint64_t> expect_equal(const Scene& scene, const Camera& camera, const SimulateOptions& options,
+                                   Simulation& result) {
   simulate_golden(scene, camera, options, result);
   simulate_rtl(options, result);
   EXPECT_EQ(result.mismatches, 0u) << config_difference(options.config) << ", seed " << options.rtl.seed << ": window "
                                    << result.first_mismatch->window_x << "," << result.first_mismatch->window_y << ": "
                                    << result.first_mismatch->what;
   for (const auto* units : {&result.rtl.dopu, &result.rtl.pu, &result.rtl.su, &result.rtl.ru}) {
-    for (const UnitCycles& unit : *units) EXPECT_EQ(unit.busy + unit.starved + unit.blocked + unit.memory, result.rtl.cycles);
+    for (const UnitCycles& unit : *units)
+      EXPECT_EQ(unit.busy + unit.starved + unit.blocked + unit.memory, result.rtl.cycles);
   }
   return result.golden.pixels;
 }
@@ -53,8 +63,11 @@ void expect_equal_on_all_machines(const Scene& scene, const Camera& camera) {
   for (size_t i = 0; i < kMachines.size(); ++i) {
     const SimulateOptions options = machine(i);
     const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
-    // The grid changes the layers and so the order, the cuts and widths the picture; units, pixels per row and stores must not change a bit.
-    if (options.config.grid != Config{}.grid || options.config.alpha_cut != Config{}.alpha_cut || options.config.alpha_w != Config{}.alpha_w) continue;
+    // The grid changes the layers and so the order, the cuts and widths the picture; units, pixels per row and stores
+    // must not change a bit.
+    if (options.config.grid != Config{}.grid || options.config.alpha_cut != Config{}.alpha_cut ||
+        options.config.alpha_w != Config{}.alpha_w)
+      continue;
     const auto& [order, equal] = *first.emplace(options.config.order, pixels).first;
     EXPECT_EQ(pixels, equal) << "the image depends on the machine: " << config_difference(options.config);
   }
@@ -64,7 +77,8 @@ TEST(Frame, AnEmptySceneIsBlackAndTransparent) {
   const Camera camera = test_camera(100, 70);
   expect_equal_on_all_machines(scene_of({}), camera);
   Simulation result;
-  for (const uint64_t pixel : expect_equal(scene_of({}), camera, machine(0), result)) ASSERT_EQ(pixel, uint64_t{0x8000} << 48);
+  for (const uint64_t pixel : expect_equal(scene_of({}), camera, machine(0), result))
+    ASSERT_EQ(pixel, uint64_t{0x8000} << 48);
 }
 
 TEST(Frame, OneGaussian) {
@@ -85,7 +99,8 @@ TEST(Frame, SizesThatAreNoMultipleOfAnything) {
 
 TEST(Frame, EverythingInOneRegion) {
   std::vector<Gaussian> gaussians;
-  for (int i = 0; i < 600; ++i) gaussians.push_back(gaussian_at({0.001f * (i % 7), 0.001f * (i % 5), 2 + 0.003f * i}, 0.004f, 0.02 + 0.001 * i));
+  for (int i = 0; i < 600; ++i)
+    gaussians.push_back(gaussian_at({0.001f * (i % 7), 0.001f * (i % 5), 2 + 0.003f * i}, 0.004f, 0.02 + 0.001 * i));
   expect_equal_on_all_machines(scene_of(gaussians), test_camera(64, 64));
 }
 
@@ -93,15 +108,17 @@ TEST(Frame, AllDepthsEqualAreOrderedByIndex) {
   std::vector<Gaussian> gaussians;
   std::mt19937 rng(5);
   for (int i = 0; i < 900; ++i) {
-    gaussians.push_back(gaussian_at({(static_cast<float>(rng() % 2000) - 1000) / 1000, (static_cast<float>(rng() % 2000) - 1000) / 1000, 2}, 0.03f, 0.5,
-                                    {static_cast<float>(rng() % 100) / 50 - 1, 0, static_cast<float>(rng() % 100) / 50 - 1}));
+    gaussians.push_back(gaussian_at(
+        {(static_cast<float>(rng() % 2000) - 1000) / 1000, (static_cast<float>(rng() % 2000) - 1000) / 1000, 2}, 0.03f,
+        0.5, {static_cast<float>(rng() % 100) / 50 - 1, 0, static_cast<float>(rng() % 100) / 50 - 1}));
   }
   expect_equal_on_all_machines(scene_of(gaussians), test_camera(96, 96));
 }
 
 TEST(Frame, CameraInsideGaussiansAndScreenFillingSplats) {
   std::vector<Gaussian> gaussians = random_scene(9, 200, 0).gaussians;
-  for (const float z : {-0.5f, 0.0f, 0.19f, 0.2f, 0.21f, 0.3f, 1.0f}) gaussians.push_back(gaussian_at({0, 0, z}, 3.0f, 0.3));
+  for (const float z : {-0.5f, 0.0f, 0.19f, 0.2f, 0.21f, 0.3f, 1.0f})
+    gaussians.push_back(gaussian_at({0, 0, z}, 3.0f, 0.3));
   gaussians.push_back(gaussian_at({40, 10, 0.25f}, 20.0f, 0.6));
   expect_equal_on_all_machines(scene_of(gaussians), test_camera(128, 96));
 }
@@ -159,7 +176,11 @@ TEST(Frame, TheImageDoesNotDependOnTheMemory) {
        {std::tuple{1, 64.0, 0, 256, 1}, {100, 51.2, 50, 64, 2}, {400, 6.4, 400, 4, 3}, {30, 25.6, 200, 1, 4}}) {
     for (const size_t number : {size_t{0}, size_t{2}}) {
       SimulateOptions options = machine(number);
-      options.memory = {.latency = latency, .bytes_per_cycle = bandwidth, .jitter = jitter, .queue = queue, .seed = static_cast<uint64_t>(seed)};
+      options.memory = {.latency = latency,
+                        .bytes_per_cycle = bandwidth,
+                        .jitter = jitter,
+                        .queue = queue,
+                        .seed = static_cast<uint64_t>(seed)};
       options.rtl.seed = static_cast<uint64_t>(seed);
       const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
       if (first.empty()) first = pixels;

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // golden_test: the whole golden model against the float64 truth, and what it must not depend on.
 #include <gtest/gtest.h>
 
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
-#include "sim/simulate.hpp"
+#include "sim/compare/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -25,7 +26,8 @@ TEST(Golden, ComesCloseToTheTruthInTheSameOrder) {
   }
 }
 
-// Small Gaussians far away: the dilation adds most of their area, so without the compensation the picture is far too dense.
+// Small Gaussians far away: the dilation adds most of their area, so without the compensation the picture is far too
+// dense.
 TEST(Golden, AntialiasedScenesComeCloseToTheTruth) {
   Scene scene = random_scene(14, 3000, 1);
   scene.antialiased = true;
@@ -79,7 +81,8 @@ TEST(Golden, OneWindowIsTheCropOfTheFrame) {
     simulate_golden(scene, camera, options, all);
     options.window = {1, 1};
     simulate_golden(scene, camera, options, one);
-    EXPECT_EQ(max_abs_error(crop_window(all.golden.image, options), crop_window(one.golden.image, options)), 0) << "order " << order;
+    EXPECT_EQ(max_abs_error(crop_window(all.golden.image, options), crop_window(one.golden.image, options)), 0)
+        << "order " << order;
   }
 }
 
@@ -98,7 +101,10 @@ TEST(Golden, ListsGiveThePixelsOfTheExactOrder) {
       EXPECT_EQ(result.golden.pixels, exact) << "order " << order << ", late " << late << ", seed " << seed;
       EXPECT_GT(result.golden.work.blended, 0u);
       if (order != 1) continue;
-      EXPECT_EQ(golden_frame({.packed = &result.packed, .frame = result.input.frame}, {.threads = 1, .progress = {}}).pixels, exact) << "one thread";
+      EXPECT_EQ(
+          golden_frame({.packed = &result.packed, .frame = result.input.frame}, {.threads = 1, .progress = {}}).pixels,
+          exact)
+          << "one thread";
       EXPECT_LE(result.golden.work.fetched, scene.gaussians.size()) << "each Gaussian is fetched once";
       EXPECT_LE(result.golden.work.layers, result.golden.work.windows) << "at most one layer a window";
     }
@@ -158,15 +164,19 @@ TEST(Golden, PartsThatNothingCallsForChangeNoPixel) {
   Scene scene = random_scene(12, 300, 1);
   for (Gaussian& gaussian : scene.gaussians) {
     gaussian.mean.z = std::abs(gaussian.mean.z) + 0.5f;
-    gaussian.mean.x = 0.3f * gaussian.mean.z * std::sin(gaussian.mean.x), gaussian.mean.y = 0.3f * gaussian.mean.z * std::sin(gaussian.mean.y);
+    gaussian.mean.x = 0.3f * gaussian.mean.z * std::sin(gaussian.mean.x),
+    gaussian.mean.y = 0.3f * gaussian.mean.z * std::sin(gaussian.mean.y);
     gaussian.log_scale -= glm::vec3(2), gaussian.opacity_logit = std::min(gaussian.opacity_logit, -2.0f);
   }
   SimulateOptions options;
   Simulation all, none;
   simulate_golden(scene, test_camera(100, 80), options, all);
   const Called& called = all.golden.called;
-  ASSERT_EQ(called.near + called.guard + called.stopped + called.ties + all.golden.saturations.accumulated + all.golden.saturations.color, 0u);
-  for (const char* part : {"near_test", "guard_band", "saturation", "early_stop", "index_ties", "overflow", "large_groups"}) {
+  ASSERT_EQ(called.near + called.guard + called.stopped + called.ties + all.golden.saturations.accumulated +
+                all.golden.saturations.color,
+            0u);
+  for (const char* part :
+       {"near_test", "guard_band", "saturation", "early_stop", "index_ties", "overflow", "large_groups"}) {
     config_set(options.config, std::string(part) + "=0");
   }
   simulate_golden(scene, test_camera(100, 80), options, none);
@@ -177,9 +187,10 @@ TEST(Golden, PartsThatNothingCallsForChangeNoPixel) {
 TEST(Golden, CountsWhatPartsAreCalledFor) {
   std::vector<Gaussian> gaussians;
   for (int i = 0; i < 40; ++i) gaussians.push_back(gaussian_at({0.001f * i, 0, 2 + 0.05f * i}, 2.0f, 0.9, {4, 4, 4}));
-  gaussians.push_back(gaussian_at({0, 0, 2}, 2.0f, 0.9));        // as deep as the first one
-  for (const float z : {0.19f, 0.21f}) gaussians.push_back(gaussian_at({0.01f, 0, z}, 0.02f));  // before the near plane and behind it
-  gaussians.push_back(gaussian_at({3, 0, 0.5f}, 2.0f));          // far beside the image
+  gaussians.push_back(gaussian_at({0, 0, 2}, 2.0f, 0.9));  // as deep as the first one
+  for (const float z : {0.19f, 0.21f})
+    gaussians.push_back(gaussian_at({0.01f, 0, z}, 0.02f));  // before the near plane and behind it
+  gaussians.push_back(gaussian_at({3, 0, 0.5f}, 2.0f));      // far beside the image
   const Scene scene = scene_of(gaussians);
   const auto run = [&](const char* setting) {
     SimulateOptions options;
@@ -194,7 +205,8 @@ TEST(Golden, CountsWhatPartsAreCalledFor) {
   EXPECT_GT(called.stopped, 0u);
   EXPECT_GT(called.ties, 0u);
   EXPECT_GT(called.layers, 1u);
-  for (const char* setting : {"near_test=0", "guard_band=0", "early_stop=0"}) EXPECT_NE(run(setting).first, pixels) << setting;
+  for (const char* setting : {"near_test=0", "guard_band=0", "early_stop=0"})
+    EXPECT_NE(run(setting).first, pixels) << setting;
   EXPECT_EQ(run("layered=0").second.layers, 1u);
   EXPECT_EQ(run("early_stop=0").second.stopped, 0u);
 }

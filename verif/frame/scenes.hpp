@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // scenes.hpp: small scenes for whole-frame tests, made of random numbers or by hand.
 #pragma once
 
@@ -24,8 +25,13 @@ inline Camera test_camera(int width, int height, double focal = 100) {
 
 inline float logit(double opacity) { return static_cast<float>(std::log(opacity / (1 - opacity))); }
 
-inline Gaussian gaussian_at(glm::vec3 mean, float scale = 0.05f, double opacity = 0.8, glm::vec3 color = {0.5f, 0.2f, -0.3f}) {
-  return {.mean = mean, .log_scale = glm::vec3(std::log(scale)), .rotation = {1, 0, 0, 0}, .opacity_logit = logit(opacity), .sh_dc = color};
+inline Gaussian gaussian_at(glm::vec3 mean, float scale = 0.05f, double opacity = 0.8,
+                            glm::vec3 color = {0.5f, 0.2f, -0.3f}) {
+  return {.mean = mean,
+          .log_scale = glm::vec3(std::log(scale)),
+          .rotation = {1, 0, 0, 0},
+          .opacity_logit = logit(opacity),
+          .sh_dc = color};
 }
 
 inline Scene scene_of(std::vector<Gaussian> gaussians) {
@@ -36,10 +42,13 @@ inline Scene scene_of(std::vector<Gaussian> gaussians) {
   return scene;
 }
 
-// A cloud in front of the camera: log-normal scales, needles, any rotation, many faint Gaussians, SH of the given degree.
+// A cloud in front of the camera: log-normal scales, needles, any rotation, many faint Gaussians, SH of the given
+// degree.
 inline Scene random_scene(uint64_t seed, size_t count, int sh_degree) {
   std::mt19937_64 rng(seed);
-  const auto uniform = [&](double low, double high) { return static_cast<float>(low + (high - low) * static_cast<double>(rng() >> 11) * 0x1p-53); };
+  const auto uniform = [&](double low, double high) {
+    return static_cast<float>(low + (high - low) * static_cast<double>(rng() >> 11) * 0x1p-53);
+  };
   Scene scene = scene_of({});
   scene.sh_degree = sh_degree;
   const int coefficients = (sh_degree + 1) * (sh_degree + 1) - 1;

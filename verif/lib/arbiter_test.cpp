@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // arbiter_test: rtl/lib/arbiter.sv against the round-robin rule, for random requests.
 #include "verif/support/bench.hpp"
 #include "Varbiter.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // line_reader_test: rtl/lib/line_reader.sv against a queue of jobs. (pu_fetch_test and dopu_test drive it, too.)
 #include "Vline_reader.h"
 #include "verif/support/bench.hpp"
@@ -59,7 +60,8 @@ struct Jobs : Endpoint {
   }
 };
 
-void run(Pace source, Pace sink, Pace memory_pace, const ExternalMemoryOptions& options, int jobs, uint32_t largest, bool full_rate) {
+void run(Pace source, Pace sink, Pace memory_pace, const ExternalMemoryOptions& options, int jobs, uint32_t largest,
+         bool full_rate) {
   Bench<Vline_reader> bench;
   auto& dut = bench.dut;
   ExternalMemory memory(options);
@@ -67,13 +69,14 @@ void run(Pace source, Pace sink, Pace memory_pace, const ExternalMemoryOptions& 
   for (uint32_t item = 0; item < 1200; ++item) memory.line(kBase + item / 2)[item % 2 * 8] = item * 7 + 1;
   dut.base_i = kBase;
   Jobs ends(bench, source, sink);
-  MemoryEndpoint<QData, VlWide<16>> port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr,
-                                         dut.rsp_valid_i, dut.rsp_data_i, memory_pace);
+  MemoryEndpoint<QData, VlWide<16>> port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o,
+                                         nullptr, dut.rsp_valid_i, dut.rsp_data_i, memory_pace);
   bench.reset();
   for (int i = 0; i < jobs; ++i) {
     const uint32_t first = static_cast<uint32_t>(bench.rng() % 1000);
     ends.push({full_rate || bench.rng() % 4 != 0, full_rate ? first & ~1u : first,
-               full_rate ? largest : 1 + static_cast<uint32_t>(bench.rng() % largest), static_cast<uint32_t>(bench.rng() % 256)});
+               full_rate ? largest : 1 + static_cast<uint32_t>(bench.rng() % largest),
+               static_cast<uint32_t>(bench.rng() % 256)});
   }
   ASSERT_TRUE(bench.run_until([&] { return ends.expected.empty(); }));
   for (int i = 0; i < 100; ++i) bench.step();
@@ -92,7 +95,9 @@ TEST(LineReader, SendsEveryItemInOrderAtEveryPace) {
   }
 }
 
-TEST(LineReader, SendsOneItemPerCycle) { run(Pace::kAlways, Pace::kAlways, Pace::kAlways, {.latency = 20, .bytes_per_cycle = 64}, 40, 32, true); }
+TEST(LineReader, SendsOneItemPerCycle) {
+  run(Pace::kAlways, Pace::kAlways, Pace::kAlways, {.latency = 20, .bytes_per_cycle = 64}, 40, 32, true);
+}
 
 }  // namespace
 }  // namespace pipegs

@@ -1,4 +1,6 @@
-// log2_test: rtl/lib/log2.sv against its twin for every input, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// log2_test: rtl/lib/log2.sv against its bit-accurate model for every input, and the model against double
+// precision.
 #include "cpp_model/lib/log2.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +14,7 @@ namespace {
 
 constexpr uint64_t kLow = uint64_t{1} << kLog2InF, kHigh = 2 * kLow;
 
-TEST(Log2, TwinIsWithinItsStatedErrorForEveryInput) {
+TEST(Log2, ModelIsWithinItsStatedErrorForEveryInput) {
   double worst = 0;
   for (uint64_t m = kLow; m < kHigh; ++m) {
     const int64_t found = log2_mantissa(m);
@@ -24,7 +26,7 @@ TEST(Log2, TwinIsWithinItsStatedErrorForEveryInput) {
   EXPECT_LT(worst, 3.1e-5);
 }
 
-TEST(Log2, EqualsItsTwinForEveryInputTwoCyclesLaterAndStandsStillWhenItIsNotEnabled) {
+TEST(Log2, EqualsItsModelForEveryInputTwoCyclesLaterAndStandsStillWhenItIsNotEnabled) {
   VerilatedContext context;
   context.randReset(2);
   Vlog2 dut(&context);

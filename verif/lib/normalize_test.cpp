@@ -1,4 +1,6 @@
-// normalize_test: rtl/lib/normalize.sv against its twin, and the twin against its definition.
+// SPDX-License-Identifier: Apache-2.0
+// normalize_test: rtl/lib/normalize.sv against its bit-accurate model, and the model against its
+// definition.
 #include "cpp_model/lib/normalize.hpp"
 
 #include "Vnormalize.h"
@@ -16,7 +18,7 @@ int64_t random_value(std::mt19937_64& rng) {
   return rng() % 2 == 0 ? value : ~value;
 }
 
-TEST(Normalize, TwinShiftsUntilTheTwoTopBitsDiffer) {
+TEST(Normalize, ModelShiftsUntilTheTwoTopBitsDiffer) {
   std::mt19937_64 rng(test_seed());
   for (int i = 0; i < 100000; ++i) {
     const int64_t x = random_value(rng);
@@ -24,11 +26,15 @@ TEST(Normalize, TwinShiftsUntilTheTwoTopBitsDiffer) {
     ASSERT_EQ(n.value, x * (int64_t{1} << n.shift)) << x;
     ASSERT_GE(n.value, -kHigh);
     ASSERT_LT(n.value, kHigh);
-    if (x == 0) { ASSERT_EQ(n.shift, kWidth - 1); } else { ASSERT_TRUE(n.value >= kHigh / 2 || n.value < -kHigh / 2) << x; }
+    if (x == 0) {
+      ASSERT_EQ(n.shift, kWidth - 1);
+    } else {
+      ASSERT_TRUE(n.value >= kHigh / 2 || n.value < -kHigh / 2) << x;
+    }
   }
 }
 
-TEST(Normalize, EqualsItsTwin) {
+TEST(Normalize, EqualsItsModel) {
   VerilatedContext context;
   Vnormalize dut(&context);
   std::mt19937_64 rng(test_seed());

@@ -1,4 +1,5 @@
-// recip_test: rtl/lib/recip.sv against its twin, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// recip_test: rtl/lib/recip.sv against its bit-accurate model, and the model against double precision.
 #include "cpp_model/lib/recip.hpp"
 
 #include <cmath>
@@ -15,7 +16,7 @@ double error_in_units(int width, uint64_t x) {
   return std::abs(static_cast<double>(recip(width, x)) - exact);
 }
 
-TEST(Recip, TwinIsWithinOneUnitOfDoubleAndNormalised) {
+TEST(Recip, ModelIsWithinOneUnitOfDoubleAndNormalised) {
   for (const int width : {18, 22, 26, 28}) {
     const uint64_t one = uint64_t{1} << (width - 1);
     const uint64_t step = width <= 22 ? 1 : width == 26 ? 7 : 31;  // all of the narrow ones
@@ -33,7 +34,7 @@ TEST(Recip, TwinIsWithinOneUnitOfDoubleAndNormalised) {
   }
 }
 
-TEST(Recip, EqualsItsTwinOneResultPerCycleFourCyclesLater) {
+TEST(Recip, EqualsItsModelOneResultPerCycleFourCyclesLater) {
   const int width = test_config().mantissa_w;
   Bench<Vrecip> bench;
   bench.dut.in_valid_i = 0;
@@ -43,14 +44,17 @@ TEST(Recip, EqualsItsTwinOneResultPerCycleFourCyclesLater) {
     const bool valid = i < 1000 || bench.rng() % 2 == 0;
     const uint64_t one = uint64_t{1} << (width - 1);
     const uint64_t near = bench.rng() % 3;
-    const uint64_t x = one | (near == 0 ? bench.rng() % 64 : near == 1 ? one - 1 - bench.rng() % 64 : bench.rng() % one);
+    const uint64_t x = one | (near == 0   ? bench.rng() % 64
+                              : near == 1 ? one - 1 - bench.rng() % 64
+                                          : bench.rng() % one);
     bench.dut.in_valid_i = valid;
     bench.dut.in_i = static_cast<IData>(x);
     bench.step();  // the inputs are seen at this edge
     expected.push_back({valid, recip(width, x)});
     expected.pop_front();
     ASSERT_EQ(bench.dut.out_valid_o, expected.front().first) << "cycle " << bench.cycle;
-    if (expected.front().first) ASSERT_EQ(bench.dut.out_o, expected.front().second) << "cycle " << bench.cycle << " seed " << bench.seed;
+    if (expected.front().first)
+      ASSERT_EQ(bench.dut.out_o, expected.front().second) << "cycle " << bench.cycle << " seed " << bench.seed;
   }
 }
 

@@ -1,4 +1,6 @@
-// rsqrt_test: rtl/lib/rsqrt.sv against its twin for every input, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// rsqrt_test: rtl/lib/rsqrt.sv against its bit-accurate model for every input, and the model against
+// double precision.
 #include "cpp_model/lib/rsqrt.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +15,7 @@ namespace {
 
 constexpr int64_t kLow = int64_t{1} << kRsqrtInF, kHigh = kLow * 4;
 
-TEST(Rsqrt, TwinIsWithinItsStatedErrorForEveryInput) {
+TEST(Rsqrt, ModelIsWithinItsStatedErrorForEveryInput) {
   double worst = 0;
   for (int64_t u = kLow; u < kHigh; ++u) {
     const int64_t r = rsqrt(u);
@@ -25,7 +27,7 @@ TEST(Rsqrt, TwinIsWithinItsStatedErrorForEveryInput) {
   EXPECT_LT(worst, std::exp2(-16.1));
 }
 
-TEST(Rsqrt, EqualsItsTwinForEveryInputOneResultPerCycleTwoCyclesLater) {
+TEST(Rsqrt, EqualsItsModelForEveryInputOneResultPerCycleTwoCyclesLater) {
   VerilatedContext context;
   context.randReset(2);
   Vrsqrt dut(&context);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // skid_test: rtl/lib/skid.sv against std::queue.
 #include "verif/support/bench.hpp"
 #include "Vskid.h"

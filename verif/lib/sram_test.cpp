@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // sram_test: rtl/lib/sram.sv against an array.
 #include "verif/support/bench.hpp"
 #include "Vsram.h"

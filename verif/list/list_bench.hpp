@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // list_bench.hpp: the PUs before the lists, the SUs behind them, the SRAM of the counts, and random frames of windows.
 #pragma once
 
@@ -11,9 +12,11 @@ namespace pipegs {
 
 inline Frame list_frame(const Config& config, std::mt19937_64& rng, uint64_t columns, uint64_t rows) {
   Frame frame = random_record<Frame>(config, rng);
-  frame.first_x = rng() % (1024 - columns), frame.last_x = frame.first_x + columns - 1;
-  frame.first_y = rng() % (1024 - rows), frame.last_y = frame.first_y + rows - 1;
-  frame.overflow &= (uint64_t{1} << 32) - 1;
+  frame.raster.windows.first_x = rng() % (1024 - columns),
+  frame.raster.windows.last_x = frame.raster.windows.first_x + columns - 1;
+  frame.raster.windows.first_y = rng() % (1024 - rows),
+  frame.raster.windows.last_y = frame.raster.windows.first_y + rows - 1;
+  frame.tables.overflow &= (uint64_t{1} << 32) - 1;
   return frame;
 }
 
@@ -39,20 +42,30 @@ struct ListRecords {
 template <class Dut, class ValidPort, class DataPort, class NumberPort>
 class ListPus : public Endpoint {
  public:
-  ListPus(BenchBase& bench, const Config& config, ValidPort& valid, const ValidPort& ready, DataPort& data, NumberPort& number)
-      : bench_(bench), config_(config), valid_(valid), ready_(ready), data_(data), number_(number), queue(config.units), up_(config.units) {
+  ListPus(BenchBase& bench, const Config& config, ValidPort& valid, const ValidPort& ready, DataPort& data,
+          NumberPort& number)
+      : bench_(bench),
+        config_(config),
+        valid_(valid),
+        ready_(ready),
+        data_(data),
+        number_(number),
+        queue(config.units),
+        up_(config.units) {
     valid_ = 0;
     bench.add(*this);
   }
   void offer(const ListRecords& records) {
-    for (size_t i = 0; i < records.splats.size(); ++i) queue[bench_.rng() % queue.size()].push_back({records.splats[i], records.numbers[i]});
+    for (size_t i = 0; i < records.splats.size(); ++i)
+      queue[bench_.rng() % queue.size()].push_back({records.splats[i], records.numbers[i]});
     for (auto& one : queue) {
       one.push_back({Splat{}, 0});
       one.back().first.kind = kWindowEnd;
     }
   }
   bool empty() const {
-    for (const auto& one : queue) if (!one.empty()) return false;
+    for (const auto& one : queue)
+      if (!one.empty()) return false;
     return true;
   }
   void drive() override {
@@ -108,7 +121,13 @@ template <class ValidPort, class SplatPort>
 class ListSus : public Endpoint {
  public:
   ListSus(BenchBase& bench, const Config& config, const ValidPort& valid, ValidPort& ready, const SplatPort& splat)
-      : bench_(bench), config_(config), valid_(valid), ready_(ready), splat_(splat), window(config.units), count(config.units) {
+      : bench_(bench),
+        config_(config),
+        valid_(valid),
+        ready_(ready),
+        splat_(splat),
+        window(config.units),
+        count(config.units) {
     ready_ = 0;
     bench.add(*this);
   }
@@ -122,13 +141,15 @@ class ListSus : public Endpoint {
   void observe() override {
     if (shown_ != 0) {
       EXPECT_EQ(valid_ & shown_, shown_) << "valid fell before the beat was taken, cycle " << bench_.cycle;
-      EXPECT_EQ(read_record<Splat>(config_, splat_), last_) << "the beat changed before it was taken, cycle " << bench_.cycle;
+      EXPECT_EQ(read_record<Splat>(config_, splat_), last_)
+          << "the beat changed before it was taken, cycle " << bench_.cycle;
     }
     const uint32_t taken = valid_ & up_;
     last_ = read_record<Splat>(config_, splat_);
     shown_ = valid_ & ~up_;
     up_ &= ~taken;
-    EXPECT_TRUE(valid_ == 0 || last_.kind != kData || (valid_ & (valid_ - 1)) == 0) << "an entry for several SUs, cycle " << bench_.cycle;
+    EXPECT_TRUE(valid_ == 0 || last_.kind != kData || (valid_ & (valid_ - 1)) == 0)
+        << "an entry for several SUs, cycle " << bench_.cycle;
     for (size_t u = 0; u < window.size(); ++u) {
       if (((taken >> u) & 1) == 0) continue;
       if (last_.kind == kData) {
@@ -141,7 +162,8 @@ class ListSus : public Endpoint {
     }
   }
   bool ended(uint64_t windows) const {
-    for (const uint64_t w : window) if (w != windows) return false;
+    for (const uint64_t w : window)
+      if (w != windows) return false;
     return true;
   }
   void clear() {
@@ -161,15 +183,17 @@ class ListSus : public Endpoint {
   Splat last_;
 
  public:
-  std::vector<uint64_t> window, count;                // of each SU: windows ended, entries taken in all
-  std::map<uint64_t, std::vector<Splat>> entries;     // of each window, all SUs together
+  std::vector<uint64_t> window, count;             // of each SU: windows ended, entries taken in all
+  std::map<uint64_t, std::vector<Splat>> entries;  // of each window, all SUs together
 };
 
-// The SRAM of the counts: what is read shows from the next cycle on; a word that is written in the same cycle reads old.
+// The SRAM of the counts: what is read shows from the next cycle on; a word that is written in the same cycle reads
+// old.
 template <class Dut>
 class ListCounts : public Endpoint {
  public:
-  ListCounts(BenchBase& bench, const Config& config, Dut& dut) : counts(size_t{1} << config.list_window_w()), dut_(dut), rng_(bench.rng) {
+  ListCounts(BenchBase& bench, const Config& config, Dut& dut)
+      : counts(size_t{1} << config.list_window_w()), dut_(dut), rng_(bench.rng) {
     for (uint64_t& count : counts) count = rng_() & ((uint64_t{1} << config.list_entry_w()) - 1);  // noise
     bench.add(*this);
   }

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // list_read_test: rtl/list/list_read.sv: every entry of a list comes to one SU, in its window, and every window ends.
 #include "Vlist_read.h"
 #include "verif/list/list_bench.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -10,37 +12,40 @@ using LinePort = std::remove_reference_t<decltype(Vlist_read::rsp_data_i)>;
 struct ReadRun {
   using Dut = Vlist_read;
   explicit ReadRun(const ExternalMemoryOptions& options)
-      : memory(options), counts(bench, config, bench.dut),
-        port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, static_cast<const LinePort*>(nullptr),
-             bench.dut.rsp_valid_i, bench.dut.rsp_data_i),
+      : memory(options),
+        counts(bench, config, bench.dut),
+        port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o,
+             static_cast<const LinePort*>(nullptr), bench.dut.rsp_valid_i, bench.dut.rsp_data_i),
         sus(bench, config, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_o) {
     bench.dut.start_i = 0;
-    write_record(config, bench.dut.frame_i, Frame{});
+    write_frame(config, bench.dut, Frame{});
     bench.reset();
   }
   uint64_t frame(uint64_t columns, uint64_t rows, size_t count) {
     const Frame frame = list_frame(config, bench.rng, columns, rows);
     ListRecords records;
     records.add(config, bench.rng, columns * rows, count);
-    ListWrite twin(config, frame);
+    ListWrite model(config, frame);
     std::vector<std::vector<Splat>> expected(columns * rows);
     for (size_t i = 0; i < count; ++i) {
-      MemoryLine& line = memory.line(twin(records.numbers[i]));
+      MemoryLine& line = memory.line(model(records.numbers[i]));
       for (uint32_t& word : line) word = static_cast<uint32_t>(bench.rng());  // beside the record lies noise
       Words words(static_cast<size_t>(record_words<Splat>(config)) + 1);
       pack(config, records.splats[i], words.data());
       const int width = record_width<Splat>(config);
-      for (int bit = 0; bit < width; bit += 32) put_bits(line.data(), bit, std::min(32, width - bit), get_bits(words.data(), bit, std::min(32, width - bit)));
+      for (int bit = 0; bit < width; bit += 32)
+        put_bits(line.data(), bit, std::min(32, width - bit), get_bits(words.data(), bit, std::min(32, width - bit)));
       expected[records.numbers[i]].push_back(records.splats[i]);
     }
-    for (uint64_t i = 0; i < columns * rows; ++i) counts.counts[i] = twin.counts[i];
-    write_record(config, bench.dut.frame_i, frame);
+    for (uint64_t i = 0; i < columns * rows; ++i) counts.counts[i] = model.counts[i];
+    write_frame(config, bench.dut, frame);
     sus.clear();
     bench.dut.start_i = 1;
     const uint64_t start = bench.cycle;
     bench.gated_step();
     bench.dut.start_i = 0;
-    EXPECT_TRUE(bench.run_gated_until([&] { return sus.ended(columns * rows); }, 100 * (count + columns * rows) + 10000));
+    EXPECT_TRUE(
+        bench.run_gated_until([&] { return sus.ended(columns * rows); }, 100 * (count + columns * rows) + 10000));
     const uint64_t cycles = bench.cycle - start;
     for (int i = 0; i < 20; ++i) bench.gated_step();
     EXPECT_EQ(bench.dut.busy_o, 0);
@@ -50,7 +55,8 @@ struct ReadRun {
       std::sort(found.begin(), found.end(), by_index);
       EXPECT_EQ(found.size(), expected[w].size()) << "window " << w << ", seed " << bench.seed;
       for (size_t i = 0; i < std::min(found.size(), expected[w].size()); ++i) {
-        EXPECT_EQ(first_difference(config, expected[w][i], found[i]), "") << "window " << w << ", entry " << i << ", seed " << bench.seed;
+        EXPECT_EQ(first_difference(config, expected[w][i], found[i]), "")
+            << "window " << w << ", entry " << i << ", seed " << bench.seed;
         if (testing::Test::HasFailure()) return 0;
       }
     }
@@ -99,7 +105,8 @@ TEST(ListRead, ReadsAheadOfTheWindowAndDealsInTurn) {
   const uint64_t cycles = run.frame(10, 10, kEntries);
   // The latency is paid once, an end costs a cycle; a single SU takes every second cycle.
   EXPECT_LE(cycles, (run.config.units == 1 ? 2 : 1) * (kEntries + kWindows) + 3 * kWindows + 100);
-  for (const uint64_t count : run.sus.count) EXPECT_NEAR(static_cast<double>(count), static_cast<double>(kEntries) / run.config.units, kEntries / 50);
+  for (const uint64_t count : run.sus.count)
+    EXPECT_NEAR(static_cast<double>(count), static_cast<double>(kEntries) / run.config.units, kEntries / 50);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
-// list_write_test: rtl/list/list_write.sv against its twin, with the SRAM of the counts in the test.
+// SPDX-License-Identifier: Apache-2.0
+// list_write_test: rtl/list/list_write.sv against its bit-accurate model, with the SRAM of the counts in the test.
 #include "Vlist_write.h"
 #include "verif/list/list_bench.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -17,7 +19,8 @@ class Writes : public Endpoint {
     auto& dut = bench_.dut;
     const Splat splat = read_record<Splat>(config_, dut.mem_data_o);
     if (shown_) {
-      EXPECT_TRUE(dut.mem_valid_o && dut.mem_address_o == last_ && splat == splat_) << "a request changed, cycle " << bench_.cycle;
+      EXPECT_TRUE(dut.mem_valid_o && dut.mem_address_o == last_ && splat == splat_)
+          << "a request changed, cycle " << bench_.cycle;
     }
     shown_ = dut.mem_valid_o && !dut.mem_ready_i;
     last_ = dut.mem_address_o;
@@ -41,16 +44,17 @@ struct WriteRun {
   using Dut = Vlist_write;
   WriteRun()
       : pus(bench, config, bench.dut.splat_valid_i, bench.dut.splat_ready_o, bench.dut.splat_i, bench.dut.number_i),
-        writes(bench, config), counts(bench, config, bench.dut) {
+        writes(bench, config),
+        counts(bench, config, bench.dut) {
     bench.dut.restart_i = 0;
-    write_record(config, bench.dut.frame_i, Frame{});
+    write_frame(config, bench.dut, Frame{});
     bench.reset();
   }
   // One frame; gives its cycles from the first record taken to the last line written.
   uint64_t frame(uint64_t columns, uint64_t rows, size_t count) {
     auto& dut = bench.dut;
     const Frame frame = list_frame(config, bench.rng, columns, rows);
-    write_record(config, dut.frame_i, frame);
+    write_frame(config, dut, frame);
     dut.restart_i = 1;
     bench.gated_step();
     dut.restart_i = 0;
@@ -68,7 +72,7 @@ struct WriteRun {
     for (int i = 0; i < 20; ++i) bench.gated_step();
     EXPECT_EQ(dut.done_o, 1);
     // Every record once, and each at the next line of its window in the order in which they were written.
-    ListWrite twin(config, frame);
+    ListWrite model(config, frame);
     std::vector<bool> seen(count);
     EXPECT_EQ(writes.lines.size(), count);
     for (const auto& [address, splat] : writes.lines) {
@@ -78,20 +82,22 @@ struct WriteRun {
       }
       seen[splat.index] = true;
       EXPECT_EQ(first_difference(config, records.splats[splat.index], splat), "");
-      EXPECT_EQ(address, twin(records.numbers[splat.index])) << "record " << splat.index << " of window " << records.numbers[splat.index] << ", seed " << bench.seed;
+      EXPECT_EQ(address, model(records.numbers[splat.index]))
+          << "record " << splat.index << " of window " << records.numbers[splat.index] << ", seed " << bench.seed;
       if (testing::Test::HasFailure()) return 0;
     }
-    for (uint64_t i = 0; i < columns * rows; ++i) EXPECT_EQ(when_done[i], twin.counts[i]) << "window " << i;
+    for (uint64_t i = 0; i < columns * rows; ++i) EXPECT_EQ(when_done[i], model.counts[i]) << "window " << i;
     return cycles;
   }
   Config config = test_config();
   GatedBench<Dut> bench;
-  ListPus<Dut, CData, std::remove_reference_t<decltype(Dut::splat_i)>, std::remove_reference_t<decltype(Dut::number_i)>> pus;
+  ListPus<Dut, CData, std::remove_reference_t<decltype(Dut::splat_i)>, std::remove_reference_t<decltype(Dut::number_i)>>
+      pus;
   Writes writes;
   ListCounts<Dut> counts;
 };
 
-TEST(ListWrite, EqualsItsTwinAtEveryPace) {
+TEST(ListWrite, EqualsItsModelAtEveryPace) {
   for (const Pace source : kPaces) {
     for (const Pace sink : kPaces) {
       WriteRun run;

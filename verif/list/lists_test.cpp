@@ -1,7 +1,9 @@
-// lists_test: rtl/list/lists.sv whole, before a memory: what the PUs give comes to the SUs, window by window, not before all
-// is written.
+// SPDX-License-Identifier: Apache-2.0
+// lists_test: rtl/list/lists.sv whole, before a memory: what the PUs give comes to the SUs, window by window, not
+// before all is written.
 #include "Vlists.h"
 #include "verif/list/list_bench.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -11,17 +13,18 @@ using LinePort = std::remove_reference_t<decltype(Vlists::rsp_data_i)>;
 struct ListsRun {
   using Dut = Vlists;
   explicit ListsRun(const ExternalMemoryOptions& options)
-      : memory(options), pus(bench, config, bench.dut.made_valid_i, bench.dut.made_ready_o, bench.dut.made_i, bench.dut.number_i),
-        port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, &bench.dut.mem_write_o, bench.dut.mem_address_o,
-             &bench.dut.mem_data_o, bench.dut.rsp_valid_i, bench.dut.rsp_data_i),
+      : memory(options),
+        pus(bench, config, bench.dut.made_valid_i, bench.dut.made_ready_o, bench.dut.made_i, bench.dut.number_i),
+        port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, &bench.dut.mem_write_o,
+             bench.dut.mem_address_o, &bench.dut.mem_data_o, bench.dut.rsp_valid_i, bench.dut.rsp_data_i),
         sus(bench, config, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_o) {
     bench.dut.restart_i = 0;
-    write_record(config, bench.dut.frame_i, Frame{});
+    write_frame(config, bench.dut, Frame{});
     bench.reset();
   }
   void frame(uint64_t columns, uint64_t rows, size_t count) {
     auto& dut = bench.dut;
-    write_record(config, dut.frame_i, list_frame(config, bench.rng, columns, rows));
+    write_frame(config, dut, list_frame(config, bench.rng, columns, rows));
     sus.clear();
     dut.restart_i = 1;
     bench.gated_step();
@@ -31,13 +34,16 @@ struct ListsRun {
     pus.offer(records);
     uint64_t written = 0;
     const uint64_t reads = memory.traffic()[0].lines_read;
-    ASSERT_TRUE(bench.run_gated_until([&] {
-      written += dut.written_o;
-      if (written == 0) {
-        EXPECT_EQ(memory.traffic()[0].lines_read, reads) << "a list is read before all are written, cycle " << bench.cycle;
-      }
-      return sus.ended(columns * rows);
-    }, 200 * (count + columns * rows) + 10000));
+    ASSERT_TRUE(bench.run_gated_until(
+        [&] {
+          written += dut.written_o;
+          if (written == 0) {
+            EXPECT_EQ(memory.traffic()[0].lines_read, reads)
+                << "a list is read before all are written, cycle " << bench.cycle;
+          }
+          return sus.ended(columns * rows);
+        },
+        200 * (count + columns * rows) + 10000));
     for (int i = 0; i < 20; ++i) bench.gated_step();
     EXPECT_EQ(written, 1u);
     EXPECT_EQ(dut.busy_o, 0);
@@ -46,7 +52,8 @@ struct ListsRun {
       for (const Splat& splat : sus.entries[w]) {
         ASSERT_LT(splat.index, count);
         ASSERT_EQ(records.numbers[splat.index], w) << "record " << splat.index << ", seed " << bench.seed;
-        ASSERT_EQ(first_difference(config, records.splats[splat.index], splat), "") << "record " << splat.index << ", seed " << bench.seed;
+        ASSERT_EQ(first_difference(config, records.splats[splat.index], splat), "")
+            << "record " << splat.index << ", seed " << bench.seed;
         ++found;
       }
     }
@@ -55,7 +62,8 @@ struct ListsRun {
   Config config = test_config();
   GatedBench<Dut> bench;
   ExternalMemory memory;
-  ListPus<Dut, CData, std::remove_reference_t<decltype(Dut::made_i)>, std::remove_reference_t<decltype(Dut::number_i)>> pus;
+  ListPus<Dut, CData, std::remove_reference_t<decltype(Dut::made_i)>, std::remove_reference_t<decltype(Dut::number_i)>>
+      pus;
   MemoryEndpoint<QData, LinePort> port;
   ListSus<CData, std::remove_reference_t<decltype(Dut::splat_o)>> sus;
 };

@@ -1,10 +1,12 @@
-// pu_allocate_test: rtl/pu/pu_allocate.sv against its twin, with done bits and layers that change while it runs. Without Overflow
-// every layer fits its store, or an assertion says so.
+// SPDX-License-Identifier: Apache-2.0
+// pu_allocate_test: rtl/pu/pu_allocate.sv against its bit-accurate model, with done bits and layers that change while
+// it runs. Without Overflow every layer fits its store, or an assertion says so.
 #include <set>
 
 #include "cpp_model/pu/pu_allocate.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 #include "verif/support/gated_bench.hpp"
 #include "Vpu_allocate.h"
 
@@ -14,12 +16,19 @@ namespace {
 // The RUs: they show random done bits of the right or of a wrong window, and free a layer some time after its end.
 struct World : Endpoint {
   World(BenchBase& bench, Vpu_allocate& dut, const Config& config, const Frame& frame)
-      : bench(bench), dut(dut), config(config), frame(frame), twin(config), x(frame.first_x), y(frame.first_y) {
+      : bench(bench),
+        dut(dut),
+        config(config),
+        frame(frame),
+        model(config),
+        x(frame.raster.windows.first_x),
+        y(frame.raster.windows.first_y) {
     bench.add(*this);
   }
   void drive() override {
+    write_record(config, dut.payload_i, payload);
     dut.restart_i = restart;
-    if (restart) x = frame.first_x, y = frame.first_y, twin.parity = 0;
+    if (restart) x = frame.raster.windows.first_x, y = frame.raster.windows.first_y, model.parity = 0;
     restart = false;
     Words done(port_words<decltype(dut.done_i)>() + 2), done_x(8), done_y(8);
     live = 0;
@@ -38,7 +47,8 @@ struct World : Endpoint {
     write_port(dut.done_y_i, done_y.data());
     bool now = bench.rng() % free_one_in == 0;
     if (meetings >= 0) {
-      now = meetings > 0 && dut.tiles_valid_i && dut.tiles_ready_o && read_record<Tiles>(config, dut.tiles_i).kind != kData;
+      now = meetings > 0 && dut.tiles_valid_i && dut.tiles_ready_o &&
+            read_record<Tiles>(config, dut.tiles_i).kind != kData;
     }
     dut.layer_free_i = now && freed < std::min(row_ends(), color_ends());
     if (meetings > 0 && dut.layer_free_i) --meetings;
@@ -49,13 +59,15 @@ struct World : Endpoint {
     if (dut.tiles_valid_i && dut.tiles_ready_o) {
       const Tiles tiles = read_record<Tiles>(config, dut.tiles_i);
       ASSERT_LE(layer - freed, 1u) << "a third layer lives, cycle " << bench.cycle;
-      if (const auto out = twin(tiles, live)) {
+      const auto out = model(tiles, payload, live);
+      payload = random_record<Payload>(config, bench.rng);  // of the next one
+      if (out) {
         expected.push_back(*out);
         expected_overflowed += out->overflowed;
       }
       if (tiles.kind != kData) ++layer;
       if (tiles.kind == kWindowEnd) {
-        if (x++ == frame.last_x) x = frame.first_x, ++y;
+        if (x++ == frame.raster.windows.last_x) x = frame.raster.windows.first_x, ++y;
       }
     }
     // Lines are reused only after their layer was freed.
@@ -82,7 +94,8 @@ struct World : Endpoint {
   Vpu_allocate& dut;
   Config config;
   Frame frame;
-  PuAllocate twin;
+  Payload payload;  // beside the tiles that are shown
+  PuAllocate model;
   std::function<uint64_t()> row_ends, color_ends;
   std::vector<PuAllocate::Out> expected;
   std::set<std::pair<uint64_t, uint64_t>> held;  // line, layer
@@ -94,18 +107,18 @@ struct World : Endpoint {
 
 struct AllocateBench {
   Config config = test_config();
-  Frame frame{.first_x = 3, .first_y = 5, .last_x = 4, .last_y = 6};
+  Frame frame{.raster = {.windows = {.first_x = 3, .first_y = 5, .last_x = 4, .last_y = 6}}};
   GatedBench<Vpu_allocate> bench;
   RecordSource<Tiles, decltype(bench.dut.tiles_i)> in{bench, config, bench.dut.tiles_valid_i, bench.dut.tiles_ready_o,
-                                                     bench.dut.tiles_i};
-  RecordSink<RowJob, decltype(bench.dut.row_job_o)> rows{bench, config, bench.dut.row_job_valid_o, bench.dut.row_job_ready_i,
-                                                        bench.dut.row_job_o};
+                                                      bench.dut.tiles_i};
+  RecordSink<RowJob, decltype(bench.dut.row_job_o)> rows{bench, config, bench.dut.row_job_valid_o,
+                                                         bench.dut.row_job_ready_i, bench.dut.row_job_o};
   RecordSink<ColorJob, decltype(bench.dut.color_job_o)> colors{bench, config, bench.dut.color_job_valid_o,
-                                                              bench.dut.color_job_ready_i, bench.dut.color_job_o};
+                                                               bench.dut.color_job_ready_i, bench.dut.color_job_o};
   World world{bench, bench.dut, config, frame};
 
   AllocateBench() {
-    write_record(config, bench.dut.frame_i, frame);
+    write_frame(config, bench.dut, frame);
     world.row_ends = [this] { return ends(rows, rows_seen, row_ends); };
     world.color_ends = [this] { return ends(colors, colors_seen, color_ends); };
     bench.reset();
@@ -119,7 +132,8 @@ struct AllocateBench {
     world.restart = true;
     bench.gated_step();
   }
-  // The four windows of a frame, each of one to three layers of up to `most` Gaussians; without Overflow of those that fit.
+  // The four windows of a frame, each of one to three layers of up to `most` Gaussians; without Overflow of those that
+  // fit.
   void push_frame(uint64_t most) {
     restart();
     for (int w = 0; w < 4; ++w) {
@@ -153,8 +167,10 @@ struct AllocateBench {
       ASSERT_EQ(colors.at(i).kind, out.row_job.kind) << "job " << i;
       ASSERT_EQ(rows.at(i).parity, out.row_job.parity) << "job " << i;
       if (out.row_job.kind != kData) continue;
-      ASSERT_EQ(first_difference(config, out.row_job, rows.at(i)), "") << "row job " << i << ", cycle " << rows.cycles[i];
-      ASSERT_EQ(first_difference(config, out.color_job, colors.at(i)), "") << "color job " << i << ", cycle " << colors.cycles[i];
+      ASSERT_EQ(first_difference(config, out.row_job, rows.at(i)), "")
+          << "row job " << i << ", cycle " << rows.cycles[i];
+      ASSERT_EQ(first_difference(config, out.color_job, colors.at(i)), "")
+          << "color job " << i << ", cycle " << colors.cycles[i];
     }
     EXPECT_EQ(world.overflowed, world.expected_overflowed);
   }
@@ -162,12 +178,13 @@ struct AllocateBench {
   uint64_t row_ends = 0, color_ends = 0;
 };
 
-TEST(PuAllocate, EqualsItsTwinAtEveryPairOfPaces) {
+TEST(PuAllocate, EqualsItsModelAtEveryPairOfPaces) {
   for (Pace source : kPaces) {
     for (Pace sink : kPaces) {
       AllocateBench s;
       s.in.pace = source, s.rows.pace = sink, s.colors.pace = Pace::kCoin;
-      s.world.free_one_in = sink == Pace::kAlways || !s.config.overflow ? 1000 : 20;  // also slow RUs: layers wait for each other
+      s.world.free_one_in =
+          sink == Pace::kAlways || !s.config.overflow ? 1000 : 20;  // also slow RUs: layers wait for each other
       for (int frames = 0; frames < 3; ++frames) {
         s.push_frame(8 * static_cast<uint64_t>(s.config.alpha_lines / s.config.regions()));  // some layers overflow
         s.run_and_compare(true);
@@ -192,15 +209,16 @@ TEST(PuAllocate, DropsGaussiansOfOpaqueRegions) {
   EXPECT_LT(s.rows.size(), pushed);
 }
 
-// Four layers of half a store: the first one is freed in the very cycle that takes the end of the second one. Then one layer
-// is live, so the third one comes in without another pulse, and the fourth one waits.
+// Four layers of half a store: the first one is freed in the very cycle that takes the end of the second one. Then one
+// layer is live, so the third one comes in without another pulse, and the fourth one waits.
 TEST(PuAllocate, FreesALayerInTheCycleThatTakesAnEnd) {
   for (const bool gated : {false, true}) {
     for (int layers_before = 0; layers_before < 3; ++layers_before) {  // also meetings in a row
       AllocateBench s;
       s.world.done_pace = 0;
       s.restart();
-      const int lines = std::min(s.config.regions(), s.config.alpha_lines / 2), count = s.config.alpha_lines / 2 / lines;
+      const int lines = std::min(s.config.regions(), s.config.alpha_lines / 2),
+                count = s.config.alpha_lines / 2 / lines;
       const int layers = 4 + layers_before;
       for (int layer = 0; layer < layers; ++layer) {
         for (int i = 0; i < count; ++i) {

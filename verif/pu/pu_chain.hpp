@@ -1,4 +1,5 @@
-// pu_chain: a random Gaussian taken through the twins up to the input of a stage.
+// SPDX-License-Identifier: Apache-2.0
+// pu_chain: a random Gaussian taken through the models up to the input of a stage.
 #pragma once
 
 #include "cpp_model/pu/pu_covariance.hpp"
@@ -12,7 +13,7 @@
 namespace pipegs {
 
 inline Projected random_projected(PuRandom& random, const Frame& frame) {
-  return pu_project(random.config, frame, random.visible(frame));
+  return pu_project(random.config, frame, random.visible(frame)).projected;
 }
 inline Oriented random_oriented(PuRandom& random, const Frame& frame) {
   Oriented o = pu_orient(random.config, frame, random_projected(random, frame));
@@ -42,7 +43,8 @@ inline ExactCovariance exact_covariance(const PuRandom& random, const Frame& f, 
   const Config& config = random.config;
   const auto real = [](auto m, auto e) { return std::ldexp(static_cast<double>(m), static_cast<int>(e)); };
   const double inv_z = real(o.inv_z_m, o.inv_z_e), tx = real(o.tan_x, -config.tan_f), ty = real(o.tan_y, -config.tan_f);
-  const double gx = real(f.focal_x, -config.focal_f()) * inv_z, gy = real(f.focal_y, -config.focal_f()) * inv_z;
+  const double gx = real(f.lens.focal_x, -config.focal_f()) * inv_z,
+               gy = real(f.lens.focal_y, -config.focal_f()) * inv_z;
   const int down = -(config.rotation_w() - 2);
   const double r[3][3] = {{real(o.r00, down), real(o.r01, down), real(o.r02, down)},
                           {real(o.r10, down), real(o.r11, down), real(o.r12, down)},

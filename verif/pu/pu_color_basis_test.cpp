@@ -1,4 +1,6 @@
-// pu_color_basis_test: rtl/pu/pu_color_basis.sv against its twin, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// pu_color_basis_test: rtl/pu/pu_color_basis.sv against its bit-accurate model, and the model against
+// double precision.
 #include "cpp_model/pu/pu_color_basis.hpp"
 
 #include "Vpu_color_basis.h"
@@ -29,7 +31,7 @@ UnitDirection to_fixed(const glm::dvec3& d, std::mt19937_64& rng, int slack) {
   return {.x = std::llround(d.x * scale), .y = std::llround(d.y * scale), .z = std::llround(d.z * scale)};
 }
 
-TEST(PuColorBasis, TwinIsCloseToDouble) {
+TEST(PuColorBasis, ModelIsCloseToDouble) {
   std::mt19937_64 rng(test_seed());
   double worst = 0;
   for (int i = 0; i < 300000; ++i) {
@@ -66,7 +68,7 @@ void run(Pace source_pace, Pace sink_pace, int count, bool check_pace) {
   if (check_pace) { EXPECT_EQ(out.cycles.back() - out.cycles.front(), 7u * (sent.size() - 1)); }
 }
 
-TEST(PuColorBasis, EqualsItsTwinAtEveryPace) {
+TEST(PuColorBasis, EqualsItsModelAtEveryPace) {
   for (const Pace source_pace : kPaces) {
     for (const Pace sink_pace : kPaces) run(source_pace, sink_pace, 1000, false);
   }

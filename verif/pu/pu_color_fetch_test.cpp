@@ -1,10 +1,13 @@
-// pu_color_fetch_test: rtl/pu/pu_color_fetch.sv against its twin: three streams out of one, and the line of each job.
+// SPDX-License-Identifier: Apache-2.0
+// pu_color_fetch_test: rtl/pu/pu_color_fetch.sv against its bit-accurate model: three streams out of one, and the line
+// of each job.
 #include "cpp_model/pu/pu_color_fetch.hpp"
 
 #include "Vpu_color_fetch.h"
 #include "verif/pu/pu_color_support.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -28,9 +31,9 @@ struct Fetch {
         tasks(bench, kConfig, bench.dut.task_valid_o, bench.dut.task_ready_i, bench.dut.task_o, task_pace),
         directions(bench, kConfig, bench.dut.direction_valid_o, bench.dut.direction_ready_i, bench.dut.direction_o,
                    other_pace) {
-    frame.sh_degree = degree;
-    frame.colors = 12345;
-    write_record(kConfig, bench.dut.frame_i, frame);
+    frame.tables.sh_degree = degree;
+    frame.tables.colors = 12345;
+    write_frame(kConfig, bench.dut, frame);
     bench.dut.line_ready_i = 0;
     bench.reset();
   }
@@ -60,8 +63,8 @@ class LinesWithTasks : public Endpoint {
   void drive() override {
     auto& dut = fetch_.bench.dut;
     dut.eval();
-    const bool data =
-        dut.task_valid_o && fetch_.frame.sh_degree != 0 && read_record<ColorTask>(kConfig, dut.task_o).kind == kData;
+    const bool data = dut.task_valid_o && fetch_.frame.tables.sh_degree != 0 &&
+                      read_record<ColorTask>(kConfig, dut.task_o).kind == kData;
     if (data && !dut.line_valid_o) dut.task_ready_i = 0;
     dut.line_ready_i = data && dut.task_ready_i;
   }
@@ -103,7 +106,7 @@ void run(int degree, Pace source_pace, Pace task_pace, Pace other_pace, const Ex
   EXPECT_EQ(fetch.bench.dut.busy_o, 0);
 }
 
-TEST(PuColorFetch, EqualsItsTwinAtEveryPaceAndDegree) {
+TEST(PuColorFetch, EqualsItsModelAtEveryPaceAndDegree) {
   for (int degree = 0; degree <= 3; ++degree) {
     for (const Pace source_pace : kPaces) {
       for (const Pace sink_pace : kPaces) {

@@ -1,4 +1,6 @@
-// pu_color_normalise_test: rtl/pu/pu_color_normalise.sv against its twin, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// pu_color_normalise_test: rtl/pu/pu_color_normalise.sv against its bit-accurate model, and the model
+// against double precision.
 #include "cpp_model/pu/pu_color_normalise.hpp"
 
 #include "Vpu_color_normalise.h"
@@ -61,7 +63,7 @@ void run(Pace source_pace, Pace sink_pace, int count, bool check_pace) {
   if (check_pace) { EXPECT_EQ(out.cycles.back() - out.cycles.front(), 5u * (sent.size() - 1)); }
 }
 
-TEST(PuColorNormalise, EqualsItsTwinAtEveryPace) {
+TEST(PuColorNormalise, EqualsItsModelAtEveryPace) {
   for (const Pace source_pace : kPaces) {
     for (const Pace sink_pace : kPaces) run(source_pace, sink_pace, 1000, false);
   }

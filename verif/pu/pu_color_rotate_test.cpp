@@ -1,10 +1,13 @@
-// pu_color_rotate_test: rtl/pu/pu_color_rotate.sv against its twin, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// pu_color_rotate_test: rtl/pu/pu_color_rotate.sv against its bit-accurate model, and the model against
+// double precision.
 #include "cpp_model/pu/pu_color_rotate.hpp"
 
 #include "Vpu_color_rotate.h"
 #include "verif/pu/pu_color_support.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -17,7 +20,7 @@ void run(const Frame& frame, Pace source_pace, Pace sink_pace, int count, bool c
       bench, kConfig, bench.dut.direction_valid_i, bench.dut.direction_ready_o, bench.dut.direction_i, source_pace);
   RecordSink<WorldDirection, decltype(bench.dut.world_o)> out(bench, kConfig, bench.dut.world_valid_o,
                                                               bench.dut.world_ready_i, bench.dut.world_o, sink_pace);
-  write_record(kConfig, bench.dut.frame_i, frame);
+  write_frame(kConfig, bench.dut, frame);
   bench.reset();
   std::vector<ViewDirection> sent;
   for (int i = 0; i < count; ++i) in.push(sent.emplace_back(random_direction(kConfig, bench.rng)));
@@ -29,7 +32,7 @@ void run(const Frame& frame, Pace source_pace, Pace sink_pace, int count, bool c
   if (check_pace) { EXPECT_EQ(out.cycles.back() - out.cycles.front(), 6u * (sent.size() - 1)); }
 }
 
-TEST(PuColorRotate, TwinIsCloseToDouble) {
+TEST(PuColorRotate, ModelIsCloseToDouble) {
   std::mt19937_64 rng(test_seed());
   double worst = 0;
   for (int i = 0; i < 200000; ++i) {
@@ -47,7 +50,7 @@ TEST(PuColorRotate, TwinIsCloseToDouble) {
   EXPECT_LT(worst, 1.7);  // 2^-17.2 of a length of up to 2^17.8, and the last half unit
 }
 
-TEST(PuColorRotate, EqualsItsTwinAtEveryPace) {
+TEST(PuColorRotate, EqualsItsModelAtEveryPace) {
   std::mt19937_64 rng(test_seed());
   for (const Pace source_pace : kPaces) {
     for (const Pace sink_pace : kPaces) {

@@ -1,4 +1,6 @@
-// pu_color_sum_test: rtl/pu/pu_color_sum.sv against its twin, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// pu_color_sum_test: rtl/pu/pu_color_sum.sv against its bit-accurate model, and the model against double
+// precision.
 #include "cpp_model/pu/pu_color_sum.hpp"
 
 #include "Vpu_color_sum.h"
@@ -6,6 +8,7 @@
 #include "verif/pu/pu_color_support.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -19,13 +22,13 @@ ShBasis random_basis(std::mt19937_64& rng) {
   return pu_color_basis({.x = std::llround(d.x), .y = std::llround(d.y), .z = std::llround(d.z)});
 }
 
-TEST(PuColorSum, TwinIsCloseToDoubleForTheSameBasis) {
+TEST(PuColorSum, ModelIsCloseToDoubleForTheSameBasis) {
   if (!kConfig.saturation) GTEST_SKIP() << "random colours wrap";
   std::mt19937_64 rng(test_seed());
   double worst = 0, squares = 0;
   const int count = 200000;
   for (int i = 0; i < count; ++i) {
-    const Frame frame{.sh_degree = static_cast<uint64_t>(kConfig.sh_degree)};
+    const Frame frame{.tables = {.sh_degree = static_cast<uint64_t>(kConfig.sh_degree)}};
     const auto line = random_line(kConfig, rng, 16, 25);
     ColorTask task = random_record<ColorTask>(kConfig, rng);
     task.kind = kData;
@@ -48,7 +51,7 @@ TEST(PuColorSum, TwinIsCloseToDoubleForTheSameBasis) {
 }
 
 TEST(PuColorSum, CountsSaturatedChannels) {
-  const Frame frame{.sh_degree = static_cast<uint64_t>(kConfig.sh_degree)};
+  const Frame frame{.tables = {.sh_degree = static_cast<uint64_t>(kConfig.sh_degree)}};
   std::array<uint32_t, 16> line{};
   line[0] = 31 | 0x3ffu << kConfig.sh_e_w;  // the first red coefficient is large
   ShBasis basis;
@@ -69,10 +72,10 @@ void run(int frame_degree, Pace task_pace, Pace other_pace, Pace sink_pace, int 
   WordSource lines(bench, dut.line_valid_i, dut.line_ready_o, dut.line_i, other_pace);
   RecordSource<ShBasis, decltype(dut.basis_i)> bases(bench, kConfig, dut.basis_valid_i, dut.basis_ready_o, dut.basis_i,
                                                      other_pace);
-  RecordSink<Colored, decltype(dut.colored_o)> out(bench, kConfig, dut.colored_valid_o, dut.colored_ready_i, dut.colored_o,
-                                               sink_pace);
-  const Frame frame{.sh_degree = static_cast<uint64_t>(frame_degree)};
-  write_record(kConfig, dut.frame_i, frame);
+  RecordSink<Colored, decltype(dut.colored_o)> out(bench, kConfig, dut.colored_valid_o, dut.colored_ready_i,
+                                                   dut.colored_o, sink_pace);
+  const Frame frame{.tables = {.sh_degree = static_cast<uint64_t>(frame_degree)}};
+  write_frame(kConfig, dut, frame);
   bench.reset();
   std::vector<Colored> expected;
   for (int i = 0; i < count; ++i) {
@@ -98,7 +101,7 @@ void run(int frame_degree, Pace task_pace, Pace other_pace, Pace sink_pace, int 
   EXPECT_EQ(dut.busy_o, 0);
 }
 
-TEST(PuColorSum, EqualsItsTwinAtEveryPaceAndDegree) {
+TEST(PuColorSum, EqualsItsModelAtEveryPaceAndDegree) {
   for (int degree = 0; degree <= 3; ++degree) {
     for (const Pace source_pace : kPaces) {
       for (const Pace sink_pace : kPaces) run(degree, source_pace, source_pace, sink_pace, 500, 0);
@@ -116,7 +119,7 @@ TEST(PuColorSum, ReachesItsPace) {
 TEST(PuColorSum, SaysWhenTheOldestGaussianLacksItsLine) {
   if (kConfig.sh_degree == 0) GTEST_SKIP() << "no memory without SH";
   Bench<Vpu_color_sum> bench;
-  write_record(kConfig, bench.dut.frame_i, Frame{.sh_degree = 1});
+  write_frame(kConfig, bench.dut, Frame{.tables = {.sh_degree = 1}});
   write_record(kConfig, bench.dut.task_i, ColorTask{});
   bench.dut.task_valid_i = bench.dut.line_valid_i = bench.dut.basis_valid_i = bench.dut.colored_ready_i = 0;
   bench.reset();

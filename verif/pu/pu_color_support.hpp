@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_color_support.hpp: random cameras, directions and SH lines that are legal, and the colour in double precision.
 #pragma once
 
@@ -18,15 +19,19 @@ void set_rotation(const Config& config, Frame& frame, Rng& rng) {
   std::normal_distribution<double> normal;
   const glm::dmat3 r = glm::mat3_cast(glm::normalize(glm::dquat(normal(rng), normal(rng), normal(rng), normal(rng))));
   const auto fixed = [&](double x) { return std::llround(std::ldexp(x, config.rot_f())); };
-  frame.w00 = fixed(r[0][0]), frame.w01 = fixed(r[0][1]), frame.w02 = fixed(r[0][2]);
-  frame.w10 = fixed(r[1][0]), frame.w11 = fixed(r[1][1]), frame.w12 = fixed(r[1][2]);
-  frame.w20 = fixed(r[2][0]), frame.w21 = fixed(r[2][1]), frame.w22 = fixed(r[2][2]);
+  frame.camera.rotation.w00 = fixed(r[0][0]), frame.camera.rotation.w01 = fixed(r[0][1]),
+  frame.camera.rotation.w02 = fixed(r[0][2]);
+  frame.camera.rotation.w10 = fixed(r[1][0]), frame.camera.rotation.w11 = fixed(r[1][1]),
+  frame.camera.rotation.w12 = fixed(r[1][2]);
+  frame.camera.rotation.w20 = fixed(r[2][0]), frame.camera.rotation.w21 = fixed(r[2][1]),
+  frame.camera.rotation.w22 = fixed(r[2][2]);
 }
 
 inline glm::dvec3 to_world(const Config& config, const Frame& frame, const glm::dvec3& v) {
-  return glm::dvec3(frame.w00 * v.x + frame.w10 * v.y + frame.w20 * v.z,
-                    frame.w01 * v.x + frame.w11 * v.y + frame.w21 * v.z,
-                    frame.w02 * v.x + frame.w12 * v.y + frame.w22 * v.z) *
+  return glm::dvec3(
+             frame.camera.rotation.w00 * v.x + frame.camera.rotation.w10 * v.y + frame.camera.rotation.w20 * v.z,
+             frame.camera.rotation.w01 * v.x + frame.camera.rotation.w11 * v.y + frame.camera.rotation.w21 * v.z,
+             frame.camera.rotation.w02 * v.x + frame.camera.rotation.w12 * v.y + frame.camera.rotation.w22 * v.z) *
          std::ldexp(1.0, -config.rot_f());
 }
 
@@ -88,7 +93,7 @@ std::array<uint32_t, 16> random_line(const Config& config, Rng& rng, int low = 0
 
 // Coefficient k = 0.. of channel c in double.
 inline double coefficient(const Config& config, const Frame& frame, const uint32_t* line, uint64_t slot, int k, int c) {
-  const int first = frame.sh_degree == 1 ? static_cast<int>(slot & 3) * 128 : 0;
+  const int first = frame.tables.sh_degree == 1 ? static_cast<int>(slot & 3) * 128 : 0;
   const auto e = static_cast<int>(get_bits(line, first, config.sh_e_w));
   auto m = static_cast<int64_t>(get_bits(line, first + config.sh_e_w + (3 * k + c) * config.sh_m_w, config.sh_m_w));
   if ((m >> (config.sh_m_w - 1)) != 0) m -= int64_t{1} << config.sh_m_w;

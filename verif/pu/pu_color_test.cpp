@@ -1,10 +1,13 @@
-// pu_color_test: rtl/pu/pu_color.sv with an external memory against its twin, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// pu_color_test: rtl/pu/pu_color.sv with an external memory against its bit-accurate model, and the model
+// against double precision.
 #include "cpp_model/pu/pu_color.hpp"
 
 #include "Vpu_color.h"
 #include "verif/pu/pu_color_support.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -22,12 +25,12 @@ ColorJob random_job(std::mt19937_64& rng) {
 }
 
 // Coefficients like those of trained scenes: the largest of a Gaussian between 1/128 and 1/4.
-TEST(PuColor, TwinIsCloseToDouble) {
+TEST(PuColor, ModelIsCloseToDouble) {
   std::mt19937_64 rng(test_seed());
   double worst = 0, squares = 0;
   int channels = 0;
   for (int i = 0; i < 200000; ++i) {
-    Frame frame{.sh_degree = rng() % 4};
+    Frame frame{.tables = {.sh_degree = rng() % 4}};
     set_rotation(kConfig, frame, rng);
     ColorJob job = random_job(rng);
     const glm::dvec3 view(job.dir_x, job.dir_y, job.dir_z);
@@ -59,7 +62,7 @@ TEST(PuColor, AZeroDirectionGivesAColourWithoutPoison) {
   ColorJob job;
   std::array<uint32_t, 16> line{};
   job.base_r = int64_t{1} << (kConfig.base_w - 3);
-  const Colored colored = pu_color(kConfig, Frame{.sh_degree = 3}, job, line.data());
+  const Colored colored = pu_color(kConfig, Frame{.tables = {.sh_degree = 3}}, job, line.data());
   EXPECT_EQ(colored.red, uint64_t{1} << (kConfig.color_w - 2));
 }
 
@@ -71,9 +74,9 @@ struct Fixture {
         in(bench, kConfig, bench.dut.job_valid_i, bench.dut.job_ready_o, bench.dut.job_i, source_pace),
         out(bench, kConfig, bench.dut.colored_valid_o, bench.dut.colored_ready_i, bench.dut.colored_o, sink_pace) {
     set_rotation(kConfig, frame, bench.rng);
-    frame.sh_degree = degree;
-    frame.colors = kColors;
-    write_record(kConfig, bench.dut.frame_i, frame);
+    frame.tables.sh_degree = degree;
+    frame.tables.colors = kColors;
+    write_frame(kConfig, bench.dut, frame);
     for (uint64_t slot = 0; slot < 4096; ++slot) memory.line(kColors + slot) = random_line(kConfig, bench.rng, 14, 27);
     bench.reset();
   }
@@ -85,7 +88,8 @@ struct Fixture {
     bench.run_until([&] { return out.size() == expected.size(); });
     for (size_t i = 0; i < out.size(); ++i) {
       ASSERT_EQ(first_difference(kConfig, expected[i], out.at(i)), "")
-          << "degree " << frame.sh_degree << " splat " << i << " cycle " << out.cycles[i] << " seed " << bench.seed;
+          << "degree " << frame.tables.sh_degree << " splat " << i << " cycle " << out.cycles[i] << " seed "
+          << bench.seed;
     }
     for (int i = 0; i < 3; ++i) bench.step();
     EXPECT_EQ(bench.dut.busy_o, 0);
@@ -103,7 +107,7 @@ struct Fixture {
   std::vector<Colored> expected;
 };
 
-TEST(PuColor, EqualsItsTwinAtEveryPaceAndDegree) {
+TEST(PuColor, EqualsItsModelAtEveryPaceAndDegree) {
   for (uint64_t degree = 0; degree <= 3; ++degree) {
     for (const Pace source_pace : kPaces) {
       for (const Pace sink_pace : kPaces) {

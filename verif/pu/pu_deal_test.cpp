@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_deal_test: rtl/pu/pu_deal.sv: every Gaussian arrives at exactly one PU and in its layer, ends arrive at all.
 #include <map>
 
@@ -98,7 +99,8 @@ TEST_F(PuDeal, EveryGaussianArrivesOnceInItsLayerAtEveryPace) {
 
 TEST_F(PuDeal, DealsOneGaussianPerCycleToPusInTurn) {
   const uint64_t cycles = deal(Pace::kAlways, Pace::kAlways, 1, 2000);
-  // The last Gaussians come from fewer and fewer sources, each of which gives one per cycle; a single PU takes every second.
+  // The last Gaussians come from fewer and fewer sources, each of which gives one per cycle; a single PU takes every
+  // second.
   const uint64_t pace = test_config().units == 1 ? 2 : 1;
   EXPECT_LE(cycles, pace * dealt_ + 10);
 }

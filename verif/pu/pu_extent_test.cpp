@@ -1,4 +1,6 @@
-// pu_extent_test: rtl/pu/pu_extent.sv against its twin; the test plays the slots and the multiplier of pu_conic.
+// SPDX-License-Identifier: Apache-2.0
+// pu_extent_test: rtl/pu/pu_extent.sv against its bit-accurate model; the test plays the slots and the multiplier of
+// pu_conic.
 #include "cpp_model/pu/pu_extent.hpp"
 
 #include "verif/support/bench.hpp"
@@ -8,7 +10,7 @@
 namespace pipegs {
 namespace {
 
-TEST(PuExtent, EqualsItsTwin) {
+TEST(PuExtent, EqualsItsModel) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
   Vpu_extent dut;
@@ -30,8 +32,11 @@ TEST(PuExtent, EqualsItsTwin) {
       for (int wait = waits; wait >= 0; --wait) {
         dut.phase_i = static_cast<CData>(phase), dut.advance_i = wait == 0;
         dut.opacity_i = r.opacity;
-        dut.a_e_i = static_cast<SData>(field(r.a_e, config.float_e_w())), dut.c_e_i = static_cast<SData>(field(r.c_e, config.float_e_w()));
-        dut.product_i = phase == 3 ? r.a_m * t : phase == 4 ? r.c_m * t : rng() & ((uint64_t{1} << (config.mantissa_w + 4)) - 1);
+        dut.a_e_i = static_cast<SData>(field(r.a_e, config.float_e_w())),
+        dut.c_e_i = static_cast<SData>(field(r.c_e, config.float_e_w()));
+        dut.product_i = phase == 3   ? r.a_m * t
+                        : phase == 4 ? r.c_m * t
+                                     : rng() & ((uint64_t{1} << (config.mantissa_w + 4)) - 1);
         dut.clk_i = 0, dut.eval();
         if (phase == 2) t = dut.t_o;
         if (phase == 5 && i > 0) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_fetch_test: rtl/pu/pu_fetch.sv against a queue of chunks and the packed memory.
 #include "Vpu_fetch.h"
 #include "verif/support/bench.hpp"
@@ -19,7 +20,8 @@ struct World {
     const int per_line = config.gaussians_per_line();
     for (int i = 0; i < slots; ++i) {
       gaussians.push_back(random_record<GaussianRecord>(config, rng));
-      pack(config, gaussians.back(), memory.line(first + static_cast<uint64_t>(i / per_line)).data() + i % per_line * 8);
+      pack(config, gaussians.back(),
+           memory.line(first + static_cast<uint64_t>(i / per_line)).data() + i % per_line * 8);
     }
   }
 
@@ -63,8 +65,10 @@ void run(Pace source_pace, Pace sink_pace, Pace memory_pace, const ExternalMemor
   const int slots = 400;
   const World world(bench.rng, slots, memory);
   const Config& config = world.config;
-  RecordSource<Chunk, decltype(dut.chunk_i)> in(bench, config, dut.chunk_valid_i, dut.chunk_ready_o, dut.chunk_i, source_pace);
-  RecordSink<Fetched, decltype(dut.fetched_o)> out(bench, config, dut.fetched_valid_o, dut.fetched_ready_i, dut.fetched_o, sink_pace);
+  RecordSource<Chunk, decltype(dut.chunk_i)> in(bench, config, dut.chunk_valid_i, dut.chunk_ready_o, dut.chunk_i,
+                                                source_pace);
+  RecordSink<Fetched, decltype(dut.fetched_o)> out(bench, config, dut.fetched_valid_o, dut.fetched_ready_i,
+                                                   dut.fetched_o, sink_pace);
   Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i,
               dut.rsp_data_i, memory_pace);
   dut.gaussians_i = world.first;
@@ -98,7 +102,8 @@ TEST(PuFetch, KeepsItsPrefetchWithinTheBufferWhileTheSinkStands) {
   ExternalMemory memory({.latency = 5});
   const World world(bench.rng, 400, memory);
   RecordSource<Chunk, decltype(dut.chunk_i)> in(bench, world.config, dut.chunk_valid_i, dut.chunk_ready_o, dut.chunk_i);
-  Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i, dut.rsp_data_i);
+  Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i,
+              dut.rsp_data_i);
   dut.fetched_ready_i = 0;
   bench.reset();
   for (int i = 0; i < 20; ++i) {
@@ -117,8 +122,10 @@ TEST(PuFetch, SendsOneGaussianPerCycleBehindALongLatency) {
   ExternalMemory memory({.latency = 24, .bytes_per_cycle = 64});
   const World world(bench.rng, 400, memory);
   RecordSource<Chunk, decltype(dut.chunk_i)> in(bench, world.config, dut.chunk_valid_i, dut.chunk_ready_o, dut.chunk_i);
-  RecordSink<Fetched, decltype(dut.fetched_o)> out(bench, world.config, dut.fetched_valid_o, dut.fetched_ready_i, dut.fetched_o);
-  Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i, dut.rsp_data_i);
+  RecordSink<Fetched, decltype(dut.fetched_o)> out(bench, world.config, dut.fetched_valid_o, dut.fetched_ready_i,
+                                                   dut.fetched_o);
+  Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i,
+              dut.rsp_data_i);
   dut.gaussians_i = world.first;
   bench.reset();
   const size_t beats = 20 * static_cast<size_t>(world.config.chunk);

@@ -1,4 +1,6 @@
-// pu_jacobian_test: rtl/pu/pu_jacobian.sv against its twin; its precision is tested in pu_covariance_test.
+// SPDX-License-Identifier: Apache-2.0
+// pu_jacobian_test: rtl/pu/pu_jacobian.sv against its bit-accurate model; its precision is tested in
+// pu_covariance_test.
 #include "cpp_model/pu/pu_jacobian.hpp"
 
 #include "Vpu_jacobian.h"
@@ -10,9 +12,11 @@ namespace {
 
 PIPEGS_STAGE(pu_jacobian, Oriented, oriented, Jacobian, jacobian);
 
-TEST(PuJacobian, EqualsItsTwinAtEveryPace) { check_every_pace<Stage>(stage_run<Stage>(random_oriented, pu_jacobian)); }
+TEST(PuJacobian, EqualsItsModelAtEveryPace) { check_every_pace<Stage>(stage_run<Stage>(random_oriented, pu_jacobian)); }
 
-TEST(PuJacobian, TakesARecordEveryEightCycles) { check_pace<Stage>(stage_run<Stage>(random_oriented, pu_jacobian), 11); }
+TEST(PuJacobian, TakesARecordEveryEightCycles) {
+  check_pace<Stage>(stage_run<Stage>(random_oriented, pu_jacobian), 11);
+}
 
 }  // namespace
 }  // namespace pipegs

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_join_test: rtl/pu/pu_join.sv: splats pass in order; an end passes only when the rows' path has ended that layer.
 #include "Vpu_join.h"
 #include "verif/support/bench.hpp"
@@ -12,8 +13,10 @@ TEST(PuJoin, PassesEverySplatInOrderAndAnEndOnlyBehindTheRowsEnd) {
     for (const Pace sink_pace : kPaces) {
       Bench<Vpu_join> bench;
       bench.dut.rows_end_valid_i = 0;
-      RecordSource<Splat, decltype(bench.dut.colored_i)> in(bench, config, bench.dut.colored_valid_i, bench.dut.colored_ready_o, bench.dut.colored_i, source_pace);
-      RecordSink<Splat, decltype(bench.dut.splat_o)> out(bench, config, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_o, sink_pace);
+      RecordSource<Splat, decltype(bench.dut.colored_i)> in(
+          bench, config, bench.dut.colored_valid_i, bench.dut.colored_ready_o, bench.dut.colored_i, source_pace);
+      RecordSink<Splat, decltype(bench.dut.splat_o)> out(bench, config, bench.dut.splat_valid_o,
+                                                         bench.dut.splat_ready_i, bench.dut.splat_o, sink_pace);
       bench.reset();
       std::vector<Splat> sent;
       size_t ends_sent = 0;

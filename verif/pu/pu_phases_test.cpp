@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_phases_test: rtl/pu/pu_phases.sv, the clockwork of the eight-cycle stages, against the promises of its head.
 #include "Vpu_phases.h"
 #include "verif/support/bench.hpp"
@@ -40,7 +41,9 @@ TEST(PuPhases, EveryRecordGoesThroughAllPhasesInOrderAtEveryPace) {
           last_phase = static_cast<int>(level1 & 7);
           if (last_phase == 7) out_full = true;
         }
-        if (!dut.step_o) { ASSERT_TRUE(next_phase == kClaim && out_full) << "stalls only for the output, cycle " << cycle; }
+        if (!dut.step_o) {
+          ASSERT_TRUE(next_phase == kClaim && out_full) << "stalls only for the output, cycle " << cycle;
+        }
         if (dut.step_o && held >= 0 && ++next_phase == 8) held = -1;
         if (dut.take_o) {
           ASSERT_TRUE(dut.in_valid_i && dut.in_ready_o && held < 0) << "cycle " << cycle;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pu_random: legal random cameras and Gaussians for the tests of the projection, with the extremes that hurt.
 #pragma once
 
@@ -35,35 +36,42 @@ struct PuRandom {
   Frame frame() {
     Frame f;
     const double width = std::exp(uniform(std::log(64), std::log(16384))), height = width * uniform(0.4, 1);
-    f.width = static_cast<uint64_t>(width);
-    f.height = static_cast<uint64_t>(height);
-    f.last_x = (f.width - 1) / config.window;
-    f.last_y = (f.height - 1) / config.window;
+    f.raster.width = static_cast<uint64_t>(width);
+    f.raster.height = static_cast<uint64_t>(height);
+    f.raster.windows.last_x = (f.raster.width - 1) / config.window;
+    f.raster.windows.last_y = (f.raster.height - 1) / config.window;
     double q[4];
     quaternion(q);
     const double w = q[0], x = q[1], y = q[2], z = q[3];
-    const double r[9] = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-                         2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-                         2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)};
-    int64_t* const rows[9] = {&f.w00, &f.w01, &f.w02, &f.w10, &f.w11, &f.w12, &f.w20, &f.w21, &f.w22};
+    const double r[9] = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
+                         2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+                         2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
+    int64_t* const rows[9] = {&f.camera.rotation.w00, &f.camera.rotation.w01, &f.camera.rotation.w02,
+                              &f.camera.rotation.w10, &f.camera.rotation.w11, &f.camera.rotation.w12,
+                              &f.camera.rotation.w20, &f.camera.rotation.w21, &f.camera.rotation.w22};
     for (int i = 0; i < 9; ++i) *rows[i] = std::llround(std::ldexp(r[i], config.rot_f()));
-    int64_t* const camera[4] = {&f.camera_qw, &f.camera_qx, &f.camera_qy, &f.camera_qz};
+    int64_t* const camera[4] = {&f.camera.quaternion.w, &f.camera.quaternion.x, &f.camera.quaternion.y,
+                                &f.camera.quaternion.z};
     for (int i = 0; i < 4; ++i) *camera[i] = std::llround(std::ldexp(q[i], config.cam_quat_w() - 2));
-    const double fov = uniform(20, 110) * 3.14159265358979 / 180, focal = std::min(16383.0, width / 2 / std::tan(fov / 2));
-    f.focal_x = static_cast<uint64_t>(std::ldexp(focal, config.focal_f()));
-    f.focal_y = static_cast<uint64_t>(std::ldexp(std::min(16383.0, focal * uniform(0.9, 1.1)), config.focal_f()));
-    f.center_x = std::llround(std::ldexp(width * uniform(0.3, 0.7), config.center_f()));
-    f.center_y = std::llround(std::ldexp(height * uniform(0.3, 0.7), config.center_f()));
-    set_reach(f.focal_x, width, f.limit_x, f.reach_x);
-    set_reach(f.focal_y, height, f.limit_y, f.reach_y);
-    f.near_plane = static_cast<uint64_t>(integer(1, 1 << integer(1, 20)));
+    const double fov = uniform(20, 110) * 3.14159265358979 / 180,
+                 focal = std::min(16383.0, width / 2 / std::tan(fov / 2));
+    f.lens.focal_x = static_cast<uint64_t>(std::ldexp(focal, config.focal_f()));
+    f.lens.focal_y = static_cast<uint64_t>(std::ldexp(std::min(16383.0, focal * uniform(0.9, 1.1)), config.focal_f()));
+    f.lens.center_x = std::llround(std::ldexp(width * uniform(0.3, 0.7), config.center_f()));
+    f.lens.center_y = std::llround(std::ldexp(height * uniform(0.3, 0.7), config.center_f()));
+    set_reach(f.lens.focal_x, width, f.lens.limit_x, f.lens.reach_x);
+    set_reach(f.lens.focal_y, height, f.lens.limit_y, f.lens.reach_y);
+    f.lens.near_plane = static_cast<uint64_t>(integer(1, 1 << integer(1, 20)));
     return f;
   }
   void set_reach(uint64_t focal_field, double size, uint64_t& limit, uint64_t& reach) {
     const double focal = std::ldexp(static_cast<double>(focal_field), -config.focal_f());
-    limit = std::min((uint64_t{1} << (config.tan_w() - 1)) - 1, static_cast<uint64_t>(std::ldexp(1.3 * size / 2 / focal, config.tan_f)));
+    limit = std::min((uint64_t{1} << (config.tan_w() - 1)) - 1,
+                     static_cast<uint64_t>(std::ldexp(1.3 * size / 2 / focal, config.tan_f)));
     const double slope = std::ldexp(static_cast<double>(limit + 1), -config.tan_f);
-    reach = static_cast<uint64_t>(std::ldexp(std::sqrt(2 * std::log(config.alpha_cut)) * focal * std::hypot(1, slope), config.focal_f())) + 2;
+    reach = static_cast<uint64_t>(std::ldexp(std::sqrt(2 * std::log(config.alpha_cut)) * focal * std::hypot(1, slope),
+                                             config.focal_f())) +
+            2;
   }
 
   // Log-uniform in all of the field, sometimes zero.
@@ -78,7 +86,8 @@ struct PuRandom {
   }
   double scale_value(uint64_t scale) const {
     const int e = static_cast<int>(scale >> config.scale_m_w);
-    const double m = std::ldexp(static_cast<double>(scale & ((uint64_t{1} << config.scale_m_w) - 1)), -config.scale_m_w);
+    const double m =
+        std::ldexp(static_cast<double>(scale & ((uint64_t{1} << config.scale_m_w) - 1)), -config.scale_m_w);
     return e == 0 ? 0 : std::ldexp(1 + m, e - 8);
   }
 
@@ -88,7 +97,8 @@ struct PuRandom {
     double q[4];
     quaternion(q);
     int64_t* const fields[4] = {&r.qw, &r.qx, &r.qy, &r.qz};
-    for (int i = 0; i < 4; ++i) *fields[i] = saturate<int64_t>(std::llround(std::ldexp(q[i], config.quat_w - 1)), config.quat_w);
+    for (int i = 0; i < 4; ++i)
+      *fields[i] = saturate<int64_t>(std::llround(std::ldexp(q[i], config.quat_w - 1)), config.quat_w);
     const bool wild = chance(4);
     r.scale_0 = wild ? scale() : scale_near(scale_center, octaves);
     r.scale_1 = wild ? scale() : scale_near(scale_center, octaves);
@@ -105,6 +115,14 @@ struct PuRandom {
     r.slot = rng() & ((uint64_t{1} << config.slot_w()) - 1);
   }
 
+  // Any centre.
+  Center center() {
+    Center c = random_record<Center>(config, rng);
+    c.mean_x >>= rng() % static_cast<uint64_t>(config.mean_w()),
+        c.mean_y >>= rng() % static_cast<uint64_t>(config.mean_w());
+    return c;
+  }
+
   // A visible Gaussian of any depth, mostly near the image, from 1/1000 pixel to far larger than it.
   Visible visible(const Frame& f) {
     Visible v;
@@ -112,19 +130,19 @@ struct PuRandom {
     v.view_z = integer(int64_t{1} << (bits - 1), (int64_t{1} << bits) - 1);
     const double spread = chance(8) ? 40 : 1.5;
     const auto side = [&](double limit) {
-      return saturate<int64_t>(std::llround(static_cast<double>(v.view_z) * uniform(-spread, spread) * limit), config.view_w);
+      return saturate<int64_t>(std::llround(static_cast<double>(v.view_z) * uniform(-spread, spread) * limit),
+                               config.view_w);
     };
-    v.view_x = chance(30) ? integer(-1, 1) : side(std::ldexp(static_cast<double>(f.limit_x), -config.tan_f));
-    v.view_y = chance(30) ? integer(-1, 1) : side(std::ldexp(static_cast<double>(f.limit_y), -config.tan_f));
+    v.view_x = chance(30) ? integer(-1, 1) : side(std::ldexp(static_cast<double>(f.lens.limit_x), -config.tan_f));
+    v.view_y = chance(30) ? integer(-1, 1) : side(std::ldexp(static_cast<double>(f.lens.limit_y), -config.tan_f));
     v.view_exp = static_cast<uint64_t>(integer(0, std::min(20, config.world_w - config.view_w)));
-    v.window_x = static_cast<uint64_t>(integer(0, static_cast<int64_t>(f.last_x)));
-    v.window_y = static_cast<uint64_t>(integer(0, static_cast<int64_t>(f.last_y)));
+    v.window_x = static_cast<uint64_t>(integer(0, static_cast<int64_t>(f.raster.windows.last_x)));
+    v.window_y = static_cast<uint64_t>(integer(0, static_cast<int64_t>(f.raster.windows.last_y)));
     const double pixel = std::log2(static_cast<double>(v.view_z)) + static_cast<double>(v.view_exp) -
-                         std::log2(std::ldexp(static_cast<double>(f.focal_x), -config.focal_f()));
+                         std::log2(std::ldexp(static_cast<double>(f.lens.focal_x), -config.focal_f()));
     gaussian(v, pixel + uniform(-6, 12), chance(2) ? 10 : 2);
     return v;
   }
 };
-
 
 }  // namespace pipegs

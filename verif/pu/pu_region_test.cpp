@@ -1,4 +1,6 @@
-// pu_region_test: rtl/pu/pu_region.sv against its twin, and the twin against 128-bit integers.
+// SPDX-License-Identifier: Apache-2.0
+// pu_region_test: rtl/pu/pu_region.sv against its bit-accurate model, and the model against 128-bit
+// integers.
 #include "cpp_model/pu/pu_region.hpp"
 #include "verif/pu/random_row_job.hpp"
 #include "verif/support/bench.hpp"
@@ -11,10 +13,10 @@ namespace {
 struct RegionBench {
   Config config = test_config();
   Bench<Vpu_region> bench;
-  RecordSource<RowJob, decltype(bench.dut.row_job_i)> in{bench, config, bench.dut.row_job_valid_i, bench.dut.row_job_ready_o,
-                                                        bench.dut.row_job_i};
-  RecordSink<Region, decltype(bench.dut.region_o)> out{bench, config, bench.dut.region_valid_o, bench.dut.region_ready_i,
-                                                      bench.dut.region_o};
+  RecordSource<RowJob, decltype(bench.dut.row_job_i)> in{bench, config, bench.dut.row_job_valid_i,
+                                                         bench.dut.row_job_ready_o, bench.dut.row_job_i};
+  RecordSink<Region, decltype(bench.dut.region_o)> out{bench, config, bench.dut.region_valid_o,
+                                                       bench.dut.region_ready_i, bench.dut.region_o};
   std::vector<Region> expected;
 
   void push(const RowJob& job) {
@@ -41,7 +43,7 @@ struct RegionBench {
   }
 };
 
-TEST(PuRegion, EqualsItsTwinAtEveryPairOfPaces) {
+TEST(PuRegion, EqualsItsModelAtEveryPairOfPaces) {
   for (Pace source : kPaces) {
     for (Pace sink : kPaces) {
       RegionBench s;
@@ -65,7 +67,7 @@ TEST(PuRegion, GivesOneRegionPerFourCyclesAcrossJobs) {
   EXPECT_EQ(s.out.cycles.back() - s.out.cycles.front(), 4 * (s.out.size() - 1));
 }
 
-TEST(PuRegion, TwinIsExactUntilItsOneRounding) {
+TEST(PuRegion, ModelIsExactUntilItsOneRounding) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
   for (int i = 0; i < 20000; ++i) {

@@ -1,4 +1,6 @@
-// pu_root_test: rtl/pu/pu_root.sv against its twin, and the twin against the definition of a square root.
+// SPDX-License-Identifier: Apache-2.0
+// pu_root_test: rtl/pu/pu_root.sv against its bit-accurate model, and the model against the definition of
+// a square root.
 #include "cpp_model/pu/pu_root.hpp"
 #include "verif/support/bench.hpp"
 #include "Vpu_root.h"
@@ -9,12 +11,13 @@ namespace {
 TEST(PuRoot, IsTheFloorOfTheRoot) {
   std::mt19937_64 rng(test_seed());
   for (int i = 0; i < 100000; ++i) {
-    const uint64_t x = i < 1000 ? i : (rng() & ((uint64_t{1} << kRadicandW) - 1)) >> (rng() % kRadicandW), root = pu_root(x);
+    const uint64_t x = i < 1000 ? i : (rng() & ((uint64_t{1} << kRadicandW) - 1)) >> (rng() % kRadicandW),
+                   root = pu_root(x);
     ASSERT_TRUE(root * root <= x && (root + 1) * (root + 1) > x) << x;
   }
 }
 
-TEST(PuRoot, EqualsItsTwinAndHolds) {
+TEST(PuRoot, EqualsItsModelAndHolds) {
   Vpu_root dut;
   std::mt19937_64 rng(test_seed());
   auto tick = [&](bool load, bool step) {

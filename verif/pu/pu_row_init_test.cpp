@@ -1,4 +1,6 @@
-// pu_row_init_test: rtl/pu/pu_row_init.sv (row 7, the largest factors) against its twin; the other rows in pu_rows_test.
+// SPDX-License-Identifier: Apache-2.0
+// pu_row_init_test: rtl/pu/pu_row_init.sv (row 7, the largest factors) against its bit-accurate model; the other rows
+// in pu_rows_test.
 #include "cpp_model/pu/pu_row_init.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
@@ -7,15 +9,18 @@
 namespace pipegs {
 namespace {
 
-TEST(PuRowInit, EqualsItsTwin) {
+TEST(PuRowInit, EqualsItsModel) {
   const Config config = test_config();
   Vpu_row_init dut;
   std::mt19937_64 rng(test_seed());
-  const auto field = [](int64_t value, int width) { return static_cast<uint64_t>(value) & ((uint64_t{1} << width) - 1); };
+  const auto field = [](int64_t value, int width) {
+    return static_cast<uint64_t>(value) & ((uint64_t{1} << width) - 1);
+  };
   for (int i = 0; i < 100000; ++i) {
     // As large as coefficients in range can make them: docs/units/rows.md.
     Region region = random_record<Region>(config, rng);
-    region.power /= 2, region.slope_x /= 2, region.slope_y /= 2, region.curve_x /= 2, region.curve_y /= 2, region.twist /= 2;
+    region.power /= 2, region.slope_x /= 2, region.slope_y /= 2, region.curve_x /= 2, region.curve_y /= 2,
+        region.twist /= 2;
     dut.power_i = field(region.power, config.power_w());
     dut.slope_x_i = field(region.slope_x, config.gradient_w());
     dut.slope_y_i = field(region.slope_y, config.gradient_w());

@@ -1,4 +1,6 @@
-// pu_rows_test: rtl/pu/pu_rows.sv against its twin, line by line, and the twin against Eq. 1 in double.
+// SPDX-License-Identifier: Apache-2.0
+// pu_rows_test: rtl/pu/pu_rows.sv against its bit-accurate model, line by line, and the model against
+// Eq. 1 in double.
 #include "cpp_model/pu/pu_rows.hpp"
 #include "verif/pu/random_row_job.hpp"
 #include "verif/support/config.hpp"
@@ -23,12 +25,12 @@ struct LineWatch : Endpoint {
 
 struct RowsBench {
   Config config = test_config();
-  PuRows twin{config};
+  PuRows model{config};
   GatedBench<Vpu_rows> bench;
-  RecordSource<RowJob, decltype(bench.dut.row_job_i)> in{bench, config, bench.dut.row_job_valid_i, bench.dut.row_job_ready_o,
-                                                        bench.dut.row_job_i};
-  RecordSink<Alphas, decltype(bench.dut.alphas_o)> out{bench, config, bench.dut.alphas_valid_o, bench.dut.alphas_ready_i,
-                                                      bench.dut.alphas_o};
+  RecordSource<RowJob, decltype(bench.dut.row_job_i)> in{bench, config, bench.dut.row_job_valid_i,
+                                                         bench.dut.row_job_ready_o, bench.dut.row_job_i};
+  RecordSink<Alphas, decltype(bench.dut.alphas_o)> out{bench, config, bench.dut.alphas_valid_o,
+                                                       bench.dut.alphas_ready_i, bench.dut.alphas_o};
   LineWatch watch{bench, bench.dut};
   std::vector<Alphas> expected;
   std::vector<Words> lines;
@@ -44,7 +46,7 @@ struct RowsBench {
       if (((job.mask >> r) & 1) == 0) continue;
       expected.push_back(pu_rows(config, job, r));
       uint16_t codes[64];
-      pu_region_line(twin, job, r, codes);
+      pu_region_line(model, job, r, codes);
       lines.emplace_back(static_cast<size_t>(config.line_w()) / 32);
       pack_line(config, codes, lines.back().data());
     }
@@ -62,7 +64,7 @@ struct RowsBench {
   }
 };
 
-TEST(PuRows, EqualsItsTwinAtEveryPairOfPaces) {
+TEST(PuRows, EqualsItsModelAtEveryPairOfPaces) {
   for (Pace source : kPaces) {
     for (Pace sink : kPaces) {
       RowsBench s;
@@ -82,12 +84,13 @@ TEST(PuRows, GivesARegionPerWalkWithoutBubbles) {
     s.push(job);
   }
   s.run_and_compare();
-  EXPECT_EQ(s.out.cycles.back() - s.out.cycles.front(), (s.out.size() - 1) * (8 / static_cast<uint64_t>(s.config.pixels_per_row)));
+  EXPECT_EQ(s.out.cycles.back() - s.out.cycles.front(),
+            (s.out.size() - 1) * (8 / static_cast<uint64_t>(s.config.pixels_per_row)));
 }
 
 TEST(PuRows, AlphasAreThoseOfEq1) {
   const Config config = test_config();
-  const PuRows twin(config);
+  const PuRows model(config);
   std::mt19937_64 rng(test_seed());
   // 81 ulp of the power (pu_row_unit.hpp), the chord of exp2 and the power bits it does not read, its table, rounding.
   const double power_bound = std::ldexp(81, -config.power_f);
@@ -100,7 +103,7 @@ TEST(PuRows, AlphasAreThoseOfEq1) {
     const RowJob job = gaussian_row_job(config, rng);
     const int r = static_cast<int>(rng() % static_cast<uint64_t>(config.regions()));
     uint16_t codes[64];
-    pu_region_line(twin, job, r, codes);
+    pu_region_line(model, job, r, codes);
     const Region region = pu_region(config, job, r);
     for (int pixel = 0; pixel < 64; ++pixel) {
       const int x = 8 * (r % config.regions_x()) + pixel % 8, y = 8 * (r / config.regions_x()) + pixel / 8;
@@ -108,7 +111,8 @@ TEST(PuRows, AlphasAreThoseOfEq1) {
       const double power = std::ldexp(static_cast<double>(exact), -config.coeff_f);
       Row row = pu_row_init(region, pixel / 8);
       for (int dx = 0; dx < pixel % 8; ++dx) row = pu_row_unit(row, region.curve_x);
-      worst_power = std::max(worst_power, std::abs(std::ldexp(static_cast<double>(row.power), -config.power_f) - power));
+      worst_power =
+          std::max(worst_power, std::abs(std::ldexp(static_cast<double>(row.power), -config.power_f) - power));
       const bool counts = power >= -std::log2(config.alpha_cut);
       visible += counts;
       if (counts != (codes[pixel] != 0)) {  // only where the power is within its error of the cut
@@ -117,14 +121,16 @@ TEST(PuRows, AlphasAreThoseOfEq1) {
         continue;
       }
       if (!counts) continue;
-      const double alpha = std::clamp(std::ldexp(std::exp2(std::min(power, 0.0)), config.alpha_w), 1.0, 1.0 * config.alpha_max());
+      const double alpha =
+          std::clamp(std::ldexp(std::exp2(std::min(power, 0.0)), config.alpha_w), 1.0, 1.0 * config.alpha_max());
       worst = std::max(worst, std::abs(codes[pixel] - alpha));
     }
   }
-  std::printf("pu_rows: %llu visible pixels, alpha error at most %.4f codes (bound %.4f), power error %.2f ulp of PowerF "
-              "(bound 81), %llu decisions at the cut flipped\n",
-              static_cast<unsigned long long>(visible), worst, bound, std::ldexp(worst_power, config.power_f),
-              static_cast<unsigned long long>(flipped));
+  std::printf(
+      "pu_rows: %llu visible pixels, alpha error at most %.4f codes (bound %.4f), power error %.2f ulp of PowerF "
+      "(bound 81), %llu decisions at the cut flipped\n",
+      static_cast<unsigned long long>(visible), worst, bound, std::ldexp(worst_power, config.power_f),
+      static_cast<unsigned long long>(flipped));
   EXPECT_LE(worst, bound);
   EXPECT_LE(worst_power, power_bound);
 }

@@ -1,9 +1,11 @@
-// pu_spill_test: rtl/pu/pu_spill.sv: every line reaches its place before the end behind it leaves. Without Overflow every line is for
-// the store, or an assertion says so.
+// SPDX-License-Identifier: Apache-2.0
+// pu_spill_test: rtl/pu/pu_spill.sv: every line reaches its place before the end behind it leaves. Without Overflow
+// every line is for the store, or an assertion says so.
 #include <map>
 
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 #include "verif/support/gated_bench.hpp"
 #include "Vpu_spill.h"
 
@@ -43,17 +45,23 @@ struct SpillBench {
   ExternalMemory memory{ExternalMemoryOptions{.bytes_per_cycle = 64}};
   CData write = 1, no_answer = 0;
   VlWide<16> answer;
-  RecordSource<Alphas, decltype(bench.dut.alphas_i)> in{bench, config, bench.dut.alphas_valid_i, bench.dut.alphas_ready_o,
-                                                       bench.dut.alphas_i};
+  RecordSource<Alphas, decltype(bench.dut.alphas_i)> in{bench, config, bench.dut.alphas_valid_i,
+                                                        bench.dut.alphas_ready_o, bench.dut.alphas_i};
   LineSource lines{bench, bench.dut, config};
-  MemoryEndpoint<QData, VlWide<16>> port{
-      bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, &write, bench.dut.mem_address_o, &bench.dut.mem_data_o,
-      no_answer, answer};
+  MemoryEndpoint<QData, VlWide<16>> port{bench,
+                                         memory,
+                                         bench.dut.mem_valid_o,
+                                         bench.dut.mem_ready_i,
+                                         &write,
+                                         bench.dut.mem_address_o,
+                                         &bench.dut.mem_data_o,
+                                         no_answer,
+                                         answer};
   WordSink<CData> ends{bench, bench.dut.rows_end_valid_o, bench.dut.rows_end_ready_i, bench.dut.rows_end_kind_o};
 
   SpillBench() {
-    frame.overflow = 0x12345;
-    write_record(config, bench.dut.frame_i, frame);
+    frame.tables.overflow = 0x12345;
+    write_frame(config, bench.dut, frame);
     bench.dut.unit_i = 3;
     bench.reset();
   }
@@ -79,8 +87,8 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
             Words line = line_of(s.config, alphas);
             line.resize(static_cast<size_t>(pieces) * 16);
             for (int piece = 0; piece < pieces; ++piece) {
-              spilled[ru_overflow_line(s.config, s.frame, 3, layer % 2, alphas.address) + static_cast<uint64_t>(piece)] =
-                  Words(line.begin() + 16 * piece, line.begin() + 16 * (piece + 1));
+              spilled[ru_overflow_line(s.config, s.frame, 3, layer % 2, alphas.address) +
+                      static_cast<uint64_t>(piece)] = Words(line.begin() + 16 * piece, line.begin() + 16 * (piece + 1));
             }
           } else {
             stored.emplace_back(alphas.address, line_of(s.config, alphas));

@@ -1,4 +1,5 @@
-// pu_squares_test: rtl/pu/pu_squares.sv against its twin; its precision is tested in pu_covariance_test.
+// SPDX-License-Identifier: Apache-2.0
+// pu_squares_test: rtl/pu/pu_squares.sv against its bit-accurate model; its precision is tested in pu_covariance_test.
 #include "cpp_model/pu/pu_squares.hpp"
 
 #include "Vpu_squares.h"
@@ -10,7 +11,7 @@ namespace {
 
 PIPEGS_STAGE(pu_squares, Factors, factors, Squares, squares);
 
-TEST(PuSquares, EqualsItsTwinAtEveryPace) { check_every_pace<Stage>(stage_run<Stage>(random_factors, pu_squares)); }
+TEST(PuSquares, EqualsItsModelAtEveryPace) { check_every_pace<Stage>(stage_run<Stage>(random_factors, pu_squares)); }
 
 TEST(PuSquares, TakesARecordEveryEightCycles) { check_pace<Stage>(stage_run<Stage>(random_factors, pu_squares), 11); }
 

@@ -1,4 +1,6 @@
-// pu_stage: runs one stage of the projection against its twin: records in order, at every pair of paces, and the pace itself.
+// SPDX-License-Identifier: Apache-2.0
+// pu_stage: runs one stage of the projection against its bit-accurate model: records in order, at every pair of paces,
+// and the pace itself.
 #pragma once
 
 #include <vector>
@@ -7,26 +9,28 @@
 #include "verif/pu/pu_random.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 
-// A stage by its module and the names of its two streams: PIPEGS_STAGE(pu_orient, Projected, projected, Oriented, oriented).
-#define PIPEGS_STAGE(module, In, in, Out, out)                                                              \
-  struct Stage {                                                                                            \
-    using Dut = V##module;                                                                                  \
-    using Input = In;                                                                                       \
-    using Output = Out;                                                                                     \
-    static auto source(Bench<Dut>& b, const Config& c, Pace pace) {                                         \
-      return RecordSource<In, std::remove_reference_t<decltype(b.dut.in##_i)>>(                             \
-          b, c, b.dut.in##_valid_i, b.dut.in##_ready_o, b.dut.in##_i, pace);                                \
-    }                                                                                                       \
-    static auto sink(Bench<Dut>& b, const Config& c, Pace pace) {                                           \
-      return RecordSink<Out, std::remove_reference_t<decltype(b.dut.out##_o)>>(                             \
-          b, c, b.dut.out##_valid_o, b.dut.out##_ready_i, b.dut.out##_o, pace);                             \
-    }                                                                                                       \
+// A stage by its module and the names of its two streams: PIPEGS_STAGE(pu_orient, Projected, projected, Oriented,
+// oriented).
+#define PIPEGS_STAGE(module, In, in, Out, out)                                  \
+  struct Stage {                                                                \
+    using Dut = V##module;                                                      \
+    using Input = In;                                                           \
+    using Output = Out;                                                         \
+    static auto source(Bench<Dut>& b, const Config& c, Pace pace) {             \
+      return RecordSource<In, std::remove_reference_t<decltype(b.dut.in##_i)>>( \
+          b, c, b.dut.in##_valid_i, b.dut.in##_ready_o, b.dut.in##_i, pace);    \
+    }                                                                           \
+    static auto sink(Bench<Dut>& b, const Config& c, Pace pace) {               \
+      return RecordSink<Out, std::remove_reference_t<decltype(b.dut.out##_o)>>( \
+          b, c, b.dut.out##_valid_o, b.dut.out##_ready_i, b.dut.out##_o, pace); \
+    }                                                                           \
   }
 
-// The records of one frame and what the twin makes of them.
+// The records of one frame and what the model makes of them.
 template <class Stage>
 struct StageRun {
   Frame frame;
@@ -38,7 +42,7 @@ struct StageRun {
 template <class Stage>
 std::vector<uint64_t> check_run(const Config& config, const StageRun<Stage>& run, Pace source_pace, Pace sink_pace) {
   Bench<typename Stage::Dut> bench;
-  if constexpr (requires { bench.dut.frame_i; }) write_record(config, bench.dut.frame_i, run.frame);
+  write_frame(config, bench.dut, run.frame);
   auto source = Stage::source(bench, config, source_pace);
   auto sink = Stage::sink(bench, config, sink_pace);
   bench.reset();
@@ -51,8 +55,9 @@ std::vector<uint64_t> check_run(const Config& config, const StageRun<Stage>& run
   for (size_t i = 0; i < std::min(sink.size(), run.expected.size()); ++i) {
     const auto found = sink.at(i);
     if (found == run.expected[i]) continue;
-    ADD_FAILURE() << "beat " << i << ", cycle " << sink.cycles[i] << ", " << to_text(source_pace) << " to " << to_text(sink_pace)
-                  << ", seed " << bench.seed << ": " << first_difference(config, run.expected[i], found) << "\nexpected "
+    ADD_FAILURE() << "beat " << i << ", cycle " << sink.cycles[i] << ", " << to_text(source_pace) << " to "
+                  << to_text(sink_pace) << ", seed " << bench.seed << ": "
+                  << first_difference(config, run.expected[i], found) << "\nexpected "
                   << to_text(config, run.expected[i]);
     break;
   }
@@ -91,9 +96,10 @@ void check_pace(MakeRun&& make_run, uint64_t latency) {
   EXPECT_EQ(cycles.back() - cycles.front(), 8 * (cycles.size() - 1));
 }
 
-// A run whose inputs come from make(random, frame) and whose outputs are the twin's; one beat in ten is an end.
-template <class Stage, class Make, class Twin>
-auto stage_run(Make&& make, Twin&& twin) {
+// A run whose inputs come from make(random, frame) and whose outputs are the model's; one beat in ten is
+// an end.
+template <class Stage, class Make, class Model>
+auto stage_run(Make&& make, Model&& model) {
   return [=](PuRandom& random, int count) {
     StageRun<Stage> run;
     run.frame = random.frame();
@@ -104,7 +110,7 @@ auto stage_run(Make&& make, Twin&& twin) {
         run.inputs.back().kind = random.chance(3) ? kWindowEnd : kLayerEnd;
       }
     }
-    for (const auto& input : run.inputs) run.expected.push_back(twin(random.config, run.frame, input));
+    for (const auto& input : run.inputs) run.expected.push_back(model(random.config, run.frame, input));
     return run;
   };
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // random_row_job.hpp: jobs for the tests of pu_region and pu_rows: real Gaussians, and coefficients of any value.
 #pragma once
 

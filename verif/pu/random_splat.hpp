@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // random_splat: random Gaussians in the image, in double precision and as the records of the PU's back half.
 #pragma once
 
@@ -14,10 +15,10 @@ namespace pipegs {
 inline constexpr double kHalfLog2E = 0.7213475204444817;
 
 struct RandomSplat {
-  double s1, s2, angle;    // standard deviations without dilation, pixels; direction of the first
-  double mean_x, mean_y;   // as quantised
-  double a, b, c, det;     // dilated, exact
-  double opacity;          // -log2, as quantised
+  double s1, s2, angle;   // standard deviations without dilation, pixels; direction of the first
+  double mean_x, mean_y;  // as quantised
+  double a, b, c, det;    // dilated, exact
+  double opacity;         // -log2, as quantised
   Covariance record;
 
   double power(double x, double y) const {
@@ -41,7 +42,8 @@ RandomSplat random_splat(const Config& config, Rng& rng, double longest) {
   RandomSplat s;
   s.s1 = std::exp(uniform(std::log(0.05), std::log(longest)));
   s.s2 = rng() % 3 == 0 ? 0 : std::exp(uniform(std::log(0.02), std::log(longest)));
-  s.angle = rng() % 8 == 0 ? static_cast<double>(rng() % 5) * M_PI / 4 : uniform(0, M_PI);  // also exactly along the axes
+  s.angle =
+      rng() % 8 == 0 ? static_cast<double>(rng() % 5) * M_PI / 4 : uniform(0, M_PI);  // also exactly along the axes
   const double cosine = std::cos(s.angle), sine = std::sin(s.angle);
   const double v1 = s.s1 * s.s1, v2 = s.s2 * s.s2;
   s.a = v1 * cosine * cosine + v2 * sine * sine + 0.3;
@@ -94,7 +96,8 @@ void expect_stream(const Config& config, BenchT& bench, Source& in, Sink& out, c
   EXPECT_EQ(out.size(), expected.size());
   for (size_t i = 0; i < std::min(out.size(), expected.size()); ++i) {
     ASSERT_EQ(first_difference(config, expected[i], out.at(i)), "")
-        << "beat " << i << " in cycle " << out.cycles[i] << ", seed " << bench.seed << "\nexpected " << to_text(config, expected[i]);
+        << "beat " << i << " in cycle " << out.cycles[i] << ", seed " << bench.seed << "\nexpected "
+        << to_text(config, expected[i]);
   }
 }
 

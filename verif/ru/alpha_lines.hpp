@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // alpha_lines.hpp: lines of alphas for the tests of the RU: contents, the alpha stores that answer, and memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // pixel_words.hpp: a word of the RU's pixel buffer (sixteen pixels) from the pixels of the golden model.
 #pragma once
 

@@ -1,4 +1,6 @@
-// ru_blend_test: rtl/ru/ru_blend.sv against cpp_model/ru/ru_blend.hpp, and the twin against double precision.
+// SPDX-License-Identifier: Apache-2.0
+// ru_blend_test: rtl/ru/ru_blend.sv against cpp_model/ru/ru_blend.hpp, and the model against double
+// precision.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -75,7 +77,7 @@ Case random_case(std::mt19937_64& rng) {
   return c;
 }
 
-TEST(RuBlend, EqualsItsTwin) {
+TEST(RuBlend, EqualsItsModel) {
   std::mt19937_64 rng(test_seed());
   std::vector<Case> cases(50000);
   for (Case& c : cases) c = random_case(rng);
@@ -95,7 +97,8 @@ TEST(RuBlend, StopsExactlyAtTheLimit) {
 TEST(RuBlend, FullScaleSaturates) {
   const uint32_t code = (1u << kConfig.alpha_w) - 1, white = (1u << kConfig.color_w) - 1;
   compare({{{kBlend.one, {0, 0, 0}, false}, code, {white, white, white}},
-           {{kBlend.one, {kBlend.rgb_max, 1, 0}, false}, code, {white, white, white}}}, false);
+           {{kBlend.one, {kBlend.rgb_max, 1, 0}, false}, code, {white, white, white}}},
+          false);
   PixelState pixel{kBlend.one, {kBlend.rgb_max, 0, 0}, false};
   const uint32_t color[3] = {white, 0, 0};
   BlendCounts counts;
@@ -147,7 +150,13 @@ TEST(RuBlend, StaysCloseToDouble) {
 }
 
 TEST(RuBlend, TheRegionLoopEqualsThePixel) {
-  for (Config config : {kConfig, [] { Config c; c.t_w = 24; c.color_w = 16; c.alpha_w = 12; return c; }()}) {
+  for (Config config : {kConfig, [] {
+                          Config c;
+                          c.t_w = 24;
+                          c.color_w = 16;
+                          c.alpha_w = 12;
+                          return c;
+                        }()}) {
     const BlendConstants constants(config);
     std::mt19937_64 rng(test_seed());
     RegionState state{};

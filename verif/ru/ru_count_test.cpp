@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_count_test: rtl/ru/ru_count.sv against std::popcount.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_dispatch_test: rtl/ru/ru_dispatch.sv against ru_own_mask.
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/support/bench.hpp"

@@ -1,5 +1,6 @@
-// ru_fetch_test: rtl/ru/ru_fetch.sv against a queue of records and lines. Without Overflow every line lies in a store, or an assertion
-// says so.
+// SPDX-License-Identifier: Apache-2.0
+// ru_fetch_test: rtl/ru/ru_fetch.sv against a queue of records and lines. Without Overflow every line lies in a store,
+// or an assertion says so.
 #include "verif/ru/alpha_lines.hpp"
 #include "verif/support/config.hpp"
 #include "Vru_fetch.h"
@@ -47,10 +48,11 @@ struct FetchRun {
   FetchRun(Pace in_pace, Pace out_pace, Pace store_pace, Pace memory_pace, ExternalMemoryOptions options)
       : memory(options),
         in(bench, kConfig, bench.dut.in_valid_i, bench.dut.in_ready_o, bench.dut.in_i, in_pace),
-        out(bench, out_pace), stores(bench, kConfig, store_pace),
+        out(bench, out_pace),
+        stores(bench, kConfig, store_pace),
         port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o,
              static_cast<const LinePort*>(nullptr), bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace) {
-    frame.overflow = kOverflow;
+    frame.tables.overflow = kOverflow;
     bench.dut.overflow_i = kOverflow;
     bench.dut.restart_i = 0;
     bench.reset();

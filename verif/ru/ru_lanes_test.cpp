@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_lanes_test: rtl/ru/ru_lanes.sv against cpp_model/ru/ru_lanes.hpp, with the pixel buffer as an array.
 #include <optional>
 
@@ -25,8 +26,8 @@ class Around : public Endpoint {
       : words(kConfig.regions() / kConfig.units * 4), bench_(bench), in_pace_(in_pace), resolve_pace_(resolve_pace) {
     bench.dut.in_valid_i = bench.dut.restart_i = 0;
     bench.add(*this);
-    frame.width = 2 * kConfig.window + 17;
-    frame.height = 2 * kConfig.window + 33;
+    frame.raster.width = 2 * kConfig.window + 17;
+    frame.raster.height = 2 * kConfig.window + 33;
     start_window();
   }
   void start_window() {
@@ -34,8 +35,8 @@ class Around : public Endpoint {
     touched = 0;
     for (int r = 0; r < kConfig.regions(); ++r) regions.push_back(ru_fresh_region(kConfig, frame, window, window, r));
     for (auto& word : words) word.reset();
-    bench_.dut.columns_i = std::min<uint64_t>(kConfig.window, frame.width - window * kConfig.window);
-    bench_.dut.rows_i = std::min<uint64_t>(kConfig.window, frame.height - window * kConfig.window);
+    bench_.dut.columns_i = std::min<uint64_t>(kConfig.window, frame.raster.width - window * kConfig.window);
+    bench_.dut.rows_i = std::min<uint64_t>(kConfig.window, frame.raster.height - window * kConfig.window);
   }
   void drive() override {
     auto& dut = bench_.dut;
@@ -97,7 +98,8 @@ class Around : public Endpoint {
     }
     EXPECT_TRUE(expected_.empty()) << "an end passed before all words were written";
     uint64_t done = 0;
-    for (int r = 0; r < kConfig.regions(); ++r) done |= uint64_t{kConfig.early_stop && (touched >> r & 1) && regions[r].all_done()} << r;
+    for (int r = 0; r < kConfig.regions(); ++r)
+      done |= uint64_t{kConfig.early_stop && (touched >> r & 1) && regions[r].all_done()} << r;
     EXPECT_EQ(dut.done_o, done) << "cycle " << bench_.cycle;
     EXPECT_EQ(dut.window_done_o, blend.kind == kWindowEnd);
     if (blend.kind != kWindowEnd) return;
@@ -142,7 +144,7 @@ void run(Bench<Vru_lanes>& bench, Around& around) {
   }
 }
 
-TEST(RuLanes, EqualsItsTwinOverLayersAndWindows) {
+TEST(RuLanes, EqualsItsModelOverLayersAndWindows) {
   for (const Pace in_pace : kPaces) {
     for (const Pace resolve_pace : kPaces) {
       Bench<Vru_lanes> bench;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_memory_test: rtl/ru/ru_memory.sv against the two queues of requests that enter it.
 #include "cpp_model/config.hpp"
 #include "verif/support/bench.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_own_test: rtl/ru/ru_own.sv against ru_own_mask, for every unit.
 #include <gtest/gtest.h>
 

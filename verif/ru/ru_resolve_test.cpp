@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_resolve_test: rtl/ru/ru_resolve.sv against cpp_model/ru/ru_resolve.hpp.
 #include <map>
 #include <optional>
@@ -28,13 +29,13 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
   Bench<Vru_resolve> bench(seed);
   auto& dut = bench.dut;
   Frame frame;
-  frame.width = kConfig.window + 1 + bench.rng() % kConfig.window;
-  frame.height = 2 * kConfig.window + 1 + bench.rng() % kConfig.window;
-  frame.pixels = bench.rng() % 1000000;
+  frame.raster.width = kConfig.window + 1 + bench.rng() % kConfig.window;
+  frame.raster.height = 2 * kConfig.window + 1 + bench.rng() % kConfig.window;
+  frame.tables.pixels = bench.rng() % 1000000;
   const uint64_t x = bench.rng() % 2, y = bench.rng() % 3;
   const int unit = bench.rng() % kConfig.units;
   dut.unit_i = unit;
-  dut.pixels_i = frame.pixels;
+  dut.pixels_i = frame.tables.pixels;
   dut.start_i = dut.mem_ready_i = 0;
   bench.reset();
 
@@ -61,7 +62,7 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
   }
 
   dut.start_i = 1;
-  dut.number_i = (ru_pixel_line(kConfig, frame, x, y, 0, 0) - frame.pixels) / (8 * kConfig.regions());
+  dut.number_i = (ru_pixel_line(kConfig, frame, x, y, 0, 0) - frame.tables.pixels) / (8 * kConfig.regions());
   dut.outside_i = outside;
   EXPECT_TRUE(dut.ready_o);
   bench.step();
@@ -70,7 +71,7 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
   dut.outside_i = 0;
   uint64_t lines = 0;
   const uint64_t start = bench.cycle;
-  for (; !dut.ready_o; ) {
+  for (; !dut.ready_o;) {
     ASSERT_LT(bench.cycle - start, 100000u);
     dut.mem_ready_i = goes(pace, bench.rng);
     dut.clk_i = 0;
@@ -98,7 +99,7 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
   if (expect_rate) { EXPECT_LE(bench.cycle - start, lines + 2); }
 }
 
-TEST(RuResolve, WritesTheLinesOfItsTwin) {
+TEST(RuResolve, WritesTheLinesOfItsModel) {
   for (const Pace pace : kPaces) {
     for (uint64_t i = 0; i < 30; ++i)
       ASSERT_NO_FATAL_FAILURE(resolve_window(pace, test_seed() + i, pace == Pace::kAlways));
@@ -106,7 +107,7 @@ TEST(RuResolve, WritesTheLinesOfItsTwin) {
 }
 
 TEST(RuResolve, PixelFieldsLieWhereTheDriverReadsThem) {
-  Config config;  // the default widths
+  Config config;                                                                     // the default widths
   EXPECT_EQ(ru_resolve(config, {1u << 18, {0, 0, 0}, false}), 0x8000000000000000u);  // T = 1, black
   EXPECT_EQ(ru_resolve(config, {7, {1, 2, 3}, true}), 0x0000000300020001u);          // T below 2^-15 is cut
 }

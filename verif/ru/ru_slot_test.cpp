@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_slot_test: rtl/ru/ru_slot.sv against ru_slot and its inverse ru_region.
 #include <gtest/gtest.h>
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_test: rtl/ru/ru.sv, whole frames, against cpp_model/ru/ru.hpp; its clock only ticks when the RU asks for it.
 #include "cpp_model/ru/ru.hpp"
 #include "verif/ru/alpha_lines.hpp"
 #include "verif/ru/pixel_words.hpp"
 #include "verif/support/config.hpp"
 #include "Vru.h"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -20,8 +22,11 @@ struct Paces {
 class RuBench : public Bench<Vru> {
  public:
   explicit RuBench(const Paces& paces, int unit, uint64_t seed = test_seed())
-      : Bench(seed), unit(unit), memory(paces.options),
-        in(*this, kConfig, dut.in_valid_i, dut.in_ready_o, dut.in_i, paces.in), stores(*this, kConfig, paces.stores),
+      : Bench(seed),
+        unit(unit),
+        memory(paces.options),
+        in(*this, kConfig, dut.in_valid_i, dut.in_ready_o, dut.in_i, paces.in),
+        stores(*this, kConfig, paces.stores),
         port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o,
              dut.rsp_valid_i, dut.rsp_data_i, paces.memory) {
     dut.unit_i = unit;
@@ -31,7 +36,7 @@ class RuBench : public Bench<Vru> {
 
   void start(const Frame& new_frame) {
     frame = new_frame;
-    write_record(kConfig, dut.frame_i, frame);
+    write_frame(kConfig, dut, frame);
     dut.restart_i = 1;
     cycle_once();
     dut.restart_i = 0;
@@ -63,9 +68,12 @@ class RuBench : public Bench<Vru> {
                  random_codes(kConfig, rng, 1));
     }
     in.push(splat);
-    ru_take(kConfig, kBlend, frame, state, splat,
-            [&](const Sorted& s, int region, uint64_t) { return codes.at({s.index, region}).data(); },
-            [&](uint64_t address, const uint64_t* pixels) { lines[address].assign(pixels, pixels + 8); });
+    ru_take(
+        kConfig, kBlend, frame, state, splat,
+        [&](const Sorted& s, int region, uint64_t) {
+          return codes.at({s.index, region}).data();
+        },
+        [&](uint64_t address, const uint64_t* pixels) { lines[address].assign(pixels, pixels + 8); });
     ends += kind != kData;
     windows += kind == kWindowEnd;
   }
@@ -115,7 +123,9 @@ class RuBench : public Bench<Vru> {
     if (dut.active_o && dut.layer_done_o) ++ends_seen;
     if (dut.active_o && dut.window_done_o) {
       ++windows_seen;
-      tapped.window_x == frame.last_x ? (tapped.window_x = frame.first_x, ++tapped.window_y) : ++tapped.window_x;
+      tapped.window_x == frame.raster.windows.last_x
+          ? (tapped.window_x = frame.raster.windows.first_x, ++tapped.window_y)
+          : ++tapped.window_x;
       ru_start_window(kConfig, frame, tapped);
     }
   }
@@ -163,12 +173,12 @@ class RuBench : public Bench<Vru> {
 
 Frame random_frame(std::mt19937_64& rng, uint64_t width, uint64_t height) {
   Frame frame;
-  frame.width = width;
-  frame.height = height;
-  frame.last_x = ru_windows_x(kConfig, frame) - 1;
-  frame.last_y = ru_windows_y(kConfig, frame) - 1;
-  frame.pixels = 1000 + rng() % 1000;
-  frame.overflow = uint64_t{1} << 30;
+  frame.raster.width = width;
+  frame.raster.height = height;
+  frame.raster.windows.last_x = ru_windows_x(kConfig, frame) - 1;
+  frame.raster.windows.last_y = ru_windows_y(kConfig, frame) - 1;
+  frame.tables.pixels = 1000 + rng() % 1000;
+  frame.tables.overflow = uint64_t{1} << 30;
   return frame;
 }
 
@@ -183,8 +193,8 @@ uint64_t random_mask(std::mt19937_64& rng) {
 }
 
 void send_frame(RuBench& bench, int splats, int ext_percent) {
-  const uint64_t windows =
-      (bench.frame.last_x - bench.frame.first_x + 1) * (bench.frame.last_y - bench.frame.first_y + 1);
+  const uint64_t windows = (bench.frame.raster.windows.last_x - bench.frame.raster.windows.first_x + 1) *
+                           (bench.frame.raster.windows.last_y - bench.frame.raster.windows.first_y + 1);
   for (uint64_t window = 0; window < windows; ++window) {
     const int layers = 1 + bench.rng() % 3;
     const int strength = bench.rng() % 3;
@@ -198,7 +208,7 @@ void send_frame(RuBench& bench, int splats, int ext_percent) {
   }
 }
 
-TEST(Ru, FramesEqualTheTwinAtEveryPace) {
+TEST(Ru, FramesEqualTheModelAtEveryPace) {
   for (const Pace in_pace : kPaces) {
     for (const Pace other_pace : kPaces) {
       Paces paces{in_pace, other_pace, other_pace, {.latency = 40, .jitter = 30}};
@@ -234,10 +244,10 @@ TEST(Ru, EmptyWindowsAreWrittenBlack) {
 TEST(Ru, PartOfAFrameIsRendered) {
   RuBench bench({}, kConfig.units - 1);
   Frame frame = random_frame(bench.rng, 5ull * kConfig.window, 5ull * kConfig.window);
-  frame.first_x = 1;
-  frame.last_x = 2;
-  frame.first_y = 2;
-  frame.last_y = 3;
+  frame.raster.windows.first_x = 1;
+  frame.raster.windows.last_x = 2;
+  frame.raster.windows.first_y = 2;
+  frame.raster.windows.last_y = 3;
   bench.start(frame);
   send_frame(bench, 30, 20);
   ASSERT_NO_FATAL_FAILURE(bench.finish());

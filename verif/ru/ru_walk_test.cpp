@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_walk_test: rtl/ru/ru_walk.sv against cpp_model/ru/ru_walk.hpp.
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/support/bench.hpp"
@@ -20,8 +21,15 @@ Sorted random_splat(std::mt19937_64& rng, uint64_t kind = kData) {
 }
 
 void expect_walk(std::vector<Fetch>& expected, const Sorted& splat, int unit, uint64_t done) {
-  Fetch fetch{.kind = splat.kind, .region = 0, .address = splat.address, .ext = splat.ext, .unit = splat.unit,
-              .red = splat.red, .green = splat.green, .blue = splat.blue, .index = splat.index};
+  Fetch fetch{.kind = splat.kind,
+              .region = 0,
+              .address = splat.address,
+              .ext = splat.ext,
+              .unit = splat.unit,
+              .red = splat.red,
+              .green = splat.green,
+              .blue = splat.blue,
+              .index = splat.index};
   if (splat.kind != kData) {
     expected.push_back(fetch);
     return;

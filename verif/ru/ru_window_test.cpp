@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ru_window_test: rtl/ru/ru_window.sv against ru_inside and ru_pixel_line.
 #include "cpp_model/ru/ru.hpp"
 #include "verif/support/bench.hpp"
@@ -17,31 +18,34 @@ TEST(RuWindow, FollowsTheWindowsOfManyFrames) {
   const uint64_t window = kConfig.window;
   for (int i = 0; i < 200; ++i) {
     Frame frame;
-    frame.width = i == 0 ? 1 : i == 1 ? 10000 : 1 + bench.rng() % (6 * window);
-    frame.height = i == 0 ? 1 : 1 + bench.rng() % (6 * window);
-    frame.first_x = bench.rng() % ru_windows_x(kConfig, frame);
-    frame.last_x = frame.first_x + bench.rng() % (ru_windows_x(kConfig, frame) - frame.first_x);
-    frame.first_y = bench.rng() % ru_windows_y(kConfig, frame);
-    frame.last_y = frame.first_y + bench.rng() % (ru_windows_y(kConfig, frame) - frame.first_y);
-    dut.width_i = frame.width;
-    dut.height_i = frame.height;
-    dut.first_x_i = frame.first_x;
-    dut.first_y_i = frame.first_y;
-    dut.last_x_i = frame.last_x;
+    frame.raster.width = i == 0 ? 1 : i == 1 ? 10000 : 1 + bench.rng() % (6 * window);
+    frame.raster.height = i == 0 ? 1 : 1 + bench.rng() % (6 * window);
+    frame.raster.windows.first_x = bench.rng() % ru_windows_x(kConfig, frame);
+    frame.raster.windows.last_x =
+        frame.raster.windows.first_x + bench.rng() % (ru_windows_x(kConfig, frame) - frame.raster.windows.first_x);
+    frame.raster.windows.first_y = bench.rng() % ru_windows_y(kConfig, frame);
+    frame.raster.windows.last_y =
+        frame.raster.windows.first_y + bench.rng() % (ru_windows_y(kConfig, frame) - frame.raster.windows.first_y);
+    dut.width_i = frame.raster.width;
+    dut.height_i = frame.raster.height;
+    dut.first_x_i = frame.raster.windows.first_x;
+    dut.first_y_i = frame.raster.windows.first_y;
+    dut.last_x_i = frame.raster.windows.last_x;
     dut.restart_i = 1;
     bench.step();
     dut.restart_i = 0;
-    for (uint64_t y = frame.first_y; y <= frame.last_y; ++y) {
-      for (uint64_t x = frame.first_x; x <= frame.last_x; ++x) {
+    for (uint64_t y = frame.raster.windows.first_y; y <= frame.raster.windows.last_y; ++y) {
+      for (uint64_t x = frame.raster.windows.first_x; x <= frame.raster.windows.last_x; ++x) {
         for (int wait = bench.rng() % 3; wait > 0; --wait) bench.step();
         ASSERT_EQ(dut.x_o, x);
         ASSERT_EQ(dut.y_o, y);
-        ASSERT_EQ(dut.columns_o, std::min(window, frame.width - x * window));
-        ASSERT_EQ(dut.rows_o, std::min(window, frame.height - y * window));
+        ASSERT_EQ(dut.columns_o, std::min(window, frame.raster.width - x * window));
+        ASSERT_EQ(dut.rows_o, std::min(window, frame.raster.height - y * window));
         ASSERT_EQ(dut.number_o, (ru_pixel_line(kConfig, frame, x, y, 0, 0)) / (8 * kConfig.regions()));
         uint64_t outside = 0;
         for (int r = 0; r < kConfig.regions(); ++r) outside |= uint64_t{!ru_inside(kConfig, frame, x, y, r)} << r;
-        ASSERT_EQ(dut.outside_o, outside) << frame.width << "x" << frame.height << " window " << x << "," << y;
+        ASSERT_EQ(dut.outside_o, outside)
+            << frame.raster.width << "x" << frame.raster.height << " window " << x << "," << y;
         dut.advance_i = 1;
         bench.step();
         dut.advance_i = 0;

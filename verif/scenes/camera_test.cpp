@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Against scenes/camera: INRIA's cameras.json is read as field by field defined, or refused in one line.
 //
 // Idea    A good file is written by hand here; each bad one differs from it in one place and its
@@ -5,6 +6,7 @@
 #include "scenes/camera.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "scenes/input_error.hpp"
 #include "verif/scenes/scratch_folder.hpp"
@@ -17,7 +19,9 @@ const std::string kGood = R"([{"id": 4, "img_name": "a.jpg", "width": 1000, "hei
  {"id": 5, "img_name": "b.jpg", "width": 1, "height": 16384, "position": [0, 0, 0],
   "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "fx": 1, "fy": 1}])";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) { return text.replace(text.find(from), from.size(), to); }
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
 
 void expect_refused(const std::string& content, const std::vector<std::string>& words) {
   const ScratchFolder scratch;
@@ -27,7 +31,9 @@ void expect_refused(const std::string& content, const std::vector<std::string>& 
   } catch (const InputError& error) {
     const std::string message = error.what();
     EXPECT_EQ(message.find('\n'), std::string::npos);
-    for (const std::string& word : words) EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
+    EXPECT_LT(message.size(), 500u) << message;
+    for (const std::string& word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
   }
 }
 
@@ -48,7 +54,8 @@ TEST(Camera, ReadsRowsOfCameraToWorld) {
 
 TEST(Camera, WriterRoundTrip) {
   const ScratchFolder scratch;
-  const std::vector<Camera> out = {look_at("one", 0, 640, 480, {1, -2, 3}, {0.1, 0.2, 9}, 60), look_at("two", 7, 31, 17, {0, 0, 0}, {-1, 1, -1}, 90)};
+  const std::vector<Camera> out = {look_at("one", 0, 640, 480, {1, -2, 3}, {0.1, 0.2, 9}, 60),
+                                   look_at("two", 7, 31, 17, {0, 0, 0}, {-1, 1, -1}, 90)};
   write_cameras(scratch / "c.json", out);
   const auto in = read_cameras(scratch / "c.json");
   ASSERT_EQ(in.size(), 2u);
@@ -56,7 +63,8 @@ TEST(Camera, WriterRoundTrip) {
     EXPECT_EQ(in[i].name, out[i].name);
     EXPECT_EQ(in[i].position, out[i].position);
     EXPECT_EQ(in[i].fx, out[i].fx);
-    for (int column = 0; column < 3; ++column) EXPECT_LT(glm::length(in[i].world_to_camera[column] - out[i].world_to_camera[column]), 1e-14);
+    for (int column = 0; column < 3; ++column)
+      EXPECT_LT(glm::length(in[i].world_to_camera[column] - out[i].world_to_camera[column]), 1e-14);
   }
   EXPECT_EQ(scratch.files(), 1u);
 }
@@ -86,7 +94,8 @@ TEST(Camera, LookAtPutsTheTargetInTheMiddleAndUpUp) {
 
 TEST(Camera, MakesANearlyOrthonormalRotationOrthonormal) {
   const ScratchFolder scratch;
-  const auto cameras = read_cameras(scratch.write("c.json", replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0.00003, 0, 0.99998], [1, 0.00002, 0]")));
+  const auto cameras = read_cameras(
+      scratch.write("c.json", replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0.00003, 0, 0.99998], [1, 0.00002, 0]")));
   const glm::dmat3 m = cameras[0].world_to_camera, product = m * glm::transpose(m);
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b) EXPECT_NEAR(product[a][b], a == b, 1e-15);
@@ -94,7 +103,7 @@ TEST(Camera, MakesANearlyOrthonormalRotationOrthonormal) {
 }
 
 TEST(Camera, RefusesEachBadFieldByName) {
-  expect_refused(replaced(kGood, "\"width\": 1,", "\"width\": 0,"), {"camera 1, width", "1..16384"});
+  expect_refused(replaced(kGood, "\"width\": 1,", "\"width\": 0,"), {"camera 1, width", "from 1 to 16384"});
   expect_refused(replaced(kGood, "16384", "16385"), {"camera 1, height", "16385"});
   expect_refused(replaced(kGood, "501", "501.5"), {"camera 0, height"});
   expect_refused(replaced(kGood, "\"width\": 1000, ", ""), {"camera 0, width", "missing"});
@@ -103,8 +112,10 @@ TEST(Camera, RefusesEachBadFieldByName) {
   expect_refused(replaced(kGood, "\"fy\": 801", "\"fy\": \"wide\""), {"camera 0, fy", "wide", "number"});
   expect_refused(replaced(kGood, "[1, 2, 3]", "[1, 2]"), {"camera 0, position"});
   expect_refused(replaced(kGood, "[1, 2, 3]", "[1, null, 3]"), {"camera 0, position"});
-  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1.001], [1, 0, 0]"), {"camera 0, rotation", "orthonormal"});
-  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [-1, 0, 0]"), {"camera 0, rotation", "determinant"});
+  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1.001], [1, 0, 0]"),
+                 {"camera 0, rotation", "orthonormal"});
+  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [-1, 0, 0]"),
+                 {"camera 0, rotation", "determinant"});
   expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [1, 0]"), {"camera 0, rotation row 1"});
   expect_refused(replaced(kGood, "\"a.jpg\"", "17"), {"camera 0, img_name"});
 }
@@ -119,6 +130,69 @@ TEST(Camera, RefusesWhatIsNoListOfCameras) {
   const ScratchFolder scratch;
   EXPECT_THROW(read_cameras(scratch / "missing.json"), InputError);
   EXPECT_THROW(read_cameras(scratch / ""), InputError);
+}
+
+TEST(Camera, NumbersAreWholeAndOfTheirRange) {
+  for (const char* number :
+       {"-1", "1000.5", "1e99", "4294968296", "18446744073709552616", "\"1000\"", "true", "null"}) {
+    expect_refused(replaced(kGood, "\"width\": 1000", "\"width\": " + std::string(number)),
+                   {"camera 0, width", "expected an integer from 1 to 16384"});
+  }
+  for (const char* number : {"0", "-0.0", "-1", "\"8\"", "[8]"})
+    expect_refused(replaced(kGood, "800.5", number), {"camera 0, fx", "expected a number above 0"});
+  for (const char* number : {"+1", "01", "1.", ".5", "0x1", "nan", "NaN", "Infinity", "1 0", "--1"})
+    expect_refused(replaced(kGood, "800.5", number), {"not JSON", "line 2"});
+  const ScratchFolder scratch;
+  EXPECT_EQ(read_cameras(scratch.write("c.json", replaced(kGood, "1000", "1000.0")))[0].width, 1000);
+}
+
+TEST(Camera, AFieldComesOnceAndNothingFollows) {
+  expect_refused(replaced(kGood, "\"id\": 5", "\"id\": 5, \"fx\": 1"), {"[1]", "second 'fx'"});
+  expect_refused(kGood + "]", {"not JSON", "line 4"});
+  expect_refused(kGood + kGood, {"not JSON", "line 4"});
+}
+
+TEST(Camera, NestingIsBounded) {
+  for (const char* open : {"[", "{\"a\":", "[{\"width\":"}) {
+    std::string deep;
+    for (int i = 0; i < 400000; ++i) deep += open;
+    expect_refused(deep, {"more than 64 brackets"});
+  }
+  std::string deep(400000, '[');
+  expect_refused(replaced(kGood, "800.5", deep + std::string(400000, ']')), {"[0].fx[0][0]", "more than 64 brackets"});
+}
+
+TEST(Camera, OnlyARegularFileOfSomeSizeIsRead) {
+  const ScratchFolder scratch;
+  const auto refused = [](const std::filesystem::path& path) -> std::string {
+    try {
+      read_cameras(path);
+    } catch (const InputError& error) { return error.what(); }
+    return "accepted";
+  };
+  EXPECT_NE(refused(scratch / "").find("found a folder, expected a cameras.json"), std::string::npos);
+  EXPECT_NE(refused("/dev/zero").find("found a device"), std::string::npos);
+  ASSERT_EQ(mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  EXPECT_NE(refused(scratch / "pipe").find("found a pipe"), std::string::npos);
+  scratch.write("large.json", "[]");
+  std::filesystem::resize_file(scratch / "large.json", std::uintmax_t{1} << 40);  // sparse
+  EXPECT_NE(refused(scratch / "large.json").find("found 1099511627776 bytes"), std::string::npos);
+}
+
+// What is no UTF-8 is refused in a file; a name that is none can still be written.
+TEST(Camera, Latin1IsRefusedAndWritten) {
+  expect_refused(replaced(kGood, "a.jpg", "caf\xe9.jpg"), {"not JSON", "UTF-8"});
+  const ScratchFolder scratch;
+  Camera camera = look_at("caf\xe9", 1, 64, 48, {0, 0, -2}, {0, 0, 0}, 60);
+  write_cameras(scratch / "c.json", {camera});
+  EXPECT_EQ(read_cameras(scratch / "c.json")[0].name, "caf\xef\xbf\xbd");
+}
+
+TEST(Camera, MessagesStayShort) {
+  const std::string long_text(1 << 20, 'x');
+  expect_refused("[{\"" + long_text, {"not JSON"});
+  expect_refused("[{\"" + long_text + "\": 1, \"" + long_text + "\": 1}]", {"second 'xxx"});
+  expect_refused(replaced(kGood, "[1, 2, 3]", "\"" + long_text + "\""), {"camera 0, position"});
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
-// Against scenes/generate: the same bits every time, the statistics of a trained scene, any count.
+// SPDX-License-Identifier: Apache-2.0
+// Against scenes/generate/generate: the same bits every time, the statistics of a trained scene, any count.
 //
 // Idea    kHash pins seed 1 bit by bit. When the scene is changed on purpose, the failing test
 //         prints the new value to paste here; when nothing was changed, something is not portable.
-#include "scenes/generate.hpp"
+#include "scenes/generate/generate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,12 +49,12 @@ TEST(Generate, HasTheStatisticsOfATrainedScene) {
   const SceneInfo info = inspect(scene);
   EXPECT_EQ(info.usable, kGeneratedCount);
   EXPECT_EQ(info.sh_degree, 3);
-  EXPECT_LT(info.lowest.x, -1500);                       // unbounded
+  EXPECT_LT(info.lowest.x, -1500);  // unbounded
   EXPECT_GT(info.highest.x, 1500);
-  EXPECT_GT(info.scale[6] / info.scale[0], 1e4);         // near and far
-  EXPECT_LT(info.opacity[1], 0.05);                      // faint ones
-  EXPECT_GT(info.opacity[4], 0.9);                       // solid ones
-  EXPECT_GT(info.anisotropy[5], 20);                     // needles
+  EXPECT_GT(info.scale[6] / info.scale[0], 1e4);  // near and far
+  EXPECT_LT(info.opacity[1], 0.05);               // faint ones
+  EXPECT_GT(info.opacity[4], 0.9);                // solid ones
+  EXPECT_GT(info.anisotropy[5], 20);              // needles
   EXPECT_LT(info.anisotropy[6], 200);
   EXPECT_LT(info.faint_share, 0.01);
 }

@@ -1,5 +1,7 @@
-// pack_test: scenes/pack.cpp, pack_nodes, pack_order, pack_quantize and pack_image against the scene they came from.
-#include "scenes/pack.hpp"
+// SPDX-License-Identifier: Apache-2.0
+// pack_test: cpp_model/pack/pack.cpp, pack_nodes, pack_order, pack_quantize and pack_image against the scene they came
+// from.
+#include "cpp_model/pack/pack.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +9,8 @@
 #include <limits>
 #include <random>
 
-#include "scenes/pack_order.hpp"
-#include "scenes/pack_quantize.hpp"
+#include "cpp_model/pack/pack_order.hpp"
+#include "cpp_model/pack/pack_quantize.hpp"
 #include "verif/dopu/dopu_world.hpp"
 
 namespace pipegs {
@@ -24,7 +26,8 @@ bool inside(const Node& node, const Node& chunk, const GaussianRecord& g) {
   const int64_t center[3] = {node.center_x, node.center_y, node.center_z};
   const uint64_t half[3] = {node.half_x, node.half_y, node.half_z};
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(world_mean(chunk, g, axis) - center[axis]) > static_cast<int64_t>(half[axis] << node.half_exp)) return false;
+    if (std::abs(world_mean(chunk, g, axis) - center[axis]) > static_cast<int64_t>(half[axis] << node.half_exp))
+      return false;
   }
   return true;
 }
@@ -54,7 +57,9 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
           ActivatedGaussian exact;
           ASSERT_EQ(activate(scene, index, exact), Cull::kNone);
           for (int axis = 0; axis < 3; ++axis) {
-            const double error = std::ldexp(static_cast<double>(world_mean(chunk, record, axis)), packed.scene_exponent) - exact.mean[axis];
+            const double error =
+                std::ldexp(static_cast<double>(world_mean(chunk, record, axis)), packed.scene_exponent) -
+                exact.mean[axis];
             ASSERT_LE(std::abs(error), std::ldexp(0.5001, static_cast<int>(chunk.offset_exp) + packed.scene_exponent) +
                                            std::ldexp(0.5, packed.scene_exponent));
           }
@@ -80,14 +85,17 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
   }
   const size_t per_line = static_cast<size_t>(config.gaussians_per_line());
   for (size_t i = 0; i < packed.gaussians.size(); ++i) {
-    ASSERT_EQ(unpack<GaussianRecord>(config, image.lines.at(packed.layout.gaussians + i / per_line).data() + i % per_line * 8), packed.gaussians[i]);
+    ASSERT_EQ(unpack<GaussianRecord>(config,
+                                     image.lines.at(packed.layout.gaussians + i / per_line).data() + i % per_line * 8),
+              packed.gaussians[i]);
   }
 }
 
 TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
   std::mt19937_64 rng(1);
-  for (const char* assignment : {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1", "world_w=32", "world_w=44",
-                                 "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1"}) {
+  for (const char* assignment :
+       {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1", "world_w=32", "world_w=44",
+        "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1"}) {
     SCOPED_TRACE(assignment);
     Config config;
     config_set(config, assignment);
@@ -138,8 +146,10 @@ TEST(PackQuantize, ScalesRoundAsTold) {
     Config config;
     config.scale_m_w = mantissa_w;
     for (int i = 0; i < 20000; ++i) {
-      const double scale = std::ldexp(1 + std::ldexp(static_cast<double>(rng() >> 12), -52), static_cast<int>(rng() % 60) - 6);
-      const double nearest = scale_value(config, encode_scale(config, scale, false)), above = scale_value(config, encode_scale(config, scale, true));
+      const double scale =
+          std::ldexp(1 + std::ldexp(static_cast<double>(rng() >> 12), -52), static_cast<int>(rng() % 60) - 6);
+      const double nearest = scale_value(config, encode_scale(config, scale, false)),
+                   above = scale_value(config, encode_scale(config, scale, true));
       ASSERT_LE(std::abs(nearest / scale - 1), std::ldexp(0.5001, -mantissa_w));
       ASSERT_GE(above, scale);
       ASSERT_LE(above / scale - 1, std::ldexp(1.0001, -mantissa_w));
@@ -167,7 +177,8 @@ TEST(PackQuantize, ColoursComeBackWithinHalfAUnitOfTheirExponent) {
         if (m >> (config.sh_m_w - 1)) m -= int64_t{1} << config.sh_m_w;
         const double unit = std::ldexp(1.0, exponent - 26 - config.sh_m_w), limit = 16 - unit;
         const double wanted = std::clamp(static_cast<double>(exact[i]), -16.0, limit);
-        ASSERT_LE(std::abs(static_cast<double>(m) * unit - wanted), 0.5001 * std::max(unit, std::ldexp(1.0, 5 - config.sh_m_w) * (std::abs(exact[i]) > 15.9)));
+        ASSERT_LE(std::abs(static_cast<double>(m) * unit - wanted),
+                  0.5001 * std::max(unit, std::ldexp(1.0, 5 - config.sh_m_w) * (std::abs(exact[i]) > 15.9)));
       }
     }
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ply_file: builds .ply files of any shape for the loader's tests, independent of write_ply.
 //
 // Idea    A column is a name, a type and its values; a file is columns in a format. The tests'
@@ -40,7 +41,8 @@ inline void append_value(std::string& out, const std::string& type, double value
 inline std::vector<Column> plain_columns(std::size_t count, int rest, const std::string& type = "float") {
   std::vector<std::string> names = {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"};
   for (int i = 0; i < rest; ++i) names.push_back("f_rest_" + std::to_string(i));
-  for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"}) names.push_back(name);
+  for (const char* name : {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"})
+    names.push_back(name);
   std::vector<Column> out;
   for (std::size_t j = 0; j < names.size(); ++j) {
     Column column{names[j], type, {}};

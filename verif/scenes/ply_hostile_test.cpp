@@ -1,13 +1,16 @@
-// Against scenes/ply: broken and hostile files give one clear line, never a crash or an allocation.
+// SPDX-License-Identifier: Apache-2.0
+// Against scenes/ply/ply: broken and hostile files give one clear line, never a crash or an allocation.
 //
 // Idea    Each case names the words its message must hold. Then every prefix of a good file, and
 //         good files with random bytes changed, must be read or refused, nothing else.
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <random>
 
 #include "scenes/input_error.hpp"
-#include "scenes/ply.hpp"
+#include "scenes/ply/ply.hpp"
 #include "verif/scenes/ply_file.hpp"
 #include "verif/scenes/scratch_folder.hpp"
 
@@ -25,7 +28,8 @@ void expect_refused(const std::string& content, const std::vector<std::string>& 
     EXPECT_EQ(message.rfind(path.string() + ": ", 0), 0u) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_LT(message.size(), 500u) << message;
-    for (const std::string& word : words) EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
+    for (const std::string& word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << "no '" << word << "' in: " << message;
   }
 }
 
@@ -35,7 +39,9 @@ std::string without(const std::string& name) {
   return PlyText{}.build(columns);
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) { return text.replace(text.find(from), from.size(), to); }
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
 
 TEST(PlyHostile, NamesTheMissingProperty) {
   for (const char* name : {"x", "y", "z", "f_dc_0", "f_dc_2", "opacity", "scale_0", "scale_1", "rot_0", "rot_3"}) {
@@ -44,7 +50,8 @@ TEST(PlyHostile, NamesTheMissingProperty) {
 }
 
 TEST(PlyHostile, RefusesWrongNumbersOfRest) {
-  for (int rest : {1, 8, 10, 23, 44, 46, 72}) expect_refused(PlyText{}.build(plain_columns(1, rest)), {"f_rest", std::to_string(rest), "0, 9, 24 or 45"});
+  for (int rest : {1, 8, 10, 23, 44, 46, 72})
+    expect_refused(PlyText{}.build(plain_columns(1, rest)), {"f_rest", std::to_string(rest), "0, 9, 24 or 45"});
   auto columns = plain_columns(1, 9);
   for (Column& c : columns) {
     if (c.name == "f_rest_3") c.name = "f_rest_30";
@@ -55,14 +62,16 @@ TEST(PlyHostile, RefusesWrongNumbersOfRest) {
 TEST(PlyHostile, ChecksTheCountAgainstTheFile) {
   const std::string good = PlyText{}.build(plain_columns(2, 45));
   for (const char* count : {"3", "1000000000000", "18446744073709551615"}) {
-    expect_refused(replaced(good, "element vertex 2", std::string("element vertex ") + count), {"line 3", count, "truncated"});
+    expect_refused(replaced(good, "element vertex 2", std::string("element vertex ") + count),
+                   {"line 3", count, "truncated"});
   }
   for (const char* count : {"-1", "2.5", "many", "18446744073709551616", "0x10"}) {
     expect_refused(replaced(good, "element vertex 2", std::string("element vertex ") + count), {"line 3", "count"});
   }
   PlyText ascii;
   ascii.format = "ascii";
-  expect_refused(replaced(ascii.build(plain_columns(2, 0)), "element vertex 2", "element vertex 99999999999"), {"truncated"});
+  expect_refused(replaced(ascii.build(plain_columns(2, 0)), "element vertex 2", "element vertex 99999999999"),
+                 {"truncated"});
   expect_refused(good.substr(0, good.size() - 1), {"truncated"});
 }
 
@@ -80,11 +89,14 @@ TEST(PlyHostile, RefusesNonsenseHeaders) {
   expect_refused(replaced(good, "property float y", "property float x"), {"line 5", "second 'x'"});
   expect_refused(replaced(good, "property float y", "property list float int y"), {"line 5", "integer type"});
   expect_refused(replaced(good, "property float y", "property list uchar float y"), {"line 5", "y", "list"});
-  expect_refused(replaced(good, "element vertex 1\n", "property float w\nelement vertex 1\n"), {"line 3", "before any element"});
+  expect_refused(replaced(good, "element vertex 1\n", "property float w\nelement vertex 1\n"),
+                 {"line 3", "before any element"});
   expect_refused(replaced(good, "element vertex 1\n", "element vertex 1\nelement vertex 1\n"), {"line 4", "second"});
   expect_refused(replaced(good, "element vertex 1\n", "element point 1\n"), {"vertex", "missing"});
   expect_refused(replaced(good, "ply\n", "ply\nnonsense here\n"), {"line 2", "nonsense"});
-  expect_refused("ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uint packed_position\nend_header\n1234", {"compressed"});
+  expect_refused(
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uint packed_position\nend_header\n1234",
+      {"compressed"});
 }
 
 TEST(PlyHostile, PointsIntoTheBody) {
@@ -92,17 +104,82 @@ TEST(PlyHostile, PointsIntoTheBody) {
   ascii.format = "ascii";
   const std::string good = ascii.build(plain_columns(2, 0));
   const std::string start = good.substr(0, good.find("end_header\n") + 11);
-  expect_refused(start + "1 2 three 4 5 6 7 8 9 10 11 12 13 14 15 16 17 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1", {"vertex 0, z", "three"});
-  expect_refused(start + "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 1 1 1 1 1 1 1 1 1 1 1 1 1 1                        ", {"vertex 1, rot_1", "ends"});
-  std::string list = "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint double v\nelement vertex 0\nend_header\n";
+  expect_refused(start + "1 2 three 4 5 6 7 8 9 10 11 12 13 14 15 16 17 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1",
+                 {"vertex 0, z", "three"});
+  expect_refused(
+      start + "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17\n1 1 1 1 1 1 1 1 1 1 1 1 1 1                        ",
+      {"vertex 1, rot_1", "the file ends"});
+  std::string list =
+      "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint double v\nelement vertex "
+      "0\nend_header\n";
   append_value(list, "uint", 4294967295.0, false);
   expect_refused(list, {"face 0, v", "list"});
 }
 
-TEST(PlyHostile, RefusesFoldersAndMissingFiles) {
+// A row is a line of as many numbers as the element has properties, each whole and of its property's type.
+TEST(PlyHostile, HoldsEachAsciiRowAgainstTheHeader) {
+  const auto body = [](const std::string& rows) {
+    return "ply\nformat ascii 1.0\nelement camera 2\nproperty uchar a\nproperty float b\nelement vertex 0\n"
+           "property float x\nend_header\n" +
+           rows;
+  };
+  expect_refused(body("1\n2 3\n4 5\n"), {"camera 0, b", "the line ends"});
+  expect_refused(body("1 2 3\n4 5\n"), {"camera 0, line", "'3'", "behind the last value"});
+  for (const char* number : {"256", "-1", "1.5", "1e1", "nan", "++1", "0x1", "1,"})
+    expect_refused(body("1 2\n" + std::string(number) + " 5\n"),
+                   {"camera 1, a", quote(number), "integer from 0 to 255"});
+  for (const char* number : {"+-2", "--2", "2f", "0x2", "two", "1,5"})
+    expect_refused(body("1 2\n1 " + std::string(number) + "\n"), {"camera 1, b", quote(number), "a number"});
+  expect_refused(body("1 " + std::string(600, '7') + "\n1 2\n"), {"found the word '777", "expected a number"});
+  expect_refused(body("1 2\n\n \n1 2\n"), {"x", "missing"});  // blank lines between rows do not count
+}
+
+TEST(PlyHostile, NamesWhatFollowsTheLastElement) {
+  PlyText text;
+  text.body_after = "12345";
+  expect_refused(text.build(plain_columns(2, 0)), {"behind element 'vertex'", "5 bytes", "end of the file"});
+  text.elements_after = "element camera 2\nproperty uchar id\n";
+  expect_refused(text.build(plain_columns(2, 0)), {"behind element 'camera'", "3 bytes"});
+  text.elements_after = "element camera 1000000\nproperty uchar id\n";
+  expect_refused(text.build(plain_columns(2, 0)), {"element 'camera'", "1000000", "truncated"});
+  PlyText ascii;
+  ascii.format = "ascii";
+  ascii.body_after = "\n \n7 8\n";
+  expect_refused(ascii.build(plain_columns(2, 0)), {"behind element 'vertex'", "'7'"});
+}
+
+TEST(PlyHostile, AFieldComesOnce) {
+  const std::string good = PlyText{}.build(plain_columns(1, 9));
+  expect_refused(replaced(good, "f_rest_8", "f_rest_7"), {"second 'f_rest_7'"});
+  expect_refused(replaced(good, "f_rest_8", "f_rest_07"), {"f_rest", "found 8 properties"});
+  expect_refused(replaced(good, "f_rest_8", "f_rest_+7"), {"f_rest", "found 8 properties"});
+  std::string many = "ply\nformat ascii 1.0\n";
+  for (int i = 0; i < 100; ++i) many += fmt::format("element e{} 0\n", i);
+  expect_refused(many + "end_header\n", {"more than 64 elements"});
+  expect_refused(replaced(good, "end_header\n", "end_header now\n"), {"end_header", "expected nothing behind it"});
+}
+
+TEST(PlyHostile, OnlyARegularFileIsOpened) {
   const ScratchFolder scratch;
-  EXPECT_THROW(read_ply(scratch / "nothing.ply"), InputError);
-  EXPECT_THROW(read_ply(scratch / ""), InputError);
+  const auto refused = [](const std::filesystem::path& path) -> std::string {
+    try {
+      read_ply(path);
+    } catch (const InputError& error) { return error.what(); }
+    return "accepted";
+  };
+  EXPECT_NE(refused(scratch / "nothing.ply").find("found no file, expected a .ply file"), std::string::npos);
+  EXPECT_NE(refused(scratch / "").find("found a folder"), std::string::npos);
+  EXPECT_NE(refused("/dev/zero").find("found a device"), std::string::npos);
+  ASSERT_EQ(mkfifo((scratch / "pipe.ply").c_str(), 0600), 0);
+  EXPECT_NE(refused(scratch / "pipe.ply").find("found a pipe"), std::string::npos);
+}
+
+// Names are bytes; reports are UTF-8.
+TEST(PlyHostile, ALatin1NameBecomesUtf8) {
+  const ScratchFolder scratch;
+  const Scene scene = read_ply(scratch.write("caf\xe9.ply", PlyText{}.build(plain_columns(1, 0))));
+  EXPECT_EQ(scene.name, "caf\xef\xbf\xbd");
+  expect_refused(replaced(PlyText{}.build(plain_columns(1, 0)), "float y", "caf\xe9 y"), {"line 5", "caf\xe9"});
 }
 
 TEST(PlyHostile, SurvivesEveryPrefixAndRandomDamage) {
@@ -117,9 +194,7 @@ TEST(PlyHostile, SurvivesEveryPrefixAndRandomDamage) {
     const auto survive = [&](const std::string& content) {
       try {
         read_ply(scratch.write("a.ply", content));
-      } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-      }
+      } catch (const InputError& error) { EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos); }
     };
     for (std::size_t n = 0; n < good.size(); n += 3) survive(good.substr(0, n));
     for (int round = 0; round < 300; ++round) {

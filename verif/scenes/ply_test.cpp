@@ -1,8 +1,9 @@
-// Against scenes/ply: every legal shape of file gives the same scene; what is written is read back.
+// SPDX-License-Identifier: Apache-2.0
+// Against scenes/ply/ply: every legal shape of file gives the same scene; what is written is read back.
 //
 // Idea    The matrix of formats x types x degrees x property orders is compared with the values the
 //         file was built from (ply_file.hpp), never with a scene that went through write_ply.
-#include "scenes/ply.hpp"
+#include "scenes/ply/ply.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,8 @@ void expect_holds(const Scene& scene, const std::vector<Column>& columns, int de
     EXPECT_EQ(g.opacity_logit, value_of(columns, "opacity", i));
     for (int k = 0; k < k_count; ++k) {
       for (int c = 0; c < 3; ++c) {
-        EXPECT_EQ(sh_rest_of(scene, i)[k * 3 + c], value_of(columns, "f_rest_" + std::to_string(c * k_count + k), i)) << "k " << k << " c " << c;
+        EXPECT_EQ(sh_rest_of(scene, i)[k * 3 + c], value_of(columns, "f_rest_" + std::to_string(c * k_count + k), i))
+            << "k " << k << " c " << c;
       }
     }
   }
@@ -43,8 +45,8 @@ void expect_holds(const Scene& scene, const std::vector<Column>& columns, int de
 TEST(Ply, ReadsEveryFormatTypeAndDegree) {
   const ScratchFolder scratch;
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
-    for (const char* type : {"float", "float32", "double", "float64", "int", "int32", "uint", "uint32", "short", "int16", "ushort", "uint16", "char", "int8",
-                             "uchar", "uint8"}) {
+    for (const char* type : {"float", "float32", "double", "float64", "int", "int32", "uint", "uint32", "short",
+                             "int16", "ushort", "uint16", "char", "int8", "uchar", "uint8"}) {
       for (int degree = 0; degree <= 3; ++degree) {
         SCOPED_TRACE(std::string(format) + " " + type + " degree " + std::to_string(degree));
         const auto columns = plain_columns(3, 3 * sh_rest_count(degree), type);
@@ -82,7 +84,8 @@ TEST(Ply, SkipsOtherElementsListsAndComments) {
       text.format = format;
       text.newline = n;
       text.comments = {"made by hand", "element vertex 12", ""};
-      text.elements_before = "obj_info x" + n + "element face 2" + n + "property list uchar int vertex_indices" + n + "property float area" + n;
+      text.elements_before = "obj_info x" + n + "element face 2" + n + "property list uchar int vertex_indices" + n +
+                             "property float area" + n;
       for (int face = 0; face < 2; ++face) {
         if (ascii) {
           text.body_before += face == 0 ? "3 0 1 2 0.5" + n : "0 1.5" + n;
@@ -92,7 +95,11 @@ TEST(Ply, SkipsOtherElementsListsAndComments) {
         for (int i = 0; i < (face == 0 ? 3 : 0); ++i) append_value(text.body_before, "int", i, big);
         append_value(text.body_before, "float", 0.5, big);
       }
-      text.elements_after = "element camera 1000000" + n + "property double fov" + n;  // not even there
+      text.elements_after = "element camera 2" + n + "property double fov" + n;
+      for (int camera = 0; camera < 2; ++camera) {
+        if (ascii) text.body_after += "60.5" + n;
+        else append_value(text.body_after, "double", 60.5, big);
+      }
       SCOPED_TRACE(std::string(format) + (n == "\n" ? " LF" : " CRLF"));
       const auto columns = plain_columns(5, 9);
       expect_holds(read_ply(scratch.write("a.ply", text.build(columns))), columns, 1);

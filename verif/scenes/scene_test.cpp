@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Against scenes/scene and scenes/info: activation, what is culled, and what the inspector finds.
 //
 // Idea    One good Gaussian, then one value at a time is broken: exactly that makes it culled.
@@ -65,7 +66,8 @@ TEST(Scene, CullsEachBadValue) {
     EXPECT_EQ(cull([&](Scene& s) { s.gaussians[0].rotation[2] = bad; }), Cull::kNonFinite);
     EXPECT_EQ(cull([&](Scene& s) { s.sh_rest[8] = bad; }), Cull::kNonFinite);
   }
-  for (const float bad : {kNan, kInf, 88.8f, 800.0f}) EXPECT_EQ(cull([&](Scene& s) { s.gaussians[0].log_scale.x = bad; }), Cull::kNonFinite);
+  for (const float bad : {kNan, kInf, 88.8f, 800.0f})
+    EXPECT_EQ(cull([&](Scene& s) { s.gaussians[0].log_scale.x = bad; }), Cull::kNonFinite);
   EXPECT_EQ(cull([&](Scene& s) { s.gaussians[0].opacity_logit = kNan; }), Cull::kNonFinite);
   EXPECT_EQ(cull([](Scene& s) { s.gaussians[0].rotation = {0, 0, 0, -0.0f}; }), Cull::kZeroQuaternion);
 }
@@ -111,6 +113,12 @@ TEST(Info, InspectsAnEmptyAndAFlatScene) {
   Scene scene = one(0);
   scene.gaussians[0].log_scale.x = -kInf;
   EXPECT_TRUE(nlohmann::json::accept(to_json(inspect(scene))));
+}
+
+TEST(Info, ANameThatIsNoUtf8IsWritten) {
+  Scene scene;
+  scene.name = "caf\xe9";
+  EXPECT_EQ(nlohmann::json::parse(to_json(inspect(scene)))["name"], "caf\xef\xbf\xbd");
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // scratch_folder: a folder of its own for a test, gone when the test is over.
 //
 // Use     ScratchFolder scratch;  write_ply(scratch / "a.ply", scene);
@@ -16,7 +17,8 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     static int counter = 0;
-    path_ = std::filesystem::temp_directory_path() / ("pipegs_test_" + std::to_string(getpid()) + "_" + std::to_string(counter++));
+    path_ = std::filesystem::temp_directory_path() /
+            ("pipegs_test_" + std::to_string(getpid()) + "_" + std::to_string(counter++));
     std::filesystem::create_directories(path_);
   }
   ~ScratchFolder() {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# misread.sh: synth/misread.sh finds each construct that Yosys reads wrong without a word in a planted file, and passes the
-# same file without it; each find is one line that names file, line and construct.
+# SPDX-License-Identifier: Apache-2.0
+# misread.sh: synth/misread.sh finds each construct that Yosys reads wrong without a word in a planted file, and passes
+# the same file without it; each find is one line that names file, line and construct.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -9,7 +10,9 @@ plant() {  # construct, line
   printf 'module planted;\n%s\nendmodule\n' "$2" > "$scratch/planted.sv"
   local found
   if found=$("$search" "$scratch/planted.sv"); then echo "not found: $1"; failed=1; fi
-  if [ "$(wc -l <<< "$found")" -ne 1 ] || [[ $found != *planted.sv:2:*"$1"* ]]; then echo "unclear: $found"; failed=1; fi
+  if [ "$(wc -l <<< "$found")" -ne 1 ] || [[ $found != *planted.sv:2:*"$1"* ]]; then
+    echo "unclear: $found"; failed=1
+  fi
 }
 plant "an array of a named type" "  splat_t [3:0] splats;"
 plant "a function that returns a struct" "  function automatic splat_t make(input logic a);"

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# rooms.sh: the layout's rule, checked: rtl/<unit>/<name>.sv = cpp_model/<unit>/<name>.hpp = verif/<unit>/<name>_test.cpp
-# = a heading or a row in docs/units.
+# SPDX-License-Identifier: Apache-2.0
+# rooms.sh: the layout's rule, checked: rtl/<unit>/<name>.sv = cpp_model/<unit>/<name>.hpp =
+# verif/<unit>/<name>_test.cpp = a heading or a row in docs/units.
 #
-# Plumbing (rtl/lib queues and memories, rtl/buf) has no twin but a test. A module that lacks its test or its twin needs a
-# line in covered_by.txt with the test that covers it, and no line may be stale: its module, its test and the need for it
-# must exist. Also: at most 400 lines a file, a head comment, no page that names a module that is gone. Prints what lacks
-# its rhyme and fails when anything does.
+# Plumbing (rtl/lib queues and memories, rtl/buf) has no bit-accurate model but a test. A module that lacks its test or
+# its bit-accurate model needs a line in covered_by.txt with the test that covers it, and no line may be stale: its
+# module, its test and the need for it must exist. Also: at most 400 lines a file, a head comment, no page that names a
+# module that is gone. Prints what lacks its rhyme and fails when anything does.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit
 list=verif/self/covered_by.txt
@@ -26,20 +27,20 @@ covering_test() {
 
 for file in rtl/*.sv rtl/*/*.sv; do
   unit=$(basename "$(dirname "$file")") name=$(basename "$file" .sv)
-  own_test=verif/$unit/${name}_test.cpp twin=cpp_model/$unit/$name.hpp
+  own_test=verif/$unit/${name}_test.cpp model=cpp_model/$unit/$name.hpp
   covering=$(covering_test "$name" "$unit")
   [ -e "$own_test" ] || [ -e "${covering:-none}" ] || complain "$file: no $own_test and no valid line in $list"
   case $unit in
-    lib | buf) needs_twin= ;;
-    *) needs_twin=1; [ -e "$twin" ] || [ -n "$covering" ] || complain "$file: no $twin and no line in $list" ;;
+    lib | buf) needs_model= ;;
+    *) needs_model=1; [ -e "$model" ] || [ -n "$covering" ] || complain "$file: no $model and no line in $list" ;;
   esac
-  if [ -n "$covering" ] && [ -e "$own_test" ] && { [ -z "$needs_twin" ] || [ -e "$twin" ]; }; then
-    complain "$list: $name has a test and a twin of its own, its line is not needed"
+  if [ -n "$covering" ] && [ -e "$own_test" ] && { [ -z "$needs_model" ] || [ -e "$model" ]; }; then
+    complain "$list: $name has a test and a model of its own, its line is not needed"
   fi
   grep -qw -- "$name" docs/units/*.md || complain "$file: no heading or row in docs/units"
   lines=$(wc -l < "$file")
   [ "$lines" -le 400 ] || [ "$name" = pipegs_pkg ] || complain "$file: $lines lines, at most 400"
-  [ "$(head -n 1 "$file" | cut -c 1-3)" = "// " ] || complain "$file: no head comment"
+  [ "$(sed -n 2p "$file" | cut -c 1-3)" = "// " ] || complain "$file: no head comment"
 done
 
 while read -r name test; do
@@ -49,9 +50,9 @@ while read -r name test; do
   [ -e "$covering" ] || complain "$list: $name: no test $test"
 done < <(grep -v '^#' "$list")
 
-# A page may name modules, tests and functions of the twins, but none that is gone.
+# A page may name modules, tests and functions of the models, but none that is gone.
 for name in $(grep -ohE '`(dopu|pu|su|ru)_[a-z0-9_]+`' docs/*.md docs/*/*.md | tr -d '`' | sort -u); do
-  [ -n "$(find rtl verif -name "$name.sv" -o -name "$name.cpp")" ] || grep -rqw -- "$name" rtl cpp_model verif/*/CMakeLists.txt synth/prove/table.sh ||
-    complain "docs: there is no $name"
+  [ -n "$(find rtl verif -name "$name.sv" -o -name "$name.cpp")" ] ||
+    grep -rqw -- "$name" rtl cpp_model verif/*/CMakeLists.txt synth/prove/table.sh || complain "docs: there is no $name"
 done
 exit $status

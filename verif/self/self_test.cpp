@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // self_test: the comparison itself: a machine that is fed something else than the golden model must be caught.
 #include <gtest/gtest.h>
 
 #include "cpp_model/frame_setup.hpp"
-#include "sim/simulate.hpp"
+#include "sim/compare/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -54,7 +55,9 @@ class StreamCheckTest : public testing::Test {
   std::string first_;
 };
 
-TEST_F(StreamCheckTest, AgreesWhenNothingIsChanged) { EXPECT_EQ(mismatches(simulation_, image_, &first_), 0u) << first_; }
+TEST_F(StreamCheckTest, AgreesWhenNothingIsChanged) {
+  EXPECT_EQ(mismatches(simulation_, image_, &first_), 0u) << first_;
+}
 
 TEST_F(StreamCheckTest, SeesAColourThatDiffersByOneStep) {
   change(visible_slot(), [](GaussianRecord& record) { record.base_g += 4; });

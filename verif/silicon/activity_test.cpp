@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
 // activity_test: waves that are written by hand, of which every toggle, edge and access is known.
-#include "sim/silicon/activity.hpp"
+#include "sim/study/silicon/activity.hpp"
 
 #include <gtest/gtest.h>
 #include <gtkwave/fstapi.h>
@@ -54,7 +55,8 @@ class ActivityTest : public testing::Test {
     fstWriterEmitTimeChange(file_, 40);
     fstWriterClose(file_);
   }
-  const std::filesystem::path path_ = std::filesystem::temp_directory_path() / ("pipegs_activity_" + std::to_string(getpid()) + ".fst");
+  const std::filesystem::path path_ =
+      std::filesystem::temp_directory_path() / ("pipegs_activity_" + std::to_string(getpid()) + ".fst");
   void* file_ = nullptr;
 };
 

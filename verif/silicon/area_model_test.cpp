@@ -1,4 +1,5 @@
-// area_model_test: areas and energies that were left out, told from the others; tables written by hand; broken tables.
+// SPDX-License-Identifier: Apache-2.0
+// area_model_test: leave-one-out errors of areas and energies; tables written by hand; broken tables.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -8,14 +9,14 @@
 #include <fstream>
 
 #include "scenes/input_error.hpp"
-#include "sim/rung.hpp"
-#include "sim/silicon/frame_model.hpp"
+#include "sim/design/design_point.hpp"
+#include "sim/study/silicon/frame_model.hpp"
 
 namespace pipegs {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kSynth = PIPEGS_SOURCE_DIR "/synth/";
+constexpr const char* kSynth = PIPEGS_SOURCE_DIR "/synth/data/";
 
 // A block of 1000 and 10 for each bit and 2 for each bit squared, and one that knows no knob.
 AreaPoint by_hand(int coeff_f, int late = 0) {
@@ -28,19 +29,22 @@ AreaPoint by_hand(int coeff_f, int late = 0) {
   return point;
 }
 
-TEST(AreaModel, FindsLinesSquaresAndRungs) {
-  const AreaModel model({by_hand(28), by_hand(20), by_hand(24), by_hand(30), by_hand(28, 1)}, {{"pu_coeff", {"coeff_f"}}, {"perf", {}}, {"pu_row_unit", {}}});
+TEST(AreaModel, FindsLinesSquaresAndDesignPoints) {
+  const AreaModel model({by_hand(28), by_hand(20), by_hand(24), by_hand(30), by_hand(28, 1)},
+                        {{"pu_coeff", {"coeff_f"}}, {"perf", {}}, {"pu_row_unit", {}}});
   const auto told = [&](int coeff_f, int late) { return model.nand2(by_hand(coeff_f, late).config); };
   for (const int coeff_f : {22, 26, 29}) {
     EXPECT_NEAR(told(coeff_f, 0).at("pu"), by_hand(coeff_f).by_unit().at("pu"), 3) << coeff_f;
-    EXPECT_NEAR(told(coeff_f, 1).at("pu"), by_hand(coeff_f, 1).by_unit().at("pu"), 3) << coeff_f << ": the square moves with the rung";
+    EXPECT_NEAR(told(coeff_f, 1).at("pu"), by_hand(coeff_f, 1).by_unit().at("pu"), 3)
+        << coeff_f << ": the square moves with the design point";
   }
-  EXPECT_NEAR(told(26, 1).at("ru"), 50, 0.1) << "a block stands where its rung has it";
+  EXPECT_NEAR(told(26, 1).at("ru"), 50, 0.1) << "a block stands where its design point has it";
   EXPECT_NEAR(told(26, 0).at("top"), 200, 0.1);
 }
 
 TEST(AreaModel, KnowsItsBounds) {
-  const AreaModel model({by_hand(28), by_hand(24), by_hand(28, 1)}, {{"pu_coeff", {"coeff_f"}}});
+  const AreaModel model({by_hand(28), by_hand(24), by_hand(28, 1)},
+                        {{"pu_coeff", {"coeff_f"}}, {"perf", {}}, {"pu_row_unit", {}}});
   EXPECT_TRUE(model.inside(by_hand(26).config));
   EXPECT_TRUE(model.inside(by_hand(26, 1).config));
   EXPECT_FALSE(model.inside(by_hand(23).config));
@@ -49,38 +53,53 @@ TEST(AreaModel, KnowsItsBounds) {
   EXPECT_FALSE(model.inside(other)) << "no point moves it";
   other = {};
   other.order = 1;
-  EXPECT_FALSE(model.inside(other)) << "no point of this rung";
+  EXPECT_FALSE(model.inside(other)) << "no point of this design point";
 }
 
-// Whether another point is of the same rung, and another one has spherical harmonics of the same degree.
+// A block whose knobs nobody has told is not taken for one that has none.
+TEST(AreaModel, RefusesABlockWithoutItsKnobs) {
+  try {
+    const AreaModel model({by_hand(28), by_hand(24)}, {{"pu_coeff", {"coeff_f"}}, {"perf", {}}});
+    FAIL() << "pu_row_unit has no row";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("block pu_row_unit: missing"), std::string::npos) << error.what();
+  }
+}
+
+// Whether another point is of the same design point, and another one has spherical harmonics of the same degree.
 bool has_kin(const AreaModel& model, size_t point) {
   const Config& config = model.points()[point].config;
-  bool rung = false, degree = false;
+  bool design_point = false, degree = false;
   for (size_t i = 0; i < model.points().size(); ++i) {
     const Config& other = model.points()[i].config;
-    rung = rung || (i != point && rung_name(other) == rung_name(config));
+    design_point = design_point || (i != point && design_point_name(other) == design_point_name(config));
     degree = degree || (i != point && other.sh_degree == config.sh_degree);
   }
-  return rung && degree;
+  return design_point && degree;
 }
 
-// Every point of the table told from all others. Of a point that alone has its rung, or its degree, the others know nothing of that.
-TEST(AreaModel, TellsThePointsThatAreLeftOut) {
-  const AreaModel model(read_area_points(std::string(kSynth) + "points.csv"), read_dependences(std::string(kSynth) + "depends.csv"));
+// Every point of the table told from all others. Of a point that alone has its design point, or its degree, the others
+// know nothing of that.
+TEST(AreaModel, LeaveOneOutErrorsOfThePoints) {
+  const AreaModel model(read_area_points(std::string(kSynth) + "points.csv"),
+                        read_dependences(std::string(kSynth) + "depends.csv"));
   ASSERT_GE(model.points().size(), 3u);
   for (size_t i = 0; i < model.points().size(); ++i) {
-    const AreaPoint& left_out = model.points()[i];
-    const double synthesised = sum(left_out.by_unit());
-    const double fitted = sum(model.nand2(left_out.config)) / synthesised - 1, told = sum(model.without(i).nand2(left_out.config)) / synthesised - 1;
-    printf("%+7.2f %% fitted, %+7.2f %% left out%s: %s\n", 100 * fitted, 100 * told, model.without(i).inside(left_out.config) ? "" : " (extrapolated)",
-           config_difference(left_out.config).c_str());
+    const AreaPoint& kept_out = model.points()[i];
+    const double synthesised = sum(kept_out.by_unit());
+    const double fitted = sum(model.nand2(kept_out.config)) / synthesised - 1,
+                 told = sum(model.without(i).nand2(kept_out.config)) / synthesised - 1;
+    printf("%+7.2f %% fitted, %+7.2f %% leave-one-out%s: %s\n", 100 * fitted, 100 * told,
+           model.without(i).inside(kept_out.config) ? "" : " (extrapolated)",
+           config_difference(kept_out.config).c_str());
     EXPECT_LT(std::abs(fitted), 0.002);
     EXPECT_LT(std::abs(told), has_kin(model, i) ? 0.03 : 0.1);
   }
 }
 
-// Every measured frame told from all others: from another scene's frame of its rung, or, of a rung that has one frame only, from other rungs.
-TEST(FrameModel, TellsTheFramesThatAreLeftOut) {
+// Every measured frame told from all others: from another scene's frame of its design point, or, of a design point that
+// has one frame only, from other design points.
+TEST(FrameModel, LeaveOneOutErrorsOfTheFrames) {
   const FrameModel model = read_frame_model();
   ASSERT_GE(model.frames().size(), 2u);
   for (size_t i = 0; i < model.frames().size(); ++i) {
@@ -89,19 +108,21 @@ TEST(FrameModel, TellsTheFramesThatAreLeftOut) {
     for (const auto& [row, joules] : frame.joules) measured += joules;
     const FrameModel others = model.without(i);
     const double told = others.dynamic(frame.config, frame.kilo_nand2, frame.cycles).mid / measured - 1;
-    const bool same_rung = std::any_of(others.frames().begin(), others.frames().end(), [&](const MeasuredFrame& other) {
-      return rung_name(other.config) == rung_name(frame.config);
-    });
-    printf("%+7.1f %% of the chip's %.0f uJ left out%s: %s %s\n", 100 * told, measured * 1e6, same_rung ? "" : " (no other of its rung)", frame.scene.c_str(),
+    const bool same_design_point = std::any_of(
+        others.frames().begin(), others.frames().end(),
+        [&](const MeasuredFrame& other) { return design_point_name(other.config) == design_point_name(frame.config); });
+    printf("%+7.1f %% of the chip's %.0f uJ leave-one-out%s: %s %s\n", 100 * told, measured * 1e6,
+           same_design_point ? "" : " (no other of its design point)", frame.scene.c_str(),
            config_difference(frame.config).c_str());
-    EXPECT_LT(std::abs(told), same_rung ? 0.15 : 0.8);
+    EXPECT_LT(std::abs(told), same_design_point ? 0.15 : 0.8);
   }
 }
 
 TEST(FrameModel, AddsUpAndIsKept) {
   const FrameModel model = read_frame_model();
   const MeasuredFrame& frame = model.frames().front();
-  const FrameCost cost = model.cost(frame.config, frame.cycles, frame.bytes), twice = model.cost(frame.config, 2 * frame.cycles, 2 * frame.bytes);
+  const FrameCost cost = model.cost(frame.config, frame.cycles, frame.bytes),
+                  twice = model.cost(frame.config, 2 * frame.cycles, 2 * frame.bytes);
   EXPECT_NEAR(cost.dram.mid, 8 * 8e-12 * static_cast<double>(frame.bytes), 1e-15);
   EXPECT_NEAR(twice.joules(), 2 * cost.joules(), 1e-12);
   EXPECT_EQ(twice.mm2.mid, cost.mm2.mid);
@@ -119,19 +140,46 @@ TEST(AreaModel, RefusesBrokenTables) {
     std::ofstream(path) << text;
     try {
       read(path);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
+    } catch (const InputError& error) { return std::string(error.what()); }
     return std::string("accepted");
   };
-  const std::string points = "configuration,unit,block,instances,nand2,flipflops\n", frames = "scene,configuration,cycles,bytes,row,kilo_nand2,frame_uj\n";
-  EXPECT_NE(refused("", read_area_points).find("line 1: expected configuration"), std::string::npos);
-  EXPECT_NE(refused(points, read_area_points).find("no points"), std::string::npos);
-  EXPECT_NE(refused(points + "default,pu\n", read_area_points).find("line 2: expected 6 fields, found 2"), std::string::npos);
-  EXPECT_NE(refused(points + "\"late=1,order=7\",pu,pu,4,1,1\n", read_area_points).find("line 2: "), std::string::npos);
-  EXPECT_NE(refused(points + "default,pu,pu,4,x,1\n", read_area_points).find("line 2: "), std::string::npos);
-  EXPECT_NE(refused("block,knobs\npu,nothing\n", read_dependences).find("line 2: "), std::string::npos);
-  EXPECT_NE(refused(frames + "own,default,1,1,PU,1,1\n", read_frames).find("expected cycles, and the rows"), std::string::npos);
+  const std::string points = "configuration,unit,block,instances,nand2,flipflops\n",
+                    frames = "scene,configuration,cycles,bytes,row,kilo_nand2,frame_uj\n";
+  const auto expect = [&](const std::string& text, auto&& read, const std::string& part) {
+    const std::string error = refused(text, read);
+    EXPECT_NE(error.find(part), std::string::npos) << "'" << part << "' is not in: " << error;
+  };
+  expect("", read_area_points, "no header, expected configuration");
+  expect(points, read_area_points, "no points");
+  expect(points + "default,pu\n", read_area_points, "line 2: found 2 fields, expected 6");
+  expect(points + "\"late=1,order=7\",pu,pu,4,1,1\n", read_area_points, "line 2: ");
+  expect(points + "\"units=2,units=4\",pu,pu,4,1,1\n", read_area_points,
+         "line 2: configuration: found a second 'units'");
+  expect(points + "default,pu,pu,4,x,1\n", read_area_points, "line 2, nand2: found 'x', expected a number from 0");
+  expect(points + "default,pu,pu,4,-1,1\n", read_area_points, "line 2, nand2: found '-1'");
+  expect(points + "default,pu,pu,4,nan,1\n", read_area_points, "line 2, nand2: found 'nan'");
+  expect(points + "default,pu,pu,4,7 4,1\n", read_area_points, "line 2, nand2: found '7 4'");
+  expect(points + "default,pu,pu,0,7,1\n", read_area_points, "line 2, instances: found '0'");
+  expect(points + "default,pu,pu,4,7,-1\n", read_area_points, "line 2, flipflops: found '-1'");
+  expect(points + "default,pu,a,4,7,1\ndefault,pu,a,4,7,1\n", read_area_points,
+         "line 3, block: found a second row of 'a'");
+  expect(points + "default,pu,a,4,7,1\nunits=2,pu,a,4,7,1\ndefault,pu,b,4,7,1\n", read_area_points,
+         "line 4, configuration: found 'default' again");
+  expect("block,knobs\npu,nothing\n", read_dependences, "line 2: ");
+  expect("block,knobs\npu,units\npu,units\n", read_dependences, "line 3, block: found a second 'pu'");
+  expect("block,knobs\npu,units units\n", read_dependences, "line 2, knobs: found a second 'units'");
+  expect(frames + "mine,default,1,1,PU,1,1\n", read_frames, "mine: expected the rows DOPU");
+  expect(frames + "mine,default,-1,1,PU,1,1\n", read_frames, "line 2, cycles: found '-1'");
+  expect(frames + "mine,default,1,1.5,PU,1,1\n", read_frames, "line 2, bytes: found '1.5'");
+  expect(frames + "mine,default,1,1,PU,0,1\n", read_frames, "line 2, kilo_nand2: found '0', expected a number above 0");
+  expect(frames + "mine,default,1,1,PU,1,inf\n", read_frames, "line 2, frame_uj: found 'inf'");
+  expect(frames + "mine,default,1,1,PU,1,1\nmine,default,1,1,PU,1,1\n", read_frames,
+         "line 3, row: found a second 'PU'");
+  expect(frames + "mine,default,1,1,PU,1,1\nmine,default,2,1,SU,1,1\n", read_frames,
+         "line 3, cycles: found other cycles");
+  EXPECT_THROW(read_frames("/nowhere.csv"), InputError);
+  EXPECT_THROW(read_area_points(fs::temp_directory_path()), InputError);
+  EXPECT_THROW(read_dependences("/dev/zero"), InputError);
   fs::remove(path);
 }
 

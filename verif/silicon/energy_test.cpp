@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
 // energy_test: energy out of activity by hand, samples out of waves, and what is kept.
-#include "sim/silicon/energy.hpp"
+#include "sim/study/silicon/energy.hpp"
 
 #include <gtest/gtest.h>
 
 #include "scenes/input_error.hpp"
-#include "sim/static_cost.hpp"
+#include "sim/design/static_cost.hpp"
 
 namespace pipegs {
 namespace {
 
-constexpr const char* kTable = PIPEGS_SOURCE_DIR "/synth/sram.csv";
+constexpr const char* kTable = PIPEGS_SOURCE_DIR "/synth/data/sram.csv";
 constexpr double kLibrary = 10e-15 * 2 * 2;  // C V^2 of one input of its NAND2, J
 constexpr double kTo28 = 1.0e-15 * 0.81;     // the same in 28 nm, mid
 
@@ -97,7 +98,8 @@ TEST(FrameActivity, SumsByUnitAndIsKept) {
   Activity activity;
   activity.cycles = 3;
   activity.clocks = {{"pipegs_top.gen_unit[0].u_pu_gate", 1}, {"pipegs_top.gen_unit[1].u_pu_gate", 2}};
-  activity.srams = {{"pipegs_top.gen_unit[0].u_su.u_keys", {8, 1, 2}}, {"pipegs_top.gen_unit[1].u_su.u_keys", {8, 3, 4}}};
+  activity.srams = {{"pipegs_top.gen_unit[0].u_su.u_keys", {8, 1, 2}},
+                    {"pipegs_top.gen_unit[1].u_su.u_keys", {8, 3, 4}}};
   const Activity summed = by_unit(activity);
   EXPECT_EQ(summed.clocks, (std::map<std::string, uint64_t>{{"pu", 3}}));
   ASSERT_EQ(summed.srams.size(), 1u);

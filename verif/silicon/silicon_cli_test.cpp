@@ -1,6 +1,7 @@
-// silicon_cli_test: `pipegs silicon` on a synth.json and an activity that are written by hand; no RTL runs.
-#include "sim/measurement_store.hpp"
-#include "sim/silicon/energy.hpp"
+// SPDX-License-Identifier: Apache-2.0
+// silicon_cli_test: `pipegs silicon` on a synth.json and an activity that are written by hand; RTL runs only to differ.
+#include "sim/study/measurement_store.hpp"
+#include "sim/study/silicon/energy.hpp"
 #include "verif/cli/cli.hpp"
 #include "verif/cli/well_formed.hpp"
 
@@ -14,16 +15,31 @@ class SiliconCli : public Cli {
   const std::string view_ = "silicon scene.ply --cameras cameras.json --synth synth --library hand --no-energy ";
 
   Json synth() {
-    Json json = {{"configuration", "default"}, {"library", "hand"}, {"nand2_um2", 20}, {"nand2_ff", 10}, {"volts", 1.8}, {"fo4_ps", 100}, {"memories", Json::array()}};
-    for (const auto& [unit, instances, nand2] : {std::tuple{"dopu", 1, 1e5}, {"pu", 4, 5e5}, {"su", 4, 4e4}, {"ru", 4, 2e5}, {"top", 1, 3.1e6}}) {
-      json["units"].push_back({{"unit", unit}, {"instances", instances}, {"nand2", nand2}, {"flipflops", 10}, {"path_ps", 6000}, {"path_from", "a"}, {"path_to", "b"},
-                               {"clock_j", 1e-12}, {"switch_j", 1e-11}});
+    Json json = {{"configuration", "default"},
+                 {"library", "hand"},
+                 {"nand2_um2", 20},
+                 {"nand2_ff", 10},
+                 {"volts", 1.8},
+                 {"fo4_ps", 100},
+                 {"memories", Json::array()}};
+    for (const auto& [unit, instances, nand2] :
+         {std::tuple{"dopu", 1, 1e5}, {"pu", 4, 5e5}, {"su", 4, 4e4}, {"ru", 4, 2e5}, {"top", 1, 3.1e6}}) {
+      json["units"].push_back({{"unit", unit},
+                               {"instances", instances},
+                               {"nand2", nand2},
+                               {"flipflops", 10},
+                               {"path_ps", 6000},
+                               {"path_from", "a"},
+                               {"path_to", "b"},
+                               {"clock_j", 1e-12},
+                               {"switch_j", 1e-11}});
     }
     return json;
   }
-  void plant(const std::string& text) {
-    fs::create_directories(folder_ / "synth/default/hand");
-    write("synth/default/hand/synth.json", text);
+  void plant(const std::string& text, const std::string& configuration = "default") {
+    const std::string folder = "synth/" + configuration + "/hand";
+    fs::create_directories(folder_ / folder);
+    write(folder + "/synth.json", text);
   }
 };
 
@@ -33,22 +49,23 @@ TEST_F(SiliconCli, SetsAreaAndClockBesideThePapers) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(xml_fault(text("charts/silicon.svg")), "");
-  const Json& rung = json["rungs"][0];
-  EXPECT_EQ(rung["name"], "dop");
-  EXPECT_FALSE(rung.contains("energy"));
-  ASSERT_EQ(rung["rows"].size(), 7u);
-  EXPECT_NEAR(rung["rows"][1]["kilo_nand2"], 2000, 1e-9);
-  EXPECT_NEAR(rung["rows"][1]["area_mm2"]["mid"], 2e6 * 0.49e-6, 1e-9);
-  EXPECT_NEAR(rung["rows"][1]["path_ps"]["mid"], 60 * 16, 1e-9);
-  EXPECT_NEAR(rung["rows"][4]["kilo_nand2"], 3100 - 100 - 4 * 740, 1e-6) << "what the top has beside its units";
+  const Json& design_point = json["rungs"][0];
+  EXPECT_EQ(design_point["name"], "dop");
+  EXPECT_FALSE(design_point.contains("energy"));
+  ASSERT_EQ(design_point["rows"].size(), 7u);
+  EXPECT_NEAR(design_point["rows"][1]["kilo_nand2"], 2000, 1e-9);
+  EXPECT_NEAR(design_point["rows"][1]["area_mm2"]["mid"], 2e6 * 0.49e-6, 1e-9);
+  EXPECT_NEAR(design_point["rows"][1]["path_ps"]["mid"], 60 * 16, 1e-9);
+  EXPECT_NEAR(design_point["rows"][4]["kilo_nand2"], 3100 - 100 - 4 * 740, 1e-6) << "what the top has beside its units";
   double sum = 0;
-  for (size_t row = 0; row < 6; ++row) sum += rung["rows"][row]["area_mm2"]["mid"].get<double>();
-  EXPECT_NEAR(rung["rows"][6]["area_mm2"]["mid"], sum, 1e-9);
-  EXPECT_DOUBLE_EQ(rung["fps_per_mm2"], rung["fps"].get<double>() / sum);
+  for (size_t row = 0; row < 6; ++row) sum += design_point["rows"][row]["area_mm2"]["mid"].get<double>();
+  EXPECT_NEAR(design_point["rows"][6]["area_mm2"]["mid"], sum, 1e-9);
+  EXPECT_DOUBLE_EQ(design_point["fps_per_mm2"], design_point["fps"].get<double>() / sum);
   EXPECT_EQ(json["paper"].back()["area_mm2"], 3.283);
   EXPECT_EQ(json["gscore"].back()["power_w"], 0.87);
   const Outcome table = run(view_);
-  for (const char* part : {"kNAND2", "paper mm2", "frames/s/mm2", "GSCore"}) EXPECT_NE(table.out.find(part), std::string::npos) << part;
+  for (const char* part : {"kNAND2", "paper mm2", "frames/s/mm2", "GSCore"})
+    EXPECT_NE(table.out.find(part), std::string::npos) << part;
 }
 
 // The activity of this frame is in the folder already.
@@ -56,36 +73,62 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   plant(synth().dump());
   SimulateOptions options;
   options.memory.dram = "lpddr5-6400x4";
-  const MeasurementStore store(folder_ / "kept", read_ply(folder_ / "scene.ply"), read_cameras(folder_ / "cameras.json").at(0), options,
-                               {{"rtl", hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv")}, {"samples", {kSamples, kSampleCycles}}});
+  const MeasurementStore store(
+      folder_ / "kept", read_ply(folder_ / "scene.ply"), read_cameras(folder_ / "cameras.json").at(0), options,
+      {{"rtl", hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv")}, {"samples", {kSamples, kSampleCycles}}});
   Activity half;
   half.cycles = 100;
   half.groups = {{"dopu", {10, 20}}, {"pu", {400, 1000}}, {"su", {40, 10}}, {"ru", {80, 200}}, {"top", {10, 10}}};
   half.clocks = {{"dopu", 50}, {"pu", 200}, {"su", 20}, {"ru", 100}};
   const FrameActivity kept = {10000, 64000, {half, half}};
   store.save(Config{}, to_json(kept));
-  const Outcome outcome = run("silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept --json --svg silicon.svg");
+  const Outcome outcome =
+      run("silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept --json --svg silicon.svg");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(xml_fault(text("silicon.svg")), "");
-  const Json rung = Json::parse(outcome.out)["rungs"][0];
-  EXPECT_EQ(rung["cycles"], 10000u);
-  ASSERT_EQ(rung["energy"].size(), 8u);
-  const std::vector<EnergyRow> rows = energy_rows(Config{}, read_synth(folder_ / "synth/default/hand/synth.json", Config{}), SramLaw(PIPEGS_SOURCE_DIR "/synth/sram.csv"), kept);
+  const Json design_point = Json::parse(outcome.out)["rungs"][0];
+  EXPECT_EQ(design_point["cycles"], 10000u);
+  ASSERT_EQ(design_point["energy"].size(), 8u);
+  const std::vector<EnergyRow> rows =
+      energy_rows(Config{}, read_synth(folder_ / "synth/default/hand/synth.json", Config{}),
+                  SramLaw(PIPEGS_SOURCE_DIR "/synth/data/sram.csv"), kept);
   for (size_t i = 0; i < rows.size(); ++i) {
-    const Json& row = rung["energy"][i];
+    const Json& row = design_point["energy"][i];
     EXPECT_EQ(row["name"], rows[i].name);
     EXPECT_DOUBLE_EQ(row["frame_j"]["mid"], rows[i].frame_j.mid);
     EXPECT_DOUBLE_EQ(row["watts_full"]["high"], rows[i].watts(1e5).high);
     EXPECT_DOUBLE_EQ(row["watts_60"]["mid"], rows[i].watts(60).mid);
   }
-  EXPECT_DOUBLE_EQ(rung["frames_per_joule"], 1e5 / rows[6].watts(1e5).mid);
-  EXPECT_DOUBLE_EQ(rung["frames_per_joule_with_dram"], 1e5 / (rows[6].watts(1e5).mid + rows[7].watts(1e5).mid));
+  EXPECT_DOUBLE_EQ(design_point["frames_per_joule"], 1e5 / rows[6].watts(1e5).mid);
+  EXPECT_DOUBLE_EQ(design_point["frames_per_joule_with_dram"], 1e5 / (rows[6].watts(1e5).mid + rows[7].watts(1e5).mid));
+}
+
+// A machine that differs, that hangs, that does not build: none of its figures is kept or shown.
+TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
+  plant(synth().dump());
+  const std::string measure =
+      "silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept --table energy.csv";
+  const auto expect_none = [&](const Outcome& outcome, int code, const std::string& part) {
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(fs::exists(folder_ / "energy.csv"));
+    EXPECT_TRUE(!fs::exists(folder_ / "kept") || fs::is_empty(folder_ / "kept"));
+  };
+  expect_none(shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' " + measure), 1, "the RTL differs from the golden model");
+  expect_none(shell("PIPEGS_FAULT=hang '" PIPEGS_FAULTY "' " + measure), 1, "the machine hangs");
+  Json other = synth();
+  other["configuration"] = "alpha_lines=128";
+  plant(other.dump(), "alpha_lines=128");
+  const Outcome unbuilt = run(measure + " --set alpha_lines=128", "PATH=/nowhere ");
+  EXPECT_EQ(unbuilt.code, 3);
+  EXPECT_NE(unbuilt.err.find("does not build"), std::string::npos) << unbuilt.err;
 }
 
 TEST_F(SiliconCli, RefusesWhatMakeSynthDidNotWrite) {
   expect_refused(view_, "not found: `make synth` writes it");
   plant("{");
-  expect_refused(view_, "expected what `make synth` writes");
+  expect_refused(view_, "synth.json: not JSON");
   Json json = synth();
   json["configuration"] = "units=2";
   plant(json.dump());
@@ -94,11 +137,30 @@ TEST_F(SiliconCli, RefusesWhatMakeSynthDidNotWrite) {
   json["units"][1].erase("clock_j");
   plant(json.dump());
   expect_refused(view_, "clock_j");
+  const std::string good = synth().dump();
+  plant(good.substr(0, good.size() - 1) + ",\"volts\":1.8}");
+  expect_refused(view_, "found a second 'volts', expected one");
+  plant(good + "}");
+  expect_refused(view_, "synth.json: not JSON");
+  plant(std::string(400000, '[') + std::string(400000, ']'));
+  expect_refused(view_, "more than 64 brackets");
+  fs::remove(folder_ / "synth/default/hand/synth.json");
+  fs::create_directory(folder_ / "synth/default/hand/synth.json");
+  expect_refused(view_, "found a folder");
+  fs::remove(folder_ / "synth/default/hand/synth.json");
+  json = synth();
+  json["volts"] = -1;
+  plant(json.dump());
+  expect_refused(view_, "volts: found '-1', expected a number above 0");
+  json = synth();
+  json["units"][0]["instances"] = 1.5;
+  plant(json.dump());
+  expect_refused(view_, "found '1.5', expected an integer");
   json = synth();
   json["volts"] = 0;
   plant(json.dump());
-  expect_refused(view_, "volts: expected a positive number");
-  expect_refused(view_ + "--rungs dop,nothing", "unknown rung 'nothing'");
+  expect_refused(view_, "volts: found '0', expected a number above 0");
+  expect_refused(view_ + "--rungs dop,nothing", "unknown design point 'nothing'");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
 // sram_cost_test: the law meets the table it was fitted to, grows the way it must, and refuses broken tables.
-#include "sim/silicon/sram_cost.hpp"
+#include "sim/study/silicon/sram_cost.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,11 +12,12 @@
 namespace pipegs {
 namespace {
 
-constexpr const char* kTable = PIPEGS_SOURCE_DIR "/synth/sram.csv";
+constexpr const char* kTable = PIPEGS_SOURCE_DIR "/synth/data/sram.csv";
 
 TEST(SramLaw, MeetsTheTable) {
   const SramLaw law(kTable);
-  EXPECT_EQ(law.kinds(), (std::vector<std::string>{"itrs-hp/itrs-hp", "itrs-lop/itrs-lop", "itrs-lstp/itrs-hp", "itrs-lstp/itrs-lstp"}));
+  EXPECT_EQ(law.kinds(), (std::vector<std::string>{"itrs-hp/itrs-hp", "itrs-lop/itrs-lop", "itrs-lstp/itrs-hp",
+                                                   "itrs-lstp/itrs-lstp"}));
   for (const std::string& kind : law.kinds()) {
     for (size_t figure = 0; figure < 6; ++figure) {
       EXPECT_LT(law.worst(kind)[figure], 0.36) << kind << ", figure " << figure;
@@ -39,7 +41,8 @@ TEST(SramLaw, LargerAndWiderCostsMore) {
 }
 
 TEST(SramLaw, RefusesBrokenTables) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / ("pipegs_sram_" + std::to_string(getpid()) + ".csv");
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("pipegs_sram_" + std::to_string(getpid()) + ".csv");
   std::ifstream file(kTable);
   std::string header, row;
   std::getline(file, header), std::getline(file, row);
@@ -47,16 +50,18 @@ TEST(SramLaw, RefusesBrokenTables) {
     std::ofstream(path) << text;
     try {
       SramLaw law(path);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
+    } catch (const InputError& error) { return std::string(error.what()); }
     return std::string("accepted");
   };
-  EXPECT_NE(refused("").find("line 1: expected tech_um"), std::string::npos);
+  EXPECT_NE(refused("").find("no header, expected tech_um"), std::string::npos);
   EXPECT_NE(refused(header + "\n").find("no rows of 28 nm"), std::string::npos);
-  EXPECT_NE(refused(header + "\n1,2\n").find("line 2: expected 12 fields, found 2"), std::string::npos);
-  EXPECT_NE(refused(header + "\n0.028,a,b,0,64,1RW,1,1,1,1,1,1\n").find("line 2: field 4: expected a positive number, found '0'"), std::string::npos);
-  EXPECT_NE(refused(header + "\n0.028,a,b,8192,64,2RW,1,1,1,1,1,1\n").find("ports: expected 1RW or 1R1W"), std::string::npos);
+  EXPECT_NE(refused(header + "\n1,2\n").find("line 2: found 2 fields, expected 12"), std::string::npos);
+  EXPECT_NE(refused(header + "\n0.028,a,b,0,64,1RW,1,1,1,1,1,1\n")
+                .find("line 2, size_B: found '0', expected a number above 0"),
+            std::string::npos);
+  EXPECT_NE(refused(header + "\n0.028,a,b,8192,64,2RW,1,1,1,1,1,1\n")
+                .find("line 2, ports: found '2RW', expected 1RW or 1R1W"),
+            std::string::npos);
   EXPECT_NE(refused(header + "\n" + row + "\n").find("too few"), std::string::npos);
   EXPECT_THROW(SramLaw("/nowhere.csv"), InputError);
   std::filesystem::remove(path);

@@ -1,9 +1,11 @@
-// pixel_hash.hpp: one number for all golden pixels of `count` hostile scenes, in layers and in exact order and with lists.
+// SPDX-License-Identifier: Apache-2.0
+// pixel_hash.hpp: one number for all golden pixels of `count` hostile scenes, in layers and in exact order and with
+// lists.
 #pragma once
 
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/golden.hpp"
-#include "sim/stress/scene.hpp"
+#include "sim/study/stress/scene.hpp"
 
 namespace pipegs {
 
@@ -15,8 +17,10 @@ inline uint64_t hostile_hash(int count) {
       Config config;
       config.order = order, config.late = order != 0;
       const glm::dvec3& at = view.camera.position;
-      const PackedScene packed = pack_scene(config, view.scene, std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z), 2 * view.near_plane}));
-      const GoldenInput input{.packed = &packed, .frame = frame_setup(config, packed, view.camera, {}, view.near_plane)};
+      const PackedScene packed = pack_scene(
+          config, view.scene, std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z), 2 * view.near_plane}));
+      const GoldenInput input{.packed = &packed,
+                              .frame = frame_setup(config, packed, view.camera, {}, view.near_plane)};
       for (const uint64_t pixel : golden_frame(input, {}).pixels) hash = (hash ^ pixel) * 0x100000001b3u;
     }
   }

@@ -1,4 +1,6 @@
-// pu_walk.hpp: every Gaussian of a packed scene through the twins of the PU, stage by stage, each record shown to a visitor.
+// SPDX-License-Identifier: Apache-2.0
+// pu_walk.hpp: every Gaussian of a packed scene through the models of the PU, stage by stage, each record
+// shown to a visitor.
 #pragma once
 
 #include <optional>
@@ -22,17 +24,19 @@
 
 namespace pipegs {
 
-// Calls see(record) for each record from the chunk to the region's start, and rows(config, power, slope) for each pixel.
+// Calls see(record) for each record from the chunk to the region's start, and rows(config, power, slope) for each
+// pixel.
 template <class See, class Rows>
-void pu_walk(const Config& config, const Frame& frame, const Chunk& chunk, const GaussianRecord& gaussian, uint64_t slot, See&& see, Rows&& rows) {
+void pu_walk(const Config& config, const Frame& frame, const Chunk& chunk, const GaussianRecord& gaussian,
+             uint64_t slot, See&& see, Rows&& rows) {
   see(chunk), see(gaussian);
   const Fetched fetched = golden_fetched(chunk, gaussian, slot);
   see(fetched);
   const std::optional<Visible> visible = pu_cull(config, frame, fetched);
   if (!visible) return;
   see(*visible);
-  const Projected projected = pu_project(config, frame, *visible);
-  see(projected);
+  const auto [projected, center, payload] = pu_project(config, frame, *visible);
+  see(projected), see(center), see(payload);
   const Oriented oriented = pu_orient(config, frame, projected);
   see(oriented);
   const Jacobian jacobian = pu_jacobian(config, frame, oriented);
@@ -41,7 +45,7 @@ void pu_walk(const Config& config, const Frame& frame, const Chunk& chunk, const
   see(factors);
   const Squares squares = pu_squares(config, frame, factors);
   see(squares);
-  const Covariance covariance = pu_covariance(config, frame, squares);
+  const Covariance covariance = pu_covariance(config, frame, squares, center);
   see(covariance);
   const Conic conic = pu_conic(config, frame, covariance);
   see(conic);
@@ -50,7 +54,8 @@ void pu_walk(const Config& config, const Frame& frame, const Chunk& chunk, const
   const Tiles tiles = pu_intersect(config, frame, coeff);
   see(tiles);
   RowJob job;
-  job.a = tiles.a, job.b = tiles.b, job.c = tiles.c, job.d = tiles.d, job.e = tiles.e, job.f = tiles.f, job.mask = tiles.mask;
+  job.a = tiles.a, job.b = tiles.b, job.c = tiles.c, job.d = tiles.d, job.e = tiles.e, job.f = tiles.f,
+  job.mask = tiles.mask;
   for (uint64_t rest = tiles.mask; rest != 0; rest &= rest - 1) {
     const Region region = pu_region(config, job, std::countr_zero(rest));
     see(region);
@@ -68,8 +73,8 @@ void pu_walk(const Config& config, const Frame& frame, const Chunk& chunk, const
 template <class See, class Rows>
 void pu_walk(const PackedScene& packed, const Frame& frame, See&& see, Rows&& rows) {
   see(frame);
-  for (uint64_t y = frame.first_y; y <= frame.last_y; ++y) {
-    for (uint64_t x = frame.first_x; x <= frame.last_x; ++x) {
+  for (uint64_t y = frame.raster.windows.first_y; y <= frame.raster.windows.last_y; ++y) {
+    for (uint64_t x = frame.raster.windows.first_x; x <= frame.raster.windows.last_x; ++x) {
       for (const Node& node : packed.chunks) {
         see(node);
         const Chunk chunk = dopu_origin(packed.config, frame, node, static_cast<int>(x), static_cast<int>(y));

@@ -1,12 +1,13 @@
-// sanitized: the golden model, compiled so that a signed overflow, a bad shift, a division by zero or an index out of bounds
-// ends the program, on hostile and random scenes.
+// SPDX-License-Identifier: Apache-2.0
+// sanitized: the golden model, compiled so that a signed overflow, a bad shift, a division by zero or an index out of
+// bounds ends the program, on hostile and random scenes.
 //
-// Prints one hash of all pixels: stability_sanitize_test holds it against the optimised build's, for a model whose bits depend
-// on optimisation would not be one (T28).
+// Prints one hash of all pixels: stability_sanitize_test holds it against the optimised build's, for a model whose bits
+// depend on optimisation would not be one (T28).
 #include <cstdio>
 #include <cstdlib>
 
-#include "sim/stress/scene.hpp"
+#include "sim/study/stress/scene.hpp"
 #include "verif/stability/pixel_hash.hpp"
 
 int main(int argc, char** argv) {

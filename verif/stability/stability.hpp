@@ -1,8 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // stability.hpp: one hard scene through golden model, RTL and bounds: what every test of this folder asks.
 //
-//   expect_stable("T05", scene, camera)   golden = RTL on every beat and pixel, with assertions on, on the default machine and
-//                                         on `exact`; alpha, T and colour within the bounds of sim/budget/budget.hpp of the truth
-// The figures (worst error and worst bound) are printed and stand in the test's XML; docs/stability.md quotes them.
+//   expect_stable("T05", scene, camera)   golden = RTL on every beat and pixel, with assertions on, on the default
+//                                         machine and on `exact`; alpha, T and colour differ from the truth by at most
+//                                         the bounds of sim/study/budget/budget.hpp
+// The figures (worst error and worst bound) are printed and stand in the test's XML; docs/numerics/stability.md quotes
+// them.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/budget/frame.hpp"
-#include "sim/simulate.hpp"
+#include "sim/study/budget/frame.hpp"
+#include "sim/compare/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -25,7 +28,9 @@ inline SimulateOptions stable_machine(const std::vector<std::string>& settings =
 }
 
 // The default machine, and the one without layers: both exist in every `make test`.
-inline std::vector<SimulateOptions> stable_machines() { return {stable_machine(), stable_machine({"late=1", "order=2", "records=2048"})}; }
+inline std::vector<SimulateOptions> stable_machines() {
+  return {stable_machine(), stable_machine({"late=1", "order=2", "records=2048"})};
+}
 
 struct Stable {
   bool vacuous_allowed = false;  // pairs for which no bound can be given (a splat whose record is clipped)
@@ -34,25 +39,29 @@ struct Stable {
 };
 
 // Golden against the bounds; returns the report.
-inline BudgetReport expect_bounded(const std::string& name, const Scene& scene, const Camera& camera, const SimulateOptions& options,
-                                   const Simulation& simulation, const Stable& stable = {}) {
+inline BudgetReport expect_bounded(const std::string& name, const Scene& scene, const Camera& camera,
+                                   const SimulateOptions& options, const Simulation& simulation,
+                                   const Stable& stable = {}) {
   const BudgetReport report = budget_frame(scene, camera, options, simulation);
   EXPECT_TRUE(report.holds()) << name << ", " << config_difference(options.config) << ": " << *report.first;
   if (!stable.vacuous_allowed) { EXPECT_EQ(report.vacuous, 0u) << name; }
   std::printf("%s %s: alpha %.5f of %.5f, T %.5f of %.5f, colour %.5f of %.5f, power %.3g, %zu pairs\n", name.c_str(),
-              config_difference(options.config).c_str(), report.alpha.error, report.alpha.bound, report.t.error, report.t.bound, report.color.error,
-              report.color.bound, report.power_bound, report.pairs);
+              config_difference(options.config).c_str(), report.alpha.error, report.alpha.bound, report.t.error,
+              report.t.bound, report.color.error, report.color.bound, report.power_bound, report.pairs);
   return report;
 }
 
 inline void expect_rtl_equal(const std::string& name, const SimulateOptions& options, Simulation& simulation) {
   simulate_rtl(options, simulation);
-  EXPECT_EQ(simulation.mismatches, 0u) << name << ", " << config_difference(options.config) << ": window " << simulation.first_mismatch->window_x << ","
-                                       << simulation.first_mismatch->window_y << ": " << simulation.first_mismatch->what;
+  EXPECT_EQ(simulation.mismatches, 0u) << name << ", " << config_difference(options.config) << ": window "
+                                       << simulation.first_mismatch->window_x << ","
+                                       << simulation.first_mismatch->window_y << ": "
+                                       << simulation.first_mismatch->what;
 }
 
 // The report of the default machine; `result` its simulation.
-inline BudgetReport expect_stable(const std::string& name, const Scene& scene, const Camera& camera, Simulation& result, const Stable& stable = {}) {
+inline BudgetReport expect_stable(const std::string& name, const Scene& scene, const Camera& camera, Simulation& result,
+                                  const Stable& stable = {}) {
   BudgetReport first;
   std::vector<SimulateOptions> machines = stable_machines();
   for (size_t i = 0; i < machines.size(); ++i) {
@@ -68,7 +77,8 @@ inline BudgetReport expect_stable(const std::string& name, const Scene& scene, c
   return first;
 }
 
-inline BudgetReport expect_stable(const std::string& name, const Scene& scene, const Camera& camera, const Stable& stable = {}) {
+inline BudgetReport expect_stable(const std::string& name, const Scene& scene, const Camera& camera,
+                                  const Stable& stable = {}) {
   Simulation result;
   return expect_stable(name, scene, camera, result, stable);
 }

@@ -1,4 +1,6 @@
-// Hard alphas: the cut at 1/255, the cap at 0.99, powers above 0, the stop at 1e-4 (T13 to T15, T21 of docs/stability.md).
+// SPDX-License-Identifier: Apache-2.0
+// Hard alphas: the cut at 1/255, the cap at 0.99, powers above 0, the stop at 1e-4 (T13 to T15, T21 of
+// docs/numerics/stability.md).
 #include <cmath>
 
 #include "cpp_model/pu/pu_alpha.hpp"
@@ -13,10 +15,12 @@ float logit_of(double opacity) { return static_cast<float>(std::log(opacity) - s
 TEST(Stability, T13_OpacitiesAroundTheCut) {
   std::vector<Gaussian> gaussians;
   const float at_cut = logit_of(1.0 / 255);
-  const std::vector<float> logits = {-INFINITY, logit_of(1.0 / 256), std::nextafter(at_cut, -10.0f), at_cut, std::nextafter(at_cut, 0.0f), logit_of(1.0 / 254)};
+  const std::vector<float> logits = {-INFINITY, logit_of(1.0 / 256),          std::nextafter(at_cut, -10.0f),
+                                     at_cut,    std::nextafter(at_cut, 0.0f), logit_of(1.0 / 254)};
   for (size_t i = 0; i < logits.size(); ++i) {
     for (int k = 0; k < 4; ++k) {
-      Gaussian g = gaussian_at({0.1f * static_cast<float>(i) - 0.25f, 0.1f * static_cast<float>(k) - 0.15f, 1}, 0.001f * static_cast<float>(1 + 20 * k));
+      Gaussian g = gaussian_at({0.1f * static_cast<float>(i) - 0.25f, 0.1f * static_cast<float>(k) - 0.15f, 1},
+                               0.001f * static_cast<float>(1 + 20 * k));
       g.opacity_logit = logits[i];
       gaussians.push_back(g);
     }
@@ -35,7 +39,8 @@ TEST(Stability, T14_ExactBoundaries) {
     g.opacity_logit = opacity == 1 ? INFINITY : logit_of(opacity);
     Simulation simulation;
     expect_stable("T14", scene_of({g}), camera, simulation);
-    const double code = std::round((1 - simulation.golden.image.transmittance[simulation.golden.image.at(32, 32)]) * (1 << config.alpha_w));
+    const double code = std::round((1 - simulation.golden.image.transmittance[simulation.golden.image.at(32, 32)]) *
+                                   (1 << config.alpha_w));
     if (opacity >= 0.99) {
       EXPECT_EQ(code, config.alpha_max()) << opacity;
     } else if (opacity > 0.1) {
@@ -50,12 +55,14 @@ TEST(Stability, T14_ExactBoundaries) {
 TEST(Stability, T15_PowerAboveZeroKeepsThePeak) {
   const Config config;
   const PuAlpha alpha(config);
-  for (const int64_t power : {int64_t{1}, int64_t{100}, (int64_t{1} << (config.power_w() - 1)) - 1}) EXPECT_EQ(alpha(power), alpha(0)) << power;
+  for (const int64_t power : {int64_t{1}, int64_t{100}, (int64_t{1} << (config.power_w() - 1)) - 1})
+    EXPECT_EQ(alpha(power), alpha(0)) << power;
   EXPECT_EQ(alpha(0), static_cast<uint32_t>(config.alpha_max()));
   std::vector<Gaussian> gaussians;
   for (int y = 0; y < 6; ++y) {
     for (int x = 0; x < 6; ++x) {  // peaks on pixel centres, far from their region's first pixel, opacity 1
-      Gaussian g = gaussian_at({static_cast<float>(10 * x - 25), static_cast<float>(10 * y - 25), 64}, 0.4f * static_cast<float>(1 + x));
+      Gaussian g = gaussian_at({static_cast<float>(10 * x - 25), static_cast<float>(10 * y - 25), 64},
+                               0.4f * static_cast<float>(1 + x));
       g.opacity_logit = INFINITY;
       g.log_scale.y += static_cast<float>(y);
       g.rotation = {1, 0, 0, 0.1f * static_cast<float>(x + y)};
@@ -79,7 +86,8 @@ TEST(Stability, T21_StopAtTheBoundary) {
   int equal = 0;
   for (uint32_t code = 1; code <= static_cast<uint32_t>(config.alpha_max()); ++code) {
     for (uint32_t t = k.stop; t < 300 * k.stop && t <= k.one; ++t) {
-      const auto weight = static_cast<uint32_t>((uint64_t{t} * code + (uint64_t{1} << (config.alpha_w - 1))) >> config.alpha_w);
+      const auto weight =
+          static_cast<uint32_t>((uint64_t{t} * code + (uint64_t{1} << (config.alpha_w - 1))) >> config.alpha_w);
       if (t - weight != k.stop && t - weight + 1 != k.stop) continue;
       PixelState pixel{.t = t};
       ru_blend(k, pixel, code, white);
@@ -92,14 +100,16 @@ TEST(Stability, T21_StopAtTheBoundary) {
   // In a picture: opaque ones behind each other, then one that only a pixel that has not stopped shows.
   std::vector<Gaussian> gaussians;
   for (int i = 0; i < 4; ++i) {
-    gaussians.push_back(gaussian_at({0, 0, 1 + 0.1f * static_cast<float>(i)}, 1.0f, 0.5, {1, i % 2 == 0 ? 1.0f : -1.0f, 0}));
+    gaussians.push_back(
+        gaussian_at({0, 0, 1 + 0.1f * static_cast<float>(i)}, 1.0f, 0.5, {1, i % 2 == 0 ? 1.0f : -1.0f, 0}));
     gaussians.back().opacity_logit = INFINITY;
   }
   Simulation simulation;
   expect_stable("T21", scene_of(gaussians), test_camera(32, 32), simulation);
   const double once = 1 - std::ldexp(static_cast<double>(config.alpha_max()), -config.alpha_w);
   const double left = simulation.golden.image.transmittance[simulation.golden.image.at(16, 16)];
-  EXPECT_NEAR(left, once * once, 2 * weight_rounding(config)) << "two are blended: " << once * once << " is not below " << stop_level(config);
+  EXPECT_NEAR(left, once * once, 2 * weight_rounding(config))
+      << "two are blended: " << once * once << " is not below " << stop_level(config);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
-// Hard input: what a scene file may hold that no renderer should choke on (T1 to T3, T22 to T24, T30 of docs/stability.md).
+// SPDX-License-Identifier: Apache-2.0
+// Hard input: what a scene file may hold that no renderer should choke on (T1 to T3, T22 to T24, T30 of
+// docs/numerics/stability.md).
 #include <cmath>
 #include <limits>
 
 #include "scenes/info.hpp"
-#include "scenes/ply.hpp"
+#include "scenes/ply/ply.hpp"
 #include "verif/scenes/ply_file.hpp"
 #include "verif/scenes/scratch_folder.hpp"
 #include "verif/stability/stability.hpp"
@@ -63,18 +65,22 @@ TEST(Stability, T03_QuaternionsOfAnyLength) {
   }
 }
 
-// What the headers of the field say reaches the scene, and the machine that compensates stays within its bounds. The RTL of such a
-// machine: Frame.AnAntialiasedSceneOnTheMachineThatCompensates.
+// What the headers of the field say reaches the scene, and the machine that compensates stays within its bounds. The
+// RTL of such a machine: Frame.AnAntialiasedSceneOnTheMachineThatCompensates.
 TEST(Stability, T22_AntialiasedScenes) {
   const ScratchFolder scratch;
-  for (const auto& [comment, expected] : {std::pair{"antialiased 1", true}, {"antialiased 0", false}, {"SplatRenderMode: mip", true}, {"SplatRenderMode: default", false}}) {
+  for (const auto& [comment, expected] : {std::pair{"antialiased 1", true},
+                                          {"antialiased 0", false},
+                                          {"SplatRenderMode: mip", true},
+                                          {"SplatRenderMode: default", false}}) {
     PlyText text;
     text.comments = {comment};
     EXPECT_EQ(read_ply(scratch.write("a.ply", text.build(plain_columns(1, 0)))).antialiased, expected) << comment;
   }
   Scene scene = random_scene(122, 150, 0);
   scene.antialiased = true;
-  for (size_t i = 0; i < 50; ++i) scene.gaussians[i].log_scale = glm::vec3(i % 2 == 0 ? -kInf : -9.0f);  // the floor of 2.5e-5
+  for (size_t i = 0; i < 50; ++i)
+    scene.gaussians[i].log_scale = glm::vec3(i % 2 == 0 ? -kInf : -9.0f);  // the floor of 2.5e-5
   Simulation simulation;
   SimulateOptions options = stable_machine();
   options.config.antialias = 1;
@@ -94,8 +100,10 @@ TEST(Stability, T23_ScalesWithoutLogarithm) {
 TEST(Stability, T24_AxesAreNotMirrored) {
   const Camera camera = test_camera(64, 48);
   Simulation simulation;
-  expect_stable("T24", scene_of({gaussian_at({0.3f, 0.1f, 2}, 0.02f, 0.9, {1.5f, -1, -1}), gaussian_at({-0.2f, -0.15f, 3}, 0.02f, 0.9, {-1, -1, 1.5f})}), camera,
-                simulation);
+  expect_stable("T24",
+                scene_of({gaussian_at({0.3f, 0.1f, 2}, 0.02f, 0.9, {1.5f, -1, -1}),
+                          gaussian_at({-0.2f, -0.15f, 3}, 0.02f, 0.9, {-1, -1, 1.5f})}),
+                camera, simulation);
   const Image& image = simulation.golden.image;
   const auto brightest = [&](int channel) {
     size_t best = 0;
@@ -121,11 +129,16 @@ TEST(Stability, T30_LoaderMatrix) {
       for (size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(scene.gaussians[i].mean.z, static_cast<float>(value_of(columns, "z", i)));
         EXPECT_EQ(scene.gaussians[i].rotation[3], static_cast<float>(value_of(columns, "rot_3", i)));
-        if (rest > 0) { EXPECT_EQ(sh_rest_of(scene, i)[1], static_cast<float>(value_of(columns, fmt::format("f_rest_{}", rest / 3), i))) << "channel-major to coefficient-major"; }
+        if (rest > 0) {
+          EXPECT_EQ(sh_rest_of(scene, i)[1],
+                    static_cast<float>(value_of(columns, fmt::format("f_rest_{}", rest / 3), i)))
+              << "channel-major to coefficient-major";
+        }
       }
     }
   }
-  EXPECT_THROW(read_ply(scratch.write("a.ply", PlyText{}.build(plain_columns(1, 72)))), std::runtime_error) << "degree 4";
+  EXPECT_THROW(read_ply(scratch.write("a.ply", PlyText{}.build(plain_columns(1, 72)))), std::runtime_error)
+      << "degree 4";
 }
 
 }  // namespace

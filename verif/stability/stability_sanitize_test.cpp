@@ -1,4 +1,6 @@
-// The golden model under the sanitizer: no report, and the same bits as the optimised build (T28 of docs/stability.md).
+// SPDX-License-Identifier: Apache-2.0
+// The golden model under the sanitizer: no report, and the same bits as the optimised build (T28 of
+// docs/numerics/stability.md).
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // `pipegs stress` itself: hostile views on two machines, and the shrinker against a failure that is injected.
 #include <cmath>
 #include <cstdlib>
 
-#include "sim/stress/stress.hpp"
+#include "sim/study/stress/stress.hpp"
 #include "verif/stability/stability.hpp"
 
 namespace pipegs {
@@ -23,8 +24,9 @@ TEST(Stress, HostileViewsOnTwoMachines) {
       EXPECT_FALSE(what) << "seed " << seed << ", " << config_difference(options.config) << ": " << *what;
     }
   }
-  std::printf("stress: %llu views, %llu pairs, %llu without a bound; worst alpha %.5f, T %.5f, colour %.5f\n", static_cast<unsigned long long>(figures.views),
-              static_cast<unsigned long long>(figures.pairs), static_cast<unsigned long long>(figures.vacuous), figures.alpha, figures.t, figures.color);
+  std::printf("stress: %llu views, %llu pairs, %llu without a bound; worst alpha %.5f, T %.5f, colour %.5f\n",
+              static_cast<unsigned long long>(figures.views), static_cast<unsigned long long>(figures.pairs),
+              static_cast<unsigned long long>(figures.vacuous), figures.alpha, figures.t, figures.color);
 }
 
 TEST(Stress, TheSameSeedIsTheSameView) {

@@ -1,4 +1,6 @@
-// Hard views: near plane, guard band, tiny scenes and images, a camera inside (T10 to T12, T25, T27 of docs/stability.md).
+// SPDX-License-Identifier: Apache-2.0
+// Hard views: near plane, guard band, tiny scenes and images, a camera inside (T10 to T12, T25, T27 of
+// docs/numerics/stability.md).
 #include <cmath>
 
 #include "verif/stability/stability.hpp"
@@ -8,7 +10,8 @@ namespace {
 
 TEST(Stability, T10_NearPlane) {
   std::vector<Gaussian> gaussians;
-  for (const float z : {0.01f, 0.19999f, std::nextafter(0.2f, 0.0f), 0.2f, std::nextafter(0.2f, 1.0f), 0.2001f, 0.21f, 0.25f}) {
+  for (const float z :
+       {0.01f, 0.19999f, std::nextafter(0.2f, 0.0f), 0.2f, std::nextafter(0.2f, 1.0f), 0.2001f, 0.21f, 0.25f}) {
     for (const float x : {-0.1f, 0.0f, 0.15f}) gaussians.push_back(gaussian_at({x, 0.5f * x, z}, 0.02f, 0.2));
   }
   Simulation simulation;
@@ -16,7 +19,9 @@ TEST(Stability, T10_NearPlane) {
   // float(0.2) lies above 0.2: of the three around it only the lower is behind for certain.
   EXPECT_GE(simulation.golden.work.visible, 9u);
   for (size_t i = 0; i < gaussians.size(); ++i) gaussians[i].mean.z = 0.01f;
-  EXPECT_EQ((expect_stable("T10 behind", scene_of(gaussians), test_camera(96, 80), simulation), simulation.golden.work.records), 0u);
+  EXPECT_EQ((expect_stable("T10 behind", scene_of(gaussians), test_camera(96, 80), simulation),
+             simulation.golden.work.records),
+            0u);
 }
 
 // At the edge of the guard band the Jacobian's tangent is clamped, x / z itself is not.
@@ -55,10 +60,12 @@ TEST(Stability, T12_TinyScenes) {
   }
   expect_stable("T12 tiny", small, camera, tiny, {.near_plane = std::ldexp(0.2, -12)});
   // exp(log s - 12 ln 2) is rounded in float, so scales may differ in the last bit of the record.
-  for (size_t i = 0; i < whole.golden.image.rgb.size(); ++i) ASSERT_NEAR(whole.golden.image.rgb[i].r, tiny.golden.image.rgb[i].r, 0.02) << i;
+  for (size_t i = 0; i < whole.golden.image.rgb.size(); ++i)
+    ASSERT_NEAR(whole.golden.image.rgb[i].r, tiny.golden.image.rgb[i].r, 0.02) << i;
   Simulation gone;
   simulate_golden(small, camera, stable_machine(), gone);
-  EXPECT_EQ(gone.golden.work.records, 0u) << "with the near plane of a room nothing of it is left: the plane is a parameter";
+  EXPECT_EQ(gone.golden.work.records, 0u)
+      << "with the near plane of a room nothing of it is left: the plane is a parameter";
 }
 
 TEST(Stability, T25_ImagesOfAnySize) {
@@ -67,10 +74,12 @@ TEST(Stability, T25_ImagesOfAnySize) {
   }
 }
 
-// The camera in the middle of Gaussians, and one whose centre is the camera: it is culled before its direction is 0 / 0.
+// The camera in the middle of Gaussians, and one whose centre is the camera: it is culled before its direction is 0 /
+// 0.
 TEST(Stability, T27_CameraInside) {
   std::vector<Gaussian> gaussians;
-  for (const glm::vec3 mean : {glm::vec3(0), glm::vec3(0, 0, 1e-30f), glm::vec3(0, 0, -1), glm::vec3(0.1f, 0, 0.3f), glm::vec3(-2, 1, 0.5f), glm::vec3(0, 0, 0.21f)}) {
+  for (const glm::vec3 mean : {glm::vec3(0), glm::vec3(0, 0, 1e-30f), glm::vec3(0, 0, -1), glm::vec3(0.1f, 0, 0.3f),
+                               glm::vec3(-2, 1, 0.5f), glm::vec3(0, 0, 0.21f)}) {
     for (const float scale : {0.3f, 3.0f, 30.0f}) gaussians.push_back(gaussian_at(mean, scale, 0.15));
   }
   Scene scene = scene_of(gaussians);

@@ -1,14 +1,16 @@
-// Nothing wraps: every field of every record that the twins of the PU pass on fits its declared width, on random, hostile and
-// our own scenes; every value in the Row Units fits the width that the RTL gives it.
+// SPDX-License-Identifier: Apache-2.0
+// Nothing wraps: every field of every record that the models of the PU pass on fits its declared width, on random,
+// hostile and our own scenes; every value in the Row Units fits the width that the RTL gives it.
 //
-// stability_sanitized (sanitized.cpp) asks the compiler the same of the arithmetic inside; the RTL's assertions are on in all runs.
+// stability_sanitized (sanitized.cpp) asks the compiler the same of the arithmetic inside; the RTL's assertions are on
+// in all runs.
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-#include "scenes/generate.hpp"
-#include "sim/simulate.hpp"
-#include "sim/stress/scene.hpp"
+#include "scenes/generate/generate.hpp"
+#include "sim/compare/simulate.hpp"
+#include "sim/study/stress/scene.hpp"
 #include "verif/frame/scenes.hpp"
 #include "verif/stability/pu_walk.hpp"
 #include "verif/support/records_fit.hpp"
@@ -23,20 +25,23 @@ uint64_t expect_all_fit(const PackedScene& packed, const Frame& frame, const cha
   const Config& config = packed.config;
   std::string first;
   uint64_t records = 0;
-  pu_walk(packed, frame,
-          [&](const auto& record) {
-            ++records;
-            if (first.empty()) first = misfit(config, record);
-          },
-          [&](int64_t power, int64_t slope) {
-            if (first.empty() && !holds(power, config.power_w())) first = "a Row Unit's power " + std::to_string(power);
-            if (first.empty() && !holds(slope, config.gradient_w() + 1)) first = "a Row Unit's slope " + std::to_string(slope);
-          });
+  pu_walk(
+      packed, frame,
+      [&](const auto& record) {
+        ++records;
+        if (first.empty()) first = misfit(config, record);
+      },
+      [&](int64_t power, int64_t slope) {
+        if (first.empty() && !holds(power, config.power_w())) first = "a Row Unit's power " + std::to_string(power);
+        if (first.empty() && !holds(slope, config.gradient_w() + 1))
+          first = "a Row Unit's slope " + std::to_string(slope);
+      });
   EXPECT_EQ(first, "") << what << ", seed " << seed;
   return records;
 }
 
-uint64_t walk(const Scene& scene, const Camera& camera, double near_plane, const char* what, uint64_t seed, const std::vector<std::string>& settings = {}) {
+uint64_t walk(const Scene& scene, const Camera& camera, double near_plane, const char* what, uint64_t seed,
+              const std::vector<std::string>& settings = {}) {
   SimulateOptions options;
   for (const std::string& setting : settings) config_set(options.config, setting);
   options.near_plane = near_plane;
@@ -55,7 +60,10 @@ TEST(StabilityWrap, RandomAndOurOwnScene) {
 
 TEST(StabilityWrap, HostileScenesInSeveralFormats) {
   uint64_t records = 0;
-  const std::vector<std::vector<std::string>> formats = {{}, {"order=1"}, {"mantissa_w=18", "coeff_f=20", "power_f=12"}, {"mantissa_w=28", "coeff_f=30", "power_f=24", "view_w=30"},
+  const std::vector<std::vector<std::string>> formats = {{},
+                                                         {"order=1"},
+                                                         {"mantissa_w=18", "coeff_f=20", "power_f=12"},
+                                                         {"mantissa_w=28", "coeff_f=30", "power_f=24", "view_w=30"},
                                                          {"pos_w=12", "quat_w=10", "scale_m_w=6"}};
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     const StressView view = stress_view(seed);

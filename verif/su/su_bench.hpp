@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_bench.hpp: an SU with a source, a sink and a memory; the tests of all orders share it.
 //
-// The bench stops the module's clock whenever active_o is low, as the top does: a missing term in active_o hangs a test.
+// The bench stops the module's clock whenever active_o is low, as the top does: a missing term in active_o hangs a
+// test.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include "verif/su/su_keys.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 
@@ -18,13 +21,15 @@ inline constexpr uint64_t kOverflow = 0x12345;  // first line of the overflow ar
 
 struct SuBench : Bench<Vsu> {
   SuBench(Pace source, Pace sink, bool gated, const ExternalMemoryOptions& options = {}, int unit = 1)
-      : gated(gated), memory(options), in(*this, kConfig, dut.in_valid_i, dut.in_ready_o, dut.in_i, source),
+      : gated(gated),
+        memory(options),
+        in(*this, kConfig, dut.in_valid_i, dut.in_ready_o, dut.in_i, source),
         out(*this, kConfig, dut.out_valid_o, dut.out_ready_i, dut.out_o, sink),
-        port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o, dut.rsp_valid_i,
-             dut.rsp_data_i, source) {
+        port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o,
+             dut.rsp_valid_i, dut.rsp_data_i, source) {
     Frame frame;
-    frame.overflow = kOverflow;
-    write_record(kConfig, dut.frame_i, frame);
+    frame.tables.overflow = kOverflow;
+    write_frame(kConfig, dut, frame);
     dut.unit_i = unit;
     dut.spill_i = 0;
     reset();
@@ -74,7 +79,8 @@ struct SuBench : Bench<Vsu> {
   void check(uint64_t limit) {
     run_until_sent(expected.size(), limit);
     for (size_t i = 0; i < std::min(expected.size(), out.size()); ++i) {
-      ASSERT_EQ(first_difference(kConfig, expected[i], out.at(i)), "") << "beat " << i << " of " << expected.size() << ", seed " << seed;
+      ASSERT_EQ(first_difference(kConfig, expected[i], out.at(i)), "")
+          << "beat " << i << " of " << expected.size() << ", seed " << seed;
     }
     for (int i = 0; i < 300; ++i) step();
     EXPECT_EQ(out.size(), expected.size());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_bitonic_test: rtl/su/su_bitonic.sv against cpp_model/su/su_bitonic.hpp, and the network against the 0-1 principle.
 #include "cpp_model/su/su_bitonic.hpp"
 
@@ -17,7 +18,7 @@ SortItems items_of(const std::vector<uint64_t>& keys) {
   return items;
 }
 
-TEST(SuBitonicTwin, SortsEverySequenceOfZerosAndOnes) {  // then it sorts everything
+TEST(SuBitonicModel, SortsEverySequenceOfZerosAndOnes) {  // then it sorts everything
   for (int count = 1; count <= kChannels; ++count) {
     for (uint32_t bits = 0; bits < 1u << count; ++bits) {
       std::vector<uint64_t> keys;
@@ -25,7 +26,8 @@ TEST(SuBitonicTwin, SortsEverySequenceOfZerosAndOnes) {  // then it sorts everyt
       SortItems items = items_of(keys);
       su_bitonic(items, count);
       std::sort(keys.begin(), keys.end());
-      for (int i = 0; i < count; ++i) ASSERT_TRUE(!items[i].is_void && items[i].key == keys[i]) << bits << " of " << count;
+      for (int i = 0; i < count; ++i)
+        ASSERT_TRUE(!items[i].is_void && items[i].key == keys[i]) << bits << " of " << count;
     }
   }
 }
@@ -36,7 +38,8 @@ struct SortBench : Bench<Vsu_bitonic>, Endpoint {
     dut.in_valid_i = dut.out_ready_i = 0;
   }
   void push(const std::vector<uint64_t>& keys) {
-    for (size_t i = 0; i < keys.size(); ++i) pending.push_back({keys[i], static_cast<uint32_t>(i), i + 1 == keys.size(), false});
+    for (size_t i = 0; i < keys.size(); ++i)
+      pending.push_back({keys[i], static_cast<uint32_t>(i), i + 1 == keys.size(), false});
   }
   void push_end(uint32_t slot) { pending.push_back({rng() & 0xffffff, slot, true, true}); }
   void drive() override {
@@ -120,7 +123,8 @@ TEST(SuBitonic, SortsInOneCyclePerStageAndLoadsWhileSending) {
     SortItems items = items_of(su_keys(config, Arrangement::kRandom, count, bench.rng));
     EXPECT_EQ(su_bitonic(items, count), stages);
     EXPECT_EQ(bench.sends.front() - bench.loads[count - 1], static_cast<uint64_t>(stages + 2));
-    const double period = (bench.sends.back() - bench.sends[count - 1]) / 19.0;  // load, start, stages; sending is hidden
+    const double period =
+        (bench.sends.back() - bench.sends[count - 1]) / 19.0;  // load, start, stages; sending is hidden
     EXPECT_LE(period, count + stages + 2) << count << " keys";
     RecordProperty("cycles_for_" + std::to_string(count), std::to_string(period));
   }

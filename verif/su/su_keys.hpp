@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_keys.hpp: sets of unique sort keys in the arrangements that a sorter may find hard.
 #pragma once
 
@@ -12,11 +13,12 @@
 namespace pipegs {
 
 enum class Arrangement { kRandom, kNarrow, kEqualDepth, kAscending, kDescending, kClustered, kOutlier, kExtremes };
-inline constexpr Arrangement kArrangements[] = {Arrangement::kRandom,     Arrangement::kNarrow,    Arrangement::kEqualDepth,
-                                                Arrangement::kAscending,  Arrangement::kDescending, Arrangement::kClustered,
-                                                Arrangement::kOutlier,    Arrangement::kExtremes};
+inline constexpr Arrangement kArrangements[] = {
+    Arrangement::kRandom,     Arrangement::kNarrow,    Arrangement::kEqualDepth, Arrangement::kAscending,
+    Arrangement::kDescending, Arrangement::kClustered, Arrangement::kOutlier,    Arrangement::kExtremes};
 inline const char* to_text(Arrangement arrangement) {
-  constexpr const char* kNames[] = {"random", "narrow", "equal depth", "ascending", "descending", "clustered", "outlier", "extremes"};
+  constexpr const char* kNames[] = {"random",     "narrow",    "equal depth", "ascending",
+                                    "descending", "clustered", "outlier",     "extremes"};
   return kNames[static_cast<int>(arrangement)];
 }
 
@@ -37,7 +39,10 @@ std::vector<uint64_t> su_keys(const Config& config, Arrangement arrangement, siz
         depth = static_cast<uint64_t>(static_cast<double>(depths - 1) * std::exp2(-30 * coin));
         break;
       case Arrangement::kOutlier: depth = keys.empty() ? depths - 1 : 5, index %= 4 * count + 16; break;
-      case Arrangement::kExtremes: depth = rng() % 2 ? depths - 1 - rng() % 2 : rng() % 2, index = rng() % 2 ? indices - 1 - index % (8 + count) : index % (8 + count); break;
+      case Arrangement::kExtremes:
+        depth = rng() % 2 ? depths - 1 - rng() % 2 : rng() % 2,
+        index = rng() % 2 ? indices - 1 - index % (8 + count) : index % (8 + count);
+        break;
       default: break;
     }
     const uint64_t key = depth << config.index_w | index;

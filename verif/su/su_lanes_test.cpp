@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_lanes_test: several SUs behind a merge, fed as pu_deal feeds them: they never wait for each other for ever.
 //
-// A lane gets its splats in a way that is meant to hurt: all in one lane, the near ones in one and the far ones in another,
-// a lane that gets nothing. An end goes to all lanes before anything later. The pools are tiny. The bench models what
-// stands between: a short queue before each SU, and the merge (su_merge has its own test).
+// A lane gets its splats in a way that is meant to hurt: all in one lane, the near ones in one and the far ones in
+// another, a lane that gets nothing. An end goes to all lanes before anything later. The pools are tiny. The bench
+// models what stands between: a short queue before each SU, and the merge (su_merge has its own test).
 #include <algorithm>
 #include <deque>
 
@@ -11,6 +12,7 @@
 #include "verif/su/su_windows.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -22,8 +24,8 @@ Splat random_splat(std::mt19937_64& rng) { return random_record<Splat>(kConfig, 
 struct Lane {
   Lane(VerilatedContext* context, const ExternalMemoryOptions& options, int number) : dut(context), memory(options) {
     Frame frame;
-    frame.overflow = 1 << 20;
-    write_record(kConfig, dut.frame_i, frame);
+    frame.tables.overflow = 1 << 20;
+    write_frame(kConfig, dut, frame);
     dut.unit_i = number;
     dut.in_valid_i = dut.out_ready_i = dut.spill_i = dut.mem_ready_i = dut.rsp_valid_i = 0;
   }
@@ -136,41 +138,50 @@ struct LanesBench : BenchBase {
     if (!ready) return;
     moved = cycle;
     for (size_t k = 0; k < lanes.size(); ++k) lanes[k]->dut.out_ready_i = ends == lanes.size() || k == nearest;
-    if (ends < lanes.size() || kConfig.order != 2 || best.kind == kWindowEnd) merged.push_back(best);
+    if (ends < lanes.size() || !kConfig.has_watermarks() || best.kind == kWindowEnd) merged.push_back(best);
   }
   void run() {
     while (merged.size() < expected.size()) {
-      ASSERT_LT(cycle, moved + 20000) << "nothing moves: " << merged.size() << " of " << expected.size() << " beats, seed " << seed;
+      ASSERT_LT(cycle, moved + 20000) << "nothing moves: " << merged.size() << " of " << expected.size()
+                                      << " beats, seed " << seed;
       step();
     }
     for (size_t i = 0; i < merged.size(); ++i) {
-      ASSERT_EQ(first_difference(kConfig, expected[i], merged[i]), "") << "beat " << i << " of " << expected.size() << ", seed " << seed;
+      ASSERT_EQ(first_difference(kConfig, expected[i], merged[i]), "")
+          << "beat " << i << " of " << expected.size() << ", seed " << seed;
     }
   }
   // Queues a window; who gets a splat is decided by `rule`.
   void window(size_t count, int marks, int rule) {
     const int units = static_cast<int>(lanes.size());
-    const std::vector<Splat> all = su_window(kConfig, count, marks, kConfig.order != 2, rng, random_splat);
+    const std::vector<Splat> all = su_window(kConfig, count, marks, !kConfig.has_watermarks(), rng, random_splat);
     std::vector<uint64_t> depths;
-    for (const Splat& beat : all) if (beat.kind == kData) depths.push_back(beat.depth);
+    for (const Splat& beat : all)
+      if (beat.kind == kData) depths.push_back(beat.depth);
     std::sort(depths.begin(), depths.end());
     int chosen = static_cast<int>(rng() % units);
     std::vector<Splat> open;
     for (const Splat& beat : all) {
       int lane = chosen;
       switch (rule) {
-        case 0: lane = static_cast<int>(rng() % units); break;            // evenly
-        case 1: break;                                                    // all in one lane
-        case 2: if (beat.kind != kData) chosen = static_cast<int>(rng() % units); break;  // between two marks in one lane
-        case 3: lane = beat.kind != kData || beat.depth < depths[depths.size() / 2] ? 0 : units - 1; break;  // near ones here, far ones there
-        case 4: lane = rng() % 20 == 0 ? 0 : units - 1; break;            // hardly any in one
-        default: if (rng() % 30 == 0) chosen = static_cast<int>(rng() % units); break;  // in runs
+        case 0: lane = static_cast<int>(rng() % units); break;  // evenly
+        case 1: break;                                          // all in one lane
+        case 2:
+          if (beat.kind != kData) chosen = static_cast<int>(rng() % units);
+          break;  // between two marks in one lane
+        case 3:
+          lane = beat.kind != kData || beat.depth < depths[depths.size() / 2] ? 0 : units - 1;
+          break;                                                // near ones here, far ones there
+        case 4: lane = rng() % 20 == 0 ? 0 : units - 1; break;  // hardly any in one
+        default:
+          if (rng() % 30 == 0) chosen = static_cast<int>(rng() % units);
+          break;  // in runs
       }
       beats.push_back(beat);
       target.push_back(lane);
       if (beat.kind == kData) {
         open.push_back(beat);
-      } else if (kConfig.order != 2 || beat.kind == kWindowEnd) {
+      } else if (!kConfig.has_watermarks() || beat.kind == kWindowEnd) {
         su_sort(open);
         expected.insert(expected.end(), open.begin(), open.end());
         expected.emplace_back();
@@ -196,7 +207,8 @@ TEST(SuLanes, NeverWaitForEachOtherForEver) {
     LanesBench bench(test_seed() * 1000 + n, kConfig.units);
     const size_t most = static_cast<size_t>(kConfig.records) * (1 + n % 4) * (1 + n % 3);
     for (int i = 0; i < 5; ++i) {
-      bench.window(bench.rng() % most, bench.rng() % 3 ? static_cast<int>(bench.rng() % 32) : 0, static_cast<int>(n + static_cast<uint64_t>(i) / 3) % 6);
+      bench.window(bench.rng() % most, bench.rng() % 3 ? static_cast<int>(bench.rng() % 32) : 0,
+                   static_cast<int>(n + static_cast<uint64_t>(i) / 3) % 6);
     }
     bench.run();
     overflowed += bench.overflowed;

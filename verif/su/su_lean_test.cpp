@@ -1,5 +1,6 @@
-// su_lean_test: rtl/su/su.sv without what a scene may not call for: ties by index, overflow to memory, chains of more than
-// sixteen keys. Against cpp_model/su/su.hpp; where something is called for all the same, an assertion says so.
+// SPDX-License-Identifier: Apache-2.0
+// su_lean_test: rtl/su/su.sv without what a scene may not call for: ties by index, overflow to memory, chains of more
+// than sixteen keys. Against cpp_model/su/su.hpp; where something is called for all the same, an assertion says so.
 #include <map>
 #include <set>
 
@@ -34,7 +35,8 @@ TEST(SuLean, SortsByDepthAloneAtEveryPace) {
   for (const Pace source : kPaces) {
     for (const Pace sink : kPaces) {
       SuBench bench(source, sink, true);
-      for (const size_t count : {0, 1, 2, 15, 16, 17, 100, 500, 3, 0}) layer(bench, count, 16, bench.rng() % 3 ? kLayerEnd : kWindowEnd);
+      for (const size_t count : {0, 1, 2, 15, 16, 17, 100, 500, 3, 0})
+        layer(bench, count, 16, bench.rng() % 3 ? kLayerEnd : kWindowEnd);
       bench.check(100000);
       EXPECT_EQ(bench.overflowed, 0u);
       if (testing::Test::HasFailure()) return;

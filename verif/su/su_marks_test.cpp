@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_marks_test: rtl/su/su.sv against cpp_model/su/su.hpp when a layer's end is a watermark (order=2).
 #include "verif/su/su_bench.hpp"
 #include "verif/su/su_windows.hpp"
@@ -43,7 +44,8 @@ TEST(SuMarks, SortsWindowsAtEveryPace) {
       for (const Pace sink : kPaces) {
         MarksBench bench(source, sink, rng() % 2, memory_options(rng), static_cast<int>(rng() % 4));
         const size_t most = round % 2 ? kConfig.records * 2 : kConfig.records / 2;
-        for (int i = 0; i < 6; ++i) bench.window(rng() % std::min<size_t>(most, 700), rng() % 4 ? static_cast<int>(rng() % 32) : 0);
+        for (int i = 0; i < 6; ++i)
+          bench.window(rng() % std::min<size_t>(most, 700), rng() % 4 ? static_cast<int>(rng() % 32) : 0);
         while (bench.out.size() < bench.expected.size() && bench.cycle < 1000000) {
           if (rng() % 300 == 0) bench.dut.spill_i = rng() % 4 == 0;  // may be heeded or not
           bench.step();
@@ -64,7 +66,8 @@ TEST(SuMarks, GatingItsClockChangesNoCycle) {
       for (const bool gated : {false, true}) {
         MarksBench bench(source, sink, gated);
         std::mt19937_64 rng(test_seed() + 7);
-        for (const size_t count : {5, 0, 30, 100}) bench.push(su_window(kConfig, count, static_cast<int>(rng() % 9), false, rng, random_splat));
+        for (const size_t count : {5, 0, 30, 100})
+          bench.push(su_window(kConfig, count, static_cast<int>(rng() % 9), false, rng, random_splat));
         while (bench.out.size() < bench.expected.size() && bench.cycle < 100000) {
           bench.dut.spill_i = bench.cycle / 100 % 7 == 0;
           bench.step();
@@ -100,7 +103,8 @@ TEST(SuMarks, FreesSlotsOfReleasedRecordsWithinAWindow) {
   MarksBench bench(Pace::kAlways, Pace::kAlways, true);
   std::vector<Splat> beats;
   for (uint64_t bucket = 2; bucket < 30; ++bucket) {  // far more than fit together
-    for (int i = 0; i < kConfig.records / 2; ++i) beats.push_back(bench.data(depth_of(bucket) + static_cast<uint64_t>(i)));
+    for (int i = 0; i < kConfig.records / 2; ++i)
+      beats.push_back(bench.data(depth_of(bucket) + static_cast<uint64_t>(i)));
     beats.push_back(bench.end(kLayerEnd, depth_of(bucket + 1)));
   }
   beats.push_back(bench.end(kWindowEnd, 0));
@@ -163,12 +167,14 @@ TEST(SuMarks, SpillsInsteadOfWaitingWhenAnotherSpills) {
 TEST(SuMarks, TheNearestBucketIsReadyAtOnce) {
   MarksBench bench(Pace::kAlways, Pace::kAlways, true);
   std::vector<Splat> beats;
-  for (int i = 0; i < kConfig.records - 1; ++i) beats.push_back(bench.data(depth_of(10 + i % 30) + static_cast<uint64_t>(i)));
+  for (int i = 0; i < kConfig.records - 1; ++i)
+    beats.push_back(bench.data(depth_of(10 + i % 30) + static_cast<uint64_t>(i)));
   beats.push_back(bench.end(kWindowEnd, 0));
   bench.push(beats);
   bench.run_until_sent(1, 10000);
   uint64_t last = 2 * beats.size() - 1;  // the end is taken about then
-  std::printf("%d records: first splat %d cycles after the end\n", kConfig.records - 1, static_cast<int>(bench.out.cycles[0] - last));
+  std::printf("%d records: first splat %d cycles after the end\n", kConfig.records - 1,
+              static_cast<int>(bench.out.cycles[0] - last));
   EXPECT_LE(bench.out.cycles[0], last + 150);
   bench.check(100000);
 }

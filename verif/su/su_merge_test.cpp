@@ -1,5 +1,6 @@
-// su_merge_test: rtl/su/su_merge.sv against std::sort of all lanes together. Without IndexTies no two splats of a layer have one
-// depth, or an assertion says so.
+// SPDX-License-Identifier: Apache-2.0
+// su_merge_test: rtl/su/su_merge.sv against std::sort of all lanes together. Without IndexTies no two splats of a layer
+// have one depth, or an assertion says so.
 #include <algorithm>
 #include <set>
 
@@ -16,7 +17,9 @@ const Config kConfig = test_config();
 // All lanes' sources, and the sink.
 struct MergeBench : Bench<Vsu_merge>, Endpoint {
   MergeBench(Pace source, Pace sink)
-      : source(source), lanes(kConfig.units), up(kConfig.units),
+      : source(source),
+        lanes(kConfig.units),
+        up(kConfig.units),
         out(*this, kConfig, dut.out_valid_o, dut.out_ready_i, dut.out_o, sink) {
     add(static_cast<Endpoint&>(*this));
     dut.in_valid_i = 0;
@@ -71,9 +74,10 @@ struct MergeBench : Bench<Vsu_merge>, Endpoint {
       end.kind = kind;
       lanes[k].push_back(end);
     }
-    std::sort(expected.begin(), expected.end(),
-              [](const Sorted& a, const Sorted& b) { return a.depth != b.depth ? a.depth < b.depth : a.index < b.index; });
-    if (kConfig.order == 2 && kind == kLayerEnd) return expected;  // a watermark does not go out
+    std::sort(expected.begin(), expected.end(), [](const Sorted& a, const Sorted& b) {
+      return a.depth != b.depth ? a.depth < b.depth : a.index < b.index;
+    });
+    if (kConfig.has_watermarks() && kind == kLayerEnd) return expected;  // a watermark does not go out
     expected.push_back({});
     expected.back().kind = kind;
     return expected;
@@ -112,7 +116,8 @@ TEST(SuMerge, MergesByDepthThenIndexAtEveryPace) {
 TEST(SuMerge, SendsOneBeatPerCycle) {
   MergeBench bench(Pace::kAlways, Pace::kAlways);
   bench.reset();
-  const size_t beats = bench.layer(std::vector<size_t>(kConfig.units, 100), kLayerEnd, uint64_t{1} << kConfig.depth_w).size();
+  const size_t beats =
+      bench.layer(std::vector<size_t>(kConfig.units, 100), kLayerEnd, uint64_t{1} << kConfig.depth_w).size();
   bench.run_until([&] { return bench.out.size() == beats; });
   EXPECT_EQ(bench.out.cycles.back() - bench.out.cycles.front(), beats - 1);
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_minmax_test: rtl/su/su_minmax.sv against cpp_model/su/su_minmax.hpp.
 #include "cpp_model/su/su_minmax.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_split_test: rtl/su/su_split.sv against cpp_model/su/su_split.hpp: the same groups, in the same order.
 #include "cpp_model/su/su_split.hpp"
 
@@ -76,7 +77,7 @@ struct SplitBench : Bench<Vsu_split>, Endpoint {
   bool fresh = true;
 };
 
-TEST(SuSplitTwin, GroupsAreSmallInOrderAndComplete) {
+TEST(SuSplitModel, GroupsAreSmallInOrderAndComplete) {
   std::mt19937_64 rng(test_seed());
   for (const Arrangement arrangement : kArrangements) {
     for (const size_t count : {1, 2, 15, 16, 17, 100, 512, 5000}) {
@@ -99,16 +100,18 @@ TEST(SuSplitTwin, GroupsAreSmallInOrderAndComplete) {
   }
 }
 
-TEST(SuSplit, EqualsItsTwinForEveryArrangementAndPace) {
+TEST(SuSplit, EqualsItsModelForEveryArrangementAndPace) {
   const size_t most = kConfig.records;
   for (const Pace sink : kPaces) {
     SplitBench bench(sink);
     bench.reset();
     for (const Arrangement arrangement : kArrangements) {
-      for (const size_t count : {size_t{1}, size_t{2}, size_t{15}, size_t{16}, size_t{17}, size_t{33}, size_t{100}, most / 2, most - 1, most}) {
+      for (const size_t count : {size_t{1}, size_t{2}, size_t{15}, size_t{16}, size_t{17}, size_t{33}, size_t{100},
+                                 most / 2, most - 1, most}) {
         const std::vector<uint64_t> keys = su_keys(kConfig, arrangement, count, bench.rng);
         bench.split(keys);
-        ASSERT_EQ(bench.groups, su_split(keys, su_minmax(keys))) << to_text(arrangement) << ", " << count << " keys, sink " << to_text(sink);
+        ASSERT_EQ(bench.groups, su_split(keys, su_minmax(keys)))
+            << to_text(arrangement) << ", " << count << " keys, sink " << to_text(sink);
       }
     }
   }

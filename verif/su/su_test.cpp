@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_test: rtl/su/su.sv with all it wires together against cpp_model/su/su.hpp, where every end releases everything.
 #include "verif/su/su_bench.hpp"
 
@@ -11,7 +12,8 @@ TEST(Su, SortsLayersOfEverySizeAndArrangementAtEveryPace) {
       for (const bool gated : {false, true}) {
         SuBench bench(source, sink, gated, memory_options(rng), static_cast<int>(rng() % 4));
         for (const Arrangement arrangement : kArrangements) {
-          for (const size_t count : {0, 1, 2, 15, 16, 17, 100}) bench.layer(arrangement, count, rng() % 3 ? kLayerEnd : kWindowEnd);
+          for (const size_t count : {0, 1, 2, 15, 16, 17, 100})
+            bench.layer(arrangement, count, rng() % 3 ? kLayerEnd : kWindowEnd);
         }
         for (int i = 0; i < 20; ++i) bench.layer(kArrangements[rng() % 8], rng() % 40, kLayerEnd);
         bench.check(3000000);
@@ -27,7 +29,8 @@ TEST(Su, GatingItsClockChangesNoCycle) {
       std::vector<uint64_t> cycles[2];
       for (const bool gated : {false, true}) {
         SuBench bench(source, sink, gated);
-        for (const size_t count : {0, 40, 3, 17, 90, 0, 0, kConfig.records + 30, 1, 60}) bench.layer(Arrangement::kRandom, count, kLayerEnd);
+        for (const size_t count : {0, 40, 3, 17, 90, 0, 0, kConfig.records + 30, 1, 60})
+          bench.layer(Arrangement::kRandom, count, kLayerEnd);
         bench.check(3000000);
         cycles[gated] = bench.out.cycles;
       }
@@ -56,7 +59,8 @@ TEST(Su, SortsLargeLayersOfEveryArrangement) {
   const size_t store = kConfig.records;
   for (const Arrangement arrangement : kArrangements) {
     SuBench bench(Pace::kAlways, rng() % 2 ? Pace::kAlways : Pace::kCoin, true, memory_options(rng));
-    for (const size_t count : {store - 1, store, store + 1, store + 7, store + 8, 2 * store, 5 * store + 3, size_t{1000}}) {
+    for (const size_t count :
+         {store - 1, store, store + 1, store + 7, store + 8, 2 * store, 5 * store + 3, size_t{1000}}) {
       bench.layer(arrangement, count, kLayerEnd);
     }
     bench.check(20000000);
@@ -67,7 +71,8 @@ TEST(Su, SortsLargeLayersOfEveryArrangement) {
 TEST(Su, SortsFiveThousand) {
   std::mt19937_64 rng(test_seed() + 2);
   SuBench bench(Pace::kAlways, Pace::kAlways, true, memory_options(rng));
-  const size_t others = kConfig.records < 100 ? 1500 : 5000;  // selection from a tiny store takes time in proportion to n * n
+  const size_t others =
+      kConfig.records < 100 ? 1500 : 5000;  // selection from a tiny store takes time in proportion to n * n
   bench.layer(Arrangement::kRandom, 5000, kLayerEnd);
   bench.layer(Arrangement::kEqualDepth, others, kWindowEnd);
   bench.layer(Arrangement::kClustered, others, kLayerEnd);
@@ -85,7 +90,8 @@ TEST(Su, WritesOverflowToItsOwnAreas) {
   EXPECT_EQ(bench.overflowed, count + (count + 7) / 8);  // all records, the list of all keys
   const auto base = [](uint64_t area) { return kOverflow + ((2 << 3 | area) << 24); };
   const auto touched = [&](uint64_t address) { return bench.memory.line(address) != MemoryLine{}; };
-  EXPECT_TRUE(touched(base(1)) && touched(base(1) + count - 1) && touched(base(2)) && touched(base(2) + (count - 1) / 8));
+  EXPECT_TRUE(touched(base(1)) && touched(base(1) + count - 1) && touched(base(2)) &&
+              touched(base(2) + (count - 1) / 8));
   EXPECT_FALSE(touched(base(1) + count) || touched(base(0)) || touched(base(3)));
 }
 
@@ -96,7 +102,7 @@ TEST(Su, TellsWhatItWaitsFor) {
   EXPECT_EQ(bench.perf[1], 10u);  // starved
   bench.layer(Arrangement::kRandom, 16, kLayerEnd);
   for (int i = 0; i < 21; ++i) bench.step();  // one in the register in front of it
-  EXPECT_EQ(bench.perf[0], 20u);  // busy
+  EXPECT_EQ(bench.perf[0], 20u);              // busy
   bench.blocked = true;
   for (int i = 0; i < 120; ++i) bench.step();  // until all sixteen wait for the output
   bench.perf[2] = 0;
@@ -113,7 +119,8 @@ TEST(Su, CollectsLayersWhileTheOutputIsBlockedAsLongAsThePoolHasRoom) {
   for (int i = 0; i < 6; ++i) bench.layer(Arrangement::kRandom, count, kLayerEnd);
   bench.blocked = true;
   for (size_t i = 0; i < 20 * records + 1000; ++i) bench.step();
-  EXPECT_EQ(bench.in.taken, records + 1 + 3 + 2);  // the slot of the splat that is shown is free again; two wait in front
+  EXPECT_EQ(bench.in.taken,
+            records + 1 + 3 + 2);  // the slot of the splat that is shown is free again; two wait in front
   EXPECT_EQ(bench.overflowed, 0u) << "a layer that has to wait does not go to memory";
   bench.blocked = false;
   bench.check(100000);
@@ -140,13 +147,18 @@ double cycles_per_key(size_t count, Arrangement arrangement, int layers) {
 
 TEST(Su, KeepsItsPace) {
   const bool standard = kConfig == Config{};
-  struct Case { size_t count; double bound; };
-  for (const auto& [count, bound] : {Case{16, 3.2}, Case{40, 4.2}, Case{90, 3.8}, Case{200, 4.0}, Case{350, 4.6}, Case{512, 4.6},
-                                     Case{1000, 6.0}, Case{2000, 13.0}}) {  // the last does not fit the pool
+  struct Case {
+    size_t count;
+    double bound;
+  };
+  for (const auto& [count, bound] :
+       {Case{16, 3.2}, Case{40, 4.2}, Case{90, 3.8}, Case{200, 4.0}, Case{350, 4.6}, Case{512, 4.6}, Case{1000, 6.0},
+        Case{2000, 13.0}}) {  // the last does not fit the pool
     const double random = cycles_per_key(count, Arrangement::kRandom, 8);
     const double narrow = cycles_per_key(count, Arrangement::kNarrow, 8);
     const double clustered = cycles_per_key(count, Arrangement::kClustered, 8);
-    std::printf("%4zu keys per layer: %.2f cycles per key, 64 neighbouring depths %.2f, clustered %.2f\n", count, random, narrow, clustered);
+    std::printf("%4zu keys per layer: %.2f cycles per key, 64 neighbouring depths %.2f, clustered %.2f\n", count,
+                random, narrow, clustered);
     if (standard) { EXPECT_LE(random, bound) << count << " keys"; }
   }
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // su_windows.hpp: windows with watermarks, as the DOPU sends them: after a mark nothing nearer than it follows.
 #pragma once
 
@@ -10,12 +11,14 @@
 
 namespace pipegs {
 
-// A window of about `count` splats with `marks` watermarks, its end included. The depths lie in a random part of the range.
-// With `layers` every mark ends a layer and depths are random in each.
+// A window of about `count` splats with `marks` watermarks, its end included. The depths lie in a random part of the
+// range. With `layers` every mark ends a layer and depths are random in each.
 template <class Rng>
-std::vector<Splat> su_window(const Config& config, size_t count, int marks, bool layers, Rng& rng, const auto& random_splat) {
+std::vector<Splat> su_window(const Config& config, size_t count, int marks, bool layers, Rng& rng,
+                             const auto& random_splat) {
   const uint64_t depths = uint64_t{1} << config.depth_w;
-  const uint64_t span = std::max<uint64_t>(depths >> rng() % (config.depth_w - 4), 16), base = rng() % (depths - span + 1);
+  const uint64_t span = std::max<uint64_t>(depths >> rng() % (config.depth_w - 4), 16),
+                 base = rng() % (depths - span + 1);
   std::vector<uint64_t> cuts;
   for (int i = 0; i < marks; ++i) cuts.push_back(base + rng() % span);
   std::sort(cuts.begin(), cuts.end());
@@ -32,7 +35,9 @@ std::vector<Splat> su_window(const Config& config, size_t count, int marks, bool
       Splat splat = random_splat(rng);
       splat.kind = kData;
       splat.depth = layers ? base + rng() % span : low + rng() % reach;
-      do { splat.index = rng() % (uint64_t{1} << config.index_w); } while (!seen.insert(splat_key(config, splat.depth, splat.index)).second);
+      do {
+        splat.index = rng() % (uint64_t{1} << config.index_w);
+      } while (!seen.insert(splat_key(config, splat.depth, splat.index)).second);
       beats.push_back(splat);
     }
     Splat end = random_splat(rng);

@@ -1,15 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
 // bench.hpp: drives one Verilated module: clock, reset, streams at random paces, memory, waves.
 //
 // A Bench owns the module and a list of endpoints. In each cycle every endpoint sets its inputs while the clock is low,
 // the module settles, every endpoint looks at the handshakes, and the clock rises. Registers start from random values.
 //   PIPEGS_SEED=n       another seed (printed with every failure)
-//   PIPEGS_WAVES=f.fst  waves of the run
+//   PIPEGS_WAVES=f.fst  waves of the run (NAME_waves_test)
 // Example: Bench<Vfifo> bench;  RecordSource<Chunk> in(bench, config, bench.dut.in_valid_i, ...);  bench.reset(); ...
 #pragma once
 
 #include <gtest/gtest.h>
 #include <verilated.h>
-#include <verilated_fst_c.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -22,8 +22,9 @@
 #include <vector>
 
 #include "cpp_model/records.hpp"
-#include "sim/external_memory.hpp"
-#include "sim/ports.hpp"
+#include "sim/memory/external_memory.hpp"
+#include "sim/rtl/ports.hpp"
+#include "verif/support/waves.hpp"
 
 namespace pipegs {
 
@@ -71,7 +72,6 @@ class BenchBase {
     context.randReset(2);  // registers and memories start from noise
     context.randSeed(static_cast<int>(seed % 0x7fffffff) + 1);
     context.assertOn(true);
-    context.traceEverOn(std::getenv("PIPEGS_WAVES") != nullptr);
   }
   void add(Endpoint& endpoint) { endpoints_.push_back(&endpoint); }
 
@@ -87,24 +87,9 @@ class BenchBase {
 template <class Dut>
 class Bench : public BenchBase {
  public:
-  explicit Bench(uint64_t seed = test_seed()) : BenchBase(seed), dut(&context) {
-    if constexpr (requires { dut.trace(waves_.get(), 99); }) {  // a netlist has no waves
-      if (const char* file = std::getenv("PIPEGS_WAVES")) {
-        waves_ = std::make_unique<VerilatedFstC>();
-        dut.trace(waves_.get(), 99);
-        waves_->open(file);
-      }
-    }
-  }
+  explicit Bench(uint64_t seed = test_seed()) : BenchBase(seed), dut(&context), waves_(context, dut) {}
   ~Bench() {
-    if (waves_) waves_->close();
-    
-    if (testing::Test::HasFailure()) {
-      const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-      std::fprintf(stderr, "replay with waves: PIPEGS_SEED=%llu PIPEGS_WAVES=/tmp/%s.fst %s --gtest_filter=%s.%s\n",
-                   static_cast<unsigned long long>(seed), test->name(), program_invocation_name, test->test_suite_name(),
-                   test->name());
-    }
+    if (testing::Test::HasFailure()) print_replay(seed);
   }
 
   void reset(int cycles = 3) {
@@ -117,13 +102,15 @@ class Bench : public BenchBase {
   void step() {
     dut.clk_i = 0;
     const bool running = running_;
-    if (running) for (Endpoint* endpoint : endpoints_) endpoint->drive();
+    if (running)
+      for (Endpoint* endpoint : endpoints_) endpoint->drive();
     dut.eval();
-    if (waves_) waves_->dump(cycle * 10);
-    if (running) for (Endpoint* endpoint : endpoints_) endpoint->observe();
+    waves_.dump(cycle * 10);
+    if (running)
+      for (Endpoint* endpoint : endpoints_) endpoint->observe();
     dut.clk_i = 1;
     dut.eval();
-    if (waves_) waves_->dump(cycle * 10 + 5);
+    waves_.dump(cycle * 10 + 5);
     ++cycle;
   }
 
@@ -145,7 +132,7 @@ class Bench : public BenchBase {
     running_ = value != 0;
   }
 
-  std::unique_ptr<VerilatedFstC> waves_;
+  UnitWaves<Dut> waves_;
   bool running_ = true;
 };
 
@@ -197,7 +184,8 @@ class WordSource : public Endpoint {
 template <class R, class Port>
 class RecordSource : public WordSource<Port> {
  public:
-  RecordSource(BenchBase& bench, const Config& config, CData& valid, const CData& ready, Port& port, Pace pace = Pace::kAlways)
+  RecordSource(BenchBase& bench, const Config& config, CData& valid, const CData& ready, Port& port,
+               Pace pace = Pace::kAlways)
       : WordSource<Port>(bench, valid, ready, port, pace), config_(config) {}
   void push(const R& record) {
     Words words(record_words<R>(config_) + 1);
@@ -249,7 +237,8 @@ class WordSink : public Endpoint {
 template <class R, class Port>
 class RecordSink : public WordSink<Port> {
  public:
-  RecordSink(BenchBase& bench, const Config& config, const CData& valid, CData& ready, const Port& port, Pace pace = Pace::kAlways)
+  RecordSink(BenchBase& bench, const Config& config, const CData& valid, CData& ready, const Port& port,
+             Pace pace = Pace::kAlways)
       : WordSink<Port>(bench, valid, ready, port, pace), config_(config) {}
   size_t size() const { return this->beats.size(); }
   R at(size_t i) const { return unpack<R>(config_, this->beats.at(i).data()); }
@@ -265,8 +254,16 @@ class MemoryEndpoint : public Endpoint {
   MemoryEndpoint(BenchBase& bench, ExternalMemory& memory, const CData& valid, CData& ready, const CData* write,
                  const AddressPort& address, const LinePort* data, CData& answer_valid, LinePort& answer,
                  Pace pace = Pace::kAlways)
-      : pace(pace), bench_(bench), memory_(memory), valid_(valid), ready_(ready), write_(write), address_(address), data_(data),
-        answer_valid_(answer_valid), answer_(answer) {
+      : pace(pace),
+        bench_(bench),
+        memory_(memory),
+        valid_(valid),
+        ready_(ready),
+        write_(write),
+        address_(address),
+        data_(data),
+        answer_valid_(answer_valid),
+        answer_(answer) {
     ready_ = 0;
     answer_valid_ = 0;
     bench.add(*this);

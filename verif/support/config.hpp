@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // config.hpp: the configuration that a test's module was built with: the SET arguments of its line in CMakeLists.txt.
 #pragma once
 

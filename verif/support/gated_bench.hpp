@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // gated_bench.hpp: a Bench whose module gets a clock edge only in cycles in which it says `active_o`, as in the top.
 //
 // A unit that forgets a reason to be active stands still here and its test ends with "nothing more came".
@@ -31,7 +32,8 @@ class GatedBench : public Bench<Dut> {
       if (done()) return true;
       gated_step();
     }
-    ADD_FAILURE() << "nothing more came within " << limit << " cycles (cycle " << this->cycle << ", seed " << this->seed << ")";
+    ADD_FAILURE() << "nothing more came within " << limit << " cycles (cycle " << this->cycle << ", seed " << this->seed
+                  << ")";
     return false;
   }
 

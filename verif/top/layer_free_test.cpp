@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // layer_free_test: rtl/layer_free.sv against counts: one pulse per layer, as soon as all RUs have finished it.
 #include <algorithm>
 
@@ -34,7 +35,8 @@ TEST(LayerFree, FreesEachLayerOnceWhenEveryRuHasFinishedIt) {
       dut.done_i = static_cast<CData>(done);
       dut.clk_i = 0;
       dut.eval();
-      ASSERT_EQ(dut.free_o, expected) << "cycle " << bench.cycle << ", pace " << to_text(pace) << ", seed " << bench.seed;
+      ASSERT_EQ(dut.free_o, expected) << "cycle " << bench.cycle << ", pace " << to_text(pace) << ", seed "
+                                      << bench.seed;
       freed += dut.free_o;
       for (size_t i = 0; i < units; ++i) finished[i] += (done >> i) & 1;
       bench.step();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // perf_test: rtl/perf.sv against four numbers: they sum to the running cycles and a restart clears them.
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
 // scheduler_test: rtl/scheduler.sv through many frames: when it is busy, what it counts, and what ends a frame.
 #include <algorithm>
 
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 #include "Vscheduler.h"
+#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -13,7 +15,7 @@ struct Schedule {
     auto& dut = bench.dut;
     dut.start_i = dut.window_done_i = dut.overflow_sort_i = dut.written_i = 0;
     dut.idle_i = 1;
-    write_record(config, dut.frame_i, Frame{});
+    write_frame(config, dut, Frame{});
     write_overflow(0);
     bench.reset();
   }
@@ -25,8 +27,8 @@ struct Schedule {
       const int width = config.region_w() + 1;
       const uint64_t most = static_cast<uint64_t>(config.regions());
       const uint64_t lines = bench.rng() % static_cast<uint64_t>(one_in) != 0 ? 0
-                             : bench.rng() % 4 == 0                            ? most
-                                                                               : bench.rng() % (most + 1);
+                             : bench.rng() % 4 == 0                           ? most
+                                                                              : bench.rng() % (most + 1);
       const uint64_t sort = bench.rng() % 2;
       put_bits(words.data(), i * width, width, lines);
       bench.dut.overflow_sort_i |= static_cast<CData>(sort << i);
@@ -40,9 +42,11 @@ struct Schedule {
     auto& dut = bench.dut;
     const size_t units = static_cast<size_t>(config.units);
     Frame frame = random_record<Frame>(config, bench.rng);
-    frame.first_x = bench.rng() % (1024 - columns), frame.last_x = frame.first_x + columns - 1;
-    frame.first_y = bench.rng() % (1024 - rows), frame.last_y = frame.first_y + rows - 1;
-    write_record(config, dut.frame_i, frame);
+    frame.raster.windows.first_x = bench.rng() % (1024 - columns),
+    frame.raster.windows.last_x = frame.raster.windows.first_x + columns - 1;
+    frame.raster.windows.first_y = bench.rng() % (1024 - rows),
+    frame.raster.windows.last_y = frame.raster.windows.first_y + rows - 1;
+    write_frame(config, dut, frame);
 
     // Before the frame: nothing runs, the counts of the frame before stay.
     const uint64_t old_cycles = dut.cycles_o, old_overflow = dut.overflow_lines_o;
@@ -63,7 +67,9 @@ struct Schedule {
     ASSERT_EQ(dut.restart_o, 1) << "no restart behind the start";
 
     std::vector<uint64_t> left(units, columns * rows);
-    const uint64_t written = bench.rng() % 3 == 0 ? ~uint64_t{0} : 1 + bench.rng() % 20;  // the cycle in which the lists are written; or never
+    const uint64_t written = bench.rng() % 3 == 0
+                                 ? ~uint64_t{0}
+                                 : 1 + bench.rng() % 20;  // the cycle in which the lists are written; or never
     uint64_t preprocess = 0;
     uint64_t cycles = 0, overflow = 0, reported = 0, last = bench.rng() % units;  // one RU is the last one
     bool over = false;

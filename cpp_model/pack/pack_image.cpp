@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// pack_image: the packed scene as lines of external memory; see pack.hpp.
+//
+// Layout  cells, groups, chunks: 2 nodes in a line | geometry: GaussiansPerLine in a line, at bits 0 and 256 |
+//         colours: as packed | the frame begins at layout.pixels.
+#include "cpp_model/pack/pack.hpp"
+
+namespace pipegs {
+namespace {
+
+template <class R>
+void put_records(const Config& config, const std::vector<R>& records, uint64_t first, int per_line,
+                 std::vector<MemoryLine>& lines) {
+  std::vector<uint32_t> words(static_cast<size_t>(record_words<R>(config)));
+  for (size_t i = 0; i < records.size(); ++i) {
+    pack(config, records[i], words.data());
+    MemoryLine& line = lines.at(first + i / static_cast<size_t>(per_line));
+    const size_t at = i % static_cast<size_t>(per_line) * 8;
+    for (size_t w = 0; w < words.size(); ++w) line.at(at + w) = words[w];
+  }
+}
+
+}  // namespace
+
+MemoryImage memory_image(const PackedScene& packed) {
+  MemoryImage image;
+  image.layout = packed.layout;
+  image.lines.resize(packed.layout.pixels);
+  put_records(packed.config, packed.cells, packed.layout.cells, 2, image.lines);
+  put_records(packed.config, packed.groups, packed.layout.groups, 2, image.lines);
+  put_records(packed.config, packed.chunks, packed.layout.chunks, 2, image.lines);
+  put_records(packed.config, packed.gaussians, packed.layout.gaussians, packed.config.gaussians_per_line(),
+              image.lines);
+  for (size_t i = 0; i < packed.colors.size(); ++i) image.lines.at(packed.layout.colors + i) = packed.colors[i];
+  return image;
+}
+
+}  // namespace pipegs

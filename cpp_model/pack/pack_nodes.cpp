@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// pack_nodes: see pack_nodes.hpp.
+#include "cpp_model/pack/pack_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cpp_model/fixed.hpp"
+#include "cpp_model/pack/pack_quantize.hpp"
+
+namespace pipegs {
+
+// The finest grid (in 2^-WorldW steps of its scale) whose N cells cover the box along each axis.
+GridBox make_grid(const Config& config, const SceneBox& box, int scene_exponent) {
+  GridBox grid;
+  const int64_t largest = (int64_t{1} << config.focal_w()) - 1;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const double low = std::ldexp(box.low[axis], -scene_exponent), high = std::ldexp(box.high[axis], -scene_exponent);
+    const double size = std::max(1.0, (high - low) * 1.001);
+    const double scale = std::floor(std::ldexp(config.grid, config.world_w) / size);
+    grid.scale[axis] = static_cast<uint64_t>(std::clamp(scale, 0.0, static_cast<double>(largest)));
+    const double covered =
+        grid.scale[axis] == 0 ? size : std::ldexp(config.grid, config.world_w) / static_cast<double>(grid.scale[axis]);
+    const int64_t limit = int64_t{1} << (config.world_w - 2);
+    grid.low[axis] = std::clamp(static_cast<int64_t>(std::floor((low + high - covered) / 2)), -limit, limit);
+  }
+  return grid;
+}
+
+int cell_coordinate(const Config& config, const GridBox& grid, int axis, int64_t world) {
+  const size_t a = static_cast<size_t>(axis);
+  const Int128 product = Int128{world - grid.low[a]} * static_cast<Int128>(grid.scale[a]);
+  return static_cast<int>(std::clamp<Int128>(shift_floor(product, config.world_w), 0, config.grid - 1));
+}
+
+// Centre, offset exponent, offsets of the records and half extents of one chunk, all from the rounded means.
+Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records) {
+  Node node;
+  int64_t* const center[3] = {&node.center_x, &node.center_y, &node.center_z};
+  int64_t GaussianRecord::*const offset[3] = {&GaussianRecord::offset_x, &GaussianRecord::offset_y,
+                                              &GaussianRecord::offset_z};
+  const int64_t most = (int64_t{1} << (config.pos_w - 1)) - 1;
+  int64_t widest = 0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    int64_t low = means[0][axis], high = low;
+    for (const WorldPoint& mean : means) {
+      low = std::min(low, mean[axis]);
+      high = std::max(high, mean[axis]);
+    }
+    *center[axis] = shift_floor(low + high, 1);
+    widest = std::max(widest, high - *center[axis]);  // high is at least as far as low
+  }
+  while (shift_round(widest, static_cast<int>(node.offset_exp)) > most) ++node.offset_exp;
+  int64_t half[3] = {0, 0, 0};
+  for (size_t i = 0; i < means.size(); ++i) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const int64_t rounded = shift_round(means[i][axis] - *center[axis], static_cast<int>(node.offset_exp));
+      records[i].*offset[axis] = rounded;
+      half[axis] = std::max(half[axis], std::abs(rounded) << node.offset_exp);
+    }
+  }
+  const int64_t widest_half = std::max({half[0], half[1], half[2]});
+  while (shift_ceil(widest_half, static_cast<int>(node.half_exp)) >> config.half_w() != 0) ++node.half_exp;
+  node.half_x = static_cast<uint64_t>(shift_ceil(half[0], static_cast<int>(node.half_exp)));
+  node.half_y = static_cast<uint64_t>(shift_ceil(half[1], static_cast<int>(node.half_exp)));
+  node.half_z = static_cast<uint64_t>(shift_ceil(half[2], static_cast<int>(node.half_exp)));
+  double scale = 0;
+  for (const GaussianRecord& record : records) scale = std::max(scale, effective_scale(config, record));
+  node.scale_max = encode_scale(config, scale * (1 + 1e-9), true);
+  node.count = means.size();
+  return node;
+}
+
+Node make_parent(const Config& config, std::span<const Node> children, uint64_t first) {
+  Node node;
+  int64_t* const center[3] = {&node.center_x, &node.center_y, &node.center_z};
+  uint64_t* const halves[3] = {&node.half_x, &node.half_y, &node.half_z};
+  int64_t Node::*const centers[3] = {&Node::center_x, &Node::center_y, &Node::center_z};
+  uint64_t Node::*const half[3] = {&Node::half_x, &Node::half_y, &Node::half_z};
+  int64_t extent[3], widest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    int64_t low = std::numeric_limits<int64_t>::max(), high = std::numeric_limits<int64_t>::min();
+    for (const Node& child : children) {
+      const int64_t reach = static_cast<int64_t>(child.*half[axis]) << child.half_exp;
+      low = std::min(low, child.*centers[axis] - reach);
+      high = std::max(high, child.*centers[axis] + reach);
+    }
+    *center[axis] = shift_floor(low + high, 1);
+    extent[axis] = high - *center[axis];
+    widest = std::max(widest, extent[axis]);
+  }
+  while (shift_ceil(widest, static_cast<int>(node.half_exp)) >> config.half_w() != 0) ++node.half_exp;
+  for (int axis = 0; axis < 3; ++axis) {
+    *halves[axis] = static_cast<uint64_t>(shift_ceil(extent[axis], static_cast<int>(node.half_exp)));
+  }
+  for (const Node& child : children) node.scale_max = std::max(node.scale_max, child.scale_max);
+  node.first = first;
+  node.count = children.size();
+  return node;
+}
+
+}  // namespace pipegs

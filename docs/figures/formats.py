@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers as the pages write them, and tables. A figure that does not exist (null) is a dash."""
+
+
+def dashed(function):
+    return lambda value, *rest: "-" if value is None else function(value, *rest)
+
+
+@dashed
+def group(value):
+    """1234567 -> 1 234 567"""
+    return f"{round(value):,}".replace(",", " ")
+
+
+@dashed
+def fixed(value, digits):
+    return f"{value:.{digits}f}"
+
+
+@dashed
+def times(value, digits=2):
+    return f"{value:.{digits}f}x"
+
+
+@dashed
+def percent(share, digits=0):
+    return f"{100 * share:.{digits}f} %"
+
+
+@dashed
+def change(share, digits=1):
+    """0.125 -> +12.5 %"""
+    return f"{100 * share:+.{digits}f} %"
+
+
+@dashed
+def millions(value, digits=2):
+    return f"{value / 1e6:.{digits}f} M"
+
+
+@dashed
+def thousands(value, digits=0):
+    return f"{group(value / 1e3) if digits == 0 else fixed(value / 1e3, digits)} k"
+
+
+def mean(values):
+    values = list(values)
+    return sum(values) / len(values)
+
+
+def text(value):
+    """A cell or a single figure: integers in groups of three; other numbers only through a format."""
+    if value is None:
+        return "-"
+    if isinstance(value, bool) or not isinstance(value, (int, str)):
+        raise TypeError(f"{value!r} needs a format: fixed, times, percent, ...")
+    return value if isinstance(value, str) else group(value)
+
+
+def block(lines):
+    """Lines as code: what a command prints."""
+    return "\n".join("    " + line if line else "" for line in lines)
+
+
+def table(header, rows):
+    for row in rows:
+        if len(row) != len(header):
+            raise ValueError(f"{len(row)} cells under {len(header)} titles: {row}")
+    lines = ["| " + " | ".join(map(text, row)) + " |" for row in [header, *rows]]
+    return "\n".join([lines[0], "|" + "---|" * len(header), *lines[1:]])

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Fills what lies between the markers of a page: <!--fig EXPRESSION-->text<!--/-->.
+
+The expression sees the tree of figures, the formats, and the functions of the page's own module pages/NAME.py. A text
+of several lines (a table) stands alone between blank lines, as Markdown wants it. Code of the page is left as it is.
+"""
+import functools
+import importlib
+import re
+from pathlib import Path
+
+import formats
+from data import data
+from sources import ROOT
+
+MARKER = re.compile(
+    r"(?P<code>^```.*?^```|^ {4}[^\n]*|`[^`\n]+`)|<!--fig (?P<what>.*?)-->(?P<text>.*?)<!--/-->",
+    re.DOTALL | re.MULTILINE,
+)
+OPENED = re.compile(r"<!--fig |<!--/-->")
+
+
+class PageError(Exception):
+    """A page that is not there, or a marker that cannot be filled: page, line, expression, reason."""
+
+
+def name_of(page):
+    """docs/cycles/ladder.md -> ladder; README.md -> readme; a README in a folder -> the folder's name."""
+    stem = page.stem if page.stem != "README" else page.parent.name if page.parent.parts else "readme"
+    return stem.replace("-", "_")
+
+
+def module_of(page):
+    if not (Path(__file__).parent / "pages" / (name_of(page) + ".py")).exists():
+        return None
+    return importlib.import_module("pages." + name_of(page))
+
+
+@functools.cache
+def names_for(page):
+    names = {key: value for key, value in vars(formats).items() if not key.startswith("_")}
+    module = module_of(page)
+    return names | {"data": data} | (vars(module) if module else {})
+
+
+@functools.cache
+def value(page, expression):
+    """The text of a page's expression."""
+    return formats.text(eval(expression, names_for(page)))  # the page's own code, as in a template
+
+
+def render(page, content):
+    """The content with every marker filled from the data."""
+
+    def fill(match):
+        if match["code"]:
+            return match[0]
+        line = content.count("\n", 0, match.start()) + 1
+        try:
+            text = value(page, match["what"])
+        except Exception as error:
+            raise PageError(f"{page}:{line}: {match['what']}: {error}") from error
+        text = f"\n\n{text}\n\n" if "\n" in text else text
+        return f"<!--fig {match['what']}-->{text}<!--/-->"
+
+    filled = MARKER.sub(fill, content)
+    lone = OPENED.search(MARKER.sub("", content))
+    if lone:
+        raise PageError(f"{page}: a marker without its end, or an end without its marker")
+    return filled
+
+
+def first_difference(page, content, filled):
+    """None, or where the page differs from its data."""
+    if content == filled:
+        return None
+    for number, (old, new) in enumerate(zip(content.split("\n"), filled.split("\n")), 1):
+        if old != new:
+            return f"{page}:{number}: differs from its data:\n  page  {old}\n  data  {new}"
+    return f"{page}: longer or shorter than its data"
+
+
+def pages():
+    return [Path("README.md"), *sorted(f.relative_to(ROOT) for f in (ROOT / "docs").rglob("*.md"))]

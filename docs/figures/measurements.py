@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is measured: for each file under docs/data the command that writes it, and what measures it."""
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from keep import (
+    accuracy,
+    accuracy_rtl,
+    budget,
+    compared,
+    difference,
+    effects,
+    effects_gain,
+    energy,
+    fetched,
+    fidelity,
+    frame,
+    golden,
+    ladder,
+    leave_one_out,
+    models,
+    netlist,
+    one_model,
+    paths,
+    printed,
+    proofs,
+    shown,
+    silicon,
+    stability,
+    sweep,
+    tables,
+)
+
+RTL = ("rtl", "models", "memory")
+MODEL = ("models", "timing", "memory")
+POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact")
+
+
+@dataclass(frozen=True)
+class Measurement:
+    name: str  # docs/data/NAME.json
+    command: str  # as a page shows it; {scene}: the scene's file, cameras and view
+    keep: Callable  # of what the command prints (JSON, or else text): the figures
+    by: tuple  # groups of sources.py that measure it
+    scene: str = "own"
+    view: int = 0
+    points: tuple = ()  # design points
+    chart: str = ""  # docs/images/CHART is drawn, too
+    exit_codes: tuple = (0,)  # of a run that counts; 1 where what differs is the figure
+
+    def shown(self):
+        scene = f"{self.scene}.ply --cameras {self.scene}/cameras.json --view {self.view} "
+        shown = self.command.replace("{scene} ", "" if self.scene == "own" else scene)
+        return shown.replace("{reference}", "reference.png")
+
+
+# Tables: as many entries in a line as fit.
+# fmt: off
+CHARTED = ("own", "terrace")
+FOUR = ("own", "terrace", "statue", "flowers")
+WHAT_IF = {  # of the design point exact: one thing changed
+    "chunk32": "--set chunk=32 --set group=16",
+    "records1024": "--set records=1024",
+    "records4096": "--set records=4096",
+    "bandwidth102": "--memory lpddr5-6400x8",
+}
+SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
+    "dop": "", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",
+    "exact_records1024": "--rung exact --set records=1024 ", "dop_sky130": "--library sky130hd_tt ",
+}
+MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
+    "dop": "", "baseline": "late=1 order=1 quadratic=1 records=2048", "dpc": "late=1 order=1 records=2048",
+    "tspp": "order=1", "late": "late=1 records=2048", "exact": "late=1 order=2 records=2048",
+}
+PRINTS = {  # a test that prints what it measures: its folder, the line, names of the line's numbers
+    "recip": ("lib", r"recip, (\d+) bits: worst error ([\d.]+)", "bits", "units"),
+    "exp2": ("lib", r"exp2: error ([-\d.]+) \.\. ([-\d.]+) .*chord ([\d.]+), step ([\d.]+)",
+             "low", "high", "chord", "step"),
+    "exp2_step": ("lib", r"exp2: error ([-\d.]+) \.\. ([-\d.]+) ", "low", "high"),
+    "log2": ("lib", r"log2: worst error (\S+)", "worst"),
+    "rsqrt": ("lib", r"worst relative error 2\^(\S+)", "worst"),
+    "dopu_planes": ("dopu", r"largest error of an edge ([\d.]+) px", "px"),
+    "dopu_depth": ("dopu", r"least distance from a bound ([\d.]+) units of ([\d.]+)", "left", "given"),
+    "dopu_origin": ("dopu", r"largest error ([\d.]+) units", "units"),
+    "pu_project": ("pu", r"1/z 2\^(\S+) relative; tan 2\^([^;]+); mean 2\^(\S+) px .*, 2\^(\S+) relative .* 2\^(\S+) "
+                         r"rad",
+                   "inverse", "tangent", "mean", "far", "direction"),
+    "pu_orient": ("pu", r"worst entry differs by (\S+) from", "worst"),
+    "pu_covariance": ("pu", r"error of a 2\^([-\d.]+), c 2\^([-\d.]+), det 2\^([-\d.]+), .* 2\^([-\d.]+)",
+                      "a", "c", "det", "b"),
+    "pu_compensate": ("pu", r"pu_compensate: error (\S+) of", "worst"),
+    "pu_conic": ("pu", r"narrow (\S+), of wide (\S+), error of slope ([^;\s]+); .* 1/4 px and ([\d.]+) %",
+                 "narrow", "wide", "slope", "percent"),
+    "pu_color_rotate": ("pu", r"worst error ([\d.]+) units", "units"),
+    "pu_color_normalise": ("pu", r"of a component 2\^([-\d.]+)", "worst"),
+    "pu_color_basis": ("pu", r"worst error 2\^([-\d.]+)", "worst"),
+    "pu_color_sum": ("pu", r"worst error ([\d.]+) units", "units"),
+    "pu_color": ("pu", r"worst error 2\^([-\d.]+)", "worst"),
+    "ru_blend": ("ru", r"T at most ([^,]+), colour at most ([^,]+), rms (\S+)", "t", "color", "rms"),
+    "pu_coeff": ("pu", r"up to +(\d+) px: error of the power (\S+) \(.*\), rms (\S+); from .* (\S+)\n",
+                 "sigma", "worst", "rms", "quantised"),
+    "pu_intersect": ("pu", r"up to +(\d+) px: +([\d.]+) regions .* counts, ([-+\d.]+) % .* boxes ([\d.]+)",
+                     "sigma", "regions", "percent", "boxes"),
+    "pu_rows": ("pu", r"(\d+) visible pixels, alpha error at most ([\d.]+) .*bound ([\d.]+)\), power error ([\d.]+)"
+                      r".*, (\d+) decisions", "pixels", "alpha", "bound", "power", "flipped"),
+    "su": ("su", r"(\d+) keys per layer: ([\d.]+) cycles per key, .* depths ([\d.]+), clustered ([\d.]+)",
+           "keys", "random", "narrow", "clustered"),
+}
+TABLE = [
+    *[Measurement(f"ladder/{scene}", "build/pipegs ladder {scene} --json", ladder, RTL, scene, points=POINTS,
+                  chart=f"ladder_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
+    *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --rungs baseline,dop,exact --json", sweep, MODEL, scene,
+                  points=("baseline", "dop", "exact"), chart=f"sweep_{scene}.svg" if scene in CHARTED else "")
+      for scene in FOUR],
+    *[Measurement(f"what_if/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
+                  MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
+    *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --json", frame, RTL, scene, view, ("dop",))
+      for scene in ("terrace", "statue", "plushdog") for view in (0, 1, 2)],
+    *[Measurement(f"truth/{scene}_{view}", "build/pipegs render {scene} --model truth --semantics inria "
+                  f"--compare {{reference}} --out build/figures/truth", difference, ("models",), scene, view,
+                  exit_codes=(0, 1))
+      for scene in ("terrace", "statue", "plushdog") for view in (0, 1, 2)],
+    *[Measurement(f"model/{scene}", f"build/pipegs model {{scene}} --rungs {','.join(POINTS)} --json", models, MODEL,
+                  scene, points=POINTS) for scene in FOUR],
+    Measurement("model/check", f"build/pipegs model --rungs {','.join(POINTS)} --check --json", models,
+                ("rtl", *MODEL), points=POINTS),
+    *[Measurement(f"profile/{scene}_chunk32", "build/pipegs profile {scene} --rung dop --no-rtl --set chunk=32 "
+                  "--set group=16 --json", fetched, ("models",), scene, points=("dop",))
+      for scene in ("terrace", "statue")],
+    *[Measurement(f"prints/{test}", f"build/verif/{unit}/{test}_test", printed(*what), ("rtl", "models"))
+      for test, (unit, *what) in PRINTS.items()],
+    Measurement("shown/sim", "build/pipegs sim --out build/out", shown, RTL, points=("dop",)),
+    Measurement("shown/profile", "build/pipegs profile --no-rtl", shown, ("models", "cost"),
+                points=("baseline",), chart="profile.svg"),
+    Measurement("loops/all", "verif/self/loop.sh", dict, RTL),
+    Measurement("proofs/all", "synth/prove.sh", proofs, ("rtl", "proofs")),
+    Measurement("dram/check", "build/pipegs dram", tables("runs"), ("memory",)),
+    Measurement("dram/worth", "build/pipegs dram --mappings", tables("mappings", "steps"), ("memory",)),
+    *[Measurement(f"what_if/terrace/alpha_lines{lines}",
+                  f"build/pipegs model {{scene}} --rung dop --set alpha_lines={lines} --json", one_model, MODEL,
+                  "terrace", points=("dop",)) for lines in (4096, 8192)],
+    *[Measurement(f"silicon/{name}", f"build/pipegs silicon {options}--no-energy --json", silicon, ("rtl", "synth"),
+                  points=("exact" if "exact" in name else "dop",)) for name, options in SYNTHESISED.items()],
+    Measurement("silicon/paths", f"build/pipegs silicon --rungs {','.join(POINTS)} --no-energy --json", paths,
+                ("rtl", "synth"), points=POINTS),
+    Measurement("energy/own", f"build/pipegs silicon --rungs {','.join(POINTS)} --json", energy, (*RTL, "synth"),
+                points=POINTS, chart="silicon.svg"),
+    Measurement("energy/terrace", "build/pipegs silicon {scene} --rungs baseline,dop,exact --json", energy,
+                (*RTL, "synth"), "terrace", 1, ("baseline", "dop", "exact")),
+    *[Measurement(f"energy/{scene}_sky130", "build/pipegs silicon {scene} --library sky130hd_tt --json", energy,
+                  (*RTL, "synth"), scene, view, ("dop",)) for scene, view in (("own", 0), ("terrace", 1))],
+    *[Measurement(f"accuracy/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --out accuracy/{scene} "
+                  "--json", accuracy, MODEL, scene, points=("exact",)) for scene in ("own", "terrace", "statue")],
+    *[Measurement(f"accuracy_rtl/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --rtl "
+                  f"--out accuracy/{scene} --json", accuracy_rtl, (*RTL, "timing"), scene, points=("exact",))
+      for scene in ("own", "terrace", "statue")],
+    Measurement("accuracy/own_dop", "build/pipegs accuracy --rung dop --knobs alpha_w --points 0 "
+                "--out accuracy/own_dop --json", accuracy, MODEL, points=("dop",)),
+    *[Measurement(f"fine/{scene}/{name}", f"build/pipegs sim {{scene}} --rung exact {options}--json", compared, RTL,
+                  scene, points=("exact",)) for scene in FOUR
+      for name, options in (("plain", ""), ("fine", "--config sim/fine.cfg "))],
+    Measurement("accuracy/leave_one_out", "build/verif/silicon/silicon_test '--gtest_filter=*LeaveOneOut*'",
+                leave_one_out, ("rtl", "synth")),
+    *[Measurement(f"fidelity/{scene}", "build/pipegs fidelity {scene} --rung exact --json", fidelity,
+                  (*RTL, "timing"), scene, points=("exact",)) for scene in CHARTED],
+    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", effects, MODEL, scene, points=("dop",))
+      for scene in ("own", "terrace", "plushdog", "flowers", "statue", "showroom")],
+    *[Measurement(f"effects_gain/{scene}_{point}", f"build/pipegs effects {{scene}} --rung {point} --measure "
+                  "--rounds 2 --json", effects_gain, RTL, scene, points=(point,))
+      for scene in ("own", "statue", "plushdog", "terrace") for point in ("dop", "exact")],
+    *[Measurement(f"netlist/{scene}_{window.replace(',', '_')}/{kind}", f"build/pipegs sim {{scene}} --window {window} "
+                  f"{option}--no-truth --json", netlist, (*RTL, "synth"), scene, points=("dop",))
+      for scene, window in (("own", "8,6"), ("own", "15,11"), ("terrace", "9,6"))
+      for kind, option in (("gates", "--netlist "), ("rtl", ""))],
+    *[Measurement(f"memories/{name}", f"synth/memories.sh {settings}".rstrip(), list, ("rtl", "models"))
+      for name, settings in MEMORIES.items()],
+    Measurement("numbers/golden", "build/verif/frame/golden_test --gtest_output=xml:/dev/stdout", golden, ("models",)),
+    Measurement("stability/cases", "ctest --test-dir build/. -R ^stability_ -LE long -V", stability, RTL),
+    Measurement("budget/random", "build/pipegs budget --count 1000000 --json", budget, ("models",),
+                chart="error_budget.svg"),
+]

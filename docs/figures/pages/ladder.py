@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of docs/cycles/ladder.md."""
+from data import data
+from formats import fixed, group, mean, percent, table, times
+from measurements import FOUR, POINTS
+
+MEASURED = ["ladder/*", "sweep/*", "results/terrace_0", "what_if/terrace/alpha_lines*"]
+PAPER = {"baseline": ("1.00", "7.48"), "dpc": ("-", "5.71"), "tspp": ("2.33", "1.83"), "dop": ("2.85", "-")}
+SWEPT = ("baseline", "dop", "exact")
+
+
+def ladder(scene):
+    """One scene: a row for each design point."""
+    rows = []
+    for point in POINTS:
+        row, paper = data.ladder[scene][point], PAPER.get(point, ("-", "-"))
+        rows.append(
+            [
+                f"`{point}`",
+                row.cycles,
+                group(row.fps),
+                times(row.speedup),
+                paper[0],
+                fixed(row.raster_over_sort, 2),
+                paper[1],
+                percent(row.bubbles),
+                percent(row.exposed_share, 1),
+                group(row.bytes / 1e6),
+                fixed(row.cycles_over_largest_bound, 2),
+                row.largest_bound,
+                fixed(row.psnr_order_db, 1),
+                row.mismatches,
+            ]
+        )
+    return table(
+        [
+            "design point",
+            "cycles",
+            "fps at 1 GHz",
+            "speed-up",
+            "paper, up to",
+            "raster / sort",
+            "paper",
+            "bubbles",
+            "exposed",
+            "MB",
+            "roofline ratio",
+            "of",
+            "order dB",
+            "mismatches",
+        ],
+        rows,
+    )
+
+
+def built_of():
+    """What each design point is made of; by the configuration alone, so the same for every scene."""
+    rows = []
+    for point in POINTS:
+        built = data.ladder.own[point].built_of
+        rows.append(
+            [
+                f"`{point}`",
+                f"{built.row_lanes} / {built.blend_lanes}",
+                *[built.multipliers[kind] for kind in ("power", "color", "projection", "blend", "all")],
+                built.adders,
+                fixed(built.buffer_bytes / 1024, 1),
+            ]
+        )
+    return table(
+        [
+            "design point",
+            "lanes power / blend",
+            "multipliers: power",
+            "colour",
+            "projection",
+            "blend",
+            "all",
+            "adders",
+            "buffers KB",
+        ],
+        rows,
+    )
+
+
+def best():
+    """exact over baseline, and its roofline ratio, scene by scene."""
+    point = {scene: data.ladder[scene].exact for scene in FOUR}
+    rows = [
+        [scene, times(one.speedup), "up to 2.85x", fixed(one.cycles_over_largest_bound, 3), one.largest_bound]
+        for scene, one in point.items()
+    ]
+    rows.append(
+        [
+            "mean",
+            times(mean(one.speedup for one in point.values())),
+            "",
+            fixed(mean(one.cycles_over_largest_bound for one in point.values()), 3),
+            "",
+        ]
+    )
+    return table(["scene", "`exact` over `baseline`", "paper, final over Baseline", "roofline ratio", "bound by"], rows)
+
+
+def sweep():
+    """Cycles by bandwidth."""
+    rows = []
+    for scene in FOUR:
+        for point in SWEPT:
+            row = data.sweep[scene][point]
+            rows.append(
+                [
+                    scene if point == SWEPT[0] else "",
+                    f"`{point}`",
+                    row.at_12_8,
+                    row.at_25_6,
+                    row.at_51_2,
+                    row.at_102_4,
+                    group(data.ladder[scene][point].bytes / 1e6),
+                    f"{row.enough:g}",
+                ]
+            )
+    return table(
+        [
+            "scene",
+            "design point",
+            "12.8",
+            "25.6",
+            "51.2",
+            "102.4 GB/s",
+            "MB",
+            "more bandwidth saves less than 5 % from",
+        ],
+        rows,
+    )
+
+
+def alphas(scene, point):
+    """Bytes of alphas that go to memory and come back."""
+    return data.ladder[scene][point].alpha_bytes
+
+
+def over(scene, faster, slower):
+    """How many times as fast one design point is as another."""
+    return data.ladder[scene][slower].cycles / data.ladder[scene][faster].cycles
+
+
+def span(form, values, *digits):
+    """From the least to the largest of some values: 1.9 to 2.8."""
+    values = list(values)
+    low, high = form(min(values), *digits), form(max(values), *digits)
+    unit = low.split(" ")[-1] if low.endswith((" %", " M", " k")) else ""
+    low = low.removesuffix(" " + unit) if unit else low
+    return high if low == high.removesuffix(" " + unit) else f"{low} to {high}"
+
+
+def faster(point, than):
+    """The span over the scenes."""
+    return span(fixed, [over(scene, point, than) for scene in FOUR], 2)
+
+
+def shares(key, *points):
+    """The span of a share over the scenes and some design points."""
+    return span(percent, [data.ladder[scene][point][key] for scene in FOUR for point in points], 1)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of docs/cycles/utilisation.md."""
+from data import data
+from formats import change, fixed, group, mean, table, thousands
+from measurements import FOUR, WHAT_IF
+
+MEASURED = ["ladder/*", "what_if/*", "results/statue_0"]
+TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
+VIEWS = {
+    "own": ("60k Gaussians, SH 3", "1024x768"),
+    "terrace": ("300k, SH 3", "1236x822"),
+    "statue": ("134k, SH 0", "960x1280"),
+    "flowers": ("542k, SH 2", "1296x840"),
+}
+
+
+def bound(point):
+    """Cycles that the busiest resource needs."""
+    return point.cycles / point.cycles_over_largest_bound
+
+
+def views():
+    """exact, scene by scene, beside its bound."""
+    rows = []
+    for scene in FOUR:
+        point, (size, pixels) = data.ladder[scene].exact, VIEWS[scene]
+        rows.append(
+            [
+                f"{TITLES[scene]} ({size})",
+                pixels,
+                point.cycles,
+                f"{point.largest_bound}, {thousands(bound(point))}",
+                fixed(point.cycles_over_largest_bound, 3),
+            ]
+        )
+    ratio = mean(data.ladder[scene].exact.cycles_over_largest_bound for scene in FOUR)
+    return table(
+        ["view", "pixels", "cycles", "largest bound", "roofline ratio"], [*rows, ["mean", "", "", "", fixed(ratio, 3)]]
+    )
+
+
+def gain(scene, name):
+    """Cycles more, as a share, when one thing is changed."""
+    return data.what_if[scene][name].cycles / data.ladder[scene].exact.cycles - 1
+
+
+def what_if():
+    """One thing changed."""
+
+    def cell(scene, name):
+        more = gain(scene, name)
+        cycles = group(data.what_if[scene][name].cycles)
+        return f"{cycles} ({change(more)})" if more else cycles
+
+    rows = [["as it is", *[data.ladder[scene].exact.cycles for scene in FOUR]]]
+    rows += [[f"`{option}`", *[cell(scene, name) for scene in FOUR]] for name, option in WHAT_IF.items()]
+    return table(["", *TITLES.values()], rows)

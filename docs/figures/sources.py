@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What measures a figure, as short hashes: RTL, models, memory outside the chip, and the scene's file.
+
+Only code counts. Comments, blanks, include lines and the folder that a file lies in change no figure, so they change no
+hash either.
+"""
+import functools
+import hashlib
+import os
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SHARED = Path(os.environ.get("PIPEGS_SHARED", ROOT.parent / "shared"))
+GROUPS = {  # name of a group: the folders or files that make it
+    "rtl": ["rtl"],
+    "models": ["cpp_model", "scenes/generate"],
+    "timing": ["sim/timing"],
+    "memory": ["sim/memory"],
+    "cost": ["sim/design"],
+    "synth": ["synth/synth.py"],
+    "proofs": ["synth/prove", "synth/prove.sh"],
+}
+SCENES = {  # scene: its file or folder in the folder of scenes
+    "terrace": "terrace/terrace.ply.xz",
+    "statue": "statue/statue.ply.xz",
+    "plushdog": "plushdog/point_cloud_29999_clean.ply",
+    "flowers": "flowers/flowers",
+    "showroom": "showroom/lacadiere",
+}
+CODE = {".sv", ".svh", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby"}
+IGNORED = re.compile(rb"^[ \t]*[#`]include[^\n]*|/\*.*?\*/|//[^\n]*|\s+", re.DOTALL | re.MULTILINE)
+
+
+def digest(parts):
+    return hashlib.sha256(b"".join(sorted(parts))).hexdigest()[:12]
+
+
+def files_of(place):
+    return [place] if place.is_file() else sorted(f for f in place.rglob("*") if f.is_file())
+
+
+@functools.cache
+def group_hash(group):
+    found = [f for place in GROUPS[group] for f in files_of(ROOT / place) if f.suffix in CODE]
+    return digest(hashlib.sha256(IGNORED.sub(b"", f.read_bytes())).digest() for f in found)
+
+
+@functools.cache
+def scene_hash(scene):
+    """None when the folder of scenes is not here. Our own scene is generated: the group models has it."""
+    place = SHARED / "scenes" / SCENES[scene]
+    return digest(hashlib.sha256(f.read_bytes()).digest() for f in files_of(place)) if place.exists() else None
+
+
+def measured_by(groups, scene):
+    hashes = {group: group_hash(group) for group in groups}
+    return hashes if scene in (None, "own") else hashes | {"scene": scene_hash(scene)}
+
+
+def older_than(content):
+    """Which of the hashes that stored data carry are no longer those of the sources; a scene not here is no news."""
+    if content["measured_by"] == "unknown":
+        return ["unknown"]
+    now = {
+        name: scene_hash(content["scene"]) if name == "scene" else group_hash(name)
+        for name in content["measured_by"]
+        if name in GROUPS or name == "scene"
+    }
+    return [name for name, value in content["measured_by"].items() if name not in now or now[name] not in (None, value)]
+
+
+CSV = {  # measured tables that programs read: what measured them
+    "synth/data/points.csv": ["rtl"],
+    "synth/data/energy.csv": ["rtl", "models"],
+    "synth/data/depends.csv": ["rtl"],
+}
+CSV_LINE = "# measured_by "  # the first line of such a table, and one hash
+
+
+def csv_line(path):
+    """The first line of a table that is measured from now on."""
+    return CSV_LINE + digest(group_hash(group).encode() for group in CSV[path])
+
+
+def csv_stamp(path):
+    """Says of a table that it was measured now."""
+    lines = (ROOT / path).read_text().splitlines(keepends=True)
+    rest = lines[1:] if lines[:1] and lines[0].startswith(CSV_LINE) else lines
+    (ROOT / path).write_text(csv_line(path) + "\n" + "".join(rest))
+
+
+def csv_older(path):
+    with open(ROOT / path) as table:
+        return table.readline().strip() != csv_line(path)

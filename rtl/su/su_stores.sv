@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// su_stores: the pool of slots: of each record its key, the link to the next of its chain, and the rest.
+//
+// Paper   Sec. 4.2.2 (the sorter's buffers).
+// Idea    Three memories of Records words. The splitter never waits for a link: buckets link when it does not claim the
+//         port. Selected keys are a chain from the last slot to the first; nobody else is there then.
+// Stream  writes of a collected record, of a selected key, of a link; reads of key and link, and of the rest.
+// Pace    One access of each kind per cycle, data one cycle later.
+// Model   cpp_model/su/su.hpp
+
+module su_stores #(
+  localparam int unsigned KeyW     = pipegs_pkg::KeyW,
+  localparam int unsigned RecordW  = pipegs_pkg::RecordW,
+  localparam int unsigned PayloadW = pipegs_pkg::SplatBits - pipegs_pkg::KindW - KeyW  // without IndexTies with index
+) (
+  input  logic                clk_i,
+
+  input  logic                write_i,  // a record that comes in
+  input  logic [RecordW-1:0]  slot_i,
+  input  pipegs_pkg::splat_t  record_i,
+
+  input  pipegs_pkg::su_selected_t selected_i,  // su_select fills the pool
+
+  input  logic                link_i,  // su_buckets chains a slot
+  output logic                link_ready_o,
+  input  logic [RecordW-1:0]  link_slot_i,
+  input  logic [RecordW-1:0]  link_to_i,
+
+  input  logic                split_claim_i,  // su_split walks chains and makes new ones
+  input  logic                split_link_i,
+  input  logic [RecordW-1:0]  split_link_slot_i,
+  input  logic [RecordW-1:0]  split_link_to_i,
+  input  logic                split_read_i,
+  input  logic [RecordW-1:0]  split_slot_i,
+  output logic [KeyW-1:0]     split_key_o,
+  output logic [RecordW-1:0]  split_link_o,
+
+  input  logic                payload_read_i,  // su_emit
+  input  logic [RecordW-1:0]  payload_slot_i,
+  output logic [PayloadW-1:0] payload_o
+);
+
+  logic [KeyW-1:0]     key;
+  logic [PayloadW-1:0] payload;
+  assign payload      = PayloadW'({record_i} >> (pipegs_pkg::KindW + KeyW));
+  assign key          = KeyW'({record_i.depth, record_i.index} >>
+                              (pipegs_pkg::DepthW + pipegs_pkg::SplatIndexW - KeyW));
+  assign link_ready_o = !split_claim_i && !selected_i.claim;
+
+  sram #(.DataW(KeyW), .Depth(pipegs_pkg::Records)) u_keys (
+    .clk_i,
+    .write_i(selected_i.write || write_i), .waddr_i(selected_i.write ? selected_i.slot : slot_i),
+    .wdata_i(selected_i.write ? selected_i.key : key),
+    .read_i(split_read_i), .raddr_i(split_slot_i), .rdata_o(split_key_o)
+  );
+  sram #(.DataW(RecordW), .Depth(pipegs_pkg::Records)) u_links (
+    .clk_i,
+    .write_i(split_link_i || selected_i.write || (link_i && link_ready_o)),
+    .waddr_i(split_link_i ? split_link_slot_i : selected_i.write ? selected_i.slot : link_slot_i),
+    .wdata_i(split_link_i ? split_link_to_i : selected_i.write ? selected_i.slot - 1'b1 : link_to_i),
+    .read_i(split_read_i), .raddr_i(split_slot_i), .rdata_o(split_link_o)
+  );
+  sram #(.DataW(PayloadW), .Depth(pipegs_pkg::Records)) u_records (
+    .clk_i, .write_i, .waddr_i(slot_i), .wdata_i(payload),
+    .read_i(payload_read_i), .raddr_i(payload_slot_i), .rdata_o(payload_o)
+  );
+
+  logic unused;  // the kind, and a selected key's number
+  assign unused = &{1'b0, record_i, selected_i};
+
+endmodule

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// generate_color: see generate_color.hpp.
+//
+// Idea    Normal equations A c = b with A = sum w y y^T + ridge, solved by Cholesky for the three
+//         channels at once. The ridge keeps unseen directions near the seen average, and A positive.
+#include "scenes/generate/generate_color.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "scenes/generate/generate_random.hpp"
+
+namespace pipegs::generate {
+namespace {
+
+constexpr int kBasis = 16;
+constexpr double kConstant = 0.28209479177387814, kLinear = 0.4886025119029199;
+
+std::array<double, kBasis> basis(const glm::dvec3& d) {
+  const double x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;
+  return {kConstant,
+          -kLinear * y,
+          kLinear * z,
+          -kLinear * x,
+          1.0925484305920792 * x * y,
+          -1.0925484305920792 * y * z,
+          0.31539156525252005 * (2 * zz - xx - yy),
+          -1.0925484305920792 * x * z,
+          0.5462742152960396 * (xx - yy),
+          -0.5900435899266435 * y * (3 * xx - yy),
+          2.890611442640554 * x * y * z,
+          -0.4570457994644658 * y * (4 * zz - xx - yy),
+          0.3731763325901154 * z * (2 * zz - 3 * xx - 3 * yy),
+          -0.4570457994644658 * x * (4 * zz - xx - yy),
+          1.445305721320277 * z * (xx - yy),
+          -0.5900435899266435 * x * (xx - 3 * yy)};
+}
+
+// Where the imagined photographs were taken: rings at three heights, denser in front.
+const std::vector<glm::dvec3>& photographers() {
+  static const std::vector<glm::dvec3> all = [] {
+    std::vector<glm::dvec3> out;
+    for (int i = 0; i < 96; ++i) {
+      const double turn = (i + 0.5) / 96 * 2 * kPi;
+      const double angle = turn + 0.45 * std::sin(turn);  // bunches around angle pi = the front
+      const double radius = 4.6 + 0.9 * ((i * 7) % 5) / 4.0, height = 0.7 + 0.75 * (i % 3);
+      out.push_back({radius * std::sin(angle), -height, radius * std::cos(angle)});
+    }
+    return out;
+  }();
+  return all;
+}
+
+}  // namespace
+
+ShColor fit_color(const glm::dvec3& point, const glm::dvec3& normal,
+                  const std::function<glm::dvec3(const glm::dvec3&)>& seen) {
+  const bool all_round = glm::dot(normal, normal) == 0;
+  double a[kBasis][kBasis] = {};
+  ShColor b{};
+  double total = 0;
+  for (const glm::dvec3& camera : photographers()) {
+    const glm::dvec3 view = glm::normalize(camera - point);
+    const double weight = all_round ? 1 : smoothstep(-0.05, 0.25, glm::dot(view, normal));
+    if (weight <= 0) continue;
+    const auto y = basis(-view);
+    const glm::dvec3 target = seen(view) - 0.5;
+    for (int i = 0; i < kBasis; ++i) {
+      for (int j = 0; j <= i; ++j) a[i][j] += weight * y[static_cast<std::size_t>(i)] * y[static_cast<std::size_t>(j)];
+      b[static_cast<std::size_t>(i)] += weight * y[static_cast<std::size_t>(i)] * target;
+    }
+    total += weight;
+  }
+  if (total == 0) return plain_color(seen(normal));  // never faces a photographer: not seen either
+  for (int i = 0; i < kBasis; ++i) a[i][i] += (i == 0 ? 1e-6 : 4e-4) * total;
+  for (int i = 0; i < kBasis; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      double sum = a[i][j];
+      for (int k = 0; k < j; ++k) sum -= a[i][k] * a[j][k];
+      a[i][j] = i == j ? std::sqrt(std::max(sum, 1e-12)) : sum / a[j][j];
+    }
+  }
+  for (int i = 0; i < kBasis; ++i) {
+    for (int k = 0; k < i; ++k) b[static_cast<std::size_t>(i)] -= a[i][k] * b[static_cast<std::size_t>(k)];
+    b[static_cast<std::size_t>(i)] /= a[i][i];
+  }
+  for (int i = kBasis - 1; i >= 0; --i) {
+    for (int k = i + 1; k < kBasis; ++k) b[static_cast<std::size_t>(i)] -= a[k][i] * b[static_cast<std::size_t>(k)];
+    b[static_cast<std::size_t>(i)] /= a[i][i];
+  }
+  return b;
+}
+
+ShColor plain_color(const glm::dvec3& color) {
+  ShColor out{};
+  out[0] = (color - 0.5) / kConstant;
+  return out;
+}
+
+void add_gradient(ShColor& color, const glm::dvec3& axis, const glm::dvec3& amount) {
+  color[1] -= axis.y / kLinear * amount;
+  color[2] += axis.z / kLinear * amount;
+  color[3] -= axis.x / kLinear * amount;
+}
+
+}  // namespace pipegs::generate

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// csv: the one reader of tables: comments, the header, then rows of as many fields as it names.
+//
+// Rule    Lines that begin with `#` may stand before the header, which is exactly the caller's. A field is bare or in
+//         quotes, where a comma is a comma and "" a quote; nothing stands beside the quotes. A row has the fields of
+//         the header: a blank line is none. Numbers are read by number.hpp.
+// Hash    A first line `# measured_by HASH` says which sources a table was measured with.
+// Errors  InputError with file, line and column; what the visitor throws as std::runtime_error gets file and line.
+#pragma once
+
+#include <concepts>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/text/number.hpp"
+
+namespace pipegs {
+
+class CsvRow {
+ public:
+  CsvRow(std::string_view file, int line, const std::vector<std::string>& columns, std::vector<std::string> fields);
+
+  const std::string& text(std::string_view column) const;
+
+  template <std::integral T>
+  T integer(std::string_view column, T low = std::numeric_limits<T>::min(),
+            T high = std::numeric_limits<T>::max()) const {
+    try {
+      return parse_integer<T>(text(column), low, high);
+    } catch (const NumberError& error) { fail(column, error.what()); }
+  }
+  double real(std::string_view column, const RealRange& range = kFinite) const;
+
+  [[noreturn]] void fail(std::string_view column, std::string_view what) const;
+
+ private:
+  std::string_view file_;
+  int line_;
+  const std::vector<std::string>& columns_;
+  std::vector<std::string> fields_;
+};
+
+struct CsvNotes {
+  std::string measured_by;  // "" when the table does not say
+};
+
+using CsvVisit = std::function<void(const CsvRow&)>;
+
+CsvNotes read_csv(const std::filesystem::path& path, std::string_view header, const CsvVisit& visit);
+// The same of a text; `file` is its name in errors.
+CsvNotes parse_csv(std::string_view file, std::string_view text, std::string_view header, const CsvVisit& visit);
+
+}  // namespace pipegs

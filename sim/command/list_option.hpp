@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// list_option.hpp: options whose value is a list in one word, its elements by commas: names, numbers, a place.
+//
+// Why     The parser of the command line would leave out empty elements: a,,b would be a,b. And it would take the words
+//         behind the list for more of it, the scene among them.
+// Rule    Each element is there, a name comes once, and the option comes once.
+// Errors  CLI::ValidationError: "--rungs: found 'dop,,late', expected elements by commas, none of them empty".
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "sim/command/number_option.hpp"
+
+namespace pipegs {
+
+namespace list_option_detail {
+
+inline std::vector<std::string> elements_of(const std::string& name, const std::string& list) {
+  std::vector<std::string> elements = {""};
+  for (const char c : list) {
+    if (c == ',') elements.emplace_back();
+    else elements.back() += c;
+  }
+  for (const std::string& element : elements) {
+    if (element.empty()) {
+      throw CLI::ValidationError(name,
+                                 fmt::format("found {}, expected elements by commas, none of them empty", quote(list)));
+    }
+  }
+  return elements;
+}
+
+inline std::string joined(const auto& elements) { return fmt::format("{}", fmt::join(elements, ",")); }
+
+}  // namespace list_option_detail
+
+inline CLI::Option* add_names(CLI::App& app, const std::string& name, std::vector<std::string>& names,
+                              const std::string& what) {
+  return number_option_detail::add<std::vector<std::string>>(
+      app, name, what, "NAMES", names,
+      [name](const std::string& list) {
+        const std::vector<std::string> found = list_option_detail::elements_of(name, list);
+        for (auto element = found.begin(); element != found.end(); ++element) {
+          if (std::find(found.begin(), element, *element) != element)
+            throw CLI::ValidationError(name, fmt::format("found a second {}, expected one", quote(*element)));
+        }
+        return found;
+      },
+      [&names] { return list_option_detail::joined(names); });
+}
+
+inline CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<double>& values,
+                              const std::string& what, const RealRange& range) {
+  return number_option_detail::add<std::vector<double>>(
+      app, name, what, "NUMBERS", values,
+      [name, range](const std::string& list) {
+        std::vector<double> found;
+        for (const std::string& element : list_option_detail::elements_of(name, list))
+          found.push_back(parse_real(element, range));
+        return found;
+      },
+      [&values] { return list_option_detail::joined(values); });
+}
+
+// Column and row; nothing is set without the option.
+inline CLI::Option* add_place(CLI::App& app, const std::string& name, std::vector<int>& place,
+                              const std::string& what) {
+  return number_option_detail::add<std::vector<int>>(
+      app, name, what, "COLUMN,ROW", place,
+      [name](const std::string& list) {
+        const std::vector<std::string> found = list_option_detail::elements_of(name, list);
+        if (found.size() != 2)
+          throw CLI::ValidationError(name, fmt::format("found {}, expected COLUMN,ROW", quote(list)));
+        return std::vector<int>{parse_integer<int>(found[0], 0), parse_integer<int>(found[1], 0)};
+      },
+      [] { return ""; });
+}
+
+}  // namespace pipegs

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// outputs.cpp: see outputs.hpp.
+#include "sim/command/outputs.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "scenes/atomic_file.hpp"
+#include "scenes/input_error.hpp"
+#include "scenes/own_failure.hpp"
+
+namespace pipegs {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& option, const fs::path& path, const std::string& what) {
+  throw InputError(fmt::format("{} {}", option, quote(path.string())), "", "cannot be written: " + what);
+}
+
+fs::file_status status_of(const std::string& option, const fs::path& asked, const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none) refuse(option, asked, error.message());
+  return status;
+}
+
+// Whether folders below `folder`, and files in them, can be made.
+void try_to_write(const std::string& option, const fs::path& asked, fs::path folder) {
+  if (folder.empty()) folder = ".";
+  while (!fs::exists(status_of(option, asked, folder))) {
+    const fs::path above = folder.parent_path();
+    folder = above.empty() ? fs::path(".") : above;
+  }
+  if (!fs::is_directory(status_of(option, asked, folder)))
+    refuse(option, asked, quote(folder.string()) + " is a file, expected a folder");
+  const fs::path probe = folder / fmt::format(".pipegs.{}", getpid());
+  const bool written = std::ofstream(probe).is_open();
+  std::error_code ignored;
+  fs::remove(probe, ignored);
+  if (!written) refuse(option, asked, "nothing can be made in the folder " + quote(folder.string()));
+}
+
+void try_name(const std::string& option, const fs::path& asked, const fs::path& file) {
+  const fs::file_status status = status_of(option, asked, file);
+  if (fs::is_directory(status) || !file.has_filename())
+    refuse(option, asked, quote(file.string()) + " is a folder, expected a file");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    refuse(option, asked, quote(file.string()) + " is no regular file");
+}
+
+}  // namespace
+
+void try_folder(const std::string& option, const fs::path& folder, std::initializer_list<const char*> files) {
+  if (folder.empty()) refuse(option, folder, "expected a folder");
+  try_to_write(option, folder, folder);
+  for (const char* file : files) try_name(option, folder, folder / file);
+}
+
+void try_file(const std::string& option, const fs::path& file) {
+  if (file.empty()) return;
+  try_name(option, file, file);
+  try_to_write(option, file, file.parent_path());
+}
+
+void make_folder_of(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  if (!folder.empty()) fs::create_directories(folder);
+}
+
+void write_images(const std::string& folder, const Image& image) {
+  fs::create_directories(folder);
+  write_exr(fs::path(folder) / "frame.exr", image);
+  write_png(fs::path(folder) / "frame.png", image, glm::dvec3(0));
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  make_folder_of(path);
+  AtomicFile file(path);
+  std::ofstream out(file.temporary(), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw OwnFailure(path.string() + ": cannot write");
+  file.commit();
+}
+
+void write_charts(const std::string& path, const std::vector<Chart>& charts) {
+  if (!path.empty()) write_text(path, charts_svg(charts));
+}
+
+}  // namespace pipegs

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// replay.cpp: see replay.hpp.
+#include "sim/command/replay.hpp"
+
+#include <algorithm>
+
+namespace pipegs {
+
+std::string shell_word(const std::string& text) {
+  const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalnum(c) || std::string_view("_./=,:+-@%").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+std::string given_again(const CLI::App& command, const std::set<std::string>& without) {
+  std::string line = shell_word(command.get_parent()->get_name()) + " " + command.get_name();
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || without.contains(option->get_name())) continue;
+    const std::string name = option->get_positional() ? "" : " " + option->get_name();
+    if (option->get_items_expected_max() == 0) {
+      line += name;  // a flag
+      continue;
+    }
+    for (const std::string& value : option->results()) line += name + " " + shell_word(value);
+  }
+  return line;
+}
+
+}  // namespace pipegs

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// simulate.hpp: one frame through golden model, truth and RTL, compared, with everything that the report needs.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "cpp_model/golden.hpp"
+#include "scenes/camera.hpp"
+#include "scenes/scene.hpp"
+#include "sim/memory/dram/dram.hpp"
+#include "sim/rtl/rtl_model.hpp"
+#include "sim/compare/stream_check.hpp"
+
+namespace pipegs {
+
+struct SimulateOptions {
+  Config config;
+  ExternalMemoryOptions memory;
+  RtlOptions rtl;
+  RtlVariant variant;                        // may be simulated less than this: see built_variant in rtl_model.hpp
+  std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
+  int windows = 1;                           // with `window`: so many side by side, up to the end of the row
+  double near_plane = 0.2;                   // scene units
+  std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
+  RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison
+};
+
+struct MemoryTraffic {
+  std::string stream;  // who: "dopu nodes", "pu gaussians", ...
+  uint64_t bytes_read = 0, bytes_written = 0;
+};
+
+// What the DRAM says of itself after a frame.
+struct MemoryFigures {
+  Dram::Statistics statistics;
+  double gbps = 0, peak_gbps = 0;  // bytes over the pins / time of the frame, and what the pins can carry
+};
+
+struct Simulation {
+  PackedScene packed;
+  GoldenInput input;  // points at packed
+  GoldenFrame golden;
+  // Exact in the hardware's order, exact and INRIA in global order; only the window that was asked for.
+  Image truth_order, truth_exact, truth_inria;
+  RtlResult rtl;
+  std::vector<MemoryTraffic> traffic;
+  std::vector<StreamCheck::Seen> seen;
+  uint64_t beats = 0, mismatches = 0;
+  std::optional<Mismatch> first_mismatch;
+  std::optional<MemoryFigures> dram;  // when external memory is one
+  double psnr_numeric = 0, psnr_order = 0, psnr_total = 0, max_abs_error = 0;
+  double wall_truth = 0, wall_golden = 0, wall_rtl = 0;
+
+  Simulation() = default;
+  Simulation(const Simulation&) = delete;  // input points into packed
+};
+
+// Sets up the frame for the scene that is packed already.
+void simulate_frame(const Camera& camera, const SimulateOptions& options, Simulation& result);
+// Packs the scene and sets up the frame.
+void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
+// The same, and runs the golden model.
+void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
+// Renders the three truths and the figures that compare golden with them; needs simulate_golden. Truths that `known`, a
+// simulation of the same view, holds already are copied: the same ranks give the same picture.
+void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,
+                    const Simulation* known = nullptr);
+// Runs the RTL and compares every stream and every pixel; needs simulate_golden.
+void simulate_rtl(const SimulateOptions& options, Simulation& result);
+
+// The streams of external memory, in the order of the ports of rtl/buf/memory_arbiter.sv, and that of one port (a
+// request's tag).
+std::vector<std::string> memory_streams(const Config& config);
+size_t memory_stream(const Config& config, int port);
+// The bytes that each stream moved.
+std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMemory& memory);
+
+// The part of an image that was asked for: all of it, or some windows.
+Image crop_window(const Image& image, const SimulateOptions& options);
+
+}  // namespace pipegs

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+// stream_check.cpp: see stream_check.hpp.
+#include "sim/compare/stream_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cpp_model/ru/ru_walk.hpp"
+
+namespace pipegs {
+namespace {
+
+// Compares two splats, leaving out where the alphas lie, which depends on timing.
+std::string compare_splats(const Config& config, Splat expected, Splat found) {
+  expected.address = found.address = 0;
+  expected.ext = found.ext = 0;
+  expected.mask = found.mask = 0;
+  return first_difference(config, expected, found);
+}
+
+}  // namespace
+
+StreamCheck::StreamCheck(const GoldenInput& input)
+    : input_(input),
+      config_(input.packed->config),
+      constants_(config_),
+      rows_(config_),
+      windows_x_(input.frame.raster.windows.last_x - input.frame.raster.windows.first_x + 1),
+      splat_place_(config_.units),
+      ru_window_(config_.units, 0),
+      pending_(config_.units),
+      marks_(config_.units, 0) {}
+
+StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
+  const auto found = windows_.find(ordinal);
+  if (found != windows_.end()) return found->second;
+  Window& window = windows_[ordinal];
+  const uint64_t x = input_.frame.raster.windows.first_x + ordinal % windows_x_,
+                 y = input_.frame.raster.windows.first_y + ordinal / windows_x_;
+  window.golden = golden_window(input_, x, y);
+  for (const GoldenLayer& layer : window.golden.layers) {
+    auto& by_index = window.by_index.emplace_back();
+    for (const GoldenSplat& splat : layer.splats) by_index.emplace(static_cast<uint32_t>(splat.splat.index), &splat);
+  }
+  for (int r = 0; r < config_.regions(); ++r) {
+    if (window.golden.regions[r].all_done()) window.done |= uint64_t{1} << r;
+    window.live.push_back(ru_fresh_region(config_, input_.frame, x, y, r));
+  }
+  return window;
+}
+
+// Drops windows that every stream has left.
+void StreamCheck::release() {
+  uint64_t oldest = sorted_place_.window;
+  for (const Place& place : splat_place_) oldest = std::min(oldest, place.window);
+  for (const uint64_t window : ru_window_) oldest = std::min(oldest, window);
+  for (auto window = windows_.begin(); window != windows_.end();) {
+    window = window->first + 2 < oldest ? windows_.erase(window) : std::next(window);
+  }
+}
+
+void StreamCheck::fail(uint64_t window, std::string what) {
+  ++mismatches_;
+  if (first_) return;
+  first_ = Mismatch{std::move(what), input_.frame.raster.windows.first_x + window % windows_x_,
+                    input_.frame.raster.windows.first_y + window / windows_x_};
+}
+
+void StreamCheck::end(Place& place, uint64_t kind) {
+  place.next = 0;
+  ++place.layer;
+  if (kind != kWindowEnd) return;
+  place.layer = 0;
+  ++place.window;
+  release();
+}
+
+// A layer's end follows a layer with chunks. The window may end early when all that is left lies in regions that are
+// done, and late, with a layer that turned out to be empty: the DOPU learns that only after the end of the layer before
+// it.
+void StreamCheck::expect_end(const Place& place, uint64_t kind, const char* stream) {
+  const Window& now = window(place.window);
+  if (kind == kLayerEnd) {
+    if (place.layer >= now.golden.layers.size()) {
+      fail(place.window,
+           fmt::format("{}: an end of layer {}, but the window has {}", stream, place.layer, now.golden.layers.size()));
+    }
+    return;
+  }
+  for (size_t layer = place.layer + 1; layer < now.golden.layers.size(); ++layer) {
+    for (const GoldenSplat& splat : now.golden.layers[layer].splats) {
+      if ((splat.splat.mask & ~may_miss(now)) == 0) continue;
+      return fail(place.window, fmt::format("{}: the window ends in layer {}, Gaussian {} of layer {} is missing",
+                                            stream, place.layer, splat.splat.index, layer));
+    }
+  }
+}
+
+void StreamCheck::on_splat(int unit, const uint32_t* words) {
+  ++beats_;
+  const auto splat = unpack<Splat>(config_, words);
+  Place& place = splat_place_[unit];
+  Window& now = window(place.window);
+  const std::string stream = fmt::format("PU {} -> SU", unit);
+  if (splat.kind == kLayerEnd && config_.has_watermarks()) return on_mark(unit, place, splat);
+  if (splat.kind != kData) {
+    if (config_.has_watermarks()) marks_[static_cast<size_t>(unit)] = 0;
+    expect_end(place, splat.kind, stream.c_str());
+    return end(place, splat.kind);
+  }
+  if (place.layer >= now.by_index.size()) return fail(place.window, stream + ": a splat after the window's last layer");
+  const auto found = now.by_index[place.layer].find(static_cast<uint32_t>(splat.index));
+  if (found == now.by_index[place.layer].end()) {
+    return fail(place.window, fmt::format("{}: Gaussian {} in layer {}: expected none, found {}", stream, splat.index,
+                                          place.layer, to_text(config_, splat)));
+  }
+  const Splat& expected = found->second->splat;
+  if (config_.has_watermarks() && splat.depth < marks_[static_cast<size_t>(unit)]) {
+    return fail(place.window, fmt::format("{}: Gaussian {}: depth {} below the watermark {}", stream, splat.index,
+                                          splat.depth, marks_[static_cast<size_t>(unit)]));
+  }
+  const std::string difference = compare_splats(config_, expected, splat);
+  if (!difference.empty()) {
+    return fail(place.window,
+                fmt::format("{}: Gaussian {}, layer {}, field {}", stream, splat.index, place.layer, difference));
+  }
+  const uint64_t missing = expected.mask & ~splat.mask;
+  if ((splat.mask & ~expected.mask) != 0 || (missing & ~may_miss(now)) != 0) {
+    return fail(place.window,
+                fmt::format("{}: Gaussian {}, layer {}, field mask: expected {:016x}, found {:016x}, done {:016x}",
+                            stream, splat.index, place.layer, expected.mask, splat.mask, now.done));
+  }
+}
+
+// A watermark: it may only rise, and no later splat of the window lies below it.
+void StreamCheck::on_mark(int unit, const Place& place, const Splat& mark) {
+  uint64_t& last = marks_[static_cast<size_t>(unit)];
+  if (mark.depth < last) fail(place.window, fmt::format("PU {} -> SU: watermark {} after {}", unit, mark.depth, last));
+  last = mark.depth;
+}
+
+void StreamCheck::on_sorted(const uint32_t* words) {
+  ++beats_;
+  const auto sorted = unpack<Sorted>(config_, words);
+  Place& place = sorted_place_;
+  Window& now = window(place.window);
+  static const std::vector<GoldenSplat> kNone;
+  const std::vector<GoldenSplat>& splats =
+      place.layer < now.golden.layers.size() ? now.golden.layers[place.layer].splats : kNone;
+  // Golden splats that the RTL left out lie only in regions that are done.
+  const auto skip_done = [&](auto stop) {
+    while (place.next < splats.size() && !stop(splats[place.next])) {
+      const GoldenSplat& left_out = splats[place.next++];
+      if ((left_out.splat.mask & ~may_miss(now)) != 0) {
+        fail(place.window,
+             fmt::format("merge -> RU: layer {}: Gaussian {} is missing, found {}", place.layer, left_out.splat.index,
+                         sorted.kind == kData ? fmt::format("Gaussian {}", sorted.index) : "the layer's end"));
+        return;
+      }
+    }
+  };
+  if (sorted.kind != kData) {
+    skip_done([](const GoldenSplat&) { return false; });
+    expect_end(place, sorted.kind, "merge -> RU");
+    return end(place, sorted.kind);
+  }
+  skip_done([&](const GoldenSplat& splat) { return splat.splat.index == sorted.index; });
+  if (place.next >= splats.size() || splats[place.next].splat.index != sorted.index) {
+    return fail(place.window,
+                fmt::format("merge -> RU: layer {}: Gaussian {} is out of order", place.layer, sorted.index));
+  }
+  const auto found = unpack<Splat>(config_, words);  // a sorted splat begins with the splat
+  const std::string difference = compare_splats(config_, splats[place.next].splat, found);
+  if (!difference.empty())
+    fail(place.window, fmt::format("merge -> RU: Gaussian {}, field {}", sorted.index, difference));
+  ++place.next;
+}
+
+void StreamCheck::on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region,
+                            const uint32_t* line) {
+  ++beats_;
+  const uint64_t ordinal =
+      (window_y - input_.frame.raster.windows.first_y) * windows_x_ + (window_x - input_.frame.raster.windows.first_x);
+  ru_window_[unit] = ordinal;
+  Window& now = window(ordinal);
+  const GoldenSplat* splat = nullptr;
+  for (const auto& by_index : now.by_index) {
+    const auto found = by_index.find(index);
+    if (found != by_index.end()) splat = found->second;
+  }
+  if (splat == nullptr)
+    return fail(ordinal, fmt::format("alphas -> RU {}: Gaussian {} is not in the window", unit, index));
+  Pending pending{.index = index, .region = region, .codes = {}, .after = {}, .window = ordinal};
+  pu_region_line(rows_, splat->job, region, pending.codes.data());
+  for (int i = 0; i < kRegionPixels; ++i) {
+    const uint64_t found = get_bits(line, i * config_.alpha_w, config_.alpha_w);
+    if (found == pending.codes[i]) continue;
+    const uint64_t x = window_x * config_.window + 8 * (region % config_.regions_x()) + i % 8;
+    const uint64_t y = window_y * config_.window + 8 * (region / config_.regions_x()) + i / 8;
+    fail(ordinal, fmt::format("alphas -> RU {}: Gaussian {}, pixel {},{}, field alpha: expected {}, found {}", unit,
+                              index, x, y, pending.codes[i], found));
+    break;
+  }
+  const uint32_t color[3] = {static_cast<uint32_t>(splat->splat.red), static_cast<uint32_t>(splat->splat.green),
+                             static_cast<uint32_t>(splat->splat.blue)};
+  ru_blend_region(constants_, now.live[region], pending.codes.data(), color);
+  pending.after = now.live[region];
+  pending_[unit].push_back(pending);
+}
+
+void StreamCheck::on_pixels(int unit, int region, int quarter, const uint32_t* word) {
+  ++beats_;
+  if (pending_[unit].empty()) return fail(ru_window_[unit], fmt::format("RU {}: pixels written without a line", unit));
+  Pending& pending = pending_[unit].front();
+  if (pending.region != region) {
+    fail(pending.window,
+         fmt::format("RU {}: Gaussian {}: wrote region {}, expected {}", unit, pending.index, region, pending.region));
+  } else {
+    // The word: colours of the sixteen pixels, then their transmittances, then their done flags (rtl/ru/ru_lanes.sv).
+    const int colors = 3 * config_.rgb_w;
+    for (int i = 0; i < 16; ++i) {
+      const PixelState expected = pending.after.pixel(16 * quarter + i);
+      const auto field = [&](int at, int width) { return static_cast<uint32_t>(get_bits(word, at, width)); };
+      const PixelState found{field(16 * colors + i * config_.t_w, config_.t_w),
+                             {field(i * colors, config_.rgb_w), field(i * colors + config_.rgb_w, config_.rgb_w),
+                              field(i * colors + 2 * config_.rgb_w, config_.rgb_w)},
+                             field(16 * (colors + config_.t_w) + i, 1) != 0};
+      const int x =
+          static_cast<int>((input_.frame.raster.windows.first_x + pending.window % windows_x_) * config_.window) +
+          8 * (region % config_.regions_x()) + i % 8;
+      const int y =
+          static_cast<int>((input_.frame.raster.windows.first_y + pending.window / windows_x_) * config_.window) +
+          8 * (region / config_.regions_x()) + 2 * quarter + i / 8;
+      if (x == watch_x_ && y == watch_y_) seen_.push_back({pending.index, pending.codes[16 * quarter + i], found.t});
+      if (found == expected) continue;
+      fail(pending.window,
+           fmt::format(
+               "RU {}: Gaussian {}, pixel {},{}: expected T {} rgb {} {} {} done {}, found T {} rgb {} {} {} done {}",
+               unit, pending.index, x, y, expected.t, expected.rgb[0], expected.rgb[1], expected.rgb[2], expected.done,
+               found.t, found.rgb[0], found.rgb[1], found.rgb[2], found.done));
+      break;
+    }
+  }
+  if (++pending.words == 4) pending_[unit].pop_front();
+}
+
+void StreamCheck::finish() {
+  const uint64_t windows = windows_x_ * (input_.frame.raster.windows.last_y - input_.frame.raster.windows.first_y + 1);
+  for (size_t unit = 0; unit < splat_place_.size(); ++unit) {
+    if (splat_place_[unit].window != windows)
+      fail(splat_place_[unit].window, fmt::format("PU {} -> SU: windows are missing", unit));
+    if (!pending_[unit].empty()) fail(ru_window_[unit], fmt::format("RU {}: a line was not written back", unit));
+  }
+  if (sorted_place_.window != windows) fail(sorted_place_.window, "merge -> RU: windows are missing");
+}
+
+}  // namespace pipegs

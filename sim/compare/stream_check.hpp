@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// stream_check.hpp: holds every stream of the RTL against the golden model while the machine runs.
+//
+// Idea    The golden window is computed when the RTL first shows something of it and dropped when it has left it.
+//           PU -> SU      (with lists: list -> SU) every splat equals the golden one; regions may be missing only
+//                         where the window is done there
+//           merge -> RU   the order equals the golden order, layer by layer
+//           alphas        the line that an RU starts to blend equals the golden codes of that Gaussian and region
+//           pixels        T and RGB that an RU writes back equal the golden blend of that line
+//         What the RTL leaves out because a region was done must have been done in the golden model too.
+// Result  The number of mismatches, and the first one in words: Gaussian, pixel, field, both values.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include "cpp_model/golden.hpp"
+#include "cpp_model/pu/pu_rows.hpp"
+#include "sim/rtl/rtl_model.hpp"
+
+namespace pipegs {
+
+struct Mismatch {
+  std::string what;  // one line
+  uint64_t window_x = 0, window_y = 0;
+};
+
+class StreamCheck final : public RtlTaps {
+ public:
+  explicit StreamCheck(const GoldenInput& input);
+
+  void on_splat(int unit, const uint32_t* splat) override;
+  void on_sorted(const uint32_t* sorted) override;
+  void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region,
+                 const uint32_t* line) override;
+  void on_pixels(int unit, int region, int quarter, const uint32_t* word) override;
+
+  // After the run: all that was owed has come.
+  void finish();
+
+  uint64_t mismatches() const { return mismatches_; }
+  const std::optional<Mismatch>& first() const { return first_; }
+  uint64_t beats() const { return beats_; }  // beats compared
+  // The alpha codes and T that the RTL showed for one pixel, for `explain`: index, code, T after, in RTL order.
+  struct Seen {
+    uint32_t index, code, t_after;
+  };
+  void watch(int x, int y) { watch_x_ = x, watch_y_ = y; }
+  const std::vector<Seen>& seen() const { return seen_; }
+
+ private:
+  struct Window {
+    GoldenWindow golden;
+    std::vector<std::unordered_map<uint32_t, const GoldenSplat*>> by_index;  // of each layer
+    uint64_t done = 0;                                                       // regions done at the end
+    std::vector<RegionState> live;                                           // blended line by line as the RTL does
+  };
+  // Where a stream is in the frame.
+  struct Place {
+    uint64_t window = 0;  // ordinal in the frame
+    size_t layer = 0;
+    size_t next = 0;  // next splat, for the sorted stream
+  };
+  struct Pending {  // a line being blended by an RU, until its four words have been written back
+    uint32_t index;
+    int region;
+    std::array<uint16_t, kRegionPixels> codes;
+    RegionState after;  // the golden region after this line
+    uint64_t window;
+    int words = 0;
+  };
+
+  Window& window(uint64_t ordinal);
+  // Regions that the stream before the RUs may leave out. Lists are made before anything is done: they are complete.
+  uint64_t may_miss(const Window& window) const { return config_.has_lists() ? 0 : window.done; }
+  void release();
+  void fail(uint64_t window, std::string what);
+  void end(Place& place, uint64_t kind);
+  void on_mark(int unit, const Place& place, const Splat& mark);
+  void expect_end(const Place& place, uint64_t kind, const char* stream);
+
+  GoldenInput input_;
+  const Config& config_;
+  BlendConstants constants_;
+  PuRows rows_;  // its tables are made once, not for every line
+  uint64_t windows_x_;
+  std::vector<Place> splat_place_;
+  Place sorted_place_;
+  std::vector<uint64_t> ru_window_;           // of each RU: the window of its latest line
+  std::vector<std::deque<Pending>> pending_;  // of each RU
+  std::vector<uint64_t> marks_;               // of each PU: the last watermark of its window (order 2)
+  std::unordered_map<uint64_t, Window> windows_;
+  uint64_t mismatches_ = 0, beats_ = 0;
+  std::optional<Mismatch> first_;
+  int watch_x_ = -1, watch_y_ = -1;
+  std::vector<Seen> seen_;
+};
+
+}  // namespace pipegs

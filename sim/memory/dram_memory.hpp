@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// dram_memory.hpp: a DRAM behind the machine's memory port.
+//
+// Idea    Lines go to the DRAM (sim/memory/dram/dram.hpp) in the order in which they are accepted. Answers of one tag
+//         keep their order: a read that comes back early waits for those before it, in a buffer beside the controller.
+//         One answer per cycle. `path` cycles are added to every answer for the way between the machine and the
+//         channels.
+// Units   Cycles of the machine's clock, 1 GHz.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "sim/memory/dram/dram.hpp"
+#include "sim/memory/memory_timing.hpp"
+
+namespace pipegs {
+
+// The names of ExternalMemoryOptions::dram: the presets of dram_preset(), and LPDDR5-6400 with 1, 2, 4 or 8 channels.
+std::vector<std::string> dram_memory_names();
+// The timing of a name with the controller of this machine: channels take turns with every 64-byte line, so that a line
+// opens one row only; bank groups are spread (RoBaCoGrCh); a bank stays open while hits wait; 64 reads and 64 writes
+// wait in each channel, and writes leave in long runs. docs/cycles/memory_timing.md has what each is worth. Throws
+// std::invalid_argument for an unknown name.
+DramTiming dram_memory_timing(const std::string& name);
+
+class DramMemory final : public MemoryTiming {
+ public:
+  explicit DramMemory(const ExternalMemoryOptions& options);
+
+  int step() override;
+  bool ready() const override { return dram_.ready() && flying_ < kFlying; }
+  void request(bool write, uint64_t line, int tag) override;
+  const Dram* dram() const override { return &dram_; }
+
+ private:
+  static constexpr uint32_t kFlying = 1024;  // reads asked for and not answered yet
+  struct Read {
+    int tag = 0;
+    bool back = false;  // from the DRAM
+  };
+  struct Due {
+    int64_t cycle;
+    int tag;
+  };
+
+  Dram dram_;
+  int path_;
+  int64_t now_ = 0;
+  uint32_t flying_ = 0;
+  std::array<Read, kFlying> reads_{};
+  std::deque<uint32_t> free_;
+  std::array<std::deque<uint32_t>, 256> order_;  // of each tag: its reads, oldest first
+  std::deque<Due> due_;                          // answers on their way to the machine
+};
+
+}  // namespace pipegs

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// chart.hpp: charts as SVG: bars side by side or stacked, lines with markers, histograms, clouds of points.
+//
+// Idea    A Chart is data and labels; `charts_svg` lays charts out in a grid and draws axes, ticks, legend and values.
+//         Background is transparent and text takes the page's colour (black or white by the reader's colour scheme when
+//         the file stands alone), so that one file serves light and dark pages.
+// Rule    Nothing is drawn that is not in the data: a value that is not finite leaves a gap. On a logarithmic axis the
+//         same holds for values that are not positive.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pipegs {
+
+struct Series {
+  std::string name;
+  std::vector<double> values;            // one for each category, x or bin
+  bool outlined = false;                 // drawn as a dashed outline: what others reported; of points: joined by a line
+  std::vector<double> x = {};            // of points: where each lies
+  std::vector<std::string> labels = {};  // of points: what each is
+};
+
+struct Chart {
+  enum class Form {
+    kBars,       // series side by side, by category
+    kStacked,    // series on top of each other, by category
+    kLines,      // markers at x, joined
+    kHistogram,  // one series; bin i lies between x[i] and x[i + 1]
+    kScatter,    // points anywhere, of each series its own; axes begin near the lowest
+  };
+  Form form = Form::kBars;
+  std::string title, x_label, y_label;
+  std::vector<std::string> categories;  // of bars; of lines: what stands at x, if not its number
+  std::vector<double> x;                // of lines and histograms, ascending
+  std::vector<Series> series;
+  bool log_x = false, log_y = false;  // log_x: lines and histograms only; log_y: bars and lines
+  bool from_zero = true;              // of lines: the linear vertical axis begins at 0, else near the lowest value
+  std::string note;                   // one line beneath
+};
+
+// The values in `bins` bins of equal width (equal ratio when log_x, for positive values).
+Chart histogram(const std::string& title, const std::string& x_label, const std::vector<double>& values, int bins,
+                bool log_x = false);
+
+// A whole SVG file. Throws std::invalid_argument when a chart's counts do not fit each other.
+std::string charts_svg(const std::vector<Chart>& charts, int columns = 2);
+
+// Round numbers that cover low to high: steps of 1, 2 or 5 (linear), or 1, 2, 5 of each decade (logarithmic).
+std::vector<double> axis_ticks(double low, double high, bool logarithmic);
+
+}  // namespace pipegs

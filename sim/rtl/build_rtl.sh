@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so:
+#   build_rtl.sh BUILD_DIR OUT_DIR [+waves] [+noasserts] [+netlist] [+threads=N] [key=value ...]
+#
+# With +netlist DOPU, PUs, SUs and RUs are the gates that synth/synth.py maps them to, each unit Verilated once as a
+# library of its own; the rest is RTL. What begins with + says how the machine is simulated (RtlVariant), the rest which
+# machine it is.
+# BUILD_DIR is the CMake build folder (its package_sv and static libraries are used). Nothing is done twice: the library
+# is newer than every RTL file or it is built again, the C++ through ccache where that is installed.
+set -euo pipefail
+build=$(cd "$1" && pwd) out=$2
+shift 2
+root=$(cd "$(dirname "$0")/../.." && pwd)
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+exec 9> "$out/lock"
+flock 9
+if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl/rtl_bridge.cpp" "$root/sim/rtl/rtl_model.hpp" \
+    "$root/sim/memory/external_memory.hpp" "$root/sim/memory/memory_timing.hpp" "$root/sim/rtl/build_rtl.sh" \
+    "$root/sim/rtl/verilate.sh" "$root/cpp_model/config.def" "$root/cpp_model/records.def" \
+    "$build/cpp_model/package_sv" "$build/sim/memory/libpipegs_memory.a" "$build/sim/memory/dram/libpipegs_dram.a" \
+    -newer "$out/librtl.so" -type f)" ]; then
+  exit 0
+fi
+settings=() options=() threads=1 waves=0 units=()
+for argument in "$@"; do
+  case $argument in
+    +waves) options+=(--trace-fst) waves=1 ;;
+    +noasserts) options+=(--no-assert) ;;
+    +netlist) units=(dopu pu su ru) ;;
+    +threads=*) threads=${argument#+threads=} options+=(--threads "$threads") ;;
+    +*) echo "build_rtl.sh: $argument is unknown" >&2; exit 1 ;;
+    *) settings+=("$argument") ;;
+  esac
+done
+rm -f "$out"/*.o
+touch "$out/begun"  # the library is as old as this: a file that changes from here on is newer
+"$build/cpp_model/package_sv" "${settings[@]}" > "$out/pipegs_pkg.sv"
+shards=4
+if [ ${#units[@]} -gt 0 ]; then
+  "$root/synth/synth.py" --build "$build" --set "${settings[*]}" --netlist "$out/netlists" "${units[@]}"
+  for unit in "${units[@]}"; do
+    "$root/sim/rtl/verilate.sh" "$unit" "$out/units/$unit" "$out/netlists/$unit.v" $shards \
+      --lib-create "$unit" --clk clk_i --clk rst_ni
+    # Verilator 5.006 leaves it undefined, and the wrapper compares it.
+    sed -i 's/long long m_seqnum;/long long m_seqnum = 0;/' "$out/units/$unit/$unit.cpp"
+    options+=(-y "$out/units/$unit")  # the wrapper that it wrote stands before the RTL
+  done
+  options+=(-Wno-UNOPTFLAT)  # a wrapper is one process: what comes in as ready and goes out as valid looks like a loop
+fi
+"$root/sim/rtl/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards "${options[@]}"
+cxx=$(command -v clang++ || echo "${CXX:-g++}")
+ccache=$(command -v ccache || true)
+verilator=$(verilator -V | sed -n 's/^ *VERILATOR_ROOT *= //p' | grep -v '^$' | tail -n 1)
+verilator=${verilator:-/usr/share/verilator}
+flags="-std=c++20 -fPIC -I$root -isystem $verilator/include -isystem $verilator/include/vltstd -isystem $out \
+  -DVL_USER_STOP -DVM_COVERAGE=0 -DVM_SC=0 -DVM_TRACE=$waves -DVM_TRACE_FST=$waves -DVM_TRACE_VCD=0 \
+  -DPIPEGS_THREADS=$threads"
+compile() { $ccache "$cxx" $flags "$@"; }
+export -f compile
+export ccache cxx flags
+{ for unit in "${units[@]}"; do
+    echo "$out/units/$unit/$unit.cpp $out/$unit.o -O2 -w"
+    for i in $(seq 0 $((shards - 1))); do
+      echo "$out/units/$unit/V${unit}__shard$i.cpp $out/${unit}_shard$i.o -O1 -w -I$out/units/$unit"
+    done
+    echo "$out/units/$unit/V${unit}__once.cpp $out/${unit}_once.o -O0 -w -I$out/units/$unit"
+  done
+  for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o -O3 -w"; done
+  echo "$out/Vpipegs_top__once.cpp $out/once.o -O$waves -w"  # where waves are written they take nearly all of the time
+  if [ $waves = 1 ]; then echo "$verilator/include/verilated_fst_c.cpp $out/fst.o -O2 -w"; fi
+  echo "$root/sim/rtl/rtl_bridge.cpp $out/bridge.o -O2 -Wall -Wextra"; } |
+  xargs -P "$(nproc)" -L 1 bash -c 'compile -c "$0" -o "$1" "${@:2}"'
+"$cxx" -shared -o "$out/librtl.so.new" "$out"/*.o "$build/sim/memory/libpipegs_memory.a" \
+  "$build/sim/memory/dram/libpipegs_dram.a" \
+  "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" -lz -latomic -lpthread
+touch -r "$out/begun" "$out/librtl.so.new"
+mv "$out/librtl.so.new" "$out/librtl.so"

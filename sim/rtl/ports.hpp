@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// ports.hpp: words in and out of the ports of a Verilated module, whatever C++ type Verilator chose for them.
+//
+// Up to 64 bits a port is an integer, above it is an array of 32-bit words, lowest first.
+#pragma once
+
+#include <verilated.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace pipegs {
+
+// Copies words into a port of any Verilator type, and back.
+template <class Port>
+void write_port(Port& port, const uint32_t* words) {
+  if constexpr (std::is_integral_v<Port>) {
+    port = static_cast<Port>(sizeof(Port) > 4 ? (static_cast<uint64_t>(words[1]) << 32) | words[0] : words[0]);
+  } else {
+    for (size_t i = 0; i < sizeof(Port) / 4; ++i) port.m_storage[i] = words[i];
+  }
+}
+template <class Port>
+void read_port(const Port& port, uint32_t* words) {
+  if constexpr (std::is_integral_v<Port>) {
+    words[0] = static_cast<uint32_t>(port);
+    if constexpr (sizeof(Port) > 4) words[1] = static_cast<uint32_t>(static_cast<uint64_t>(port) >> 32);
+  } else {
+    for (size_t i = 0; i < sizeof(Port) / 4; ++i) words[i] = port.m_storage[i];
+  }
+}
+template <class Port>
+constexpr size_t port_words() {
+  return (sizeof(Port) + 3) / 4;
+}
+
+}  // namespace pipegs

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl_model.hpp: the Verilated machine as the rest of the program sees it: run one frame, watch its streams.
+//
+// Each configuration is a shared library of its own (librtl.so, built by sim/rtl/build_rtl.sh) that exports
+// `pipegs_rtl_create`; the program itself holds no Verilated code. Records cross as packed 32-bit words.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cpp_model/config.hpp"
+#include "sim/memory/external_memory.hpp"
+
+namespace pipegs {
+
+// What the machine shows while it runs. All words are packed records, valid during the call only.
+class RtlTaps {
+ public:
+  virtual ~RtlTaps() = default;
+  virtual void on_splat(int unit, const uint32_t* splat) = 0;  // PU -> SU
+  virtual void on_sorted(const uint32_t* sorted) = 0;          // su_merge -> RUs
+  // A line of alphas that RU `unit` starts to blend, and the window in which it does.
+  virtual void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region,
+                         const uint32_t* line) = 0;
+  virtual void on_pixels(int unit, int region, int quarter, const uint32_t* word) = 0;  // T and RGB that it writes back
+  int64_t cycle = 0;  // of what is shown: counted as RtlResult::cycles, 1 is the first one that counts
+
+  // What follows is shown only when `wants_cycles` says so, because it costs time in every cycle.
+  virtual bool wants_cycles() const { return false; }
+  // First in each cycle that the performance counters count, from 0 on: what each unit does (0 busy, 1 starved, 2
+  // blocked, 3 memory), in the order DOPU, PUs, SUs, RUs. What else the cycle shows comes after it.
+  virtual void on_cycle(uint64_t /*cycle*/, const uint8_t* /*states*/) {}
+  virtual void on_chunk(int /*unit*/, int /*kind*/) {}               // DOPU -> PU: a chunk or an end beat
+  virtual void on_layer_done(int /*unit*/, bool /*window_done*/) {}  // RU `unit` has blended a layer
+  // A line to or from external memory, see MemoryRequest.
+  virtual void on_request(int /*tag*/, bool /*write*/, uint64_t /*line*/) {}
+};
+
+struct RtlOptions {
+  uint64_t seed = 1;                              // of the random initial values of registers and memories
+  std::string waves;                              // FST file, empty for none; needs a variant with waves
+  uint64_t sample_period = 0, sample_cycles = 0;  // waves of so many cycles in each period only; 0: of all
+  uint64_t quiet_limit = 200000;  // cycles without a memory request after which the machine counts as hung
+};
+
+// Whether waves show this cycle. Where in its period a sample lies is drawn from the period's number, so that samples
+// meet no rhythm of the machine.
+inline bool in_sample(const RtlOptions& options, uint64_t cycle) {
+  if (options.sample_period == 0) return true;
+  uint64_t draw = cycle / options.sample_period * 0x9e3779b97f4a7c15ull;  // splitmix64
+  draw = (draw ^ draw >> 30) * 0xbf58476d1ce4e5b9ull;
+  draw = (draw ^ draw >> 27) * 0x94d049bb133111ebull;
+  const uint64_t begin = (draw ^ draw >> 31) % (options.sample_period - options.sample_cycles + 1),
+                 at = cycle % options.sample_period;
+  return at >= begin && at < begin + options.sample_cycles;
+}
+
+struct UnitCycles {
+  uint64_t busy = 0, starved = 0, blocked = 0, memory = 0;
+};
+
+struct RtlResult {
+  uint64_t cycles = 0;
+  uint64_t preprocess_cycles = 0;  // of these, before the first list was read (order 1; else 0)
+  std::vector<UnitCycles> dopu, pu, su, ru;
+  uint64_t overflow_lines = 0;  // lines of alphas, records and keys that went to external memory
+};
+
+class RtlModel {
+ public:
+  virtual ~RtlModel() = default;
+  // Runs the frame that `frame` (a packed Frame) describes on the scene that lies in `memory`. `progress(cycle,
+  // window)` is called every few thousand cycles; returning false stops the run with an exception. Throws
+  // std::runtime_error when an assertion fails or the machine hangs.
+  virtual RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+                        const std::function<bool(uint64_t cycle, uint64_t windows_done)>& progress) = 0;
+};
+
+// The RTL of a configuration does not build.
+struct RtlBuildError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// How a machine is simulated. It changes neither a cycle nor a bit, only time and what can be seen.
+struct RtlVariant {
+  int threads = 1;
+  bool waves = false;    // they can be written
+  bool asserts = true;   // the assertions of the RTL are checked
+  bool netlist = false;  // DOPU, PUs, SUs and RUs are gates
+};
+
+// The variant that is built for a run. Waves are three quarters of the C++ to compile, so a machine can write them only
+// when a run asks for them.
+RtlVariant built_variant(RtlVariant variant = {}, const RtlOptions& options = {});
+
+// Loads the machine for a configuration, building it first when this has not been done (see sim/rtl/build_rtl.sh).
+std::unique_ptr<RtlModel> load_rtl(const Config& config, const RtlVariant& variant = {});
+
+// Brings its library up to date without loading it and returns its path. Throws RtlBuildError.
+std::string build_rtl(const Config& config, const RtlVariant& variant = {});
+
+}  // namespace pipegs
+
+extern "C" pipegs::RtlModel* pipegs_rtl_create(const pipegs::Config* config);

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+// report.cpp: see report.hpp.
+#include "sim/study/accuracy/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pipegs {
+namespace {
+
+constexpr double kFlat = 1;  // decibels that a step must gain to be worth a word
+
+double percent(double value, double base) { return 100 * (value / base - 1); }
+double cycles(const MeasuredPoint& point) { return static_cast<double>(point.figures.cycles); }
+double bytes(const MeasuredPoint& point) { return static_cast<double>(point.figures.bytes); }
+
+// "3.12", or "~3.12" beyond what was synthesised or measured.
+std::string told(double value, bool extrapolated) { return fmt::format("{}{:.2f}", extrapolated ? "~" : "", value); }
+
+// What a knob is judged by: an order knob by the sum of both errors.
+double quality(const Knob& knob, const Accuracy& a) {
+  const double sum = mean_square(a.numeric.psnr) + (knob.orders ? mean_square(a.order.psnr) : 0);
+  return -10 * std::log10(sum);
+}
+
+std::string row_text(const std::string& label, const MeasuredPoint& point, const Accuracy& base) {
+  const Accuracy& a = point.figures;
+  if (!a.failure.empty()) return fmt::format("  {:<14}{}\n", label, a.failure);
+  return fmt::format(
+      "  "
+      "{:<14}{:>8}{:>8}{:>8}{:>9.5f}{:>8.4f}{:>8.4f}{:>9.4f}{:>10}{:>+8.2f}{:>8.1f}{:>7.1f}{:>9.1f}{:>7}{:>7}{:>8.1f}"
+      "\n",
+      label, decibels(a.numeric.psnr), decibels(a.order.psnr), decibels(a.total.psnr), a.total.ssim, a.numeric.max,
+      a.numeric.p999, 100 * a.flips.share(), a.cycles,
+      percent(static_cast<double>(a.cycles), static_cast<double>(base.cycles)), static_cast<double>(a.bytes) / 1e6,
+      a.gbps(), a.buffer_kb(), area_text(point), energy_text(point),
+      a.seconds_golden + a.seconds_truth + a.seconds_trace + a.seconds_model);
+}
+
+std::string front_text(const std::vector<MeasuredPoint>& points, Cost cost, const char* name, const Config& base) {
+  std::string text = fmt::format("\n  front over {}\n  {:>8}{:>8}{:>8}{:>10}{:>8}{:>9}{:>7}{:>7}  configuration\n",
+                                 name, "numeric", "order", "total", "cycles", "MB", "buf KB", "mm2", "mJ");
+  for (const MeasuredPoint* point : pareto_front(points, cost)) {
+    const Accuracy& a = point->figures;
+    text += fmt::format("  {:>8}{:>8}{:>8}{:>10}{:>8.1f}{:>9.1f}{:>7}{:>7}  {}\n", decibels(a.numeric.psnr),
+                        decibels(a.order.psnr), decibels(a.total.psnr), a.cycles, static_cast<double>(a.bytes) / 1e6,
+                        a.buffer_kb(), area_text(*point), energy_text(*point), difference(point->config, base));
+  }
+  return text;
+}
+
+// Every measured row: knob, label, point.
+template <class Visit>
+void each_row(const AccuracySweep& sweep, Visit&& visit) {
+  visit("base", "", sweep.base);
+  for (const SweptKnob& knob : sweep.knobs) {
+    for (size_t i = 0; i < knob.points.size(); ++i) visit(knob.knob->name, knob.values[i]->label, knob.points[i]);
+  }
+  for (size_t i = 0; i < sweep.together.size(); ++i) visit("together", fmt::format("{}", i + 1), sweep.together[i]);
+}
+
+Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& title, const std::string& label) {
+  Chart chart{.form = Chart::Form::kScatter, .title = title, .x_label = label, .y_label = "numeric PSNR, dB"};
+  const double unit = cost == Cost::kBytes ? 1e6 : cost == Cost::kCycles ? 1e3 : cost == Cost::kEnergy ? 1e-3 : 1;
+  const auto add = [&](Series& series, const MeasuredPoint& point) {
+    if (!point.figures.failure.empty()) return;
+    series.x.push_back(cost_of(point, cost) / unit);
+    series.values.push_back(point.figures.numeric.psnr);
+    series.labels.push_back(difference(point.config, sweep.base.config));
+  };
+  Series alone{.name = "one knob"}, together{.name = "together"}, base{.name = "base"},
+      front{.name = "front", .outlined = true};
+  for (const SweptKnob& knob : sweep.knobs) {
+    for (const MeasuredPoint& point : knob.points) {
+      if (!(point.config == sweep.base.config)) add(alone, point);
+    }
+  }
+  for (const MeasuredPoint& point : sweep.together) add(together, point);
+  add(base, sweep.base);
+  const std::vector<MeasuredPoint> all = sweep.all();
+  for (const MeasuredPoint* point : pareto_front(all, cost)) add(front, *point);
+  chart.series = {alone, together, base, front};
+  return chart;
+}
+
+}  // namespace
+
+std::string area_text(const MeasuredPoint& point) {
+  return told(point.silicon.mm2.mid, point.silicon.extrapolated_area);
+}
+std::string energy_text(const MeasuredPoint& point) {
+  return told(point.silicon.joules() * 1e3, point.silicon.extrapolated_energy);
+}
+
+std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf"; }
+
+std::string difference(const Config& config, const Config& base) {
+  std::string text;
+  for (const ConfigEntry& entry : config_entries(config)) {
+    if (entry.member == nullptr || base.*entry.member == entry.value) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", entry.name, entry.value);
+  }
+  return text.empty() ? "base" : text;
+}
+
+std::string config_file(const Config& config, const std::string& comment) {
+  std::string text = "# " + comment + "\n";
+  const Config standard;
+  for (const ConfigEntry& entry : config_entries(config)) {
+    if (entry.member != nullptr && standard.*entry.member != entry.value)
+      text += fmt::format("{}={}\n", entry.name, entry.value);
+  }
+  return text;
+}
+
+std::string knob_sentence(const SweptKnob& swept) {
+  const Knob& knob = *swept.knob;
+  std::vector<size_t> measured;
+  for (size_t i = 0; i < swept.points.size(); ++i) {
+    if (swept.points[i].figures.failure.empty()) measured.push_back(i);
+  }
+  if (measured.size() < 2) return fmt::format("{}: one value only.", knob.name);
+  const char* what = knob.orders ? "numeric and order error" : "numeric error";
+  // The last step that gains a decibel over all before it.
+  size_t from = measured[0], to = measured[0];
+  double best = quality(knob, swept.points[measured[0]].figures);
+  size_t best_at = measured[0];
+  for (size_t k = 1; k < measured.size(); ++k) {
+    const double here = quality(knob, swept.points[measured[k]].figures);
+    if (here >= best + kFlat) from = best_at, to = measured[k];
+    if (here > best) best = here, best_at = measured[k];
+  }
+  const auto cost = [&](const MeasuredPoint& a, const MeasuredPoint& b) {
+    const double kb = b.figures.buffer_kb() - a.figures.buffer_kb();
+    return fmt::format(
+        "{:+.2f} % cycles, {:+.2f} % bytes, {:+.1f} KB of buffers, {}{:+.1f} % area and {}{:+.1f} % energy",
+        percent(cycles(b), cycles(a)), percent(bytes(b), bytes(a)), kb,
+        a.silicon.extrapolated_area || b.silicon.extrapolated_area ? "~" : "",
+        percent(b.silicon.mm2.mid, a.silicon.mm2.mid),
+        a.silicon.extrapolated_energy || b.silicon.extrapolated_energy ? "~" : "",
+        percent(b.silicon.joules(), a.silicon.joules()));
+  };
+  const size_t last = measured.back();
+  if (to == from) {
+    const double coarse = quality(knob, swept.points[from].figures);
+    return fmt::format(
+        "{}: no finer value than {} gains a decibel of {} ({:.1f} dB there, {:.1f} dB at best); from {} to {}: {}.",
+        knob.name, swept.values[from]->label, what, coarse, best, swept.values[from]->label, swept.values[last]->label,
+        cost(swept.points[from], swept.points[last]));
+  }
+  const double gain = quality(knob, swept.points[to].figures) - quality(knob, swept.points[from].figures);
+  std::string text = fmt::format("{}: from {} to {} {:+.1f} dB of {} for {}", knob.name, swept.values[from]->label,
+                                 swept.values[to]->label, gain, what, cost(swept.points[from], swept.points[to]));
+  if (to != last) {
+    text += fmt::format("; beyond, to {}, {:+.1f} dB for {}", swept.values[last]->label,
+                        quality(knob, swept.points[last].figures) - quality(knob, swept.points[to].figures),
+                        cost(swept.points[to], swept.points[last]));
+  }
+  return text + ".";
+}
+
+std::string accuracy_text(const AccuracySweep& sweep) {
+  const Accuracy& base = sweep.base.figures;
+  std::string text = fmt::format(
+      "  {:<14}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>9}{:>10}{:>8}{:>8}{:>7}{:>9}{:>7}{:>7}{:>8}\n", "", "numeric", "order",
+      "total", "SSIM", "max", "99.9 %", "flips %", "cycles", "%", "MB", "GB/s", "buf KB", "mm2", "mJ", "host s");
+  text += row_text("base", sweep.base, base);
+  for (const SweptKnob& knob : sweep.knobs) {
+    text += fmt::format("\n  {}: {}\n", knob.knob->name, knob.knob->what);
+    for (size_t i = 0; i < knob.points.size(); ++i) {
+      const bool is_base = knob.points[i].config == sweep.base.config;
+      text += row_text(knob.values[i]->label + (is_base ? " *" : ""), knob.points[i], base);
+    }
+    text += "  " + knob_sentence(knob) + "\n";
+  }
+  for (const std::string& reason : sweep.skipped) text += fmt::format("\n  left out: {}", reason);
+  if (!sweep.skipped.empty()) text += "\n";
+  const std::vector<MeasuredPoint> all = sweep.all();
+  text += front_text(all, Cost::kCycles, "cycles", sweep.base.config) +
+          front_text(all, Cost::kBytes, "bytes", sweep.base.config) +
+          front_text(all, Cost::kBuffers, "buffers", sweep.base.config) +
+          front_text(all, Cost::kArea, "area", sweep.base.config) +
+          front_text(all, Cost::kEnergy, "energy", sweep.base.config);
+  text += fmt::format(
+      "\n  * the base; flips: of {:.0f} % of the pixels; host s: of one core\n  mm2, mJ: 28 nm, mid, SRAMs and DRAM in "
+      "them, interpolated (docs/numerics/accuracy.md); ~: beyond what was synthesised or measured\n",
+      100 * sweep.flips_sampled);
+  return text + fmt::format("  {} points measured in {:.0f} s, {} taken from the folder\n", sweep.computed,
+                            sweep.seconds, sweep.kept);
+}
+
+std::string accuracy_csv(const AccuracySweep& sweep) {
+  std::string text =
+      "knob,value,configuration,numeric_db,order_db,total_db,numeric_ssim,order_ssim,total_ssim,numeric_max,numeric_"
+      "p999,total_max,total_p999,"
+      "decisions,flipped,cycles,ms_at_1ghz,bytes,gbps,buffer_bytes,mm2,chip_mj,dram_mj,golden_s,truth_s,trace_s,model_"
+      "s\n";
+  each_row(sweep, [&](const std::string& knob, const std::string& label, const MeasuredPoint& point) {
+    const Accuracy& a = point.figures;
+    if (!a.failure.empty()) return;
+    text += fmt::format(
+        "{},{},{},{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{},{:.6f},{},{:.3f},{},{:"
+        ".4f},{:.5f},{:.5f},{:.3f},{:.3f},{:.3f},{:.3f}\n",
+        knob, label, difference(point.config, Config{}), a.numeric.psnr, a.order.psnr, a.total.psnr, a.numeric.ssim,
+        a.order.ssim, a.total.ssim, a.numeric.max, a.numeric.p999, a.total.max, a.total.p999, a.flips.decisions,
+        a.flips.flipped, a.cycles, static_cast<double>(a.cycles) * 1e-6, a.bytes, a.gbps(), a.buffer_bits / 8,
+        point.silicon.mm2.mid, point.silicon.chip.mid * 1e3, point.silicon.dram.mid * 1e3, a.seconds_golden,
+        a.seconds_truth, a.seconds_trace, a.seconds_model);
+  });
+  return text;
+}
+
+nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
+  using Json = nlohmann::ordered_json;
+  const auto row = [&](const MeasuredPoint& point) {
+    Json json = to_json(point.figures);
+    const auto range = [](const Range& of, double by) {
+      return Json{{"low", of.low * by}, {"mid", of.mid * by}, {"high", of.high * by}};
+    };
+    const FrameCost& silicon = point.silicon;
+    if (point.figures.failure.empty()) {
+      json["silicon"] = {{"mm2", range(silicon.mm2, 1)},
+                         {"chip_mj", range(silicon.chip, 1e3)},
+                         {"dram_mj", range(silicon.dram, 1e3)},
+                         {"extrapolated_area", silicon.extrapolated_area},
+                         {"extrapolated_energy", silicon.extrapolated_energy}};
+    }
+    json["configuration"] = config_difference(point.config);
+    return json;
+  };
+  Json json = {{"base", row(sweep.base)},
+               {"flips_sampled", sweep.flips_sampled},
+               {"knobs", Json::array()},
+               {"together", Json::array()}};
+  for (const SweptKnob& knob : sweep.knobs) {
+    Json one = {{"name", knob.knob->name},
+                {"what", knob.knob->what},
+                {"sentence", knob_sentence(knob)},
+                {"values", Json::array()}};
+    for (size_t i = 0; i < knob.points.size(); ++i) {
+      one["values"].push_back(row(knob.points[i]));
+      one["values"].back()["label"] = knob.values[i]->label;
+    }
+    json["knobs"].push_back(one);
+  }
+  for (const MeasuredPoint& point : sweep.together) json["together"].push_back(row(point));
+  const std::vector<MeasuredPoint> all = sweep.all();
+  for (const auto& [name, cost] : {std::pair{"cycles", Cost::kCycles},
+                                   {"bytes", Cost::kBytes},
+                                   {"buffers", Cost::kBuffers},
+                                   {"area", Cost::kArea},
+                                   {"energy", Cost::kEnergy}}) {
+    for (const MeasuredPoint* point : pareto_front(all, cost))
+      json["front"][name].push_back(config_difference(point->config));
+  }
+  json["skipped"] = sweep.skipped;
+  return json;
+}
+
+std::vector<Chart> front_charts(const AccuracySweep& sweep) {
+  return {front_chart(sweep, Cost::kCycles, "Accuracy against cycles", "kilocycles of the frame"),
+          front_chart(sweep, Cost::kBytes, "Accuracy against memory traffic", "MB a frame"),
+          front_chart(sweep, Cost::kBuffers, "Accuracy against buffers", "KB of SRAM"),
+          front_chart(sweep, Cost::kArea, "Accuracy against area", "mm2 in 28 nm, mid, interpolated"),
+          front_chart(sweep, Cost::kEnergy, "Accuracy against energy", "mJ a frame with DRAM, mid, interpolated")};
+}
+
+Chart knob_chart(const SweptKnob& knob) {
+  Chart chart{.form = Chart::Form::kLines,
+              .title = knob.knob->name,
+              .x_label = knob.knob->name + ", coarse to fine",
+              .y_label = "PSNR, dB"};
+  chart.series = {{.name = "numeric"}, {.name = "order"}, {.name = "total"}};
+  for (size_t i = 0; i < knob.points.size(); ++i) {
+    const Accuracy& a = knob.points[i].figures;
+    chart.x.push_back(static_cast<double>(i));
+    chart.categories.push_back(knob.values[i]->label);
+    const double values[3] = {a.numeric.psnr, a.order.psnr, a.total.psnr};
+    for (int k = 0; k < 3; ++k) chart.series[k].values.push_back(a.failure.empty() ? values[k] : std::nan(""));
+  }
+  chart.from_zero = false;
+  return chart;
+}
+
+}  // namespace pipegs

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// frame_model.hpp: area of any configuration and energy of any frame, interpolated, without synthesis and without RTL.
+//
+// Idea    Area: gates from the area model, SRAMs from their law, which is exact. Energy of a frame: a unit's gates take
+//         so many joules for each NAND2 and cycle of the frame, an SRAM access so many for what an access costs there:
+//         rates of frames that `pipegs silicon` has measured (synth/data/energy.csv), mean over those of the same
+//         design point. Leakage follows area and cycles, DRAM follows bytes.
+// Rule    A design point of which no frame was measured takes the mean over all design points; that is extrapolated,
+//         like areas beyond the points.
+// Trust   Rates differ from scene to scene and design point to design point: docs/numerics/accuracy.md has
+//         the leave-one-out errors.
+// Units   mm2, J of a frame at 1 GHz and full speed; ranges of process.hpp.
+// Errors  InputError: a table is missing or broken.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/study/silicon/area_model.hpp"
+#include "sim/study/silicon/energy.hpp"
+
+namespace pipegs {
+
+struct MeasuredFrame {
+  std::string scene;
+  Config config;
+  uint64_t cycles = 0, bytes = 0;
+  std::map<std::string, double> kilo_nand2;  // by row of energy.hpp
+  std::map<std::string, double> joules;      // by row, mid, without leakage
+};
+std::vector<MeasuredFrame> read_frames(const std::filesystem::path& csv);
+std::string frames_csv(const std::vector<MeasuredFrame>& frames);
+MeasuredFrame measured_frame(const std::string& scene, const Config& config, const FrameActivity& activity,
+                             const std::vector<SiliconRow>& area, const std::vector<EnergyRow>& energy);
+
+struct FrameCost {
+  Range mm2;         // gates and SRAMs
+  Range chip, dram;  // J, leakage in the chip's
+  bool extrapolated_area = false, extrapolated_energy = false;
+
+  double joules() const { return chip.mid + dram.mid; }
+};
+
+class FrameModel {
+ public:
+  FrameModel(AreaModel area, SramLaw law, std::vector<MeasuredFrame> frames);
+
+  FrameCost cost(const Config& config, uint64_t cycles, uint64_t bytes) const;
+  Range dynamic(const Config& config, const std::map<std::string, double>& kilo_nand2,
+                uint64_t cycles) const;  // of the chip, without leakage
+
+  const AreaModel& area() const { return area_; }
+  const std::vector<MeasuredFrame>& frames() const { return frames_; }
+  FrameModel without(size_t frame) const;
+
+ private:
+  bool measured(const Config& config) const;
+  double rate(const std::string& row,
+              const Config& config) const;  // of a design point: J for each cycle and unit of size
+
+  AreaModel area_;
+  SramLaw law_;
+  std::vector<MeasuredFrame> frames_;
+};
+
+// Of the tables in synth/.
+FrameModel read_frame_model();
+
+}  // namespace pipegs

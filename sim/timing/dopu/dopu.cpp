@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// dopu.cpp: see dopu.hpp.
+#include "sim/timing/dopu/dopu.hpp"
+
+#include <algorithm>
+
+#include "cpp_model/dopu/dopu_axis.hpp"
+#include "cpp_model/dopu/dopu_layer.hpp"
+#include "sim/timing/machine.hpp"
+
+namespace pipegs::timing {
+namespace {
+
+constexpr int kQuietCycles = 127;
+constexpr Cycle kOriginCycles = 9, kShiftCycles = 4, kPlanesCycles = 53;
+
+}  // namespace
+
+Dopu::Dopu(const Machine& m)
+    : units_(m.units),
+      grid_(m.config.grid),
+      axis_(dopu_axis(m.frame)),
+      walks_(m.trace.walks.size()),
+      table_line_(m.frame.tables.cells) {
+  table_left_ = table_coming_ = (grid_ * grid_ * grid_ + 1) / 2;
+  const int camera = dopu_layer_camera(m.config, m.frame, axis_);
+  for (int step = 0; step < 2 * grid_; ++step)
+    slabs_[static_cast<size_t>(step)] = dopu_layer_step(m.config, camera, step);
+  if (m.config.has_watermarks()) {
+    nearest_ = std::make_unique<Nearest>(m.trace, m.config);
+  } else {
+    descend_ = std::make_unique<Descend>(m.trace);
+  }
+}
+
+const ChunkBeat& Dopu::take_chunk(Machine& m, int lane) {
+  emit_taken_ |= uint32_t{1} << lane;
+  m.wheel.wake_now(unit(kDopu));
+  return emit_chunk_;
+}
+
+uint32_t Dopu::ready_pus(const Machine& m, Cycle now) const {
+  uint32_t ready = 0;
+  const bool is_mark = m.config.has_watermarks() && emit_chunk_.end == kLayerEndBeat;
+  for (int k = 0; k < units_; ++k) {
+    const Pu& pu = m.pu[static_cast<size_t>(k)];
+    const bool full = is_mark && (emit_valid_ >> k & 1) != 0 && !pu.marks.room(now);
+    ready |= uint32_t{pu.chunk_room(now) && !full} << k;
+  }
+  return ready;
+}
+
+void Dopu::step(Machine& m, Cycle now) {
+  if (!busy_) return;
+  // Cycles since the last step: nothing moved in them, so the clock may have stopped.
+  if (stepped_ >= 0) {
+    int quiet = acted_ ? 0 : std::min(quiet_ + 1, kQuietCycles);  // of the next cycle
+    const Cycle between = now - stepped_ - 1;
+    if (level_) {
+      quiet = between > 0 ? 0 : quiet;
+    } else {
+      frozen_ += std::max<Cycle>(0, between - (kQuietCycles - quiet));
+      quiet = static_cast<int>(std::min<Cycle>(kQuietCycles, quiet + between));
+    }
+    quiet_ = quiet;
+  }
+  stepped_ = now;
+  woken_ = origin_taken_ = window_sent_ = window_walked_ = false;
+
+  DopuCycle cycle;
+  cycle.now = now;
+  cycle.phase = static_cast<int>((now - frozen_) % 3);
+  cycle.cell = item_valid_ && item_shown_ ? &item_ : nullptr;
+  emit(m, cycle);
+  origin(cycle);
+  port(m, cycle);
+  nearest_ ? nearest_->step(cycle, sets_) : descend_->step(cycle, sets_);
+  cells(m, cycle);
+  windows(m, cycle);
+  ask(m);
+
+  acted_ = cycle.moved || woken_ || level_ || now == 0;
+  if (!acted_ && quiet_ == kQuietCycles) ++frozen_;  // this cycle's edge does not come
+  if (last_sent_ && emit_valid_ == 0) busy_ = false;
+
+  // What comes by itself.
+  if (cycle.changed) cycle.at(now + 1);
+  if (multiplying_ && multiplied_at_ > now) cycle.at(multiplied_at_);
+  if (shifting_ && shifted_at_ > now) cycle.at(shifted_at_);
+  if (planes_ != kPlanesReady && planes_at_ > now) cycle.at(planes_at_);
+  if (now < 2 + m.config.focal_w()) cycle.at(2 + m.config.focal_w());
+  m.wheel.wake(unit(kDopu), cycle.next);
+}
+
+// --- dopu_emit -------------------------------------------------------------------------------------------------------
+
+void Dopu::emit(Machine& m, DopuCycle& cycle) {
+  const Cycle now = cycle.now;
+  const bool held = emit_valid_ != 0, standing = shifting_ && shifted_at_ <= now;
+  level_ = false;
+  if (emit_taken_ != 0) {
+    emit_valid_ &= ~emit_taken_;
+    emit_taken_ = 0;
+    cycle.changed = true;
+    woken_ = true;
+  }
+  if (!held && !standing) return;
+  const uint32_t ready = ready_pus(m, now);
+  if (ready != 0) woken_ = true;  // blocked && chunk_ready
+  level_ = ready != 0;
+  if (held || !standing || (shifted_.data() && ready == 0)) return;
+  // The chunk, or the end, moves to the output.
+  cycle.moved = cycle.changed = origin_taken_ = true;
+  emit_chunk_ = {};
+  if (shifted_.data()) {
+    const TimingNode& node = m.trace.chunks[shifted_.node];
+    emit_chunk_ = {0, node.first, node.count, shifted_.chunk->first, shifted_.chunk->survivors, 0};
+    emit_last_ = round_robin(ready, emit_last_);
+    emit_valid_ = uint32_t{1} << emit_last_;
+    had_chunk_ = true;
+  } else {
+    emit_chunk_.end = shifted_.end;
+    emit_chunk_.mark = shifted_.mark;
+    const bool drop = shifted_.end == kLayerEndBeat && !had_chunk_;
+    emit_valid_ = drop ? 0 : (uint32_t{1} << units_) - 1;
+    had_chunk_ = false;
+    if (shifted_.last) last_sent_ = true;
+  }
+  emit_from_ = now + 1;
+  level_ = false;
+  for (int k = 0; k < units_; ++k) m.wheel.wake(unit(kReader, k), now + 1);
+}
+
+// --- dopu_origin -----------------------------------------------------------------------------------------------------
+
+void Dopu::origin(DopuCycle& cycle) {
+  const Cycle now = cycle.now;
+  const bool was_multiplying = multiplying_;
+  if (multiplying_ && now >= multiplied_at_ && (!shifting_ || origin_taken_)) {
+    shifting_ = true;
+    shifted_ = multiplied_;
+    shifted_at_ = now + (shifted_.data() ? kShiftCycles : 1);
+    multiplying_ = false;
+    cycle.changed = true;
+  } else if (origin_taken_) {
+    shifting_ = false;
+    cycle.changed = true;
+  }
+  if (was_multiplying) return;
+  const DopuItem* item = node(now);
+  if (item == nullptr) return;
+  multiplying_ = true;
+  multiplied_ = *item;
+  multiplied_at_ = now + (multiplied_.data() ? kOriginCycles : 1);
+  window_sent_ = multiplied_.end == kWindowEndBeat;
+  cycle.node_taken = cycle.moved = cycle.changed = true;
+}
+
+// --- the memory port -------------------------------------------------------------------------------------------------
+
+void Dopu::port(Machine& m, DopuCycle& cycle) {
+  const int port = m.memory.node_port();
+  const bool granted = m.memory.granted(port, cycle.now), answered = m.memory.answered(port);
+  if (granted || answered) woken_ = true;
+  if (granted) {
+    cycle.granted = port_last_ = port_shown_;
+    port_locked_ = false;
+    if (cycle.granted == 2) {
+      ++table_line_;
+      --table_left_;
+    } else {
+      asked_.push(cycle.now, static_cast<uint8_t>(cycle.granted));
+    }
+  }
+  if (!answered) return;
+  if (table_coming_ > 0) {
+    cycle.answered = 2;
+    --table_coming_;
+  } else {
+    cycle.answered = asked_.front();
+    asked_.pop(cycle.now);
+  }
+  cycle.changed = true;
+}
+
+void Dopu::ask(Machine& m) {
+  const auto wants = [&](int level) { return nearest_ ? nearest_->wants(level) : descend_->wants(level); };
+  const auto line = [&](int level) { return nearest_ ? nearest_->line(level) : descend_->line(level); };
+  const uint32_t requests = uint32_t{wants(0)} | uint32_t{wants(1)} << 1 | uint32_t{table_left_ > 0} << 2;
+  if (requests == 0) {
+    port_locked_ = false;
+    return;
+  }
+  if (!port_locked_ || (requests >> port_shown_ & 1) == 0) port_shown_ = round_robin(requests, port_last_);
+  port_locked_ = true;
+  m.memory.ask(m.memory.node_port(), port_shown_ == 2 ? table_line_ : line(port_shown_));
+}
+
+// --- dopu_cells ------------------------------------------------------------------------------------------------------
+
+void Dopu::cells(const Machine& m, DopuCycle& cycle) {
+  const Cycle now = cycle.now;
+  const DopuSet& set = sets_[walk_set_];
+  const bool advance = !item_valid_ || !item_shown_ || cycle.cell_taken;
+  if (advance && item_valid_) item_valid_ = false, cycle.changed = true;
+  const bool loading = table_coming_ > 0 || cycle.answered == 2;  // an answer of this cycle counts from the next one on
+  if (!walking_ || loading || (m.config.layered != 0 && now < 2 + m.config.focal_w()) || !set.fresh) return;
+  const bool done = set.done;
+  const bool inside = walk_step_ < 2 * grid_ && slabs_[static_cast<size_t>(walk_step_)] >= 0;
+  if (advance || !inside) cycle.moved = cycle.changed = true;
+  const bool read = advance && (inside || done);
+  const bool is_end = end_next_ || done, window_end = walk_layer_ == grid_ - 1 || done;
+  const bool finished = read && is_end && window_end;
+  if (read) {
+    item_valid_ = true;
+    item_ = {};
+    item_.set = walk_set_;
+    if (is_end) {
+      item_.end = window_end ? kWindowEndBeat : kLayerEndBeat;
+      item_.last = window_end && set.last;
+      item_shown_ = window_end || m.config.layered != 0;
+    } else {
+      item_.node = static_cast<uint32_t>(
+          dopu_layer_cell(m.config, axis_, slabs_[static_cast<size_t>(walk_step_)], walk_number_));
+      item_shown_ = m.trace.cells[item_.node].count != 0;
+    }
+  }
+  if (finished) {
+    window_walked_ = true;
+    if (set.last) walking_ = false;
+    walk_step_ = walk_layer_ = walk_number_ = 0;
+    end_next_ = false;
+  } else if (!inside) {
+    ++walk_step_;
+  } else if (read && end_next_) {
+    ++walk_step_;
+    ++walk_layer_;
+    end_next_ = false;
+  } else if (read) {
+    end_next_ = walk_number_ == grid_ * grid_ - 1;
+    walk_number_ = end_next_ ? 0 : walk_number_ + 1;
+  }
+}
+
+// --- dopu_windows ----------------------------------------------------------------------------------------------------
+
+void Dopu::windows(const Machine& m, DopuCycle& cycle) {
+  const Cycle now = cycle.now;
+  // done of the next cycle; the sets as they were when this one began.
+  for (size_t s = 0; s < 2; ++s) {
+    bool done = sets_[s].valid && !m.config.has_lists();
+    for (const Ru& ru : m.ru) done = done && ru.window() == sets_[s].window && ru.done() == ru.own();
+    if (done != done_[s]) woken_ = cycle.changed = true;
+    done_[s] = done;
+  }
+  if (planes_ == kPlanesBusy && now >= planes_at_) planes_ = kPlanesReady;
+  if (planes_ == kPlanesReady && !sets_[fill_].valid) {
+    DopuSet& set = sets_[fill_];
+    set.valid = set.fresh = true;
+    set.window = next_window_;
+    set.chunk = m.trace.walks[next_window_].first_chunk;
+    set.last = ++next_window_ == walks_;
+    fill_ ^= 1;
+    planes_ = kPlanesIdle;
+    planes_at_ = now + 1;
+    cycle.changed = true;
+  } else if (planes_ == kPlanesIdle && now >= planes_at_ && next_window_ < walks_) {
+    planes_ = kPlanesBusy;
+    planes_at_ = now + kPlanesCycles;
+  }
+  if (window_walked_) {
+    sets_[walk_set_].fresh = false;
+    walk_set_ ^= 1;
+    cycle.changed = true;
+  }
+  if (window_sent_) {
+    sets_[oldest_].valid = false;
+    oldest_ ^= 1;
+    cycle.changed = true;
+  }
+  for (size_t s = 0; s < 2; ++s) sets_[s].done = done_[s] && sets_[s].valid;
+}
+
+}  // namespace pipegs::timing

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// deal.cpp: see deal.hpp.
+#include "sim/timing/pu/deal.hpp"
+
+#include <bit>
+
+#include "sim/timing/machine.hpp"
+
+namespace pipegs::timing {
+
+void Deal::step(Machine& m, Cycle now) {
+  uint32_t room = 0, data = 0, ends = 0;
+  for (int k = 0; k < m.units; ++k) {
+    Pu& pu = m.pu[static_cast<size_t>(k)];
+    room |= uint32_t{pu.visible.room(now)} << k;
+    if (pu.culled.shown(now)) (is_end(pu.culled.value) ? ends : data) |= uint32_t{1} << k;
+  }
+  // The arbiter of the targets turned in the cycles in between, too: nothing changed in them.
+  if (first_) targets_ = room, first_ = false;
+  if (targets_ != 0 && stepped_ != now - 1) {
+    for (Cycle turns = (now - 1 - stepped_) % std::popcount(targets_); turns > 0; --turns)
+      target_last_ = round_robin(targets_, target_last_);
+  }
+  targets_ = room & ~waiting_;
+  stepped_ = now;
+  if (targets_ != 0) target_last_ = round_robin(targets_, target_last_);
+
+  bool moved = false;
+  for (uint32_t rest = waiting_ & room; rest != 0; rest &= rest - 1) {
+    const int k = std::countr_zero(rest);
+    Pu& pu = m.pu[static_cast<size_t>(k)];
+    pu.visible.push(now, beat_);
+    m.wheel.wake(unit(kProject, k), pu.visible.head_from());
+    waiting_ &= ~(uint32_t{1} << k);
+    moved = true;
+  }
+  const bool free = waiting_ == 0;
+  const auto take = [&](int k) {
+    Output<Beat>& culled = m.pu[static_cast<size_t>(k)].culled;
+    beat_ = culled.value;
+    culled.valid = false;
+    m.wheel.wake_now(unit(kCull, k));
+    moved = true;
+  };
+  if (free && data == 0 && std::popcount(ends) == m.units) {
+    for (int k = m.units; k-- > 0;) take(k);
+    waiting_ = ends;
+  }
+  const int source = data == 0                                            ? 0
+                     : source_locked_ && (data >> source_shown_ & 1) != 0 ? source_shown_
+                                                                          : round_robin(data, source_last_);
+  const bool dealt = free && data != 0 && targets_ != 0;
+  if (dealt) {
+    take(source);
+    source_last_ = source;
+    waiting_ = uint32_t{1} << target_last_;
+  }
+  source_locked_ = data != 0 && !dealt;
+  source_shown_ = source;
+  if (moved) m.wheel.wake(unit(kDeal), now + 1);
+}
+
+}  // namespace pipegs::timing

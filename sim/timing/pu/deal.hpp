@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// deal.hpp: survivors of all culls to the PUs, in the timing model.
+//
+// RTL     rtl/pu/pu_deal.sv. The arbiter of the targets turns in every cycle in which a PU has room, dealt or not.
+#pragma once
+
+#include "sim/timing/cycle.hpp"
+
+namespace pipegs::timing {
+
+struct Machine;
+
+class Deal {
+ public:
+  void step(Machine& m, Cycle now);
+
+ private:
+  uint32_t waiting_ = 0;  // PUs that have still to take the record
+  Beat beat_ = 0;
+  int source_last_ = 0, source_shown_ = 0;
+  bool source_locked_ = false;
+  int target_last_ = 0;
+  uint32_t targets_ = 0;  // that had room when it was stepped last
+  Cycle stepped_ = -2;    // the arbiter turns from the cycle of the start on
+  bool first_ = true;
+};
+
+}  // namespace pipegs::timing

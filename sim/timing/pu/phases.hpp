@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// phases.hpp: the stages of a PU that keep a record for eight cycles, one behind the other, in the timing model.
+//
+// RTL     rtl/pu/pu_phases.sv: project, orient, jacobian, factors, squares, covariance; and rtl/pu/pu_compensate.sv,
+//         which is there only with antialias, and shorter.
+// Idea    What a stage does follows from when it got its record and when its former result was taken:
+//           take  = max(ready, the record is there)
+//           claim = max(take + begin, former result taken)        begin  = 1 + Claim
+//           ready = claim + free                                  free   = 7 - Claim
+//           out   = claim + result                                result = 8 - Claim + Depth
+//         so all times are computed as soon as they are known, often ahead of the clock. Only the first take and the
+//         last result are seen by others.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "sim/timing/cycle.hpp"
+
+namespace pipegs::timing {
+
+struct StageTimes {
+  int begin, free, result;
+};
+constexpr StageTimes eight_cycles(int depth, int claim) { return {1 + claim, 7 - claim, 8 - claim + depth}; }
+
+class Phases {
+ public:
+  explicit Phases(bool compensate) : last_(compensate ? 0 : 1) {}
+
+  // The last result: conic takes it, then says so.
+  Output<Beat> out;
+  bool taken(Cycle now) {  // tells whether there is another result
+    stages_[static_cast<size_t>(last_)].result = false;
+    stages_[static_cast<size_t>(last_)].freed = now;
+    resolve(1u << last_);
+    return out.valid;
+  }
+
+  // The first stage: may it take a record, and when.
+  bool can_take() const { return !stages_[kStages - 1].holding; }
+  Cycle ready() const { return stages_[kStages - 1].ready; }
+  bool take(Cycle now, Beat beat) {  // tells whether there is a new result
+    const bool before = out.valid;
+    hold(kStages - 1, now, beat);
+    resolve(1u << (kStages - 1));
+    return out.valid && !before;
+  }
+
+ private:
+  static constexpr int kStages = 7;
+  // compensate, then covariance, squares, factors, jacobian, orient, project with their Depth and Claim.
+  static constexpr std::array<StageTimes, kStages> kParameters = {{{3, 0, 1},
+                                                                   eight_cycles(1, 7),
+                                                                   eight_cycles(2, 3),
+                                                                   eight_cycles(2, 2),
+                                                                   eight_cycles(2, 2),
+                                                                   eight_cycles(1, 5),
+                                                                   eight_cycles(4, 4)}};
+  struct Stage {
+    bool holding = false, result = false;  // a record that has not claimed the output; an output that is not taken
+    Beat beat = 0, result_beat = 0;
+    Cycle claim = 0, ready = kLongAgo, freed = kLongAgo, result_from = 0;
+  };
+
+  void hold(int s, Cycle take, Beat beat) {
+    Stage& stage = stages_[static_cast<size_t>(s)];
+    stage.holding = true;
+    stage.beat = beat;
+    stage.claim = take + kParameters[static_cast<size_t>(s)].begin;
+  }
+
+  void resolve(uint32_t stages) {
+    while (stages != 0) {
+      const int s = std::countr_zero(stages);
+      stages &= stages - 1;
+      Stage& stage = stages_[static_cast<size_t>(s)];
+      const auto [begin, free, result] = kParameters[static_cast<size_t>(s)];
+      if (stage.holding && !stage.result) {
+        const Cycle when = std::max(stage.claim, stage.freed);
+        stage.holding = false;
+        stage.result = true;
+        stage.ready = when + free;
+        stage.result_from = when + result;
+        stage.result_beat = stage.beat;
+        if (s == last_) {
+          out.set(stage.result_from, stage.result_beat);
+        } else {
+          stages |= 1u << (s - 1);
+        }
+      }
+      if (s + 1 == kStages || stage.holding) continue;
+      Stage& giver = stages_[static_cast<size_t>(s) + 1];
+      if (!giver.result) continue;
+      giver.result = false;
+      giver.freed = std::max(stage.ready, giver.result_from);
+      hold(s, giver.freed, giver.result_beat);
+      stages |= 3u << s;
+    }
+  }
+
+  const int last_;  // the stage whose result others see
+  std::array<Stage, kStages> stages_;
+};
+
+}  // namespace pipegs::timing

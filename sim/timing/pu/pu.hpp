@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// pu.hpp: a Preprocessing Unit in the timing model.
+//
+// RTL     rtl/pu/pu.sv: fetch, cull | (deal.hpp) | project .. coeff, intersect, then pu_cache or pu_late.
+// Idea    A stage acts when it takes a record and when it gives one; its phases in between are arithmetic.
+#pragma once
+
+#include <array>
+
+#include "cpp_model/config.hpp"
+#include "sim/timing/pu/color.hpp"
+#include "sim/timing/cycle.hpp"
+#include "sim/timing/pu/expand.hpp"
+#include "sim/timing/pu/intersect.hpp"
+#include "sim/timing/line_reader.hpp"
+#include "sim/timing/pu/phases.hpp"
+#include "sim/timing/pu/rows.hpp"
+
+namespace pipegs::timing {
+
+struct Machine;
+
+// pu_conic.sv, pu_coeff.sv: slots with a front record.
+struct SlotStage {
+  bool active = false, fresh = false, front_valid = false;
+  Beat front = 0;
+  Cycle out_at = 0, free_at = kLongAgo;
+  Output<Beat> out;
+};
+
+class Pu {
+ public:
+  Pu(const Machine& machine, int lane);
+
+  void reader(Machine& m, Cycle now);
+  void cull(Machine& m, Cycle now);
+  void project(Machine& m, Cycle now);
+  void conic(Machine& m, Cycle now);
+  void expand(Machine& m, Cycle now) { expand_.step(m, now, conic_.out); }
+  void coeff(Machine& m, Cycle now);
+  void intersect(Machine& m, Cycle now);
+  void back(Machine& m, Cycle now);
+  void rows(Machine& m, Cycle now);
+
+  void layer_free(Machine& m, Cycle now);  // all RUs have finished the oldest layer
+  bool chunk_room(Cycle now) const { return reader_.job_room(now); }
+  FallQueue<uint32_t, Config::pu_marks()> marks;  // watermarks of the ends inside (order 2)
+
+  // For the lists: the records that this PU makes, one after the other.
+  bool made_shown(Cycle now) const {
+    return late_ ? tiles_.shown(now) : splat_valid_ && splat_from_ <= now && (!is_end(splat_.beat) || rows_ended_);
+  }
+  Beat made() const { return late_ ? tiles_.value : splat_.beat; }
+  Splat take_made(Machine& m, Cycle now);
+
+  Output<Beat> culled;                               // to pu_deal
+  SramQueue<Beat, Config::visible_depth()> visible;  // from pu_deal
+  Color color;
+
+ private:
+  struct Header {
+    Beat end = 0;
+    uint32_t first = 0;  // survivor
+    uint64_t survivors = 0;
+  };
+  using Reader = LineReader<Header, Config::geometry_jobs(), Config::geometry_lines()>;
+  enum Allocate { kTake, kDecide, kOffer };
+
+  bool take_tiles(Machine& m, Cycle now);
+  void allocate(Machine& m, Cycle now);
+  void late(Machine& m, Cycle now);
+  void lines(Machine& m, Cycle now);
+  void slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase,
+            int tail);
+  uint64_t done_regions(const Machine& m) const;
+
+  const int lane_;
+  const bool late_, lists_;
+
+  Reader reader_;
+  bool chunk_room_ = true;  // in the next cycle
+
+  // pu_cull
+  std::array<Beat, 8> pipe_;
+  unsigned pipe_at_ = 0;
+  int pipe_count_ = 0;
+
+  Phases phases_;  // project to covariance
+  SlotStage conic_, coeff_;
+  Expand expand_;  // only with lists
+
+  SramQueue<Beat, Config::walk_depth()> walks_;  // before pu_intersect
+  Intersect intersect_;
+  Output<Beat> tiles_;
+
+  // pu_allocate, pu_late
+  size_t window_ = 0;  // of the beats
+  Allocate allocate_ = kTake;
+  Cycle allocate_at_ = kLongAgo;
+  Splat splat_;
+  int lines_ = 0;
+  bool row_valid_ = false, color_valid_ = false, parity_ = false, next_parity_ = false;
+  int ended_ = 0, oldest_ = 0, newest_ = 0;
+  const int alpha_lines_;
+  uint32_t overflow_ = 0;
+  Cycle layer_free_at_ = kLongAgo;
+  Output<uint8_t> late_out_;  // splat_ waits for the colour
+
+  // pu_lines
+  bool splat_valid_ = false, rows_ended_ = false;
+  Cycle splat_from_ = 0;
+
+  SramQueue<RowJob, Config::row_jobs()> jobs_;
+  Rows rows_;
+
+  // pu_spill
+  const int pieces_;
+  int pieces_left_ = 0;
+  uint64_t spill_line_ = 0;
+};
+
+}  // namespace pipegs::timing

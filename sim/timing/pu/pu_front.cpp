@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// pu_front.cpp: a PU's fetch and cull, and its stages up to the regions: see pu.hpp.
+#include <algorithm>
+#include <bit>
+
+#include "sim/timing/machine.hpp"
+
+namespace pipegs::timing {
+Pu::Pu(const Machine& m, int lane)
+    : color(m, lane),
+      lane_(lane),
+      late_(!m.config.caches_alphas()),
+      lists_(m.config.has_lists()),
+      reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians),
+      phases_(m.config.antialias != 0),
+      expand_(lane),
+      alpha_lines_(m.config.alpha_lines),
+      rows_(m.config.pixels_per_row),
+      pieces_(m.config.alpha_memory_lines()) {
+  pipe_.fill(kBubble);
+}
+
+// --- pu_fetch --------------------------------------------------------------------------------------------------------
+
+void Pu::reader(Machine& m, Cycle now) {
+  const int port = m.memory.geometry_port(lane_);
+  const bool room = reader_.room_before_job(now);
+  Reader::Job job;
+  const bool is_mark = m.config.has_watermarks() && m.dopu.chunk().end == kLayerEndBeat;
+  const bool take = room && m.dopu.chunk_shown(lane_, now) && (!is_mark || marks.room(now));
+  if (take) {
+    const ChunkBeat& chunk = m.dopu.take_chunk(m, lane_);
+    m.show(now, Border::kChunk, lane_, is_end(chunk.end) ? shown_end(chunk.end == kWindowEndBeat) : 0);
+    if (is_mark) marks.push(now, chunk.mark);
+    job.read = !is_end(chunk.end);
+    job.first = chunk.slot;
+    job.count = chunk.count;
+    job.tag = {chunk.end, chunk.first, chunk.survivors};
+  }
+  reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
+  if (reader_.wants()) m.memory.ask(port, reader_.line());
+  m.wheel.wake(unit(kCull, lane_), reader_.item_from(now));
+  m.wheel.wake(unit(kReader, lane_), reader_.next(now));
+  if (const bool next = reader_.room_next(now); next != chunk_room_) {
+    chunk_room_ = next;
+    if (m.dopu.has_chunk()) {
+      m.wheel.wake(unit(kDopu), now + 1);
+      m.wheel.wake(unit(kReader, lane_), now + 1);
+    }
+  }
+}
+
+// --- pu_cull ---------------------------------------------------------------------------------------------------------
+
+void Pu::cull(Machine& m, Cycle now) {
+  if (culled.valid) return;  // pu_deal wakes us
+  const Beat leaving = pipe_[pipe_at_];
+  if (leaving != kBubble) {
+    culled.set(now + 1, leaving);
+    m.wheel.wake(unit(kDeal), now + 1);
+    --pipe_count_;
+  }
+  Beat entering = kBubble;
+  const bool item = reader_.item_shown(now);
+  if (item) {
+    const Reader::Job& job = reader_.job();
+    if (!job.read) {
+      entering = job.tag.end;
+    } else if ((job.tag.survivors >> reader_.item() & 1) != 0) {
+      entering =
+          job.tag.first + static_cast<Beat>(std::popcount(job.tag.survivors & ((uint64_t{1} << reader_.item()) - 1)));
+    }
+    reader_.pop_item(now);
+    if (reader_.needs_step(now)) m.wheel.wake_now(unit(kReader, lane_));
+  }
+  pipe_[pipe_at_] = entering;
+  pipe_at_ = pipe_at_ + 1 == pipe_.size() ? 0 : pipe_at_ + 1;
+  if (entering != kBubble) ++pipe_count_;
+  if (pipe_count_ > 0 || item) m.wheel.wake(unit(kCull, lane_), now + 1);
+}
+
+// --- stages of eight cycles ------------------------------------------------------------------------------------------
+
+void Pu::project(Machine& m, Cycle now) {
+  if (visible.empty() || !phases_.can_take()) return;  // pu_deal, or pu_conic wakes us
+  const int self = unit(kProject, lane_);
+  const Cycle when = std::max(phases_.ready(), visible.head_from());
+  if (when > now) return m.wheel.wake(self, when);
+  if (visible.count() == Config::visible_depth()) m.wheel.wake(unit(kDeal), now + 1);
+  const Beat beat = visible.front();
+  visible.pop(now);
+  if (phases_.take(now, beat)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
+  if (!visible.empty() && phases_.can_take()) m.wheel.wake(self, std::max(phases_.ready(), visible.head_from()));
+}
+
+// A slot takes a new record to the front and sends the front record out, in phase `out_phase`; `tail` cycles later the
+// next slot begins, at once when there was nothing to calculate.
+void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase,
+              int tail) {
+  if (stage.active) {
+    if (now < stage.out_at) return m.wheel.wake(self, stage.out_at);
+    if (stage.front_valid && stage.out.valid) return;  // the taker wakes us
+    if (stage.front_valid) {
+      stage.out.set(now + 1, stage.front);
+      m.wheel.wake(taker, now + 1);
+    }
+    stage.active = false;
+    stage.front_valid = stage.fresh;
+    stage.free_at = now + 1;
+    if (stage.fresh) {
+      stage.front = in.value;
+      in.valid = false;
+      m.wheel.wake_now(giver);
+      if (!is_end(stage.front)) stage.free_at = now + tail;
+    }
+  }
+  if (!stage.front_valid && !in.valid) return;
+  const Cycle when = stage.front_valid ? stage.free_at : std::max(stage.free_at, in.from);
+  if (when > now) return m.wheel.wake(self, when);
+  stage.active = true;
+  stage.fresh = in.shown(now);
+  stage.out_at = now + out_phase;
+  m.wheel.wake(self, stage.out_at);
+}
+
+void Pu::conic(Machine& m, Cycle now) {
+  const bool there = phases_.out.valid;
+  slot(m, now, conic_, phases_.out, unit(kProject, lane_), unit(kConic, lane_), unit(lists_ ? kExpand : kCoeff, lane_),
+       5, 3);
+  if (!there || phases_.out.valid) return;
+  if (phases_.taken(now)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
+}
+
+void Pu::coeff(Machine& m, Cycle now) {
+  slot(m, now, coeff_, lists_ ? expand_.out : conic_.out, unit(lists_ ? kExpand : kConic, lane_), unit(kCoeff, lane_),
+       unit(kIntersect, lane_), 3, 5);
+}
+
+// --- pu_intersect ----------------------------------------------------------------------------------------------------
+
+void Pu::intersect(Machine& m, Cycle now) {
+  const int self = unit(kIntersect, lane_);
+  const bool full = tiles_.valid;
+  if (intersect_.step(now, walks_.valid(now) ? &walks_.front() : nullptr, tiles_, m.trace)) walks_.pop(now);
+  if (!full && tiles_.valid) m.wheel.wake(lists_ && late_ ? unit(kLists) : unit(kBack, lane_), now + 1);
+  if (coeff_.out.shown(now)) {
+    if (walks_.room(now)) {
+      walks_.push(now, coeff_.out.value);
+      coeff_.out.valid = false;
+      m.wheel.wake_now(unit(kCoeff, lane_));
+    } else if (walks_.last_pop() == now) {
+      m.wheel.wake(self, now + 1);
+    }
+  }
+  m.wheel.wake(self, intersect_.next(now));
+  if (walks_.empty()) return;
+  if (walks_.head_from() > now) m.wheel.wake(self, walks_.head_from());
+  if (is_end(walks_.front())) m.wheel.wake(self, now + 1);
+}
+
+}  // namespace pipegs::timing

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+// ru.cpp: see ru.hpp.
+#include "sim/timing/ru/ru.hpp"
+
+#include <bit>
+
+#include "cpp_model/ru/ru_resolve.hpp"
+#include "cpp_model/ru/ru_walk.hpp"
+#include "sim/timing/machine.hpp"
+
+namespace pipegs::timing {
+
+Ru::Ru(const Machine& m, int lane)
+    : queue(m.config.ru_queue()),
+      lane_(lane),
+      port_(m.memory.raster_port(lane)),
+      late_(!m.config.caches_alphas()),
+      fetch_lines_(m.config.fetch_lines),
+      parts_(m.config.alpha_memory_lines()),
+      records_(m.config.ru_records()),
+      external_(m.config.fetch_lines),
+      rows_(m.config.pixels_per_row),
+      own_(ru_own_mask(m.config, lane)) {
+  set_window(m, 0);
+}
+
+void Ru::set_window(const Machine& m, size_t window) {
+  window_ = window;
+  outside_ = window < m.trace.windows.size() ? m.trace.windows[window].outside : 0;
+  blended_ = 0;
+  done_ = own_ & outside_;
+}
+
+void Ru::publish(Machine& m, Cycle now) {
+  bool news = false;
+  while (!done_coming_.empty() && done_coming_.front().from <= now) {
+    blended_ |= uint64_t{1} << done_coming_.front().region;
+    done_coming_.pop(now);
+    done_ = own_ & (blended_ | outside_);
+    news = true;
+  }
+  if (window_coming_ && window_done_at_ < now) {
+    window_coming_ = false;
+    set_window(m, window_ + 1);
+    news = true;
+  }
+  if (!news) return;
+  m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
+  m.wheel.wake_now(unit(kDopu));
+}
+
+// --- ru_lanes --------------------------------------------------------------------------------------------------------
+
+void Ru::lanes(Machine& m, Cycle now) {
+  if (start_ < kNever) {
+    if (now < start_ + 3) return m.wheel.wake(unit(kLanes, lane_), start_ + 3);
+    consume(m, now);
+  }
+  for (;;) {
+    Cycle from;
+    Beat beat;
+    if (late_) {
+      from = row_lines_.head_from();
+      if (from >= kNever) return;
+      beat = row_lines_.front().end ? row_lines_.front().beat : 0;
+    } else {
+      from = records_.head_from();
+      if (from >= kNever) return;
+      const Record& head = records_.front();
+      beat = head.beat;
+      if (head.ext && !is_end(beat)) from = std::max(from, external_.head_from());
+      if (from >= kNever) return;
+    }
+    if (!is_end(beat)) {
+      start_ = std::max(from, now);
+      return m.wheel.wake(unit(kLanes, lane_), start_ + 3);
+    }
+    const Cycle when = std::max(from, last_issue_ + 4);
+    if (when > now) return m.wheel.wake(unit(kLanes, lane_), when);
+    if (beat == kWindowEndBeat && (lines_left_ > 0 || resolved_from_ > now)) return;  // ru_resolve wakes us
+    end(m, now, beat);
+  }
+}
+
+// Lanes without work get some: a line is played in its last cycle, what may have to wait from its first one on.
+void Ru::queued(Machine& m, Cycle from, bool line) {
+  if (line) start_ = from;
+  m.wheel.wake(unit(kLanes, lane_), line ? from + 3 : from);
+}
+
+// The last quarter of the line in the lanes.
+void Ru::consume(Machine& m, Cycle now) {
+  uint8_t region;
+  if (late_) {
+    region = row_lines_.front().region;
+    row_lines_.pop(now);
+  } else {
+    const Record record = records_.front();
+    region = record.region;
+    records_.pop(now);
+    if (record.ext) {
+      external_.pop(now);
+      --external_out_;
+      external_pop_ = now;
+    } else {
+      --local_out_;
+      local_pop_ = now;
+    }
+  }
+  m.show(now, Border::kLine, lane_, region);
+  m.wheel.wake(unit(kSource, lane_), now + 1);
+  last_issue_ = now;
+  start_ = kNever;
+  if (++lines_[region] == m.trace.windows[window_].done_after[region]) {
+    done_coming_.push(now, {now + 4, region});
+    m.wheel.wake(unit(kPublish), now + 4);
+  }
+}
+
+void Ru::end(Machine& m, Cycle now, Beat beat) {
+  if (late_) {
+    row_lines_.pop(now);
+  } else {
+    records_.pop(now);
+  }
+  m.wheel.wake(unit(kSource, lane_), now + 1);
+  m.layer_free.done(m, now, lane_);
+  if (beat != kWindowEndBeat) return;
+  window_done_at_ = now;
+  window_coming_ = true;
+  lines_.fill(0);
+  m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
+  m.wheel.wake(unit(late_ ? kSource : kWalk, lane_), now + 1);
+  // ru_resolve starts.
+  regions_left_ = own_ & ~outside_;
+  window_written_ = window_;
+  lines_left_ = 8 * std::popcount(regions_left_);
+  line_ = 0;
+  line_from_ = now + 2;
+  if (lines_left_ > 0) m.wheel.wake(unit(kRuMemory, lane_), line_from_);
+}
+
+// --- ru_fetch, or the Row Units --------------------------------------------------------------------------------------
+
+bool Ru::read(Machine& m, Cycle now, uint64_t line) {
+  if (memory_valid_ && !m.memory.granted(port_, now)) return false;
+  memory_valid_ = true;
+  read_at_ = now;
+  m.memory.ask(port_, line);
+  return true;
+}
+
+void Ru::source(Machine& m, Cycle now) {
+  if (m.memory.granted(port_, now)) m.wheel.wake_now(unit(kRuMemory, lane_));
+  if (late_) return rows_source(m, now);
+  if (m.memory.answered(port_)) {
+    answer_part_ = !answer_part_;
+    if (parts_ == 1 || !answer_part_) {
+      external_.push(now, 0);
+      m.wheel.wake(unit(kLanes, lane_), external_.head_from());
+    }
+  }
+  if (!out_.shown(now) || !records_.room(now)) return;
+  const Fetch& fetch = out_.value;
+  if (is_end(fetch.beat)) return fire(m, now);
+  if (!fetch.ext) {
+    if (local_out_ + (local_pop_ == now ? 1 : 0) < Config::ru_local_lines()) m.stores.want(m, fetch.unit, lane_);
+    return;
+  }
+  if (external_out_ + (external_pop_ == now ? 1 : 0) >= fetch_lines_) return;
+  const uint64_t line = ru_overflow_line(m.config, m.frame, fetch.unit, parity_, fetch.address) + (ask_part_ ? 1 : 0);
+  if (!read(m, now, line)) return;
+  if (parts_ == 1 || ask_part_) fire(m, now);
+  if (parts_ == 2) ask_part_ = !ask_part_;
+}
+
+void Ru::fire(Machine& m, Cycle now) {
+  const Fetch& fetch = out_.value;
+  records_.push(now, {fetch.beat, fetch.region, fetch.ext && !is_end(fetch.beat)});
+  if (records_.count() == 1) queued(m, records_.head_from(), !fetch.ext && !is_end(fetch.beat));
+  if (is_end(fetch.beat)) {
+    parity_ = !parity_;
+  } else {
+    ++(fetch.ext ? external_out_ : local_out_);
+  }
+  out_.valid = false;
+  m.wheel.wake_now(unit(kWalk, lane_));
+}
+
+void Ru::rows_source(Machine& m, Cycle now) {
+  if (rows_.shown(now) && row_lines_.room(now)) {
+    row_lines_.push(now, rows_.head());
+    rows_.take(now);
+    if (row_lines_.count() == 1) queued(m, row_lines_.head_from(), !row_lines_.front().end);
+  }
+  const bool data = !is_end(splat_.beat);
+  const uint64_t regions = live();
+  const bool drop = splat_valid_ && data && regions == 0;
+  RowJob job;
+  job.beat = splat_.beat;
+  job.mask = regions;
+  const bool taken = rows_.step(now, splat_valid_ && !drop ? &job : nullptr);
+  if (taken && splat_.beat == kWindowEndBeat) ++ends_;
+  if (window_done_at_ == now) --ends_;
+  if (!splat_valid_ || drop || taken) {
+    splat_valid_ = queue.valid(now);
+    if (splat_valid_) {
+      splat_ = queue.front();
+      queue.pop(now);
+      rest_ = splat_.mask & own_;
+      m.wheel.wake(unit(kOrder), now + 1);
+    }
+  }
+  m.wheel.wake(unit(kSource, lane_), rows_.next(now));
+  if (rows_.head_from() > now) m.wheel.wake(unit(kSource, lane_), rows_.head_from());
+  if (splat_valid_ ? rows_.can_load() || (!is_end(splat_.beat) && live() == 0) : !queue.empty()) {
+    m.wheel.wake(unit(kSource, lane_), splat_valid_ ? now + 1 : queue.head_from());
+  }
+}
+
+// --- ru_memory and ru_resolve ----------------------------------------------------------------------------------------
+
+void Ru::memory(Machine& m, Cycle now) {
+  if (read_at_ == now) return;
+  if (m.memory.granted(port_, now)) memory_valid_ = false;
+  if (memory_valid_ || lines_left_ == 0) return;
+  if (now < line_from_) return m.wheel.wake(unit(kRuMemory, lane_), line_from_);
+  const auto region = static_cast<uint64_t>(std::countr_zero(regions_left_));
+  const uint64_t columns =
+      (m.frame.raster.width + static_cast<uint64_t>(m.config.window) - 1) / static_cast<uint64_t>(m.config.window);
+  const uint64_t row_windows = m.frame.raster.windows.last_x - m.frame.raster.windows.first_x + 1;
+  const uint64_t number = (m.frame.raster.windows.first_y + window_written_ / row_windows) * columns +
+                          m.frame.raster.windows.first_x + window_written_ % row_windows;
+  m.memory.ask(port_, m.frame.tables.pixels + (number * static_cast<uint64_t>(m.config.regions()) + region) * 8 + line_,
+               true);
+  memory_valid_ = true;
+  if (++line_ == 8) line_ = 0, regions_left_ &= regions_left_ - 1;
+  if (--lines_left_ == 0) {
+    resolved_from_ = now + 1;
+    m.wheel.wake(unit(kLanes, lane_), now + 1);
+  }
+}
+
+// --- ru_walk ---------------------------------------------------------------------------------------------------------
+
+void Ru::walk(Machine& m, Cycle now) {
+  const bool out_free = !out_.valid, pick_free = !pick_valid_ || out_free, data = !is_end(splat_.beat);
+  const uint64_t regions = live(), others = regions & (regions - 1);
+  const bool emit = splat_valid_ && (!data || regions != 0) && pick_free;
+  const bool leave = splat_valid_ && (data ? regions == 0 || (others == 0 && pick_free) : pick_free);
+  if (out_free && pick_valid_) {
+    out_.set(now + 1, pick_);
+    m.wheel.wake(unit(kSource, lane_), now + 1);
+  }
+  if (pick_free) pick_valid_ = emit;
+  if (emit) {
+    const int region = data ? std::countr_zero(regions) : 0;
+    pick_ = {splat_.beat, static_cast<uint8_t>(region), splat_.unit, splat_.ext,
+             splat_.address + static_cast<uint32_t>(std::popcount(splat_.mask & ((uint64_t{1} << region) - 1)))};
+    rest_ = others;
+    if (splat_.beat == kWindowEndBeat) ++ends_;
+  }
+  if (window_done_at_ == now) --ends_;
+  if (!splat_valid_ || leave) {
+    splat_valid_ = queue.valid(now);
+    if (splat_valid_) {
+      splat_ = queue.front();
+      queue.pop(now);
+      rest_ = splat_.mask & own_;
+      m.wheel.wake(unit(kOrder), now + 1);
+    }
+  }
+  if ((pick_valid_ && !out_.valid) || (splat_valid_ && (!pick_valid_ || (!is_end(splat_.beat) && live() == 0)))) {
+    m.wheel.wake(unit(kWalk, lane_), now + 1);
+  } else if (!splat_valid_) {
+    m.wheel.wake(unit(kWalk, lane_), queue.head_from());
+  }
+}
+
+}  // namespace pipegs::timing

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// ru.hpp: a Rasterization Unit in the timing model, and the alpha stores.
+//
+// RTL     rtl/ru/: ru_walk, ru_fetch or ru_rows, ru_lanes, ru_resolve, ru_memory; rtl/buf/alpha_store.sv,
+//         rtl/layer_free.sv.
+// Idea    A line of alphas keeps the lanes for four cycles; the trace says with which line a region becomes opaque.
+//         What a unit reports to others (done regions, finished windows and layers) is kept back until publish() of the
+//         cycle in which they see it.
+#pragma once
+
+#include <array>
+
+#include "cpp_model/config.hpp"
+#include "sim/timing/cycle.hpp"
+#include "sim/timing/pu/rows.hpp"
+
+namespace pipegs::timing {
+
+struct Machine;
+
+// A splat on its way from a PU to the RUs.
+struct Splat {
+  Beat beat = 0;
+  uint32_t address = 0;  // first line in the overflow area, when ext
+  uint64_t mask = 0;
+  uint8_t unit = 0;  // whose PU made it
+  bool ext = false;
+};
+
+class Ru {
+ public:
+  Ru(const Machine& machine, int lane);
+
+  void lanes(Machine& m, Cycle now);
+  void source(Machine& m, Cycle now);
+  void memory(Machine& m, Cycle now);
+  void walk(Machine& m, Cycle now);
+  void fire(Machine& m, Cycle now);  // the region at the walk's output is asked for
+
+  // What others see in this cycle. publish() makes what happened before visible.
+  void publish(Machine& m, Cycle now);
+  uint64_t own() const { return own_; }
+  uint64_t done() const { return done_; }
+  size_t window() const { return window_; }  // number in the frame
+
+  SramQueue<Splat, 64> queue;
+  Cycle last_window_done() const { return window_done_at_; }
+  bool written() const { return lines_left_ == 0 && !memory_valid_; }
+
+ private:
+  struct Fetch {
+    Beat beat;
+    uint8_t region, unit;
+    bool ext;
+    uint32_t address;
+  };
+  struct Record {
+    Beat beat;
+    uint8_t region;
+    bool ext;
+  };
+
+  void queued(Machine& m, Cycle from, bool line);
+  void consume(Machine& m, Cycle now);
+  void end(Machine& m, Cycle now, Beat beat);
+  void rows_source(Machine& m, Cycle now);
+  void set_window(const Machine& m, size_t window);
+  bool read(Machine& m, Cycle now, uint64_t line);
+  uint64_t live() const { return ends_ == 0 ? rest_ & ~done_ : rest_; }
+
+  const int lane_, port_;
+  const bool late_;
+  const int fetch_lines_, parts_;
+
+  // ru_walk; splat, rest and ends also of ru_rows
+  bool splat_valid_ = false, pick_valid_ = false;
+  Splat splat_;
+  uint64_t rest_ = 0;
+  int ends_ = 0;
+  Fetch pick_{};
+  Output<Fetch> out_;
+
+  // ru_fetch
+  SramQueue<Record, 256> records_;
+  SramQueue<uint8_t, 128> external_;
+  int local_out_ = 0, external_out_ = 0;  // lines asked for and not blended yet
+  Cycle local_pop_ = kLongAgo, external_pop_ = kLongAgo;
+  bool ask_part_ = false, answer_part_ = false, parity_ = false;
+
+  Rows rows_;  // when late
+  FallQueue<RowLine, Config::ru_row_lines()> row_lines_;
+
+  // ru_lanes
+  Cycle start_ = kNever;  // of the line in the lanes
+  Cycle last_issue_ = kLongAgo;
+  std::array<uint32_t, 64> lines_{};  // of the window, blended
+  Cycle window_done_at_ = kLongAgo;
+
+  // what others will see
+  struct Done {
+    Cycle from;
+    uint8_t region;
+  };
+  FallQueue<Done, 4> done_coming_;
+  bool window_coming_ = false;
+  uint64_t own_, outside_ = 0, blended_ = 0, done_ = 0;
+  size_t window_ = 0;
+
+  // ru_resolve, ru_memory
+  bool memory_valid_ = false;
+  Cycle read_at_ = kLongAgo;
+  int lines_left_ = 0;
+  Cycle line_from_ = 0, resolved_from_ = 0;
+  uint64_t line_ = 0, regions_left_ = 0;
+  size_t window_written_ = 0;
+};
+
+// One alpha store of each unit: all RUs read, one at a time.
+class AlphaStores {
+ public:
+  void want(Machine& m, int store, int ru);
+  void step(Machine& m, Cycle now, int store);
+
+ private:
+  std::array<uint32_t, 4> wanted_{};
+  std::array<int, 4> last_{};
+};
+
+// A layer is free when every RU has finished it.
+struct LayerFree {
+  void done(Machine& m, Cycle now, int ru);
+  void publish(Machine& m, Cycle now);
+
+  std::array<int, 4> count{};
+  std::array<bool, 4> coming{};
+};
+
+}  // namespace pipegs::timing

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// su.cpp: a Sorting Unit cycle by cycle: see su.hpp.
+#include <algorithm>
+#include <bit>
+
+#include "sim/timing/su/su_now.hpp"
+
+namespace pipegs::timing {
+
+Su::Su(const Machine& m, int lane)
+    : lane_(lane),
+      port_(m.memory.sort_port(lane)),
+      records_(m.config.records),
+      bucket_shift_(m.config.key_w() - m.config.bucket_w()),
+      bits_low_((m.config.bucket_w() + 1) / 2),
+      bits_high_(m.config.bucket_w() - bits_low_),
+      marks_cut_(m.config.has_watermarks()),
+      lists_(m.config.has_lists()),
+      pool_(static_cast<size_t>(records_)),
+      next_slot_(static_cast<size_t>(records_)),
+      marks_(m.config.su_marks()),
+      table_(size_t{2} << m.config.bucket_w()),
+      words_(size_t{2} << bits_high_) {
+  for (int i = records_; i-- > 0;) free_slots_.push_back(static_cast<uint32_t>(i));
+}
+
+void Su::step(Machine& m, Cycle now) {
+  moved_ = out_taken_at_ == now;
+  ready_ = in_.room(now), ready_at_ = now;
+  if (sorting_ && now > sort_last_) {
+    sorting_ = false;
+    live_ = fill_;
+    live_end_ = end_;
+    sent_ = fill_ = 0;
+    loaded_ = false;
+  }
+  if (lists_) m.wheel.wake_now(unit(kLists));
+  port(m, now);
+  const Now is = look(m, now);
+  divert(now, is);
+  emit(m, now, is);
+  sort(now, is);
+  buckets(now, is);
+  if (spill_ != kSpillIdle || is.spill_start) {
+    if (is.selecting) select(now, is);
+    spill(is);
+  }
+  collect(m, now, is);
+  arrive(m, now);
+  if (line_used_) --flight_, line_used_ = false, moved_ = true;
+
+  Cycle next = moved_ ? now + 1 : kNever;
+  const auto at = [&](Cycle cycle) { next = std::min(next, std::max(cycle, now + 1)); };
+  if (sorting_) at(sort_last_ + 1);
+  if (group_ < groups_.size() && load_from_ >= now) at(load_from_ + 1);
+  if (!waiting_.empty() && !out_.valid) at(waiting_.head_from());
+  if (chains_.head_from() > now) at(chains_.head_from());
+  if (marks_.head_from() > now) at(marks_.head_from());
+  if (answers_.head_from() > now) at(answers_.head_from());
+  if (!link_writes_.empty() && (operation_ != kNone || work_ != 0)) at(now + 1);
+  if (back_ > 0 && !slot_valid(now)) at(now + 1);
+  m.wheel.wake(unit(kSu, lane_), next);
+}
+
+void Su::taken(Machine& m, Cycle now) {
+  if (out_outside_) answers_.pop(now), line_used_ = true;
+  out_.valid = false;
+  out_taken_at_ = now;
+  m.wheel.wake_now(unit(kSu, lane_));
+}
+
+// --- what every part says --------------------------------------------------------------------------------------------
+
+bool Su::slot_valid(Cycle now) const {
+  if (fresh_ != records_) return true;
+  if (back_ == 0 || back_pop_ >= now) return false;
+  // The head of the queue of slots that came back: at most the latest two are not seen yet.
+  return back_ > 3 || back_at_[static_cast<size_t>(back_next_ - back_) & 3] + 2 <= now;
+}
+
+bool Su::split_links(Cycle now) {
+  while (!link_writes_.empty() && link_writes_.back().last < now) link_writes_.pop_back();
+  return !link_writes_.empty() && link_writes_.back().first <= now;
+}
+
+Su::Now Su::look(const Machine& m, Cycle now) {
+  Now is{};
+  // Ends that wait.
+  const bool mark = marks_.valid(now);
+  const Mark none;
+  const Mark& head = mark ? marks_.front() : none;
+  is.mark_waits = mark && !head.spills;
+  is.mark_set = head.set, is.mark_all = head.all, is.mark_bucket = head.bucket, is.mark_end = head.end;
+
+  // Splitter, sorter, output.
+  is.split_idle = split_idle(now);
+  is.bitonic_idle = bitonic_idle();
+  is.item = !sorting_ && sent_ < live_;
+  is.item_end = live_end_;
+  is.emit_empty = waiting_.empty() && !out_.valid && out_taken_at_ != now;
+  is.selecting = spill_ == kSelecting;
+  is.diverts = diverts();
+  is.chain = chains_.valid(now);
+  is.chain_end = is.chain && is_end(chains_.front().end);
+  is.batch_ready = !sorting_ && !loaded_ && (fill_ >= live_ || fill_ < sent_);
+  is.batch_valid = group_ < groups_.size() && now > load_from_;
+  is.drained = !is.mark_waits && (marks_.empty() || mark) && chains_.empty() && is.split_idle && is.bitonic_idle &&
+               is.emit_empty;
+  is.hungry = chains_.empty() && is.split_idle;
+
+  // Output of a set that spilled: its marks go between its splats.
+  is.sent_all = select_ == kSelectIdle && !is.item;
+  is.mark_first = is.selecting && mark &&
+                  (is.sent_all || (!head.all && is.item && head.bucket <= bucket_of(batches_.front().item.key)));
+  is.emit_item = is.mark_first || (is.item && (!is.selecting || mark));
+  const bool outside = is.selecting && !is.mark_first && !is.item_end;
+  is.emit_ready = waiting_.room(now) && (!outside || (looked_ && read_taken_ && !select_reads()));
+  is.item_goes = is.item && is.emit_ready && !is.mark_first && (!is.selecting || mark);
+  is.spill_done = is.mark_first && head.all && is.emit_ready;
+
+  // What comes in.
+  is.in = in_.valid(now) ? &in_.front().splat : nullptr;
+  is.data = is.in != nullptr && !is_end(is.in->beat);
+  is.open = collect_ == kCollect && !closed_[set_];
+  const bool insert = is.data && is.open && slot_valid(now);
+
+  // Buckets.
+  is.spill_job = spill_ == kRelease;
+  is.job = is.spill_job || is.mark_waits;
+  is.job_set = is.spill_job ? set_ : head.set;
+  is.job_all = is.spill_job || head.all;
+  const Beat job_end = is.spill_job ? 0 : head.end;
+  const uint32_t job_high = head.bucket >> bits_low_, job_low = head.bucket & ((1u << bits_low_) - 1);
+  if (is.job) {
+    is.candidates = held_[is.job_set];
+    if (!is.job_all) is.candidates &= ((uint64_t{1} << job_high) - 1) | (uint64_t{!edge_ && job_low != 0} << job_high);
+  }
+  is.word_wanted = is.candidates != 0 && work_ == 0 && operation_ != kWord;
+  is.quiet = is.candidates == 0 && work_ == 0 && operation_ == kNone;
+  is.select_write = select_ == kLoad && select_part() >= first_ && select_part() < stop_ && select_part() >= 0;
+  is.link_ready = !split_links(now) && !(select_ == kLoad && seen_);
+  is.released_room = chains_.room(now);
+  if (operation_ == kInsert) {
+    const uint32_t word = (insert_set_ << bits_high_) + (insert_bucket_ >> bits_low_);
+    is.filled = (held_[insert_set_] >> (insert_bucket_ >> bits_low_) & 1) != 0 &&
+                (words_[word] >> (insert_bucket_ & ((1u << bits_low_) - 1)) & 1) != 0;
+  }
+  const bool entry = operation_ == kEntry;
+  const uint32_t count =
+      entry ? table_[(static_cast<size_t>(is.job_set) << (bits_low_ + bits_high_)) + entry_bucket_].count : 0;
+  const bool fits = joined_.count + count <= kGroup;
+  is.join_group = entry && group_valid_ && fits;
+  is.push_group = group_valid_ && (entry ? !fits : is.quiet || is.hungry);
+  is.ends = !((operation_ == kInsert && is.filled) || is.join_group) || is.link_ready;
+  is.chain_valid = is.push_group || (is.job && is.quiet && is_end(job_end));
+  is.job_done = is.job && is.quiet && !group_valid_ && (is.released_room || !is_end(job_end));
+  is.next = kNone;
+  const auto word_of = [this](uint8_t set, uint32_t bucket) {
+    return (static_cast<uint32_t>(set) << bits_high_) + (bucket >> bits_low_);
+  };
+  const uint32_t job_words = static_cast<uint32_t>(is.job_set) << bits_high_;
+  if (is.ends) {
+    if (is.word_wanted) {
+      const bool same = operation_ == kInsert && word_of(insert_set_, insert_bucket_) ==
+                                                     job_words + static_cast<uint32_t>(std::countr_zero(is.candidates));
+      is.next = same ? kNone : kWord;
+    } else if (insert && operation_ != kInsert &&
+               !(operation_ == kWord && word_of(set_, bucket_of(m.trace.key[is.in->beat])) == job_words + word_)) {
+      is.next = kInsert;
+    } else if (work_ != 0 && is.released_room && !is.chain_valid) {
+      is.next = kEntry;
+    }
+  }
+  is.insert = is.next == kInsert;
+
+  // Collect.
+  is.record = is.data && collect_ == kSpill;
+  is.spill_start =
+      is.data && is.open && used_ == records_ && (is.drained || (marks_cut_ && m.other_spills(lane_, now)));
+  is.write = is.insert;
+  is.mark_push = is.in != nullptr && !is.data && (is.open || collect_ == kSpill) && marks_.room(now);
+  const bool spill_free = (!record_valid_ || record_taken_) && !keys_valid_;
+  is.taken = is.write || is.mark_push || (is.record && spill_free);
+  return is;
+}
+
+// --- su_collect ------------------------------------------------------------------------------------------------------
+
+void Su::collect(Machine& m, Cycle now, const Now& is) {
+  if (is.write) {
+    const uint64_t key = m.trace.key[is.in->beat];
+    const uint32_t slot = free_slots_.back();
+    free_slots_.pop_back();
+    pool_[slot] = {*is.in, key, 0};
+    insert_slot_ = slot;
+    insert_bucket_ = bucket_of(key);
+    if (fresh_ != records_) {
+      ++fresh_;
+    } else {
+      --back_;
+      back_pop_ = now;
+    }
+    ++used_;
+    m.peak_records = std::max(m.peak_records, static_cast<uint64_t>(used_));
+  }
+  if (is.record && is.taken) records_out_.back().key = m.trace.key[is.in->beat];
+  const Collect before = collect_;
+  const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat == kWindowEndBeat);
+  switch (collect_) {
+    case kCollect:
+      if (is.spill_start) collect_ = kSpill;
+      break;
+    case kSpill:
+      if (is.mark_push && all) collect_ = kSort;
+      break;
+    case kSort:
+      if (is.spill_done) collect_ = kCollect;
+      break;
+  }
+  if (is.mark_push) {
+    const uint8_t set = set_;
+    const uint32_t bucket =
+        all ? 0 : bucket_of(static_cast<uint64_t>(in_.front().mark) << (m.config.key_w() - m.config.depth_w));
+    marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});
+    if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
+  }
+  if (collect_ != before) moved_ = true;
+  if ((collect_ == kSpill) != (before == kSpill)) {
+    spill_turned_ = now;
+    for (int k = 0; k < m.units; ++k) m.wheel.wake(unit(kSu, k), now + 1);
+  }
+  if (is.taken) in_.pop(now), moved_ = true;
+}
+
+// The stage in front of the unit.
+void Su::arrive(Machine& m, Cycle now) {
+  Pu& pu = m.pu[static_cast<size_t>(lane_)];
+  if (!ready_ || !(lists_ ? m.lists.shown(lane_) : pu.color.shown(now))) return;
+  Arrived arrived{lists_ ? m.lists.record() : pu.color.out.value};
+  if (marks_cut_ && arrived.splat.beat == kLayerEndBeat) {
+    arrived.mark = pu.marks.front();
+    pu.marks.pop(now);
+    m.wheel.wake(unit(kReader, lane_), now + 1);
+  }
+  m.show(now, Border::kSplat, lane_, m.beat_shown(arrived.splat.beat));
+  in_.push(now, arrived);
+  lists_ ? m.lists.taken(m, lane_) : pu.color.taken(m, now);
+  moved_ = true;
+}
+
+}  // namespace pipegs::timing

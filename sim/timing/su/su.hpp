@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// su.hpp: a Sorting Unit in the timing model.
+//
+// RTL     rtl/su/: su_collect, slot_pool, su_buckets, su_split, su_bitonic, su_emit; su_spill, su_select, su_port.
+// Idea    The splitter's passes depend on the keys alone, so su_groups() plays them when a chain begins: after how many
+//         cycles which group goes to the sorter, and when the links are written. All else are registers, played cycle
+//         by cycle while something moves: first what every part says in this cycle, then what it becomes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "cpp_model/config.hpp"
+#include "sim/timing/cycle.hpp"
+#include "sim/timing/ru/ru.hpp"
+
+namespace pipegs::timing {
+
+struct Sorted {
+  Splat splat;
+  uint64_t key = 0;
+  uint32_t number = 0;  // of a record in memory
+};
+
+// A group of keys that leaves the splitter.
+struct SortGroup {
+  int delay =
+      0;  // from the cycle that starts the splitter, or that takes the last key of the group before, to its first read
+  int keys = 0;
+  size_t links = 0;  // link writes up to here belong to the passes before this group
+};
+
+// Cycles in which the splitter may write links, counted like SortGroup::delay.
+struct LinkWrites {
+  int first = 0, last = 0;
+};
+
+// The splitter's work on a set of keys in [min, max] (su_split.sv): groups of at most sixteen, nearest first. `keys`
+// is used up.
+void su_groups(std::vector<uint64_t>& keys, uint64_t min, uint64_t max, std::vector<SortGroup>& groups,
+               std::vector<LinkWrites>& links);
+
+class Su {
+ public:
+  Su(const Machine& machine, int lane);
+
+  void step(Machine& m, Cycle now);
+
+  // For su_merge.
+  bool shown(Cycle now) const { return out_.shown(now) && !diverts(); }
+  const Sorted& head() const { return out_.value; }
+  void taken(Machine& m, Cycle now);
+
+  bool ready(Cycle now) const { return ready_at_ == now ? ready_ : in_.room(now); }  // for a record from the lists
+  bool spilling(Cycle now) const {
+    return (collect_ == kSpill) != (spill_turned_ == now);
+  }  // a register: as this cycle began
+
+ private:
+  static constexpr int kAnswers = Config::su_answers(), kKeysPerLine = 8, kGroup = 16;
+  static constexpr uint32_t kNil = ~uint32_t{0};
+
+  struct Arrived {
+    Splat splat;
+    uint32_t mark = 0;  // watermark of a layer's end (order 2): its PU keeps it no longer
+  };
+  struct Mark {
+    Beat end = 0;
+    uint8_t set = 0;
+    bool all = false, spills = false;
+    uint32_t bucket = 0;
+  };
+  struct Chain {
+    Beat end = 0;  // or a chain of slots
+    uint32_t head = kNil, tail = kNil, count = 0, bucket = 0;
+  };
+  struct Entry {
+    Sorted item;
+    uint32_t slot = kNil;  // that becomes free when the record is read; an end and a record in memory have none
+    bool outside = false;
+  };
+  struct Writes {
+    Cycle first, last;
+  };
+  enum Collect { kCollect, kSpill, kSort };
+  enum Operation { kNone, kInsert, kWord, kEntry };
+  enum Spill { kSpillIdle, kWait, kRelease, kDrain, kClose, kSelecting };
+  enum Select { kSelectIdle, kMeasure, kCount, kChoose, kLoad, kFull, kSorting };
+  enum Choice { kNothing, kRecord, kKeys, kRead };
+
+  // What the parts say in a cycle, from the registers as it began.
+  struct Now;
+
+  bool diverts() const { return spill_ == kRelease || spill_ == kDrain; }
+  bool split_idle(Cycle now) const { return group_ >= groups_.size() && now >= split_idle_from_; }
+  bool bitonic_idle() const { return !sorting_ && fill_ == 0 && sent_ == live_; }
+  bool slot_valid(Cycle now) const;
+  bool split_links(Cycle now);
+  uint32_t bucket_of(uint64_t key) const { return static_cast<uint32_t>(key >> bucket_shift_); }
+  bool select_reads() const {
+    return (select_ == kCount || select_ == kLoad) && line_ * kKeysPerLine < records_out_.size();
+  }
+  int select_part() const;  // of the key seen in the cycle before, -1 if none
+  uint64_t overflow_line(const Machine& m, int area, uint64_t line) const;
+
+  void begin_split(Cycle now, uint64_t min, uint64_t max);
+  void begin_group(Cycle origin);
+  Now look(const Machine& m, Cycle now);
+  void port(Machine& m, Cycle now);
+  void divert(Cycle now, const Now& is);
+  void emit(Machine& m, Cycle now, const Now& is);
+  void sort(Cycle now, const Now& is);
+  void buckets(Cycle now, const Now& is);
+  void spill(const Now& is);
+  void select(Cycle now, const Now& is);
+  void collect(Machine& m, Cycle now, const Now& is);
+  void arrive(Machine& m, Cycle now);
+
+  const int lane_, port_, records_, bucket_shift_, bits_low_, bits_high_;
+  const bool marks_cut_;  // a layer's end is a watermark (order 2)
+  const bool lists_;
+
+  FallQueue<Arrived, 2> in_;  // rtl/lib/skid.sv
+  bool ready_ = true;         // as the cycle began in which it was stepped last
+  Cycle ready_at_ = kLongAgo;
+
+  // slot_pool, and what lies in them
+  std::vector<Sorted> pool_;
+  std::vector<uint32_t> next_slot_, free_slots_;
+  int fresh_ = 0, used_ = 0, back_ = 0;  // back_: slots that came back
+  std::array<Cycle, 4> back_at_{};       // when the latest did
+  int back_next_ = 0;
+  Cycle back_pop_ = kLongAgo;
+
+  // su_collect
+  Collect collect_ = kCollect;
+  Cycle spill_turned_ = kLongAgo;  // when it began or ceased to be kSpill
+  uint8_t set_ = 0;
+  std::array<bool, 2> closed_{};
+  SramQueue<Mark, 64> marks_;
+
+  // su_buckets
+  Operation operation_ = kNone;
+  std::vector<Chain> table_;        // of both sets
+  std::vector<uint64_t> words_;     // filled buckets
+  std::array<uint64_t, 2> held_{};  // words that are not zero
+  uint8_t insert_set_ = 0;
+  uint32_t insert_slot_ = 0, insert_bucket_ = 0;
+  uint32_t word_ = 0, entry_bucket_ = 0;
+  uint64_t work_ = 0;
+  bool edge_ = false, group_valid_ = false;
+  Chain joined_;
+  SramQueue<Chain, Config::su_chains()> chains_;
+
+  // su_split
+  std::vector<uint64_t> keys_;
+  std::vector<Entry> order_;  // of the chain in the splitter and sorter, sorted
+  std::vector<Entry> part_;
+  size_t next_ = 0;  // of order_, to leave the sorter next
+  std::vector<SortGroup> groups_;
+  std::vector<LinkWrites> links_;
+  std::vector<Writes> link_writes_;  // to come
+  size_t group_ = 0;                 // in the splitter
+  int group_left_ = 0;
+  Cycle load_from_ = kNever, split_idle_from_ = 0;
+
+  // su_bitonic: keys of two batches, in the order in which they will leave
+  SramQueue<Entry, 64> batches_;
+  bool sorting_ = false, loaded_ = false, end_ = false, live_end_ = false;
+  Cycle sort_last_ = 0;
+  int fill_ = 0, live_ = 0, sent_ = 0;
+
+  // su_emit
+  SramQueue<Entry, Config::su_waiting()> waiting_;
+  Output<Sorted> out_;
+  bool out_outside_ = false, looked_ = false;  // looked_: the record's number was read
+  Cycle out_taken_at_ = kLongAgo;
+
+  // su_spill
+  Spill spill_ = kSpillIdle;
+  std::vector<Sorted> records_out_;  // records of the set in memory
+  bool record_valid_ = false, keys_valid_ = false, closing_ = false;
+  bool diverted_ = false;  // in this cycle
+  Sorted diverted_record_;
+
+  // su_select
+  Select select_ = kSelectIdle;
+  uint64_t low_ = 0, max_ = 0;
+  int shift_ = 0, first_ = 0, stop_ = 0, sum_ = 0;
+  uint32_t line_ = 0, number_ = 0, sent_keys_ = 0, seen_number_ = 0;
+  bool seen_ = false;
+  std::array<int, 16> counts_{};
+
+  // su_port
+  Choice choice_ = kNothing;
+  int flight_ = 0;
+  SramQueue<uint8_t, kAnswers> answers_;
+  bool record_taken_ = false, keys_taken_ = false, read_taken_ = false, line_used_ = false;  // in this cycle
+
+  bool moved_ = false;
+};
+
+}  // namespace pipegs::timing

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// trace.cpp: see trace.hpp.
+#include "sim/timing/trace/trace.hpp"
+
+#include <algorithm>
+
+#include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/dopu/dopu_depth.hpp"
+#include "cpp_model/float/parallel.hpp"
+#include "sim/timing/trace/trace_splat.hpp"
+
+namespace pipegs {
+namespace {
+
+// A window's part of the trace before the parts are joined.
+struct Part {
+  TimingWalk walk;
+  TimingWindow window;
+  std::vector<TimingChunk> chunks;
+  std::vector<uint64_t> mask, key;
+  std::vector<uint32_t> slot;
+  std::vector<uint8_t> boxes;
+};
+
+std::vector<TimingNode> nodes(const std::vector<Node>& from) {
+  std::vector<TimingNode> result;
+  result.reserve(from.size());
+  for (const Node& node : from)
+    result.push_back({static_cast<uint32_t>(node.first), static_cast<uint32_t>(node.count)});
+  return result;
+}
+
+void set_bit(std::vector<uint64_t>& bits, uint64_t at) { bits[at / 64] |= uint64_t{1} << (at % 64); }
+
+class WindowTrace {
+ public:
+  WindowTrace(const GoldenInput& input, int x, int y)
+      : input_(input),
+        packed_(*input.packed),
+        config_(packed_.config),
+        frame_(input.frame),
+        x_(x),
+        y_(y),
+        planes_(dopu_planes(config_, frame_, x, y)) {}
+
+  Part run() {
+    config_.has_watermarks() ? ranked() : slabs();
+    part_.window = trace_window(input_, static_cast<uint64_t>(x_), static_cast<uint64_t>(y_), layers_);
+    return std::move(part_);
+  }
+
+ private:
+  bool passes(const Node& node) const { return dopu_test(config_, frame_, planes_, node); }
+
+  // Slab by slab.
+  void slabs() {
+    part_.walk.cells.resize((packed_.cells.size() + 63) / 64);
+    part_.walk.groups.resize((packed_.groups.size() + 63) / 64);
+    const int axis = dopu_axis(frame_), camera = dopu_layer_camera(config_, frame_, axis);
+    for (int step = 0; step < 2 * config_.grid; ++step) {
+      const int slab = dopu_layer_step(config_, camera, step);
+      if (slab < 0) continue;
+      if (config_.layered || layers_.empty()) layers_.emplace_back();
+      for (int n = 0; n < config_.grid * config_.grid; ++n) {
+        const auto number = static_cast<uint64_t>(dopu_layer_cell(config_, axis, slab, n));
+        const Node& cell = packed_.cells[number];
+        if (cell.count == 0 || !passes(cell)) continue;
+        set_bit(part_.walk.cells, number);
+        for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
+          if (!passes(packed_.groups[g])) continue;
+          set_bit(part_.walk.groups, g);
+          chunks(packed_.groups[g], 0);
+        }
+      }
+    }
+  }
+
+  // In the order of the tables, with buckets of depth.
+  void ranked() {
+    layers_.emplace_back();
+    const auto bucket = [&](const Node& node, int parent) {
+      return std::max(parent, dopu_depth(config_, frame_, planes_, node));
+    };
+    for (uint64_t number = 0; number < packed_.cells.size(); ++number) {
+      const Node& cell = packed_.cells[number];
+      if (cell.count == 0 || !passes(cell)) continue;
+      const int cell_bucket = bucket(cell, 0);
+      part_.walk.cells_ranked.push_back({static_cast<uint32_t>(number),
+                                         static_cast<uint32_t>(part_.walk.groups_ranked.size()),
+                                         static_cast<uint16_t>(cell_bucket)});
+      for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
+        const Node& group = packed_.groups[g];
+        if (!passes(group)) continue;
+        const int group_bucket = bucket(group, cell_bucket);
+        part_.walk.groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
+                                            static_cast<uint16_t>(group_bucket)});
+        chunks(group, group_bucket);
+      }
+    }
+  }
+
+  void chunks(const Node& group, int group_bucket) {
+    for (uint64_t i = group.first; i < group.first + group.count; ++i) {
+      const Node& node = packed_.chunks[i];
+      if (!passes(node)) continue;
+      const int bucket =
+          config_.has_watermarks() ? std::max(group_bucket, dopu_depth(config_, frame_, planes_, node)) : 0;
+      const Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
+      TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.mask.size()), 0,
+                       static_cast<uint16_t>(bucket)};
+      for (uint64_t k = 0; k < chunk.count; ++k) {
+        const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k);
+        if (!found) continue;
+        sent.survivors |= uint64_t{1} << k;
+        const TracePair pair = trace_pair(input_, found->conic, found->payload);
+        part_.mask.push_back(pair.splat.mask);
+        part_.key.push_back(pair.splat.key);
+        part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
+        part_.boxes.push_back(pair.boxes);
+        if (pair.splat.mask != 0) layers_.back().push_back(pair.splat);
+      }
+      part_.chunks.push_back(sent);
+    }
+  }
+
+  const GoldenInput& input_;
+  const PackedScene& packed_;
+  const Config& config_;
+  const Frame& frame_;
+  const int x_, y_;
+  const Planes planes_;
+  Part part_;
+  std::vector<std::vector<TraceSplat>> layers_;
+};
+
+void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trace) {
+  const uint64_t columns = trace.frame.raster.windows.last_x - trace.frame.raster.windows.first_x + 1;
+  const uint64_t count = columns * (trace.frame.raster.windows.last_y - trace.frame.raster.windows.first_y + 1);
+  std::vector<Part> parts(count);
+  parallel_for(count, threads, [&](size_t i) {
+    parts[i] = WindowTrace(input, static_cast<int>(trace.frame.raster.windows.first_x + i % columns),
+                           static_cast<int>(trace.frame.raster.windows.first_y + i / columns))
+                   .run();
+  });
+  for (Part& part : parts) {
+    const auto base = static_cast<uint32_t>(trace.mask.size()),
+               chunks = static_cast<uint32_t>(trace.chunks_sent.size());
+    part.walk.first_chunk = chunks;
+    part.walk.chunks = part.chunks.size();
+    for (TimingParent& group : part.walk.groups_ranked) group.first += chunks;
+    for (TimingChunk chunk : part.chunks) {
+      chunk.first += base;
+      trace.chunks_sent.push_back(chunk);
+    }
+    trace.mask.insert(trace.mask.end(), part.mask.begin(), part.mask.end());
+    trace.key.insert(trace.key.end(), part.key.begin(), part.key.end());
+    trace.slot.insert(trace.slot.end(), part.slot.begin(), part.slot.end());
+    trace.boxes.insert(trace.boxes.end(), part.boxes.begin(), part.boxes.end());
+    trace.walks.push_back(std::move(part.walk));
+    trace.windows.push_back(part.window);
+    part = {};
+  }
+}
+
+}  // namespace
+
+Config timing_config(Config config) {
+  const Config standard;
+  config.units = standard.units;
+  config.pixels_per_row = standard.pixels_per_row;
+  config.alpha_lines = standard.alpha_lines;
+  config.records = standard.records;
+  config.fetch_lines = standard.fetch_lines;
+  config.bucket_bits = standard.bucket_bits;
+  config.nearest_nodes = standard.nearest_nodes;
+  config.mark_chunks = standard.mark_chunks;
+  config.late = standard.late;
+  config.quadratic = standard.quadratic;
+  config.taps = standard.taps;
+  return config;
+}
+
+TimingTrace timing_trace(const GoldenInput& input, unsigned threads) {
+  const PackedScene& packed = *input.packed;
+  TimingTrace trace;
+  trace.config = packed.config;
+  trace.frame = input.frame;
+  trace.cells = nodes(packed.cells);
+  trace.groups = nodes(packed.groups);
+  trace.chunks = nodes(packed.chunks);
+  packed.config.has_lists() ? trace_lists(input, threads, trace) : trace_windows(input, threads, trace);
+  return trace;
+}
+
+}  // namespace pipegs

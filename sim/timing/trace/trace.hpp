@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// trace.hpp: what a frame asks of the machine, without pixels and numbers: the input of the timing model.
+//
+// Idea    One pass of the golden model's bit-accurate models over all windows leaves what control needs: which nodes
+//         pass the DOPU's test (order 2: and their buckets of depth), which Gaussians of a chunk survive the cull, how
+//         many regions their boxes have and which they keep, their sort keys and slots; and after how many lines of
+//         alphas a region is opaque, which makes the done feedback.
+// Pairs   What is sorted and blended is a (Gaussian, window) pair. Without lists a survivor of a window's cull is one;
+//         with lists (order 1) the DOPU walks once for the frame and a survivor becomes a pair in each window of its
+//         box.
+// Reuse   A trace depends on scene, camera and on all of the configuration but the entries that timing_config() names:
+//         those may be varied from run to run on the same trace.
+// Threads Windows are independent; the trace does not depend on their number.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "cpp_model/golden.hpp"
+
+namespace pipegs {
+
+// A cell, group or chunk: its children, or its Gaussians.
+struct TimingNode {
+  uint32_t first = 0, count = 0;
+};
+
+// A chunk that passes in a walk. In the order of the walk; with order 2 in the order of the table.
+struct TimingChunk {
+  uint32_t chunk = 0;      // number of the node
+  uint32_t first = 0;      // its first survivor
+  uint64_t survivors = 0;  // which of its Gaussians the cull keeps
+  uint16_t bucket = 0;     // of depth, order 2
+};
+
+// A cell or group that passes, with order 2; in the order of the table.
+struct TimingParent {
+  uint32_t node = 0;
+  uint32_t first = 0;  // the first of its children that pass: of TimingWalk::groups_ranked, or of chunks_sent
+  uint16_t bucket = 0;
+};
+
+// The DOPU's walk for a window, or with lists for the frame.
+struct TimingWalk {
+  size_t first_chunk = 0, chunks = 0;                     // of TimingTrace::chunks_sent
+  std::vector<uint64_t> cells, groups;                    // bits of the nodes that pass, by node; orders 0 and 1
+  std::vector<TimingParent> cells_ranked, groups_ranked;  // order 2
+};
+
+struct TimingWindow {
+  static constexpr uint32_t kNotDone = ~uint32_t{0};
+  uint64_t outside = 0;                   // regions without a pixel inside the image
+  std::array<uint32_t, 64> done_after{};  // lines of a region until it is opaque, or kNotDone
+};
+
+struct TimingTrace {
+  Config config;
+  Frame frame;
+  std::vector<TimingNode> cells, groups, chunks;
+  std::vector<TimingWalk> walks;  // one for each window; one with lists
+  std::vector<TimingChunk> chunks_sent;
+  std::vector<TimingWindow> windows;  // row by row from frame.first to frame.last
+  // By survivor of a cull.
+  std::vector<uint32_t> slot;   // in packed memory
+  std::vector<uint32_t> pairs;  // lists: its first pair; one more entry at the end
+  // By pair.
+  std::vector<uint64_t> mask, key;  // regions; depth key above index
+  std::vector<uint8_t> boxes;       // regions of the box that pu_intersect walks; 0: it has none
+  std::vector<uint16_t> number;     // lists: of its window
+};
+
+TimingTrace timing_trace(const GoldenInput& input, unsigned threads = 0);
+
+// `config` with every entry set back that a run may vary on one trace: units, pixels_per_row, alpha_lines, ...
+Config timing_config(Config config);
+
+}  // namespace pipegs

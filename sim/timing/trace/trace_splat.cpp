@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// trace_splat.cpp: see trace_splat.hpp.
+#include "sim/timing/trace/trace_splat.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "cpp_model/pu/pu_coeff.hpp"
+#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/pu_intersect.hpp"
+#include "cpp_model/pu/pu_rows.hpp"
+#include "cpp_model/su/su.hpp"
+
+namespace pipegs {
+
+std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot) {
+  const Config& config = input.packed->config;
+  const Frame& frame = input.frame;
+  const std::optional<Visible> visible =
+      pu_cull(config, frame, golden_fetched(chunk, input.packed->gaussians[slot], slot));
+  if (!visible) return std::nullopt;
+  return golden_conic(config, frame, *visible);
+}
+
+TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload& payload) {
+  const Config& config = input.packed->config;
+  const Coeff coeff = pu_coeff(config, input.frame, conic);
+  const Tiles tiles = pu_intersect(config, input.frame, coeff);
+  TracePair pair;
+  pair.boxes = static_cast<uint8_t>(pu_intersect_regions(config, coeff));
+  if (tiles.mask == 0) return pair;
+  pair.splat.mask = tiles.mask;
+  pair.splat.key = splat_key(config, payload.depth, payload.index);
+  RowJob& job = pair.splat.job;
+  job.a = tiles.a, job.b = tiles.b, job.c = tiles.c, job.d = tiles.d, job.e = tiles.e, job.f = tiles.f;
+  return pair;
+}
+
+TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
+                          std::vector<std::vector<TraceSplat>>& layers) {
+  const Config& config = input.packed->config;
+  const BlendConstants constants(config);
+  const PuRows rows(config);
+  const uint32_t black[3] = {0, 0, 0};
+  TimingWindow window;
+  std::vector<RegionState> regions;
+  uint64_t done = 0;
+  for (int r = 0; r < config.regions(); ++r) {
+    regions.push_back(ru_fresh_region(config, input.frame, x, y, r));
+    done |= uint64_t{regions.back().all_done()} << r;
+  }
+  window.outside = done;
+  window.done_after.fill(TimingWindow::kNotDone);
+  std::array<uint32_t, 64> lines{};
+  for (std::vector<TraceSplat>& layer : layers) {
+    std::sort(layer.begin(), layer.end(), [](const TraceSplat& a, const TraceSplat& b) { return a.key < b.key; });
+    for (const TraceSplat& splat : layer) {
+      for (uint64_t rest = splat.mask & ~done; rest != 0; rest &= rest - 1) {
+        const auto r = static_cast<size_t>(std::countr_zero(rest));
+        alignas(64) uint16_t codes[kRegionPixels];
+        pu_region_line(rows, splat.job, static_cast<int>(r), codes);
+        ++lines[r];
+        if (!ru_blend_region(constants, regions[r], codes, black)) continue;
+        done |= uint64_t{1} << r;
+        window.done_after[r] = lines[r];
+      }
+    }
+  }
+  return window;
+}
+
+}  // namespace pipegs

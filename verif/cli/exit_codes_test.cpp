@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// exit_codes_test: 0 agrees, 1 differs, 2 bad input or bad use, 3 our own failure: of every command that can end so.
+//
+// Idea    A machine that differs is `pipegs_faulty` (faulty_rtl.cpp); a full disk is a limit on the size of files, a
+//         full memory one on the process (ulimit). Disk, memory and standard output are the real ones.
+#include "verif/cli/cli.hpp"
+#include "verif/effects/effect_views.hpp"
+
+namespace pipegs {
+namespace {
+
+class ExitCodes : public Cli {
+ protected:
+  const std::string view_ = " scene.ply --cameras cameras.json ";
+
+  Outcome faulty(const std::string& fault, const std::string& arguments) {
+    return shell("PIPEGS_FAULT=" + fault + " '" PIPEGS_FAULTY "' " + arguments);
+  }
+  // Every command that runs the default machine, so that nothing is built.
+  std::vector<std::string> runs() const {
+    return {"sim" + view_ + "--no-truth",
+            "explain" + view_ + "--pixel 66,3",
+            "ladder" + view_ + "--rungs dop --no-truth",
+            "profile" + view_ + "--rung dop",
+            "timeline" + view_ + "--out trace.json",
+            "sweep" + view_ + "--engine rtl --rungs dop --bandwidth 51.2",
+            "fidelity" + view_ + "--wave-window 1,0",
+            "stress --count 1 --size 40x30 --gaussians 3"};
+  }
+};
+
+TEST_F(ExitCodes, ZeroWhenAllAgrees) {
+  for (const std::string& arguments : runs()) {
+    const Outcome outcome = faulty("none", arguments);
+    EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err << outcome.out;
+  }
+}
+
+TEST_F(ExitCodes, OneWhenAPixelDiffers) {
+  for (const std::string& arguments : runs()) {
+    const Outcome outcome = faulty("pixel", arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments << "\n" << outcome.err << outcome.out;
+  }
+}
+
+TEST_F(ExitCodes, OneWhenTheMachineHangs) {
+  for (const std::string& arguments : runs()) {
+    const Outcome outcome = faulty("hang", arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments << "\n" << outcome.err;
+    EXPECT_NE((outcome.err + outcome.out).find("the machine hangs"), std::string::npos) << arguments << outcome.err;
+  }
+}
+
+TEST_F(ExitCodes, OneWhenTheTimingModelDiffersByOneCycle) {
+  EXPECT_EQ(faulty("none", "model" + view_ + "--check").code, 0);
+  const Outcome text = faulty("cycles", "model" + view_ + "--check"),
+                json = faulty("cycles", "model" + view_ + "--check --json");
+  EXPECT_EQ(text.code, 1) << text.err;
+  EXPECT_NE(text.out.find("differs"), std::string::npos) << text.out;
+  EXPECT_EQ(json.code, 1) << json.err;
+  EXPECT_FALSE(nlohmann::json::parse(json.out)["rungs"][0]["differences"].empty());
+  EXPECT_EQ(faulty("cycles", "fidelity" + view_ + "--wave-window 0,0").code, 1);
+}
+
+// Where both part is told: the first unit and the cycle.
+TEST_F(ExitCodes, OneWithTheUnitAndCycleInWhichRtlAndTimingModelPart) {
+  const Outcome text = faulty("cycles", "model" + view_ + "--check"),
+                json = faulty("cycles", "model" + view_ + "--check --json");
+  EXPECT_NE(text.out.find("    cycles: RTL "), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("    they part in cycle "), std::string::npos) << text.out;
+  const nlohmann::json first = nlohmann::json::parse(json.out)["rungs"][0]["first_difference"];
+  ASSERT_TRUE(first.is_object()) << json.out;
+  EXPECT_GT(first["cycle"], 0);
+  EXPECT_EQ(first["rtl"], "nothing");
+  EXPECT_TRUE(first["unit"].get<std::string>().starts_with("PU ")) << first;
+  EXPECT_EQ(first["model"], "takes a chunk");
+}
+
+// An empty scene: all values of the knob cost the same and show the same, so all five points are the default machine.
+TEST_F(ExitCodes, OneWhenAPointOfAccuracyDiffersInRtl) {
+  write_ply(folder_ / "empty.ply", scene_of({}));
+  const std::string points =
+      "accuracy empty.ply --cameras cameras.json --window 0,0 --knobs tile_test --points 0 --rtl --json ";
+  EXPECT_EQ(faulty("none", points).code, 0);
+  for (const char* fault : {"pixel", "cycles", "hang"}) EXPECT_EQ(faulty(fault, points + "--resume").code, 1) << fault;
+}
+
+// The view of verif/effects whose machine without all effects is built for its tests.
+TEST_F(ExitCodes, OneWhenAMachineOfEffectsDiffers) {
+  write_ply(folder_ / "quiet.ply", quiet_scene());
+  const std::string measure =
+      "effects quiet.ply --cameras cameras.json --memory ideal --jitter 0 --measure --rounds 1 --json ";
+  const Outcome none = faulty("none", measure);
+  EXPECT_EQ(none.code, 0) << none.err << none.out;
+  const Outcome pixel = faulty("pixel", measure);
+  EXPECT_EQ(pixel.code, 1) << pixel.err;
+  EXPECT_NE(pixel.err.find("the machine is wrong"), std::string::npos) << pixel.err;
+  EXPECT_GT(nlohmann::json::parse(pixel.out)["all"]["mismatches"], 0);
+  EXPECT_EQ(faulty("hang", measure).code, 1);
+}
+
+TEST_F(ExitCodes, OneWhenAnErrorIsBeyondItsBound) {
+  const Outcome none = faulty("none", "budget --count 100"), beyond = faulty("bound", "budget --count 100");
+  EXPECT_EQ(none.code, 0) << none.out;
+  EXPECT_NE(none.out.find("beyond the bound: 0"), std::string::npos) << none.out;
+  EXPECT_EQ(beyond.code, 1) << beyond.out;
+  EXPECT_NE(beyond.out.find("beyond the bound: 1"), std::string::npos) << beyond.out;
+  EXPECT_EQ(nlohmann::json::parse(faulty("bound", "budget --count 100 --json").out)["beyond_bound"], 1);
+}
+
+TEST_F(ExitCodes, OneWhenAPictureDiffers) {
+  ASSERT_EQ(run("render" + view_ + "--out golden").code, 0);
+  EXPECT_EQ(run("render" + view_ + "--out again --compare golden/frame.png").code, 0);
+  const Outcome outcome = run("render" + view_ + "--near 2 --out near --compare golden/frame.png");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("pixels differ"), std::string::npos) << outcome.out;
+}
+
+TEST_F(ExitCodes, OneWhenAMemoryRunDiffers) {
+  std::ifstream table(PIPEGS_SOURCE_DIR "/verif/dram/references.csv");
+  std::string header, line;
+  while (std::getline(table, line) && !line.starts_with("ramulator2,")) header = line + "\n";
+  ASSERT_TRUE(line.starts_with("ramulator2,"));
+  write("same.csv", header + line + "\n");
+  EXPECT_EQ(run("dram --references same.csv").code, 0);
+  // One cycle more in the sixth field.
+  size_t at = 0;
+  for (int comma = 0; comma < 5; ++comma) at = line.find(',', at) + 1;
+  const size_t end = line.find(',', at);
+  write("other.csv", header + line.substr(0, at) + std::to_string(std::stoull(line.substr(at, end - at)) + 1) +
+                         line.substr(end) + "\n");
+  EXPECT_EQ(run("dram --references other.csv").code, 1);
+}
+
+TEST_F(ExitCodes, TwoForWhatTheMachineCannotHold) {
+  write("flat.json", R"([{"id":0,"img_name":"a","width":70,"height":50,"position":[0,0,0],)"
+                     R"("rotation":[[1,0,0],[0,1,0],[0,0,1]],"fx":1e-9,"fy":50}])");
+  expect_refused("sim scene.ply --cameras flat.json", "fx");
+  expect_refused("model scene.ply --cameras flat.json", "fx");
+  expect_refused("sim" + view_ + "--memory nothing", "--memory: nothing not in {lpddr5");
+  expect_refused("sim" + view_ + "--waves w.fst --netlist", "--waves: the netlist writes none");
+  expect_refused("timeline" + view_ + "--set taps=0 --out t.json", "taps=1");
+}
+
+TEST_F(ExitCodes, TwoForANameThatIsNotUtf8) {
+  fs::copy(folder_ / "scene.ply", folder_ / "sc\xe8ne.ply");
+  expect_refused("sim 'sc\xe8ne.ply' --cameras cameras.json --no-rtl",
+                 "argument 2: found \"sc\\ufffdne.ply\", expected text in UTF-8");
+  expect_refused("info 'sc\xe8ne.ply'", "UTF-8");
+}
+
+TEST_F(ExitCodes, TwoForBadUse) {
+  expect_one_line(run(""), 2, "A subcommand is required");
+  expect_one_line(run("simulate"), 2, "A subcommand is required");
+  expect_one_line(run("sim --nonsense"), 2, "--nonsense");
+  expect_one_line(run("timeline" + view_), 2, "--out is required");
+  expect_one_line(run("sim --out"), 2, "--out");
+}
+
+TEST_F(ExitCodes, TwoForAPictureThatDoesNotFitInMemory) {
+  write("huge.json", R"([{"id":0,"img_name":"wall","width":16384,"height":16384,"position":[0,0,0],)"
+                     R"("rotation":[[1,0,0],[0,1,0],[0,0,1]],"fx":9000,"fy":9000}])");
+  const std::string view = " scene.ply --cameras huge.json ";
+  for (const std::string& arguments :
+       {"sim" + view, "sim" + view + "--no-rtl --no-truth", "render" + view, "explain" + view + "--pixel 1,1",
+        "ladder" + view, "profile" + view, "timeline" + view + "--out t.json", "sweep" + view + "--engine rtl",
+        "fidelity" + view, "accuracy" + view, "effects" + view, "silicon" + view, "model" + view + "--check",
+        std::string("stress --size 16384x16384")}) {
+    SCOPED_TRACE(arguments);
+    expect_one_line(run(arguments, "ulimit -v 4000000; "), 2, "16384x16384 pixels would take ");
+  }
+  EXPECT_NE(text("err.txt").find(" bytes ("), std::string::npos) << text("err.txt");
+  EXPECT_EQ(left_behind(), std::vector<std::string>{"huge.json"});
+}
+
+TEST_F(ExitCodes, ThreeWhenAMachineDoesNotBuild) {
+  const std::string nothing = "PATH=/nowhere ", other = "--set alpha_lines=128 ";
+  const auto expect_three = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments, nothing);
+    EXPECT_EQ(outcome.code, 3) << arguments << "\n" << outcome.err;
+    EXPECT_NE((outcome.err + outcome.out).find("does not build"), std::string::npos) << outcome.err;
+  };
+  expect_three("sim" + view_ + other + "--no-truth");
+  expect_three("sim" + view_ + other + "--no-truth --effects layers");
+  expect_three("explain" + view_ + other + "--pixel 1,1");
+  expect_three("profile" + view_ + other + "--rung dop");
+  expect_three("timeline" + view_ + other + "--out t.json");
+  expect_three("model" + view_ + other + "--check");
+  expect_three("accuracy" + view_ + other + "--knobs alpha_w --points 0 --rtl");
+  expect_three("effects" + view_ + other + "--measure");
+  expect_three("stress --count 1 --set alpha_lines=128");
+  expect_three("ladder" + view_ + other + "--rungs dop --no-truth");
+  expect_three("sweep" + view_ + other + "--rungs dop --engine rtl --bandwidth 51.2");
+  expect_three("fidelity" + view_ + other);
+  const Outcome fidelity = run("fidelity" + view_ + other + "--json", nothing);
+  EXPECT_EQ(fidelity.code, 3);
+  EXPECT_TRUE(nlohmann::json::parse(fidelity.out)["rows"][3].contains("failure"));
+  EXPECT_FALSE(fs::exists(folder_ / "t.json"));
+}
+
+TEST_F(ExitCodes, ThreeWhenThereIsNoMemory) {
+  expect_one_line(run("budget --count 2000000", "ulimit -v 150000; "), 3, "out of memory");
+  for (const std::string& arguments : runs()) EXPECT_EQ(faulty("memory", arguments).code, 3) << arguments;
+}
+
+TEST_F(ExitCodes, ThreeForABug) {
+  expect_one_line(faulty("bug", "sim" + view_ + "--no-truth"), 3, "a bug of ours: a promise is broken");
+}
+
+TEST_F(ExitCodes, ThreeWhenStandardOutputCannotBeWritten) {
+  const Outcome outcome = shell("'" PIPEGS_BINARY "' info scene.ply > /dev/full");
+  expect_one_line(outcome, 3, "standard output cannot be written");
+}
+
+// Files of at most a few blocks: what is larger fails as on a full disk.
+TEST_F(ExitCodes, ThreeWhenTheDiskIsFull) {
+  const std::string full = "trap '' XFSZ; ulimit -f 8; ";
+  for (const std::string& arguments :
+       {"render" + view_ + "--out pictures", std::string("info scene.ply --save copy.ply"),
+        "sim" + view_ + "--no-truth --no-rtl --out pictures", "profile" + view_ + "--no-rtl --svg charts/profile.svg",
+        "timeline" + view_ + "--out trace.json"}) {
+    SCOPED_TRACE(arguments);
+    expect_one_line(run(arguments, full), 3, "cannot write");
+  }
+  for (const std::string& name : left_behind())
+    EXPECT_TRUE(fs::is_directory(folder_ / name)) << "half-written: " << name;
+}
+
+}  // namespace
+}  // namespace pipegs

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// faulty_rtl.cpp: the command line on a machine with a fault: what a command says, and its exit code, when the RTL
+// differs, hangs, or the computer gives up.
+//
+// Idea    The linker puts this in the place of load_rtl (--wrap), so all else is `pipegs` as it is. The machine is the
+//         true one; PIPEGS_FAULT in the environment names what is done to its run:
+//           pixel   one bit of pixel 66,3 is turned over in memory, or of the first pixel where there is no such
+//           cycles  it reports one cycle more, and does not show the first chunk that its DOPU sends
+//           hang    it counts as hung before it can have asked for anything
+//           memory  the run has no memory left; bug: a function breaks its promise
+//         Every variant of the default machine is that machine, which changes neither a cycle nor a bit, and need not
+//         be built.
+#include <cstdlib>
+#include <new>
+#include <optional>
+#include <string_view>
+
+#include "cpp_model/frame_setup.hpp"
+#include "cpp_model/ru/ru_resolve.hpp"
+#include "sim/rtl/rtl_model.hpp"
+
+namespace pipegs {
+namespace {
+
+// All that a machine shows but its first chunk.
+class WithoutAChunk final : public RtlTaps {
+ public:
+  explicit WithoutAChunk(RtlTaps& taps) : taps_(taps) {}
+  void on_splat(int unit, const uint32_t* splat) override { now().on_splat(unit, splat); }
+  void on_sorted(const uint32_t* sorted) override { now().on_sorted(sorted); }
+  void on_alphas(int unit, uint64_t x, uint64_t y, uint32_t index, int region, const uint32_t* line) override {
+    now().on_alphas(unit, x, y, index, region, line);
+  }
+  void on_pixels(int unit, int region, int quarter, const uint32_t* word) override {
+    now().on_pixels(unit, region, quarter, word);
+  }
+  bool wants_cycles() const override { return taps_.wants_cycles(); }
+  void on_cycle(uint64_t number, const uint8_t* states) override { now().on_cycle(number, states); }
+  void on_chunk(int unit, int kind) override {
+    if (shown_) now().on_chunk(unit, kind);
+    shown_ = true;
+  }
+  void on_layer_done(int unit, bool window_done) override { now().on_layer_done(unit, window_done); }
+  void on_request(int tag, bool write, uint64_t line) override { now().on_request(tag, write, line); }
+
+ private:
+  RtlTaps& now() {
+    taps_.cycle = cycle;
+    return taps_;
+  }
+
+  RtlTaps& taps_;
+  bool shown_ = false;
+};
+
+class FaultyMachine final : public RtlModel {
+ public:
+  FaultyMachine(const Config& config, std::unique_ptr<RtlModel> machine, std::string_view fault)
+      : config_(config), machine_(std::move(machine)), fault_(fault) {}
+
+  RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+                const std::function<bool(uint64_t, uint64_t)>& progress) override {
+    if (fault_ == "memory") throw std::bad_alloc();
+    if (fault_ == "bug") throw std::logic_error("a promise is broken");
+    RtlOptions mine = options;
+    if (fault_ == "hang") mine.quiet_limit = 2;
+    std::optional<WithoutAChunk> other;
+    if (fault_ == "cycles" && taps != nullptr) taps = &other.emplace(*taps);
+    RtlResult result = machine_->run(frame, memory, mine, taps, progress);
+    if (fault_ == "pixel") turn_over(unpack<Frame>(config_, frame), memory);
+    if (fault_ == "cycles") ++result.cycles;
+    return result;
+  }
+
+ private:
+  void turn_over(const Frame& frame, ExternalMemory& memory) const {
+    const auto side = static_cast<uint64_t>(config_.window);
+    const Raster& raster = frame.raster;
+    uint64_t x = 66, y = 3;
+    const bool there = x < raster.width && y < raster.height && x / side >= raster.windows.first_x &&
+                       x / side <= raster.windows.last_x && y / side >= raster.windows.first_y &&
+                       y / side <= raster.windows.last_y;
+    if (!there) x = raster.windows.first_x * side, y = raster.windows.first_y * side;
+    const int region = static_cast<int>((y % side / 8) * config_.regions_x() + x % side / 8);
+    memory.line(ru_pixel_line(config_, frame, x / side, y / side, region, static_cast<int>(y % 8)))[2 * (x % 8)] ^= 1;
+  }
+
+  const Config config_;
+  std::unique_ptr<RtlModel> machine_;
+  const std::string_view fault_;
+};
+
+}  // namespace
+
+std::unique_ptr<RtlModel> true_rtl(const Config& config, const RtlVariant& variant) asm(
+    "__real__ZN6pipegs8load_rtlERKNS_6ConfigERKNS_10RtlVariantE");
+std::unique_ptr<RtlModel> faulty_rtl(const Config& config, const RtlVariant& variant) asm(
+    "__wrap__ZN6pipegs8load_rtlERKNS_6ConfigERKNS_10RtlVariantE");
+
+std::unique_ptr<RtlModel> faulty_rtl(const Config& config, const RtlVariant& variant) {
+  const char* fault = std::getenv("PIPEGS_FAULT");
+  const RtlVariant built = config == Config{} ? RtlVariant{.waves = variant.waves} : variant;
+  return std::make_unique<FaultyMachine>(config, true_rtl(config, built), fault == nullptr ? "" : fault);
+}
+
+}  // namespace pipegs

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// Against sim/command/number_option and list_option: what an option takes, and what it refuses, whatever the text.
+// Part of readers_checked, so that the sanitizers see it; options_test has the options of each command.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sim/command/list_option.hpp"
+
+namespace pipegs {
+namespace {
+
+struct Values {
+  uint8_t small = 3;
+  int64_t large = 0;
+  double real = 0.5;
+  std::vector<int> place;
+  std::vector<double> reals = {1, 2.5};
+  std::vector<std::string> names;
+};
+
+// The values that a command line gives, or what is wrong with it.
+std::string parse(const std::vector<std::string>& words, Values& values) {
+  CLI::App app;
+  add_integer(app, "--small", values.small, "");
+  add_integer(app, "--large", values.large, "", int64_t{-5});
+  add_real(app, "--real", values.real, "", kPositive);
+  add_place(app, "--place", values.place, "");
+  add_reals(app, "--reals", values.reals, "", kPositive)->capture_default_str();
+  add_names(app, "--names", values.names, "");
+  std::vector<const char*> arguments = {"test"};
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  try {
+    app.parse(static_cast<int>(arguments.size()), arguments.data());
+  } catch (const CLI::ParseError& error) { return error.what(); }
+  return "";
+}
+
+std::string refused(const std::vector<std::string>& words) {
+  Values values;
+  return parse(words, values);
+}
+
+TEST(ReadOptions, TakesWhatIsMeant) {
+  Values values;
+  ASSERT_EQ(
+      parse({"--small", "255", "--large=-5", "--real", "1e-3", "--place", "3,4", "--reals", "0.5", "--names", "b,a"},
+            values),
+      "");
+  EXPECT_EQ(values.small, 255);
+  EXPECT_EQ(values.large, -5);
+  EXPECT_EQ(values.real, 1e-3);
+  EXPECT_EQ(values.place, (std::vector<int>{3, 4}));
+  EXPECT_EQ(values.reals, std::vector<double>{0.5});
+  EXPECT_EQ(values.names, (std::vector<std::string>{"b", "a"}));
+}
+
+TEST(ReadOptions, SaysWhatItWants) {
+  EXPECT_EQ(refused({"--small", "256"}), "--small: found '256', expected an integer from 0 to 255");
+  EXPECT_EQ(refused({"--small", "-1"}), "--small: found '-1', expected an integer from 0 to 255");
+  EXPECT_EQ(refused({"--real", "0"}), "--real: found '0', expected a number above 0");
+  EXPECT_EQ(refused({"--place", "3"}), "--place: found '3', expected COLUMN,ROW");
+  EXPECT_EQ(refused({"--place", "3,-1"}), "--place: found '-1', expected an integer from 0 to 2147483647");
+  EXPECT_EQ(refused({"--reals", "1,,2"}), "--reals: found '1,,2', expected elements by commas, none of them empty");
+  EXPECT_EQ(refused({"--reals", "1,nan"}), "--reals: found 'nan', expected a number above 0");
+  EXPECT_EQ(refused({"--names", "a,b,a"}), "--names: found a second 'a', expected one");
+  EXPECT_NE(refused({"--names", "a", "b"}), "");
+  EXPECT_NE(refused({"--names", "a", "--names", "b"}), "");
+}
+
+TEST(ReadOptions, SurvivesAnyText) {
+  std::mt19937 random(7);
+  const std::string characters = "0123456789,,..-+ex[]{}\"' \t\n\xe9";
+  for (int round = 0; round < 300; ++round) {
+    std::string text;
+    for (size_t i = random() % 40; i > 0; --i) text += characters[random() % characters.size()];
+    for (const char* option : {"--small", "--large", "--real", "--place", "--reals", "--names"}) {
+      const std::string error = refused({option, text});
+      EXPECT_LT(error.size(), 400u) << error;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pipegs

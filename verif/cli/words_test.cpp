@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// words_test: what was not run is not printed or stored as run; help texts; the line that replays a mismatch does.
+#include "verif/cli/cli.hpp"
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::json;
+
+class Words : public Cli {
+ protected:
+  const std::string view_ = " scene.ply --cameras cameras.json ";
+
+  Json json(const std::string& arguments) {
+    const Outcome outcome = run(arguments + " --json");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Json::parse(outcome.out);
+  }
+  // What stands behind `before` on its line of standard error.
+  static std::string behind(const std::string& before, const Outcome& outcome) {
+    const size_t at = outcome.err.find(before);
+    if (at == std::string::npos) return "";
+    return outcome.err.substr(at + before.size(), outcome.err.find('\n', at) - at - before.size());
+  }
+};
+
+TEST_F(Words, NothingOfTheRtlIsSaidWithoutIt) {
+  const Outcome outcome = run("sim" + view_ + "--no-rtl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("RTL not run, nothing compared"), std::string::npos) << outcome.out;
+  for (const char* part : {"mismatches", "compared:", "where every cycle went", "kHz", "overflow lines", "roofline"})
+    EXPECT_EQ(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+  const Json report = Json::parse(text("out/report.json"));
+  EXPECT_EQ(report["ran"], Json({{"truth", true}, {"rtl", false}}));
+  for (const char* key :
+       {"cycles", "preprocess_cycles", "units", "memory", "beats_compared", "mismatches", "rtl_khz", "effects"})
+    EXPECT_TRUE(report.at(key).is_null()) << key << ": " << report[key];
+  for (const char* key : {"memory", "largest", "cycles_over_largest"})
+    EXPECT_TRUE(report["bounds"].at(key).is_null()) << key;
+  EXPECT_TRUE(report["work"].at("overflow_lines").is_null());
+  EXPECT_TRUE(report["wall_seconds"].at("rtl").is_null());
+  EXPECT_TRUE(report["psnr_total_db"].is_number());
+}
+
+TEST_F(Words, NothingOfTheTruthIsSaidWithoutIt) {
+  const Outcome outcome = run("sim" + view_ + "--no-truth");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("truth not run, no PSNR"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("beats and every pixel compared: 0 mismatches"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find(" dB"), std::string::npos) << outcome.out;
+  const Json report = Json::parse(text("out/report.json"));
+  EXPECT_EQ(report["ran"], Json({{"truth", false}, {"rtl", true}}));
+  for (const char* key : {"psnr_numeric_db", "psnr_order_db", "psnr_total_db", "max_abs_error"})
+    EXPECT_TRUE(report.at(key).is_null()) << key << ": " << report[key];
+  EXPECT_TRUE(report["wall_seconds"].at("truth").is_null());
+  EXPECT_EQ(report["mismatches"], 0);
+}
+
+// A picture that equals the truth has no finite PSNR either; `ran` and the largest error tell the two apart.
+TEST_F(Words, EqualIsNotTheSameAsNotRun) {
+  write_ply(folder_ / "empty.ply", scene_of({}));
+  const Outcome outcome = run("sim empty.ply --cameras cameras.json --no-rtl");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("numeric equal, order equal, total equal"), std::string::npos) << outcome.out;
+  const Json report = Json::parse(text("out/report.json"));
+  EXPECT_TRUE(report["psnr_numeric_db"].is_null());
+  EXPECT_EQ(report["max_abs_error"], 0.0);
+}
+
+TEST_F(Words, OtherCommandsSayAsLittle) {
+  EXPECT_TRUE(json("explain" + view_ + "--pixel 1,1 --no-rtl").at("mismatches").is_null());
+  EXPECT_EQ(json("explain" + view_ + "--pixel 1,1").at("mismatches"), 0);
+  EXPECT_TRUE(json("profile" + view_ + "--no-rtl").at("mismatches").is_null());
+  const Json sweep = json("sweep" + view_ + "--rungs dop --bandwidth 51.2");
+  EXPECT_TRUE(sweep["rungs"][0].at("mismatches").is_null());
+  const Json ladder = json("ladder" + view_ + "--rungs dop --no-truth");
+  EXPECT_EQ(ladder["rungs"][0]["ran"], Json({{"truth", false}, {"rtl", true}}));
+  EXPECT_TRUE(ladder["rungs"][0].at("psnr_numeric_db").is_null());
+  const Outcome stress = run("stress --count 1 --no-rtl");
+  EXPECT_NE(stress.out.find("RTL                   not run"), std::string::npos) << stress.out;
+}
+
+TEST_F(Words, TablesSayRooflineRatio) {
+  const Outcome sim = run("sim" + view_ + "--no-truth"), ladder = run("ladder" + view_ + "--rungs dop --no-truth");
+  EXPECT_NE(sim.out.find("roofline ratio"), std::string::npos) << sim.out;
+  EXPECT_NE(ladder.out.find("roofline ratio"), std::string::npos) << ladder.out;
+  EXPECT_NE(ladder.out.find("design point"), std::string::npos) << ladder.out;
+}
+
+TEST_F(Words, EveryHelpHasAnExampleAndItsExitCodes) {
+  for (const char* command : {"sim", "render", "explain", "ladder", "profile", "timeline", "sweep", "dram", "model",
+                              "accuracy", "fidelity", "stress", "budget", "effects", "silicon", "info"}) {
+    SCOPED_TRACE(command);
+    const Outcome outcome = run(std::string(command) + " --help");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.out.find(std::string("Example: pipegs ") + command + " "), std::string::npos) << outcome.out;
+    const size_t codes = outcome.out.find("\nExit codes: 0 ");
+    ASSERT_NE(codes, std::string::npos) << outcome.out;
+    const std::string line = outcome.out.substr(codes + 1, outcome.out.find('\n', codes + 1) - codes - 1);
+    EXPECT_NE(line.find("2 bad input or bad use, 3 our own failure"), std::string::npos) << line;
+    for (const char* word : {"rung of the ladder", "twin", "cycles / bound"})
+      EXPECT_EQ(outcome.out.find(word), std::string::npos) << word;
+  }
+  EXPECT_NE(run("stress --help").out.find("fuzzing with shrinking"), std::string::npos);
+  EXPECT_NE(run("sim --help").out.find("design point: baseline"), std::string::npos);
+  EXPECT_NE(run("--help").out.find("Exit codes: 0 agrees"), std::string::npos);
+}
+
+// All that was given stands in the replay line again, and running that line meets the same mismatch, with waves.
+TEST_F(Words, TheReplayLineReplays) {
+  write("my machine.cfg", "# nothing but the default\nalpha_w=8\n");
+  fs::copy(folder_ / "scene.ply", folder_ / "it's.ply");
+  const std::string given =
+      "\"it's.ply\" --cameras cameras.json --config 'my machine.cfg' --near 0.25 --effects all "
+      "--memory ideal --latency 50 --jitter 7 --bandwidth 32.5 --seed 9 --rung dop "
+      "--set alpha_lines=1024 --set grid=4 --out pictures";
+  const std::string faulty = "PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' ";
+  const Outcome first = shell(faulty + "sim " + given);
+  ASSERT_EQ(first.code, 1) << first.err;
+  const std::string line = behind("replay with waves: ", first);
+  for (const char* part :
+       {"'it'\\''s.ply'", "--cameras cameras.json", "--config 'my machine.cfg'", "--near 0.25", "--effects all",
+        "--memory ideal", "--latency 50", "--jitter 7", "--bandwidth 32.5", "--seed 9", "--rung dop",
+        "--set alpha_lines=1024", "--set grid=4", "--window 1,0", "--waves replay/window.fst"})
+    EXPECT_NE(line.find(part), std::string::npos) << part << " is not in: " << line;
+  EXPECT_EQ(line.find("--out pictures"), std::string::npos) << line;
+  const Outcome second = shell("PIPEGS_FAULT=pixel " + line);
+  EXPECT_EQ(second.code, 1) << second.err;
+  EXPECT_EQ(behind("first mismatch, window 1,0: ", second), behind("first mismatch, window 1,0: ", first));
+  EXPECT_NE(behind("first mismatch, window 1,0: ", first).find("pixel 66,3"), std::string::npos) << first.err;
+  EXPECT_GT(fs::file_size(folder_ / "replay/window.fst"), 1000u);
+}
+
+// Gates write no waves, so the line asks for none.
+TEST_F(Words, TheReplayLineOfGatesAsksForNoWaves) {
+  const Outcome first = shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' sim" + view_ + "--no-truth --netlist");
+  ASSERT_EQ(first.code, 1) << first.err;
+  const std::string line = behind("replay with waves: ", first);
+  EXPECT_NE(line.find("--netlist"), std::string::npos) << line;
+  EXPECT_EQ(line.find("--waves"), std::string::npos) << line;
+  EXPECT_EQ(shell("PIPEGS_FAULT=pixel " + line).code, 1);
+}
+
+// Waves are an effect: a list that leaves them out gets them.
+TEST_F(Words, TheReplayLineOfSomeEffectsHasWaves) {
+  std::string names;
+  const Json effects = json("effects" + view_);  // taps are one of them
+  for (const Json& effect : effects["effects"]) {
+    const std::string name = effect["name"];
+    if (name != "waves" && name != "dram") names += (names.empty() ? "" : ",") + name;
+  }
+  const Outcome first = shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' sim" + view_ + "--no-truth --effects " + names);
+  ASSERT_EQ(first.code, 1) << first.err;
+  const std::string line = behind("replay with waves: ", first);
+  EXPECT_NE(line.find("--effects " + names + ",waves"), std::string::npos) << line;
+  EXPECT_EQ(shell("PIPEGS_FAULT=pixel " + line).code, 1);
+  EXPECT_TRUE(fs::exists(folder_ / "replay/window.fst"));
+}
+
+TEST_F(Words, AMachineThatHangsIsReplayedToo) {
+  const Outcome first = shell("PIPEGS_FAULT=hang '" PIPEGS_FAULTY "' sim" + view_ + "--no-truth --window 1,0");
+  ASSERT_EQ(first.code, 1) << first.err;
+  const std::string line = behind("replay with waves: ", first);
+  EXPECT_NE(line.find("--window 1,0"), std::string::npos) << line;
+  EXPECT_EQ(shell("PIPEGS_FAULT=hang " + line).code, 1);
+}
+
+// The view that fails is written, and its line shows the same failure.
+TEST_F(Words, TheReplayLineOfFuzzingReplays) {
+  const Outcome first = shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' stress --count 1 --size 40x30 --gaussians 3");
+  ASSERT_EQ(first.code, 1) << first.err;
+  const size_t at = first.out.find("replay: ");
+  ASSERT_NE(at, std::string::npos) << first.out;
+  const std::string line = first.out.substr(at + 8, first.out.find('\n', at) - at - 8);
+  EXPECT_EQ(shell("PIPEGS_FAULT=pixel " + line).code, 1) << line;
+  EXPECT_EQ(shell("PIPEGS_FAULT=none " + line).code, 0) << line;
+}
+
+}  // namespace
+}  // namespace pipegs

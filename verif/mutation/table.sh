@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
+# The table of mutation tests, read by verif/mutation/mutate.sh; docs/trust/mutation.md shows it.
+#
+# group  NAME TITLE                      those that follow: one test of ctest, mutation_NAME, and one table of the page
+# mutant MODULE WHAT CHANGE [TEST]       CHANGE: of sed -E, in exactly one line of the module (a path: of that file of
+#        cpp_model/); TEST: the test that fails, in verif/*/CMakeLists.txt; else the module's own. An expression is
+#        matched, not its line, and as little of it as tells it from others.
+
+# --- rtl/dopu ---------------------------------------------------------------------------------------------------------
+group dopu "DOPU"
+mutant dopu_axis "of two equal components the second one is taken" 's/x >= y && x >= z/x > y \&\& x >= z/'
+mutant dopu_layer "the walk goes c, c - 1, c + 1 instead of c, c + 1, c - 1" \
+       's/(camera_slab) \+ (distance : camera_slab) -/\1 - \2 +/'
+mutant dopu_planes "the margin moves an edge inwards" 's/\(far \? margin : -margin\)/(far ? -margin : margin)/'
+mutant dopu_test "slack for the cut bits halved" 's/( Slack *= .*\(TestW \+ )2/\11/'
+mutant dopu_origin "no block exponent where it is needed first" 's/(longest > LengthW.\(ViewW - )2/\11/'
+mutant dopu_emit "the end of an empty layer is sent" 's/ && !had_chunk_q//' dopu
+mutant dopu "the clock does not come back for an answer of the memory" 's/(memory_i\()rsp_valid_i \|\| /\1/'
+mutant dopu_windows "a set of planes is overwritten before it is released" \
+       's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/' dopu
+mutant dopu_descend "no place is reserved for a result of the test" \
+       's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
+mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
+mutant line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/'
+
+# --- rtl/dopu, nearest first ------------------------------------------------------------------------------------------
+group nearest "DOPU, nearest chunk first (\`order = 2\`)"
+mutant dopu_nearest "the watermark forgets the groups that are being opened" \
+       "s/unopened = \{first\[1\], open_nearest\[1\]/unopened = {first[1], {BucketW{1'b1}}/"
+mutant dopu_rank "the smaller of own and parent's bucket instead of the larger" \
+       's/own > parent \?/own < parent ?/' dopu_nearest
+mutant dopu_send "a watermark is sent although it has not risen" 's/(mark_due *= .*) && risen/\1/' dopu_nearest
+mutant dopu_open "the last child but one counts as the last too" \
+       "s/(child_last_o = )(CountW'\(index\)) == last/\1\2 == last || \2 + 1'b1 == last/" dopu_nearest
+mutant dopu_bucket "a word of buckets is given up although another chain is left in it" \
+       's/if \(last_of_word_q\) some_q/some_q/'
+mutant dopu_bucket "a node inserted in front of a list's first bucket does not become the first" \
+       's/(!first_valid_q\[insert_list_i\]) \|\| insert_bucket_i < first_q\[insert_list_i\]/\1/'
+mutant dopu_depth "leading bits of the mantissa taken one place too high" \
+       's/wide\[i \+: StepBits\]/wide[i+1 +: StepBits]/'
+mutant dopu_test "slack of the nearest corner halved" \
+       's/( Lost *= .*SumW.\(1\) <<< \()TestW \+ 1(\)\) \+ )/\1TestW\2/' dopu_test_nearest
+mutant dopu/dopu_depth.hpp "the model's slack for the cut bits left out" \
+       's/\(int64_t\{1\} << \(config\.test_w\(\) \+ 1\)\) \+ //' dopu_depth
+
+# --- rtl/pu: projection -----------------------------------------------------------------------------------------------
+group projection "PU: projection"
+mutant recip "one unit in one entry of the table" "s/18'd204596/18'd204597/"
+mutant recip "the result is cut instead of rounded" 's/ \+ \(\(OutF \+ 1\).\(1\) << \(Cut - 1\)\)//'
+mutant pu_phases "a new record is let into an output that was not taken" \
+       's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/'
+mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
+       's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
+mutant pu_project "exponent of the depth key + 1" 's/(z_log *= .*ViewW - )2/\11/'
+mutant pu_orient "one sign of the Hamilton product" 's/p0 - p1 \+ p2 \+ p3/p0 + p1 + p2 + p3/'
+mutant pu_jacobian "exponent of the gain + 1" 's/(gain_e_q *<= .*\(Cut)\)/\1 + 1)/'
+mutant pu_factors "a zero takes part in the search for the largest exponent" \
+       "s/(some\[1\] = )some1 && [a-z_.]*v0_1_m != '0/\11/"
+mutant pu_factors "a zero first component may win over a smaller second one" \
+       's/\(!any0 \|\| e\[1\] > top0\)/(e[1] > top0)/'
+mutant pu_factors "the first component sets the exponent even when it is zero" 's/any0 = some\[0\]/any0 = 1/'
+mutant pu_squares "the shift of |u1|^2 added instead of subtracted" 's/(out_q\.c_e <= .*) - less_q/\1 + less_q/'
+mutant pu_covariance "the adder does not know zero" "s/x_m == '0 \|\| \(y_m != '0 && y_e > x_e\)/y_e > x_e/"
+
+# --- rtl/pu: coefficients, regions, rows ------------------------------------------------------------------------------
+group rows "PU: coefficients, regions, rows"
+mutant pu_root ">= becomes >" 's/rest >= trial\}/rest > trial}/'
+mutant pu_extent "margin of the box 361 becomes 360" 's/361/360/'
+mutant pu_conic "sign of an exponent in narrow" 's/gain \+ ([a-z_.]*larger_e \+ scaled_det_e_q)/gain - \1/'
+mutant pu_align "shift off by one" 's/product >>> by/product >>> (by + 1)/'
+mutant pu_coeff "one bit more dropped from u" \
+       's/LeftW.\(product >>> SlopeDrop\)/LeftW'"'"'((product >>> SlopeDrop) \& ~1)/'
+mutant pu_edge "the gradient is not rounded up" 's/(gradient_2_q <= .*) \+ GradientW.\(1\)/\1/'
+mutant pu_intersect "a Gaussian with a box is dropped when the box is found" \
+       's/(drop *= state_q == StateStart) && none_q/\1/'
+mutant pu_intersect "the walk goes on while the test waits" 's/(step *= walk_valid_q) && !hold/\1/'
+mutant exp2 "shift by one" 's/product >> \(RestW - 1\)/product >> RestW/'
+mutant pu_alpha "the cut: < becomes <=" 's/(PowerW.\(~power_i\)) < /\1 <= /'
+mutant pu_row_init "dy^2 becomes dy^2 - 1" 's/Dy \* Dy\)/Dy * Dy - 1)/'
+mutant pu_row_unit "4 curve becomes 2 curve" 's/curve_i\) <<< 2/curve_i) <<< 1/'
+mutant pu_region "16 D rx becomes 8 D rx" 's/d_rx_q\) <<< 4/d_rx_q) <<< 3/'
+mutant pu_rows "the Row Units load although they still walk" 's/move && \(!row_valid_q \|\| row_last\)/move/'
+mutant pu_allocate "a third layer is let in" 's/(tiles_ready_o = state_q == StateTake) && !ended_q\[1\]/\1/'
+mutant pu_allocate "the pulse that frees a layer is lost while a Gaussian is in work" \
+       's/( - 2.\(layer_free_i)\)/\1 \&\& state_q == StateTake)/'
+mutant pu_allocate "the pulse that frees a layer does not wake the clock" \
+       's/if \(layer_free_i \|\| restart_i\)/if (restart_i)/'
+mutant pu_allocate "the pulse that frees a layer is lost in the cycle that takes an end" \
+       's/( - 2.\(layer_free_i)\)/\1 \&\& !take_end)/'
+mutant pu_allocate "the end is lost in the cycle of that pulse" 's/( \+ 2.\(take_end)\)/\1 \&\& !layer_free_i)/'
+mutant pu_spill "the end leaves before the memory took the last line" 's/(rows_end_valid_o = .*) && free/\1/'
+mutant pu_spill "the end is taken while a line waits" \
+       's/(alphas_ready_o = )free && rows_end_ready_i/\1rows_end_ready_i/'
+mutant pu_join "an end passes before its lines are written" "s/!is_end \|\| ends_q != '0/1/"
+mutant pu_deal "an end passes when one cull has reached it" "s/is_end == '1/is_end != '0/"
+mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1/\11/"
+mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/drop \|\| go\), \.out_o/go), .out_o/'
+mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/"
+mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic
+mutant sleep "asleep although something came from outside" 's/(asleep_o = .*) && !wake_i/\1/'
+mutant sleep "a beat that moves does not keep it awake" 's/moved_i \|\| wake_i\) quiet_q/wake_i) quiet_q/'
+
+# --- rtl/pu: colour ---------------------------------------------------------------------------------------------------
+group color "PU: colour"
+mutant rsqrt "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
+mutant pu_color_rotate "w12 for w21" 's/(row_b = [a-z_.]*)w21/\1w12/'
+mutant pu_color_normalise "does not wait for its output register" \
+       "s/\(step_q != 3'd2 \|\| !unit_valid_q \|\| unit_ready_i\)/1/"
+mutant pu_color_basis "a result lands in an output that was not taken" \
+       's/(go *= )!landing \|\| !basis_valid_q \|\| basis_ready_i/\11/'
+mutant pu_color_fetch "a job is taken while a request is pending" 's/room && !mem_valid_q/room/'
+mutant pu_color_sum "coefficients masked at the wrong degree" "s/degree == 2'd1(\) coefs)/degree == 2'd2\1/"
+mutant pu_color "busy: AND for OR" 's/fetch_busy \|\| sum_busy/fetch_busy \&\& sum_busy/'
+
+# --- rtl/su -----------------------------------------------------------------------------------------------------------
+group su "SU"
+mutant su_gather "the bucket is read one bit of the depth too low" \
+       's/depth\[pipegs_pkg::DepthW-1 -:/depth[pipegs_pkg::DepthW-2 -:/' su
+mutant su_release "an end that releases all releases what is nearer only" \
+       's/(job_all_i\(spill_job_i) \|\| head_all/\1/' su
+mutant su_stores "a link is written in the cycle in which the splitter has the port" \
+       's/(link_ready_o = )!split_claim_i \&\& /\1/' su
+mutant su_minmax "the largest is compared with the smallest" 's/key_i > max_q/key_i > min_q/'
+mutant su_bitonic "direction of the last merge" 's/ && !size_q\[DistanceW\]//'
+mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill_q/\1 > fill_q/'
+mutant su_split "the tail of a bucket is overwritten" 's/\{filled \? tail : drop_slot_q/{drop_slot_q/'
+mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
+mutant su_merge "index sorted downwards" 's/\{head\.depth, head\.index\}/{head.depth, ~head.index}/'
+mutant su_spill "the lines of keys begin one too far" \
+       's/(keys_line_q *<= )number_q >> PartW/\1(number_q >> PartW) + 1/' su_tiny
+mutant su_select "< becomes <= at the end of a part" 's/part\} < stop_q/part} <= stop_q/' su_tiny
+mutant su_emit "the end of a set that spilled asks the memory for a record" \
+       's/spilled_i && !item_end_i/spilled_i/' su_tiny
+mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su
+
+# --- rtl/ru -----------------------------------------------------------------------------------------------------------
+group ru "RU"
+mutant ru_blend "stop: < becomes <=" 's/remain < TW/remain <= TW/'
+mutant ru_blend "half of the rounding dropped" 's/ \+ Half\) >> AlphaW/) >> AlphaW/'
+mutant ru_own "every row begins with the same unit" 's/ \+ Step \* \(r \/ RegionsX\)//'
+mutant ru_slot "shift off by one" 's/\$clog2\(([a-z_:]*Units)\)/($clog2(\1) + 1)/'
+mutant ru_count "sum becomes OR" 's/\(fields & Low\) \+/(fields \& Low) |/'
+mutant ru_dispatch "the end of a layer only to the RUs whose regions it covers" \
+       's/kind != ([a-z_:]*)KindData( \|\| \(in_i)/kind == \1KindWindowEnd\2/'
+mutant ru_walk "done of the window before is used" "s/ends_q == '0 \? (rest_q & ~done_i) : rest_q/\1/"
+mutant ru_fetch "parity turns at the window's end only" \
+       's/(if \(fire && )!is_data(\) parity_q)/\1in_i.kind == pipegs_pkg::KindWindowEnd\2/'
+mutant ru_fetch "parity is not reset when a frame starts" 's/if \(restart_i\) parity_q/if (0) parity_q/'
+mutant ru_window "regions below the image: <= becomes <" 's/rows_d <= \(Shift/rows_d < (Shift/'
+mutant ru_lanes "second row of a quarter inside the image by mistake" \
+       "s/rows_i <= top \+ SideW'\(1\) \? 8'hff : columns_out/columns_out/"
+mutant ru_lanes "a region is done with its last quarter" "s/\(quarter_3_q == 2'd0 \|\| all_q\) && //"
+mutant ru_resolve "quarters of a region: 3 becomes 2" "s/next_quarter_q == 2'd3/next_quarter_q == 2'd2/"
+mutant ru_resolve "regions outside the image are written" 's/own & ~outside_i/own/'
+mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/'
+mutant ru "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/'
+
+# --- rtl/buf ----------------------------------------------------------------------------------------------------------
+group buf "Buffers"
+mutant alpha_store "the answer goes to all who ask" 's/answer_valid_q <= grant/answer_valid_q <= read_valid_i/'
+mutant pixel_buffer "fresh flags set on the wrong half" 's/if \(half_q\) fresh_0_q/if (!half_q) fresh_0_q/'
+mutant pixel_buffer "a write in the other half makes the word valid" \
+       's/if \(blend_write_i && half_q\) fresh_1_q/if (blend_write_i) fresh_1_q/'
+mutant slot_pool "the queue loses its head while new slots are left" \
+       's/out_ready_i\(slot_ready_i && !fresh\)/out_ready_i(slot_ready_i)/'
+mutant sram_fifo "counts without the head" "s/stored_q \+ CountW'\(out_valid_q\)/stored_q/"
+mutant sram_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
+mutant memory_arbiter "a shown request is overwritten before the memory took it" \
+       's/(free *= )!out_valid_q \|\| mem_ready_i/\11/'
+mutant memory_arbiter "the data of a shown write changes" 's/if \(take && out\.write\) data_q/if (out.write) data_q/'
+mutant memory_arbiter "an answer goes to two ports: the lowest bit of the tag is ignored" \
+       's/(mem_rsp_tag_i) == ([a-z_:]*TagW.\(i\))/\1 >> 1 == \2 >> 1/'
+
+# --- parts left out ---------------------------------------------------------------------------------------------------
+group lean "Machines without index ties and without overflow (\`index_ties = 0\`, \`overflow = 0\`)"
+mutant su_merge "the sort key is the index instead of the depth" \
+       's/\{head\.depth, head\.index\}/{head.index, head.depth}/' su_merge_lean
+mutant su_merge "assertion: > becomes >=" 's/depth > depth_q/depth >= depth_q/' su_merge_lean
+mutant su_merge "assertion: the end of a layer is forgotten when the beat before it still waits" \
+       's/\(go && !mark\) before_q/(go \&\& !out_valid_q) before_q/' su_merge_lean
+mutant su_collect "no clock for a record that finds no room: the assertion is never looked at" \
+       's/(active_o *= take) \|\| lost/\1/' su_lean
+mutant pu_allocate "lines are given although the older layer's lie there" \
+       "s/(room *= )SumW'\(oldest_q\) \+/\1/" pu_allocate_lean
+mutant pu_allocate "assertion: the Gaussian's own lines are not counted" \
+       "s/(\|-> SumW'\(current\)) \+ SumW'\(count_q\)/\1/" pu_allocate_lean
+mutant pu_spill "assertion: looks at a flag that is 0 where nothing goes to memory" \
+       's/\|-> !alphas_i\.ext/|-> !ext/' pu_spill_lean
+mutant pu_spill "an end waits for a memory that nobody writes to" "s/(free *= 1')b1/\1b0/" pu_spill_lean
+mutant ru_fetch "assertion: looks at a flag that is 0 where nothing lies in memory" \
+       's/\|-> !in_i\.ext/|-> !ext/' ru_fetch_lean
+mutant ru_fetch "a line of memory is always wanted" \
+       "s/(\{external_want, external_valid, mem_valid_o\} = )'0/\13'b100/" ru_fetch_lean
+
+# --- rtl: control at the top ------------------------------------------------------------------------------------------
+group top "Control at the top"
+mutant perf "counts state 3 also while nothing runs" "s/if \(running_q\)/if (running_q || state_q == 2'd3)/"
+mutant perf "a restart clears three of the four counts" '/if \(restart_q\)/,/end/s/i < 4/i < 3/'
+mutant layer_free "one RU's pulse frees a layer" "s/some == '1/some != '0/"
+mutant layer_free "counters of one bit: no drift of two layers" 's/(CountW *= )4/\11/'
+mutant scheduler "one complete RU ends the frame" "s/complete == '1 && idle_i/complete != '0 \&\& idle_i/"
+mutant scheduler "complete or idle is enough" "s/complete == '1 && idle_i/(complete == '1 || idle_i)/"
+mutant scheduler "windows counted in the width of a column" 's/(CountW *= )2 \* WindowW \+ 2/\1WindowW + 1/'
+
+# --- rtl/lib ----------------------------------------------------------------------------------------------------------
+group lib "Library"
+mutant fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
+mutant saturate "beyond the range the sign is kept twice" 's/\{!in_i\[InW-1\]\}/{in_i[InW-1]}/'
+mutant skid "the spare register is overwritten" 's/if \(in_ready_o\) spare_q/spare_q/'
+mutant normalize "the largest shift is one less" 's/( < DataW)\)/\1 - 1)/'
+mutant first_set "lowest bit: negation for two's complement" "s/~mask_i \+ 1'b1/~mask_i/"
+mutant bit_length "the place of the bit, counted from 0" "s/LengthW'\(i \+ 1\)/LengthW'(i)/"
+mutant round_robin "the port granted last comes first" 's/> last_i/>= last_i/' arbiter
+mutant arbiter "an unused grant moves" 's/locked_q && request_i\[shown_q\]/0/'
+mutant window_walk "a row of windows starts at 0 instead of the first one" \
+       "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru_window
+mutant clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'
+mutant clock_gate "the latch is open all the time" 's/if \(!clk_i\) enable_q/enable_q/'
+mutant sram "the output changes without a read" 's/if \(read_i\) rdata_o/rdata_o/'
+
+# --- rtl/list ---------------------------------------------------------------------------------------------------------
+group list "Lists (\`order = 1\`)"
+mutant pu_expand "an endless Gaussian does not reach the last window" 's/endless \|\| last > limit/last > limit/'
+mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//"
+mutant log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
+mutant pu_lines "an end leaves before the rows have ended" 's/ && \(!is_end \|\| ended_q\)//'
+mutant list_write "the count of the record before is not yet in the memory" 's/(same_q *<= )move && .*;/\10;/'
+mutant list_write "a waiting line is overwritten" 's/held_valid_q && \(!out_valid_q \|\| mem_ready_i\)/held_valid_q/'
+mutant list_read "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
+mutant list_read "one window too many" "s/windows - LeftW'\(1\)/windows/"
