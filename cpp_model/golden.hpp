@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "cpp_model/float/image.hpp"
-#include "cpp_model/pu/pu_project.hpp"
+#include "cpp_model/pu/project/pu_project.hpp"
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
 #include "cpp_model/pack/pack.hpp"

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "cpp_model/config.hpp"
-#include "cpp_model/lib/exp2.hpp"
+#include "cpp_model/lib/math/exp2.hpp"
 #include "cpp_model/pu/pu_cull.hpp"
 
 namespace {
@@ -42,14 +42,14 @@ const std::vector<Record>& records() {
   return table;
 }
 
-// The table of rtl/lib/exp2.sv: entry i is {0, delta, value}, entry 0 in the low bits. An entry fills a machine word,
-// so that a simulator reads it with one load (1.7 times faster rows); synthesis drops the zeros.
+// The table of rtl/lib/math/exp2.sv: entry i is {0, delta, value}, entry 0 in the low bits. An entry fills a machine
+// word, so that a simulator reads it with one load; synthesis drops the zeros.
 void print_exp2_table(const pipegs::Config& config) {
   const pipegs::Exp2 table(config);
   const int last = (1 << config.exp_index_w) - 1, width = config.exp_delta_w() + config.exp_value_w() > 32 ? 64 : 32;
   std::printf(
       "\n  // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See "
-      "cpp_model/lib/exp2.hpp.\n"
+      "cpp_model/lib/math/exp2.hpp.\n"
       "  localparam int unsigned Exp2EntryW = %d;\n"
       "  localparam logic [%d*Exp2EntryW-1:0] Exp2Table = {",
       width, last + 1);

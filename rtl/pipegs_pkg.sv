@@ -249,7 +249,7 @@ package pipegs_pkg;
   localparam logic [1:0] PerfBlocked = 2'd2;
   localparam logic [1:0] PerfMemory = 2'd3;
 
-  // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/exp2.hpp.
+  // Chords of 2^f (delta 0: steps): entry i is {0, delta, value}, entry 0 lowest. See cpp_model/lib/math/exp2.hpp.
   localparam int unsigned Exp2EntryW = 32;
   localparam logic [64*Exp2EntryW-1:0] Exp2Table = {
     32'hb0fe9f, 32'haefd42, 32'had7be8, 32'haafa93, 32'ha97941, 32'ha7f7f2, 32'ha576a8, 32'ha47560,

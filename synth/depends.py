@@ -5,7 +5,7 @@ knob.
 
 Idea    A block depends on a knob when its elaborated text changes with it, but for the order of its lines and the
         numbers of nameless signals, which Yosys gives out anew. Nothing is mapped, so this is exact and cheap, and the
-        area model's least squares (sim/study/silicon/area_model.hpp) never lays one knob's area on another.
+        area model's least squares (sim/study/silicon/area/area_model.hpp) never lays one knob's area on another.
 """
 import argparse
 import collections

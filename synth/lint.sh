@@ -9,8 +9,8 @@
 # declared", which goes with one of them, is an error. Ends in a count.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
-paths=(-y rtl -y rtl/dopu -y rtl/pu -y rtl/su -y rtl/ru -y rtl/list -y rtl/buf -y rtl/lib)
-files=(); for file in rtl/*.sv rtl/*/*.sv; do [ "$file" = rtl/pipegs_pkg.sv ] || files+=("$file"); done
+mapfile -t paths < <(find rtl -type d | sort | sed 's/^/-y\n/')
+mapfile -t files < <(find rtl -name '*.sv' ! -name pipegs_pkg.sv | sort)
 modules=("$@")
 if [ ${#modules[@]} -eq 0 ]; then for file in "${files[@]}"; do modules+=("$(basename "$file" .sv)"); done; fi
 build=${BUILD:-build} failed=0 scratch=$(mktemp -d)

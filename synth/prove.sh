@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # prove.sh [NAME ...]: formal proofs of the RTL with Yosys, and mutants of the RTL that they must refute
 #
-# Idea    synth/prove/table.sh names each proof. A checker (synth/prove/*_proof.svh) is put before the last line of
+# Idea    synth/prove/table.sh names each proof. A checker (synth/prove/*/*_proof.svh) is put before the last line of
 #         a copy of its module, where it sees every signal: Yosys 0.23 reads `bind` and ignores it. `sat -tempinduct`
 #         then proves all assertions for every trace of any length: no step from a state that satisfies them leads to
 #         one that does not.
@@ -21,7 +21,7 @@ machines=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 q
 
 package() { if [ "$1" = default ]; then cat rtl/pipegs_pkg.sv; else "$build/cpp_model/package_sv" ${1//,/ }; fi; }
 source_of() {  # the file of a module: the proof's own one, else the RTL
-  if [ -e "$here/$1.sv" ]; then echo "$here/$1.sv"; else ls rtl/"$1".sv rtl/*/"$1".sv 2>/dev/null; fi
+  if [ -e "$here/parts/$1.sv" ]; then echo "$here/parts/$1.sv"; else find rtl -name "$1.sv" | grep .; fi
 }
 
 # instances MODULE: the parameters of its instances in all machines, one set per line, from Yosys' log of each
@@ -69,11 +69,13 @@ run() {
     [ -e "$folder/$name.sv" ] || cp "$(source_of "$name")" "$folder/$name.sv" || { echo "no $name"; return; }
     if [ "$name" != "$token" ]; then
       grep -q '^endmodule' "$folder/$name.sv" || { echo "no end of $name"; return; }
-      sed -i "/^endmodule/i \`include \"${checker:-$name}_proof.svh\"" "$folder/$name.sv"
+      checker=$(find "$here" -name "${checker:-$name}_proof.svh")
+      sed -i "/^endmodule/i \`include \"${checker#"$here/"}\"" "$folder/$name.sv"
     fi
     sources+=("$folder/$name.sv")
   done
-  timeout 600 yosys -ql "$log" -p "read_verilog -sv -defer -formal -DSYNTHESIS -I$here ${sources[*]} $here/proof_*.sv
+  timeout 600 yosys -ql "$log" -p "read_verilog -sv -defer -formal -DSYNTHESIS -I$here ${sources[*]} \
+      $here/parts/proof_*.sv
     hierarchy -check -top $top$chparam; proc; flatten; opt_clean; check -assert
     select -assert-none t:\$*latch*; memory -nomap; memory_map; async2sync; opt_clean
     select -assert-min 1 t:\$assert; sat -prove-asserts -set-assumes $3" > /dev/null 2>&1

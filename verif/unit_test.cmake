@@ -1,6 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 # unit_test.cmake: GoogleTests of one Verilated module each, as RTL and as netlist.
 
+# Headers that all unit tests read, compiled once.
+file(WRITE ${CMAKE_BINARY_DIR}/generated/main.cpp.new "int main() { return 0; }\n")
+file(COPY_FILE ${CMAKE_BINARY_DIR}/generated/main.cpp.new ${CMAKE_BINARY_DIR}/generated/main.cpp ONLY_IF_DIFFERENT)
+add_executable(unit_test_headers ${CMAKE_BINARY_DIR}/generated/main.cpp)
+target_compile_definitions(unit_test_headers PRIVATE VM_TRACE=0 VM_TRACE_FST=0)
+target_compile_options(unit_test_headers PRIVATE -Wall -Wextra -O1)
+target_link_libraries(unit_test_headers PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main
+                      fmt::fmt)
+target_precompile_headers(unit_test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <verilated.h> <algorithm> <deque>
+                          <filesystem> <functional> <map> <memory> <random>)
+
 # pipegs_unit_test(NAME MODULE module [SOURCE file] [RTL_ONLY] [SET key=value ...]): a GoogleTest of one module against
 # its bit-accurate model. The test sees the configuration as PIPEGS_SET, a string for pipegs::test_config().
 # NAME_waves_test, which only a replay builds, is the same test with waves. In the default configuration it is a test of
@@ -14,6 +25,7 @@ function(pipegs_unit_test name)
   pipegs_verilated(verilated_${name} ${ARG_MODULE} SET ${ARG_SET})
   pipegs_verilated(verilated_${name}_waves ${ARG_MODULE} WAVES SET ${ARG_SET})
   add_executable(${name}_test ${ARG_SOURCE})
+  target_precompile_headers(${name}_test REUSE_FROM unit_test_headers)
   add_executable(${name}_waves_test EXCLUDE_FROM_ALL ${ARG_SOURCE})
   foreach(variant ${name} ${name}_waves)
     target_compile_definitions(${variant}_test PRIVATE PIPEGS_SET="${set_text}")

@@ -71,7 +71,7 @@ def chosen(page):
     paths = [path for path in markers.pages() if markers.name_of(path) == page]
     module = markers.module_of(paths[0]) if paths else None
     if module is None:
-        names = sorted(path.stem for path in (Path(__file__).parent / "pages").glob("*.py"))
+        names = sorted(path.stem for path in (Path(__file__).parent / "pages").rglob("*.py"))
         raise markers.PageError(f"--page {page}: expected one of {', '.join(names)}")
     return [one for one in TABLE if any(fnmatch.fnmatch(one.name, name) for name in module.MEASURED)]
 

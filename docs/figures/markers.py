@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Fills what lies between the markers of a page: <!--fig EXPRESSION-->text<!--/-->.
 
-The expression sees the tree of figures, the formats, and the functions of the page's own module pages/NAME.py. A text
-of several lines (a table) stands alone between blank lines, as Markdown wants it. Code of the page is left as it is.
+The expression sees the tree of figures, the formats, and the functions of the page's own module,
+pages/FOLDER/NAME.py. A text of several lines (a table) stands alone between blank lines, as Markdown wants it. Code
+of the page is left as it is.
 """
 import functools
 import importlib
@@ -31,9 +32,11 @@ def name_of(page):
 
 
 def module_of(page):
-    if not (Path(__file__).parent / "pages" / (name_of(page) + ".py")).exists():
+    """The module of a page: pages/, then the folder of the page in docs/."""
+    parts = ["pages", *page.parent.parts[1:], name_of(page)]
+    if not Path(__file__).parent.joinpath(*parts).with_suffix(".py").exists():
         return None
-    return importlib.import_module("pages." + name_of(page))
+    return importlib.import_module(".".join(parts))
 
 
 @functools.cache

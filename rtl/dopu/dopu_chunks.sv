@@ -6,7 +6,7 @@
 //         (dopu_nearest), with the depth that no later one comes below.
 // Stream  cells and ends in, of either set of planes; chunks and ends out. Memory: chunks (0), groups (1).
 // Pace    One node test in three cycles.
-// Model   cpp_model/dopu/dopu.hpp, cpp_model/dopu/dopu_nearest.hpp
+// Model   cpp_model/dopu/dopu.hpp, cpp_model/dopu/nearest/dopu_nearest.hpp
 
 module dopu_chunks #(
   localparam int unsigned AddressW = pipegs_pkg::AddressW,

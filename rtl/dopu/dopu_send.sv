@@ -10,7 +10,7 @@
 // Stream  first: the nearest waiting chunks of both sets; pop asks for one of the set sent, popped brings it. direct: a
 //         chunk that found no place. out: chunk, LayerEnd with its watermark, WindowEnd.
 // Pace    One chunk in five cycles.
-// Model   cpp_model/dopu/dopu_nearest.hpp
+// Model   cpp_model/dopu/nearest/dopu_nearest.hpp
 
 module dopu_send #(
   localparam int unsigned BucketW = pipegs_pkg::NearestW,

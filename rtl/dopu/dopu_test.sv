@@ -12,7 +12,7 @@
 // Pace    One node in three cycles (two planes per cycle, eight TestW-bit multipliers), result 14 cycles later. A node
 //         is taken in every third cycle; Phase shifts which.
 // slot 0: corners, one axis per cycle | 1: exponent, shift x, y | 2: shift z, near+left, right+top | 3: bottom, sum
-// Model   cpp_model/dopu/dopu_test.hpp, cpp_model/dopu/dopu_depth.hpp (nearest)
+// Model   cpp_model/dopu/dopu_test.hpp, cpp_model/dopu/nearest/dopu_depth.hpp (nearest)
 
 module dopu_test #(
   parameter int unsigned TagW = 4,

@@ -2,9 +2,11 @@
 // sram: the only place where memory is made: one write port and one synchronous read port.
 //
 // Idea    Everything that stores more than a handful of words instantiates this module, so that synthesis counts
-//         the macros in one place and a technology replaces them in one place.
+//         the macros in one place and a technology replaces them in one place. A handful of words is flip-flops:
+//         fifo instead of sram_fifo.
 // Stream  write_i stores wdata_i at waddr_i. read_i fetches raddr_i; rdata_o shows it from the next cycle on and holds
-//         it until the next read. Reading the word that is written in the same cycle gives the old word.
+//         it until the next read. Reading the word that is written in the same cycle gives the old word. There is no
+//         reset: a word that was never written, and rdata_o before the first read, are undefined.
 // Pace    One write and one read per cycle.
 // Model   An array.
 

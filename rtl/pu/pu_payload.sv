@@ -3,7 +3,7 @@
 //
 // Idea    Gaussians come out of the queue of payloads in order, but one without a box may leave it and die while those
 //         before it still walk. So whoever begins to walk takes its payload along, into a ring of as many words as walk
-//         at one time, and only these are kept until they leave, in order.
+//         at one time, and only these are kept until they leave, in order. So few words are flip-flops, no SRAM.
 // Stream  walk_i: a Gaussian begins its walk, payload_i is its payload. leave_i: the oldest leaves; payload_o is its
 //         payload from the next cycle to the next leave_i.
 // Pace    One of each per cycle.
@@ -26,7 +26,8 @@ module pu_payload #(
   localparam int unsigned PtrW = Places > 1 ? $clog2(Places) : 1;
   localparam logic [PtrW-1:0] Last = PtrW'(Places - 1);
 
-  logic [PtrW-1:0] tail_q, head_q;
+  logic [DataW-1:0] words_q [Places];
+  logic [PtrW-1:0]  tail_q, head_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -38,10 +39,10 @@ module pu_payload #(
     end
   end
 
-  sram #(.DataW(DataW), .Depth(Places)) u_words (
-    .clk_i, .write_i(walk_i), .waddr_i(tail_q), .wdata_i(payload_i),
-    .read_i(leave_i), .raddr_i(head_q), .rdata_o(payload_o)
-  );
+  always_ff @(posedge clk_i) begin
+    if (walk_i) words_q[tail_q] <= payload_i;
+    if (leave_i) payload_o <= words_q[head_q];
+  end
 
 `ifndef SYNTHESIS
   int unsigned count_q;

@@ -9,7 +9,7 @@
 //         looked at while an earlier window is still being blended.
 // Stream  sorted_t in; blend_t with its line of alphas beside it out; end beats pass in order.
 // Pace    One region per 8 / PixelsPerRow cycles; a splat without an open region takes one cycle.
-// Model   cpp_model/pu/pu_rows.hpp, ru_own_mask in cpp_model/ru/ru_walk.hpp
+// Model   cpp_model/pu/rows/pu_rows.hpp, ru_own_mask in cpp_model/ru/ru_walk.hpp
 
 module ru_rows #(
   parameter int unsigned EndsMax = 16,  // windows that may end between here and the lanes

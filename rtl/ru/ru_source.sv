@@ -6,7 +6,7 @@
 //         are cached: Row Units here (ru_rows).
 // Stream  in: sorted splats and ends. out: what the lanes blend, each with its line.
 // Pace    One region in four cycles.
-// Model   cpp_model/ru/ru_walk.hpp, cpp_model/pu/pu_rows.hpp
+// Model   cpp_model/ru/ru_walk.hpp, cpp_model/pu/rows/pu_rows.hpp
 
 module ru_source #(
   localparam int unsigned Units    = pipegs_pkg::Units,

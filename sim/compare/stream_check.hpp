@@ -17,7 +17,7 @@
 #include <unordered_map>
 
 #include "cpp_model/golden.hpp"
-#include "cpp_model/pu/pu_rows.hpp"
+#include "cpp_model/pu/rows/pu_rows.hpp"
 #include "sim/rtl/rtl_model.hpp"
 
 namespace pipegs {

@@ -124,7 +124,6 @@ void add_buffers(const Config& c, StaticCost& cost) {
   add("PU u_shape.u_centers", "parameters", record_width<Center>(c), c.center_depth(), units);
   const int payload = c.has_lists() ? record_width<Listed>(c) : record_width<Payload>(c);
   add("PU u_regions.u_waiting", "parameters", payload, c.payload_depth(), units);
-  add("PU u_regions.u_payload", "parameters", payload, 2, units);
   if (c.has_lists()) add("PU u_list.u_payload", "parameters", record_width<Payload>(c), c.shape_places(), units);
   add("PU u_walks", "parameters", record_width<Coeff>(c), c.walk_depth(), units);
   if (c.sh_degree > 0) {

@@ -16,6 +16,15 @@ target_compile_definitions(verilated_runtime PUBLIC VL_USER_STOP VM_COVERAGE=0 V
 target_compile_options(verilated_runtime PUBLIC -faligned-new PRIVATE -w)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads z atomic)
 
+# The headers of Verilated C++, compiled once.
+file(WRITE ${CMAKE_BINARY_DIR}/generated/empty.cpp.new "")
+file(COPY_FILE ${CMAKE_BINARY_DIR}/generated/empty.cpp.new ${CMAKE_BINARY_DIR}/generated/empty.cpp ONLY_IF_DIFFERENT)
+add_library(verilated_headers OBJECT EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/generated/empty.cpp)
+target_compile_definitions(verilated_headers PRIVATE VM_TRACE=0 VM_TRACE_FST=0)
+target_compile_options(verilated_headers PRIVATE -w -O1)
+target_link_libraries(verilated_headers PRIVATE verilated_runtime)
+target_precompile_headers(verilated_headers PRIVATE <verilated.h>)
+
 # What writes waves, linked by the programs that do.
 add_library(verilated_waves STATIC EXCLUDE_FROM_ALL ${VERILATOR_ROOT}/include/verilated_fst_c.cpp)
 target_compile_definitions(verilated_waves PUBLIC VM_TRACE=1 VM_TRACE_FST=1)
@@ -42,20 +51,26 @@ function(pipegs_verilated name module)
   cmake_parse_arguments(ARG "WAVES" "" "SET" ${ARGN})
   pipegs_package(package ${ARG_SET})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${name})
-  set(sources ${dir}/V${module}__shard0.cpp ${dir}/V${module}__once.cpp)
+  if(ARG_WAVES)
+    set(sources ${dir}/V${module}__shard0.cpp ${dir}/V${module}__once.cpp)
+    set(options 1 --trace-fst)
+  else()
+    set(sources ${dir}/V${module}__all.cpp)
+    set(options 0)
+  endif()
   add_custom_command(OUTPUT ${sources}
-    COMMAND ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${module} ${dir} ${package} 1 $<$<BOOL:${ARG_WAVES}>:--trace-fst>
+    COMMAND ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${module} ${dir} ${package} ${options}
     DEPENDS ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${package} ${package_target} DEPFILE ${dir}/depends.d
     COMMENT "Verilating ${module} (${name})" VERBATIM COMMAND_EXPAND_LISTS)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${sources})
   target_include_directories(${name} SYSTEM PUBLIC ${dir})
-  target_compile_options(${name} PRIVATE -w)
-  set_source_files_properties(${dir}/V${module}__shard0.cpp PROPERTIES COMPILE_OPTIONS -O1)
-  set_source_files_properties(${dir}/V${module}__once.cpp PROPERTIES COMPILE_OPTIONS -O0)
+  target_compile_options(${name} PRIVATE -w -O1)
   if(ARG_WAVES)
+    set_source_files_properties(${dir}/V${module}__once.cpp PROPERTIES COMPILE_OPTIONS -O0)
     target_link_libraries(${name} PUBLIC verilated_waves)
   else()
     target_compile_definitions(${name} PUBLIC VM_TRACE=0 VM_TRACE_FST=0)
     target_link_libraries(${name} PUBLIC verilated_runtime)
+    target_precompile_headers(${name} REUSE_FROM verilated_headers)
   endif()
 endfunction()

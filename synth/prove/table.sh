@@ -124,19 +124,20 @@ mutant "a record is taken that came behind the begin of the turn" \
        's/(in_ready_o  = move_o) \&\& fresh_q/\1 \&\& in_valid_i/'
 mutant "a Gaussian's turn ends with phase Out" 's/ \&\& !\(fresh_q \&\& in_data_i\)//'
 
-# Rings on the real SRAM, then those of the machine.
-proof  pu_payload "pu_payload+ sram+" "DataW=2 Places=2; DataW=2 Places=3; DataW=2 Places=1"
-mutant "who leaves shows the youngest" 's/\.raddr_i\(head_q\)/.raddr_i(tail_q)/' "DataW=2 Places=3"
+# Small rings, then those of the machine.
+proof  pu_payload "pu_payload+" "DataW=2 Places=2; DataW=2 Places=3; DataW=2 Places=1"
+mutant "who leaves shows the youngest" 's/words_q\[head_q\]/words_q[tail_q]/' "DataW=2 Places=3"
 mutant "the tail stays when one leaves" 's/(if \(walk_i)\) tail_q/\1 \&\& !leave_i) tail_q/'
-proof  pu_payload_machine "pu_payload+ free_sram" "machine DataW=2"
-mutant "writes where the next is read" 's/\.waddr_i\(tail_q\)/.waddr_i(head_q)/'
+proof  pu_payload_machine "pu_payload+" "machine DataW=2"
+mutant "writes where the next is read" 's/words_q\[tail_q\]/words_q[head_q]/'
 
 proof  sleep "sleep+" "Patience=7; Patience=127; Patience=5"
 mutant "sleeps while something comes" 's/ \&\& !wake_i//'
 mutant "the counter goes on behind its end" "s/else if \(quiet_q != CountW'\(Patience\)\)/else/" "Patience=5"
 
 # The ring of lines of a layer pair: the default machine's, and one in which a layer is often too big.
-proof  pu_allocate "pu_allocate+ pu_done ru_own" "@default %AlphaLines=16 %Regions=16 %RegionW=4 %RegionsX=4; @default"
+proof  pu_allocate "pu_allocate+ pu_done window_walk ru_own" \
+       "@default %AlphaLines=16 %Regions=16 %RegionW=4 %RegionsX=4; @default"
 mutant "lines are given before the older layer is free" \
        's/decided     = state_q == StateDecide \&\& \(room \|\| !fits\)/decided     = state_q == StateDecide/'
 mutant "a third layer begins" \

@@ -7,9 +7,9 @@
 #include <random>
 
 #include "cpp_model/float/metrics.hpp"
-#include "cpp_model/pu/pu_region.hpp"
-#include "cpp_model/pu/pu_row_unit.hpp"
-#include "sim/study/accuracy/page.hpp"
+#include "cpp_model/pu/rows/pu_region.hpp"
+#include "cpp_model/pu/rows/pu_row_unit.hpp"
+#include "sim/study/accuracy/sweep/page.hpp"
 #include "sim/design/design_point.hpp"
 #include "verif/cli/well_formed.hpp"
 #include "verif/frame/scenes.hpp"

@@ -7,7 +7,7 @@
 
 #include "scenes/input_error.hpp"
 #include "scenes/text/json.hpp"
-#include "sim/study/accuracy/store.hpp"
+#include "sim/study/accuracy/sweep/store.hpp"
 #include "verif/frame/scenes.hpp"
 #include "verif/scenes/scratch_folder.hpp"
 

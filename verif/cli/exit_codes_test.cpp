@@ -24,7 +24,7 @@ class ExitCodes : public Cli {
             "profile" + view_ + "--rung dop",
             "timeline" + view_ + "--out trace.json",
             "sweep" + view_ + "--engine rtl --rungs dop --bandwidth 51.2",
-            "fidelity" + view_ + "--wave-window 1,0",
+            "fidelity" + view_ + smallest_ + "--wave-window 1,0",
             "stress --count 1 --size 40x30 --gaussians 3"};
   }
 };
@@ -59,7 +59,7 @@ TEST_F(ExitCodes, OneWhenTheTimingModelDiffersByOneCycle) {
   EXPECT_NE(text.out.find("differs"), std::string::npos) << text.out;
   EXPECT_EQ(json.code, 1) << json.err;
   EXPECT_FALSE(nlohmann::json::parse(json.out)["rungs"][0]["differences"].empty());
-  EXPECT_EQ(faulty("cycles", "fidelity" + view_ + "--wave-window 0,0").code, 1);
+  EXPECT_EQ(faulty("cycles", "fidelity" + view_ + smallest_ + "--wave-window 0,0").code, 1);
 }
 
 // Where both part is told: the first unit and the cycle.
@@ -88,8 +88,9 @@ TEST_F(ExitCodes, OneWhenAPointOfAccuracyDiffersInRtl) {
 // The view of verif/effects whose machine without all effects is built for its tests.
 TEST_F(ExitCodes, OneWhenAMachineOfEffectsDiffers) {
   write_ply(folder_ / "quiet.ply", quiet_scene());
+  write_cameras(folder_ / "quiet.json", {test_camera(128, 64)});
   const std::string measure =
-      "effects quiet.ply --cameras cameras.json --memory ideal --jitter 0 --measure --rounds 1 --json ";
+      "effects quiet.ply --cameras quiet.json --memory ideal --jitter 0 --measure --rounds 1 --json ";
   const Outcome none = faulty("none", measure);
   EXPECT_EQ(none.code, 0) << none.err << none.out;
   const Outcome pixel = faulty("pixel", measure);

@@ -79,7 +79,7 @@ TEST_F(Outputs, FoldersThatAreMissingAreMade) {
        {"sim" + view + "--no-rtl --no-truth --out a/b", "render" + view + "--out c/d",
         "profile" + view + "--no-rtl --svg e/f/profile.svg", std::string("info scene.ply --save g/h/copy.ply"),
         std::string("budget --count 10 --svg i/budget.svg"), "timeline" + view + "--out j/trace.json",
-        "sim" + view + "--window 0,0 --no-truth --out k --waves l/m.fst"}) {
+        "sim" + view + smallest_ + "--window 0,0 --no-truth --out k --waves l/m.fst"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err;
   }

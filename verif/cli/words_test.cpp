@@ -108,12 +108,12 @@ TEST_F(Words, EveryHelpHasAnExampleAndItsExitCodes) {
 
 // All that was given stands in the replay line again, and running that line meets the same mismatch, with waves.
 TEST_F(Words, TheReplayLineReplays) {
-  write("my machine.cfg", "# nothing but the default\nalpha_w=8\n");
+  write("my machine.cfg", "# one unit of each kind\nunits=1\n");
   fs::copy(folder_ / "scene.ply", folder_ / "it's.ply");
   const std::string given =
       "\"it's.ply\" --cameras cameras.json --config 'my machine.cfg' --near 0.25 --effects all "
       "--memory ideal --latency 50 --jitter 7 --bandwidth 32.5 --seed 9 --rung dop "
-      "--set alpha_lines=1024 --set grid=4 --out pictures";
+      "--set alpha_lines=64 --set records=16 --out pictures";
   const std::string faulty = "PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' ";
   const Outcome first = shell(faulty + "sim " + given);
   ASSERT_EQ(first.code, 1) << first.err;
@@ -121,7 +121,7 @@ TEST_F(Words, TheReplayLineReplays) {
   for (const char* part :
        {"'it'\\''s.ply'", "--cameras cameras.json", "--config 'my machine.cfg'", "--near 0.25", "--effects all",
         "--memory ideal", "--latency 50", "--jitter 7", "--bandwidth 32.5", "--seed 9", "--rung dop",
-        "--set alpha_lines=1024", "--set grid=4", "--window 1,0", "--waves replay/window.fst"})
+        "--set alpha_lines=64", "--set records=16", "--window 1,0", "--waves replay/window.fst"})
     EXPECT_NE(line.find(part), std::string::npos) << part << " is not in: " << line;
   EXPECT_EQ(line.find("--out pictures"), std::string::npos) << line;
   const Outcome second = shell("PIPEGS_FAULT=pixel " + line);
@@ -149,7 +149,8 @@ TEST_F(Words, TheReplayLineOfSomeEffectsHasWaves) {
     const std::string name = effect["name"];
     if (name != "waves" && name != "dram") names += (names.empty() ? "" : ",") + name;
   }
-  const Outcome first = shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' sim" + view_ + "--no-truth --effects " + names);
+  const Outcome first =
+      shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' sim" + view_ + smallest_ + "--no-truth --effects " + names);
   ASSERT_EQ(first.code, 1) << first.err;
   const std::string line = behind("replay with waves: ", first);
   EXPECT_NE(line.find("--effects " + names + ",waves"), std::string::npos) << line;
@@ -158,7 +159,8 @@ TEST_F(Words, TheReplayLineOfSomeEffectsHasWaves) {
 }
 
 TEST_F(Words, AMachineThatHangsIsReplayedToo) {
-  const Outcome first = shell("PIPEGS_FAULT=hang '" PIPEGS_FAULTY "' sim" + view_ + "--no-truth --window 1,0");
+  const Outcome first =
+      shell("PIPEGS_FAULT=hang '" PIPEGS_FAULTY "' sim" + view_ + smallest_ + "--no-truth --window 1,0");
   ASSERT_EQ(first.code, 1) << first.err;
   const std::string line = behind("replay with waves: ", first);
   EXPECT_NE(line.find("--window 1,0"), std::string::npos) << line;

@@ -4,7 +4,7 @@
 #include "Vdopu_test.h"
 #include "cpp_model/dopu/dopu_test.hpp"
 #include "cpp_model/dopu/dopu.hpp"
-#include "cpp_model/dopu/dopu_depth.hpp"
+#include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/bench.hpp"

@@ -2,7 +2,7 @@
 // Against runs of Ramulator 2 and DRAMsim3 (references.csv): the same traces, bandwidth by bandwidth.
 //
 // Idea    Streams within 5 %, random reads within 10 %; against Ramulator 2 the same number of cycles in every run.
-#include "sim/memory/dram/dram_check.hpp"
+#include "sim/memory/dram/check/dram_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Against sim/memory/dram/dram_references: each run of the table can be played, or its line and column are named.
-#include "sim/memory/dram/dram_references.hpp"
+#include "sim/memory/dram/check/dram_references.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <random>
 
-#include "sim/memory/dram/dram_check.hpp"
-#include "sim/memory/dram/dram_worth.hpp"
+#include "sim/memory/dram/check/dram_check.hpp"
+#include "sim/memory/dram/check/dram_worth.hpp"
 
 namespace pipegs {
 namespace {

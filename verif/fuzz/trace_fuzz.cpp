@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "scenes/input_error.hpp"
-#include "sim/memory/dram/dram_references.hpp"
-#include "sim/memory/dram/dram_trace.hpp"
+#include "sim/memory/dram/check/dram_references.hpp"
+#include "sim/memory/dram/check/dram_trace.hpp"
 #include "verif/fuzz/keep.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -20,7 +20,7 @@ wanted=" $* "
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 declare -A passed
 
-source_of() { if [[ $1 == */* ]]; then ls "cpp_model/$1"; else ls rtl/"$1".sv rtl/*/"$1".sv; fi 2> /dev/null; }
+source_of() { if [[ $1 == */* ]]; then ls "cpp_model/$1" 2> /dev/null; else find rtl -name "$1.sv"; fi; }
 
 # apply SOURCE CHANGE: the changed text in $work/changed; fails unless exactly one line differs
 apply() {

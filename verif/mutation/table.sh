@@ -41,7 +41,7 @@ mutant dopu_depth "leading bits of the mantissa taken one place too high" \
        's/wide\[i \+: StepBits\]/wide[i+1 +: StepBits]/'
 mutant dopu_test "slack of the nearest corner halved" \
        's/( Lost *= .*SumW.\(1\) <<< \()TestW \+ 1(\)\) \+ )/\1TestW\2/' dopu_test_nearest
-mutant dopu/dopu_depth.hpp "the model's slack for the cut bits left out" \
+mutant dopu/nearest/dopu_depth.hpp "the model's slack for the cut bits left out" \
        's/\(int64_t\{1\} << \(config\.test_w\(\) \+ 1\)\) \+ //' dopu_depth
 
 # --- rtl/pu: projection -----------------------------------------------------------------------------------------------

@@ -2,12 +2,12 @@
 // pu_chain: a random Gaussian taken through the models up to the input of a stage.
 #pragma once
 
-#include "cpp_model/pu/pu_covariance.hpp"
-#include "cpp_model/pu/pu_factors.hpp"
-#include "cpp_model/pu/pu_jacobian.hpp"
-#include "cpp_model/pu/pu_orient.hpp"
-#include "cpp_model/pu/pu_project.hpp"
-#include "cpp_model/pu/pu_squares.hpp"
+#include "cpp_model/pu/project/pu_covariance.hpp"
+#include "cpp_model/pu/project/pu_factors.hpp"
+#include "cpp_model/pu/project/pu_jacobian.hpp"
+#include "cpp_model/pu/project/pu_orient.hpp"
+#include "cpp_model/pu/project/pu_project.hpp"
+#include "cpp_model/pu/project/pu_squares.hpp"
 #include "verif/pu/pu_random.hpp"
 
 namespace pipegs {

@@ -2,8 +2,8 @@
 // pu_regions_test: rtl/pu/pu_regions.sv: regions as the models of its stages give them, and beside each Gaussian its
 // own payload, also when others die beside one that walks, and when nothing is taken for a long time.
 #include "Vpu_regions.h"
-#include "cpp_model/pu/pu_coeff.hpp"
-#include "cpp_model/pu/pu_intersect.hpp"
+#include "cpp_model/pu/conic/pu_coeff.hpp"
+#include "cpp_model/pu/conic/pu_intersect.hpp"
 #include "verif/pu/random_splat.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"

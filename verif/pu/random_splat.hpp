@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "cpp_model/pu/pu_coeff.hpp"
-#include "cpp_model/pu/pu_conic.hpp"
-#include "cpp_model/pu/pu_intersect.hpp"
+#include "cpp_model/pu/conic/pu_coeff.hpp"
+#include "cpp_model/pu/conic/pu_conic.hpp"
+#include "cpp_model/pu/conic/pu_intersect.hpp"
 #include "verif/support/bench.hpp"
 
 namespace pipegs {

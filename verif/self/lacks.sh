@@ -12,7 +12,7 @@ name=${1:-} since=${2:-HEAD} status=0
 file=$(find rtl -name "$name.sv")
 [ -n "$name" ] && [ -n "$file" ] || { echo "lacks.sh: there is no module '$name' in rtl/" >&2; exit 2; }
 git rev-parse --quiet --verify "$since^{commit}" > /dev/null || { echo "lacks.sh: no commit $since" >&2; exit 2; }
-unit=$(basename "$(dirname "$file")")
+unit=${file#rtl/} unit=${unit%%/*}
 changed() { ! git diff --quiet "$since" -- "$1" || [ -n "$(git ls-files --others --exclude-standard -- "$1")" ]; }
 row() {  # WHAT FILES...
   local what=$1 path state; shift
@@ -37,7 +37,7 @@ mapfile -t found < <(find verif -name "${name}_test.cpp" -o -name "${covering##*
 row "test" "${found[@]}"
 mapfile -t found < <(named "mutant +$name" verif/mutation/table.sh)
 row "mutation tests" "${found[@]}"
-mapfile -t found < <(named "$name" sim/timing/*.?pp sim/timing/*/*.?pp)
+mapfile -t found < <(grep -rlwE -- "$name" sim/timing)
 row "timing model" "${found[@]}"
 mapfile -t found < <(find synth/prove -name "${name}_proof.svh"; named "proof +$name" synth/prove/table.sh)
 row "proof" "${found[@]}"

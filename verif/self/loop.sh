@@ -44,7 +44,7 @@ simulated=$(tail -n 1 "$work/log")
 found+=("\"memory_mb\": $((memory > simulated ? memory : simulated))" "\"disk_mb\": $(du -sm "$work/build" | cut -f 1)")
 rm -rf "$work/build"
 step cmake --build "$build" --target pipegs rtl pu_conic_test
-rm -rf "$build/verilated/verilated_pu_conic" "$build/verif/pu/libverilated_pu_conic.a" "$build/verif/pu/pu_conic_test"
+rm -rf "$build/verilated/verilated_pu_conic" "$build"/verif/pu/conic/{libverilated_pu_conic.a,pu_conic_test}
 timed module module_test
 timed machine sim/rtl/build_rtl.sh "$build" "$work/machine"
 timed frame "$build/pipegs" sim --no-truth --out "$work/frame"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# rooms.sh: the layout's rule, checked: rtl/<unit>/<name>.sv = cpp_model/<unit>/<name>.hpp =
-# verif/<unit>/<name>_test.cpp = a heading or a row in docs/units.
+# rooms.sh: the layout's rule, checked: rtl/<room>/<name>.sv = cpp_model/<room>/<name>.hpp =
+# verif/<room>/<name>_test.cpp = a heading or a row in docs/units. A room is a unit, or a part of it as pu/color.
 #
 # Plumbing (rtl/lib queues and memories, rtl/buf) has no bit-accurate model but a test. A module that lacks its test or
 # its bit-accurate model needs a line in covered_by.txt with the test that covers it, and no line may be stale: its
@@ -13,7 +13,7 @@ list=verif/self/covered_by.txt
 status=0
 complain() { echo "$1"; status=1; }
 
-# The file of the test that covers module $1 of unit $2 according to the list; nothing without a line.
+# The file of the test that covers module $1 of room $2 according to the list; nothing without a line.
 covering_test() {
   local test
   test=$(awk -v name="$1" '$1 == name {print $2}' "$list")
@@ -25,13 +25,16 @@ covering_test() {
   esac
 }
 
-for file in rtl/*.sv rtl/*/*.sv; do
-  unit=$(basename "$(dirname "$file")") name=$(basename "$file" .sv)
-  own_test=verif/$unit/${name}_test.cpp model=cpp_model/$unit/$name.hpp
-  covering=$(covering_test "$name" "$unit")
+room_of() { local room; room=$(dirname "${1#rtl/}"); echo "${room/#./rtl}"; }
+
+mapfile -t files < <(find rtl -name "*.sv" | sort)
+for file in "${files[@]}"; do
+  room=$(room_of "$file") name=$(basename "$file" .sv)
+  own_test=verif/$room/${name}_test.cpp model=cpp_model/$room/$name.hpp
+  covering=$(covering_test "$name" "$room")
   [ -e "$own_test" ] || [ -e "${covering:-none}" ] || complain "$file: no $own_test and no valid line in $list"
-  case $unit in
-    lib | buf) needs_model= ;;
+  case $room in
+    lib | lib/math | buf) needs_model= ;;
     *) needs_model=1; [ -e "$model" ] || [ -n "$covering" ] || complain "$file: no $model and no line in $list" ;;
   esac
   if [ -n "$covering" ] && [ -e "$own_test" ] && { [ -z "$needs_model" ] || [ -e "$model" ]; }; then
@@ -44,15 +47,16 @@ for file in rtl/*.sv rtl/*/*.sv; do
 done
 
 while read -r name test; do
-  file=$(ls rtl/"$name".sv rtl/*/"$name".sv 2> /dev/null)
+  file=$(find rtl -name "$name.sv")
   [ -n "$file" ] || { complain "$list: no module $name"; continue; }
-  covering=$(covering_test "$name" "$(basename "$(dirname "$file")")")
+  covering=$(covering_test "$name" "$(room_of "$file")")
   [ -e "$covering" ] || complain "$list: $name: no test $test"
 done < <(grep -v '^#' "$list")
 
 # A page may name modules, tests and functions of the models, but none that is gone.
 for name in $(grep -ohE '`(dopu|pu|su|ru)_[a-z0-9_]+`' docs/*.md docs/*/*.md | tr -d '`' | sort -u); do
   [ -n "$(find rtl verif -name "$name.sv" -o -name "$name.cpp")" ] ||
-    grep -rqw -- "$name" rtl cpp_model verif/*/CMakeLists.txt synth/prove/table.sh || complain "docs: there is no $name"
+    grep -rqw --include={*.sv,*.?pp,*.def,CMakeLists.txt,table.sh} -- "$name" rtl cpp_model verif synth/prove ||
+    complain "docs: there is no $name"
 done
 exit $status

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // energy_test: energy out of activity by hand, samples out of waves, and what is kept.
-#include "sim/study/silicon/energy.hpp"
+#include "sim/study/silicon/energy/energy.hpp"
 
 #include <gtest/gtest.h>
 
 #include "scenes/input_error.hpp"
+#include "scenes/text/number.hpp"
 #include "sim/design/static_cost.hpp"
 
 namespace pipegs {
@@ -107,6 +108,22 @@ TEST(FrameActivity, SumsByUnitAndIsKept) {
   EXPECT_EQ(summed.srams.at("gen_unit[k].u_su.u_keys").writes, 6u);
   const FrameActivity measured = frame();
   EXPECT_EQ(to_json(frame_activity_from_json(to_json(measured))), to_json(measured));
+}
+
+// What is read back from a file is a count or is refused.
+TEST(FrameActivity, ReadsNoNumberThatIsNoCount) {
+  using Json = nlohmann::ordered_json;
+  const Json whole = to_json(frame());
+  for (const char* place : {"/cycles", "/bytes", "/halves/0/cycles", "/halves/1/cycles"}) {
+    for (const Json& wrong : {Json("7"), Json(-1), Json(1.5), Json(nullptr), Json(1e300)}) {
+      Json json = whole;
+      json[Json::json_pointer(place)] = wrong;
+      EXPECT_THROW(frame_activity_from_json(json), NumberError) << place << " " << wrong;
+    }
+  }
+  Json json = whole;
+  json["cycles"] = 0;
+  EXPECT_THROW(frame_activity_from_json(json), NumberError) << "a frame without a cycle";
 }
 
 // Every period has its sample, all of a length, always at the same place, and not at the same place in each.

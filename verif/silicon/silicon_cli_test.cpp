@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // silicon_cli_test: `pipegs silicon` on a synth.json and an activity that are written by hand; RTL runs only to differ.
 #include "sim/study/measurement_store.hpp"
-#include "sim/study/silicon/energy.hpp"
+#include "sim/study/silicon/energy/energy.hpp"
 #include "verif/cli/cli.hpp"
 #include "verif/cli/well_formed.hpp"
 
@@ -105,9 +105,12 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
 
 // A machine that differs, that hangs, that does not build: none of its figures is kept or shown.
 TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
-  plant(synth().dump());
-  const std::string measure =
-      "silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept --table energy.csv";
+  Json small = synth();
+  small["configuration"] = "units=1,alpha_lines=64,records=16";
+  plant(small.dump(), small["configuration"]);
+  const std::string command =
+      "silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept --table energy.csv ";
+  const std::string measure = command + smallest_;
   const auto expect_none = [&](const Outcome& outcome, int code, const std::string& part) {
     EXPECT_EQ(outcome.code, code) << outcome.err;
     EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
@@ -120,7 +123,7 @@ TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
   Json other = synth();
   other["configuration"] = "alpha_lines=128";
   plant(other.dump(), "alpha_lines=128");
-  const Outcome unbuilt = run(measure + " --set alpha_lines=128", "PATH=/nowhere ");
+  const Outcome unbuilt = run(command + "--set alpha_lines=128", "PATH=/nowhere ");
   EXPECT_EQ(unbuilt.code, 3);
   EXPECT_NE(unbuilt.err.find("does not build"), std::string::npos) << unbuilt.err;
 }

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "sim/study/stress/scene.hpp"
-#include "verif/stability/pixel_hash.hpp"
+#include "verif/stability/support/pixel_hash.hpp"
 
 int main(int argc, char** argv) {
   const int count = argc > 1 ? std::atoi(argv[1]) : 20;

@@ -3,9 +3,9 @@
 // docs/numerics/stability.md).
 #include <cmath>
 
-#include "cpp_model/pu/pu_alpha.hpp"
+#include "cpp_model/pu/rows/pu_alpha.hpp"
 #include "cpp_model/ru/ru_blend.hpp"
-#include "verif/stability/stability.hpp"
+#include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {

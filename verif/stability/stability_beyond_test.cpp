@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "verif/stability/stability.hpp"
+#include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {

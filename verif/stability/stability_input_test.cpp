@@ -8,7 +8,7 @@
 #include "scenes/ply/ply.hpp"
 #include "verif/scenes/ply_file.hpp"
 #include "verif/scenes/scratch_folder.hpp"
-#include "verif/stability/stability.hpp"
+#include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {

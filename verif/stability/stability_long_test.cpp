@@ -3,7 +3,7 @@
 // Gaussians.
 #include <cmath>
 
-#include "verif/stability/stability.hpp"
+#include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {

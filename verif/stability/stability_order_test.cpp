@@ -6,7 +6,7 @@
 #include "cpp_model/float/metrics.hpp"
 #include "scenes/generate/generate.hpp"
 #include "scenes/input_error.hpp"
-#include "verif/stability/stability.hpp"
+#include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {

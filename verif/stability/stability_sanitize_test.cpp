@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "verif/stability/pixel_hash.hpp"
+#include "verif/stability/support/pixel_hash.hpp"
 
 namespace pipegs {
 namespace {

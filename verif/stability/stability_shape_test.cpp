@@ -3,9 +3,9 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "cpp_model/pu/pu_conic.hpp"
+#include "cpp_model/pu/conic/pu_conic.hpp"
 #include "verif/pu/pu_chain.hpp"
-#include "verif/stability/stability.hpp"
+#include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {

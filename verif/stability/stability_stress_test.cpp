@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "sim/study/stress/stress.hpp"
-#include "verif/stability/stability.hpp"
+#include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {

@@ -3,7 +3,7 @@
 // docs/numerics/stability.md).
 #include <cmath>
 
-#include "verif/stability/stability.hpp"
+#include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {

@@ -12,7 +12,7 @@
 #include "sim/compare/simulate.hpp"
 #include "sim/study/stress/scene.hpp"
 #include "verif/frame/scenes.hpp"
-#include "verif/stability/pu_walk.hpp"
+#include "verif/stability/support/pu_walk.hpp"
 #include "verif/support/records_fit.hpp"
 
 namespace pipegs {

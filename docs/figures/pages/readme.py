@@ -5,7 +5,7 @@ import re
 from data import data
 from formats import block, fixed, table
 from measurements import FOUR, POINTS
-from pages.ladder import PAPER
+from pages.cycles.ladder import PAPER
 
 MEASURED = ["ladder/*", "shown/sim"]
 

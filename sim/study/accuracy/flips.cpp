@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cpp_model/pu/pu_rows.hpp"
+#include "cpp_model/pu/rows/pu_rows.hpp"
 
 namespace pipegs {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/accuracy/sweep.hpp"
+#include "sim/study/accuracy/sweep/sweep.hpp"
 #include "sim/report/chart.hpp"
 
 namespace pipegs {

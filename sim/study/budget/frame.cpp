@@ -12,7 +12,7 @@
 
 #include "cpp_model/dopu/dopu_origin.hpp"
 #include "cpp_model/float/parallel.hpp"
-#include "cpp_model/pu/pu_rows.hpp"
+#include "cpp_model/pu/rows/pu_rows.hpp"
 
 namespace pipegs {
 namespace {

@@ -6,8 +6,8 @@
 #include <mutex>
 
 #include "cpp_model/float/parallel.hpp"
-#include "cpp_model/pu/pu_color_fetch.hpp"
-#include "cpp_model/pu/pu_color_sum.hpp"
+#include "cpp_model/pu/color/pu_color_fetch.hpp"
+#include "cpp_model/pu/color/pu_color_sum.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
 #include "sim/study/effects/effects.hpp"
 

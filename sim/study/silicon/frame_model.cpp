@@ -9,7 +9,7 @@
 
 #include "scenes/input_error.hpp"
 #include "scenes/text/csv.hpp"
-#include "sim/study/silicon/config_of.hpp"
+#include "sim/study/silicon/area/config_of.hpp"
 
 namespace pipegs {
 namespace {

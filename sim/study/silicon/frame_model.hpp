@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/silicon/area_model.hpp"
-#include "sim/study/silicon/energy.hpp"
+#include "sim/study/silicon/area/area_model.hpp"
+#include "sim/study/silicon/energy/energy.hpp"
 
 namespace pipegs {
 

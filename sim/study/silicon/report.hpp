@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "sim/report/chart.hpp"
-#include "sim/study/silicon/energy.hpp"
+#include "sim/study/silicon/energy/energy.hpp"
 
 namespace pipegs {
 

@@ -14,7 +14,7 @@
 
 #include "cpp_model/config.hpp"
 #include "sim/study/silicon/process.hpp"
-#include "sim/study/silicon/sram_cost.hpp"
+#include "sim/study/silicon/area/sram_cost.hpp"
 
 namespace pipegs {
 

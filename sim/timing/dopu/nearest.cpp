@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "cpp_model/dopu/dopu_depth.hpp"
+#include "cpp_model/dopu/nearest/dopu_depth.hpp"
 
 namespace pipegs::timing {
 

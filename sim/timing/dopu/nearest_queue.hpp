@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // nearest_queue.hpp: nodes that wait in the DOPU by bucket of depth, in the timing model.
 //
-// RTL     rtl/dopu/dopu_bucket.sv: an insert in two cycles, a pop in three.
+// RTL     rtl/dopu/nearest/dopu_bucket.sv: an insert in two cycles, a pop in three.
 #pragma once
 
 #include <array>

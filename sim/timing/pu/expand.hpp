@@ -2,7 +2,7 @@
 // expand.hpp: from one Gaussian of the frame to one pair for each window that its box touches, in the timing model
 // (order 1).
 //
-// RTL     rtl/pu/pu_expand.sv.
+// RTL     rtl/pu/list/pu_expand.sv.
 // Idea    Beats before it are survivors of the cull, beats behind it pairs (trace.hpp). A Gaussian waits in a queue for
 //         its colour, then its pairs leave one per cycle.
 #pragma once

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // intersect.hpp: a PU's regions in the timing model: which cycle a Gaussian's mask is there.
 //
-// RTL     rtl/pu/pu_intersect.sv: three records inside at once: one is set up, one walks the regions of its box, of one
-//         the last region is being tested. A result that finds no room holds walk and test.
+// RTL     rtl/pu/conic/pu_intersect.sv: three records inside at once: one is set up, one walks the regions of its box,
+//         of one the last region is being tested. A result that finds no room holds walk and test.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // phases.hpp: the stages of a PU that keep a record for eight cycles, one behind the other, in the timing model.
 //
-// RTL     rtl/pu/pu_phases.sv: project, orient, jacobian, factors, squares, covariance; and rtl/pu/pu_compensate.sv,
-//         which is there only with antialias, and shorter.
+// RTL     rtl/pu/pu_phases.sv: project, orient, jacobian, factors, squares, covariance; and
+//         rtl/pu/project/pu_compensate.sv, which is there only with antialias, and shorter.
 // Idea    What a stage does follows from when it got its record and when its former result was taken:
 //           take  = max(ready, the record is there)
 //           claim = max(take + begin, former result taken)        begin  = 1 + Claim

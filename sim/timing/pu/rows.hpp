@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // rows.hpp: the Row Units in the timing model: jobs in, one line of alphas per region out.
 //
-// RTL     rtl/pu/pu_region.sv, rtl/pu/pu_rows.sv: in the PU, or in the RU when late.
+// RTL     rtl/pu/rows/pu_region.sv, rtl/pu/rows/pu_rows.sv: in the PU, or in the RU when late.
 // Idea    pu_region makes a region in four cycles; pu_rows holds it for 8 / PixelsPerRow cycles and shows its line
 //         three cycles later. The pipeline stands still as a whole while a line waits at its output, so it runs on a
 //         time of its own, which lags behind the clock by `lag_`.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ru_order.hpp: from the SUs to the RUs in the timing model: the merge and the dispatch.
 //
-// RTL     rtl/su/su_merge.sv, rtl/ru/ru_dispatch.sv.
+// RTL     rtl/su/sort/su_merge.sv, rtl/ru/ru_dispatch.sv.
 #pragma once
 
 #include "sim/timing/cycle.hpp"

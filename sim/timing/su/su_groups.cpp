@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// su_groups.cpp: the splitter's passes, played on the keys: see su.hpp, su_split.sv, cpp_model/su/su_split.hpp.
+// su_groups.cpp: the splitter's passes, played on the keys: see su.hpp, su_split.sv, cpp_model/su/sort/su_split.hpp.
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cpp_model/dopu/dopu.hpp"
-#include "cpp_model/dopu/dopu_depth.hpp"
+#include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "sim/timing/trace/trace_splat.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/float/parallel.hpp"
-#include "cpp_model/pu/pu_expand.hpp"
+#include "cpp_model/pu/list/pu_expand.hpp"
 #include "sim/timing/trace/trace_splat.hpp"
 
 namespace pipegs {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <bit>
 
-#include "cpp_model/pu/pu_coeff.hpp"
+#include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/pu_cull.hpp"
-#include "cpp_model/pu/pu_intersect.hpp"
-#include "cpp_model/pu/pu_rows.hpp"
+#include "cpp_model/pu/conic/pu_intersect.hpp"
+#include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/su/su.hpp"
 
 namespace pipegs {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// dopu_nearest: which chunks of a window go to the PUs, each with its bucket of depth, when the nearest goes first.
+//
+// Paper   None: instead of the layers of Sec. 3.2.        RTL  rtl/dopu/nearest/dopu_nearest.sv
+// Idea    The chunks are those of dopu_window. A node's bucket is its own (dopu_depth), but never smaller than its
+//         parent's, whose bound holds for it too: so what is opened last never lies before what is known already, and
+//         the watermark (the smallest bucket among all that waits or is being opened) only rises.
+// Rule    Any order of chunks gives the same image; every watermark is at most the edge of every later chunk's bucket.
+//         Which of the legal orders the machine takes depends on its memory, and is no part of this bit-accurate model.
+#pragma once
+
+#include <algorithm>
+
+#include "cpp_model/dopu/nearest/dopu_depth.hpp"
+#include "cpp_model/dopu/dopu_origin.hpp"
+#include "cpp_model/dopu/dopu_planes.hpp"
+#include "cpp_model/dopu/dopu_test.hpp"
+#include "cpp_model/pack/pack.hpp"
+
+namespace pipegs {
+
+// Calls chunk(bucket, chunk record, number of the chunk) for each chunk of the window, in the order of the tables.
+template <class Callback>
+void dopu_nearest(const Config& config, const Frame& frame, const PackedScene& scene, int window_x, int window_y,
+                  Callback&& chunk) {
+  const Planes planes = dopu_planes(config, frame, window_x, window_y);
+  const auto bucket = [&](const Node& node, int parent) {
+    return std::max(parent, dopu_depth(config, frame, planes, node));
+  };
+  for (const Node& cell : scene.cells) {
+    if (cell.count == 0 || !dopu_test(config, frame, planes, cell)) continue;
+    const int cell_bucket = bucket(cell, 0);
+    for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
+      const Node& group = scene.groups[g];
+      if (!dopu_test(config, frame, planes, group)) continue;
+      const int group_bucket = bucket(group, cell_bucket);
+      for (uint64_t i = group.first; i < group.first + group.count; ++i) {
+        const Node& node = scene.chunks[i];
+        if (!dopu_test(config, frame, planes, node)) continue;
+        chunk(bucket(node, group_bucket), dopu_origin(config, frame, node, window_x, window_y), i);
+      }
+    }
+  }
+}
+
+}  // namespace pipegs

@@ -1,5 +1,0 @@
-# SPDX-License-Identifier: Apache-2.0
-"""Figures of docs/units/ru.md."""
-from pages.numbers import small  # noqa: F401  (the page uses it)
-
-MEASURED = ["prints/ru_blend"]

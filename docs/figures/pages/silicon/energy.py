@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of docs/silicon/energy.md."""
+from data import data
+from formats import fixed, group, percent, table, times
+from pages.silicon.silicon import either, ranged
+
+MEASURED = ["energy/*"]
+POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact")
+ROWS = ("DOPU", "PU", "SU", "RU", "Other", "Buffers", "Total", "DRAM")
+PAPER = {"DOPU": 0.004, "PU": 0.466, "SU": 0.068, "RU": 0.171, "Buffers": 0.236, "Total": 0.948}  # W, Table 2
+
+
+def units(scene, point="dop"):
+    """What each unit takes for one frame."""
+    rows = []
+    for name in ROWS:
+        row = data.energy[scene][point].rows[name]
+        rows.append(
+            [
+                name,
+                either(row.awake, percent),
+                ranged(row.uj, 0),
+                either(row.clocks, percent),
+                either(row.halves, percent, 1),
+                ranged(row.leakage_mw, 1),
+                ranged(row.mw_60, 0),
+                ranged(row.w_full, 3),
+                either(PAPER.get(name), fixed, 3),
+            ]
+        )
+    full = f"W at {data.energy[scene][point].fps:.0f} frames/s"
+    return table(
+        [
+            "unit",
+            "awake",
+            "uJ of a frame",
+            "clocks",
+            "split-half error",
+            "leakage, mW",
+            "mW at 60 frames/s",
+            full,
+            "paper, W",
+        ],
+        rows,
+    )
+
+
+def points(scene):
+    """Frames for area and for energy, over the baseline."""
+    rows, base = [], data.energy[scene].baseline
+    for name in POINTS:
+        row = data.energy[scene][name]
+        rows.append([f"`{name}`", row.cycles, group(row.fps), fixed(row.mm2, 2)])
+        for key, digits in (("fps_per_mm2", 1), ("frames_per_joule", 0), ("frames_per_joule_with_dram", 0)):
+            rows[-1] += [fixed(row[key], digits), times(row[key] / base[key])]
+    return table(
+        [
+            "design point",
+            "cycles",
+            "frames/s",
+            "mm2",
+            "frames/s/mm2",
+            "over baseline",
+            "frames/J",
+            "over baseline",
+            "frames/J with DRAM",
+            "over baseline",
+        ],
+        rows,
+    )
+
+
+def joules(scene):
+    """uJ of a frame by unit at mid, without leakage."""
+    rows = []
+    for name in POINTS:
+        if name in data.energy[scene]:
+            row = data.energy[scene][name]
+            cells = [group(row.rows[unit].uj.mid) for unit in ROWS]
+            awake = [percent(row.rows[unit].awake) for unit in ("PU", "RU")]
+            rows.append([f"`{name}`", *cells, *awake, fixed(row.fps_per_mm2, 1), group(row.frames_per_joule)])
+    return table(
+        [
+            "design point",
+            *["chip" if unit == "Total" else unit for unit in ROWS],
+            "PUs awake",
+            "RUs awake",
+            "frames/s/mm2",
+            "frames/J",
+        ],
+        rows,
+    )
+
+
+def uj(scene, point, unit):
+    return data.energy[scene][point].rows[unit].uj.mid
+
+
+def watts(scene, unit):
+    return data.energy[scene].dop.rows[unit].w_full.mid
+
+
+def spread(form, values, *digits):
+    values = list(values)
+    low, high = form(min(values), *digits), form(max(values), *digits)
+    return low if low == high else f"{low} to {high}"
+
+
+def of_paper(unit, digits=1):
+    """The unit's power at full speed over the paper's, both scenes."""
+    return spread(times, (watts(scene, unit) / PAPER[unit] for scene in ("own", "terrace")), digits)
+
+
+def awake(unit):
+    return spread(percent, (data.energy[scene].dop.rows[unit].awake for scene in ("own", "terrace")))
+
+
+def clocks(unit):
+    return spread(percent, (data.energy[scene].dop.rows[unit].clocks for scene in ("own", "terrace")))
+
+
+def leaks(unit):
+    """Leakage as a share of the unit's power at full speed, both scenes."""
+    rows = [data.energy[scene].dop.rows[unit] for scene in ("own", "terrace")]
+    return spread(percent, (row.leakage_mw.mid / 1e3 / row.w_full.mid for row in rows))
+
+
+def sky(scene):
+    """How much more energy the other library says."""
+    more = data.energy[f"{scene}_sky130"].dop.rows.Total.uj.mid / uj(scene, "dop", "Total") - 1
+    return percent(more)

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Figures of docs/units/lib.md."""
+from data import data
+from formats import fixed
+
+MEASURED = ["prints/*/recip"]
+
+
+def recip():
+    """Worst error by width."""
+    return ", ".join(f"{fixed(line.units, 3)} units at {line.bits:.0f} bits" for line in data.prints.lib.recip.lines)

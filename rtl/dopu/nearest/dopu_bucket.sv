@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// dopu_bucket: nodes that wait, sorted by bucket of depth: lists of them share one memory.
+//
+// Paper   None.
+// Idea    Each bucket of each list is a chain of nodes in one SRAM, newest first; a second SRAM holds the chains'
+//         heads, and a bit for each chain says whether there is one. The first set bit of a list is its nearest bucket,
+//         which stands in a register; while a node is fetched the bucket behind it is found, in two cycles, for the
+//         case that its chain ends.
+// Stream  insert: a node for a bucket of a list, refused while full_o. pop: the newest node of the list's first bucket;
+//         it comes out two cycles later and must be taken. first_*: the nearest bucket of each list; a node counts from
+//         the cycle after its insert on, until it has come out.
+// Pace    An insert in two cycles, a pop in three; a pop goes first.
+// Model   An array of stacks (verif/dopu/nearest/dopu_bucket_test.cpp).
+
+module dopu_bucket #(
+  parameter int unsigned Lists = 6,
+  parameter int unsigned Nodes = pipegs_pkg::NearestNodes,
+  parameter int unsigned DataW = 170,
+  localparam int unsigned ListW = $clog2(Lists),
+  localparam int unsigned BucketW = pipegs_pkg::NearestW
+) (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+
+  input  logic                     insert_valid_i,
+  output logic                     insert_ready_o,
+  input  logic [ListW-1:0]         insert_list_i,
+  input  logic [BucketW-1:0]       insert_bucket_i,
+  input  logic [DataW-1:0]         insert_data_i,
+  output logic                     full_o,
+  output logic                     crowded_o,       // three quarters of the places are taken
+
+  input  logic                     pop_valid_i,     // only of a list that has a node
+  output logic                     pop_ready_o,
+  input  logic [ListW-1:0]         pop_list_i,
+  output logic                     out_valid_o,
+  output logic [ListW-1:0]         out_list_o,
+  output logic [BucketW-1:0]       out_bucket_o,
+  output logic [DataW-1:0]         out_data_o,
+
+  output logic [Lists-1:0]         first_valid_o,
+  output logic [Lists*BucketW-1:0] first_bucket_o,
+  output logic                     idle_o           // no insert or pop under way
+);
+
+  localparam int unsigned NodeW = $clog2(Nodes);
+  localparam int unsigned Buckets = 2 ** BucketW;
+  localparam int unsigned WordW = 4;            // buckets in a word of 2^WordW, words in a list
+  localparam int unsigned Word = 2 ** WordW;
+  localparam int unsigned Words = Buckets / Word;
+
+  typedef enum logic [1:0] {
+    Idle,    // for an insert or a pop; reads the chain's head
+    Insert,  // the head is there: writes the node before it
+    Fetch,   // the head is there: reads its node
+    Out      // the node is there
+  } state_e;
+
+  // --- one insert or pop at a time ----------------------------------------------------------------------------------
+  state_e             state_q;
+  logic [ListW-1:0]   list_q, list_d;
+  logic [BucketW-1:0] bucket_q, bucket_d;
+  logic [DataW-1:0]   data_q;
+  logic               more_q;     // the chain had a node before the insert
+  logic [NodeW-1:0]   place_q;    // of the node written or read
+  logic [NodeW-1:0]   free_place, head;
+  logic               take_insert, take_pop, out_more, chain_ends;
+  logic [NodeW-1:0]   out_next;
+
+  assign idle_o         = state_q == Idle;
+  assign pop_ready_o    = idle_o;
+  assign insert_ready_o = idle_o && !pop_valid_i && !full_o;
+  assign take_pop       = pop_valid_i && pop_ready_o;
+  assign take_insert    = insert_valid_i && insert_ready_o;
+  assign list_d         = take_pop ? pop_list_i : insert_list_i;
+  assign bucket_d       = take_pop ? first_bucket_o[32'(pop_list_i)*BucketW +: BucketW] : insert_bucket_i;
+  assign out_valid_o    = state_q == Out;
+  assign out_list_o     = list_q;
+  assign out_bucket_o   = bucket_q;
+  assign chain_ends     = out_valid_o && !out_more;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q <= Idle;
+    end else case (state_q)
+      Idle:    if (take_pop) state_q <= Fetch; else if (take_insert) state_q <= Insert;
+      Fetch:   state_q <= Out;
+      default: state_q <= Idle;
+    endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (idle_o) begin
+      list_q   <= list_d;
+      bucket_q <= bucket_d;
+      data_q   <= insert_data_i;
+      place_q  <= free_place;
+    end else if (state_q == Fetch) begin
+      place_q  <= head;
+    end
+  end
+
+  sram #(.DataW(NodeW), .Depth(Lists * Buckets)) u_heads (
+    .clk_i,
+    .write_i(state_q == Insert || (out_valid_o && out_more)), .waddr_i({list_q, bucket_q}),
+    .wdata_i(state_q == Insert ? place_q : out_next),
+    .read_i(take_pop || take_insert), .raddr_i({list_d, bucket_d}), .rdata_o(head)
+  );
+
+  sram #(.DataW(DataW + NodeW + 1), .Depth(Nodes)) u_nodes (
+    .clk_i,
+    .write_i(state_q == Insert), .waddr_i(place_q), .wdata_i({more_q, head, data_q}),
+    .read_i(state_q == Fetch), .raddr_i(head), .rdata_o({out_more, out_next, out_data_o})
+  );
+
+  // --- which chains there are, and the first of each list -----------------------------------------------------------
+  logic [Buckets-1:0]       occupied_q [Lists];
+  logic [Words-1:0]         some_q [Lists];  // words that have a chain
+  logic [Words-1:0]         some_left;       // without the chain of the node that is fetched, like the rest here
+  logic [Word-1:0]          word;            // Fetch: its own word; Out: the first one left
+  logic [BucketW-WordW-1:0] own, left, left_q, looked;
+  logic [WordW-1:0]         place;
+  logic                     last_of_word, last_of_word_q, any_left_q;
+  logic [Lists-1:0]         first_valid_q;
+  logic [BucketW-1:0]       first_q [Lists];
+
+  assign own    = bucket_q[BucketW-1:WordW];
+  assign looked = out_valid_o ? left_q : own;
+  always_comb begin
+    word = occupied_q[list_q][32'(looked)*Word +: Word];
+    if (looked == own) word[bucket_q[WordW-1:0]] = 1'b0;
+    last_of_word = word == '0;
+    some_left = some_q[list_q];
+    if (last_of_word) some_left[own] = 1'b0;
+    for (int unsigned l = 0; l < Lists; l += 1) first_bucket_o[l*BucketW +: BucketW] = first_q[l];
+  end
+  first_set #(.DataW(Words)) u_left (.mask_i(some_left), .one_hot_o(), .number_o(left));
+  first_set #(.DataW(Word)) u_place (.mask_i(word), .one_hot_o(), .number_o(place));
+  assign first_valid_o = first_valid_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      first_valid_q <= '0;
+      for (int unsigned l = 0; l < Lists; l += 1) begin
+        occupied_q[l] <= '0;
+        some_q[l]     <= '0;
+      end
+    end else begin
+      if (take_insert) begin
+        occupied_q[insert_list_i][insert_bucket_i] <= 1'b1;
+        some_q[insert_list_i][insert_bucket_i[BucketW-1:WordW]] <= 1'b1;
+        first_valid_q[insert_list_i] <= 1'b1;
+      end
+      if (chain_ends) begin
+        occupied_q[list_q][bucket_q] <= 1'b0;
+        if (last_of_word_q) some_q[list_q][own] <= 1'b0;
+        first_valid_q[list_q] <= any_left_q;
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (idle_o) more_q <= occupied_q[insert_list_i][insert_bucket_i];
+    if (state_q == Fetch) begin
+      left_q         <= left;
+      any_left_q     <= some_left != '0;
+      last_of_word_q <= last_of_word;
+    end
+    if (take_insert && (!first_valid_q[insert_list_i] || insert_bucket_i < first_q[insert_list_i])) begin
+      first_q[insert_list_i] <= insert_bucket_i;
+    end
+    if (chain_ends) first_q[list_q] <= {left_q, place};
+  end
+
+  // --- free places --------------------------------------------------------------------------------------------------
+  logic           place_valid;
+  logic [NodeW:0] taken;
+
+  slot_pool #(.Slots(Nodes)) u_places (
+    .clk_i, .rst_ni, .slot_valid_o(place_valid), .slot_ready_i(take_insert), .slot_o(free_place),
+    .free_i(out_valid_o), .free_slot_i(place_q), .used_o(taken), .active_o()
+  );
+  assign full_o    = !place_valid;
+  assign crowded_o = taken >= (NodeW+1)'(Nodes / 4 * 3);
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) take_pop |-> first_valid_o[pop_list_i]);
+`endif
+
+endmodule

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// dopu_rank: which nodes can touch the window, and in which bucket of depth they lie.
+//
+// Paper   None.
+// Idea    Two box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to the
+//         near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the
+//         parent's box holds for what lies inside.
+// Stream  node: a node, its set of planes, its parent's bucket, a tag. result: tag, pass, bucket and those fields of
+//         the node that are still needed, in the order of the nodes; it has no ready: the caller asks only for what it
+//         can take.
+// Pace    Two nodes in three cycles, results 15 cycles later.
+// Model   cpp_model/dopu/nearest/dopu_nearest.hpp
+
+module dopu_rank #(
+  parameter int unsigned TagW = 3,
+  localparam int unsigned BucketW = pipegs_pkg::NearestW,
+  localparam int unsigned StepW = pipegs_pkg::StepW,
+  localparam int unsigned PlaceW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW,  // offset_exp, centre z, y, x
+  localparam int unsigned RangeW = pipegs_pkg::CountW + pipegs_pkg::SlotW      // count, first
+) (
+  input  logic                                  clk_i,
+  input  logic                                  rst_ni,
+
+  input  pipegs_pkg::position_t                 position_i,
+  input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
+  input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
+  input  logic [StepW-1:0]                      near_step_i,  // of the near plane
+
+  input  logic                                  node_valid_i,
+  output logic                                  node_ready_o,
+  input  pipegs_pkg::node_t                     node_i,
+  input  logic                                  set_i,
+  input  logic [BucketW-1:0]                    parent_i,
+  input  logic [TagW-1:0]                       tag_i,
+
+  output logic                                  result_valid_o,
+  output logic                                  result_pass_o,
+  output logic [TagW-1:0]                       result_tag_o,
+  output logic [BucketW-1:0]                    result_bucket_o,
+  output logic [PlaceW-1:0]                     result_place_o,
+  output logic [RangeW-1:0]                     result_range_o
+);
+
+  localparam int unsigned Tests = 2;
+  localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
+  localparam int unsigned ExpW = pipegs_pkg::ExpW;
+  localparam int unsigned DistanceW = 2 * pipegs_pkg::TestW + 2;
+  localparam int unsigned SumW = StepW + 1;
+
+  logic [Tests-1:0]           ready, valid, pass;
+  logic [TagW+BucketW-1:0]    tag [Tests];
+  logic [NodeBits-1:0]        node [Tests];
+  logic signed [DistanceW-1:0] nearest [Tests];
+  logic [ExpW-1:0]            exponent [Tests];
+
+  generate
+    for (genvar t = 0; t < Tests; t += 1) begin : gen_tests
+      dopu_test #(.TagW(TagW + BucketW), .Phase(t)) u_test (
+        .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i,
+        .node_valid_i, .node_ready_o(ready[t]), .node_i, .set_i, .tag_i({tag_i, parent_i}),
+        .result_valid_o(valid[t]), .result_pass_o(pass[t]), .result_node_o(node[t]), .result_tag_o(tag[t]),
+        .result_nearest_o(nearest[t]), .result_exponent_o(exponent[t])
+      );
+    end
+  endgenerate
+  assign node_ready_o = ready != '0;  // never both
+
+  // --- the result's bucket, one cycle later -------------------------------------------------------------------------
+  logic                       which, valid_q, pass_q;
+  logic [TagW+BucketW-1:0]    tag_q;
+  pipegs_pkg::node_t          result;
+  logic signed [DistanceW-1:0] nearest_q;
+  logic [ExpW-1:0]            exponent_q;
+  logic [StepW-1:0]           step;
+  logic signed [SumW-1:0]     beyond;
+  logic [BucketW-1:0]         parent, own;
+  logic [PlaceW-1:0]          place_q;
+  logic [RangeW-1:0]          range_q;
+
+  assign which  = !valid[0];
+  assign result = node[which];
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) valid_q <= 1'b0;
+    else valid_q <= valid != '0;
+  end
+  always_ff @(posedge clk_i) begin
+    pass_q     <= pass[which];
+    tag_q      <= tag[which];
+    nearest_q  <= nearest[which];
+    exponent_q <= exponent[which];
+    place_q    <= {result.offset_exp, result.center_z, result.center_y, result.center_x};
+    range_q    <= {result.count, result.first};
+  end
+
+  dopu_depth #(.ValueW(DistanceW), .Down(pipegs_pkg::RotF - (pipegs_pkg::RotW - pipegs_pkg::TestW))) u_depth (
+    .value_i(nearest_q), .exponent_i(exponent_q), .step_o(step)
+  );
+  assign parent = tag_q[BucketW-1:0];
+  assign beyond = $signed({1'b0, step}) - $signed({1'b0, near_step_i});
+  assign own    = beyond[SumW-1] ? '0 : beyond[SumW-2:BucketW] != '0 ? '1 : beyond[BucketW-1:0];
+
+  assign result_valid_o  = valid_q;
+  assign result_pass_o   = pass_q;
+  assign result_tag_o    = tag_q[BucketW +: TagW];
+  assign result_bucket_o = own > parent ? own : parent;
+  assign result_place_o  = place_q;
+  assign result_range_o  = range_q;
+
+  logic unused_node;  // what only the test needs
+  assign unused_node = ^result;
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) ready != '1);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) valid != '1);
+`endif
+
+endmodule

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+// pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/AlphaCut.
+//
+// Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
+// Idea    The box mean +- extent gives columns and rows of regions, walked row by row. P = power - cut. Keep a region
+//         if it holds the mean, if P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls,
+//         and its peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
+//           P += 8 gx + 64 D,  gx += 16 D,  gy += 8 F          P += 8 gy + 64 E,  gx += 8 F,  gy += 16 E
+//         TileTest 0: every region of the box, at the same pace.
+//         Three records are inside at once: one is set up, one walks, the regions of one are being tested.
+// Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through. For
+//         the payloads (pu_regions): drop_o, one has no box and is gone, whatever walks before it; walk_o, one begins
+//         its walk; leave_o, the oldest of those that walk leaves, its mask may be empty.
+// Pace    The regions in the box, but at least 3 cycles; 2 for a Gaussian without a box; an end beat waits for those
+//         before it. box | start | place | walk ... | ends of edges | products | compare, out
+// Model   cpp_model/pu/conic/pu_intersect.hpp
+
+module pu_intersect (
+  input  logic                clk_i,
+  input  logic                rst_ni,
+
+  input  logic                coeff_valid_i,
+  output logic                coeff_ready_o,
+  input  pipegs_pkg::coeff_t  coeff_i,
+
+  output logic                tiles_valid_o,
+  input  logic                tiles_ready_i,
+  output pipegs_pkg::tiles_t  tiles_o,
+
+  output logic                drop_o,
+  output logic                walk_o,
+  output logic                leave_o,  // tiles_o shows it from the next cycle on
+
+  output logic                busy_o  // a record is inside
+);
+
+  localparam int unsigned Window   = pipegs_pkg::Window;
+  localparam int unsigned Regions  = pipegs_pkg::Regions;
+  localparam int unsigned RegionW  = pipegs_pkg::RegionW;
+  localparam int unsigned AxisW    = RegionW / 2;         // column or row of a region
+  localparam int unsigned FactorW  = AxisW + 1;           // the same with a sign
+  localparam int unsigned EightW   = 3;                   // log2 of a region's side
+  localparam int unsigned PixelW   = AxisW + EightW;
+  localparam int unsigned MeanW    = pipegs_pkg::MeanW;
+  localparam int unsigned MeanF    = pipegs_pkg::MeanF;
+  localparam int unsigned ExtentW  = pipegs_pkg::ExtentW;
+  localparam int unsigned ExtentF  = 4;
+  localparam int unsigned CoeffF   = pipegs_pkg::CoeffF;
+  localparam int unsigned PowerF   = pipegs_pkg::PowerF;
+  localparam int unsigned DefW     = pipegs_pkg::DefW;
+  localparam int unsigned GradW    = pipegs_pkg::BcW + 1;  // gradients in the window, s13.CoeffF
+  localparam int unsigned PowerW   = pipegs_pkg::AW + 4;   // P in the window, s20.CoeffF
+  localparam int unsigned CurveW   = DefW + FactorW;       // a curvature times a column or row
+
+  localparam logic signed [PowerW-1:0] MinusCut =
+    PowerW'((64'(pipegs_pkg::PowerCut) << (CoeffF - PowerF)) + 64'(pipegs_pkg::CutSlack));
+
+  typedef enum logic [1:0] {
+    StateBox,    // waits for a record; makes its box
+    StateStart,  // gradients at the first region
+    StatePlace   // P there; waits until the walk takes the record
+  } state_e;
+
+  state_e              state_q;
+  logic                tiles_valid_q, walk_valid_q, drain_valid_q, none_q;
+  logic                is_end, take_end, drop, load, step, test_last, hold, out_free, leave;
+  pipegs_pkg::coeff_t  walk_q;   // the record whose regions are walked
+  pipegs_pkg::tiles_t  walked, drain_q, tiles_q;  // drain: its last region is being tested
+  logic [Regions-1:0]  mask, mask_q;
+
+  // --- the box of pixels, as columns and rows of regions -----------------------------------------------------------
+  localparam int unsigned HalfW = ExtentW + MeanF - ExtentF + 1;
+  localparam int unsigned BoxW  = (HalfW > MeanW ? HalfW : MeanW) + 2;
+  localparam logic signed [BoxW-1:0] Side = BoxW'(Window);
+  logic signed [BoxW-1:0] half_x, half_y, x_low, x_high, y_low, y_high;
+  logic [PixelW-1:0]      x_first, x_last, y_first, y_last;
+  logic                   none;
+  logic [AxisW-1:0]       box_left_q, box_right_q, box_top_q, box_bottom_q;
+
+  assign half_x  = BoxW'(coeff_i.extent_x) << (MeanF - ExtentF);
+  assign half_y  = BoxW'(coeff_i.extent_y) << (MeanF - ExtentF);
+  assign x_low   = (BoxW'(coeff_i.mean_x) - half_x + $signed(BoxW'((1 << MeanF) - 1))) >>> MeanF;
+  assign y_low   = (BoxW'(coeff_i.mean_y) - half_y + $signed(BoxW'((1 << MeanF) - 1))) >>> MeanF;
+  assign x_high  = (BoxW'(coeff_i.mean_x) + half_x) >>> MeanF;
+  assign y_high  = (BoxW'(coeff_i.mean_y) + half_y) >>> MeanF;
+  assign x_first = x_low < 0 ? '0 : PixelW'(x_low);
+  assign y_first = y_low < 0 ? '0 : PixelW'(y_low);
+  assign x_last  = x_high >= Side ? '1 : PixelW'(x_high);
+  assign y_last  = y_high >= Side ? '1 : PixelW'(y_high);
+  assign none    = coeff_i.dead || x_low >= Side || y_low >= Side || x_high < 0 || y_high < 0 ||
+                   x_first > x_last || y_first > y_last;
+
+  // --- first region: gradients, then P -----------------------------------------------------------------------------
+  logic signed [FactorW-1:0] column, row;
+  logic signed [pipegs_pkg::BcW-1:0] b_q, c_q;            // the record's, out of the memory that it waits in
+  logic signed [DefW-1:0]    d_q, e_q, f_q;
+  logic signed [CurveW-1:0]  e_row, f_row, f_column, d_column;
+  logic signed [GradW-1:0]   b, c, along_x_q, along_y_q, first_gx_q, first_gy_q;  // along: B + F y + D x,  C + E y
+  logic signed [PowerW-1:0]  place, first_power;
+  assign column   = {1'b0, box_left_q};
+  assign row      = {1'b0, box_top_q};
+  assign d_column = CurveW'(d_q) * CurveW'(column);
+  assign e_row    = CurveW'(e_q) * CurveW'(row);
+  assign f_column = CurveW'(f_q) * CurveW'(column);
+  assign f_row    = CurveW'(f_q) * CurveW'(row);
+  assign b        = GradW'(b_q);
+  assign c        = GradW'(c_q);
+  assign place    = PowerW'(along_x_q) * PowerW'(column) + PowerW'(along_y_q) * PowerW'(row);
+  assign first_power = PowerW'(coeff_i.a) + MinusCut + (place <<< EightW);
+
+  always_ff @(posedge clk_i) begin
+    if (state_q == StateBox) begin
+      box_left_q   <= x_first[PixelW-1:EightW];
+      box_right_q  <= x_last[PixelW-1:EightW];
+      box_top_q    <= y_first[PixelW-1:EightW];
+      box_bottom_q <= y_last[PixelW-1:EightW];
+      none_q       <= none;
+      {b_q, c_q, d_q, e_q, f_q} <= {coeff_i.b, coeff_i.c, coeff_i.d, coeff_i.e, coeff_i.f};
+    end
+    if (state_q == StateStart) begin
+      along_x_q  <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< EightW);
+      along_y_q  <= c + (GradW'(e_row) <<< EightW);
+      first_gx_q <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< (EightW + 1));
+      first_gy_q <= c + (GradW'(f_column) <<< EightW) + (GradW'(e_row) <<< (EightW + 1));
+    end
+  end
+
+  // --- the walk ----------------------------------------------------------------------------------------------------
+  logic                     last_column, last_region;
+  logic [AxisW-1:0]         column_first_q, column_last_q, row_last_q, column_q, row_q;
+  logic signed [PowerW-1:0] power_q, power_row_q, power_from;
+  logic signed [GradW-1:0]  gx_q, gy_q, gx_row_q, gy_row_q, gx_from, gy_from, grad;
+  logic signed [DefW-1:0]   d, e, f, curve;
+  logic signed [PowerW-1:0] power_next;
+  logic signed [GradW-1:0]  gx_next, gy_next;
+  assign d           = walk_q.d;
+  assign e           = walk_q.e;
+  assign f           = walk_q.f;
+  assign last_column = column_q == column_last_q;
+  assign last_region = last_column && row_q == row_last_q;
+  assign power_from  = last_column ? power_row_q : power_q;  // down from the row's first region, or to the right
+  assign gx_from     = last_column ? gx_row_q : gx_q;
+  assign gy_from     = last_column ? gy_row_q : gy_q;
+  assign grad        = last_column ? gy_row_q : gx_q;
+  assign curve       = last_column ? e : d;
+  assign power_next  = power_from + (PowerW'(grad) <<< EightW) + (PowerW'(curve) <<< (2 * EightW));
+  assign gx_next     = gx_from + (last_column ? GradW'(f) <<< EightW : GradW'(d) <<< (EightW + 1));
+  assign gy_next     = gy_from + (last_column ? GradW'(e) <<< (EightW + 1) : GradW'(f) <<< EightW);
+
+  always_ff @(posedge clk_i) begin
+    if (load) begin
+      walk_q         <= coeff_i;
+      column_q       <= box_left_q;
+      column_first_q <= box_left_q;
+      column_last_q  <= box_right_q;
+      row_q          <= box_top_q;
+      row_last_q     <= box_bottom_q;
+      power_q        <= first_power;
+      power_row_q    <= first_power;
+      gx_q           <= first_gx_q;
+      gy_q           <= first_gy_q;
+      gx_row_q       <= first_gx_q;
+      gy_row_q       <= first_gy_q;
+    end else if (step) begin
+      power_q  <= power_next;
+      gx_q     <= gx_next;
+      gy_q     <= gy_next;
+      column_q <= last_column ? column_first_q : column_q + AxisW'(1);
+      if (last_column) begin
+        row_q       <= row_q + AxisW'(1);
+        power_row_q <= power_next;
+        gx_row_q    <= gx_next;
+        gy_row_q    <= gy_next;
+      end
+    end
+  end
+
+  // --- the test ----------------------------------------------------------------------------------------------------
+  logic               keep;
+  logic [RegionW-1:0] test_region;
+  pu_edge u_edge (
+    .clk_i, .rst_ni, .hold_i(hold),
+    .valid_i(step), .last_i(last_region), .column_i(column_q), .row_i(row_q),
+    .mean_x_i(walk_q.mean_x), .mean_y_i(walk_q.mean_y), .d_i(d), .e_i(e), .f_i(f),
+    .power_i(power_q), .gx_i(gx_q), .gy_i(gy_q),
+    .keep_o(keep), .region_o(test_region), .last_o(test_last)
+  );
+
+  always_comb begin
+    mask = mask_q;
+    if (keep) mask[test_region] = 1'b1;
+  end
+
+  // --- control -----------------------------------------------------------------------------------------------------
+  assign is_end   = coeff_i.kind != pipegs_pkg::KindData;
+  assign out_free = !tiles_valid_q || tiles_ready_i;
+  assign hold     = test_last && !out_free;
+  assign leave    = test_last && out_free;
+  assign step     = walk_valid_q && !hold && (!last_region || !drain_valid_q || leave);
+  assign drop     = state_q == StateStart && none_q;
+  assign load     = state_q == StatePlace && (!walk_valid_q || (step && last_region));
+  assign take_end = state_q == StateBox && coeff_valid_i && is_end && !walk_valid_q && !drain_valid_q && out_free;
+
+  assign coeff_ready_o  = drop || load || take_end;
+  assign drop_o         = drop;
+  assign walk_o         = load;
+  assign leave_o        = leave;
+  assign tiles_valid_o  = tiles_valid_q;
+  assign tiles_o        = tiles_q;
+  assign busy_o         = state_q != StateBox || walk_valid_q || drain_valid_q || tiles_valid_q;
+
+  always_comb begin
+    walked = '0;  // a data beat
+    walked.a      = walk_q.a;
+    walked.b      = walk_q.b;
+    walked.c      = walk_q.c;
+    walked.d      = walk_q.d;
+    walked.e      = walk_q.e;
+    walked.f      = walk_q.f;
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q       <= StateBox;
+      walk_valid_q  <= 1'b0;
+      drain_valid_q <= 1'b0;
+      tiles_valid_q <= 1'b0;
+      mask_q        <= '0;
+    end else begin
+      case (state_q)
+        StateBox: if (coeff_valid_i && !is_end) state_q <= StateStart;
+        StateStart: state_q <= none_q ? StateBox : StatePlace;
+        default: if (load) state_q <= StateBox;
+      endcase
+      if (load) walk_valid_q <= 1'b1;
+      else if (step && last_region) walk_valid_q <= 1'b0;
+      if (step && last_region) drain_valid_q <= 1'b1;
+      else if (leave) drain_valid_q <= 1'b0;
+      mask_q <= leave ? '0 : mask;
+      if (leave) tiles_valid_q <= mask != '0;
+      else if (take_end) tiles_valid_q <= 1'b1;
+      else if (tiles_ready_i) tiles_valid_q <= 1'b0;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (step && last_region) drain_q <= walked;
+    if (leave) begin
+      tiles_q      <= drain_q;
+      tiles_q.mask <= mask;
+    end else if (take_end) begin
+      tiles_q      <= '0;
+      tiles_q.kind <= coeff_i.kind;
+    end
+  end
+
+  logic unused_walk;
+  assign unused_walk = ^walk_q;
+
+endmodule

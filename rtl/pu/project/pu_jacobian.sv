@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// pu_jacobian: the rows of J R' and their cross product, still without focal/z and without the scales.
+//
+// Paper   Eq. 1: J W of Sigma' = J W Sigma W^T J^T.
+// Idea    v0_j = R'0j - tan_x R'2j,  v1_j = R'1j - tan_y R'2j,  n_k = R'0k tan_x + R'1k tan_y + R'2k, exact; then
+//         each value is normalised. Two multipliers: product, sum, normalise are the three register levels behind a
+//         phase:
+//           phase 1..3  v0_j and v1_j,  j = 0..2      4..6  n_k,  k = 0..2      7  gx = focal_x / z, gy
+// Stream  oriented in, jacobian out, in order; an end beat passes with all other fields zero.
+// Pace    One record in eight cycles, latency 11.
+// Model   cpp_model/pu/project/pu_jacobian.hpp
+
+module pu_jacobian (
+  input  logic                   clk_i,
+  input  logic                   rst_ni,
+
+  input  logic [pipegs_pkg::FocalW-1:0] focal_x_i,
+  input  logic [pipegs_pkg::FocalW-1:0] focal_y_i,
+
+  input  logic                   oriented_valid_i,
+  output logic                   oriented_ready_o,
+  input  pipegs_pkg::oriented_t  oriented_i,
+
+  output logic                   jacobian_valid_o,
+  input  logic                   jacobian_ready_i,
+  output pipegs_pkg::jacobian_t  jacobian_o,
+
+  output logic                   busy_o
+);
+
+  localparam int unsigned TanF      = pipegs_pkg::TanF;
+  localparam int unsigned TanW      = pipegs_pkg::TanW;
+  localparam int unsigned FocalW    = pipegs_pkg::FocalW;
+  localparam int unsigned MantissaW = pipegs_pkg::MantissaW;
+  localparam int unsigned FactorW   = pipegs_pkg::FactorW;
+  localparam int unsigned RotationW = pipegs_pkg::RotationW;
+  localparam int unsigned ExponentW = pipegs_pkg::WideEW;
+  localparam int unsigned LeftW     = TanW > FocalW + 1 ? TanW : FocalW + 1;      // a tangent or a focal length
+  localparam int unsigned RightW    = RotationW > MantissaW + 1 ? RotationW : MantissaW + 1;
+  localparam int unsigned ProductW  = LeftW + RightW;
+  localparam int unsigned SumW      = TanF + 27 > FocalW + MantissaW + 1 ? TanF + 27 : FocalW + MantissaW + 1;
+  localparam int unsigned ShiftW    = $clog2(SumW);
+  localparam int unsigned Cut       = SumW - FactorW;  // bits below a mantissa
+
+  logic        take, claim, step;
+  logic [7:0]  phase;  // whose operands are chosen now
+  logic [7:0]  slots;
+  logic        sum_valid, last_valid;
+  logic [2:0]  sum, last;  // phase of the products, of the sums
+  assign {last_valid, last, sum_valid, sum} = slots;
+
+  pu_phases #(.Depth(2), .Claim(2)) u_phases (
+    .clk_i, .rst_ni,
+    .in_valid_i(oriented_valid_i), .in_ready_o(oriented_ready_o),
+    .out_valid_o(jacobian_valid_o), .out_ready_i(jacobian_ready_i),
+    .take_o(take), .claim_o(claim), .step_o(step), .held_o(), .phase_o(phase), .slots_o(slots), .busy_o
+  );
+
+  pipegs_pkg::oriented_t in_q;
+  pipegs_pkg::jacobian_t out_q;
+  assign jacobian_o = out_q;
+
+  // --- phase: the operands of the two multipliers --------------------------------------------------------------------
+  logic signed [LeftW-1:0]    left0, left1;
+  logic signed [RightW-1:0]   right0, right1;
+  logic signed [ProductW-1:0] product0_q, product1_q;
+  always_comb begin
+    left0 = LeftW'(in_q.tan_x);
+    left1 = LeftW'(in_q.tan_y);
+    (* parallel_case *) case (1'b1)
+      phase[1]: begin right0 = RightW'(in_q.r20); right1 = RightW'(in_q.r20); end
+      phase[2]: begin right0 = RightW'(in_q.r21); right1 = RightW'(in_q.r21); end
+      phase[3]: begin right0 = RightW'(in_q.r22); right1 = RightW'(in_q.r22); end
+      phase[4]: begin right0 = RightW'(in_q.r00); right1 = RightW'(in_q.r10); end
+      phase[5]: begin right0 = RightW'(in_q.r01); right1 = RightW'(in_q.r11); end
+      phase[6]: begin right0 = RightW'(in_q.r02); right1 = RightW'(in_q.r12); end
+      default: begin
+        left0  = $signed(LeftW'(focal_x_i));
+        left1  = $signed(LeftW'(focal_y_i));
+        right0 = $signed(RightW'(in_q.inv_z_m));
+        right1 = $signed(RightW'(in_q.inv_z_m));
+      end
+    endcase
+  end
+
+  // --- one later: v = R' - product, n = R' + both products; fraction 18 + TanF -------------------------------------
+  logic signed [RotationW-1:0] entry0, entry1;
+  logic signed [SumW-1:0]      sum0_q, sum1_q, wide0, wide1, whole0, whole1;
+  always_comb begin
+    case (sum)
+      3'd1:    begin entry0 = in_q.r00; entry1 = in_q.r10; end
+      3'd2:    begin entry0 = in_q.r01; entry1 = in_q.r11; end
+      3'd3:    begin entry0 = in_q.r02; entry1 = in_q.r12; end
+      3'd4:    begin entry0 = in_q.r20; entry1 = in_q.r20; end
+      3'd5:    begin entry0 = in_q.r21; entry1 = in_q.r21; end
+      default: begin entry0 = in_q.r22; entry1 = in_q.r22; end
+    endcase
+  end
+  assign wide0  = SumW'(product0_q);
+  assign wide1  = SumW'(product1_q);
+  assign whole0 = SumW'(entry0) <<< TanF;
+  assign whole1 = SumW'(entry1) <<< TanF;
+
+  // --- two later: normalise ----------------------------------------------------------------------------------------
+  logic signed [SumW-1:0]      normal0, normal1;
+  logic        [ShiftW-1:0]    shift0, shift1;
+  logic signed [FactorW-1:0]   m0, m1;
+  logic signed [ExponentW-1:0] base, e0, e1, gain_e_q;
+  normalize #(.DataW(SumW)) u_normalize0 (.in_i(sum0_q), .out_o(normal0), .shift_o(shift0));
+  normalize #(.DataW(SumW)) u_normalize1 (.in_i(sum1_q), .out_o(normal1), .shift_o(shift1));
+  assign m0 = normal0[SumW-1-:FactorW];
+  assign m1 = normal1[SumW-1-:FactorW];
+  assign base = last == 3'd7 ? gain_e_q : ExponentW'(Cut) - ExponentW'(RotationW - 2 + TanF);
+  assign e0 = base - $signed(ExponentW'(shift0));
+  assign e1 = base - $signed(ExponentW'(shift1));
+
+  always_ff @(posedge clk_i) begin
+    if (take) in_q <= oriented_i;
+    if (step) begin
+      product0_q <= ProductW'(left0) * ProductW'(right0);
+      product1_q <= ProductW'(left1) * ProductW'(right1);
+      case (sum)
+        3'd1, 3'd2, 3'd3: begin sum0_q <= whole0 - wide0; sum1_q <= whole1 - wide1; end
+        3'd7:             begin sum0_q <= wide0;          sum1_q <= wide1;          end
+        default:          begin sum0_q <= whole0 + wide0 + wide1; sum1_q <= '0;     end
+      endcase
+    end
+    if (claim) begin
+      gain_e_q   <= ExponentW'(in_q.inv_z_e) + ExponentW'(Cut) - ExponentW'(pipegs_pkg::FocalF);
+      out_q      <= '0;
+      out_q.kind <= in_q.kind;
+      if (in_q.kind == pipegs_pkg::KindData) begin
+        out_q.scale_0 <= in_q.scale_0;
+        out_q.scale_1 <= in_q.scale_1;
+        out_q.scale_2 <= in_q.scale_2;
+      end
+    end
+    if (step && last_valid && out_q.kind == pipegs_pkg::KindData) begin
+      case (last)
+        3'd1: begin out_q.v0_0_m <= m0; out_q.v0_0_e <= e0; out_q.v1_0_m <= m1; out_q.v1_0_e <= e1; end
+        3'd2: begin out_q.v0_1_m <= m0; out_q.v0_1_e <= e0; out_q.v1_1_m <= m1; out_q.v1_1_e <= e1; end
+        3'd3: begin out_q.v0_2_m <= m0; out_q.v0_2_e <= e0; out_q.v1_2_m <= m1; out_q.v1_2_e <= e1; end
+        3'd4: begin out_q.n_0_m <= m0; out_q.n_0_e <= e0; end
+        3'd5: begin out_q.n_1_m <= m0; out_q.n_1_e <= e0; end
+        3'd6: begin out_q.n_2_m <= m0; out_q.n_2_e <= e0; end
+        3'd7: begin
+          out_q.gx_m <= m0[MantissaW-1:0];
+          out_q.gx_e <= e0;
+          out_q.gy_m <= m1[MantissaW-1:0];
+          out_q.gy_e <= e1;
+        end
+        default: ;
+      endcase
+    end
+  end
+
+  // Valid is only looked at beside results.
+  wire unused_bits = &{1'b0, phase, sum_valid, product0_q, product1_q, normal0[Cut-1:0],
+                       normal1[Cut-1:0]};
+
+endmodule

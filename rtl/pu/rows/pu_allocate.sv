@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
+//
+// Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
+// Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a
+//         row if the lines of their own layer leave room for them, waiting until the older layer's lines are free;
+//         otherwise they take lines of the overflow area in memory (Overflow 0: there is always room). So where a line
+//         lies depends on the stream only, not on timing.
+// Stream  tiles in; row_job and color_job out (each taken by itself), or nothing when no region is left. Ends pass.
+//         At most two layers live: behind an end, beats of the next layer but one wait for layer_free_i.
+// Pace    One Gaussian per four cycles (take, count, decide, offer).
+// Model   cpp_model/pu/rows/pu_allocate.hpp
+
+module pu_allocate #(
+  localparam int unsigned Units   = pipegs_pkg::Units,
+  localparam int unsigned Regions = pipegs_pkg::Regions,
+  localparam int unsigned WindowW = pipegs_pkg::WindowW,
+  localparam int unsigned CountW  = pipegs_pkg::RegionW + 1
+) (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  pipegs_pkg::windows_t     windows_i,
+  input  logic                     restart_i,  // a frame begins; the PU is empty
+
+  input  logic                     tiles_valid_i,
+  output logic                     tiles_ready_o,
+  input  pipegs_pkg::tiles_t       tiles_i,
+  input  pipegs_pkg::payload_t     payload_i,  // of the Gaussian in tiles_i
+
+  output logic                     row_job_valid_o,
+  input  logic                     row_job_ready_i,
+  output pipegs_pkg::row_job_t     row_job_o,
+
+  output logic                     color_job_valid_o,
+  input  logic                     color_job_ready_i,
+  output pipegs_pkg::color_job_t   color_job_o,
+
+  input  logic [Units*Regions-1:0] done_i,    // RU j: its opaque regions of window done_x, done_y
+  input  logic [Units*WindowW-1:0] done_x_i,
+  input  logic [Units*WindowW-1:0] done_y_i,
+  input  logic                     layer_free_i,  // all RUs have finished the oldest layer
+
+  output logic [CountW-1:0]        overflowed_o,  // lines sent to the overflow area in this cycle
+  output logic                     waiting_o,     // for the older layer (perf: blocked)
+  output logic                     active_o       // needs a clock
+);
+
+  localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
+  localparam int unsigned LinesW   = $clog2(pipegs_pkg::AlphaLines + 1);
+  localparam int unsigned HeadW    = $clog2(pipegs_pkg::AlphaLines);
+  localparam int unsigned SumW     = (LinesW > CountW ? LinesW : CountW) + 1;
+
+  typedef enum logic [1:0] {
+    StateTake,    // waits for a beat (and for a free pulse while two layers live)
+    StateCount,   // regions left
+    StateDecide,  // ring or overflow; waits for lines of the older layer
+    StateOffer    // waits until both outputs have taken it
+  } state_e;
+
+  state_e                     state_q;
+  pipegs_pkg::tiles_t         tiles_q;
+  pipegs_pkg::payload_t       payload_q;
+  logic [CountW-1:0]          count_q;
+  logic [AlphaAddressW-1:0]   address_q;
+  logic                       ext_q;
+  logic                       row_valid_q, color_valid_q;
+
+  logic                       parity_q, next_parity_q;
+  logic [Regions-1:0]         done;
+
+  logic [1:0]                 ended_q;   // layers that ended here and are not free yet
+  logic [LinesW-1:0]          oldest_q;  // lines of the oldest layer that lives
+  logic [LinesW-1:0]          newest_q;  // lines of the one after it
+  logic [HeadW-1:0]           head_q;
+  logic [AlphaAddressW-1:0]   overflow_q;
+  logic                       take, take_end, fits, room, decided, local_lines;
+  logic [LinesW-1:0]          current;
+
+  pu_done u_done (
+    .clk_i, .rst_ni, .windows_i, .restart_i, .advance_i(take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd),
+    .done_i, .done_x_i, .done_y_i, .done_o(done)
+  );
+
+  assign tiles_ready_o = state_q == StateTake && !ended_q[1];
+  assign take          = tiles_valid_i && tiles_ready_o;
+  assign take_end      = take && tiles_i.kind != pipegs_pkg::KindData;
+
+  // A data beat in StateDecide implies that at most one layer has ended.
+  assign current     = ended_q == '0 ? oldest_q : newest_q;
+  assign fits        = pipegs_pkg::Overflow == 0 || SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
+  assign room        = SumW'(oldest_q) + SumW'(newest_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
+  assign decided     = state_q == StateDecide && (room || !fits);
+  assign local_lines = decided && fits;
+
+  assign overflowed_o = decided && !fits ? count_q : '0;
+  assign waiting_o    = (state_q == StateDecide && !decided) || (tiles_valid_i && ended_q[1]);
+
+  always_comb begin
+    unique case (state_q)
+      StateTake:   active_o = take;
+      StateCount:  active_o = 1'b1;
+      StateDecide: active_o = decided;
+      default:     active_o = (row_valid_q && row_job_ready_i) || (color_valid_q && color_job_ready_i);
+    endcase
+    if (layer_free_i || restart_i) active_o = 1'b1;
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      state_q       <= StateTake;
+      row_valid_q   <= 1'b0;
+      color_valid_q <= 1'b0;
+    end else begin
+      if (row_job_ready_i) row_valid_q <= 1'b0;
+      if (color_job_ready_i) color_valid_q <= 1'b0;
+      unique case (state_q)
+        StateTake:  if (take) state_q <= take_end ? StateOffer : StateCount;
+        StateCount: state_q <= tiles_q.mask == '0 ? StateTake : StateDecide;
+        StateDecide: if (decided) state_q <= StateOffer;
+        default: begin
+          if ((!row_valid_q || row_job_ready_i) && (!color_valid_q || color_job_ready_i)) state_q <= StateTake;
+        end
+      endcase
+      if (take_end || decided) begin
+        row_valid_q   <= 1'b1;
+        color_valid_q <= 1'b1;
+      end
+    end
+  end
+
+  // Layers and their lines.
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      ended_q       <= '0;
+      oldest_q      <= '0;
+      newest_q      <= '0;
+      head_q        <= '0;
+      overflow_q    <= '0;
+      parity_q      <= 1'b0;
+      next_parity_q <= 1'b0;
+    end else begin
+      ended_q <= ended_q + 2'(take_end) - 2'(layer_free_i);
+      if (layer_free_i) begin
+        oldest_q <= newest_q + (local_lines ? LinesW'(count_q) : '0);
+        newest_q <= '0;
+      end else if (local_lines) begin
+        if (ended_q == '0) oldest_q <= current + LinesW'(count_q);
+        else newest_q <= current + LinesW'(count_q);
+      end
+      if (local_lines) head_q <= head_q + HeadW'(count_q);
+      if (decided && !fits) overflow_q <= overflow_q + AlphaAddressW'(count_q);
+      if (take) parity_q <= next_parity_q;
+      if (take_end) begin
+        overflow_q    <= '0;
+        next_parity_q <= !next_parity_q;
+      end
+      if (restart_i) next_parity_q <= 1'b0;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (take) begin
+      tiles_q      <= tiles_i;
+      tiles_q.mask <= tiles_i.mask & ~done;
+      payload_q    <= payload_i;
+      ext_q        <= 1'b0;
+    end
+    if (state_q == StateCount) count_q <= CountW'($countones(tiles_q.mask));
+    if (decided) begin
+      address_q <= fits ? AlphaAddressW'(head_q) : overflow_q;
+      ext_q     <= !fits;
+    end
+  end
+
+  // Both outputs are views of the one register.
+  assign row_job_valid_o   = row_valid_q;
+  assign color_job_valid_o = color_valid_q;
+  always_comb begin
+    row_job_o.kind    = tiles_q.kind;
+    row_job_o.a       = tiles_q.a;
+    row_job_o.b       = tiles_q.b;
+    row_job_o.c       = tiles_q.c;
+    row_job_o.d       = tiles_q.d;
+    row_job_o.e       = tiles_q.e;
+    row_job_o.f       = tiles_q.f;
+    row_job_o.mask    = tiles_q.mask;
+    row_job_o.address = address_q;
+    row_job_o.ext     = ext_q;
+    row_job_o.parity  = parity_q;
+    row_job_o.index   = pipegs_pkg::TapIndexW'(payload_q.index);
+    color_job_o.kind    = tiles_q.kind;
+    color_job_o.depth   = payload_q.depth;
+    color_job_o.index   = pipegs_pkg::SplatIndexW'(payload_q.index);
+    color_job_o.slot    = payload_q.slot;
+    color_job_o.mask    = tiles_q.mask;
+    color_job_o.address = address_q;
+    color_job_o.ext     = ext_q;
+    color_job_o.dir_x   = payload_q.dir_x;
+    color_job_o.dir_y   = payload_q.dir_y;
+    color_job_o.dir_z   = payload_q.dir_z;
+    color_job_o.base_r  = payload_q.base_r;
+    color_job_o.base_g  = payload_q.base_g;
+    color_job_o.base_b  = payload_q.base_b;
+  end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) layer_free_i |-> ended_q != '0)
+    else $error("a layer was freed that has not ended");
+  assert property (@(posedge clk_i) disable iff (!rst_ni) restart_i |-> !take && ended_q == '0 && oldest_q == '0)
+    else $error("a frame begins in a PU that is not empty");
+  assert property (@(posedge clk_i) disable iff (!rst_ni)
+                   overflow_q <= ~AlphaAddressW'(0) - AlphaAddressW'(2 * Regions))
+    else $error("the overflow area of a layer is full");
+  assert property (@(posedge clk_i) disable iff (!rst_ni) pipegs_pkg::Overflow == 0 && state_q == StateDecide
+                   |-> SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
+    else $error("pu_allocate: the alphas of a layer do not fit, and Overflow is 0");
+`endif
+
+endmodule

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// explain.cpp: `pipegs explain --pixel X,Y`: every Gaussian of a pixel in order, in double, golden and RTL.
+//
+// The columns stand side by side, so that "a wrong pixel" becomes "a wrong bit": power (log2 units, opacity included),
+// alpha, weight and T before the Gaussian. The RTL columns come from a run of the pixel's window alone.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+
+#include "cpp_model/float/truth.hpp"
+#include "cpp_model/pu/rows/pu_rows.hpp"
+#include "sim/command/command.hpp"
+
+namespace pipegs {
+namespace {
+
+struct Arguments {
+  ViewArguments view;
+  std::vector<int> pixel;
+  bool json = false, no_rtl = false;
+};
+
+// Power of a job at a pixel of its window, log2 units: Eq. 3 with the golden coefficients.
+double golden_power(const Config& config, const RowJob& job, double x, double y) {
+  const auto value = [&](int64_t coefficient) { return std::ldexp(static_cast<double>(coefficient), -config.coeff_f); };
+  return value(job.a) + value(job.b) * x + value(job.c) * y + value(job.d) * x * x + value(job.e) * y * y +
+         value(job.f) * x * y;
+}
+
+int explain(const Arguments& arguments) {
+  SimulateOptions options = arguments.view.options();
+  const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded.scene, options);
+  const int x = arguments.pixel.at(0), y = arguments.pixel.at(1), side = options.config.window;
+  if (x >= loaded.camera.width || y >= loaded.camera.height) {
+    throw ConfigError(
+        fmt::format("--pixel {},{}: expected 0,0 to {},{}", x, y, loaded.camera.width - 1, loaded.camera.height - 1));
+  }
+  options.window = {x / side, y / side};
+  options.watch = {x, y};
+  if (!arguments.no_rtl) need_taps(options);
+  check_picture_memory(loaded.camera, options, kGoldenPixels + kRtlPixels);
+  Simulation simulation;
+  simulate_golden(loaded.scene, loaded.camera, options, simulation);
+  // The rank of a window's own Gaussians is all that the pixel's order needs.
+  TruthOptions truth;
+  truth.rank = &simulation.golden.rank;
+  truth.near_plane = options.near_plane;
+  std::map<uint32_t, TruthStep> exact;
+  for (const TruthStep& step : explain_truth(loaded.scene, loaded.camera, truth, x, y)) exact.emplace(step.index, step);
+  if (!arguments.no_rtl) simulate_rtl(options, simulation);
+  std::map<uint32_t, StreamCheck::Seen> rtl;
+  for (const StreamCheck::Seen& seen : simulation.seen) rtl.emplace(seen.index, seen);
+
+  const Config& config = options.config;
+  const BlendConstants constants(config);
+  const GoldenWindow window =
+      golden_window(simulation.input, static_cast<uint64_t>(x / side), static_cast<uint64_t>(y / side));
+  const int region = (y % side / 8) * config.regions_x() + x % side / 8, in_region = (y % 8) * 8 + x % 8;
+  const double t_one = constants.one, alpha_one = std::ldexp(1.0, config.alpha_w);
+  PixelState pixel{.t = constants.one};
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const GoldenLayer& layer : window.layers) {
+    for (const GoldenSplat& splat : layer.splats) {
+      if ((splat.splat.mask >> region & 1) == 0 || pixel.done) continue;
+      uint16_t codes[kRegionPixels];
+      golden_codes(config, splat.job, region, codes);
+      const auto index = static_cast<uint32_t>(splat.splat.index);
+      const auto truth_step = exact.find(index);
+      if (codes[in_region] == 0 && truth_step == exact.end()) continue;
+      const uint32_t color[3] = {static_cast<uint32_t>(splat.splat.red), static_cast<uint32_t>(splat.splat.green),
+                                 static_cast<uint32_t>(splat.splat.blue)};
+      const uint32_t t_before = pixel.t;
+      const uint32_t weight = ru_blend(constants, pixel, codes[in_region], color);
+      nlohmann::ordered_json row = {{"layer", layer.ordinal}, {"gaussian", index}};
+      nlohmann::ordered_json in_double = nullptr, in_rtl = nullptr;
+      if (truth_step != exact.end()) {
+        const TruthStep& step = truth_step->second;
+        in_double = {{"power", std::log2(step.alpha)},
+                     {"alpha", step.alpha},
+                     {"weight", step.weight},
+                     {"t", step.transmittance_before}};
+      }
+      const auto seen = rtl.find(index);
+      if (seen != rtl.end()) {
+        in_rtl = {{"alpha", seen->second.code / alpha_one},
+                  {"weight", (t_before - seen->second.t_after) / t_one},
+                  {"t", t_before / t_one}};
+      }
+      row["double"] = in_double;
+      row["golden"] = {{"power", golden_power(config, splat.job, x % side, y % side)},
+                       {"alpha", codes[in_region] / alpha_one},
+                       {"weight", weight / t_one},
+                       {"t", t_before / t_one},
+                       {"done", pixel.done}};
+      row["rtl"] = in_rtl;
+      rows.push_back(row);
+    }
+  }
+  nlohmann::ordered_json mismatches = nullptr;  // nothing compared
+  if (!arguments.no_rtl) mismatches = simulation.mismatches;
+  if (arguments.json) {
+    fmt::print("{}\n",
+               nlohmann::ordered_json{{"pixel", {x, y}}, {"mismatches", mismatches}, {"gaussians", rows}}.dump(2));
+  } else {
+    fmt::print("pixel {},{}: power in log2 units with the opacity, T before the Gaussian\n", x, y);
+    fmt::print(
+        "layer Gaussian | power: double    golden | alpha: double  golden     rtl | weight: double  golden     rtl |  "
+        "T: double  golden     rtl\n");
+    const auto cell = [](const nlohmann::ordered_json& group, const char* key) {
+      return group.is_null() || !group.contains(key) ? std::string("-")
+                                                     : fmt::format("{:.5f}", group[key].get<double>());
+    };
+    for (const auto& row : rows) {
+      fmt::print("{:5} {:8} | {:>13} {:>9} | {:>13} {:>7} {:>7} | {:>14} {:>7} {:>7} | {:>10} {:>7} {:>7}{}\n",
+                 row["layer"].get<int>(), row["gaussian"].get<uint32_t>(), cell(row["double"], "power"),
+                 cell(row["golden"], "power"), cell(row["double"], "alpha"), cell(row["golden"], "alpha"),
+                 cell(row["rtl"], "alpha"), cell(row["double"], "weight"), cell(row["golden"], "weight"),
+                 cell(row["rtl"], "weight"), cell(row["double"], "t"), cell(row["golden"], "t"), cell(row["rtl"], "t"),
+                 row["golden"]["done"].get<bool>() ? "  stops here" : "");
+    }
+  }
+  if (!simulation.first_mismatch) return kExitOk;
+  fmt::print(stderr, "first mismatch: {}\n", simulation.first_mismatch->what);
+  return kExitDiffers;
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand(
+      "explain", "each Gaussian of one pixel in order: power, alpha, weight, T in float64, golden model and RTL");
+  command->footer(footer("pipegs explain garden.ply --cameras cameras.json --pixel 400,300",
+                         "the RTL's window agrees (or --no-rtl: nothing compared)", "a bit of it differs"));
+  static Arguments arguments;
+  arguments.view.add(*command);
+  add_place(*command, "--pixel", arguments.pixel, "which pixel")->required();
+  command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL columns");
+  command->add_flag("--json", arguments.json, "as JSON");
+  command->callback([&run] { run = [] { return explain(arguments); }; });
+}
+
+}  // namespace pipegs

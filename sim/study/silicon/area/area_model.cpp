@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// area_model.cpp: see area_model.hpp.
+#include "sim/study/silicon/area/area_model.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "scenes/input_error.hpp"
+#include "scenes/text/csv.hpp"
+#include "sim/study/silicon/area/config_of.hpp"
+#include "sim/study/silicon/area/least_squares.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr const char* kPointsHeader = "configuration,unit,block,instances,nand2,flipflops";
+constexpr const char* kDependsHeader = "block,knobs";
+// Beside a block's mean area of 1: what a coefficient may cost. A knob's whole range is 2.
+constexpr double kDesignPointRidge = 1e-6, kLineRidge = 1e-4, kSquareRidge = 1e-2;
+
+// From -1 to 1 over the knob's legal range.
+double scaled(const Config& config, const std::string& knob) {
+  for (const ConfigEntry& entry : config_entries(config)) {
+    if (entry.name == knob) return (2.0 * entry.value - entry.low - entry.high) / std::max(1, entry.high - entry.low);
+  }
+  throw ConfigError("no entry " + knob);
+}
+
+}  // namespace
+
+double sum(const std::map<std::string, double>& by_unit) {
+  double all = 0;
+  for (const auto& [unit, nand2] : by_unit) all += nand2;
+  return all;
+}
+
+std::map<std::string, double> AreaPoint::by_unit() const {
+  std::map<std::string, double> units;
+  for (const auto& [block, places] : nand2) {
+    for (const auto& [unit, area] : places) units[unit] += area;
+  }
+  return units;
+}
+
+std::vector<AreaPoint> read_area_points(const std::filesystem::path& csv) {
+  std::vector<AreaPoint> points;
+  std::set<std::string> names;
+  std::string name;
+  read_csv(csv, kPointsHeader, [&](const CsvRow& row) {
+    if (row.text("configuration") != name) {
+      name = row.text("configuration");
+      if (!names.insert(name).second)
+        row.fail("configuration", "found " + quote(name) + " again, expected its rows once");
+      points.push_back({config_of(name), {}});
+    }
+    row.integer<int>("instances", 1);
+    row.integer<int>("flipflops", 0);
+    const std::string &block = row.text("block"), &unit = row.text("unit");
+    if (!points.back().nand2[block].try_emplace(unit, row.real("nand2", kNotNegative)).second)
+      row.fail("block", "found a second row of " + quote(block) + " in " + quote(unit) + ", expected one");
+  });
+  if (points.empty()) throw InputError(csv.string(), "", "no points");
+  return points;
+}
+
+Dependences read_dependences(const std::filesystem::path& csv) {
+  Dependences depends;
+  read_csv(csv, kDependsHeader, [&](const CsvRow& row) {
+    const auto [place, is_new] = depends.try_emplace(row.text("block"));
+    if (!is_new) row.fail("block", "found a second " + quote(row.text("block")) + ", expected one");
+    std::stringstream text(row.text("knobs"));
+    for (std::string knob; text >> knob;) {
+      config_value(Config{}, knob);
+      if (std::find(place->second.begin(), place->second.end(), knob) != place->second.end())
+        row.fail("knobs", "found a second " + quote(knob) + ", expected one");
+      place->second.push_back(knob);
+    }
+  });
+  return depends;
+}
+
+AreaModel::AreaModel(std::vector<AreaPoint> points, Dependences depends)
+    : points_(std::move(points)), depends_(std::move(depends)) {
+  for (const AreaPoint& point : points_) {
+    for (const auto& [name, places] : point.nand2) {
+      const auto depends = depends_.find(name);
+      if (depends == depends_.end())
+        throw InputError("synth/data/depends.csv", "block " + name, "missing: synth/depends.py finds its knobs");
+      blocks_[name].knobs = depends->second;
+      if (sum(places) > 0) places_[design_point_of(point.config)].try_emplace(name, places);
+    }
+  }
+  for (auto& [name, block] : blocks_) fit(name, block);
+}
+
+AreaModel::DesignPoint AreaModel::design_point_of(const Config& config) {
+  return {config.late, config.order, config.quadratic};
+}
+
+void AreaModel::fit(const std::string& name, Block& block) const {
+  std::vector<std::vector<double>> x;
+  std::vector<double> y, ridge = {0, kDesignPointRidge, kDesignPointRidge, kDesignPointRidge, kDesignPointRidge};
+  double mean = 0;
+  for (const AreaPoint& point : points_) {
+    if (!places_.at(design_point_of(point.config)).contains(name)) continue;  // no part of such a design point
+    const auto found = point.nand2.find(name);
+    x.push_back(terms(block, point.config));
+    y.push_back(found == point.nand2.end() ? 0 : sum(found->second));
+    mean += y.back();
+  }
+  if (mean == 0) {
+    block.coefficients.assign(ridge.size() + 2 * block.knobs.size(), 0);
+    return;
+  }
+  mean /= static_cast<double>(y.size());
+  for (size_t i = 0; i < block.knobs.size(); ++i) ridge.push_back(kLineRidge), ridge.push_back(kSquareRidge);
+  for (double& area : y) area /= mean;
+  block.coefficients = least_squares(x, y, ridge);
+  for (double& coefficient : block.coefficients) coefficient *= mean;
+}
+
+std::vector<double> AreaModel::terms(const Block& block, const Config& config) const {
+  std::vector<double> x = {1, 1.0 * config.late, 1.0 * config.has_lists(), 1.0 * config.has_watermarks(),
+                           1.0 * config.quadratic};
+  for (const std::string& knob : block.knobs) {
+    const double at = scaled(config, knob) - scaled(points_.front().config, knob);
+    x.push_back(at);
+    x.push_back(at * at);
+  }
+  return x;
+}
+
+std::map<std::string, double> AreaModel::nand2(const Config& config) const {
+  const auto design_point = places_.find(design_point_of(config));
+  std::map<std::string, double> units;
+  for (const auto& [name, places] :
+       design_point == places_.end() ? places_.at(design_point_of(points_.front().config)) : design_point->second) {
+    const Block& block = blocks_.at(name);
+    const std::vector<double> x = terms(block, config);
+    double area = 0;
+    for (size_t i = 0; i < x.size(); ++i) area += block.coefficients[i] * x[i];
+    for (const auto& [unit, part] : places) units[unit] += std::max(0.0, area) * part / sum(places);
+  }
+  return units;
+}
+
+bool AreaModel::inside(const Config& config) const {
+  if (!places_.contains(design_point_of(config))) return false;
+  for (const ConfigEntry& entry : config_entries(config)) {
+    if (entry.member == nullptr) continue;
+    int low = entry.value, high = entry.value;
+    bool first = true;
+    for (const AreaPoint& point : points_) {
+      const int value = point.config.*entry.member;
+      low = first ? value : std::min(low, value), high = first ? value : std::max(high, value), first = false;
+    }
+    if (entry.value < low || entry.value > high) return false;
+  }
+  return true;
+}
+
+AreaModel AreaModel::without(size_t point) const {
+  std::vector<AreaPoint> rest = points_;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(point));
+  return {rest, depends_};
+}
+
+}  // namespace pipegs

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+// dopu_nearest_test: rtl/dopu/dopu.sv whole with order = 2, on random packed scenes: every chunk of every window once,
+// and every watermark right, against cpp_model/dopu/nearest/dopu_nearest.hpp.
+#include <cstdlib>
+#include <map>
+
+#include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/dopu/nearest/dopu_nearest.hpp"
+#include "scenes/ply/ply.hpp"
+#include "verif/dopu/dopu_bench.hpp"
+#include "verif/support/frame_ports.hpp"
+
+namespace pipegs {
+namespace {
+
+struct Known {  // a chunk of a window, by the model
+  Chunk chunk;
+  int bucket;
+};
+using Window = std::map<uint64_t, Known>;  // by slot, which no two chunks share
+
+struct Tally {
+  uint64_t windows = 0, chunks = 0, marks = 0, early = 0, crowded_early = 0;
+  double released = 0;  // sum over the chunks: was it below the last watermark of its window
+};
+
+// All windows of a frame, in the order in which they are walked; `crowded`: more nodes pass than the queue holds.
+struct Expected {
+  std::vector<Window> windows;
+  std::vector<bool> crowded;
+  uint64_t nodes_passed = 0;
+  explicit Expected(const World& world) {
+    const Frame& frame = world.frame;
+    std::vector<size_t> nodes;
+    for (uint64_t y = frame.raster.windows.first_y; y <= frame.raster.windows.last_y; ++y) {
+      for (uint64_t x = frame.raster.windows.first_x; x <= frame.raster.windows.last_x; ++x) {
+        Window window;
+        dopu_nearest(world.config, frame, world.packed, static_cast<int>(x), static_cast<int>(y),
+                     [&](int bucket, const Chunk& chunk, uint64_t) {
+                       window[chunk.slot] = {chunk, bucket};
+                     });
+        const Planes planes = dopu_planes(world.config, frame, static_cast<int>(x), static_cast<int>(y));
+        size_t passed = window.size();
+        for (const auto* level : {&world.packed.cells, &world.packed.groups}) {
+          for (const Node& node : *level) passed += node.count != 0 && dopu_test(world.config, frame, planes, node);
+        }
+        nodes.push_back(passed);
+        nodes_passed += passed;
+        windows.push_back(std::move(window));
+      }
+    }
+    for (size_t i = 0; i < nodes.size(); ++i) {  // the next window's nodes wait in the same queue
+      const size_t before = i > 0 ? nodes[i - 1] : 0, after = i + 1 < nodes.size() ? nodes[i + 1] : 0;
+      crowded.push_back(before + nodes[i] + after > static_cast<size_t>(world.config.nearest_nodes));
+    }
+  }
+};
+
+// Follows the stream of all units and checks it against what is expected; `whole`: no chunk may lack.
+struct Checker {
+  const Config& config;
+  const World* world = nullptr;
+  const Expected* expected = nullptr;
+  bool whole = true;
+  size_t window = 0, since = 0;
+  std::map<uint64_t, int> sent;  // slot -> bucket, of this window
+  std::vector<uint64_t> marks;   // of this window
+  int farthest = 0;              // bucket sent in this window
+  std::vector<std::vector<Chunk>> ends;
+  Tally tally;
+
+  Checker(Units& units, const Config& c) : config(c), ends(static_cast<size_t>(c.units)) {
+    units.taken = [this](int unit, const Chunk& chunk) { take(unit, chunk); };
+  }
+  void begin(const World& w, const Expected& e) {
+    world = &w;
+    expected = &e;
+    window = since = 0;
+    farthest = 0;
+    sent.clear();
+    marks.clear();
+    for (auto& mine : ends) mine.clear();
+  }
+  void take(int unit, const Chunk& chunk) {
+    if (chunk.kind != kData) ends[static_cast<size_t>(unit)].push_back(chunk);
+    if (chunk.kind != kData && unit != 0)
+      return;  // every unit gets the same ends, which finish() checks; no chunk passes one of them
+    ASSERT_LT(window, expected->windows.size());
+    const Window& here = expected->windows[window];
+    if (chunk.kind == kData) {
+      const auto known = here.find(chunk.slot);
+      ASSERT_NE(known, here.end()) << to_text(config, chunk) << " is not in window " << window;
+      ASSERT_EQ(first_difference(config, known->second.chunk, chunk), "") << "window " << window;
+      const int bucket = known->second.bucket;
+      ASSERT_TRUE(sent.emplace(chunk.slot, bucket).second) << "sent twice: " << to_text(config, chunk);
+      if (!marks.empty()) {
+        ASSERT_LE(marks.back(), dopu_depth_key(config, world->frame, bucket))
+            << "behind its watermark: " << to_text(config, chunk);
+      }
+      if (bucket < farthest) ++(expected->crowded[window] ? tally.crowded_early : tally.early);
+      farthest = std::max(farthest, bucket);
+      ++since;
+      ++tally.chunks;
+      return;
+    }
+    if (chunk.kind == kLayerEnd) {
+      ASSERT_GE(since, static_cast<size_t>(config.mark_chunks));
+      ASSERT_GT(chunk.watermark, marks.empty() ? dopu_depth_key(config, world->frame, 0) : marks.back())
+          << "a watermark that did not rise";
+      marks.push_back(chunk.watermark);
+      since = 0;
+      ++tally.marks;
+    } else {
+      const Frame& frame = world->frame;
+      const uint64_t columns = frame.raster.windows.last_x - frame.raster.windows.first_x + 1;
+      ASSERT_EQ(chunk.window_x, frame.raster.windows.first_x + window % columns);
+      ASSERT_EQ(chunk.window_y, frame.raster.windows.first_y + window / columns);
+      ASSERT_EQ(chunk.watermark, 0u);
+      if (whole) ASSERT_EQ(sent.size(), here.size()) << "window " << window;
+      for (const auto& [slot, bucket] : sent) {
+        tally.released += !marks.empty() && dopu_depth_key(config, frame, bucket) < marks.back();
+      }
+      ++window;
+      ++tally.windows;
+      since = 0;
+      farthest = 0;
+      sent.clear();
+      marks.clear();
+    }
+  }
+  void finish() const {
+    EXPECT_EQ(window, expected->windows.size());
+    for (const auto& mine : ends) EXPECT_TRUE(mine == ends[0]) << mine.size() << " ends against " << ends[0].size();
+  }
+  void print(const char* what) const {
+    std::printf(
+        "dopu_nearest: %s: %llu windows, %llu chunks, %llu watermarks, %.0f %% of the chunks below the last one; out "
+        "of order: "
+        "%llu, in windows that crowd the queue %llu\n",
+        what, static_cast<unsigned long long>(tally.windows), static_cast<unsigned long long>(tally.chunks),
+        static_cast<unsigned long long>(tally.marks),
+        100 * tally.released / std::max<double>(1, static_cast<double>(tally.chunks)),
+        static_cast<unsigned long long>(tally.early), static_cast<unsigned long long>(tally.crowded_early));
+  }
+};
+
+void compare(const char* what, Pace pace, Pace memory_pace, const ExternalMemoryOptions& options) {
+  Bench<Vdopu> bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  ExternalMemory memory(options);
+  Units units(bench, config, pace);
+  Checker checker(units, config);
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace);
+  bench.reset();
+  for (int frame = 0; frame < 6; ++frame) {  // one after another: nothing may be left of the frame before
+    const size_t gaussians[] = {3000, 0, 1, 20000, 500, 60};
+    const World world(bench.rng, gaussians[frame], 200, 150, frame == 4);
+    const Expected expected(world);
+    world.load(memory);
+    checker.begin(world, expected);
+    start(bench, world);
+    ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); }, 3000000))
+        << "frame " << frame;
+    ASSERT_FALSE(testing::Test::HasFatalFailure()) << "frame " << frame;
+    checker.finish();
+  }
+  checker.print(what);
+  EXPECT_EQ(checker.tally.early, 0u) << "chunks sent behind farther ones although the queue had room";
+  EXPECT_GT(checker.tally.marks, 20u);
+  EXPECT_GT(checker.tally.chunks, 1000u);
+}
+
+TEST(DopuNearest, SendsEveryChunkOnceWithAPromptMemory) {
+  compare("prompt memory", Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64});
+}
+TEST(DopuNearest, SendsEveryChunkOnceWithASlowMemory) {
+  compare("slow memory", Pace::kAlways, Pace::kCoin, {.latency = 150, .bytes_per_cycle = 12.8, .jitter = 40});
+}
+TEST(DopuNearest, SendsEveryChunkOnceUnderBackPressure) {
+  compare("back pressure", Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20});
+}
+TEST(DopuNearest, SendsEveryChunkOnceByCoin) {
+  compare("by coin", Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20});
+}
+
+// PUs that take a chunk every few hundred cycles: the queue fills up, two windows stand in it.
+TEST(DopuNearest, SendsEveryChunkOnceToSlowUnits) {
+  Bench<Vdopu> bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  ExternalMemory memory({.latency = 30, .jitter = 10});
+  Units units(bench, config, Pace::kAlways);
+  units.rare = 300;
+  Checker checker(units, config);
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+  bench.reset();
+  const World world(bench.rng, 3000, 4 * config.window, 3 * config.window);
+  const Expected expected(world);
+  world.load(memory);
+  checker.begin(world, expected);
+  start(bench, world);
+  ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); }, 3000000));
+  checker.finish();
+  checker.print("slow units");
+  EXPECT_EQ(checker.tally.early, 0u);
+}
+
+// The RUs report windows done at any moment: what is still sent is right, watermarks too, and every end comes.
+TEST(DopuNearest, SkipsTheRestOfAWindowThatIsDone) {
+  Bench<Vdopu> bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  ExternalMemory memory({.latency = 60, .jitter = 30});
+  Units units(bench, config, Pace::kCoin);
+  Checker checker(units, config);
+  checker.whole = false;
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+  Feedback feedback(bench, units, config);
+  feedback.next_window = [&] {
+    const size_t some[] = {0, 1, bench.rng() % 8, bench.rng() % 60, bench.rng() % 400, 100000};
+    feedback.after = some[bench.rng() % 6];
+  };
+  bench.reset();
+  size_t all = 0;
+  for (int frame = 0; frame < 4; ++frame) {
+    const World world(bench.rng, frame == 3 ? 2000 : 20000, 200, 150);
+    const Expected expected(world);
+    for (const Window& window : expected.windows) all += window.size();
+    world.load(memory);
+    checker.begin(world, expected);
+    feedback.frame = &world.frame;
+    feedback.window = feedback.ends = 0;
+    feedback.seen = units.beats.size();
+    feedback.next_window();
+    start(bench, world);
+    ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); }, 3000000))
+        << "frame " << frame;
+    ASSERT_FALSE(testing::Test::HasFatalFailure()) << "frame " << frame;
+    checker.finish();
+    feedback.frame = nullptr;
+    no_feedback(bench);
+  }
+  checker.print("done windows");
+  EXPECT_LT(checker.tally.chunks, all * 9 / 10) << "of " << all;
+  EXPECT_GT(checker.tally.chunks, all / 20) << "of " << all;
+  EXPECT_EQ(checker.tally.early, 0u);
+}
+
+// Without a clock whenever active_o is low, with units that take a chunk every few hundred cycles: the same frame.
+TEST(DopuNearest, NeedsNoClockWhenItSaysSo) {
+  struct Gated : Bench<Vdopu> {
+    uint64_t ticks = 0;
+    void gated_step() {
+      dut.clk_i = 0;
+      for (Endpoint* endpoint : endpoints_) endpoint->drive();
+      dut.eval();
+      for (Endpoint* endpoint : endpoints_) endpoint->observe();
+      if (dut.active_o) {
+        ++ticks;
+        dut.clk_i = 1;
+        dut.eval();
+      }
+      ++cycle;
+    }
+  } bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  ExternalMemory memory({.latency = 300, .bytes_per_cycle = 0.1, .jitter = 100, .queue = 1});
+  Units units(bench, config, Pace::kAlways);
+  units.rare = 600;
+  Checker checker(units, config);
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+  bench.reset();
+  const World world(bench.rng, 300, 3 * config.window, 2 * config.window);
+  const Expected expected(world);
+  world.load(memory);
+  checker.begin(world, expected);
+  write_frame(config, bench.dut, world.frame);
+  bench.dut.start_i = 1;
+  bench.gated_step();
+  bench.dut.start_i = 0;
+  for (int i = 0; i < 3000000 && bench.dut.busy_o; ++i) bench.gated_step();
+  ASSERT_EQ(bench.dut.busy_o, 0);
+  checker.finish();
+  EXPECT_LT(bench.ticks, bench.cycle * 9 / 10) << "of " << bench.cycle << " cycles";
+}
+
+// Two node tests in three cycles, a chunk in ten, a node through the queue in five, whichever is most; the rest hides
+// behind it, as far as windows are alike. PIPEGS_LATENCY=cycles: of the memory. PIPEGS_SCENE=file.ply
+// PIPEGS_CAMERAS=cameras.json: that scene's first view instead of a random cloud.
+TEST(DopuNearest, KeepsItsTestsBusy) {
+  Bench<Vdopu> bench;
+  const Config config = test_config();
+  bench.dut.start_i = 0;
+  no_feedback(bench);
+  const char* latency = std::getenv("PIPEGS_LATENCY");
+  ExternalMemory memory({.latency = latency != nullptr ? std::atoi(latency) : 100, .bytes_per_cycle = 51.2});
+  Units units(bench, config, Pace::kAlways);
+  Checker checker(units, config);
+  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+  bench.reset();
+  const char *scene = std::getenv("PIPEGS_SCENE"), *cameras = std::getenv("PIPEGS_CAMERAS");
+  const bool given = scene != nullptr && cameras != nullptr;
+  const World world = given ? World(read_ply(scene), read_cameras(cameras).at(0))
+                            : World(bench.rng, 20000, 10 * config.window, 7 * config.window);
+  const Expected expected(world);
+  world.load(memory);
+  DopuCounts sum;
+  for (uint64_t y = 0; y <= world.frame.raster.windows.last_y; ++y) {
+    for (uint64_t x = 0; x <= world.frame.raster.windows.last_x; ++x) {
+      const DopuCounts part = dopu_window(config, world.frame, world.packed, static_cast<int>(x), static_cast<int>(y),
+                                          [](int, const Chunk&, uint64_t) {});
+      sum.cell_tests += part.cell_tests, sum.group_tests += part.group_tests, sum.chunk_tests += part.chunk_tests,
+          sum.chunks += part.chunks;
+    }
+  }
+  checker.begin(world, expected);
+  const uint64_t before = bench.cycle;
+  start(bench, world);
+  ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); }, 5000000));
+  checker.finish();
+  checker.print(given ? scene : "random cloud");
+  const double tests = static_cast<double>(sum.cell_tests + sum.group_tests + sum.chunk_tests),
+               windows = static_cast<double>(checker.tally.windows);
+  const double bound =
+      std::max({1.5 * tests, 10.0 * static_cast<double>(sum.chunks), 5.0 * static_cast<double>(expected.nodes_passed)});
+  const double cycles = static_cast<double>(bench.cycle - before);
+  RecordProperty("roofline_ratio", std::to_string(cycles / bound));
+  std::printf("dopu_nearest: %.0f tests, %llu chunks, %.0f cycles, %.0f a window, roofline ratio %.3f\n", tests,
+              static_cast<unsigned long long>(sum.chunks), cycles, cycles / windows, cycles / bound);
+  EXPECT_LT(cycles, 1.4 * bound);
+}
+
+}  // namespace
+}  // namespace pipegs
