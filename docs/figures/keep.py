@@ -159,7 +159,7 @@ def printed(pattern, *names):
     """Of what a test prints: for each line that fits, its numbers by name."""
 
     def keep(text):
-        rows = [dict(zip(names, map(float, found))) for found in re.findall(pattern, text)]
+        rows = [dict(zip(names, map(float, found.groups()))) for found in re.finditer(pattern, text)]
         if not rows:
             raise ValueError(f"no line fits {pattern}")
         return {"lines": rows}

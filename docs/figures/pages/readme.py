@@ -7,7 +7,16 @@ from formats import block, fixed, table
 from measurements import FOUR, POINTS
 from pages.cycles.ladder import PAPER
 
-MEASURED = ["ladder/*", "shown/sim"]
+MEASURED = ["ladder/*", "shown/sim", "loops/*"]
+
+
+def minutes(*loops):
+    """What these take together on one core."""
+    return f"{fixed(sum(data.loops.all[loop] for loop in loops) / 60, 1)} CPU minutes"
+
+
+def gigabytes(key):
+    return f"{fixed(data.loops.all[key] / 1024, 1)} GB"
 
 
 def sample():

@@ -192,7 +192,7 @@ def seconds(scene, name):
 
 def waves(scene):
     """The RTL with waves over the same window without."""
-    (row,) = [row for row in data.fidelity[scene].rows if row.name == "with waves"]
+    (row,) = [row for row in data.fidelity[scene].rows if row.name.strip() == "with waves"]
     return fixed(row.ratio, 0)
 
 
