@@ -43,6 +43,7 @@ struct SuBench : Bench<Vsu> {
     for (Endpoint* endpoint : endpoints_) endpoint->observe();
     perf[dut.perf_o] += 1;
     overflowed += dut.overflow_o;
+    fetched += dut.mem_valid_o && dut.mem_ready_i && !dut.mem_write_o;
     asleep += !dut.active_o;
     if (dut.active_o || !gated) {
       dut.clk_i = 1;
@@ -95,7 +96,7 @@ struct SuBench : Bench<Vsu> {
   RecordSink<Splat, decltype(dut.out_o)> out;
   MemoryEndpoint<QData, VlWide<16>> port;
   std::vector<Splat> expected;
-  uint64_t perf[4] = {}, overflowed = 0, asleep = 0;
+  uint64_t perf[4] = {}, overflowed = 0, fetched = 0, asleep = 0;
 };
 
 inline ExternalMemoryOptions memory_options(std::mt19937_64& rng) {

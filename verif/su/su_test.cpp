@@ -88,6 +88,7 @@ TEST(Su, WritesOverflowToItsOwnAreas) {
   bench.layer(Arrangement::kRandom, count, kWindowEnd);
   bench.check(10000000);
   EXPECT_EQ(bench.overflowed, count + (count + 7) / 8);  // all records, the list of all keys
+  EXPECT_EQ(bench.fetched, count + 3 * ((count + 7) / 8)) << "each record once, three times the list, nothing for ends";
   const auto base = [](uint64_t area) { return kOverflow + ((2 << 3 | area) << 24); };
   const auto touched = [&](uint64_t address) { return bench.memory.line(address) != MemoryLine{}; };
   EXPECT_TRUE(touched(base(1)) && touched(base(1) + count - 1) && touched(base(2)) &&
