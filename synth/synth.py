@@ -32,7 +32,7 @@ ROOT = os.path.dirname(HERE)
 TOP = "pipegs_top"
 ENDS = 20000  # as many ends of the whole machine's longest paths are read
 SETUP_FO4 = 2  # of a memory's and a clock gate's inputs
-HARMLESS = re.compile(r"Replacing memory .* with list of registers")
+HARMLESS = re.compile(r"Replacing memory .* with list of registers|Selection .* did not match any module")
 # States stay as the RTL codes them. abc sees a driver and a load at the borders, so that it buffers and sizes what
 # begins and ends at registers.
 ABC = "+strash;&get,-n;&st;&dch;&nf;&put;buffer,-c,-p;topo;upsize;dnsize"
@@ -46,9 +46,16 @@ setundef -zero
 opt_clean -purge
 write_json {folder}/mapped.json
 """
+# Small functions are mapped as a part of who uses them: a path through one is no longer than if it stood there.
+FUNCTIONS = "*saturate* *first_set* *bit_length*"
 ELABORATE = """read_verilog -sv -defer -DSYNTHESIS {folder}/pipegs_pkg.sv {files}
 hierarchy -check -top {name}
 proc
+setattr -mod -set keep_hierarchy 1 *
+setattr -mod -unset keep_hierarchy {functions}
+flatten
+hierarchy -purge_lib -top {name}
+setattr -mod -unset keep_hierarchy *
 write_rtlil {folder}/design.il
 """
 
@@ -101,11 +108,13 @@ def elaborate(jobs, package, top=TOP):
         if misread.returncode != 0:
             raise Failed("Yosys reads this wrong: " + misread.stdout.splitlines()[0])
         write(f"{folder}/pipegs_pkg.sv", package)
-        write(f"{folder}/script.ys", ELABORATE.format(folder=folder, files=" ".join(files), name=top))
+        write(
+            f"{folder}/script.ys", ELABORATE.format(folder=folder, files=" ".join(files), name=top, functions=FUNCTIONS)
+        )
         jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
         check_log(f"{folder}/log")
 
-    return rtlil.read(jobs.result(f"design_{top}", [ELABORATE, top] + sources, make) + "/design.il")
+    return rtlil.read(jobs.result(f"design_{top}", [ELABORATE, FUNCTIONS, top] + sources, make) + "/design.il")
 
 
 class Machine:
