@@ -54,7 +54,7 @@ proc
 setattr -mod -set keep_hierarchy 1 *
 setattr -mod -unset keep_hierarchy {functions}
 flatten
-hierarchy -purge_lib -top {name}
+hierarchy -top {name}
 setattr -mod -unset keep_hierarchy *
 write_rtlil {folder}/design.il
 """

@@ -3,7 +3,7 @@
 
 # Headers that nearly all of them read, compiled once. They run code that is optimised elsewhere: -O0 compiles in half
 # the time.
-add_executable(program_test_headers ${CMAKE_BINARY_DIR}/generated/main.cpp)
+add_executable(program_test_headers EXCLUDE_FROM_ALL ${PIPEGS_HEADERS_SOURCE})
 target_compile_options(program_test_headers PRIVATE -Wall -Wextra -O0)
 target_link_libraries(program_test_headers PRIVATE pipegs_sim GTest::gtest_main)
 target_precompile_headers(program_test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <nlohmann/json.hpp> <algorithm>

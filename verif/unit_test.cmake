@@ -2,9 +2,7 @@
 # unit_test.cmake: GoogleTests of one Verilated module each, as RTL and as netlist.
 
 # Headers that all unit tests read, compiled once.
-file(WRITE ${CMAKE_BINARY_DIR}/generated/main.cpp.new "int main() { return 0; }\n")
-file(COPY_FILE ${CMAKE_BINARY_DIR}/generated/main.cpp.new ${CMAKE_BINARY_DIR}/generated/main.cpp ONLY_IF_DIFFERENT)
-add_executable(unit_test_headers ${CMAKE_BINARY_DIR}/generated/main.cpp)
+add_executable(unit_test_headers EXCLUDE_FROM_ALL ${PIPEGS_HEADERS_SOURCE})
 target_compile_definitions(unit_test_headers PRIVATE VM_TRACE=0 VM_TRACE_FST=0)
 target_compile_options(unit_test_headers PRIVATE -Wall -Wextra -O1)
 target_link_libraries(unit_test_headers PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main

@@ -13,44 +13,41 @@
 // Model   The record's own; plumbing. Its tests are those of pu_conic and pu_coeff.
 
 module pu_turns #(
-  parameter int unsigned Out = 5,  // 1 to 6
-  localparam int unsigned PhaseW = 3
+  parameter int unsigned Out = 5  // 1 to 6
 ) (
-  input  logic              clk_i,
-  input  logic              rst_ni,
+  input  logic       clk_i,
+  input  logic       rst_ni,
 
-  input  logic              in_valid_i,
-  output logic              in_ready_o,
-  input  logic              in_data_i,  // of the record at the input: a Gaussian, which takes a whole turn
+  input  logic       in_valid_i,
+  output logic       in_ready_o,
+  input  logic       in_data_i,  // of the record at the input: a Gaussian, which takes a whole turn
 
-  output logic              out_valid_o,
-  input  logic              out_ready_i,
+  output logic       out_valid_o,
+  input  logic       out_ready_i,
 
-  output logic [PhaseW-1:0] phase_o,
-  output logic              fresh_o,    // the record at the input has this turn, phases 0 to Out
-  output logic              advance_o,
-  output logic              move_o,
-  output logic              leave_o,
-  output logic              busy_o
+  output logic [7:0] phase_o,    // one bit each, for early choices
+  output logic       fresh_o,    // the record at the input has this turn, phases 0 to Out
+  output logic       advance_o,
+  output logic       move_o,
+  output logic       leave_o,
+  output logic       busy_o
 );
 
-  localparam logic [PhaseW-1:0] OutPhase = PhaseW'(Out);
-
-  logic [PhaseW-1:0] phase_q;
-  logic              fresh_q, inside_q, out_valid_q;
+  logic [7:0] phase_q;
+  logic       fresh_q, inside_q, out_valid_q;
 
   assign phase_o     = phase_q;
-  assign fresh_o     = phase_q == '0 ? in_valid_i : fresh_q;
-  assign advance_o   = !(phase_q == OutPhase && inside_q && out_valid_q && !out_ready_i);
-  assign move_o      = phase_q == OutPhase && advance_o;
+  assign fresh_o     = phase_q[0] ? in_valid_i : fresh_q;
+  assign advance_o   = !(phase_q[Out] && inside_q && out_valid_q && !out_ready_i);
+  assign move_o      = phase_q[Out] && advance_o;
   assign leave_o     = move_o && inside_q;
   assign in_ready_o  = move_o && fresh_q;
   assign out_valid_o = out_valid_q;
-  assign busy_o      = phase_q != '0 || inside_q || out_valid_q;
+  assign busy_o      = !phase_q[0] || inside_q || out_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      phase_q     <= '0;
+      phase_q     <= 8'b1;
       fresh_q     <= 1'b0;
       inside_q    <= 1'b0;
       out_valid_q <= 1'b0;
@@ -58,13 +55,13 @@ module pu_turns #(
       if (leave_o) out_valid_q <= 1'b1;
       else if (out_ready_i) out_valid_q <= 1'b0;
       if (move_o) inside_q <= fresh_q;
-      if (phase_q == '0) begin
+      if (phase_q[0]) begin
         fresh_q <= in_valid_i;
-        if (in_valid_i || inside_q) phase_q <= PhaseW'(1);
+        if (in_valid_i || inside_q) phase_q <= 8'b10;
       end else if (move_o && !(fresh_q && in_data_i)) begin
-        phase_q <= '0;
+        phase_q <= 8'b1;
       end else if (advance_o) begin
-        phase_q <= phase_q + PhaseW'(1);
+        phase_q <= {phase_q[6:0], phase_q[7]};
       end
     end
   end
@@ -72,8 +69,9 @@ module pu_turns #(
 `ifndef SYNTHESIS
   initial assert (Out >= 1 && Out <= 6);
   assert property (@(posedge clk_i) disable iff (!rst_ni)
-                   phase_q != '0 && phase_q <= OutPhase && fresh_q |-> in_valid_i)
+                   phase_q[Out:1] != '0 && fresh_q |-> in_valid_i)
     else $error("the record went away from the input");
+  assert property (@(posedge clk_i) disable iff (!rst_ni) $onehot(phase_q));  // so a parallel_case is safe
 `endif
 
 endmodule

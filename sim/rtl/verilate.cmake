@@ -16,10 +16,10 @@ target_compile_definitions(verilated_runtime PUBLIC VL_USER_STOP VM_COVERAGE=0 V
 target_compile_options(verilated_runtime PUBLIC -faligned-new PRIVATE -w)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads z atomic)
 
-# The headers of Verilated C++, compiled once.
-file(WRITE ${CMAKE_BINARY_DIR}/generated/empty.cpp.new "")
-file(COPY_FILE ${CMAKE_BINARY_DIR}/generated/empty.cpp.new ${CMAKE_BINARY_DIR}/generated/empty.cpp ONLY_IF_DIFFERENT)
-add_library(verilated_headers OBJECT EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/generated/empty.cpp)
+# The headers of Verilated C++, compiled once. A target that only compiles headers ahead has this source.
+set(PIPEGS_HEADERS_SOURCE ${CMAKE_BINARY_DIR}/generated/main.cpp)
+file(CONFIGURE OUTPUT ${PIPEGS_HEADERS_SOURCE} CONTENT "int main() {}\n")
+add_library(verilated_headers OBJECT EXCLUDE_FROM_ALL ${PIPEGS_HEADERS_SOURCE})
 target_compile_definitions(verilated_headers PRIVATE VM_TRACE=0 VM_TRACE_FST=0)
 target_compile_options(verilated_headers PRIVATE -w -O1)
 target_link_libraries(verilated_headers PRIVATE verilated_runtime)

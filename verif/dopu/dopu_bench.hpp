@@ -10,9 +10,9 @@
 #include "Vdopu.h"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/dopu/dopu_world.hpp"
-#include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 #include "verif/support/frame_ports.hpp"
+#include "verif/support/gated_bench.hpp"
 
 namespace pipegs {
 

@@ -46,7 +46,6 @@ module pu_coeff (
   localparam int unsigned SumAW     = AW + 2;
   localparam int unsigned SumBcW    = BcW + 1;
   localparam int unsigned SumDefW   = DefW + 1;
-  localparam int unsigned PhaseW    = 3;
   localparam int unsigned OutPhase  = 3;  // the record before leaves, this one moves to front_q
   localparam int unsigned FactorF   = 34;                // magnitude bits of a product that is a factor again
   localparam int unsigned NormalF   = MantissaW + 2;     // magnitude bits of mean_q and w as factors
@@ -63,7 +62,7 @@ module pu_coeff (
   localparam int unsigned FlatByW   = 7;
   localparam int unsigned LengthW   = $clog2(WideW);
 
-  logic [PhaseW-1:0]   phase;
+  logic [7:0]          phase;
   logic                advance, move, leave;
   pipegs_pkg::conic_t  front_q;
   pipegs_pkg::coeff_t  coeff, coeff_q;
@@ -87,18 +86,18 @@ module pu_coeff (
   logic signed [ProductW-1:0] product;
   assign mean_q = conic_i.swap ? conic_i.mean_x : conic_i.mean_y;
   assign mean_p = conic_i.swap ? conic_i.mean_y : conic_i.mean_x;
-  assign wide   = phase == '0 ? WideW'(mean_q) : w_q;
+  assign wide   = phase[0] ? WideW'(mean_q) : w_q;
 
   bit_length #(.DataW(WideW - 1)) u_length (.in_i(wide[WideW-2:0] ^ {(WideW - 1){wide[WideW-1]}}), .length_o(length));
   assign spare  = LengthW'(WideW - 1) - length;
   assign raised = NormalW'($signed(wide <<< spare) >>> (WideW - NormalW));
 
   always_ff @(posedge clk_i) begin
-    if (phase == PhaseW'(2)) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(product);
-    if (phase == '0 || (phase == PhaseW'(3) && advance)) begin
+    if (phase[2]) w_q <= (WideW'(mean_p) <<< SlopeF) - WideW'(product);
+    if (phase[0] || (phase[3] && advance)) begin
       normal_q   <= raised;
       normal_e_q <= $signed(SumW'(WideW - 1 - NormalF) - SumW'(spare) -
-                            (phase == '0 ? SumW'(MeanF) : SumW'(MeanF + SlopeF)));
+                            (phase[0] ? SumW'(MeanF) : SumW'(MeanF + SlopeF)));
     end
   end
 
@@ -116,39 +115,39 @@ module pu_coeff (
     curve_e  = SumW'(front_q.narrow_e);
     normal_e = '0;
     shift    = Base;
-    case (phase)
-      PhaseW'(0): begin  // m mean_q
+    (* parallel_case *) case (1'b1)
+      phase[0]: begin  // m mean_q
         left  = LeftW'(mean_q);
         right = RightW'(conic_i.slope_m);
       end
-      PhaseW'(1): begin  // wide mean_q
+      phase[1]: begin  // wide mean_q
         left     = LeftW'($signed({1'b0, conic_i.wide_m}));
         curve_e  = SumW'(conic_i.wide_e);
         normal_e = normal_e_q;
         shift    = Base - $signed(SumW'(1));
       end
-      PhaseW'(2): begin  // u
+      phase[2]: begin  // u
         left    = LeftW'($signed({1'b0, conic_i.narrow_m}));
         right   = RightW'(conic_i.slope_m);
         curve_e = SumW'(conic_i.narrow_e);
         shift   = Base + $signed(SumW'(SlopeF - 1));
       end
-      PhaseW'(3): begin  // wide mean_q^2
+      phase[3]: begin  // wide mean_q^2
         left     = LeftW'(product >>> Drop);
         curve_e  = SumW'(conic_i.wide_e);
         normal_e = normal_e_q <<< 1;
         shift    = Base - $signed(SumW'(Drop));
       end
-      PhaseW'(4): begin  // narrow w
+      phase[4]: begin  // narrow w
         normal_e = normal_e_q;
         shift    = Base - $signed(SumW'(1));
       end
-      PhaseW'(5): begin  // u w
+      phase[5]: begin  // u w
         left     = u_q;
         normal_e = normal_e_q;
         shift    = Base + $signed(SumW'(SlopeF) - SumW'(SlopeDrop + 1));
       end
-      PhaseW'(6): begin  // narrow w^2
+      phase[6]: begin  // narrow w^2
         left     = LeftW'(product >>> Drop);
         normal_e = normal_e_q <<< 1;
         shift    = Base - $signed(SumW'(Drop));
@@ -181,7 +180,7 @@ module pu_coeff (
       shift_next_q <= shift - curve_e - normal_e;
       shift_q      <= shift_next_q;
     end
-    if (phase == PhaseW'(4)) u_q <= LeftW'(product >>> SlopeDrop);
+    if (phase[4]) u_q <= LeftW'(product >>> SlopeDrop);
   end
 
   // --- products to CoeffF fraction bits, to nearest ----------------------------------------------------------------
@@ -200,8 +199,8 @@ module pu_coeff (
   logic [FlatByW-1:0]        flat_by;
   logic [FlatW-1:0]          flat_halves, flat_q;
   logic                      flat_right_q, fits_flat;
-  assign flat_m      = phase == PhaseW'(OutPhase) ? conic_i.narrow_m : front_q.wide_m;
-  assign flat_e      = phase == PhaseW'(2) ? conic_i.narrow_e : conic_i.wide_e;
+  assign flat_m      = phase[OutPhase] ? conic_i.narrow_m : front_q.wide_m;
+  assign flat_e      = phase[2] ? conic_i.narrow_e : conic_i.wide_e;
   assign flat_by     = flat_shift_q[SumW-2:FlatByW] != '0 ? '1 : flat_shift_q[FlatByW-1:0];
   assign flat_halves = (FlatW'(flat_m) << FlatGuard) >> flat_by;
   assign fits_flat   = flat_right_q && flat_q[FlatW-1:DefW-1] == '0;
@@ -220,29 +219,29 @@ module pu_coeff (
   logic                      dead_q;
 
   always_ff @(posedge clk_i) begin
-    case (phase)
-      PhaseW'(4): begin
+    (* parallel_case *) case (1'b1)
+      phase[4]: begin
         d_q <= $signed(DefW'(0) - DefW'(flat_q));
         c_q <= SumBcW'(aligned) + $signed(SumBcW'(up));
       end
-      PhaseW'(5): begin
+      phase[5]: begin
         e_q <= $signed(SumDefW'(0) - SumDefW'(flat_q));
         f_q <= DefW'(aligned) + $signed(DefW'(up));
       end
-      PhaseW'(6): a_q <= $signed(SumAW'(0) - (SumAW'(front_q.opacity) << (CoeffF - OpacityF))) - SumAW'(aligned) -
+      phase[6]: a_q <= $signed(SumAW'(0) - (SumAW'(front_q.opacity) << (CoeffF - OpacityF))) - SumAW'(aligned) -
                          $signed(SumAW'(up));
-      PhaseW'(7): b_q <= BcW'(aligned) + $signed(BcW'(up));
-      PhaseW'(0): c_q <= c_q - SumBcW'(aligned) - $signed(SumBcW'(up));
-      PhaseW'(1): a_q <= a_q - SumAW'(aligned) - $signed(SumAW'(up));
-      PhaseW'(2): e_q <= e_q - SumDefW'(aligned) - $signed(SumDefW'(up));
+      phase[7]: b_q <= BcW'(aligned) + $signed(BcW'(up));
+      phase[0]: c_q <= c_q - SumBcW'(aligned) - $signed(SumBcW'(up));
+      phase[1]: a_q <= a_q - SumAW'(aligned) - $signed(SumAW'(up));
+      phase[2]: e_q <= e_q - SumDefW'(aligned) - $signed(SumDefW'(up));
       default: ;  // the record leaves
     endcase
-    case (phase)
-      PhaseW'(4): dead_q <= !fits_bc || !fits_flat || front_q.opacity >= OpacityW'(pipegs_pkg::CutBudget);
-      PhaseW'(5): dead_q <= dead_q || !fits_def || !fits_flat;
-      PhaseW'(6), PhaseW'(1): dead_q <= dead_q || !fits_a;
-      PhaseW'(7), PhaseW'(0): dead_q <= dead_q || !fits_bc;
-      PhaseW'(2): dead_q <= dead_q || !fits_def;
+    (* parallel_case *) case (1'b1)
+      phase[4]: dead_q <= !fits_bc || !fits_flat || front_q.opacity >= OpacityW'(pipegs_pkg::CutBudget);
+      phase[5]: dead_q <= dead_q || !fits_def || !fits_flat;
+      phase[6], phase[1]: dead_q <= dead_q || !fits_a;
+      phase[7], phase[0]: dead_q <= dead_q || !fits_bc;
+      phase[2]: dead_q <= dead_q || !fits_def;
       default: ;
     endcase
   end

@@ -35,7 +35,6 @@ module pu_conic (
   localparam int unsigned SlopeF    = SlopeW - 2;
   localparam int unsigned OpacityW  = pipegs_pkg::OpacityW;
   localparam int unsigned ExtentW   = pipegs_pkg::ExtentW;
-  localparam int unsigned PhaseW    = 3;
   localparam int unsigned LeftW     = MantissaW + 1 > SlopeW ? MantissaW + 1 : SlopeW;
   localparam int unsigned RightW    = MantissaW > OpacityW ? MantissaW + 1 : OpacityW + 1;
   localparam int unsigned ProductW  = LeftW + RightW;
@@ -61,7 +60,7 @@ module pu_conic (
     logic [OpacityW-1:0]                   opacity;
   } front_t;
 
-  logic [PhaseW-1:0]   phase;
+  logic [7:0]          phase;
   logic                fresh, advance, move, leave, data;
   front_t              front, front_q;
   pipegs_pkg::conic_t  conic, conic_q;
@@ -88,8 +87,8 @@ module pu_conic (
   // --- reciprocals: they come four cycles later, whether the turn waits or not -------------------------------------
   logic                 recip_in_valid, recip_valid, second_q;
   logic [MantissaW-1:0] recip_in, recip, inverse_q, inverse_det_q;
-  assign recip_in_valid = fresh && data && (phase == '0 || phase == PhaseW'(1));
-  assign recip_in       = phase == '0 ? larger_m : covariance_i.det_m;
+  assign recip_in_valid = fresh && data && (phase[0] || phase[1]);
+  assign recip_in       = phase[0] ? larger_m : covariance_i.det_m;
 
   recip #(.DataW(MantissaW)) u_recip (
     .clk_i, .rst_ni,
@@ -116,21 +115,21 @@ module pu_conic (
   always_comb begin
     left  = LeftW'($signed({1'b0, covariance_i.a_m}));
     right = RightW'($signed({1'b0, t}));
-    case (phase)
-      PhaseW'(0): begin  // narrow
+    (* parallel_case *) case (1'b1)
+      phase[0]: begin  // narrow
         left  = LeftW'($signed({1'b0, front_q.larger_m}));
         right = RightW'($signed({1'b0, scaled_det_q}));
       end
-      PhaseW'(3): left = LeftW'($signed({1'b0, covariance_i.c_m}));
-      PhaseW'(5): begin  // wide
+      phase[3]: left = LeftW'($signed({1'b0, covariance_i.c_m}));
+      phase[5]: begin  // wide
         left  = LeftW'($signed({1'b0, K}));
         right = RightW'($signed({1'b0, inverse_q}));
       end
-      PhaseW'(6): begin
+      phase[6]: begin
         left  = LeftW'($signed({1'b0, K}));
         right = RightW'($signed({1'b0, inverse_det_q}));
       end
-      PhaseW'(7): begin  // slope
+      phase[7]: begin  // slope
         left  = LeftW'(front_q.b_m);
         right = RightW'($signed({1'b0, inverse_q}));
       end
@@ -172,17 +171,17 @@ module pu_conic (
   logic signed [FloatEW-1:0] wide_e_q, narrow_e_q, scaled_det_e_q;
   logic signed [SlopeW-1:0]  slope_q;
   always_ff @(posedge clk_i) begin
-    if (phase == PhaseW'(6)) begin
+    if (phase[6]) begin
       wide_m_q <= mantissa;
       wide_e_q <= gain - front_q.larger_e - FloatEW'(2 * MantissaW);
     end
-    if (phase == PhaseW'(7)) begin
+    if (phase[7]) begin
       scaled_det_q   <= mantissa;
       scaled_det_e_q <= gain - front_q.det_e - FloatEW'(2 * MantissaW);
       slope_shift_q  <= slope_shift;
     end
-    if (phase == '0) slope_q <= slope;
-    if (phase == PhaseW'(1)) begin
+    if (phase[0]) slope_q <= slope;
+    if (phase[1]) begin
       narrow_m_q <= mantissa;
       narrow_e_q <= gain + front_q.larger_e + scaled_det_e_q + FloatEW'(MantissaW - 1);
     end

@@ -13,12 +13,11 @@ module pu_extent #(
   localparam int unsigned MantissaW = pipegs_pkg::MantissaW,
   localparam int unsigned FloatEW   = pipegs_pkg::FloatEW,
   localparam int unsigned OpacityW  = pipegs_pkg::OpacityW,
-  localparam int unsigned ExtentW   = pipegs_pkg::ExtentW,
-  localparam int unsigned PhaseW    = 3
+  localparam int unsigned ExtentW   = pipegs_pkg::ExtentW
 ) (
   input  logic                          clk_i,
 
-  input  logic [PhaseW-1:0]             phase_i,
+  input  logic [7:0]                    phase_i,
   input  logic                          advance_i,  // the phase moves on
 
   input  logic [OpacityW-1:0]           opacity_i,
@@ -57,8 +56,8 @@ module pu_extent #(
   assign lead = FloatEW'(OpacityW) - FloatEW'(t_length);
   assign t_o  = t_left_q;
   always_ff @(posedge clk_i) begin
-    if (phase_i == '0) t_q <= OpacityW'(scaled >> MarginF) + OpacityW'(1);
-    if (phase_i == PhaseW'(1)) begin
+    if (phase_i[0]) t_q <= OpacityW'(scaled >> MarginF) + OpacityW'(1);
+    if (phase_i[1]) begin
       t_left_q <= t_q << lead;
       lead_q   <= lead;
     end
@@ -71,15 +70,15 @@ module pu_extent #(
   logic [RootW-1:0]       root_x, root_y, root;
   logic [ExtentW-1:0]     pixels, pixels_x_q, pixels_y_q;
 
-  assign variance_e = phase_i == PhaseW'(3) ? a_e_i : c_e_i;
+  assign variance_e = phase_i[3] ? a_e_i : c_e_i;
   assign exponent   = SumW'(variance_e) - SumW'($signed({1'b0, lead_q})) + SumW'(8) + SumW'(Cut) - SumW'(OpacityF);
   assign radicand = exponent[0] ? RadicandW'(product_i >> (Cut + 1)) : RadicandW'(product_i >> Cut);
 
   pu_root u_root_x (
-    .clk_i, .load_i(phase_i == PhaseW'(3)), .step_i(advance_i), .radicand_i(radicand), .root_o(root_x)
+    .clk_i, .load_i(phase_i[3]), .step_i(advance_i), .radicand_i(radicand), .root_o(root_x)
   );
   pu_root u_root_y (
-    .clk_i, .load_i(phase_i == PhaseW'(4)), .step_i(advance_i), .radicand_i(radicand), .root_o(root_y)
+    .clk_i, .load_i(phase_i[4]), .step_i(advance_i), .radicand_i(radicand), .root_o(root_y)
   );
 
   // (root + 1) * 2^half, in 1/16 pixel.
@@ -87,8 +86,8 @@ module pu_extent #(
   logic [RootW:0]         up;
   logic [SumW-1:0]        minus_half;
   logic [ExtentW+RootW:0] raised;
-  assign root       = phase_i == PhaseW'(3) ? root_x : root_y;
-  assign half       = phase_i == PhaseW'(3) ? half_x_q : half_y_q;
+  assign root       = phase_i[3] ? root_x : root_y;
+  assign half       = phase_i[3] ? half_x_q : half_y_q;
   assign up         = (RootW + 1)'(root) + (RootW + 1)'(1);
   assign minus_half = -half;
   assign raised     = (ExtentW + RootW + 1)'(up) << half[ByW-1:0];
@@ -98,11 +97,11 @@ module pu_extent #(
     else pixels = minus_half[SumW-1:ByW] != '0 ? '0 : ExtentW'(up) >> minus_half[ByW-1:0];
   end
   always_ff @(posedge clk_i) begin
-    if (phase_i == PhaseW'(3)) begin
+    if (phase_i[3]) begin
       half_x_q   <= (exponent + $signed(SumW'(exponent[0]))) >>> 1;
       pixels_x_q <= pixels;
     end
-    if (phase_i == PhaseW'(4)) begin
+    if (phase_i[4]) begin
       half_y_q   <= (exponent + $signed(SumW'(exponent[0]))) >>> 1;
       pixels_y_q <= pixels;
     end
@@ -114,5 +113,7 @@ module pu_extent #(
   assign extent_y   = (ExtentW + 1)'(pixels_y_q) + ((ExtentW + 1)'(pixels_x_q) >> FarShift) + (ExtentW + 1)'(2);
   assign extent_x_o = extent_x[ExtentW] ? '1 : extent_x[ExtentW-1:0];
   assign extent_y_o = extent_y[ExtentW] ? '1 : extent_y[ExtentW-1:0];
+
+  wire unused_phase = &{1'b0, phase_i};
 
 endmodule

@@ -25,10 +25,10 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     whole_q <= 1'b0;
   end else begin
     held_q <= held_q + 2'(in_valid_i && in_ready_o) - 2'(out_valid_o && out_ready_i);
-    if (phase_o == '0) since_q <= in_valid_i;
+    if (phase_o[0]) since_q <= in_valid_i;
     if (move_o) data_q <= in_valid_i && in_ready_o && in_data_i;
     if (move_o) whole_q <= 1'b0;
-    else if (phase_o == '1) whole_q <= 1'b1;
+    else if (phase_o[7]) whole_q <= 1'b1;
   end
 end
 
@@ -40,10 +40,11 @@ always_comb begin
     assert (busy_o || held_q == '0);
     // invariants
     assert (held_q == 2'(inside_q) + 2'(out_valid_q));
-    assert (phase_q == '0 || phase_q > OutPhase || since_q == fresh_q);
-    assert (phase_q == '0 || phase_q > OutPhase || !fresh_q || in_valid_i);
-    assert (phase_q <= OutPhase || (inside_q && data_q && !whole_q));
-    assert (!(inside_q && data_q && phase_q <= OutPhase) || whole_q);
+    assert (phase_q != '0 && (phase_q & (phase_q - 8'b1)) == '0);
+    assert (phase_q[Out:1] == '0 || since_q == fresh_q);
+    assert (phase_q[Out:1] == '0 || !fresh_q || in_valid_i);
+    assert (phase_q[7:Out+1] == '0 || (inside_q && data_q && !whole_q));
+    assert (!(inside_q && data_q && phase_q[Out:0] != '0) || whole_q);
     assert (inside_q || !data_q);
   end
 end

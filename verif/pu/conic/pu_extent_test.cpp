@@ -30,7 +30,7 @@ TEST(PuExtent, EqualsItsModel) {
     for (int phase = 0; phase < 8; ++phase) {
       const int waits = phase == 5 ? static_cast<int>(rng() % 3) : 0;
       for (int wait = waits; wait >= 0; --wait) {
-        dut.phase_i = static_cast<CData>(phase), dut.advance_i = wait == 0;
+        dut.phase_i = static_cast<CData>(1 << phase), dut.advance_i = wait == 0;
         dut.opacity_i = r.opacity;
         dut.a_e_i = static_cast<SData>(field(r.a_e, config.float_e_w())),
         dut.c_e_i = static_cast<SData>(field(r.c_e, config.float_e_w()));
