@@ -188,14 +188,15 @@ constexpr const char* kBundles = R"(
   } progress_t;
 
   typedef struct packed {  // what the RUs do, for the harness
-    logic [Units*PixelWordW-1:0] pixels;
-    logic [Units*2-1:0] pixels_quarter;
-    logic [Units*RegionW-1:0] pixels_region;
-    logic [Units-1:0] pixels_valid;
-    logic [Units*LineW-1:0] alphas;
-    logic [Units*RegionW-1:0] alphas_region;
-    logic [Units*TapIndexW-1:0] alphas_index;
-    logic [Units-1:0] alphas_valid;
+    logic [Units*TapLanes*TapWordW-1:0] pixels;
+    logic [Units*TapLanes*2-1:0] pixels_quarter;
+    logic [Units*TapLanes*RegionW-1:0] pixels_region;
+    logic [Units*TapLanes-1:0] pixels_valid;
+    logic [Units*TapLanes*TapLineW-1:0] alphas;
+    logic [Units*TapLanes*2-1:0] alphas_quarter;
+    logic [Units*TapLanes*RegionW-1:0] alphas_region;
+    logic [Units*TapLanes*TapIndexW-1:0] alphas_index;
+    logic [Units*TapLanes-1:0] alphas_valid;
   } raster_taps_t;
 
   typedef struct packed {  // in an SU: an end that waits for what lies before it

@@ -20,6 +20,9 @@ package pipegs_pkg;
   localparam int unsigned Order          = 0;
   // 1: every pixel's power by the full quadratic form instead of differences (needs late)
   localparam int unsigned Quadratic      = 0;
+  // 1: of a region the lanes blend only the quads of 2x2 pixels that a splat changes; 0: whole regions (1 needs late,
+  // and quadratic = 0)
+  localparam int unsigned Quads          = 0;
   localparam int unsigned WorldW         = 40;  // world coordinate, signed, unit 2^scene_exponent
   // offset of a mean from its chunk's centre, signed, unit 2^offset_exp world units
   localparam int unsigned PosW           = 20;
@@ -159,6 +162,7 @@ package pipegs_pkg;
   // pixels that the dilation of 0.3 adds to a Gaussian's reach, and slack for the rounded mean
   localparam int unsigned ReachMargin    = 2;
   localparam int unsigned ExpF           = 15;  // fraction bits of the power that exp2 reads
+  localparam int unsigned WholeW         = 4;  // whole part of a visible power, 0 to -10, without its sign
   localparam int unsigned ExpValueW      = 15;  // value of an entry of the exp2 table, u1.(ExpValueW-1)
   localparam int unsigned ExpDeltaW      = 9;  // difference of two entries, same unit; the leading bits are 0
   localparam int unsigned ExpOutW        = 16;  // 2^fraction, u1.(ExpOutW-1)
@@ -201,6 +205,9 @@ package pipegs_pkg;
   localparam int unsigned MemoryPorts    = 21;
   // sixteen pixels of T, red, green, blue, done: a word of the pixel buffer
   localparam int unsigned PixelWordW     = 1088;
+  localparam int unsigned TapLanes       = 1;  // lanes of taps of an RU: one for each group of lanes
+  localparam int unsigned TapLineW       = 512;  // alphas that a lane of taps shows
+  localparam int unsigned TapWordW       = 1088;  // pixels that a lane of taps shows
   localparam int unsigned GeometryJobs   = 8;  // chunks whose lines a PU has asked for
   localparam int unsigned GeometryLines  = 64;  // lines of geometry in flight or waiting in a PU
   localparam int unsigned DescendResults = 8;  // results of the DOPU's test that may wait, each level (order 0 and 1)
@@ -233,6 +240,8 @@ package pipegs_pkg;
   localparam int unsigned SuAnswers      = 32;  // lines that an SU has asked for
   localparam int unsigned RuLocalLines   = 4;  // lines of alpha stores that an RU has asked for
   localparam int unsigned RuRowLines     = 2;  // lines of alphas that an RU's own Row Units have ready (late)
+  localparam int unsigned RuGroups       = 4;  // groups of four lanes in an RU (quads)
+  localparam int unsigned RuHalves       = 4;  // halves of regions that wait before a group of lanes (quads)
   localparam int unsigned NodeLines      = 32;  // lines of the node tables in flight or waiting, each level
   localparam int unsigned SuMarks        = 4;  // watermarks of two windows, or ends of two layers, that an SU keeps
   localparam int unsigned RuQueue        = 16;  // Gaussians before an RU: evens out which one has more to do
@@ -709,6 +718,13 @@ package pipegs_pkg;
   localparam int unsigned RegionBits = 242;
 
   typedef struct packed {
+    logic visible;  // power >= -PowerCut
+    logic [WholeW-1:0] whole;  // minus the whole part
+    logic [ExpF-1:0] fraction;
+  } exponent_t;
+  localparam int unsigned ExponentBits = 20;
+
+  typedef struct packed {
     logic [RegionW-1:0] region;
     logic [TapIndexW-1:0] index;
     logic parity;
@@ -907,14 +923,15 @@ package pipegs_pkg;
   } progress_t;
 
   typedef struct packed {  // what the RUs do, for the harness
-    logic [Units*PixelWordW-1:0] pixels;
-    logic [Units*2-1:0] pixels_quarter;
-    logic [Units*RegionW-1:0] pixels_region;
-    logic [Units-1:0] pixels_valid;
-    logic [Units*LineW-1:0] alphas;
-    logic [Units*RegionW-1:0] alphas_region;
-    logic [Units*TapIndexW-1:0] alphas_index;
-    logic [Units-1:0] alphas_valid;
+    logic [Units*TapLanes*TapWordW-1:0] pixels;
+    logic [Units*TapLanes*2-1:0] pixels_quarter;
+    logic [Units*TapLanes*RegionW-1:0] pixels_region;
+    logic [Units*TapLanes-1:0] pixels_valid;
+    logic [Units*TapLanes*TapLineW-1:0] alphas;
+    logic [Units*TapLanes*2-1:0] alphas_quarter;
+    logic [Units*TapLanes*RegionW-1:0] alphas_region;
+    logic [Units*TapLanes*TapIndexW-1:0] alphas_index;
+    logic [Units*TapLanes-1:0] alphas_valid;
   } raster_taps_t;
 
   typedef struct packed {  // in an SU: an end that waits for what lies before it

@@ -17,9 +17,8 @@ module pipegs_top #(
   localparam int unsigned Units      = pipegs_pkg::Units,
   localparam int unsigned PerfW      = pipegs_pkg::PerfW,
   localparam int unsigned PerfUnits  = 1 + 3 * Units,
-  localparam int unsigned LineW      = pipegs_pkg::LineW,
-  localparam int unsigned MemoryW    = pipegs_pkg::MemoryW,
-  localparam int unsigned PixelWordW = pipegs_pkg::PixelWordW
+  localparam int unsigned TapsN      = Units * pipegs_pkg::TapLanes,
+  localparam int unsigned MemoryW    = pipegs_pkg::MemoryW
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
@@ -48,14 +47,15 @@ module pipegs_top #(
   output pipegs_pkg::sorted_t                  tap_sorted_o,
   output logic [Units*pipegs_pkg::WindowW-1:0] tap_window_x_o,
   output logic [Units*pipegs_pkg::WindowW-1:0] tap_window_y_o,
-  output logic [Units-1:0]                     tap_alphas_valid_o,
-  output logic [Units*pipegs_pkg::TapIndexW-1:0] tap_alphas_index_o,
-  output logic [Units*pipegs_pkg::RegionW-1:0] tap_alphas_region_o,
-  output logic [Units*LineW-1:0]               tap_alphas_o,
-  output logic [Units-1:0]                     tap_pixels_valid_o,
-  output logic [Units*pipegs_pkg::RegionW-1:0] tap_pixels_region_o,
-  output logic [Units*2-1:0]                   tap_pixels_quarter_o,
-  output logic [Units*PixelWordW-1:0]          tap_pixels_o,
+  output logic [TapsN-1:0]                     tap_alphas_valid_o,
+  output logic [TapsN*pipegs_pkg::TapIndexW-1:0] tap_alphas_index_o,
+  output logic [TapsN*pipegs_pkg::RegionW-1:0] tap_alphas_region_o,
+  output logic [TapsN*2-1:0]                   tap_alphas_quarter_o,
+  output logic [TapsN*pipegs_pkg::TapLineW-1:0] tap_alphas_o,
+  output logic [TapsN-1:0]                     tap_pixels_valid_o,
+  output logic [TapsN*pipegs_pkg::RegionW-1:0] tap_pixels_region_o,
+  output logic [TapsN*2-1:0]                   tap_pixels_quarter_o,
+  output logic [TapsN*pipegs_pkg::TapWordW-1:0] tap_pixels_o,
   output logic [Units-1:0]                     tap_chunk_valid_o,  // DOPU -> PU
   output logic [pipegs_pkg::KindW-1:0]         tap_chunk_kind_o,
   output logic [PerfUnits*2-1:0]               tap_state_o,        // of each unit in the order of perf_o, see perf
@@ -155,6 +155,7 @@ module pipegs_top #(
   assign tap_alphas_valid_o   = Shown ? taps.alphas_valid : '0;
   assign tap_alphas_index_o   = Shown ? taps.alphas_index : '0;
   assign tap_alphas_region_o  = Shown ? taps.alphas_region : '0;
+  assign tap_alphas_quarter_o = Shown ? taps.alphas_quarter : '0;
   assign tap_alphas_o         = Shown ? taps.alphas : '0;
   assign tap_pixels_valid_o   = Shown ? taps.pixels_valid : '0;
   assign tap_pixels_region_o  = Shown ? taps.pixels_region : '0;

@@ -45,7 +45,10 @@ module raster #(
   localparam int unsigned WindowW       = pipegs_pkg::WindowW;
   localparam int unsigned RegionW       = pipegs_pkg::RegionW;
   localparam int unsigned TapIndexW     = pipegs_pkg::TapIndexW;
-  localparam int unsigned PixelWordW    = pipegs_pkg::PixelWordW;
+  localparam int unsigned TapLanes      = pipegs_pkg::TapLanes;
+  localparam int unsigned TapLineW      = pipegs_pkg::TapLineW;
+  localparam int unsigned TapWordW      = pipegs_pkg::TapWordW;
+  localparam int unsigned TapsN         = Units * TapLanes;
 
   logic                            dispatch_active;
   logic [Units-1:0]                ru_active, splat_valid, splat_ready;
@@ -61,18 +64,18 @@ module raster #(
   logic [Units*AlphaAddressW-1:0]  read_address;                          // of each RU
   logic [Units*LineW-1:0]          answer;                                // of each store
 
-  logic [Units-1:0]                alphas_valid, pixels_valid;
-  logic [Units*TapIndexW-1:0]      alphas_index;
-  logic [Units*RegionW-1:0]        alphas_region, pixels_region;
-  logic [Units*LineW-1:0]          alphas;
-  logic [Units*2-1:0]              pixels_quarter;
-  logic [Units*PixelWordW-1:0]     pixels;
+  logic [TapsN-1:0]                alphas_valid, pixels_valid;
+  logic [TapsN*TapIndexW-1:0]      alphas_index;
+  logic [TapsN*RegionW-1:0]        alphas_region, pixels_region;
+  logic [TapsN*TapLineW-1:0]       alphas;
+  logic [TapsN*2-1:0]              alphas_quarter, pixels_quarter;
+  logic [TapsN*TapWordW-1:0]       pixels;
 
   assign memory_o   = {mem_data, mem_address, mem_write, mem_valid};
   assign {mem_line, mem_ready} = memory_i;
   assign progress_o = {done_y, done_x, done};
   assign taps_o     = {pixels, pixels_quarter, pixels_region, pixels_valid,
-                       alphas, alphas_region, alphas_index, alphas_valid};
+                       alphas, alphas_quarter, alphas_region, alphas_index, alphas_valid};
 
   ru_dispatch u_dispatch (
     .clk_i, .rst_ni, .in_valid_i(sorted_valid_i), .in_ready_o(sorted_ready_o), .in_i(sorted_i),
@@ -95,10 +98,15 @@ module raster #(
       .done_y_o(done_y[k*WindowW +: WindowW]),
       .layer_done_o(layer_done_o[k]), .window_done_o(window_done_o[k]), .idle_o(),
       .active_o(ru_active[k]), .perf_o(perf_o[2*k +: 2]),
-      .tap_line_valid_o(alphas_valid[k]), .tap_line_index_o(alphas_index[k*TapIndexW +: TapIndexW]),
-      .tap_line_region_o(alphas_region[k*RegionW +: RegionW]), .tap_line_o(alphas[k*LineW +: LineW]),
-      .tap_word_valid_o(pixels_valid[k]), .tap_word_region_o(pixels_region[k*RegionW +: RegionW]),
-      .tap_word_quarter_o(pixels_quarter[k*2 +: 2]), .tap_word_o(pixels[k*PixelWordW +: PixelWordW])
+      .tap_line_valid_o(alphas_valid[k*TapLanes +: TapLanes]),
+      .tap_line_index_o(alphas_index[k*TapLanes*TapIndexW +: TapLanes*TapIndexW]),
+      .tap_line_region_o(alphas_region[k*TapLanes*RegionW +: TapLanes*RegionW]),
+      .tap_line_quarter_o(alphas_quarter[k*TapLanes*2 +: TapLanes*2]),
+      .tap_line_o(alphas[k*TapLanes*TapLineW +: TapLanes*TapLineW]),
+      .tap_word_valid_o(pixels_valid[k*TapLanes +: TapLanes]),
+      .tap_word_region_o(pixels_region[k*TapLanes*RegionW +: TapLanes*RegionW]),
+      .tap_word_quarter_o(pixels_quarter[k*TapLanes*2 +: TapLanes*2]),
+      .tap_word_o(pixels[k*TapLanes*TapWordW +: TapLanes*TapWordW])
     );
 
     if (pipegs_pkg::HasStores) begin : gen_store

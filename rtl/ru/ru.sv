@@ -2,15 +2,16 @@
 // ru: one Rasterization Unit: blends the regions of a window that it owns, then writes their pixels.
 //
 // Paper   Fig. 7, Table 2 (RU: sixteen lanes, which it calls Rendering Units; double-buffered T and RGB).
-// Idea    queue -> ru_source (lines of alphas) -> ru_lanes (blend) <-> pixel_buffer -> ru_resolve. ru_window knows
-//         where in the frame the RU is; ru_memory joins alpha reads and pixel writes. Only wiring here.
+// Idea    queue -> blending and its pixel buffer (ru_whole, or ru_live with Quads) -> ru_resolve. ru_window knows where
+//         in the frame the RU is; ru_memory joins alpha reads and pixel writes. Only wiring here.
 // Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the PUs.
-// Pace    Four cycles per region of alphas, pixels are written meanwhile.
+// Pace    Four cycles per region, or one per live quad of each group; pixels are written meanwhile.
 // Model   cpp_model/ru/ru.hpp
 
 module ru #(
   localparam int unsigned Units = pipegs_pkg::Units,
   localparam int unsigned LineW = pipegs_pkg::LineW,
+  localparam int unsigned TapLanes = pipegs_pkg::TapLanes,
   localparam int unsigned Lanes = 16,
   localparam int unsigned WordW = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1)
 ) (
@@ -50,14 +51,15 @@ module ru #(
   output logic                                 active_o,
   output logic [1:0]                           perf_o,          // 0 busy, 1 starved, 2 blocked, 3 memory
 
-  output logic                                 tap_line_valid_o,  // a line is consumed
-  output logic [pipegs_pkg::TapIndexW-1:0]     tap_line_index_o,  // by this Gaussian
-  output logic [pipegs_pkg::RegionW-1:0]       tap_line_region_o,
-  output logic [LineW-1:0]                     tap_line_o,
-  output logic                                 tap_word_valid_o,  // a word of sixteen pixels is written back
-  output logic [pipegs_pkg::RegionW-1:0]       tap_word_region_o,
-  output logic [1:0]                           tap_word_quarter_o,
-  output logic [WordW-1:0]                     tap_word_o
+  output logic [TapLanes-1:0]                  tap_line_valid_o,  // alphas are consumed
+  output logic [TapLanes*pipegs_pkg::TapIndexW-1:0] tap_line_index_o,  // of this Gaussian
+  output logic [TapLanes*pipegs_pkg::RegionW-1:0] tap_line_region_o,
+  output logic [TapLanes*2-1:0]                tap_line_quarter_o,  // of the region, with Quads
+  output logic [TapLanes*pipegs_pkg::TapLineW-1:0] tap_line_o,
+  output logic [TapLanes-1:0]                  tap_word_valid_o,  // pixels are written back
+  output logic [TapLanes*pipegs_pkg::RegionW-1:0] tap_word_region_o,
+  output logic [TapLanes*2-1:0]                tap_word_quarter_o,
+  output logic [TapLanes*pipegs_pkg::TapWordW-1:0] tap_word_o
 );
 
   localparam int unsigned Regions  = pipegs_pkg::Regions;
@@ -65,38 +67,21 @@ module ru #(
   localparam int unsigned Words    = Regions / Units * 4;
   localparam int unsigned AddrW    = $clog2(Words);
 
-  // --- splats -> lines of alphas ------------------------------------------------------------------------------------
-  logic                splat_valid, splat_ready, blend_valid, blend_ready;
+  logic                splat_valid, splat_ready;
   pipegs_pkg::sorted_t splat;
-  pipegs_pkg::blend_t  blend;
-  logic [LineW-1:0]    line;
   logic [$clog2(pipegs_pkg::RuQueue+1)-1:0] queued;
-  logic                source_idle, source_waits, source_memory;
-  logic                load_valid, load_ready;
-  logic [AddressW-1:0] load_address;
 
   sram_fifo #(.DataW(pipegs_pkg::SortedBits), .Depth(pipegs_pkg::RuQueue)) u_queue (
     .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i,
     .out_valid_o(splat_valid), .out_ready_i(splat_ready), .out_o(splat), .count_o(queued)
   );
 
-  ru_source u_source (
-    .clk_i, .rst_ni, .overflow_i, .unit_i, .restart_i, .done_i(done_o), .window_done_i(window_done_o),
-    .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-    .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
-    .mem_valid_o(load_valid), .mem_ready_i(load_ready), .mem_address_o(load_address), .rsp_valid_i, .rsp_data_i,
-    .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line),
-    .memory_o(source_memory), .waits_o(source_waits), .idle_o(source_idle)
-  );
-
   // --- where in the frame -------------------------------------------------------------------------------------------
-  logic [Regions-1:0]                own, blended, outside;
+  logic [Regions-1:0]                own, outside;
   logic [$clog2(pipegs_pkg::Window):0] columns, rows;
   logic [2*pipegs_pkg::WindowW-1:0]  number;
 
   ru_own u_own (.unit_i, .own_o(own));
-  assign done_o = own & (blended | outside);
-
   ru_window u_window (
     .clk_i, .rst_ni, .width_i(raster_i.width), .height_i(raster_i.height), .first_x_i(raster_i.windows.first_x),
     .first_y_i(raster_i.windows.first_y), .last_x_i(raster_i.windows.last_x), .restart_i, .advance_i(window_done_o),
@@ -104,27 +89,40 @@ module ru #(
   );
 
   // --- blending -----------------------------------------------------------------------------------------------------
-  logic             lanes_issue, lanes_busy, resolve_ready;
-  logic             blend_read, blend_write, blend_fresh, resolve_read, resolve_fresh;
-  logic [AddrW-1:0] blend_raddr, blend_waddr, resolve_raddr;
-  logic [WordW-1:0] blend_rdata, blend_wdata, resolve_rdata;
+  logic                load_valid, load_ready, issue, memory, waits, blend_idle;
+  logic                resolve_ready, resolve_read, resolve_fresh;
+  logic [AddressW-1:0] load_address;
+  logic [AddrW-1:0]    resolve_raddr;
+  logic [WordW-1:0]    resolve_rdata;
 
-  ru_lanes u_lanes (
-    .clk_i, .rst_ni, .restart_i, .in_valid_i(blend_valid), .in_ready_o(blend_ready), .in_i(blend), .in_line_i(line),
-    .columns_i(columns), .rows_i(rows), .done_o(blended),
-    .read_o(blend_read), .raddr_o(blend_raddr), .rdata_i(blend_rdata), .fresh_i(blend_fresh),
-    .write_o(blend_write), .waddr_o(blend_waddr), .wdata_o(blend_wdata),
-    .resolve_ready_i(resolve_ready), .layer_done_o, .window_done_o, .issue_o(lanes_issue), .busy_o(lanes_busy),
-    .tap_region_o(tap_word_region_o), .tap_quarter_o(tap_word_quarter_o)
-  );
-
-  pixel_buffer #(.DataW(WordW), .Words(Words)) u_pixels (
-    .clk_i, .rst_ni, .swap_i(window_done_o),
-    .blend_read_i(blend_read), .blend_raddr_i(blend_raddr), .blend_rdata_o(blend_rdata), .blend_fresh_o(blend_fresh),
-    .blend_write_i(blend_write), .blend_waddr_i(blend_waddr), .blend_wdata_i(blend_wdata),
-    .resolve_read_i(resolve_read), .resolve_raddr_i(resolve_raddr), .resolve_rdata_o(resolve_rdata),
-    .resolve_fresh_o(resolve_fresh)
-  );
+  if (pipegs_pkg::Quads == 0) begin : gen_whole
+    ru_whole u_blend (
+      .clk_i, .rst_ni, .overflow_i, .unit_i, .restart_i,
+      .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
+      .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
+      .load_valid_o(load_valid), .load_ready_i(load_ready), .load_address_o(load_address), .rsp_valid_i, .rsp_data_i,
+      .own_i(own), .outside_i(outside), .columns_i(columns), .rows_i(rows), .done_o,
+      .resolve_ready_i(resolve_ready), .resolve_read_i(resolve_read), .resolve_raddr_i(resolve_raddr),
+      .resolve_rdata_o(resolve_rdata), .resolve_fresh_o(resolve_fresh),
+      .layer_done_o, .window_done_o, .issue_o(issue), .memory_o(memory), .waits_o(waits), .idle_o(blend_idle),
+      .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_o,
+      .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
+    );
+    assign tap_line_quarter_o = '0;
+  end else begin : gen_live
+    ru_live u_blend (
+      .clk_i, .rst_ni, .restart_i, .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
+      .own_i(own), .columns_i(columns), .rows_i(rows), .done_o,
+      .resolve_ready_i(resolve_ready), .resolve_read_i(resolve_read), .resolve_raddr_i(resolve_raddr),
+      .resolve_rdata_o(resolve_rdata), .layer_done_o, .window_done_o, .issue_o(issue), .idle_o(blend_idle),
+      .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_quarter_o, .tap_line_o,
+      .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
+    );
+    assign {read_valid_o, read_address_o, load_valid, load_address, memory, waits, resolve_fresh} = '0;
+    logic unused_lines;
+    assign unused_lines = &{1'b0, overflow_i, read_ready_i, answer_valid_i, answer_i, load_ready, rsp_valid_i,
+                            rsp_data_i};
+  end
 
   // --- pixels -> memory ---------------------------------------------------------------------------------------------
   logic                           store_valid, store_ready;
@@ -145,22 +143,15 @@ module ru #(
   );
 
   // --- what the unit does in this cycle -----------------------------------------------------------------------------
-  assign idle_o   = queued == '0 && source_idle && !lanes_busy && resolve_ready && !mem_valid_o;
+  assign idle_o   = queued == '0 && blend_idle && resolve_ready && !mem_valid_o;
   assign active_o = in_valid_i || restart_i || !idle_o;
 
-  // Busy: a quarter is blended, the walk takes a splat or a line of pixels leaves. Memory: the next line, or room for
-  // pixels, has to come from there. Blocked: an alpha store does not answer.
+  // Busy: pixels are blended, a splat is taken or a line of pixels leaves. Memory: the next line, or room for pixels,
+  // has to come from there. Blocked: an alpha store does not answer.
   logic moves;
-  assign moves  = lanes_issue || layer_done_o || (splat_valid && splat_ready) || (store_valid && store_ready);
+  assign moves  = issue || layer_done_o || (splat_valid && splat_ready) || (store_valid && store_ready);
   assign perf_o = moves ? pipegs_pkg::PerfBusy
-                : source_memory || store_valid || mem_valid_o ? pipegs_pkg::PerfMemory
-                : source_waits ? pipegs_pkg::PerfBlocked : pipegs_pkg::PerfStarved;
-
-  assign tap_line_valid_o  = lanes_issue && blend_ready;
-  assign tap_line_index_o  = blend.index;
-  assign tap_line_region_o = blend.region;
-  assign tap_line_o        = line;
-  assign tap_word_valid_o  = blend_write;
-  assign tap_word_o        = blend_wdata;
+                : memory || store_valid || mem_valid_o ? pipegs_pkg::PerfMemory
+                : waits ? pipegs_pkg::PerfBlocked : pipegs_pkg::PerfStarved;
 
 endmodule

@@ -87,9 +87,10 @@ void FrameWatch::on_sorted(const uint32_t* words) {
   sorted_.end(kind == kWindowEnd, cycle_);
 }
 
-void FrameWatch::on_alphas(int unit, uint64_t, uint64_t, uint32_t, int, const uint32_t*) {
+void FrameWatch::on_alphas(int lane, uint64_t, uint64_t, uint32_t, int, int, const uint32_t*) {
   first_line_ = std::min(first_line_, cycle_);
-  ru_first_[unit] = std::min(ru_first_[unit], cycle_);
+  auto& first = ru_first_[lane / config_.tap_lanes()];
+  first = std::min(first, cycle_);
 }
 
 void FrameWatch::on_layer_done(int unit, bool window_done) {

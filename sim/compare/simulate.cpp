@@ -48,14 +48,14 @@ class TapFan final : public RtlTaps {
     first_.on_sorted(sorted);
     if (second_ != nullptr) second_->on_sorted(sorted);
   }
-  void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region,
+  void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                  const uint32_t* line) override {
-    first_.on_alphas(unit, window_x, window_y, index, region, line);
-    if (second_ != nullptr) second_->on_alphas(unit, window_x, window_y, index, region, line);
+    first_.on_alphas(lane, window_x, window_y, index, region, quarter, line);
+    if (second_ != nullptr) second_->on_alphas(lane, window_x, window_y, index, region, quarter, line);
   }
-  void on_pixels(int unit, int region, int quarter, const uint32_t* word) override {
-    first_.on_pixels(unit, region, quarter, word);
-    if (second_ != nullptr) second_->on_pixels(unit, region, quarter, word);
+  void on_pixels(int lane, int region, int quarter, const uint32_t* word) override {
+    first_.on_pixels(lane, region, quarter, word);
+    if (second_ != nullptr) second_->on_pixels(lane, region, quarter, word);
   }
   // Only the second one looks at cycles.
   bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }

@@ -28,8 +28,8 @@ StreamCheck::StreamCheck(const GoldenInput& input)
       rows_(config_),
       windows_x_(input.frame.raster.windows.last_x - input.frame.raster.windows.first_x + 1),
       splat_place_(config_.units),
-      ru_window_(config_.units, 0),
-      pending_(config_.units),
+      ru_window_(config_.units * config_.tap_lanes(), 0),
+      pending_(config_.units * config_.tap_lanes()),
       marks_(config_.units, 0) {}
 
 StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
@@ -177,12 +177,21 @@ void StreamCheck::on_sorted(const uint32_t* words) {
   ++place.next;
 }
 
-void StreamCheck::on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region,
+// Which pixel of the region is pixel i of what a lane of taps shows: of a line or a word of sixteen, or of a quad.
+int StreamCheck::pixel_of(int lane, int quarter, int i) const {
+  if (!config_.quads) return 16 * quarter + i;
+  const int column = (lane + 2 * quarter) % 4;  // rtl/ru/live/ru_live.sv
+  return 8 * (2 * quarter + i / 2) + 2 * column + i % 2;
+}
+
+std::string StreamCheck::ru_name(int lane) const { return fmt::format("RU {}", lane / config_.tap_lanes()); }
+
+void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                             const uint32_t* line) {
   ++beats_;
   const uint64_t ordinal =
       (window_y - input_.frame.raster.windows.first_y) * windows_x_ + (window_x - input_.frame.raster.windows.first_x);
-  ru_window_[unit] = ordinal;
+  ru_window_[lane] = ordinal;
   Window& now = window(ordinal);
   const GoldenSplat* splat = nullptr;
   for (const auto& by_index : now.by_index) {
@@ -190,59 +199,70 @@ void StreamCheck::on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint
     if (found != by_index.end()) splat = found->second;
   }
   if (splat == nullptr)
-    return fail(ordinal, fmt::format("alphas -> RU {}: Gaussian {} is not in the window", unit, index));
-  Pending pending{.index = index, .region = region, .codes = {}, .after = {}, .window = ordinal};
-  pu_region_line(rows_, splat->job, region, pending.codes.data());
-  for (int i = 0; i < kRegionPixels; ++i) {
+    return fail(ordinal, fmt::format("alphas -> {}: Gaussian {} is not in the window", ru_name(lane), index));
+  Pending pending{.index = index,
+                  .region = region,
+                  .quarter = quarter,
+                  .codes = {},
+                  .after = {},
+                  .window = ordinal,
+                  .words = config_.quads ? 1 : 4};
+  std::array<uint16_t, kRegionPixels> codes;
+  pu_region_line(rows_, splat->job, region, codes.data());
+  bool same = true;
+  for (int i = 0; i < (config_.quads ? 4 : kRegionPixels); ++i) {
+    const int pixel = config_.quads ? pixel_of(lane, quarter, i) : i;
+    pending.codes[pixel] = codes[pixel];
     const uint64_t found = get_bits(line, i * config_.alpha_w, config_.alpha_w);
-    if (found == pending.codes[i]) continue;
-    const uint64_t x = window_x * config_.window + 8 * (region % config_.regions_x()) + i % 8;
-    const uint64_t y = window_y * config_.window + 8 * (region / config_.regions_x()) + i / 8;
-    fail(ordinal, fmt::format("alphas -> RU {}: Gaussian {}, pixel {},{}, field alpha: expected {}, found {}", unit,
-                              index, x, y, pending.codes[i], found));
-    break;
+    if (found == codes[pixel] || !same) continue;
+    same = false;
+    const uint64_t x = window_x * config_.window + 8 * (region % config_.regions_x()) + pixel % 8;
+    const uint64_t y = window_y * config_.window + 8 * (region / config_.regions_x()) + pixel / 8;
+    fail(ordinal, fmt::format("alphas -> {}: Gaussian {}, pixel {},{}, field alpha: expected {}, found {}",
+                              ru_name(lane), index, x, y, codes[pixel], found));
   }
   const uint32_t color[3] = {static_cast<uint32_t>(splat->splat.red), static_cast<uint32_t>(splat->splat.green),
                              static_cast<uint32_t>(splat->splat.blue)};
   ru_blend_region(constants_, now.live[region], pending.codes.data(), color);
   pending.after = now.live[region];
-  pending_[unit].push_back(pending);
+  pending_[lane].push_back(pending);
 }
 
-void StreamCheck::on_pixels(int unit, int region, int quarter, const uint32_t* word) {
+void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* word) {
   ++beats_;
-  if (pending_[unit].empty()) return fail(ru_window_[unit], fmt::format("RU {}: pixels written without a line", unit));
-  Pending& pending = pending_[unit].front();
-  if (pending.region != region) {
-    fail(pending.window,
-         fmt::format("RU {}: Gaussian {}: wrote region {}, expected {}", unit, pending.index, region, pending.region));
+  if (pending_[lane].empty()) return fail(ru_window_[lane], ru_name(lane) + ": pixels written without a line");
+  Pending& pending = pending_[lane].front();
+  if (pending.region != region || (config_.quads && pending.quarter != quarter)) {
+    fail(pending.window, ru_name(lane) + fmt::format(": Gaussian {}: wrote region {}, expected {}", pending.index,
+                                                     region, pending.region));
   } else {
-    // The word: colours of the sixteen pixels, then their transmittances, then their done flags (rtl/ru/ru_lanes.sv).
-    const int colors = 3 * config_.rgb_w;
-    for (int i = 0; i < 16; ++i) {
-      const PixelState expected = pending.after.pixel(16 * quarter + i);
+    // The word: colours of its pixels, then their transmittances, then their done flags (rtl/ru/ru_lanes.sv).
+    const int colors = 3 * config_.rgb_w, pixels = config_.quads ? 4 : 16;
+    for (int i = 0; i < pixels; ++i) {
+      const int pixel = pixel_of(lane, quarter, i);
+      const PixelState expected = pending.after.pixel(pixel);
       const auto field = [&](int at, int width) { return static_cast<uint32_t>(get_bits(word, at, width)); };
-      const PixelState found{field(16 * colors + i * config_.t_w, config_.t_w),
+      const PixelState found{field(pixels * colors + i * config_.t_w, config_.t_w),
                              {field(i * colors, config_.rgb_w), field(i * colors + config_.rgb_w, config_.rgb_w),
                               field(i * colors + 2 * config_.rgb_w, config_.rgb_w)},
-                             field(16 * (colors + config_.t_w) + i, 1) != 0};
+                             field(pixels * (colors + config_.t_w) + i, 1) != 0};
       const int x =
           static_cast<int>((input_.frame.raster.windows.first_x + pending.window % windows_x_) * config_.window) +
-          8 * (region % config_.regions_x()) + i % 8;
+          8 * (region % config_.regions_x()) + pixel % 8;
       const int y =
           static_cast<int>((input_.frame.raster.windows.first_y + pending.window / windows_x_) * config_.window) +
-          8 * (region / config_.regions_x()) + 2 * quarter + i / 8;
-      if (x == watch_x_ && y == watch_y_) seen_.push_back({pending.index, pending.codes[16 * quarter + i], found.t});
+          8 * (region / config_.regions_x()) + pixel / 8;
+      if (x == watch_x_ && y == watch_y_) seen_.push_back({pending.index, pending.codes[pixel], found.t});
       if (found == expected) continue;
       fail(pending.window,
-           fmt::format(
-               "RU {}: Gaussian {}, pixel {},{}: expected T {} rgb {} {} {} done {}, found T {} rgb {} {} {} done {}",
-               unit, pending.index, x, y, expected.t, expected.rgb[0], expected.rgb[1], expected.rgb[2], expected.done,
-               found.t, found.rgb[0], found.rgb[1], found.rgb[2], found.done));
+           fmt::format("{}: Gaussian {}, pixel {},{}: expected T {} rgb {} {} {} done {}, found T {} rgb {} {} {} done "
+                       "{}",
+                       ru_name(lane), pending.index, x, y, expected.t, expected.rgb[0], expected.rgb[1],
+                       expected.rgb[2], expected.done, found.t, found.rgb[0], found.rgb[1], found.rgb[2], found.done));
       break;
     }
   }
-  if (++pending.words == 4) pending_[unit].pop_front();
+  if (--pending.words == 0) pending_[lane].pop_front();
 }
 
 void StreamCheck::finish() {
@@ -250,7 +270,10 @@ void StreamCheck::finish() {
   for (size_t unit = 0; unit < splat_place_.size(); ++unit) {
     if (splat_place_[unit].window != windows)
       fail(splat_place_[unit].window, fmt::format("PU {} -> SU: windows are missing", unit));
-    if (!pending_[unit].empty()) fail(ru_window_[unit], fmt::format("RU {}: a line was not written back", unit));
+  }
+  for (size_t lane = 0; lane < pending_.size(); ++lane) {
+    if (!pending_[lane].empty())
+      fail(ru_window_[lane], ru_name(static_cast<int>(lane)) + ": a line was not written back");
   }
   if (sorted_place_.window != windows) fail(sorted_place_.window, "merge -> RU: windows are missing");
 }

@@ -5,8 +5,8 @@
 //           PU -> SU      (with lists: list -> SU) every splat equals the golden one; regions may be missing only
 //                         where the window is done there
 //           merge -> RU   the order equals the golden order, layer by layer
-//           alphas        the line that an RU starts to blend equals the golden codes of that Gaussian and region
-//           pixels        T and RGB that an RU writes back equal the golden blend of that line
+//           alphas        the line (or quad) that an RU starts to blend equals the golden codes of that Gaussian there
+//           pixels        T and RGB that an RU writes back equal the golden blend of it
 //         What the RTL leaves out because a region was done must have been done in the golden model too.
 // Result  The number of mismatches, and the first one in words: Gaussian, pixel, field, both values.
 #pragma once
@@ -33,9 +33,9 @@ class StreamCheck final : public RtlTaps {
 
   void on_splat(int unit, const uint32_t* splat) override;
   void on_sorted(const uint32_t* sorted) override;
-  void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region,
+  void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                  const uint32_t* line) override;
-  void on_pixels(int unit, int region, int quarter, const uint32_t* word) override;
+  void on_pixels(int lane, int region, int quarter, const uint32_t* word) override;
 
   // After the run: all that was owed has come.
   void finish();
@@ -63,13 +63,14 @@ class StreamCheck final : public RtlTaps {
     size_t layer = 0;
     size_t next = 0;  // next splat, for the sorted stream
   };
-  struct Pending {  // a line being blended by an RU, until its four words have been written back
+  struct Pending {  // alphas being blended by a lane of taps, until their words have been written back
     uint32_t index;
     int region;
+    int quarter;  // with quads
     std::array<uint16_t, kRegionPixels> codes;
     RegionState after;  // the golden region after this line
     uint64_t window;
-    int words = 0;
+    int words;  // to come
   };
 
   Window& window(uint64_t ordinal);
@@ -79,6 +80,8 @@ class StreamCheck final : public RtlTaps {
   void fail(uint64_t window, std::string what);
   void end(Place& place, uint64_t kind);
   void on_mark(int unit, const Place& place, const Splat& mark);
+  int pixel_of(int lane, int quarter, int i) const;
+  std::string ru_name(int lane) const;
   void expect_end(const Place& place, uint64_t kind, const char* stream);
 
   GoldenInput input_;
@@ -88,8 +91,8 @@ class StreamCheck final : public RtlTaps {
   uint64_t windows_x_;
   std::vector<Place> splat_place_;
   Place sorted_place_;
-  std::vector<uint64_t> ru_window_;           // of each RU: the window of its latest line
-  std::vector<std::deque<Pending>> pending_;  // of each RU
+  std::vector<uint64_t> ru_window_;           // of each lane of taps: the window of its latest alphas
+  std::vector<std::deque<Pending>> pending_;  // of each lane of taps
   std::vector<uint64_t> marks_;               // of each PU: the last watermark of its window (order 2)
   std::unordered_map<uint64_t, Window> windows_;
   uint64_t mismatches_ = 0, beats_ = 0;

@@ -24,6 +24,7 @@ namespace {
 struct Widths {
   explicit Widths(const Config& c)
       : units(c.units),
+        tap_lanes(c.tap_lanes()),
         splat(record_width<Splat>(c)),
         sorted(record_width<Sorted>(c)),
         request(record_width<MemoryRequest>(c)),
@@ -31,14 +32,14 @@ struct Widths {
         region(c.region_w()),
         index(c.tap_index_w()),
         window(c.window_w()),
-        line(c.line_w()),
-        pixels(c.pixel_word_w()),
+        line(c.tap_line_w()),
+        pixels(c.tap_word_w()),
         address(c.address_w()),
         tag(c.tag_w()),
         perf(c.perf_w()),
         pixel_lines(8 * c.regions()),
         taps(c.taps != 0) {}
-  int units, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
+  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
   int pixel_lines;  // in memory, of a window inside the image
   bool taps;        // the streams show
 };
@@ -134,23 +135,24 @@ void VerilatedMachine::tap(RtlTaps& taps) {
     taps.on_sorted(words);
     if (get_bits(words, 0, w_.kind) == kWindowEnd) ++windows_;
   }
-  for (int unit = 0; unit < w_.units; ++unit) {
+  for (int lane = 0; lane < w_.units * w_.tap_lanes; ++lane) {
     // A line is taken with its last quarter, in the cycle in which its first quarter is written back.
-    if (top.tap_alphas_valid_o >> unit & 1) {
-      uint32_t region, index, window_x, window_y;
-      slice(top.tap_window_x_o, unit * w_.window, w_.window, &window_x);
-      slice(top.tap_window_y_o, unit * w_.window, w_.window, &window_y);
-      slice(top.tap_alphas_region_o, unit * w_.region, w_.region, &region);
-      slice(top.tap_alphas_index_o, unit * w_.index, w_.index, &index);
-      slice(top.tap_alphas_o, unit * w_.line, w_.line, words);
-      taps.on_alphas(unit, window_x, window_y, index, static_cast<int>(region), words);
+    uint32_t region, quarter;
+    if (top.tap_alphas_valid_o >> lane & 1) {
+      uint32_t index, window_x, window_y;
+      slice(top.tap_window_x_o, lane / w_.tap_lanes * w_.window, w_.window, &window_x);
+      slice(top.tap_window_y_o, lane / w_.tap_lanes * w_.window, w_.window, &window_y);
+      slice(top.tap_alphas_region_o, lane * w_.region, w_.region, &region);
+      slice(top.tap_alphas_quarter_o, lane * 2, 2, &quarter);
+      slice(top.tap_alphas_index_o, lane * w_.index, w_.index, &index);
+      slice(top.tap_alphas_o, lane * w_.line, w_.line, words);
+      taps.on_alphas(lane, window_x, window_y, index, static_cast<int>(region), static_cast<int>(quarter), words);
     }
-    if (top.tap_pixels_valid_o >> unit & 1) {
-      uint32_t region, quarter;
-      slice(top.tap_pixels_region_o, unit * w_.region, w_.region, &region);
-      slice(top.tap_pixels_quarter_o, unit * 2, 2, &quarter);
-      slice(top.tap_pixels_o, unit * w_.pixels, w_.pixels, words);
-      taps.on_pixels(unit, static_cast<int>(region), static_cast<int>(quarter), words);
+    if (top.tap_pixels_valid_o >> lane & 1) {
+      slice(top.tap_pixels_region_o, lane * w_.region, w_.region, &region);
+      slice(top.tap_pixels_quarter_o, lane * 2, 2, &quarter);
+      slice(top.tap_pixels_o, lane * w_.pixels, w_.pixels, words);
+      taps.on_pixels(lane, static_cast<int>(region), static_cast<int>(quarter), words);
     }
   }
 }

@@ -24,10 +24,11 @@ class RtlTaps {
   virtual ~RtlTaps() = default;
   virtual void on_splat(int unit, const uint32_t* splat) = 0;  // PU -> SU
   virtual void on_sorted(const uint32_t* sorted) = 0;          // su_merge -> RUs
-  // A line of alphas that RU `unit` starts to blend, and the window in which it does.
-  virtual void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region,
+  // Alphas that a lane of an RU's taps starts to blend, and the window in which it does: a line, or with quads the four
+  // of row `quarter` of the region's quads that its group of lanes owns. Lanes count through all RUs.
+  virtual void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                          const uint32_t* line) = 0;
-  virtual void on_pixels(int unit, int region, int quarter, const uint32_t* word) = 0;  // T and RGB that it writes back
+  virtual void on_pixels(int lane, int region, int quarter, const uint32_t* word) = 0;  // T and RGB, written back
   int64_t cycle = 0;  // of what is shown: counted as RtlResult::cycles, 1 is the first one that counts
 
   // What follows is shown only when `wants_cycles` says so, because it costs time in every cycle.

@@ -16,7 +16,7 @@ enum class Border : uint8_t {
   kChunk,    // DOPU -> PU
   kSplat,    // PU -> SU, or lists -> SU
   kSorted,   // merge -> RUs
-  kLine,     // a line of alphas has gone into an RU's lanes
+  kLine,     // a line of alphas has gone into an RU's lanes, or with quads one into a group of them
   kLayer,    // an RU has blended a layer
 };
 
@@ -29,9 +29,10 @@ struct TimingEvent {
   auto operator<=>(const TimingEvent&) const = default;
 };
 
-// TimingEvent::what: of a request; of a beat's splat by its sort key; of an end. A chunk is 0, a line its region.
+// TimingEvent::what: of a request; of a beat's splat by its sort key; of an end. A chunk is 0.
 constexpr uint64_t shown_request(uint64_t line, bool write) { return line << 1 | (write ? 1 : 0); }
 constexpr uint64_t shown_splat(uint64_t key) { return key << 2; }
+constexpr uint64_t shown_line(int region, int quarter) { return static_cast<uint64_t>(4 * region + quarter); }
 constexpr uint64_t shown_end(bool of_window) { return of_window ? 2 : 1; }
 
 }  // namespace pipegs::timing

@@ -37,7 +37,7 @@ std::string unit_name(const Config& config, const TimingEvent& event) {
     case Border::kChunk: return fmt::format("PU {}", event.lane);
     case Border::kSplat: return fmt::format("SU {}", event.lane);
     case Border::kSorted: return "merge";
-    case Border::kLine:
+    case Border::kLine: return fmt::format("RU {}", event.lane / config.tap_lanes());
     case Border::kLayer: return fmt::format("RU {}", event.lane);
   }
   return "";
@@ -54,7 +54,7 @@ std::string action(const TimingEvent* event) {
     case Border::kChunk: return "takes " + (event->what == 0 ? "a chunk" : beat_name(event->what, ""));
     case Border::kSplat: return "takes " + beat_name(event->what, "the splat of key");
     case Border::kSorted: return "gives " + beat_name(event->what, "the splat of key");
-    case Border::kLine: return fmt::format("has blended a line of region {}", event->what);
+    case Border::kLine: return fmt::format("has blended alphas of region {}, row {}", event->what / 4, event->what % 4);
     case Border::kLayer: return "has blended a layer";
   }
   return "";
@@ -86,8 +86,8 @@ void Lockstep::on_sorted(const uint32_t* sorted) {
   show(Border::kSorted, 0, what);
 }
 void Lockstep::on_layer_done(int unit, bool) { show(Border::kLayer, unit, 0); }
-void Lockstep::on_alphas(int unit, uint64_t, uint64_t, uint32_t, int region, const uint32_t*) {
-  show(Border::kLine, unit, static_cast<uint64_t>(region));
+void Lockstep::on_alphas(int lane, uint64_t, uint64_t, uint32_t, int region, int quarter, const uint32_t*) {
+  show(Border::kLine, lane, timing::shown_line(region, quarter));
 }
 
 template <class Record>

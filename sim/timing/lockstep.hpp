@@ -37,7 +37,7 @@ class Lockstep final : public RtlTaps {
   bool wants_cycles() const override { return true; }
   void on_splat(int unit, const uint32_t* splat) override;
   void on_sorted(const uint32_t* sorted) override;
-  void on_alphas(int unit, uint64_t window_x, uint64_t window_y, uint32_t index, int region,
+  void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                  const uint32_t* line) override;
   void on_pixels(int, int, int, const uint32_t*) override {}
   void on_chunk(int unit, int kind) override;

@@ -28,11 +28,12 @@ class WithoutAChunk final : public RtlTaps {
   explicit WithoutAChunk(RtlTaps& taps) : taps_(taps) {}
   void on_splat(int unit, const uint32_t* splat) override { now().on_splat(unit, splat); }
   void on_sorted(const uint32_t* sorted) override { now().on_sorted(sorted); }
-  void on_alphas(int unit, uint64_t x, uint64_t y, uint32_t index, int region, const uint32_t* line) override {
-    now().on_alphas(unit, x, y, index, region, line);
+  void on_alphas(int lane, uint64_t x, uint64_t y, uint32_t index, int region, int quarter,
+                 const uint32_t* line) override {
+    now().on_alphas(lane, x, y, index, region, quarter, line);
   }
-  void on_pixels(int unit, int region, int quarter, const uint32_t* word) override {
-    now().on_pixels(unit, region, quarter, word);
+  void on_pixels(int lane, int region, int quarter, const uint32_t* word) override {
+    now().on_pixels(lane, region, quarter, word);
   }
   bool wants_cycles() const override { return taps_.wants_cycles(); }
   void on_cycle(uint64_t number, const uint8_t* states) override { now().on_cycle(number, states); }

@@ -107,7 +107,7 @@ void Ru::consume(Machine& m, Cycle now) {
       local_pop_ = now;
     }
   }
-  m.show(now, Border::kLine, lane_, region);
+  m.show(now, Border::kLine, lane_, shown_line(region, 0));
   m.wheel.wake(unit(kSource, lane_), now + 1);
   last_issue_ = now;
   start_ = kNever;

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// ru_live: blends of each region only the quads of 2x2 pixels that a splat changes.
+//
+// Paper   Sec. 4.2.3, Table 2. The paper's lanes work on whole regions (ru_whole).
+// Idea    ru_regions -> ru_power -> 4 x ru_quads, each with the bank of the pixel buffer that holds its quads. Column
+//         (g + 2 row) mod 4 of the quads of a row belongs to group g, so a row of quads is one word of each bank.
+// Stream  sorted_t in; an end is taken when all before it is blended. Taps: lane g of this RU is its group g.
+// Pace    One region per cycle into the powers, one quad per cycle and group out of them.
+// Model   cpp_model/ru/ru_quads.hpp
+
+module ru_live #(
+  localparam int unsigned Regions   = pipegs_pkg::Regions,
+  localparam int unsigned Units     = pipegs_pkg::Units,
+  localparam int unsigned Groups    = pipegs_pkg::RuGroups,
+  localparam int unsigned Lanes     = 16,
+  localparam int unsigned WordW     = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1),
+  localparam int unsigned Words     = Regions / Units * 4,
+  localparam int unsigned AddrW     = $clog2(Words),
+  localparam int unsigned SideW     = $clog2(pipegs_pkg::Window) + 1,
+  localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW,
+  localparam int unsigned RegionW   = pipegs_pkg::RegionW
+) (
+  input  logic                              clk_i,
+  input  logic                              rst_ni,
+  input  logic                              restart_i,
+
+  input  logic                              in_valid_i,
+  output logic                              in_ready_o,
+  input  pipegs_pkg::sorted_t               in_i,
+
+  input  logic [Regions-1:0]                own_i,
+  input  logic [SideW-1:0]                  columns_i,  // pixels of the window inside the image; in the cycle behind
+  input  logic [SideW-1:0]                  rows_i,     // restart_i or window_done_o they are those of the next one
+  output logic [Regions-1:0]                done_o,     // own regions that need nothing more
+
+  input  logic                              resolve_ready_i,
+  input  logic                              resolve_read_i,
+  input  logic [AddrW-1:0]                  resolve_raddr_i,
+  output logic [WordW-1:0]                  resolve_rdata_o,
+
+  output logic                              layer_done_o,
+  output logic                              window_done_o,
+  output logic                              issue_o,    // a quad starts
+  output logic                              idle_o,
+
+  output logic [Groups-1:0]                 tap_line_valid_o,
+  output logic [Groups*TapIndexW-1:0]       tap_line_index_o,
+  output logic [Groups*RegionW-1:0]         tap_line_region_o,
+  output logic [Groups*2-1:0]               tap_line_quarter_o,
+  output logic [Groups*pipegs_pkg::TapLineW-1:0] tap_line_o,
+  output logic [Groups-1:0]                 tap_word_valid_o,
+  output logic [Groups*RegionW-1:0]         tap_word_region_o,
+  output logic [Groups*2-1:0]               tap_word_quarter_o,
+  output logic [Groups*pipegs_pkg::TapWordW-1:0] tap_word_o
+);
+
+  localparam int unsigned Slots    = Regions / Units;
+  localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
+  localparam int unsigned ColorsW  = 3 * pipegs_pkg::ColorW;
+  localparam int unsigned TW       = pipegs_pkg::TW;
+  localparam int unsigned PixelsW  = 3 * pipegs_pkg::RgbW;
+  localparam int unsigned BankW    = WordW / Groups;
+  localparam int unsigned PairW    = 8 * pipegs_pkg::ExponentBits;
+  localparam int unsigned Side     = pipegs_pkg::Window / 2;  // quads
+  localparam logic [TW-1:0] One = TW'(1) << (TW - 1);
+
+  // --- a window begins -----------------------------------------------------------------------------------------------
+  logic             clear_q;
+  logic [Side-1:0]  columns_out, rows_out;  // columns and rows of quads outside the image
+  logic [Slots*16-1:0] outside, stopped;    // [slot, row, column]
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) clear_q <= 1'b0;
+    else clear_q <= restart_i || window_done_o;
+  end
+  for (genvar i = 0; i < Side; i += 1) begin : gen_side
+    assign columns_out[i] = columns_i <= SideW'(2 * i);
+    assign rows_out[i]    = rows_i <= SideW'(2 * i);
+  end
+  // A slot is one of Units regions side by side, another one for each RU.
+  for (genvar i = 0; i < Slots * 16; i += 1) begin : gen_outside
+    logic [Units-1:0] out;
+    for (genvar k = 0; k < Units; k += 1) begin : gen_place
+      localparam int unsigned Place = i / 16 * Units + k;  // region
+      assign out[k] = own_i[Place] && (rows_out[Place / RegionsX * 4 + i % 16 / 4] ||
+                                       columns_out[Place % RegionsX * 4 + i % 4]);
+    end
+    assign outside[i] = out != '0;
+  end
+  for (genvar i = 0; i < Regions; i += 1) begin : gen_done
+    assign done_o[i] = own_i[i] && !clear_q && stopped[i/Units*16 +: 16] == '1;
+  end
+
+  // --- splats -> regions -> powers -----------------------------------------------------------------------------------
+  logic                         region_valid, region_ready, regions_busy, power_busy, end_valid, ended;
+  logic [pipegs_pkg::KindW-1:0] end_kind;
+  pipegs_pkg::region_t          region;
+  logic [ColorsW-1:0]           region_color, color;
+  logic [Groups-1:0]            half_valid, half_ready, group_issue, group_busy;
+  logic [Groups*2-1:0]          half_live;
+  logic [Groups*PairW-1:0]      pairs;
+  logic                         half;
+  logic [RegionW-1:0]           half_region;
+  logic [TapIndexW-1:0]         half_index;
+
+  ru_regions u_regions (
+    .clk_i, .rst_ni, .open_i(own_i & ~done_o), .hold_i(clear_q), .in_valid_i, .in_ready_o, .in_i,
+    .region_valid_o(region_valid), .region_ready_i(region_ready), .region_o(region), .color_o(region_color),
+    .end_valid_o(end_valid), .end_kind_o(end_kind), .end_ready_i(ended), .busy_o(regions_busy)
+  );
+  ru_power u_power (
+    .clk_i, .rst_ni, .stopped_i(stopped),
+    .region_valid_i(region_valid), .region_ready_o(region_ready), .region_i(region), .color_i(region_color),
+    .out_valid_o(half_valid), .out_ready_i(half_ready), .out_live_o(half_live), .out_o(pairs), .out_half_o(half),
+    .out_region_o(half_region), .out_color_o(color), .out_index_o(half_index), .busy_o(power_busy)
+  );
+  assign ended         = end_valid && !power_busy && group_busy == '0 &&
+                         (end_kind != pipegs_pkg::KindWindowEnd || resolve_ready_i);
+  assign layer_done_o  = ended;
+  assign window_done_o = ended && end_kind == pipegs_pkg::KindWindowEnd;
+
+  // --- quads, and the pixels' way out --------------------------------------------------------------------------------
+  logic [Groups*BankW-1:0] resolved;  // of the banks; what was not blended is T = 1, black
+  logic                    odd_q;     // the row of quads that was read
+  always_ff @(posedge clk_i) if (resolve_read_i) odd_q <= resolve_raddr_i[0];
+  for (genvar g = 0; g < Groups; g += 1) begin : gen_group
+    logic             read, write, fresh, resolve_fresh;
+    logic [AddrW-1:0] raddr, waddr;
+    logic [BankW-1:0] rdata, wdata, resolve_rdata;
+    logic [Words-1:0] group_outside, group_stopped;
+
+    for (genvar i = 0; i < Words; i += 1) begin : gen_word
+      localparam int unsigned Quad = 4 * i + (g + 2 * i) % 4;  // [slot, row, column]
+      assign group_outside[i] = outside[Quad];
+      assign stopped[Quad]    = group_stopped[i];
+    end
+
+    ru_quads #(.Group(g)) u_quads (
+      .clk_i, .rst_ni, .in_valid_i(half_valid[g]), .in_ready_o(half_ready[g]), .in_live_i(half_live[2*g +: 2]),
+      .in_i(pairs[g*PairW +: PairW]), .in_half_i(half), .in_region_i(half_region), .in_color_i(color),
+      .in_index_i(half_index), .clear_i(clear_q), .outside_i(group_outside), .columns_i, .rows_i,
+      .stopped_o(group_stopped), .read_o(read), .raddr_o(raddr), .rdata_i(rdata), .fresh_i(fresh),
+      .write_o(write), .waddr_o(waddr), .wdata_o(wdata), .issue_o(group_issue[g]), .busy_o(group_busy[g]),
+      .tap_quad_valid_o(tap_line_valid_o[g]), .tap_quad_index_o(tap_line_index_o[g*TapIndexW +: TapIndexW]),
+      .tap_quad_region_o(tap_line_region_o[g*RegionW +: RegionW]), .tap_quad_row_o(tap_line_quarter_o[2*g +: 2]),
+      .tap_quad_o(tap_line_o[g*pipegs_pkg::TapLineW +: pipegs_pkg::TapLineW]),
+      .tap_word_region_o(tap_word_region_o[g*RegionW +: RegionW]), .tap_word_row_o(tap_word_quarter_o[2*g +: 2])
+    );
+    assign tap_word_valid_o[g] = write;
+    assign tap_word_o[g*BankW +: BankW] = wdata;
+
+    pixel_buffer #(.DataW(BankW), .Words(Words)) u_pixels (
+      .clk_i, .rst_ni, .swap_i(window_done_o),
+      .blend_read_i(read), .blend_raddr_i(raddr), .blend_rdata_o(rdata), .blend_fresh_o(fresh),
+      .blend_write_i(write), .blend_waddr_i(waddr), .blend_wdata_i(wdata),
+      .resolve_read_i, .resolve_raddr_i, .resolve_rdata_o(resolve_rdata), .resolve_fresh_o(resolve_fresh)
+    );
+    assign resolved[g*BankW +: BankW] = resolve_fresh ? {4'b0, {4{One}}, {(4 * PixelsW){1'b0}}} : resolve_rdata;
+  end
+  // A row of quads as two rows of eight pixels: of each field all sixteen side by side.
+  for (genvar i = 0; i < Lanes; i += 1) begin : gen_pixel
+    localparam int unsigned Even = i % 8 / 2, Odd = (Even + 2) % 4, Pixel = i / 8 * 2 + i % 2;
+    logic [BankW-1:0] bank;
+    assign bank = odd_q ? resolved[Odd*BankW +: BankW] : resolved[Even*BankW +: BankW];
+    assign resolve_rdata_o[i*PixelsW +: PixelsW]            = bank[Pixel*PixelsW +: PixelsW];
+    assign resolve_rdata_o[Lanes*PixelsW+i*TW +: TW]        = bank[4*PixelsW+Pixel*TW +: TW];
+    assign resolve_rdata_o[Lanes*(PixelsW+TW)+i]            = bank[4*(PixelsW+TW)+Pixel];
+  end
+
+  assign issue_o = group_issue != '0;
+  assign idle_o  = !regions_busy && !power_busy && group_busy == '0 && !clear_q;
+
+endmodule

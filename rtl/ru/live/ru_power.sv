@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// ru_power: the powers of all 64 pixels of a region, and what of it goes to the lanes: halves with a quad that lives.
+//
+// Paper   Eq. 3, steps 2 and 3 of Fig. 5a, unrolled: adders only, so all pixels are computed, and only those that a
+//         Gaussian changes go on to the exponential and the blending.
+// Idea    A quad is 2x2 pixels; group g of the lanes owns column (g + 2 row) mod 4 of each row of quads. A quad lives
+//         where a pixel of it is visible (power >= -PowerCut) and not all four have stopped. A half is two rows of
+//         quads: two of each group.
+//           starts of the eight rows | 64 powers, clamped | the live halves leave, one in a cycle
+// Stream  region_t in; out: for each group whether it has live quads in the half, which of the two, and their
+//         exponents, first quad lowest, pixels row by row. All groups with live quads take it in one cycle.
+// Pace    One region per cycle, or per live half; latency 2.
+// Model   cpp_model/ru/ru_quads.hpp
+
+module ru_power #(
+  localparam int unsigned Groups    = pipegs_pkg::RuGroups,
+  localparam int unsigned Slots     = pipegs_pkg::Regions / pipegs_pkg::Units,
+  localparam int unsigned ColorsW   = 3 * pipegs_pkg::ColorW,
+  localparam int unsigned ExponentW = pipegs_pkg::ExponentBits,
+  localparam int unsigned PairW     = 8 * ExponentW  // of two quads
+) (
+  input  logic                             clk_i,
+  input  logic                             rst_ni,
+  input  logic [Slots*16-1:0]              stopped_i,  // quads whose pixels have all stopped
+
+  input  logic                             region_valid_i,
+  output logic                             region_ready_o,
+  input  pipegs_pkg::region_t              region_i,
+  input  logic [ColorsW-1:0]               color_i,
+
+  output logic [Groups-1:0]                out_valid_o,
+  input  logic [Groups-1:0]                out_ready_i,
+  output logic [Groups*2-1:0]              out_live_o,   // of each group's two quads
+  output logic [Groups*PairW-1:0]          out_o,
+  output logic                             out_half_o,
+  output logic [pipegs_pkg::RegionW-1:0]   out_region_o,
+  output logic [ColorsW-1:0]               out_color_o,
+  output logic [pipegs_pkg::TapIndexW-1:0] out_index_o,
+
+  output logic                             busy_o
+);
+
+  localparam int unsigned PowerW    = pipegs_pkg::PowerW;
+  localparam int unsigned GradientW = pipegs_pkg::GradientW;
+  localparam int unsigned CurveW    = pipegs_pkg::CurveW;
+  localparam int unsigned RegionW   = pipegs_pkg::RegionW;
+  localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW;
+  localparam int unsigned TagW      = TapIndexW + RegionW + ColorsW;
+  localparam int unsigned BendW     = CurveW + 6;  // x (x - 1) curve, x (x - 1) at most 42
+
+  logic            rows_valid_q, rows_move, pixels_move;
+  logic [TagW-1:0] rows_tag_q, tag_q;
+  logic [1:0]      halves_q;  // live ones that have not left
+  logic            fire;
+
+  assign pixels_move    = halves_q == '0 || (fire && (halves_q == 2'b01 || halves_q == 2'b10));
+  assign rows_move      = !rows_valid_q || pixels_move;
+  assign region_ready_o = rows_move;
+  assign busy_o         = rows_valid_q || halves_q != '0;
+
+  // --- starts of the rows; what the columns add ----------------------------------------------------------------------
+  logic signed [7:0][PowerW-1:0]    power_q;
+  logic signed [7:0][GradientW-1:0] slope_q;
+  logic signed [7:0][BendW-1:0]     bend_q;
+  for (genvar i = 0; i < 8; i += 1) begin : gen_row
+    logic signed [PowerW-1:0]    power;
+    logic signed [GradientW-1:0] slope;
+    pu_row_init #(.Dy(i)) u_init (
+      .power_i(region_i.power), .slope_x_i(region_i.slope_x), .slope_y_i(region_i.slope_y),
+      .curve_x_i(region_i.curve_x), .curve_y_i(region_i.curve_y), .twist_i(region_i.twist),
+      .power_o(power), .slope_o(slope)
+    );
+    always_ff @(posedge clk_i) begin
+      if (region_valid_i && rows_move) begin
+        power_q[i] <= power;
+        slope_q[i] <= slope;
+        bend_q[i]  <= BendW'($signed(region_i.curve_x)) * BendW'(i * (i - (i == 0 ? 0 : 1)));
+      end
+    end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) rows_valid_q <= 1'b0;
+    else if (rows_move) rows_valid_q <= region_valid_i;
+  end
+  always_ff @(posedge clk_i) begin
+    if (region_valid_i && rows_move) rows_tag_q <= {region_i.index, region_i.region, color_i};
+  end
+
+  // --- the pixels: P(x) = P(0) + x slope + x (x - 1) curve -----------------------------------------------------------
+  pipegs_pkg::exponent_t [63:0] exponent, exponent_q;
+  logic                  [15:0] live, live_q, stopped;  // quads, row by row
+  logic [RegionW-1:0]           slot;
+  for (genvar i = 0; i < 64; i += 1) begin : gen_pixel
+    localparam int unsigned Row = i / 8, Column = i % 8;
+    logic signed [PowerW-1:0] power;
+    assign power = $signed(power_q[Row]) + PowerW'($signed(slope_q[Row])) * PowerW'(Column) +
+                   PowerW'($signed(bend_q[Column]));
+    pu_clamp u_clamp (.power_i(power), .exponent_o(exponent[i]));
+  end
+  ru_slot u_slot (.region_i(rows_tag_q[ColorsW +: RegionW]), .slot_o(slot));
+  assign stopped = stopped_i[slot*16 +: 16];
+  for (genvar i = 0; i < 16; i += 1) begin : gen_quad
+    localparam int unsigned First = 16 * (i / 4) + 2 * (i % 4);
+    assign live[i] = (exponent[First].visible || exponent[First+1].visible || exponent[First+8].visible ||
+                      exponent[First+9].visible) && !stopped[i];
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) halves_q <= '0;
+    else if (pixels_move) halves_q <= rows_valid_q ? {live[15:8] != '0, live[7:0] != '0} : '0;
+    else if (fire) halves_q <= 2'b10;  // the second half is left
+  end
+  always_ff @(posedge clk_i) begin
+    if (rows_valid_q && pixels_move) begin
+      exponent_q <= exponent;
+      live_q     <= live;
+      tag_q      <= rows_tag_q;
+    end
+  end
+
+  // --- the half that leaves ------------------------------------------------------------------------------------------
+  logic              half;
+  logic [Groups-1:0] some;
+  assign half        = !halves_q[0];
+  assign fire        = halves_q != '0 && (some & ~out_ready_i) == '0;
+  assign out_valid_o = fire ? some : '0;
+  assign out_half_o  = half;
+  assign {out_index_o, out_region_o, out_color_o} = tag_q;
+  for (genvar g = 0; g < Groups; g += 1) begin : gen_group
+    for (genvar j = 0; j < 2; j += 1) begin : gen_side  // the row of quads in the half
+      localparam int unsigned Column = (g + 2 * j) % 4;
+      assign out_live_o[2*g+j] = half ? live_q[4*(2+j)+Column] : live_q[4*j+Column];
+      for (genvar p = 0; p < 4; p += 1) begin : gen_pixel
+        localparam int unsigned Pixel = 16 * j + 2 * Column + 8 * (p / 2) + p % 2;  // of the first half
+        assign out_o[g*PairW+(4*j+p)*ExponentW +: ExponentW] = half ? exponent_q[32+Pixel] : exponent_q[Pixel];
+      end
+    end
+    assign some[g] = out_live_o[2*g +: 2] != '0;
+  end
+
+  wire unused_region = &{1'b0, region_i};  // where alphas lie
+
+endmodule
