@@ -15,6 +15,7 @@ Ru::Ru(const Machine& m, int lane)
       lane_(lane),
       port_(m.memory.raster_port(lane)),
       late_(!m.config.caches_alphas()),
+      quads_(m.config.quads != 0),
       fetch_lines_(m.config.fetch_lines),
       parts_(m.config.alpha_memory_lines()),
       records_(m.config.ru_records()),
@@ -29,6 +30,21 @@ void Ru::set_window(const Machine& m, size_t window) {
   outside_ = window < m.trace.windows.size() ? m.trace.windows[window].outside : 0;
   blended_ = 0;
   done_ = own_ & outside_;
+  if (quads_) live_.start_window(window < m.trace.windows.size() ? &m.trace.windows[window] : nullptr);
+}
+
+// With quads: what has stopped by this cycle. In the first one of a window nothing is known to be done.
+void Ru::publish_stops(Cycle now) {
+  std::erase_if(stops_, [&](const Live::Stop& stop) {
+    if (stop.from > now) return false;
+    live_.stop(stop.quad);
+    return true;
+  });
+  done_ = 0;
+  if (now == window_done_at_ + 1) return;
+  for (uint64_t rest = own_; rest != 0; rest &= rest - 1) {
+    if (live_.stopped(std::countr_zero(rest))) done_ |= rest & -rest;
+  }
 }
 
 void Ru::publish(Machine& m, Cycle now) {
@@ -43,6 +59,12 @@ void Ru::publish(Machine& m, Cycle now) {
     window_coming_ = false;
     set_window(m, window_ + 1);
     news = true;
+    if (quads_) m.wheel.wake(unit(kPublish), now + 1);
+  }
+  if (quads_) {
+    const uint64_t before = done_;
+    publish_stops(now);
+    news = news || done_ != before;
   }
   if (!news) return;
   m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
@@ -118,18 +140,14 @@ void Ru::consume(Machine& m, Cycle now) {
 }
 
 void Ru::end(Machine& m, Cycle now, Beat beat) {
-  if (late_) {
-    row_lines_.pop(now);
-  } else {
-    records_.pop(now);
-  }
+  if (!quads_) late_ ? row_lines_.pop(now) : records_.pop(now);
   m.wheel.wake(unit(kSource, lane_), now + 1);
   m.layer_free.done(m, now, lane_);
   if (beat != kWindowEndBeat) return;
   window_done_at_ = now;
   window_coming_ = true;
   lines_.fill(0);
-  m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
+  if (!quads_) m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
   m.wheel.wake(unit(late_ ? kSource : kWalk, lane_), now + 1);
   // ru_resolve starts.
   regions_left_ = own_ & ~outside_;
@@ -152,6 +170,7 @@ bool Ru::read(Machine& m, Cycle now, uint64_t line) {
 
 void Ru::source(Machine& m, Cycle now) {
   if (m.memory.granted(port_, now)) m.wheel.wake_now(unit(kRuMemory, lane_));
+  if (quads_) return live_source(m, now);
   if (late_) return rows_source(m, now);
   if (m.memory.answered(port_)) {
     answer_part_ = !answer_part_;
@@ -187,6 +206,40 @@ void Ru::fire(Machine& m, Cycle now) {
   m.wheel.wake_now(unit(kWalk, lane_));
 }
 
+void Ru::next_splat(Machine& m, Cycle now) {
+  splat_valid_ = queue.valid(now);
+  if (!splat_valid_) return;
+  splat_ = queue.front();
+  queue.pop(now);
+  rest_ = splat_.mask & own_;
+  m.wheel.wake(unit(kOrder), now + 1);
+}
+
+// ru_live.
+void Ru::live_source(Machine& m, Cycle now) {
+  const bool data = !is_end(splat_.beat), empty = live_.idle(now), known = now != window_done_at_ + 1;
+  const size_t before = stops_.size();
+  live_.step(m, now, lane_, stops_);
+  for (size_t i = before; i < stops_.size(); ++i) m.wheel.wake(unit(kPublish), stops_[i].from);
+  bool leave = false;
+  if (splat_valid_ && !data) {
+    leave = empty && (splat_.beat != kWindowEndBeat || (lines_left_ == 0 && resolved_from_ <= now));
+    if (leave) end(m, now, splat_.beat);
+  } else if (splat_valid_ && known) {
+    const uint64_t open = rest_ & ~done_, others = open & (open - 1);
+    if (open != 0 && live_.moved()) {
+      const int region = std::countr_zero(open);
+      const uint64_t mask = m.trace.mask[splat_.beat], below = mask & ((uint64_t{1} << region) - 1);
+      live_.pick(region, m.trace.quads[m.trace.quads_first[splat_.beat] + static_cast<size_t>(std::popcount(below))]);
+      rest_ &= ~(open & -open);
+    }
+    leave = others == 0 && (live_.moved() || open == 0);
+  }
+  if (!splat_valid_ || leave) next_splat(m, now);
+  if (splat_valid_ || !live_.idle(now + 1)) m.wheel.wake(unit(kSource, lane_), now + 1);
+  if (!splat_valid_) m.wheel.wake(unit(kSource, lane_), queue.head_from());
+}
+
 void Ru::rows_source(Machine& m, Cycle now) {
   if (rows_.shown(now) && row_lines_.room(now)) {
     row_lines_.push(now, rows_.head());
@@ -202,15 +255,7 @@ void Ru::rows_source(Machine& m, Cycle now) {
   const bool taken = rows_.step(now, splat_valid_ && !drop ? &job : nullptr);
   if (taken && splat_.beat == kWindowEndBeat) ++ends_;
   if (window_done_at_ == now) --ends_;
-  if (!splat_valid_ || drop || taken) {
-    splat_valid_ = queue.valid(now);
-    if (splat_valid_) {
-      splat_ = queue.front();
-      queue.pop(now);
-      rest_ = splat_.mask & own_;
-      m.wheel.wake(unit(kOrder), now + 1);
-    }
-  }
+  if (!splat_valid_ || drop || taken) next_splat(m, now);
   m.wheel.wake(unit(kSource, lane_), rows_.next(now));
   if (rows_.head_from() > now) m.wheel.wake(unit(kSource, lane_), rows_.head_from());
   if (splat_valid_ ? rows_.can_load() || (!is_end(splat_.beat) && live() == 0) : !queue.empty()) {
@@ -261,15 +306,7 @@ void Ru::walk(Machine& m, Cycle now) {
     if (splat_.beat == kWindowEndBeat) ++ends_;
   }
   if (window_done_at_ == now) --ends_;
-  if (!splat_valid_ || leave) {
-    splat_valid_ = queue.valid(now);
-    if (splat_valid_) {
-      splat_ = queue.front();
-      queue.pop(now);
-      rest_ = splat_.mask & own_;
-      m.wheel.wake(unit(kOrder), now + 1);
-    }
-  }
+  if (!splat_valid_ || leave) next_splat(m, now);
   if ((pick_valid_ && !out_.valid) || (splat_valid_ && (!pick_valid_ || (!is_end(splat_.beat) && live() == 0)))) {
     m.wheel.wake(unit(kWalk, lane_), now + 1);
   } else if (!splat_valid_) {

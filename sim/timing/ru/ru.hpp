@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // ru.hpp: a Rasterization Unit in the timing model, and the alpha stores.
 //
-// RTL     rtl/ru/: ru_walk, ru_fetch or ru_rows, ru_lanes, ru_resolve, ru_memory; rtl/buf/alpha_store.sv,
+// RTL     rtl/ru/: ru_walk, ru_fetch or ru_rows, ru_lanes (with quads ru_live), ru_resolve, ru_memory;
+//         rtl/buf/alpha_store.sv,
 //         rtl/layer_free.sv.
 // Idea    A line of alphas keeps the lanes for four cycles; the trace says with which line a region becomes opaque.
 //         What a unit reports to others (done regions, finished windows and layers) is kept back until publish() of the
@@ -13,6 +14,7 @@
 #include "cpp_model/config.hpp"
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/pu/rows.hpp"
+#include "sim/timing/ru/live.hpp"
 
 namespace pipegs::timing {
 
@@ -64,12 +66,15 @@ class Ru {
   void consume(Machine& m, Cycle now);
   void end(Machine& m, Cycle now, Beat beat);
   void rows_source(Machine& m, Cycle now);
+  void live_source(Machine& m, Cycle now);
+  void next_splat(Machine& m, Cycle now);
+  void publish_stops(Cycle now);
   void set_window(const Machine& m, size_t window);
   bool read(Machine& m, Cycle now, uint64_t line);
   uint64_t live() const { return ends_ == 0 ? rest_ & ~done_ : rest_; }
 
   const int lane_, port_;
-  const bool late_;
+  const bool late_, quads_;
   const int fetch_lines_, parts_;
 
   // ru_walk; splat, rest and ends also of ru_rows
@@ -89,6 +94,9 @@ class Ru {
 
   Rows rows_;  // when late
   FallQueue<RowLine, Config::ru_row_lines()> row_lines_;
+
+  Live live_;  // with quads, instead of the above and of ru_lanes
+  std::vector<Live::Stop> stops_;
 
   // ru_lanes
   Cycle start_ = kNever;  // of the line in the lanes

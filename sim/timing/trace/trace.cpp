@@ -18,8 +18,9 @@ struct Part {
   TimingWindow window;
   std::vector<TimingChunk> chunks;
   std::vector<uint64_t> mask, key;
-  std::vector<uint32_t> slot;
+  std::vector<uint32_t> slot, quads_first;
   std::vector<uint8_t> boxes;
+  std::vector<uint16_t> quads;
 };
 
 std::vector<TimingNode> nodes(const std::vector<Node>& from) {
@@ -39,6 +40,7 @@ class WindowTrace {
         packed_(*input.packed),
         config_(packed_.config),
         frame_(input.frame),
+        rows_(config_),
         x_(x),
         y_(y),
         planes_(dopu_planes(config_, frame_, x, y)) {}
@@ -117,6 +119,8 @@ class WindowTrace {
         part_.key.push_back(pair.splat.key);
         part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
         part_.boxes.push_back(pair.boxes);
+        part_.quads_first.push_back(static_cast<uint32_t>(part_.quads.size()));
+        if (config_.quads) trace_quads(rows_, pair.splat, part_.quads);
         if (pair.splat.mask != 0) layers_.back().push_back(pair.splat);
       }
       part_.chunks.push_back(sent);
@@ -127,6 +131,7 @@ class WindowTrace {
   const PackedScene& packed_;
   const Config& config_;
   const Frame& frame_;
+  const PuRows rows_;
   const int x_, y_;
   const Planes planes_;
   Part part_;
@@ -144,7 +149,8 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
   });
   for (Part& part : parts) {
     const auto base = static_cast<uint32_t>(trace.mask.size()),
-               chunks = static_cast<uint32_t>(trace.chunks_sent.size());
+               chunks = static_cast<uint32_t>(trace.chunks_sent.size()),
+               quads = static_cast<uint32_t>(trace.quads.size());
     part.walk.first_chunk = chunks;
     part.walk.chunks = part.chunks.size();
     for (TimingParent& group : part.walk.groups_ranked) group.first += chunks;
@@ -156,8 +162,10 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     trace.key.insert(trace.key.end(), part.key.begin(), part.key.end());
     trace.slot.insert(trace.slot.end(), part.slot.begin(), part.slot.end());
     trace.boxes.insert(trace.boxes.end(), part.boxes.begin(), part.boxes.end());
+    for (const uint32_t first : part.quads_first) trace.quads_first.push_back(quads + first);
+    trace.quads.insert(trace.quads.end(), part.quads.begin(), part.quads.end());
     trace.walks.push_back(std::move(part.walk));
-    trace.windows.push_back(part.window);
+    trace.windows.push_back(std::move(part.window));
     part = {};
   }
 }

@@ -52,6 +52,10 @@ struct TimingWindow {
   static constexpr uint32_t kNotDone = ~uint32_t{0};
   uint64_t outside = 0;                   // regions without a pixel inside the image
   std::array<uint32_t, 64> done_after{};  // lines of a region until it is opaque, or kNotDone
+  // With quads, by region and quad (row by row): without a pixel inside the image; Gaussians until all of it has
+  // stopped.
+  std::array<uint16_t, 64> quads_outside{};
+  std::vector<uint32_t> quad_done_after;
 };
 
 struct TimingTrace {
@@ -68,6 +72,9 @@ struct TimingTrace {
   std::vector<uint64_t> mask, key;  // regions; depth key above index
   std::vector<uint8_t> boxes;       // regions of the box that pu_intersect walks; 0: it has none
   std::vector<uint16_t> number;     // lists: of its window
+  // With quads: which are visible in each region of the pair's mask; where the pair's first one lies.
+  std::vector<uint16_t> quads;
+  std::vector<uint32_t> quads_first;
 };
 
 TimingTrace timing_trace(const GoldenInput& input, unsigned threads = 0);

@@ -16,6 +16,8 @@ struct Part {
   std::vector<uint32_t> slot, pairs;  // by survivor; pairs: how many
   std::vector<TracePair> pair;
   std::vector<uint16_t> number;
+  std::vector<uint16_t> quads;
+  std::vector<uint32_t> quads_first;  // by pair
 };
 
 void walk(const GoldenInput& input, TimingWalk& walk, std::vector<Chunk>& chunks, std::vector<uint32_t>& numbers) {
@@ -40,7 +42,7 @@ void walk(const GoldenInput& input, TimingWalk& walk, std::vector<Chunk>& chunks
   walk.chunks = chunks.size();
 }
 
-void gaussian(const GoldenInput& input, const GoldenConic& found, Part& part) {
+void gaussian(const GoldenInput& input, const PuRows& rows, const GoldenConic& found, Part& part) {
   const Config& config = input.packed->config;
   const auto& [conic, payload] = found;
   part.pairs.push_back(0);
@@ -50,6 +52,8 @@ void gaussian(const GoldenInput& input, const GoldenConic& found, Part& part) {
     for (int64_t x = box->first_x; x <= box->last_x; ++x) {
       part.pair.push_back(trace_pair(input, pu_expand(config, conic, x, y), payload));
       part.number.push_back(static_cast<uint16_t>(pu_expand_number(input.frame, x, y)));
+      part.quads_first.push_back(static_cast<uint32_t>(part.quads.size()));
+      if (config.quads) trace_quads(rows, part.pair.back().splat, part.quads);
       ++part.pairs.back();
     }
   }
@@ -64,6 +68,7 @@ void trace_lists(const GoldenInput& input, unsigned threads, TimingTrace& trace)
   trace.walks.resize(1);
   walk(input, trace.walks[0], chunks, numbers);
 
+  const PuRows rows(input.packed->config);
   constexpr size_t kChunksOfPart = 64;
   std::vector<Part> parts((chunks.size() + kChunksOfPart - 1) / kChunksOfPart);
   parallel_for(parts.size(), threads, [&](size_t i) {
@@ -75,7 +80,7 @@ void trace_lists(const GoldenInput& input, unsigned threads, TimingTrace& trace)
         if (!conic) continue;
         sent.survivors |= uint64_t{1} << n;
         part.slot.push_back(static_cast<uint32_t>(chunks[k].slot + n));
-        gaussian(input, *conic, part);
+        gaussian(input, rows, *conic, part);
       }
       part.chunks.push_back(sent);
     }
@@ -94,6 +99,9 @@ void trace_lists(const GoldenInput& input, unsigned threads, TimingTrace& trace)
     for (const uint32_t count : part.pairs) trace.pairs.push_back(first), first += count;
     trace.slot.insert(trace.slot.end(), part.slot.begin(), part.slot.end());
     trace.number.insert(trace.number.end(), part.number.begin(), part.number.end());
+    for (const uint32_t at : part.quads_first)
+      trace.quads_first.push_back(static_cast<uint32_t>(trace.quads.size()) + at);
+    trace.quads.insert(trace.quads.end(), part.quads.begin(), part.quads.end());
     for (size_t i = 0; i < part.pair.size(); ++i) {
       const TracePair& pair = part.pair[i];
       trace.mask.push_back(pair.splat.mask);

@@ -36,6 +36,35 @@ TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload
   return pair;
 }
 
+uint16_t trace_quads(const uint16_t codes[kRegionPixels]) {
+  uint16_t quads = 0;
+  for (int i = 0; i < kRegionPixels; ++i) {
+    if (codes[i] != 0) quads |= static_cast<uint16_t>(1u << (i / 16 * 4 + i % 8 / 2));
+  }
+  return quads;
+}
+
+void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads) {
+  for (uint64_t rest = splat.mask; rest != 0; rest &= rest - 1) {
+    alignas(64) uint16_t codes[kRegionPixels];
+    pu_region_line(rows, splat.job, std::countr_zero(rest), codes);
+    quads.push_back(trace_quads(codes));
+  }
+}
+
+namespace {
+
+// Quads of a region that have stopped as a whole, row by row.
+uint16_t stopped(const RegionState& region) {
+  uint16_t quads = 0xffff;
+  for (int i = 0; i < kRegionPixels; ++i) {
+    if (region.done[i] == 0) quads &= static_cast<uint16_t>(~(1u << (i / 16 * 4 + i % 8 / 2)));
+  }
+  return quads;
+}
+
+}  // namespace
+
 TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
                           std::vector<std::vector<TraceSplat>>& layers) {
   const Config& config = input.packed->config;
@@ -52,6 +81,20 @@ TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
   window.outside = done;
   window.done_after.fill(TimingWindow::kNotDone);
   std::array<uint32_t, 64> lines{};
+  std::array<uint32_t, 16> none{};
+  std::vector<std::array<uint32_t, 16>> gaussians;  // of each quad
+  if (config.quads) {
+    gaussians.resize(regions.size(), none);
+    window.quad_done_after.resize(16 * regions.size(), TimingWindow::kNotDone);
+    for (size_t r = 0; r < regions.size(); ++r) window.quads_outside[r] = stopped(regions[r]);
+  }
+  const auto count_quads = [&](size_t r, const uint16_t* codes, uint16_t before) {
+    for (unsigned rest = trace_quads(codes) & static_cast<unsigned>(~before); rest != 0; rest &= rest - 1) {
+      const auto quad = static_cast<size_t>(std::countr_zero(rest));
+      ++gaussians[r][quad];
+      if (stopped(regions[r]) >> quad & 1) window.quad_done_after[16 * r + quad] = gaussians[r][quad];
+    }
+  };
   for (std::vector<TraceSplat>& layer : layers) {
     std::sort(layer.begin(), layer.end(), [](const TraceSplat& a, const TraceSplat& b) { return a.key < b.key; });
     for (const TraceSplat& splat : layer) {
@@ -60,7 +103,10 @@ TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
         alignas(64) uint16_t codes[kRegionPixels];
         pu_region_line(rows, splat.job, static_cast<int>(r), codes);
         ++lines[r];
-        if (!ru_blend_region(constants, regions[r], codes, black)) continue;
+        const uint16_t before = config.quads ? stopped(regions[r]) : uint16_t{0};
+        const bool closed = ru_blend_region(constants, regions[r], codes, black);
+        if (config.quads) count_quads(r, codes, before);
+        if (!closed) continue;
         done |= uint64_t{1} << r;
         window.done_after[r] = lines[r];
       }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cpp_model/golden.hpp"
+#include "cpp_model/pu/rows/pu_rows.hpp"
 #include "sim/timing/trace/trace.hpp"
 
 namespace pipegs {
@@ -23,6 +24,11 @@ struct TracePair {
   TraceSplat splat;  // key is 0 without regions
   uint8_t boxes = 0;
 };
+
+// Which quads of a region hold a visible pixel, row by row.
+uint16_t trace_quads(const uint16_t codes[kRegionPixels]);
+// The same of each region of a splat, appended; the config has quads.
+void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads);
 
 // Nothing when the cull drops it.
 std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot);
