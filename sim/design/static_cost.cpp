@@ -2,6 +2,8 @@
 // static_cost.cpp: see static_cost.hpp.
 #include "sim/design/static_cost.hpp"
 
+#include <algorithm>
+
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
@@ -10,8 +12,37 @@ namespace {
 constexpr int kRows = 8;    // Row Units of a unit, Table 2
 constexpr int kLanes = 16;  // of an RU: the paper's Rendering Units, Table 2
 
+void add_row_inits(const Config& c, StaticCost& cost) {
+  int adders = 0, constant = 0;
+  for (int dy = 0; dy < kRows; ++dy) {
+    adders += dy == 0 ? 1 : 4;
+    constant += 2 * constant_product_adders(dy) + constant_product_adders(dy * dy);
+  }
+  cost.arithmetic.push_back({"pu_row_init", "power", c.caches_alphas() ? "pu" : "ru", kRows * c.units, 0,
+                             adders * c.units, constant * c.units});
+}
+
+// With quads: the powers of all pixels of a region at once, exponentials for the lanes.
+void add_live_power(const Config& c, StaticCost& cost) {
+  const auto add = [&](const char* module, int instances, int multipliers, int adders, int constant_adders = 0) {
+    cost.arithmetic.push_back({module, "power", "ru", instances, multipliers, adders, constant_adders});
+  };
+  // Column x: power + x slope + x (x - 1) curve; the last products serve all rows.
+  int adders = 0, constant = 0;
+  for (int x = 0; x < 8; ++x) {
+    adders += kRows * std::min(x, 2);
+    constant += kRows * constant_product_adders(x) + constant_product_adders(x * (x - 1));
+  }
+  add("ru_regions", c.units, 8 * c.units, 9 * c.units);
+  add("ru_power", c.units, 0, adders * c.units, constant * c.units);
+  add_row_inits(c, cost);
+  const int chords = c.exp_linear ? kLanes * c.units : 0;
+  add("exp2", kLanes * c.units, chords, chords);
+}
+
 // The Row Units, wherever they stand.
 void add_power(const Config& c, StaticCost& cost) {
+  if (c.quads) return add_live_power(c, cost);
   const std::string unit = c.caches_alphas() ? "pu" : "ru";
   const int rows = kRows * c.units, pixels = c.pixels_per_row;
   const auto add = [&](const char* module, int instances, int multipliers, int adders, int constant_adders = 0) {
@@ -29,12 +60,7 @@ void add_power(const Config& c, StaticCost& cost) {
     }
     add("pu_power", rows, multipliers * c.units, adders * c.units, constant * c.units);
   } else {
-    int adders = 0, constant = 0;
-    for (int dy = 0; dy < kRows; ++dy) {
-      adders += dy == 0 ? 1 : 4;
-      constant += 2 * constant_product_adders(dy) + constant_product_adders(dy * dy);
-    }
-    add("pu_row_init", rows, 0, adders * c.units, constant * c.units);
+    add_row_inits(c, cost);
     add("pu_row_unit", rows, 0, rows * (pixels == 1 ? 2 : 4));
   }
   const int chords = c.exp_linear ? rows * pixels : 0;
@@ -101,7 +127,7 @@ void add_buffers(const Config& c, StaticCost& cost) {
   };
   const int units = c.units, splat = record_width<Splat>(c), memory = c.memory_w();
   if (c.has_stores()) add("alpha store u_lines", "alphas", c.line_w(), c.alpha_lines, units);
-  add("RU u_pixels", "pixels", c.pixel_word_w(), c.regions() / units * 4, 2 * units);
+  add("RU u_pixels", "pixels", c.tap_word_w(), c.regions() / units * 4, 2 * units * c.tap_lanes());
 
   add("SU u_records", "records", splat - c.key_w() - c.kind_w(), c.records, units);
   add("SU u_keys", "records", c.key_w(), c.records, units);
@@ -191,7 +217,7 @@ double StaticCost::buffer_kb(const std::string& purpose) const {
 
 StaticCost static_cost(const Config& config) {
   StaticCost cost;
-  cost.row_lanes = kRows * config.pixels_per_row * config.units;
+  cost.row_lanes = kRows * (config.quads ? 8 : config.pixels_per_row) * config.units;
   cost.blend_lanes = kLanes * config.units;
   add_arithmetic(config, cost);
   add_buffers(config, cost);

@@ -165,6 +165,7 @@ TEST(StaticCost, OtherCountsAndWidthsAreAsBuilt) {
   expect_as_built("units=2 pixels_per_row=1 grid=8 window=32 alpha_w=10 records=64 alpha_lines=256 fetch_lines=16");
   expect_as_built("units=1 pixels_per_row=1 grid=1 late=1 quadratic=1 records=512");
   expect_as_built("units=1 late=1 order=2 nearest_nodes=128 records=64");
+  expect_as_built("units=2 late=1 order=2 quads=1");
 }
 
 // What static_cost says of the design points of the ladder: each as it stands.

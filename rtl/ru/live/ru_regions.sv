@@ -105,7 +105,7 @@ module ru_regions #(
       d_1_q   <= splat_q.d;
       e_1_q   <= splat_q.e;
       f_1_q   <= splat_q.f;
-      tag_1_q <= '{index: splat_q.index, region: region, color: {splat_q.blue, splat_q.green, splat_q.red}};
+      tag_1_q <= {splat_q.index, region, splat_q.blue, splat_q.green, splat_q.red};
     end
   end
 
