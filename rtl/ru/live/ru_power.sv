@@ -61,7 +61,7 @@ module ru_power #(
   // --- starts of the rows; what the columns add ----------------------------------------------------------------------
   logic [8*PowerW-1:0]    power_q;
   logic [8*GradientW-1:0] slope_q;
-  logic [8*BendW-1:0]     bend_q;
+  logic [6*BendW-1:0]     bend_q;
   logic signed [CurveW-1:0] curve_x;
   assign curve_x = region_i.curve_x;
   for (genvar i = 0; i < 8; i += 1) begin : gen_row
@@ -78,12 +78,11 @@ module ru_power #(
         slope_q[i*GradientW +: GradientW] <= slope;
       end
     end
-    if (i < 2) begin : gen_straight  // x (x - 1) is 0
-      assign bend_q[i*BendW +: BendW] = '0;
-    end else begin : gen_bend
-      always_ff @(posedge clk_i) begin
-        if (region_valid_i && rows_move) bend_q[i*BendW +: BendW] <= BendW'(curve_x) * BendW'(i * (i - 1));
-      end
+  end
+  // x (x - 1) curve of columns 2 to 7; it is 0 in columns 0 and 1.
+  for (genvar x = 2; x < 8; x += 1) begin : gen_bend
+    always_ff @(posedge clk_i) begin
+      if (region_valid_i && rows_move) bend_q[(x-2)*BendW +: BendW] <= BendW'(curve_x) * BendW'(x * (x - 1));
     end
   end
 
@@ -107,7 +106,11 @@ module ru_power #(
     logic signed [BendW-1:0]     bend;
     assign start = power_q[Row*PowerW +: PowerW];
     assign slope = slope_q[Row*GradientW +: GradientW];
-    assign bend  = bend_q[Column*BendW +: BendW];
+    if (Column < 2) begin : gen_straight
+      assign bend = '0;
+    end else begin : gen_bent
+      assign bend = bend_q[(Column-2)*BendW +: BendW];
+    end
     assign power = start + PowerW'(slope) * PowerW'(Column) + PowerW'(bend);
     pu_clamp u_clamp (.power_i(power), .exponent_o(exponents[i*ExponentW +: ExponentW]));
     assign visible[i] = exponents[(i+1)*ExponentW-1];  // the highest field
