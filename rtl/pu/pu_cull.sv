@@ -283,18 +283,18 @@ module pu_cull (
   logic                    touch_x, touch_y;
   if (pipegs_pkg::HasLists) begin : gen_frame  // the rectangle of all windows: two more products
     logic [WindowW-1:0]      more_x, more_y;  // windows behind the first one
-    logic signed [EdgeW-1:0] last_x6, last_y6, last_x7_q, last_y7_q;
+    logic signed [EdgeW-1:0] last_x6_q, last_y6_q, last_x7_q, last_y7_q;
     logic signed [SideW-1:0] bx7_q, by7_q;
     assign more_x  = windows_i.last_x - windows_i.first_x;
     assign more_y  = windows_i.last_y - windows_i.first_y;
-    assign last_x6 = edge_x6_q + EdgeW'(Span) + $signed(EdgeW'(more_x) << ($clog2(pipegs_pkg::Window) + EdgeF));
-    assign last_y6 = edge_y6_q + EdgeW'(Span) + $signed(EdgeW'(more_y) << ($clog2(pipegs_pkg::Window) + EdgeF));
     always_ff @(posedge clk_i) begin
       if (advance) begin
-        last_x7_q <= last_x6;
-        last_y7_q <= last_y6;
-        bx7_q     <= SideW'(last_x6) * SideW'(cz6_q);
-        by7_q     <= SideW'(last_y6) * SideW'(cz6_q);
+        last_x6_q <= edge_x5_q + EdgeW'(Span) + $signed(EdgeW'(more_x) << ($clog2(pipegs_pkg::Window) + EdgeF));
+        last_y6_q <= edge_y5_q + EdgeW'(Span) + $signed(EdgeW'(more_y) << ($clog2(pipegs_pkg::Window) + EdgeF));
+        last_x7_q <= last_x6_q;
+        last_y7_q <= last_y6_q;
+        bx7_q     <= SideW'(last_x6_q) * SideW'(cz6_q);
+        by7_q     <= SideW'(last_y6_q) * SideW'(cz6_q);
       end
     end
     assign last_x7 = SideW'(last_x7_q);

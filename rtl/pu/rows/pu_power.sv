@@ -50,9 +50,9 @@ module pu_power #(
 
   for (genvar i = 0; i < Pixels; i += 1) begin : gen_pixel
     logic signed [PowerW-1:0] x;
-    assign x = PowerW'({1'b0, column_q}) + PowerW'(i);
+    assign x = PowerW'({1'b0, column_q | ColumnW'(i)});  // column_q is a multiple of Pixels
     assign power_o[i*PowerW +: PowerW] =
-      power_q + slope_x_q * x + slope_y_q * Y + curve_x_q * x * x + curve_y_q * Y * Y + twist_q * x * Y;
+      power_q + slope_x_q * x + slope_y_q * Y + curve_x_q * (x * x) + curve_y_q * Y * Y + twist_q * x * Y;
   end
 
 endmodule
