@@ -4,7 +4,7 @@
 #include "cpp_model/ru/ru.hpp"
 #include "verif/ru/alpha_lines.hpp"
 #include "verif/ru/pixel_words.hpp"
-#include "verif/ru/random_splat.hpp"
+#include "verif/ru/live/random_splat.hpp"
 #include "verif/support/config.hpp"
 #include "Vru.h"
 #include "verif/support/frame_ports.hpp"
@@ -109,6 +109,11 @@ class RuBench : public Bench<Vru> {
   }
 
   void observe_taps() {
+    for (uint64_t rest = dut.active_o ? dut.done_o : 0; rest != 0; rest &= rest - 1) {
+      const int region = std::countr_zero(rest);
+      ASSERT_TRUE(state.own >> region & 1 && tapped.regions[ru_slot(kConfig, region)].all_done())
+          << "region " << region << " is not done, cycle " << cycle;
+    }
     for (int lane = 0; lane < kConfig.tap_lanes(); ++lane) {
       if (dut.tap_line_valid_o >> lane & 1) ASSERT_NO_FATAL_FAILURE(observe_line(lane));
       if (dut.tap_word_valid_o >> lane & 1) ASSERT_NO_FATAL_FAILURE(observe_word(lane));

@@ -8,7 +8,7 @@
 //         All steps move together.
 // Stream  sorted_t in; region_t out, in order. A splat without an open region vanishes. An end waits at end_o until
 //         all before it has left and end_ready_i takes it.
-// Pace    One region per cycle; latency 4.
+// Pace    One region per cycle; the first one five cycles after its splat was taken.
 // Model   cpp_model/pu/rows/pu_region.hpp, ru_own_mask in cpp_model/ru/ru_walk.hpp
 
 module ru_regions #(
@@ -148,7 +148,8 @@ module ru_regions #(
     if (move && valid_2_q) begin
       tag_3_q     <= tag_2_q;
       base_3_q    <= ExactW'(a_2_q) + (ExactW'(linear_2_q) <<< 3) + Half;
-      square_3_q  <= (SquareW'(d_rx_2_q) + SquareW'(f_ry_2_q)) * SquareW'(rx_2_q) + SquareW'(e_ry_2_q) * SquareW'(ry_2_q);
+      square_3_q  <= (SquareW'(d_rx_2_q) + SquareW'(f_ry_2_q)) * SquareW'(rx_2_q) +
+                     SquareW'(e_ry_2_q) * SquareW'(ry_2_q);
       slope_x_3_q <= GradientW'(slope_x >>> Shift);
       slope_y_3_q <= GradientW'(slope_y >>> Shift);
       curve_x_3_q <= CurveW'(curve_x >>> Shift);

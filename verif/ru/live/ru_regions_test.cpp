@@ -2,7 +2,7 @@
 // ru_regions_test: rtl/ru/live/ru_regions.sv against cpp_model/pu/rows/pu_region.hpp, over splats, ends and windows.
 #include "cpp_model/pu/rows/pu_region.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
-#include "verif/ru/random_splat.hpp"
+#include "verif/ru/live/random_splat.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 #include "Vru_regions.h"
@@ -18,8 +18,8 @@ uint64_t color_of(const Sorted& splat) {
   return (((splat.blue << kConfig.color_w) | splat.green) << kConfig.color_w) | splat.red;
 }
 
-// Gives splats and ends, closes regions, takes what comes out: in a window regions only close, and which are open is not
-// known in the cycle after the window's end.
+// Gives splats and ends, closes regions, takes what comes out: in a window regions only close, and which are open is
+// not known in the cycle after the window's end.
 class Around : public Endpoint {
  public:
   Around(Bench<Vru_regions>& bench, Pace in_pace, Pace out_pace, bool closing)
