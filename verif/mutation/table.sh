@@ -167,7 +167,7 @@ mutant ru_regions "E ry rx for E ry ry" 's/(e_ry_2_q\) \* SquareW.\()ry/\1rx/'
 mutant ru_power "of each row a group has the same column" 's/(Column = )\(g \+ 2 \* j\) % 4/\1g/'
 mutant ru_power "a half leaves when one of its groups has room" \
        "s/\(some & ~out_ready_i\) == '0/(some \& out_ready_i) != '0/"
-mutant ru_power "quads that have stopped live" 's/(visible\)) && !stopped\[i\]/\1/'
+mutant ru_power "quads that have stopped live" 's/ && !stopped\[i\]//'
 mutant ru_quads "a quad comes again after three cycles" "s/\(valid_3_q && address_3_q == address\)/1'b0/"
 mutant ru_quads "outside the image: every row of quads has the column of the first" "s/ \^ \{row_1_q\[0\], 1'b0\}//"
 mutant ru_quads "a window begins without what lies outside" "s/(stopped_q <= )outside_i/\1'0/"

@@ -45,6 +45,7 @@ module ru_power #(
   localparam int unsigned CurveW    = pipegs_pkg::CurveW;
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
   localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW;
+  localparam int unsigned Visible   = ExponentW - 1;  // the bit of an exponent_t
   localparam int unsigned TagW      = TapIndexW + RegionW + ColorsW;
   localparam int unsigned BendW     = CurveW + 6;  // x (x - 1) curve, x (x - 1) at most 42
 
@@ -59,9 +60,9 @@ module ru_power #(
   assign busy_o         = rows_valid_q || halves_q != '0;
 
   // --- starts of the rows; what the columns add ----------------------------------------------------------------------
-  logic signed [7:0][PowerW-1:0]    power_q;
-  logic signed [7:0][GradientW-1:0] slope_q;
-  logic signed [7:0][BendW-1:0]     bend_q;
+  logic [8*PowerW-1:0]    power_q;
+  logic [8*GradientW-1:0] slope_q;
+  logic [8*BendW-1:0]     bend_q;
   for (genvar i = 0; i < 8; i += 1) begin : gen_row
     logic signed [PowerW-1:0]    power;
     logic signed [GradientW-1:0] slope;
@@ -72,9 +73,9 @@ module ru_power #(
     );
     always_ff @(posedge clk_i) begin
       if (region_valid_i && rows_move) begin
-        power_q[i] <= power;
-        slope_q[i] <= slope;
-        bend_q[i]  <= BendW'($signed(region_i.curve_x)) * BendW'(i * (i - (i == 0 ? 0 : 1)));
+        power_q[i*PowerW +: PowerW]       <= power;
+        slope_q[i*GradientW +: GradientW] <= slope;
+        bend_q[i*BendW +: BendW]          <= BendW'($signed(region_i.curve_x)) * BendW'(i * (i - (i == 0 ? 0 : 1)));
       end
     end
   end
@@ -88,22 +89,24 @@ module ru_power #(
   end
 
   // --- the pixels: P(x) = P(0) + x slope + x (x - 1) curve -----------------------------------------------------------
-  pipegs_pkg::exponent_t [63:0] exponent, exponent_q;
-  logic                  [15:0] live, live_q, stopped;  // quads, row by row
-  logic [RegionW-1:0]           slot;
+  logic [64*ExponentW-1:0] exponent, exponent_q;
+  logic [63:0]             visible;
+  logic [15:0]             live, live_q, stopped;  // quads, row by row
+  logic [RegionW-1:0]      slot;
   for (genvar i = 0; i < 64; i += 1) begin : gen_pixel
     localparam int unsigned Row = i / 8, Column = i % 8;
     logic signed [PowerW-1:0] power;
-    assign power = $signed(power_q[Row]) + PowerW'($signed(slope_q[Row])) * PowerW'(Column) +
-                   PowerW'($signed(bend_q[Column]));
-    pu_clamp u_clamp (.power_i(power), .exponent_o(exponent[i]));
+    assign power = $signed(power_q[Row*PowerW +: PowerW]) +
+                   PowerW'($signed(slope_q[Row*GradientW +: GradientW])) * PowerW'(Column) +
+                   PowerW'($signed(bend_q[Column*BendW +: BendW]));
+    pu_clamp u_clamp (.power_i(power), .exponent_o(exponent[i*ExponentW +: ExponentW]));
+    assign visible[i] = exponent[i*ExponentW+Visible];
   end
   ru_slot u_slot (.region_i(rows_tag_q[ColorsW +: RegionW]), .slot_o(slot));
   assign stopped = stopped_i[slot*16 +: 16];
   for (genvar i = 0; i < 16; i += 1) begin : gen_quad
     localparam int unsigned First = 16 * (i / 4) + 2 * (i % 4);
-    assign live[i] = (exponent[First].visible || exponent[First+1].visible || exponent[First+8].visible ||
-                      exponent[First+9].visible) && !stopped[i];
+    assign live[i] = (visible[First +: 2] != '0 || visible[First+8 +: 2] != '0) && !stopped[i];
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -133,7 +136,8 @@ module ru_power #(
       assign out_live_o[2*g+j] = half ? live_q[4*(2+j)+Column] : live_q[4*j+Column];
       for (genvar p = 0; p < 4; p += 1) begin : gen_pixel
         localparam int unsigned Pixel = 16 * j + 2 * Column + 8 * (p / 2) + p % 2;  // of the first half
-        assign out_o[g*PairW+(4*j+p)*ExponentW +: ExponentW] = half ? exponent_q[32+Pixel] : exponent_q[Pixel];
+        assign out_o[g*PairW+(4*j+p)*ExponentW +: ExponentW] =
+            half ? exponent_q[(32+Pixel)*ExponentW +: ExponentW] : exponent_q[Pixel*ExponentW +: ExponentW];
       end
     end
     assign some[g] = out_live_o[2*g +: 2] != '0;

@@ -38,6 +38,7 @@ module ru_regions #(
 
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
   localparam int unsigned HalfW     = RegionW / 2;      // bits of a column or row of regions
+  localparam int unsigned TagW      = pipegs_pkg::TapIndexW + RegionW + ColorsW;
   localparam int unsigned AW        = pipegs_pkg::AW;
   localparam int unsigned BcW       = pipegs_pkg::BcW;
   localparam int unsigned DefW      = pipegs_pkg::DefW;
@@ -88,15 +89,10 @@ module ru_regions #(
   end
 
   // --- 1: which region of which splat --------------------------------------------------------------------------------
-  typedef struct packed {
-    logic [pipegs_pkg::TapIndexW-1:0] index;
-    logic [RegionW-1:0]               region;
-    logic [ColorsW-1:0]               color;
-  } tag_t;
   logic signed [AW-1:0]   a_1_q;
   logic signed [BcW-1:0]  b_1_q, c_1_q;
   logic signed [DefW-1:0] d_1_q, e_1_q, f_1_q;
-  tag_t                   tag_1_q, tag_2_q, tag_3_q, tag_4_q;
+  logic [TagW-1:0]        tag_1_q, tag_2_q, tag_3_q, tag_4_q;  // {index, region, colour}
   always_ff @(posedge clk_i) begin
     if (pick) begin
       a_1_q   <= splat_q.a;
@@ -105,7 +101,7 @@ module ru_regions #(
       d_1_q   <= splat_q.d;
       e_1_q   <= splat_q.e;
       f_1_q   <= splat_q.f;
-      tag_1_q <= '{index: splat_q.index, region: region, color: {splat_q.blue, splat_q.green, splat_q.red}};
+      tag_1_q <= {splat_q.index, region, splat_q.blue, splat_q.green, splat_q.red};
     end
   end
 
@@ -116,8 +112,8 @@ module ru_regions #(
   logic signed [AW-1:0]      a_2_q;
   logic signed [BcW-1:0]     b_2_q, c_2_q;
   logic signed [DefW-1:0]    d_2_q, e_2_q, f_2_q;
-  assign rx = AxisW'(tag_1_q.region[HalfW-1:0]);
-  assign ry = AxisW'(tag_1_q.region[RegionW-1:HalfW]);
+  assign rx = AxisW'(tag_1_q[ColorsW +: HalfW]);
+  assign ry = AxisW'(tag_1_q[ColorsW+HalfW +: HalfW]);
   always_ff @(posedge clk_i) begin
     if (move && valid_1_q) begin
       tag_2_q    <= tag_1_q;
@@ -191,7 +187,7 @@ module ru_regions #(
   end
 
   assign region_valid_o = valid_4_q;
-  assign color_o        = tag_4_q.color;
+  assign color_o        = tag_4_q[ColorsW-1:0];
   always_comb begin
     region_o         = '0;
     region_o.kind    = pipegs_pkg::KindData;
@@ -201,8 +197,7 @@ module ru_regions #(
     region_o.curve_x = curve_x_4_q;
     region_o.curve_y = curve_y_4_q;
     region_o.twist   = twist_4_q;
-    region_o.index   = tag_4_q.index;
-    region_o.region  = tag_4_q.region;
+    {region_o.index, region_o.region} = tag_4_q[TagW-1:ColorsW];
   end
 
   logic unused_in;
