@@ -17,6 +17,7 @@ build=${BUILD:-build} failed=0 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 # The machines, as settings.
 machines=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1" "late=1 order=2"
+  "late=1 order=2 quads=1"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 declare -A machine_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows]="late=1"
@@ -24,6 +25,8 @@ declare -A machine_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows
   [pu_lines]="order=1" [pu_fill]="order=1" [pu_marks]="late=1 order=2"
   [lists]="late=1 order=1" [list_write]="late=1 order=1" [list_read]="late=1 order=1"
   [dopu_depth]="late=1 order=2" [dopu_bucket]="late=1 order=2" [dopu_rank]="late=1 order=2" [dopu_open]="late=1 order=2"
+  [ru_live]="late=1 order=2 quads=1" [ru_regions]="late=1 order=2 quads=1" [ru_power]="late=1 order=2 quads=1"
+  [ru_quads]="late=1 order=2 quads=1"
   [dopu_send]="late=1 order=2" [dopu_nearest]="late=1 order=2")
 package() {  # the path of the package with these settings
   local folder=$scratch/${1// /,}

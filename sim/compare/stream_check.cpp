@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "cpp_model/ru/ru_quads.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 
 namespace pipegs {
@@ -177,13 +178,6 @@ void StreamCheck::on_sorted(const uint32_t* words) {
   ++place.next;
 }
 
-// Which pixel of the region is pixel i of what a lane of taps shows: of a line or a word of sixteen, or of a quad.
-int StreamCheck::pixel_of(int lane, int quarter, int i) const {
-  if (!config_.quads) return 16 * quarter + i;
-  const int column = (lane + 2 * quarter) % 4;  // rtl/ru/live/ru_live.sv
-  return 8 * (2 * quarter + i / 2) + 2 * column + i % 2;
-}
-
 std::string StreamCheck::ru_name(int lane) const { return fmt::format("RU {}", lane / config_.tap_lanes()); }
 
 void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
@@ -210,8 +204,8 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
   std::array<uint16_t, kRegionPixels> codes;
   pu_region_line(rows_, splat->job, region, codes.data());
   bool same = true;
-  for (int i = 0; i < (config_.quads ? 4 : kRegionPixels); ++i) {
-    const int pixel = config_.quads ? pixel_of(lane, quarter, i) : i;
+  for (int i = 0; i < (config_.quads ? kQuadPixels : kRegionPixels); ++i) {
+    const int pixel = config_.quads ? ru_word_pixel(config_, lane % config_.tap_lanes(), quarter, i) : i;
     pending.codes[pixel] = codes[pixel];
     const uint64_t found = get_bits(line, i * config_.alpha_w, config_.alpha_w);
     if (found == codes[pixel] || !same) continue;
@@ -237,9 +231,9 @@ void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* w
                                                      region, pending.region));
   } else {
     // The word: colours of its pixels, then their transmittances, then their done flags (rtl/ru/ru_lanes.sv).
-    const int colors = 3 * config_.rgb_w, pixels = config_.quads ? 4 : 16;
+    const int colors = 3 * config_.rgb_w, pixels = ru_word_pixels(config_);
     for (int i = 0; i < pixels; ++i) {
-      const int pixel = pixel_of(lane, quarter, i);
+      const int pixel = ru_word_pixel(config_, lane % config_.tap_lanes(), quarter, i);
       const PixelState expected = pending.after.pixel(pixel);
       const auto field = [&](int at, int width) { return static_cast<uint32_t>(get_bits(word, at, width)); };
       const PixelState found{field(pixels * colors + i * config_.t_w, config_.t_w),

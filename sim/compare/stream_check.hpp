@@ -80,7 +80,6 @@ class StreamCheck final : public RtlTaps {
   void fail(uint64_t window, std::string what);
   void end(Place& place, uint64_t kind);
   void on_mark(int unit, const Place& place, const Splat& mark);
-  int pixel_of(int lane, int quarter, int i) const;
   std::string ru_name(int lane) const;
   void expect_end(const Place& place, uint64_t kind, const char* stream);
 

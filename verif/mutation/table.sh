@@ -76,7 +76,8 @@ mutant pu_intersect "a Gaussian with a box is dropped when the box is found" \
        's/(drop *= state_q == StateStart) && none_q/\1/'
 mutant pu_intersect "the walk goes on while the test waits" 's/(step *= walk_valid_q) && !hold/\1/'
 mutant exp2 "shift by one" 's/product >> \(RestW - 1\)/product >> RestW/'
-mutant pu_alpha "the cut: < becomes <=" 's/(PowerW.\(~power_i\)) < /\1 <= /'
+mutant pu_clamp "the cut: < becomes <=" 's/(PowerW.\(~power_i\)) < /\1 <= /' pu_alpha
+mutant pu_code "the half is not added" "s/CodeW'\(halves\[0\]\)/CodeW'(0)/" pu_alpha
 mutant pu_row_init "dy^2 becomes dy^2 - 1" 's/Dy \* Dy\)/Dy * Dy - 1)/'
 mutant pu_row_unit "4 curve becomes 2 curve" 's/curve_i\) <<< 2/curve_i) <<< 1/'
 mutant pu_region "16 D rx becomes 8 D rx" 's/d_rx_q\) <<< 4/d_rx_q) <<< 3/'
@@ -154,7 +155,25 @@ mutant ru_lanes "a region is done with its last quarter" "s/\(quarter_3_q == 2'd
 mutant ru_resolve "quarters of a region: 3 becomes 2" "s/next_quarter_q == 2'd3/next_quarter_q == 2'd2/"
 mutant ru_resolve "regions outside the image are written" 's/own & ~outside_i/own/'
 mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/'
-mutant ru "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/'
+mutant ru_whole "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/' ru
+
+# --- rtl/ru/live ------------------------------------------------------------------------------------------------------
+group quads "RU that blends living quads (\`quads = 1\`)"
+mutant ru_regions "a splat leaves although its last region finds no room" \
+       "s/last && \(move \|\| open == '0\)/last/"
+mutant ru_regions "regions are picked in a cycle in which it is not known which are open" \
+       "s/(open != '0 && move) && !hold_i/\1/"
+mutant ru_regions "E ry rx for E ry ry" 's/(e_ry_2_q\) \* SquareW.\()ry/\1rx/'
+mutant ru_power "of each row a group has the same column" 's/(Column = )\(g \+ 2 \* j\) % 4/\1g/'
+mutant ru_power "a half leaves when one of its groups has room" \
+       "s/\(some & ~out_ready_i\) == '0/(some \& out_ready_i) != '0/"
+mutant ru_power "quads that have stopped live" 's/ && !stopped\[i\]//'
+mutant ru_quads "a quad comes again after three cycles" "s/\(valid_3_q && address_3_q == address\)/1'b0/"
+mutant ru_quads "outside the image: every row of quads has the column of the first" "s/ \^ \{row_1_q\[0\], 1'b0\}//"
+mutant ru_quads "a window begins without what lies outside" "s/(stopped_q <= )outside_i/\1'0/"
+mutant ru_live "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/'
+mutant ru_live "rows of quads are read as if all began with the same group" 's/(Odd = \(Even \+ )2/\10/'
+mutant ru_live "done of the window before is shown in the next one" 's/ && !clear_q( && stopped)/\1/'
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 group buf "Buffers"

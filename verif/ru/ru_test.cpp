@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // ru_test: rtl/ru/ru.sv, whole frames, against cpp_model/ru/ru.hpp; its clock only ticks when the RU asks for it.
+#include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/ru/ru.hpp"
 #include "verif/ru/alpha_lines.hpp"
 #include "verif/ru/pixel_words.hpp"
+#include "verif/ru/live/random_splat.hpp"
 #include "verif/support/config.hpp"
 #include "Vru.h"
 #include "verif/support/frame_ports.hpp"
@@ -12,6 +14,8 @@ namespace {
 
 const Config kConfig = test_config();
 const BlendConstants kBlend(kConfig);
+const PuRows kRows(kConfig);
+const bool kLate = !kConfig.caches_alphas();
 using LinePort = std::remove_reference_t<decltype(Vru::rsp_data_i)>;
 
 struct Paces {
@@ -40,23 +44,33 @@ class RuBench : public Bench<Vru> {
     dut.restart_i = 1;
     cycle_once();
     dut.restart_i = 0;
+    if (kConfig.quads) cycle_once();  // it finds out what lies outside
     state = tapped = ru_start(kConfig, frame, unit);
     ends = ends_seen = windows = windows_seen = 0;
     EXPECT_EQ(dut.done_o, state.done) << "regions outside the image are done from the start";
   }
 
-  // A splat whose lines lie in a store or in memory; the golden RU takes it at once, the module when it comes to it.
+  // A splat whose lines lie in a store or in memory, or which has coefficients instead; the golden RU takes it at once,
+  // the module when it comes to it.
   void send(uint64_t kind, uint64_t mask = 0, bool ext = false, int strength = 0) {
     Sorted splat = random_record<Sorted>(kConfig, rng);
     splat.kind = kind;
     splat.index = next_index++;
     splat.mask = mask;
-    splat.ext = ext;
     splat.unit %= kConfig.units;
-    splat.address = next_address;
+    if (kLate) {
+      give_coefficients(kConfig, rng, strength, splat);
+    } else {
+      splat.ext = ext;
+      splat.address = next_address;
+    }
     colors[splat.index] = splat;
     for (uint64_t rest = kind == kData ? mask : 0; rest != 0; rest &= rest - 1) {
       const int region = std::countr_zero(rest);
+      if (kLate) {
+        pu_region_line(kRows, job_of(splat), region, codes[{splat.index, region}].data());
+        continue;
+      }
       const uint64_t line = next_address++;
       const Codes one = codes[{splat.index, region}] = random_codes(kConfig, rng, strength);
       if (!ext) {
@@ -95,30 +109,14 @@ class RuBench : public Bench<Vru> {
   }
 
   void observe_taps() {
-    if (dut.tap_line_valid_o) {
-      Words words(port_words<decltype(dut.tap_line_o)>() + 1);
-      read_port(dut.tap_line_o, words.data());
-      const Codes& one = codes.at({dut.tap_line_index_o, dut.tap_line_region_o});
-      Words expected = pack_codes(kConfig, one);
-      expected.resize(words.size());
-      ASSERT_EQ(words, expected) << "line of " << dut.tap_line_index_o << " region " << int(dut.tap_line_region_o)
-                                 << " cycle " << cycle;
-      const Sorted& splat = colors.at(dut.tap_line_index_o);
-      const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green),
-                                 static_cast<uint32_t>(splat.blue)};
-      RegionState& region = tapped.regions[ru_slot(kConfig, dut.tap_line_region_o)];
-      ru_blend_region(kBlend, region, one.data(), color);
-      for (int q = 0; q < 4; ++q) expected_words.push_back(pixel_word(kConfig, region, q));
-      line_cycles.push_back(cycle);
+    for (uint64_t rest = dut.active_o ? dut.done_o : 0; rest != 0; rest &= rest - 1) {
+      const int region = std::countr_zero(rest);
+      ASSERT_TRUE(state.own >> region & 1 && tapped.regions[ru_slot(kConfig, region)].all_done())
+          << "region " << region << " is not done, cycle " << cycle;
     }
-    if (dut.tap_word_valid_o) {
-      Words found(port_words<decltype(dut.tap_word_o)>() + 2);
-      read_port(dut.tap_word_o, found.data());
-      ASSERT_FALSE(expected_words.empty());
-      ASSERT_EQ(pixel_difference(kConfig, expected_words.front(), found), "")
-          << "region " << int(dut.tap_word_region_o) << " quarter " << int(dut.tap_word_quarter_o) << " cycle " << cycle
-          << " seed " << seed;
-      expected_words.pop_front();
+    for (int lane = 0; lane < kConfig.tap_lanes(); ++lane) {
+      if (dut.tap_line_valid_o >> lane & 1) ASSERT_NO_FATAL_FAILURE(observe_line(lane));
+      if (dut.tap_word_valid_o >> lane & 1) ASSERT_NO_FATAL_FAILURE(observe_word(lane));
     }
     if (dut.active_o && dut.layer_done_o) ++ends_seen;
     if (dut.active_o && dut.window_done_o) {
@@ -128,6 +126,58 @@ class RuBench : public Bench<Vru> {
           : ++tapped.window_x;
       ru_start_window(kConfig, frame, tapped);
     }
+  }
+
+  // Alphas are consumed: of a region, or of a quad.
+  void observe_line(int lane) {
+    const uint64_t index = field(dut.tap_line_index_o, lane, kConfig.tap_index_w());
+    const int region = static_cast<int>(field(dut.tap_line_region_o, lane, kConfig.region_w()));
+    const int row = static_cast<int>(field(dut.tap_line_quarter_o, lane, 2));
+    const Codes& one = codes.at({index, region});
+    const int count = kConfig.quads ? kQuadPixels : kRegionPixels;
+    for (int i = 0; i < count; ++i) {
+      const uint64_t found = field(dut.tap_line_o, lane * count + i, kConfig.alpha_w);
+      ASSERT_EQ(found, one[kConfig.quads ? ru_word_pixel(kConfig, lane, row, i) : i])
+          << "alpha " << i << " of " << index << " region " << region << " lane " << lane << " cycle " << cycle;
+    }
+    const Sorted& splat = colors.at(index);
+    const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green),
+                               static_cast<uint32_t>(splat.blue)};
+    RegionState& state_of = tapped.regions[ru_slot(kConfig, region)];
+    if (kConfig.quads) {
+      const int quad = ru_quad(lane, row);
+      ASSERT_TRUE(ru_live_quads(one.data(), 0) >> quad & 1) << "no pixel of the quad is visible, cycle " << cycle;
+      ru_blend_quad(kBlend, state_of, quad, one.data(), color);
+      expected_words[lane].push_back({region, row, pixel_word(kConfig, state_of, row, lane)});
+    } else {
+      ru_blend_region(kBlend, state_of, one.data(), color);
+      for (int q = 0; q < 4; ++q) expected_words[lane].push_back({region, q, pixel_word(kConfig, state_of, q)});
+    }
+    if (lane == 0) line_cycles.push_back(cycle);
+  }
+
+  // Pixels are written back.
+  void observe_word(int lane) {
+    Words all(port_words<decltype(dut.tap_word_o)>() + 2), found(pixel_word_width(kConfig) / 32 + 2);
+    read_port(dut.tap_word_o, all.data());
+    for (int at = 0; at < pixel_word_width(kConfig); ++at)
+      put_bits(found.data(), at, 1, get_bits(all.data(), lane * pixel_word_width(kConfig) + at, 1));
+    ASSERT_FALSE(expected_words[lane].empty());
+    const ExpectedWord& expected = expected_words[lane].front();
+    ASSERT_EQ(field(dut.tap_word_region_o, lane, kConfig.region_w()), expected.region) << "cycle " << cycle;
+    ASSERT_EQ(field(dut.tap_word_quarter_o, lane, 2), expected.part) << "cycle " << cycle;
+    ASSERT_EQ(pixel_difference(kConfig, expected.word, found), "")
+        << "region " << expected.region << " part " << expected.part << " lane " << lane << " cycle " << cycle
+        << " seed " << seed;
+    expected_words[lane].pop_front();
+  }
+
+  // Entry i of a port that is an array of fields.
+  template <class Port>
+  static uint64_t field(const Port& port, int i, int width) {
+    Words words(port_words<Port>() + 2);
+    read_port(port, words.data());
+    return get_bits(words.data(), i * width, width);
   }
 
   // Runs until the RU is idle and compares the frame in memory.
@@ -165,8 +215,12 @@ class RuBench : public Bench<Vru> {
   std::map<std::pair<uint64_t, int>, Codes> codes;
   std::map<uint64_t, Sorted> colors;
   std::map<uint64_t, std::vector<uint64_t>> lines;
-  std::deque<Words> expected_words;
-  std::vector<uint64_t> line_cycles;
+  struct ExpectedWord {
+    int region, part;  // a quarter of the region, or a row of its quads
+    Words word;
+  };
+  std::vector<std::deque<ExpectedWord>> expected_words{static_cast<size_t>(kConfig.tap_lanes())};
+  std::vector<uint64_t> line_cycles;  // of the first lane of taps
   uint64_t next_index = 0, next_address = 0, ends = 0, ends_seen = 0, windows = 0, windows_seen = 0, lines_before = 0;
   uint64_t active_cycles = 0, perf[4] = {};
 };
@@ -265,16 +319,19 @@ TEST(Ru, AFullWindowClosesAllRegions) {
   ASSERT_NO_FATAL_FAILURE(bench.finish());
 }
 
+// Lines of a region, or quads of it that the first group blends.
+const int kLinesPerRegion = kConfig.quads ? 4 : 1;
+
 // Splats of one region each, in turn: the lanes never wait.
 TEST(Ru, ARegionTakesFourCycles) {
   RuBench bench({}, 0);
   bench.start(random_frame(bench.rng, kConfig.window, kConfig.window));
   const int slots = kConfig.regions() / kConfig.units, count = 400;
-  for (int i = 0; i < count; ++i) bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, 0);
+  for (int i = 0; i < count; ++i) bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, -1);
   bench.send(kWindowEnd);
   ASSERT_NO_FATAL_FAILURE(bench.finish());
-  ASSERT_EQ(bench.line_cycles.size(), size_t(count));
-  EXPECT_EQ(bench.line_cycles.back() - bench.line_cycles.front(), 4u * (count - 1));
+  ASSERT_EQ(bench.line_cycles.size(), size_t(count * kLinesPerRegion));
+  EXPECT_EQ(bench.line_cycles.back() - bench.line_cycles.front(), 4u * count - 4 / kLinesPerRegion);
 }
 
 // The pixels of a window are written while the next one is blended.
@@ -284,16 +341,16 @@ TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
   const int slots = kConfig.regions() / kConfig.units, rounds = 4;
   for (int window = 0; window < 8; ++window) {
     for (int i = 0; i < rounds * slots; ++i)
-      bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, 0);
+      bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, -1);
     bench.send(kWindowEnd);
   }
   ASSERT_NO_FATAL_FAILURE(bench.finish());
   const double per_region =
-      double(bench.line_cycles.back() - bench.line_cycles.front()) / (bench.line_cycles.size() - 1);
+      kLinesPerRegion * double(bench.line_cycles.back() - bench.line_cycles.front()) / (bench.line_cycles.size() - 1);
   std::printf("cycles per region over 8 windows: %.3f; busy %llu starved %llu blocked %llu memory %llu\n", per_region,
               (unsigned long long)bench.perf[0], (unsigned long long)bench.perf[1], (unsigned long long)bench.perf[2],
               (unsigned long long)bench.perf[3]);
-  EXPECT_LT(per_region, 4.0 + 8.0 / (rounds * slots));
+  EXPECT_LT(per_region, 4.0 + (kConfig.quads ? 16.0 : 8.0) / (rounds * slots)) << "a window's end empties the RU";
 }
 
 TEST(Ru, SleepsWhenItHasNothingToDo) {

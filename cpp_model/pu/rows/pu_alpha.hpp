@@ -6,7 +6,7 @@
 //           power < -PowerCut   -> 0         (a compare: no exponential decides the cut)
 //           power > 0           -> power 0   (rounding may lift the peak just above 0; it must not vanish)
 // Numbers power s20.PowerF -> u0.AlphaW, rounded to nearest, 1 .. round(0.99 * 2^AlphaW).
-// RTL     rtl/pu/rows/pu_alpha.sv
+// RTL     rtl/pu/rows/pu_alpha.sv; its steps: rtl/pu/rows/pu_clamp.sv, rtl/pu/rows/pu_code.sv
 #pragma once
 
 #include <algorithm>
@@ -21,6 +21,7 @@ struct PuAlpha {
       : exp2(config),
         power_f(config.power_f),
         input_shift(config.power_f - config.exp_f()),
+        whole_mask((uint64_t{1} << config.whole_w()) - 1),
         cut(-config.power_cut()),
         alpha_max(static_cast<uint32_t>(config.alpha_max())) {}
 
@@ -31,12 +32,21 @@ struct PuAlpha {
     const uint32_t code = ((exp2(fraction) >> (6 + whole)) + 1) >> 1;
     return power < cut ? 0 : std::clamp(code, 1u, alpha_max);
   }
+  // What stands between the two steps of the RTL, pu_clamp and pu_code.
+  Exponent exponent(int64_t power) const {
+    const int64_t held = std::min<int64_t>(power, 0);
+    const uint64_t fraction = static_cast<uint64_t>(held) & ((uint64_t{1} << power_f) - 1);
+    return {.fraction = fraction >> input_shift,
+            .whole = static_cast<uint64_t>(-(held >> power_f)) & whole_mask,
+            .visible = power >= cut};
+  }
   uint32_t operator()(int64_t power) const {
     return clamped(static_cast<int32_t>(std::clamp<int64_t>(power, cut - 1, 0)));
   }
 
   Exp2 exp2;
   int power_f, input_shift;
+  uint64_t whole_mask;
   int32_t cut;
   uint32_t alpha_max;
 };

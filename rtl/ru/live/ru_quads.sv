@@ -168,8 +168,10 @@ module ru_quads #(
     logic [SideW-1:0] left, top;
     left    = (SideW'(region_1_q[ColumnW-1:0]) << 3) + (SideW'(column) << 1);
     top     = (SideW'(region_1_q[RegionW-1:ColumnW]) << 3) + (SideW'(row_1_q) << 1);
-    outside = {columns_i <= left + SideW'(1) || rows_i <= top + SideW'(1), columns_i <= left || rows_i <= top + SideW'(1),
-               columns_i <= left + SideW'(1) || rows_i <= top, columns_i <= left || rows_i <= top};
+    outside = {columns_i <= left + SideW'(1) || rows_i <= top + SideW'(1),
+               columns_i <= left || rows_i <= top + SideW'(1),
+               columns_i <= left + SideW'(1) || rows_i <= top,
+               columns_i <= left || rows_i <= top};
   end
   assign read_o  = valid_1_q;
   assign raddr_o = address_1_q;

@@ -8,7 +8,7 @@
 //         All steps move together.
 // Stream  sorted_t in; region_t out, in order. A splat without an open region vanishes. An end waits at end_o until
 //         all before it has left and end_ready_i takes it.
-// Pace    One region per cycle; latency 4.
+// Pace    One region per cycle; the first one five cycles after its splat was taken.
 // Model   cpp_model/pu/rows/pu_region.hpp, ru_own_mask in cpp_model/ru/ru_walk.hpp
 
 module ru_regions #(
@@ -38,6 +38,7 @@ module ru_regions #(
 
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
   localparam int unsigned HalfW     = RegionW / 2;      // bits of a column or row of regions
+  localparam int unsigned TagW      = pipegs_pkg::TapIndexW + RegionW + ColorsW;
   localparam int unsigned AW        = pipegs_pkg::AW;
   localparam int unsigned BcW       = pipegs_pkg::BcW;
   localparam int unsigned DefW      = pipegs_pkg::DefW;
@@ -88,15 +89,10 @@ module ru_regions #(
   end
 
   // --- 1: which region of which splat --------------------------------------------------------------------------------
-  typedef struct packed {
-    logic [pipegs_pkg::TapIndexW-1:0] index;
-    logic [RegionW-1:0]               region;
-    logic [ColorsW-1:0]               color;
-  } tag_t;
   logic signed [AW-1:0]   a_1_q;
   logic signed [BcW-1:0]  b_1_q, c_1_q;
   logic signed [DefW-1:0] d_1_q, e_1_q, f_1_q;
-  tag_t                   tag_1_q, tag_2_q, tag_3_q, tag_4_q;
+  logic [TagW-1:0]        tag_1_q, tag_2_q, tag_3_q, tag_4_q;  // {index, region, colour}
   always_ff @(posedge clk_i) begin
     if (pick) begin
       a_1_q   <= splat_q.a;
@@ -116,8 +112,8 @@ module ru_regions #(
   logic signed [AW-1:0]      a_2_q;
   logic signed [BcW-1:0]     b_2_q, c_2_q;
   logic signed [DefW-1:0]    d_2_q, e_2_q, f_2_q;
-  assign rx = AxisW'(tag_1_q.region[HalfW-1:0]);
-  assign ry = AxisW'(tag_1_q.region[RegionW-1:HalfW]);
+  assign rx = AxisW'(tag_1_q[ColorsW +: HalfW]);
+  assign ry = AxisW'(tag_1_q[ColorsW+HalfW +: HalfW]);
   always_ff @(posedge clk_i) begin
     if (move && valid_1_q) begin
       tag_2_q    <= tag_1_q;
@@ -148,7 +144,8 @@ module ru_regions #(
     if (move && valid_2_q) begin
       tag_3_q     <= tag_2_q;
       base_3_q    <= ExactW'(a_2_q) + (ExactW'(linear_2_q) <<< 3) + Half;
-      square_3_q  <= (SquareW'(d_rx_2_q) + SquareW'(f_ry_2_q)) * SquareW'(rx_2_q) + SquareW'(e_ry_2_q) * SquareW'(ry_2_q);
+      square_3_q  <= (SquareW'(d_rx_2_q) + SquareW'(f_ry_2_q)) * SquareW'(rx_2_q) +
+                     SquareW'(e_ry_2_q) * SquareW'(ry_2_q);
       slope_x_3_q <= GradientW'(slope_x >>> Shift);
       slope_y_3_q <= GradientW'(slope_y >>> Shift);
       curve_x_3_q <= CurveW'(curve_x >>> Shift);
@@ -190,7 +187,7 @@ module ru_regions #(
   end
 
   assign region_valid_o = valid_4_q;
-  assign color_o        = tag_4_q.color;
+  assign color_o        = tag_4_q[ColorsW-1:0];
   always_comb begin
     region_o         = '0;
     region_o.kind    = pipegs_pkg::KindData;
@@ -200,8 +197,7 @@ module ru_regions #(
     region_o.curve_x = curve_x_4_q;
     region_o.curve_y = curve_y_4_q;
     region_o.twist   = twist_4_q;
-    region_o.index   = tag_4_q.index;
-    region_o.region  = tag_4_q.region;
+    {region_o.index, region_o.region} = tag_4_q[TagW-1:ColorsW];
   end
 
   logic unused_in;
