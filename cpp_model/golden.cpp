@@ -24,6 +24,7 @@
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/pu/project/pu_squares.hpp"
+#include "cpp_model/ru/ru_quads.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 #include "cpp_model/su/su.hpp"
 
@@ -160,6 +161,8 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
         ++window.work.open_regions;
         alignas(64) uint16_t codes[kRegionPixels];
         pu_region_line(rows, splat.job, r, codes);
+        if (config.quads)
+          window.work.quads += static_cast<uint64_t>(std::popcount(ru_live_quads(codes, ru_stopped_quads(region))));
         uint32_t before[kRegionPixels], done_before[kRegionPixels];
         std::copy_n(region.t, kRegionPixels, before);
         std::copy_n(region.done, kRegionPixels, done_before);
@@ -182,7 +185,7 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
 
 Work& Work::operator+=(const Work& o) {
   fetched += o.fetched, visible += o.visible, records += o.records, regions += o.regions;
-  open_regions += o.open_regions, alphas += o.alphas;
+  open_regions += o.open_regions, quads += o.quads, alphas += o.alphas;
   blended += o.blended, keys += o.keys, chunks += o.chunks, layers += o.layers, windows += o.windows;
   return *this;
 }

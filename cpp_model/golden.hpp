@@ -31,6 +31,7 @@ struct Work {
   uint64_t regions = 0;  // (Gaussian, region) pairs whose alphas are computed
   uint64_t open_regions =
       0;                 // of these, with a pixel that nearer Gaussians have not stopped: pairs that must be blended
+  uint64_t quads = 0;    // with quads: (Gaussian, quad) pairs that are blended
   uint64_t alphas = 0;   // 64 per region
   uint64_t blended = 0;  // (Gaussian, pixel) pairs that changed a pixel
   uint64_t keys = 0;     // keys sorted

@@ -63,6 +63,8 @@ WHAT_IF = {  # of the design point exact: one thing changed
     "records1024": "--set records=1024",
     "records4096": "--set records=4096",
     "bandwidth102": "--memory lpddr5-6400x8",
+    "quads": "--set quads=1",
+    "quads_bandwidth102": "--set quads=1 --memory lpddr5-6400x8",
 }
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
     "dop": "", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",

@@ -43,8 +43,13 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
   // Regions that are done are skipped, save by PUs that cache the alphas of the whole frame before the first is
   // blended.
   const uint64_t rows = config.caches_alphas() && config.has_lists() ? work.regions : work.open_regions;
-  bounds.rows = static_cast<double>(rows) * 8 / config.pixels_per_row / units;
-  bounds.ru = static_cast<double>(work.open_regions) * 4 / units;
+  if (config.quads) {
+    bounds.rows = static_cast<double>(work.open_regions) / units;
+    bounds.ru = static_cast<double>(work.quads) / Config::ru_groups() / units;
+  } else {
+    bounds.rows = static_cast<double>(rows) * 8 / config.pixels_per_row / units;
+    bounds.ru = static_cast<double>(work.open_regions) * 4 / units;
+  }
   bounds.su = static_cast<double>(work.keys) / units;
   bounds.cull = static_cast<double>(work.fetched) / units;
   bounds.memory = static_cast<double>(total_lines(simulation)) * 64 / memory_peak(options.memory);
@@ -123,6 +128,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
                     {"records", work.records},
                     {"regions", work.regions},
                     {"open_regions", work.open_regions},
+                    {"quads", of(options.config.quads != 0, work.quads)},
                     {"alphas", work.alphas},
                     {"blended", work.blended},
                     {"keys", work.keys},

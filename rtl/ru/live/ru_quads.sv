@@ -4,7 +4,7 @@
 // Paper   Eq. 2; four of the sixteen lanes of Table 2.
 // Idea    Pixels of different quads have no order, so each group has a queue and goes at its own pace. A quad comes
 //         back four cycles later at the earliest: one that is on its way holds its group up.
-//           cycle 0 exponential      1 code, read      2 weight      3 weight * colour      4 add, write
+//           cycle 0 choose  1 exponential  2 code, read  3 weight  4 weight * colour  5 add, write
 // Stream  halves of regions in, with up to two live quads. A word of the pixel buffer is four pixels, row by row: done
 //         flags, T, colours (blue, green, red; red lowest). clear_i: a window begins; outside_i is known then.
 // Pace    One quad per cycle.
@@ -103,19 +103,20 @@ module ru_quads #(
   end
 
   // --- the quads on their way ----------------------------------------------------------------------------------------
-  logic                 valid_1_q, valid_2_q, valid_3_q, valid_4_q;
-  logic [RegionW-1:0]   region_1_q, region_2_q, region_3_q, region_4_q;
-  logic [1:0]           row_1_q, row_2_q, row_3_q, row_4_q;
-  logic [AddrW-1:0]     address_1_q, address_2_q, address_3_q, address_4_q;
-  logic [ColorsW-1:0]   color_1_q, color_2_q, color_3_q;
-  logic [TapIndexW-1:0] index_1_q;
-  logic [Lanes*AlphaW-1:0]  codes, codes_2_q;
-  logic [Lanes-1:0]         outside, outside_2_q;
-  logic [Lanes*PixelsW-1:0] rgb_3_q, rgb_4_q;
+  logic                      valid_1_q, valid_2_q, valid_3_q, valid_4_q, valid_5_q;
+  logic [RegionW-1:0]        region_1_q, region_2_q, region_3_q, region_4_q, region_5_q;
+  logic [1:0]                row_1_q, row_2_q, row_3_q, row_4_q, row_5_q;
+  logic [AddrW-1:0]          address_1_q, address_2_q, address_3_q, address_4_q, address_5_q;
+  logic [ColorsW-1:0]        color_1_q, color_2_q, color_3_q, color_4_q;
+  logic [TapIndexW-1:0]      index_1_q, index_2_q;
+  logic [4*ExponentW-1:0]    exponents_1_q;
+  logic [Lanes*AlphaW-1:0]   codes, codes_3_q;
+  logic [Lanes-1:0]          outside, outside_3_q;
+  logic [Lanes*PixelsW-1:0]  rgb_4_q, rgb_5_q;
 
   assign conflict = (valid_1_q && address_1_q == address) || (valid_2_q && address_2_q == address) ||
                     (valid_3_q && address_3_q == address);
-  assign busy_o   = count != '0 || valid_1_q || valid_2_q || valid_3_q || valid_4_q;
+  assign busy_o   = count != '0 || valid_1_q || valid_2_q || valid_3_q || valid_4_q || valid_5_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -123,84 +124,91 @@ module ru_quads #(
       valid_2_q <= 1'b0;
       valid_3_q <= 1'b0;
       valid_4_q <= 1'b0;
+      valid_5_q <= 1'b0;
     end else begin
       valid_1_q <= issue_o;
       valid_2_q <= valid_1_q;
       valid_3_q <= valid_2_q;
       valid_4_q <= valid_3_q;
+      valid_5_q <= valid_4_q;
     end
   end
   always_ff @(posedge clk_i) begin
     if (issue_o) begin
-      region_1_q  <= region;
-      row_1_q     <= row;
-      address_1_q <= address;
-      color_1_q   <= color;
-      index_1_q   <= index;
+      region_1_q    <= region;
+      row_1_q       <= row;
+      address_1_q   <= address;
+      color_1_q     <= color;
+      index_1_q     <= index;
+      exponents_1_q <= second ? pair[4*ExponentW +: 4*ExponentW] : pair[0 +: 4*ExponentW];
     end
     if (valid_1_q) begin
       region_2_q  <= region_1_q;
       row_2_q     <= row_1_q;
       address_2_q <= address_1_q;
       color_2_q   <= color_1_q;
-      codes_2_q   <= codes;
-      outside_2_q <= outside;
+      index_2_q   <= index_1_q;
     end
     if (valid_2_q) begin
       region_3_q  <= region_2_q;
       row_3_q     <= row_2_q;
       address_3_q <= address_2_q;
       color_3_q   <= color_2_q;
-      rgb_3_q     <= fresh_i ? '0 : rdata_i[Lanes*PixelsW-1:0];
+      codes_3_q   <= codes;
+      outside_3_q <= outside;
     end
     if (valid_3_q) begin
       region_4_q  <= region_3_q;
       row_4_q     <= row_3_q;
       address_4_q <= address_3_q;
-      rgb_4_q     <= rgb_3_q;
+      color_4_q   <= color_3_q;
+      rgb_4_q     <= fresh_i ? '0 : rdata_i[Lanes*PixelsW-1:0];
+    end
+    if (valid_4_q) begin
+      region_5_q  <= region_4_q;
+      row_5_q     <= row_4_q;
+      address_5_q <= address_4_q;
+      rgb_5_q     <= rgb_4_q;
     end
   end
 
-  // Cycle 1: which pixels of the quad lie outside the image.
+  // Cycle 2: which pixels of the quad lie outside the image.
   logic [1:0] column;  // Group + 2 row, modulo 4
-  assign column = 2'(Group) ^ {row_1_q[0], 1'b0};
+  assign column = 2'(Group) ^ {row_2_q[0], 1'b0};
   always_comb begin
     logic [SideW-1:0] left, top;
-    left    = (SideW'(region_1_q[ColumnW-1:0]) << 3) + (SideW'(column) << 1);
-    top     = (SideW'(region_1_q[RegionW-1:ColumnW]) << 3) + (SideW'(row_1_q) << 1);
-    outside = {columns_i <= left + SideW'(1) || rows_i <= top + SideW'(1),
-               columns_i <= left || rows_i <= top + SideW'(1),
-               columns_i <= left + SideW'(1) || rows_i <= top,
-               columns_i <= left || rows_i <= top};
+    left    = (SideW'(region_2_q[ColumnW-1:0]) << 3) + (SideW'(column) << 1);
+    top     = (SideW'(region_2_q[RegionW-1:ColumnW]) << 3) + (SideW'(row_2_q) << 1);
+    outside = {columns_i <= left + SideW'(1) || rows_i <= top + SideW'(1), columns_i <= left || rows_i <= top + SideW'(1),
+               columns_i <= left + SideW'(1) || rows_i <= top, columns_i <= left || rows_i <= top};
   end
-  assign read_o  = valid_1_q;
-  assign raddr_o = address_1_q;
+  assign read_o  = valid_2_q;
+  assign raddr_o = address_2_q;
 
   // --- the lanes -----------------------------------------------------------------------------------------------------
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_lane
     pu_code u_code (
-      .clk_i, .enable_i(issue_o),
-      .exponent_i(second ? pair[(4+i)*ExponentW +: ExponentW] : pair[i*ExponentW +: ExponentW]),
+      .clk_i, .enable_i(valid_1_q), .exponent_i(exponents_1_q[i*ExponentW +: ExponentW]),
       .code_o(codes[i*AlphaW +: AlphaW])
     );
     ru_blend u_blend (
       .clk_i,
-      .enable_1_i(valid_2_q),
-      .code_i    (codes_2_q[i*AlphaW +: AlphaW]),
+      .enable_1_i(valid_3_q),
+      .code_i    (codes_3_q[i*AlphaW +: AlphaW]),
       .t_i       (fresh_i ? One : rdata_i[TLow+i*TW +: TW]),
-      .done_i    (fresh_i ? outside_2_q[i] : rdata_i[DoneLow+i]),
-      .enable_2_i(valid_3_q),
-      .red_i     (color_3_q[0 +: ColorW]),
-      .green_i   (color_3_q[ColorW +: ColorW]),
-      .blue_i    (color_3_q[2*ColorW +: ColorW]),
-      .rgb_i     (rgb_4_q[i*PixelsW +: PixelsW]),
+      .done_i    (fresh_i ? outside_3_q[i] : rdata_i[DoneLow+i]),
+      .enable_2_i(valid_4_q),
+      .red_i     (color_4_q[0 +: ColorW]),
+      .green_i   (color_4_q[ColorW +: ColorW]),
+      .blue_i    (color_4_q[2*ColorW +: ColorW]),
+      .rgb_i     (rgb_5_q[i*PixelsW +: PixelsW]),
       .rgb_o     (wdata_o[i*PixelsW +: PixelsW]),
       .t_o       (wdata_o[TLow+i*TW +: TW]),
       .done_o    (wdata_o[DoneLow+i])
     );
   end
-  assign write_o = valid_4_q;
-  assign waddr_o = address_4_q;
+  assign write_o = valid_5_q;
+  assign waddr_o = address_5_q;
 
   // --- what has stopped ----------------------------------------------------------------------------------------------
   logic [Words-1:0] stopped_q;
@@ -208,15 +216,15 @@ module ru_quads #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) stopped_q <= '0;
     else if (clear_i) stopped_q <= outside_i;
-    else if (pipegs_pkg::EarlyStop != 0 && write_o && wdata_o[DoneLow +: Lanes] == '1) stopped_q[address_4_q] <= 1'b1;
+    else if (pipegs_pkg::EarlyStop != 0 && write_o && wdata_o[DoneLow +: Lanes] == '1) stopped_q[address_5_q] <= 1'b1;
   end
 
-  assign tap_quad_valid_o  = valid_1_q;
-  assign tap_quad_index_o  = index_1_q;
-  assign tap_quad_region_o = region_1_q;
-  assign tap_quad_row_o    = row_1_q;
+  assign tap_quad_valid_o  = valid_2_q;
+  assign tap_quad_index_o  = index_2_q;
+  assign tap_quad_region_o = region_2_q;
+  assign tap_quad_row_o    = row_2_q;
   assign tap_quad_o        = codes;
-  assign tap_word_region_o = region_4_q;
-  assign tap_word_row_o    = row_4_q;
+  assign tap_word_region_o = region_5_q;
+  assign tap_word_row_o    = row_5_q;
 
 endmodule

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Cycle kAgain = 4;  // cycles until a quad may be issued again
 constexpr Cycle kInside =
-    5;  // cycles until it is written and its group may be empty, and until others know of its stop
+    6;  // cycles until it is written and its group may be empty, and until others know of its stop
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void Live::issue(Cycle now, int lane, int g, std::vector<Stop>& stops) {
   const auto quad = static_cast<size_t>(16 * half.region + 4 * row + column);
   if (now < last_issue_[quad] + kAgain) return;
   last_issue_[quad] = group.last_issue = now;
-  shown_.push_back({static_cast<uint8_t>(lane * kGroups + g), static_cast<uint16_t>(4 * half.region + row)});
+  shown_[0].push_back({static_cast<uint8_t>(lane * kGroups + g), static_cast<uint16_t>(4 * half.region + row)});
   if (++gaussians_[quad] == window_->quad_done_after[quad])
     stops.push_back({now + kInside, static_cast<uint16_t>(quad)});
   group.second = !second && (half.live & 2) != 0;
@@ -68,8 +68,9 @@ void Live::issue(Cycle now, int lane, int g, std::vector<Stop>& stops) {
 }
 
 void Live::step(Machine& m, Cycle now, int lane, std::vector<Stop>& stops) {
-  for (const Shown& one : shown_) m.show(now, Border::kLine, one.lane, one.row);
-  shown_.clear();
+  for (const Shown& one : shown_[1]) m.show(now, Border::kLine, one.lane, one.row);
+  shown_[1].clear();
+  std::swap(shown_[0], shown_[1]);
   const bool fire = fires(now), pixels_move = halves_ == 0 || (fire && halves_ != 3);
   const bool rows_move = !rows_.valid || pixels_move;
   moved_ = !regions_[3].valid || rows_move;

@@ -76,7 +76,7 @@ class Live {
     uint8_t lane;
     uint16_t row;  // 4 * region + row
   };
-  std::vector<Shown> shown_;  // what was issued a cycle ago
+  std::array<std::vector<Shown>, 2> shown_;  // what was issued one and two cycles ago
 };
 
 }  // namespace pipegs::timing

@@ -9,6 +9,7 @@
 #include "cpp_model/pu/pu_cull.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
+#include "cpp_model/ru/ru_quads.hpp"
 #include "cpp_model/su/su.hpp"
 
 namespace pipegs {
@@ -36,34 +37,13 @@ TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload
   return pair;
 }
 
-uint16_t trace_quads(const uint16_t codes[kRegionPixels]) {
-  uint16_t quads = 0;
-  for (int i = 0; i < kRegionPixels; ++i) {
-    if (codes[i] != 0) quads |= static_cast<uint16_t>(1u << (i / 16 * 4 + i % 8 / 2));
-  }
-  return quads;
-}
-
 void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads) {
   for (uint64_t rest = splat.mask; rest != 0; rest &= rest - 1) {
     alignas(64) uint16_t codes[kRegionPixels];
     pu_region_line(rows, splat.job, std::countr_zero(rest), codes);
-    quads.push_back(trace_quads(codes));
+    quads.push_back(static_cast<uint16_t>(ru_live_quads(codes, 0)));
   }
 }
-
-namespace {
-
-// Quads of a region that have stopped as a whole, row by row.
-uint16_t stopped(const RegionState& region) {
-  uint16_t quads = 0xffff;
-  for (int i = 0; i < kRegionPixels; ++i) {
-    if (region.done[i] == 0) quads &= static_cast<uint16_t>(~(1u << (i / 16 * 4 + i % 8 / 2)));
-  }
-  return quads;
-}
-
-}  // namespace
 
 TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
                           std::vector<std::vector<TraceSplat>>& layers) {
@@ -86,13 +66,16 @@ TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
   if (config.quads) {
     gaussians.resize(regions.size(), none);
     window.quad_done_after.resize(16 * regions.size(), TimingWindow::kNotDone);
-    for (size_t r = 0; r < regions.size(); ++r) window.quads_outside[r] = stopped(regions[r]);
+    for (size_t r = 0; r < regions.size(); ++r)
+      window.quads_outside[r] = static_cast<uint16_t>(ru_stopped_quads(regions[r]));
   }
-  const auto count_quads = [&](size_t r, const uint16_t* codes, uint16_t before) {
-    for (unsigned rest = trace_quads(codes) & static_cast<unsigned>(~before); rest != 0; rest &= rest - 1) {
-      const auto quad = static_cast<size_t>(std::countr_zero(rest));
+  const auto count_quads = [&](size_t r, uint32_t live) {
+    if (live == 0) return;
+    const uint32_t stopped = ru_stopped_quads(regions[r]);
+    for (; live != 0; live &= live - 1) {
+      const auto quad = static_cast<size_t>(std::countr_zero(live));
       ++gaussians[r][quad];
-      if (stopped(regions[r]) >> quad & 1) window.quad_done_after[16 * r + quad] = gaussians[r][quad];
+      if (stopped >> quad & 1) window.quad_done_after[16 * r + quad] = gaussians[r][quad];
     }
   };
   for (std::vector<TraceSplat>& layer : layers) {
@@ -103,9 +86,9 @@ TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
         alignas(64) uint16_t codes[kRegionPixels];
         pu_region_line(rows, splat.job, static_cast<int>(r), codes);
         ++lines[r];
-        const uint16_t before = config.quads ? stopped(regions[r]) : uint16_t{0};
+        const uint32_t live = config.quads ? ru_live_quads(codes, ru_stopped_quads(regions[r])) : 0;
         const bool closed = ru_blend_region(constants, regions[r], codes, black);
-        if (config.quads) count_quads(r, codes, before);
+        count_quads(r, live);
         if (!closed) continue;
         done |= uint64_t{1} << r;
         window.done_after[r] = lines[r];

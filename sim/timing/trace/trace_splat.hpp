@@ -25,9 +25,7 @@ struct TracePair {
   uint8_t boxes = 0;
 };
 
-// Which quads of a region hold a visible pixel, row by row.
-uint16_t trace_quads(const uint16_t codes[kRegionPixels]);
-// The same of each region of a splat, appended; the config has quads.
+// Which quads of each region of a splat hold a visible pixel, row by row, appended.
 void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads);
 
 // Nothing when the cull drops it.
