@@ -80,9 +80,8 @@ module dopu_open #(
   end
   always_ff @(posedge clk_i) begin
     if (settled_i) for (int unsigned i = 0; i + 1 < Most; i += 1) bucket_q[i] <= bucket_q[i+1];
-    if (take) begin
-      for (int unsigned i = 0; i < Most; i += 1) if (OpenW'(i) == left) bucket_q[i] <= open_bucket_i;
-    end
+    // Whether or not it is taken, which is known late: what lies behind the open ones does not count.
+    for (int unsigned i = 0; i < Most; i += 1) if (OpenW'(i) == left) bucket_q[i] <= open_bucket_i;
   end
 
   // --- the job waits here until the reader takes it -----------------------------------------------------------------
