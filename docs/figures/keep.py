@@ -182,6 +182,12 @@ def fetched(found):
     return {"fetched": round(found["stages"]["preprocess"]["cycles"])}
 
 
+def lanes(found):
+    """Of `pipegs sim --no-rtl` with quads: what the RUs have to do."""
+    work = found["work"]
+    return {key: work[key] for key in ("open_regions", "quads", "blended")}
+
+
 def one_model(found):
     """Of one configuration: cycles, and bytes of all streams."""
     (row,) = found["rungs"]

@@ -17,6 +17,7 @@ from keep import (
     frame,
     golden,
     ladder,
+    lanes,
     leave_one_out,
     models,
     netlist,
@@ -117,6 +118,8 @@ TABLE = [
       for scene in FOUR],
     *[Measurement(f"what_if/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
+    *[Measurement(f"lanes/{scene}", "build/pipegs sim {scene} --rung exact --set quads=1 --no-rtl --no-truth --json",
+                  lanes, ("models",), scene, points=("exact",)) for scene in FOUR],
     *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --json", frame, RTL, scene, view, ("dop",))
       for scene in ("terrace", "statue", "plushdog") for view in (0, 1, 2)],
     *[Measurement(f"truth/{scene}_{view}", "build/pipegs render {scene} --model truth --semantics inria "

@@ -4,7 +4,7 @@ from data import data
 from formats import change, fixed, group, mean, table, thousands
 from measurements import FOUR, WHAT_IF
 
-MEASURED = ["ladder/*", "what_if/*", "results/statue_0"]
+MEASURED = ["ladder/*", "what_if/*", "lanes/*", "results/statue_0"]
 TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
 VIEWS = {
     "own": ("60k Gaussians, SH 3", "1024x768"),
@@ -55,3 +55,18 @@ def what_if():
     rows = [["as it is", *[data.ladder[scene].exact.cycles for scene in FOUR]]]
     rows += [[f"`{option}`", *[cell(scene, name) for scene in FOUR]] for name, option in WHAT_IF.items()]
     return table(["", *TITLES.values()], rows)
+
+
+def lanes():
+    """Cycles of four RUs of sixteen lanes, by what their lanes work on; blended pairs are the floor of 64 lanes."""
+
+    def cell(scene, cycles):
+        floor = data.lanes[scene].blended / 64
+        return f"{thousands(cycles)} ({fixed(cycles / floor, 2)})"
+
+    rows = [
+        ["whole regions", *[cell(scene, data.lanes[scene].open_regions) for scene in FOUR]],
+        ["living quads, `--set quads=1`", *[cell(scene, data.lanes[scene].quads / 16) for scene in FOUR]],
+        ["floor: blended pairs / 64 lanes", *[thousands(data.lanes[scene].blended / 64) for scene in FOUR]],
+    ]
+    return table(["the lanes work on", *TITLES.values()], rows)
