@@ -268,7 +268,7 @@ TEST(Ru, FramesEqualTheModelAtEveryPace) {
       Paces paces{in_pace, other_pace, other_pace, {.latency = 40, .jitter = 30}};
       RuBench bench(paces, 0);
       bench.unit = bench.dut.unit_i = bench.rng() % kConfig.units;
-      const uint64_t sizes[][2] = {{17, 33}, {2ull * kConfig.window + 7, kConfig.window + 9ull}, {1, 1}};
+      const uint64_t sizes[][2] = {{17, 33}, {2ull * kConfig.window + 7, kConfig.window + 9ull}, {24, 40}, {1, 1}};
       for (const auto& size : sizes) {  // frames follow each other on the same module
         bench.start(random_frame(bench.rng, size[0], size[1]));
         send_frame(bench, 60, 30);
@@ -315,6 +315,10 @@ TEST(Ru, AFullWindowClosesAllRegions) {
   for (int i = 0; i < 200000 && bench.dut.done_o != ru_own_mask(kConfig, 0); ++i) bench.cycle_once();
   EXPECT_EQ(bench.dut.done_o, ru_own_mask(kConfig, 0));
   EXPECT_EQ(bench.state.done, ru_own_mask(kConfig, 0));
+  const uint64_t splats = 300, start = bench.cycle;
+  for (uint64_t i = 0; i < splats; ++i) bench.send(kData, all, false, 2);
+  while (!bench.in.empty() && !HasFailure()) bench.cycle_once();
+  EXPECT_LE(bench.cycle - start, splats + 64) << "a splat with nothing left takes one cycle";
   bench.send(kWindowEnd);
   ASSERT_NO_FATAL_FAILURE(bench.finish());
 }
