@@ -38,7 +38,7 @@ function(pipegs_unit_test name)
 endfunction()
 
 # pipegs_netlist_test(NAME MODULE module [SOURCE file] [BROKEN]): the same GoogleTest on the netlist of the module, as
-# test netlist_NAME. The target `netlists` builds them, not `all`; the test netlists_build does. With BROKEN one gate of
+# test netlist_NAME, with PIPEGS_NETLIST defined. The target `netlists` builds them, not `all`; the test netlists_build does. With BROKEN one gate of
 # it is another, an or for an and, and the GoogleTest must fail.
 function(pipegs_netlist_test name)
   cmake_parse_arguments(ARG "BROKEN" "MODULE;SOURCE" "" ${ARGN})
@@ -61,7 +61,7 @@ function(pipegs_netlist_test name)
     COMMENT "Verilating the netlist of ${ARG_MODULE}" VERBATIM)
   add_executable(netlist_${name}_test EXCLUDE_FROM_ALL ${ARG_SOURCE} ${gates})
   target_include_directories(netlist_${name}_test SYSTEM PRIVATE ${dir})
-  target_compile_definitions(netlist_${name}_test PRIVATE PIPEGS_SET="" VM_TRACE=0 VM_TRACE_FST=0)
+  target_compile_definitions(netlist_${name}_test PRIVATE PIPEGS_NETLIST PIPEGS_SET="" VM_TRACE=0 VM_TRACE_FST=0)
   # -O0 compiles in a third of the time and runs a tenth as fast.
   target_compile_options(netlist_${name}_test PRIVATE -w -O1)
   target_link_libraries(netlist_${name}_test PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main

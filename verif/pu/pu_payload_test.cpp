@@ -48,6 +48,9 @@ TEST(PuPayload, GivesEveryGaussianItsOwn) {
 }
 
 TEST(PuPayload, SaysSoWhenThereAreTooMany) {
+#ifdef PIPEGS_NETLIST
+  GTEST_SKIP() << "gates assert nothing";
+#endif
   Bench<Vpu_payload> bench;
   bench.dut.walk_i = bench.dut.leave_i = 0;
   bench.reset();

@@ -50,7 +50,7 @@ module dopu_open #(
   localparam int unsigned OpenW = $clog2(Most + 1);
 
   // --- buckets open, the oldest at 0 --------------------------------------------------------------------------------
-  logic [BucketW-1:0] bucket_q [Most];
+  logic [BucketW-1:0] bucket_q [Most], kept [Most], moved [Most];
   logic [OpenW-1:0]   open_q, left;
   logic [BucketW-1:0] nearest_q, stays;
   // a tree over all but the oldest: the smaller of 2i and 2i+1 at i, leaves from Most on
@@ -66,6 +66,14 @@ module dopu_open #(
     for (int unsigned i = 0; i < Most; i += 1) least[Most+i] = i != 0 && OpenW'(i) < open_q ? bucket_q[i] : '1;
     for (int unsigned i = Most - 1; i > 0; i -= 1) least[i] = least[2*i] < least[2*i+1] ? least[2*i] : least[2*i+1];
   end
+  // With and without the oldest, and behind those left what is being opened, taken or not: `settled_i` comes late, and
+  // what lies behind them does not count.
+  always_comb begin
+    for (int unsigned i = 0; i < Most; i += 1) begin
+      kept[i]  = OpenW'(i) == open_q ? open_bucket_i : bucket_q[i];
+      moved[i] = i + 1 == Most || OpenW'(i + 1) == open_q ? open_bucket_i : bucket_q[i+1];
+    end
+  end
   assign stays     = settled_i ? least[1] : nearest_q;
   assign nearest_o = nearest_q;
 
@@ -79,9 +87,7 @@ module dopu_open #(
     end
   end
   always_ff @(posedge clk_i) begin
-    if (settled_i) for (int unsigned i = 0; i + 1 < Most; i += 1) bucket_q[i] <= bucket_q[i+1];
-    // Whether or not it is taken, which is known late: what lies behind the open ones does not count.
-    for (int unsigned i = 0; i < Most; i += 1) if (OpenW'(i) == left) bucket_q[i] <= open_bucket_i;
+    for (int unsigned i = 0; i < Most; i += 1) bucket_q[i] <= settled_i ? moved[i] : kept[i];
   end
 
   // --- the job waits here until the reader takes it -----------------------------------------------------------------
