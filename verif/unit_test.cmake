@@ -38,8 +38,8 @@ function(pipegs_unit_test name)
 endfunction()
 
 # pipegs_netlist_test(NAME MODULE module [SOURCE file] [BROKEN]): the same GoogleTest on the netlist of the module, as
-# test netlist_NAME, with PIPEGS_NETLIST defined. The target `netlists` builds them, not `all`; the test netlists_build does. With BROKEN one gate of
-# it is another, an or for an and, and the GoogleTest must fail.
+# test netlist_NAME, with PIPEGS_NETLIST defined. The target `netlists` builds them, not `all`; the test netlists_build
+# does. With BROKEN one gate of it is another, an or for an and, and the GoogleTest must fail.
 function(pipegs_netlist_test name)
   cmake_parse_arguments(ARG "BROKEN" "MODULE;SOURCE" "" ${ARGN})
   if(NOT ARG_SOURCE)
