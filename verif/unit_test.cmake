@@ -54,7 +54,7 @@ function(pipegs_netlist_test name)
                        DEPENDS ${whole} netlist_files VERBATIM)
   endif()
   set(dir ${CMAKE_BINARY_DIR}/verilated/netlist_${name})
-  set(gates ${dir}/V${ARG_MODULE}__shard0.cpp ${dir}/V${ARG_MODULE}__once.cpp)
+  set(gates ${dir}/V${ARG_MODULE}__all.cpp)
   add_custom_command(OUTPUT ${gates}
     COMMAND ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${ARG_MODULE} ${dir} ${netlist}
     DEPENDS ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${netlist} netlist_files
