@@ -169,7 +169,7 @@ mutant ru_power "a half leaves when one of its groups has room" \
        "s/\(some & ~out_ready_i\) == '0/(some \& out_ready_i) != '0/"
 mutant ru_power "quads that have stopped live" 's/ && !stopped\[i\]//'
 mutant ru_quads "a quad comes again after three cycles" "s/\(valid_3_q && address_3_q == address\)/1'b0/"
-mutant ru_quads "outside the image: every row of quads has the column of the first" "s/ \^ \{row_1_q\[0\], 1'b0\}//"
+mutant ru_quads "outside the image: every row of quads has the column of the first" "s/ \^ \{row_2_q\[0\], 1'b0\}//"
 mutant ru_quads "a window begins without what lies outside" "s/(stopped_q <= )outside_i/\1'0/"
 mutant ru_live "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/'
 mutant ru_live "rows of quads are read as if all began with the same group" 's/(Odd = \(Even \+ )2/\10/'

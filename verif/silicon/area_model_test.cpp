@@ -56,6 +56,14 @@ TEST(AreaModel, KnowsItsBounds) {
   EXPECT_FALSE(model.inside(other)) << "no point of this design point";
 }
 
+TEST(AreaModel, RefusesAMachineThatNoPointHas) {
+  const AreaModel model({by_hand(28), by_hand(24)}, {{"pu_coeff", {"coeff_f"}}, {"perf", {}}, {"pu_row_unit", {}}});
+  Config config;
+  EXPECT_NO_THROW(model.nand2(config));
+  config.late = config.quads = 1;
+  EXPECT_THROW(model.nand2(config), ConfigError);
+}
+
 // A block whose knobs nobody has told is not taken for one that has none.
 TEST(AreaModel, RefusesABlockWithoutItsKnobs) {
   try {

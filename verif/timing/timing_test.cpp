@@ -89,8 +89,8 @@ TEST(Timing, HalfAndQuarterOfTheMachine) {
   EXPECT_GT(expect_exact(TimedFrame(own_view(), machine({"units=1", "alpha_lines=64", "records=16"}), 1)), 0u);
 }
 
-// The lanes of `exact`, with the numbers of sim/fine.cfg, blend living quads only. Behind a slow memory the RUs wait for
-// splats, behind a fast one for the pixels of the window before.
+// The lanes of `exact`, with the numbers of sim/fine.cfg, blend living quads only. Behind a slow memory the RUs wait
+// for splats, behind a fast one for the pixels of the window before.
 TEST(Timing, LivingQuads) {
   SimulateOptions options = design_point("exact");
   for (const char* setting : {"quads=1", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24", "alpha_w=10"})

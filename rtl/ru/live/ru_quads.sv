@@ -179,7 +179,8 @@ module ru_quads #(
     logic [SideW-1:0] left, top;
     left    = (SideW'(region_2_q[ColumnW-1:0]) << 3) + (SideW'(column) << 1);
     top     = (SideW'(region_2_q[RegionW-1:ColumnW]) << 3) + (SideW'(row_2_q) << 1);
-    outside = {columns_i <= left + SideW'(1) || rows_i <= top + SideW'(1), columns_i <= left || rows_i <= top + SideW'(1),
+    outside = {columns_i <= left + SideW'(1) || rows_i <= top + SideW'(1),
+               columns_i <= left || rows_i <= top + SideW'(1),
                columns_i <= left + SideW'(1) || rows_i <= top, columns_i <= left || rows_i <= top};
   end
   assign read_o  = valid_2_q;

@@ -132,6 +132,8 @@ std::vector<double> AreaModel::terms(const Block& block, const Config& config) c
 }
 
 std::map<std::string, double> AreaModel::nand2(const Config& config) const {
+  if (config.quads)
+    throw ConfigError("quads = 1: the area model has no point of such a machine; `make synth SET=quads=1` maps one");
   const auto design_point = places_.find(design_point_of(config));
   std::map<std::string, double> units;
   for (const auto& [name, places] :

@@ -40,7 +40,7 @@ class AreaModel {
  public:
   AreaModel(std::vector<AreaPoint> points, Dependences depends);
 
-  std::map<std::string, double> nand2(const Config& config) const;  // by unit
+  std::map<std::string, double> nand2(const Config& config) const;  // by unit; throws ConfigError with quads
   bool inside(const Config& config) const;  // of the points' design points and ranges; alike where no point moves
 
   const std::vector<AreaPoint>& points() const { return points_; }
