@@ -69,6 +69,7 @@ WHAT_IF = {  # of the design point exact: one thing changed
 }
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
     "dop": "", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",
+    "exact_quads": "--rung exact --config sim/fine.cfg --set quads=1 ",
     "exact_records1024": "--rung exact --set records=1024 ", "dop_sky130": "--library sky130hd_tt ",
 }
 MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point

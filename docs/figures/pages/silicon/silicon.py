@@ -105,7 +105,8 @@ def longest(*points):
 def fine():
     """The fastest design point, with its own numbers and with finer ones."""
     rows = [["paper", *[either(PAPER.get(unit), fixed, 3) for unit in ROWS], "", ""]]
-    for point, name in (("exact", "`exact`"), ("exact_fine", "`exact`, `sim/fine.cfg`")):
+    named = (("exact", "`exact`"), ("exact_fine", "`exact`, `sim/fine.cfg`"), ("exact_quads", "and `--set quads=1`"))
+    for point, name in named:
         row = data.silicon[point]
         rows.append(
             [
