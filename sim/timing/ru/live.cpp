@@ -2,14 +2,15 @@
 // live.cpp: see live.hpp.
 #include "sim/timing/ru/live.hpp"
 
+#include "cpp_model/ru/ru_quads.hpp"
 #include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
 namespace {
 
 constexpr Cycle kAgain = 4;  // cycles until a quad may be issued again
-constexpr Cycle kInside =
-    6;  // cycles until it is written and its group may be empty, and until others know of its stop
+// Cycles until it is written and its group may be empty, and until others know of its stop.
+constexpr Cycle kInside = 6;
 
 }  // namespace
 
@@ -22,8 +23,8 @@ void Live::start_window(const TimingWindow* window) {
 }
 
 uint8_t Live::live_of(uint16_t quads, int half, int group) {
-  const int row = 2 * half, first = 4 * row + group, second = 4 * (row + 1) + (group ^ 2);
-  return static_cast<uint8_t>((quads >> first & 1) | (quads >> second & 1) << 1);
+  return static_cast<uint8_t>((quads >> ru_quad(group, 2 * half) & 1) | (quads >> ru_quad(group, 2 * half + 1) & 1)
+                                                                            << 1);
 }
 
 bool Live::regions_empty() const {
@@ -56,8 +57,8 @@ void Live::issue(Cycle now, int lane, int g, std::vector<Stop>& stops) {
   if (!group.queue.valid(now)) return;
   const Half& half = group.queue.front();
   const bool second = group.second || (half.live & 1) == 0;
-  const int row = 2 * half.half + (second ? 1 : 0), column = second ? g ^ 2 : g;
-  const auto quad = static_cast<size_t>(16 * half.region + 4 * row + column);
+  const int row = 2 * half.half + (second ? 1 : 0);
+  const auto quad = static_cast<size_t>(kQuads * half.region + ru_quad(g, row));
   if (now < last_issue_[quad] + kAgain) return;
   last_issue_[quad] = group.last_issue = now;
   shown_[0].push_back({static_cast<uint8_t>(lane * kGroups + g), static_cast<uint16_t>(4 * half.region + row)});

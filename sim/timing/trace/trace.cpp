@@ -35,19 +35,19 @@ void set_bit(std::vector<uint64_t>& bits, uint64_t at) { bits[at / 64] |= uint64
 
 class WindowTrace {
  public:
-  WindowTrace(const GoldenInput& input, int x, int y)
+  WindowTrace(const GoldenInput& input, const PuRows& rows, int x, int y)
       : input_(input),
         packed_(*input.packed),
         config_(packed_.config),
         frame_(input.frame),
-        rows_(config_),
+        rows_(rows),
         x_(x),
         y_(y),
         planes_(dopu_planes(config_, frame_, x, y)) {}
 
   Part run() {
     config_.has_watermarks() ? ranked() : slabs();
-    part_.window = trace_window(input_, static_cast<uint64_t>(x_), static_cast<uint64_t>(y_), layers_);
+    part_.window = trace_window(input_, rows_, static_cast<uint64_t>(x_), static_cast<uint64_t>(y_), layers_);
     return std::move(part_);
   }
 
@@ -119,8 +119,7 @@ class WindowTrace {
         part_.key.push_back(pair.splat.key);
         part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
         part_.boxes.push_back(pair.boxes);
-        part_.quads_first.push_back(static_cast<uint32_t>(part_.quads.size()));
-        if (config_.quads) trace_quads(rows_, pair.splat, part_.quads);
+        trace_quads(rows_, pair.splat, part_.quads, part_.quads_first);
         if (pair.splat.mask != 0) layers_.back().push_back(pair.splat);
       }
       part_.chunks.push_back(sent);
@@ -131,7 +130,7 @@ class WindowTrace {
   const PackedScene& packed_;
   const Config& config_;
   const Frame& frame_;
-  const PuRows rows_;
+  const PuRows& rows_;
   const int x_, y_;
   const Planes planes_;
   Part part_;
@@ -141,9 +140,10 @@ class WindowTrace {
 void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trace) {
   const uint64_t columns = trace.frame.raster.windows.last_x - trace.frame.raster.windows.first_x + 1;
   const uint64_t count = columns * (trace.frame.raster.windows.last_y - trace.frame.raster.windows.first_y + 1);
+  const PuRows rows(input.packed->config);
   std::vector<Part> parts(count);
   parallel_for(count, threads, [&](size_t i) {
-    parts[i] = WindowTrace(input, static_cast<int>(trace.frame.raster.windows.first_x + i % columns),
+    parts[i] = WindowTrace(input, rows, static_cast<int>(trace.frame.raster.windows.first_x + i % columns),
                            static_cast<int>(trace.frame.raster.windows.first_y + i / columns))
                    .run();
   });

@@ -52,8 +52,7 @@ void gaussian(const GoldenInput& input, const PuRows& rows, const GoldenConic& f
     for (int64_t x = box->first_x; x <= box->last_x; ++x) {
       part.pair.push_back(trace_pair(input, pu_expand(config, conic, x, y), payload));
       part.number.push_back(static_cast<uint16_t>(pu_expand_number(input.frame, x, y)));
-      part.quads_first.push_back(static_cast<uint32_t>(part.quads.size()));
-      if (config.quads) trace_quads(rows, part.pair.back().splat, part.quads);
+      trace_quads(rows, part.pair.back().splat, part.quads, part.quads_first);
       ++part.pairs.back();
     }
   }
@@ -116,7 +115,7 @@ void trace_lists(const GoldenInput& input, unsigned threads, TimingTrace& trace)
   parallel_for(windows, threads, [&](size_t i) {
     std::vector<std::vector<TraceSplat>> layers(1);
     for (const TraceSplat* splat : lists[i]) layers[0].push_back(*splat);
-    trace.windows[i] = trace_window(input, frame.raster.windows.first_x + i % columns,
+    trace.windows[i] = trace_window(input, rows, frame.raster.windows.first_x + i % columns,
                                     frame.raster.windows.first_y + i / columns, layers);
   });
 }

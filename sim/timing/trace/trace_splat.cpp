@@ -37,7 +37,10 @@ TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload
   return pair;
 }
 
-void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads) {
+void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads,
+                 std::vector<uint32_t>& first) {
+  if (!rows.config.quads) return;
+  first.push_back(static_cast<uint32_t>(quads.size()));
   for (uint64_t rest = splat.mask; rest != 0; rest &= rest - 1) {
     alignas(64) uint16_t codes[kRegionPixels];
     pu_region_line(rows, splat.job, std::countr_zero(rest), codes);
@@ -45,11 +48,10 @@ void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16
   }
 }
 
-TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
+TimingWindow trace_window(const GoldenInput& input, const PuRows& rows, uint64_t x, uint64_t y,
                           std::vector<std::vector<TraceSplat>>& layers) {
   const Config& config = input.packed->config;
   const BlendConstants constants(config);
-  const PuRows rows(config);
   const uint32_t black[3] = {0, 0, 0};
   TimingWindow window;
   std::vector<RegionState> regions;
@@ -61,11 +63,10 @@ TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
   window.outside = done;
   window.done_after.fill(TimingWindow::kNotDone);
   std::array<uint32_t, 64> lines{};
-  std::array<uint32_t, 16> none{};
-  std::vector<std::array<uint32_t, 16>> gaussians;  // of each quad
+  std::vector<std::array<uint32_t, kQuads>> gaussians;  // of each quad
   if (config.quads) {
-    gaussians.resize(regions.size(), none);
-    window.quad_done_after.resize(16 * regions.size(), TimingWindow::kNotDone);
+    gaussians.resize(regions.size());
+    window.quad_done_after.resize(kQuads * regions.size(), TimingWindow::kNotDone);
     for (size_t r = 0; r < regions.size(); ++r)
       window.quads_outside[r] = static_cast<uint16_t>(ru_stopped_quads(regions[r]));
   }
@@ -75,7 +76,7 @@ TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
     for (; live != 0; live &= live - 1) {
       const auto quad = static_cast<size_t>(std::countr_zero(live));
       ++gaussians[r][quad];
-      if (stopped >> quad & 1) window.quad_done_after[16 * r + quad] = gaussians[r][quad];
+      if (stopped >> quad & 1) window.quad_done_after[kQuads * r + quad] = gaussians[r][quad];
     }
   };
   for (std::vector<TraceSplat>& layer : layers) {

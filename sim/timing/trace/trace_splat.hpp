@@ -25,8 +25,9 @@ struct TracePair {
   uint8_t boxes = 0;
 };
 
-// Which quads of each region of a splat hold a visible pixel, row by row, appended.
-void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads);
+// With quads: appends which quads of each region of a splat hold a visible pixel, and where the first of these stands.
+void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16_t>& quads,
+                 std::vector<uint32_t>& first);
 
 // Nothing when the cull drops it.
 std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot);
@@ -35,7 +36,7 @@ std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& ch
 TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload& payload);
 
 // Blends T only, layer by layer, as far as it says when a region is opaque. Sorts the layers.
-TimingWindow trace_window(const GoldenInput& input, uint64_t x, uint64_t y,
+TimingWindow trace_window(const GoldenInput& input, const PuRows& rows, uint64_t x, uint64_t y,
                           std::vector<std::vector<TraceSplat>>& layers);
 
 // Order 1.
