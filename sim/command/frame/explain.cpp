@@ -17,7 +17,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct ExplainArguments {
   ViewArguments view;
   std::vector<int> pixel;
   bool json = false, no_rtl = false;
@@ -30,7 +30,7 @@ double golden_power(const Config& config, const RowJob& job, double x, double y)
          value(job.f) * x * y;
 }
 
-int explain(const Arguments& arguments) {
+int explain(const ExplainArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
@@ -135,7 +135,7 @@ void add_explain(CLI::App& app, Run& run) {
       "explain", "each Gaussian of one pixel in order: power, alpha, weight, T in float64, golden model and RTL");
   command->footer(footer("pipegs explain garden.ply --cameras cameras.json --pixel 400,300",
                          "the RTL's window agrees (or --no-rtl: nothing compared)", "a bit of it differs"));
-  static Arguments arguments;
+  static ExplainArguments arguments;
   arguments.view.add(*command);
   add_place(*command, "--pixel", arguments.pixel, "which pixel")->required();
   command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL columns");

@@ -14,7 +14,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct LadderArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string out = "ladder", svg;
@@ -36,7 +36,7 @@ void compare_pixels(LadderRow& row, const std::vector<uint64_t>& pixels, Known& 
   known.pixels.emplace_back(row.design_point, pixels);
 }
 
-void run_design_point(LadderRow& row, const Arguments& arguments, const LoadedView& loaded, Known& known) {
+void run_design_point(LadderRow& row, const LadderArguments& arguments, const LoadedView& loaded, Known& known) {
   auto simulation = std::make_unique<Simulation>();
   simulate_golden(loaded.scene, loaded.camera, row.options, *simulation);
   row.with_truth = !arguments.no_truth;
@@ -56,7 +56,7 @@ void run_design_point(LadderRow& row, const Arguments& arguments, const LoadedVi
   if (!known.first) known.first = std::move(simulation);
 }
 
-void check_outputs(const Arguments& arguments, const std::vector<const DesignPoint*>& chosen) {
+void check_outputs(const LadderArguments& arguments, const std::vector<const DesignPoint*>& chosen) {
   try_folder("--out", arguments.out, {"ladder.json"});
   for (const DesignPoint* design_point : chosen)
     try_folder("--out", arguments.out + "/" + std::string(design_point->name),
@@ -65,12 +65,12 @@ void check_outputs(const Arguments& arguments, const std::vector<const DesignPoi
 }
 
 // Of the design point that runs, and of the first one, whose truths are kept.
-PixelBytes memory_of(const Arguments& arguments) {
+PixelBytes memory_of(const LadderArguments& arguments) {
   const PixelBytes one = arguments.no_truth ? kGoldenPixels : kGoldenPixels + kTruthPixels;
   return one + one + kWritePixels + kRtlPixels;
 }
 
-int ladder(const Arguments& arguments) {
+int ladder(const LadderArguments& arguments) {
   const std::vector<const DesignPoint*> chosen = find_design_points(arguments.view.design_points);
   std::vector<LadderRow> rows;
   for (const DesignPoint* design_point : chosen) {
@@ -129,7 +129,7 @@ void add_ladder(CLI::App& app, Run& run) {
   command->footer(footer("pipegs ladder garden.ply --cameras cameras.json --view 0 --svg ladder.svg",
                          "every bit of every design point agrees", "a bit differs or the RTL stops",
                          "A design point whose RTL does not build is named, the others run; then the exit code is 3."));
-  static Arguments arguments;
+  static LadderArguments arguments;
   arguments.view.add(*command, DesignPoints::kSeveral);
   arguments.memory.add(*command);
   command

@@ -8,14 +8,14 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct ProfileArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string svg;
   bool json = false, no_rtl = false;
 };
 
-int profile(Arguments arguments) {
+int profile(ProfileArguments arguments) {
   if (arguments.view.design_point.empty()) arguments.view.design_point = "baseline";
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
@@ -59,7 +59,7 @@ void add_profile(CLI::App& app, Run& run) {
                          "every bit of the RTL agrees (or --no-rtl: nothing compared)",
                          "a bit differs or the RTL stops",
                          "Without --rung the baseline. With --no-rtl any design point can be counted."));
-  static Arguments arguments;
+  static ProfileArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
   command->add_option("--svg", arguments.svg, "charts");

@@ -15,7 +15,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct RenderArguments {
   ViewArguments view;
   std::string model = "golden", semantics = "exact", out = "out", compare;
 };
@@ -49,7 +49,7 @@ bool differs(const Image& image, const Rgb8& other, const std::string& path) {
   return differing > 0;
 }
 
-int render(const Arguments& arguments) {
+int render(const RenderArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   try_folder("--out", arguments.out, {"frame.exr", "frame.png"});
   const LoadedView loaded = load_view(arguments.view);
@@ -88,7 +88,7 @@ void add_render(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("render", "writes frame.exr and frame.png without simulating the RTL");
   command->footer(footer("pipegs render garden.ply --cameras cameras.json --model truth --semantics inria --out inria",
                          "written", "with --compare: a pixel differs"));
-  static Arguments arguments;
+  static RenderArguments arguments;
   arguments.view.add(*command);
   command
       ->add_option(

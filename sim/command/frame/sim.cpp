@@ -14,7 +14,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct SimArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string out = "out", waves;
@@ -27,7 +27,7 @@ const std::vector<std::string> kAll = {"all"}, kAuto = {"auto"};
 bool are_named(const std::vector<std::string>& effects) { return effects != kAll && effects != kAuto; }
 
 // The command that runs the same again with waves: of one window, or of what was asked for.
-std::string replay(const Arguments& arguments, const CLI::App& command, const std::string& window) {
+std::string replay(const SimArguments& arguments, const CLI::App& command, const std::string& window) {
   std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves"};
   std::string more = " --no-truth --out replay";
   if (!window.empty()) {
@@ -47,13 +47,13 @@ std::string replay(const Arguments& arguments, const CLI::App& command, const st
 }
 
 // What --effects asks for without a look at the view.
-EffectPlan named_effects(const Arguments& arguments, const SimulateOptions& options) {
+EffectPlan named_effects(const SimArguments& arguments, const SimulateOptions& options) {
   if (!are_named(arguments.effects)) return {options, {"all"}, {}};
   return plan_effects(options, arguments.effects);
 }
 
 // The RTL on the view; when it stops, how to run it again.
-std::string run_rtl(const Arguments& arguments, const CLI::App& command, const LoadedView& loaded,
+std::string run_rtl(const SimArguments& arguments, const CLI::App& command, const LoadedView& loaded,
                     const SimulateOptions& options, const EffectPlan& plan, Simulation& simulation) {
   try {
     return simulate_effects(loaded.scene, loaded.camera, options, plan, simulation);
@@ -63,12 +63,12 @@ std::string run_rtl(const Arguments& arguments, const CLI::App& command, const L
   }
 }
 
-void check_outputs(const Arguments& arguments) {
+void check_outputs(const SimArguments& arguments) {
   try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
   try_file("--waves", arguments.waves);
 }
 
-int simulate(const Arguments& arguments, const CLI::App& command) {
+int simulate(const SimArguments& arguments, const CLI::App& command) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
@@ -121,7 +121,7 @@ void add_sim(CLI::App& app, Run& run) {
   command->footer(footer("pipegs sim garden.ply --cameras cameras.json --view 0 --set units=2 --out garden",
                          "every bit of the RTL agrees (or --no-rtl: nothing compared)",
                          "a bit differs or the RTL stops"));
-  static Arguments arguments;
+  static SimArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
   command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json")->capture_default_str();

@@ -13,7 +13,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct TimelineArguments {
   ViewArguments view;
   MemoryArguments memory;
   TimelineOptions timeline;
@@ -21,7 +21,7 @@ struct Arguments {
   std::string out;
 };
 
-int timeline(Arguments arguments) {
+int timeline(TimelineArguments arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   if (arguments.windows > 0) {
@@ -69,7 +69,7 @@ void add_timeline(CLI::App& app, Run& run) {
       app.add_subcommand("timeline", "a trace of every unit for ui.perfetto.dev: windows, layers, stalls, bandwidth");
   command->footer(footer("pipegs timeline garden.ply --cameras cameras.json --window 3,2 --windows 4 --out garden.json",
                          "every bit of the RTL agrees", "a bit differs or the RTL stops"));
-  static Arguments arguments;
+  static TimelineArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
   command->add_option("--out", arguments.out, "the trace")->required();

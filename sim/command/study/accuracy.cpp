@@ -15,7 +15,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct AccuracyArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::vector<std::string> knobs;
@@ -42,7 +42,7 @@ std::string describe(const MeasuredPoint& point, const Config& base) {
 }
 
 // The text on --target; writes target.cfg when it is reached.
-std::string answer_target(const Arguments& arguments, const std::vector<MeasuredPoint>& points, double target) {
+std::string answer_target(const AccuracyArguments& arguments, const std::vector<MeasuredPoint>& points, double target) {
   const MeasuredPoint* point = cheapest(points, target);
   if (point == nullptr) {
     const std::vector<const MeasuredPoint*> front = pareto_front(points, Cost::kCycles);
@@ -95,14 +95,14 @@ bool check_in_rtl(const AccuracyView& view, const LoadedView& loaded, const std:
 }
 
 // The view's truths, and a golden frame with a truth in its order on each core.
-PixelBytes memory_of(const Arguments& arguments) {
+PixelBytes memory_of(const AccuracyArguments& arguments) {
   PixelBytes bytes = kTruthPixels;
   for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
     bytes = bytes + kGoldenPixels + kImagePixels + kImagePixels;
   return arguments.rtl ? bytes + kRtlPixels : bytes;
 }
 
-int accuracy(const Arguments& arguments) {
+int accuracy(const AccuracyArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   const SweepOptions sweep_options{
@@ -160,7 +160,7 @@ void add_accuracy(CLI::App& app, Run& run) {
       "measured (--rtl: and every bit and cycle agrees)", "--rtl: a bit or a frame's cycles differ, or the RTL stops",
       "Accuracy is the golden model's against float64, cycles and bytes are the timing model's. --rtl runs five "
       "points in RTL."));
-  static Arguments arguments;
+  static AccuracyArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
   add_names(*command, "--knobs", arguments.knobs, "which, by commas; without it all");

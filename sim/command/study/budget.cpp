@@ -17,7 +17,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct BudgetArguments {
   std::string svg;
   std::vector<std::string> settings;
   uint64_t seed = 1;
@@ -84,7 +84,7 @@ std::vector<Chart> charts(const std::vector<BudgetSample>& samples) {
                    4, alpha)};
 }
 
-int budget(const Arguments& arguments) {
+int budget(const BudgetArguments& arguments) {
   ViewArguments view;
   view.settings = arguments.settings;
   const Config config = view.options().config;
@@ -149,7 +149,7 @@ void add_budget(CLI::App& app, Run& run) {
       app.add_subcommand("budget", "errors of power and alpha of random Gaussians: ours, its bound, FP32, FP16");
   command->footer(footer("pipegs budget --count 1000000 --svg budget.svg", "every error lies within its bound",
                          "one lies beyond it"));
-  static Arguments arguments;
+  static BudgetArguments arguments;
   add_integer(*command, "--count", arguments.count, "Gaussians", size_t{1}, size_t{100000000})->capture_default_str();
   add_integer(*command, "--seed", arguments.seed, "of the Gaussians")->capture_default_str();
   command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")

@@ -16,12 +16,12 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct DramArguments {
   std::string references = PIPEGS_SOURCE_DIR "/verif/dram/references.csv", source, preset;
   bool mappings = false;
 };
 
-int check(const Arguments& arguments) {
+int check(const DramArguments& arguments) {
   if (!arguments.preset.empty()) throw InputError("--preset", "", "goes with --mappings");
   std::vector<DramReference> references = read_dram_references(arguments.references);
   if (!arguments.source.empty())
@@ -45,7 +45,7 @@ int check(const Arguments& arguments) {
   return differing == 0 ? kExitOk : kExitDiffers;
 }
 
-int mappings(const Arguments& arguments) {
+int mappings(const DramArguments& arguments) {
   const std::vector<std::string> names = arguments.preset.empty() ? dram_presets() : std::vector{arguments.preset};
   std::vector<DramRow> rows, steps;
   for (const std::string& name : names) {
@@ -66,7 +66,7 @@ void add_dram(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("dram", "the timing of the external memory against other DRAM simulators");
   command->footer(footer("pipegs dram --source ramulator2\n         pipegs dram --mappings --preset lpddr5-6400x4",
                          "every run agrees (--mappings: listed)", "a run differs"));
-  static Arguments arguments;
+  static DramArguments arguments;
   command->add_option("--references", arguments.references, "reference runs, CSV")->capture_default_str();
   command->add_option("--source", arguments.source, "only the runs of this simulator: ramulator2 or dramsim3");
   command->add_flag("--mappings", arguments.mappings,

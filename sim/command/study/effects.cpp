@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
+struct EffectsArguments {
   ViewArguments view;
   MemoryArguments memory;
   bool json = false, measure = false;
@@ -112,7 +112,7 @@ void print_measured(const Json& json) {
              json["all"]["mismatches"].get<uint64_t>(), json["auto"]["mismatches"].get<uint64_t>());
 }
 
-int effects(const Arguments& arguments) {
+int effects(const EffectsArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   const LoadedView loaded = load_view(arguments.view);
@@ -166,7 +166,7 @@ void add_effects(CLI::App& app, Run& run) {
       footer("pipegs effects garden.ply --cameras cameras.json --view 0 --measure",
              "listed (--measure: and every bit agrees)", "--measure: a bit differs or the RTL stops",
              "`pipegs sim --effects auto` leaves out what is not called for; every pixel is compared all the same."));
-  static Arguments arguments;
+  static EffectsArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
   command->add_flag("--measure", arguments.measure,

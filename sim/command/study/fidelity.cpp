@@ -11,14 +11,14 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct FidelityArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::vector<int> wave_window;
   bool json = false;
 };
 
-int run_fidelity(const Arguments& arguments) {
+int run_fidelity(const FidelityArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   if (options.window)
     throw ConfigError("--window: fidelity compares whole frames; --wave-window chooses the window of the waves");
@@ -51,7 +51,7 @@ void add_fidelity(CLI::App& app, Run& run) {
   command->footer(footer("pipegs fidelity garden.ply --cameras cameras.json --view 0 --rung exact", "all agree",
                          "RTL and golden model differ in a bit, or RTL and timing model in a cycle or a byte",
                          "A row whose RTL does not build is named, the others run; then the exit code is 3."));
-  static Arguments arguments;
+  static FidelityArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
   add_place(*command, "--wave-window", arguments.wave_window,

@@ -11,7 +11,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct ModelArguments {
   ViewArguments view;
   MemoryArguments memory;
   bool json = false, check = false, windows = false;
@@ -94,7 +94,7 @@ std::string to_text(const ModelRow& row, bool check) {
   return text;
 }
 
-int model(const Arguments& arguments) {
+int model(const ModelArguments& arguments) {
   std::vector<SimulateOptions> options = arguments.view.each();
   const LoadedView loaded = load_view(arguments.view);
   for (SimulateOptions& one : options) {
@@ -139,7 +139,7 @@ void add_model(CLI::App& app, Run& run) {
       "--check compares cycles of the frame and of each window, and bytes of each stream: exact, or it differs, and "
       "the cycle\nand unit in which RTL and model part are named.\n"
       "Seconds of the model and kHz of the RTL (no pixel compared) are of one core; speed is their ratio."));
-  static Arguments arguments;
+  static ModelArguments arguments;
   arguments.view.add(*command, DesignPoints::kOneOrSeveral);
   arguments.memory.add(*command);
   command->add_flag("--check", arguments.check, "run the RTL, too, and compare cycles and bytes");

@@ -15,7 +15,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct SiliconArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table, svg;
@@ -50,14 +50,14 @@ void keep_frame(const std::string& table, const MeasuredFrame& frame) {
 }
 
 // A table that cannot be read is told before the frames are measured, too.
-void check_outputs(const Arguments& arguments) {
+void check_outputs(const SiliconArguments& arguments) {
   try_file("--svg", arguments.svg);
   try_file("--table", arguments.table);
   if (!arguments.no_energy) try_folder("--keep", arguments.keep);
   if (!arguments.table.empty() && std::filesystem::exists(arguments.table)) read_frames(arguments.table);
 }
 
-int silicon(const Arguments& arguments) {
+int silicon(const SiliconArguments& arguments) {
   std::vector<SimulateOptions> options = arguments.view.each();
   check_outputs(arguments);
   const LoadedView loaded = load_view(arguments.view);
@@ -111,7 +111,7 @@ void add_silicon(CLI::App& app, Run& run) {
       "Needs what `make synth` writes for each configuration. Energy needs a run of the RTL, which is kept: each frame "
       "is measured\n"
       "once. Ranges are what 28 nm may be: docs/silicon/silicon.md, docs/silicon/energy.md."));
-  static Arguments arguments;
+  static SiliconArguments arguments;
   arguments.view.add(*command, DesignPoints::kOneOrSeveral);
   arguments.memory.add(*command);
   command->add_option("--library", arguments.library, "library whose gates were counted")->capture_default_str();

@@ -17,7 +17,7 @@
 namespace pipegs {
 namespace {
 
-struct Arguments {
+struct StressArguments {
   std::string design_point, size, out = "stress";
   std::vector<std::string> settings;
   uint64_t seed = 1;
@@ -25,13 +25,13 @@ struct Arguments {
   bool no_rtl = false;
 };
 
-SimulateOptions machine(const Arguments& arguments) {
+SimulateOptions machine(const StressArguments& arguments) {
   ViewArguments view;
   view.design_point = arguments.design_point, view.settings = arguments.settings;
   return view.options();
 }
 
-StressShape shape(const Arguments& arguments) {
+StressShape shape(const StressArguments& arguments) {
   StressShape shape{.gaussians = arguments.gaussians};
   if (arguments.size.empty()) return shape;
   const size_t by = std::min(arguments.size.find('x'), arguments.size.size() - 1);
@@ -53,7 +53,7 @@ SimulateOptions paced(SimulateOptions options, uint64_t seed) {
   return options;
 }
 
-std::string replay(const std::string& program, const Arguments& arguments, const SimulateOptions& options,
+std::string replay(const std::string& program, const StressArguments& arguments, const SimulateOptions& options,
                    const StressView& view) {
   std::string line = fmt::format("{} sim {} --cameras {} --near {} --memory ideal --latency {} --jitter {} --seed {}",
                                  shell_word(program), shell_word(arguments.out + "/scene.ply"),
@@ -64,7 +64,7 @@ std::string replay(const std::string& program, const Arguments& arguments, const
   return line + (arguments.no_rtl ? " --no-rtl" : "");
 }
 
-void shrink_and_write(const std::string& program, const Arguments& arguments, const SimulateOptions& options,
+void shrink_and_write(const std::string& program, const StressArguments& arguments, const SimulateOptions& options,
                       const StressView& view) {
   const StressPredicate fails = [&](const StressView& v) { return stress_check(v, options, !arguments.no_rtl); };
   Progress progress("shrinking");
@@ -84,7 +84,7 @@ void shrink_and_write(const std::string& program, const Arguments& arguments, co
              replay(program, arguments, options, small.view));
 }
 
-int stress(const std::string& program, const Arguments& arguments) {
+int stress(const std::string& program, const StressArguments& arguments) {
   const SimulateOptions base = machine(arguments);
   const StressShape wanted = shape(arguments);
   try_folder("--out", arguments.out, {"scene.ply", "cameras.json"});
@@ -129,7 +129,7 @@ void add_stress(CLI::App& app, Run& run) {
       "stress", "fuzzing with shrinking: random hostile scenes through golden model, RTL and error bounds");
   command->footer(footer("pipegs stress --seed 1 --count 500 --rung exact", "all agree and lie within their bounds",
                          "one fails; then its smallest form lies in --out"));
-  static Arguments arguments;
+  static StressArguments arguments;
   add_integer(*command, "--seed", arguments.seed, "of the first view; the next ones count up")->capture_default_str();
   add_integer(*command, "--count", arguments.count, "views", 1, 100000000)->capture_default_str();
   command->add_option("--rung", arguments.design_point, "design point: " + design_point_names());

@@ -17,7 +17,7 @@ namespace {
 constexpr double kPort = 64;    // bytes: the machine's port takes one line per cycle
 constexpr double kFlat = 1.05;  // within 5 % of the highest bandwidth
 
-struct Arguments {
+struct SweepArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::vector<double> bandwidths = {12.8, 25.6, 51.2, 102.4};
@@ -112,7 +112,7 @@ void set_bandwidth(ExternalMemoryOptions& memory, double bandwidth) {
       "--bandwidth: found {}, expected 12.8, 25.6, 51.2 or 102.4 (LPDDR5 channels) unless --memory ideal", bandwidth));
 }
 
-int sweep(Arguments arguments) {
+int sweep(SweepArguments arguments) {
   std::vector<double>& bandwidths = arguments.bandwidths;
   for (const double bandwidth : bandwidths) {
     ExternalMemoryOptions memory = arguments.memory.external;
@@ -182,7 +182,7 @@ void add_sweep(CLI::App& app, Run& run) {
       "counted (--engine rtl: and every bit agrees)", "--engine rtl: a bit differs or the RTL stops",
       "A design point is not memory-bound from the bandwidth on beyond which more of it saves less than 5 % of the "
       "cycles."));
-  static Arguments arguments;
+  static SweepArguments arguments;
   arguments.view.add(*command, DesignPoints::kSeveral);
   arguments.memory.add(*command, false);
   add_reals(*command, "--bandwidth", arguments.bandwidths, "bytes per cycle, by commas", {.low = 0.1, .high = 1024})
