@@ -177,14 +177,18 @@ void expect_point_as_built(const DesignPoint& design_point) {
   expect_as_built(settings);
 }
 
+const std::set<std::string_view> kEnds = {"baseline", "dop", "exact"};
+
 TEST(StaticCost, EndsOfTheLadderAreAsBuilt) {
-  for (const char* name : {"baseline", "dop", "exact"}) expect_point_as_built(find_design_point(name));
+  for (const std::string_view name : kEnds) expect_point_as_built(find_design_point(std::string(name)));
 }
 
 TEST(StaticCostLong, FewNodesWaitAsBuilt) { expect_as_built("units=1 late=1 order=2 nearest_nodes=128 records=64"); }
 
-TEST(StaticCostLong, EveryDesignPointIsAsBuilt) {
-  for (const DesignPoint& design_point : design_points()) expect_point_as_built(design_point);
+TEST(StaticCostLong, AllOtherDesignPointsAreAsBuilt) {
+  for (const DesignPoint& design_point : design_points()) {
+    if (!kEnds.contains(design_point.name)) expect_point_as_built(design_point);
+  }
 }
 
 TEST(StaticCost, ConstantProducts) {
