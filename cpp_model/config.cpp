@@ -64,6 +64,9 @@ void config_check(const Config& config) {
   if (config.quads && (!config.late || config.quadratic)) {
     throw ConfigError("configuration: quads = 1 needs late = 1 and quadratic = 0");
   }
+  if (config.window == 128 && (!config.quads || config.order == 1)) {
+    throw ConfigError("configuration: window = 128 needs quads = 1 and order 0 or 2");
+  }
   if (config.order == 2 && !config.late) throw ConfigError("configuration: order = 2 needs late = 1");
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");

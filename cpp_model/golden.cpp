@@ -19,6 +19,7 @@
 #include "cpp_model/pu/list/pu_expand.hpp"
 #include "cpp_model/pu/project/pu_factors.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
+#include "cpp_model/pu/parts/pu_parts.hpp"
 #include "cpp_model/pu/project/pu_jacobian.hpp"
 #include "cpp_model/pu/project/pu_orient.hpp"
 #include "cpp_model/pu/project/pu_project.hpp"
@@ -48,11 +49,12 @@ ColorJob color_job(const Payload& p, uint64_t mask) {
 }
 
 // What the SU takes; where the alphas lie depends on timing and stays zero.
-Splat golden_splat(const Config& config, const Colored& colored, const Tiles& t) {
+Splat golden_splat(const Config& config, const Colored& colored, uint64_t part, const Tiles& t) {
   Splat splat{.kind = colored.kind,
               .depth = colored.depth,
+              .part = part,
               .index = colored.index,
-              .mask = colored.mask,
+              .mask = t.mask,
               .address = 0,
               .ext = 0,
               .red = colored.red,
@@ -86,7 +88,7 @@ std::optional<GoldenConic> project(const GoldenInput& input, const Fetched& fetc
   return conic;
 }
 
-// The regions of a Gaussian in the window that its mean is relative to; counts what has some.
+// The regions of a Gaussian in the part (or window of a list) that its mean is relative to; counts what has some.
 Tiles intersect(const GoldenInput& input, const Conic& conic, GoldenWindow& window) {
   const Coeff coeff = pu_coeff(input.packed->config, input.frame, conic);
   window.saturations.dead += coeff.dead;
@@ -113,10 +115,14 @@ void preprocess(const GoldenInput& input, const Fetched& fetched, GoldenWindow& 
   const std::optional<GoldenConic> found = project(input, fetched, window.work, window.saturations, window.called);
   if (!found) return;
   const auto& [conic, payload] = *found;
-  const Tiles tiles = intersect(input, conic, window);
-  if (tiles.mask == 0) return;
-  const Colored colored = color(input, color_job(payload, tiles.mask), window.saturations);
-  layer.splats.push_back({golden_splat(input.packed->config, colored, tiles), row_job(tiles, payload.index)});
+  std::optional<Colored> colored;  // once for all parts
+  for (const PuPart& one : pu_parts(input.packed->config, conic)) {
+    const Tiles tiles = intersect(input, one.conic, window);
+    if (tiles.mask == 0) continue;
+    if (!colored) colored = color(input, color_job(payload, tiles.mask), window.saturations);
+    layer.splats.push_back(
+        {golden_splat(input.packed->config, *colored, one.part, tiles), row_job(tiles, payload.index)});
+  }
 }
 
 // The list of a window: its candidates with at least one region.
@@ -131,9 +137,7 @@ void read_list(const GoldenInput& input, GoldenWindow& window) {
     const GoldenLists::Entry& entry = lists.gaussians[number];
     const Tiles tiles = intersect(input, pu_expand(config, entry.conic, x, y), window);
     if (tiles.mask == 0) continue;
-    Colored colored = entry.colored;
-    colored.mask = tiles.mask;
-    list.splats.push_back({golden_splat(config, colored, tiles), row_job(tiles, colored.index)});
+    list.splats.push_back({golden_splat(config, entry.colored, 0, tiles), row_job(tiles, entry.colored.index)});
   }
   if (!list.splats.empty()) window.layers.push_back(std::move(list));
 }
@@ -143,10 +147,10 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
   const BlendConstants constants(config);
   const PuRows rows(config);
   BlendCounts counts;
-  uint64_t done = 0;
+  RegionSet done;
   for (int r = 0; r < config.regions(); ++r) {
     window.regions.push_back(ru_fresh_region(config, input.frame, window.x, window.y, r));
-    done |= uint64_t{window.regions.back().all_done()} << r;
+    done.add(config, r, window.regions.back().all_done());
   }
   window.depth.assign(window.regions.size() * kRegionPixels, 0);
   window.blended.assign(window.regions.size() * kRegionPixels, 0);
@@ -155,18 +159,18 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
       const uint32_t color[3] = {static_cast<uint32_t>(splat.splat.red), static_cast<uint32_t>(splat.splat.green),
                                  static_cast<uint32_t>(splat.splat.blue)};
       const double depth = key_depth(*input.packed, splat.splat.depth) / constants.one;
-      for (uint64_t rest = splat.splat.mask & ~done; rest != 0; rest &= rest - 1) {
-        const int r = std::countr_zero(rest);
+      for (uint64_t rest = splat.splat.mask & ~done.mask[splat.splat.part]; rest != 0; rest &= rest - 1) {
+        const int bit = std::countr_zero(rest), r = region_number(config, splat.splat.part, bit);
         RegionState& region = window.regions[r];
         ++window.work.open_regions;
         alignas(64) uint16_t codes[kRegionPixels];
-        pu_region_line(rows, splat.job, r, codes);
+        pu_region_line(rows, splat.job, bit, codes);
         if (config.quads)
           window.work.quads += static_cast<uint64_t>(std::popcount(ru_live_quads(codes, ru_stopped_quads(region))));
         uint32_t before[kRegionPixels], done_before[kRegionPixels];
         std::copy_n(region.t, kRegionPixels, before);
         std::copy_n(region.done, kRegionPixels, done_before);
-        if (ru_blend_region(constants, region, codes, color, &counts)) done |= uint64_t{1} << r;
+        if (ru_blend_region(constants, region, codes, color, &counts)) done.add(config, r);
         double* sum = &window.depth[static_cast<size_t>(r) * kRegionPixels];
         uint32_t* number = &window.blended[static_cast<size_t>(r) * kRegionPixels];
         for (int i = 0; i < kRegionPixels; ++i) {
@@ -307,7 +311,7 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
     uint64_t bucket = 0;  // keys of the bucket so far
     for (size_t i = 0; i < layer.splats.size(); ++i) {
       const uint64_t depth = layer.splats[i].splat.depth, before = i > 0 ? layer.splats[i - 1].splat.depth : ~depth;
-      window.called.ties += depth == before;
+      window.called.ties += depth == before && layer.splats[i].splat.index != layer.splats[i - 1].splat.index;
       bucket = i > 0 && su_bucket(packed.config, depth) == su_bucket(packed.config, before) ? bucket + 1 : 1;
       window.called.bucket = std::max(window.called.bucket, bucket);
     }
@@ -320,8 +324,8 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   return window;
 }
 
-void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]) {
-  pu_region_line(PuRows(config), job, region, codes);
+void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t codes[kRegionPixels]) {
+  pu_region_line(PuRows(config), job, bit, codes);
 }
 
 GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options) {
@@ -351,8 +355,8 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
         golden_window(input, frame.raster.windows.first_x + i % columns, frame.raster.windows.first_y + i / columns);
     for (int r = 0; r < config.regions(); ++r) {
       for (int p = 0; p < kRegionPixels; ++p) {
-        const int x = static_cast<int>(window.x) * config.window + 8 * (r % config.regions_x()) + p % 8;
-        const int y = static_cast<int>(window.y) * config.window + 8 * (r / config.regions_x()) + p / 8;
+        const int x = static_cast<int>(window.x) * config.window + 8 * region_x(config, r) + p % 8;
+        const int y = static_cast<int>(window.y) * config.window + 8 * region_y(config, r) + p / 8;
         if (x >= width || y >= height) continue;
         const PixelState pixel = window.regions[r].pixel(p);
         const size_t at = result.image.at(x, y), in_window = static_cast<size_t>(r) * kRegionPixels + p;

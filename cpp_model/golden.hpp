@@ -27,7 +27,7 @@ namespace pipegs {
 struct Work {
   uint64_t fetched = 0;  // (Gaussian, window) pairs streamed into the PUs
   uint64_t visible = 0;  // of these, left by the cull
-  uint64_t records = 0;  // of these, with at least one region: (Gaussian, window) pairs that are sorted
+  uint64_t records = 0;  // of these, with at least one region: (Gaussian, part of a window) pairs that are sorted
   uint64_t regions = 0;  // (Gaussian, region) pairs whose alphas are computed
   uint64_t open_regions =
       0;                 // of these, with a pixel that nearer Gaussians have not stopped: pairs that must be blended
@@ -62,7 +62,7 @@ struct Called {
   Called& operator+=(const Called& other);
 };
 
-// A Gaussian in a window, as it leaves the PU. Its lines of alphas follow from the job.
+// A Gaussian in a part of a window, as it leaves the PU. Its lines of alphas follow from the job.
 struct GoldenSplat {
   Splat splat;  // address and ext are zero: they depend on timing
   RowJob job;
@@ -76,7 +76,7 @@ struct GoldenLayer {
 struct GoldenWindow {
   uint64_t x = 0, y = 0;
   std::vector<GoldenLayer> layers;   // those with at least one chunk (order 1: one, if a list has an entry); maybe none
-  std::vector<RegionState> regions;  // row by row: T, RGB, done of the finished window
+  std::vector<RegionState> regions;  // T, RGB, done of the finished window
   std::vector<double> depth;         // sum of weight * view depth in scene units, by region and pixel
   std::vector<uint32_t> blended;     // Gaussians blended, by region and pixel
   Work work;
@@ -122,8 +122,8 @@ struct GoldenConic {
 GoldenConic golden_conic(const Config& config, const Frame& frame, const Visible& visible,
                          ProjectCounts* counts = nullptr);
 
-// The alpha codes of one region of a job.
-void golden_codes(const Config& config, const RowJob& job, int region, uint16_t codes[kRegionPixels]);
+// The alpha codes of the region at a set bit of a job's mask.
+void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t codes[kRegionPixels]);
 
 struct GoldenFrame {
   Image image;

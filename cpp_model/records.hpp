@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,38 +37,30 @@ enum Kind : uint64_t { kData = 0, kLayerEnd = 1, kWindowEnd = 2 };
 #undef PIPEGS_END
 // clang-format on
 
-// One accessor for each name of config.def that may be a width, whether it is a member or a function.
-#define PIPEGS_CONFIG(name, Name, value, low, high, unit, what) \
-  inline int config_width_##name(const Config& c) { return c.name; }
-#define PIPEGS_DERIVED(name, Name, expression, what) \
-  inline int config_width_##name(const Config& c) { return c.name(); }
-#define PIPEGS_FIXED(name, Name, value, what)
-#include "cpp_model/config.def"
-#undef PIPEGS_CONFIG
-#undef PIPEGS_DERIVED
-#undef PIPEGS_FIXED
-
 // Name of a field; in a record within a record the way to it, `camera.position.x`. Built on the stack, text on demand.
 struct FieldName {
   const char* name;
-  const FieldName* inner = nullptr;
-  std::string text() const { return inner ? std::string(name) + "." + inner->text() : name; }
+  const FieldName* outer = nullptr;
+  std::string text() const { return outer ? outer->text() + "." + name : name; }
 };
 
-// visit_fields(config, record, f): f(name, value&, width, is_signed) for each field, low bits first; what a record in
-// the record holds is visited field by field in its place.
+// What is done with each field of a record, low bits first; what a record in the record holds is visited field by field
+// in its place. `value`: of a signed field in two's complement.
+class FieldVisitor {
+ public:
+  virtual void visit(const FieldName& field, uint64_t& value, int width, bool is_signed) = 0;
+
+ protected:
+  ~FieldVisitor() = default;
+};
+
 // clang-format off
-#define PIPEGS_RECORD(Name, name)                                    \
-  template <class R, class F>                                        \
-  requires std::is_same_v<std::remove_const_t<R>, Name>              \
-  void visit_fields([[maybe_unused]] const Config& c, R& r, F&& f) {
-#define FIELD_U(field, width, what) f(FieldName{#field}, r.field, config_width_##width(c), false);
-#define FIELD_S(field, width, what) f(FieldName{#field}, r.field, config_width_##width(c), true);
-#define FIELD_R(field, Record, what)                                                                    \
-    visit_fields(c, r.field, [&](const FieldName& inner, auto& value, int width, bool is_signed) {      \
-      f(FieldName{#field, &inner}, value, width, is_signed);                                            \
-    });
-#define PIPEGS_END(Name) }
+#define PIPEGS_RECORD(Name, name) \
+  void visit_fields(const Config& config, Name& record, FieldVisitor& visitor, const FieldName* outer = nullptr);
+#define FIELD_U(field, width, what)
+#define FIELD_S(field, width, what)
+#define FIELD_R(field, Record, what)
+#define PIPEGS_END(Name)
 #include "cpp_model/records.def"
 #undef PIPEGS_RECORD
 #undef FIELD_U
@@ -76,12 +69,61 @@ struct FieldName {
 #undef PIPEGS_END
 // clang-format on
 
+// The visitors behind the functions below; they are compiled once, not for each record in each file.
+class FieldWidths final : public FieldVisitor {
+ public:
+  void visit(const FieldName& field, uint64_t& value, int width, bool is_signed) override;
+  int bits = 0;
+};
+class FieldPacker final : public FieldVisitor {
+ public:
+  FieldPacker(std::string_view record, uint32_t* words) : record_(record), words_(words) {}
+  void visit(const FieldName& field, uint64_t& value, int width, bool is_signed) override;
+
+ private:
+  std::string_view record_;
+  uint32_t* words_;
+  int at_ = 0;
+};
+class FieldUnpacker final : public FieldVisitor {
+ public:
+  explicit FieldUnpacker(const uint32_t* words) : words_(words) {}
+  void visit(const FieldName& field, uint64_t& value, int width, bool is_signed) override;
+
+ private:
+  const uint32_t* words_;
+  int at_ = 0;
+};
+class FieldPrinter final : public FieldVisitor {
+ public:
+  void visit(const FieldName& field, uint64_t& value, int width, bool is_signed) override;
+  std::string text;
+};
+class FieldComparer final : public FieldVisitor {  // first the expected record, then the one that was found
+ public:
+  void visit(const FieldName& field, uint64_t& value, int width, bool is_signed) override;
+  bool found = false;
+  std::string difference;
+
+ private:
+  std::vector<uint64_t> expected_;
+  size_t at_ = 0;
+};
+class FieldFiller final : public FieldVisitor {
+ public:
+  explicit FieldFiller(std::mt19937_64& rng) : rng_(rng) {}
+  void visit(const FieldName& field, uint64_t& value, int width, bool is_signed) override;
+
+ private:
+  std::mt19937_64& rng_;
+};
+
 template <class R>
 int record_width(const Config& config) {
   R record;
-  int bits = 0;
-  visit_fields(config, record, [&](const FieldName&, auto&, int width, bool) { bits += width; });
-  return bits;
+  FieldWidths widths;
+  visit_fields(config, record, widths);
+  return widths.bits;
 }
 
 template <class R>
@@ -97,65 +139,44 @@ uint64_t get_bits(const uint32_t* words, int at, int width);
 void check_field(std::string_view record, const FieldName& field, uint64_t value, int width, bool is_signed);
 
 template <class R>
-void pack(const Config& config, const R& record, uint32_t* words) {
+void pack(const Config& config, R record, uint32_t* words) {
   for (int i = 0, n = record_words<R>(config); i < n; ++i) words[i] = 0;
-  int at = 0;
-  visit_fields(config, record, [&](const FieldName& field, const auto& value, int width, bool is_signed) {
-    check_field(R::kName, field, static_cast<uint64_t>(value), width, is_signed);
-    put_bits(words, at, width, static_cast<uint64_t>(value));
-    at += width;
-  });
+  FieldPacker packer(R::kName, words);
+  visit_fields(config, record, packer);
 }
 
 template <class R>
 R unpack(const Config& config, const uint32_t* words) {
   R record;
-  int at = 0;
-  visit_fields(config, record, [&](const FieldName&, auto& value, int width, bool is_signed) {
-    uint64_t bits = get_bits(words, at, width);
-    if (is_signed && width > 0 && width < 64 && ((bits >> (width - 1)) & 1)) bits |= ~uint64_t{0} << width;
-    value = static_cast<std::remove_reference_t<decltype(value)>>(bits);
-    at += width;
-  });
+  FieldUnpacker unpacker(words);
+  visit_fields(config, record, unpacker);
   return record;
 }
 
 // "name{field=value, ...}".
 template <class R>
-std::string to_text(const Config& config, const R& record) {
-  std::string text = std::string(R::kName) + "{";
-  visit_fields(config, record, [&](const FieldName& field, const auto& value, int, bool) {
-    text += (text.back() == '{' ? "" : ", ") + field.text() + "=" + std::to_string(value);
-  });
-  return text + "}";
+std::string to_text(const Config& config, R record) {
+  FieldPrinter printer;
+  visit_fields(config, record, printer);
+  return std::string(R::kName) + "{" + printer.text + "}";
 }
 
 // Name and both values of the first differing field; empty when equal.
 template <class R>
-std::string first_difference(const Config& config, const R& expected, const R& found) {
-  std::string text;
-  std::vector<std::string> values;
-  visit_fields(config, expected,
-               [&](const FieldName&, const auto& value, int, bool) { values.push_back(std::to_string(value)); });
-  size_t i = 0;
-  visit_fields(config, found, [&](const FieldName& field, const auto& value, int, bool) {
-    const std::string now = std::to_string(value);
-    if (text.empty() && now != values[i]) text = field.text() + ": expected " + values[i] + ", found " + now;
-    ++i;
-  });
-  return text;
+std::string first_difference(const Config& config, R expected, R found) {
+  FieldComparer comparer;
+  visit_fields(config, expected, comparer);
+  comparer.found = true;
+  visit_fields(config, found, comparer);
+  return comparer.difference;
 }
 
 // A record with every field drawn from its whole range: legal for plumbing, not for arithmetic.
-template <class R, class Rng>
-R random_record(const Config& config, Rng& rng) {
+template <class R>
+R random_record(const Config& config, std::mt19937_64& rng) {
   R record;
-  visit_fields(config, record, [&](const FieldName&, auto& value, int width, bool is_signed) {
-    uint64_t bits = rng();
-    bits = width >= 64 ? bits : bits & ((uint64_t{1} << width) - 1);
-    if (is_signed && width > 0 && width < 64 && ((bits >> (width - 1)) & 1)) bits |= ~uint64_t{0} << width;
-    value = static_cast<std::remove_reference_t<decltype(value)>>(bits);
-  });
+  FieldFiller filler(rng);
+  visit_fields(config, record, filler);
   return record;
 }
 

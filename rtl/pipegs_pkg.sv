@@ -9,7 +9,8 @@ package pipegs_pkg;
 
   localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
-  localparam int unsigned Window         = 64;  // side of a window (16, 32 or 64); regions are 8x8 pixels
+  // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
+  localparam int unsigned Window         = 64;
   localparam int unsigned Grid           = 4;  // cells of the orthogonal grid along one axis; 4 outdoor, 8 indoor
   localparam int unsigned Chunk          = 16;  // most Gaussians in one chunk
   localparam int unsigned Group          = 32;  // most chunks in one group, the node between a cell and its chunks
@@ -88,13 +89,21 @@ package pipegs_pkg;
   localparam int unsigned CenterDepth    = 10;
   // Gaussians from where a payload is known to where pu_intersect takes them: the places before, 2 in pu_coeff, queue
   localparam int unsigned PayloadDepth   = 31;
+  localparam int unsigned PartsX         = 1;  // parts along a window's side
+  // parts of a window, numbered row by row: what masks, coefficients and powers are made for
+  localparam int unsigned Parts          = 1;
+  localparam int unsigned PartW          = 0;  // number of a part; absent when a window has one
+  localparam int unsigned PartSide       = 64;  // side of a part in pixels
+  localparam int unsigned PartRegionsX   = 8;  // regions along a part's side
+  localparam int unsigned MaskW          = 64;  // regions of a part, bits of its mask
+  localparam int unsigned MaskIndexW     = 6;  // index of a region in its part, row by row
   localparam int unsigned RegionsX       = 8;  // regions along a window's side
-  localparam int unsigned Regions        = 64;  // regions of a window, bits of its mask
-  localparam int unsigned RegionW        = 6;  // index of a region, row by row
+  localparam int unsigned Regions        = 64;  // regions of a window
+  localparam int unsigned RegionW        = 6;  // index of a region in its window: its part above its index in the part
   // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
   localparam int unsigned KindW          = 2;
   localparam int unsigned BitW           = 1;  // a flag
-  // sort key: depth above index, so equal depths are ordered by index; the depth alone without IndexTies
+  // sort key: depth, then index, so equal depths are ordered by index, then the part; no index without IndexTies
   localparam int unsigned KeyW           = 48;
   localparam int unsigned RecordW        = 10;  // slot of a key or record in an SU's stores
   localparam int unsigned BucketW        = 9;  // bucket of an SU: the leading bits of the depth key
@@ -129,7 +138,8 @@ package pipegs_pkg;
   localparam int unsigned NearestW       = 9;
   localparam int unsigned TanW           = 27;  // x/z, y/z
   localparam int unsigned WindowMeanW    = 31;  // projected mean relative to its window's first pixel
-  // projected mean; with lists it comes relative to the first window, and a bit more keeps what saturates in no window
+  // projected mean; where it is moved to another first pixel, with lists and with parts, a bit more keeps what
+  // saturates in no window or part
   localparam int unsigned MeanW          = 31;
   localparam int unsigned DirectionW     = 18;  // component of the view direction, signed, block-normalised
   localparam int unsigned WorldDirectionW = 20;  // component of the view direction in world axes, s(DirectionW).1
@@ -521,6 +531,11 @@ package pipegs_pkg;
   localparam int unsigned PayloadBits = 162;
 
   typedef struct packed {
+    payload_t payload;
+  } parted_t;
+  localparam int unsigned PartedBits = 162;
+
+  typedef struct packed {
     logic [ScaleW-1:0] scale_2;
     logic [ScaleW-1:0] scale_1;
     logic [ScaleW-1:0] scale_0;
@@ -674,7 +689,7 @@ package pipegs_pkg;
 
   typedef struct packed {
     // regions that hold a pixel with alpha >= 1/AlphaCut: the 4-bit bitmap of each tile, row by row of regions
-    logic [Regions-1:0] mask;
+    logic [MaskW-1:0] mask;
     logic signed [DefW-1:0] f;
     logic signed [DefW-1:0] e;
     logic signed [DefW-1:0] d;
@@ -690,7 +705,7 @@ package pipegs_pkg;
     logic parity;  // of the layer: which overflow area
     logic ext;  // the lines lie in the overflow area
     logic [AlphaAddressW-1:0] address;  // line of the mask's first region; the others follow
-    logic [Regions-1:0] mask;
+    logic [MaskW-1:0] mask;
     logic signed [DefW-1:0] f;
     logic signed [DefW-1:0] e;
     logic signed [DefW-1:0] d;
@@ -743,7 +758,7 @@ package pipegs_pkg;
     logic signed [DirectionW-1:0] dir_x;
     logic ext;
     logic [AlphaAddressW-1:0] address;
-    logic [Regions-1:0] mask;
+    logic [MaskW-1:0] mask;
     logic [SlotW-1:0] slot;
     logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
@@ -757,7 +772,7 @@ package pipegs_pkg;
     logic signed [BaseW-1:0] base_r;
     logic ext;
     logic [AlphaAddressW-1:0] address;
-    logic [Regions-1:0] mask;
+    logic [MaskW-1:0] mask;
     logic [QuarterW-1:0] quarter;  // where the coefficients lie in their line, SH degree 1
     logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
@@ -812,7 +827,7 @@ package pipegs_pkg;
     logic [ColorW-1:0] red;
     logic ext;
     logic [AlphaAddressW-1:0] address;
-    logic [Regions-1:0] mask;
+    logic [MaskW-1:0] mask;
     logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;
     logic [KindW-1:0] kind;
@@ -825,7 +840,7 @@ package pipegs_pkg;
     logic [ColorW-1:0] red;
     logic ext;
     logic [StoreAddressW-1:0] address;
-    logic [Regions-1:0] mask;
+    logic [MaskW-1:0] mask;
     logic [SplatIndexW-1:0] index;
     logic [DepthW-1:0] depth;  // of a layer's end when Order is 2: the watermark
     logic [KindW-1:0] kind;
@@ -839,7 +854,7 @@ package pipegs_pkg;
     logic [ColorW-1:0] red;
     logic ext;
     logic [StoreAddressW-1:0] address;
-    logic [Regions-1:0] mask;
+    logic [MaskW-1:0] mask;
     logic [TapIndexW-1:0] index;
     logic [TapDepthW-1:0] depth;
     logic [KindW-1:0] kind;

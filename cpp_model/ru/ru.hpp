@@ -19,22 +19,22 @@ namespace pipegs {
 
 struct RuState {
   int unit = 0;
-  uint64_t own = 0;                     // the regions of this RU, as a mask
+  uint64_t own = 0;                     // the regions of this RU in a part, as a mask
   uint64_t window_x = 0, window_y = 0;  // the window that is being blended
   uint64_t parity = 0;                  // of the layer
   std::vector<RegionState> regions;     // by slot
-  uint64_t done = 0;                    // owned regions that are done, as a mask
+  RegionSet done;                       // owned regions that are done
   BlendCounts counts;
 };
 
 // Makes the regions of the current window fresh.
 inline void ru_start_window(const Config& c, const Frame& frame, RuState& state) {
   state.regions.clear();
-  state.done = 0;
+  state.done = {};
   for (int slot = 0; slot < c.regions() / c.units; ++slot) {
     const int region = ru_region(c, state.unit, slot);
     state.regions.push_back(ru_fresh_region(c, frame, state.window_x, state.window_y, region));
-    state.done |= uint64_t{state.regions.back().all_done()} << region;
+    state.done.add(c, region, state.regions.back().all_done());
   }
 }
 
@@ -44,6 +44,7 @@ inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
                 .window_x = frame.raster.windows.first_x,
                 .window_y = frame.raster.windows.first_y,
                 .regions = {},
+                .done = {},
                 .counts = {}};
   ru_start_window(c, frame, state);
   return state;
@@ -57,11 +58,11 @@ void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuSta
   if (splat.kind == kData) {
     const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green),
                                static_cast<uint32_t>(splat.blue)};
-    for (uint64_t rest = splat.mask & state.own & ~state.done; rest != 0; rest &= rest - 1) {
-      const int region = std::countr_zero(rest);
+    for (uint64_t rest = splat.mask & state.own & ~state.done.mask[splat.part]; rest != 0; rest &= rest - 1) {
+      const int region = region_number(c, splat.part, std::countr_zero(rest));
       if (ru_blend_region(k, state.regions[ru_slot(c, region)], codes(splat, region, state.parity), color,
                           &state.counts)) {
-        state.done |= uint64_t{1} << region;
+        state.done.add(c, region);
       }
     }
     return;

@@ -67,8 +67,8 @@ RegionState ru_fresh_region(const Config& config, const Frame& frame, uint64_t w
                             int region) {
   const BlendConstants constants(config);
   RegionState state{};
-  const uint64_t x0 = window_x * config.window + 8 * (region % config.regions_x());
-  const uint64_t y0 = window_y * config.window + 8 * (region / config.regions_x());
+  const uint64_t x0 = window_x * config.window + 8 * static_cast<uint64_t>(region_x(config, region));
+  const uint64_t y0 = window_y * config.window + 8 * static_cast<uint64_t>(region_y(config, region));
   for (int i = 0; i < kRegionPixels; ++i) {
     state.t[i] = constants.one;
     state.done[i] = x0 + i % 8 >= frame.raster.width || y0 + i / 8 >= frame.raster.height;

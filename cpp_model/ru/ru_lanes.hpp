@@ -9,6 +9,7 @@
 #pragma once
 
 #include "cpp_model/records.hpp"
+#include "cpp_model/regions.hpp"
 #include "cpp_model/ru/ru_blend.hpp"
 
 namespace pipegs {

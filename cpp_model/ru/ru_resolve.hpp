@@ -29,8 +29,8 @@ inline uint64_t ru_pixel_line(const Config& c, const Frame& frame, uint64_t wind
 
 // Whether the region has a pixel inside the image.
 inline bool ru_inside(const Config& c, const Frame& frame, uint64_t window_x, uint64_t window_y, int region) {
-  return window_x * c.window + 8 * (region % c.regions_x()) < frame.raster.width &&
-         window_y * c.window + 8 * (region / c.regions_x()) < frame.raster.height;
+  return window_x * c.window + 8 * static_cast<uint64_t>(region_x(c, region)) < frame.raster.width &&
+         window_y * c.window + 8 * static_cast<uint64_t>(region_y(c, region)) < frame.raster.height;
 }
 
 // One pixel in memory.

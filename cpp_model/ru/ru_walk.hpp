@@ -13,18 +13,19 @@
 #include <cstdint>
 
 #include "cpp_model/records.hpp"
+#include "cpp_model/regions.hpp"
 
 namespace pipegs {
 
-// The RU that blends region r of every window.
+// The RU that blends a region of every window.
 inline int ru_owner(const Config& c, int region) {
-  return (region % c.regions_x() + c.units / 2 * (region / c.regions_x())) % c.units;
+  return (region_x(c, region) + c.units / 2 * region_y(c, region)) % c.units;
 }
 
-// All regions of an RU, as a mask.
+// All regions of an RU in a part, as a mask: the same in each part.
 inline uint64_t ru_own_mask(const Config& c, int unit) {
   uint64_t mask = 0;
-  for (int r = 0; r < c.regions(); ++r) mask |= uint64_t{ru_owner(c, r) == unit} << r;
+  for (int r = 0; r < c.mask_w(); ++r) mask |= uint64_t{ru_owner(c, r) == unit} << r;
   return mask;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_back: from a Gaussian's conic to the splat of each window: its regions, its colour, its lines of alphas.
+// pu_back: from a Gaussian's conic to the splats of its windows or parts: regions, colour, lines of alphas.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3.
 // Idea    pu_regions (coefficients and the regions that they reach), then pu_cache when the PUs compute alphas, else
@@ -65,10 +65,10 @@ module pu_back #(
   output logic                                 busy_o            // a record is behind pu_regions, or in pu_list
 );
 
-  localparam int unsigned PayloadW = pipegs_pkg::HasLists ? pipegs_pkg::ListedBits : pipegs_pkg::PayloadBits;
+  localparam int unsigned PayloadW = pipegs_pkg::HasLists ? pipegs_pkg::ListedBits : pipegs_pkg::PartedBits;
 
   logic                placed_valid, placed_ready, tiles_valid, tiles_ready, beside_valid, regions_moved, back_moved;
-  logic [PayloadW-1:0] beside_in, beside;  // with lists listed_t, else payload_t
+  logic [PayloadW-1:0] beside_in, beside;  // with lists listed_t, else parted_t
   pipegs_pkg::conic_t  placed;
   pipegs_pkg::tiles_t  tiles;
 
@@ -113,12 +113,26 @@ module pu_back #(
     logic unused_done;
     assign unused_done = &{1'b0, done_i, done_x_i, done_y_i};
   end else begin : gen_window  // a Gaussian comes once for each window
-    assign placed_valid  = conic_valid_i;
-    assign conic_ready_o = placed_ready;
-    assign placed        = conic_i;
-    assign beside_valid  = payload_valid_i;
-    assign beside_in     = payload_i;
-    assign number_o      = '0;
+    logic window_moved, window_busy, parts_moved, parts_busy;
+    if (pipegs_pkg::Parts > 1) begin : gen_parts
+      pu_parts u_parts (
+        .clk_i, .rst_ni, .payload_valid_i, .payload_i, .conic_valid_i, .conic_ready_o, .conic_i,
+        .parted_valid_o(beside_valid), .parted_o(beside_in),
+        .placed_valid_o(placed_valid), .placed_ready_i(placed_ready), .placed_o(placed),
+        .moved_o(parts_moved), .busy_o(parts_busy)
+      );
+    end else begin : gen_whole
+      assign placed_valid  = conic_valid_i;
+      assign conic_ready_o = placed_ready;
+      assign placed        = conic_i;
+      assign beside_valid  = payload_valid_i;
+      assign beside_in     = payload_i;
+      assign parts_moved   = 1'b0;
+      assign parts_busy    = 1'b0;
+    end
+    assign back_moved = window_moved || parts_moved;
+    assign busy_o     = window_busy || parts_busy;
+    assign number_o   = '0;
     if (pipegs_pkg::CachesAlphas) begin : gen_cache
       pu_cache u_back (
         .clk_i, .rst_ni, .rotation_i, .colors_i(tables_i.colors), .sh_degree_i(tables_i.sh_degree),
@@ -129,16 +143,17 @@ module pu_back #(
         .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o,
         .store_write_o, .store_address_o, .store_line_o,
         .splat_valid_o, .splat_ready_i, .splat_o,
-        .overflowed_o, .moved_o(back_moved), .busy_o, .rows_busy_o, .color_busy_o, .color_waiting_o, .waiting_o
+        .overflowed_o, .moved_o(window_moved), .busy_o(window_busy), .rows_busy_o, .color_busy_o, .color_waiting_o,
+        .waiting_o
       );
     end else begin : gen_late
       pu_late u_back (
         .clk_i, .rst_ni, .rotation_i, .colors_i(tables_i.colors), .sh_degree_i(tables_i.sh_degree),
         .windows_i, .restart_i, .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
-        .payload_i(beside), .done_i, .done_x_i, .done_y_i,
+        .parted_i(beside), .done_i, .done_x_i, .done_y_i,
         .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
         .splat_valid_o, .splat_ready_i, .splat_o,
-        .moved_o(back_moved), .busy_o, .color_busy_o, .color_waiting_o
+        .moved_o(window_moved), .busy_o(window_busy), .color_busy_o, .color_waiting_o
       );
       assign rows_busy_o = 1'b0;
     end

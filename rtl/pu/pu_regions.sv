@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_regions: from a Gaussian's conic in a window to its coefficients and regions, and the payload that waited beside
-//         it.
+// pu_regions: from a Gaussian's conic in a part of a window to its coefficients and regions, and the payload that
+//         waited beside it.
 //
 // Paper   Eq. 3, and the tile test of Sec. 4.2.
 // Idea    coeff -> queue -> intersect. The queue evens out pu_intersect, which takes 2 to 64 cycles where the others

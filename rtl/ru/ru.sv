@@ -77,11 +77,13 @@ module ru #(
   );
 
   // --- where in the frame -------------------------------------------------------------------------------------------
+  logic [pipegs_pkg::MaskW-1:0]      part_own;
   logic [Regions-1:0]                own, outside;
   logic [$clog2(pipegs_pkg::Window):0] columns, rows;
   logic [2*pipegs_pkg::WindowW-1:0]  number;
 
-  ru_own u_own (.unit_i, .own_o(own));
+  ru_own u_own (.unit_i, .own_o(part_own));
+  assign own = {pipegs_pkg::Parts{part_own}};
   ru_window u_window (
     .clk_i, .rst_ni, .width_i(raster_i.width), .height_i(raster_i.height), .first_x_i(raster_i.windows.first_x),
     .first_y_i(raster_i.windows.first_y), .last_x_i(raster_i.windows.last_x), .restart_i, .advance_i(window_done_o),

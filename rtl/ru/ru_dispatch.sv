@@ -31,7 +31,7 @@ module ru_dispatch (
   pipegs_pkg::sorted_t out_q;
 
   for (genvar i = 0; i < Units; i += 1) begin : gen_unit
-    logic [pipegs_pkg::Regions-1:0] own;
+    logic [pipegs_pkg::MaskW-1:0] own;
     ru_own u_own (.unit_i(pipegs_pkg::UnitW'(i)), .own_o(own));
     assign covers[i] = in_i.kind != pipegs_pkg::KindData || (in_i.mask & own) != '0;
   end

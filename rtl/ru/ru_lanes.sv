@@ -56,7 +56,7 @@ module ru_lanes #(
   localparam int unsigned AlphaW = pipegs_pkg::AlphaW;
   localparam int unsigned ColorW = pipegs_pkg::ColorW;
   localparam int unsigned RegionW = pipegs_pkg::RegionW;
-  localparam int unsigned ColumnW = $clog2(pipegs_pkg::RegionsX);
+  localparam int unsigned PlaceW  = RegionW / 2;
   localparam int unsigned ColorsW = 3 * RgbW;
   localparam int unsigned TLow = Lanes * ColorsW;        // first bit of the T fields
   localparam int unsigned DoneLow = TLow + Lanes * TW;   // first bit of the done flags
@@ -88,11 +88,13 @@ module ru_lanes #(
   assign read_o        = issue_o;
   assign raddr_o       = AddrW'({slot, quarter_q});
 
+  logic [PlaceW-1:0] column, row;
+  ru_place u_place (.region_i(in_i.region), .column_o(column), .row_o(row));
   always_comb begin
     logic [SideW-1:0] left, top;
     logic [7:0]       columns_out;
-    left        = SideW'(in_i.region[ColumnW-1:0]) << 3;
-    top         = (SideW'(in_i.region[RegionW-1:ColumnW]) << 3) + (SideW'(quarter_q) << 1);
+    left        = SideW'(column) << 3;
+    top         = (SideW'(row) << 3) + (SideW'(quarter_q) << 1);
     columns_out = columns_i <= left ? '1 : columns_i - left >= SideW'(8) ? '0 : 8'hff << (columns_i - left);
     outside     = {rows_i <= top + SideW'(1) ? 8'hff : columns_out, rows_i <= top ? 8'hff : columns_out};
   end

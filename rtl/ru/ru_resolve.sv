@@ -48,7 +48,8 @@ module ru_resolve #(
   localparam int unsigned TLow = Lanes * 3 * RgbW;
   localparam int unsigned RowPixels = 8;
 
-  logic [Regions-1:0] own, todo_q;         // regions of which words are still to be read
+  logic [pipegs_pkg::MaskW-1:0] own;       // of each part
+  logic [Regions-1:0] todo_q;              // regions of which words are still to be read
   logic [Regions-1:0] lowest;              // of them
   logic [1:0]         next_quarter_q;      // of the word to read next
   logic [NumberW-1:0] number_q;
@@ -74,7 +75,7 @@ module ru_resolve #(
       word_valid_q   <= 1'b0;
       second_q       <= 1'b0;
     end else begin
-      if (start_i) todo_q <= own & ~outside_i;
+      if (start_i) todo_q <= {pipegs_pkg::Parts{own}} & ~outside_i;
       else if (read_o && next_quarter_q == 2'd3) todo_q <= todo_q & ~lowest;
       if (read_o) next_quarter_q <= next_quarter_q + 1'b1;
       if (word_free) word_valid_q <= read_o;

@@ -51,7 +51,7 @@ module su_emit (
   localparam int unsigned RecordW = pipegs_pkg::RecordW;
   localparam int unsigned NumberW = pipegs_pkg::SlotW;
   localparam int unsigned EntryW = KindW + 1 + RecordW + KeyW;
-  localparam int unsigned PayloadAt = KindW + KeyW;  // a splat is {payload, key's index, key's depth, kind}
+  localparam int unsigned PayloadAt = KindW + KeyW;  // a splat is {payload, key without depth, key's depth, kind}
 
   // Where is the record? For a set that spilled the number is read first.
   logic               looked_q, look, outside, known, item_go, queue_ready;
@@ -104,7 +104,7 @@ module su_emit (
   assign payload      = kind_q != pipegs_pkg::KindData ? '0 :
                         outside_q ? line_i[pipegs_pkg::SplatBits-1:PayloadAt] : record_i;
   assign key          = kind_q == pipegs_pkg::KindData ? key_q : '0;
-  if (pipegs_pkg::IndexTies != 0) begin : gen_index  // the key's index is the lower part, that of a splat the upper one
+  if (KeyW > pipegs_pkg::DepthW) begin : gen_name  // index and part are a key's lower bits, a splat's upper ones
     assign out_o = {payload, key[KeyW-pipegs_pkg::DepthW-1:0], key[KeyW-1 -: pipegs_pkg::DepthW], kind_q};
   end else begin : gen_depth
     assign out_o = {payload, key, kind_q};

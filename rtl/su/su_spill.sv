@@ -75,12 +75,9 @@ module su_spill (
   assign back_ready_o = free && !in_valid_i && divert_o;
   assign take         = free && (in_valid_i || (back_valid_i && divert_o));
   assign record       = in_valid_i ? in_i : back_i;
-  // A splat is {payload, index, depth, kind}.
-  assign key          = KeyW'({record[pipegs_pkg::KindW +: pipegs_pkg::DepthW],
-                               record[pipegs_pkg::KindW+pipegs_pkg::DepthW +: pipegs_pkg::SplatIndexW]}
-                              >> (pipegs_pkg::DepthW + pipegs_pkg::SplatIndexW - KeyW));
   assign last_part    = number_q[PartW-1:0] == PartW'(KeysPerLine - 1);
 
+  su_key u_key (.splat_i(record), .key_o(key));
   su_minmax u_minmax (.clk_i, .rst_ni, .clear_i(start_i), .valid_i(take), .key_i(key), .min_o, .max_o);
 
   assign job_valid_o    = state_q == Release;

@@ -43,8 +43,7 @@ module su_stores #(
   logic [KeyW-1:0]     key;
   logic [PayloadW-1:0] payload;
   assign payload      = PayloadW'({record_i} >> (pipegs_pkg::KindW + KeyW));
-  assign key          = KeyW'({record_i.depth, record_i.index} >>
-                              (pipegs_pkg::DepthW + pipegs_pkg::SplatIndexW - KeyW));
+  su_key u_key (.splat_i(record_i), .key_o(key));
   assign link_ready_o = !split_claim_i && !selected_i.claim;
 
   sram #(.DataW(KeyW), .Depth(pipegs_pkg::Records)) u_keys (

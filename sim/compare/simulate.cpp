@@ -214,7 +214,7 @@ void simulate_rtl(const SimulateOptions& options, Simulation& result) {
        y < std::min(frame.raster.height, (frame.raster.windows.last_y + 1) * side); ++y) {
     for (uint64_t x = frame.raster.windows.first_x * side;
          x < std::min(frame.raster.width, (frame.raster.windows.last_x + 1) * side); ++x) {
-      const int region = static_cast<int>((y % side / 8) * config.regions_x() + x % side / 8);
+      const int region = region_at(config, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8));
       const MemoryLine& line =
           memory.line(ru_pixel_line(config, frame, x / side, y / side, region, static_cast<int>(y % 8)));
       const uint64_t found = uint64_t{line[2 * (x % 8) + 1]} << 32 | line[2 * (x % 8)];

@@ -20,6 +20,9 @@ std::string compare_splats(const Config& config, Splat expected, Splat found) {
   return first_difference(config, expected, found);
 }
 
+// A Gaussian in a part of a window.
+uint64_t name_of(uint64_t index, uint64_t part) { return index * kParts + part; }
+
 }  // namespace
 
 StreamCheck::StreamCheck(const GoldenInput& input)
@@ -41,11 +44,11 @@ StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
                  y = input_.frame.raster.windows.first_y + ordinal / windows_x_;
   window.golden = golden_window(input_, x, y);
   for (const GoldenLayer& layer : window.golden.layers) {
-    auto& by_index = window.by_index.emplace_back();
-    for (const GoldenSplat& splat : layer.splats) by_index.emplace(static_cast<uint32_t>(splat.splat.index), &splat);
+    auto& by_name = window.by_name.emplace_back();
+    for (const GoldenSplat& splat : layer.splats) by_name.emplace(name_of(splat.splat.index, splat.splat.part), &splat);
   }
   for (int r = 0; r < config_.regions(); ++r) {
-    if (window.golden.regions[r].all_done()) window.done |= uint64_t{1} << r;
+    window.done.add(config_, r, window.golden.regions[r].all_done());
     window.live.push_back(ru_fresh_region(config_, input_.frame, x, y, r));
   }
   return window;
@@ -91,7 +94,7 @@ void StreamCheck::expect_end(const Place& place, uint64_t kind, const char* stre
   }
   for (size_t layer = place.layer + 1; layer < now.golden.layers.size(); ++layer) {
     for (const GoldenSplat& splat : now.golden.layers[layer].splats) {
-      if ((splat.splat.mask & ~may_miss(now)) == 0) continue;
+      if ((splat.splat.mask & ~may_miss(now, splat.splat)) == 0) continue;
       return fail(place.window, fmt::format("{}: the window ends in layer {}, Gaussian {} of layer {} is missing",
                                             stream, place.layer, splat.splat.index, layer));
     }
@@ -110,9 +113,9 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
     expect_end(place, splat.kind, stream.c_str());
     return end(place, splat.kind);
   }
-  if (place.layer >= now.by_index.size()) return fail(place.window, stream + ": a splat after the window's last layer");
-  const auto found = now.by_index[place.layer].find(static_cast<uint32_t>(splat.index));
-  if (found == now.by_index[place.layer].end()) {
+  if (place.layer >= now.by_name.size()) return fail(place.window, stream + ": a splat after the window's last layer");
+  const auto found = now.by_name[place.layer].find(name_of(splat.index, splat.part));
+  if (found == now.by_name[place.layer].end()) {
     return fail(place.window, fmt::format("{}: Gaussian {} in layer {}: expected none, found {}", stream, splat.index,
                                           place.layer, to_text(config_, splat)));
   }
@@ -126,11 +129,11 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
     return fail(place.window,
                 fmt::format("{}: Gaussian {}, layer {}, field {}", stream, splat.index, place.layer, difference));
   }
-  const uint64_t missing = expected.mask & ~splat.mask;
-  if ((splat.mask & ~expected.mask) != 0 || (missing & ~may_miss(now)) != 0) {
+  const uint64_t missing = expected.mask & ~splat.mask, done = may_miss(now, splat);
+  if ((splat.mask & ~expected.mask) != 0 || (missing & ~done) != 0) {
     return fail(place.window,
                 fmt::format("{}: Gaussian {}, layer {}, field mask: expected {:016x}, found {:016x}, done {:016x}",
-                            stream, splat.index, place.layer, expected.mask, splat.mask, now.done));
+                            stream, splat.index, place.layer, expected.mask, splat.mask, done));
   }
 }
 
@@ -153,7 +156,7 @@ void StreamCheck::on_sorted(const uint32_t* words) {
   const auto skip_done = [&](auto stop) {
     while (place.next < splats.size() && !stop(splats[place.next])) {
       const GoldenSplat& left_out = splats[place.next++];
-      if ((left_out.splat.mask & ~may_miss(now)) != 0) {
+      if ((left_out.splat.mask & ~may_miss(now, left_out.splat)) != 0) {
         fail(place.window,
              fmt::format("merge -> RU: layer {}: Gaussian {} is missing, found {}", place.layer, left_out.splat.index,
                          sorted.kind == kData ? fmt::format("Gaussian {}", sorted.index) : "the layer's end"));
@@ -166,8 +169,11 @@ void StreamCheck::on_sorted(const uint32_t* words) {
     expect_end(place, sorted.kind, "merge -> RU");
     return end(place, sorted.kind);
   }
-  skip_done([&](const GoldenSplat& splat) { return splat.splat.index == sorted.index; });
-  if (place.next >= splats.size() || splats[place.next].splat.index != sorted.index) {
+  const auto same = [&](const GoldenSplat& golden) {
+    return golden.splat.index == sorted.index && golden.splat.part == sorted.part;
+  };
+  skip_done(same);
+  if (place.next >= splats.size() || !same(splats[place.next])) {
     return fail(place.window,
                 fmt::format("merge -> RU: layer {}: Gaussian {} is out of order", place.layer, sorted.index));
   }
@@ -188,9 +194,9 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
   ru_window_[lane] = ordinal;
   Window& now = window(ordinal);
   const GoldenSplat* splat = nullptr;
-  for (const auto& by_index : now.by_index) {
-    const auto found = by_index.find(index);
-    if (found != by_index.end()) splat = found->second;
+  for (const auto& by_name : now.by_name) {
+    const auto found = by_name.find(name_of(index, static_cast<uint64_t>(region_part(config_, region))));
+    if (found != by_name.end()) splat = found->second;
   }
   if (splat == nullptr)
     return fail(ordinal, fmt::format("alphas -> {}: Gaussian {} is not in the window", ru_name(lane), index));
@@ -202,7 +208,7 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
                   .window = ordinal,
                   .words = config_.quads ? 1 : 4};
   std::array<uint16_t, kRegionPixels> codes;
-  pu_region_line(rows_, splat->job, region, codes.data());
+  pu_region_line(rows_, splat->job, region_bit(config_, region), codes.data());
   bool same = true;
   for (int i = 0; i < (config_.quads ? kQuadPixels : kRegionPixels); ++i) {
     const int pixel = config_.quads ? ru_word_pixel(config_, lane % config_.tap_lanes(), quarter, i) : i;
@@ -210,8 +216,8 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
     const uint64_t found = get_bits(line, i * config_.alpha_w, config_.alpha_w);
     if (found == codes[pixel] || !same) continue;
     same = false;
-    const uint64_t x = window_x * config_.window + 8 * (region % config_.regions_x()) + pixel % 8;
-    const uint64_t y = window_y * config_.window + 8 * (region / config_.regions_x()) + pixel / 8;
+    const uint64_t x = window_x * config_.window + 8 * region_x(config_, region) + pixel % 8;
+    const uint64_t y = window_y * config_.window + 8 * region_y(config_, region) + pixel / 8;
     fail(ordinal, fmt::format("alphas -> {}: Gaussian {}, pixel {},{}, field alpha: expected {}, found {}",
                               ru_name(lane), index, x, y, codes[pixel], found));
   }
@@ -242,10 +248,10 @@ void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* w
                              field(pixels * (colors + config_.t_w) + i, 1) != 0};
       const int x =
           static_cast<int>((input_.frame.raster.windows.first_x + pending.window % windows_x_) * config_.window) +
-          8 * (region % config_.regions_x()) + pixel % 8;
+          8 * region_x(config_, region) + pixel % 8;
       const int y =
           static_cast<int>((input_.frame.raster.windows.first_y + pending.window / windows_x_) * config_.window) +
-          8 * (region / config_.regions_x()) + pixel / 8;
+          8 * region_y(config_, region) + pixel / 8;
       if (x == watch_x_ && y == watch_y_) seen_.push_back({pending.index, pending.codes[pixel], found.t});
       if (found == expected) continue;
       fail(pending.window,

@@ -53,9 +53,9 @@ class StreamCheck final : public RtlTaps {
  private:
   struct Window {
     GoldenWindow golden;
-    std::vector<std::unordered_map<uint32_t, const GoldenSplat*>> by_index;  // of each layer
-    uint64_t done = 0;                                                       // regions done at the end
-    std::vector<RegionState> live;                                           // blended line by line as the RTL does
+    std::vector<std::unordered_map<uint64_t, const GoldenSplat*>> by_name;  // of each layer
+    RegionSet done;                                                         // regions done at the end
+    std::vector<RegionState> live;                                          // blended line by line as the RTL does
   };
   // Where a stream is in the frame.
   struct Place {
@@ -74,8 +74,11 @@ class StreamCheck final : public RtlTaps {
   };
 
   Window& window(uint64_t ordinal);
-  // Regions that the stream before the RUs may leave out. Lists are made before anything is done: they are complete.
-  uint64_t may_miss(const Window& window) const { return config_.has_lists() ? 0 : window.done; }
+  // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
+  // complete.
+  uint64_t may_miss(const Window& window, const Splat& splat) const {
+    return config_.has_lists() ? 0 : window.done.mask[splat.part];
+  }
   void release();
   void fail(uint64_t window, std::string what);
   void end(Place& place, uint64_t kind);

@@ -85,9 +85,8 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("dopu_test", "partition", "dopu", c.has_watermarks() ? 2 : 1, 8, 9);
   const int span =
       (c.window - 1 + 2 * c.reach_margin()) * 16 + 1;  // of a window with its margin, sixteenths of a pixel
-  if (c.has_lists()) {  // against the rectangle of all windows; then the mean moves from window to window
+  if (c.has_lists()) {                                 // against the rectangle of all windows
     add("pu_cull", "projection", "pu", 1, 18, 27);
-    add("pu_expand", "projection", "pu", 1, 0, 4);
   } else {
     add("pu_cull", "projection", "pu", 1, 16, 29, times({span}));
   }
@@ -105,6 +104,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
   add("pu_root", "projection", "pu", 2, 0, 2);
   add("recip", "projection", "pu", 2, 3, 1);
+  if (c.has_lists() || c.parts() > 1) add("pu_span", "projection", "pu", 2, 0, 2);
   add("pu_coeff", "projection", "pu", 1, 2, 6);
   add("pu_intersect", "projection", "pu", 1, 6, 16);
   if (c.tile_test) add("pu_edge", "projection", "pu", 1, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
@@ -148,9 +148,10 @@ void add_buffers(const Config& c, StaticCost& cost) {
   add("PU u_fetch.u_reader.u_lines", "parameters", memory, c.geometry_lines(), units);
   add("PU u_visible", "parameters", record_width<Visible>(c), c.visible_depth(), units);
   add("PU u_shape.u_centers", "parameters", record_width<Center>(c), c.center_depth(), units);
-  const int payload = c.has_lists() ? record_width<Listed>(c) : record_width<Payload>(c);
+  const int payload = c.has_lists() ? record_width<Listed>(c) : record_width<Parted>(c);
   add("PU u_regions.u_waiting", "parameters", payload, c.payload_depth(), units);
   if (c.has_lists()) add("PU u_list.u_payload", "parameters", record_width<Payload>(c), c.shape_places(), units);
+  if (c.parts() > 1) add("PU u_parts.u_payload", "parameters", record_width<Payload>(c), c.shape_places(), units);
   add("PU u_walks", "parameters", record_width<Coeff>(c), c.walk_depth(), units);
   if (c.sh_degree > 0) {
     add("PU u_color..u_lines", "parameters", memory, c.color_depth(), units);
@@ -163,7 +164,9 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("lists u_counts", "lists", c.list_entry_w(), 1 << c.list_window_w(), 1);
     add("lists u_read.u_reader.u_lines", "lists", memory, c.list_lines(), 1);
   } else if (!c.caches_alphas()) {
-    add("PU u_late.u_coeffs", "parameters", c.a_w() + 2 * c.bc_w() + 3 * c.def_w(), c.late_depth(), units);
+    add("PU u_late.u_coeffs", "parameters",
+        c.mask_w() + c.a_w() + 2 * c.bc_w() + 3 * c.def_w() + (c.parts() > 1 ? 1 + c.part_w() : 0), c.late_depth(),
+        units);
   }
   if (c.caches_alphas()) {
     add("PU u_jobs", "parameters", record_width<RowJob>(c), c.row_jobs(), units);

@@ -22,18 +22,21 @@ constexpr int kTileSizes[] = {8, 16, 32, 64};
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-// Tiles of the image that a mask of regions of one window touches.
-int tiles_of(const Config& config, const Frame& frame, uint64_t window_x, uint64_t window_y, uint64_t mask) {
-  const int side = config.regions_x(), per_tile = kTile / 8, tiles = std::max(1, side / per_tile);
+// Tiles of the image that a splat of a window touches.
+int tiles_of(const Config& config, const Frame& frame, uint64_t window_x, uint64_t window_y, const Splat& splat) {
+  const int side = config.part_regions_x(), per_tile = kTile / 8, tiles = std::max(1, side / per_tile);
+  const int first = region_number(config, splat.part, 0);  // region of the part
+  const uint64_t left = window_x * config.window + 8 * region_x(config, first),
+                 top = window_y * config.window + 8 * region_y(config, first);
   int count = 0;
   for (int ty = 0; ty < tiles; ++ty) {
     for (int tx = 0; tx < tiles; ++tx) {
-      if (window_x * config.window + static_cast<uint64_t>(tx) * kTile >= frame.raster.width) continue;
-      if (window_y * config.window + static_cast<uint64_t>(ty) * kTile >= frame.raster.height) continue;
+      if (left + static_cast<uint64_t>(tx) * kTile >= frame.raster.width) continue;
+      if (top + static_cast<uint64_t>(ty) * kTile >= frame.raster.height) continue;
       bool any = false;
       for (int r = 0; r < per_tile * per_tile; ++r) {
         const int x = tx * per_tile + r % per_tile, y = ty * per_tile + r / per_tile;
-        any = any || (mask >> (y * side + x) & 1) != 0;
+        any = any || (splat.mask >> (y * side + x) & 1) != 0;
       }
       count += any;
     }
@@ -78,7 +81,7 @@ ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& op
     const std::lock_guard lock(mutex);
     for (const GoldenLayer& layer : window.layers) {
       for (const GoldenSplat& splat : layer.splats) {
-        const int count = tiles_of(config, frame, window.x, window.y, splat.splat.mask);
+        const int count = tiles_of(config, frame, window.x, window.y, splat.splat);
         tiles[splat.splat.index] += static_cast<uint32_t>(count);
         profile.window_pairs += count > 0;
       }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "cpp_model/records.hpp"
+#include "cpp_model/su/su.hpp"
 #include "sim/timing/machine.hpp"
 
 namespace pipegs {
@@ -94,7 +95,7 @@ template <class Record>
 uint64_t Lockstep::beat(const uint32_t* words) const {
   const Record record = unpack<Record>(config_, words);
   if (record.kind != kData) return timing::shown_end(record.kind == kWindowEnd);
-  return timing::shown_splat(config_.index_ties ? record.depth << config_.index_w | record.index : record.depth);
+  return timing::shown_splat(splat_key(config_, record.depth, record.index, record.part));
 }
 
 void Lockstep::show(Border border, int lane, uint64_t what) {

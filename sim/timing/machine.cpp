@@ -31,7 +31,7 @@ Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& m
       const bool there = kind == kOrder                                                         ? lane < 2
                          : kind == kPublish || kind == kDeal || kind == kDopu || kind == kLists ? lane == 0
                                                                                                 : lane < units;
-      const bool listed = kind == kLists || kind == kExpand || kind == kListColor;
+      const bool listed = kind == kLists || kind == kListColor || (kind == kExpand && config.parts() == 1);
       if (!there || (!config.caches_alphas() && (kind == kWalk || kind == kStore || kind == kRows)) ||
           (config.has_lists() ? kind == kColor : listed))
         continue;

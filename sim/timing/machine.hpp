@@ -41,7 +41,7 @@ enum Unit : int {
   kBack,   // pu_allocate, pu_late or pu_lines
   kIntersect,
   kCoeff,
-  kExpand,     // only with lists
+  kExpand,     // with lists, or with parts pu_parts
   kListColor,  // with lists, instead of kColor
   kConic,
   kProject,  // pu_project, and the stages behind it up to pu_covariance

@@ -82,7 +82,7 @@ class FaultyMachine final : public RtlModel {
                        x / side <= raster.windows.last_x && y / side >= raster.windows.first_y &&
                        y / side <= raster.windows.last_y;
     if (!there) x = raster.windows.first_x * side, y = raster.windows.first_y * side;
-    const int region = static_cast<int>((y % side / 8) * config_.regions_x() + x % side / 8);
+    const int region = region_at(config_, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8));
     memory.line(ru_pixel_line(config_, frame, x / side, y / side, region, static_cast<int>(y % 8)))[2 * (x % 8)] ^= 1;
   }
 

@@ -111,6 +111,26 @@ TEST(Golden, ListsGiveThePixelsOfTheExactOrder) {
   }
 }
 
+// A window of four parts is four windows of their size: the same pixels, and a Gaussian is fetched once for all four.
+TEST(Golden, FourPartsGiveThePixelsOfTheirOwnWindows) {
+  for (uint64_t seed = 70; seed < 74; ++seed) {
+    const Scene scene = random_scene(seed, 2000, static_cast<int>(seed % 4));
+    const Camera camera = test_camera(260, 200, 90);
+    SimulateOptions options;
+    options.config.late = options.config.quads = 1;
+    options.config.order = 2;
+    Simulation alone, parts;
+    simulate_golden(scene, camera, options, alone);
+    options.config.window = 128;
+    simulate_golden(scene, camera, options, parts);
+    EXPECT_EQ(parts.golden.pixels, alone.golden.pixels) << "seed " << seed;
+    EXPECT_EQ(parts.golden.work.records, alone.golden.work.records);
+    EXPECT_EQ(parts.golden.work.blended, alone.golden.work.blended);
+    EXPECT_EQ(parts.golden.work.quads, alone.golden.work.quads);
+    EXPECT_LT(parts.golden.work.fetched, alone.golden.work.fetched);
+  }
+}
+
 // The rank of lists is the order of depth: of two Gaussians that are drawn, the nearer one comes first.
 TEST(Golden, ListsRankByDepth) {
   std::vector<Gaussian> gaussians;

@@ -127,7 +127,7 @@ mutant su_bitonic "direction of the last merge" 's/ && !size_q\[DistanceW\]//'
 mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill_q/\1 > fill_q/'
 mutant su_split "the tail of a bucket is overwritten" 's/\{filled \? tail : drop_slot_q/{drop_slot_q/'
 mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
-mutant su_merge "index sorted downwards" 's/\{head\.depth, head\.index\}/{head.depth, ~head.index}/'
+mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge
 mutant su_spill "the lines of keys begin one too far" \
        's/(keys_line_q *<= )number_q >> PartW/\1(number_q >> PartW) + 1/' su_tiny
 mutant su_select "< becomes <= at the end of a part" 's/part\} < stop_q/part} <= stop_q/' su_tiny
@@ -153,7 +153,7 @@ mutant ru_lanes "second row of a quarter inside the image by mistake" \
        "s/rows_i <= top \+ SideW'\(1\) \? 8'hff : columns_out/columns_out/"
 mutant ru_lanes "a region is done with its last quarter" "s/\(quarter_3_q == 2'd0 \|\| all_q\) && //"
 mutant ru_resolve "quarters of a region: 3 becomes 2" "s/next_quarter_q == 2'd3/next_quarter_q == 2'd2/"
-mutant ru_resolve "regions outside the image are written" 's/own & ~outside_i/own/'
+mutant ru_resolve "regions outside the image are written" 's/ & ~outside_i//'
 mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/'
 mutant ru_whole "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/' ru
 
@@ -193,9 +193,8 @@ mutant memory_arbiter "an answer goes to two ports: the lowest bit of the tag is
 
 # --- parts left out ---------------------------------------------------------------------------------------------------
 group lean "Machines without index ties and without overflow (\`index_ties = 0\`, \`overflow = 0\`)"
-mutant su_merge "the sort key is the index instead of the depth" \
-       's/\{head\.depth, head\.index\}/{head.index, head.depth}/' su_merge_lean
-mutant su_merge "assertion: > becomes >=" 's/depth > depth_q/depth >= depth_q/' su_merge_lean
+mutant su_key "depth sorted downwards" 's/order = splat_i\.depth/order = ~splat_i.depth/' su_merge_lean
+mutant su_merge "assertion: > becomes >=" 's/key > key_q/key >= key_q/' su_merge_lean
 mutant su_merge "assertion: the end of a layer is forgotten when the beat before it still waits" \
        's/\(go && !mark\) before_q/(go \&\& !out_valid_q) before_q/' su_merge_lean
 mutant su_collect "no clock for a record that finds no room: the assertion is never looked at" \
@@ -239,8 +238,16 @@ mutant clock_gate "the latch is open all the time" 's/if \(!clk_i\) enable_q/ena
 mutant sram "the output changes without a read" 's/if \(read_i\) rdata_o/rdata_o/'
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
-group list "Lists (\`order = 1\`)"
-mutant pu_expand "an endless Gaussian does not reach the last window" 's/endless \|\| last > limit/last > limit/'
+group list "Lists (\`order = 1\`), parts (\`window = 128\`)"
+mutant pu_span "an endless Gaussian does not reach the last window" \
+       's/endless \|\| last > limit/last > limit/' pu_expand
+mutant pu_parts "a mean keeps its place in the second row of parts" \
+       's/(moved_y = .*) -$/\1 + 0 */' pu_parts
+mutant pu_parts "the second row begins with its second part" 's/last_column \? from_x_q : /last_column ? to_x_q : /'
+mutant pu_parts "the payload of a Gaussian without a part stays" \
+       's/payload_take  = conic_ready_o && data/payload_take  = conic_ready_o \&\& data \&\& !none/'
+mutant ru_place "column and row of a part change places" 's/part_row, part_column, row/part_column, part_row, row/' \
+       ru_place_parts
 mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//"
 mutant log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
 mutant pu_lines "an end leaves before the rows have ended" 's/ && \(!is_end \|\| ended_q\)//'

@@ -6,6 +6,7 @@
 #include "cpp_model/ru/ru_resolve.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/ru/pixel_words.hpp"
+#include "verif/ru/region_ports.hpp"
 #include "verif/support/config.hpp"
 #include "Vru_resolve.h"
 
@@ -13,6 +14,13 @@ namespace pipegs {
 namespace {
 
 const Config kConfig = test_config();
+
+// A word is two rows of a region, also where quads are blended.
+const Config kWhole = [] {
+  Config config = kConfig;
+  config.quads = 0;
+  return config;
+}();
 
 RegionState random_region(std::mt19937_64& rng) {
   RegionState region{};
@@ -41,16 +49,16 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
 
   std::vector<std::optional<Words>> words;
   std::map<uint64_t, Words> expected;
-  uint64_t outside = 0;
-  for (int r = 0; r < kConfig.regions(); ++r) outside |= uint64_t{!ru_inside(kConfig, frame, x, y, r)} << r;
+  RegionSet outside;
+  for (int r = 0; r < kConfig.regions(); ++r) outside.add(kConfig, r, !ru_inside(kConfig, frame, x, y, r));
   for (int slot = 0; slot < kConfig.regions() / kConfig.units; ++slot) {
     const int r = ru_region(kConfig, unit, slot);
     RegionState region = random_region(bench.rng);
     const RegionState fresh = ru_fresh_region(kConfig, frame, x, y, r);
     for (int quarter = 0; quarter < 4; ++quarter) {
       const bool is_fresh = bench.rng() % 3 == 0;
-      words.push_back(is_fresh ? std::nullopt : std::optional(pixel_word(kConfig, region, quarter)));
-      for (int half = 0; half < 2 && !(outside >> r & 1); ++half) {
+      words.push_back(is_fresh ? std::nullopt : std::optional(pixel_word(kWhole, region, quarter)));
+      for (int half = 0; half < 2 && !outside.has(kConfig, r); ++half) {
         Words line(16);
         for (int i = 0; i < 8; ++i) {
           put_bits(line.data(), 64 * i, 64,
@@ -63,12 +71,12 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
 
   dut.start_i = 1;
   dut.number_i = (ru_pixel_line(kConfig, frame, x, y, 0, 0) - frame.tables.pixels) / (8 * kConfig.regions());
-  dut.outside_i = outside;
+  write_regions(kConfig, dut.outside_i, outside);
   EXPECT_TRUE(dut.ready_o);
   bench.step();
   dut.start_i = 0;
   dut.number_i = 0;
-  dut.outside_i = 0;
+  write_regions(kConfig, dut.outside_i, {});
   uint64_t lines = 0;
   const uint64_t start = bench.cycle;
   for (; !dut.ready_o;) {

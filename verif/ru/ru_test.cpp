@@ -4,6 +4,7 @@
 #include "cpp_model/ru/ru.hpp"
 #include "verif/ru/alpha_lines.hpp"
 #include "verif/ru/pixel_words.hpp"
+#include "verif/ru/region_ports.hpp"
 #include "verif/ru/live/random_splat.hpp"
 #include "verif/support/config.hpp"
 #include "Vru.h"
@@ -47,14 +48,21 @@ class RuBench : public Bench<Vru> {
     if (kConfig.quads) cycle_once();  // it finds out what lies outside
     state = tapped = ru_start(kConfig, frame, unit);
     ends = ends_seen = windows = windows_seen = 0;
-    EXPECT_EQ(dut.done_o, state.done) << "regions outside the image are done from the start";
+    EXPECT_TRUE(read_regions(kConfig, dut.done_o) == state.done) << "regions outside the image are done from the start";
   }
 
   // A splat whose lines lie in a store or in memory, or which has coefficients instead; the golden RU takes it at once,
   // the module when it comes to it.
   void send(uint64_t kind, uint64_t mask = 0, bool ext = false, int strength = 0) {
+    send_to(rng() % kConfig.parts(), kind, mask, ext, strength);
+  }
+  void send_region(int region, int strength) {
+    send_to(region_part(kConfig, region), kData, uint64_t{1} << region_bit(kConfig, region), false, strength);
+  }
+  void send_to(uint64_t part, uint64_t kind, uint64_t mask, bool ext, int strength) {
     Sorted splat = random_record<Sorted>(kConfig, rng);
     splat.kind = kind;
+    splat.part = part;
     splat.index = next_index++;
     splat.mask = mask;
     splat.unit %= kConfig.units;
@@ -66,9 +74,9 @@ class RuBench : public Bench<Vru> {
     }
     colors[splat.index] = splat;
     for (uint64_t rest = kind == kData ? mask : 0; rest != 0; rest &= rest - 1) {
-      const int region = std::countr_zero(rest);
+      const int bit = std::countr_zero(rest), region = region_number(kConfig, part, bit);
       if (kLate) {
-        pu_region_line(kRows, job_of(splat), region, codes[{splat.index, region}].data());
+        pu_region_line(kRows, job_of(splat), bit, codes[{splat.index, region}].data());
         continue;
       }
       const uint64_t line = next_address++;
@@ -109,9 +117,10 @@ class RuBench : public Bench<Vru> {
   }
 
   void observe_taps() {
-    for (uint64_t rest = dut.active_o ? dut.done_o : 0; rest != 0; rest &= rest - 1) {
-      const int region = std::countr_zero(rest);
-      ASSERT_TRUE(state.own >> region & 1 && tapped.regions[ru_slot(kConfig, region)].all_done())
+    const RegionSet done = dut.active_o ? read_regions(kConfig, dut.done_o) : RegionSet{};
+    for (int region = 0; region < kConfig.regions(); ++region) {
+      if (!done.has(kConfig, region)) continue;
+      ASSERT_TRUE(ru_owner(kConfig, region) == unit && tapped.regions[ru_slot(kConfig, region)].all_done())
           << "region " << region << " is not done, cycle " << cycle;
     }
     for (int lane = 0; lane < kConfig.tap_lanes(); ++lane) {
@@ -237,12 +246,12 @@ Frame random_frame(std::mt19937_64& rng, uint64_t width, uint64_t height) {
 }
 
 uint64_t random_mask(std::mt19937_64& rng) {
-  const uint64_t all = ~uint64_t{0} >> (64 - kConfig.regions());
+  const uint64_t all = ~uint64_t{0} >> (64 - kConfig.mask_w());
   switch (rng() % 4) {
-    case 0: return uint64_t{1} << rng() % kConfig.regions();
+    case 0: return uint64_t{1} << rng() % kConfig.mask_w();
     case 1: return rng() & all;
     case 2: return rng() & rng() & rng() & all;
-    default: return uint64_t{0x303} << rng() % kConfig.regions() & all;
+    default: return uint64_t{0x303} << rng() % kConfig.mask_w() & all;
   }
 }
 
@@ -309,16 +318,22 @@ TEST(Ru, PartOfAFrameIsRendered) {
 
 TEST(Ru, AFullWindowClosesAllRegions) {
   RuBench bench({}, 0);
-  const uint64_t side = kConfig.window, all = ~uint64_t{0} >> (64 - kConfig.regions());
+  const uint64_t side = kConfig.window, all = ~uint64_t{0} >> (64 - kConfig.mask_w());
+  const auto send = [&](int i) { bench.send_to(static_cast<uint64_t>(i % kConfig.parts()), kData, all, false, 2); };
+  RegionSet own;
+  for (int part = 0; part < kConfig.parts(); ++part) own.mask[static_cast<size_t>(part)] = ru_own_mask(kConfig, 0);
   bench.start(random_frame(bench.rng, side, side));
-  for (int i = 0; i < 60; ++i) bench.send(kData, all, false, 2);
-  for (int i = 0; i < 200000 && bench.dut.done_o != ru_own_mask(kConfig, 0); ++i) bench.cycle_once();
-  EXPECT_EQ(bench.dut.done_o, ru_own_mask(kConfig, 0));
-  EXPECT_EQ(bench.state.done, ru_own_mask(kConfig, 0));
-  const uint64_t splats = 300, start = bench.cycle;
-  for (uint64_t i = 0; i < splats; ++i) bench.send(kData, all, false, 2);
+  for (int i = 0; i < 60 * kConfig.parts(); ++i) send(i);
+  const auto closed = [&] { return read_regions(kConfig, bench.dut.done_o) == own; };
+  for (int i = 0; i < 200000 && !closed(); ++i) bench.cycle_once();
+  EXPECT_TRUE(closed());
   while (!bench.in.empty() && !HasFailure()) bench.cycle_once();
-  EXPECT_LE(bench.cycle - start, splats + 64) << "a splat with nothing left takes one cycle";
+  EXPECT_TRUE(bench.state.done == own);
+  const int splats = 300;
+  const uint64_t start = bench.cycle;
+  for (int i = 0; i < splats; ++i) send(i);
+  while (!bench.in.empty() && !HasFailure()) bench.cycle_once();
+  EXPECT_LE(bench.cycle - start, static_cast<uint64_t>(splats) + 64) << "a splat with nothing left takes one cycle";
   bench.send(kWindowEnd);
   ASSERT_NO_FATAL_FAILURE(bench.finish());
 }
@@ -331,7 +346,7 @@ TEST(Ru, ARegionTakesFourCycles) {
   RuBench bench({}, 0);
   bench.start(random_frame(bench.rng, kConfig.window, kConfig.window));
   const int slots = kConfig.regions() / kConfig.units, count = 400;
-  for (int i = 0; i < count; ++i) bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, -1);
+  for (int i = 0; i < count; ++i) bench.send_region(ru_region(kConfig, 0, i % slots), -1);
   bench.send(kWindowEnd);
   ASSERT_NO_FATAL_FAILURE(bench.finish());
   ASSERT_EQ(bench.line_cycles.size(), size_t(count * kLinesPerRegion));
@@ -344,8 +359,7 @@ TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
   bench.start(random_frame(bench.rng, 8ull * kConfig.window, kConfig.window));
   const int slots = kConfig.regions() / kConfig.units, rounds = 4;
   for (int window = 0; window < 8; ++window) {
-    for (int i = 0; i < rounds * slots; ++i)
-      bench.send(kData, uint64_t{1} << ru_region(kConfig, 0, i % slots), false, -1);
+    for (int i = 0; i < rounds * slots; ++i) bench.send_region(ru_region(kConfig, 0, i % slots), -1);
     bench.send(kWindowEnd);
   }
   ASSERT_NO_FATAL_FAILURE(bench.finish());

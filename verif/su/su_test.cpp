@@ -43,7 +43,7 @@ TEST(Su, SleepsWhileTheOutputIsBlocked) {
   SuBench bench(Pace::kAlways, Pace::kQuarter, true);
   for (int i = 0; i < 20; ++i) bench.layer(Arrangement::kRandom, 12, kLayerEnd);
   bench.check(100000);
-  EXPECT_GT(bench.asleep, bench.cycle / 4);
+  EXPECT_GT(bench.asleep, bench.cycle / 5);
   bench.blocked = true;
   bench.layer(Arrangement::kRandom, 12, kLayerEnd);
   for (int i = 0; i < 200; ++i) bench.step();
@@ -146,8 +146,9 @@ double cycles_per_key(size_t count, Arrangement arrangement, int layers) {
   return static_cast<double>(bench.out.cycles.back() - bench.out.cycles[count]) / (layers - 1) / count;
 }
 
+// Of the default machine: others have other bounds.
 TEST(Su, KeepsItsPace) {
-  const bool standard = kConfig == Config{};
+  if (!(kConfig == Config{})) return;
   struct Case {
     size_t count;
     double bound;
@@ -160,7 +161,7 @@ TEST(Su, KeepsItsPace) {
     const double clustered = cycles_per_key(count, Arrangement::kClustered, 8);
     std::printf("%4zu keys per layer: %.2f cycles per key, 64 neighbouring depths %.2f, clustered %.2f\n", count,
                 random, narrow, clustered);
-    if (standard) { EXPECT_LE(random, bound) << count << " keys"; }
+    EXPECT_LE(random, bound) << count << " keys";
   }
 }
 

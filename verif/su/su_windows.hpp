@@ -37,7 +37,7 @@ std::vector<Splat> su_window(const Config& config, size_t count, int marks, bool
       splat.depth = layers ? base + rng() % span : low + rng() % reach;
       do {
         splat.index = rng() % (uint64_t{1} << config.index_w);
-      } while (!seen.insert(splat_key(config, splat.depth, splat.index)).second);
+      } while (!seen.insert(splat_key(config, splat.depth, splat.index, splat.part)).second);
       beats.push_back(splat);
     }
     Splat end = random_splat(rng);

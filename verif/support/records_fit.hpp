@@ -12,23 +12,27 @@
 
 namespace pipegs {
 
+class FieldsFit final : public FieldVisitor {
+ public:
+  void visit(const FieldName& field, uint64_t& value, int width, bool is_signed) override {
+    if (!first.empty() || width >= 64) return;
+    const auto whole = static_cast<int64_t>(value);
+    const bool fits = width == 0  ? value == 0
+                      : is_signed ? whole >= -(int64_t{1} << (width - 1)) && whole < (int64_t{1} << (width - 1))
+                                  : value >> width == 0;
+    if (fits) return;
+    first = field.text() + " = " + (is_signed ? std::to_string(whole) : std::to_string(value)) + ", " +
+            (is_signed ? "signed " : "unsigned ") + std::to_string(width) + " bits";
+  }
+  std::string first;
+};
+
 // "record.field = value, signed 12 bits" of the first field out of its range; empty when all fit.
 template <class R>
-std::string misfit(const Config& config, const R& record) {
-  std::string first;
-  visit_fields(config, record, [&](const FieldName& field, const auto& value, int width, bool is_signed) {
-    if (!first.empty() || width >= 64) return;
-    const auto bits = static_cast<uint64_t>(value);
-    const auto whole = static_cast<int64_t>(bits);
-    const bool fits = width == 0  ? bits == 0
-                      : is_signed ? whole >= -(int64_t{1} << (width - 1)) && whole < (int64_t{1} << (width - 1))
-                                  : bits >> width == 0;
-    if (fits) return;
-    first = std::string(R::kName) + "." + field.text() + " = " +
-            (is_signed ? std::to_string(whole) : std::to_string(bits)) + ", " + (is_signed ? "signed " : "unsigned ") +
-            std::to_string(width) + " bits";
-  });
-  return first;
+std::string misfit(const Config& config, R record) {
+  FieldsFit fit;
+  visit_fields(config, record, fit);
+  return fit.first.empty() ? "" : std::string(R::kName) + "." + fit.first;
 }
 
 }  // namespace pipegs

@@ -91,14 +91,31 @@ TEST(Timing, HalfAndQuarterOfTheMachine) {
 
 // The lanes of `exact`, with the numbers of sim/fine.cfg, blend living quads only. Behind a slow memory the RUs wait
 // for splats, behind a fast one for the pixels of the window before.
-TEST(Timing, LivingQuads) {
+SimulateOptions living_quads() {
   SimulateOptions options = design_point("exact");
   for (const char* setting : {"quads=1", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24", "alpha_w=10"})
     config_set(options.config, setting);
+  return options;
+}
+
+TEST(Timing, LivingQuads) {
+  SimulateOptions options = living_quads();
   expect_exact(TimedFrame(own_view(), options, 3));
   expect_exact(TimedFrame({random_scene(9, 300, 0), test_camera(130, 97)}, options));
   options.memory = {.dram = "ideal", .latency = 2, .bytes_per_cycle = 64, .jitter = 3};
   const TimedFrame frame(own_view(), options, 3);
+  expect_exact(frame);
+  EXPECT_EQ(frame.run().cycles, frame.run({.every_cycle = true}).cycles);
+}
+
+// The same with windows of four parts.
+TEST(Timing, WindowsOfFourParts) {
+  SimulateOptions options = living_quads();
+  config_set(options.config, "window=128");
+  expect_exact(TimedFrame(own_view(), options, 2, {3, 3}));
+  expect_exact(TimedFrame({random_scene(9, 300, 0), test_camera(260, 150)}, options));
+  options.memory = {.dram = "ideal", .latency = 2, .bytes_per_cycle = 64, .jitter = 3};
+  const TimedFrame frame({random_scene(9, 900, 0), test_camera(130, 97)}, options);
   expect_exact(frame);
   EXPECT_EQ(frame.run().cycles, frame.run({.every_cycle = true}).cycles);
 }

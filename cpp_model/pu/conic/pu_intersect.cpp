@@ -6,7 +6,7 @@
 #include "cpp_model/pu/conic/pu_edge.hpp"
 
 // Why nothing is lost. Let R be the power that a Row Unit computes, P the polynomial with the coefficients A to F, Q
-// the concave quadratic before its coefficients were rounded, u = 2^-CoeffF. In the window:
+// the concave quadratic before its coefficients were rounded, u = 2^-CoeffF. In the part:
 //   |R - P| <= (1 + 14 + 3 * 49)/2 * 2^-PowerF < 2^(7 - PowerF)           (pu_region rounds each number once)
 //   |P - Q| <= (1 + 32 + 63 + 1985 + 3969 + 1985) u + 2^-15 < 2^13 u + 2^-15   (pu_coeff: roundings, 34-bit factors)
 // A pixel counts: R >= cut, so Q >= cut - 2^(7 - PowerF) - 2^13 u - 2^-15 there, so the maximum of Q over the region's
@@ -19,14 +19,14 @@ namespace pipegs {
 namespace {
 
 struct Range {
-  int64_t first, last;  // pixels of the window; empty if first > last
+  int64_t first, last;  // pixels of the part; empty if first > last
 };
 
 Range pixels(const Config& config, int64_t mean, uint64_t extent) {
   const int64_t half = static_cast<int64_t>(extent) << (config.mean_f - 4);
   const int64_t unit = int64_t{1} << config.mean_f;
   return {std::max<int64_t>((mean - half + unit - 1) >> config.mean_f, 0),
-          std::min<int64_t>((mean + half) >> config.mean_f, config.window - 1)};
+          std::min<int64_t>((mean + half) >> config.mean_f, config.part_side() - 1)};
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ Tiles pu_intersect(const Config& config, const Frame&, const Coeff& in) {
                   c + f * x0 + 2 * e * y0};
     for (int64_t rx = x_first; rx <= x_last; ++rx) {
       if (!config.tile_test || pu_edge(config, in, rx, ry, p))
-        out.mask |= uint64_t{1} << (ry * config.regions_x() + rx);
+        out.mask |= uint64_t{1} << (ry * config.part_regions_x() + rx);
       p.power += 8 * p.gx + 64 * d;
       p.gx += 16 * d;
       p.gy += 8 * f;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/AlphaCut.
+// pu_intersect: which 8x8 regions of a part hold a pixel with alpha >= 1/AlphaCut.
 //
-// Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
+// Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of 64x64 pixels at once.
 // Idea    The box mean +- extent gives a range of columns and rows of regions. In it, region by region: the power is
 //         concave, so its maximum over the region's box of pixel centres lies at the mean, or on the edges that face
 //         the mean. The region is kept where

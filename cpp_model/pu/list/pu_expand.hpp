@@ -5,15 +5,13 @@
 // Idea    The box mean +- extent holds pixels of columns x_low .. x_high; divided by Window these are columns of
 //         windows. For each of them the mean is moved to the window's first pixel, exactly, and saturated as pu_project
 //         does it: the beat is bit for bit what the machine that walks window by window has there.
-// Rule    A box is never smaller than what pu_intersect sees in a window. There a saturated mean stands for all that
-//         lie beyond it, so an extent within 64 pixels of its largest value counts as endless.
 // RTL     rtl/pu/list/pu_expand.sv
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
 #include "cpp_model/fixed.hpp"
+#include "cpp_model/pu/pu_span.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
@@ -24,37 +22,15 @@ struct PuExpandBox {
   bool operator==(const PuExpandBox&) const = default;
 };
 
-inline constexpr int kExpandNearlyEndless = 10;  // low bits of an extent, u18.4: 64 pixels
-
-namespace pu_expand_detail {
-
-// False when the box has no pixel of windows 0 .. most.
-inline bool span(const Config& c, int64_t mean, uint64_t extent, int64_t most, int64_t& first, int64_t& last) {
-  const int64_t half = static_cast<int64_t>(extent) << (c.mean_f - 4), unit = int64_t{1} << c.mean_f;
-  const int64_t low = (mean - half + unit - 1) >> c.mean_f, high = (mean + half) >> c.mean_f;  // pixels
-  first = std::max<int64_t>(low >> clog2(c.window), 0);
-  last = std::min<int64_t>(high >> clog2(c.window), most);
-  if (extent >> kExpandNearlyEndless == (uint64_t{1} << (c.extent_w() - kExpandNearlyEndless)) - 1) {
-    first = 0;
-    last = most;
-    return true;
-  }
-  return low <= high && first <= last;
-}
-
-}  // namespace pu_expand_detail
-
 // Nothing for a Gaussian whose box touches no window of the frame.
 inline std::optional<PuExpandBox> pu_expand_box(const Config& c, const Frame& frame, const Conic& conic) {
-  PuExpandBox box;
-  const bool x = pu_expand_detail::span(
-      c, conic.mean_x, conic.extent_x, static_cast<int64_t>(frame.raster.windows.last_x - frame.raster.windows.first_x),
-      box.first_x, box.last_x);
-  const bool y = pu_expand_detail::span(
-      c, conic.mean_y, conic.extent_y, static_cast<int64_t>(frame.raster.windows.last_y - frame.raster.windows.first_y),
-      box.first_y, box.last_y);
+  const Windows& windows = frame.raster.windows;
+  const std::optional<PuSpan> x = pu_span(c, conic.mean_x, conic.extent_x, c.window,
+                                          static_cast<int64_t>(windows.last_x - windows.first_x)),
+                              y = pu_span(c, conic.mean_y, conic.extent_y, c.window,
+                                          static_cast<int64_t>(windows.last_y - windows.first_y));
   if (!x || !y) return std::nullopt;
-  return box;
+  return PuExpandBox{x->first, x->last, y->first, y->last};
 }
 
 // The colour job of a Gaussian: once, whatever the number of its windows.

@@ -4,7 +4,7 @@
 // Paper   Eq. 3, step 1 of Fig. 5a, in the shared form: A to F once per Gaussian, here only shifted by (8 rx, 8 ry).
 // Idea    power   = A + 8 (B rx + C ry) + 64 (D rx^2 + F rx ry + E ry^2)
 //         slope_x = B + 16 D rx + 8 F ry,   slope_y = C + 16 E ry + 8 F rx
-// Numbers Exact in CoeffF fraction bits, then each rounded once to PowerF. Nothing saturates: in a window of 64 pixels
+// Numbers Exact in CoeffF fraction bits, then each rounded once to PowerF. Nothing saturates: in a part of 64 pixels
 //         |power| <= 2^16 + 2*63*2^12 + 3*63^2*2^3 < 2^20 for any coefficients, |slope| < 2^13.
 // RTL     rtl/pu/rows/pu_region.sv
 #pragma once
@@ -14,11 +14,11 @@
 
 namespace pipegs {
 
-// `region` is a set bit of the job's mask.
-inline Region pu_region(const Config& config, const RowJob& job, int region) {
+// `bit` is a set bit of the job's mask.
+inline Region pu_region(const Config& config, const RowJob& job, int bit) {
   const int shift = config.coeff_f - config.power_f;
-  const int64_t rx = region % config.regions_x(), ry = region / config.regions_x();
-  const uint64_t before = job.mask & ((uint64_t{1} << region) - 1);
+  const int64_t rx = bit % config.part_regions_x(), ry = bit / config.part_regions_x();
+  const uint64_t before = job.mask & ((uint64_t{1} << bit) - 1);
   Region r;
   r.kind = job.kind;
   const int64_t linear = job.b * rx + job.c * ry, square = (job.d * rx + job.f * ry) * rx + job.e * ry * ry;
@@ -33,7 +33,7 @@ inline Region pu_region(const Config& config, const RowJob& job, int region) {
   r.ext = job.ext;
   r.parity = job.parity;
   r.index = job.index;
-  r.region = static_cast<uint64_t>(region);
+  r.region = static_cast<uint64_t>(bit);
   return r;
 }
 

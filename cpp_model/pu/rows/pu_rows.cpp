@@ -4,9 +4,9 @@
 
 namespace pipegs {
 
-void pu_region_line(const PuRows& rows, const RowJob& job, int region, uint16_t codes[64]) {
+void pu_region_line(const PuRows& rows, const RowJob& job, int bit, uint16_t codes[64]) {
   const PuAlpha& alpha = rows.alpha;
-  const Region start = pu_region(rows.config, job, region);
+  const Region start = pu_region(rows.config, job, bit);
   // First the recurrences in 64 bits, cut to the 28 bits that matter; then the exponentials, which vectorise in 32.
   int32_t power[64];
   for (int dy = 0; dy < 8; ++dy) {
@@ -19,8 +19,8 @@ void pu_region_line(const PuRows& rows, const RowJob& job, int region, uint16_t 
   for (int i = 0; i < 64; ++i) codes[i] = static_cast<uint16_t>(alpha.clamped(power[i]));
 }
 
-Alphas pu_rows(const Config& config, const RowJob& job, int region) {
-  const Region start = pu_region(config, job, region);
+Alphas pu_rows(const Config& config, const RowJob& job, int bit) {
+  const Region start = pu_region(config, job, bit);
   Alphas alphas;
   alphas.kind = start.kind;
   alphas.address = start.address;

@@ -21,11 +21,11 @@ struct PuRows {
   PuAlpha alpha;
 };
 
-// codes[8 * dy + dx] of `region`, a set bit of the job's mask.
-void pu_region_line(const PuRows& rows, const RowJob& job, int region, uint16_t codes[64]);
+// codes[8 * dy + dx] of the region at `bit`, a set bit of the job's mask.
+void pu_region_line(const PuRows& rows, const RowJob& job, int bit, uint16_t codes[64]);
 
 // The record that travels beside that line.
-Alphas pu_rows(const Config& config, const RowJob& job, int region);
+Alphas pu_rows(const Config& config, const RowJob& job, int bit);
 
 // The line as 32-bit words in memory order: LineW bits, first pixel in the low bits.
 void pack_line(const Config& config, const uint16_t codes[64], uint32_t* words);

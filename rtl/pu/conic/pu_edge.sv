@@ -13,7 +13,7 @@
 // Model   cpp_model/pu/conic/pu_edge.hpp
 
 module pu_edge #(
-  localparam int unsigned RegionW = pipegs_pkg::RegionW,
+  localparam int unsigned RegionW = pipegs_pkg::MaskIndexW,
   localparam int unsigned AxisW   = RegionW / 2,
   localparam int unsigned MeanW   = pipegs_pkg::MeanW,
   localparam int unsigned DefW    = pipegs_pkg::DefW,

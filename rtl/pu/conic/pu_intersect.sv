@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_intersect: which 8x8 regions of the window hold a pixel with alpha >= 1/AlphaCut.
+// pu_intersect: which 8x8 regions of a part hold a pixel with alpha >= 1/AlphaCut.
 //
-// Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of a window at once.
+// Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of 64x64 pixels at once.
 // Idea    The box mean +- extent gives columns and rows of regions, walked row by row. P = power - cut. Keep a region
 //         if it holds the mean, if P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls,
 //         and its peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
@@ -34,9 +34,8 @@ module pu_intersect (
   output logic                busy_o  // a record is inside
 );
 
-  localparam int unsigned Window   = pipegs_pkg::Window;
-  localparam int unsigned Regions  = pipegs_pkg::Regions;
-  localparam int unsigned RegionW  = pipegs_pkg::RegionW;
+  localparam int unsigned Regions  = pipegs_pkg::MaskW;
+  localparam int unsigned RegionW  = pipegs_pkg::MaskIndexW;
   localparam int unsigned AxisW    = RegionW / 2;         // column or row of a region
   localparam int unsigned FactorW  = AxisW + 1;           // the same with a sign
   localparam int unsigned EightW   = 3;                   // log2 of a region's side
@@ -71,7 +70,7 @@ module pu_intersect (
   // --- the box of pixels, as columns and rows of regions -----------------------------------------------------------
   localparam int unsigned HalfW = ExtentW + MeanF - ExtentF + 1;
   localparam int unsigned BoxW  = (HalfW > MeanW ? HalfW : MeanW) + 2;
-  localparam logic signed [BoxW-1:0] Side = BoxW'(Window);
+  localparam logic signed [BoxW-1:0] Side = BoxW'(pipegs_pkg::PartSide);
   logic signed [BoxW-1:0] half_x, half_y, x_low, x_high, y_low, y_high;
   logic [PixelW-1:0]      x_first, x_last, y_first, y_last;
   logic                   none;

@@ -48,13 +48,9 @@ module pu_expand #(
   localparam int unsigned MeanF    = pipegs_pkg::MeanF;
   localparam int unsigned PlacedW  = pipegs_pkg::WindowMeanW;  // of a mean in its window
   localparam int unsigned ExtentW  = pipegs_pkg::ExtentW;
-  localparam int unsigned ExtentF  = 4;
-  localparam int unsigned NearlyW  = 10;                       // an extent within 2^NearlyW of its largest is endless
   localparam int unsigned WindowW  = pipegs_pkg::WindowW;
   localparam int unsigned NumberW  = pipegs_pkg::ListWindowW;
   localparam int unsigned SideF    = $clog2(pipegs_pkg::Window);
-  localparam int unsigned HalfW    = ExtentW + MeanF - ExtentF + 1;
-  localparam int unsigned BoxW     = (HalfW > MeanW ? HalfW : MeanW) + 2;
   localparam int unsigned ShapeW   = 2 * ExtentW + 1 + pipegs_pkg::SlopeW +
                                      2 * (pipegs_pkg::MantissaW + pipegs_pkg::FloatEW) + pipegs_pkg::OpacityW;
   localparam int unsigned QueuedW  = ShapeW + 2 * MeanW + 4 * WindowW;
@@ -65,36 +61,21 @@ module pu_expand #(
     BoxFind,  // waits for a conic; finds its box
     BoxGive   // drops it, or waits until the colour and the queue have it
   } box_e;
-  box_e                   box_q;
-  logic signed [BoxW-1:0] half_x, half_y, low_x, high_x, low_y, high_y;
-  logic [WindowW-1:0]     most_x, most_y;  // last column and row
-  logic [WindowW-1:0]     first_x_q, last_x_q, first_y_q, last_y_q;
-  logic                   none_x, none_y, none_q, data, give, room;
+  box_e               box_q;
+  logic [WindowW-1:0] most_x, most_y;  // last column and row
+  logic [WindowW-1:0] first_x, last_x, first_y, last_y, first_x_q, last_x_q, first_y_q, last_y_q;
+  logic               none_x, none_y, none_q, data, give, room;
 
   assign most_x = windows_i.last_x - windows_i.first_x;
   assign most_y = windows_i.last_y - windows_i.first_y;
-  assign half_x = BoxW'(conic_i.extent_x) << (MeanF - ExtentF);
-  assign half_y = BoxW'(conic_i.extent_y) << (MeanF - ExtentF);
-  assign low_x  = (BoxW'(conic_i.mean_x) - half_x + $signed(BoxW'((1 << MeanF) - 1))) >>> MeanF;  // pixels
-  assign low_y  = (BoxW'(conic_i.mean_y) - half_y + $signed(BoxW'((1 << MeanF) - 1))) >>> MeanF;
-  assign high_x = (BoxW'(conic_i.mean_x) + half_x) >>> MeanF;
-  assign high_y = (BoxW'(conic_i.mean_y) + half_y) >>> MeanF;
-
-  // {none, last, first} of one axis.
-  function automatic logic [2*WindowW:0] span(input logic signed [BoxW-1:0] low, input logic signed [BoxW-1:0] high,
-                                              input logic endless, input logic [WindowW-1:0] most);
-    logic signed [BoxW-1:0] first, last, limit;
-    first = low >>> SideF;
-    last  = high >>> SideF;
-    limit = $signed(BoxW'(most));
-    span[WindowW-1:0]       = endless || first < 0 ? '0 : WindowW'(first);
-    span[2*WindowW-1:WindowW] = endless || last > limit ? most : WindowW'(last);
-    span[2*WindowW]         = !endless && (low > high || first > limit || last < 0);
-  endfunction
-
-  logic [WindowW-1:0] first_x, last_x, first_y, last_y;
-  assign {none_x, last_x, first_x} = span(low_x, high_x, &conic_i.extent_x[ExtentW-1:NearlyW], most_x);
-  assign {none_y, last_y, first_y} = span(low_y, high_y, &conic_i.extent_y[ExtentW-1:NearlyW], most_y);
+  pu_span #(.SideF(SideF)) u_columns (
+    .mean_i(conic_i.mean_x), .extent_i(conic_i.extent_x), .most_i(most_x),
+    .first_o(first_x), .last_o(last_x), .none_o(none_x)
+  );
+  pu_span #(.SideF(SideF)) u_rows (
+    .mean_i(conic_i.mean_y), .extent_i(conic_i.extent_y), .most_i(most_y),
+    .first_o(first_y), .last_o(last_y), .none_o(none_y)
+  );
 
   assign data              = conic_i.kind == pipegs_pkg::KindData;
   assign color_job_valid_o = box_q == BoxGive && !none_q && (!data || room);

@@ -35,11 +35,11 @@ module pu_done #(
 
   logic [Regions-1:0] done_unit [Units];
   for (genvar j = 0; j < Units; j += 1) begin : gen_done
-    logic [Regions-1:0] own;
-    logic               here;
+    logic [pipegs_pkg::MaskW-1:0] own;  // of each part
+    logic                         here;
     ru_own u_own (.unit_i(pipegs_pkg::UnitW'(j)), .own_o(own));
     assign here = done_x_i[j*WindowW +: WindowW] == window_x && done_y_i[j*WindowW +: WindowW] == window_y;
-    assign done_unit[j] = here ? done_i[j*Regions +: Regions] & own : '0;
+    assign done_unit[j] = here ? done_i[j*Regions +: Regions] & {pipegs_pkg::Parts{own}} : '0;
   end
   always_comb begin
     done_o = '0;

@@ -3,8 +3,9 @@
 //
 // Paper   Eq. 3; the paper caches alphas (pu_cache). Coefficients take 28 bytes a Gaussian and window instead of 64 a
 //         region, and regions that close before the Gaussian's turn are never computed.
-// Idea    Regions that are done leave the mask; a Gaussian without regions is dropped. Coefficients wait in a queue
-//         beside the colour; both make the splat.
+// Idea    Regions that are done leave the mask; a Gaussian without regions is dropped. Mask and coefficients wait in a
+//         queue beside the colour; both make the splat. With parts a Gaussian comes once for each: it asks for its
+//         colour with the first and keeps it for the others.
 // Stream  tiles in; splat out, in order; one port to external memory. Ends pass behind the splats before them.
 // Pace    One Gaussian per cycle; the colour sets the pace.
 // Model   preprocess() in cpp_model/golden.cpp
@@ -25,7 +26,7 @@ module pu_late #(
   input  logic                                 tiles_valid_i,
   output logic                                 tiles_ready_o,
   input  pipegs_pkg::tiles_t                   tiles_i,
-  input  pipegs_pkg::payload_t                 payload_i,   // of the Gaussian in tiles_i
+  input  pipegs_pkg::parted_t                  parted_i,    // of the Gaussian in tiles_i
 
   input  logic [Units*pipegs_pkg::Regions-1:0] done_i,      // from the RUs
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_x_i,
@@ -48,21 +49,26 @@ module pu_late #(
 );
 
   localparam int unsigned Regions = pipegs_pkg::Regions;
+  localparam int unsigned MaskW   = pipegs_pkg::MaskW;
   localparam int unsigned AW      = pipegs_pkg::AW;
   localparam int unsigned BcW     = pipegs_pkg::BcW;
   localparam int unsigned DefW    = pipegs_pkg::DefW;
-  localparam int unsigned CoeffsW = AW + 2 * BcW + 3 * DefW;
+  localparam int unsigned SplatW  = MaskW + AW + 2 * BcW + 3 * DefW;
+  localparam int unsigned QueuedW = SplatW + (pipegs_pkg::Parts > 1 ? 1 + pipegs_pkg::PartW : 0);
   localparam int unsigned Depth   = pipegs_pkg::LateDepth;
 
-  logic                   valid_q, is_end, drop, take, leave, window_end;
+  logic                   valid_q, is_end, drop, take, leave, window_end, again;
   pipegs_pkg::tiles_t     tiles_q;
-  pipegs_pkg::payload_t   payload_q;
+  pipegs_pkg::parted_t    parted_q;
+  pipegs_pkg::payload_t   payload;
   logic [Regions-1:0]     done;
-  logic                   job_valid, job_ready, coeffs_room, coeffs_valid;
-  logic                   colored_valid, colored_ready, colored_data;
+  logic [MaskW-1:0]       part_done;
+  logic                   job_valid, job_ready, queued_room, queued_valid;
+  logic                   colored_valid, colored_ready;
   pipegs_pkg::color_job_t job;
-  pipegs_pkg::colored_t   colored;
-  logic [CoeffsW-1:0]     coeffs;
+  pipegs_pkg::colored_t   colored, shown;  // shown: of the splat
+  logic [SplatW-1:0]      made;
+  logic [QueuedW-1:0]     queued_in, queued;
   logic [$clog2(Depth+1)-1:0] count;
 
   pu_done u_done (
@@ -71,8 +77,8 @@ module pu_late #(
 
   assign is_end        = tiles_q.kind != pipegs_pkg::KindData;
   assign drop          = valid_q && !is_end && tiles_q.mask == '0;
-  assign job_valid     = valid_q && !drop && (is_end || coeffs_room);
-  assign leave         = drop || (job_valid && job_ready);
+  assign job_valid     = valid_q && !drop && !again && queued_room;
+  assign leave         = drop || (job_valid && job_ready) || (valid_q && again && queued_room);
   assign tiles_ready_o = !valid_q || leave;
   assign take          = tiles_valid_i && tiles_ready_o;
   assign window_end    = take && tiles_i.kind == pipegs_pkg::KindWindowEnd;
@@ -84,32 +90,65 @@ module pu_late #(
   always_ff @(posedge clk_i) begin
     if (take) begin
       tiles_q      <= tiles_i;
-      tiles_q.mask <= tiles_i.mask & ~done;
-      payload_q    <= payload_i;
+      tiles_q.mask <= tiles_i.mask & ~part_done;
+      parted_q     <= parted_i;
     end
   end
 
+  assign payload = parted_q.payload;
   always_comb begin
     job.kind    = tiles_q.kind;
-    job.depth   = payload_q.depth;
-    job.index   = pipegs_pkg::SplatIndexW'(payload_q.index);
-    job.slot    = payload_q.slot;
+    job.depth   = payload.depth;
+    job.index   = pipegs_pkg::SplatIndexW'(payload.index);
+    job.slot    = payload.slot;
     job.mask    = tiles_q.mask;
     job.address = '0;
     job.ext     = 1'b0;
-    job.dir_x   = payload_q.dir_x;
-    job.dir_y   = payload_q.dir_y;
-    job.dir_z   = payload_q.dir_z;
-    job.base_r  = payload_q.base_r;
-    job.base_g  = payload_q.base_g;
-    job.base_b  = payload_q.base_b;
+    job.dir_x   = payload.dir_x;
+    job.dir_y   = payload.dir_y;
+    job.dir_z   = payload.dir_z;
+    job.base_r  = payload.base_r;
+    job.base_g  = payload.base_g;
+    job.base_b  = payload.base_b;
   end
 
-  sram_fifo #(.DataW(CoeffsW), .Depth(Depth)) u_coeffs (
-    .clk_i, .rst_ni, .in_valid_i(job_valid && job_ready && !is_end), .in_ready_o(coeffs_room),
-    .in_i({tiles_q.f, tiles_q.e, tiles_q.d, tiles_q.c, tiles_q.b, tiles_q.a}),
-    .out_valid_o(coeffs_valid), .out_ready_i(colored_ready && colored_valid && colored_data),
-    .out_o(coeffs), .count_o(count)
+  assign made = {tiles_q.mask, tiles_q.f, tiles_q.e, tiles_q.d, tiles_q.c, tiles_q.b, tiles_q.a};
+
+  // --- parts of one Gaussian share its colour ------------------------------------------------------------------------
+  if (pipegs_pkg::Parts > 1) begin : gen_parts
+    localparam int unsigned SlotW = pipegs_pkg::SlotW;
+    logic                 asked_q, held;  // asked: for the colour of the Gaussian in last_q
+    logic [SlotW-1:0]     last_q;
+    pipegs_pkg::colored_t held_q;
+
+    assign part_done = done[parted_i.part*MaskW +: MaskW];
+    assign again     = asked_q && !drop && !is_end && payload.slot == last_q;
+    assign queued_in = {again, parted_q.part, made};
+    assign held          = queued[QueuedW-1];
+    assign splat_valid_o = queued_valid && (held || colored_valid);
+    assign colored_ready = queued_valid && !held && splat_ready_i;
+    assign shown         = held ? held_q : colored;
+    assign splat_o.part  = queued[SplatW +: pipegs_pkg::PartW];
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) asked_q <= 1'b0;
+      else if (leave && !drop) asked_q <= !is_end;
+    end
+    always_ff @(posedge clk_i) begin
+      if (leave && !drop) last_q <= payload.slot;
+      if (colored_valid && colored_ready) held_q <= colored;
+    end
+  end else begin : gen_whole
+    assign part_done     = done;
+    assign again         = 1'b0;
+    assign queued_in     = made;
+    assign splat_valid_o = queued_valid && colored_valid;
+    assign colored_ready = queued_valid && splat_ready_i;
+    assign shown         = colored;
+  end
+
+  sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_coeffs (
+    .clk_i, .rst_ni, .in_valid_i(leave && !drop), .in_ready_o(queued_room), .in_i(queued_in),
+    .out_valid_o(queued_valid), .out_ready_i(splat_valid_o && splat_ready_i), .out_o(queued), .count_o(count)
   );
 
   pu_color u_color (
@@ -121,24 +160,20 @@ module pu_late #(
     .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
   );
 
-  assign colored_data  = colored.kind == pipegs_pkg::KindData;
-  assign splat_valid_o = colored_valid && (!colored_data || coeffs_valid);
-  assign colored_ready = splat_ready_i && (!colored_data || coeffs_valid);
   always_comb begin
-    splat_o.kind  = colored.kind;
-    splat_o.depth = colored.depth;
-    splat_o.index = colored.index;
-    splat_o.mask  = colored.mask;
-    splat_o.red   = colored.red;
-    splat_o.green = colored.green;
-    splat_o.blue  = colored.blue;
-    {splat_o.f, splat_o.e, splat_o.d, splat_o.c, splat_o.b, splat_o.a} = coeffs;
+    splat_o.kind  = shown.kind;
+    splat_o.depth = shown.depth;
+    splat_o.index = shown.index;
+    splat_o.red   = shown.red;
+    splat_o.green = shown.green;
+    splat_o.blue  = shown.blue;
+    {splat_o.mask, splat_o.f, splat_o.e, splat_o.d, splat_o.c, splat_o.b, splat_o.a} = queued[SplatW-1:0];
   end
 
   assign moved_o = take || leave || (splat_valid_o && splat_ready_i);
-  assign busy_o  = valid_q || color_busy_o;
+  assign busy_o  = valid_q || color_busy_o || count != '0;
 
   logic unused_in;
-  assign unused_in = &{1'b0, colored.address, colored.ext, count};
+  assign unused_in = &{1'b0, shown, queued, count};
 
 endmodule

@@ -65,7 +65,7 @@ module ru_quads #(
   localparam int unsigned ColorW    = pipegs_pkg::ColorW;
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
   localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW;
-  localparam int unsigned ColumnW   = $clog2(pipegs_pkg::RegionsX);
+  localparam int unsigned PlaceW    = RegionW / 2;
   localparam int unsigned PixelsW   = 3 * RgbW;
   localparam int unsigned TLow      = Lanes * PixelsW;     // first bit of the T fields
   localparam int unsigned DoneLow   = TLow + Lanes * TW;   // first bit of the done flags
@@ -174,11 +174,13 @@ module ru_quads #(
 
   // Cycle 2: which pixels of the quad lie outside the image.
   logic [1:0] column;  // Group + 2 row, modulo 4
+  logic [PlaceW-1:0] region_column, region_row;
+  ru_place u_place (.region_i(region_2_q), .column_o(region_column), .row_o(region_row));
   assign column = 2'(Group) ^ {row_2_q[0], 1'b0};
   always_comb begin
     logic [SideW-1:0] left, top;
-    left    = (SideW'(region_2_q[ColumnW-1:0]) << 3) + (SideW'(column) << 1);
-    top     = (SideW'(region_2_q[RegionW-1:ColumnW]) << 3) + (SideW'(row_2_q) << 1);
+    left    = (SideW'(region_column) << 3) + (SideW'(column) << 1);
+    top     = (SideW'(region_row) << 3) + (SideW'(row_2_q) << 1);
     outside = {columns_i <= left + SideW'(1) || rows_i <= top + SideW'(1),
                columns_i <= left || rows_i <= top + SideW'(1),
                columns_i <= left + SideW'(1) || rows_i <= top, columns_i <= left || rows_i <= top};

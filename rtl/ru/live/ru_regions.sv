@@ -37,7 +37,9 @@ module ru_regions #(
 );
 
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
-  localparam int unsigned HalfW     = RegionW / 2;      // bits of a column or row of regions
+  localparam int unsigned MaskW     = pipegs_pkg::MaskW;
+  localparam int unsigned IndexW    = pipegs_pkg::MaskIndexW;
+  localparam int unsigned HalfW     = IndexW / 2;       // bits of a column or row of regions in the part
   localparam int unsigned TagW      = pipegs_pkg::TapIndexW + RegionW + ColorsW;
   localparam int unsigned AW        = pipegs_pkg::AW;
   localparam int unsigned BcW       = pipegs_pkg::BcW;
@@ -61,12 +63,21 @@ module ru_regions #(
   // --- the splat, and its next region --------------------------------------------------------------------------------
   logic                splat_valid_q, data, last, pick, leave;
   pipegs_pkg::sorted_t splat_q;
-  logic [Regions-1:0]  left_q, open, lowest;  // regions of the splat that were not picked yet
+  logic [MaskW-1:0]    left_q, open, lowest;  // regions of the splat that were not picked yet
+  logic [MaskW-1:0]    part_open;
+  logic [IndexW-1:0]   index;
   logic [RegionW-1:0]  region;
 
-  first_set #(.DataW(Regions)) u_lowest (.mask_i(open), .one_hot_o(lowest), .number_o(region));
+  first_set #(.DataW(MaskW)) u_lowest (.mask_i(open), .one_hot_o(lowest), .number_o(index));
+  if (pipegs_pkg::Parts > 1) begin : gen_part
+    assign region    = {splat_q.part, index};
+    assign part_open = open_i[splat_q.part*MaskW +: MaskW];
+  end else begin : gen_whole
+    assign region    = index;
+    assign part_open = open_i;
+  end
   assign data        = splat_q.kind == pipegs_pkg::KindData;
-  assign open        = left_q & open_i;
+  assign open        = left_q & part_open;
   assign last        = (open & ~lowest) == '0;
   assign pick        = splat_valid_q && data && open != '0 && move && !hold_i;
   assign leave       = data ? !hold_i && last && (move || open == '0) : end_valid_o && end_ready_i;

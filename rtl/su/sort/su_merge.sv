@@ -2,11 +2,10 @@
 // su_merge: joins the sorted streams of all lanes into one.
 //
 // Paper   Fig. 7, between SU and RU.
-// Idea    When every lane shows its head, the head with the smallest key {end, depth, index} goes (without IndexTies
-//         {end, depth}). Each pair of heads is compared once, side by side; the winner is the one that is below all
-//         others. End beats are above every splat, so they are left when the layer is out of splats; then all are taken
-//         at once and one goes out. Watermarks (the ends of layers, if there are any) have done their work here and do
-//         not go out.
+// Idea    When every lane shows its head, the head with the smallest key {end, su_key} goes. Each pair of heads is
+//         compared once, side by side; the winner is the one that is below all others. End beats are above every splat,
+//         so they are left when the layer is out of splats; then all are taken at once and one goes out. Watermarks
+//         (the ends of layers, if there are any) have done their work here and do not go out.
 // Stream  in: one sorted stream per lane, a layer each up to an end beat of the same kind. out: the merged layers;
 //         `unit` is the lane. A lane's ready depends on the other lanes' valid, as in every join.
 // Pace    One beat per cycle, latency one cycle; a layer's end costs one beat.
@@ -30,7 +29,8 @@ module su_merge (
   localparam int unsigned Units = pipegs_pkg::Units;
   localparam int unsigned KindW = pipegs_pkg::KindW;
   localparam int unsigned DepthW = pipegs_pkg::DepthW;
-  localparam int unsigned IndexW = pipegs_pkg::SplatIndexW;
+  localparam int unsigned NameW = pipegs_pkg::PartW + pipegs_pkg::SplatIndexW;  // {index, part}
+  localparam int unsigned TapNameW = pipegs_pkg::PartW + pipegs_pkg::TapIndexW;
   localparam int unsigned KeyW = pipegs_pkg::KeyW;
   localparam int unsigned HeadW = KeyW + 1;
 
@@ -43,15 +43,13 @@ module su_merge (
   logic [pipegs_pkg::UnitW-1:0]     winner_unit;
   logic [pipegs_pkg::SplatBits-1:0] winner_bits;
 
-  pipegs_pkg::splat_t head;
-  always_comb begin
-    for (int unsigned i = 0; i < Units; i += 1) begin
-      head = in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits];
-      ends[i] = head.kind != pipegs_pkg::KindData;
-      heads[i*HeadW +: HeadW] = {ends[i], KeyW'({head.depth, head.index} >> (DepthW + IndexW - KeyW))};
-    end
+  for (genvar i = 0; i < Units; i += 1) begin : gen_head
+    logic [KeyW-1:0] key;
+    su_key u_key (.splat_i(in_i[i*pipegs_pkg::SplatBits +: pipegs_pkg::SplatBits]), .key_o(key));
+    assign ends[i] = in_i[i*pipegs_pkg::SplatBits +: KindW] != pipegs_pkg::KindData;
+    assign heads[i*HeadW +: HeadW] = {ends[i], key};
   end
-  assign unused_heads = &{1'b0, heads, head};
+  assign unused_heads = &{1'b0, heads};
 
   assign go         = in_valid_i == '1 && (!out_valid_q || out_ready_i);
   assign mark       = pipegs_pkg::HasWatermarks && ends == '1 &&
@@ -83,8 +81,8 @@ module su_merge (
 
   // A sorted splat is the splat with its unit on top; when nothing is stored in units, without. Depth and index are
   // there for the taps.
-  assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits[pipegs_pkg::SplatBits-1:KindW+DepthW+IndexW],
-                                          winner_bits[KindW+DepthW +: pipegs_pkg::TapIndexW],
+  assign out_d = pipegs_pkg::SortedBits'({winner_unit, winner_bits[pipegs_pkg::SplatBits-1:KindW+DepthW+NameW],
+                                          winner_bits[KindW+DepthW +: TapNameW],
                                           winner_bits[KindW +: pipegs_pkg::TapDepthW], winner_bits[KindW-1:0]});
 
   assign out_valid_o = out_valid_q;
@@ -101,15 +99,15 @@ module su_merge (
 
 `ifndef SYNTHESIS
   if (pipegs_pkg::IndexTies == 0) begin : gen_no_ties
-    logic              before_q;  // a splat of this layer has gone, with this depth
-    logic [DepthW-1:0] depth, depth_q;
-    assign depth = winner_bits[KindW +: DepthW];
+    logic            before_q;  // a splat of this layer has gone, with this key
+    logic [KeyW-1:0] key, key_q;
+    su_key u_winner (.splat_i(winner_bits), .key_o(key));
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) before_q <= 1'b0;
       else if (go && !mark) before_q <= ends != '1;
     end
-    always_ff @(posedge clk_i) if (go && !mark) depth_q <= depth;
-    assert property (@(posedge clk_i) disable iff (!rst_ni) go && before_q && ends != '1 |-> depth > depth_q)
+    always_ff @(posedge clk_i) if (go && !mark) key_q <= key;
+    assert property (@(posedge clk_i) disable iff (!rst_ni) go && before_q && ends != '1 |-> key > key_q)
       else $error("su_merge: two splats of one depth, and IndexTies is 0");
   end
 `endif

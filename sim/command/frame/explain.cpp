@@ -23,7 +23,7 @@ struct ExplainArguments {
   bool json = false, no_rtl = false;
 };
 
-// Power of a job at a pixel of its window, log2 units: Eq. 3 with the golden coefficients.
+// Power of a job at a pixel of its part, log2 units: Eq. 3 with the golden coefficients.
 double golden_power(const Config& config, const RowJob& job, double x, double y) {
   const auto value = [&](int64_t coefficient) { return std::ldexp(static_cast<double>(coefficient), -config.coeff_f); };
   return value(job.a) + value(job.b) * x + value(job.c) * y + value(job.d) * x * x + value(job.e) * y * y +
@@ -59,15 +59,17 @@ int explain(const ExplainArguments& arguments) {
   const BlendConstants constants(config);
   const GoldenWindow window =
       golden_window(simulation.input, static_cast<uint64_t>(x / side), static_cast<uint64_t>(y / side));
-  const int region = (y % side / 8) * config.regions_x() + x % side / 8, in_region = (y % 8) * 8 + x % 8;
+  const int region = region_at(config, x % side / 8, y % side / 8), bit = region_bit(config, region),
+            in_region = (y % 8) * 8 + x % 8, part_side = config.part_side();
   const double t_one = constants.one, alpha_one = std::ldexp(1.0, config.alpha_w);
   PixelState pixel{.t = constants.one};
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const GoldenLayer& layer : window.layers) {
     for (const GoldenSplat& splat : layer.splats) {
-      if ((splat.splat.mask >> region & 1) == 0 || pixel.done) continue;
+      if (static_cast<int>(splat.splat.part) != region_part(config, region)) continue;
+      if ((splat.splat.mask >> bit & 1) == 0 || pixel.done) continue;
       uint16_t codes[kRegionPixels];
-      golden_codes(config, splat.job, region, codes);
+      golden_codes(config, splat.job, bit, codes);
       const auto index = static_cast<uint32_t>(splat.splat.index);
       const auto truth_step = exact.find(index);
       if (codes[in_region] == 0 && truth_step == exact.end()) continue;
@@ -91,7 +93,7 @@ int explain(const ExplainArguments& arguments) {
                   {"t", t_before / t_one}};
       }
       row["double"] = in_double;
-      row["golden"] = {{"power", golden_power(config, splat.job, x % side, y % side)},
+      row["golden"] = {{"power", golden_power(config, splat.job, x % part_side, y % part_side)},
                        {"alpha", codes[in_region] / alpha_one},
                        {"weight", weight / t_one},
                        {"t", t_before / t_one},

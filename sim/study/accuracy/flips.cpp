@@ -77,25 +77,28 @@ Flips FlipCounter::count_window(const GoldenInput& input, const std::vector<uint
   const int x0 = static_cast<int>(x) * config.window, y0 = static_cast<int>(y) * config.window;
   const PixelRect here = intersection(square.pixels, {x0, y0, x0 + config.window, y0 + config.window});
 
-  // Who takes a turn: a splat of the machine, a footprint of the truth, or both.
+  // Who takes a turn: a Gaussian of the machine with its splats (one for each part), of the truth, or of both.
   struct Turn {
     uint64_t rank;
-    const GoldenSplat* splat;
-    const Footprint* footprint;
+    std::array<const GoldenSplat*, kParts> splats = {};
+    const Footprint* footprint = nullptr;
   };
   std::vector<Turn> turns;
   for (const GoldenLayer& layer : window.layers) {
-    for (const GoldenSplat& splat : layer.splats) turns.push_back({rank[splat.splat.index], &splat, nullptr});
+    for (const GoldenSplat& splat : layer.splats)
+      turns.push_back({rank[splat.splat.index]}), turns.back().splats[splat.splat.part] = &splat;
   }
   for (const Footprint& footprint : square.footprints) {
-    if (!intersection(footprint.rect, here).empty()) turns.push_back({rank[footprint.index], nullptr, &footprint});
+    if (!intersection(footprint.rect, here).empty()) turns.push_back({rank[footprint.index], {}, &footprint});
   }
-  std::sort(turns.begin(), turns.end(),
-            [](const Turn& a, const Turn& b) { return a.rank != b.rank ? a.rank < b.rank : a.splat > b.splat; });
+  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.rank < b.rank; });
   size_t kept = 0;
   for (size_t i = 0; i < turns.size(); ++i) {  // ranks are unique: equal ones are one Gaussian
     if (kept > 0 && turns[kept - 1].rank == turns[i].rank) {
-      turns[kept - 1].footprint = turns[i].footprint;
+      Turn& turn = turns[kept - 1];
+      if (turns[i].footprint != nullptr) turn.footprint = turns[i].footprint;
+      for (size_t part = 0; part < turn.splats.size(); ++part)
+        if (turns[i].splats[part] != nullptr) turn.splats[part] = turns[i].splats[part];
     } else {
       turns[kept++] = turns[i];
     }
@@ -104,14 +107,15 @@ Flips FlipCounter::count_window(const GoldenInput& input, const std::vector<uint
 
   Flips flips;
   for (int r = 0; r < config.regions(); ++r) {
-    const int rx = x0 + 8 * (r % config.regions_x()), ry = y0 + 8 * (r / config.regions_x());
+    const int rx = x0 + 8 * region_x(config, r), ry = y0 + 8 * region_y(config, r), bit = region_bit(config, r);
     const PixelRect area = intersection(here, {rx, ry, rx + 8, ry + 8});
     if (area.empty()) continue;
     RegionState state = ru_fresh_region(config, input.frame, x, y, r);
     for (const Turn& turn : turns) {
-      const bool shown = turn.splat != nullptr && (turn.splat->splat.mask >> r & 1) != 0;
+      const GoldenSplat* splat = turn.splats[static_cast<size_t>(region_part(config, r))];
+      const bool shown = splat != nullptr && (splat->splat.mask >> bit & 1) != 0;
       alignas(64) uint16_t codes[kRegionPixels] = {};
-      if (shown) pu_region_line(rows, turn.splat->job, r, codes);
+      if (shown) pu_region_line(rows, splat->job, bit, codes);
       const PixelRect touched = turn.footprint == nullptr ? PixelRect{} : intersection(turn.footprint->rect, area);
       if (!shown && touched.empty()) continue;
       for (int i = 0; i < kRegionPixels; ++i) {
@@ -124,7 +128,7 @@ Flips FlipCounter::count_window(const GoldenInput& input, const std::vector<uint
         flips.flipped += machine != truth;
       }
       if (!shown) continue;
-      const Splat& s = turn.splat->splat;
+      const Splat& s = splat->splat;
       const uint32_t color[3] = {static_cast<uint32_t>(s.red), static_cast<uint32_t>(s.green),
                                  static_cast<uint32_t>(s.blue)};
       if (ru_blend_region(constants, state, codes, color)) break;

@@ -194,7 +194,7 @@ double conic_power(const Config& config, const Geometry& g, const TruthProjectio
 }
 
 double coefficient_power(const Config& config, double budget) {
-  const double side = config.window - 1;
+  const double side = config.part_side() - 1;
   // A and E round two products, C too; D and F one.
   const double rounding =
       (1 + side / 2 + side + side * side / 2 + side * side + side * side / 2) * unit(config.coeff_f);

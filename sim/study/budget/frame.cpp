@@ -91,6 +91,9 @@ void join(BudgetFigure& sum, const BudgetFigure& part) {
   sum = {std::max(sum.error, part.error), std::max(sum.bound, part.bound), std::max(sum.excess, part.excess)};
 }
 
+// What the machine made of a Gaussian in each part of a window.
+using Jobs = std::array<const RowJob*, kParts>;
+
 class Walk {
  public:
   Walk(const Scene& scene, const Camera& camera, const SimulateOptions& options, const Simulation& simulation)
@@ -105,7 +108,7 @@ class Walk {
 
  private:
   void collect(const Scene& scene, const Camera& camera, const SimulateOptions& options);
-  void splat(const Entry& entry, const RowJob* job, const GoldenWindow& window, std::vector<Pixel>& pixels,
+  void splat(const Entry& entry, const Jobs& jobs, const GoldenWindow& window, std::vector<Pixel>& pixels,
              BudgetReport& report) const;
 
   const Simulation& simulation_;
@@ -145,7 +148,7 @@ void Walk::collect(const Scene& scene, const Camera& camera, const SimulateOptio
             [&](const Entry& a, const Entry& b) { return rank[a.index] < rank[b.index]; });
 }
 
-void Walk::splat(const Entry& entry, const RowJob* job, const GoldenWindow& window, std::vector<Pixel>& pixels,
+void Walk::splat(const Entry& entry, const Jobs& jobs, const GoldenWindow& window, std::vector<Pixel>& pixels,
                  BudgetReport& report) const {
   const TruthProjection& truth = entry.budget.truth;
   const double cut = -std::log2(255.0), one = std::ldexp(1.0, config_.alpha_w);
@@ -154,10 +157,12 @@ void Walk::splat(const Entry& entry, const RowJob* job, const GoldenWindow& wind
   bool drawn = false;
   for (int region = 0; region < config_.regions(); ++region) {
     uint16_t codes[kRegionPixels] = {};
-    if (job != nullptr && (job->mask >> region & 1) != 0) pu_region_line(rows_, *job, region, codes);
+    const RowJob* job = jobs[static_cast<size_t>(region_part(config_, region))];
+    const int bit = region_bit(config_, region);
+    if (job != nullptr && (job->mask >> bit & 1) != 0) pu_region_line(rows_, *job, bit, codes);
     for (int i = 0; i < kRegionPixels; ++i) {
-      const int x = static_cast<int>(window.x) * config_.window + 8 * (region % config_.regions_x()) + i % 8;
-      const int y = static_cast<int>(window.y) * config_.window + 8 * (region / config_.regions_x()) + i / 8;
+      const int x = static_cast<int>(window.x) * config_.window + 8 * region_x(config_, region) + i % 8;
+      const int y = static_cast<int>(window.y) * config_.window + 8 * region_y(config_, region) + i / 8;
       if (x >= image.width || y >= image.height) continue;
       const double power = budget_power(truth, x, y);
       Interval alpha = alpha_interval(config_, power, entry.error);
@@ -185,20 +190,20 @@ void Walk::splat(const Entry& entry, const RowJob* job, const GoldenWindow& wind
 BudgetReport Walk::window(uint64_t wx, uint64_t wy) const {
   const Image& image = simulation_.golden.image;
   const GoldenWindow window = golden_window(simulation_.input, wx, wy);
-  std::unordered_map<uint64_t, const RowJob*> jobs;
+  std::unordered_map<uint64_t, Jobs> jobs;
   for (const GoldenLayer& layer : window.layers) {
-    for (const GoldenSplat& one : layer.splats) jobs.emplace(one.splat.index, &one.job);
+    for (const GoldenSplat& one : layer.splats) jobs[one.splat.index][one.splat.part] = &one.job;
   }
   BudgetReport report;
   std::vector<Pixel> pixels(static_cast<size_t>(config_.regions()) * kRegionPixels);
   for (const Entry& entry : entries_) {
-    const auto job = jobs.find(entry.index);
-    splat(entry, job == jobs.end() ? nullptr : job->second, window, pixels, report);
+    const auto found = jobs.find(entry.index);
+    splat(entry, found == jobs.end() ? Jobs{} : found->second, window, pixels, report);
   }
   for (size_t i = 0; i < pixels.size(); ++i) {
     const int region = static_cast<int>(i / kRegionPixels), in = static_cast<int>(i % kRegionPixels);
-    const int x = static_cast<int>(wx) * config_.window + 8 * (region % config_.regions_x()) + in % 8;
-    const int y = static_cast<int>(wy) * config_.window + 8 * (region / config_.regions_x()) + in / 8;
+    const int x = static_cast<int>(wx) * config_.window + 8 * region_x(config_, region) + in % 8;
+    const int y = static_cast<int>(wy) * config_.window + 8 * region_y(config_, region) + in / 8;
     if (x >= image.width || y >= image.height) continue;
     Pixel& pixel = pixels[i];
     if (pixel.may_run) pixel.hold();

@@ -17,9 +17,11 @@
 #include "cpp_model/pu/pu_cull.hpp"
 #include "cpp_model/pu/project/pu_factors.hpp"
 #include "cpp_model/pu/project/pu_jacobian.hpp"
+#include "cpp_model/pu/parts/pu_parts.hpp"
 #include "cpp_model/pu/project/pu_orient.hpp"
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
+#include "cpp_model/regions.hpp"
 #include "cpp_model/pu/project/pu_squares.hpp"
 #include "scenes/generate/generate_random.hpp"
 #include "sim/study/budget/budget.hpp"
@@ -82,27 +84,31 @@ ActivatedGaussian held(const PackedScene& packed, const Node& chunk, const Gauss
   return out;
 }
 
-// The coefficients of a Gaussian in a window.
+// The coefficients of a Gaussian where pixel (x, y) of a window lies.
 std::optional<RowJob> job_of(const Config& c, const Frame& frame, const Chunk& chunk, const GaussianRecord& gaussian,
-                             uint64_t slot) {
+                             uint64_t slot, int x, int y) {
   const std::optional<Visible> visible = pu_cull(c, frame, golden_fetched(chunk, gaussian, slot));
   if (!visible) return std::nullopt;
   const auto [projected, center, payload] = pu_project(c, frame, *visible);
   const Factors factors = pu_factors(c, frame, pu_jacobian(c, frame, pu_orient(c, frame, projected)));
   const Covariance covariance = pu_covariance(c, frame, pu_squares(c, frame, factors), center);
-  const Coeff coeff = pu_coeff(c, frame, pu_conic(c, frame, covariance));
+  const uint64_t part = static_cast<uint64_t>(region_part(c, region_at(c, x / 8, y / 8)));
+  const std::vector<PuPart> parts = pu_parts(c, pu_conic(c, frame, covariance));
+  const auto found = std::find_if(parts.begin(), parts.end(), [&](const PuPart& one) { return one.part == part; });
+  if (found == parts.end()) return std::nullopt;
+  const Coeff coeff = pu_coeff(c, frame, found->conic);
   if (coeff.dead) return std::nullopt;
   RowJob job;
   job.a = coeff.a, job.b = coeff.b, job.c = coeff.c, job.d = coeff.d, job.e = coeff.e, job.f = coeff.f;
   return job;
 }
 
-// A Row Unit's power at pixel (x, y) of the window.
+// A Row Unit's power at pixel (x, y) of the part.
 int64_t row_power(const Config& c, const RowJob& job, int x, int y) {
   RowJob one = job;
-  const int region = y / 8 * c.regions_x() + x / 8;
-  one.mask = uint64_t{1} << region;
-  const Region start = pu_region(c, one, region);
+  const int bit = y / 8 * c.part_regions_x() + x / 8;
+  one.mask = uint64_t{1} << bit;
+  const Region start = pu_region(c, one, bit);
   Row row = pu_row_init(start, y % 8);
   for (int i = 0; i < x % 8; ++i) row = pu_row_unit(row, start.curve_x);
   return row.power;
@@ -170,11 +176,12 @@ std::optional<BudgetSample> Sampler::sample(const Node& node, uint64_t slot, Ran
     if (x < 0 || y < 0 || x >= kSide || y >= kSide) continue;
     const double power = budget_power(t, x, y);
     if (power < -std::log2(255.0)) continue;
-    const std::optional<RowJob> job = job_of(
-        config_, frame_, dopu_origin(config_, frame_, node, x / config_.window, y / config_.window), record, slot);
+    const std::optional<RowJob> job =
+        job_of(config_, frame_, dopu_origin(config_, frame_, node, x / config_.window, y / config_.window), record,
+               slot, x % config_.window, y % config_.window);
     if (!job) continue;
     ++seen;
-    const int64_t row = row_power(config_, *job, x % config_.window, y % config_.window);
+    const int64_t row = row_power(config_, *job, x % config_.part_side(), y % config_.part_side());
     const double error = std::abs(std::ldexp(static_cast<double>(row), -config_.power_f) - power),
                  alpha = std::ldexp(alpha_(row), -config_.alpha_w);
     const double log2_opacity = std::log2(exact.opacity), p32 = in32.power(x, y), p16 = in16.power(x, y);

@@ -249,7 +249,7 @@ void Dopu::windows(const Machine& m, DopuCycle& cycle) {
   // done of the next cycle; the sets as they were when this one began.
   for (size_t s = 0; s < 2; ++s) {
     bool done = sets_[s].valid && !m.config.has_lists();
-    for (const Ru& ru : m.ru) done = done && ru.window() == sets_[s].window && ru.done() == ru.own();
+    for (const Ru& ru : m.ru) done = done && ru.window() == sets_[s].window && ru.all_done();
     if (done != done_[s]) woken_ = cycle.changed = true;
     done_[s] = done;
   }

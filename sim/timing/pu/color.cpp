@@ -26,7 +26,7 @@ void Color::push(Machine& m, Cycle now, const Splat& splat) {
   const bool shaded = !is_end(splat.beat) && memory_;
   tasks_.push(now, {splat, shaded, now});
   if (shaded) {
-    const uint32_t slot = m.trace.slot[splat.beat];
+    const uint32_t slot = m.trace.slot[m.config.parts() > 1 ? m.trace.survivor[splat.beat] : splat.beat];
     m.memory.ask(port_, m.frame.tables.colors + (m.frame.tables.sh_degree == 1 ? slot >> 2 : slot));
     free_from_ = kNever;
   }

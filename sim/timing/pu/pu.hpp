@@ -12,6 +12,7 @@
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/pu/expand.hpp"
 #include "sim/timing/pu/intersect.hpp"
+#include "sim/timing/pu/parts.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/pu/phases.hpp"
 #include "sim/timing/pu/rows.hpp"
@@ -36,7 +37,7 @@ class Pu {
   void cull(Machine& m, Cycle now);
   void project(Machine& m, Cycle now);
   void conic(Machine& m, Cycle now);
-  void expand(Machine& m, Cycle now) { expand_.step(m, now, conic_.out); }
+  void expand(Machine& m, Cycle now) { lists_ ? expand_.step(m, now, conic_.out) : parts_.step(m, now, conic_.out); }
   void coeff(Machine& m, Cycle now);
   void intersect(Machine& m, Cycle now);
   void back(Machine& m, Cycle now);
@@ -52,6 +53,14 @@ class Pu {
   }
   Beat made() const { return late_ ? tiles_.value : splat_.beat; }
   Splat take_made(Machine& m, Cycle now);
+
+  // For the SU, without lists: what leaves the unit.
+  bool splat_shown(Cycle now) const {
+    if (!late_) return color.shown(now);
+    return queued_.valid(now) && (queued_.front().again || color.shown(now));
+  }
+  const Splat& splat() const { return late_ ? queued_.front().splat : color.out.value; }
+  void take_splat(Machine& m, Cycle now);
 
   Output<Beat> culled;                               // to pu_deal
   SramQueue<Beat, Config::visible_depth()> visible;  // from pu_deal
@@ -72,10 +81,10 @@ class Pu {
   void lines(Machine& m, Cycle now);
   void slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giver, int self, int taker, int out_phase,
             int tail);
-  uint64_t done_regions(const Machine& m) const;
+  uint64_t done_regions(const Machine& m, uint64_t part) const;
 
   const int lane_;
-  const bool late_, lists_;
+  const bool late_, lists_, has_parts_;
 
   Reader reader_;
   bool chunk_room_ = true;  // in the next cycle
@@ -88,6 +97,7 @@ class Pu {
   Phases phases_;  // project to covariance
   SlotStage conic_, coeff_;
   Expand expand_;  // only with lists
+  Parts parts_;    // only with parts
 
   SramQueue<Beat, Config::walk_depth()> walks_;  // before pu_intersect
   Intersect intersect_;
@@ -104,7 +114,13 @@ class Pu {
   const int alpha_lines_;
   uint32_t overflow_ = 0;
   Cycle layer_free_at_ = kLongAgo;
+  struct Queued {
+    Splat splat;
+    bool again = false;  // of the same Gaussian as the one before
+  };
   Output<uint8_t> late_out_;  // splat_ waits for the colour
+  SramQueue<Queued, Config::late_depth()> queued_;
+  Beat asked_ = kBubble;  // the survivor whose colour was asked for last, with parts
 
   // pu_lines
   bool splat_valid_ = false, rows_ended_ = false;

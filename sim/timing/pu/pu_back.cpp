@@ -8,10 +8,10 @@
 
 namespace pipegs::timing {
 
-uint64_t Pu::done_regions(const Machine& m) const {
+uint64_t Pu::done_regions(const Machine& m, uint64_t part) const {
   uint64_t done = 0;
   for (const Ru& ru : m.ru) {
-    if (ru.window() == window_) done |= ru.done();
+    if (ru.window() == window_) done |= ru.done().mask[part];
   }
   return done;
 }
@@ -33,7 +33,11 @@ void Pu::back(Machine& m, Cycle now) {
 bool Pu::take_tiles(Machine& m, Cycle now) {
   if (!tiles_.shown(now)) return false;
   splat_ = {tiles_.value, 0, 0, static_cast<uint8_t>(lane_), false};
-  if (!is_end(splat_.beat)) splat_.mask = m.trace.mask[splat_.beat] & ~done_regions(m);
+  if (!is_end(splat_.beat)) {
+    const uint64_t part = m.trace.part(splat_.beat);
+    splat_.part = static_cast<uint8_t>(part);
+    splat_.mask = m.trace.mask[splat_.beat] & ~done_regions(m, part);
+  }
   tiles_.valid = false;
   m.wheel.wake_now(unit(kIntersect, lane_));
   if (splat_.beat == kWindowEndBeat) ++window_;
@@ -110,13 +114,28 @@ void Pu::allocate(Machine& m, Cycle now) {
 
 void Pu::late(Machine& m, Cycle now) {
   if (late_out_.shown(now)) {
-    const bool drop = !is_end(splat_.beat) && splat_.mask == 0;
-    if (!drop && !color.room(now)) return;  // the colour wakes us
-    if (!drop) color.push(m, now, splat_);
+    const bool end = is_end(splat_.beat), drop = !end && splat_.mask == 0;
+    if (!drop) {
+      const Beat asked = end ? kBubble : has_parts_ ? m.trace.survivor[splat_.beat] : splat_.beat;
+      const bool again = !end && asked == asked_;
+      if (!queued_.room(now) || (!again && !color.room(now))) return;  // the SU or the colour wakes us
+      if (!again) color.push(m, now, splat_);
+      queued_.push(now, {splat_, again});
+      asked_ = asked;
+      m.wheel.wake(unit(kSu, lane_), queued_.head_from());
+    }
     late_out_.valid = false;
   }
   if (late_out_.valid || !take_tiles(m, now)) return;
   late_out_.set(now + 1, 0);
+  m.wheel.wake(unit(kBack, lane_), now + 1);
+}
+
+void Pu::take_splat(Machine& m, Cycle now) {
+  if (!late_) return color.taken(m, now);
+  if (!queued_.front().again) color.taken(m, now);
+  queued_.pop(now);
+  m.wheel.wake(unit(kSu, lane_), queued_.head_from());
   m.wheel.wake(unit(kBack, lane_), now + 1);
 }
 

@@ -11,9 +11,11 @@ Pu::Pu(const Machine& m, int lane)
       lane_(lane),
       late_(!m.config.caches_alphas()),
       lists_(m.config.has_lists()),
+      has_parts_(m.config.parts() > 1),
       reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians),
       phases_(m.config.antialias != 0),
       expand_(lane),
+      parts_(lane),
       alpha_lines_(m.config.alpha_lines),
       rows_(m.config.pixels_per_row),
       pieces_(m.config.alpha_memory_lines()) {
@@ -125,14 +127,15 @@ void Pu::slot(Machine& m, Cycle now, SlotStage& stage, Output<Beat>& in, int giv
 
 void Pu::conic(Machine& m, Cycle now) {
   const bool there = phases_.out.valid;
-  slot(m, now, conic_, phases_.out, unit(kProject, lane_), unit(kConic, lane_), unit(lists_ ? kExpand : kCoeff, lane_),
-       5, 3);
+  slot(m, now, conic_, phases_.out, unit(kProject, lane_), unit(kConic, lane_),
+       unit(lists_ || has_parts_ ? kExpand : kCoeff, lane_), 5, 3);
   if (!there || phases_.out.valid) return;
   if (phases_.taken(now)) m.wheel.wake(unit(kConic, lane_), phases_.out.from);
 }
 
 void Pu::coeff(Machine& m, Cycle now) {
-  slot(m, now, coeff_, lists_ ? expand_.out : conic_.out, unit(lists_ ? kExpand : kConic, lane_), unit(kCoeff, lane_),
+  Output<Beat>& in = lists_ ? expand_.out : has_parts_ ? parts_.out : conic_.out;
+  slot(m, now, coeff_, in, unit(lists_ || has_parts_ ? kExpand : kConic, lane_), unit(kCoeff, lane_),
        unit(kIntersect, lane_), 3, 5);
 }
 

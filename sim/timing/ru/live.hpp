@@ -63,9 +63,9 @@ class Live {
   void issue(Cycle now, int lane, int group, std::vector<Stop>& stops);
 
   const TimingWindow* window_ = nullptr;
-  std::array<uint16_t, 64> stopped_{};         // quads, by region
-  std::array<uint32_t, 64 * 16> gaussians_{};  // that each quad has taken
-  std::array<Cycle, 64 * 16> last_issue_;      // of each quad
+  std::array<uint16_t, kRegions> stopped_{};         // quads, by region
+  std::array<uint32_t, 16 * kRegions> gaussians_{};  // that each quad has taken
+  std::array<Cycle, 16 * kRegions> last_issue_;      // of each quad
 
   std::array<Stage, 4> regions_;  // of ru_regions, the first one first
   Stage rows_, pixels_;           // of ru_power; pixels_.quads: live ones

@@ -22,37 +22,42 @@ Ru::Ru(const Machine& m, int lane)
       external_(m.config.fetch_lines),
       rows_(m.config.pixels_per_row),
       own_(ru_own_mask(m.config, lane)) {
+  for (size_t part = 0; part < static_cast<size_t>(m.config.parts()); ++part) owned_.mask[part] = own_;
   set_window(m, 0);
 }
 
 void Ru::set_window(const Machine& m, size_t window) {
   window_ = window;
-  outside_ = window < m.trace.windows.size() ? m.trace.windows[window].outside : 0;
-  blended_ = 0;
-  done_ = own_ & outside_;
+  outside_ = window < m.trace.windows.size() ? m.trace.windows[window].outside : RegionSet{};
+  blended_ = {};
+  done_ = owned_ & outside_;
   if (quads_) live_.start_window(window < m.trace.windows.size() ? &m.trace.windows[window] : nullptr);
 }
 
 // With quads: what has stopped by this cycle. In the first one of a window nothing is known to be done.
-void Ru::publish_stops(Cycle now) {
+void Ru::publish_stops(const Machine& m, Cycle now) {
   std::erase_if(stops_, [&](const Live::Stop& stop) {
     if (stop.from > now) return false;
     live_.stop(stop.quad);
     return true;
   });
-  done_ = 0;
+  done_ = {};
   if (now == window_done_at_ + 1) return;
-  for (uint64_t rest = own_; rest != 0; rest &= rest - 1) {
-    if (live_.stopped(std::countr_zero(rest))) done_ |= rest & -rest;
+  for (size_t part = 0; part < owned_.mask.size(); ++part) {
+    for (uint64_t rest = owned_.mask[part]; rest != 0; rest &= rest - 1) {
+      if (live_.stopped(region_number(m.config, part, std::countr_zero(rest)))) done_.mask[part] |= rest & -rest;
+    }
   }
 }
 
 void Ru::publish(Machine& m, Cycle now) {
   bool news = false;
   while (!done_coming_.empty() && done_coming_.front().from <= now) {
-    blended_ |= uint64_t{1} << done_coming_.front().region;
+    blended_.add(m.config, done_coming_.front().region);
     done_coming_.pop(now);
-    done_ = own_ & (blended_ | outside_);
+    done_ = blended_;
+    done_ |= outside_;
+    done_ = done_ & owned_;
     news = true;
   }
   if (window_coming_ && window_done_at_ < now) {
@@ -62,8 +67,8 @@ void Ru::publish(Machine& m, Cycle now) {
     if (quads_) m.wheel.wake(unit(kPublish), now + 1);
   }
   if (quads_) {
-    const uint64_t before = done_;
-    publish_stops(now);
+    const RegionSet before = done_;
+    publish_stops(m, now);
     news = news || done_ != before;
   }
   if (!news) return;
@@ -150,9 +155,9 @@ void Ru::end(Machine& m, Cycle now, Beat beat) {
   if (!quads_) m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
   m.wheel.wake(unit(late_ ? kSource : kWalk, lane_), now + 1);
   // ru_resolve starts.
-  regions_left_ = own_ & ~outside_;
+  regions_left_ = owned_ & ~outside_;
   window_written_ = window_;
-  lines_left_ = 8 * std::popcount(regions_left_);
+  lines_left_ = 8 * regions_left_.count();
   line_ = 0;
   line_from_ = now + 2;
   if (lines_left_ > 0) m.wheel.wake(unit(kRuMemory, lane_), line_from_);
@@ -226,11 +231,12 @@ void Ru::live_source(Machine& m, Cycle now) {
     leave = empty && (splat_.beat != kWindowEndBeat || (lines_left_ == 0 && resolved_from_ <= now));
     if (leave) end(m, now, splat_.beat);
   } else if (splat_valid_ && known) {
-    const uint64_t open = rest_ & ~done_, others = open & (open - 1);
+    const uint64_t open = rest_ & ~done_.mask[splat_.part], others = open & (open - 1);
     if (open != 0 && live_.moved()) {
-      const int region = std::countr_zero(open);
-      const uint64_t mask = m.trace.mask[splat_.beat], below = mask & ((uint64_t{1} << region) - 1);
-      live_.pick(region, m.trace.quads[m.trace.quads_first[splat_.beat] + static_cast<size_t>(std::popcount(below))]);
+      const int bit = std::countr_zero(open);
+      const uint64_t mask = m.trace.mask[splat_.beat], below = mask & ((uint64_t{1} << bit) - 1);
+      live_.pick(region_number(m.config, splat_.part, bit),
+                 m.trace.quads[m.trace.quads_first[splat_.beat] + static_cast<size_t>(std::popcount(below))]);
       rest_ &= ~(open & -open);
     }
     leave = others == 0 && (live_.moved() || open == 0);
@@ -270,7 +276,10 @@ void Ru::memory(Machine& m, Cycle now) {
   if (m.memory.granted(port_, now)) memory_valid_ = false;
   if (memory_valid_ || lines_left_ == 0) return;
   if (now < line_from_) return m.wheel.wake(unit(kRuMemory, lane_), line_from_);
-  const auto region = static_cast<uint64_t>(std::countr_zero(regions_left_));
+  size_t part = 0;
+  while (regions_left_.mask[part] == 0) ++part;
+  uint64_t& left = regions_left_.mask[part];
+  const auto region = static_cast<uint64_t>(region_number(m.config, part, std::countr_zero(left)));
   const uint64_t columns =
       (m.frame.raster.width + static_cast<uint64_t>(m.config.window) - 1) / static_cast<uint64_t>(m.config.window);
   const uint64_t row_windows = m.frame.raster.windows.last_x - m.frame.raster.windows.first_x + 1;
@@ -279,7 +288,7 @@ void Ru::memory(Machine& m, Cycle now) {
   m.memory.ask(port_, m.frame.tables.pixels + (number * static_cast<uint64_t>(m.config.regions()) + region) * 8 + line_,
                true);
   memory_valid_ = true;
-  if (++line_ == 8) line_ = 0, regions_left_ &= regions_left_ - 1;
+  if (++line_ == 8) line_ = 0, left &= left - 1;
   if (--lines_left_ == 0) {
     resolved_from_ = now + 1;
     m.wheel.wake(unit(kLanes, lane_), now + 1);

@@ -11,6 +11,7 @@
 #include <array>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/regions.hpp"
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/pu/rows.hpp"
 #include "sim/timing/ru/live.hpp"
@@ -26,6 +27,7 @@ struct Splat {
   uint64_t mask = 0;
   uint8_t unit = 0;  // whose PU made it
   bool ext = false;
+  uint8_t part = 0;  // of the window
 };
 
 class Ru {
@@ -40,8 +42,9 @@ class Ru {
 
   // What others see in this cycle. publish() makes what happened before visible.
   void publish(Machine& m, Cycle now);
-  uint64_t own() const { return own_; }
-  uint64_t done() const { return done_; }
+  uint64_t own() const { return own_; }  // in each part
+  const RegionSet& done() const { return done_; }
+  bool all_done() const { return done_ == owned_; }
   size_t window() const { return window_; }  // number in the frame
 
   SramQueue<Splat, 64> queue;
@@ -67,10 +70,10 @@ class Ru {
   void rows_source(Machine& m, Cycle now);
   void live_source(Machine& m, Cycle now);
   void next_splat(Machine& m, Cycle now);
-  void publish_stops(Cycle now);
+  void publish_stops(const Machine& m, Cycle now);
   void set_window(const Machine& m, size_t window);
   bool read(Machine& m, Cycle now, uint64_t line);
-  uint64_t live() const { return ends_ == 0 ? rest_ & ~done_ : rest_; }
+  uint64_t live() const { return ends_ == 0 ? rest_ & ~done_.mask[splat_.part] : rest_; }
 
   const int lane_, port_;
   const bool late_, quads_;
@@ -100,7 +103,7 @@ class Ru {
   // ru_lanes
   Cycle start_ = kNever;  // of the line in the lanes
   Cycle last_issue_ = kLongAgo;
-  std::array<uint32_t, 64> lines_{};  // of the window, blended
+  std::array<uint32_t, kRegions> lines_{};  // of the window, blended
   Cycle window_done_at_ = kLongAgo;
 
   // what others will see
@@ -110,7 +113,8 @@ class Ru {
   };
   FallQueue<Done, 4> done_coming_;
   bool window_coming_ = false;
-  uint64_t own_, outside_ = 0, blended_ = 0, done_ = 0;
+  const uint64_t own_;
+  RegionSet owned_, outside_, blended_, done_;  // owned: own in all parts
   size_t window_ = 0;
 
   // ru_resolve, ru_memory
@@ -118,7 +122,8 @@ class Ru {
   Cycle read_at_ = kLongAgo;
   int lines_left_ = 0;
   Cycle line_from_ = 0, resolved_from_ = 0;
-  uint64_t line_ = 0, regions_left_ = 0;
+  uint64_t line_ = 0;
+  RegionSet regions_left_;
   size_t window_written_ = 0;
 };
 

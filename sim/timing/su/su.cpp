@@ -235,8 +235,8 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
 // The stage in front of the unit.
 void Su::arrive(Machine& m, Cycle now) {
   Pu& pu = m.pu[static_cast<size_t>(lane_)];
-  if (!ready_ || !(lists_ ? m.lists.shown(lane_) : pu.color.shown(now))) return;
-  Arrived arrived{lists_ ? m.lists.record() : pu.color.out.value};
+  if (!ready_ || !(lists_ ? m.lists.shown(lane_) : pu.splat_shown(now))) return;
+  Arrived arrived{lists_ ? m.lists.record() : pu.splat()};
   if (marks_cut_ && arrived.splat.beat == kLayerEndBeat) {
     arrived.mark = pu.marks.front();
     pu.marks.pop(now);
@@ -244,7 +244,7 @@ void Su::arrive(Machine& m, Cycle now) {
   }
   m.show(now, Border::kSplat, lane_, m.beat_shown(arrived.splat.beat));
   in_.push(now, arrived);
-  lists_ ? m.lists.taken(m, lane_) : pu.color.taken(m, now);
+  lists_ ? m.lists.taken(m, lane_) : pu.take_splat(m, now);
   moved_ = true;
 }
 

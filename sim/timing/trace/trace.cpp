@@ -7,6 +7,7 @@
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/float/parallel.hpp"
+#include "cpp_model/pu/parts/pu_parts.hpp"
 #include "sim/timing/trace/trace_splat.hpp"
 
 namespace pipegs {
@@ -18,9 +19,9 @@ struct Part {
   TimingWindow window;
   std::vector<TimingChunk> chunks;
   std::vector<uint64_t> mask, key;
-  std::vector<uint32_t> slot, quads_first;
+  std::vector<uint32_t> slot, pairs, quads_first;  // pairs: of each survivor, how many
   std::vector<uint8_t> boxes;
-  std::vector<uint16_t> quads;
+  std::vector<uint16_t> part, quads;
 };
 
 std::vector<TimingNode> nodes(const std::vector<Node>& from) {
@@ -108,19 +109,24 @@ class WindowTrace {
       const int bucket =
           config_.has_watermarks() ? std::max(group_bucket, dopu_depth(config_, frame_, planes_, node)) : 0;
       const Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
-      TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.mask.size()), 0,
+      TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.slot.size()), 0,
                        static_cast<uint16_t>(bucket)};
       for (uint64_t k = 0; k < chunk.count; ++k) {
         const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k);
         if (!found) continue;
         sent.survivors |= uint64_t{1} << k;
-        const TracePair pair = trace_pair(input_, found->conic, found->payload);
-        part_.mask.push_back(pair.splat.mask);
-        part_.key.push_back(pair.splat.key);
         part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
-        part_.boxes.push_back(pair.boxes);
-        trace_quads(rows_, pair.splat, part_.quads, part_.quads_first);
-        if (pair.splat.mask != 0) layers_.back().push_back(pair.splat);
+        const std::vector<PuPart> parts = pu_parts(config_, found->conic);
+        part_.pairs.push_back(static_cast<uint32_t>(parts.size()));
+        for (const PuPart& one : parts) {
+          const TracePair pair = trace_pair(input_, one.conic, found->payload, one.part);
+          part_.mask.push_back(pair.splat.mask);
+          part_.key.push_back(pair.splat.key);
+          part_.boxes.push_back(pair.boxes);
+          part_.part.push_back(static_cast<uint16_t>(one.part));
+          trace_quads(rows_, pair.splat, part_.quads, part_.quads_first);
+          if (pair.splat.mask != 0) layers_.back().push_back(pair.splat);
+        }
       }
       part_.chunks.push_back(sent);
     }
@@ -148,7 +154,7 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
                    .run();
   });
   for (Part& part : parts) {
-    const auto base = static_cast<uint32_t>(trace.mask.size()),
+    const auto base = static_cast<uint32_t>(trace.slot.size()),
                chunks = static_cast<uint32_t>(trace.chunks_sent.size()),
                quads = static_cast<uint32_t>(trace.quads.size());
     part.walk.first_chunk = chunks;
@@ -157,6 +163,15 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     for (TimingChunk chunk : part.chunks) {
       chunk.first += base;
       trace.chunks_sent.push_back(chunk);
+    }
+    if (trace.config.parts() > 1) {
+      auto pair = static_cast<uint32_t>(trace.mask.size());
+      for (size_t i = 0; i < part.pairs.size(); ++i) {
+        trace.pairs.push_back(pair);
+        trace.survivor.insert(trace.survivor.end(), part.pairs[i], base + static_cast<uint32_t>(i));
+        pair += part.pairs[i];
+      }
+      trace.number.insert(trace.number.end(), part.part.begin(), part.part.end());
     }
     trace.mask.insert(trace.mask.end(), part.mask.begin(), part.mask.end());
     trace.key.insert(trace.key.end(), part.key.begin(), part.key.end());
@@ -168,6 +183,7 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     trace.windows.push_back(std::move(part.window));
     part = {};
   }
+  if (trace.config.parts() > 1) trace.pairs.push_back(static_cast<uint32_t>(trace.mask.size()));
 }
 
 }  // namespace

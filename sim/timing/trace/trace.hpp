@@ -5,9 +5,9 @@
 //         pass the DOPU's test (order 2: and their buckets of depth), which Gaussians of a chunk survive the cull, how
 //         many regions their boxes have and which they keep, their sort keys and slots; and after how many lines of
 //         alphas a region is opaque, which makes the done feedback.
-// Pairs   What is sorted and blended is a (Gaussian, window) pair. Without lists a survivor of a window's cull is one;
-//         with lists (order 1) the DOPU walks once for the frame and a survivor becomes a pair in each window of its
-//         box.
+// Pairs   What is sorted and blended is a (Gaussian, window) pair. A survivor of a window's cull is one; with parts it
+//         becomes one in each part of the window, and with lists (order 1), where the DOPU walks once for the frame,
+//         one in each window of its box.
 // Reuse   A trace depends on scene, camera and on all of the configuration but the entries that timing_config() names:
 //         those may be varied from run to run on the same trace.
 // Threads Windows are independent; the trace does not depend on their number.
@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cpp_model/golden.hpp"
+#include "cpp_model/regions.hpp"
 
 namespace pipegs {
 
@@ -50,11 +51,11 @@ struct TimingWalk {
 
 struct TimingWindow {
   static constexpr uint32_t kNotDone = ~uint32_t{0};
-  uint64_t outside = 0;                   // regions without a pixel inside the image
-  std::array<uint32_t, 64> done_after{};  // lines of a region until it is opaque, or kNotDone
+  RegionSet outside;                            // regions without a pixel inside the image
+  std::array<uint32_t, kRegions> done_after{};  // lines of a region until it is opaque, or kNotDone
   // With quads, by region and quad (row by row): without a pixel inside the image; Gaussians until all of it has
   // stopped.
-  std::array<uint16_t, 64> quads_outside{};
+  std::array<uint16_t, kRegions> quads_outside{};
   std::vector<uint32_t> quad_done_after;
 };
 
@@ -67,14 +68,17 @@ struct TimingTrace {
   std::vector<TimingWindow> windows;  // row by row from frame.first to frame.last
   // By survivor of a cull.
   std::vector<uint32_t> slot;   // in packed memory
-  std::vector<uint32_t> pairs;  // lists: its first pair; one more entry at the end
+  std::vector<uint32_t> pairs;  // parts, lists: its first pair; one more entry at the end
   // By pair.
-  std::vector<uint64_t> mask, key;  // regions; depth key above index
+  std::vector<uint64_t> mask, key;  // regions of the part; sort key
   std::vector<uint8_t> boxes;       // regions of the box that pu_intersect walks; 0: it has none
-  std::vector<uint16_t> number;     // lists: of its window
+  std::vector<uint16_t> number;     // lists: of its window; parts: of its part
+  std::vector<uint32_t> survivor;   // parts
   // With quads: which are visible in each region of the pair's mask; where the pair's first one lies.
   std::vector<uint16_t> quads;
   std::vector<uint32_t> quads_first;
+
+  uint64_t part(uint32_t pair) const { return config.parts() > 1 ? number[pair] : 0; }
 };
 
 TimingTrace timing_trace(const GoldenInput& input, unsigned threads = 0);

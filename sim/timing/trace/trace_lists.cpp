@@ -50,7 +50,7 @@ void gaussian(const GoldenInput& input, const PuRows& rows, const GoldenConic& f
   if (!box) return;
   for (int64_t y = box->first_y; y <= box->last_y; ++y) {
     for (int64_t x = box->first_x; x <= box->last_x; ++x) {
-      part.pair.push_back(trace_pair(input, pu_expand(config, conic, x, y), payload));
+      part.pair.push_back(trace_pair(input, pu_expand(config, conic, x, y), payload, 0));
       part.number.push_back(static_cast<uint16_t>(pu_expand_number(input.frame, x, y)));
       trace_quads(rows, part.pair.back().splat, part.quads, part.quads_first);
       ++part.pairs.back();

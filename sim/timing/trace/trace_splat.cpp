@@ -23,7 +23,7 @@ std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& ch
   return golden_conic(config, frame, *visible);
 }
 
-TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload& payload) {
+TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload& payload, uint64_t part) {
   const Config& config = input.packed->config;
   const Coeff coeff = pu_coeff(config, input.frame, conic);
   const Tiles tiles = pu_intersect(config, input.frame, coeff);
@@ -31,7 +31,8 @@ TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload
   pair.boxes = static_cast<uint8_t>(pu_intersect_regions(config, coeff));
   if (tiles.mask == 0) return pair;
   pair.splat.mask = tiles.mask;
-  pair.splat.key = splat_key(config, payload.depth, payload.index);
+  pair.splat.part = part;
+  pair.splat.key = splat_key(config, payload.depth, payload.index, part);
   RowJob& job = pair.splat.job;
   job.a = tiles.a, job.b = tiles.b, job.c = tiles.c, job.d = tiles.d, job.e = tiles.e, job.f = tiles.f;
   return pair;
@@ -55,14 +56,14 @@ TimingWindow trace_window(const GoldenInput& input, const PuRows& rows, uint64_t
   const uint32_t black[3] = {0, 0, 0};
   TimingWindow window;
   std::vector<RegionState> regions;
-  uint64_t done = 0;
+  RegionSet done;
   for (int r = 0; r < config.regions(); ++r) {
     regions.push_back(ru_fresh_region(config, input.frame, x, y, r));
-    done |= uint64_t{regions.back().all_done()} << r;
+    done.add(config, r, regions.back().all_done());
   }
   window.outside = done;
   window.done_after.fill(TimingWindow::kNotDone);
-  std::array<uint32_t, 64> lines{};
+  std::array<uint32_t, kRegions> lines{};
   std::vector<std::array<uint32_t, kQuads>> gaussians;  // of each quad
   if (config.quads) {
     gaussians.resize(regions.size());
@@ -82,16 +83,17 @@ TimingWindow trace_window(const GoldenInput& input, const PuRows& rows, uint64_t
   for (std::vector<TraceSplat>& layer : layers) {
     std::sort(layer.begin(), layer.end(), [](const TraceSplat& a, const TraceSplat& b) { return a.key < b.key; });
     for (const TraceSplat& splat : layer) {
-      for (uint64_t rest = splat.mask & ~done; rest != 0; rest &= rest - 1) {
-        const auto r = static_cast<size_t>(std::countr_zero(rest));
+      for (uint64_t rest = splat.mask & ~done.mask[splat.part]; rest != 0; rest &= rest - 1) {
+        const int bit = std::countr_zero(rest);
+        const auto r = static_cast<size_t>(region_number(config, splat.part, bit));
         alignas(64) uint16_t codes[kRegionPixels];
-        pu_region_line(rows, splat.job, static_cast<int>(r), codes);
+        pu_region_line(rows, splat.job, bit, codes);
         ++lines[r];
         const uint32_t live = config.quads ? ru_live_quads(codes, ru_stopped_quads(regions[r])) : 0;
         const bool closed = ru_blend_region(constants, regions[r], codes, black);
         count_quads(r, live);
         if (!closed) continue;
-        done |= uint64_t{1} << r;
+        done.add(config, static_cast<int>(r));
         window.done_after[r] = lines[r];
       }
     }

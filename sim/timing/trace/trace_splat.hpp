@@ -16,7 +16,7 @@ namespace pipegs {
 
 // A splat whose alphas the blend needs.
 struct TraceSplat {
-  uint64_t key = 0, mask = 0;
+  uint64_t key = 0, mask = 0, part = 0;
   RowJob job;
 };
 
@@ -32,8 +32,8 @@ void trace_quads(const PuRows& rows, const TraceSplat& splat, std::vector<uint16
 // Nothing when the cull drops it.
 std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot);
 
-// A Gaussian in the window that its mean is relative to.
-TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload& payload);
+// A Gaussian in the window, or its part, that the mean is relative to.
+TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload& payload, uint64_t part);
 
 // Blends T only, layer by layer, as far as it says when a region is opaque. Sorts the layers.
 TimingWindow trace_window(const GoldenInput& input, const PuRows& rows, uint64_t x, uint64_t y,

@@ -6,6 +6,7 @@
 #include "Vpu_expand.h"
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "verif/pu/pu_random.hpp"
+#include "verif/pu/random_box.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 #include "verif/support/frame_ports.hpp"
@@ -23,31 +24,10 @@ Frame small_frame(PuRandom& random) {
   return frame;
 }
 
-// Boxes of all sizes: within a window, at its sides, of many windows, endless; means that saturate in some windows
-// only.
 Conic random_conic(PuRandom& random, const Frame& frame) {
-  const Config& config = random.config;
-  Conic c = random_record<Conic>(config, random.rng);
-  c.kind = kData;
-  const auto axis = [&](uint64_t windows, int64_t& mean, uint64_t& extent) {
-    const double size = static_cast<double>(windows) * config.window;
-    const int64_t most = (int64_t{1} << config.extent_w()) - 1;
-    const double pixels = random.chance(12) ? std::ldexp(1.0, 18) + random.uniform(-200, 100)
-                                            : std::exp(random.uniform(-3, random.chance(4) ? 12 : 5));
-    extent = static_cast<uint64_t>(std::clamp<int64_t>(std::llround(pixels * 16), 0, most));
-    double at = random.chance(2)   ? random.uniform(0, size)
-                : random.chance(2) ? -pixels + random.uniform(-2, 2)
-                                   : size + pixels + random.uniform(-2, 2);
-    if (random.chance(3))
-      at = std::round(at / config.window) * config.window + random.uniform(-1, 1) * random.integer(0, 1);
-    if (random.chance(10))
-      at = std::ldexp(random.chance(2) ? 1.0 : -1.0, static_cast<int>(random.integer(17, 18))) +
-           random.uniform(-2000, 2000);
-    mean = saturate<int64_t>(std::llround(std::ldexp(at, config.mean_f)), config.mean_w());
-  };
-  axis(frame.raster.windows.last_x - frame.raster.windows.first_x + 1, c.mean_x, c.extent_x);
-  axis(frame.raster.windows.last_y - frame.raster.windows.first_y + 1, c.mean_y, c.extent_y);
-  return c;
+  const Windows& windows = frame.raster.windows;
+  return random_box(random, windows.last_x - windows.first_x + 1, windows.last_y - windows.first_y + 1,
+                    random.config.window);
 }
 
 // pu_color for the test: gives any colour for each job, in order.
@@ -260,7 +240,7 @@ TEST(PuExpandModel, LeavesOutNoWindowInWhichTheBoxHoldsAPixel) {
         inside += seen;
         beside += in_box && !seen;
         const auto endless = [&](uint64_t extent) {
-          return extent >> kExpandNearlyEndless == (uint64_t{1} << (config.extent_w() - kExpandNearlyEndless)) - 1;
+          return extent >> kNearlyEndless == (uint64_t{1} << (config.extent_w() - kNearlyEndless)) - 1;
         };
         if (in_box && !endless(conic.extent_x) && !endless(conic.extent_y)) {
           ASSERT_TRUE(seen) << "a window too many: " << to_text(config, conic);

@@ -18,12 +18,12 @@ RowJob any_row_job(const Config& config, Rng& rng) {
   return job;
 }
 
-// A Gaussian whose mean lies in or near the window; standard deviations from 0.55 to 150 pixels.
+// A Gaussian whose mean lies in or near the part; standard deviations from 0.55 to 150 pixels.
 template <class Rng>
 RowJob gaussian_row_job(const Config& config, Rng& rng) {
   RowJob job = any_row_job(config, rng);
   std::uniform_real_distribution<double> unit(0, 1);
-  const double x = (1.5 * unit(rng) - 0.25) * config.window, y = (1.5 * unit(rng) - 0.25) * config.window;
+  const double x = (1.5 * unit(rng) - 0.25) * config.part_side(), y = (1.5 * unit(rng) - 0.25) * config.part_side();
   const double s0 = 0.55 * std::pow(270, unit(rng)), s1 = 0.55 * std::pow(270, unit(rng)), angle = 3.2 * unit(rng);
   const double cosine = std::cos(angle), sine = std::sin(angle), log2_e = 1.4426950408889634;
   const double i0 = log2_e / (2 * s0 * s0), i1 = log2_e / (2 * s1 * s1);

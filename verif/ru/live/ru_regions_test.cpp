@@ -3,6 +3,7 @@
 #include "cpp_model/pu/rows/pu_region.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/ru/live/random_splat.hpp"
+#include "verif/ru/region_ports.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 #include "Vru_regions.h"
@@ -11,7 +12,7 @@ namespace pipegs {
 namespace {
 
 const Config kConfig = test_config();
-const uint64_t kAll = ~uint64_t{0} >> (64 - kConfig.regions());
+const uint64_t kAll = ~uint64_t{0} >> (64 - kConfig.mask_w());
 constexpr uint64_t kNever = ~uint64_t{0};
 
 uint64_t color_of(const Sorted& splat) {
@@ -34,11 +35,11 @@ class Around : public Endpoint {
     start_window();
   }
   void start_window() {
-    open_ = ru_own_mask(kConfig, bench_.rng() % kConfig.units);
-    if (closing_) open_ &= bench_.rng() | bench_.rng();
+    const uint64_t own = ru_own_mask(kConfig, bench_.rng() % kConfig.units);
+    for (uint64_t& part : open_.mask) part = closing_ ? own & (bench_.rng() | bench_.rng()) : own;
     for (uint64_t& when : closed_) when = kNever;
     for (int r = 0; r < kConfig.regions(); ++r)
-      if (!(open_ >> r & 1)) closed_[r] = bench_.cycle;
+      if (!open_.has(kConfig, r)) closed_[r] = bench_.cycle;
   }
   void push(const Sorted& splat) {
     in_.push(splat);
@@ -49,11 +50,15 @@ class Around : public Endpoint {
     auto& dut = bench_.dut;
     if (closing_ && bench_.rng() % 64 == 0) {
       const int r = static_cast<int>(bench_.rng() % kConfig.regions());
-      if (open_ >> r & 1) closed_[r] = bench_.cycle;
-      open_ &= ~(uint64_t{1} << r);
+      if (open_.has(kConfig, r)) closed_[r] = bench_.cycle;
+      RegionSet gone;
+      gone.add(kConfig, r);
+      open_ = open_ & ~gone;
     }
     dut.hold_i = new_window_ || (closing_ && bench_.rng() % 16 == 0);
-    dut.open_i = dut.hold_i ? bench_.rng() & kAll : open_;
+    RegionSet any;
+    for (uint64_t& part : any.mask) part = bench_.rng() & kAll;
+    write_regions(kConfig, dut.open_i, dut.hold_i ? any : open_);
     if (new_window_) start_window();
     new_window_ = false;
     dut.end_ready_i = goes(out_pace_, bench_.rng);
@@ -70,14 +75,17 @@ class Around : public Endpoint {
     while (place_ < taken_ && splats_[place_].splat.index != found.index) ASSERT_NO_FATAL_FAILURE(leave_splat());
     ASSERT_LT(place_, taken_) << "a region of no splat, cycle " << bench_.cycle;
     const auto& [splat, taken] = splats_[place_];
-    const int region = static_cast<int>(found.region);
-    const uint64_t before = left_ & ((uint64_t{1} << region) - 1);
-    ASSERT_TRUE(left_ >> region & 1) << "region " << region << " is out of order, cycle " << bench_.cycle;
-    ASSERT_TRUE(are_closed(before)) << "a region before " << region << " is missing, cycle " << bench_.cycle;
+    const int region = static_cast<int>(found.region), bit = region_bit(kConfig, region);
+    ASSERT_EQ(static_cast<uint64_t>(region_part(kConfig, region)), splat.part) << "cycle " << bench_.cycle;
+    const uint64_t before = left_ & ((uint64_t{1} << bit) - 1);
+    ASSERT_TRUE(left_ >> bit & 1) << "region " << region << " is out of order, cycle " << bench_.cycle;
+    ASSERT_TRUE(are_closed(splat.part, before))
+        << "a region before " << region << " is missing, cycle " << bench_.cycle;
     ASSERT_GT(closed_[region], taken) << "region " << region << " was closed before its splat came";
-    left_ &= ~(before | uint64_t{1} << region);
-    Region expected = pu_region(kConfig, job_of(splat), region);
+    left_ &= ~(before | uint64_t{1} << bit);
+    Region expected = pu_region(kConfig, job_of(splat), bit);
     expected.address = expected.ext = expected.parity = 0;
+    expected.region = found.region;
     ASSERT_EQ(first_difference(kConfig, expected, found), "") << "cycle " << bench_.cycle;
     ASSERT_EQ(bench_.dut.color_o, color_of(splat)) << "cycle " << bench_.cycle;
   }
@@ -91,22 +99,23 @@ class Around : public Endpoint {
   }
   void leave_splat() {
     ASSERT_EQ(splats_[place_].splat.kind, kData) << "an end was passed over, cycle " << bench_.cycle;
-    ASSERT_TRUE(are_closed(left_)) << "regions of " << splats_[place_].splat.index << " are missing";
+    ASSERT_TRUE(are_closed(splats_[place_].splat.part, left_))
+        << "regions of " << splats_[place_].splat.index << " are missing";
     next_splat();
   }
   void next_splat() {
     if (++place_ < splats_.size()) left_ = splats_[place_].splat.mask;
   }
-  bool are_closed(uint64_t regions) const {
-    for (; regions != 0; regions &= regions - 1)
-      if (closed_[std::countr_zero(regions)] > bench_.cycle) return false;
+  bool are_closed(uint64_t part, uint64_t mask) const {
+    for (; mask != 0; mask &= mask - 1)
+      if (closed_[region_number(kConfig, part, std::countr_zero(mask))] > bench_.cycle) return false;
     return true;
   }
   // Nothing of the splats that were taken is still to come.
   bool through() const {
     for (size_t i = place_; i < taken_; ++i) {
       if (splats_[i].splat.kind != kData) return false;
-      if (!are_closed(i == place_ ? left_ : splats_[i].splat.mask)) return false;
+      if (!are_closed(splats_[i].splat.part, i == place_ ? left_ : splats_[i].splat.mask)) return false;
     }
     return true;
   }
@@ -123,7 +132,8 @@ class Around : public Endpoint {
   RecordSink<Region, decltype(Vru_regions::region_o)> out_;
   Pace out_pace_;
   bool closing_, new_window_ = false;
-  uint64_t open_ = 0, closed_[64] = {};  // regions; the cycle in which each closed
+  RegionSet open_;
+  uint64_t closed_[kRegions] = {};  // the cycle in which each region closed
   std::vector<Given> splats_;
   size_t taken_ = 0, place_ = 0, out_seen_ = 0;  // splats taken, the one whose regions come, regions that came
   uint64_t left_ = 0;                            // its regions that may still come
@@ -135,7 +145,7 @@ Sorted random_splat(std::mt19937_64& rng, uint64_t index, uint64_t kind) {
   splat.kind = kind;
   splat.index = index;
   switch (rng() % 3) {
-    case 0: splat.mask = uint64_t{1} << rng() % kConfig.regions(); break;
+    case 0: splat.mask = uint64_t{1} << rng() % kConfig.mask_w(); break;
     case 1: splat.mask &= rng(); break;
     default: break;
   }
@@ -167,7 +177,7 @@ TEST(RuRegions, GivesARegionEveryCycle) {
   Around around(bench, Pace::kAlways, Pace::kAlways, false);
   for (uint64_t i = 0; i < 200; ++i) {
     Sorted splat = random_splat(bench.rng, i, kData);
-    splat.mask = i % 3 == 0 ? kAll : kAll >> (kConfig.regions() - kConfig.units);  // of those each unit owns one
+    splat.mask = i % 3 == 0 ? kAll : kAll >> (kConfig.mask_w() - kConfig.units);  // of those each unit owns one
     around.push(splat);
   }
   bench.reset();

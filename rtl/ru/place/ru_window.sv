@@ -30,7 +30,7 @@ module ru_window (
 );
 
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
-  localparam int unsigned RegionsX = pipegs_pkg::RegionsX;
+  localparam int unsigned PlaceW = pipegs_pkg::RegionW / 2;
   localparam int unsigned Shift = $clog2(pipegs_pkg::Window);
   localparam int unsigned SideW = WindowW + Shift + 1;  // pixels, signed after a subtraction
   localparam int unsigned NumberW = 2 * WindowW;
@@ -62,11 +62,11 @@ module ru_window (
     if (restart_i) row_number_d = NumberW'(first_y_i) * NumberW'(windows_x);
     columns_d = span(width_i, x_d);
     rows_d    = span(height_i, y_d);
-    for (int unsigned i = 0; i < RegionsX; i += 1) begin
-      for (int unsigned j = 0; j < RegionsX; j += 1) begin
-        outside_d[i*RegionsX+j] = rows_d <= (Shift + 1)'(8 * i) || columns_d <= (Shift + 1)'(8 * j);
-      end
-    end
+  end
+  for (genvar i = 0; i < pipegs_pkg::Regions; i += 1) begin : gen_region
+    logic [PlaceW-1:0] column, row;
+    ru_place u_place (.region_i(pipegs_pkg::RegionW'(i)), .column_o(column), .row_o(row));
+    assign outside_d[i] = rows_d <= (Shift + 1)'({row, 3'b0}) || columns_d <= (Shift + 1)'({column, 3'b0});
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

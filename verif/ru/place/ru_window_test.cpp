@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ru_window_test: rtl/ru/ru_window.sv against ru_inside and ru_pixel_line.
 #include "cpp_model/ru/ru.hpp"
-#include "verif/support/bench.hpp"
+#include "verif/ru/region_ports.hpp"
 #include "verif/support/config.hpp"
 #include "Vru_window.h"
 
@@ -42,9 +42,9 @@ TEST(RuWindow, FollowsTheWindowsOfManyFrames) {
         ASSERT_EQ(dut.columns_o, std::min(window, frame.raster.width - x * window));
         ASSERT_EQ(dut.rows_o, std::min(window, frame.raster.height - y * window));
         ASSERT_EQ(dut.number_o, (ru_pixel_line(kConfig, frame, x, y, 0, 0)) / (8 * kConfig.regions()));
-        uint64_t outside = 0;
-        for (int r = 0; r < kConfig.regions(); ++r) outside |= uint64_t{!ru_inside(kConfig, frame, x, y, r)} << r;
-        ASSERT_EQ(dut.outside_o, outside)
+        RegionSet outside;
+        for (int r = 0; r < kConfig.regions(); ++r) outside.add(kConfig, r, !ru_inside(kConfig, frame, x, y, r));
+        ASSERT_TRUE(read_regions(kConfig, dut.outside_o) == outside)
             << frame.raster.width << "x" << frame.raster.height << " window " << x << "," << y;
         dut.advance_i = 1;
         bench.step();

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// pu_parts: from one Gaussian of a window to one beat for each part of the window that its box touches.
+//
+// Paper   Sec. 4.2: the paper's windows have one part.
+// Idea    The box mean +- extent as columns and rows of parts; a Gaussian without any is dropped. The parts are walked
+//         row by row, the mean moved to the first pixel of each by a subtraction and saturated as pu_project does it in
+//         a window of that size. The payload waits in a queue and goes along with each part.
+// Stream  payload in, one for each Gaussian, in order, not refused; its conic in; one conic beat per part out, and one
+//         cycle before it the payload with the part. Ends pass.
+// Pace    One part per cycle, and one cycle between Gaussians.
+// Model   cpp_model/pu/parts/pu_parts.hpp
+
+module pu_parts (
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+
+  input  logic                  payload_valid_i,
+  input  pipegs_pkg::payload_t  payload_i,
+
+  input  logic                  conic_valid_i,
+  output logic                  conic_ready_o,
+  input  pipegs_pkg::conic_t    conic_i,
+
+  output logic                  parted_valid_o,  // placed_o shows this Gaussian from the next cycle on
+  output pipegs_pkg::parted_t   parted_o,
+  output logic                  placed_valid_o,
+  input  logic                  placed_ready_i,
+  output pipegs_pkg::conic_t    placed_o,
+
+  output logic                  moved_o,  // a beat moved inside or out
+  output logic                  busy_o    // a Gaussian is inside
+);
+
+  localparam int unsigned MeanW   = pipegs_pkg::MeanW;
+  localparam int unsigned PlacedW = pipegs_pkg::WindowMeanW;  // of a mean in its part
+  localparam int unsigned SideF   = $clog2(pipegs_pkg::PartSide);
+  localparam int unsigned AxisW   = pipegs_pkg::PartW / 2;
+  localparam int unsigned Places  = pipegs_pkg::ShapePlaces;
+  localparam logic [AxisW-1:0] Most = AxisW'(pipegs_pkg::PartsX - 1);
+
+  // --- the payloads --------------------------------------------------------------------------------------------------
+  logic                        payload_room, payload_held, payload_take;
+  logic [$clog2(Places+1)-1:0] payload_count;
+  pipegs_pkg::payload_t        payload;
+
+  sram_fifo #(.DataW(pipegs_pkg::PayloadBits), .Depth(Places)) u_payload (
+    .clk_i, .rst_ni, .in_valid_i(payload_valid_i), .in_ready_o(payload_room), .in_i(payload_i),
+    .out_valid_o(payload_held), .out_ready_i(payload_take), .out_o(payload), .count_o(payload_count)
+  );
+
+  // --- the box -------------------------------------------------------------------------------------------------------
+  logic [AxisW-1:0] first_x, last_x, first_y, last_y;
+  logic             none_x, none_y;
+  pu_span #(.SideF(SideF), .IndexW(AxisW)) u_columns (
+    .mean_i(conic_i.mean_x), .extent_i(conic_i.extent_x), .most_i(Most),
+    .first_o(first_x), .last_o(last_x), .none_o(none_x)
+  );
+  pu_span #(.SideF(SideF), .IndexW(AxisW)) u_rows (
+    .mean_i(conic_i.mean_y), .extent_i(conic_i.extent_y), .most_i(Most),
+    .first_o(first_y), .last_o(last_y), .none_o(none_y)
+  );
+
+  // --- the walk: the conic stays at the input until its last part ----------------------------------------------------
+  logic             walking_q, data, none, start, step, pass, last_column, last, out_free, out_valid_q;
+  logic [AxisW-1:0] column_q, row_q, from_x_q, to_x_q, to_y_q;
+
+  assign data        = conic_i.kind == pipegs_pkg::KindData;
+  assign none        = none_x || none_y;
+  assign out_free    = !out_valid_q || placed_ready_i;
+  assign start       = !walking_q && conic_valid_i && data;
+  assign pass        = !walking_q && conic_valid_i && !data && out_free;
+  assign step        = walking_q && out_free;
+  assign last_column = column_q == to_x_q;
+  assign last        = step && last_column && row_q == to_y_q;
+
+  assign conic_ready_o = last || pass || (start && none);
+  assign payload_take  = conic_ready_o && data;
+  assign moved_o       = start || step || pass;
+  assign busy_o        = walking_q || out_valid_q;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      walking_q   <= 1'b0;
+      out_valid_q <= 1'b0;
+    end else begin
+      if (start && !none) walking_q <= 1'b1;
+      else if (last) walking_q <= 1'b0;
+      if (out_free) out_valid_q <= step || pass;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start) begin
+      {from_x_q, to_x_q, to_y_q} <= {first_x, last_x, last_y};
+      {column_q, row_q}          <= {first_x, first_y};
+    end else if (step) begin
+      column_q <= last_column ? from_x_q : column_q + 1'b1;
+      if (last_column) row_q <= row_q + 1'b1;
+    end
+  end
+
+  // --- the part ------------------------------------------------------------------------------------------------------
+  logic signed [MeanW:0]     moved_x, moved_y;  // exact
+  logic signed [PlacedW-1:0] placed_x, placed_y;
+  pipegs_pkg::conic_t        placed, placed_q;
+  assign moved_x = (MeanW + 1)'(conic_i.mean_x) -
+                   $signed((MeanW + 1)'({column_q, {(SideF + pipegs_pkg::MeanF){1'b0}}}));
+  assign moved_y = (MeanW + 1)'(conic_i.mean_y) -
+                   $signed((MeanW + 1)'({row_q, {(SideF + pipegs_pkg::MeanF){1'b0}}}));
+  saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_x (.in_i(moved_x), .out_o(placed_x));
+  saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_y (.in_i(moved_y), .out_o(placed_y));
+  always_comb begin
+    placed = conic_i;
+    if (data) begin
+      placed.mean_x = MeanW'(placed_x);
+      placed.mean_y = MeanW'(placed_y);
+    end
+  end
+  always_ff @(posedge clk_i) if (step || pass) placed_q <= placed;
+
+  assign placed_valid_o   = out_valid_q;
+  assign placed_o         = placed_q;
+  assign parted_valid_o   = step;
+  assign parted_o.payload = payload;
+  assign parted_o.part    = {row_q, column_q};
+
+  logic unused;
+  assign unused = &{1'b0, payload_room, payload_held, payload_count};
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) payload_valid_i |-> payload_room)
+    else $error("more Gaussians than places for their payloads");
+  assert property (@(posedge clk_i) disable iff (!rst_ni) start |-> payload_held)
+    else $error("a payload is not there in time");
+`endif
+
+endmodule
