@@ -67,7 +67,8 @@ export ccache cxx flags
     done
     echo "$out/units/$unit/V${unit}__once.cpp $out/${unit}_once.o -O0 -w -I$out/units/$unit"
   done
-  for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o -O$((3 - 2 * waves)) -w"; done
+  fast=-O$((3 - 2 * waves))
+  for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o $fast -w"; done
   echo "$out/Vpipegs_top__once.cpp $out/once.o -O$waves -w"  # where waves are written they take nearly all of the time
   if [ $waves = 1 ]; then echo "$verilator/include/verilated_fst_c.cpp $out/fst.o -O2 -w"; fi
   echo "$root/sim/rtl/rtl_bridge.cpp $out/bridge.o -O2 -Wall -Wextra"; } |
