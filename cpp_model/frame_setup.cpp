@@ -120,7 +120,7 @@ void set_windows(const Config& config, const Setter& set, const std::optional<Wi
   // Pixels of all windows, whole ones, whatever their order; then the overflow areas.
   const uint64_t pixels = static_cast<uint64_t>(columns) * static_cast<uint64_t>(rows) *
                           static_cast<uint64_t>(config.window * config.window);
-  const uint64_t lines = pixels / static_cast<uint64_t>(config.memory_w() / config.pixel_w());
+  const uint64_t lines = pixels / static_cast<uint64_t>(config.memory_w() / config.pixel_w);
   frame.tables.overflow =
       (frame.tables.pixels + lines + kOverflowAlignment - 1) / kOverflowAlignment * kOverflowAlignment;
 }

@@ -185,6 +185,14 @@ void blend(const GoldenInput& input, GoldenWindow& window) {
   window.called.stopped = counts.stopped;
 }
 
+// The colour that memory holds of a pixel.
+glm::dvec3 shown(const Config& config, const PixelState& pixel) {
+  if (config.pixel_w == 64)
+    return glm::dvec3(pixel.rgb[0], pixel.rgb[1], pixel.rgb[2]) / std::ldexp(1.0, config.rgb_w - 2);
+  const auto code = [&](int channel) { return static_cast<double>(ru_unorm(config, pixel.rgb[channel])); };
+  return glm::dvec3(code(0), code(1), code(2)) / static_cast<double>(kMostCode);
+}
+
 }  // namespace
 
 Work& Work::operator+=(const Work& o) {
@@ -334,7 +342,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   const int width = static_cast<int>(frame.raster.width), height = static_cast<int>(frame.raster.height);
   const uint64_t columns = frame.raster.windows.last_x - frame.raster.windows.first_x + 1,
                  count = columns * (frame.raster.windows.last_y - frame.raster.windows.first_y + 1);
-  const double t_one = BlendConstants(config).one, rgb_one = std::ldexp(1.0, config.rgb_w - 2);
+  const double t_one = BlendConstants(config).one;
   GoldenFrame result;
   result.image = Image(width, height);
   result.pixels.assign(static_cast<size_t>(width) * height, 0);
@@ -360,7 +368,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
         if (x >= width || y >= height) continue;
         const PixelState pixel = window.regions[r].pixel(p);
         const size_t at = result.image.at(x, y), in_window = static_cast<size_t>(r) * kRegionPixels + p;
-        result.image.rgb[at] = glm::dvec3(pixel.rgb[0], pixel.rgb[1], pixel.rgb[2]) / rgb_one;
+        result.image.rgb[at] = shown(config, pixel);
         result.image.transmittance[at] = pixel.t / t_one;
         result.image.depth[at] = window.depth[in_window];
         result.image.blended[at] = window.blended[in_window];

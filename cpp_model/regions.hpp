@@ -4,7 +4,7 @@
 // Idea    A window of 128 pixels has four parts of 64, so that masks stay 64 bits wide and coefficients keep the range
 //         of 64 pixels; a smaller one is one part. Parts are numbered row by row, and so are the regions of a part: a
 //         region's number is its part above its bit in the part's mask.
-// RTL     rtl/ru/ru_place.sv (where a region lies); elsewhere bits of the number
+// RTL     rtl/ru/place/ru_place.sv (where a region lies); elsewhere bits of the number
 #pragma once
 
 #include <array>

@@ -47,6 +47,7 @@ package pipegs_pkg;
   localparam int unsigned AlphaCut       = 255;  // a pixel counts iff alpha >= 1/AlphaCut
   // 1: the regions of a Gaussian's box that hold a pixel that counts; 0: all regions of the box
   localparam int unsigned TileTest       = 1;
+  localparam int unsigned Tests          = 1;  // regions side by side that pu_intersect tests in a cycle
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
   // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
   localparam int unsigned ExpLinear      = 1;
@@ -55,6 +56,9 @@ package pipegs_pkg;
   localparam int unsigned TW             = 19;  // transmittance, u1.(TW-1)
   localparam int unsigned TCut           = 10000;  // a pixel stops before its transmittance falls below 1/TCut
   localparam int unsigned RgbW           = 16;  // accumulated colour, u2.(RgbW-2)
+  // pixel in the frame in memory; 64: T u1.15, blue, green, red u2.14, red lowest; 32: A2B10G10R10, a colour c is
+  // round(1023 c)
+  localparam int unsigned PixelW         = 64;
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
   localparam int unsigned Records        = 1024;  // record store of one SU, a pool of slots
   // mantissa bits of the depth key that choose an SU's bucket, below the 6 exponent bits
@@ -97,7 +101,6 @@ package pipegs_pkg;
   localparam int unsigned PartRegionsX   = 8;  // regions along a part's side
   localparam int unsigned MaskW          = 64;  // regions of a part, bits of its mask
   localparam int unsigned MaskIndexW     = 6;  // index of a region in its part, row by row
-  localparam int unsigned RegionsX       = 8;  // regions along a window's side
   localparam int unsigned Regions        = 64;  // regions of a window
   localparam int unsigned RegionW        = 6;  // index of a region in its window: its part above its index in the part
   // what a beat is: 0 data, 1 end of layer, 2 end of window (and of its last layer)
@@ -201,8 +204,7 @@ package pipegs_pkg;
   localparam int unsigned ListEntryW     = 20;  // entry of a list, one line each
   localparam int unsigned UnitW          = 2;  // number of a unit
   localparam int unsigned GaussiansPerLine = 2;  // geometry records in a line of memory, at 0 and 256 bits
-  // pixel in the frame in memory: T u1.15, blue, green, red u2.14, red lowest
-  localparam int unsigned PixelW         = 64;
+  localparam int unsigned RegionLines    = 8;  // lines of external memory for the pixels of a region
   localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
   localparam int unsigned MemoryW        = 512;  // a line of external memory
   localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits

@@ -5,7 +5,7 @@
 // Idea    The owned regions of one window at a time; a layer end only turns the parity of the overflow area, a window
 //         end hands the pixels out and starts the next window, row by row from first to last.
 // Stream  sorted_t in; where lines of alphas come from and where lines of pixels go is the caller's (two functions).
-// RTL     rtl/ru/ru.sv; the window's coordinates: rtl/ru/ru_window.sv
+// RTL     rtl/ru/ru.sv; the window's coordinates: rtl/ru/place/ru_window.sv
 #pragma once
 
 #include <bit>
@@ -51,7 +51,7 @@ inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
 }
 
 // Takes one beat. codes(splat, region, parity) gives the 64 alpha codes of a region, `const uint16_t*`;
-// pixels(line address, const uint64_t pixel[8]) takes a line of the finished window.
+// pixels(line address, const uint64_t* pixel) takes a line of the finished window, 512 / PixelW pixels.
 template <class Codes, class Pixels>
 void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuState& state, const Sorted& splat,
              Codes&& codes, Pixels&& pixels) {
@@ -72,9 +72,10 @@ void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuSta
   for (int slot = 0; slot < c.regions() / c.units; ++slot) {
     const int region = ru_region(c, state.unit, slot);
     if (!ru_inside(c, frame, state.window_x, state.window_y, region)) continue;
-    for (int row = 0; row < 8; ++row) {
-      uint64_t line[8];
-      for (int i = 0; i < 8; ++i) line[i] = ru_resolve(c, state.regions[slot].pixel(8 * row + i));
+    const int rows = 8 / c.region_lines();
+    for (int row = 0; row < 8; row += rows) {
+      uint64_t line[16];
+      for (int i = 0; i < 8 * rows; ++i) line[i] = ru_resolve(c, state.regions[slot].pixel(8 * row + i));
       pixels(ru_pixel_line(c, frame, state.window_x, state.window_y, region, row), line);
     }
   }

@@ -67,6 +67,14 @@ WHAT_IF = {  # of the design point exact: one thing changed
     "quads": "--set quads=1",
     "quads_bandwidth102": "--set quads=1 --memory lpddr5-6400x8",
 }
+FINE_QUADS = "--config sim/fine.cfg --set quads=1"
+STEPS = {  # from exact to sim/fast.cfg: each row adds to the one before
+    "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", FINE_QUADS),
+    "window128": ("windows of four parts", FINE_QUADS + " --set window=128"),
+    "buckets": ("buckets of 1/32 octave", FINE_QUADS + " --set window=128 --set bucket_bits=5"),
+    "tests2": ("two tests of regions in a cycle", FINE_QUADS + " --set window=128 --set bucket_bits=5 --set tests=2"),
+    "fast": ("pixels of 32 bits: `sim/fast.cfg`", "--config sim/fast.cfg"),
+}
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
     "dop": "", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",
     "exact_quads": "--rung exact --config sim/fine.cfg --set quads=1 ",
@@ -119,6 +127,8 @@ TABLE = [
       for scene in FOUR],
     *[Measurement(f"what_if/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
+    *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
+                  MODEL, scene, points=("exact",)) for name, (_, change) in STEPS.items() for scene in FOUR],
     *[Measurement(f"lanes/{scene}", "build/pipegs sim {scene} --rung exact --set quads=1 --no-rtl --no-truth --json",
                   lanes, ("models",), scene, points=("exact",)) for scene in FOUR],
     *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --json", frame, RTL, scene, view, ("dop",))

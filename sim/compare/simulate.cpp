@@ -217,7 +217,8 @@ void simulate_rtl(const SimulateOptions& options, Simulation& result) {
       const int region = region_at(config, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8));
       const MemoryLine& line =
           memory.line(ru_pixel_line(config, frame, x / side, y / side, region, static_cast<int>(y % 8)));
-      const uint64_t found = uint64_t{line[2 * (x % 8) + 1]} << 32 | line[2 * (x % 8)];
+      const uint64_t found =
+          get_bits(line.data(), ru_pixel_bit(config, static_cast<int>(y % 8), static_cast<int>(x % 8)), config.pixel_w);
       const uint64_t expected = result.golden.pixels[y * frame.raster.width + x];
       if (found == expected) continue;
       ++result.mismatches;

@@ -106,8 +106,9 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("recip", "projection", "pu", 2, 3, 1);
   if (c.has_lists() || c.parts() > 1) add("pu_span", "projection", "pu", 2, 0, 2);
   add("pu_coeff", "projection", "pu", 1, 2, 6);
-  add("pu_intersect", "projection", "pu", 1, 6, 16);
-  if (c.tile_test) add("pu_edge", "projection", "pu", 1, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
+  add("pu_intersect", "projection", "pu", 1, 6, 12 + 5 * (c.tests - 1));
+  add("pu_step", "projection", "pu", c.tests, 0, 4);
+  if (c.tile_test) add("pu_edge", "projection", "pu", c.tests, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
   if (c.sh_degree > 0) {
     add("pu_color_rotate", "color", "pu", 1, 2, 2);
     add("pu_color_normalise", "color", "pu", 1, 1, 0);

@@ -37,7 +37,7 @@ struct Widths {
         address(c.address_w()),
         tag(c.tag_w()),
         perf(c.perf_w()),
-        pixel_lines(8 * c.regions()),
+        pixel_lines(c.region_lines() * c.regions()),
         taps(c.taps != 0) {}
   int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
   int pixel_lines;  // in memory, of a window inside the image

@@ -137,7 +137,7 @@ mutant "the counter goes on behind its end" "s/else if \(quiet_q != CountW'\(Pat
 
 # The ring of lines of a layer pair: the default machine's, and one in which a layer is often too big.
 proof  pu_allocate "pu_allocate+ pu_done window_walk ru_own" \
-       "@default %AlphaLines=16 %Regions=16 %RegionW=4 %RegionsX=4; @default"
+       "@default %AlphaLines=16 %Regions=16 %RegionW=4 %MaskW=16 %PartRegionsX=4; @default"
 mutant "lines are given before the older layer is free" \
        's/decided     = state_q == StateDecide \&\& \(room \|\| !fits\)/decided     = state_q == StateDecide/'
 mutant "a third layer begins" \

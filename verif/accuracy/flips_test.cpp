@@ -50,7 +50,7 @@ Flips brute_force(const View& view) {
         }
         windows[at];
       }
-      const int region = static_cast<int>(y % side / 8) * config.regions_x() + static_cast<int>(x % side / 8);
+      const int region = static_cast<int>(y % side / 8) * config.part_regions_x() + static_cast<int>(x % side / 8);
       PixelState pixel{.t = constants.one};
       for (const uint32_t index : order) {
         uint16_t codes[64] = {};

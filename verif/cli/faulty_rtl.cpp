@@ -83,7 +83,8 @@ class FaultyMachine final : public RtlModel {
                        y / side <= raster.windows.last_y;
     if (!there) x = raster.windows.first_x * side, y = raster.windows.first_y * side;
     const int region = region_at(config_, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8));
-    memory.line(ru_pixel_line(config_, frame, x / side, y / side, region, static_cast<int>(y % 8)))[2 * (x % 8)] ^= 1;
+    const int row = static_cast<int>(y % 8), bit = ru_pixel_bit(config_, row, static_cast<int>(x % 8));
+    memory.line(ru_pixel_line(config_, frame, x / side, y / side, region, row))[static_cast<size_t>(bit / 32)] ^= 1;
   }
 
   const Config config_;

@@ -58,19 +58,19 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
     for (int quarter = 0; quarter < 4; ++quarter) {
       const bool is_fresh = bench.rng() % 3 == 0;
       words.push_back(is_fresh ? std::nullopt : std::optional(pixel_word(kWhole, region, quarter)));
-      for (int half = 0; half < 2 && !outside.has(kConfig, r); ++half) {
-        Words line(16);
-        for (int i = 0; i < 8; ++i) {
-          put_bits(line.data(), 64 * i, 64,
-                   ru_resolve(kConfig, (is_fresh ? fresh : region).pixel(16 * quarter + 8 * half + i)));
-        }
-        expected[ru_pixel_line(kConfig, frame, x, y, r, 2 * quarter + half)] = line;
+      for (int i = 0; i < 16 && !outside.has(kConfig, r); ++i) {
+        const int row = 2 * quarter + i / 8;
+        Words& line = expected[ru_pixel_line(kConfig, frame, x, y, r, row)];
+        line.resize(16);
+        put_bits(line.data(), ru_pixel_bit(kConfig, row, i % 8), kConfig.pixel_w,
+                 ru_resolve(kConfig, (is_fresh ? fresh : region).pixel(16 * quarter + i)));
       }
     }
   }
 
   dut.start_i = 1;
-  dut.number_i = (ru_pixel_line(kConfig, frame, x, y, 0, 0) - frame.tables.pixels) / (8 * kConfig.regions());
+  dut.number_i =
+      (ru_pixel_line(kConfig, frame, x, y, 0, 0) - frame.tables.pixels) / (kConfig.region_lines() * kConfig.regions());
   write_regions(kConfig, dut.outside_i, outside);
   EXPECT_TRUE(dut.ready_o);
   bench.step();

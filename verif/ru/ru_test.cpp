@@ -95,7 +95,9 @@ class RuBench : public Bench<Vru> {
         [&](const Sorted& s, int region, uint64_t) {
           return codes.at({s.index, region}).data();
         },
-        [&](uint64_t address, const uint64_t* pixels) { lines[address].assign(pixels, pixels + 8); });
+        [&](uint64_t address, const uint64_t* pixels) {
+          lines[address].assign(pixels, pixels + 512 / kConfig.pixel_w);
+        });
     ends += kind != kData;
     windows += kind == kWindowEnd;
   }
@@ -205,8 +207,8 @@ class RuBench : public Bench<Vru> {
     lines_before = memory.traffic()[0].lines_written;
     for (const auto& [address, pixels] : lines) {
       const MemoryLine& line = memory.line(address);
-      for (int i = 0; i < 8; ++i) {
-        const uint64_t found = uint64_t{line[2 * i + 1]} << 32 | line[2 * i];
+      for (int i = 0; i < 512 / kConfig.pixel_w; ++i) {
+        const uint64_t found = get_bits(line.data(), i * kConfig.pixel_w, kConfig.pixel_w);
         ASSERT_EQ(found, pixels[i]) << std::hex << "line " << address << " pixel " << i << " expected " << pixels[i]
                                     << " found " << found << " seed " << seed;
       }

@@ -31,11 +31,13 @@ Range pixels(const Config& config, int64_t mean, uint64_t extent) {
 
 }  // namespace
 
-int pu_intersect_regions(const Config& config, const Coeff& in) {
+int pu_intersect_steps(const Config& config, const Coeff& in) {
   if (in.kind != kData || in.dead) return 0;
   const Range xs = pixels(config, in.mean_x, in.extent_x), ys = pixels(config, in.mean_y, in.extent_y);
   if (xs.first > xs.last || ys.first > ys.last) return 0;
-  return static_cast<int>(((xs.last >> 3) - (xs.first >> 3) + 1) * ((ys.last >> 3) - (ys.first >> 3) + 1));
+  const auto columns = static_cast<int>((xs.last >> 3) - (xs.first >> 3) + 1),
+             rows = static_cast<int>((ys.last >> 3) - (ys.first >> 3) + 1);
+  return (columns + config.tests - 1) / config.tests * rows;
 }
 
 Tiles pu_intersect(const Config& config, const Frame&, const Coeff& in) {

@@ -22,7 +22,7 @@ namespace pipegs {
 // A data beat whose mask is empty is not emitted.
 Tiles pu_intersect(const Config& config, const Frame& frame, const Coeff& coeff);
 
-// Regions of the box, which are walked one per cycle; 0 when nothing is walked.
-int pu_intersect_regions(const Config& config, const Coeff& coeff);
+// Cycles in which the regions of the box are walked, Tests of a row in each; 0 when nothing is walked.
+int pu_intersect_steps(const Config& config, const Coeff& coeff);
 
 }  // namespace pipegs

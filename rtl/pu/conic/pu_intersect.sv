@@ -2,17 +2,18 @@
 // pu_intersect: which 8x8 regions of a part hold a pixel with alpha >= 1/AlphaCut.
 //
 // Paper   the tile test and the 4-bit bitmap of each tile (Sec. 4.2), for all sixteen tiles of 64x64 pixels at once.
-// Idea    The box mean +- extent gives columns and rows of regions, walked row by row. P = power - cut. Keep a region
-//         if it holds the mean, if P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls,
-//         and its peak P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P).    From region to region:
-//           P += 8 gx + 64 D,  gx += 16 D,  gy += 8 F          P += 8 gy + 64 E,  gx += 8 F,  gy += 16 E
+// Idea    The box mean +- extent gives columns and rows of regions, walked row by row, Tests regions side by side.
+//         P = power - cut goes from region to region by additions (pu_step). Keep a region if it holds the mean, if
+//         P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls, and its peak
+//         P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P)   (pu_edge).
 //         TileTest 0: every region of the box, at the same pace.
 //         Three records are inside at once: one is set up, one walks, the regions of one are being tested.
 // Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through. For
 //         the payloads (pu_regions): drop_o, one has no box and is gone, whatever walks before it; walk_o, one begins
 //         its walk; leave_o, the oldest of those that walk leaves, its mask may be empty.
-// Pace    The regions in the box, but at least 3 cycles; 2 for a Gaussian without a box; an end beat waits for those
-//         before it. box | start | place | walk ... | ends of edges | products | compare, out
+// Pace    The regions in the box, of each row Tests in a cycle, but at least 3 cycles; 2 for a Gaussian without a box;
+//         an end beat waits for those before it.
+//         box | start | place | walk ... | ends of edges | products | compare, out
 // Model   cpp_model/pu/conic/pu_intersect.hpp
 
 module pu_intersect (
@@ -124,27 +125,14 @@ module pu_intersect (
     end
   end
 
-  // --- the walk ----------------------------------------------------------------------------------------------------
-  logic                     last_column, last_region;
-  logic [AxisW-1:0]         column_first_q, column_last_q, row_last_q, column_q, row_q;
-  logic signed [PowerW-1:0] power_q, power_row_q, power_from;
-  logic signed [GradW-1:0]  gx_q, gy_q, gx_row_q, gy_row_q, gx_from, gy_from, grad;
-  logic signed [DefW-1:0]   d, e, f, curve;
-  logic signed [PowerW-1:0] power_next;
-  logic signed [GradW-1:0]  gx_next, gy_next;
-  assign d           = walk_q.d;
-  assign e           = walk_q.e;
-  assign f           = walk_q.f;
-  assign last_column = column_q == column_last_q;
+  // --- the walk: Tests columns at a time ---------------------------------------------------------------------------
+  localparam int unsigned Tests = pipegs_pkg::Tests;
+  logic                   last_column, last_region;
+  logic [AxisW-1:0]       column_first_q, column_last_q, row_last_q, column_q, row_q;
+  logic [AxisW-1:0]       right;  // columns of the box to the right of this one
+  assign right       = column_last_q - column_q;
+  assign last_column = {1'b0, right} < (AxisW + 1)'(Tests);
   assign last_region = last_column && row_q == row_last_q;
-  assign power_from  = last_column ? power_row_q : power_q;  // down from the row's first region, or to the right
-  assign gx_from     = last_column ? gx_row_q : gx_q;
-  assign gy_from     = last_column ? gy_row_q : gy_q;
-  assign grad        = last_column ? gy_row_q : gx_q;
-  assign curve       = last_column ? e : d;
-  assign power_next  = power_from + (PowerW'(grad) <<< EightW) + (PowerW'(curve) <<< (2 * EightW));
-  assign gx_next     = gx_from + (last_column ? GradW'(f) <<< EightW : GradW'(d) <<< (EightW + 1));
-  assign gy_next     = gy_from + (last_column ? GradW'(e) <<< (EightW + 1) : GradW'(f) <<< EightW);
 
   always_ff @(posedge clk_i) begin
     if (load) begin
@@ -154,40 +142,49 @@ module pu_intersect (
       column_last_q  <= box_right_q;
       row_q          <= box_top_q;
       row_last_q     <= box_bottom_q;
-      power_q        <= first_power;
-      power_row_q    <= first_power;
-      gx_q           <= first_gx_q;
-      gy_q           <= first_gy_q;
-      gx_row_q       <= first_gx_q;
-      gy_row_q       <= first_gy_q;
     end else if (step) begin
-      power_q  <= power_next;
-      gx_q     <= gx_next;
-      gy_q     <= gy_next;
-      column_q <= last_column ? column_first_q : column_q + AxisW'(1);
-      if (last_column) begin
-        row_q       <= row_q + AxisW'(1);
-        power_row_q <= power_next;
-        gx_row_q    <= gx_next;
-        gy_row_q    <= gy_next;
-      end
+      column_q <= last_column ? column_first_q : column_q + AxisW'(Tests);
+      if (last_column) row_q <= row_q + AxisW'(1);
     end
   end
 
-  // --- the test ----------------------------------------------------------------------------------------------------
-  logic               keep;
-  logic [RegionW-1:0] test_region;
-  pu_edge u_edge (
-    .clk_i, .rst_ni, .hold_i(hold),
-    .valid_i(step), .last_i(last_region), .column_i(column_q), .row_i(row_q),
-    .mean_x_i(walk_q.mean_x), .mean_y_i(walk_q.mean_y), .d_i(d), .e_i(e), .f_i(f),
-    .power_i(power_q), .gx_i(gx_q), .gy_i(gy_q),
-    .keep_o(keep), .region_o(test_region), .last_o(test_last)
-  );
+  logic [Tests-1:0]         keep, last;
+  logic [Tests*RegionW-1:0] region;
+  for (genvar k = 0; k < Tests; k += 1) begin : gen_test
+    logic signed [PowerW-1:0] start, power;
+    logic signed [GradW-1:0]  start_gx, start_gy, gx, gy;
+    logic                     in_box;
+    if (k == 0) begin : gen_first
+      assign in_box   = 1'b1;
+      assign start    = first_power;
+      assign start_gx = first_gx_q;
+      assign start_gy = first_gy_q;
+    end else begin : gen_right  // a region further; beside the products, not behind them
+      logic signed [PowerW-1:0] beside;
+      assign beside   = PowerW'(coeff_i.a) + MinusCut + (PowerW'(first_gx_q) <<< EightW) +
+                        (PowerW'(d_q) <<< (2 * EightW));
+      assign in_box   = right >= AxisW'(k);
+      assign start    = beside + (place <<< EightW);
+      assign start_gx = first_gx_q + (GradW'(d_q) <<< (EightW + 1));
+      assign start_gy = first_gy_q + (GradW'(f_q) <<< EightW);
+    end
+    pu_step #(.Stride(Tests)) u_step (
+      .clk_i, .load_i(load), .power_i(start), .gx_i(start_gx), .gy_i(start_gy),
+      .step_i(step), .down_i(last_column), .d_i(walk_q.d), .e_i(walk_q.e), .f_i(walk_q.f),
+      .power_o(power), .gx_o(gx), .gy_o(gy)
+    );
+    pu_edge u_edge (
+      .clk_i, .rst_ni, .hold_i(hold), .valid_i(step && in_box), .last_i(last_region),
+      .column_i(column_q + AxisW'(k)), .row_i(row_q), .mean_x_i(walk_q.mean_x), .mean_y_i(walk_q.mean_y),
+      .d_i(walk_q.d), .e_i(walk_q.e), .f_i(walk_q.f), .power_i(power), .gx_i(gx), .gy_i(gy),
+      .keep_o(keep[k]), .region_o(region[k*RegionW +: RegionW]), .last_o(last[k])
+    );
+  end
+  assign test_last = last != '0;
 
   always_comb begin
     mask = mask_q;
-    if (keep) mask[test_region] = 1'b1;
+    for (int unsigned k = 0; k < Tests; k += 1) if (keep[k]) mask[region[k*RegionW +: RegionW]] = 1'b1;
   end
 
   // --- control -----------------------------------------------------------------------------------------------------

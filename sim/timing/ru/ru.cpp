@@ -157,7 +157,7 @@ void Ru::end(Machine& m, Cycle now, Beat beat) {
   // ru_resolve starts.
   regions_left_ = owned_ & ~outside_;
   window_written_ = window_;
-  lines_left_ = 8 * regions_left_.count();
+  lines_left_ = m.config.region_lines() * regions_left_.count();
   line_ = 0;
   line_from_ = now + 2;
   if (lines_left_ > 0) m.wheel.wake(unit(kRuMemory, lane_), line_from_);
@@ -280,15 +280,17 @@ void Ru::memory(Machine& m, Cycle now) {
   while (regions_left_.mask[part] == 0) ++part;
   uint64_t& left = regions_left_.mask[part];
   const auto region = static_cast<uint64_t>(region_number(m.config, part, std::countr_zero(left)));
+  const auto lines = static_cast<uint64_t>(m.config.region_lines());
   const uint64_t columns =
       (m.frame.raster.width + static_cast<uint64_t>(m.config.window) - 1) / static_cast<uint64_t>(m.config.window);
   const uint64_t row_windows = m.frame.raster.windows.last_x - m.frame.raster.windows.first_x + 1;
   const uint64_t number = (m.frame.raster.windows.first_y + window_written_ / row_windows) * columns +
                           m.frame.raster.windows.first_x + window_written_ % row_windows;
-  m.memory.ask(port_, m.frame.tables.pixels + (number * static_cast<uint64_t>(m.config.regions()) + region) * 8 + line_,
+  m.memory.ask(port_,
+               m.frame.tables.pixels + (number * static_cast<uint64_t>(m.config.regions()) + region) * lines + line_,
                true);
   memory_valid_ = true;
-  if (++line_ == 8) line_ = 0, left &= left - 1;
+  if (++line_ == lines) line_ = 0, left &= left - 1;
   if (--lines_left_ == 0) {
     resolved_from_ = now + 1;
     m.wheel.wake(unit(kLanes, lane_), now + 1);

@@ -71,7 +71,7 @@ struct TimingTrace {
   std::vector<uint32_t> pairs;  // parts, lists: its first pair; one more entry at the end
   // By pair.
   std::vector<uint64_t> mask, key;  // regions of the part; sort key
-  std::vector<uint8_t> boxes;       // regions of the box that pu_intersect walks; 0: it has none
+  std::vector<uint8_t> boxes;       // cycles in which pu_intersect walks its box; 0: it has none
   std::vector<uint16_t> number;     // lists: of its window; parts: of its part
   std::vector<uint32_t> survivor;   // parts
   // With quads: which are visible in each region of the pair's mask; where the pair's first one lies.

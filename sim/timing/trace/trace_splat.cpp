@@ -28,7 +28,7 @@ TracePair trace_pair(const GoldenInput& input, const Conic& conic, const Payload
   const Coeff coeff = pu_coeff(config, input.frame, conic);
   const Tiles tiles = pu_intersect(config, input.frame, coeff);
   TracePair pair;
-  pair.boxes = static_cast<uint8_t>(pu_intersect_regions(config, coeff));
+  pair.boxes = static_cast<uint8_t>(pu_intersect_steps(config, coeff));
   if (tiles.mask == 0) return pair;
   pair.splat.mask = tiles.mask;
   pair.splat.part = part;

@@ -24,7 +24,7 @@ TEST(PuEdge, EqualsItsModelWithHoldsInBetween) {
   dut.valid_i = 0, dut.hold_i = 0;
   bench.reset();
   int kept = 0;
-  const int columns = config.regions_x(), count = 60000;
+  const int columns = config.part_regions_x(), count = 60000;
   for (int i = 0; i < count; ++i) {
     Coeff q;
     const int curve_w = config.coeff_f + 2 - static_cast<int>(rng() % 12);

@@ -73,7 +73,7 @@ TEST(PuRegion, ModelIsExactUntilItsOneRounding) {
   for (int i = 0; i < 20000; ++i) {
     const RowJob job = any_row_job(config, rng);
     const int r = static_cast<int>(rng() % static_cast<uint64_t>(config.regions()));
-    const Int128 x = 8 * (r % config.regions_x()), y = 8 * (r / config.regions_x());
+    const Int128 x = 8 * (r % config.part_regions_x()), y = 8 * (r / config.part_regions_x());
     const int shift = config.coeff_f - config.power_f;
     const Region region = pu_region(config, job, r);
     EXPECT_EQ(region.power, static_cast<int64_t>(shift_round(

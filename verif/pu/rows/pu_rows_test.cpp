@@ -106,7 +106,7 @@ TEST(PuRows, AlphasAreThoseOfEq1) {
     pu_region_line(model, job, r, codes);
     const Region region = pu_region(config, job, r);
     for (int pixel = 0; pixel < 64; ++pixel) {
-      const int x = 8 * (r % config.regions_x()) + pixel % 8, y = 8 * (r / config.regions_x()) + pixel / 8;
+      const int x = 8 * (r % config.part_regions_x()) + pixel % 8, y = 8 * (r / config.part_regions_x()) + pixel / 8;
       const int64_t exact = job.a + job.b * x + job.c * y + job.d * x * x + job.e * y * y + job.f * x * y;
       const double power = std::ldexp(static_cast<double>(exact), -config.coeff_f);
       Row row = pu_row_init(region, pixel / 8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_own_test: rtl/ru/ru_own.sv against ru_own_mask, for every unit.
+// ru_own_test: rtl/ru/place/ru_own.sv against ru_own_mask, for every unit.
 #include <gtest/gtest.h>
 
 #include "cpp_model/ru/ru_walk.hpp"

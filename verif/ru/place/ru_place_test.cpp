@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_place_test: rtl/ru/ru_place.sv against region_x and region_y, and these against region_at.
+// ru_place_test: rtl/ru/place/ru_place.sv against region_x and region_y, and these against region_at.
 #include <gtest/gtest.h>
 
 #include "cpp_model/regions.hpp"

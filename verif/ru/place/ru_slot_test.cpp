@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_slot_test: rtl/ru/ru_slot.sv against ru_slot and its inverse ru_region.
+// ru_slot_test: rtl/ru/place/ru_slot.sv against ru_slot and its inverse ru_region.
 #include <gtest/gtest.h>
 
 #include "cpp_model/ru/ru_walk.hpp"

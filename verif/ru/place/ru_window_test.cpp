@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_window_test: rtl/ru/ru_window.sv against ru_inside and ru_pixel_line.
+// ru_window_test: rtl/ru/place/ru_window.sv against ru_inside and ru_pixel_line.
 #include "cpp_model/ru/ru.hpp"
 #include "verif/ru/region_ports.hpp"
 #include "verif/support/config.hpp"
@@ -41,7 +41,8 @@ TEST(RuWindow, FollowsTheWindowsOfManyFrames) {
         ASSERT_EQ(dut.y_o, y);
         ASSERT_EQ(dut.columns_o, std::min(window, frame.raster.width - x * window));
         ASSERT_EQ(dut.rows_o, std::min(window, frame.raster.height - y * window));
-        ASSERT_EQ(dut.number_o, (ru_pixel_line(kConfig, frame, x, y, 0, 0)) / (8 * kConfig.regions()));
+        ASSERT_EQ(dut.number_o,
+                  ru_pixel_line(kConfig, frame, x, y, 0, 0) / (kConfig.region_lines() * kConfig.regions()));
         RegionSet outside;
         for (int r = 0; r < kConfig.regions(); ++r) outside.add(kConfig, r, !ru_inside(kConfig, frame, x, y, r));
         ASSERT_TRUE(read_regions(kConfig, dut.outside_o) == outside)

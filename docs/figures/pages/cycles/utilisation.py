@@ -2,9 +2,9 @@
 """Tables of docs/cycles/utilisation.md."""
 from data import data
 from formats import change, fixed, group, mean, table, thousands
-from measurements import FOUR, WHAT_IF
+from measurements import FOUR, STEPS, WHAT_IF
 
-MEASURED = ["ladder/*", "what_if/*", "lanes/*", "results/statue_0"]
+MEASURED = ["ladder/*", "what_if/*", "steps/*", "lanes/*", "results/statue_0"]
 TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
 VIEWS = {
     "own": ("60k Gaussians, SH 3", "1024x768"),
@@ -55,6 +55,29 @@ def what_if():
     rows = [["as it is", *[data.ladder[scene].exact.cycles for scene in FOUR]]]
     rows += [[f"`{option}`", *[cell(scene, name) for scene in FOUR]] for name, option in WHAT_IF.items()]
     return table(["", *TITLES.values()], rows)
+
+
+def megabytes(point):
+    return point.bytes / 1e6
+
+
+def steps():
+    """Cycles, megabytes and multiple of the floor, step by step."""
+
+    def cell(scene, point):
+        floor = data.lanes[scene].blended / 64
+        return f"{group(point.cycles)}, {fixed(megabytes(point), 1)} MB ({fixed(point.cycles / floor, 2)})"
+
+    rows = [["`exact`", *[cell(scene, data.ladder[scene].exact) for scene in FOUR]]]
+    rows += [[what, *[cell(scene, data.steps[scene][name]) for scene in FOUR]] for name, (what, _) in STEPS.items()]
+    over = [data.ladder[scene].baseline.cycles / data.steps[scene].fast.cycles for scene in FOUR]
+    rows += [["times as fast as `baseline`", *[fixed(ratio, 2) for ratio in over]]]
+    return table(["each step adds to the one before", *TITLES.values()], rows)
+
+
+def fast_mean():
+    """How many times as fast as baseline, mean of the four scenes."""
+    return mean(data.ladder[scene].baseline.cycles / data.steps[scene].fast.cycles for scene in FOUR)
 
 
 def lanes():
