@@ -91,14 +91,13 @@ uint64_t get_bits(const uint32_t* words, int at, int width) {
 
 void check_field(std::string_view record, const FieldName& field, uint64_t value, int width, bool is_signed) {
   if (width >= 64) return;
-  if (width == 0 && value == 0) return;  // a field that this configuration does not have
   const int64_t as_signed = static_cast<int64_t>(value);
-  const bool fits = is_signed ? (as_signed >= -(int64_t{1} << (width - 1)) && as_signed < (int64_t{1} << (width - 1)))
-                              : (value >> width) == 0;
+  const bool fits = width == 0  ? value == 0  // a field that this configuration does not have
+                    : is_signed ? as_signed >= -(int64_t{1} << (width - 1)) && as_signed < (int64_t{1} << (width - 1))
+                                : value >> width == 0;
   if (fits) return;
-  throw std::logic_error(std::string(record) + "." + field.text() + " = " +
-                         (is_signed ? std::to_string(as_signed) : std::to_string(value)) + " does not fit " +
-                         (is_signed ? "signed " : "unsigned ") + std::to_string(width) + " bits");
+  throw std::logic_error(std::string(record) + "." + field.text() + " = " + decimal(value, is_signed) +
+                         " does not fit " + (is_signed ? "signed " : "unsigned ") + std::to_string(width) + " bits");
 }
 
 }  // namespace pipegs

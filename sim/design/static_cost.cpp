@@ -83,9 +83,9 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("dopu_origin", "partition", "dopu", 1, 3, 6);
   add("dopu_planes", "partition", "dopu", 1, 1, 3);
   add("dopu_test", "partition", "dopu", c.has_watermarks() ? 2 : 1, 8, 9);
-  const int span =
-      (c.window - 1 + 2 * c.reach_margin()) * 16 + 1;  // of a window with its margin, sixteenths of a pixel
-  if (c.has_lists()) {                                 // against the rectangle of all windows
+  // Of a window with its margin, sixteenths of a pixel; with lists against the rectangle of all windows.
+  const int span = (c.window - 1 + 2 * c.reach_margin()) * 16 + 1;
+  if (c.has_lists()) {
     add("pu_cull", "projection", "pu", 1, 18, 27);
   } else {
     add("pu_cull", "projection", "pu", 1, 16, 29, times({span}));
