@@ -68,7 +68,13 @@ void config_check(const Config& config) {
   if (config.window == 128 && (!config.quads || config.order == 1)) {
     throw ConfigError("configuration: window = 128 needs quads = 1 and order 0 or 2");
   }
+  if (config.bucket_bits > config.depth_w - config.exp_w()) {
+    throw ConfigError("configuration: bucket_bits must not exceed depth_w - " + std::to_string(config.exp_w()));
+  }
   if (config.order == 2 && !config.late) throw ConfigError("configuration: order = 2 needs late = 1");
+  if (config.order == 2 && config.bucket_bits == 0) {
+    throw ConfigError("configuration: order = 2 needs bucket_bits of at least 1");
+  }
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");
 }

@@ -312,6 +312,7 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   } else {
     dopu_window(packed.config, input.frame, packed, static_cast<int>(window_x), static_cast<int>(window_y), walk);
   }
+  const int octave = su_octave(packed.config, input.frame);
   for (GoldenLayer& layer : window.layers) {
     std::sort(layer.splats.begin(), layer.splats.end(),
               [](const GoldenSplat& a, const GoldenSplat& b) { return splat_before(a.splat, b.splat); });
@@ -320,7 +321,8 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
     for (size_t i = 0; i < layer.splats.size(); ++i) {
       const uint64_t depth = layer.splats[i].splat.depth, before = i > 0 ? layer.splats[i - 1].splat.depth : ~depth;
       window.called.ties += depth == before && layer.splats[i].splat.index != layer.splats[i - 1].splat.index;
-      bucket = i > 0 && su_bucket(packed.config, depth) == su_bucket(packed.config, before) ? bucket + 1 : 1;
+      const auto bucket_of = [&](uint64_t key) { return su_bucket(packed.config, key, octave); };
+      bucket = i > 0 && bucket_of(depth) == bucket_of(before) ? bucket + 1 : 1;
       window.called.bucket = std::max(window.called.bucket, bucket);
     }
   }

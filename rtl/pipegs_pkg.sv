@@ -61,7 +61,8 @@ package pipegs_pkg;
   localparam int unsigned PixelW         = 64;
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
   localparam int unsigned Records        = 1024;  // record store of one SU, a pool of slots
-  // mantissa bits of the depth key that choose an SU's bucket, below the 6 exponent bits
+  // mantissa bits of the depth key that choose a bucket of depth: 2^n buckets an octave, in the SUs and in the DOPU
+  // (order = 2)
   localparam int unsigned BucketBits     = 3;
   localparam int unsigned FetchLines     = 32;  // lines of the overflow area that one RU may have asked for
   localparam int unsigned NearestNodes   = 512;  // nodes that wait in the DOPU, the nearest first (order = 2)
@@ -109,7 +110,9 @@ package pipegs_pkg;
   // sort key: depth, then index, so equal depths are ordered by index, then the part; no index without IndexTies
   localparam int unsigned KeyW           = 48;
   localparam int unsigned RecordW        = 10;  // slot of a key or record in an SU's stores
-  localparam int unsigned BucketW        = 9;  // bucket of an SU: the leading bits of the depth key
+  // octave of a bucket: the depth key's exponent; with watermarks 16 of them, from the near plane's on
+  localparam int unsigned OctaveW        = 6;
+  localparam int unsigned BucketW        = 9;  // bucket of depth: its octave, then leading bits of the mantissa
   localparam int unsigned WindowW        = 10;  // column or row of a window in the frame
   localparam int unsigned SizeW          = 15;  // width or height of the frame, pixels
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned
@@ -135,10 +138,9 @@ package pipegs_pkg;
   // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
   localparam int unsigned ScaleW         = 18;
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
-  // step of depth: the depth key's exponent and leading bits of its mantissa, 32 steps an octave
-  localparam int unsigned StepW          = 11;
-  // bucket of depth: a step, counted from the near plane's, in the DOPU (order = 2)
-  localparam int unsigned NearestW       = 9;
+  // step of depth: the depth key's exponent and leading bits of its mantissa; the DOPU's buckets are steps, counted
+  // from the near plane's (order = 2)
+  localparam int unsigned StepW          = 9;
   localparam int unsigned TanW           = 27;  // x/z, y/z
   localparam int unsigned WindowMeanW    = 31;  // projected mean relative to its window's first pixel
   // projected mean; where it is moved to another first pixel, with lists and with parts, a bit more keeps what
@@ -232,7 +234,7 @@ package pipegs_pkg;
   localparam int unsigned NearestLines   = 64;  // lines of the node tables in flight or waiting, each level (order 2)
   // chunks that wait, from which on no group is opened without need (order 2)
   localparam int unsigned NearestAhead   = 128;
-  localparam int unsigned WindowMarks    = 31;  // most watermarks of a window, 2^n - 1
+  localparam int unsigned WindowMarks    = 63;  // most watermarks of a window, 2^n - 1
   // Gaussians that pu_deal has dealt to a PU: few, they cannot go to another one
   localparam int unsigned VisibleDepth   = 4;
   // Gaussians before pu_intersect, which takes 3 to 64 cycles where the others take 8

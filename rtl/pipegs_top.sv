@@ -114,7 +114,8 @@ module pipegs_top #(
 
   sorting u_sorting (
     .clk_i, .rst_ni, .test_en_i, .windows_i(frame_q.raster.windows), .overflow_i(frame_q.tables.overflow),
-    .restart_i(restart), .made_valid_i(splat_valid), .made_ready_o(splat_ready), .made_i(splat), .number_i(number),
+    .near_plane_i(frame_q.lens.near_plane), .restart_i(restart),
+    .made_valid_i(splat_valid), .made_ready_o(splat_ready), .made_i(splat), .number_i(number),
     .sorted_valid_o(sorted_valid), .sorted_ready_i(sorted_ready), .sorted_o(sorted),
     .sort_o(sort), .sort_i(sort_answer), .lists_o(lists), .lists_i(lists_answer), .line_i(line),
     .written_o(written), .overflow_o(overflow_sort), .busy_o(sorting_busy), .perf_o(perf_state[2*(1+Units) +: 2*Units]),

@@ -20,6 +20,7 @@ module sorting #(
   input  logic                             test_en_i,
   input  pipegs_pkg::windows_t             windows_i,
   input  logic [AddressW-1:0]              overflow_i,  // first line of the overflow areas
+  input  logic [pipegs_pkg::WorldW-1:0]    near_plane_i,
   input  logic                             restart_i,
 
   input  logic [Units-1:0]                 made_valid_i,  // splats as the PUs make them
@@ -83,11 +84,24 @@ module sorting #(
     assign unused_lists = &{1'b0, windows_i, restart_i, number_i, lists_i};
   end
 
+  logic [pipegs_pkg::ExpW-1:0] octave;  // of the near plane: depths begin there
+  if (pipegs_pkg::HasWatermarks) begin : gen_near
+    logic [pipegs_pkg::ExpW-1:0]               octave_q;
+    logic [$clog2(pipegs_pkg::WorldW + 1)-1:0] length;
+    bit_length #(.DataW(pipegs_pkg::WorldW)) u_near (.in_i(near_plane_i), .length_o(length));
+    always_ff @(posedge clk_i) octave_q <= length == '0 ? '0 : pipegs_pkg::ExpW'(length - 1'b1);
+    assign octave = octave_q;
+  end else begin : gen_no_near
+    assign octave = '0;
+    logic unused_near;
+    assign unused_near = &{1'b0, near_plane_i};
+  end
+
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     logic su_clk;
     clock_gate u_su_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(su_active[k]), .clk_o(su_clk));
     su u_su (
-      .clk_i(su_clk), .rst_ni, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)),
+      .clk_i(su_clk), .rst_ni, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .octave_i(octave),
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat[k*SplatBits +: SplatBits]),
       .out_valid_o(in_order_valid[k]), .out_ready_i(in_order_ready[k]), .out_o(in_order[k*SplatBits +: SplatBits]),
       .spill_i((spilling & ~(Units'(1) << k)) != '0), .spilling_o(spilling[k]),

@@ -71,8 +71,8 @@ FINE_QUADS = "--config sim/fine.cfg --set quads=1"
 STEPS = {  # from exact to sim/fast.cfg: each row adds to the one before
     "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", FINE_QUADS),
     "window128": ("windows of four parts", FINE_QUADS + " --set window=128"),
-    "buckets": ("buckets of 1/32 octave", FINE_QUADS + " --set window=128 --set bucket_bits=5"),
-    "tests2": ("two tests of regions in a cycle", FINE_QUADS + " --set window=128 --set bucket_bits=5 --set tests=2"),
+    "buckets": ("buckets of 1/128 octave", FINE_QUADS + " --set window=128 --set bucket_bits=7"),
+    "tests2": ("two tests of regions in a cycle", FINE_QUADS + " --set window=128 --set bucket_bits=7 --set tests=2"),
     "fast": ("pixels of 32 bits: `sim/fast.cfg`", "--config sim/fast.cfg"),
 }
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
@@ -82,7 +82,7 @@ SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the sam
 }
 MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
     "dop": "", "baseline": "late=1 order=1 quadratic=1 records=2048", "dpc": "late=1 order=1 records=2048",
-    "tspp": "order=1", "late": "late=1 records=2048", "exact": "late=1 order=2 records=2048",
+    "tspp": "order=1", "late": "late=1 records=2048", "exact": "late=1 order=2 records=2048 bucket_bits=5",
 }
 PRINTS = {  # a test that prints what it measures: its room, the line, names of the line's numbers
     "recip": ("lib/math", r"recip, (\d+) bits: worst error ([\d.]+)", "bits", "units"),

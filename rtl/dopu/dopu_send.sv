@@ -13,7 +13,7 @@
 // Model   cpp_model/dopu/nearest/dopu_nearest.hpp
 
 module dopu_send #(
-  localparam int unsigned BucketW = pipegs_pkg::NearestW,
+  localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned StepW = pipegs_pkg::StepW,
   localparam int unsigned DepthW = pipegs_pkg::DepthW,
   localparam int unsigned DataW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW + pipegs_pkg::CountW + pipegs_pkg::SlotW
@@ -51,7 +51,7 @@ module dopu_send #(
 
   localparam int unsigned MarkChunks = pipegs_pkg::MarkChunks;
   localparam int unsigned MarksW = $clog2(pipegs_pkg::WindowMarks + 1);
-  localparam int unsigned SinceW = $clog2(MarkChunks + 1) + 3;
+  localparam int unsigned SinceW = $clog2(MarkChunks + 1) + pipegs_pkg::WindowMarks / 8;
 
   logic                         set_q, popping_q, valid_q, chunk_set_q;
   logic [pipegs_pkg::KindW-1:0] kind_q;

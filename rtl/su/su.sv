@@ -20,6 +20,7 @@ module su (
   input  logic                             rst_ni,
   input  logic [pipegs_pkg::AddressW-1:0]  overflow_i,  // first line of the overflow areas
   input  logic [pipegs_pkg::UnitW-1:0]     unit_i,
+  input  logic [pipegs_pkg::ExpW-1:0]      octave_i,    // in which the buckets of depth begin; constant in a frame
 
   input  logic                             in_valid_i,
   output logic                             in_ready_o,
@@ -59,7 +60,7 @@ module su (
   pipegs_pkg::su_mark_t     mark;
 
   su_gather u_gather (
-    .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i,
+    .clk_i, .rst_ni, .octave_i, .in_valid_i, .in_ready_o, .in_i,
     .write_o(write), .slot_o(slot), .record_o(record), .free_i(free), .free_slot_i(free_slot), .empty_o(empty),
     .chain_valid_o(chain_valid), .chain_ready_i(chain_ready), .chain_o(chain), .split_idle_i(split_idle),
     .link_o(link), .link_ready_i(link_ready), .link_slot_o(link_slot), .link_to_o(link_to),
@@ -90,7 +91,7 @@ module su (
   pipegs_pkg::su_item_t     item;
 
   su_sort u_sort (
-    .clk_i, .rst_ni, .chain_valid_i(chain_valid), .chain_ready_o(chain_ready), .chain_i(chain),
+    .clk_i, .rst_ni, .octave_i, .chain_valid_i(chain_valid), .chain_ready_o(chain_ready), .chain_i(chain),
     .group_valid_i(group_valid), .group_i(group),
     .read_o(sort_read), .slot_o(sort_slot), .key_i(stored_key), .link_i(stored_link),
     .claim_o(sort_claim), .write_o(sort_write), .write_slot_o(sort_write_slot), .write_link_o(sort_write_link),
@@ -105,7 +106,7 @@ module su (
   logic [SplatBits-1:0]     line;
 
   su_output u_output (
-    .clk_i, .rst_ni, .item_valid_i(item_valid), .item_ready_o(item_ready), .item_i(item),
+    .clk_i, .rst_ni, .octave_i, .item_valid_i(item_valid), .item_ready_o(item_ready), .item_i(item),
     .selecting_i(selecting), .all_selected_i(all_selected), .selected_i(selected),
     .mark_valid_i(mark_valid), .mark_i(mark), .mark_first_o(mark_first), .mark_ready_o(mark_ready), .done_o(spill_done),
     .read_valid_o(read_valid), .read_ready_i(read_ready), .read_line_o(read_line),

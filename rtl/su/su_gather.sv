@@ -15,6 +15,7 @@ module su_gather #(
 ) (
   input  logic                  clk_i,
   input  logic                  rst_ni,
+  input  logic [pipegs_pkg::ExpW-1:0] octave_i,  // in which the buckets of depth begin
 
   input  logic                  in_valid_i,
   output logic                  in_ready_o,
@@ -65,7 +66,7 @@ module su_gather #(
   skid #(.DataW(pipegs_pkg::SplatBits)) u_in (
     .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i, .out_valid_o(valid), .out_ready_i(ready), .out_o(record_o)
   );
-  assign bucket = record_o.depth[pipegs_pkg::DepthW-1 -: BucketW];
+  su_bucket u_bucket (.octave_i, .depth_i(record_o.depth), .bucket_o(bucket));
 
   slot_pool #(.Slots(pipegs_pkg::Records)) u_slots (
     .clk_i, .rst_ni, .slot_valid_o(slot_valid), .slot_ready_i(write_o), .slot_o, .free_i, .free_slot_i,

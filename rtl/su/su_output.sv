@@ -16,6 +16,7 @@ module su_output #(
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
+  input  logic [pipegs_pkg::ExpW-1:0] octave_i,     // in which the buckets of depth begin
 
   input  logic                     item_valid_i,
   output logic                     item_ready_o,
@@ -55,9 +56,12 @@ module su_output #(
 );
 
   logic valid, emit_ready, emit_valid;
+  logic [pipegs_pkg::BucketW-1:0] bucket;  // of the key
+
+  su_bucket u_bucket (.octave_i, .depth_i(item_i.key[KeyW-1 -: pipegs_pkg::DepthW]), .bucket_o(bucket));
 
   assign mark_first_o = selecting_i && mark_valid_i && ((all_selected_i && !item_valid_i) ||
-                        (!mark_i.all && item_valid_i && mark_i.bucket <= item_i.key[KeyW-1 -: pipegs_pkg::BucketW]));
+                        (!mark_i.all && item_valid_i && mark_i.bucket <= bucket));
   assign mark_ready_o = emit_ready;
   assign done_o       = mark_first_o && mark_i.all && emit_ready;
   assign emit_valid   = mark_first_o || (item_valid_i && (!selecting_i || mark_valid_i));

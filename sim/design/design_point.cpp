@@ -56,6 +56,7 @@ const std::vector<DesignPoint>& design_points() {
        .order = 2,
        .quadratic = 0,
        .records = 2048,
+       .bucket_bits = 5,
        .what = "late with chunks taken nearest first and released by watermarks: depth order without layers",
        .in_paper = false,
        .paper_speedup = 0,
@@ -98,6 +99,7 @@ void apply_design_point(const DesignPoint& design_point, Config& config) {
   config.order = design_point.order;
   config.quadratic = design_point.quadratic;
   config.records = design_point.records;
+  config.bucket_bits = design_point.bucket_bits;
 }
 
 std::string design_point_name(const Config& config) {

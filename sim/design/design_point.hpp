@@ -18,7 +18,7 @@ namespace pipegs {
 
 struct DesignPoint {
   std::string_view name;
-  int late, order, quadratic, records;
+  int late, order, quadratic, records, bucket_bits = 3;
   std::string_view what;  // one line
   bool in_paper;
   // What the paper reports of this variant; 0 where its text gives no figure.

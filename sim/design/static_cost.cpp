@@ -181,7 +181,9 @@ void add_buffers(const Config& c, StaticCost& cost) {
   add("DOPU u_cells.u_table", "scene", 2 * record_width<Node>(c), 1 << (cell_bits - 1), 1);
   if (c.has_watermarks()) {  // six lists of nodes, each in buckets of depth
     const int nodes = c.nearest_nodes, number = clog2(nodes);
-    add("DOPU u_nearest.u_bucket.u_heads", "scene", number, 6 << c.nearest_w(), 1);
+    const int low = c.bucket_w() / 2;  // a bucket is {word, bit}
+    add("DOPU u_nearest.u_bucket.u_heads", "scene", number, 6 << c.bucket_w(), 1);
+    add("DOPU u_nearest.u_bucket.u_words", "scene", 1 << low, 6 << (c.bucket_w() - low), 1);
     add("DOPU u_nearest.u_bucket.u_nodes", "scene", c.count_w() + c.slot_w() + 3 * c.world_w + c.exp_w() + number + 1,
         nodes, 1);
     add("DOPU u_nearest.u_bucket.u_back", "scene", number, nodes, 1);

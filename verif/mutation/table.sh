@@ -34,7 +34,8 @@ mutant dopu_send "a watermark is sent although it has not risen" 's/(mark_due *=
 mutant dopu_open "the last child but one counts as the last too" \
        "s/(child_last_o = )(CountW'\(index\)) == last/\1\2 == last || \2 + 1'b1 == last/" dopu_nearest
 mutant dopu_bucket "a word of buckets is given up although another chain is left in it" \
-       's/if \(last_of_word_q\) some_q/some_q/'
+       's/if \(!own_left\) some_q/some_q/'
+mutant dopu_bucket "an insert forgets the other chains of its word" "s/some_own_q \? read : '0/'0/"
 mutant dopu_bucket "a node inserted in front of a list's first bucket does not become the first" \
        's/(!first_valid_q\[insert_list_i\]) \|\| insert_bucket_i < first_q\[insert_list_i\]/\1/'
 mutant dopu_depth "leading bits of the mantissa taken one place too high" \
@@ -116,8 +117,10 @@ mutant pu_color "busy: AND for OR" 's/fetch_busy \|\| sum_busy/fetch_busy \&\& s
 
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
 group su "SU"
-mutant su_gather "the bucket is read one bit of the depth too low" \
-       's/depth\[pipegs_pkg::DepthW-1 -:/depth[pipegs_pkg::DepthW-2 -:/' su
+mutant su_bucket "the bucket is read one bit of the depth too low" \
+       's/depth_i\[pipegs_pkg::DepthW-1 -:/depth_i[pipegs_pkg::DepthW-2 -:/'
+mutant su_bucket "what is nearer than the first octave goes to the last bucket" "s/beyond\[StepW\] \? '0 : //"
+mutant su_range "the last bucket ends with its own step" 's/last \? \{StepW\{1.b1\}\} : //'
 mutant su_release "an end that releases all releases what is nearer only" \
        's/(job_all_i\(spill_job_i) \|\| head_all/\1/' su
 mutant su_stores "a link is written in the cycle in which the splitter has the port" \

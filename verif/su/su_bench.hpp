@@ -18,6 +18,8 @@ namespace pipegs {
 
 inline const Config kConfig = test_config();
 inline constexpr uint64_t kOverflow = 0x12345;  // first line of the overflow areas
+// In which the buckets of depth begin; random depths lie before, in and behind its 16 octaves.
+inline const int kOctave = kConfig.has_watermarks() ? static_cast<int>(test_seed() % 40) : 0;
 
 struct SuBench : Bench<Vsu> {
   SuBench(Pace source, Pace sink, bool gated, const ExternalMemoryOptions& options = {}, int unit = 1)
@@ -31,6 +33,7 @@ struct SuBench : Bench<Vsu> {
     frame.tables.overflow = kOverflow;
     write_frame(kConfig, dut, frame);
     dut.unit_i = unit;
+    dut.octave_i = kOctave;
     dut.spill_i = 0;
     reset();
   }

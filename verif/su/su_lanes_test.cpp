@@ -27,6 +27,7 @@ struct Lane {
     frame.tables.overflow = 1 << 20;
     write_frame(kConfig, dut, frame);
     dut.unit_i = number;
+    dut.octave_i = kOctave;
     dut.in_valid_i = dut.out_ready_i = dut.spill_i = dut.mem_ready_i = dut.rsp_valid_i = 0;
   }
   Vsu dut;

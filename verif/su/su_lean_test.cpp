@@ -17,7 +17,7 @@ void layer(SuBench& bench, size_t count, size_t crowd, uint64_t kind) {
   while (splats.size() < count) {
     Splat splat = random_record<Splat>(kConfig, bench.rng);
     splat.kind = kData;
-    size_t& held = buckets[su_bucket(kConfig, splat.depth)];
+    size_t& held = buckets[su_bucket(kConfig, splat.depth, kOctave)];
     if (held == crowd || !depths.insert(splat.depth).second) continue;
     ++held;
     splats.push_back(splat);

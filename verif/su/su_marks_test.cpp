@@ -16,7 +16,7 @@ struct MarksBench : SuBench {
   void push(const std::vector<Splat>& beats) {
     for (const Splat& beat : beats) in.push(beat);
     sent.insert(sent.end(), beats.begin(), beats.end());
-    expected = su_stream(kConfig, sent);
+    expected = su_stream(kConfig, sent, kOctave);
   }
   void window(size_t count, int marks) { push(su_window(kConfig, count, marks, false, rng, random_splat)); }
   Splat data(uint64_t depth) {
@@ -34,7 +34,7 @@ struct MarksBench : SuBench {
 };
 
 constexpr uint64_t kNear = 1000;
-uint64_t depth_of(uint64_t bucket) { return bucket << (kConfig.depth_w - kConfig.bucket_w()); }
+uint64_t depth_of(uint64_t bucket) { return su_bucket_range(kConfig, bucket, kOctave).first; }
 
 TEST(SuMarks, SortsWindowsAtEveryPace) {
   std::mt19937_64 rng(test_seed());

@@ -3,9 +3,9 @@
 //
 // Paper   None: the paper's layers know no order inside a slab.
 // Idea    The corner of the box nearest along the view bounds the depth z of every mean in it from below. The step is
-//         the depth key cut to its exponent and five bits of mantissa: 32 steps an octave. Counted from the near
-//         plane's step on they are the buckets 0 .. 511; all that is farther is in the last one. The edge of bucket b
-//         is the key of the near plane's step + b.
+//         the depth key cut to its exponent and BucketBits bits of mantissa. Counted from the near plane's step on
+//         they are 16 octaves of buckets; all that is farther is in the last one. The edge of bucket b is the key of
+//         the near plane's step + b.
 // Bound   (z from here: as the PU has it, in world units; u = 2^exponent, the unit of dopu_test; sums in u 2^-NormalF.)
 //         1 Sum. The normal is floor(w2 / 2^6), the corners floors of exact ones. For n, c >= their floors N, C and
 //           any mean (n . d >= n . nearest corner, since N and n have the same signs):
@@ -46,7 +46,7 @@ inline int64_t dopu_depth_bound(const Config& config, const Corners& box, const 
 
 // Exponent and leading mantissa bits of the depth key of value * 2^exponent world units; below one unit: 0.
 inline int dopu_depth_step(const Config& config, int64_t value, int exponent) {
-  const int below = config.step_w() - config.exp_w();  // bits of the mantissa
+  const int below = config.bucket_bits;
   if (value <= 0) return 0;
   const int length = bit_length(static_cast<uint64_t>(value)), high = length - 1 + exponent;
   if (high < 0) return 0;
@@ -63,7 +63,7 @@ inline int dopu_depth_near(const Config& config, const Frame& frame) {
 inline int dopu_depth(const Config& config, const Frame& frame, const Planes& planes, const Node& node) {
   const Corners box = dopu_test_corners(config, frame, node);
   const int step = dopu_depth_step(config, dopu_depth_bound(config, box, planes[kNear]), box.exponent - kNormalF);
-  return std::clamp(step - dopu_depth_near(config, frame), 0, (1 << config.nearest_w()) - 1);
+  return std::clamp(step - dopu_depth_near(config, frame), 0, (1 << config.bucket_w()) - 1);
 }
 
 // The edge of a bucket: no depth key in it, nor in any later one, is smaller.

@@ -3,9 +3,9 @@
 //
 // Paper   None.
 // Idea    Each bucket of each list is a chain of nodes in one SRAM, newest first; a second SRAM holds the chains'
-//         heads, and a bit for each chain says whether there is one. The first set bit of a list is its nearest bucket,
-//         which stands in a register; while a node is fetched the bucket behind it is found, in two cycles, for the
-//         case that its chain ends.
+//         heads. A bit for each chain says whether there is one, in words in a third SRAM; a register says which words
+//         hold one. The first chain of a list is its nearest bucket, which stands in a register; while a node is
+//         fetched the bucket behind it is found, in its own word or in the next one, for the case that its chain ends.
 // Stream  insert: a node for a bucket of a list, refused while full_o. pop: the newest node of the list's first bucket;
 //         it comes out two cycles later and must be taken. first_*: the nearest bucket of each list; a node counts from
 //         the cycle after its insert on, until it has come out.
@@ -17,7 +17,7 @@ module dopu_bucket #(
   parameter int unsigned Nodes = pipegs_pkg::NearestNodes,
   parameter int unsigned DataW = 170,
   localparam int unsigned ListW = $clog2(Lists),
-  localparam int unsigned BucketW = pipegs_pkg::NearestW
+  localparam int unsigned BucketW = pipegs_pkg::BucketW
 ) (
   input  logic                     clk_i,
   input  logic                     rst_ni,
@@ -45,7 +45,7 @@ module dopu_bucket #(
 
   localparam int unsigned NodeW = $clog2(Nodes);
   localparam int unsigned Buckets = 2 ** BucketW;
-  localparam int unsigned WordW = 4;            // buckets in a word of 2^WordW, words in a list
+  localparam int unsigned WordW = BucketW / 2;  // buckets in a word of 2^WordW, words in a list
   localparam int unsigned Word = 2 ** WordW;
   localparam int unsigned Words = Buckets / Word;
 
@@ -61,7 +61,7 @@ module dopu_bucket #(
   logic [ListW-1:0]   list_q, list_d;
   logic [BucketW-1:0] bucket_q, bucket_d;
   logic [DataW-1:0]   data_q;
-  logic               more_q;     // the chain had a node before the insert
+  logic               more;       // the chain had a node before the insert
   logic [NodeW-1:0]   place_q;    // of the node written or read
   logic [NodeW-1:0]   free_place, head;
   logic               take_insert, take_pop, out_more, chain_ends;
@@ -109,67 +109,73 @@ module dopu_bucket #(
 
   sram #(.DataW(DataW + NodeW + 1), .Depth(Nodes)) u_nodes (
     .clk_i,
-    .write_i(state_q == Insert), .waddr_i(place_q), .wdata_i({more_q, head, data_q}),
+    .write_i(state_q == Insert), .waddr_i(place_q), .wdata_i({more, head, data_q}),
     .read_i(state_q == Fetch), .raddr_i(head), .rdata_o({out_more, out_next, out_data_o})
   );
 
   // --- which chains there are, and the first of each list -----------------------------------------------------------
-  logic [Buckets-1:0]       occupied_q [Lists];
-  logic [Words-1:0]         some_q [Lists];  // words that have a chain
-  logic [Words-1:0]         some_left;       // without the chain of the node that is fetched, like the rest here
-  logic [Word-1:0]          word;            // Fetch: its own word; Out: the first one left
-  logic [BucketW-WordW-1:0] own, left, left_q, looked;
+  logic [Words-1:0]         some_q [Lists];        // words that have a chain
+  logic [Words-1:0]         others;                // of the list at work, but for the bucket's own
+  logic                     some_own_q;            // its own had one when the insert or pop began
+  logic [Word-1:0]          read, word, own, own_q;  // own: without the chain of the node that is fetched
+  logic [Word-1:0]          place_one;
+  logic [BucketW-WordW-1:0] at, other, other_q;
   logic [WordW-1:0]         place;
-  logic                     last_of_word, last_of_word_q, any_left_q;
+  logic                     any_other_q, own_left;
   logic [Lists-1:0]         first_valid_q;
   logic [BucketW-1:0]       first_q [Lists];
 
-  assign own    = bucket_q[BucketW-1:WordW];
-  assign looked = out_valid_o ? left_q : own;
+  assign at       = bucket_q[BucketW-1:WordW];
+  assign word     = some_own_q ? read : '0;  // Insert, Fetch; behind Fetch the other word was read
+  assign more     = word[bucket_q[WordW-1:0]];
+  assign own_left = own_q != '0;
   always_comb begin
-    word = occupied_q[list_q][32'(looked)*Word +: Word];
-    if (looked == own) word[bucket_q[WordW-1:0]] = 1'b0;
-    last_of_word = word == '0;
-    some_left = some_q[list_q];
-    if (last_of_word) some_left[own] = 1'b0;
+    place_one = '0;
+    place_one[bucket_q[WordW-1:0]] = 1'b1;
+    own    = word & ~place_one;
+    others = some_q[list_q];
+    others[at] = 1'b0;
     for (int unsigned l = 0; l < Lists; l += 1) first_bucket_o[l*BucketW +: BucketW] = first_q[l];
   end
-  first_set #(.DataW(Words)) u_left (.mask_i(some_left), .one_hot_o(), .number_o(left));
-  first_set #(.DataW(Word)) u_place (.mask_i(word), .one_hot_o(), .number_o(place));
+  first_set #(.DataW(Words)) u_other (.mask_i(others), .one_hot_o(), .number_o(other));
+  first_set #(.DataW(Word)) u_place (.mask_i(own_left ? own_q : read), .one_hot_o(), .number_o(place));
   assign first_valid_o = first_valid_q;
+
+  sram #(.DataW(Word), .Depth(Lists * Words)) u_words (
+    .clk_i,
+    .write_i(state_q == Insert || chain_ends), .waddr_i({list_q, at}),
+    .wdata_i(state_q == Insert ? word | place_one : own_q),
+    .read_i(take_pop || take_insert || state_q == Fetch),
+    .raddr_i(state_q == Fetch ? {list_q, other} : {list_d, bucket_d[BucketW-1:WordW]}), .rdata_o(read)
+  );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       first_valid_q <= '0;
-      for (int unsigned l = 0; l < Lists; l += 1) begin
-        occupied_q[l] <= '0;
-        some_q[l]     <= '0;
-      end
+      for (int unsigned l = 0; l < Lists; l += 1) some_q[l] <= '0;
     end else begin
       if (take_insert) begin
-        occupied_q[insert_list_i][insert_bucket_i] <= 1'b1;
         some_q[insert_list_i][insert_bucket_i[BucketW-1:WordW]] <= 1'b1;
         first_valid_q[insert_list_i] <= 1'b1;
       end
       if (chain_ends) begin
-        occupied_q[list_q][bucket_q] <= 1'b0;
-        if (last_of_word_q) some_q[list_q][own] <= 1'b0;
-        first_valid_q[list_q] <= any_left_q;
+        if (!own_left) some_q[list_q][at] <= 1'b0;
+        first_valid_q[list_q] <= own_left || any_other_q;
       end
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (idle_o) more_q <= occupied_q[insert_list_i][insert_bucket_i];
+    if (idle_o) some_own_q <= some_q[list_d][bucket_d[BucketW-1:WordW]];
     if (state_q == Fetch) begin
-      left_q         <= left;
-      any_left_q     <= some_left != '0;
-      last_of_word_q <= last_of_word;
+      own_q       <= own;
+      other_q     <= other;
+      any_other_q <= others != '0;
     end
     if (take_insert && (!first_valid_q[insert_list_i] || insert_bucket_i < first_q[insert_list_i])) begin
       first_q[insert_list_i] <= insert_bucket_i;
     end
-    if (chain_ends) first_q[list_q] <= {left_q, place};
+    if (chain_ends) first_q[list_q] <= {own_left ? at : other_q, place};
   end
 
   // --- free places --------------------------------------------------------------------------------------------------

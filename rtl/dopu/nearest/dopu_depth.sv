@@ -3,8 +3,8 @@
 //
 // Paper   None.
 // Idea    A depth key is a float of the view depth: six exponent bits, then the mantissa. Its exponent and first bits
-//         of mantissa name its step, 32 steps an octave. Steps rise with the number, so the step of a lower bound of
-//         depths is a lower bound of their steps. Numbers below one world unit are in step 0.
+//         of mantissa name its step. Steps rise with the number, so the step of a lower bound of depths is a lower
+//         bound of their steps. Numbers below one world unit are in step 0.
 // Stream  None: value_i * 2^(exponent_i - Down) world units in, the step out.
 // Pace    Combinational.
 // Model   cpp_model/dopu/nearest/dopu_depth.hpp (dopu_depth_step)
@@ -20,7 +20,7 @@ module dopu_depth #(
   output logic        [StepW-1:0]      step_o
 );
 
-  localparam int unsigned StepBits = StepW - ExpW;
+  localparam int unsigned StepBits = pipegs_pkg::BucketBits;
   localparam int unsigned HighW = ExpW + 2;
 
   logic [ValueW+StepBits-2:0] wide;      // the magnitude above StepBits zeros

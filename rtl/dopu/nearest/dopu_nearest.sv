@@ -55,7 +55,7 @@ module dopu_nearest #(
   localparam int unsigned Levels = 3;       // cells, groups, chunks
   localparam int unsigned Lists = 2 * Levels;  // of the queue: of each level those of either set
   localparam int unsigned ListW = $clog2(Lists);
-  localparam int unsigned BucketW = pipegs_pkg::NearestW;
+  localparam int unsigned BucketW = pipegs_pkg::BucketW;
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
   localparam int unsigned SlotW = pipegs_pkg::SlotW;
   localparam int unsigned CountW = pipegs_pkg::CountW;

@@ -14,7 +14,7 @@
 module dopu_open #(
   parameter int unsigned Most = 4,     // nodes open at a time
   parameter int unsigned Lines = 32,
-  localparam int unsigned BucketW = pipegs_pkg::NearestW,
+  localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned SlotW = pipegs_pkg::SlotW,
   localparam int unsigned CountW = pipegs_pkg::CountW,
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits

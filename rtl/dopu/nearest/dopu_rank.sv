@@ -13,7 +13,7 @@
 
 module dopu_rank #(
   parameter int unsigned TagW = 3,
-  localparam int unsigned BucketW = pipegs_pkg::NearestW,
+  localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned StepW = pipegs_pkg::StepW,
   localparam int unsigned PlaceW = 3 * pipegs_pkg::WorldW + pipegs_pkg::ExpW,  // offset_exp, centre z, y, x
   localparam int unsigned RangeW = pipegs_pkg::CountW + pipegs_pkg::SlotW      // count, first

@@ -112,6 +112,7 @@ module pu_late #(
     job.base_b  = payload.base_b;
   end
 
+  pipegs_pkg::splat_t sent;  // all but the part
   assign made = {tiles_q.mask, tiles_q.f, tiles_q.e, tiles_q.d, tiles_q.c, tiles_q.b, tiles_q.a};
 
   // --- parts of one Gaussian share its colour ------------------------------------------------------------------------
@@ -128,7 +129,10 @@ module pu_late #(
     assign splat_valid_o = queued_valid && (held || colored_valid);
     assign colored_ready = queued_valid && !held && splat_ready_i;
     assign shown         = held ? held_q : colored;
-    assign splat_o.part  = queued[SplatW +: pipegs_pkg::PartW];
+    always_comb begin
+      splat_o      = sent;
+      splat_o.part = queued[SplatW +: pipegs_pkg::PartW];
+    end
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) asked_q <= 1'b0;
       else if (leave && !drop) asked_q <= !is_end;
@@ -144,6 +148,7 @@ module pu_late #(
     assign splat_valid_o = queued_valid && colored_valid;
     assign colored_ready = queued_valid && splat_ready_i;
     assign shown         = colored;
+    assign splat_o       = sent;
   end
 
   sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_coeffs (
@@ -161,13 +166,14 @@ module pu_late #(
   );
 
   always_comb begin
-    splat_o.kind  = shown.kind;
-    splat_o.depth = shown.depth;
-    splat_o.index = shown.index;
-    splat_o.red   = shown.red;
-    splat_o.green = shown.green;
-    splat_o.blue  = shown.blue;
-    {splat_o.mask, splat_o.f, splat_o.e, splat_o.d, splat_o.c, splat_o.b, splat_o.a} = queued[SplatW-1:0];
+    sent       = '0;
+    sent.kind  = shown.kind;
+    sent.depth = shown.depth;
+    sent.index = shown.index;
+    sent.red   = shown.red;
+    sent.green = shown.green;
+    sent.blue  = shown.blue;
+    {sent.mask, sent.f, sent.e, sent.d, sent.c, sent.b, sent.a} = queued[SplatW-1:0];
   end
 
   assign moved_o = take || leave || (splat_valid_o && splat_ready_i);

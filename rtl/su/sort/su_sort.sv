@@ -10,11 +10,11 @@
 
 module su_sort #(
   localparam int unsigned KeyW    = pipegs_pkg::KeyW,
-  localparam int unsigned BucketW = pipegs_pkg::BucketW,
   localparam int unsigned RecordW = pipegs_pkg::RecordW
 ) (
   input  logic                  clk_i,
   input  logic                  rst_ni,
+  input  logic [pipegs_pkg::ExpW-1:0] octave_i,  // in which the buckets of depth begin
 
   input  logic                  chain_valid_i,
   output logic                  chain_ready_o,
@@ -42,7 +42,7 @@ module su_sort #(
 
   logic               is_end, end_go, start, split_active, bitonic_idle, bitonic_active;
   logic               batch_valid, batch_ready, batch_last, item_end;
-  logic [KeyW-1:0]    batch_key, item_key;
+  logic [KeyW-1:0]    batch_key, item_key, chain_min, chain_max;
   logic [RecordW-1:0] batch_slot, item_slot;
 
   assign is_end        = chain_i.kind != pipegs_pkg::KindData;
@@ -50,11 +50,13 @@ module su_sort #(
   assign chain_ready_o = split_idle_o && (!is_end || batch_ready);
   assign start         = group_valid_i || (chain_valid_i && !is_end && split_idle_o);
 
+  su_range u_range (.octave_i, .bucket_i(chain_i.bucket), .min_o(chain_min), .max_o(chain_max));
+
   su_split u_split (
     .clk_i, .rst_ni, .start_i(start), .head_i(group_valid_i ? group_i.count[RecordW-1:0] - 1'b1 : chain_i.head),
     .count_i(group_valid_i ? group_i.count : chain_i.count),
-    .min_i(group_valid_i ? group_i.min : {chain_i.bucket, (KeyW-BucketW)'(0)}),
-    .max_i(group_valid_i ? group_i.max : {chain_i.bucket, {(KeyW-BucketW){1'b1}}}),
+    .min_i(group_valid_i ? group_i.min : chain_min),
+    .max_i(group_valid_i ? group_i.max : chain_max),
     .idle_o(split_idle_o), .active_o(split_active), .key_read_o(read_o), .key_slot_o(slot_o), .key_i, .link_i,
     .link_claim_o(claim_o), .link_write_o(write_o), .link_slot_o(write_slot_o), .link_o(write_link_o),
     .out_valid_o(batch_valid), .out_ready_i(batch_ready), .out_last_o(batch_last), .out_key_o(batch_key),

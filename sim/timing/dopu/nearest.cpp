@@ -22,11 +22,12 @@ struct Nearest::Said {
 Nearest::Nearest(const TimingTrace& trace, const Config& config)
     : trace_(trace),
       mark_chunks_(static_cast<uint32_t>(config.mark_chunks)),
-      since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + 3)) - 1),
+      since_most_((uint32_t{1} << (clog2(config.mark_chunks + 1) + (Config::window_marks() >> 3))) - 1),
       near_step_(dopu_depth_near(trace.config, trace.frame)),
       mark_shift_(config.depth_w - config.step_w()),
       queue_(std::make_unique<NearestQueue>(config.nearest_nodes)),
-      open_{Open(trace.frame.tables.groups), Open(trace.frame.tables.chunks)} {}
+      none_((1 << trace.config.bucket_w()) - 1),
+      open_{Open(trace.frame.tables.groups, none_), Open(trace.frame.tables.chunks, none_)} {}
 
 void Nearest::step(DopuCycle& cycle, DopuSets& sets) {
   const Cycle now = cycle.now;
@@ -76,13 +77,12 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   }
   const bool idle = queue_->idle(), crowded = queue_->crowded();
   is.full = queue_->full(now);
-  constexpr int kNone = NearestQueue::kNoBucket;
   std::array<bool, kLevels> some{};
   std::array<int, kLevels> first{};
   for (int l = 0; l < kLevels; ++l) {
     const int at = list(l, l == 0 ? set1 : set2);
     some[static_cast<size_t>(l)] = queue_->some(at);
-    first[static_cast<size_t>(l)] = queue_->some(at) ? queue_->first(at) : kNone;
+    first[static_cast<size_t>(l)] = queue_->some(at) ? queue_->first(at) : none_;
   }
   is.through[0] = cells_in_ && reserved_[0] == 0;
   is.through[1] = !complete_[1][static_cast<size_t>(set1)] && complete_[0][static_cast<size_t>(set1)] && !some[0] &&
@@ -93,7 +93,7 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   // dopu_send
   const auto sent = static_cast<size_t>(send_set_);
   const bool opened = complete_[2][sent];
-  int unopened = kNone;
+  int unopened = none_;
   if (!complete_[0][sent]) {
     unopened = 0;
   } else {
@@ -106,9 +106,9 @@ Nearest::Said Nearest::look(const DopuCycle& cycle, const DopuSets& sets) {
   }
   const int send_list = list(2, send_set_);
   const bool has_first = queue_->some(send_list), idle_send = !valid_ && !popping_;
-  const int first_send = has_first ? queue_->first(send_list) : kNone;
+  const int first_send = has_first ? queue_->first(send_list) : none_;
   is.done = sets[sent].done;
-  is.lowest = opened ? kNone : unopened;
+  is.lowest = opened ? none_ : unopened;
   if (has_first) is.lowest = std::min(is.lowest, first_send);
   is.end_due = idle_send && opened && !has_first;
   is.mark_due = idle_send && !is.done && !is.end_due && since_ >= mark_chunks_ << (marks_ >> 3) &&
@@ -247,7 +247,7 @@ void Nearest::open(DopuCycle& cycle, const DopuSets& sets, const Said& is) {
     }
     if (!settled && !take) continue;
     cycle.changed = true;
-    open.nearest = NearestQueue::kNoBucket;
+    open.nearest = none_;
     for (int i = 0; i < open.buckets.count(); ++i) open.nearest = std::min<int>(open.nearest, open.buckets.at(i));
   }
 }

@@ -45,9 +45,9 @@ class Nearest {
     Result result;
   };
   struct Open {  // dopu_open
-    explicit Open(uint64_t base) : reader(2, base) {}
+    Open(uint64_t base, int none) : nearest(none), reader(2, base) {}
     bool room() const { return !job_valid && buckets.count() != kMost; }
-    int nearest = NearestQueue::kNoBucket;
+    int nearest;
     FallQueue<uint16_t, kMost> buckets;  // of the nodes open, the oldest first
     bool job_valid = false;
     Reader::Job job;
@@ -77,6 +77,7 @@ class Nearest {
   std::array<FallQueue<Result, kResults>, kLevels> held_;
   std::unique_ptr<NearestQueue> queue_;
   std::array<int, 2> waiting_{};  // chunks of either set in the queue
+  const int none_;                // the largest bucket also stands for none
   std::array<Open, 2> open_;
 
   // dopu_send

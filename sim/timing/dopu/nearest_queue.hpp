@@ -21,10 +21,9 @@ struct NearestNode {
 
 class NearestQueue {
  public:
-  static constexpr int kLists = 6, kBuckets = 512;
-  static constexpr int kNoBucket = kBuckets - 1;  // the largest number also stands for none
+  static constexpr int kLists = 6, kMost = 1 << 12;  // buckets of a list
 
-  explicit NearestQueue(int nodes) : nodes_(nodes), chains_(kLists * kBuckets) {}
+  explicit NearestQueue(int nodes) : nodes_(nodes), chains_(kLists * kMost) {}
 
   bool idle() const { return state_ == kIdle; }
   bool full(Cycle now) const { return fresh_ == nodes_ && !back_.valid(now); }
@@ -65,7 +64,7 @@ class NearestQueue {
     } else if (insert != nullptr) {
       chain(list, insert->bucket).push_back(*insert);
       occupied_[static_cast<size_t>(list)][insert->bucket / 64] |= uint64_t{1} << (insert->bucket % 64);
-      words_[static_cast<size_t>(list)] |= uint32_t{1} << (insert->bucket / 64);
+      words_[static_cast<size_t>(list)] |= uint64_t{1} << (insert->bucket / 64);
       if (back_.valid(now)) {
         back_.pop(now);
       } else {
@@ -82,19 +81,17 @@ class NearestQueue {
  private:
   enum State { kIdle, kInsert, kFetch, kOut };
 
-  std::vector<NearestNode>& chain(int list, int bucket) {
-    return chains_[static_cast<size_t>(list * kBuckets + bucket)];
-  }
+  std::vector<NearestNode>& chain(int list, int bucket) { return chains_[static_cast<size_t>(list * kMost + bucket)]; }
   void clear(int list, int bucket) {
     uint64_t& word = occupied_[static_cast<size_t>(list)][static_cast<size_t>(bucket / 64)];
     word &= ~(uint64_t{1} << (bucket % 64));
-    if (word == 0) words_[static_cast<size_t>(list)] &= ~(uint32_t{1} << (bucket / 64));
+    if (word == 0) words_[static_cast<size_t>(list)] &= ~(uint64_t{1} << (bucket / 64));
   }
 
   const int nodes_;
   std::vector<std::vector<NearestNode>> chains_;  // newest last
-  std::array<std::array<uint64_t, kBuckets / 64>, kLists> occupied_{};
-  std::array<uint32_t, kLists> words_{};  // of occupied_ that are not zero
+  std::array<std::array<uint64_t, kMost / 64>, kLists> occupied_{};
+  std::array<uint64_t, kLists> words_{};  // of occupied_ that are not zero
   State state_ = kIdle;
   int list_ = 0, fresh_ = 0, taken_ = 0;
   NearestNode node_;

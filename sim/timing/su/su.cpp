@@ -11,7 +11,8 @@ Su::Su(const Machine& m, int lane)
     : lane_(lane),
       port_(m.memory.sort_port(lane)),
       records_(m.config.records),
-      bucket_shift_(m.config.key_w() - m.config.bucket_w()),
+      config_(m.config),
+      octave_(su_octave(m.config, m.frame)),
       bits_low_((m.config.bucket_w() + 1) / 2),
       bits_high_(m.config.bucket_w() - bits_low_),
       marks_cut_(m.config.has_watermarks()),
@@ -219,8 +220,7 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
   }
   if (is.mark_push) {
     const uint8_t set = set_;
-    const uint32_t bucket =
-        all ? 0 : bucket_of(static_cast<uint64_t>(in_.front().mark) << (m.config.key_w() - m.config.depth_w));
+    const uint32_t bucket = all ? 0 : static_cast<uint32_t>(su_bucket(config_, in_.front().mark, octave_));
     marks_.push(now, {is.in->beat, set, all, before == kSpill, bucket});
     if (all && before == kCollect) closed_[set] = true, set_ ^= 1;
   }

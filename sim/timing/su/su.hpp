@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/su/su.hpp"
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/ru/ru.hpp"
 
@@ -96,7 +97,9 @@ class Su {
   bool bitonic_idle() const { return !sorting_ && fill_ == 0 && sent_ == live_; }
   bool slot_valid(Cycle now) const;
   bool split_links(Cycle now);
-  uint32_t bucket_of(uint64_t key) const { return static_cast<uint32_t>(key >> bucket_shift_); }
+  uint32_t bucket_of(uint64_t key) const {
+    return static_cast<uint32_t>(su_bucket(config_, key >> (config_.key_w() - config_.depth_w), octave_));
+  }
   bool select_reads() const {
     return (select_ == kCount || select_ == kLoad) && line_ * kKeysPerLine < records_out_.size();
   }
@@ -116,7 +119,9 @@ class Su {
   void collect(Machine& m, Cycle now, const Now& is);
   void arrive(Machine& m, Cycle now);
 
-  const int lane_, port_, records_, bucket_shift_, bits_low_, bits_high_;
+  const int lane_, port_, records_;
+  const Config config_;
+  const int octave_, bits_low_, bits_high_;
   const bool marks_cut_;  // a layer's end is a watermark (order 2)
   const bool lists_;
 
@@ -137,7 +142,7 @@ class Su {
   Cycle spill_turned_ = kLongAgo;  // when it began or ceased to be kSpill
   uint8_t set_ = 0;
   std::array<bool, 2> closed_{};
-  SramQueue<Mark, 64> marks_;
+  SramQueue<Mark, 128> marks_;
 
   // su_buckets
   Operation operation_ = kNone;

@@ -113,8 +113,9 @@ void Su::sort(Cycle now, const Now& is) {
       order_.clear();
       uint32_t slot = chain.head;
       for (uint32_t i = 0; i < chain.count; ++i, slot = next_slot_[slot]) order_.push_back({pool_[slot], slot, false});
-      const uint64_t min = static_cast<uint64_t>(chain.bucket) << bucket_shift_;
-      begin_split(now, min, min | ((uint64_t{1} << bucket_shift_) - 1));
+      const auto [nearest, farthest] = su_bucket_range(config_, chain.bucket, octave_);
+      const int below = config_.key_w() - config_.depth_w;
+      begin_split(now, nearest << below, ((farthest + 1) << below) - 1);
       chains_.pop(now);
       moved_ = true;
     }

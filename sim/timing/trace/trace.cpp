@@ -195,7 +195,7 @@ Config timing_config(Config config) {
   config.alpha_lines = standard.alpha_lines;
   config.records = standard.records;
   config.fetch_lines = standard.fetch_lines;
-  config.bucket_bits = standard.bucket_bits;
+  if (!config.has_watermarks()) config.bucket_bits = standard.bucket_bits;
   config.nearest_nodes = standard.nearest_nodes;
   config.mark_chunks = standard.mark_chunks;
   config.late = standard.late;

@@ -29,7 +29,7 @@ inline SimulateOptions stable_machine(const std::vector<std::string>& settings =
 
 // The default machine, and the one without layers: both exist in every `make test`.
 inline std::vector<SimulateOptions> stable_machines() {
-  return {stable_machine(), stable_machine({"late=1", "order=2", "records=2048"})};
+  return {stable_machine(), stable_machine({"late=1", "order=2", "records=2048", "bucket_bits=5"})};
 }
 
 struct Stable {

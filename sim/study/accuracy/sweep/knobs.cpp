@@ -57,7 +57,7 @@ std::vector<Knob> table() {
                   {"grid 2", {"order=0", "grid=2"}},
                   {"grid 4", {"order=0", "grid=4"}},
                   {"grid 8", {"order=0", "grid=8"}},
-                  {"exact", {"late=1", "order=2", "records=2048", "grid=4"}}},
+                  {"exact", {"late=1", "order=2", "records=2048", "bucket_bits=5", "grid=4"}}},
        .orders = true},
       // The record of a Gaussian.
       entry("pos_w", "bits of a mean's offset in its chunk", {12, 14, 16, 18, 20, 24}),
