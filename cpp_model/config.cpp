@@ -76,6 +76,7 @@ void config_check(const Config& config) {
     throw ConfigError("configuration: order = 2 needs bucket_bits of at least 1");
   }
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
+  if (config.tight_cull && config.order == 1) throw ConfigError("configuration: tight_cull = 1 needs order 0 or 2");
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");
 }
 

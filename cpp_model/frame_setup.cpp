@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpp_model/pu/pu_reach.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -142,6 +144,8 @@ Frame frame_setup(const Config& config, const PackedScene& scene, const Camera& 
   set_rotation(config, set, frame);
   set_lens(config, set, true, frame.lens.focal_x, frame.lens.center_x, frame.lens.limit_x, frame.lens.reach_x);
   set_lens(config, set, false, frame.lens.focal_y, frame.lens.center_y, frame.lens.limit_y, frame.lens.reach_y);
+  frame.lens.spread_x = pu_reach_spread(config, frame.lens.focal_x);
+  frame.lens.spread_y = pu_reach_spread(config, frame.lens.focal_y);
   frame.lens.near_plane = set.unsigned_field("the near plane", near_plane, -scene.scene_exponent, config.world_w - 1);
   frame.tables.sh_degree = static_cast<uint64_t>(scene.sh_degree);
   if (scene.antialiased && !config.antialias)

@@ -23,6 +23,7 @@
 #include "cpp_model/pu/project/pu_jacobian.hpp"
 #include "cpp_model/pu/project/pu_orient.hpp"
 #include "cpp_model/pu/project/pu_project.hpp"
+#include "cpp_model/pu/pu_reach.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/pu/project/pu_squares.hpp"
 #include "cpp_model/ru/ru_quads.hpp"
@@ -78,8 +79,9 @@ std::optional<GoldenConic> project(const GoldenInput& input, const Fetched& fetc
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
   ++work.fetched;
-  const std::optional<Visible> visible = pu_cull(config, frame, fetched, &called.near);
-  if (!visible) return std::nullopt;
+  Gap gap;
+  const std::optional<Visible> visible = pu_cull(config, frame, fetched, &called.near, &gap);
+  if (!visible || (config.tight_cull && !pu_reach(config, frame, *visible, gap))) return std::nullopt;
   ++work.visible;
   ProjectCounts counts;
   const GoldenConic conic = golden_conic(config, frame, *visible, &counts);

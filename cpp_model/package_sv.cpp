@@ -13,6 +13,7 @@
 #include "cpp_model/config.hpp"
 #include "cpp_model/lib/math/exp2.hpp"
 #include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/pu_reach.hpp"
 
 namespace {
 
@@ -60,16 +61,13 @@ void print_exp2_table(const pipegs::Config& config) {
   }
 }
 
-// The table of rtl/pu/pu_cull.sv: weights of the reach by the leading bits of the opacity, entry 0 lowest.
-void print_cull_weights(const pipegs::Config& config) {
-  std::printf(
-      "\n  // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See "
-      "cpp_model/pu/pu_cull.hpp.\n"
-      "  localparam logic [%d*9-1:0] CullWeights = {",
-      pipegs::kCullWeights);
+// A table of the cull by the leading bits of the opacity, entry 0 lowest.
+void print_weights(const char* name, int width, const char* what, uint64_t (*weight)(const pipegs::Config&, int),
+                   const pipegs::Config& config) {
+  std::printf("\n  // %s\n  localparam logic [%d*%d-1:0] %s = {", what, pipegs::kCullWeights, width, name);
   for (int i = pipegs::kCullWeights - 1; i >= 0; --i) {
-    std::printf("%s9'd%llu%s", i % 8 == 7 ? "\n    " : " ",
-                static_cast<unsigned long long>(pipegs::cull_weight(config, i)), i > 0 ? "," : "\n  };\n");
+    std::printf("%s%d'd%llu%s", i % 8 == 7 ? "\n    " : " ", width, static_cast<unsigned long long>(weight(config, i)),
+                i > 0 ? "," : "\n  };\n");
   }
 }
 
@@ -249,7 +247,12 @@ void print_package(const pipegs::Config& config) {
       "  localparam logic [1:0] PerfBusy = 2'd0;\n  localparam logic [1:0] PerfStarved = 2'd1;\n"
       "  localparam logic [1:0] PerfBlocked = 2'd2;\n  localparam logic [1:0] PerfMemory = 2'd3;\n");
   print_exp2_table(config);
-  print_cull_weights(config);
+  print_weights("CullWeights", 9,
+                "Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See "
+                "cpp_model/pu/pu_cull.hpp.",
+                pipegs::cull_weight, config);
+  print_weights("ReachWeights", 13, "Their squares for pu_reach, u1.12. See cpp_model/pu/pu_reach.hpp.",
+                pipegs::reach_weight, config);
   for (const Record& record : records()) printer.print(record);
   std::printf("%s\nendpackage\n", kBundles);
 }

@@ -47,6 +47,9 @@ package pipegs_pkg;
   localparam int unsigned AlphaCut       = 255;  // a pixel counts iff alpha >= 1/AlphaCut
   // 1: the regions of a Gaussian's box that hold a pixel that counts; 0: all regions of the box
   localparam int unsigned TileTest       = 1;
+  // 1: a Gaussian is also dropped when its own ellipse ends before the window; 0: only when its largest scale does (1
+  // needs order 0 or 2)
+  localparam int unsigned TightCull      = 0;
   localparam int unsigned Tests          = 1;  // regions side by side that pu_intersect tests in a cycle
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
   // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
@@ -135,6 +138,14 @@ package pipegs_pkg;
   localparam int unsigned SharpW         = 0;
   localparam int unsigned SharpEW        = 0;  // its exponent
   localparam int unsigned ReachW         = 32;  // pixels of reach per unit of scale and 1/z, u18.14
+  // square of the reach of a unit scale across the line of sight: exponent u5, then mantissa u0.8; absent unless
+  // tight_cull
+  localparam int unsigned SpreadW        = 0;
+  // view-space coordinate in the cull, signed, cut to 17 bits of magnitude
+  localparam int unsigned CutW           = 18;
+  localparam int unsigned CutShiftW      = 5;  // low bits of a view-space coordinate that the cull leaves out
+  // distance of a mean from its window times z, signed, 1/16 pixel cut units
+  localparam int unsigned GapW           = 41;
   // scale: exponent, then mantissa; (1 + m/2^ScaleMW) * 2^(e-8) world units
   localparam int unsigned ScaleW         = 18;
   localparam int unsigned OpacityW       = 16;  // -log2(opacity), u4.OpacityF
@@ -235,6 +246,7 @@ package pipegs_pkg;
   // chunks that wait, from which on no group is opened without need (order 2)
   localparam int unsigned NearestAhead   = 128;
   localparam int unsigned WindowMarks    = 63;  // most watermarks of a window, 2^n - 1
+  localparam int unsigned ReachDepth     = 16;  // Gaussians in pu_reach: those whose test is under way (tight_cull)
   // Gaussians that pu_deal has dealt to a PU: few, they cannot go to another one
   localparam int unsigned VisibleDepth   = 4;
   // Gaussians before pu_intersect, which takes 3 to 64 cycles where the others take 8
@@ -295,6 +307,18 @@ package pipegs_pkg;
     9'd136, 9'd143, 9'd150, 9'd157, 9'd164, 9'd170, 9'd176, 9'd181,
     9'd187, 9'd192, 9'd198, 9'd203, 9'd208, 9'd213, 9'd218, 9'd222,
     9'd227, 9'd231, 9'd236, 9'd240, 9'd244, 9'd248, 9'd252, 9'd256
+  };
+
+  // Their squares for pu_reach, u1.12. See cpp_model/pu/pu_reach.hpp.
+  localparam logic [64*13-1:0] ReachWeights = {
+    13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
+    13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
+    13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
+    13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
+    13'd128, 13'd256, 13'd384, 13'd512, 13'd640, 13'd768, 13'd896, 13'd1024,
+    13'd1153, 13'd1281, 13'd1409, 13'd1537, 13'd1665, 13'd1793, 13'd1921, 13'd2049,
+    13'd2177, 13'd2305, 13'd2433, 13'd2562, 13'd2690, 13'd2818, 13'd2946, 13'd3074,
+    13'd3202, 13'd3330, 13'd3458, 13'd3586, 13'd3714, 13'd3842, 13'd3971, 13'd4099
   };
 
   typedef struct packed {
@@ -497,6 +521,24 @@ package pipegs_pkg;
     logic [KindW-1:0] kind;
   } visible_t;
   localparam int unsigned VisibleBits = 330;
+
+  typedef struct packed {
+    logic untested;  // its scale has no room in view units: it is kept
+    logic signed [GapW-1:0] gap_y;
+    // pixels from the mean to the window with its margin, times z: not too large; not positive inside
+    logic signed [GapW-1:0] gap_x;
+    logic [CutShiftW-1:0] cut;
+    logic signed [CutW-1:0] z;
+    logic signed [CutW-1:0] y;
+    logic signed [CutW-1:0] x;  // mean in view space, unit 2^(view_exp + cut)
+  } gap_t;
+  localparam int unsigned GapBits = 142;
+
+  typedef struct packed {
+    gap_t gap;
+    visible_t visible;
+  } culled_t;
+  localparam int unsigned CulledBits = 472;
 
   typedef struct packed {
     logic [ScaleW-1:0] scale_2;

@@ -35,8 +35,9 @@ int64_t scale_in_view(const Config& c, uint64_t scale, uint64_t opacity, uint64_
 }
 
 // Does [x - reach s, x + reach s] touch the windows `window` to `last` along one axis? All at the common exponent.
+// `gap`: how far x is beyond them, times z.
 bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, uint64_t reach, int64_t center,
-             uint64_t window, uint64_t last) {
+             uint64_t window, uint64_t last, int64_t& gap) {
   const int64_t first = (static_cast<int64_t>(window) * c.window << kEdgeF) - (int64_t{c.reach_margin()} << kEdgeF);
   const int64_t a = first - shift_ceil(center, c.center_f() - kEdgeF);  // s17.4, rounded down
   const int64_t pixels = static_cast<int64_t>(last - window + 1) * c.window;
@@ -45,14 +46,15 @@ bool touches(const Config& c, int64_t x, int64_t z, int64_t s, uint64_t focal, u
   const int64_t f = static_cast<int64_t>(focal), r = shift_ceil(static_cast<int64_t>(reach), 8) << 8;
   const int64_t fx = f * x, az = (a * z) << to_edge, rs = r * s;
   const int64_t az2 = az + ((span * z) << to_edge), a2 = a + span;
-  const int64_t low = fx + f - az + (std::max<int64_t>(-a, 0) << to_edge) + rs;
-  const int64_t high = fx - az2 - (std::max<int64_t>(a2, 0) << to_edge) - rs;
-  return low >= 0 && high <= 0;
+  const int64_t low = fx + f - az + (std::max<int64_t>(-a, 0) << to_edge);
+  const int64_t high = fx - az2 - (std::max<int64_t>(a2, 0) << to_edge);
+  gap = (low < 0 ? -low : high) >> to_edge;
+  return low + rs >= 0 && high - rs <= 0;
 }
 
 }  // namespace
 
-std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetched& in, uint64_t* behind) {
+std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetched& in, uint64_t* behind, Gap* gap) {
   Visible out;
   out.kind = in.kind;
   if (in.kind != kData) return out;
@@ -73,14 +75,14 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   const int64_t s = scale_in_view(c, std::max({in.scale_0, in.scale_1, in.scale_2}), in.opacity, in.view_exp, huge);
   const auto size = [](int64_t v) { return static_cast<uint64_t>(v < 0 ? ~v : v); };
   const int cut = std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - kCutW);
-  const int64_t cut_z = out.view_z >> cut, cut_s = (s >> cut) + 1;
-  const bool touches_x =
-      touches(c, out.view_x >> cut, cut_z, cut_s, frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x,
-              in.window_x, c.has_lists() ? frame.raster.windows.last_x : in.window_x);
-  const bool touches_y =
-      touches(c, out.view_y >> cut, cut_z, cut_s, frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y,
-              in.window_y, c.has_lists() ? frame.raster.windows.last_y : in.window_y);
+  const int64_t cut_x = out.view_x >> cut, cut_y = out.view_y >> cut, cut_z = out.view_z >> cut, cut_s = (s >> cut) + 1;
+  Gap found{.x = cut_x, .y = cut_y, .z = cut_z, .cut = static_cast<uint64_t>(cut), .untested = huge};
+  const bool touches_x = touches(c, cut_x, cut_z, cut_s, frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x,
+                                 in.window_x, c.has_lists() ? frame.raster.windows.last_x : in.window_x, found.gap_x);
+  const bool touches_y = touches(c, cut_y, cut_z, cut_s, frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y,
+                                 in.window_y, c.has_lists() ? frame.raster.windows.last_y : in.window_y, found.gap_y);
   if (!huge && !(touches_x && touches_y)) return std::nullopt;
+  if (gap != nullptr) *gap = found;
 
   out.window_x = in.window_x;
   out.window_y = in.window_y;

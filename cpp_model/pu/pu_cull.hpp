@@ -11,6 +11,8 @@
 //         window_x, window_y to the frame's last one.
 // Numbers view s(ViewW-1).0 in units of 2^view_exp, rounded to nearest, saturated (DOPU's view_exp leaves room).
 //         near plane exact: keep iff z 2^view_exp > near_plane.
+// Gap     With TightCull pu_reach asks how far a mean lies beyond a side: the same sums without reach s, floored to
+//         1/16 pixel, so never more than the true distance times z.
 // RTL     rtl/pu/pu_cull.sv
 #pragma once
 
@@ -33,7 +35,8 @@ inline uint64_t cull_weight(const Config& config, int entry) {
 
 // Nothing for a Gaussian that is dropped; other beats pass with all other fields zero. `behind` counts those that do
 // not lie beyond the near plane; with NearTest 0 they are kept, but never one with z <= 0 (there the RTL complains).
+// `gap`: what pu_reach needs of a Gaussian that is kept.
 std::optional<Visible> pu_cull(const Config& config, const Frame& frame, const Fetched& fetched,
-                               uint64_t* behind = nullptr);
+                               uint64_t* behind = nullptr, Gap* gap = nullptr);
 
 }  // namespace pipegs

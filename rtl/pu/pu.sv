@@ -2,8 +2,8 @@
 // pu: one Preprocessing Unit: Gaussians of a window in, sorted-to-be splats and their lines of alphas out.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
-// Idea    fetch -> cull -> (pu_deal, shared by all PUs) -> queue -> shape (the projection, eight stages) -> back
-//         (regions, colour, alphas). Wiring, and the clock that stops when nothing moves.
+// Idea    fetch -> cull -> reach (TightCull) -> (pu_deal, shared by all PUs) -> queue -> shape (the projection, eight
+//         stages) -> back (regions, colour, alphas). Wiring, and the clock that stops when nothing moves.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
 // Pace    One Gaussian per cycle into the cull, one per eight cycles behind it.
 // Model   preprocess() in cpp_model/golden.cpp
@@ -73,16 +73,19 @@ module pu #(
 
   localparam int unsigned VisibleDepth = pipegs_pkg::VisibleDepth;
 
-  logic chunk_valid, chunk_ready, fetched_valid, fetched_ready, visible_valid, visible_ready, payload_valid;
+  logic chunk_valid, chunk_ready, fetched_valid, fetched_ready, survivor_valid, survivor_ready;
+  logic visible_valid, visible_ready, payload_valid;
   logic conic_valid, conic_ready;
   logic [$clog2(VisibleDepth+1)-1:0] visible_count;
   pipegs_pkg::fetched_t   fetched;
+  pipegs_pkg::visible_t   survivor;  // of the cull
+  pipegs_pkg::gap_t       gap;
   pipegs_pkg::visible_t   visible;
   pipegs_pkg::payload_t   payload;
   pipegs_pkg::conic_t     conic;
   pipegs_pkg::splat_t     splat;
 
-  logic fetch_idle, fetch_waiting, cull_busy, shape_moved, shape_busy, regions_busy, front_busy;
+  logic fetch_idle, fetch_waiting, cull_busy, reach_busy, shape_moved, shape_busy, regions_busy, front_busy;
   logic rows_busy, color_busy, color_waiting, back_moved, back_busy, back_waiting;
   logic moved, wake, work, asleep;
 
@@ -110,8 +113,24 @@ module pu #(
   pu_cull u_cull (
     .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i,
     .fetched_valid_i(fetched_valid), .fetched_ready_o(fetched_ready), .fetched_i(fetched),
-    .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o), .busy_o(cull_busy)
+    .visible_valid_o(survivor_valid), .visible_ready_i(survivor_ready), .visible_o(survivor), .gap_o(gap),
+    .busy_o(cull_busy)
   );
+
+  if (pipegs_pkg::TightCull != 0) begin : gen_reach
+    pu_reach u_reach (
+      .clk_i, .rst_ni, .rotation_i, .lens_i,
+      .culled_valid_i(survivor_valid), .culled_ready_o(survivor_ready), .culled_i({gap, survivor}),
+      .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o), .busy_o(reach_busy)
+    );
+  end else begin : gen_no_reach
+    logic unused_gap;
+    assign culled_valid_o = survivor_valid;
+    assign survivor_ready = culled_ready_i;
+    assign culled_o       = survivor;
+    assign reach_busy     = 1'b0;
+    assign unused_gap     = &{1'b0, gap};
+  end
 
   sram_fifo #(.DataW(pipegs_pkg::VisibleBits), .Depth(VisibleDepth)) u_visible (
     .clk_i, .rst_ni, .in_valid_i(visible_valid_i), .in_ready_o(visible_ready_o), .in_i(visible_i),
@@ -139,7 +158,7 @@ module pu #(
   );
 
   // --- what it does, and whether it needs its clock ------------------------------------------------------------------
-  assign front_busy = cull_busy || visible_count != '0 || shape_busy || regions_busy;
+  assign front_busy = cull_busy || reach_busy || visible_count != '0 || shape_busy || regions_busy;
   assign moved = (fetched_valid && fetched_ready) || (visible_valid && visible_ready) || shape_moved || back_moved;
   // What may come from outside.
   assign wake  = (chunk_valid_i && chunk_ready_o) || (culled_valid_o && culled_ready_i) ||

@@ -7,7 +7,8 @@
 //         (see the model). Stages, behind a register of what comes:
 //           1 nine products   2 sums       3 shift to view units   4 view; edges   5 near plane; common exponent
 //           6 cut             7 six products                       8 four signs -> output
-// Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero.
+// Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero. Beside it
+//         what pu_reach needs (TightCull), else zero.
 // Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken.
 // Model   cpp_model/pu/pu_cull.hpp
 
@@ -26,6 +27,7 @@ module pu_cull (
   output logic                  visible_valid_o,
   input  logic                  visible_ready_i,
   output pipegs_pkg::visible_t  visible_o,
+  output pipegs_pkg::gap_t      gap_o,
 
   output logic                  busy_o
 );
@@ -325,6 +327,42 @@ module pu_cull (
         out_q <= {ride7.gaussian, ride7.view_exp, z7_q, y7_q, x7_q, ride7.window_y, ride7.window_x, ride7.kind};
       end
     end
+  end
+
+  // --- beside stages 7 and 8: how far the mean lies beyond the window, times z ---------------------------------------
+  if (pipegs_pkg::TightCull != 0) begin : gen_gap
+    logic signed [CutW:0]    cx7_q, cy7_q;
+    logic [CutShiftW-1:0]    cut6_q, cut7_q;
+    logic signed [SideW-1:0] gap_x, gap_y;
+    pipegs_pkg::gap_t        gap_q;
+    // `touches` without rs; on one side at most the mean is beyond the window.
+    function automatic logic signed [SideW-1:0] beyond(input logic signed [SideW-1:0] fx,
+                                                       input logic signed [SideW-1:0] az,
+                                                       input logic signed [SideW-1:0] bz,
+                                                       input logic signed [SideW-1:0] focal,
+                                                       input logic signed [SideW-1:0] first,
+                                                       input logic signed [SideW-1:0] last);
+      logic signed [SideW-1:0] low, high;
+      low    = ((az + (first < 0 ? first : SideW'(0))) <<< ToEdge) - fx - focal;
+      high   = fx - ((bz + (last > 0 ? last : SideW'(0))) <<< ToEdge);
+      beyond = low > 0 ? low : high;
+    endfunction
+    assign gap_x = beyond(fx7_q, ax7_q, bx7, $signed(SideW'(lens_i.focal_x)), SideW'(edge_x7_q), last_x7);
+    assign gap_y = beyond(fy7_q, ay7_q, by7, $signed(SideW'(lens_i.focal_y)), SideW'(edge_y7_q), last_y7);
+    always_ff @(posedge clk_i) begin
+      if (advance) begin
+        {cx7_q, cy7_q}   <= {cx6_q, cy6_q};
+        {cut6_q, cut7_q} <= {cut5_q, cut6_q};
+        gap_q            <= '0;
+        if (ride7.kind == pipegs_pkg::KindData) begin
+          gap_q <= {huge7_q, pipegs_pkg::GapW'(gap_y >>> ToEdge), pipegs_pkg::GapW'(gap_x >>> ToEdge),
+                    pipegs_pkg::CutShiftW'(cut7_q), cz7_q, cy7_q, cx7_q};
+        end
+      end
+    end
+    assign gap_o = gap_q;
+  end else begin : gen_no_gap
+    assign gap_o = '0;
   end
 
   // Of the normalised sizes only the shift is used.

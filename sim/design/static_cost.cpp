@@ -88,8 +88,9 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   if (c.has_lists()) {
     add("pu_cull", "projection", "pu", 1, 18, 27);
   } else {
-    add("pu_cull", "projection", "pu", 1, 16, 29, times({span}));
+    add("pu_cull", "projection", "pu", 1, 16, 29 + (c.tight_cull ? 10 : 0), times({span}));
   }
+  if (c.tight_cull) add("pu_reach", "projection", "pu", 1, 36, 27);
   add("pu_project", "projection", "pu", 1, 1, 1);
   add("pu_orient", "projection", "pu", 1, 4, 14);
   add("pu_jacobian", "projection", "pu", 1, 2, 4);
@@ -147,6 +148,7 @@ void add_buffers(const Config& c, StaticCost& cost) {
   if (c.overflow) add("SU u_port.u_answers", "overflow", memory, c.su_answers(), units);
 
   add("PU u_fetch.u_reader.u_lines", "parameters", memory, c.geometry_lines(), units);
+  if (c.tight_cull) add("PU u_reach.u_words", "parameters", record_width<Visible>(c), c.reach_depth(), units);
   add("PU u_visible", "parameters", record_width<Visible>(c), c.visible_depth(), units);
   add("PU u_shape.u_centers", "parameters", record_width<Center>(c), c.center_depth(), units);
   const int payload = c.has_lists() ? record_width<Listed>(c) : record_width<Parted>(c);

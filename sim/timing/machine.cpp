@@ -33,7 +33,7 @@ Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& m
                                                                                                 : lane < units;
       const bool listed = kind == kLists || kind == kListColor || (kind == kExpand && config.parts() == 1);
       if (!there || (!config.caches_alphas() && (kind == kWalk || kind == kStore || kind == kRows)) ||
-          (config.has_lists() ? kind == kColor : listed))
+          (config.has_lists() ? kind == kColor : listed) || (kind == kReach && !config.tight_cull))
         continue;
       all_[static_cast<size_t>(unit(kind, lane) / 64)] |= uint64_t{1} << (unit(kind, lane) % 64);
     }
@@ -65,6 +65,7 @@ void Machine::step(int number, Cycle now) {
     case kExpand: pu[k].expand(*this, now); break;
     case kConic: pu[k].conic(*this, now); break;
     case kDeal: deal.step(*this, now); break;
+    case kReach: pu[k].reach(*this, now); break;
     case kCull: pu[k].cull(*this, now); break;
     case kReader: pu[k].reader(*this, now); break;
     case kDopu: dopu.step(*this, now); break;

@@ -46,6 +46,7 @@ enum Unit : int {
   kConic,
   kProject,  // pu_project, and the stages behind it up to pu_covariance
   kDeal,
+  kReach,  // with TightCull
   kCull,
   kReader,  // pu_fetch
   kDopu,

@@ -166,7 +166,7 @@ void expect_as_built(const std::string& settings) {
 
 TEST(StaticCost, OtherCountsAndWidthsAreAsBuilt) {
   expect_as_built("units=2 pixels_per_row=1 grid=8 window=32 alpha_w=10 records=64 alpha_lines=256 fetch_lines=16");
-  expect_as_built("units=2 late=1 order=2 quads=1 window=128 tests=2 pixel_w=32");
+  expect_as_built("units=2 late=1 order=2 quads=1 window=128 tests=2 pixel_w=32 tight_cull=1");
 }
 
 TEST(StaticCostLong, OneUnitIsAsBuilt) {

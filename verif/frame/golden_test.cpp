@@ -131,6 +131,27 @@ TEST(Golden, FourPartsGiveThePixelsOfTheirOwnWindows) {
   }
 }
 
+// What pu_reach drops has no region: fewer Gaussians behind the cull, and the same picture.
+TEST(Golden, TheTighterCullGivesTheSamePixels) {
+  for (const int order : {0, 2}) {
+    for (uint64_t seed = 80; seed < 84; ++seed) {
+      const Scene scene = random_scene(seed, 2000, 1);
+      const Camera camera = test_camera(260, 200, 90);
+      SimulateOptions options;
+      options.config.late = 1;
+      options.config.order = order;
+      Simulation loose, tight;
+      simulate_golden(scene, camera, options, loose);
+      options.config.tight_cull = 1;
+      simulate_golden(scene, camera, options, tight);
+      EXPECT_EQ(tight.golden.pixels, loose.golden.pixels) << "order " << order << ", seed " << seed;
+      EXPECT_EQ(tight.golden.work.records, loose.golden.work.records);
+      EXPECT_EQ(tight.golden.work.blended, loose.golden.work.blended);
+      EXPECT_LT(tight.golden.work.visible, loose.golden.work.visible);
+    }
+  }
+}
+
 // The rank of lists is the order of depth: of two Gaussians that are drawn, the nearer one comes first.
 TEST(Golden, ListsRankByDepth) {
   std::vector<Gaussian> gaussians;

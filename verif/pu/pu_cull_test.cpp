@@ -4,9 +4,9 @@
 #include "cpp_model/pu/pu_cull.hpp"
 
 #include "Vpu_cull.h"
-#include "cpp_model/pu/pass.hpp"
 #include "verif/pu/pu_chain.hpp"
 #include "verif/pu/pu_stage.hpp"
+#include "verif/pu/random_fetched.hpp"
 #include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
@@ -14,71 +14,9 @@ namespace {
 
 PIPEGS_STAGE(pu_cull, Fetched, fetched, Visible, visible);
 
-// Pixels that a Gaussian is tested against along one axis: of its window; with lists, of all windows of the frame.
-double side_pixels(const Config& config, uint64_t window, uint64_t last) {
-  return static_cast<double>((config.has_lists() ? last - window + 1 : 1) * static_cast<uint64_t>(config.window));
-}
-
-// A Gaussian near the edge of its window: the mean lies about its own reach beyond a side, and the chunk anywhere.
-Fetched make(PuRandom& random, const Frame& frame) {
-  const Config& config = random.config;
-  const Visible v = random.visible(frame);
-  Fetched in;
-  in.window_x = config.has_lists() ? frame.raster.windows.first_x : v.window_x;
-  in.window_y = config.has_lists() ? frame.raster.windows.first_y : v.window_y;
-  in.view_exp = v.view_exp;
-  const int lead = config.view_w - config.pos_w - 3;  // view_exp >= offset_exp - lead
-  const int64_t highest = std::min<int64_t>(63, static_cast<int64_t>(v.view_exp) + lead);
-  in.offset_exp = static_cast<uint64_t>(
-      std::max<int64_t>(0, random.chance(2) ? highest : random.integer(0, std::max<int64_t>(0, highest))));
-  in.view_exp = std::max<uint64_t>(in.view_exp, in.offset_exp < static_cast<uint64_t>(std::max(lead, 0))
-                                                    ? 0
-                                                    : in.offset_exp - static_cast<uint64_t>(std::max(lead, 0)));
-  if (lead < 0) in.view_exp = std::max<uint64_t>(in.view_exp, in.offset_exp + static_cast<uint64_t>(-lead));
-  const int64_t most = int64_t{1} << (config.pos_w - 1);
-  in.offset_x = random.integer(-most, most - 1);
-  in.offset_y = random.integer(-most, most - 1);
-  in.offset_z = random.integer(-most, most - 1);
-  pass_scales(v, in);
-  pass_quaternion(v, in);
-  in.opacity = v.opacity, in.base_r = v.base_r, in.base_g = v.base_g, in.base_b = v.base_b;
-  in.index = v.index, in.slot = v.slot;
-  // The origin that puts the mean where it hurts: aim at a pixel about the reach away from the window.
-  const auto real = [](auto m, int down) { return std::ldexp(static_cast<double>(m), -down); };
-  const double z = static_cast<double>(v.view_z),
-               size = random.scale_value(std::max({in.scale_0, in.scale_1, in.scale_2}));
-  const double s = std::ldexp(size, -static_cast<int>(in.view_exp));
-  const auto aim = [&](uint64_t focal, uint64_t reach, int64_t center, uint64_t window, uint64_t last) {
-    const double pixels = side_pixels(config, window, last), reach_px = real(reach, config.focal_f()) * s / z + 2,
-                 pixel = real(center, config.center_f());
-    const double side =
-        random.chance(2) ? -reach_px * random.uniform(0, 1.2) : pixels + reach_px * random.uniform(0, 1.2);
-    const double at = random.chance(2) ? random.uniform(0, pixels) : side;
-    return (static_cast<double>(window) * config.window + at - pixel) / real(focal, config.focal_f()) * z;
-  };
-  const double x =
-      aim(frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x, in.window_x, frame.raster.windows.last_x);
-  const double y =
-      aim(frame.lens.focal_y, frame.lens.reach_y, frame.lens.center_y, in.window_y, frame.raster.windows.last_y);
-  const double unit = std::ldexp(1.0, static_cast<int>(in.offset_exp) - static_cast<int>(in.view_exp) - config.rot_f());
-  const auto row = [&](int64_t a, int64_t b, int64_t c) {
-    return unit * (static_cast<double>(a) * static_cast<double>(in.offset_x) +
-                   static_cast<double>(b) * static_cast<double>(in.offset_y) +
-                   static_cast<double>(c) * static_cast<double>(in.offset_z));
-  };
-  const auto origin = [&](double value) {
-    const double high = std::ldexp(0.74, config.view_w - 1);  // the offset fills a quarter at most
-    return static_cast<int64_t>(std::llround(std::clamp(value, -high, high)));
-  };
-  in.origin_x = origin(x - row(frame.camera.rotation.w00, frame.camera.rotation.w01, frame.camera.rotation.w02));
-  in.origin_y = origin(y - row(frame.camera.rotation.w10, frame.camera.rotation.w11, frame.camera.rotation.w12));
-  in.origin_z = origin(z - row(frame.camera.rotation.w20, frame.camera.rotation.w21, frame.camera.rotation.w22));
-  return in;
-}
-
 auto make_run() {
   return [](PuRandom& random, int count) {
-    StageRun<Stage> run = stage_run<Stage>(make, [](auto&&...) { return Visible{}; })(random, count);
+    StageRun<Stage> run = stage_run<Stage>(random_fetched, [](auto&&...) { return Visible{}; })(random, count);
     run.expected.clear();
     for (const Fetched& in : run.inputs) {
       if (const std::optional<Visible> v = pu_cull(random.config, run.frame, in)) run.expected.push_back(*v);
@@ -88,6 +26,53 @@ auto make_run() {
 }
 
 TEST(PuCull, EqualsItsModelAtEveryPace) { check_every_pace<Stage>(make_run()); }
+
+// What goes to pu_reach beside each survivor.
+class Gaps : public Endpoint {
+ public:
+  Gaps(Bench<Vpu_cull>& bench, const Config& config) : bench_(bench), config_(config) { bench.add(*this); }
+  void drive() override {}
+  void observe() override {
+    auto& dut = bench_.dut;
+    if (dut.visible_valid_o && dut.visible_ready_i) found.push_back(read_record<Gap>(config_, dut.gap_o));
+  }
+  std::vector<Gap> found;
+
+ private:
+  Bench<Vpu_cull>& bench_;
+  const Config& config_;
+};
+
+TEST(PuCull, TheGapGoesBesideTheSurvivor) {
+  const Config config = test_config();
+  std::mt19937_64 rng(test_seed());
+  PuRandom random{config, rng};
+  size_t beyond = 0;
+  for (const Pace pace : kPaces) {
+    for (int i = 0; i < 10; ++i) {
+      const StageRun<Stage> run = make_run()(random, 400);
+      std::vector<Gap> expected;
+      for (const Fetched& in : run.inputs) {
+        Gap gap;
+        if (!pu_cull(config, run.frame, in, nullptr, &gap)) continue;
+        expected.push_back(config.tight_cull ? gap : Gap{});
+        beyond += gap.gap_x > 0 || gap.gap_y > 0;
+      }
+      Bench<Vpu_cull> bench;
+      write_frame(config, bench.dut, run.frame);
+      auto source = Stage::source(bench, config, Pace::kAlways);
+      auto sink = Stage::sink(bench, config, pace);
+      Gaps gaps(bench, config);
+      bench.reset();
+      for (const Fetched& in : run.inputs) source.push(in);
+      bench.run_until([&] { return gaps.found.size() >= expected.size() && source.empty(); });
+      ASSERT_EQ(gaps.found.size(), expected.size());
+      for (size_t k = 0; k < expected.size(); ++k)
+        ASSERT_EQ(first_difference(config, expected[k], gaps.found[k]), "") << "beat " << k << ", seed " << bench.seed;
+    }
+  }
+  EXPECT_GT(beyond, 500u);
+}
 
 TEST(PuCull, TakesAGaussianEveryCycle) {
   const Config config = test_config();
@@ -114,7 +99,7 @@ TEST(PuCull, ModelDropsNothingThatReachesAPixelOfTheWindow) {
   for (int i = 0; i < 4000; ++i) {
     const Frame frame = random.frame();
     for (int k = 0; k < 10; ++k) {
-      Fetched in = make(random, frame);
+      Fetched in = random_fetched(random, frame);
       // A pixel where the exponent is above -power_max can be seen: power_max = ln(AlphaCut opacity).
       if (random.chance(3)) in.opacity = 0;
       const double power_max =

@@ -39,7 +39,7 @@ void Deal::step(Machine& m, Cycle now) {
     Output<Beat>& culled = m.pu[static_cast<size_t>(k)].culled;
     beat_ = culled.value;
     culled.valid = false;
-    m.wheel.wake_now(unit(kCull, k));
+    m.wheel.wake_now(unit(m.config.tight_cull ? kReach : kCull, k));
     moved = true;
   };
   if (free && data == 0 && std::popcount(ends) == m.units) {

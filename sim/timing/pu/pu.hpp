@@ -35,6 +35,7 @@ class Pu {
 
   void reader(Machine& m, Cycle now);
   void cull(Machine& m, Cycle now);
+  void reach(Machine& m, Cycle now);
   void project(Machine& m, Cycle now);
   void conic(Machine& m, Cycle now);
   void expand(Machine& m, Cycle now) { lists_ ? expand_.step(m, now, conic_.out) : parts_.step(m, now, conic_.out); }
@@ -62,7 +63,7 @@ class Pu {
   const Splat& splat() const { return late_ ? queued_.front().splat : color.out.value; }
   void take_splat(Machine& m, Cycle now);
 
-  Output<Beat> culled;                               // to pu_deal
+  Output<Beat> culled;                               // to pu_deal; with TightCull the head of what is in pu_reach
   SramQueue<Beat, Config::visible_depth()> visible;  // from pu_deal
   Color color;
 
@@ -84,7 +85,7 @@ class Pu {
   uint64_t done_regions(const Machine& m, uint64_t part) const;
 
   const int lane_;
-  const bool late_, lists_, has_parts_;
+  const bool late_, lists_, has_parts_, tight_;
 
   Reader reader_;
   bool chunk_room_ = true;  // in the next cycle
@@ -93,6 +94,10 @@ class Pu {
   std::array<Beat, 8> pipe_;
   unsigned pipe_at_ = 0;
   int pipe_count_ = 0;
+  Output<Beat> survivor_;  // only with TightCull, to pu_reach
+
+  Queue<Beat, Config::reach_depth(), 12> reach_;
+  bool reach_offered_ = false;  // its head is what pu_deal sees
 
   Phases phases_;  // project to covariance
   SlotStage conic_, coeff_;

@@ -12,6 +12,7 @@ Pu::Pu(const Machine& m, int lane)
       late_(!m.config.caches_alphas()),
       lists_(m.config.has_lists()),
       has_parts_(m.config.parts() > 1),
+      tight_(m.config.tight_cull != 0),
       reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians),
       phases_(m.config.antialias != 0),
       expand_(lane),
@@ -55,11 +56,12 @@ void Pu::reader(Machine& m, Cycle now) {
 // --- pu_cull ---------------------------------------------------------------------------------------------------------
 
 void Pu::cull(Machine& m, Cycle now) {
-  if (culled.valid) return;  // pu_deal wakes us
+  Output<Beat>& out = tight_ ? survivor_ : culled;
+  if (out.valid) return;  // pu_deal or pu_reach wakes us
   const Beat leaving = pipe_[pipe_at_];
   if (leaving != kBubble) {
-    culled.set(now + 1, leaving);
-    m.wheel.wake(unit(kDeal), now + 1);
+    out.set(now + 1, leaving);
+    m.wheel.wake(tight_ ? unit(kReach, lane_) : unit(kDeal), now + 1);
     --pipe_count_;
   }
   Beat entering = kBubble;
@@ -79,6 +81,28 @@ void Pu::cull(Machine& m, Cycle now) {
   pipe_at_ = pipe_at_ + 1 == pipe_.size() ? 0 : pipe_at_ + 1;
   if (entering != kBubble) ++pipe_count_;
   if (pipe_count_ > 0 || item) m.wheel.wake(unit(kCull, lane_), now + 1);
+}
+
+// --- pu_reach --------------------------------------------------------------------------------------------------------
+
+void Pu::reach(Machine& m, Cycle now) {
+  const int self = unit(kReach, lane_);
+  const auto dropped = [&] { return !is_end(reach_.front()) && m.trace.dropped[reach_.front()] != 0; };
+  if (reach_offered_ ? !culled.valid : reach_.valid(now) && dropped()) {
+    reach_.pop(now);
+    reach_offered_ = false;
+    if (survivor_.valid) m.wheel.wake(self, now + 1);
+  }
+  if (survivor_.shown(now) && reach_.room(now)) {
+    reach_.push(now, survivor_.value);
+    survivor_.valid = false;
+    m.wheel.wake_now(unit(kCull, lane_));
+  }
+  if (reach_.empty() || reach_offered_) return;
+  if (dropped()) return m.wheel.wake(self, reach_.head_from());
+  culled.set(reach_.head_from(), reach_.front());
+  reach_offered_ = true;
+  m.wheel.wake(unit(kDeal), culled.from);
 }
 
 // --- stages of eight cycles ------------------------------------------------------------------------------------------

@@ -20,7 +20,7 @@ struct Part {
   std::vector<TimingChunk> chunks;
   std::vector<uint64_t> mask, key;
   std::vector<uint32_t> slot, pairs, quads_first;  // pairs: of each survivor, how many
-  std::vector<uint8_t> boxes;
+  std::vector<uint8_t> boxes, dropped;
   std::vector<uint16_t> part, quads;
 };
 
@@ -112,10 +112,16 @@ class WindowTrace {
       TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.slot.size()), 0,
                        static_cast<uint16_t>(bucket)};
       for (uint64_t k = 0; k < chunk.count; ++k) {
-        const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k);
-        if (!found) continue;
+        bool dropped = false;
+        const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k, &dropped);
+        if (!found && !dropped) continue;
         sent.survivors |= uint64_t{1} << k;
         part_.slot.push_back(static_cast<uint32_t>(chunk.slot + k));
+        part_.dropped.push_back(dropped);
+        if (dropped) {
+          no_pair();
+          continue;
+        }
         const std::vector<PuPart> parts = pu_parts(config_, found->conic);
         part_.pairs.push_back(static_cast<uint32_t>(parts.size()));
         for (const PuPart& one : parts) {
@@ -130,6 +136,17 @@ class WindowTrace {
       }
       part_.chunks.push_back(sent);
     }
+  }
+
+  // Of a survivor that pu_reach drops. Without parts its pair has its number.
+  void no_pair() {
+    part_.pairs.push_back(0);
+    if (config_.parts() > 1) return;
+    part_.mask.push_back(0);
+    part_.key.push_back(0);
+    part_.boxes.push_back(0);
+    part_.part.push_back(0);
+    trace_quads(rows_, {}, part_.quads, part_.quads_first);
   }
 
   const GoldenInput& input_;
@@ -176,6 +193,7 @@ void trace_windows(const GoldenInput& input, unsigned threads, TimingTrace& trac
     trace.mask.insert(trace.mask.end(), part.mask.begin(), part.mask.end());
     trace.key.insert(trace.key.end(), part.key.begin(), part.key.end());
     trace.slot.insert(trace.slot.end(), part.slot.begin(), part.slot.end());
+    trace.dropped.insert(trace.dropped.end(), part.dropped.begin(), part.dropped.end());
     trace.boxes.insert(trace.boxes.end(), part.boxes.begin(), part.boxes.end());
     for (const uint32_t first : part.quads_first) trace.quads_first.push_back(quads + first);
     trace.quads.insert(trace.quads.end(), part.quads.begin(), part.quads.end());

@@ -31,7 +31,7 @@ struct TimingNode {
 struct TimingChunk {
   uint32_t chunk = 0;      // number of the node
   uint32_t first = 0;      // its first survivor
-  uint64_t survivors = 0;  // which of its Gaussians the cull keeps
+  uint64_t survivors = 0;  // which of its Gaussians pu_cull keeps
   uint16_t bucket = 0;     // of depth, order 2
 };
 
@@ -67,8 +67,9 @@ struct TimingTrace {
   std::vector<TimingChunk> chunks_sent;
   std::vector<TimingWindow> windows;  // row by row from frame.first to frame.last
   // By survivor of a cull.
-  std::vector<uint32_t> slot;   // in packed memory
-  std::vector<uint32_t> pairs;  // parts, lists: its first pair; one more entry at the end
+  std::vector<uint32_t> slot;    // in packed memory
+  std::vector<uint32_t> pairs;   // parts, lists: its first pair; one more entry at the end
+  std::vector<uint8_t> dropped;  // TightCull: by pu_reach; its pair, if it has one, is never asked for
   // By pair.
   std::vector<uint64_t> mask, key;  // regions of the part; sort key
   std::vector<uint8_t> boxes;       // cycles in which pu_intersect walks its box; 0: it has none

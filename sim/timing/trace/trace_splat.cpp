@@ -8,18 +8,23 @@
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/pu_cull.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
+#include "cpp_model/pu/pu_reach.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/ru/ru_quads.hpp"
 #include "cpp_model/su/su.hpp"
 
 namespace pipegs {
 
-std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot) {
+std::optional<GoldenConic> trace_conic(const GoldenInput& input, const Chunk& chunk, uint64_t slot, bool* late) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
+  Gap gap;
   const std::optional<Visible> visible =
-      pu_cull(config, frame, golden_fetched(chunk, input.packed->gaussians[slot], slot));
+      pu_cull(config, frame, golden_fetched(chunk, input.packed->gaussians[slot], slot), nullptr, &gap);
   if (!visible) return std::nullopt;
+  const bool drop = config.tight_cull && !pu_reach(config, frame, *visible, gap);
+  if (late != nullptr) *late = drop;
+  if (drop) return std::nullopt;
   return golden_conic(config, frame, *visible);
 }
 
