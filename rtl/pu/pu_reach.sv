@@ -119,8 +119,13 @@ module pu_reach (
 
   // The quaternion: ten leading bits behind the sign, and a one for the middle of the rest.
   localparam int unsigned F = 11;
+  localparam int unsigned QuatWideW = QuatW > F ? QuatW : F + 1;
+  localparam int unsigned QuatDown  = QuatW > F ? QuatW - F : 0;
+  localparam int unsigned QuatUp    = QuatW > F ? 1 : F + 1 - QuatW;
   function automatic logic signed [F:0] middle_q(input logic signed [QuatW-1:0] q);
-    middle_q = QuatW > F ? {q[QuatW-1 -: F], 1'b1} : (F + 1)'(q) <<< (F + 1 - QuatW);
+    logic signed [QuatWideW-1:0] wide;
+    wide     = QuatWideW'(q);
+    middle_q = ((F + 1)'(wide >>> QuatDown) <<< QuatUp) | $signed((F + 1)'(QuatW > F));
   endfunction
   logic signed [F:0] qw_q [4], qx_q [4], qy_q [4], qz_q [4];  // 1 to 3
   always_ff @(posedge clk_i) begin

@@ -122,15 +122,19 @@ TEST(PuReach, ModelDropsNothingThatHasARegion) {
       if (seen) { ASSERT_TRUE(keeps) << to_text(config, in) << "\n" << to_text(config, frame); }
       kept += keeps;
       dropped += !keeps;
+      if (!keeps) { ASSERT_TRUE(exact) << to_text(config, in) << "\n" << to_text(config, frame); }
+      // The figure is of Gaussians that a scene has: not larger than their distance, which has some bits.
+      const double size = random.scale_value(std::max({in.visible.scale_0, in.visible.scale_1, in.visible.scale_2}));
+      const int64_t z = in.visible.view_z;
+      if (z < 1 << 14 || size > std::ldexp(static_cast<double>(z), static_cast<int>(in.visible.view_exp))) continue;
       exactly += exact;
       both += exact && !keeps;
-      if (!keeps) { ASSERT_TRUE(exact) << to_text(config, in) << "\n" << to_text(config, frame); }
     }
   }
   std::printf("pu_reach: %d kept, %d dropped; %d of the %d that the test drops in double precision (%.1f %%)\n", kept,
               dropped, both, exactly, 100.0 * both / exactly);
   EXPECT_GT(kept, 1000);
-  EXPECT_GT(both, (config.quat_w < 16 ? 0.7 : 0.9) * exactly);
+  EXPECT_GT(both, (config.quat_w < 16 ? 0.8 : 0.9) * exactly);
 }
 
 }  // namespace
