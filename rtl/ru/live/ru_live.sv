@@ -55,7 +55,7 @@ module ru_live #(
 );
 
   localparam int unsigned Slots    = Regions / Units;
-  localparam int unsigned PlaceW   = RegionW / 2;
+  localparam int unsigned PartSide = pipegs_pkg::PartRegionsX;
   localparam int unsigned ColorsW  = 3 * pipegs_pkg::ColorW;
   localparam int unsigned TW       = pipegs_pkg::TW;
   localparam int unsigned PixelsW  = 3 * pipegs_pkg::RgbW;
@@ -80,10 +80,11 @@ module ru_live #(
   for (genvar i = 0; i < Slots * 16; i += 1) begin : gen_outside
     logic [Units-1:0] out;
     for (genvar k = 0; k < Units; k += 1) begin : gen_place
-      localparam int unsigned Region = i / 16 * Units + k;
-      logic [PlaceW-1:0] column, row;
-      ru_place u_place (.region_i(RegionW'(Region)), .column_o(column), .row_o(row));
-      assign out[k] = own_i[Region] && (rows_out[{row, 2'(i % 16 / 4)}] || columns_out[{column, 2'(i % 4)}]);
+      localparam int unsigned Region = i / 16 * Units + k, InPart = Region % pipegs_pkg::MaskW;
+      localparam int unsigned Part = Region / pipegs_pkg::MaskW;
+      localparam int unsigned Column = Part % pipegs_pkg::PartsX * PartSide + InPart % PartSide;  // in regions
+      localparam int unsigned Row = Part / pipegs_pkg::PartsX * PartSide + InPart / PartSide;
+      assign out[k] = own_i[Region] && (rows_out[4*Row + i%16/4] || columns_out[4*Column + i%4]);
     end
     assign outside[i] = out != '0;
   end
