@@ -14,12 +14,13 @@
 //           z, x'    1 and 2.6 (the clamp's own bound is good to 1.6, in a guard band up to 16)          -> |.| <= 2.8
 //           W        2^-11 (|z| + |x'|) in each component                                                      1.8
 //           n        half a unit in each                                                                       0.9
-//           R        q is within d = 2^-10 + 2^-(QuatW-1) of a unit quaternion, so its matrix within 2 sqrt(2) d; entries
-//                    2^-11 each; the machine's own within 4 2^-(QuatW-1) + 2^-15 of a rotation:
+//           R        q is within d = 2^-10 + 2^-(QuatW-1) of a unit quaternion, so its matrix within 2 sqrt(2) d;
+//                    entries 2^-11 each; the machine's own within 4 2^-(QuatW-1) + 2^-15 of a rotation:
 //                    1448 (3.8 2^-10 + 6.9 2^-(QuatW-1))                                     5.4 + 9992 2^-(QuatW-1)
 //           n . R_k  rounded                                                                                   0.5
 //         The sum, 11.4 + 9992 2^-(QuatW-1), is below Error. That regions are kept for a cut lowered by CutSlack is in
-//         the weights, and 2^-9 of `spread` covers what is rounded from the variance to the coefficients.
+//         the weights, and 2^-8 of `spread` is for what is rounded from the variance to the coefficients. As the reach
+//         of pu_cull it counts on the guard band.
 // RTL     rtl/pu/pu_reach.sv
 #pragma once
 

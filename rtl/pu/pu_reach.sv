@@ -2,11 +2,12 @@
 // pu_reach: drops a Gaussian whose own ellipse ends before the window; pu_cull tests only its largest scale.
 //
 // Paper   Sec. 4.2, frustum culling; the paper tests a sphere only.
-// Idea    keep iff the gap G to the window is not positive or (G z)^2 < (r f w)^2 sum_k s_k^2 (|n . R_k| + Error)^2, with
-//         n = W^T (z, 0, -x') (see the model). The Gaussian waits in a queue while a pipeline that never stands still
-//         works out one bit; the queue's places are the pipeline's. Stages:
-//           1 the axis   2 normalised gap, guard band   3 clamped x, z   4 products of W, of q   5 n, R   6 nine products
-//           7 |n . R_k|  8 times s_k   9 squares   10 their sum   11 times (r f w)^2   12 comparison -> queue of bits
+// Idea    keep iff the gap G to the window is not positive or (G z)^2 < (r f w)^2 sum_k s_k^2 (|n . R_k| + Error)^2,
+//         with n = W^T (z, 0, -x') (see the model). The Gaussian waits in a queue while a pipeline that never stands
+//         still works out one bit; the queue's places are the pipeline's. Stages:
+//           1 the axis   2 normalised gap, guard band   3 clamped x, z   4 products of W, of q   5 n, R
+//           6 nine products   7 |n . R_k|   8 times s_k   9 squares   10 their sum   11 times (r f w)^2
+//           12 comparison -> queue of bits
 // Stream  culled in, visible out: only those that are kept, and every end beat, in order.
 // Pace    One per cycle, latency 12. What is dropped leaves its queue in one cycle.
 // Model   cpp_model/pu/pu_reach.hpp
@@ -73,7 +74,7 @@ module pu_reach (
   end
 
   // --- what rides along --------------------------------------------------------------------------------------------
-  logic       test_q    [Stages+1];  // 1 to 11: the Gaussian may be dropped
+  logic       test_q    [Stages+1];  // 1 to 11: it may be dropped; beside an end the gap is zero
   logic       along_x_q [Stages];    // 1 to 8: the axis
   logic [5:0] opacity_q [Stages];    // 1 to 8
 
@@ -102,7 +103,7 @@ module pu_reach (
   always_ff @(posedge clk_i) begin
     along_x_q[1] <= along_x;
     opacity_q[1] <= culled.opacity[pipegs_pkg::OpacityW-1 -: 6];
-    test_q[1]    <= culled.kind == pipegs_pkg::KindData && !gap.untested && (gap.gap_x > 0 || gap.gap_y > 0);
+    test_q[1]    <= !gap.untested && (gap.gap_x > 0 || gap.gap_y > 0);
     gap1_q       <= along_x ? gap.gap_x : gap.gap_y;
     side1_q      <= along_x ? gap.x : gap.y;
     z1_q         <= gap.z[CutW-1:0];

@@ -53,6 +53,13 @@ mutant pu_phases "a new record is let into an output that was not taken" \
        's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/'
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
+mutant pu_cull "the gap on the low side without what the cut bits of x may hide" \
+       's/ - fx - focal;/ - fx;/' pu_cull_tight
+mutant pu_reach "the bound of the rounding errors left out" "s/ \+ \(NW-1\)'\(Error\);/;/"
+mutant pu_reach "a scale below the largest rounded down" "s/\(\(one - 7'd1\) >> below\) \+ 7'd1/one >> below/"
+mutant pu_reach "the guard band clamps on one side only" "s/wide_side \+ bound < 0 \?/1'b0 ?/"
+mutant pu_reach "the axis of the smaller gap" 's/(along_x = gap.gap_x )>=/\1</'
+mutant pu_reach "what is dropped is offered" 's/ && bit_valid && kept;/ \&\& bit_valid;/'
 mutant pu_project "exponent of the depth key + 1" 's/(z_log *= .*ViewW - )2/\11/'
 mutant pu_orient "one sign of the Hamilton product" 's/p0 - p1 \+ p2 \+ p3/p0 + p1 + p2 + p3/'
 mutant pu_jacobian "exponent of the gain + 1" 's/(gain_e_q *<= .*\(Cut)\)/\1 + 1)/'
