@@ -220,7 +220,7 @@ module pu_reach (
   assign spread_e   = along_x_q[3] ? lens_i.spread_x[12:8] : lens_i.spread_y[12:8];
   // Bits of the gap above its leading nine are GapW - 10 less its shift; 8 is the bias of the scales.
   assign twice3 = 10'(exponent3_q) <<< 1;
-  assign down4  = $signed(10'(31 - 2 * (int'(GapW) - 1 - int'(GapMW) + 8) - 9)) - twice3 + $signed(10'(spread_e));
+  assign down4  = $signed(10'(31 - 9 - 2 * (GapW - 1 - GapMW + 8))) - twice3 + $signed(10'(spread_e));
   logic [17:0] gap_z;
   assign gap_z = 18'(gap3_q) * 18'(z3_q);
   always_ff @(posedge clk_i) begin

@@ -90,7 +90,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   } else {
     add("pu_cull", "projection", "pu", 1, 16, 29 + (c.tight_cull ? 10 : 0), times({span}));
   }
-  if (c.tight_cull) add("pu_reach", "projection", "pu", 1, 36, 27);
+  if (c.tight_cull) add("pu_reach", "projection", "pu", 1, 36, 26);
   add("pu_project", "projection", "pu", 1, 1, 1);
   add("pu_orient", "projection", "pu", 1, 4, 14);
   add("pu_jacobian", "projection", "pu", 1, 2, 4);
