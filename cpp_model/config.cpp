@@ -52,7 +52,6 @@ void config_check(const Config& config) {
                                     {"window", config.window},
                                     {"pixel_w", config.pixel_w},
                                     {"alpha_lines", config.alpha_lines},
-                                    {"records", config.records},
                                     {"chunk", config.chunk},
                                     {"grid", config.grid},
                                     {"nearest_nodes", config.nearest_nodes}}) {

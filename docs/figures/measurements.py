@@ -68,12 +68,14 @@ WHAT_IF = {  # of the design point exact: one thing changed
     "quads_bandwidth102": "--set quads=1 --memory lpddr5-6400x8",
 }
 FINE_QUADS = "--config sim/fine.cfg --set quads=1"
+PARTS = FINE_QUADS + " --set window=128"
 STEPS = {  # from exact to sim/fast.cfg: each row adds to the one before
     "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", FINE_QUADS),
-    "window128": ("windows of four parts", FINE_QUADS + " --set window=128"),
-    "buckets": ("buckets of 1/128 octave", FINE_QUADS + " --set window=128 --set bucket_bits=7"),
-    "tests2": ("two tests of regions in a cycle", FINE_QUADS + " --set window=128 --set bucket_bits=7 --set tests=2"),
-    "fast": ("pixels of 32 bits: `sim/fast.cfg`", "--config sim/fast.cfg"),
+    "window128": ("windows of four parts", PARTS),
+    "buckets": ("buckets of 1/128 octave", PARTS + " --set bucket_bits=7"),
+    "tests2": ("two tests of regions in a cycle", PARTS + " --set bucket_bits=7 --set tests=2"),
+    "tight": ("a cull by the ellipse itself", PARTS + " --set bucket_bits=7 --set tests=2 --set tight_cull=1"),
+    "fast": ("pixels of 32 bits, 1536 records: `sim/fast.cfg`", "--config sim/fast.cfg"),
 }
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
     "dop": "", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",

@@ -18,6 +18,7 @@ namespace pipegs {
 namespace {
 
 const Config kConfig = test_config();
+constexpr int kOctave = 20;  // random depths lie before, in and behind its 16 octaves of buckets
 
 Splat random_splat(std::mt19937_64& rng) { return random_record<Splat>(kConfig, rng); }
 
