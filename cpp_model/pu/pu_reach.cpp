@@ -16,7 +16,6 @@ constexpr int kZW = 9;          // bits of z, a one below makes the 10 of the he
 constexpr int kF = 11;          // fraction of W, q, R
 constexpr int kGapW = 9;        // bits of the gap
 constexpr int kScaleW = 6;      // bits of a scale
-constexpr int kSpreadMW = 8;    // mantissa of the lens' field below its leading one
 constexpr int kMostShift = 31;  // of the comparison, to either side
 
 // The leading bits of an s0.(width-1) or s1.(width-2) number, 10 fraction bits of them, and a one for the middle of
@@ -34,16 +33,6 @@ int64_t scale_at(const Config& c, uint64_t scale, int largest) {
 }
 
 }  // namespace
-
-uint64_t pu_reach_spread(const Config& c, uint64_t focal) {
-  if (!c.tight_cull) return 0;
-  const double pixels = std::ldexp(static_cast<double>(focal), -c.focal_f());
-  const double spread = std::max(1.0, 2 * std::log(c.alpha_cut) * pixels * pixels * (1 + std::ldexp(1.0, -8)));
-  const int e = std::ilogb(spread);
-  // A mantissa that rounds up to 2 carries into the exponent.
-  return (static_cast<uint64_t>(e) << kSpreadMW) + static_cast<uint64_t>(std::ceil(std::ldexp(spread, kSpreadMW - e))) -
-         (uint64_t{1} << kSpreadMW);
-}
 
 bool pu_reach(const Config& c, const Frame& frame, const Visible& in, const Gap& gap) {
   const bool along_x = gap.gap_x >= gap.gap_y;
