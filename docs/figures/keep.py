@@ -194,6 +194,12 @@ def one_model(found):
     return {"cycles": row["cycles"], "bytes": total_bytes(row["bytes"])}
 
 
+def large_model(found):
+    """The same, and the bytes of records and keys that found no room in the SUs."""
+    (row,) = found["rungs"]
+    return one_model(found) | {"sort": total_bytes({"sort": row["bytes"]["sort_overflow"]})}
+
+
 def silicon_rows(row):
     """By unit: count, gates, SRAM, area and longest path of one design point."""
     return {

@@ -18,6 +18,7 @@ from keep import (
     golden,
     ladder,
     lanes,
+    large_model,
     leave_one_out,
     models,
     netlist,
@@ -77,9 +78,15 @@ STEPS = {  # from exact to sim/fast.cfg: each row adds to the one before
     "tight": ("a cull by the ellipse itself", PARTS + " --set bucket_bits=7 --set tests=2 --set tight_cull=1"),
     "fast": ("pixels of 32 bits, 1536 records: `sim/fast.cfg`", "--config sim/fast.cfg"),
 }
+LARGE = {  # showroom, 3.0 M Gaussians, of the design point exact
+    "exact": ("`exact`", ""),
+    "fast": ("`sim/fast.cfg`", "--config sim/fast.cfg "),
+    "fast_records4096": ("`sim/fast.cfg` and `--set records=4096`", "--config sim/fast.cfg --set records=4096 "),
+}
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
     "dop": "", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",
     "exact_quads": "--rung exact --config sim/fine.cfg --set quads=1 ",
+    "exact_fast": "--rung exact --config sim/fast.cfg ",
     "exact_records1024": "--rung exact --set records=1024 ", "dop_sky130": "--library sky130hd_tt ",
 }
 MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
@@ -131,6 +138,8 @@ TABLE = [
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
                   MODEL, scene, points=("exact",)) for name, (_, change) in STEPS.items() for scene in FOUR],
+    *[Measurement(f"large/showroom/{name}", f"build/pipegs model {{scene}} --rung exact {options}--json", large_model,
+                  MODEL, "showroom", points=("exact",)) for name, (_, options) in LARGE.items()],
     *[Measurement(f"lanes/{scene}", "build/pipegs sim {scene} --rung exact --set quads=1 --no-rtl --no-truth --json",
                   lanes, ("models",), scene, points=("exact",)) for scene in FOUR],
     *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --json", frame, RTL, scene, view, ("dop",))

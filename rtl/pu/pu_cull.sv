@@ -198,7 +198,7 @@ module pu_cull (
     // -ceil(center) = floor(-center).
     edge_of = first + EdgeW'((-wide) >>> CenterCut);
   endfunction
-  logic signed [EdgeW-1:0]    edge_x5_q, edge_y5_q, edge_x6_q, edge_y6_q, edge_x7_q, edge_y7_q;
+  logic signed [EdgeW-1:0]    edge_x5_q, edge_y5_q, edge_x6_q, edge_y6_q;
   logic                       front7;
   logic signed [ViewW-1:0]    x5_q, y5_q, z5_q, sizes, normal;
   logic [ViewW-1:0]           s5_q;
@@ -242,12 +242,21 @@ module pu_cull (
   localparam int unsigned SmallW = ReachW - Coarse + 1;
   localparam int unsigned SideW  = FocalW + CutW + 4 > ReachW + CutW + 4 ? FocalW + CutW + 4 : ReachW + CutW + 4;
   localparam int unsigned ToEdge = pipegs_pkg::FocalF - EdgeF;
+  localparam int unsigned AsideW = (FocalW > EdgeW + ToEdge ? FocalW : EdgeW + ToEdge) + 2;
   logic signed [ViewW-1:0] x6_q, y6_q, z6_q, x7_q, y7_q, z7_q;  // the view coordinates
   logic signed [CutW:0]    cx6_q, cy6_q, cz6_q;                 // cut
   logic        [CutW:0]    cs6_q;
   logic signed [SideW-1:0] fx7_q, fy7_q, ax7_q, ay7_q, rx7_q, ry7_q;
-  logic signed [CutW:0]    cz7_q;
   logic [SmallW-1:0]       reach_x, reach_y;
+  // What the cutting of x and z may have taken away, on either side; stage 7 adds it up for stage 8.
+  logic signed [AsideW-1:0] near_x7_q, near_y7_q, far_x7_q, far_y7_q;
+  logic signed [EdgeW-1:0]  last_x6, last_y6;  // the far edges
+  function automatic logic signed [AsideW-1:0] to_left(input logic signed [EdgeW-1:0] at);
+    to_left = at < 0 ? AsideW'(at) <<< ToEdge : '0;
+  endfunction
+  function automatic logic signed [AsideW-1:0] to_right(input logic signed [EdgeW-1:0] at);
+    to_right = at > 0 ? AsideW'(at) <<< ToEdge : '0;
+  endfunction
   assign reach_x = SmallW'(lens_i.reach_x[ReachW-1:Coarse]) + SmallW'(lens_i.reach_x[Coarse-1:0] != '0);
   assign reach_y = SmallW'(lens_i.reach_y[ReachW-1:Coarse]) + SmallW'(lens_i.reach_y[Coarse-1:0] != '0);
   always_ff @(posedge clk_i) begin
@@ -259,8 +268,10 @@ module pu_cull (
       cz6_q <= (CutW + 1)'(z5_q >>> cut5_q);
       cs6_q <= (CutW + 1)'(s5_q >> cut5_q) + (CutW + 1)'(1);
       {x7_q, y7_q, z7_q, huge7_q} <= {x6_q, y6_q, z6_q, huge6_q};
-      {edge_x7_q, edge_y7_q} <= {edge_x6_q, edge_y6_q};
-      cz7_q <= cz6_q;
+      near_x7_q <= $signed(AsideW'(lens_i.focal_x)) - to_left(edge_x6_q);
+      near_y7_q <= $signed(AsideW'(lens_i.focal_y)) - to_left(edge_y6_q);
+      far_x7_q  <= to_right(last_x6);
+      far_y7_q  <= to_right(last_y6);
       fx7_q <= $signed(SideW'(lens_i.focal_x)) * SideW'(cx6_q);
       fy7_q <= $signed(SideW'(lens_i.focal_y)) * SideW'(cy6_q);
       ax7_q <= SideW'(edge_x6_q) * SideW'(cz6_q);
@@ -271,21 +282,20 @@ module pu_cull (
   end
 
   // --- stage 8: on which side of the two lines of an axis ----------------------------------------------------------
-  // Both are 0 or more exactly when the axis touches. `side` adds what the cutting of x and z may have taken away.
+  // Both are 0 or more exactly when the axis touches; near and far are slack.
   function automatic logic touches(input logic signed [SideW-1:0] fx, input logic signed [SideW-1:0] az,
                                    input logic signed [SideW-1:0] bz, input logic signed [SideW-1:0] rs,
-                                   input logic signed [SideW-1:0] focal, input logic signed [SideW-1:0] first,
-                                   input logic signed [SideW-1:0] last);
+                                   input logic signed [SideW-1:0] near, input logic signed [SideW-1:0] far);
     logic signed [SideW-1:0] low, high;
-    low  = fx + focal - (az <<< ToEdge) + rs - ((first < 0 ? first : SideW'(0)) <<< ToEdge);
-    high = fx - (bz <<< ToEdge) - rs - ((last > 0 ? last : SideW'(0)) <<< ToEdge);
+    low  = fx + near - (az <<< ToEdge) + rs;
+    high = fx - (bz <<< ToEdge) - rs - far;
     touches = low >= 0 && high <= 0;
   endfunction
-  logic signed [SideW-1:0] bx7, by7, last_x7, last_y7;  // the far edges times z, the far edges
+  logic signed [SideW-1:0] bx7, by7;  // the far edges times z
   logic                    touch_x, touch_y;
   if (pipegs_pkg::HasLists) begin : gen_frame  // the rectangle of all windows: two more products
     logic [WindowW-1:0]      more_x, more_y;  // windows behind the first one
-    logic signed [EdgeW-1:0] last_x6_q, last_y6_q, last_x7_q, last_y7_q;
+    logic signed [EdgeW-1:0] last_x6_q, last_y6_q;
     logic signed [SideW-1:0] bx7_q, by7_q;
     assign more_x  = windows_i.last_x - windows_i.first_x;
     assign more_y  = windows_i.last_y - windows_i.first_y;
@@ -293,28 +303,24 @@ module pu_cull (
       if (advance) begin
         last_x6_q <= edge_x5_q + EdgeW'(Span) + $signed(EdgeW'(more_x) << ($clog2(pipegs_pkg::Window) + EdgeF));
         last_y6_q <= edge_y5_q + EdgeW'(Span) + $signed(EdgeW'(more_y) << ($clog2(pipegs_pkg::Window) + EdgeF));
-        last_x7_q <= last_x6_q;
-        last_y7_q <= last_y6_q;
         bx7_q     <= SideW'(last_x6_q) * SideW'(cz6_q);
         by7_q     <= SideW'(last_y6_q) * SideW'(cz6_q);
       end
     end
-    assign last_x7 = SideW'(last_x7_q);
-    assign last_y7 = SideW'(last_y7_q);
+    assign last_x6 = last_x6_q;
+    assign last_y6 = last_y6_q;
     assign bx7     = bx7_q;
     assign by7     = by7_q;
-    logic unused_depth;
-    assign unused_depth = &{1'b0, cz7_q};
   end else begin : gen_window
-    assign last_x7 = SideW'(edge_x7_q) + SideW'(Span);
-    assign last_y7 = SideW'(edge_y7_q) + SideW'(Span);
-    assign bx7     = ax7_q + SideW'(Span) * SideW'(cz7_q);
-    assign by7     = ay7_q + SideW'(Span) * SideW'(cz7_q);
+    logic signed [SideW-1:0] span7_q;  // the window's side times z
+    always_ff @(posedge clk_i) if (advance) span7_q <= SideW'(Span) * SideW'(cz6_q);
+    assign last_x6 = edge_x6_q + EdgeW'(Span);
+    assign last_y6 = edge_y6_q + EdgeW'(Span);
+    assign bx7     = ax7_q + span7_q;
+    assign by7     = ay7_q + span7_q;
   end
-  assign touch_x = touches(fx7_q, ax7_q, bx7, rx7_q <<< Coarse, $signed(SideW'(lens_i.focal_x)), SideW'(edge_x7_q),
-                           last_x7);
-  assign touch_y = touches(fy7_q, ay7_q, by7, ry7_q <<< Coarse, $signed(SideW'(lens_i.focal_y)), SideW'(edge_y7_q),
-                           last_y7);
+  assign touch_x = touches(fx7_q, ax7_q, bx7, rx7_q <<< Coarse, SideW'(near_x7_q), SideW'(far_x7_q));
+  assign touch_y = touches(fy7_q, ay7_q, by7, ry7_q <<< Coarse, SideW'(near_y7_q), SideW'(far_y7_q));
   assign keep    = ride7.kind != pipegs_pkg::KindData || (front7 && (huge7_q || (touch_x && touch_y)));
 
   pipegs_pkg::visible_t out_q;
@@ -331,7 +337,7 @@ module pu_cull (
 
   // --- beside stages 7 and 8: how far the mean lies beyond the window, times z ---------------------------------------
   if (pipegs_pkg::TightCull != 0) begin : gen_gap
-    logic signed [CutW:0]    cx7_q, cy7_q;
+    logic signed [CutW:0]    cx7_q, cy7_q, cz7_q;
     logic [CutShiftW-1:0]    cut6_q, cut7_q;
     logic signed [SideW-1:0] gap_x, gap_y;
     pipegs_pkg::gap_t        gap_q;
@@ -339,19 +345,18 @@ module pu_cull (
     function automatic logic signed [SideW-1:0] beyond(input logic signed [SideW-1:0] fx,
                                                        input logic signed [SideW-1:0] az,
                                                        input logic signed [SideW-1:0] bz,
-                                                       input logic signed [SideW-1:0] focal,
-                                                       input logic signed [SideW-1:0] first,
-                                                       input logic signed [SideW-1:0] last);
+                                                       input logic signed [SideW-1:0] near,
+                                                       input logic signed [SideW-1:0] far);
       logic signed [SideW-1:0] low, high;
-      low    = ((az + (first < 0 ? first : SideW'(0))) <<< ToEdge) - fx - focal;
-      high   = fx - ((bz + (last > 0 ? last : SideW'(0))) <<< ToEdge);
+      low    = (az <<< ToEdge) - fx - near;
+      high   = fx - (bz <<< ToEdge) - far;
       beyond = low > 0 ? low : high;
     endfunction
-    assign gap_x = beyond(fx7_q, ax7_q, bx7, $signed(SideW'(lens_i.focal_x)), SideW'(edge_x7_q), last_x7);
-    assign gap_y = beyond(fy7_q, ay7_q, by7, $signed(SideW'(lens_i.focal_y)), SideW'(edge_y7_q), last_y7);
+    assign gap_x = beyond(fx7_q, ax7_q, bx7, SideW'(near_x7_q), SideW'(far_x7_q));
+    assign gap_y = beyond(fy7_q, ay7_q, by7, SideW'(near_y7_q), SideW'(far_y7_q));
     always_ff @(posedge clk_i) begin
       if (advance) begin
-        {cx7_q, cy7_q}   <= {cx6_q, cy6_q};
+        {cx7_q, cy7_q, cz7_q} <= {cx6_q, cy6_q, cz6_q};
         {cut6_q, cut7_q} <= {cut5_q, cut6_q};
         gap_q            <= '0;
         if (ride7.kind == pipegs_pkg::KindData) begin

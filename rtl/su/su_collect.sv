@@ -99,7 +99,7 @@ module su_collect (
 
 `ifndef SYNTHESIS
   // Watermarks of the present window so far; the queue of marks holds those of two windows.
-  logic [4:0]                     marks_q;
+  logic [$clog2(pipegs_pkg::WindowMarks+1)-1:0] marks_q;
   logic [pipegs_pkg::BucketW-1:0] mark_q;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

@@ -88,7 +88,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   if (c.has_lists()) {
     add("pu_cull", "projection", "pu", 1, 18, 27);
   } else {
-    add("pu_cull", "projection", "pu", 1, 16, 29 + (c.tight_cull ? 10 : 0), times({span}));
+    add("pu_cull", "projection", "pu", 1, 16, 29 + (c.tight_cull ? 6 : 0), times({span}));
   }
   if (c.tight_cull) add("pu_reach", "projection", "pu", 1, 36, 26);
   add("pu_project", "projection", "pu", 1, 1, 1);

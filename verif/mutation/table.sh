@@ -54,7 +54,7 @@ mutant pu_phases "a new record is let into an output that was not taken" \
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
 mutant pu_cull "the gap on the low side without what the cut bits of x may hide" \
-       's/ - fx - focal;/ - fx;/' pu_cull_tight
+       's/ - fx - near;/ - fx;/' pu_cull_tight
 mutant pu_reach "the bound of the rounding errors left out" "s/ \+ \(NW-1\)'\(Error\);/;/"
 mutant pu_reach "a scale below the largest rounded down" "s/\(\(one - 7'd1\) >> below\) \+ 7'd1/one >> below/"
 mutant pu_reach "the guard band clamps on one side only" "s/wide_side \+ bound < 0 \?/1'b0 ?/"

@@ -209,7 +209,8 @@ TEST(SuLanes, NeverWaitForEachOtherForEver) {
     LanesBench bench(test_seed() * 1000 + n, kConfig.units);
     const size_t most = static_cast<size_t>(kConfig.records) * (1 + n % 4) * (1 + n % 3);
     for (int i = 0; i < 5; ++i) {
-      bench.window(bench.rng() % most, bench.rng() % 3 ? static_cast<int>(bench.rng() % 32) : 0,
+      bench.window(bench.rng() % most,
+                   bench.rng() % 3 ? static_cast<int>(bench.rng() % (Config::window_marks() + 1)) : 0,
                    static_cast<int>(n + static_cast<uint64_t>(i) / 3) % 6);
     }
     bench.run();

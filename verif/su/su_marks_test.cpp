@@ -45,7 +45,8 @@ TEST(SuMarks, SortsWindowsAtEveryPace) {
         MarksBench bench(source, sink, rng() % 2, memory_options(rng), static_cast<int>(rng() % 4));
         const size_t most = round % 2 ? kConfig.records * 2 : kConfig.records / 2;
         for (int i = 0; i < 6; ++i)
-          bench.window(rng() % std::min<size_t>(most, 700), rng() % 4 ? static_cast<int>(rng() % 32) : 0);
+          bench.window(rng() % std::min<size_t>(most, 700),
+                       rng() % 4 ? static_cast<int>(rng() % (Config::window_marks() + 1)) : 0);
         while (bench.out.size() < bench.expected.size() && bench.cycle < 1000000) {
           if (rng() % 300 == 0) bench.dut.spill_i = rng() % 4 == 0;  // may be heeded or not
           bench.step();

@@ -92,11 +92,12 @@ module pu_intersect (
 
   // --- first region: gradients, then P -----------------------------------------------------------------------------
   logic signed [FactorW-1:0] column, row;
-  logic signed [pipegs_pkg::BcW-1:0] b_q, c_q;            // the record's, out of the memory that it waits in
+  logic signed [pipegs_pkg::AW-1:0]  a_q;                 // the record's, out of the memory that it waits in
+  logic signed [pipegs_pkg::BcW-1:0] b_q, c_q;
   logic signed [DefW-1:0]    d_q, e_q, f_q;
   logic signed [CurveW-1:0]  e_row, f_row, f_column, d_column;
   logic signed [GradW-1:0]   b, c, along_x_q, along_y_q, first_gx_q, first_gy_q;  // along: B + F y + D x,  C + E y
-  logic signed [PowerW-1:0]  place, first_power;
+  logic signed [PowerW-1:0]  above_q, place, first_power;  // above: A, the cut taken away
   assign column   = {1'b0, box_left_q};
   assign row      = {1'b0, box_top_q};
   assign d_column = CurveW'(d_q) * CurveW'(column);
@@ -106,7 +107,7 @@ module pu_intersect (
   assign b        = GradW'(b_q);
   assign c        = GradW'(c_q);
   assign place    = PowerW'(along_x_q) * PowerW'(column) + PowerW'(along_y_q) * PowerW'(row);
-  assign first_power = PowerW'(coeff_i.a) + MinusCut + (place <<< EightW);
+  assign first_power = above_q + (place <<< EightW);
 
   always_ff @(posedge clk_i) begin
     if (state_q == StateBox) begin
@@ -115,9 +116,10 @@ module pu_intersect (
       box_top_q    <= y_first[PixelW-1:EightW];
       box_bottom_q <= y_last[PixelW-1:EightW];
       none_q       <= none;
-      {b_q, c_q, d_q, e_q, f_q} <= {coeff_i.b, coeff_i.c, coeff_i.d, coeff_i.e, coeff_i.f};
+      {a_q, b_q, c_q, d_q, e_q, f_q} <= {coeff_i.a, coeff_i.b, coeff_i.c, coeff_i.d, coeff_i.e, coeff_i.f};
     end
     if (state_q == StateStart) begin
+      above_q    <= PowerW'(a_q) + MinusCut;
       along_x_q  <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< EightW);
       along_y_q  <= c + (GradW'(e_row) <<< EightW);
       first_gx_q <= b + (GradW'(f_row) <<< EightW) + (GradW'(d_column) <<< (EightW + 1));
@@ -161,8 +163,7 @@ module pu_intersect (
       assign start_gy = first_gy_q;
     end else begin : gen_right  // a region further; beside the products, not behind them
       logic signed [PowerW-1:0] beside;
-      assign beside   = PowerW'(coeff_i.a) + MinusCut + (PowerW'(first_gx_q) <<< EightW) +
-                        (PowerW'(d_q) <<< (2 * EightW));
+      assign beside   = above_q + (PowerW'(first_gx_q) <<< EightW) + (PowerW'(d_q) <<< (2 * EightW));
       assign in_box   = right >= AxisW'(k);
       assign start    = beside + (place <<< EightW);
       assign start_gx = first_gx_q + (GradW'(d_q) <<< (EightW + 1));

@@ -75,8 +75,8 @@ module su_buckets (
 
   // --- the release --------------------------------------------------------------------------------------------------
   logic [2*Words-1:0]  held_q;       // words that are not zero, of both sets
-  logic [Words-1:0]    candidates;   // words that the present job still has to take
-  logic [HighW-1:0]    first_word, word_q;
+  logic                some_word;    // the present job still has words to take
+  logic [HighW-1:0]    first_word, first_0, first_1, word_q;
   logic                edge_q;       // the word that the mark cuts was taken
   logic [WordBits-1:0] work_q;       // buckets of word_q that were taken and not yet read
   logic [LowW-1:0]     first_bit;
@@ -86,17 +86,19 @@ module su_buckets (
   logic [LowW-1:0]     job_low;
 
   assign {job_high, job_low} = job_bucket_i;
+  // A job takes a set's first words; whether it takes the very first one is all that hangs on its mark, a late signal.
+  first_set #(.DataW(Words)) u_first_0 (.mask_i(held_q[Words-1:0]), .one_hot_o(), .number_o(first_0));
+  first_set #(.DataW(Words)) u_first_1 (.mask_i(held_q[2*Words-1:Words]), .one_hot_o(), .number_o(first_1));
+  assign first_word = job_set_i ? first_1 : first_0;
+  assign some_word  = job_valid_i && (job_set_i ? held_q[2*Words-1:Words] != '0 : held_q[Words-1:0] != '0) &&
+                      (job_all_i || first_word < job_high ||
+                       (first_word == job_high && !edge_q && job_low != '0));
   always_comb begin
-    for (int unsigned i = 0; i < Words; i += 1) begin
-      candidates[i] = job_valid_i && (job_set_i ? held_q[Words+i] : held_q[i]) &&
-                      (job_all_i || HighW'(i) < job_high || (HighW'(i) == job_high && !edge_q && job_low != '0));
-    end
     for (int unsigned i = 0; i < WordBits; i += 1) below[i] = job_all_i || word_q != job_high || LowW'(i) < job_low;
   end
-  first_set #(.DataW(Words)) u_word (.mask_i(candidates), .one_hot_o(), .number_o(first_word));
   first_set #(.DataW(WordBits)) u_bit (.mask_i(work_q), .one_hot_o(), .number_o(first_bit));
-  assign word_wanted = candidates != '0 && work_q == '0 && operation_q != Word;
-  assign quiet       = candidates == '0 && work_q == '0 && operation_q == None;  // an insertion may still fill a bucket
+  assign word_wanted = some_word && work_q == '0 && operation_q != Word;
+  assign quiet       = !some_word && work_q == '0 && operation_q == None;  // an insertion may still fill a bucket
 
   // --- what is done next --------------------------------------------------------------------------------------------
   logic insert_reads, entry_reads, word_reads, same_word, insert_waits;

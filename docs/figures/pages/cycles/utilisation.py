@@ -2,9 +2,9 @@
 """Tables of docs/cycles/utilisation.md."""
 from data import data
 from formats import change, fixed, group, mean, table, thousands
-from measurements import FOUR, STEPS, WHAT_IF
+from measurements import FOUR, LARGE, STEPS, WHAT_IF
 
-MEASURED = ["ladder/*", "what_if/*", "steps/*", "lanes/*", "results/statue_0"]
+MEASURED = ["ladder/*", "what_if/*", "steps/*", "large/*", "lanes/*", "results/statue_0"]
 TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
 VIEWS = {
     "own": ("60k Gaussians, SH 3", "1024x768"),
@@ -73,6 +73,17 @@ def steps():
     over = [data.ladder[scene].baseline.cycles / data.steps[scene].fast.cycles for scene in FOUR]
     rows += [["times as fast as `baseline`", *[fixed(ratio, 2) for ratio in over]]]
     return table(["each step adds to the one before", *TITLES.values()], rows)
+
+
+def large():
+    """A large scene: cycles, megabytes, and those of records that found no room in the SUs."""
+
+    rows = [
+        [what, group(point.cycles), fixed(megabytes(point), 0), fixed(point.sort / 1e6, 0)]
+        for name, (what, _) in LARGE.items()
+        for point in [data.large.showroom[name]]
+    ]
+    return table(["showroom 0 (3.0 M Gaussians)", "cycles", "MB", "of them records and keys that found no room"], rows)
 
 
 def fast_mean():

@@ -105,7 +105,12 @@ def longest(*points):
 def fine():
     """The fastest design point, with its own numbers and with finer ones."""
     rows = [["paper", *[either(PAPER.get(unit), fixed, 3) for unit in ROWS], "", ""]]
-    named = (("exact", "`exact`"), ("exact_fine", "`exact`, `sim/fine.cfg`"), ("exact_quads", "and `--set quads=1`"))
+    named = (
+        ("exact", "`exact`"),
+        ("exact_fine", "`exact`, `sim/fine.cfg`"),
+        ("exact_quads", "and `--set quads=1`"),
+        ("exact_fast", "`exact`, `sim/fast.cfg`"),
+    )
     for point, name in named:
         row = data.silicon[point]
         rows.append(
