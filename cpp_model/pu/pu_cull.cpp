@@ -10,7 +10,6 @@
 namespace pipegs {
 namespace {
 
-constexpr int kCutW = 17;  // magnitude bits of x, y, z, s in the plane test
 constexpr int kEdgeF = 4;  // fraction of a window's edge in pixels
 
 int64_t to_view(const Config& c, int64_t row_times_offset, int shift, int64_t origin) {
@@ -74,7 +73,9 @@ std::optional<Visible> pu_cull(const Config& c, const Frame& frame, const Fetche
   bool huge = false;
   const int64_t s = scale_in_view(c, std::max({in.scale_0, in.scale_1, in.scale_2}), in.opacity, in.view_exp, huge);
   const auto size = [](int64_t v) { return static_cast<uint64_t>(v < 0 ? ~v : v); };
-  const int cut = std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - kCutW);
+  const int magnitude_bits = c.cut_w() - 1;  // of x, y, z, s in the plane test
+  const int cut =
+      std::max(0, bit_length(size(out.view_x) | size(out.view_y) | size(out.view_z) | size(s)) - magnitude_bits);
   const int64_t cut_x = out.view_x >> cut, cut_y = out.view_y >> cut, cut_z = out.view_z >> cut, cut_s = (s >> cut) + 1;
   Gap found{.x = cut_x, .y = cut_y, .z = cut_z, .cut = static_cast<uint64_t>(cut), .untested = huge};
   const bool touches_x = touches(c, cut_x, cut_z, cut_s, frame.lens.focal_x, frame.lens.reach_x, frame.lens.center_x,

@@ -9,7 +9,6 @@
 namespace pipegs {
 namespace {
 
-constexpr int kCutW = 17;       // magnitude bits of x, y, z as they come
 constexpr int kLimitF = 11;     // fraction of the guard band
 constexpr int kMostLift = 3;    // most places by which z and x' are shifted up
 constexpr int kZW = 9;          // bits of z, a one below makes the 10 of the header
@@ -43,12 +42,14 @@ bool pu_reach(const Config& c, const Frame& frame, const Visible& in, const Gap&
   const int64_t gap_m = gap_e >= 0 ? g >> gap_e : g << -gap_e;
 
   // z and the clamped x or y.
+  const int magnitude_bits = c.cut_w() - 1;
   const int64_t limit = static_cast<int64_t>(along_x ? frame.lens.limit_x : frame.lens.limit_y) >> (c.tan_f - kLimitF);
   const int64_t bound = (limit * gap.z) >> kLimitF;
   const int64_t side = std::clamp(along_x ? gap.x : gap.y, -bound, bound);
-  const int lift = std::min(
-      kMostLift, kCutW - bit_length(static_cast<uint64_t>(gap.z) | static_cast<uint64_t>(side < 0 ? ~side : side)));
-  const int64_t z = (gap.z << lift) >> (kCutW - kZW), t = (side * (int64_t{1} << lift)) >> (kCutW - kZW);
+  const int lift = std::min(kMostLift, magnitude_bits - bit_length(static_cast<uint64_t>(gap.z) |
+                                                                   static_cast<uint64_t>(side < 0 ? ~side : side)));
+  const int64_t z = (gap.z << lift) >> (magnitude_bits - kZW),
+                t = (side * (int64_t{1} << lift)) >> (magnitude_bits - kZW);
 
   // The axis along which it is measured, in world axes.
   const Rotation& w = frame.camera.rotation;

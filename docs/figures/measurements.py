@@ -2,6 +2,7 @@
 """What is measured: for each file under docs/data the command that writes it, and what measures it."""
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import accumulate
 
 from keep import (
     accuracy,
@@ -68,16 +69,16 @@ WHAT_IF = {  # of the design point exact: one thing changed
     "quads": "--set quads=1",
     "quads_bandwidth102": "--set quads=1 --memory lpddr5-6400x8",
 }
-FINE_QUADS = "--config sim/fine.cfg --set quads=1"
-PARTS = FINE_QUADS + " --set window=128"
-STEPS = {  # from exact to sim/fast.cfg: each row adds to the one before
-    "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", FINE_QUADS),
-    "window128": ("windows of four parts", PARTS),
-    "buckets": ("buckets of 1/128 octave", PARTS + " --set bucket_bits=7"),
-    "tests2": ("two tests of regions in a cycle", PARTS + " --set bucket_bits=7 --set tests=2"),
-    "tight": ("a cull by the ellipse itself", PARTS + " --set bucket_bits=7 --set tests=2 --set tight_cull=1"),
-    "fast": ("pixels of 32 bits, 1536 records: `sim/fast.cfg`", "--config sim/fast.cfg"),
+ADDED = {  # from exact towards sim/fast.cfg: what each step adds to the one before
+    "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", "--config sim/fine.cfg --set quads=1"),
+    "window128": ("windows of four parts", "--set window=128"),
+    "buckets": ("buckets of 1/128 octave", "--set bucket_bits=7"),
+    "tests2": ("two tests of regions in a cycle", "--set tests=2"),
+    "tight": ("a cull by the ellipse itself", "--set tight_cull=1"),
 }
+SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
+STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}
+STEPS["fast"] = ("pixels of 32 bits, 1536 records: `sim/fast.cfg`", "--config sim/fast.cfg")
 LARGE = {  # showroom, 3.0 M Gaussians, of the design point exact
     "exact": ("`exact`", ""),
     "fast": ("`sim/fast.cfg`", "--config sim/fast.cfg "),

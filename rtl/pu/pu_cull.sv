@@ -182,13 +182,13 @@ module pu_cull (
   end
 
   // --- stages 4 and 5: near plane, edges of the window, common exponent --------------------------------------------
-  localparam int unsigned CutW   = 17;  // magnitude bits of what is multiplied
+  localparam int unsigned MagW   = pipegs_pkg::CutW - 1;  // magnitude bits of what is multiplied
   localparam int unsigned EdgeF  = 4;
   localparam int unsigned EdgeW  = WindowW + $clog2(pipegs_pkg::Window) + EdgeF + 2;
   localparam int unsigned Margin = pipegs_pkg::ReachMargin;
   localparam int unsigned Span   = ((pipegs_pkg::Window - 1 + 2 * Margin) << EdgeF) + 1;
   localparam int unsigned CenterCut = pipegs_pkg::CenterF - EdgeF;
-  localparam int unsigned CutShiftW = $clog2(ViewW);
+  localparam int unsigned ShiftW = pipegs_pkg::CutShiftW;
   function automatic logic signed [EdgeW-1:0] edge_of(input logic [WindowW-1:0] window,
                                                       input logic signed [pipegs_pkg::CenterW-1:0] center);
     logic signed [EdgeW-1:0] first;
@@ -202,13 +202,13 @@ module pu_cull (
   logic                       front7;
   logic signed [ViewW-1:0]    x5_q, y5_q, z5_q, sizes, normal;
   logic [ViewW-1:0]           s5_q;
-  logic [CutShiftW-1:0]       shift, cut5_q;
+  logic [ShiftW-1:0]          shift, cut5_q;
   ride_t                      ride3;
   assign ride3 = ride_q[3];
   assign sizes = (x4_q ^ (x4_q >>> (ViewW - 1))) | (y4_q ^ (y4_q >>> (ViewW - 1))) | (z4_q ^ (z4_q >>> (ViewW - 1))) |
                  $signed({1'b0, s4_q[ViewW-2:0]});
   normalize #(.DataW(ViewW)) u_normalize (.in_i(sizes), .out_o(normal), .shift_o(shift));
-  localparam logic [CutShiftW-1:0] NoCut = CutShiftW'(ViewW - 1 - CutW);  // shift of a value of CutW bits
+  localparam logic [ShiftW-1:0] NoCut = ShiftW'(ViewW - 1 - MagW);  // shift of a value of MagW bits
   always_ff @(posedge clk_i) begin
     if (advance) begin
       {x4_q, y4_q, z4_q} <= {x4, y4, z4};
@@ -240,12 +240,12 @@ module pu_cull (
   localparam int unsigned ReachW = pipegs_pkg::ReachW;
   localparam int unsigned Coarse = 8;                       // low bits of reach that are rounded up
   localparam int unsigned SmallW = ReachW - Coarse + 1;
-  localparam int unsigned SideW  = FocalW + CutW + 4 > ReachW + CutW + 4 ? FocalW + CutW + 4 : ReachW + CutW + 4;
+  localparam int unsigned SideW  = FocalW + MagW + 4 > ReachW + MagW + 4 ? FocalW + MagW + 4 : ReachW + MagW + 4;
   localparam int unsigned ToEdge = pipegs_pkg::FocalF - EdgeF;
   localparam int unsigned AsideW = (FocalW > EdgeW + ToEdge ? FocalW : EdgeW + ToEdge) + 2;
   logic signed [ViewW-1:0] x6_q, y6_q, z6_q, x7_q, y7_q, z7_q;  // the view coordinates
-  logic signed [CutW:0]    cx6_q, cy6_q, cz6_q;                 // cut
-  logic        [CutW:0]    cs6_q;
+  logic signed [MagW:0]    cx6_q, cy6_q, cz6_q;                 // cut
+  logic        [MagW:0]    cs6_q;
   logic signed [SideW-1:0] fx7_q, fy7_q, ax7_q, ay7_q, rx7_q, ry7_q;
   logic [SmallW-1:0]       reach_x, reach_y;
   // What the cutting of x and z may have taken away, on either side; stage 7 adds it up for stage 8.
@@ -263,10 +263,10 @@ module pu_cull (
     if (advance) begin
       {x6_q, y6_q, z6_q, huge6_q} <= {x5_q, y5_q, z5_q, huge5_q};
       {edge_x6_q, edge_y6_q} <= {edge_x5_q, edge_y5_q};
-      cx6_q <= (CutW + 1)'(x5_q >>> cut5_q);
-      cy6_q <= (CutW + 1)'(y5_q >>> cut5_q);
-      cz6_q <= (CutW + 1)'(z5_q >>> cut5_q);
-      cs6_q <= (CutW + 1)'(s5_q >> cut5_q) + (CutW + 1)'(1);
+      cx6_q <= (MagW + 1)'(x5_q >>> cut5_q);
+      cy6_q <= (MagW + 1)'(y5_q >>> cut5_q);
+      cz6_q <= (MagW + 1)'(z5_q >>> cut5_q);
+      cs6_q <= (MagW + 1)'(s5_q >> cut5_q) + (MagW + 1)'(1);
       {x7_q, y7_q, z7_q, huge7_q} <= {x6_q, y6_q, z6_q, huge6_q};
       near_x7_q <= $signed(AsideW'(lens_i.focal_x)) - to_left(edge_x6_q);
       near_y7_q <= $signed(AsideW'(lens_i.focal_y)) - to_left(edge_y6_q);
@@ -337,8 +337,8 @@ module pu_cull (
 
   // --- beside stages 7 and 8: how far the mean lies beyond the window, times z ---------------------------------------
   if (pipegs_pkg::TightCull != 0) begin : gen_gap
-    logic signed [CutW:0]    cx7_q, cy7_q, cz7_q;
-    logic [CutShiftW-1:0]    cut6_q, cut7_q;
+    logic signed [MagW:0]    cx7_q, cy7_q, cz7_q;
+    logic [ShiftW-1:0]       cut6_q, cut7_q;
     logic signed [SideW-1:0] gap_x, gap_y;
     pipegs_pkg::gap_t        gap_q;
     // `touches` without rs; on one side at most the mean is beyond the window.
@@ -361,7 +361,7 @@ module pu_cull (
         gap_q            <= '0;
         if (ride7.kind == pipegs_pkg::KindData) begin
           gap_q <= {huge7_q, pipegs_pkg::GapW'(gap_y >>> ToEdge), pipegs_pkg::GapW'(gap_x >>> ToEdge),
-                    pipegs_pkg::CutShiftW'(cut7_q), cz7_q, cy7_q, cx7_q};
+                    cut7_q, cz7_q, cy7_q, cx7_q};
         end
       end
     end

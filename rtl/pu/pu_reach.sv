@@ -37,7 +37,7 @@ module pu_reach (
   localparam int unsigned RotW    = pipegs_pkg::RotW;
   localparam int unsigned TanF    = pipegs_pkg::TanF;
   localparam int unsigned GapW    = pipegs_pkg::GapW;
-  localparam int unsigned CutW    = pipegs_pkg::CutW - 1;  // magnitude bits
+  localparam int unsigned MagW    = pipegs_pkg::CutW - 1;  // magnitude bits
   localparam int unsigned Depth   = pipegs_pkg::ReachDepth;
   localparam int unsigned Stages  = 11;                    // before the comparison
 
@@ -81,8 +81,8 @@ module pu_reach (
   // --- stage 1: the axis along which the mean is farther out -------------------------------------------------------
   logic                     along_x;
   logic signed [GapW-1:0]   gap1_q;
-  logic signed [CutW:0]     side1_q;
-  logic        [CutW-1:0]   z1_q, z2_q;
+  logic signed [MagW:0]     side1_q;
+  logic        [MagW-1:0]   z1_q, z2_q;
   logic [3*ScaleEW-1:0]     exps1_q;
   logic [3*7-1:0]           ones1_q;   // mantissas of the scales, 32 to 64, or 0
   logic [ScaleEW-1:0]       largest1_q, larger;
@@ -106,7 +106,7 @@ module pu_reach (
     test_q[1]    <= !gap.untested && (gap.gap_x > 0 || gap.gap_y > 0);
     gap1_q       <= along_x ? gap.gap_x : gap.gap_y;
     side1_q      <= along_x ? gap.x : gap.y;
-    z1_q         <= gap.z[CutW-1:0];
+    z1_q         <= gap.z[MagW-1:0];
     exps1_q      <= {e2, e1, e0};
     ones1_q      <= {six(culled.scale_2), six(culled.scale_1), six(culled.scale_0)};
     largest1_q   <= larger > e2 ? larger : e2;
@@ -149,8 +149,8 @@ module pu_reach (
   logic        [$clog2(GapW)-1:0] gap_shift;
   logic        [GapMW-1:0]        gap2_q, gap3_q;
   logic        [LimitW-1:0]       limit;
-  logic        [LimitW+CutW-1:0]  bound2_q;   // with F fraction bits
-  logic signed [CutW:0]           side2_q;
+  logic        [LimitW+MagW-1:0]  bound2_q;   // with F fraction bits
+  logic signed [MagW:0]           side2_q;
   logic        [3*7-1:0]          ones2_q;
   logic        [3*ScaleEW-1:0]    below2_q;   // exponents below the largest
   logic signed [8:0]              exponent2_q;
@@ -158,7 +158,7 @@ module pu_reach (
   normalize #(.DataW(GapW)) u_gap (.in_i(gap1_q), .out_o(normal), .shift_o(gap_shift));
   always_ff @(posedge clk_i) begin
     gap2_q      <= normal[GapW-2 -: GapMW];
-    bound2_q    <= (LimitW + CutW)'(limit) * (LimitW + CutW)'(z1_q);
+    bound2_q    <= (LimitW + MagW)'(limit) * (LimitW + MagW)'(z1_q);
     side2_q     <= side1_q;
     z2_q        <= z1_q;
     ones2_q     <= ones1_q;
@@ -169,21 +169,21 @@ module pu_reach (
 
   // --- stage 3: x or y clamped, shifted up with z; the scales at the exponent of the largest ------------------------
   localparam int unsigned ZW     = 9;
-  localparam int unsigned BoundW = LimitW + CutW - F + 1;  // signed
+  localparam int unsigned BoundW = LimitW + MagW - F + 1;  // signed
   logic signed [BoundW-1:0] bound, wide_side;
-  logic signed [CutW:0]     side, raised_side;
-  logic        [CutW-1:0]   sizes, raised_z;
+  logic signed [MagW:0]     side, raised_side;
+  logic        [MagW-1:0]   sizes, raised_z;
   logic        [1:0]        lift;
   logic signed [ZW:0]       t3_q;
   logic        [ZW-1:0]     z3_q;
   logic        [3*7-1:0]    scales_q [8];  // 3 to 7
   logic signed [8:0]        exponent3_q;
-  assign bound       = $signed({1'b0, bound2_q[LimitW+CutW-1:F]});
+  assign bound       = $signed({1'b0, bound2_q[LimitW+MagW-1:F]});
   assign wide_side   = BoundW'(side2_q);
-  assign side        = wide_side > bound     ? (CutW + 1)'(bound) :
-                       wide_side + bound < 0 ? (CutW + 1)'(BoundW'(0) - bound) : side2_q;
-  assign sizes       = z2_q | (side[CutW-1:0] ^ {CutW{side[CutW]}});
-  assign lift        = sizes[CutW-1] ? 2'd0 : sizes[CutW-2] ? 2'd1 : sizes[CutW-3] ? 2'd2 : 2'd3;
+  assign side        = wide_side > bound     ? (MagW + 1)'(bound) :
+                       wide_side + bound < 0 ? (MagW + 1)'(BoundW'(0) - bound) : side2_q;
+  assign sizes       = z2_q | (side[MagW-1:0] ^ {MagW{side[MagW]}});
+  assign lift        = sizes[MagW-1] ? 2'd0 : sizes[MagW-2] ? 2'd1 : sizes[MagW-3] ? 2'd2 : 2'd3;
   assign raised_side = side <<< lift;
   assign raised_z    = z2_q << lift;
   // Rounded up: one less than it, shifted, and one more; zero stays zero.
@@ -192,8 +192,8 @@ module pu_reach (
   endfunction
   always_ff @(posedge clk_i) begin
     gap3_q      <= gap2_q;
-    t3_q        <= raised_side[CutW -: ZW + 1];
-    z3_q        <= raised_z[CutW-1 -: ZW];
+    t3_q        <= raised_side[MagW -: ZW + 1];
+    z3_q        <= raised_z[MagW-1 -: ZW];
     exponent3_q <= exponent2_q;
     for (int unsigned k = 0; k < 3; k += 1)
       scales_q[3][7*k +: 7] <= scaled(ones2_q[7*k +: 7], below2_q[ScaleEW*k +: ScaleEW]);
@@ -331,7 +331,7 @@ module pu_reach (
   end
   assign keep = !test_q[Stages] || far11_q < 55'(reach11_q);
 
-  wire unused_bits = &{1'b0, lens_i, bit_ready, bit_count, normal, bound2_q[F-1:0], gap.z[CutW], gap_z[5:0],
+  wire unused_bits = &{1'b0, lens_i, bit_ready, bit_count, normal, bound2_q[F-1:0], gap.z[MagW], gap_z[5:0],
                        raised_z, raised_side, weighted9, sum9, n4[0], n4[1], n4[2]};
 
 `ifndef SYNTHESIS

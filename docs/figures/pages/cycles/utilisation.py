@@ -77,7 +77,6 @@ def steps():
 
 def large():
     """A large scene: cycles, megabytes, and those of records that found no room in the SUs."""
-
     rows = [
         [what, group(point.cycles), fixed(megabytes(point), 0), fixed(point.sort / 1e6, 0)]
         for name, (what, _) in LARGE.items()
