@@ -268,6 +268,7 @@ package pipegs_pkg;
   localparam int unsigned RuRowLines     = 2;  // lines of alphas that an RU's own Row Units have ready (late)
   localparam int unsigned RuGroups       = 4;  // groups of four lanes in an RU (quads)
   localparam int unsigned RuHalves       = 4;  // halves of regions that wait before a group of lanes (quads)
+  localparam int unsigned RuDrained      = 2;  // words of finished pixels that wait for memory in an RU (quads)
   localparam int unsigned NodeLines      = 32;  // lines of the node tables in flight or waiting, each level
   localparam int unsigned SuMarks        = 4;  // watermarks of two windows, or ends of two layers, that an SU keeps
   localparam int unsigned RuQueue        = 16;  // Gaussians before an RU: evens out which one has more to do

@@ -2,7 +2,7 @@
 // ru: one Rasterization Unit: blends the regions of a window that it owns, then writes their pixels.
 //
 // Paper   Fig. 7, Table 2 (RU: sixteen lanes, which it calls Rendering Units; double-buffered T and RGB).
-// Idea    queue -> blending and its pixel buffer (ru_whole, or ru_live with Quads) -> ru_resolve. ru_window knows where
+// Idea    queue -> blending and its pixel buffer: ru_whole -> ru_resolve, or with Quads ru_live. ru_window knows where
 //         in the frame the RU is; ru_memory joins alpha reads and pixel writes. Only wiring here.
 // Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the PUs.
 // Pace    Four cycles per region, or one per live quad of each group; pixels are written meanwhile.
@@ -91,13 +91,14 @@ module ru #(
   );
 
   // --- blending -----------------------------------------------------------------------------------------------------
-  logic                load_valid, load_ready, issue, memory, waits, blend_idle;
-  logic                resolve_ready, resolve_read, resolve_fresh;
-  logic [AddressW-1:0] load_address;
-  logic [AddrW-1:0]    resolve_raddr;
-  logic [WordW-1:0]    resolve_rdata;
+  logic                load_valid, load_ready, store_valid, store_ready, issue, memory, waits, blend_idle;
+  logic [AddressW-1:0] load_address, store_address;
+  logic [pipegs_pkg::MemoryW-1:0] store_data;
 
   if (pipegs_pkg::Quads == 0) begin : gen_whole
+    logic             whole_idle, resolve_ready, resolve_read, resolve_fresh;
+    logic [AddrW-1:0] resolve_raddr;
+    logic [WordW-1:0] resolve_rdata;
     ru_whole u_blend (
       .clk_i, .rst_ni, .overflow_i, .unit_i, .restart_i,
       .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
@@ -106,37 +107,32 @@ module ru #(
       .own_i(own), .outside_i(outside), .columns_i(columns), .rows_i(rows), .done_o,
       .resolve_ready_i(resolve_ready), .resolve_read_i(resolve_read), .resolve_raddr_i(resolve_raddr),
       .resolve_rdata_o(resolve_rdata), .resolve_fresh_o(resolve_fresh),
-      .layer_done_o, .window_done_o, .issue_o(issue), .memory_o(memory), .waits_o(waits), .idle_o(blend_idle),
+      .layer_done_o, .window_done_o, .issue_o(issue), .memory_o(memory), .waits_o(waits), .idle_o(whole_idle),
       .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_o,
       .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
     );
+    ru_resolve u_resolve (
+      .clk_i, .rst_ni, .unit_i, .pixels_i,
+      .start_i(window_done_o), .ready_o(resolve_ready), .number_i(number), .outside_i(outside),
+      .read_o(resolve_read), .raddr_o(resolve_raddr), .rdata_i(resolve_rdata), .fresh_i(resolve_fresh),
+      .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address), .mem_data_o(store_data)
+    );
+    assign blend_idle         = whole_idle && resolve_ready;
     assign tap_line_quarter_o = '0;
   end else begin : gen_live
     ru_live u_blend (
       .clk_i, .rst_ni, .restart_i, .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .own_i(own), .columns_i(columns), .rows_i(rows), .done_o,
-      .resolve_ready_i(resolve_ready), .resolve_read_i(resolve_read), .resolve_raddr_i(resolve_raddr),
-      .resolve_rdata_o(resolve_rdata), .layer_done_o, .window_done_o, .issue_o(issue), .idle_o(blend_idle),
+      .own_i(own), .columns_i(columns), .rows_i(rows), .done_o, .pixels_i, .number_i(number),
+      .store_valid_o(store_valid), .store_ready_i(store_ready), .store_address_o(store_address),
+      .store_data_o(store_data), .layer_done_o, .window_done_o, .issue_o(issue), .idle_o(blend_idle),
       .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_quarter_o, .tap_line_o,
       .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
     );
-    assign {read_valid_o, read_address_o, load_valid, load_address, memory, waits, resolve_fresh} = '0;
+    assign {read_valid_o, read_address_o, load_valid, load_address, memory, waits} = '0;
     logic unused_lines;
     assign unused_lines = &{1'b0, overflow_i, read_ready_i, answer_valid_i, answer_i, load_ready, rsp_valid_i,
-                            rsp_data_i};
+                            rsp_data_i, outside};
   end
-
-  // --- pixels -> memory ---------------------------------------------------------------------------------------------
-  logic                           store_valid, store_ready;
-  logic [AddressW-1:0]            store_address;
-  logic [pipegs_pkg::MemoryW-1:0] store_data;
-
-  ru_resolve u_resolve (
-    .clk_i, .rst_ni, .unit_i, .pixels_i,
-    .start_i(window_done_o), .ready_o(resolve_ready), .number_i(number), .outside_i(outside),
-    .read_o(resolve_read), .raddr_o(resolve_raddr), .rdata_i(resolve_rdata), .fresh_i(resolve_fresh),
-    .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address), .mem_data_o(store_data)
-  );
 
   ru_memory u_memory (
     .clk_i, .rst_ni, .read_valid_i(load_valid), .read_ready_o(load_ready), .read_address_i(load_address),
@@ -145,7 +141,7 @@ module ru #(
   );
 
   // --- what the unit does in this cycle -----------------------------------------------------------------------------
-  assign idle_o   = queued == '0 && blend_idle && resolve_ready && !mem_valid_o;
+  assign idle_o   = queued == '0 && blend_idle && !mem_valid_o;
   assign active_o = in_valid_i || restart_i || !idle_o;
 
   // Busy: pixels are blended, a splat is taken or a line of pixels leaves. Memory: the next line, or room for pixels,

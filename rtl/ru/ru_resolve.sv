@@ -3,8 +3,7 @@
 //
 // Paper   Fig. 7, the output side of the double buffer. Background is black: the accumulated colour is the pixel.
 // Idea    Regions are a power of two, so a line's number is window, region and row side by side. A word of the pixel
-//         buffer is two rows of a region. With PixelW 64 it is two lines: eight pixels of T u1.15, blue, green, red
-//         u2.14, red lowest; with PixelW 32 it is one: sixteen of A2B10G10R10. The next word is read while the last
+//         buffer is two rows of a region, which are one or two lines (ru_pixels). The next word is read while the last
 //         line leaves.
 // Stream  start_i with the window's number and the regions to leave out; write requests out. Fresh words are T = 1,
 //         black.
@@ -45,10 +44,9 @@ module ru_resolve #(
   localparam int unsigned RegionW = pipegs_pkg::RegionW;
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
   localparam int unsigned PixelW = pipegs_pkg::PixelW;
-  localparam int unsigned TLow = Lanes * 3 * RgbW;
-  localparam int unsigned RowPixels = 8;
+  localparam int unsigned MemoryW = pipegs_pkg::MemoryW;
 
-  logic [pipegs_pkg::MaskW-1:0] own;       // of each part
+  logic [pipegs_pkg::MaskW-1:0] own;       // regions of this RU
   logic [Regions-1:0] todo_q;              // regions of which words are still to be read
   logic [Regions-1:0] lowest;              // of them
   logic [1:0]         next_quarter_q;      // of the word to read next
@@ -76,7 +74,7 @@ module ru_resolve #(
       word_valid_q   <= 1'b0;
       second_q       <= 1'b0;
     end else begin
-      if (start_i) todo_q <= {pipegs_pkg::Parts{own}} & ~outside_i;
+      if (start_i) todo_q <= own & ~outside_i;
       else if (read_o && next_quarter_q == 2'd3) todo_q <= todo_q & ~lowest;
       if (read_o) next_quarter_q <= next_quarter_q + 1'b1;
       if (word_free) word_valid_q <= read_o;
@@ -92,40 +90,19 @@ module ru_resolve #(
     end
   end
 
-  assign mem_valid_o   = word_valid_q;
+  // --- the word as it lies in memory ---------------------------------------------------------------------------------
+  localparam logic [WordW-1:0] Fresh = {Lanes'(0), {Lanes{TW'(1) << (TW - 1)}}, (Lanes*3*RgbW)'(0)};
+  logic [Lanes*PixelW-1:0] lines;
 
+  ru_pixels u_pixels (.word_i(fresh_i ? Fresh : rdata_i), .lines_o(lines));
+  assign mem_valid_o = word_valid_q;
   if (WholeWord) begin : gen_packed
     assign mem_address_o = pixels_i + AddressW'({number_q, region_q, quarter_q});
-    for (genvar i = 0; i < Lanes; i += 1) begin : gen_pixel
-      logic [29:0] code;
-      for (genvar j = 0; j < 3; j += 1) begin : gen_channel
-        ru_unorm u_unorm (.color_i(rdata_i[(3*i+j)*RgbW +: RgbW]), .code_o(code[10*j +: 10]));
-      end
-      assign mem_data_o[i*PixelW +: PixelW] = {2'b11, fresh_i ? 30'd0 : code};
-    end
+    assign mem_data_o    = lines;
   end else begin : gen_wide
-    localparam int unsigned FieldW = PixelW / 4;
     assign mem_address_o = pixels_i + AddressW'({number_q, region_q, quarter_q, second_q});
-    for (genvar i = 0; i < RowPixels; i += 1) begin : gen_pixel
-      localparam int unsigned First = i, Second = RowPixels + i;  // pixels of the word
-      logic [FieldW-1:0] t;
-      logic [3*RgbW-1:0] rgb;
-      if (TW >= FieldW) begin : gen_cut
-        assign t = second_q ? rdata_i[TLow+Second*TW+TW-FieldW +: FieldW] : rdata_i[TLow+First*TW+TW-FieldW +: FieldW];
-      end else begin : gen_extend
-        assign t = {second_q ? rdata_i[TLow+Second*TW +: TW] : rdata_i[TLow+First*TW +: TW], {(FieldW - TW){1'b0}}};
-      end
-      assign rgb = second_q ? rdata_i[Second*3*RgbW +: 3*RgbW] : rdata_i[First*3*RgbW +: 3*RgbW];
-      assign mem_data_o[i*PixelW+3*FieldW +: FieldW] = fresh_i ? FieldW'(1) << (FieldW - 1) : t;
-      for (genvar j = 0; j < 3; j += 1) begin : gen_channel
-        assign mem_data_o[i*PixelW+j*FieldW +: FieldW] =
-          fresh_i ? '0 : FieldW'(rgb[j*RgbW +: RgbW]) << (FieldW - RgbW);
-      end
-    end
+    assign mem_data_o    = second_q ? lines[MemoryW +: MemoryW] : lines[0 +: MemoryW];
   end
-
-  logic unused_word;
-  assign unused_word = &{1'b0, rdata_i, second_q};
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> ready_o)

@@ -172,7 +172,8 @@ group quads "RU that blends living quads (\`quads = 1\`)"
 mutant ru_regions "a splat leaves although its last region finds no room" \
        "s/last && \(move \|\| open == '0\)/last/"
 mutant ru_regions "regions are picked in a cycle in which it is not known which are open" \
-       "s/(open != '0 && move) && !hold_i/\1/"
+       "s/(free != '0 && move) && !hold_i/\1/"
+mutant ru_regions "a region is picked before it was handed over" 's/(free += open) & ~part_held/\1/'
 mutant ru_regions "E ry rx for E ry ry" 's/(e_ry_2_q\) \* SquareW.\()ry/\1rx/'
 mutant ru_power "of each row a group has the same column" 's/(Column = )\(g \+ 2 \* j\) % 4/\1g/'
 mutant ru_power "a half leaves when one of its groups has room" \
@@ -181,7 +182,13 @@ mutant ru_power "quads that have stopped live" 's/ && !stopped\[i\]//'
 mutant ru_quads "a quad comes again after three cycles" "s/\(valid_3_q && address_3_q == address\)/1'b0/"
 mutant ru_quads "outside the image: every row of quads has the column of the first" "s/ \^ \{row_2_q\[0\], 1'b0\}//"
 mutant ru_quads "a window begins without what lies outside" "s/(stopped_q <= )outside_i/\1'0/"
-mutant ru_live "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/'
+mutant ru_quads "a job leaves the word as it was" 's/drain_5_q \? Clear : blended/blended/'
+mutant ru_quads "a quad starts in the turn of a job" 's/(half_valid && !conflict) && !drain_i/\1/'
+mutant ru_drain "a word is asked for that finds no place" 's/\(quiet_q \|\| room\)/1/'
+mutant ru_drain "a region is handed over one row too early" "s/row_q == 2'd3/row_q == 2'd2/"
+mutant ru_drain "slots outside the image are handed over" "s/held_q <= ~outside_i/held_q <= '1/"
+mutant ru_drain "no slot goes first" "s/first != '0 \? first : left/left/"
+mutant ru_live "a layer's end hands the regions over" 's/start_i\(window_done_o\)/start_i(layer_done_o)/'
 mutant ru_live "rows of quads are read as if all began with the same group" 's/(Odd = \(Even \+ )2/\10/'
 mutant ru_live "done of the window before is shown in the next one" 's/ && !clear_q( && stopped)/\1/'
 

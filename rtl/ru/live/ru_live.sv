@@ -2,9 +2,11 @@
 // ru_live: blends of each region only the quads of 2x2 pixels that a splat changes.
 //
 // Paper   Sec. 4.2.3, Table 2. The paper's lanes work on whole regions (ru_whole).
-// Idea    ru_regions -> ru_power -> 4 x ru_quads, each with the bank of the pixel buffer that holds its quads. Column
-//         (g + 2 row) mod 4 of the quads of a row belongs to group g, so a row of quads is one word of each bank.
-// Stream  sorted_t in; an end is taken when all before it is blended. Taps: lane g of this RU is its group g.
+// Idea    ru_regions -> ru_power -> 4 x ru_quads, each with the bank of pixels that holds its quads; ru_drain brings a
+//         finished window out of the banks. Column (g + 2 row) mod 4 of the quads of a row belongs to group g, so a
+//         row of quads is one word of each bank.
+// Stream  sorted_t in; an end is taken when all before it is blended. Pixels to external memory. Taps: lane g of this
+//         RU is its group g.
 // Pace    One region per cycle into the powers, one quad per cycle and group out of them.
 // Model   cpp_model/ru/ru_quads.hpp
 
@@ -33,15 +35,17 @@ module ru_live #(
   input  logic [SideW-1:0]                  rows_i,     // restart_i or window_done_o they are those of the next one
   output logic [Regions-1:0]                done_o,     // own regions that need nothing more
 
-  input  logic                              resolve_ready_i,
-  input  logic                              resolve_read_i,
-  input  logic [AddrW-1:0]                  resolve_raddr_i,
-  output logic [WordW-1:0]                  resolve_rdata_o,
+  input  logic [pipegs_pkg::AddressW-1:0]   pixels_i,   // first line of the frame
+  input  logic [2*pipegs_pkg::WindowW-1:0]  number_i,   // of the window in the frame
+  output logic                              store_valid_o,
+  input  logic                              store_ready_i,
+  output logic [pipegs_pkg::AddressW-1:0]   store_address_o,
+  output logic [pipegs_pkg::MemoryW-1:0]    store_data_o,
 
   output logic                              layer_done_o,
   output logic                              window_done_o,
   output logic                              issue_o,    // a quad starts
-  output logic                              idle_o,
+  output logic                              idle_o,     // nothing inside, all pixels written
 
   output logic [Groups-1:0]                 tap_line_valid_o,
   output logic [Groups*TapIndexW-1:0]       tap_line_index_o,
@@ -62,12 +66,12 @@ module ru_live #(
   localparam int unsigned BankW    = WordW / Groups;
   localparam int unsigned PairW    = 8 * pipegs_pkg::ExponentBits;
   localparam int unsigned Side     = pipegs_pkg::Window / 2;  // quads
-  localparam logic [TW-1:0] One = TW'(1) << (TW - 1);
 
   // --- a window begins -----------------------------------------------------------------------------------------------
   logic             clear_q;
   logic [Side-1:0]  columns_out, rows_out;  // columns and rows of quads outside the image
   logic [Slots*16-1:0] outside, stopped;    // [slot, row, column]
+  logic [Slots-1:0]    slots_out;           // slots without a pixel inside the image
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) clear_q <= 1'b0;
     else clear_q <= restart_i || window_done_o;
@@ -88,6 +92,9 @@ module ru_live #(
     end
     assign outside[i] = out != '0;
   end
+  for (genvar i = 0; i < Slots; i += 1) begin : gen_slot
+    assign slots_out[i] = outside[16*i +: 16] == '1;
+  end
   for (genvar i = 0; i < Regions; i += 1) begin : gen_done
     assign done_o[i] = own_i[i] && !clear_q && stopped[i/Units*16 +: 16] == '1;
   end
@@ -104,8 +111,13 @@ module ru_live #(
   logic [RegionW-1:0]           half_region;
   logic [TapIndexW-1:0]         half_index;
 
+  logic [Slots-1:0]             held, wanted;
+  logic [Regions-1:0]           held_regions, wants;
+  logic                         drained;
+
   ru_regions u_regions (
-    .clk_i, .rst_ni, .open_i(own_i & ~done_o), .hold_i(clear_q), .in_valid_i, .in_ready_o, .in_i,
+    .clk_i, .rst_ni, .open_i(own_i & ~done_o), .hold_i(clear_q), .held_i(held_regions), .wants_o(wants),
+    .in_valid_i, .in_ready_o, .in_i,
     .region_valid_o(region_valid), .region_ready_i(region_ready), .region_o(region), .color_o(region_color),
     .end_valid_o(end_valid), .end_kind_o(end_kind), .end_ready_i(ended), .busy_o(regions_busy)
   );
@@ -116,18 +128,35 @@ module ru_live #(
     .out_region_o(half_region), .out_color_o(color), .out_index_o(half_index), .busy_o(power_busy)
   );
   assign ended         = end_valid && !power_busy && group_busy == '0 &&
-                         (end_kind != pipegs_pkg::KindWindowEnd || resolve_ready_i);
+                         (end_kind != pipegs_pkg::KindWindowEnd || drained);
   assign layer_done_o  = ended;
   assign window_done_o = ended && end_kind == pipegs_pkg::KindWindowEnd;
 
-  // --- quads, and the pixels' way out --------------------------------------------------------------------------------
-  logic [Groups*BankW-1:0] resolved;  // of the banks; what was not blended is T = 1, black
-  logic                    odd_q;     // the row of quads that was read
-  always_ff @(posedge clk_i) if (resolve_read_i) odd_q <= resolve_raddr_i[0];
+  // --- the pixels' way out -------------------------------------------------------------------------------------------
+  logic             job, drain_idle;
+  logic [AddrW-1:0] job_address;
+  logic [WordW-1:0] word;
+  logic [2:0]       odd_q;  // the row of quads of the jobs of one, two, three cycles ago
+  always_ff @(posedge clk_i) odd_q <= {odd_q[1:0], job_address[0]};
+
+  for (genvar i = 0; i < Slots; i += 1) begin : gen_held
+    assign held_regions[i*Units +: Units] = {Units{held[i]}};
+    assign wanted[i] = (wants[i*Units +: Units] & own_i[i*Units +: Units]) != '0;
+  end
+  ru_drain u_drain (
+    .clk_i, .rst_ni, .own_i, .pixels_i, .restart_i, .start_i(window_done_o), .number_i, .outside_i(slots_out),
+    .wanted_i(wanted), .held_o(held), .ready_o(drained), .idle_o(drain_idle),
+    .job_o(job), .job_address_o(job_address), .word_i(word),
+    .mem_valid_o(store_valid_o), .mem_ready_i(store_ready_i), .mem_address_o(store_address_o),
+    .mem_data_o(store_data_o)
+  );
+
+  // --- quads ---------------------------------------------------------------------------------------------------------
+  logic [Groups*BankW-1:0] banks;  // what each bank shows
   for (genvar g = 0; g < Groups; g += 1) begin : gen_group
-    logic             read, write, fresh, resolve_fresh;
+    logic             read, write;
     logic [AddrW-1:0] raddr, waddr;
-    logic [BankW-1:0] rdata, wdata, resolve_rdata;
+    logic [BankW-1:0] rdata, wdata;
     logic [Words-1:0] group_outside, group_stopped;
 
     for (genvar i = 0; i < Words; i += 1) begin : gen_word
@@ -139,36 +168,34 @@ module ru_live #(
     ru_quads #(.Group(g)) u_quads (
       .clk_i, .rst_ni, .in_valid_i(half_valid[g]), .in_ready_o(half_ready[g]), .in_live_i(half_live[2*g +: 2]),
       .in_i(pairs[g*PairW +: PairW]), .in_half_i(half), .in_region_i(half_region), .in_color_i(color),
-      .in_index_i(half_index), .clear_i(clear_q), .outside_i(group_outside), .columns_i, .rows_i,
-      .stopped_o(group_stopped), .read_o(read), .raddr_o(raddr), .rdata_i(rdata), .fresh_i(fresh),
+      .in_index_i(half_index), .drain_i(job), .drain_address_i(job_address),
+      .clear_i(clear_q), .outside_i(group_outside), .columns_i, .rows_i, .stopped_o(group_stopped),
+      .read_o(read), .raddr_o(raddr), .rdata_i(rdata),
       .write_o(write), .waddr_o(waddr), .wdata_o(wdata), .issue_o(group_issue[g]), .busy_o(group_busy[g]),
       .tap_quad_valid_o(tap_line_valid_o[g]), .tap_quad_index_o(tap_line_index_o[g*TapIndexW +: TapIndexW]),
       .tap_quad_region_o(tap_line_region_o[g*RegionW +: RegionW]), .tap_quad_row_o(tap_line_quarter_o[2*g +: 2]),
       .tap_quad_o(tap_line_o[g*pipegs_pkg::TapLineW +: pipegs_pkg::TapLineW]),
-      .tap_word_region_o(tap_word_region_o[g*RegionW +: RegionW]), .tap_word_row_o(tap_word_quarter_o[2*g +: 2])
+      .tap_word_valid_o(tap_word_valid_o[g]), .tap_word_region_o(tap_word_region_o[g*RegionW +: RegionW]),
+      .tap_word_row_o(tap_word_quarter_o[2*g +: 2])
     );
-    assign tap_word_valid_o[g] = write;
     assign tap_word_o[g*BankW +: BankW] = wdata;
 
-    pixel_buffer #(.DataW(BankW), .Words(Words)) u_pixels (
-      .clk_i, .rst_ni, .swap_i(window_done_o),
-      .blend_read_i(read), .blend_raddr_i(raddr), .blend_rdata_o(rdata), .blend_fresh_o(fresh),
-      .blend_write_i(write), .blend_waddr_i(waddr), .blend_wdata_i(wdata),
-      .resolve_read_i, .resolve_raddr_i, .resolve_rdata_o(resolve_rdata), .resolve_fresh_o(resolve_fresh)
+    sram #(.DataW(BankW), .Depth(Words)) u_pixels (
+      .clk_i, .write_i(write), .waddr_i(waddr), .wdata_i(wdata), .read_i(read), .raddr_i(raddr), .rdata_o(rdata)
     );
-    assign resolved[g*BankW +: BankW] = resolve_fresh ? {4'b0, {4{One}}, {(4 * PixelsW){1'b0}}} : resolve_rdata;
+    assign banks[g*BankW +: BankW] = rdata;
   end
   // A row of quads as two rows of eight pixels: of each field all sixteen side by side.
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_pixel
     localparam int unsigned Even = i % 8 / 2, Odd = (Even + 2) % 4, Pixel = i / 8 * 2 + i % 2;
     logic [BankW-1:0] bank;
-    assign bank = odd_q ? resolved[Odd*BankW +: BankW] : resolved[Even*BankW +: BankW];
-    assign resolve_rdata_o[i*PixelsW +: PixelsW]            = bank[Pixel*PixelsW +: PixelsW];
-    assign resolve_rdata_o[Lanes*PixelsW+i*TW +: TW]        = bank[4*PixelsW+Pixel*TW +: TW];
-    assign resolve_rdata_o[Lanes*(PixelsW+TW)+i]            = bank[4*(PixelsW+TW)+Pixel];
+    assign bank = odd_q[2] ? banks[Odd*BankW +: BankW] : banks[Even*BankW +: BankW];
+    assign word[i*PixelsW +: PixelsW]     = bank[Pixel*PixelsW +: PixelsW];
+    assign word[Lanes*PixelsW+i*TW +: TW] = bank[4*PixelsW+Pixel*TW +: TW];
+    assign word[Lanes*(PixelsW+TW)+i]     = bank[4*(PixelsW+TW)+Pixel];
   end
 
   assign issue_o = group_issue != '0;
-  assign idle_o  = !regions_busy && !power_busy && group_busy == '0 && !clear_q;
+  assign idle_o  = !regions_busy && !power_busy && group_busy == '0 && !clear_q && drain_idle;
 
 endmodule

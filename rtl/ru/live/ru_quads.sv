@@ -5,8 +5,9 @@
 // Idea    Pixels of different quads have no order, so each group has a queue and goes at its own pace. A quad comes
 //         back four cycles later at the earliest: one that is on its way holds its group up.
 //           cycle 0 choose  1 exponential  2 code, read  3 weight  4 weight * colour  5 add, write
-// Stream  halves of regions in, with up to two live quads. A word of the pixel buffer is four pixels, row by row: done
-//         flags, T, colours (blue, green, red; red lowest). clear_i: a window begins; outside_i is known then.
+//         A job of ru_drain takes the place of a quad: its word is read, and written as T = 1, black.
+// Stream  halves of regions in, with up to two live quads. A word of pixels is four, row by row: done flags, T,
+//         colours (blue, green, red; red lowest). clear_i: a window begins; outside_i is known then.
 // Pace    One quad per cycle.
 // Model   cpp_model/ru/ru_quads.hpp
 
@@ -33,6 +34,9 @@ module ru_quads #(
   input  logic [ColorsW-1:0]               in_color_i,
   input  logic [pipegs_pkg::TapIndexW-1:0] in_index_i,
 
+  input  logic                             drain_i,      // a finished word is read, and cleared
+  input  logic [AddrW-1:0]                 drain_address_i,
+
   input  logic                             clear_i,
   input  logic [Words-1:0]                 outside_i,  // quads without a pixel inside the image
   input  logic [SideW-1:0]                 columns_i,  // pixels of the window inside the image
@@ -42,7 +46,6 @@ module ru_quads #(
   output logic                             read_o,
   output logic [AddrW-1:0]                 raddr_o,
   input  logic [WordW-1:0]                 rdata_i,
-  input  logic                             fresh_i,
   output logic                             write_o,
   output logic [AddrW-1:0]                 waddr_o,
   output logic [WordW-1:0]                 wdata_o,
@@ -55,6 +58,7 @@ module ru_quads #(
   output logic [pipegs_pkg::RegionW-1:0]   tap_quad_region_o,
   output logic [1:0]                       tap_quad_row_o,
   output logic [Lanes*pipegs_pkg::AlphaW-1:0] tap_quad_o,
+  output logic                             tap_word_valid_o,  // a quad is written back
   output logic [pipegs_pkg::RegionW-1:0]   tap_word_region_o,
   output logic [1:0]                       tap_word_row_o
 );
@@ -72,6 +76,7 @@ module ru_quads #(
   localparam int unsigned Depth     = pipegs_pkg::RuHalves;
   localparam int unsigned QueuedW   = 2 + PairW + 1 + RegionW + ColorsW + TapIndexW;
   localparam logic [TW-1:0] One = TW'(1) << (TW - 1);
+  localparam logic [WordW-1:0] Clear = {Lanes'(0), {Lanes{One}}, (Lanes*PixelsW)'(0)};
 
   // --- the queue, and the quad that is next --------------------------------------------------------------------------
   logic                       half_valid, half, second_q, second, pop;
@@ -94,7 +99,7 @@ module ru_quads #(
   assign second  = second_q || !live[0];
   assign row     = {half, second};
   assign address = AddrW'({slot, row});
-  assign issue_o = half_valid && !conflict;
+  assign issue_o = half_valid && !conflict && !drain_i;
   assign pop     = issue_o && (second || !live[1]);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -104,6 +109,7 @@ module ru_quads #(
 
   // --- the quads on their way ----------------------------------------------------------------------------------------
   logic                      valid_1_q, valid_2_q, valid_3_q, valid_4_q, valid_5_q;
+  logic                      drain_1_q, drain_2_q, drain_3_q, drain_4_q, drain_5_q;  // instead of a quad
   logic [RegionW-1:0]        region_1_q, region_2_q, region_3_q, region_4_q, region_5_q;
   logic [1:0]                row_1_q, row_2_q, row_3_q, row_4_q, row_5_q;
   logic [AddrW-1:0]          address_1_q, address_2_q, address_3_q, address_4_q, address_5_q;
@@ -126,7 +132,7 @@ module ru_quads #(
       valid_4_q <= 1'b0;
       valid_5_q <= 1'b0;
     end else begin
-      valid_1_q <= issue_o;
+      valid_1_q <= issue_o || drain_i;
       valid_2_q <= valid_1_q;
       valid_3_q <= valid_2_q;
       valid_4_q <= valid_3_q;
@@ -134,10 +140,13 @@ module ru_quads #(
     end
   end
   always_ff @(posedge clk_i) begin
+    if (issue_o || drain_i) begin
+      drain_1_q   <= drain_i;
+      address_1_q <= drain_i ? drain_address_i : address;
+    end
     if (issue_o) begin
       region_1_q    <= region;
       row_1_q       <= row;
-      address_1_q   <= address;
       color_1_q     <= color;
       index_1_q     <= index;
       exponents_1_q <= second ? pair[4*ExponentW +: 4*ExponentW] : pair[0 +: 4*ExponentW];
@@ -146,6 +155,7 @@ module ru_quads #(
       region_2_q  <= region_1_q;
       row_2_q     <= row_1_q;
       address_2_q <= address_1_q;
+      drain_2_q   <= drain_1_q;
       color_2_q   <= color_1_q;
       index_2_q   <= index_1_q;
     end
@@ -153,6 +163,7 @@ module ru_quads #(
       region_3_q  <= region_2_q;
       row_3_q     <= row_2_q;
       address_3_q <= address_2_q;
+      drain_3_q   <= drain_2_q;
       color_3_q   <= color_2_q;
       codes_3_q   <= codes;
       outside_3_q <= outside;
@@ -161,13 +172,15 @@ module ru_quads #(
       region_4_q  <= region_3_q;
       row_4_q     <= row_3_q;
       address_4_q <= address_3_q;
+      drain_4_q   <= drain_3_q;
       color_4_q   <= color_3_q;
-      rgb_4_q     <= fresh_i ? '0 : rdata_i[Lanes*PixelsW-1:0];
+      rgb_4_q     <= rdata_i[Lanes*PixelsW-1:0];
     end
     if (valid_4_q) begin
       region_5_q  <= region_4_q;
       row_5_q     <= row_4_q;
       address_5_q <= address_4_q;
+      drain_5_q   <= drain_4_q;
       rgb_5_q     <= rgb_4_q;
     end
   end
@@ -189,6 +202,7 @@ module ru_quads #(
   assign raddr_o = address_2_q;
 
   // --- the lanes -----------------------------------------------------------------------------------------------------
+  logic [WordW-1:0] blended;
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_lane
     pu_code u_code (
       .clk_i, .enable_i(valid_1_q), .exponent_i(exponents_1_q[i*ExponentW +: ExponentW]),
@@ -198,20 +212,21 @@ module ru_quads #(
       .clk_i,
       .enable_1_i(valid_3_q),
       .code_i    (codes_3_q[i*AlphaW +: AlphaW]),
-      .t_i       (fresh_i ? One : rdata_i[TLow+i*TW +: TW]),
-      .done_i    (fresh_i ? outside_3_q[i] : rdata_i[DoneLow+i]),
+      .t_i       (rdata_i[TLow+i*TW +: TW]),
+      .done_i    (outside_3_q[i] || rdata_i[DoneLow+i]),
       .enable_2_i(valid_4_q),
       .red_i     (color_4_q[0 +: ColorW]),
       .green_i   (color_4_q[ColorW +: ColorW]),
       .blue_i    (color_4_q[2*ColorW +: ColorW]),
       .rgb_i     (rgb_5_q[i*PixelsW +: PixelsW]),
-      .rgb_o     (wdata_o[i*PixelsW +: PixelsW]),
-      .t_o       (wdata_o[TLow+i*TW +: TW]),
-      .done_o    (wdata_o[DoneLow+i])
+      .rgb_o     (blended[i*PixelsW +: PixelsW]),
+      .t_o       (blended[TLow+i*TW +: TW]),
+      .done_o    (blended[DoneLow+i])
     );
   end
   assign write_o = valid_5_q;
   assign waddr_o = address_5_q;
+  assign wdata_o = drain_5_q ? Clear : blended;
 
   // --- what has stopped ----------------------------------------------------------------------------------------------
   logic [Words-1:0] stopped_q;
@@ -222,11 +237,12 @@ module ru_quads #(
     else if (pipegs_pkg::EarlyStop != 0 && write_o && wdata_o[DoneLow +: Lanes] == '1) stopped_q[address_5_q] <= 1'b1;
   end
 
-  assign tap_quad_valid_o  = valid_2_q;
+  assign tap_quad_valid_o  = valid_2_q && !drain_2_q;
   assign tap_quad_index_o  = index_2_q;
   assign tap_quad_region_o = region_2_q;
   assign tap_quad_row_o    = row_2_q;
   assign tap_quad_o        = codes;
+  assign tap_word_valid_o  = valid_5_q && !drain_5_q;
   assign tap_word_region_o = region_5_q;
   assign tap_word_row_o    = row_5_q;
 

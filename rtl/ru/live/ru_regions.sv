@@ -5,9 +5,10 @@
 // Idea    pu_region's arithmetic as a pipeline, because lanes that blend only what lives are through with most regions
 //         in one or two cycles.
 //           select the lowest open region | times rx, ry | sums, squares | last sum, rounding
-//         All steps move together.
-// Stream  sorted_t in; region_t out, in order. A splat without an open region vanishes. An end waits at end_o until
-//         all before it has left and end_ready_i takes it.
+//         All steps move together. A region that still holds pixels of the window before waits; the others of its
+//         splat go on.
+// Stream  sorted_t in; region_t out, splat by splat. A splat without an open region vanishes. An end waits at end_o
+//         until all before it has left and end_ready_i takes it.
 // Pace    One region per cycle; the first one five cycles after its splat was taken.
 // Model   cpp_model/pu/rows/pu_region.hpp, ru_own_mask in cpp_model/ru/ru_walk.hpp
 
@@ -19,6 +20,8 @@ module ru_regions #(
   input  logic                         rst_ni,
   input  logic [Regions-1:0]           open_i,        // regions that this RU owns and that are not done
   input  logic                         hold_i,        // they are not known in this cycle
+  input  logic [Regions-1:0]           held_i,        // regions that wait
+  output logic [Regions-1:0]           wants_o,       // regions that the present splat has left, of any RU
 
   input  logic                         in_valid_i,
   output logic                         in_ready_o,
@@ -63,23 +66,30 @@ module ru_regions #(
   // --- the splat, and its next region --------------------------------------------------------------------------------
   logic                splat_valid_q, data, last, pick, leave;
   pipegs_pkg::sorted_t splat_q;
-  logic [MaskW-1:0]    left_q, open, lowest;  // regions of the splat that were not picked yet
-  logic [MaskW-1:0]    part_open;
+  logic [MaskW-1:0]    left_q, open, free, lowest;  // regions of the splat that were not picked yet
+  logic [MaskW-1:0]    part_open, part_held;
   logic [IndexW-1:0]   index;
   logic [RegionW-1:0]  region;
 
-  first_set #(.DataW(MaskW)) u_lowest (.mask_i(open), .one_hot_o(lowest), .number_o(index));
+  first_set #(.DataW(MaskW)) u_lowest (.mask_i(free), .one_hot_o(lowest), .number_o(index));
   if (pipegs_pkg::Parts > 1) begin : gen_part
     assign region    = {splat_q.part, index};
     assign part_open = open_i[splat_q.part*MaskW +: MaskW];
+    assign part_held = held_i[splat_q.part*MaskW +: MaskW];
+    for (genvar p = 0; p < pipegs_pkg::Parts; p += 1) begin : gen_wants
+      assign wants_o[p*MaskW +: MaskW] = splat_valid_q && data && splat_q.part == p ? left_q : '0;
+    end
   end else begin : gen_whole
     assign region    = index;
     assign part_open = open_i;
+    assign part_held = held_i;
+    assign wants_o   = splat_valid_q && data ? left_q : '0;
   end
   assign data        = splat_q.kind == pipegs_pkg::KindData;
   assign open        = left_q & part_open;
+  assign free        = open & ~part_held;
   assign last        = (open & ~lowest) == '0;
-  assign pick        = splat_valid_q && data && open != '0 && move && !hold_i;
+  assign pick        = splat_valid_q && data && free != '0 && move && !hold_i;
   assign leave       = data ? !hold_i && last && (move || open == '0) : end_valid_o && end_ready_i;
   assign in_ready_o  = !splat_valid_q || leave;
   assign end_valid_o = splat_valid_q && !data && !valid_1_q && !valid_2_q && !valid_3_q && !valid_4_q;

@@ -68,14 +68,20 @@ void Live::issue(Cycle now, int lane, int g, std::vector<Stop>& stops) {
   if (!group.second) group.queue.pop(now);
 }
 
-void Live::step(Machine& m, Cycle now, int lane, std::vector<Stop>& stops) {
+void Live::step(Machine& m, Cycle now, int lane, bool job, std::vector<Stop>& stops) {
   for (const Shown& one : shown_[1]) m.show(now, Border::kLine, one.lane, one.row);
   shown_[1].clear();
   std::swap(shown_[0], shown_[1]);
   const bool fire = fires(now), pixels_move = halves_ == 0 || (fire && halves_ != 3);
   const bool rows_move = !rows_.valid || pixels_move;
   moved_ = !regions_[3].valid || rows_move;
-  for (int g = 0; g < kGroups; ++g) issue(now, lane, g, stops);
+  for (int g = 0; g < kGroups; ++g) {
+    if (job) {
+      groups_[static_cast<size_t>(g)].last_issue = now;
+    } else {
+      issue(now, lane, g, stops);
+    }
+  }
   if (fire) {
     const int half = halves_ & 1 ? 0 : 1;
     for (int g = 0; g < kGroups; ++g) {

@@ -33,8 +33,8 @@ class Live {
   void stop(uint16_t quad) { stopped_[quad / 16u] |= static_cast<uint16_t>(1u << quad % 16u); }
 
   bool idle(Cycle now) const;  // nothing is inside at the beginning of this cycle
-  // A cycle. What stops with it is appended to `stops`.
-  void step(Machine& m, Cycle now, int lane, std::vector<Stop>& stops);
+  // A cycle. What stops with it is appended to `stops`. `job`: one of ru_drain takes the groups' turn.
+  void step(Machine& m, Cycle now, int lane, bool job, std::vector<Stop>& stops);
   // Behind step() of the same cycle: whether a region can be picked, and that it is, with its visible quads.
   bool moved() const { return moved_; }
   void pick(int region, uint16_t quads);

@@ -24,6 +24,7 @@ Ru::Ru(const Machine& m, int lane)
       own_(ru_own_mask(m.config, lane)) {
   for (size_t part = 0; part < static_cast<size_t>(m.config.parts()); ++part) owned_.mask[part] = own_;
   set_window(m, 0);
+  drain_.start(0, owned_, true, 0);
 }
 
 void Ru::set_window(const Machine& m, size_t window) {
@@ -154,6 +155,7 @@ void Ru::end(Machine& m, Cycle now, Beat beat) {
   lines_.fill(0);
   if (!quads_) m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
   m.wheel.wake(unit(late_ ? kSource : kWalk, lane_), now + 1);
+  if (quads_) return drain_.start(now, owned_ & ~outside_, false, window_);
   // ru_resolve starts.
   regions_left_ = owned_ & ~outside_;
   window_written_ = window_;
@@ -224,25 +226,29 @@ void Ru::next_splat(Machine& m, Cycle now) {
 void Ru::live_source(Machine& m, Cycle now) {
   const bool data = !is_end(splat_.beat), empty = live_.idle(now), known = now != window_done_at_ + 1;
   const size_t before = stops_.size();
-  live_.step(m, now, lane_, stops_);
+  const RegionSet held = drain_.held();
+  const bool job = drain_.step(m.config, now, splat_.part, splat_valid_ && data ? rest_ : 0);
+  if (!drain_.words.empty()) m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
+  live_.step(m, now, lane_, job, stops_);
   for (size_t i = before; i < stops_.size(); ++i) m.wheel.wake(unit(kPublish), stops_[i].from);
   bool leave = false;
   if (splat_valid_ && !data) {
-    leave = empty && (splat_.beat != kWindowEndBeat || (lines_left_ == 0 && resolved_from_ <= now));
+    leave = empty && (splat_.beat != kWindowEndBeat || held == RegionSet{});
     if (leave) end(m, now, splat_.beat);
   } else if (splat_valid_ && known) {
-    const uint64_t open = rest_ & ~done_.mask[splat_.part], others = open & (open - 1);
-    if (open != 0 && live_.moved()) {
-      const int bit = std::countr_zero(open);
+    const uint64_t open = rest_ & ~done_.mask[splat_.part], free = open & ~held.mask[splat_.part];
+    const uint64_t lowest = free & -free;
+    if (free != 0 && live_.moved()) {
+      const int bit = std::countr_zero(free);
       const uint64_t mask = m.trace.mask[splat_.beat], below = mask & ((uint64_t{1} << bit) - 1);
       live_.pick(region_number(m.config, splat_.part, bit),
                  m.trace.quads[m.trace.quads_first[splat_.beat] + static_cast<size_t>(std::popcount(below))]);
-      rest_ &= ~(open & -open);
+      rest_ &= ~lowest;
     }
-    leave = others == 0 && (live_.moved() || open == 0);
+    leave = open == lowest && (live_.moved() || open == 0);
   }
   if (!splat_valid_ || leave) next_splat(m, now);
-  if (splat_valid_ || !live_.idle(now + 1)) m.wheel.wake(unit(kSource, lane_), now + 1);
+  if (splat_valid_ || drain_.active() || !live_.idle(now + 1)) m.wheel.wake(unit(kSource, lane_), now + 1);
   if (!splat_valid_) m.wheel.wake(unit(kSource, lane_), queue.head_from());
 }
 
@@ -271,26 +277,41 @@ void Ru::rows_source(Machine& m, Cycle now) {
 
 // --- ru_memory and ru_resolve ----------------------------------------------------------------------------------------
 
+// A line of pixels of a region to memory.
+void Ru::write(Machine& m, size_t window, int region, uint64_t line) {
+  const uint64_t columns =
+      (m.frame.raster.width + static_cast<uint64_t>(m.config.window) - 1) / static_cast<uint64_t>(m.config.window);
+  const uint64_t row_windows = m.frame.raster.windows.last_x - m.frame.raster.windows.first_x + 1;
+  const uint64_t number = (m.frame.raster.windows.first_y + window / row_windows) * columns +
+                          m.frame.raster.windows.first_x + window % row_windows;
+  const uint64_t place = number * static_cast<uint64_t>(m.config.regions()) + static_cast<uint64_t>(region);
+  m.memory.ask(port_, m.frame.tables.pixels + place * static_cast<uint64_t>(m.config.region_lines()) + line, true);
+  memory_valid_ = true;
+}
+
+// With quads: the words that ru_drain has brought.
+void Ru::drained(Machine& m, Cycle now) {
+  if (!drain_.words.valid(now)) return m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
+  const Drain::Word word = drain_.words.front();
+  const auto lines = static_cast<uint64_t>(m.config.region_lines()) / 4;  // of a word
+  write(m, word.window, word.region, static_cast<uint64_t>(word.row) * lines + line_);
+  if (++line_ < lines) return;
+  line_ = 0;
+  drain_.words.pop(now);
+}
+
 void Ru::memory(Machine& m, Cycle now) {
   if (read_at_ == now) return;
   if (m.memory.granted(port_, now)) memory_valid_ = false;
-  if (memory_valid_ || lines_left_ == 0) return;
+  if (memory_valid_) return;
+  if (quads_) return drained(m, now);
+  if (lines_left_ == 0) return;
   if (now < line_from_) return m.wheel.wake(unit(kRuMemory, lane_), line_from_);
   size_t part = 0;
   while (regions_left_.mask[part] == 0) ++part;
   uint64_t& left = regions_left_.mask[part];
-  const auto region = static_cast<uint64_t>(region_number(m.config, part, std::countr_zero(left)));
-  const auto lines = static_cast<uint64_t>(m.config.region_lines());
-  const uint64_t columns =
-      (m.frame.raster.width + static_cast<uint64_t>(m.config.window) - 1) / static_cast<uint64_t>(m.config.window);
-  const uint64_t row_windows = m.frame.raster.windows.last_x - m.frame.raster.windows.first_x + 1;
-  const uint64_t number = (m.frame.raster.windows.first_y + window_written_ / row_windows) * columns +
-                          m.frame.raster.windows.first_x + window_written_ % row_windows;
-  m.memory.ask(port_,
-               m.frame.tables.pixels + (number * static_cast<uint64_t>(m.config.regions()) + region) * lines + line_,
-               true);
-  memory_valid_ = true;
-  if (++line_ == lines) line_ = 0, left &= left - 1;
+  write(m, window_written_, region_number(m.config, part, std::countr_zero(left)), line_);
+  if (++line_ == static_cast<uint64_t>(m.config.region_lines())) line_ = 0, left &= left - 1;
   if (--lines_left_ == 0) {
     resolved_from_ = now + 1;
     m.wheel.wake(unit(kLanes, lane_), now + 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ru.hpp: a Rasterization Unit in the timing model, and the alpha stores.
 //
-// RTL     rtl/ru/: ru_walk, ru_fetch or ru_rows, ru_lanes (with quads ru_live), ru_resolve, ru_memory;
+// RTL     rtl/ru/: ru_walk, ru_fetch or ru_rows, ru_lanes ru_resolve (with quads ru_live, ru_drain), ru_memory;
 //         rtl/buf/alpha_store.sv, rtl/layer_free.sv.
 // Idea    A line of alphas keeps the lanes for four cycles; the trace says with which line a region becomes opaque.
 //         What a unit reports to others (done regions, finished windows and layers) is kept back until publish() of the
@@ -14,6 +14,7 @@
 #include "cpp_model/regions.hpp"
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/pu/rows.hpp"
+#include "sim/timing/ru/drain.hpp"
 #include "sim/timing/ru/live.hpp"
 
 namespace pipegs::timing {
@@ -49,7 +50,7 @@ class Ru {
 
   SramQueue<Splat, 64> queue;
   Cycle last_window_done() const { return window_done_at_; }
-  bool written() const { return lines_left_ == 0 && !memory_valid_; }
+  bool written() const { return lines_left_ == 0 && drain_.empty() && !memory_valid_; }
 
  private:
   struct Fetch {
@@ -73,6 +74,8 @@ class Ru {
   void publish_stops(const Machine& m, Cycle now);
   void set_window(const Machine& m, size_t window);
   bool read(Machine& m, Cycle now, uint64_t line);
+  void write(Machine& m, size_t window, int region, uint64_t line);
+  void drained(Machine& m, Cycle now);
   uint64_t live() const { return ends_ == 0 ? rest_ & ~done_.mask[splat_.part] : rest_; }
 
   const int lane_, port_;
@@ -99,6 +102,7 @@ class Ru {
 
   Live live_;  // with quads, instead of the above and of ru_lanes
   std::vector<Live::Stop> stops_;
+  Drain drain_;
 
   // ru_lanes
   Cycle start_ = kNever;  // of the line in the lanes

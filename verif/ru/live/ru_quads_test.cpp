@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_quads_test: rtl/ru/live/ru_quads.sv (group 0) against cpp_model/ru/ru_quads.hpp, with the pixel buffer as an
-// array; the other groups in ru_live.
+// ru_quads_test: rtl/ru/live/ru_quads.sv (group 0) against cpp_model/ru/ru_quads.hpp, with the pixels as an array; the
+// other groups in ru_live. Jobs of ru_drain clear all words before a window, and words of the last slot at any time.
 #include <optional>
 
 #include "cpp_model/pu/rows/pu_alpha.hpp"
@@ -16,6 +16,14 @@ const Config kConfig = test_config();
 const BlendConstants kBlend(kConfig);
 const PuAlpha kAlpha(kConfig);
 constexpr int kGroup = 0;
+const int kSlots = kConfig.regions() / kConfig.units;
+
+// T = 1, black: what a job leaves behind.
+const Words kClear = [] {
+  RegionState region{};
+  std::fill(std::begin(region.t), std::end(region.t), 1u << (kConfig.t_w - 1));
+  return pixel_word(kConfig, region, 0, kGroup);
+}();
 
 // One half of a region: what goes in, and what its quads are blended with.
 struct Half {
@@ -33,8 +41,8 @@ class Around : public Endpoint {
       : bench_(bench),
         unit_(unit),
         in_(bench, bench.dut.in_valid_i, bench.dut.in_ready_o, bench.dut.in_i, pace),
-        buffer_(kConfig.regions() / kConfig.units * 4) {
-    bench.dut.clear_i = 0;
+        buffer_(4 * kSlots) {
+    bench.dut.clear_i = bench.dut.drain_i = 0;
     bench.add(*this);
     frame_.raster.width = 2 * kConfig.window + 1 + bench.rng() % kConfig.window;
     frame_.raster.height = 2 * kConfig.window + 1 + bench.rng() % kConfig.window;
@@ -43,12 +51,16 @@ class Around : public Endpoint {
   void start_window(uint64_t window) {
     regions_.clear();
     std::vector<uint32_t> outside;  // quads of each slot
-    for (int slot = 0; slot < kConfig.regions() / kConfig.units; ++slot) {
+    for (int slot = 0; slot < kSlots; ++slot) {
       regions_.push_back(ru_fresh_region(kConfig, frame_, window, window, ru_region(kConfig, unit_, slot)));
       outside.push_back(ru_stopped_quads(regions_.back()));
     }
-    for (auto& word : buffer_) word.reset();
     auto& dut = bench_.dut;
+    for (int address = 0; address < 4 * kSlots; ++address) {
+      to_drain_ = address;
+      while (to_drain_) bench_.step();
+    }
+    for (int i = 0; i < 8; ++i) bench_.step();
     dut.columns_i = std::min<uint64_t>(kConfig.window, frame_.raster.width - window * kConfig.window);
     dut.rows_i = std::min<uint64_t>(kConfig.window, frame_.raster.height - window * kConfig.window);
     write_port(dut.outside_i, words_of(outside).data());
@@ -84,9 +96,12 @@ class Around : public Endpoint {
       Words noise(port_words<decltype(dut.rdata_i)>() + 2);
       for (uint32_t& word : noise) word = static_cast<uint32_t>(bench_.rng());
       write_port(dut.rdata_i, buffer_[*read_] ? buffer_[*read_]->data() : noise.data());
-      dut.fresh_i = !buffer_[*read_];
       read_.reset();
     }
+    if (spare_jobs && !to_drain_ && ++since_job_ > 8 && bench_.rng() % 8 == 0)
+      to_drain_ = 4 * (kSlots - 1) + bench_.rng() % 4;
+    dut.drain_i = to_drain_ && bench_.rng() % 4 != 0;
+    if (dut.drain_i) dut.drain_address_i = *to_drain_, since_job_ = 0;
   }
   void observe() override {
     auto& dut = bench_.dut;
@@ -101,7 +116,20 @@ class Around : public Endpoint {
     if (!stopped_.empty()) { EXPECT_EQ(found, words_of(stopped_)) << "cycle " << bench_.cycle; }
     if (dut.clear_i) stopped_ = clear_;
     if (dut.write_o) ASSERT_NO_FATAL_FAILURE(take_word());
+    EXPECT_EQ(dut.tap_word_valid_o && !dut.write_o, 0);
     if (dut.tap_quad_valid_o) ASSERT_NO_FATAL_FAILURE(take_quad());
+    if (jobs_[1]) {
+      ASSERT_FALSE(dut.tap_quad_valid_o) << "a job and a quad at once, cycle " << bench_.cycle;
+      ASSERT_TRUE(dut.read_o && dut.raddr_o == *jobs_[1]) << "a job does not read its word, cycle " << bench_.cycle;
+      expected_.push_back({0, *jobs_[1], kClear, false, true});
+    }
+    jobs_[1] = jobs_[0];
+    jobs_[0].reset();
+    if (dut.drain_i) {
+      EXPECT_FALSE(dut.issue_o) << "a quad starts in a job's turn, cycle " << bench_.cycle;
+      jobs_[0] = to_drain_;
+      to_drain_.reset();
+    }
     if (dut.issue_o) issues.push_back(bench_.cycle);
   }
   // A quad's codes are known, in the order in which its halves were given.
@@ -127,7 +155,7 @@ class Around : public Endpoint {
     RegionState& state = regions_[ru_slot(kConfig, half.region)];
     ru_blend_quad(kBlend, state, quad, codes, half.color);
     expected_.push_back({half.region, row, pixel_word(kConfig, state, row, kGroup),
-                         static_cast<bool>(ru_stopped_quads(state) >> quad & 1)});
+                         static_cast<bool>(ru_stopped_quads(state) >> quad & 1), false});
   }
   void take_word() {
     auto& dut = bench_.dut;
@@ -136,6 +164,13 @@ class Around : public Endpoint {
     ASSERT_FALSE(expected_.empty()) << "a word too many, cycle " << bench_.cycle;
     const Expected expected = expected_.front();
     expected_.pop_front();
+    ASSERT_EQ(dut.tap_word_valid_o, !expected.job) << "cycle " << bench_.cycle;
+    if (expected.job) {
+      ASSERT_EQ(dut.waddr_o, expected.row) << "cycle " << bench_.cycle;
+      ASSERT_EQ(pixel_difference(kConfig, kClear, found), "") << "a job leaves something, cycle " << bench_.cycle;
+      buffer_[dut.waddr_o] = found;
+      return;
+    }
     ASSERT_EQ(dut.tap_word_region_o, expected.region) << "cycle " << bench_.cycle;
     ASSERT_EQ(dut.tap_word_row_o, expected.row) << "cycle " << bench_.cycle;
     const int slot = ru_slot(kConfig, expected.region);
@@ -152,12 +187,13 @@ class Around : public Endpoint {
   }
 
   std::vector<uint64_t> issues;  // cycles in which a quad starts
+  bool spare_jobs = false;       // in the last slot
 
  private:
   struct Expected {
-    int region, row;
+    int region, row;  // of a job: the word's address
     Words word;
-    bool stopped;
+    bool stopped, job;
   };
   // The quads of the group, row by row of each slot, as a port has them.
   static Words words_of(const std::vector<uint32_t>& slots) {
@@ -181,17 +217,18 @@ class Around : public Endpoint {
   Frame frame_;
   std::vector<RegionState> regions_;          // by slot
   std::vector<uint32_t> stopped_, clear_;     // quads by slot; those of the window that begins
-  std::vector<std::optional<Words>> buffer_;  // empty: fresh
+  std::vector<std::optional<Words>> buffer_;  // empty: never written
   std::vector<Half> halves_;
   size_t taken_ = 0, next_ = 0;  // halves taken, the one whose quad comes next
   bool second_ = false;
   std::deque<Expected> expected_;
-  std::optional<int> read_;
+  int since_job_ = 0;                             // cycles: a word is drained once in a window
+  std::optional<int> read_, to_drain_, jobs_[2];  // jobs_: of one and two cycles ago
 };
 
 // Powers from just above 0 to just below the cut; near 0 they close pixels quickly.
-Half random_half(std::mt19937_64& rng, int unit, uint64_t index, bool strong) {
-  Half half{.region = ru_region(kConfig, unit, rng() % (kConfig.regions() / kConfig.units)),
+Half random_half(std::mt19937_64& rng, int unit, uint64_t index, bool strong, int slots = kSlots) {
+  Half half{.region = ru_region(kConfig, unit, static_cast<int>(rng() % static_cast<uint64_t>(slots))),
             .half = static_cast<int>(rng() % 2),
             .live = static_cast<uint32_t>(1 + rng() % 3),
             .index = index,
@@ -211,12 +248,13 @@ TEST(RuQuads, EqualsItsModelOverWindowsAtEveryPace) {
       Bench<Vru_quads> bench(test_seed() + unit);
       Around around(bench, pace, unit);
       bench.reset();
+      around.spare_jobs = kSlots > 1;
       uint64_t index = 0;
       for (const uint64_t window : {0, 2, 1, 2, 0}) {
         around.start_window(window);
         int last = ru_region(kConfig, unit, 0);
         for (int i = 0; i < 600; ++i) {
-          Half half = random_half(bench.rng, unit, index++, bench.rng() % 2 == 0);
+          Half half = random_half(bench.rng, unit, index++, bench.rng() % 2 == 0, std::max(1, kSlots - 1));
           if (i % 3 != 0) half.region = last;  // the same region right again
           last = half.region;
           around.push(half);

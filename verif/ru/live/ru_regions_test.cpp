@@ -13,14 +13,14 @@ namespace {
 
 const Config kConfig = test_config();
 const uint64_t kAll = ~uint64_t{0} >> (64 - kConfig.mask_w());
-constexpr uint64_t kNever = ~uint64_t{0};
+constexpr uint64_t kNever = ~uint64_t{0}, kLatency = 4;  // cycles from the choice of a region to the output
 
 uint64_t color_of(const Sorted& splat) {
   return (((splat.blue << kConfig.color_w) | splat.green) << kConfig.color_w) | splat.red;
 }
 
-// Gives splats and ends, closes regions, takes what comes out: in a window regions only close, and which are open is
-// not known in the cycle after the window's end.
+// Gives splats and ends, closes regions, hands them over, takes what comes out: in a window regions only close and are
+// handed over, and which are open is not known in the cycle after the window's end.
 class Around : public Endpoint {
  public:
   Around(Bench<Vru_regions>& bench, Pace in_pace, Pace out_pace, bool closing)
@@ -40,6 +40,8 @@ class Around : public Endpoint {
     for (uint64_t& when : closed_) when = kNever;
     for (int r = 0; r < kConfig.regions(); ++r)
       if (!open_.has(kConfig, r)) closed_[r] = bench_.cycle;
+    for (uint64_t& part : held_.mask) part = closing_ ? bench_.rng() & kAll : 0;
+    for (int r = 0; r < kConfig.regions(); ++r) handed_[r] = held_.has(kConfig, r) ? kNever : 0;
   }
   void push(const Sorted& splat) {
     in_.push(splat);
@@ -55,12 +57,21 @@ class Around : public Endpoint {
       gone.add(kConfig, r);
       open_ = open_ & ~gone;
     }
+    if (held_ != RegionSet{} && bench_.rng() % 4 == 0) {
+      int r = static_cast<int>(bench_.rng() % static_cast<uint64_t>(kConfig.regions()));
+      while (!held_.has(kConfig, r)) r = (r + 1) % kConfig.regions();
+      RegionSet one;
+      one.add(kConfig, r);
+      held_ = held_ & ~one;
+      handed_[r] = bench_.cycle;
+    }
     dut.hold_i = new_window_ || (closing_ && bench_.rng() % 16 == 0);
     RegionSet any;
     for (uint64_t& part : any.mask) part = bench_.rng() & kAll;
     write_regions(kConfig, dut.open_i, dut.hold_i ? any : open_);
     if (new_window_) start_window();
     new_window_ = false;
+    write_regions(kConfig, dut.held_i, held_);
     dut.end_ready_i = goes(out_pace_, bench_.rng);
   }
   void observe() override {
@@ -77,8 +88,13 @@ class Around : public Endpoint {
     const auto& [splat, taken] = splats_[place_];
     const int region = static_cast<int>(found.region), bit = region_bit(kConfig, region);
     ASSERT_EQ(static_cast<uint64_t>(region_part(kConfig, region)), splat.part) << "cycle " << bench_.cycle;
-    const uint64_t before = left_ & ((uint64_t{1} << bit) - 1);
+    uint64_t before = 0;  // what should have come, because it did not wait
+    for (int i = 0; i < bit; ++i) {
+      const bool waited = handed_[region_number(kConfig, splat.part, i)] > taken;
+      if (left_ >> i & 1 && !waited) before |= uint64_t{1} << i;
+    }
     ASSERT_TRUE(left_ >> bit & 1) << "region " << region << " is out of order, cycle " << bench_.cycle;
+    ASSERT_LE(handed_[region], bench_.cycle - kLatency) << "region " << region << " was held, cycle " << bench_.cycle;
     ASSERT_TRUE(are_closed(splat.part, before))
         << "a region before " << region << " is missing, cycle " << bench_.cycle;
     ASSERT_GT(closed_[region], taken) << "region " << region << " was closed before its splat came";
@@ -133,7 +149,8 @@ class Around : public Endpoint {
   Pace out_pace_;
   bool closing_, new_window_ = false;
   RegionSet open_;
-  uint64_t closed_[kRegions] = {};  // the cycle in which each region closed
+  RegionSet held_;
+  uint64_t closed_[kRegions] = {}, handed_[kRegions] = {};  // the cycle in which each closed, was handed over
   std::vector<Given> splats_;
   size_t taken_ = 0, place_ = 0, out_seen_ = 0;  // splats taken, the one whose regions come, regions that came
   uint64_t left_ = 0;                            // its regions that may still come

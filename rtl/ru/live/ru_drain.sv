@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// ru_drain: brings the pixels of a finished window to external memory, region by region, out of the lanes' own buffer.
+//
+// Paper   None: its RUs have T and RGB twice, and write one half while they blend the other.
+// Idea    One buffer. A region of the finished window is held until its four words were read and cleared; then the
+//         next window may blend it. Regions that the next splat wants go first. A job takes one turn of all groups of
+//         lanes and its word comes three cycles later, so there is a place for it before it is asked for.
+// Stream  start_i with the window's number and the slots outside the image, which are clear already. restart_i: all is
+//         cleared, nothing written. Jobs out, words in, write requests out.
+// Pace    A word per cycle while there is room; RuDrained words in five cycles.
+// Model   cpp_model/ru/ru_resolve.hpp
+
+module ru_drain #(
+  localparam int unsigned Lanes   = 16,
+  localparam int unsigned Slots   = pipegs_pkg::Regions / pipegs_pkg::Units,
+  localparam int unsigned AddrW   = $clog2(Slots * 4),
+  localparam int unsigned WordW   = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1),
+  localparam int unsigned NumberW = 2 * pipegs_pkg::WindowW
+) (
+  input  logic                            clk_i,
+  input  logic                            rst_ni,
+  input  logic [pipegs_pkg::Regions-1:0]  own_i,
+  input  logic [pipegs_pkg::AddressW-1:0] pixels_i,   // first line of the frame
+
+  input  logic                            restart_i,
+  input  logic                            start_i,
+  input  logic [NumberW-1:0]              number_i,   // of the window in the frame
+  input  logic [Slots-1:0]                outside_i,
+  input  logic [Slots-1:0]                wanted_i,
+  output logic [Slots-1:0]                held_o,     // not handed over yet
+  output logic                            ready_o,    // none is held
+  output logic                            idle_o,     // and all pixels are written
+
+  output logic                            job_o,
+  output logic [AddrW-1:0]                job_address_o,
+  input  logic [WordW-1:0]                word_i,     // of the job three cycles ago
+
+  output logic                            mem_valid_o,
+  input  logic                            mem_ready_i,
+  output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
+  output logic [pipegs_pkg::MemoryW-1:0]  mem_data_o
+);
+
+  localparam int unsigned Units     = pipegs_pkg::Units;
+  localparam int unsigned RegionW   = pipegs_pkg::RegionW;
+  localparam int unsigned AddressW  = pipegs_pkg::AddressW;
+  localparam int unsigned MemoryW   = pipegs_pkg::MemoryW;
+  localparam int unsigned SlotW     = Slots > 1 ? $clog2(Slots) : 1;
+  localparam int unsigned LinesW    = Lanes * pipegs_pkg::PixelW;
+  localparam int unsigned TagW      = NumberW + RegionW + 2;
+  localparam int unsigned Depth     = pipegs_pkg::RuDrained;
+
+  // --- which word is next --------------------------------------------------------------------------------------------
+  logic [Slots-1:0]   held_q, chosen_q, left, first, next;  // chosen: one slot or none
+  logic [SlotW-1:0]   slot_q, next_slot;
+  logic [1:0]         row_q;
+  logic [NumberW-1:0] number_q;
+  logic               quiet_q, room, last;  // quiet: nothing is written
+
+  assign left  = held_q & ~chosen_q;
+  assign first = left & wanted_i;
+  first_set #(.DataW(Slots)) u_next (.mask_i(first != '0 ? first : left), .one_hot_o(next), .number_o(next_slot));
+  assign job_o         = chosen_q != '0 && (quiet_q || room);
+  assign job_address_o = AddrW'({slot_q, row_q});
+  assign last          = job_o && row_q == 2'd3;
+  assign held_o        = held_q;
+  assign ready_o       = held_q == '0;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      held_q   <= '0;
+      chosen_q <= '0;
+      row_q    <= '0;
+      quiet_q  <= 1'b0;
+    end else begin
+      if (restart_i) held_q <= '1;
+      else if (start_i) held_q <= ~outside_i;
+      else if (last) held_q <= left;
+      if (restart_i || start_i) quiet_q <= restart_i;
+      if (chosen_q == '0 || last) chosen_q <= next;
+      if (job_o) row_q <= row_q + 1'b1;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start_i) number_q <= number_i;
+    if (chosen_q == '0 || last) slot_q <= next_slot;
+  end
+
+  // --- where it belongs ----------------------------------------------------------------------------------------------
+  logic [RegionW-1:0] region;
+  if (Units > 1) begin : gen_place
+    logic [Units-1:0]         owned;  // one of the slot's regions
+    logic [$clog2(Units)-1:0] place;
+    assign owned = own_i[slot_q*Units +: Units];
+    always_comb begin
+      place = '0;
+      for (int unsigned i = 0; i < Units; i += 1) if (owned[i]) place |= $clog2(Units)'(i);
+    end
+    assign region = RegionW'({slot_q, place});
+  end else begin : gen_all
+    assign region = RegionW'(slot_q);
+    logic unused_own;
+    assign unused_own = &{1'b0, own_i};
+  end
+
+  // --- jobs -> words -> lines ----------------------------------------------------------------------------------------
+  logic [2:0]          flying_q;  // a job of one, two, three cycles ago
+  logic [TagW-1:0]     tag;
+  logic [LinesW-1:0]   lines, word;
+  logic                word_valid, tag_valid, pop, word_ready;
+  logic [$clog2(Depth+1)-1:0] tags, words;
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) flying_q <= '0;
+    else flying_q <= {flying_q[1:0], job_o && !quiet_q};
+  end
+  fifo #(.DataW(TagW), .Depth(Depth)) u_tags (
+    .clk_i, .rst_ni, .in_valid_i(job_o && !quiet_q), .in_ready_o(room), .in_i({number_q, region, row_q}),
+    .out_valid_o(tag_valid), .out_ready_i(pop), .out_o(tag), .count_o(tags)
+  );
+  ru_pixels u_pixels (.word_i, .lines_o(lines));
+  fifo #(.DataW(LinesW), .Depth(Depth)) u_words (
+    .clk_i, .rst_ni, .in_valid_i(flying_q[2]), .in_ready_o(word_ready), .in_i(lines),
+    .out_valid_o(word_valid), .out_ready_i(pop), .out_o(word), .count_o(words)
+  );
+  assign mem_valid_o = word_valid;
+  assign idle_o      = ready_o && !tag_valid;
+
+  if (pipegs_pkg::PixelW == 32) begin : gen_line
+    assign pop           = word_valid && mem_ready_i;
+    assign mem_data_o    = word;
+    assign mem_address_o = pixels_i + AddressW'(tag);
+  end else begin : gen_lines
+    logic second_q;
+    assign pop           = word_valid && mem_ready_i && second_q;
+    assign mem_data_o    = second_q ? word[MemoryW +: MemoryW] : word[0 +: MemoryW];
+    assign mem_address_o = pixels_i + AddressW'({tag, second_q});
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) second_q <= 1'b0;
+      else if (mem_valid_o && mem_ready_i) second_q <= !second_q;
+    end
+  end
+
+  logic unused_counts;
+  assign unused_counts = &{1'b0, tags, words};
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) flying_q[2] |-> word_ready)
+    else $error("ru_drain: a word came for which there is no place");
+  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> ready_o)
+    else $error("ru_drain: a window came before the last one was handed over");
+`endif
+
+endmodule
