@@ -340,6 +340,34 @@ void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t cod
   pu_region_line(PuRows(config), job, bit, codes);
 }
 
+namespace {
+
+constexpr uint64_t kUnseen = ~uint64_t{0};
+
+// The place of each Gaussian by {order, index}; those that no window has seen come last.
+std::vector<uint32_t> ranks(const std::vector<uint64_t>& order) {
+  struct Turn {
+    uint64_t order;
+    uint32_t index;
+  };
+  std::vector<Turn> seen;
+  seen.reserve(order.size());
+  for (size_t i = 0; i < order.size(); ++i) {
+    if (order[i] != kUnseen) seen.push_back({order[i], static_cast<uint32_t>(i)});
+  }
+  std::sort(seen.begin(), seen.end(),
+            [](const Turn& a, const Turn& b) { return a.order != b.order ? a.order < b.order : a.index < b.index; });
+  std::vector<uint32_t> rank(order.size());
+  for (size_t i = 0; i < seen.size(); ++i) rank[seen[i].index] = static_cast<uint32_t>(i);
+  auto next = static_cast<uint32_t>(seen.size());
+  for (size_t i = 0; i < order.size(); ++i) {
+    if (order[i] == kUnseen) rank[i] = next++;
+  }
+  return rank;
+}
+
+}  // namespace
+
 GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options) {
   const Config& config = input.packed->config;
   const Frame& frame = input.frame;
@@ -351,7 +379,6 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   result.image = Image(width, height);
   result.pixels.assign(static_cast<size_t>(width) * height, 0);
   // (layer, depth key) of each Gaussian of the scene; a Gaussian has the same in every window.
-  constexpr uint64_t kUnseen = ~uint64_t{0};
   std::vector<uint64_t> order(input.packed->scene_gaussians, kUnseen);
   std::mutex mutex;
   uint64_t finished = 0;
@@ -391,12 +418,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
     if (options.progress) options.progress(static_cast<double>(finished) / static_cast<double>(count));
   });
 
-  std::vector<uint32_t> sorted(order.size());
-  std::iota(sorted.begin(), sorted.end(), 0u);
-  std::sort(sorted.begin(), sorted.end(),
-            [&](uint32_t a, uint32_t b) { return order[a] != order[b] ? order[a] < order[b] : a < b; });
-  result.rank.resize(order.size());
-  for (size_t i = 0; i < sorted.size(); ++i) result.rank[sorted[i]] = static_cast<uint32_t>(i);
+  result.rank = ranks(order);
   return result;
 }
 

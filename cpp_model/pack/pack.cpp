@@ -8,6 +8,7 @@
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/float/parallel.hpp"
@@ -22,122 +23,215 @@ namespace {
 constexpr double kOutlier = 1024;  // a mean this many scene radii away is left out: it would eat everybody's bits
 constexpr double kWindowAngle =
     0.2;  // side of a window as the packing order sees it, of the scene's radius; docs/units/dopu.md
-constexpr size_t kBlock = 16384;  // Gaussians of one piece of parallel work
-
-struct Survivor {
-  ActivatedGaussian gaussian;
-  uint32_t index;
-};
+constexpr size_t kBlock = 16384;      // Gaussians of one piece of parallel work
+constexpr size_t kChunkBlock = 1024;  // chunks of one
+constexpr size_t kLargeCell = 65536;  // Gaussians of a cell that several threads share
 
 void add(PackCounts& sum, const PackCounts& part) {
+  sum.non_finite += part.non_finite;
+  sum.zero_quaternion += part.zero_quaternion;
+  sum.transparent += part.transparent;
   sum.saturated_scale += part.saturated_scale;
   sum.saturated_base += part.saturated_base;
   sum.saturated_sh += part.saturated_sh;
   sum.flushed_scale += part.flushed_scale;
 }
 
-// Runs work(begin, end, counts) over blocks of [0, items) and sums the counts.
+// Runs work(begin, end, counts) over blocks of [0, items) and sums the counts; `size` items in a block.
 template <class Work>
-void for_blocks(size_t items, PackCounts& counts, Work&& work) {
+void for_blocks(size_t items, size_t size, PackCounts& counts, Work&& work) {
   std::mutex mutex;
-  parallel_for((items + kBlock - 1) / kBlock, 0, [&](size_t block) {
+  parallel_for((items + size - 1) / size, 0, [&](size_t block) {
     PackCounts mine;
-    work(block * kBlock, std::min(items, (block + 1) * kBlock), mine);
+    work(block * size, std::min(items, (block + 1) * size), mine);
     const std::lock_guard lock(mutex);
     add(counts, mine);
   });
 }
 
-std::vector<Survivor> survivors(const Config& config, const Scene& scene, PackCounts& counts) {
-  const size_t n = scene.gaussians.size();
-  std::vector<ActivatedGaussian> activated(n);
-  std::vector<Cull> cull(n);
-  for_blocks(n, counts, [&](size_t begin, size_t end, PackCounts&) {
-    for (size_t i = begin; i < end; ++i) cull[i] = activate(scene, i, activated[i]);
+// Can a Gaussian be drawn? Counts why not.
+bool survives(const Config& config, const Scene& scene, size_t index, PackCounts& counts) {
+  ActivatedGaussian gaussian;
+  const Cull cull = activate(scene, index, gaussian);
+  const bool transparent = cull == Cull::kNone && !(gaussian.opacity >= 1.0 / config.alpha_cut);
+  counts.non_finite += cull == Cull::kNonFinite;
+  counts.zero_quaternion += cull == Cull::kZeroQuaternion;
+  counts.transparent += transparent;
+  return cull == Cull::kNone && !transparent;
+}
+
+// The Gaussians that can be drawn, by rising index.
+std::vector<uint32_t> survivors(const Config& config, const Scene& scene, PackCounts& counts) {
+  std::vector<char> drawn(scene.gaussians.size());
+  for_blocks(drawn.size(), kBlock, counts, [&](size_t begin, size_t end, PackCounts& mine) {
+    for (size_t i = begin; i < end; ++i) drawn[i] = survives(config, scene, i, mine);
   });
-  std::vector<Survivor> kept;
-  kept.reserve(n);
-  for (size_t i = 0; i < n; ++i) {
-    if (cull[i] == Cull::kNonFinite) ++counts.non_finite;
-    else if (cull[i] == Cull::kZeroQuaternion) ++counts.zero_quaternion;
-    else if (!(activated[i].opacity >= 1.0 / config.alpha_cut)) ++counts.transparent;
-    else kept.push_back({activated[i], static_cast<uint32_t>(i)});
+  std::vector<uint32_t> kept;
+  kept.reserve(drawn.size());
+  for (size_t i = 0; i < drawn.size(); ++i) {
+    if (drawn[i]) kept.push_back(static_cast<uint32_t>(i));
   }
   return kept;
 }
 
-double percentile(const std::vector<Survivor>& all, int axis, double at) {
-  std::vector<double> values(all.size());
-  for (size_t i = 0; i < all.size(); ++i) values[i] = all[i].gaussian.mean[axis];
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(at * static_cast<double>(all.size() - 1));
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-SceneBox robust_box(const std::vector<Survivor>& all) {
+SceneBox robust_box(const Scene& scene, const std::vector<uint32_t>& kept) {
   SceneBox box;
-  if (all.empty()) return box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.low[axis] = percentile(all, axis, 0.02);
-    box.high[axis] = percentile(all, axis, 0.98);
-  }
+  if (kept.empty()) return box;
+  parallel_for(3, 0, [&](size_t a) {
+    const int axis = static_cast<int>(a);
+    std::vector<float> values;
+    values.reserve(kept.size());
+    for (const uint32_t index : kept) values.push_back(scene.gaussians[index].mean[axis]);
+    const auto percentile = [&](double at) {
+      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(at * static_cast<double>(kept.size() - 1));
+      std::nth_element(values.begin(), middle, values.end());
+      return static_cast<double>(*middle);
+    };
+    box.low[axis] = percentile(0.02);
+    box.high[axis] = percentile(0.98);
+  });
   return box;
 }
 
-// One cell's chunks and slots, before they get their place in the tables.
-struct CellPart {
+WorldPoint world_point(const Scene& scene, uint32_t index, int scene_exponent) {
+  WorldPoint point;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double mean = scene.gaussians[index].mean[axis];
+    point[static_cast<size_t>(axis)] = std::llround(std::ldexp(mean, -scene_exponent));
+  }
+  return point;
+}
+
+size_t cell_of(const PackedScene& packed, const WorldPoint& point) {
+  int cell = 0;
+  for (int axis = 2; axis >= 0; --axis) {
+    const int64_t world = point[static_cast<size_t>(axis)];
+    cell = cell * packed.config.grid + cell_coordinate(packed.config, packed.grid, axis, world);
+  }
+  return static_cast<size_t>(cell);
+}
+
+OrderItem order_item(const PackedScene& packed, const Scene& scene, uint32_t index) {
+  ActivatedGaussian gaussian;
+  activate(scene, index, gaussian);
+  PackCounts counted_later;
+  const GaussianRecord record = quantize_reach(packed.config, gaussian, packed.scene_exponent, counted_later);
+  OrderItem item;
+  for (int axis = 0; axis < 3; ++axis) item.value[axis] = scene.gaussians[index].mean[axis];
+  item.value[3] = static_cast<float>(std::ldexp(effective_scale(packed.config, record), packed.scene_exponent));
+  item.index = index;
+  return item;
+}
+
+// What is ordered, cell by cell.
+struct CellItems {
   std::vector<OrderItem> items;
-  std::vector<Node> chunks;
-  std::vector<GaussianRecord> gaussians;
-  std::vector<uint32_t> slots;  // survivor of each slot, or kPadding
+  std::vector<size_t> first;  // by cell, and one more at the end
+  std::span<OrderItem> cell(size_t n) { return std::span(items).subspan(first[n], first[n + 1] - first[n]); }
 };
 
-void build_cell(const Config& config, const std::vector<WorldPoint>& world, const std::vector<GaussianRecord>& records,
-                float window, CellPart& cell) {
-  const size_t chunk = static_cast<size_t>(config.chunk);
+// A counting sort by cell: by rising index within each.
+CellItems cell_items(const Scene& scene, const std::vector<uint32_t>& kept, const PackedScene& packed) {
+  const size_t cells = static_cast<size_t>(packed.config.grid * packed.config.grid * packed.config.grid),
+               blocks = (kept.size() + kBlock - 1) / kBlock;
+  std::vector<size_t> place(blocks * cells);  // of a block's next Gaussian in a cell; first how many there are
+  const auto in_block = [&](size_t block, auto&& work) {
+    for (size_t i = block * kBlock; i < std::min(kept.size(), (block + 1) * kBlock); ++i) {
+      work(kept[i], place[block * cells + cell_of(packed, world_point(scene, kept[i], packed.scene_exponent))]);
+    }
+  };
+  parallel_for(blocks, 0, [&](size_t block) { in_block(block, [](uint32_t, size_t& number) { ++number; }); });
+  CellItems result;
+  size_t sum = 0;
+  for (size_t cell = 0; cell < cells; ++cell) {
+    result.first.push_back(sum);
+    for (size_t block = 0; block < blocks; ++block) sum += std::exchange(place[block * cells + cell], sum);
+  }
+  result.first.push_back(sum);
+  result.items.resize(sum);
+  parallel_for(blocks, 0, [&](size_t block) {
+    in_block(block, [&](uint32_t index, size_t& at) { result.items[at++] = order_item(packed, scene, index); });
+  });
+  return result;
+}
+
+// Brings the Gaussians of each cell into the order of its chunks: the largest cells first, so that no thread is left
+// with one at the end.
+void order_cells(const Config& config, float window, CellItems& cells) {
   // sqrt(2 ln 255) = 3.33 standard deviations at AlphaCut 255, a little more off the image's centre.
-  const double reach = 4 * std::sqrt(std::log(config.alpha_cut) / std::log(255));
-  pack_order(cell.items, chunk, chunk * static_cast<size_t>(config.group), window, static_cast<float>(reach));
-  std::vector<WorldPoint> means;
-  for (size_t begin = 0; begin < cell.items.size(); begin += chunk) {
-    const size_t count = std::min(chunk, cell.items.size() - begin), slot = cell.slots.size();
-    means.clear();
-    for (size_t i = begin; i < begin + count; ++i) {
-      cell.slots.push_back(cell.items[i].index);
-      means.push_back(world[cell.items[i].index]);
-      cell.gaussians.push_back(records[cell.items[i].index]);
+  const float reach = static_cast<float>(4 * std::sqrt(std::log(config.alpha_cut) / std::log(255)));
+  const size_t chunk = static_cast<size_t>(config.chunk), group = chunk * static_cast<size_t>(config.group);
+  std::vector<std::span<OrderItem>> all;
+  for (size_t cell = 0; cell + 1 < cells.first.size(); ++cell) all.push_back(cells.cell(cell));
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  parallel_for(all.size(), 0,
+               [&](size_t i) { pack_order(all[i], chunk, group, window, reach, all[i].size() > kLargeCell ? 0 : 1); });
+}
+
+// Cuts the cells into chunks: of these only where they begin and how many they hold. Slots are given to Gaussians.
+void cut_chunks(CellItems& cells, PackedScene& packed) {
+  const size_t chunk = static_cast<size_t>(packed.config.chunk), group = static_cast<size_t>(packed.config.group);
+  const size_t most = cells.items.size() / chunk + cells.first.size();
+  packed.chunks.reserve(most);
+  packed.slot_to_index.reserve(cells.items.size() + most);
+  for (size_t n = 0; n + 1 < cells.first.size(); ++n) {
+    const std::span<const OrderItem> items = cells.cell(n);
+    Node cell;
+    cell.first = packed.groups.size();
+    for (size_t begin = 0; begin < items.size(); begin += chunk) {
+      if (begin % (chunk * group) == 0) packed.groups.emplace_back().first = packed.chunks.size();
+      Node& node = packed.chunks.emplace_back();
+      node.first = packed.slot_to_index.size();
+      node.count = std::min(chunk, items.size() - begin);
+      for (const OrderItem& item : items.subspan(begin, node.count)) packed.slot_to_index.push_back(item.index);
+      if (packed.slot_to_index.size() % 2 != 0) packed.slot_to_index.push_back(kPadding);  // chunks start at even slots
+      ++packed.groups.back().count;
     }
-    cell.chunks.push_back(make_chunk(config, means, std::span(cell.gaussians).subspan(slot)));
-    cell.chunks.back().first = slot;
-    if (cell.slots.size() % 2 != 0) {  // chunks start at even slots
-      cell.slots.push_back(kPadding);
-      cell.gaussians.push_back({});
-    }
+    cell.count = packed.groups.size() - cell.first;
+    packed.cells.push_back(cell.count == 0 ? Node{} : cell);
   }
 }
 
-// Appends the cells' groups, chunks and Gaussians to the tables, in the order of the cells.
-void join_cells(const std::vector<Survivor>& all, std::vector<CellPart>& parts, PackedScene& packed) {
-  const size_t group = static_cast<size_t>(packed.config.group);
-  for (CellPart& part : parts) {
-    const uint64_t first_group = packed.groups.size(), first_chunk = packed.chunks.size(),
-                   first_slot = packed.gaussians.size();
-    for (size_t i = 0; i < part.chunks.size(); i += group) {
-      const auto chunks = std::span<const Node>(part.chunks).subspan(i, std::min(group, part.chunks.size() - i));
-      packed.groups.push_back(make_parent(packed.config, chunks, first_chunk + i));
-    }
-    const auto groups = std::span<const Node>(packed.groups).subspan(first_group);
-    packed.cells.push_back(groups.empty() ? Node{} : make_parent(packed.config, groups, first_group));
-    for (Node& chunk : part.chunks) {
-      chunk.first += first_slot;
-      packed.chunks.push_back(chunk);
-    }
-    packed.gaussians.insert(packed.gaussians.end(), part.gaussians.begin(), part.gaussians.end());
-    for (const uint32_t survivor : part.slots) {
-      packed.slot_to_index.push_back(survivor == kPadding ? kPadding : all[survivor].index);
-    }
-    part = {};
+// One chunk's node and its records.
+void fill_chunk(const Scene& scene, PackedScene& packed, Node& chunk, PackCounts& counts) {
+  std::vector<WorldPoint> means(chunk.count);
+  std::vector<GaussianRecord> records(chunk.count);
+  for (size_t i = 0; i < means.size(); ++i) {
+    const uint32_t index = packed.slot_to_index[chunk.first + i];
+    ActivatedGaussian gaussian;
+    activate(scene, index, gaussian);
+    means[i] = world_point(scene, index, packed.scene_exponent);
+    records[i] = quantize(packed.config, scene, gaussian, index, packed.scene_exponent, counts);
   }
+  const size_t first = chunk.first;
+  chunk = make_chunk(packed.config, means, records);
+  chunk.first = first;
+  for (size_t i = 0; i < records.size(); ++i) packed.gaussians.set(first + i, records[i]);
+}
+
+// Gives slots and chunks to the Gaussians that are kept; frees what only the order needs.
+void order_and_cut(const Scene& scene, std::vector<uint32_t> kept, const SceneBox& box, PackedScene& packed) {
+  CellItems cells = cell_items(scene, kept, packed);
+  kept = {};
+  double diagonal = 0;
+  for (int axis = 0; axis < 3; ++axis) diagonal += (box.high[axis] - box.low[axis]) * (box.high[axis] - box.low[axis]);
+  order_cells(packed.config, static_cast<float>(kWindowAngle * std::sqrt(diagonal) / 2), cells);
+  cut_chunks(cells, packed);
+}
+
+void fill_nodes(const Scene& scene, PackedScene& packed) {
+  packed.gaussians.resize(packed.slot_to_index.size());
+  for_blocks(packed.chunks.size(), kChunkBlock, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
+    for (size_t i = begin; i < end; ++i) fill_chunk(scene, packed, packed.chunks[i], counts);
+  });
+  const auto fill_parents = [&](std::vector<Node>& parents, const std::vector<Node>& children) {
+    for (Node& node : parents) {
+      const std::span own(children.begin() + static_cast<std::ptrdiff_t>(node.first), node.count);
+      if (!own.empty()) node = make_parent(packed.config, own, node.first);
+    }
+  };
+  fill_parents(packed.groups, packed.chunks);
+  fill_parents(packed.cells, packed.groups);
 }
 
 void pack_colors(const Scene& scene, PackedScene& packed) {
@@ -145,7 +239,7 @@ void pack_colors(const Scene& scene, PackedScene& packed) {
   const size_t per_line = static_cast<size_t>(color_slots_per_line(packed.sh_degree)),
                slots = packed.slot_to_index.size();
   packed.colors.assign((slots + per_line - 1) / per_line, MemoryLine{});
-  for_blocks(slots, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
+  for_blocks(slots, kBlock, packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
     for (size_t slot = begin; slot < end; ++slot) {
       if (packed.slot_to_index[slot] == kPadding) continue;
       quantize_colors(packed.config, scene, packed.sh_degree, packed.slot_to_index[slot],
@@ -196,54 +290,26 @@ PackedScene pack_scene(const Config& config, const Scene& scene, double coordina
   if (!std::isfinite(coordinate_bound))
     throw std::invalid_argument("pack_scene: the cameras' coordinates are not finite");
 
-  std::vector<Survivor> all = survivors(config, scene, packed.counts);
-  const SceneBox box = robust_box(all);
+  std::vector<uint32_t> kept = survivors(config, scene, packed.counts);
+  const SceneBox box = robust_box(scene, kept);
   double radius = std::max(std::abs(coordinate_bound), 1e-6);
   for (int axis = 0; axis < 3; ++axis) radius = std::max({radius, std::abs(box.low[axis]), std::abs(box.high[axis])});
   double bound = radius;
-  packed.counts.out_of_range = std::erase_if(all, [&](const Survivor& survivor) {
-    const glm::dvec3 size = glm::abs(survivor.gaussian.mean);
+  packed.counts.out_of_range = std::erase_if(kept, [&](uint32_t index) {
+    const glm::dvec3 size = glm::abs(glm::dvec3(scene.gaussians[index].mean));
     const double widest = std::max({size.x, size.y, size.z});
     if (widest > kOutlier * radius) return true;
     bound = std::max(bound, widest);
     return false;
   });
-  packed.counts.packed = all.size();
+  packed.counts.packed = kept.size();
   // |coordinate| <= 2^(WorldW - 3) world units: WorldW - 2 signed bits, and one more value.
   int exponent;
   std::frexp(bound, &exponent);
   packed.scene_exponent = exponent - (config.world_w - 3);
   packed.grid = make_grid(config, box, packed.scene_exponent);
-
-  std::vector<WorldPoint> world(all.size());
-  std::vector<GaussianRecord> records(all.size());
-  std::vector<uint16_t> cell_of(all.size());
-  for_blocks(all.size(), packed.counts, [&](size_t begin, size_t end, PackCounts& counts) {
-    for (size_t i = begin; i < end; ++i) {
-      int cell = 0;
-      for (int axis = 2; axis >= 0; --axis) {
-        const double position = std::ldexp(all[i].gaussian.mean[axis], -packed.scene_exponent);
-        world[i][static_cast<size_t>(axis)] = std::llround(position);
-        cell = cell * config.grid + cell_coordinate(config, packed.grid, axis, world[i][static_cast<size_t>(axis)]);
-      }
-      cell_of[i] = static_cast<uint16_t>(cell);
-      records[i] = quantize(config, scene, all[i].gaussian, all[i].index, packed.scene_exponent, counts);
-    }
-  });
-
-  std::vector<CellPart> parts(static_cast<size_t>(config.grid * config.grid * config.grid));
-  for (size_t i = 0; i < all.size(); ++i) {
-    OrderItem item;
-    for (int axis = 0; axis < 3; ++axis) item.value[axis] = static_cast<float>(all[i].gaussian.mean[axis]);
-    item.value[3] = static_cast<float>(std::ldexp(effective_scale(config, records[i]), packed.scene_exponent));
-    item.index = static_cast<uint32_t>(i);
-    parts[cell_of[i]].items.push_back(item);
-  }
-  double diagonal = 0;
-  for (int axis = 0; axis < 3; ++axis) diagonal += (box.high[axis] - box.low[axis]) * (box.high[axis] - box.low[axis]);
-  const float window = static_cast<float>(kWindowAngle * std::sqrt(diagonal) / 2);
-  parallel_for(parts.size(), 0, [&](size_t cell) { build_cell(config, world, records, window, parts[cell]); });
-  join_cells(all, parts, packed);
+  order_and_cut(scene, std::move(kept), box, packed);
+  fill_nodes(scene, packed);
   check_sizes(config, scene, packed);
   pack_colors(scene, packed);
   packed.layout = make_layout(packed);

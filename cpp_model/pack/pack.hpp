@@ -19,6 +19,7 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/memory_line.hpp"
+#include "cpp_model/pack/narrow_table.hpp"
 #include "cpp_model/records.hpp"
 #include "scenes/scene.hpp"
 
@@ -49,7 +50,7 @@ struct PackedScene {
   bool antialiased = false;                 // as the scene says
   int sh_degree = 0;                        // of the packed colours: the scene's, at most the configuration's
   std::vector<Node> cells, groups, chunks;  // cell -> groups -> chunks -> Gaussians
-  std::vector<GaussianRecord> gaussians;    // by slot
+  NarrowTable<GaussianRecord> gaussians;    // by slot
   std::vector<uint32_t> slot_to_index;      // index in the scene, kPadding for an empty slot
   size_t scene_gaussians = 0;               // of the scene, those left out included
   std::vector<MemoryLine> colors;           // SH coefficients, degree 1: four slots in a line, else one

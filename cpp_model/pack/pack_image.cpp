@@ -8,8 +8,8 @@
 namespace pipegs {
 namespace {
 
-template <class R>
-void put_records(const Config& config, const std::vector<R>& records, uint64_t first, int per_line,
+template <class R, class Table>
+void put_records(const Config& config, const Table& records, uint64_t first, int per_line,
                  std::vector<MemoryLine>& lines) {
   std::vector<uint32_t> words(static_cast<size_t>(record_words<R>(config)));
   for (size_t i = 0; i < records.size(); ++i) {
@@ -26,11 +26,11 @@ MemoryImage memory_image(const PackedScene& packed) {
   MemoryImage image;
   image.layout = packed.layout;
   image.lines.resize(packed.layout.pixels);
-  put_records(packed.config, packed.cells, packed.layout.cells, 2, image.lines);
-  put_records(packed.config, packed.groups, packed.layout.groups, 2, image.lines);
-  put_records(packed.config, packed.chunks, packed.layout.chunks, 2, image.lines);
-  put_records(packed.config, packed.gaussians, packed.layout.gaussians, packed.config.gaussians_per_line(),
-              image.lines);
+  put_records<Node>(packed.config, packed.cells, packed.layout.cells, 2, image.lines);
+  put_records<Node>(packed.config, packed.groups, packed.layout.groups, 2, image.lines);
+  put_records<Node>(packed.config, packed.chunks, packed.layout.chunks, 2, image.lines);
+  put_records<GaussianRecord>(packed.config, packed.gaussians, packed.layout.gaussians,
+                              packed.config.gaussians_per_line(), image.lines);
   for (size_t i = 0; i < packed.colors.size(); ++i) image.lines.at(packed.layout.colors + i) = packed.colors[i];
   return image;
 }

@@ -53,17 +53,9 @@ double effective_scale(const Config& config, const GaussianRecord& record) {
   return widest * std::sqrt(std::max(0.0, 1 + log2_opacity / std::log2(config.alpha_cut)));
 }
 
-GaussianRecord quantize(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
-                        int scene_exponent, PackCounts& counts) {
+GaussianRecord quantize_reach(const Config& config, const ActivatedGaussian& gaussian, int scene_exponent,
+                              PackCounts& counts) {
   GaussianRecord record;
-  uint64_t rotation_clipped = 0;  // a component of exactly one loses one unit: within the rounding, not reported
-  const auto component = [&](int i) {
-    return to_signed(std::ldexp(gaussian.rotation[i], config.quat_w - 1), config.quat_w, rotation_clipped);
-  };
-  record.qw = component(0);
-  record.qx = component(1);
-  record.qy = component(2);
-  record.qz = component(3);
   const double largest = scale_value(config, (uint64_t{1} << config.scale_w()) - 1);
   const auto scale = [&](int axis) {
     const double world = std::ldexp(gaussian.scale[axis], -scene_exponent);
@@ -76,6 +68,20 @@ GaussianRecord quantize(const Config& config, const Scene& scene, const Activate
   record.scale_1 = scale(1);
   record.scale_2 = scale(2);
   record.opacity = encode_opacity(config, gaussian.opacity);
+  return record;
+}
+
+GaussianRecord quantize(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
+                        int scene_exponent, PackCounts& counts) {
+  GaussianRecord record = quantize_reach(config, gaussian, scene_exponent, counts);
+  uint64_t rotation_clipped = 0;  // a component of exactly one loses one unit: within the rounding, not reported
+  const auto component = [&](int i) {
+    return to_signed(std::ldexp(gaussian.rotation[i], config.quat_w - 1), config.quat_w, rotation_clipped);
+  };
+  record.qw = component(0);
+  record.qx = component(1);
+  record.qy = component(2);
+  record.qz = component(3);
   const auto base = [&](int channel) {
     const double color = kShBand0 * static_cast<double>(scene.gaussians[index].sh_dc[channel]) + 0.5;
     return to_signed(std::ldexp(color, config.base_w - 3), config.base_w, counts.saturated_base);

@@ -25,6 +25,10 @@ uint64_t encode_opacity(const Config& config, double opacity);
 // Largest scale of the record, weighted by how far its opacity lets it reach; in world units.
 double effective_scale(const Config& config, const GaussianRecord& record);
 
+// The fields of scales and opacity. Adds to the counts of clipped fields.
+GaussianRecord quantize_reach(const Config& config, const ActivatedGaussian& gaussian, int scene_exponent,
+                              PackCounts& counts);
+
 // All fields but the offsets. Adds to the counts of clipped fields.
 GaussianRecord quantize(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
                         int scene_exponent, PackCounts& counts);

@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <span>
 
 #include "cpp_model/pack/pack_order.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
@@ -50,7 +52,7 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
         ASSERT_TRUE(chunk.count >= 1 && chunk.count <= static_cast<uint64_t>(config.chunk));
         next_slot = chunk.first + (chunk.count + 1) / 2 * 2;
         for (uint64_t slot = chunk.first; slot < chunk.first + chunk.count; ++slot) {
-          const GaussianRecord& record = packed.gaussians.at(slot);
+          const GaussianRecord record = packed.gaussians[slot];
           const uint32_t index = packed.slot_to_index.at(slot);
           ASSERT_EQ(record.index, index);
           ++seen.at(index);
@@ -138,6 +140,112 @@ TEST(Pack, AnEmptySceneAndOneWhereAllLieInOnePoint) {
   scene = random_scene(rng, 1000);
   for (Gaussian& g : scene.gaussians) g.mean = glm::vec3(1, 2, 3);
   check(config, scene, pack_scene(config, scene, 0));
+}
+
+// The order by its definition: every cut of every part tried, without threads and without copies.
+void order_slowly(std::span<OrderItem> items, size_t chunk, size_t group, float window, float reach) {
+  if (items.size() <= chunk) return;
+  const size_t step = items.size() > group ? group : chunk, count = items.size();
+  std::vector<OrderItem> best;
+  size_t best_at = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (int d = 0; d < 4; ++d) {
+    std::vector<OrderItem> sorted(items.begin(), items.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const OrderItem& a, const OrderItem& b) { return a.value[d] < b.value[d]; });
+    const auto cost = [&](size_t begin, size_t end) {
+      float low[3], high[3], scale = 0;
+      for (int axis = 0; axis < 3; ++axis) low[axis] = high[axis] = sorted[begin].value[axis];
+      for (size_t i = begin; i < end; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+          low[axis] = std::min(low[axis], sorted[i].value[axis]);
+          high[axis] = std::max(high[axis], sorted[i].value[axis]);
+        }
+        scale = std::max(scale, sorted[i].value[3]);
+      }
+      const float grown = 2 * reach * scale + window;
+      const float x = high[0] - low[0] + grown, y = high[1] - low[1] + grown, z = high[2] - low[2] + grown;
+      return (x * y + y * z + z * x) * static_cast<float>(end - begin);
+    };
+    for (size_t at = (count - 1) / step * step; at > 0; at -= step) {
+      const bool even = count <= 32 * step || (at * 32 >= count && (count - at) * 32 >= count);
+      const float sum = even ? cost(0, at) + cost(at, count) : least;
+      if (sum < least) least = sum, best_at = at, best = sorted;
+    }
+  }
+  // Each part keeps the order of the items that came in: the cut only says which go left.
+  const auto index = [](const OrderItem& a, const OrderItem& b) { return a.index < b.index; };
+  std::sort(best.begin(), best.begin() + static_cast<std::ptrdiff_t>(best_at), index);
+  std::sort(best.begin() + static_cast<std::ptrdiff_t>(best_at), best.end(), index);
+  std::copy(best.begin(), best.end(), items.begin());
+  order_slowly(items.first(best_at), chunk, group, window, reach);
+  order_slowly(items.subspan(best_at), chunk, group, window, reach);
+}
+
+// Chunks as sets: within one the order is free.
+std::vector<uint32_t> chunk_sets(const std::vector<OrderItem>& items, size_t chunk) {
+  std::vector<uint32_t> indices;
+  for (const OrderItem& item : items) indices.push_back(item.index);
+  for (size_t i = 0; i < indices.size(); i += chunk) {
+    std::sort(indices.begin() + static_cast<std::ptrdiff_t>(i),
+              indices.begin() + static_cast<std::ptrdiff_t>(std::min(indices.size(), i + chunk)));
+  }
+  return indices;
+}
+
+std::vector<OrderItem> order_items(std::mt19937_64& rng, size_t count) {
+  std::vector<OrderItem> items(count);
+  for (size_t i = 0; i < count; ++i) {
+    for (float& value : items[i].value) value = static_cast<float>(rng() % 4000) - 2000;  // with ties
+    items[i].value[3] = std::exp2(static_cast<float>(rng() % 100) / 10 - 3);
+    items[i].index = static_cast<uint32_t>(7 * i);
+  }
+  return items;
+}
+
+TEST(PackOrder, CutsWhereItsDefinitionSays) {
+  std::mt19937_64 rng(6);
+  for (const size_t count : {17, 100, 513, 1500, 3001}) {
+    const std::vector<OrderItem> items = order_items(rng, count);
+    std::vector<OrderItem> fast = items, slow = items;
+    pack_order(fast, 16, 128, 5, 4, 1);
+    order_slowly(slow, 16, 128, 5, 4);
+    EXPECT_EQ(chunk_sets(fast, 16), chunk_sets(slow, 16)) << count << " items";
+  }
+}
+
+TEST(PackOrder, IsTheSameOnAnyNumberOfThreads) {
+  std::mt19937_64 rng(7);
+  const std::vector<OrderItem> items = order_items(rng, 200000);  // more than are copied at a time
+  const auto ordered = [&](unsigned threads) {
+    std::vector<OrderItem> order = items;
+    pack_order(order, 16, 512, 5, 4, threads);
+    std::vector<uint32_t> indices;
+    for (const OrderItem& item : order) indices.push_back(item.index);
+    return indices;
+  };
+  const std::vector<uint32_t> one = ordered(1);
+  EXPECT_EQ(one, ordered(2));
+  EXPECT_EQ(one, ordered(5));
+  std::vector<uint32_t> all = one;
+  std::sort(all.begin(), all.end());
+  for (size_t i = 0; i < all.size(); ++i) ASSERT_EQ(all[i], 7 * i);
+}
+
+TEST(NarrowTable, GivesBackWhatItTakesAndRefusesTheRest) {
+  std::mt19937_64 rng(8);
+  const Config config;
+  NarrowTable<GaussianRecord> table;
+  table.resize(100);
+  std::vector<GaussianRecord> records;
+  for (size_t i = 0; i < table.size(); ++i) {
+    EXPECT_EQ(table[i], GaussianRecord{});
+    records.push_back(random_record<GaussianRecord>(config, rng));
+    table.set(i, records.back());
+  }
+  for (size_t i = 0; i < table.size(); ++i) EXPECT_EQ(table[i], records[i]);
+  EXPECT_THROW(table.set(0, {.index = uint64_t{1} << 31}), std::logic_error);
+  EXPECT_THROW(table.set(0, {.qw = -(int64_t{1} << 31) - 1}), std::logic_error);
 }
 
 TEST(PackQuantize, ScalesRoundAsTold) {

@@ -141,7 +141,7 @@ class Sampler {
 };
 
 std::optional<BudgetSample> Sampler::sample(const Node& node, uint64_t slot, Random& random) const {
-  const GaussianRecord& record = packed_.gaussians[slot];
+  const GaussianRecord record = packed_.gaussians[slot];
   const uint32_t index = packed_.slot_to_index[slot];
   const ActivatedGaussian exact = held(packed_, node, record);
   ActivatedGaussian wanted;
