@@ -74,6 +74,7 @@ void follow_scene(const Scene& scene, SimulateOptions& options);
 void need_taps(const SimulateOptions& options);
 
 void add_info(CLI::App& app, Run& run);
+void add_split(CLI::App& app, Run& run);
 void add_sim(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);

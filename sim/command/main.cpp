@@ -90,6 +90,7 @@ int main(int argc, char** argv) {
   add_effects(app, run);
   add_silicon(app, run);
   add_info(app, run);
+  add_split(app, run);
   try {
     return run_command(app, argc, argv, run);
   } catch (const std::exception& error) { return tell(error); }

@@ -11,6 +11,7 @@
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
+#include "sim/host_use.hpp"
 #include "sim/progress.hpp"
 
 namespace pipegs {
@@ -34,6 +35,11 @@ Rectangle asked(int width, int height, const SimulateOptions& options) {
 
 // Ports of the lists of windows, which stand behind the others that write.
 int list_ports(const Config& config) { return config.memory_ports() - 5 * config.units - 1; }
+
+void fill(ExternalMemory& memory, const PackedScene& packed) {
+  const MemoryImage image = memory_image(packed);
+  for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+}
 
 // Shows the machine to two watchers.
 class TapFan final : public RtlTaps {
@@ -126,7 +132,9 @@ void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptio
   // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
   const double bound = std::max(
       {std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
+  const double before = process_seconds();
   result.packed = pack_scene(options.config, scene, bound);
+  result.cpu_pack = process_seconds() - before;
   simulate_frame(camera, options, result);
 }
 
@@ -134,16 +142,19 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
   simulate_pack(scene, camera, options, result);
   Progress progress("golden");
   const Stopwatch watch;
+  const double before = process_seconds();
   result.golden = golden_frame(result.input, {.threads = 0, .progress = [&](double share) {
                                                 if (interrupted()) throw std::runtime_error("interrupted");
                                                 progress.update(share);
                                               }});
   result.wall_golden = watch.seconds();
+  result.cpu_golden = process_seconds() - before;
 }
 
 void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,
                     const Simulation* known) {
   const Stopwatch watch;
+  const double before = process_seconds();
   const Rectangle r = asked(camera.width, camera.height, options);
   const auto render = [&](const char* name, Semantics semantics, const std::vector<uint32_t>* rank) {
     Progress progress(name);
@@ -165,6 +176,7 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
   result.truth_exact = known != nullptr ? known->truth_exact : render("truth", Semantics::kExact, nullptr);
   result.truth_inria = known != nullptr ? known->truth_inria : render("truth", Semantics::kInria, nullptr);
   result.wall_truth = watch.seconds();
+  result.cpu_truth = process_seconds() - before;
 
   const Image golden = crop_window(result.golden.image, options);  // the truths are clipped already
   result.psnr_numeric = psnr(golden, result.truth_order);
@@ -180,8 +192,7 @@ void simulate_rtl(const SimulateOptions& options, Simulation& result) {
   const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(options.variant, options.rtl));
   const Frame& frame = result.input.frame;
   ExternalMemory memory(options.memory);
-  const MemoryImage image = memory_image(result.packed);
-  for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+  fill(memory, result.packed);
 
   StreamCheck check(result.input);
   if (options.watch) check.watch((*options.watch)[0], (*options.watch)[1]);

@@ -52,6 +52,7 @@ struct Simulation {
   std::optional<MemoryFigures> dram;  // when external memory is one
   double psnr_numeric = 0, psnr_order = 0, psnr_total = 0, max_abs_error = 0;
   double wall_truth = 0, wall_golden = 0, wall_rtl = 0;
+  double cpu_pack = 0, cpu_golden = 0, cpu_truth = 0;  // seconds of all threads
 
   Simulation() = default;
   Simulation(const Simulation&) = delete;  // input points into packed

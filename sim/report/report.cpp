@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/host_use.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -164,6 +166,12 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
   report["wall_seconds"] = {{"truth", of(truth, simulation.wall_truth)},
                             {"golden", simulation.wall_golden},
                             {"rtl", of(rtl, simulation.wall_rtl)}};
+  report["host"] = {{"cpu_seconds",
+                     {{"pack", simulation.cpu_pack},
+                      {"golden", simulation.cpu_golden},
+                      {"truth", of(truth, simulation.cpu_truth)},
+                      {"all", process_seconds()}}},
+                    {"peak_memory_bytes", peak_memory_bytes()}};
   report["rtl_khz"] =
       of(rtl && simulation.wall_rtl > 0, static_cast<double>(simulation.rtl.cycles) / simulation.wall_rtl / 1000);
   return report;

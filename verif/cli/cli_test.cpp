@@ -14,7 +14,7 @@ TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
   EXPECT_EQ(report["mismatches"], 0);
   for (const char* key :
        {"scene", "camera", "config", "cycles", "units", "memory", "work", "psnr_numeric_db", "psnr_order_db",
-        "psnr_total_db", "max_abs_error", "saturations", "wall_seconds", "rtl_khz"}) {
+        "psnr_total_db", "max_abs_error", "saturations", "wall_seconds", "host", "rtl_khz"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
   uint64_t read = 0;
@@ -61,6 +61,27 @@ TEST_F(Cli, InfoCounts) {
   const Outcome outcome = run("info scene.ply --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["gaussians"], 300);
+}
+
+TEST_F(Cli, SplitWritesALargerSceneAndItsCameras) {
+  const Outcome outcome =
+      run("split scene.ply --cameras cameras.json --gaussians 1234 --sh-degree 0 --sizes 70x50,141x77 --out large");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Scene scene = read_ply(folder_ / "large/scene.ply");
+  EXPECT_EQ(scene.gaussians.size(), 1234u);
+  EXPECT_EQ(scene.sh_degree, 0);
+  const Camera given = test_camera(70, 50);
+  const std::vector<Camera> cameras = read_cameras(folder_ / "large/cameras.json");
+  ASSERT_EQ(cameras.size(), 2u);
+  EXPECT_NEAR(cameras[0].fx, given.fx, 1e-9);
+  EXPECT_NEAR(cameras[0].cy, given.cy, 1e-9);
+  EXPECT_EQ(cameras[1].width, 141);
+  EXPECT_EQ(cameras[1].height, 77);
+  EXPECT_NEAR(cameras[1].fx, given.fx * 141 / 70, 1e-9) << "as wide an angle";
+  EXPECT_NEAR(cameras[1].cy - 38.0, (given.cy - 24.5) * 141 / 70, 1e-9) << "as far off the centre";
+  expect_refused("split scene.ply --cameras cameras.json --gaussians 299 --out small", "--gaussians: found 299");
+  expect_refused("split scene.ply", "expected both");
+  expect_refused("split --sizes 70", "--sizes: found '70', expected WxH");
 }
 
 TEST_F(Cli, ExplainShowsTheSameAlphaInGoldenAndRtl) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
+#include "sim/host_use.hpp"
 #include "sim/progress.hpp"
 #include "sim/timing/timing_check.hpp"
 
@@ -20,6 +21,7 @@ struct ModelArguments {
 struct ModelRow {
   std::string name;
   double trace_seconds = 0, seconds = 0;  // of all threads' wall, of one core
+  size_t visible = 0;                     // (Gaussian, window) pairs that pu_cull keeps
   TimingResult result;
   RtlTiming rtl;
   std::vector<std::string> differences;     // of --check
@@ -46,6 +48,7 @@ ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, boo
   const Stopwatch watch;
   const TimingTrace trace = timing_trace(simulation.input);
   row.trace_seconds = watch.seconds();
+  row.visible = trace.slot.size();
   const double before = thread_seconds();
   row.result = timing_run(trace, options.config, options.memory);
   row.seconds = thread_seconds() - before;
@@ -62,6 +65,7 @@ ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, boo
 nlohmann::ordered_json to_json(const ModelRow& row, bool check, bool windows) {
   nlohmann::ordered_json json = {{"name", row.name},
                                  {"cycles", row.result.cycles},
+                                 {"visible", row.visible},
                                  {"overflow_lines", row.result.overflow_lines},
                                  {"seconds", {{"trace", row.trace_seconds}, {"model", row.seconds}}},
                                  {"model_mhz", row.mega_cycles()}};
@@ -121,9 +125,14 @@ int model(const ModelArguments& arguments) {
     }
   }
   if (arguments.json)
-    fmt::print(
-        "{}\n",
-        nlohmann::ordered_json{{"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"rungs", list}}.dump(2));
+    fmt::print("{}\n",
+               nlohmann::ordered_json{
+                   {"scene", loaded.scene.name},
+                   {"camera", loaded.camera.name},
+                   {"gaussians", loaded.scene.gaussians.size()},
+                   {"host", {{"cpu_seconds", process_seconds()}, {"peak_memory_bytes", peak_memory_bytes()}}},
+                   {"rungs", list}}
+                   .dump(2));
   return differs ? kExitDiffers : kExitOk;
 }
 

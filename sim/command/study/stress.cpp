@@ -10,6 +10,7 @@
 
 #include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/picture_size.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/progress.hpp"
 #include "sim/study/stress/stress.hpp"
@@ -34,14 +35,9 @@ SimulateOptions machine(const StressArguments& arguments) {
 StressShape shape(const StressArguments& arguments) {
   StressShape shape{.gaussians = arguments.gaussians};
   if (arguments.size.empty()) return shape;
-  const size_t by = std::min(arguments.size.find('x'), arguments.size.size() - 1);
-  try {
-    shape.width = parse_integer<int>(arguments.size.substr(0, by), 1, kMaxImageSide);
-    shape.height = parse_integer<int>(arguments.size.substr(by + 1), 1, kMaxImageSide);
-  } catch (const NumberError&) {
-    throw ConfigError(fmt::format("--size: found {}, expected WxH up to {}x{}, such as 160x120", quote(arguments.size),
-                                  kMaxImageSide, kMaxImageSide));
-  }
+  const PictureSize size = picture_size("--size", arguments.size);
+  shape.width = size.width;
+  shape.height = size.height;
   return shape;
 }
 
