@@ -6,8 +6,8 @@
 //         of the chunk (of the group while there are several), wherever the surface heuristic of ray tracing is least:
 //           cost = sum over both parts of count * (surface of the box grown by reach and by a typical window)
 //         Measured against median splits: see docs/units/dopu.md.
-// Pace    n log n: each dimension is sorted once and the four orders are split stably. Cells are independent, and so are
-//         the parts of a large one (threads); the order does not depend on their number.
+// Pace    n log n: each dimension is sorted once and the four orders are split stably. Cells are independent, and so
+//         are the parts of a large one (threads); the order does not depend on their number.
 // Memory  41 bytes an item beside the items while it runs, and 16 for sorting.
 #pragma once
 

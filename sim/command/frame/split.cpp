@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// split.cpp: `pipegs split`: a scene of many more Gaussians that shows about the same picture, with cameras of any size.
+// split.cpp: `pipegs split`: a scene of many more Gaussians that shows about the same picture, with cameras.
 #include <fmt/format.h>
 
 #include "scenes/generate/generate.hpp"
