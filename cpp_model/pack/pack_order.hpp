@@ -8,7 +8,7 @@
 //         Measured against median splits: see docs/units/dopu.md.
 // Pace    n log n: each dimension is sorted once and the four orders are split stably. Cells are independent, and so
 //         are the parts of a large one (threads); the order does not depend on their number.
-// Memory  41 bytes an item beside the items while it runs, and 16 for sorting.
+// Memory  at most 32 bytes an item beside the items while it runs.
 #pragma once
 
 #include <cstddef>
