@@ -194,6 +194,28 @@ def one_model(found):
     return {"cycles": row["cycles"], "bytes": total_bytes(row["bytes"])}
 
 
+def host(found):
+    """Of `pipegs sim --no-rtl`: what the scene is, what it asks for, and what it takes of the computer."""
+    seconds = found["host"]["cpu_seconds"]
+    return {
+        "gaussians": found["scene"]["gaussians"],
+        "pixels": found["camera"]["width"] * found["camera"]["height"],
+        "visible": found["work"]["visible"],
+        "seconds": seconds | {"rest": seconds["all"] - seconds["pack"] - seconds["golden"] - seconds["truth"]},
+        "memory": found["host"]["peak_memory_bytes"],
+    }
+
+
+def host_model(found):
+    """Of `pipegs model`: cycles, bytes, and what it takes of the computer."""
+    (row,) = found["rungs"]
+    return large_model(found) | {
+        "visible": row["visible"],
+        "seconds": found["host"]["cpu_seconds"],
+        "memory": found["host"]["peak_memory_bytes"],
+    }
+
+
 def large_model(found):
     """The same, and the bytes of records and keys that found no room in the SUs."""
     (row,) = found["rungs"]

@@ -17,6 +17,8 @@ from keep import (
     fidelity,
     frame,
     golden,
+    host,
+    host_model,
     ladder,
     lanes,
     large_model,
@@ -33,6 +35,7 @@ from keep import (
     sweep,
     tables,
 )
+from scenes import SIZES, VIEWS_OF_SIZE
 
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory")
@@ -83,6 +86,10 @@ LARGE = {  # showroom, 3.0 M Gaussians, of the design point exact
     "exact": ("`exact`", ""),
     "fast": ("`sim/fast.cfg`", "--config sim/fast.cfg "),
     "fast_records4096": ("`sim/fast.cfg` and `--set records=4096`", "--config sim/fast.cfg --set records=4096 "),
+}
+SCALED = {  # docs/data/scale: our own scene in parts, and the view; millions of Gaussians, then pixels
+    **{f"gaussians_{millions}m": (f"own_{millions}m", 0) for millions in (1, 2, 4, 8, 16)},
+    **{f"pixels_{size}": ("own_1m", VIEWS_OF_SIZE * place) for place, size in enumerate(SIZES) if place},
 }
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
     "dop": "", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",
@@ -141,6 +148,11 @@ TABLE = [
                   MODEL, scene, points=("exact",)) for name, (_, change) in STEPS.items() for scene in FOUR],
     *[Measurement(f"large/showroom/{name}", f"build/pipegs model {{scene}} --rung exact {options}--json", large_model,
                   MODEL, "showroom", points=("exact",)) for name, (_, options) in LARGE.items()],
+    *[Measurement(f"scale/sim/{name}", "build/pipegs sim {scene} --no-rtl --json", host, ("models",), scene, view,
+                  ("dop",)) for name, (scene, view) in SCALED.items()],
+    *[Measurement(f"scale/model/{name}", "build/pipegs model {scene} --rung exact --config sim/fast.cfg "
+                  "--set records=4096 --json", host_model, MODEL, scene, view, ("exact",))
+      for name, (scene, view) in SCALED.items()],
     *[Measurement(f"lanes/{scene}", "build/pipegs sim {scene} --rung exact --set quads=1 --no-rtl --no-truth --json",
                   lanes, ("models",), scene, points=("exact",)) for scene in FOUR],
     *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --json", frame, RTL, scene, view, ("dop",))

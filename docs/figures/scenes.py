@@ -7,12 +7,26 @@ import subprocess
 from sources import SCENES, SHARED
 
 LEVEL = {"showroom": "1"}  # of detail, of a scene that comes in several
+SPLIT = {f"own_{millions}m": 1000000 * millions for millions in (1, 2, 4, 8, 16)}  # our own, each Gaussian in parts
+SIZES = ("1296x840", "648x420", "2592x1680", "3840x2160")  # of their pictures: three views at each size, in this order
+VIEWS_OF_SIZE = 3
+
+
+def split(scene, build):
+    """Our own scene, split into as many Gaussians as its name says."""
+    folder = build / "figures" / scene
+    if not (folder / "cameras.json").exists():  # it is written last
+        options = ["--gaussians", str(SPLIT[scene]), "--sh-degree", "1", "--sizes", ",".join(SIZES)]
+        subprocess.run([build / "pipegs", "split", *options, "--out", folder], check=True, stdout=subprocess.DEVNULL)
+    return [str(folder / "scene.ply"), "--cameras", str(folder / "cameras.json")]
 
 
 def prepared(scene, build):
     """The arguments that name the scene, [] for our own."""
     if scene == "own":
         return []
+    if scene in SPLIT:
+        return split(scene, build)
     source = SHARED / "scenes" / SCENES[scene]
     if not source.exists():
         return None

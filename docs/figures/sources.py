@@ -48,14 +48,14 @@ def group_hash(group):
 
 @functools.cache
 def scene_hash(scene):
-    """None when the folder of scenes is not here. Our own scene is generated: the group models has it."""
+    """None when the folder of scenes is not here. Our own and its parts are generated: the group models has them."""
     place = SHARED / "scenes" / SCENES[scene]
     return digest(hashlib.sha256(f.read_bytes()).digest() for f in files_of(place)) if place.exists() else None
 
 
 def measured_by(groups, scene):
     hashes = {group: group_hash(group) for group in groups}
-    return hashes if scene in (None, "own") else hashes | {"scene": scene_hash(scene)}
+    return hashes | {"scene": scene_hash(scene)} if scene in SCENES else hashes
 
 
 def older_than(content):
