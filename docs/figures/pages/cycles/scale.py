@@ -24,7 +24,7 @@ def host(names):
 def model(names):
     """Cycles, bytes, seconds and memory of `pipegs model`, as far as it was run."""
     rows = []
-    for name in (one for one in names if one in data.scale.model):
+    for name in (one for one in names if one in data.scale.model and one in data.scale.sim):
         run, known = data.scale.model[name], data.scale.sim[name]
         rows.append(
             [
