@@ -172,6 +172,11 @@ def shown(text):
     return {"lines": [line.rstrip() for line in re.sub(r"/\S*/(?=build/)", "", text).rstrip("\n").split("\n")]}
 
 
+def speed(found):
+    """Of machine_speed: kHz of each variant, nothing looked at and every beat compared."""
+    return {one["variant"]: pick("cycles", "khz", "compared_khz")(one) for one in found}
+
+
 def golden(text):
     """PSNR by the bits of alpha, from the test's XML."""
     return {bits: float(value) for bits, value in re.findall(r'psnr_alpha_(\d+)"?(?: value)?="([\d.]+)"', text)}

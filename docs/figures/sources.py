@@ -17,6 +17,7 @@ GROUPS = {  # name of a group: the folders or files that make it
     "models": ["cpp_model", "scenes/generate"],
     "timing": ["sim/timing"],
     "memory": ["sim/memory"],
+    "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
     "synth": ["synth/synth.py"],
     "proofs": ["synth/prove", "synth/prove.sh"],

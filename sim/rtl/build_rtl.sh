@@ -1,8 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so:
-#   build_rtl.sh BUILD_DIR OUT_DIR [+waves] [+noasserts] [+netlist] [+threads=N] [key=value ...]
+#   build_rtl.sh BUILD_DIR OUT_DIR [+waves] [+noasserts] [+netlist] [+threads=N] [+apart] [+verilator=OPTION,...]
+#                [+cxx=OPTION,...] [key=value ...]
 #
+# PUs, SUs and RUs are classes of their own, whose code all units of a kind call: Verilator merges their functions where
+# it sees that they are equal (units.vlt), the linker where only the compiler could. With +apart, and wherever waves,
+# gates or threads are asked for, every unit has code of its own, as Verilator's -O3 alone makes it: four times as much,
+# which no processor's caches hold. +verilator and +cxx add options, to measure what they are worth (verif/speed).
 # With +netlist DOPU, PUs, SUs and RUs are the gates that synth/synth.py maps them to, each unit Verilated once as a
 # library of its own; the rest is RTL. What begins with + says how the machine is simulated (RtlVariant), the rest which
 # machine it is.
@@ -18,18 +23,21 @@ exec 9> "$out/lock"
 flock 9
 if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl/rtl_bridge.cpp" "$root/sim/rtl/rtl_model.hpp" \
     "$root/sim/memory/external_memory.hpp" "$root/sim/memory/memory_timing.hpp" "$root/sim/rtl/build_rtl.sh" \
-    "$root/sim/rtl/verilate.sh" "$root/cpp_model/config.def" "$root/cpp_model/records.def" \
+    "$root/sim/rtl/verilate.sh" "$root/sim/rtl/units.vlt" "$root/cpp_model/config.def" "$root/cpp_model/records.def" \
     "$build/cpp_model/package_sv" "$build/sim/memory/libpipegs_memory.a" "$build/sim/memory/dram/libpipegs_dram.a" \
     -newer "$out/librtl.so" -type f)" ]; then
   exit 0
 fi
-settings=() options=() threads=1 waves=0 units=()
+settings=() options=() tuning=() threads=1 waves=0 shared=1 units=()
 for argument in "$@"; do
   case $argument in
-    +waves) options+=(--trace-fst) waves=1 ;;
+    +waves) options+=(--trace-fst) waves=1 shared=0 ;;
     +noasserts) options+=(--no-assert) ;;
-    +netlist) units=(dopu pu su ru) ;;
-    +threads=*) threads=${argument#+threads=} options+=(--threads "$threads") ;;
+    +netlist) units=(dopu pu su ru) shared=0 ;;
+    +apart) shared=0 ;;
+    +verilator=*) IFS=, read -ra more <<< "${argument#*=}"; options+=("${more[@]}") ;;
+    +cxx=*) IFS=, read -ra more <<< "${argument#*=}"; tuning+=("${more[@]}") ;;
+    +threads=*) threads=${argument#+threads=} options+=(--threads "$threads") shared=0 ;;
     +*) echo "build_rtl.sh: $argument is unknown" >&2; exit 1 ;;
     *) settings+=("$argument") ;;
   esac
@@ -49,6 +57,9 @@ if [ ${#units[@]} -gt 0 ]; then
   done
   options+=(-Wno-UNOPTFLAT)  # a wrapper is one process: what comes in as ready and goes out as valid looks like a loop
 fi
+if [ $shared = 1 ]; then
+  options=(--inline-mult 2000 "$root/sim/rtl/units.vlt" "${options[@]}")  # -O3 inlines every module
+fi
 "$root/sim/rtl/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards "${options[@]}"
 cxx=$(command -v clang++ || echo "${CXX:-g++}")
 ccache=$(command -v ccache || true)
@@ -67,13 +78,15 @@ export ccache cxx flags
     done
     echo "$out/units/$unit/V${unit}__once.cpp $out/${unit}_once.o -O0 -w -I$out/units/$unit"
   done
-  fast=-O$((3 - 2 * waves))
+  fast="-O$((3 - 2 * waves)) -ffunction-sections ${tuning[*]}"
   for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o $fast -w"; done
   echo "$out/Vpipegs_top__once.cpp $out/once.o -O$waves -w"  # where waves are written they take nearly all of the time
   if [ $waves = 1 ]; then echo "$verilator/include/verilated_fst_c.cpp $out/fst.o -O2 -w"; fi
   echo "$root/sim/rtl/rtl_bridge.cpp $out/bridge.o -O2 -Wall -Wextra"; } |
   xargs -P "$(nproc)" -L 1 bash -c 'compile -c "$0" -o "$1" "${@:2}"'
-"$cxx" -shared -o "$out/librtl.so.new" "$out"/*.o "$build/sim/memory/libpipegs_memory.a" \
+fold=()
+if [ $shared = 1 ] && command -v ld.gold > /dev/null; then fold=(-fuse-ld=gold "-Wl,--icf=all"); fi
+"$cxx" -shared "${fold[@]}" -o "$out/librtl.so.new" "$out"/*.o "$build/sim/memory/libpipegs_memory.a" \
   "$build/sim/memory/dram/libpipegs_dram.a" \
   "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" -lz -latomic -lpthread
 touch -r "$out/begun" "$out/librtl.so.new"

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of docs/cycles/speed.md."""
+from data import data
+from formats import fixed, group, table
+
+MEASURED = ["speed/*"]
+BEFORE = "+apart"  # every unit's code for itself, as Verilator's -O3 makes it
+VARIANTS = {  # variant: what it is, whether machines are built so
+    BEFORE: ("code for each unit, as Verilator's `-O3` makes it", "no"),
+    "+": ("PUs, SUs and RUs share their code", "the machine of `pipegs sim`"),
+    "+apart+noasserts": ("code for each unit, no assertions", "no"),
+    "+noasserts": ("shared code, no assertions", "without the effect `asserts`"),
+    "+noasserts+cxx=-march=native": ("and compiled for this processor alone", "no"),
+}
+
+
+def variants(point):
+    """kHz of each variant, with nothing looked at and compared, over those of the variant before."""
+    found = data.speed[point]
+    rows = []
+    for variant, (what, kept) in VARIANTS.items():
+        one = found[variant]
+        rows.append(
+            [
+                what,
+                group(one.khz),
+                fixed(one.khz / found[BEFORE].khz, 2),
+                group(one.compared_khz),
+                fixed(one.compared_khz / found[BEFORE].compared_khz, 2),
+                kept,
+            ]
+        )
+    return table(["variant", "kHz", "ratio", "kHz, compared", "ratio", "built so"], rows)
+
+
+def gain(point, variant="+noasserts"):
+    """How many times as fast as before, nothing looked at."""
+    return fixed(data.speed[point][variant].khz / data.speed[point][BEFORE].khz, 2)
