@@ -61,6 +61,10 @@ if [ $shared = 1 ]; then
   options=(--inline-mult 2000 "$root/sim/rtl/units.vlt" "${options[@]}")  # -O3 inlines every module
 fi
 "$root/sim/rtl/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards "${options[@]}"
+# Not the processor's own instructions: through ccache they could reach another one.
+if /lib64/ld-linux-x86-64.so.2 --help 2> /dev/null | grep -q 'x86-64-v3 (supported'; then
+  tuning=(-march=x86-64-v3 "${tuning[@]}")
+fi
 cxx=$(command -v clang++ || echo "${CXX:-g++}")
 ccache=$(command -v ccache || true)
 verilator=$(verilator -V | sed -n 's/^ *VERILATOR_ROOT *= //p' | grep -v '^$' | tail -n 1)

@@ -190,7 +190,7 @@ mutant ru_drain "slots outside the image are handed over" "s/held_q <= ~outside_
 mutant ru_drain "no slot goes first" "s/first != '0 \? first : left/left/"
 mutant ru_live "a layer's end hands the regions over" 's/start_i\(window_done_o\)/start_i(layer_done_o)/'
 mutant ru_live "rows of quads are read as if all began with the same group" 's/(Odd = \(Even \+ )2/\10/'
-mutant ru_live "done of the window before is shown in the next one" 's/ && !clear_q( && stopped)/\1/'
+mutant ru_live "done of the window before is shown in the next one" 's/ && !clear_q( && slots_stopped)/\1/'
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 group buf "Buffers"

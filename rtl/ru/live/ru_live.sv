@@ -70,8 +70,10 @@ module ru_live #(
   // --- a window begins -----------------------------------------------------------------------------------------------
   logic             clear_q;
   logic [Side-1:0]  columns_out, rows_out;  // columns and rows of quads outside the image
-  logic [Slots*16-1:0] outside, stopped;    // [slot, row, column]
+  logic [Slots*16-1:0] outside;             // [slot, row, column]
+  logic [Groups*Words-1:0] stopped;         // [group, slot, row]: as the groups hold it
   logic [Slots-1:0]    slots_out;           // slots without a pixel inside the image
+  logic [Slots-1:0]    slots_stopped;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) clear_q <= 1'b0;
     else clear_q <= restart_i || window_done_o;
@@ -93,10 +95,15 @@ module ru_live #(
     assign outside[i] = out != '0;
   end
   for (genvar i = 0; i < Slots; i += 1) begin : gen_slot
-    assign slots_out[i] = outside[16*i +: 16] == '1;
+    logic [Groups-1:0] all;
+    for (genvar g = 0; g < Groups; g += 1) begin : gen_all
+      assign all[g] = stopped[g*Words+4*i +: 4] == '1;
+    end
+    assign slots_stopped[i] = all == '1;
+    assign slots_out[i]     = outside[16*i +: 16] == '1;
   end
   for (genvar i = 0; i < Regions; i += 1) begin : gen_done
-    assign done_o[i] = own_i[i] && !clear_q && stopped[i/Units*16 +: 16] == '1;
+    assign done_o[i] = own_i[i] && !clear_q && slots_stopped[i/Units];
   end
 
   // --- splats -> regions -> powers -----------------------------------------------------------------------------------
@@ -157,19 +164,18 @@ module ru_live #(
     logic             read, write;
     logic [AddrW-1:0] raddr, waddr;
     logic [BankW-1:0] rdata, wdata;
-    logic [Words-1:0] group_outside, group_stopped;
+    logic [Words-1:0] group_outside;
 
     for (genvar i = 0; i < Words; i += 1) begin : gen_word
       localparam int unsigned Quad = 4 * i + (g + 2 * i) % 4;  // [slot, row, column]
       assign group_outside[i] = outside[Quad];
-      assign stopped[Quad]    = group_stopped[i];
     end
 
     ru_quads #(.Group(g)) u_quads (
       .clk_i, .rst_ni, .in_valid_i(half_valid[g]), .in_ready_o(half_ready[g]), .in_live_i(half_live[2*g +: 2]),
       .in_i(pairs[g*PairW +: PairW]), .in_half_i(half), .in_region_i(half_region), .in_color_i(color),
       .in_index_i(half_index), .drain_i(job), .drain_address_i(job_address),
-      .clear_i(clear_q), .outside_i(group_outside), .columns_i, .rows_i, .stopped_o(group_stopped),
+      .clear_i(clear_q), .outside_i(group_outside), .columns_i, .rows_i, .stopped_o(stopped[g*Words +: Words]),
       .read_o(read), .raddr_o(raddr), .rdata_i(rdata),
       .write_o(write), .waddr_o(waddr), .wdata_o(wdata), .issue_o(group_issue[g]), .busy_o(group_busy[g]),
       .tap_quad_valid_o(tap_line_valid_o[g]), .tap_quad_index_o(tap_line_index_o[g*TapIndexW +: TapIndexW]),

@@ -21,7 +21,7 @@ module ru_power #(
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
-  input  logic [Slots*16-1:0]              stopped_i,  // quads whose pixels have all stopped
+  input  logic [Slots*16-1:0]              stopped_i,  // quads whose pixels have all stopped: [group, slot, row]
 
   input  logic                             region_valid_i,
   output logic                             region_ready_o,
@@ -116,7 +116,13 @@ module ru_power #(
     assign visible[i] = exponents[(i+1)*ExponentW-1];  // the highest field
   end
   ru_slot u_slot (.region_i(rows_tag_q[ColorsW +: RegionW]), .slot_o(slot));
-  assign stopped = stopped_i[slot*16 +: 16];
+  for (genvar g = 0; g < 4; g += 1) begin : gen_stopped
+    logic [3:0] rows;  // of the group, in the region
+    assign rows = stopped_i[Slots*4*g + slot*4 +: 4];
+    for (genvar r = 0; r < 4; r += 1) begin : gen_row
+      assign stopped[4*r+(g+2*r)%4] = rows[r];
+    end
+  end
   for (genvar i = 0; i < 16; i += 1) begin : gen_quad
     localparam int unsigned First = 16 * (i / 4) + 2 * (i % 4);
     assign live[i] = (visible[First +: 2] != '0 || visible[First+8 +: 2] != '0) && !stopped[i];

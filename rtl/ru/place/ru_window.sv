@@ -63,10 +63,15 @@ module ru_window (
     columns_d = span(width_i, x_d);
     rows_d    = span(height_i, y_d);
   end
+  logic [(1 << PlaceW)-1:0] columns_out, rows_out;  // columns and rows of regions outside the image
+  for (genvar i = 0; i < 1 << PlaceW; i += 1) begin : gen_side
+    assign columns_out[i] = columns_d <= (Shift + 1)'(8 * i);
+    assign rows_out[i]    = rows_d <= (Shift + 1)'(8 * i);
+  end
   for (genvar i = 0; i < pipegs_pkg::Regions; i += 1) begin : gen_region
     logic [PlaceW-1:0] column, row;
     ru_place u_place (.region_i(pipegs_pkg::RegionW'(i)), .column_o(column), .row_o(row));
-    assign outside_d[i] = rows_d <= (Shift + 1)'({row, 3'b0}) || columns_d <= (Shift + 1)'({column, 3'b0});
+    assign outside_d[i] = rows_out[row] || columns_out[column];
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -48,8 +48,12 @@ class Around : public Endpoint {
     dut.color_i = dut.region_valid_i ? given_[in_.taken].color : 0;
     if (stopping_ && bench_.rng() % 4 == 0) stopped[bench_.rng() % stopped.size()] |= 1u << bench_.rng() % kQuads;
     Words words(port_words<decltype(dut.stopped_i)>() + 2);
-    for (size_t slot = 0; slot < stopped.size(); ++slot)
-      put_bits(words.data(), static_cast<int>(slot) * kQuads, kQuads, stopped[slot]);
+    for (size_t slot = 0; slot < stopped.size(); ++slot) {
+      for (int i = 0; i < kQuads; ++i) {  // [group, slot, row]
+        const int group = i / 4, row = i % 4, at = static_cast<int>(4 * (group * stopped.size() + slot)) + row;
+        put_bits(words.data(), at, 1, stopped[slot] >> ru_quad(group, row) & 1);
+      }
+    }
     write_port(dut.stopped_i, words.data());
     for (int g = 0; g < kGroups; ++g) ready_ |= static_cast<uint32_t>(goes(out_pace_, bench_.rng)) << g;
     dut.out_ready_i = ready_;
