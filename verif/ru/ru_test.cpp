@@ -356,7 +356,8 @@ TEST(Ru, ARegionTakesFourCycles) {
 }
 
 // The pixels of a window are written while the next one is blended. With quads each region is handed over before: four
-// turns of the lanes, and in the first round no more than two words in five cycles, or in six where a word is two lines.
+// turns of the lanes, and in the first round no more than two words in five cycles, in six where a word is two
+// lines.
 TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
   RuBench bench({.options = {.latency = 20, .bytes_per_cycle = 64}}, 0);
   bench.start(random_frame(bench.rng, 8ull * kConfig.window, kConfig.window));
