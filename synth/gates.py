@@ -6,9 +6,12 @@ Idea    Each gate is an expression, the library's own function of it, and no ins
         they are computed once for each edge: Verilator would order the others and write each of them three times.
 Rule    Flip-flops and latches do what the `ff` and `latch` groups of the library say, clear and preset included; what
         they hold at the beginning is up to the simulator. A memory stays rtl/lib/sram.sv.
+        A flip-flop behind the clock gate of an enable looks at its data at the edges of the gate's clock at which the
+        enable was high: that is what latch and gate do, and no edge comes later than another. A unit's gate stays one.
         What is not understood raises ValueError.
 """
 import collections
+import itertools
 import re
 
 import rtlil
@@ -79,7 +82,8 @@ def module_text(module, gates, library):
     for port, (direction, bits) in gates.ports.items():
         if direction == "input":
             nets.place(bits, port)
-    instances = [cell for cell in gates.cells if cell[0] in boxes]
+    enable_gates = set(gates.gates())
+    instances = [cell for cell in gates.cells if cell[0] in boxes and cell[1] not in enable_gates]
     for number, (kind, _, pins) in enumerate(instances):  # first, for they name nets
         for port, direction, width in boxes[kind].ports():
             if direction == "output" and pins.get(port):
@@ -93,7 +97,12 @@ def module_text(module, gates, library):
         if direction == "input"
         for bit in pins.get(port, [])
     ]
-    logic = Logic([cell for cell in gates.cells if cell[0] not in boxes], library, nets)
+    enables = {
+        pins["clk_o"][0]: (pins["clk_i"][0], pins["enable_i"][0])
+        for _, label, pins in gates.cells
+        if label in enable_gates
+    }
+    logic = Logic([cell for cell in gates.cells if cell[0] not in boxes], enables, library, nets)
     lines += logic.lines(shown)
     lines += [_instance(boxes[kind], number, label, pins, nets) for number, (kind, label, pins) in enumerate(instances)]
     lines += [
@@ -109,10 +118,13 @@ def module_text(module, gates, library):
 
 
 class Logic:
-    """The gates of one module: the drivers of its combinational nets, flip-flops by clock and reset, latches."""
+    """The gates of one module: the drivers of its combinational nets, flip-flops by clock and reset, latches.
 
-    def __init__(self, cells, library, nets):
+    enables: {gated clock: (clock, enable)}"""
+
+    def __init__(self, cells, enables, library, nets):
         self.nets, self.drivers, self.flops, self.latches = nets, {}, {}, []
+        self.enables = enables
         for kind, _, pins in cells:
             cell, pins = library.cells[kind], {pin: bits[0] for pin, bits in pins.items() if bits}
             outputs = [pin for pin in cell.outputs if pin in pins]
@@ -136,8 +148,9 @@ class Logic:
         resets = [
             _reset(self.filled(cell.rules[rule], pins)) if rule in cell.rules else None for rule in ("clear", "preset")
         ]
-        key = (_literal(self.filled(cell.rules["clocked_on"], pins)), *resets)
-        self.flops.setdefault(key, []).append((register, cell.rules["next_state"], pins))
+        clock, enable = self.enables.get(pins[cell.clock_pin], (pins[cell.clock_pin], None))
+        key = (_literal(self.filled(cell.rules["clocked_on"], pins | {cell.clock_pin: clock})), *resets)
+        self.flops.setdefault(key, {}).setdefault(enable, []).append((register, cell.rules["next_state"], pins))
 
     def filled(self, function, pins):
         return re.sub(r"[A-Za-z_]\w*", lambda name: self.nets.bit(pins[name[0]]), function)
@@ -157,10 +170,12 @@ class Logic:
 
     def lines(self, shown):
         lines = []
-        for number, group in enumerate(self.flops.values()):
-            self.nets.place([register for register, _, _ in group], f"q{number}")
-        flops = list(self.flops.items())
+        flops = [
+            (key, [(enable, *flop) for enable, held in by_enable.items() for flop in held])
+            for key, by_enable in self.flops.items()
+        ]
         for number, (_, group) in enumerate(flops):
+            self.nets.place([register for _, register, _, _ in group], f"q{number}")
             lines.append(f"  logic [{len(group) - 1}:0] q{number};" if len(group) > 1 else f"  logic q{number};")
         controls = {literal[1] for key in self.flops for literal in key if literal}
         shown = (
@@ -168,7 +183,9 @@ class Logic:
             + [bit for _, pins, _ in self.latches for bit in pins.values()]
             + [bit for bit in self.drivers if self.nets.bit(bit) in controls]
         )
-        cones = [self.cone([pins[pin] for _, _, pins in group for pin in pins]) for _, group in flops]
+        cones = [
+            self.cone([bit for enable, _, _, pins in group for bit in (enable, *pins.values())]) for _, group in flops
+        ]
         counts = collections.Counter(bit for cone in cones for bit in cone)
         eager = self.cone(shown + [bit for bit in counts if counts[bit] > 1])
         known = set(eager)
@@ -184,10 +201,11 @@ class Logic:
         return lines
 
     def process(self, number, clock, clear, preset, group, cone):
-        """Flip-flops of one clock and reset, with the gates that only they look at."""
-        inside, uses, names = set(cone), collections.Counter(), {}
+        """Flip-flops of one clock and reset, with the gates that only they look at; an enable's are neighbours."""
+        uses, names = collections.Counter({enable: 1 for enable, _, _, _ in group}), {}
         data = [
-            (function, {pin: pins[pin] for pin in re.findall(r"[A-Za-z_]\w*", function)}) for _, function, pins in group
+            (function, {pin: pins[pin] for pin in re.findall(r"[A-Za-z_]\w*", function)})
+            for _, _, function, pins in group
         ]
         for _, pins in [self.drivers[bit] for bit in cone] + data:
             uses.update(pins.values())
@@ -211,9 +229,21 @@ class Logic:
             [text + f" begin : next{number}"]
             + [f"    automatic logic {self.nets.bit(bit)};" for bit in wires]
             + body
-            + _words(f"q{number}", [filled(*item) for item in data])
+            + self._assignments(f"q{number}", group, [filled(*item) for item in data], names)
             + ["  end"]
         )
+
+    def _assignments(self, name, group, data, names):
+        """The register's new bits, enable by enable."""
+        lines, at = [], 0
+        for enable, held in itertools.groupby(group, key=lambda flop: flop[0]):
+            end = at + len(list(held))
+            if enable is not None:
+                lines.append(f"    if ({names.get(enable) or self.nets.bit(enable)}) begin")
+            lines += _words(name, data[at:end], at, len(group))
+            lines += ["    end"] if enable is not None else []
+            at = end
+        return lines
 
 
 def _instance(box, number, label, pins, nets):
@@ -229,12 +259,12 @@ def _instance(box, number, label, pins, nets):
     return f"  {kind} {label if label.isidentifier() else chr(92) + label + ' '} ({', '.join(ties)});"
 
 
-def _words(name, expressions):
-    """A wide signal, 32 bits with each line: in one piece it would cost Verilator a wide intermediate for each bit."""
-    if len(expressions) == 1:
+def _words(name, expressions, first, width):
+    """Bits of a signal, 32 with each line: in one piece they would cost Verilator a wide intermediate for each bit."""
+    if width == 1:
         return [f"    {name} <= {expressions[0]};"]
     return [
-        f"    {name}[{at} +: {len(expressions[at:at + 32])}] <= {concatenation(expressions[at:at + 32][::-1])};"
+        f"    {name}[{first + at} +: {len(expressions[at:at + 32])}] <= {concatenation(expressions[at:at + 32][::-1])};"
         for at in range(0, len(expressions), 32)
     ]
 
@@ -258,7 +288,10 @@ def _reset(expression):
 
 
 def text(modules, netlists, library):
-    """A file with all of these modules; netlists: {name: Netlist}."""
+    """A file with the first of these modules and all that it instantiates; netlists: {name: Netlist}."""
+    used = {modules[0].name} | {child.name for module in modules for _, child in module.children}
     return HEAD + "".join(
-        module_text(module, netlists[module.name], library) for module in modules if module.base != rtlil.MEMORY
+        module_text(module, netlists[module.name], library)
+        for module in modules
+        if module.base != rtlil.MEMORY and module.name in used
     )

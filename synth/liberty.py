@@ -80,7 +80,8 @@ class Cell:
             flop is not None,
             (self.rules.get("data_in"), self.rules.get("enable")) if latch else None,
         )
-        self.clock_load = self.inputs.get(_value(rules, "clocked_on", "").strip("!() '"), 0) if flop else 0
+        clock = _value(rules, "clocked_on", "").strip("!() '")
+        self.clock_pin = clock if flop and clock in self.inputs else None
 
     def computes(self, inputs, function):
         """Whether it is a gate of so many inputs and one output with this truth."""
@@ -124,6 +125,7 @@ class Library:
             c for c in gates if c.latch and c.latch[0] in c.inputs and c.latch[1] in c.inputs and len(c.inputs) == 2
         ]
         self.latch = min(latches, key=lambda c: (len(c.outputs), c.area))
+        self.latch.area = self.latch.area or min(c.area for c in gates if c.is_flop)  # osu018 states none
         self.nand_load = sum(self.nand.inputs.values()) / 2  # of one input
         self.load = 4 * min(self.inverter.inputs.values())  # in its unit of capacitance
 

@@ -9,6 +9,8 @@ Rule    abc buffers the nets of a module's own gates. What it does not see are n
 """
 import json
 
+import rtlil
+
 FANOUT = 10
 IDEAL = ("clk_i", "rst_ni")
 
@@ -69,9 +71,27 @@ class Netlist:
     def flipflops(self, library):
         return sum(kind in library.cells and library.cells[kind].is_flop for kind, _, _ in self.cells)
 
-    def clock_load(self, library):
-        """Of all clock pins, in the library's unit of capacitance."""
-        return sum(library.cells[kind].clock_load for kind, _, _ in self.cells if kind in library.cells)
+    def load_of(self, port, library):
+        """Of all pins on a port's net, in the library's unit of capacitance."""
+        nets = self.ports[port][1]
+        pins = [(library.cells[kind], pin, bits) for kind, _, pins in self.cells for pin, bits in pins.items()]
+        return sum(cell.inputs.get(pin, 0) for cell, pin, bits in pins if bits[0] in nets)
+
+    def gates(self):
+        """The instances of the clock gates that gating.py made: they have no reset."""
+        return [label for kind, label, pins in self.cells if kind == rtlil.GATE and pins["rst_ni"] == ["1"]]
+
+    def clocked(self, library, energies):
+        """{clock gate: (flip-flops, J of a cycle)}, energies by kind of cell; without a gate of gating.py under ""."""
+        gates = set(self.gates())
+        gate_of = {pins["clk_o"][0]: label for _, label, pins in self.cells if label in gates}
+        found = {label: (0, 0.0) for label in ["", *gate_of.values()]}
+        for kind, _, pins in self.cells:
+            if kind in energies:
+                label = gate_of.get(pins[library.cells[kind].clock_pin][0], "")
+                count, joules = found[label]
+                found[label] = (count + 1, joules + energies[kind])
+        return found
 
     def buffer(self, library, loads):
         """Adds the trees; loads: {submodule: {pin: [loads of each bit]}} -> loads of this module's own inputs."""
@@ -157,6 +177,15 @@ class Netlist:
         ]
         head += [f"  wire n{bit};" for bit in wires]
         return "\n".join(head + lines + ["endmodule", ""])
+
+
+def alone(cell):
+    """A flip-flop with its clock clk_i: Verilog, name and Netlist of a module that holds nothing else."""
+    inputs = {pin: "clk_i" if pin == cell.clock_pin else pin.lower() for pin in cell.inputs}
+    bits = {pin: [2 + i] for i, pin in enumerate([*inputs, *cell.outputs])}
+    ports = {port: ("input", bits[pin]) for pin, port in inputs.items()}
+    gates = Netlist(ports, [[cell.name, "q", bits]])
+    return gates.verilog("alone"), "alone", gates
 
 
 def _constant(bit):

@@ -6,10 +6,14 @@ Rule    area and flip-flops of a module are its own, without submodules; of a un
         passes (path_in). Memories have no area here.
         kGE: thousands of NAND2 of the library. FO4: delays of an inverter that drives four.
         Power of one unit, in the library's own technology and voltage, without wires: leakage_w; clock_j, energy of a
-        clocked cycle in which no data changes; switch_j, energy that a cycle takes more when each net toggles once on
-        average.
+        clocked cycle in which no data changes and no enable is high; gated_j, what it takes more when all enables are;
+        switch_j, energy that a cycle takes more when each net toggles once on average.
+        enables.json has the gates behind enables, module by module: program.json of gating.py, and for each gate
+        [enable, bit, flip-flops, J of a clocked cycle]; always: flip-flops of a module without one, and their J;
+        gate_j: J of a gate itself in a cycle.
 """
 import collections
+import hashlib
 import json
 import os
 import re
@@ -25,7 +29,7 @@ now = time.time
 def walk(module, unit="top", path=""):
     """(module, unit, hierarchical name) of every instance below, itself first."""
     yield module, unit, path
-    for name, child in module.children:
+    for name, child in module.children + module.gates:
         below = UNITS.get(child.base, unit) if unit == "top" else unit
         yield from walk(child, below, f"{path}.{name}" if path else name)
 
@@ -52,13 +56,21 @@ def path_entry(path, module, prefix="path"):
 
 
 def power_entry(machine, names, power):
-    """OpenSTA leaves out what drives a clock net: its pins are added."""
-    leakage, cycle = power
-    pins = sum(machine.clock_loads[name] for name in names) * machine.library.femto * 1e-15 * machine.library.volts**2
-    low, mid, high = cycle
+    """names: the modules of all instances in the unit."""
+    leakage, (low, mid, high) = power
+    clocked = [(label, *item) for name in names for label, item in machine.clocked[name].items()]
+    gates = sum(1 for label, _, _ in clocked if label)
     slope = (high - low) / (timing.ACTIVITIES[2] - timing.ACTIVITIES[0])
     bend = abs(2 * mid - low - high) / max(high - low, 1e-30)  # 0 when energy is linear in activity
-    return {"leakage_w": leakage, "clock_j": low + pins, "switch_j": slope, "bend": round(bend, 4)}
+    return {
+        "leakage_w": leakage,
+        "clock_j": sum(joules for label, _, joules in clocked if not label) + gates * machine.gate_energy,
+        "gated_j": sum(joules for label, _, joules in clocked if label),
+        "gated_flipflops": sum(count for label, count, _ in clocked if label),
+        "clock_gates": gates,
+        "switch_j": slope,
+        "bend": round(bend, 4),
+    }
 
 
 def summary(machine, modules, configuration, library, seconds):
@@ -128,6 +140,27 @@ def summary(machine, modules, configuration, library, seconds):
     }
 
 
+def enables(machine, modules, configuration, library):
+    """What sim/study/silicon/energy/enables.hpp reads."""
+    entries = {}
+    for module, _, _ in walk(modules["pipegs_top"]):
+        if module.base in (rtlil.MEMORY, rtlil.GATE) or module.name in entries:
+            continue
+        program, clocked = machine.programs[module.name], machine.clocked[module.name]
+        gates = [[*nodes, *clocked.get(f"gate_{number}", (0, 0.0))] for number, nodes in enumerate(program["gates"])]
+        gates_here = sum(kind == rtlil.GATE for kind, _, _ in machine.mapped[module.name].cells)
+        entries[module.name] = program | {"gates": gates, "clock_gates": gates_here, "always": clocked[""]}
+    programs = json.dumps(machine.programs, sort_keys=True)
+    return {
+        "configuration": configuration,
+        "library": library,
+        "program": hashlib.sha256(programs.encode()).hexdigest()[:16],
+        "gate_j": machine.gate_energy,
+        "instances": {path: module.name for module, _, path in walk(modules["pipegs_top"]) if module.name in entries},
+        "modules": entries,
+    }
+
+
 def longest_paths(many, fo4):
     """The longest paths between registers of the machine, one for each signal at which they end, equal units once."""
     found = {}
@@ -159,11 +192,13 @@ def tables(result):
         )
     lines += [
         "",
-        f"{'unit':6} {'leakage uW':>10} {'clock pJ':>9} {'switch pJ':>10}  of one, {result['volts']} V, no wires; "
-        "energy of a clocked cycle, and more for each toggle of a net",
+        f"{'unit':6} {'leakage uW':>10} {'clock pJ':>9} {'gated pJ':>9} {'gates':>6} {'gated flops':>11} "
+        f"{'switch pJ':>10}  of one, {result['volts']} V, no wires; energy of a clocked cycle, more with all enables, "
+        "and more for each toggle of a net",
     ]
     lines += [
-        f"{row['unit']:6} {row['leakage_w'] * 1e6:10.3f} {row['clock_j'] * 1e12:9.1f} {row['switch_j'] * 1e12:10.1f}"
+        f"{row['unit']:6} {row['leakage_w'] * 1e6:10.3f} {row['clock_j'] * 1e12:9.1f} {row['gated_j'] * 1e12:9.1f} "
+        f"{row['clock_gates']:6} {row['gated_flipflops']:11} {row['switch_j'] * 1e12:10.1f}"
         for row in result["units"]
     ]
     lines += ["", "longest paths between registers, one for each signal at which they end"]
@@ -190,7 +225,12 @@ def write(machine, modules, configuration, library, folder, begin):
     result = summary(machine, modules, configuration, library, now() - begin)
     os.makedirs(folder, exist_ok=True)
     text = tables(result)
-    for name, body in (("synth.json", json.dumps(result, indent=1) + "\n"), ("synth.txt", text)):
+    gated = json.dumps(enables(machine, modules, configuration, library), separators=(",", ":")) + "\n"
+    for name, body in (
+        ("synth.json", json.dumps(result, indent=1) + "\n"),
+        ("enables.json", gated),
+        ("synth.txt", text),
+    ):
         with open(f"{folder}/{name}.new", "w", encoding="utf-8") as file:
             file.write(body)
         os.replace(f"{folder}/{name}.new", f"{folder}/{name}")

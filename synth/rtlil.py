@@ -18,6 +18,7 @@ class Module:
         self.base, self.parameters, self.lines = base, parameters, lines
         self.name = base
         self.children = []  # (instance, Module)
+        self.gates = []  # the same of the clock gates that synthesis adds for enables
 
     def ports(self):
         """[(name, direction, width)]"""
@@ -40,14 +41,14 @@ class Module:
     def below(self):
         """Every module of its hierarchy once, itself first."""
         found = {self.name: self}
-        for _, child in self.children:
+        for _, child in self.children + self.gates:
             for module in child.below():
                 found.setdefault(module.name, module)
         return list(found.values())
 
     def boxes(self):
         """The modules of its own instances, each once."""
-        return list({child.name: child for _, child in self.children}.values())
+        return list({child.name: child for _, child in self.children + self.gates}.values())
 
 
 def _without_numbers(lines):

@@ -4,8 +4,8 @@
 
 Idea    Yosys elaborates the design once; each module (each of its parameterisations that occurs) is then a synthesis of
         its own with its submodules as black boxes. Modules are put together again for OpenSTA only.
-        rtlil.py cuts the design, jobs.py runs and keeps, liberty.py knows the library, netlist.py buffers what crosses
-        modules, timing.py asks OpenSTA, report.py prints.
+        rtlil.py cuts the design, jobs.py runs and keeps, liberty.py knows the library, gating.py gates the clocks of
+        flip-flops with enables, netlist.py buffers what crosses modules, timing.py asks OpenSTA, report.py prints.
 Rule    Memories (rtl/lib/sram.sv) have no area here and a stated access time. Whatever Yosys warns of ends the run, but
         for arrays that become registers: some constructs it reads wrong with no more than a warning, others with none
         (synth/misread.sh looks for these). A latch is an error outside clock_gate.
@@ -13,6 +13,7 @@ Rule    Memories (rtl/lib/sram.sv) have no area here and a stated access time. W
 import argparse
 import functools
 import glob
+import json
 import os
 import re
 import signal
@@ -20,6 +21,7 @@ import subprocess
 import sys
 
 import gates
+import gating
 import liberty
 import netlist
 import report
@@ -36,8 +38,7 @@ HARMLESS = re.compile(r"Replacing memory .* with list of registers|Selection .* 
 # States stay as the RTL codes them. abc sees a driver and a load at the borders, so that it buffers and sizes what
 # begins and ends at registers.
 ABC = "+strash;&get,-n;&st;&dch;&nf;&put;buffer,-c,-p;topo;upsize;dnsize"
-MAP = """read_rtlil {folder}/module.il
-synth -noabc -nofsm -noshare -top {name}
+MAP = """read_json {folder}/gated.json
 techmap -map {library}/latch.v
 dfflibmap -liberty {library}/cells.lib
 opt
@@ -93,7 +94,7 @@ def write_new(path, text):
 
 
 def elaborate(jobs, package, top=TOP):
-    """{name: rtlil.Module} of one module and all below it."""
+    """{name: rtlil.Module} of one module, all below it, and the clock gate that synthesis adds."""
     files = sorted(
         path for path in glob.glob(f"{ROOT}/rtl/**/*.sv", recursive=True) if not path.endswith("/pipegs_pkg.sv")
     )
@@ -114,20 +115,23 @@ def elaborate(jobs, package, top=TOP):
         jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
         check_log(f"{folder}/log")
 
-    return rtlil.read(jobs.result(f"design_{top}", [ELABORATE, FUNCTIONS, top] + sources, make) + "/design.il")
+    modules = rtlil.read(jobs.result(f"design_{top}", [ELABORATE, FUNCTIONS, top] + sources, make) + "/design.il")
+    return modules if rtlil.GATE in modules else elaborate(jobs, package, rtlil.GATE) | modules
 
 
 class Machine:
     """All modules mapped, buffered and timed; report.py reads it."""
 
     def __init__(self, jobs, library, access_fo4):
-        self.jobs, self.library = jobs, library
-        made_from = [library.power_text, library.latch_map()]
+        self.jobs, self.library, self.programs = jobs, library, {}
+        made_from = [library.power_text, library.latch_map(), timing.CLOCK]
         self.folder = jobs.each("library", [("library", 1, lambda: jobs.result("library", made_from, self._library))])[
             "library"
         ]
         with open(f"{self.folder}/fo4", encoding="utf-8") as file:
             self.fo4 = float(file.read())
+        with open(f"{self.folder}/clock_energies", encoding="utf-8") as file:
+            self.clock_energies = json.load(file)
         self.access, self.setup = access_fo4 * self.fo4, SETUP_FO4 * self.fo4
 
     def _library(self, folder):
@@ -139,17 +143,30 @@ class Machine:
             f"set_driving_cell {self.library.inverter.name}\nset_load {self.library.load * self.library.femto:.3f}\n",
         )
         write(f"{folder}/fo4", f"{timing.fo4(self.jobs, self.library, folder):.5f}\n")
+        energies = {
+            cell.name: timing.clock_energy(self.jobs, self.library, folder, folder, *netlist.alone(cell))
+            for cell in self.library.cells.values()
+            if cell.is_flop and cell.clock_pin
+        }
+        write(f"{folder}/clock_energies", json.dumps(energies))
 
-    def map(self, module):
-        """The folder with the mapped netlist of one module."""
-        text = module.text() + "".join(child.black_box() for child in module.boxes())
+    def map(self, module, gate):
+        """The folder with the mapped netlist of one module; gate: the clock gate."""
+        children = {child.name: child for _, child in module.children}
+        text = module.text() + "".join(child.black_box() for child in children.values())
 
         def make(folder):
             write(f"{folder}/module.il", text)
-            write(f"{folder}/script.ys", MAP.format(folder=folder, name=module.name, library=self.folder, abc=ABC))
+            prepare = gating.PREPARE.format(folder=folder, name=module.name)
+            write(f"{folder}/prepare.ys", prepare)
+            write(f"{folder}/script.ys", MAP.format(folder=folder, library=self.folder, abc=ABC))
             if module.base != rtlil.GATE and "cell $dlatch" in text:
                 write(f"{folder}/log", text)
                 raise Failed("a latch")
+            self.jobs.run(["yosys", "-q", "-s", f"{folder}/prepare.ys"], f"{folder}/log")
+            check_log(f"{folder}/log")
+            enables = gating.gate_clocks(folder, module.name, gate.ports())
+            write(f"{folder}/program.json", json.dumps(enables, separators=(",", ":")))
             self.jobs.run(["yosys", "-q", "-s", f"{folder}/script.ys"], f"{folder}/log")
             check_log(f"{folder}/log")
             try:
@@ -158,23 +175,29 @@ class Machine:
                 )
             except ValueError as error:
                 raise Failed(str(error)) from None
-            os.remove(f"{folder}/mapped.json")
+            for used in ("enables", "gated", "mapped"):
+                os.remove(f"{folder}/{used}.json")
 
-        return self.jobs.result(module.name, [MAP, ABC, text, self.library.text, self.library.latch_map()], make)
+        made_from = [gating.PREPARE, str(gating.MAX_GROUP), MAP, ABC, text, self.library.text, self.library.latch_map()]
+        return self.jobs.result(module.name, made_from, make)
 
     def netlists(self, modules, tops):
-        """{name: Netlist} of the modules with these names and all below them, mapped and buffered."""
+        """{name: Netlist} of the modules with these names and all below them, mapped and buffered.
+
+        The clock gates of their enables are among the modules' children from here on."""
+        gate = modules[rtlil.GATE]
         logic = {module.name: module for top in tops for module in modules[top].below() if module.base != rtlil.MEMORY}
+        logic[gate.name] = gate
         mapped = self.jobs.each(
             "synthesis",
-            [(name, len(module.text()), functools.partial(self.map, module)) for name, module in logic.items()],
+            [(name, len(module.text()), functools.partial(self.map, module, gate)) for name, module in logic.items()],
         )
         loads = {
             module.name: one_each(module) for module in modules.values() if module.base in (rtlil.MEMORY, rtlil.GATE)
         }
         netlists = {}
         for top in tops:
-            self._assemble(modules[top], mapped, loads, netlists)
+            self._assemble(modules[top], gate, mapped, loads, netlists)
         return netlists
 
     def build(self, modules):
@@ -183,11 +206,13 @@ class Machine:
         memories = [module for module in modules.values() if module.base == rtlil.MEMORY]
         gates = [module for module in logic if module.base == rtlil.GATE]
         netlists = self.netlists(modules, [TOP])
+        self.mapped = netlists
         self.areas = {name: gate.area(self.library) for name, gate in netlists.items()}
         self.flipflops = {name: gate.flipflops(self.library) for name, gate in netlists.items()}
-        self.clock_loads = {name: gate.clock_load(self.library) for name, gate in netlists.items()}
+        self.clocked = {name: gate.clocked(self.library, self.clock_energies) for name, gate in netlists.items()}
         self.verilog = {name: gate.verilog(name) for name, gate in netlists.items() if modules[name] not in gates}
         models = liberty.models(memories, gates, self.library, self.access, self.setup)
+        self.gate_energy = self._gate_energy(netlists[rtlil.GATE])
         parts = {
             module.name: [m.name for m in module.below() if m.name in self.verilog]
             for module in logic
@@ -206,15 +231,30 @@ class Machine:
         )
         self.paths = {name: timing.read(f"{folder}/log") for name, folder in timed.items()}
 
-    def _assemble(self, module, mapped, loads, netlists):
+    def _assemble(self, module, gate, mapped, loads, netlists):
         """Buffers a module after all below it; loads: {module: {input: [loads of each bit]}}."""
         if module.name in netlists or module.base == rtlil.MEMORY:
             return
+        netlists[module.name] = mapped_module = netlist.Netlist.load(f"{mapped[module.name]}/netlist.json")
+        module.gates = [(label, gate) for label in mapped_module.gates()]
+        with open(f"{mapped[module.name]}/program.json", encoding="utf-8") as file:
+            self.programs[module.name] = json.load(file)
         for child in module.boxes():
-            self._assemble(child, mapped, loads, netlists)
-        netlists[module.name] = gate = netlist.Netlist.load(f"{mapped[module.name]}/netlist.json")
-        inner = gate.buffer(self.library, {child.name: loads[child.name] for child in module.boxes()})
+            self._assemble(child, gate, mapped, loads, netlists)
+        inner = mapped_module.buffer(self.library, {child.name: loads[child.name] for child in module.boxes()})
         loads.setdefault(module.name, inner)  # a clock gate keeps its ideal ones
+
+    def _gate_energy(self, gate):
+        """What the cells of a clock gate take for the clock, J of a cycle; as if it passed every edge."""
+        verilog = gate.verilog(rtlil.GATE)
+
+        def make(folder):
+            energy = timing.clock_energy(self.jobs, self.library, self.folder, folder, verilog, rtlil.GATE, gate)
+            write(f"{folder}/energy", f"{energy}\n")
+
+        folder = self.jobs.result("gate_energy", [self.library.power_text, verilog, timing.CLOCK], make)
+        with open(f"{folder}/energy", encoding="utf-8") as file:
+            return float(file.read())
 
     def time(self, module, parts, models):
         """The folder with the timing of one module and all below it."""

@@ -19,7 +19,7 @@ GROUPS = {  # name of a group: the folders or files that make it
     "memory": ["sim/memory"],
     "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
-    "synth": ["synth/synth.py"],
+    "synth": ["synth/synth.py", "synth/gating.py"],
     "proofs": ["synth/prove", "synth/prove.sh"],
 }
 SCENES = {  # scene: its file or folder in the folder of scenes

@@ -67,7 +67,7 @@ std::string unit(const std::string& scope) {
 
 TEST_F(ActivityTest, CountsTogglesOnceEdgesAndAccesses) {
   write();
-  const Activity activity = read_activity(path_, unit);
+  const Activity activity = read_activity(path_, unit, {});
   EXPECT_EQ(activity.cycles, 4u);
   ASSERT_EQ(activity.groups.size(), 2u);
   EXPECT_EQ(activity.groups.at("one").bits, 2u) << "what stands in the SRAM is none of the unit's";
@@ -97,7 +97,7 @@ TEST_F(ActivityTest, SamplesDoNotSeeWhatChangesInGaps) {
   at(45, "1100"), at(50, "1100"), at(55, "1101");
   fstWriterClose(file_);
   std::vector<Activity> samples;
-  read_samples(path_, unit, [&](const Activity& sample) { samples.push_back(sample); });
+  read_samples(path_, unit, {}, [&](const Activity& sample) { samples.push_back(sample); });
   ASSERT_EQ(samples.size(), 2u);
   EXPECT_EQ(samples[0].cycles, 2u);
   EXPECT_EQ(samples[1].cycles, 1u);
@@ -105,15 +105,15 @@ TEST_F(ActivityTest, SamplesDoNotSeeWhatChangesInGaps) {
   EXPECT_EQ(samples[1].groups.at("one").toggles, 2u + 1);
   EXPECT_EQ(samples[0].clocks.at("machine.u_one"), 2u);
   EXPECT_EQ(samples[1].clocks.at("machine.u_one"), 1u);
-  const Activity sum = read_activity(path_, unit);
+  const Activity sum = read_activity(path_, unit, {});
   EXPECT_EQ(sum.cycles, 3u);
   EXPECT_EQ(sum.groups.at("one").toggles, 9u);
 }
 
 TEST_F(ActivityTest, RefusesWhatIsNoWaves) {
-  EXPECT_THROW(read_activity("/nowhere.fst", unit), InputError);
+  EXPECT_THROW(read_activity("/nowhere.fst", unit, {}), InputError);
   std::ofstream(path_) << "no waves";
-  EXPECT_THROW(read_activity(path_, unit), InputError);
+  EXPECT_THROW(read_activity(path_, unit, {}), InputError);
 }
 
 }  // namespace

@@ -18,11 +18,30 @@ constexpr double kTo28 = 1.0e-15 * 0.81;     // the same in 28 nm, mid
 // Two PUs and an SU of a library with round figures; the top has as much again as both.
 Synth synth() {
   Synth synth = {"default", "library", 100, 10, 2, {}, {}};
-  synth.units = {{"pu", 2, 1000, 10, 500, "", "", 50 * kLibrary, 700 * kLibrary},
-                 {"su", 1, 500, 5, 500, "", "", 20 * kLibrary, 300 * kLibrary},
-                 {"top", 1, 3000, 30, 500, "", "", 150 * kLibrary, 2000 * kLibrary}};
+  synth.units = {{"pu", 2, 1000, 10, 500, "", "", 700 * kLibrary},
+                 {"su", 1, 500, 5, 500, "", "", 300 * kLibrary},
+                 {"top", 1, 3000, 30, 500, "", "", 2000 * kLibrary}};
   synth.memories = {{"u_pu.u_words", 64, 128}};
   return synth;
+}
+
+// Of a PU's flip-flops 4 are clocked always and 6 behind two gates; the SU and the top have none behind a gate.
+Enables enables() {
+  Enables enables;
+  enables.gate_joules = 2 * kLibrary;
+  GatedModule pu, su, top;
+  pu.gates = {{1, GatedModule::kUnknown, 4, 20 * kLibrary}, {1, GatedModule::kUnknown, 2, 10 * kLibrary}};
+  pu.clock_gates = 2;
+  pu.always_flipflops = 4;
+  pu.always_joules = 16 * kLibrary;
+  su.always_flipflops = 5;
+  su.always_joules = 20 * kLibrary;
+  top.always_flipflops = 5;
+  top.always_joules = 30 * kLibrary;
+  enables.modules = {{"pu", pu}, {"su", su}, {"pipegs_top", top}};
+  enables.instances = {
+      {"", "pipegs_top"}, {"gen_unit[0].u_pu", "pu"}, {"gen_unit[1].u_pu", "pu"}, {"gen_unit[0].u_su", "su"}};
+  return enables;
 }
 
 // A frame of 1000 cycles of which 2 x 50 are sampled.
@@ -32,6 +51,8 @@ FrameActivity frame() {
   half.groups = {{"pu", {200, 400}}, {"su", {50, 25}}, {"top", {100, 300}}};
   half.clocks = {{"pu", 60}, {"su", 0}};
   half.srams = {{"u_pu.u_words", {128, 30, 10}}};
+  half.enabled = {{"pu", {{"pu", {60, {15, 30}}}}}, {"su", {{"su", {0, {}}}}}, {"top", {{"pipegs_top", {50, {}}}}}};
+  half.unseen = {{"pu", 4}};
   return {1000, 64, {half, half}};
 }
 
@@ -44,11 +65,20 @@ const EnergyRow& row(const std::vector<EnergyRow>& rows, const std::string& name
 
 TEST(Energy, FollowsClockedCyclesTogglesAccessesAndBytes) {
   const SramLaw law(kTable);
-  const std::vector<EnergyRow> rows = energy_rows(Config{}, synth(), law, frame());
-  // Ten times what was sampled. PUs: 120 clocked cycles, 800 toggles of the 100 bits that each has.
-  EXPECT_NEAR(row(rows, "PU").frame_j.mid, 10 * (120 * 50 + 8 * 700) * kTo28, 1e-18);
+  const std::vector<EnergyRow> rows = energy_rows(Config{}, synth(), enables(), law, frame());
+  // Ten times what was sampled. PUs: 120 clocked cycles of 4 flip-flops and two gates, of which 30 and 60 edges pass;
+  // 800 toggles of the 100 bits that each has.
+  constexpr double kClocks = 120 * 16 + 120 * 2 * 2 + 30 * 20 + 60 * 10;
+  EXPECT_NEAR(row(rows, "PU").frame_j.mid, 10 * (kClocks + 8 * 700) * kTo28, 1e-18);
   EXPECT_NEAR(row(rows, "PU").awake, 0.6, 1e-9);
-  EXPECT_NEAR(row(rows, "PU").clocks_j, 10 * 120 * 50 * kTo28, 1e-18);
+  EXPECT_NEAR(row(rows, "PU").clocks_j, 10 * kClocks * kTo28, 1e-18);
+  EXPECT_NEAR(row(rows, "PU").ungated_j, 10 * 120 * 16 * kTo28, 1e-18);
+  EXPECT_NEAR(row(rows, "PU").gates_j, 10 * 120 * 2 * 2 * kTo28, 1e-18);
+  EXPECT_NEAR(row(rows, "PU").open_j, 10 * 120 * 30 * kTo28, 1e-18);
+  EXPECT_NEAR(row(rows, "PU").gated_j(), 10 * (30 * 20 + 60 * 10) * kTo28, 1e-18);
+  EXPECT_EQ(row(rows, "PU").flipflops, 20u);
+  EXPECT_EQ(row(rows, "PU").gated, 12u);
+  EXPECT_EQ(row(rows, "PU").unseen, 4u) << "of all PUs, in one half as in both";
   EXPECT_NEAR(row(rows, "SU").frame_j.mid, 10 * 300 * kTo28, 1e-18) << "50 toggles of 50 bits, its clock stands";
   // The top less two PUs and an SU, clocked always.
   EXPECT_NEAR(row(rows, "Other").frame_j.mid, 10 * (100 * 30 + 6 * 300) * kTo28, 1e-18);
@@ -63,6 +93,11 @@ TEST(Energy, FollowsClockedCyclesTogglesAccessesAndBytes) {
   EXPECT_NEAR(row(rows, "DRAM").frame_j.mid, 64 * 8 * 8e-12, 1e-18);
   EXPECT_NEAR(row(rows, "PU").leakage_w.mid, 2000 * 12e-9, 1e-15);
   EXPECT_NEAR(row(rows, "Other").leakage_w.mid, 500 * 12e-9, 1e-15);
+  EXPECT_EQ(row(rows, "Total").flipflops, 30u);
+  const std::vector<ModuleClocks> modules = module_clocks(synth(), enables(), frame());
+  ASSERT_EQ(modules.size(), 3u);
+  EXPECT_EQ(modules[0].module, "pu") << "the dearest first";
+  EXPECT_NEAR(modules[0].all_j(), row(rows, "PU").clocks_j, 1e-18);
   double sum = 0, leakage = 0;
   for (const EnergyRow& one : rows) {
     if (one.name == "Total" || one.name == "DRAM") continue;
@@ -75,9 +110,10 @@ TEST(Energy, FollowsClockedCyclesTogglesAccessesAndBytes) {
 
 TEST(Energy, TellsHowFarTheHalvesLieApart) {
   FrameActivity activity = frame();
-  activity.halves[0].clocks["pu"] = 80;  // of 140: 80 x 50 + 4 x 700 against 60 x 50 + 4 x 700
-  const std::vector<EnergyRow> rows = energy_rows(Config{}, synth(), SramLaw(kTable), activity);
-  EXPECT_NEAR(row(rows, "PU").halves_differ, 2 * (6800.0 - 5800) / (6800 + 5800), 1e-9);
+  activity.halves[0].enabled["pu"]["pu"].passed = {55, 30};  // 40 more edges of 20
+  const std::vector<EnergyRow> rows = energy_rows(Config{}, synth(), enables(), SramLaw(kTable), activity);
+  constexpr double kHalf = 60 * (16 + 4) + 15 * 20 + 30 * 10 + 4 * 700;
+  EXPECT_NEAR(row(rows, "PU").halves_differ, 2 * 800 / (2 * kHalf + 800), 1e-9);
   EXPECT_EQ(row(rows, "SU").halves_differ, 0);
 }
 
@@ -85,11 +121,14 @@ TEST(Energy, RefusesSynthOfOtherRtl) {
   FrameActivity activity = frame();
   activity.halves[0].srams["u_su.u_new"] = {32, 1, 1};
   try {
-    energy_rows(Config{}, synth(), SramLaw(kTable), activity);
+    energy_rows(Config{}, synth(), enables(), SramLaw(kTable), activity);
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("no u_su.u_new"), std::string::npos) << error.what();
   }
+  activity = frame();
+  activity.halves[0].enabled["pu"]["pu"].passed.push_back(1);
+  EXPECT_THROW(energy_rows(Config{}, synth(), enables(), SramLaw(kTable), activity), InputError);
 }
 
 TEST(FrameActivity, SumsByUnitAndIsKept) {

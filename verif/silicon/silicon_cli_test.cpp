@@ -31,15 +31,29 @@ class SiliconCli : public Cli {
                                {"path_ps", 6000},
                                {"path_from", "a"},
                                {"path_to", "b"},
-                               {"clock_j", 1e-12},
                                {"switch_j", 1e-11}});
     }
     return json;
   }
-  void plant(const std::string& text, const std::string& configuration = "default") {
+  // One PU's registers: four behind a gate, one without.
+  Json enables() {
+    Json json = {{"configuration", "default"},
+                 {"library", "hand"},
+                 {"program", "0123"},
+                 {"gate_j", 1e-13},
+                 {"instances", {{"gen_unit[0].u_pu", "stage"}}}};
+    json["modules"]["stage"] =
+        Json::parse(R"({"leaves": [["hold_q", 0]], "operations": [["not", 2]], "gates": [[3, null, 4, 1e-12]],
+                        "clock_gates": 1, "always": [1, 3e-13]})");
+    return json;
+  }
+  void plant(const std::string& text, const std::string& configuration = "default", const std::string& gated = "") {
     const std::string folder = "synth/" + configuration + "/hand";
     fs::create_directories(folder_ / folder);
     write(folder + "/synth.json", text);
+    Json json = enables();
+    json["configuration"] = configuration;
+    write(folder + "/enables.json", gated.empty() ? json.dump() : gated);
   }
 };
 
@@ -73,13 +87,16 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   plant(synth().dump());
   SimulateOptions options;
   options.memory.dram = "lpddr5-6400x4";
-  const MeasurementStore store(
-      folder_ / "kept", read_ply(folder_ / "scene.ply"), read_cameras(folder_ / "cameras.json").at(0), options,
-      {{"rtl", hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv")}, {"samples", {kSamples, kSampleCycles}}});
+  const MeasurementStore store(folder_ / "kept", read_ply(folder_ / "scene.ply"),
+                               read_cameras(folder_ / "cameras.json").at(0), options,
+                               {{"rtl", hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv")},
+                                {"samples", {kSamples, kSampleCycles}},
+                                {"enables", "0123"}});
   Activity half;
   half.cycles = 100;
   half.groups = {{"dopu", {10, 20}}, {"pu", {400, 1000}}, {"su", {40, 10}}, {"ru", {80, 200}}, {"top", {10, 10}}};
   half.clocks = {{"dopu", 50}, {"pu", 200}, {"su", 20}, {"ru", 100}};
+  half.enabled = {{"pu", {{"stage", {90, {30}}}}}};
   const FrameActivity kept = {10000, 64000, {half, half}};
   store.save(Config{}, to_json(kept));
   const Outcome outcome =
@@ -91,11 +108,14 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   ASSERT_EQ(design_point["energy"].size(), 8u);
   const std::vector<EnergyRow> rows =
       energy_rows(Config{}, read_synth(folder_ / "synth/default/hand/synth.json", Config{}),
+                  read_enables(folder_ / "synth/default/hand/enables.json", Config{}),
                   SramLaw(PIPEGS_SOURCE_DIR "/synth/data/sram.csv"), kept);
   for (size_t i = 0; i < rows.size(); ++i) {
     const Json& row = design_point["energy"][i];
     EXPECT_EQ(row["name"], rows[i].name);
     EXPECT_DOUBLE_EQ(row["frame_j"]["mid"], rows[i].frame_j.mid);
+    EXPECT_DOUBLE_EQ(row["clocks_j"], rows[i].clocks_j);
+    EXPECT_EQ(row["gated"], rows[i].gated);
     EXPECT_DOUBLE_EQ(row["watts_full"]["high"], rows[i].watts(1e5).high);
     EXPECT_DOUBLE_EQ(row["watts_60"]["mid"], rows[i].watts(60).mid);
   }
@@ -137,9 +157,9 @@ TEST_F(SiliconCli, RefusesWhatMakeSynthDidNotWrite) {
   plant(json.dump());
   expect_refused(view_, "configuration: found 'units=2', expected default");
   json = synth();
-  json["units"][1].erase("clock_j");
+  json["units"][1].erase("switch_j");
   plant(json.dump());
-  expect_refused(view_, "clock_j");
+  expect_refused(view_, "switch_j");
   const std::string good = synth().dump();
   plant(good.substr(0, good.size() - 1) + ",\"volts\":1.8}");
   expect_refused(view_, "found a second 'volts', expected one");

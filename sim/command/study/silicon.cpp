@@ -23,18 +23,19 @@ struct SiliconArguments {
 };
 
 // What was kept of this frame, or a run of the RTL.
-FrameActivity frame_activity(const LoadedView& loaded, const SimulateOptions& options, uint64_t cycles,
-                             const std::string& folder) {
-  const MeasurementStore store(
-      folder, loaded.scene, loaded.camera, options,
-      {{"rtl", hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv")}, {"samples", {kSamples, kSampleCycles}}});
+FrameActivity frame_activity(const LoadedView& loaded, const SimulateOptions& options, const Enables& enables,
+                             uint64_t cycles, const std::string& folder) {
+  const MeasurementStore store(folder, loaded.scene, loaded.camera, options,
+                               {{"rtl", hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv")},
+                                {"samples", {kSamples, kSampleCycles}},
+                                {"enables", enables.program}});
   if (const auto kept = store.load(options.config)) {
     try {
       return frame_activity_from_json(*kept);
     } catch (const NumberError&) {  // as good as none
     } catch (const nlohmann::json::exception&) {}
   }
-  const FrameActivity activity = measure_activity(loaded.scene, loaded.camera, options, cycles, folder);
+  const FrameActivity activity = measure_activity(loaded.scene, loaded.camera, options, enables, cycles, folder);
   store.save(options.config, to_json(activity));
   return activity;
 }
@@ -70,19 +71,23 @@ int silicon(const SiliconArguments& arguments) {
   }
   const SramLaw law(PIPEGS_SOURCE_DIR "/synth/data/sram.csv");
   std::vector<SiliconPoint> design_points;
+  std::vector<Enables> enables;  // of each, where energy is asked for
   for (const SimulateOptions& one : options) {
     const std::string name = config_difference(one.config), design_point = design_point_name(one.config);
-    const Synth synth =
-        read_synth(std::filesystem::path(arguments.folder) / name / arguments.library / "synth.json", one.config);
+    const std::filesystem::path synthesised = std::filesystem::path(arguments.folder) / name / arguments.library;
+    const Synth synth = read_synth(synthesised / "synth.json", one.config);
+    if (!arguments.no_energy) enables.push_back(read_enables(synthesised / "enables.json", one.config));
     design_points.push_back({design_point.empty() ? name : design_point, synth, silicon_rows(one.config, synth, law)});
   }
   for (size_t i = 0; i < design_points.size(); ++i) {
     const Config& config = options[i].config;
     design_points[i].cycles = model_engine(loaded.scene, loaded.camera, options[i])(config, options[i].memory).cycles;
     if (arguments.no_energy) continue;
-    const FrameActivity activity = frame_activity(loaded, options[i], design_points[i].cycles, arguments.keep);
+    const FrameActivity activity =
+        frame_activity(loaded, options[i], enables[i], design_points[i].cycles, arguments.keep);
     design_points[i].cycles = activity.cycles;
-    design_points[i].energy = energy_rows(config, design_points[i].synth, law, activity);
+    design_points[i].energy = energy_rows(config, design_points[i].synth, enables[i], law, activity);
+    design_points[i].clocks = module_clocks(design_points[i].synth, enables[i], activity);
     if (!arguments.table.empty())
       keep_frame(arguments.table,
                  measured_frame(loaded.scene.name, config, activity, design_points[i].rows, design_points[i].energy));

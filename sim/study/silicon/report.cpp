@@ -45,6 +45,31 @@ std::string area_text(const SiliconPoint& design_point) {
   return text;
 }
 
+constexpr size_t kDearest = 12;  // modules whose clocks are told
+
+std::string clocks_text(const SiliconPoint& design_point) {
+  if (design_point.energy.empty()) return "";
+  std::string text = fmt::format("  {:<9}{:>12}{:>8}{:>9}{:>14}{:>15}{:>12}{:>11}\n", "", "flip-flops", "gated",
+                                 "unseen", "uJ of clocks", "gates' enables", "no enable", "the gates");
+  for (const EnergyRow& row : design_point.energy) {
+    if (row.flipflops == 0) continue;
+    const auto count = static_cast<double>(row.flipflops);
+    text += fmt::format("  {:<9}{:>12}{:>8}{:>9}{:>14.1f}{:>15}{:>12.1f}{:>11.1f}\n", row.name, row.flipflops,
+                        percent(static_cast<double>(row.gated) / count, 1),
+                        percent(static_cast<double>(row.unseen) / count, 1), row.clocks_j * 1e6,
+                        percent(row.gated_j() / row.open_j, 1), row.ungated_j * 1e6, row.gates_j * 1e6);
+  }
+  text +=
+      "  gated: flip-flops whose clock an enable gates; unseen: those whose enable the waves do not show, counted as "
+      "high; gates' enables: share of the edges that pass\n";
+  for (size_t i = 0; i < std::min(kDearest, design_point.clocks.size()); ++i) {
+    const ModuleClocks& one = design_point.clocks[i];
+    text += fmt::format("  {:<9}{:<40}{:>8} flip-flops, {:>6} gated: {:>6.1f} uJ, {:.1f} without enable\n", one.row,
+                        one.module, one.flipflops, one.gated, one.all_j() * 1e6, one.ungated_j * 1e6);
+  }
+  return text;
+}
+
 std::string energy_text(const SiliconPoint& design_point) {
   if (design_point.energy.empty()) return "";
   const double full = design_point.fps(), display = std::min(full, kDisplay);
@@ -156,10 +181,26 @@ Json to_json(const std::vector<SiliconPoint>& design_points) {
                                   {"frame_j", to_json(row.frame_j)},
                                   {"awake", row.awake},
                                   {"clocks_j", row.clocks_j},
+                                  {"ungated_j", row.ungated_j},
+                                  {"gates_j", row.gates_j},
+                                  {"open_j", row.open_j},
+                                  {"flipflops", row.flipflops},
+                                  {"gated", row.gated},
+                                  {"unseen", row.unseen},
                                   {"halves_differ", row.halves_differ},
                                   {"leakage_w", to_json(row.leakage_w)},
                                   {"watts_60", to_json(row.watts(std::min(design_point.fps(), kDisplay)))},
                                   {"watts_full", to_json(row.watts(design_point.fps()))}});
+      }
+      for (const ModuleClocks& one : design_point.clocks) {
+        json["clocks"].push_back({{"row", one.row},
+                                  {"module", one.module},
+                                  {"flipflops", one.flipflops},
+                                  {"gated", one.gated},
+                                  {"ungated_j", one.ungated_j},
+                                  {"gated_j", one.gated_j},
+                                  {"gates_j", one.gates_j},
+                                  {"open_j", one.open_j}});
       }
     }
     list.push_back(json);
@@ -180,7 +221,7 @@ Json to_json(const std::vector<SiliconPoint>& design_points) {
 std::string to_text(const std::vector<SiliconPoint>& design_points) {
   std::string text;
   for (const SiliconPoint& design_point : design_points)
-    text += area_text(design_point) + energy_text(design_point) + "\n";
+    text += area_text(design_point) + energy_text(design_point) + clocks_text(design_point) + "\n";
   return text + design_points_text(design_points) + "\n" + gscore_text();
 }
 

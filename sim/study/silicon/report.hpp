@@ -21,6 +21,7 @@ struct SiliconPoint {
   std::vector<SiliconRow> rows;
   uint64_t cycles = 0;                 // of the view
   std::vector<EnergyRow> energy = {};  // empty when it was not asked for
+  std::vector<ModuleClocks> clocks = {};
 
   double fps() const { return 1e9 / static_cast<double>(cycles); }
   double mm2() const { return rows.back().area_mm2.mid; }

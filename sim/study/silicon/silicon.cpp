@@ -58,8 +58,7 @@ Synth read_synth(const std::filesystem::path& path, const Config& config) {
     for (const Json& unit : json.at("units")) {
       synth.units.push_back({unit.at("unit"), count(unit, "instances"), real(unit, "nand2", kNotNegative),
                              real(unit, "flipflops", kNotNegative), real(unit, "path_ps", kNotNegative),
-                             unit.at("path_from"), unit.at("path_to"), real(unit, "clock_j", kNotNegative),
-                             real(unit, "switch_j", kNotNegative)});
+                             unit.at("path_from"), unit.at("path_to"), real(unit, "switch_j", kNotNegative)});
     }
     for (const Json& memory : json.at("memories")) {
       static const std::regex kUnnamed("genblk[0-9]+\\.");  // blocks that Yosys names, and waves do not

@@ -24,8 +24,7 @@ struct SynthUnit {
   double nand2 = 0, flipflops = 0;  // of one
   double path_ps = 0;               // of the library
   std::string from, to;
-  double clock_j = 0,
-         switch_j = 0;  // of one and of the library: a clocked cycle without data; more when each net toggles once
+  double switch_j = 0;  // of one and of the library: a cycle in which each net toggles once
 };
 
 struct SynthMemory {

@@ -19,6 +19,10 @@ constexpr uint32_t kWidest = 1u << 20;  // bits of a signal; more is a broken fi
 struct Signal {
   Switching* sum = nullptr;  // of its group; null when it is left out
   std::string value;         // the latest
+  std::string before;        // what it was before the time of the latest change; kept when an enable depends on it
+  uint64_t changed = 0;
+  bool kept = false;
+  const std::string& sampled(uint64_t time) const { return changed == time ? before : value; }
 };
 
 // A signal of one bit, with what it was before the latest change: what an edge at that time has sampled.
@@ -33,13 +37,18 @@ struct Sram {
   SramAccesses* accesses = nullptr;
 };
 
+// A name without that of the machine, which is the outermost scope.
+std::string below_top(const std::string& name) { return name.substr(name.find('.') + 1); }
+
 class Reader {
  public:
-  Reader(void* file, const std::function<std::string(const std::string&)>& group,
+  Reader(void* file, const std::function<std::string(const std::string&)>& group, const Enables& enables,
          const std::function<void(const Activity&)>& on_sample)
-      : file_(file), on_sample_(on_sample) {
+      : file_(file), on_sample_(on_sample), enables_(enables, group, activity_.enabled) {
     signals_.resize(fstReaderGetMaxHandle(file) + 1);
     read_names(group);
+    for (const uint32_t clock : enables_.clocks()) lines_[clock];
+    activity_.unseen = enables_.unseen();
   }
 
   void change(uint64_t time, fstHandle handle, const unsigned char* text, uint32_t width) {
@@ -49,6 +58,10 @@ class Reader {
     const std::string_view value(reinterpret_cast<const char*>(text), width);
     if (!first_ && signal.sum != nullptr && signal.value.size() == value.size()) {
       for (size_t i = 0; i < value.size(); ++i) signal.sum->toggles += value[i] != signal.value[i];
+    }
+    if (signal.kept && signal.changed != time) {
+      signal.before.swap(signal.value);
+      signal.changed = time;
     }
     signal.value = value;
     if (const auto found = lines_.find(handle); found != lines_.end()) {
@@ -61,6 +74,7 @@ class Reader {
   // The sample is over.
   void finish() {
     flush();
+    enables_.finish();
     activity_.cycles = (phases_ + 1) / 2;
     phases_ = 0;
     if (activity_.cycles > 0) on_sample_(activity_);
@@ -90,6 +104,7 @@ class Reader {
         sram.accesses->writes += lines_.at(sram.write).sampled(time_);
       }
       for (uint64_t* edges : edges_of_[clock]) ++*edges;
+      enables_.rise(clock, [&](uint32_t handle) -> const std::string& { return signals_[handle].sampled(time_); });
     }
     rising_.clear();
   }
@@ -141,6 +156,7 @@ class Reader {
         name = name.substr(0, name.find(' '));  // the range stands behind
         scopes.back().ports[name] = {var.handle, var.length};
         Signal& signal = signals_[var.handle];
+        if (enables_.declare(below_top(scopes.back().path + "." + name), var.handle, var.length)) signal.kept = true;
         if (var.is_alias || signal.sum != nullptr || scopes.back().sum == nullptr) continue;
         signal.sum = scopes.back().sum;
         signal.sum->bits += var.length;
@@ -152,7 +168,8 @@ class Reader {
 
   void* file_;
   const std::function<void(const Activity&)>& on_sample_;
-  Activity activity_;  // of the sample; signals, clocks and SRAMs point into it
+  Activity activity_;  // of the sample; signals, clocks, SRAMs and enables point into it
+  EnableSampler enables_;
   std::vector<Signal> signals_;
   std::vector<Sram> srams_;
   std::map<fstHandle, Line> lines_;
@@ -179,6 +196,9 @@ void Activity::clear() {
   for (auto& [name, group] : groups) group.toggles = 0;
   for (auto& [name, edges] : clocks) edges = 0;
   for (auto& [name, sram] : srams) sram.reads = sram.writes = 0;
+  for (auto& [unit, modules] : enabled) {
+    for (auto& [name, one] : modules) one = {0, std::vector<uint64_t>(one.passed.size())};
+  }
 }
 
 void Activity::add(const Activity& more) {
@@ -187,15 +207,24 @@ void Activity::add(const Activity& more) {
   for (const auto& [name, edges] : more.clocks) clocks[name] += edges;
   for (const auto& [name, sram] : more.srams)
     srams[name] = {sram.width, srams[name].reads + sram.reads, srams[name].writes + sram.writes};
+  for (const auto& [unit, modules] : more.enabled) {
+    for (const auto& [name, one] : modules) {
+      Enabled& sum = enabled[unit][name];
+      sum.edges += one.edges;
+      sum.passed.resize(one.passed.size());
+      for (size_t i = 0; i < one.passed.size(); ++i) sum.passed[i] += one.passed[i];
+    }
+  }
+  unseen = more.unseen;
 }
 
 void read_samples(const std::filesystem::path& fst, const std::function<std::string(const std::string& scope)>& group,
-                  const std::function<void(const Activity&)>& on_sample) {
+                  const Enables& enables, const std::function<void(const Activity&)>& on_sample) {
   const std::unique_ptr<void, void (*)(void*)> file(fstReaderOpen(fst.c_str()), [](void* f) {
     if (f != nullptr) fstReaderClose(f);
   });
   if (!file) throw InputError(fst.string() + ": expected waves (.fst)");
-  Reader reader(file.get(), group, on_sample);
+  Reader reader(file.get(), group, enables, on_sample);
   fstReaderSetFacProcessMaskAll(file.get());
   if (fstReaderIterBlocks2(file.get(), changed_short, changed, &reader, nullptr) == 0)
     throw InputError(fst.string() + ": the waves are cut off");
@@ -203,9 +232,9 @@ void read_samples(const std::filesystem::path& fst, const std::function<std::str
 }
 
 Activity read_activity(const std::filesystem::path& fst,
-                       const std::function<std::string(const std::string& scope)>& group) {
+                       const std::function<std::string(const std::string& scope)>& group, const Enables& enables) {
   Activity sum;
-  read_samples(fst, group, [&](const Activity& sample) { sum.add(sample); });
+  read_samples(fst, group, enables, [&](const Activity& sample) { sum.add(sample); });
   return sum;
 }
 

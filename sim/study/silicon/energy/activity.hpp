@@ -7,6 +7,7 @@
 //         left out.
 // Sample  Waves with gaps (RtlOptions::sample_period) are samples: of each, its first time is what the others are held
 //         against.
+// Enables With enables (enable_activity.hpp) the edges that pass each clock gate behind an enable are counted too.
 // Group   Signals are summed by the name that `group` gives to the scope they stand in, "" leaves them out.
 // Units   Bits, toggles of one bit, edges, accesses. The waves are those of sim/rtl/rtl_bridge.cpp: ten units of time
 //         a cycle.
@@ -18,6 +19,8 @@
 #include <functional>
 #include <map>
 #include <string>
+
+#include "sim/study/silicon/energy/enable_activity.hpp"
 
 namespace pipegs {
 
@@ -36,6 +39,8 @@ struct Activity {
   std::map<std::string, Switching> groups;
   std::map<std::string, uint64_t> clocks;     // rising edges of the signals named clk_o, by their scope
   std::map<std::string, SramAccesses> srams;  // by instance
+  EnabledByUnit enabled;                      // by group and module
+  std::map<std::string, uint64_t> unseen;     // by group: flip-flops whose enable the waves do not show
 
   void clear();  // counts, not what is counted
   void add(const Activity& more);
@@ -44,8 +49,8 @@ struct Activity {
 // All samples, one after the other; and their sum.
 // Scopes are written with dots, as in pipegs_top.gen_unit[0].u_pu.u_fetch.
 void read_samples(const std::filesystem::path& fst, const std::function<std::string(const std::string& scope)>& group,
-                  const std::function<void(const Activity&)>& on_sample);
+                  const Enables& enables, const std::function<void(const Activity&)>& on_sample);
 Activity read_activity(const std::filesystem::path& fst,
-                       const std::function<std::string(const std::string& scope)>& group);
+                       const std::function<std::string(const std::string& scope)>& group, const Enables& enables);
 
 }  // namespace pipegs

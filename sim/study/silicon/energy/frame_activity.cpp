@@ -22,11 +22,15 @@ constexpr std::array<std::pair<std::string_view, const char*>, 6> kUnits = {
     {{"u_dopu", "dopu"}, {"u_pu", "pu"}, {"u_su", "su"}, {"u_ru", "ru"}, {"u_lists", "list"}, {"u_store", "buf"}}};
 
 Json to_json(const Activity& activity) {
-  Json json = {
-      {"cycles", activity.cycles}, {"groups", Json::object()}, {"clocks", Json::object()}, {"srams", Json::object()}};
+  Json json = {{"cycles", activity.cycles}};
+  for (const char* key : {"groups", "clocks", "srams", "enabled", "unseen"}) json[key] = Json::object();
   for (const auto& [name, group] : activity.groups) json["groups"][name] = {group.bits, group.toggles};
   for (const auto& [name, edges] : activity.clocks) json["clocks"][name] = edges;
   for (const auto& [name, sram] : activity.srams) json["srams"][name] = {sram.width, sram.reads, sram.writes};
+  for (const auto& [unit, modules] : activity.enabled) {
+    for (const auto& [name, one] : modules) json["enabled"][unit][name] = {one.edges, one.passed};
+  }
+  for (const auto& [unit, flipflops] : activity.unseen) json["unseen"][unit] = flipflops;
   return json;
 }
 
@@ -39,6 +43,14 @@ Activity activity_from_json(const Json& json) {
   for (const auto& [name, edges] : json.at("clocks").items()) activity.clocks[name] = count(edges);
   for (const auto& [name, sram] : json.at("srams").items())
     activity.srams[name] = {json_integer(sram.at(0), 1), count(sram.at(1)), count(sram.at(2))};
+  for (const auto& [unit, modules] : json.at("enabled").items()) {
+    for (const auto& [name, one] : modules.items()) {
+      Enabled& enabled = activity.enabled[unit][name];
+      enabled.edges = count(one.at(0));
+      for (const Json& passed : one.at(1)) enabled.passed.push_back(count(passed));
+    }
+  }
+  for (const auto& [unit, flipflops] : json.at("unseen").items()) activity.unseen[unit] = count(flipflops);
   return activity;
 }
 
@@ -81,6 +93,8 @@ Activity by_unit(const Activity& activity) {
   Activity result;
   result.cycles = activity.cycles;
   result.groups = activity.groups;
+  result.enabled = activity.enabled;
+  result.unseen = activity.unseen;
   for (const auto& [name, edges] : activity.clocks) result.clocks[unit_of(name)] += edges;
   for (const auto& [name, sram] : activity.srams) {
     const std::string inside = name.substr(name.find('.') + 1);
@@ -90,8 +104,8 @@ Activity by_unit(const Activity& activity) {
   return result;
 }
 
-FrameActivity measure_activity(const Scene& scene, const Camera& camera, SimulateOptions options, uint64_t cycles,
-                               const std::filesystem::path& folder) {
+FrameActivity measure_activity(const Scene& scene, const Camera& camera, SimulateOptions options,
+                               const Enables& enables, uint64_t cycles, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const std::filesystem::path waves = folder / fmt::format("waves.{}.fst", getpid());
   const auto remove = [](const std::filesystem::path* path) {
@@ -112,7 +126,7 @@ FrameActivity measure_activity(const Scene& scene, const Camera& camera, Simulat
   result.cycles = simulation.rtl.cycles;
   for (const MemoryTraffic& traffic : simulation.traffic) result.bytes += traffic.bytes_read + traffic.bytes_written;
   size_t number = 0;
-  read_samples(waves, unit_of, [&](const Activity& sample) { result.halves[number++ % 2].add(sample); });
+  read_samples(waves, unit_of, enables, [&](const Activity& sample) { result.halves[number++ % 2].add(sample); });
   for (Activity& half : result.halves) half = by_unit(half);
   return result;
 }

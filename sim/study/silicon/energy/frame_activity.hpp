@@ -36,7 +36,7 @@ Activity by_unit(const Activity& activity);
 
 // Runs the RTL, which it builds if need be. `cycles`: how many the frame will take. Waves pass through `folder`.
 // Throws std::runtime_error when the RTL differs from the golden model.
-FrameActivity measure_activity(const Scene& scene, const Camera& camera, SimulateOptions options, uint64_t cycles,
-                               const std::filesystem::path& folder);
+FrameActivity measure_activity(const Scene& scene, const Camera& camera, SimulateOptions options,
+                               const Enables& enables, uint64_t cycles, const std::filesystem::path& folder);
 
 }  // namespace pipegs
