@@ -119,6 +119,13 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
     EXPECT_DOUBLE_EQ(row["watts_full"]["high"], rows[i].watts(1e5).high);
     EXPECT_DOUBLE_EQ(row["watts_60"]["mid"], rows[i].watts(60).mid);
   }
+  ASSERT_EQ(design_point["clocks"].size(), 1u);
+  EXPECT_EQ(design_point["clocks"][0]["module"], "stage");
+  EXPECT_EQ(design_point["clocks"][0]["flipflops"], 5);
+  EXPECT_DOUBLE_EQ(design_point["clocks"][0]["gated_j"], rows[1].gated_j());
+  const Outcome table = run("silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept");
+  for (const char* part : {"unseen", "80.0 %", "33.3 %", "5 flip-flops,      4 gated"})
+    EXPECT_NE(table.out.find(part), std::string::npos) << part << " in\n" << table.out;
   EXPECT_DOUBLE_EQ(design_point["frames_per_joule"], 1e5 / rows[6].watts(1e5).mid);
   EXPECT_DOUBLE_EQ(design_point["frames_per_joule_with_dram"], 1e5 / (rows[6].watts(1e5).mid + rows[7].watts(1e5).mid));
 }
