@@ -9,7 +9,8 @@
 //           6 cut             7 six products                       8 four signs -> output
 // Stream  fetched in, visible out: only those that survive, and every end beat, all its other fields zero. Beside it
 //         what pu_reach needs (TightCull), else zero.
-// Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken.
+// Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken. A stage's registers are
+//         clocked for a record only, the output's for one that survives.
 // Model   cpp_model/pu/pu_cull.hpp
 
 module pu_cull (
@@ -45,10 +46,13 @@ module pu_cull (
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
   localparam int unsigned Stages  = 7;  // before the output register
 
-  // --- handshake: one enable for all stages ------------------------------------------------------------------------
+  // --- handshake: all stages advance together ----------------------------------------------------------------------
   logic [Stages:0] valid_q;  // 0: the record as it came, out of a memory
-  logic            out_valid_q, advance, keep;
+  logic [Stages:0] load;     // register n takes a record
+  logic            out_valid_q, advance, keep, load_out;
   assign advance         = !out_valid_q || visible_ready_i;
+  assign load            = {valid_q[Stages-1:0], fetched_valid_i} & {(Stages + 1){advance}};
+  assign load_out        = valid_q[Stages] && advance && keep;
   assign fetched_ready_o = advance;
   assign visible_valid_o = out_valid_q;
   assign busy_o          = valid_q != '0 || out_valid_q;
@@ -62,7 +66,7 @@ module pu_cull (
     end
   end
   pipegs_pkg::fetched_t fetched_q;
-  always_ff @(posedge clk_i) if (advance) fetched_q <= fetched_i;
+  always_ff @(posedge clk_i) if (load[0]) fetched_q <= fetched_i;
 
   // --- what rides along: all of visible_t but the view coordinates, as vectors -------------------------------------
   localparam int unsigned RideW = pipegs_pkg::VisibleBits - 3 * ViewW;
@@ -86,10 +90,8 @@ module pu_cull (
   assign ride4 = ride_q[4];
   assign ride7 = ride_q[7];
   always_ff @(posedge clk_i) begin
-    if (advance) begin
-      ride_q[1] <= ride;
-      for (int unsigned i = 1; i < Stages; i += 1) ride_q[i+1] <= ride_q[i];
-    end
+    if (load[1]) ride_q[1] <= ride;
+    for (int unsigned i = 1; i < Stages; i += 1) if (load[i+1]) ride_q[i+1] <= ride_q[i];
   end
 
   // --- stages 1 to 3: W offset, shifted to view units --------------------------------------------------------------
@@ -101,7 +103,7 @@ module pu_cull (
   logic signed [ViewW-1:0]    origin_x_q [4], origin_y_q [4], origin_z_q [4];  // 1 to 3
   logic        [DownW-1:0]    down1_q, down2_q;
   always_ff @(posedge clk_i) begin
-    if (advance) begin
+    if (load[1]) begin
       xx_q <= ProductW'(rotation_i.w00) * ProductW'(fetched_q.offset_x);
       xy_q <= ProductW'(rotation_i.w01) * ProductW'(fetched_q.offset_y);
       xz_q <= ProductW'(rotation_i.w02) * ProductW'(fetched_q.offset_z);
@@ -111,19 +113,25 @@ module pu_cull (
       zx_q <= ProductW'(rotation_i.w20) * ProductW'(fetched_q.offset_x);
       zy_q <= ProductW'(rotation_i.w21) * ProductW'(fetched_q.offset_y);
       zz_q <= ProductW'(rotation_i.w22) * ProductW'(fetched_q.offset_z);
+      down1_q <= DownW'(RotF - 1) + DownW'(fetched_q.view_exp) - DownW'(fetched_q.offset_exp);
+      origin_x_q[1] <= fetched_q.origin_x;
+      origin_y_q[1] <= fetched_q.origin_y;
+      origin_z_q[1] <= fetched_q.origin_z;
+    end
+    if (load[2]) begin
       x2_q <= SumW'(xx_q) + SumW'(xy_q) + SumW'(xz_q);
       y2_q <= SumW'(yx_q) + SumW'(yy_q) + SumW'(yz_q);
       z2_q <= SumW'(zx_q) + SumW'(zy_q) + SumW'(zz_q);
+      down2_q <= down1_q;
+    end
+    if (load[3]) begin
       // One bit less than the whole shift: the last one rounds, in stage 4.
       x3_q <= x2_q >>> down2_q;
       y3_q <= y2_q >>> down2_q;
       z3_q <= z2_q >>> down2_q;
-      down1_q <= DownW'(RotF - 1) + DownW'(fetched_q.view_exp) - DownW'(fetched_q.offset_exp);
-      down2_q <= down1_q;
-      origin_x_q[1] <= fetched_q.origin_x;
-      origin_y_q[1] <= fetched_q.origin_y;
-      origin_z_q[1] <= fetched_q.origin_z;
-      for (int unsigned i = 1; i < 3; i += 1) begin
+    end
+    for (int unsigned i = 1; i < 3; i += 1) begin
+      if (load[i+1]) begin
         origin_x_q[i+1] <= origin_x_q[i];
         origin_y_q[i+1] <= origin_y_q[i];
         origin_z_q[i+1] <= origin_z_q[i];
@@ -170,15 +178,19 @@ module pu_cull (
   logic beyond3;
   assign beyond3 = one2_q != '0 && (lower2_q < 0 || size3 >= HighW'((64'd1 << (ViewW - 1)) - 64'd1));
   always_ff @(posedge clk_i) begin
-    if (advance) begin
+    if (load[1]) begin
       scale1_q <= larger > fetched_q.scale_2 ? larger : fetched_q.scale_2;
       weight1_q <= pipegs_pkg::CullWeights[WeightW*32'(fetched_q.opacity[pipegs_pkg::OpacityW-1 -: 6]) +: WeightW];
+    end
+    if (load[2]) begin
       one2_q   <= some1 ? OneW'(weighted1 >> (WeightW - 1)) : '0;
       lower2_q <= TopStep + $signed(StepW'(ride1.view_exp)) - $signed(StepW'(scale1_q[ScaleW-1:ScaleMW]));
+    end
+    if (load[3]) begin
       huge3_q  <= beyond3;
       s3_q     <= beyond3 ? ViewW'((64'd1 << (ViewW - 1)) - 64'd1) : size3[ViewW-1:0] + ViewW'(1);
-      {huge4_q, s4_q} <= {huge3_q, s3_q};
     end
+    if (load[4]) {huge4_q, s4_q} <= {huge3_q, s3_q};
   end
 
   // --- stages 4 and 5: near plane, edges of the window, common exponent --------------------------------------------
@@ -210,8 +222,8 @@ module pu_cull (
   normalize #(.DataW(ViewW)) u_normalize (.in_i(sizes), .out_o(normal), .shift_o(shift));
   localparam logic [ShiftW-1:0] NoCut = ShiftW'(ViewW - 1 - MagW);  // shift of a value of MagW bits
   always_ff @(posedge clk_i) begin
-    if (advance) begin
-      {x4_q, y4_q, z4_q} <= {x4, y4, z4};
+    if (load[4]) {x4_q, y4_q, z4_q} <= {x4, y4, z4};
+    if (load[5]) begin
       {x5_q, y5_q, z5_q, s5_q, huge5_q} <= {x4_q, y4_q, z4_q, s4_q, huge4_q};
       cut5_q    <= shift < NoCut ? NoCut - shift : '0;
       edge_x5_q <= edge_of(ride4.window_x, lens_i.center_x);
@@ -223,12 +235,10 @@ module pu_cull (
     logic [WorldW-1:0] near4_q;
     logic              front5_q, front6_q, front7_q;
     always_ff @(posedge clk_i) begin
-      if (advance) begin
-        near4_q  <= lens_i.near_plane >> ride3.view_exp;
-        front5_q <= !z4_q[ViewW-1] && WorldW'($unsigned(z4_q)) > near4_q;
-        front6_q <= front5_q;
-        front7_q <= front6_q;
-      end
+      if (load[4]) near4_q  <= lens_i.near_plane >> ride3.view_exp;
+      if (load[5]) front5_q <= !z4_q[ViewW-1] && WorldW'($unsigned(z4_q)) > near4_q;
+      if (load[6]) front6_q <= front5_q;
+      if (load[7]) front7_q <= front6_q;
     end
     assign front7 = front7_q;
   end else begin : gen_no_near
@@ -260,13 +270,15 @@ module pu_cull (
   assign reach_x = SmallW'(lens_i.reach_x[ReachW-1:Coarse]) + SmallW'(lens_i.reach_x[Coarse-1:0] != '0);
   assign reach_y = SmallW'(lens_i.reach_y[ReachW-1:Coarse]) + SmallW'(lens_i.reach_y[Coarse-1:0] != '0);
   always_ff @(posedge clk_i) begin
-    if (advance) begin
+    if (load[6]) begin
       {x6_q, y6_q, z6_q, huge6_q} <= {x5_q, y5_q, z5_q, huge5_q};
       {edge_x6_q, edge_y6_q} <= {edge_x5_q, edge_y5_q};
       cx6_q <= (MagW + 1)'(x5_q >>> cut5_q);
       cy6_q <= (MagW + 1)'(y5_q >>> cut5_q);
       cz6_q <= (MagW + 1)'(z5_q >>> cut5_q);
       cs6_q <= (MagW + 1)'(s5_q >> cut5_q) + (MagW + 1)'(1);
+    end
+    if (load[7]) begin
       {x7_q, y7_q, z7_q, huge7_q} <= {x6_q, y6_q, z6_q, huge6_q};
       near_x7_q <= $signed(AsideW'(lens_i.focal_x)) - to_left(edge_x6_q);
       near_y7_q <= $signed(AsideW'(lens_i.focal_y)) - to_left(edge_y6_q);
@@ -300,9 +312,11 @@ module pu_cull (
     assign more_x  = windows_i.last_x - windows_i.first_x;
     assign more_y  = windows_i.last_y - windows_i.first_y;
     always_ff @(posedge clk_i) begin
-      if (advance) begin
+      if (load[6]) begin
         last_x6_q <= edge_x5_q + EdgeW'(Span) + $signed(EdgeW'(more_x) << ($clog2(pipegs_pkg::Window) + EdgeF));
         last_y6_q <= edge_y5_q + EdgeW'(Span) + $signed(EdgeW'(more_y) << ($clog2(pipegs_pkg::Window) + EdgeF));
+      end
+      if (load[7]) begin
         bx7_q     <= SideW'(last_x6_q) * SideW'(cz6_q);
         by7_q     <= SideW'(last_y6_q) * SideW'(cz6_q);
       end
@@ -313,7 +327,7 @@ module pu_cull (
     assign by7     = by7_q;
   end else begin : gen_window
     logic signed [SideW-1:0] span7_q;  // the window's side times z
-    always_ff @(posedge clk_i) if (advance) span7_q <= SideW'(Span) * SideW'(cz6_q);
+    always_ff @(posedge clk_i) if (load[7]) span7_q <= SideW'(Span) * SideW'(cz6_q);
     assign last_x6 = edge_x6_q + EdgeW'(Span);
     assign last_y6 = edge_y6_q + EdgeW'(Span);
     assign bx7     = ax7_q + span7_q;
@@ -326,7 +340,7 @@ module pu_cull (
   pipegs_pkg::visible_t out_q;
   assign visible_o = out_q;
   always_ff @(posedge clk_i) begin
-    if (advance) begin
+    if (load_out) begin
       out_q      <= '0;
       out_q.kind <= ride7.kind;
       if (ride7.kind == pipegs_pkg::KindData) begin
@@ -355,10 +369,10 @@ module pu_cull (
     assign gap_x = beyond(fx7_q, ax7_q, bx7, SideW'(near_x7_q), SideW'(far_x7_q));
     assign gap_y = beyond(fy7_q, ay7_q, by7, SideW'(near_y7_q), SideW'(far_y7_q));
     always_ff @(posedge clk_i) begin
-      if (advance) begin
-        {cx7_q, cy7_q, cz7_q} <= {cx6_q, cy6_q, cz6_q};
-        {cut6_q, cut7_q} <= {cut5_q, cut6_q};
-        gap_q            <= '0;
+      if (load[6]) cut6_q <= cut5_q;
+      if (load[7]) {cut7_q, cx7_q, cy7_q, cz7_q} <= {cut6_q, cx6_q, cy6_q, cz6_q};
+      if (load_out) begin
+        gap_q <= '0;
         if (ride7.kind == pipegs_pkg::KindData) begin
           gap_q <= {huge7_q, pipegs_pkg::GapW'(gap_y >>> ToEdge), pipegs_pkg::GapW'(gap_x >>> ToEdge),
                     cut7_q, cz7_q, cy7_q, cx7_q};

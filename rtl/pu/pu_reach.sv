@@ -9,7 +9,8 @@
 //           6 nine products   7 |n . R_k|   8 times s_k   9 squares   10 their sum   11 times (r f w)^2
 //           12 comparison -> queue of bits
 // Stream  culled in, visible out: only those that are kept, and every end beat, in order.
-// Pace    One per cycle, latency 12. What is dropped leaves its queue in one cycle.
+// Pace    One per cycle, latency 12. What is dropped leaves its queue in one cycle. A stage's registers are clocked for
+//         a Gaussian only.
 // Model   cpp_model/pu/pu_reach.hpp
 
 module pu_reach (
@@ -45,7 +46,7 @@ module pu_reach (
   localparam int unsigned CountW = $clog2(Depth + 1);
   pipegs_pkg::visible_t culled;
   pipegs_pkg::gap_t     gap;
-  logic [Stages:1]      valid_q;
+  logic [Stages:1]      valid_q, load;  // register n holds a Gaussian; it takes one
   logic                 take, word_valid, bit_valid, kept, next, keep;
   logic [CountW-1:0]    count;
   assign culled          = culled_i.visible;
@@ -68,9 +69,10 @@ module pu_reach (
     .out_valid_o(bit_valid), .out_ready_i(next), .out_o(kept), .count_o(bit_count)
   );
 
+  assign load = {valid_q[Stages-1:1], take};
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= '0;
-    else valid_q <= {valid_q[Stages-1:1], take};
+    else valid_q <= load;
   end
 
   // --- what rides along --------------------------------------------------------------------------------------------
@@ -101,20 +103,24 @@ module pu_reach (
     six = scale[ScaleW-1:ScaleMW] == '0 ? '0 : padded[ScaleMW] ? 7'(padded >> (ScaleMW - 5)) : 7'd64;
   endfunction
   always_ff @(posedge clk_i) begin
-    along_x_q[1] <= along_x;
-    opacity_q[1] <= culled.opacity[pipegs_pkg::OpacityW-1 -: 6];
-    test_q[1]    <= !gap.untested && (gap.gap_x > 0 || gap.gap_y > 0);
-    gap1_q       <= along_x ? gap.gap_x : gap.gap_y;
-    side1_q      <= along_x ? gap.x : gap.y;
-    z1_q         <= gap.z[MagW-1:0];
-    exps1_q      <= {e2, e1, e0};
-    ones1_q      <= {six(culled.scale_2), six(culled.scale_1), six(culled.scale_0)};
-    largest1_q   <= larger > e2 ? larger : e2;
-    exponent1_q  <= $signed(9'(culled.view_exp)) + $signed(9'(gap.cut));
-    for (int unsigned i = 1; i < Stages; i += 1) test_q[i+1] <= test_q[i];
+    if (load[1]) begin
+      along_x_q[1] <= along_x;
+      opacity_q[1] <= culled.opacity[pipegs_pkg::OpacityW-1 -: 6];
+      test_q[1]    <= !gap.untested && (gap.gap_x > 0 || gap.gap_y > 0);
+      gap1_q       <= along_x ? gap.gap_x : gap.gap_y;
+      side1_q      <= along_x ? gap.x : gap.y;
+      z1_q         <= gap.z[MagW-1:0];
+      exps1_q      <= {e2, e1, e0};
+      ones1_q      <= {six(culled.scale_2), six(culled.scale_1), six(culled.scale_0)};
+      largest1_q   <= larger > e2 ? larger : e2;
+      exponent1_q  <= $signed(9'(culled.view_exp)) + $signed(9'(gap.cut));
+    end
+    for (int unsigned i = 1; i < Stages; i += 1) if (load[i+1]) test_q[i+1] <= test_q[i];
     for (int unsigned i = 1; i < Stages - 1; i += 1) begin
-      along_x_q[i+1] <= along_x_q[i];
-      opacity_q[i+1] <= opacity_q[i];
+      if (load[i+1]) begin
+        along_x_q[i+1] <= along_x_q[i];
+        opacity_q[i+1] <= opacity_q[i];
+      end
     end
   end
 
@@ -130,15 +136,19 @@ module pu_reach (
   endfunction
   logic signed [F:0] qw_q [4], qx_q [4], qy_q [4], qz_q [4];  // 1 to 3
   always_ff @(posedge clk_i) begin
-    qw_q[1] <= middle_q(culled.qw);
-    qx_q[1] <= middle_q(culled.qx);
-    qy_q[1] <= middle_q(culled.qy);
-    qz_q[1] <= middle_q(culled.qz);
+    if (load[1]) begin
+      qw_q[1] <= middle_q(culled.qw);
+      qx_q[1] <= middle_q(culled.qx);
+      qy_q[1] <= middle_q(culled.qy);
+      qz_q[1] <= middle_q(culled.qz);
+    end
     for (int unsigned i = 1; i < 3; i += 1) begin
-      qw_q[i+1] <= qw_q[i];
-      qx_q[i+1] <= qx_q[i];
-      qy_q[i+1] <= qy_q[i];
-      qz_q[i+1] <= qz_q[i];
+      if (load[i+1]) begin
+        qw_q[i+1] <= qw_q[i];
+        qx_q[i+1] <= qx_q[i];
+        qy_q[i+1] <= qy_q[i];
+        qz_q[i+1] <= qz_q[i];
+      end
     end
   end
 
@@ -156,7 +166,7 @@ module pu_reach (
   logic signed [8:0]              exponent2_q;
   assign limit = along_x_q[1] ? lens_i.limit_x[TanF+3 -: LimitW] : lens_i.limit_y[TanF+3 -: LimitW];
   normalize #(.DataW(GapW)) u_gap (.in_i(gap1_q), .out_o(normal), .shift_o(gap_shift));
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_i) if (load[2]) begin
     gap2_q      <= normal[GapW-2 -: GapMW];
     bound2_q    <= (LimitW + MagW)'(limit) * (LimitW + MagW)'(z1_q);
     side2_q     <= side1_q;
@@ -191,13 +201,15 @@ module pu_reach (
     scaled = one == '0 ? '0 : ((one - 7'd1) >> below) + 7'd1;
   endfunction
   always_ff @(posedge clk_i) begin
-    gap3_q      <= gap2_q;
-    t3_q        <= raised_side[MagW -: ZW + 1];
-    z3_q        <= raised_z[MagW-1 -: ZW];
-    exponent3_q <= exponent2_q;
-    for (int unsigned k = 0; k < 3; k += 1)
-      scales_q[3][7*k +: 7] <= scaled(ones2_q[7*k +: 7], below2_q[ScaleEW*k +: ScaleEW]);
-    for (int unsigned i = 3; i < 7; i += 1) scales_q[i+1] <= scales_q[i];
+    if (load[3]) begin
+      gap3_q      <= gap2_q;
+      t3_q        <= raised_side[MagW -: ZW + 1];
+      z3_q        <= raised_z[MagW-1 -: ZW];
+      exponent3_q <= exponent2_q;
+      for (int unsigned k = 0; k < 3; k += 1)
+        scales_q[3][7*k +: 7] <= scaled(ones2_q[7*k +: 7], below2_q[ScaleEW*k +: ScaleEW]);
+    end
+    for (int unsigned i = 3; i < 7; i += 1) if (load[i+1]) scales_q[i+1] <= scales_q[i];
   end
 
   // --- stage 4: products of the camera's axes, of the quaternion; gap times z; the comparison's shift ---------------
@@ -224,24 +236,26 @@ module pu_reach (
   logic [17:0] gap_z;
   assign gap_z = 18'(gap3_q) * 18'(z3_q);
   always_ff @(posedge clk_i) begin
-    for (int unsigned i = 0; i < 3; i += 1) begin
-      nz4_q[i] <= NpW'(across[i]) * $signed(NpW'({z3_q, 1'b1}));
-      nt4_q[i] <= NpW'(forward[i]) * NpW'($signed({t3_q, 1'b1}));
+    if (load[4]) begin
+      for (int unsigned i = 0; i < 3; i += 1) begin
+        nz4_q[i] <= NpW'(across[i]) * $signed(NpW'({z3_q, 1'b1}));
+        nt4_q[i] <= NpW'(forward[i]) * NpW'($signed({t3_q, 1'b1}));
+      end
+      ww4_q <= (2 * F + 2)'(qw_q[3]) * (2 * F + 2)'(qw_q[3]);
+      xx4_q <= (2 * F + 2)'(qx_q[3]) * (2 * F + 2)'(qx_q[3]);
+      yy4_q <= (2 * F + 2)'(qy_q[3]) * (2 * F + 2)'(qy_q[3]);
+      zz4_q <= (2 * F + 2)'(qz_q[3]) * (2 * F + 2)'(qz_q[3]);
+      xy4_q <= (2 * F + 2)'(qx_q[3]) * (2 * F + 2)'(qy_q[3]);
+      xz4_q <= (2 * F + 2)'(qx_q[3]) * (2 * F + 2)'(qz_q[3]);
+      yz4_q <= (2 * F + 2)'(qy_q[3]) * (2 * F + 2)'(qz_q[3]);
+      wx4_q <= (2 * F + 2)'(qw_q[3]) * (2 * F + 2)'(qx_q[3]);
+      wy4_q <= (2 * F + 2)'(qw_q[3]) * (2 * F + 2)'(qy_q[3]);
+      wz4_q <= (2 * F + 2)'(qw_q[3]) * (2 * F + 2)'(qz_q[3]);
+      far_q[4]  <= gap_z[17:6];
+      down_q[4] <= down4 < 0 ? 6'd0 : down4 > 10'sd62 ? 6'd62 : 6'(down4);
     end
-    ww4_q <= (2 * F + 2)'(qw_q[3]) * (2 * F + 2)'(qw_q[3]);
-    xx4_q <= (2 * F + 2)'(qx_q[3]) * (2 * F + 2)'(qx_q[3]);
-    yy4_q <= (2 * F + 2)'(qy_q[3]) * (2 * F + 2)'(qy_q[3]);
-    zz4_q <= (2 * F + 2)'(qz_q[3]) * (2 * F + 2)'(qz_q[3]);
-    xy4_q <= (2 * F + 2)'(qx_q[3]) * (2 * F + 2)'(qy_q[3]);
-    xz4_q <= (2 * F + 2)'(qx_q[3]) * (2 * F + 2)'(qz_q[3]);
-    yz4_q <= (2 * F + 2)'(qy_q[3]) * (2 * F + 2)'(qz_q[3]);
-    wx4_q <= (2 * F + 2)'(qw_q[3]) * (2 * F + 2)'(qx_q[3]);
-    wy4_q <= (2 * F + 2)'(qw_q[3]) * (2 * F + 2)'(qy_q[3]);
-    wz4_q <= (2 * F + 2)'(qw_q[3]) * (2 * F + 2)'(qz_q[3]);
-    far_q[4]  <= gap_z[17:6];
-    down_q[4] <= down4 < 0 ? 6'd0 : down4 > 10'sd62 ? 6'd62 : 6'(down4);
-    for (int unsigned i = 4; i < 9; i += 1) far_q[i+1] <= far_q[i];
-    for (int unsigned i = 4; i < 10; i += 1) down_q[i+1] <= down_q[i];
+    for (int unsigned i = 4; i < 9; i += 1) if (load[i+1]) far_q[i+1] <= far_q[i];
+    for (int unsigned i = 4; i < 10; i += 1) if (load[i+1]) down_q[i+1] <= down_q[i];
   end
 
   // --- stage 5: the direction n, the Gaussian's axes ---------------------------------------------------------------
@@ -264,7 +278,7 @@ module pu_reach (
   assign r4[6] = (SumW'(xz4_q) + SumW'(wy4_q)) <<< 1;
   assign r4[7] = (SumW'(yz4_q) - SumW'(wx4_q)) <<< 1;
   assign r4[8] = SumW'(ww4_q) - SumW'(xx4_q) - SumW'(yy4_q) + SumW'(zz4_q);
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_i) if (load[5]) begin
     for (int unsigned i = 0; i < 3; i += 1) n5_q[i] <= n4[i][F +: NW];
     for (int unsigned i = 0; i < 9; i += 1) r5_q[i] <= {r4[i][F+1 +: EntryW-1], 1'b1};
   end
@@ -283,8 +297,8 @@ module pu_reach (
   end
   always_ff @(posedge clk_i) begin
     for (int unsigned k = 0; k < 3; k += 1) begin
-      for (int unsigned i = 0; i < 3; i += 1) p6_q[3*k+i] <= PpW'(n5_q[i]) * PpW'(r5_q[3*k+i]);
-      p7_q[k] <= (NW-1)'(near6[k] < 0 ? NW'(0) - near6[k] : near6[k]) + (NW-1)'(Error);
+      for (int unsigned i = 0; i < 3; i += 1) if (load[6]) p6_q[3*k+i] <= PpW'(n5_q[i]) * PpW'(r5_q[3*k+i]);
+      if (load[7]) p7_q[k] <= (NW-1)'(near6[k] < 0 ? NW'(0) - near6[k] : near6[k]) + (NW-1)'(Error);
     end
   end
 
@@ -311,21 +325,25 @@ module pu_reach (
                      (WeightW + SpreadMW)'(255);
   always_ff @(posedge clk_i) begin
     for (int unsigned k = 0; k < 3; k += 1) begin
-      q8_q[k] <= q7[k][6 +: NW - 1];
-      q9_q[k] <= (2 * NW - 2)'(q8_q[k]) * (2 * NW - 2)'(q8_q[k]);
+      if (load[8]) q8_q[k] <= q7[k][6 +: NW - 1];
+      if (load[9]) q9_q[k] <= (2 * NW - 2)'(q8_q[k]) * (2 * NW - 2)'(q8_q[k]);
     end
-    sum10_q   <= sum9[7 +: ReachSumW];
-    weight9_q <= pipegs_pkg::ReachWeights[WeightW*32'(opacity_q[8]) +: WeightW];
-    spread9_q <= {1'b1, along_x_q[8] ? lens_i.spread_x[7:0] : lens_i.spread_y[7:0]};
-    span10_q  <= weighted9[8 +: SpanW];
-    far10_q   <= 24'(far_q[9]) * 24'(far_q[9]);
+    if (load[9]) begin
+      weight9_q <= pipegs_pkg::ReachWeights[WeightW*32'(opacity_q[8]) +: WeightW];
+      spread9_q <= {1'b1, along_x_q[8] ? lens_i.spread_x[7:0] : lens_i.spread_y[7:0]};
+    end
+    if (load[10]) begin
+      sum10_q  <= sum9[7 +: ReachSumW];
+      span10_q <= weighted9[8 +: SpanW];
+      far10_q  <= 24'(far_q[9]) * 24'(far_q[9]);
+    end
   end
 
   // --- stages 11 and 12: what is compared --------------------------------------------------------------------------
   localparam int unsigned ReachW = SpanW + ReachSumW;
   logic [ReachW-1:0] reach11_q;
   logic [54:0]       far11_q;
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_i) if (load[11]) begin
     reach11_q <= ReachW'(span10_q) * ReachW'(sum10_q);
     far11_q   <= {far10_q, 31'd0} >> down_q[10];
   end

@@ -126,21 +126,28 @@ module recip #(
   assign sum        = {1'b0, y1_q, {(OutF - ValueW){1'b0}}} + $unsigned(correction) + ((OutF + 1)'(1) << (Cut - 1));
   assign out_o      = out_q;
 
-  always_ff @(posedge clk_i) begin
-    {value_q, slope_q} <= line(v[WorkW-2-:IndexW]);
-    v1_q    <= v;
-    y0_q    <= value_q - ValueW'(drop >> SlopeW);
-    v2_q    <= v1_q;
-    error_q <= $signed(rest[ErrorW+12:13]);
-    y1_q    <= y0_q;
-    out_q   <= sum[OutF] ? '1 : sum[OutF-1:Cut];
-  end
-
-  logic [3:0] valid_q;
+  logic [3:0] valid_q, load;  // a stage's registers are clocked for a value only
+  assign load        = {valid_q[2:0], in_valid_i};
   assign out_valid_o = valid_q[3];
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) valid_q <= '0;
-    else         valid_q <= {valid_q[2:0], in_valid_i};
+    else         valid_q <= load;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (load[0]) begin
+      {value_q, slope_q} <= line(v[WorkW-2-:IndexW]);
+      v1_q <= v;
+    end
+    if (load[1]) begin
+      y0_q <= value_q - ValueW'(drop >> SlopeW);
+      v2_q <= v1_q;
+    end
+    if (load[2]) begin
+      error_q <= $signed(rest[ErrorW+12:13]);
+      y1_q    <= y0_q;
+    end
+    if (load[3]) out_q <= sum[OutF] ? '1 : sum[OutF-1:Cut];
   end
 
   wire unused_sum = &{1'b0, sum[Cut-1:0], product[WorkW+ValueW-1:ErrorW+13], rest[12:0]};
