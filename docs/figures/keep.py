@@ -269,6 +269,27 @@ def energy(found):
     return result
 
 
+def gating(found):
+    """Of one design point: its clocks, by row and by module (uJ of a frame), and frames for energy."""
+    (row,) = found["rungs"]
+    keys = ("flipflops", "gated", "unseen")
+    uj = lambda one, *names: {name: 1e6 * one[f"{name}_j"] for name in names}
+    rows = {
+        one["name"]: {key: one[key] for key in keys} | uj(one, "clocks", "ungated", "gates", "open")
+        for one in row["energy"]
+        if one["flipflops"]
+    }
+    modules = [
+        pick("row", "module", "flipflops", "gated")(one)
+        | {"gated_uj": 1e6 * one["gated_j"]}
+        | uj(one, "ungated", "gates")
+        for one in row["clocks"][:12]
+    ]
+    frames = pick("cycles", "frames_per_joule", "frames_per_joule_with_dram")(row)
+    chip = next(one for one in row["energy"] if one["name"] == "Total")
+    return frames | {"chip_uj": 1e6 * chip["frame_j"]["mid"], "rows": rows, "modules": modules}
+
+
 def accuracy(found):
     """The base, what the last decibel of each knob costs, and the fronts over cycles and area."""
 

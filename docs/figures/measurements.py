@@ -16,6 +16,7 @@ from keep import (
     fetched,
     fidelity,
     frame,
+    gating,
     golden,
     host,
     host_model,
@@ -41,6 +42,10 @@ from scenes import SIZES, VIEWS_OF_SIZE
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory")
 POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact")
+GATED = {  # whose clocks energy.md shows, on our own scene
+    "dpc": "--rung dpc",
+    "fast": "--rung exact --config sim/fast.cfg --set records=1024",
+}
 
 
 @dataclass(frozen=True)
@@ -191,6 +196,8 @@ TABLE = [
                 points=POINTS, chart="silicon.svg"),
     Measurement("energy/terrace", "build/pipegs silicon {scene} --rungs baseline,dop,exact --json", energy,
                 (*RTL, "synth"), "terrace", 1, ("baseline", "dop", "exact")),
+    *[Measurement(f"gating/{name}", f"build/pipegs silicon {options} --json", gating, (*RTL, "synth"),
+                  points=(options.split()[1],)) for name, options in GATED.items()],
     *[Measurement(f"energy/{scene}_sky130", "build/pipegs silicon {scene} --library sky130hd_tt --json", energy,
                   (*RTL, "synth"), scene, view, ("dop",)) for scene, view in (("own", 0), ("terrace", 1))],
     *[Measurement(f"accuracy/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --out accuracy/{scene} "

@@ -4,7 +4,7 @@ from data import data
 from formats import fixed, group, percent, table, times
 from pages.silicon.silicon import either, ranged
 
-MEASURED = ["energy/*"]
+MEASURED = ["energy/*", "gating/*"]
 POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact")
 ROWS = ("DOPU", "PU", "SU", "RU", "Other", "Buffers", "Total", "DRAM")
 PAPER = {"DOPU": 0.004, "PU": 0.466, "SU": 0.068, "RU": 0.171, "Buffers": 0.236, "Total": 0.948}  # W, Table 2
@@ -90,6 +90,64 @@ def joules(scene):
         ],
         rows,
     )
+
+
+def gated():
+    """Of the machines in gating/: which flip-flops have a gate, and what their clocks take."""
+    rows = []
+    for name, title in (("dpc", "`dpc`"), ("fast", "`sim/fast.cfg`, 1024 records")):
+        if name not in data.gating:
+            continue
+        point = data.gating[name]
+        all_rows = point.rows.Total
+        open_edges = (all_rows.clocks - all_rows.ungated - all_rows.gates) / all_rows.open
+        rows.append(
+            [
+                title,
+                group(all_rows.flipflops),
+                percent(all_rows.gated / all_rows.flipflops, 1),
+                percent(all_rows.unseen / all_rows.flipflops, 2),
+                percent(open_edges, 1),
+                group(all_rows.clocks),
+                group(all_rows.ungated),
+                group(all_rows.gates),
+                group(point.chip_uj),
+                group(point.frames_per_joule),
+                group(point.frames_per_joule_with_dram),
+            ]
+        )
+    return table(
+        [
+            "machine",
+            "flip-flops",
+            "behind a gate",
+            "enable not seen",
+            "edges that pass",
+            "uJ of clocks",
+            "without a gate",
+            "the gates",
+            "uJ of the chip",
+            "frames/J",
+            "with DRAM",
+        ],
+        rows,
+    )
+
+
+def gated_modules(name):
+    """Where the clocks of a machine go."""
+    rows = [
+        [
+            one.row,
+            f"`{one.module}`",
+            group(one.flipflops),
+            group(one.gated),
+            fixed(one.ungated, 1),
+            fixed(one.gated_uj, 1),
+        ]
+        for one in data.gating[name].modules
+    ]
+    return table(["unit", "module", "flip-flops", "behind a gate", "uJ without a gate", "uJ behind gates"], rows)
 
 
 def uj(scene, point, unit):
