@@ -93,7 +93,7 @@ module pipegs_top #(
   logic [Units*SplatBits-1:0]               tap_splat;
   logic [pipegs_pkg::KindW-1:0]             tap_chunk_kind;
 
-  always_ff @(posedge clk_i) frame_q <= frame_i;
+  always_ff @(posedge clk_i) if (!busy_o) frame_q <= frame_i;
   assign running = busy_o && !restart;
 
   scheduler u_scheduler (

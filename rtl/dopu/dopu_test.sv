@@ -105,12 +105,14 @@ module dopu_test #(
   assign magnitude = (low[CornerW-1] ? ~low : low) | (high[CornerW-1] ? ~high : high);
 
   always_ff @(posedge clk_i) begin
-    magnitudes_q <= phase_q == '0 ? magnitude : magnitudes_q | magnitude;
-    low_q[0]  <= low;
-    high_q[0] <= high;
-    for (int unsigned i = 1; i < 4; i += 1) begin
-      low_q[i]  <= low_q[i-1];
-      high_q[i] <= high_q[i-1];
+    if (valid_q[0]) magnitudes_q <= phase_q == '0 ? magnitude : magnitudes_q | magnitude;
+    if (valid_q[1:0] != '0) begin
+      low_q[0]  <= low;
+      high_q[0] <= high;
+      for (int unsigned i = 1; i < 4; i += 1) begin
+        low_q[i]  <= low_q[i-1];
+        high_q[i] <= high_q[i-1];
+      end
     end
   end
 

@@ -42,8 +42,8 @@ module skid #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (out_free) out_q <= spare_valid_q ? spare_q : in_i;
-    if (in_ready_o) spare_q <= in_i;
+    if (out_free && (spare_valid_q || in_valid_i)) out_q <= spare_valid_q ? spare_q : in_i;
+    if (in_ready_o && in_valid_i) spare_q <= in_i;
   end
 
 endmodule

@@ -242,7 +242,7 @@ mutant scheduler "windows counted in the width of a column" 's/(CountW *= )2 \* 
 group lib "Library"
 mutant fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
 mutant saturate "beyond the range the sign is kept twice" 's/\{!in_i\[InW-1\]\}/{in_i[InW-1]}/'
-mutant skid "the spare register is overwritten" 's/if \(in_ready_o\) spare_q/spare_q/'
+mutant skid "the spare register is overwritten" 's/in_ready_o && in_valid_i\) spare_q/in_valid_i) spare_q/'
 mutant normalize "the largest shift is one less" 's/( < DataW)\)/\1 - 1)/'
 mutant first_set "lowest bit: negation for two's complement" "s/~mask_i \+ 1'b1/~mask_i/"
 mutant bit_length "the place of the bit, counted from 0" "s/LengthW'\(i \+ 1\)/LengthW'(i)/"
