@@ -44,7 +44,7 @@ MODEL = ("models", "timing", "memory")
 POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact")
 GATED = {  # whose clocks energy.md shows, on our own scene
     "dpc": "--rung dpc",
-    "fast": "--rung exact --config sim/fast.cfg --set records=1024",
+    "fast": "--rung exact --config sim/fast.cfg",
 }
 
 
@@ -81,7 +81,7 @@ WHAT_IF = {  # of the design point exact: one thing changed
 ADDED = {  # from exact towards sim/fast.cfg: what each step adds to the one before
     "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", "--config sim/fine.cfg --set quads=1"),
     "window128": ("windows of four parts", "--set window=128"),
-    "buckets": ("buckets of 1/128 octave", "--set bucket_bits=7"),
+    "buckets": ("buckets of 1/64 octave", "--set bucket_bits=6"),
     "tests2": ("two tests of regions in a cycle", "--set tests=2"),
     "tight": ("a cull by the ellipse itself", "--set tight_cull=1"),
 }
