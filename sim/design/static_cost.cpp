@@ -129,7 +129,8 @@ void add_buffers(const Config& c, StaticCost& cost) {
   };
   const int units = c.units, splat = record_width<Splat>(c), memory = c.memory_w();
   if (c.has_stores()) add("alpha store u_lines", "alphas", c.line_w(), c.alpha_lines, units);
-  add("RU u_pixels", "pixels", c.tap_word_w(), c.regions() / units * 4, 2 * units * c.tap_lanes());
+  const int halves = c.quads ? 1 : 2;  // of the pixels: lanes of living quads hand them over region by region
+  add("RU u_pixels", "pixels", c.tap_word_w(), c.regions() / units * 4, halves * units * c.tap_lanes());
 
   add("SU u_records", "records", splat - c.key_w() - c.kind_w(), c.records, units);
   add("SU u_keys", "records", c.key_w(), c.records, units);

@@ -24,7 +24,7 @@ Ru::Ru(const Machine& m, int lane)
       own_(ru_own_mask(m.config, lane)) {
   for (size_t part = 0; part < static_cast<size_t>(m.config.parts()); ++part) owned_.mask[part] = own_;
   set_window(m, 0);
-  drain_.start(0, owned_, true, 0);
+  if (quads_) drain_.start(0, owned_, true, 0);
 }
 
 void Ru::set_window(const Machine& m, size_t window) {
