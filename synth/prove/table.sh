@@ -13,7 +13,7 @@
 # --- rtl/lib ----------------------------------------------------------------------------------------------------------
 # Every bit of a word travels by itself, so a few bits stand for all widths.
 proof  skid "skid+" "DataW=1; DataW=8; DataW=64"
-mutant "the spare register is overwritten" 's/if \(in_ready_o\) spare_q/spare_q/'
+mutant "the spare register is overwritten" 's/in_ready_o && in_valid_i\) spare_q/in_valid_i) spare_q/'
 mutant "the spare register is never emptied" 's/(spare_valid_q <= )!out_free \&\& /\1/'
 mutant "the spare beat is lost" 's/spare_valid_q \? spare_q : in_i/in_i/'
 

@@ -49,7 +49,7 @@ TEST_F(ConfigFile, TheFastestMachine) {
   apply_config_file(PIPEGS_SOURCE_DIR "/sim/fast.cfg", config);
   EXPECT_EQ(config_difference(config),
             "window=128,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,"
-            "tight_cull=1,tests=2,alpha_w=10,pixel_w=32,records=1536,bucket_bits=7");
+            "tight_cull=1,tests=2,alpha_w=10,pixel_w=32,records=1536,bucket_bits=6");
 }
 
 TEST_F(ConfigFile, BlanksAndCommentsDoNotCount) {

@@ -111,7 +111,7 @@ TEST(Timing, LivingQuads) {
 // The same with windows of four parts.
 TEST(Timing, WindowsOfFourParts) {
   SimulateOptions options = living_quads();
-  for (const char* setting : {"window=128", "tests=2", "pixel_w=32", "records=1536", "bucket_bits=7", "tight_cull=1"})
+  for (const char* setting : {"window=128", "tests=2", "pixel_w=32", "records=1536", "bucket_bits=6", "tight_cull=1"})
     config_set(options.config, setting);
   expect_exact(TimedFrame(own_view(), options, 2, {3, 3}));
   expect_exact(TimedFrame({random_scene(9, 300, 0), test_camera(260, 150)}, options));

@@ -40,7 +40,7 @@ class Around : public Endpoint {
     for (uint64_t& when : closed_) when = kNever;
     for (int r = 0; r < kConfig.regions(); ++r)
       if (!open_.has(kConfig, r)) closed_[r] = bench_.cycle;
-    for (uint64_t& part : held_.mask) part = closing_ ? bench_.rng() & kAll : 0;
+    for (int part = 0; part < kConfig.parts(); ++part) held_.mask[part] = closing_ ? bench_.rng() & kAll : 0;
     for (int r = 0; r < kConfig.regions(); ++r) handed_[r] = held_.has(kConfig, r) ? kNever : 0;
   }
   void push(const Sorted& splat) {
