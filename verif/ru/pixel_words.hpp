@@ -12,6 +12,16 @@ inline int pixel_word_width(const Config& config) {
   return ru_word_pixels(config) * (3 * config.rgb_w + config.t_w + 1);
 }
 
+inline RegionState random_region(const Config& config, std::mt19937_64& rng) {
+  RegionState region{};
+  for (int i = 0; i < kRegionPixels; ++i) {
+    region.t[i] = rng() % ((1u << (config.t_w - 1)) + 1);
+    for (auto& channel : region.rgb) channel[i] = rng() % (1u << config.rgb_w);
+    region.done[i] = rng() % 2;
+  }
+  return region;
+}
+
 // A quarter, or with quads the quad that the group owns in a row of quads.
 inline Words pixel_word(const Config& config, const RegionState& region, int part, int group = 0) {
   Words words(pixel_word_width(config) / 32 + 2);

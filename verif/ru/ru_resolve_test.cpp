@@ -22,16 +22,6 @@ const Config kWhole = [] {
   return config;
 }();
 
-RegionState random_region(std::mt19937_64& rng) {
-  RegionState region{};
-  for (int i = 0; i < kRegionPixels; ++i) {
-    region.t[i] = rng() % ((1u << (kConfig.t_w - 1)) + 1);
-    for (auto& channel : region.rgb) channel[i] = rng() % (1u << kConfig.rgb_w);
-    region.done[i] = rng() % 2;
-  }
-  return region;
-}
-
 // One window: a pixel buffer with random, partly fresh words, and a memory that takes lines at some pace.
 void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
   Bench<Vru_resolve> bench(seed);
@@ -53,7 +43,7 @@ void resolve_window(Pace pace, uint64_t seed, bool expect_rate) {
   for (int r = 0; r < kConfig.regions(); ++r) outside.add(kConfig, r, !ru_inside(kConfig, frame, x, y, r));
   for (int slot = 0; slot < kConfig.regions() / kConfig.units; ++slot) {
     const int r = ru_region(kConfig, unit, slot);
-    RegionState region = random_region(bench.rng);
+    RegionState region = random_region(kConfig, bench.rng);
     const RegionState fresh = ru_fresh_region(kConfig, frame, x, y, r);
     for (int quarter = 0; quarter < 4; ++quarter) {
       const bool is_fresh = bench.rng() % 3 == 0;

@@ -25,16 +25,6 @@ const Config kWhole = [] {
   return config;
 }();
 
-RegionState random_region(std::mt19937_64& rng) {
-  RegionState region{};
-  for (int i = 0; i < kRegionPixels; ++i) {
-    region.t[i] = rng() % ((1u << (kConfig.t_w - 1)) + 1);
-    for (auto& channel : region.rgb) channel[i] = rng() % (1u << kConfig.rgb_w);
-    region.done[i] = rng() % 2;
-  }
-  return region;
-}
-
 class Around : public Endpoint {
  public:
   Around(Bench<Vru_drain>& bench, Pace pace, int unit) : bench_(bench), pace_(pace), unit_(unit) {
@@ -63,7 +53,7 @@ class Around : public Endpoint {
     std::vector<uint32_t> outside(port_words<decltype(Vru_drain::outside_i)>() + 1);
     for (int slot = 0; slot < kSlots; ++slot) {
       const int r = ru_region(kConfig, unit_, slot);
-      const RegionState region = random_region(bench_.rng);
+      const RegionState region = random_region(kConfig, bench_.rng);
       for (int row = 0; row < 4; ++row) words_.push_back(pixel_word(kWhole, region, row));
       if (!ru_inside(kConfig, frame_, x, y, r)) {
         put_bits(outside.data(), slot, 1, 1);
