@@ -122,7 +122,7 @@ module ru #(
   end else begin : gen_live
     ru_live u_blend (
       .clk_i, .rst_ni, .restart_i, .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .own_i(own), .columns_i(columns), .rows_i(rows), .done_o, .pixels_i, .number_i(number),
+      .own_i(own), .outside_i(outside), .columns_i(columns), .rows_i(rows), .done_o, .pixels_i, .number_i(number),
       .store_valid_o(store_valid), .store_ready_i(store_ready), .store_address_o(store_address),
       .store_data_o(store_data), .layer_done_o, .window_done_o, .issue_o(issue), .idle_o(blend_idle),
       .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_quarter_o, .tap_line_o,
@@ -131,7 +131,7 @@ module ru #(
     assign {read_valid_o, read_address_o, load_valid, load_address, memory, waits} = '0;
     logic unused_lines;
     assign unused_lines = &{1'b0, overflow_i, read_ready_i, answer_valid_i, answer_i, load_ready, rsp_valid_i,
-                            rsp_data_i, outside};
+                            rsp_data_i};
   end
 
   ru_memory u_memory (

@@ -31,6 +31,7 @@ module ru_live #(
   input  pipegs_pkg::sorted_t               in_i,
 
   input  logic [Regions-1:0]                own_i,
+  input  logic [Regions-1:0]                outside_i,  // regions without a pixel inside the image
   input  logic [SideW-1:0]                  columns_i,  // pixels of the window inside the image; in the cycle behind
   input  logic [SideW-1:0]                  rows_i,     // restart_i or window_done_o they are those of the next one
   output logic [Regions-1:0]                done_o,     // own regions that need nothing more
@@ -100,7 +101,7 @@ module ru_live #(
       assign all[g] = stopped[g*Words+4*i +: 4] == '1;
     end
     assign slots_stopped[i] = all == '1;
-    assign slots_out[i]     = outside[16*i +: 16] == '1;
+    assign slots_out[i]     = (own_i[i*Units +: Units] & outside_i[i*Units +: Units]) != '0;
   end
   for (genvar i = 0; i < Regions; i += 1) begin : gen_done
     assign done_o[i] = own_i[i] && !clear_q && slots_stopped[i/Units];
