@@ -27,6 +27,13 @@ constexpr int clog2(int n) {
   return bits;
 }
 
+// The largest power of two that is not above n.
+constexpr int power_floor(int n) {
+  int power = 1;
+  while (2 * power <= n) power *= 2;
+  return power;
+}
+
 struct Config {
 #define PIPEGS_CONFIG(name, Name, value, low, high, unit, what) int name = value;
 #define PIPEGS_DERIVED(name, Name, expression, what)

@@ -208,14 +208,15 @@ constexpr const char* kBundles = R"(
     logic [RecordW-1:0] head;  // the first slot
     logic [RecordW:0] count;
   } su_chain_t;
-  typedef struct packed {  // in an SU: a key of a set that spilled comes back into the pool
-    logic claim;  // the pool's ports are taken
+  typedef struct packed {  // in an SU: keys of a set that spilled come back into the pool
     logic write;
     logic [RecordW-1:0] slot;
     logic [KeyW-1:0] key;
     logic [SlotW-1:0] number;  // its record's, in external memory
-  } su_selected_t;
-  typedef struct packed {  // in an SU: such keys, as many as fit the pool, linked from the last slot to the first
+    logic read;  // of the key in read_slot
+    logic [RecordW-1:0] read_slot;
+  } su_external_t;
+  typedef struct packed {  // in an SU: such keys, to be sorted in the pool; linked from the last slot to the first
     logic [RecordW:0] count;
     logic [KeyW-1:0] min;
     logic [KeyW-1:0] max;

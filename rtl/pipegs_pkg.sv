@@ -271,6 +271,9 @@ package pipegs_pkg;
   localparam int unsigned RuDrained      = 2;  // words of finished pixels that wait for memory in an RU (quads)
   localparam int unsigned NodeLines      = 32;  // lines of the node tables in flight or waiting, each level
   localparam int unsigned SuMarks        = 4;  // watermarks of two windows, or ends of two layers, that an SU keeps
+  localparam int unsigned SuWays         = 16;  // sorted runs in external memory that an SU merges at once (overflow)
+  localparam int unsigned SuWayLines     = 8;  // lines of each of them that its pool holds, eight slots each
+  localparam int unsigned SuRunKeys      = 7;  // keys of a run in a line, each with the number of its record
   localparam int unsigned RuQueue        = 16;  // Gaussians before an RU: evens out which one has more to do
   localparam int unsigned RuRecords      = 40;  // Gaussians in an RU whose lines of alphas are on their way
 
@@ -1007,14 +1010,15 @@ package pipegs_pkg;
     logic [RecordW-1:0] head;  // the first slot
     logic [RecordW:0] count;
   } su_chain_t;
-  typedef struct packed {  // in an SU: a key of a set that spilled comes back into the pool
-    logic claim;  // the pool's ports are taken
+  typedef struct packed {  // in an SU: keys of a set that spilled come back into the pool
     logic write;
     logic [RecordW-1:0] slot;
     logic [KeyW-1:0] key;
     logic [SlotW-1:0] number;  // its record's, in external memory
-  } su_selected_t;
-  typedef struct packed {  // in an SU: such keys, as many as fit the pool, linked from the last slot to the first
+    logic read;  // of the key in read_slot
+    logic [RecordW-1:0] read_slot;
+  } su_external_t;
+  typedef struct packed {  // in an SU: such keys, to be sorted in the pool; linked from the last slot to the first
     logic [RecordW:0] count;
     logic [KeyW-1:0] min;
     logic [KeyW-1:0] max;

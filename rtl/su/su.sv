@@ -75,10 +75,10 @@ module su (
   logic [RecordW-1:0]       sort_slot, sort_write_slot, sort_write_link, stored_link, payload_slot;
   logic [KeyW-1:0]          stored_key;
   logic [SplatBits-pipegs_pkg::KindW-KeyW-1:0] payload;
-  pipegs_pkg::su_selected_t selected;
+  pipegs_pkg::su_external_t external;
 
   su_stores u_stores (
-    .clk_i, .write_i(write), .slot_i(slot), .record_i(record), .selected_i(selected),
+    .clk_i, .write_i(write), .slot_i(slot), .record_i(record), .external_i(external),
     .link_i(link), .link_ready_o(link_ready), .link_slot_i(link_slot), .link_to_i(link_to),
     .split_claim_i(sort_claim), .split_link_i(sort_write), .split_link_slot_i(sort_write_slot),
     .split_link_to_i(sort_write_link), .split_read_i(sort_read), .split_slot_i(sort_slot), .split_key_o(stored_key),
@@ -86,29 +86,37 @@ module su (
   );
 
   // --- chains -> sorted keys ----------------------------------------------------------------------------------------
-  logic                     group_valid, item_valid, item_ready, sort_idle, sort_moves;
+  logic                     group_valid, sorted_valid, item_valid, item_ready, sort_idle, sort_moves;
   pipegs_pkg::su_group_t    group;
-  pipegs_pkg::su_item_t     item;
+  pipegs_pkg::su_item_t     sorted, item;
 
   su_sort u_sort (
     .clk_i, .rst_ni, .octave_i, .chain_valid_i(chain_valid), .chain_ready_o(chain_ready), .chain_i(chain),
     .group_valid_i(group_valid), .group_i(group),
     .read_o(sort_read), .slot_o(sort_slot), .key_i(stored_key), .link_i(stored_link),
     .claim_o(sort_claim), .write_o(sort_write), .write_slot_o(sort_write_slot), .write_link_o(sort_write_link),
-    .item_valid_o(item_valid), .item_ready_i(item_ready), .item_o(item),
+    .item_valid_o(sorted_valid), .item_ready_i(item_ready), .item_o(sorted),
     .split_idle_o(split_idle), .idle_o(sort_idle), .moves_o(sort_moves)
   );
 
   // --- sorted keys -> splats ----------------------------------------------------------------------------------------
-  logic                     divert, selecting, all_selected, back_valid, back_ready, output_empty, output_moves;
+  logic                     merged_valid;  // the key comes from a merge in external memory; the sorter is empty then
+  logic [KeyW-1:0]          merged_key;
+  logic [RecordW-1:0]       merged_slot;
+  logic                     divert, spilled, keep, all_sent, kept_valid, kept_ready, back_valid, back_ready;
+  logic                     output_empty, output_moves;
   logic                     read_valid, read_ready, line_valid, line_ready;
   logic [pipegs_pkg::SlotW-1:0] read_line;
   logic [SplatBits-1:0]     line;
 
+  assign item_valid = sorted_valid || merged_valid;
+  assign item       = merged_valid ? {1'b0, merged_key, merged_slot} : sorted;
+
   su_output u_output (
     .clk_i, .rst_ni, .octave_i, .item_valid_i(item_valid), .item_ready_o(item_ready), .item_i(item),
-    .selecting_i(selecting), .all_selected_i(all_selected), .selected_i(selected),
+    .spilled_i(spilled), .keep_i(keep), .all_sent_i(all_sent), .external_i(external),
     .mark_valid_i(mark_valid), .mark_i(mark), .mark_first_o(mark_first), .mark_ready_o(mark_ready), .done_o(spill_done),
+    .kept_valid_o(kept_valid), .kept_ready_i(kept_ready),
     .read_valid_o(read_valid), .read_ready_i(read_ready), .read_line_o(read_line),
     .line_valid_i(line_valid), .line_ready_o(line_ready), .line_i(line),
     .record_read_o(payload_read), .record_slot_o(payload_slot), .record_i(payload), .free_o(free),
@@ -124,24 +132,28 @@ module su (
     su_overflow u_overflow (
       .clk_i, .rst_ni, .overflow_i, .unit_i, .start_i(spill_start), .drained_i(drained), .empty_i(empty),
       .ended_i(spill_ended), .done_i(spill_done), .job_valid_o(job_valid), .job_done_i(job_done), .divert_o(divert),
-      .selecting_o(selecting), .all_sent_o(all_selected), .record_valid_i(spill_valid), .record_ready_o(spill_ready),
-      .record_i(record), .back_valid_i(back_valid), .back_ready_o(back_ready), .back_i(out_o),
-      .selected_o(selected), .group_valid_o(group_valid), .group_o(group), .sorted_i(sort_idle), .sent_i(output_empty),
+      .spilled_o(spilled), .keep_o(keep), .sent_o(all_sent), .record_valid_i(spill_valid),
+      .record_ready_o(spill_ready), .record_i(record), .back_valid_i(back_valid), .back_ready_o(back_ready),
+      .back_i(out_o), .external_o(external), .key_i(stored_key), .group_valid_o(group_valid), .group_o(group),
+      .item_valid_o(merged_valid), .item_ready_i(item_ready), .item_key_o(merged_key), .item_slot_o(merged_slot),
+      .kept_valid_i(kept_valid), .kept_ready_o(kept_ready), .kept_key_i(item.key),
       .read_valid_i(read_valid), .read_ready_o(read_ready), .read_line_i(read_line),
       .line_valid_o(line_valid), .line_ready_i(line_ready), .line_o(line),
       .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o, .rsp_valid_i, .rsp_data_i,
       .written_o(overflow_o), .waits_o(port_waits), .moves_o(overflow_moves), .active_o(port_active)
     );
   end else begin : gen_room
-    assign {job_valid, divert, selecting, all_selected, spill_ready, back_ready, group_valid} = '0;
+    assign {job_valid, divert, spilled, keep, all_sent, spill_ready, kept_ready, back_ready, group_valid} = '0;
+    assign {merged_valid, merged_key, merged_slot} = '0;
     assign {read_ready, line_valid, line} = '0;
     assign {mem_valid_o, mem_write_o, mem_address_o, mem_data_o} = '0;
     assign {overflow_o, port_waits, overflow_moves, port_active} = '0;
-    assign selected = '0;
+    assign external = '0;
     assign group    = '0;
     logic unused_overflow;
     assign unused_overflow = &{1'b0, overflow_i, unit_i, mem_ready_i, rsp_valid_i, rsp_data_i, record, job_done, empty,
-                               spill_start, spill_ended, spill_valid, back_valid, read_valid, read_line, line_ready};
+                               spill_start, spill_ended, spill_valid, back_valid, kept_valid, read_valid, read_line,
+                               line_ready};
   end
 
   // --- what the unit does in this cycle -----------------------------------------------------------------------------
@@ -154,5 +166,11 @@ module su (
     if (port_waits) perf_o = pipegs_pkg::PerfMemory;
     if (moves) perf_o = pipegs_pkg::PerfBusy;
   end
+
+`ifndef SYNTHESIS
+  assert property (@(posedge clk_i) disable iff (!rst_ni) external.write |-> !write && !link);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) external.read |-> !sort_read);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) merged_valid |-> !sorted_valid);
+`endif
 
 endmodule

@@ -3,8 +3,9 @@
 //
 // Idea    Sorted keys wait in a queue while their records are fetched: from the pool when their turn comes, which frees
 //         the slot, from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of a
-//         set that spilled has a record number of its own, kept beside the key store. Ends walk through the queue
-//         behind their layer, so the next layer is sorted meanwhile.
+//         set that spilled has a record number of its own, kept beside the key store; while that set is still being
+//         sorted key and number go back to external memory. Ends walk through the queue behind their layer, so the next
+//         layer is sorted meanwhile.
 // Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was
 //         read.
 // Pace    One splat per cycle; of a set that spilled one in two cycles, or as fast as the memory gives lines.
@@ -20,14 +21,17 @@ module su_emit (
   input  logic [pipegs_pkg::RecordW-1:0]  item_slot_i,
   input  logic                            item_end_i,   // kind in the slot's low bits
   input  logic                            spilled_i,    // slots are those of a set that spilled
+  input  logic                            keep_i,       // its keys go to kept, with their numbers
 
   input  logic                            number_write_i,  // record numbers of that set
   input  logic [pipegs_pkg::RecordW-1:0]  number_slot_i,
   input  logic [pipegs_pkg::SlotW-1:0]    number_i,
 
+  output logic                            kept_valid_o,
+  input  logic                            kept_ready_i,
   output logic                            read_valid_o,
   input  logic                            read_ready_i,
-  output logic [pipegs_pkg::SlotW-1:0]    read_line_o,
+  output logic [pipegs_pkg::SlotW-1:0]    read_line_o,  // the record's number, also of kept
   input  logic                            line_valid_i,
   output logic                            line_ready_o,
   input  logic [pipegs_pkg::SplatBits-1:0] line_i,
@@ -69,9 +73,11 @@ module su_emit (
   assign outside      = pipegs_pkg::Overflow != 0 && spilled_i && !item_end_i;
   assign look         = item_valid_i && outside && !looked_q;
   assign known        = !outside || looked_q;
-  assign read_valid_o = item_valid_i && outside && looked_q && queue_ready;
+  assign kept_valid_o = item_valid_i && outside && looked_q && keep_i;
+  assign read_valid_o = item_valid_i && outside && looked_q && queue_ready && !keep_i;
   assign read_line_o  = number;
-  assign item_ready_o = known && queue_ready && (!outside || read_ready_i);
+  assign item_ready_o = keep_i && outside ? looked_q && kept_ready_i
+                                          : known && queue_ready && (!outside || read_ready_i);
   assign item_go      = item_valid_i && item_ready_o;
 
   // The queue of sorted keys, and the beat whose record is being read.
@@ -89,7 +95,7 @@ module su_emit (
   assign entry = {item_end_i ? item_slot_i[KindW-1:0] : pipegs_pkg::KindData, outside, item_slot_i, item_key_i};
   sram_fifo #(.DataW(EntryW), .Depth(pipegs_pkg::SuWaiting)) u_waiting (
     .clk_i, .rst_ni,
-    .in_valid_i(item_go), .in_ready_o(queue_ready), .in_i(entry),
+    .in_valid_i(item_go && !(keep_i && outside)), .in_ready_o(queue_ready), .in_i(entry),
     .out_valid_o(head_valid), .out_ready_i(head_ready), .out_o(head),
     .count_o(waiting)
   );

@@ -22,15 +22,18 @@ module su_output #(
   output logic                     item_ready_o,
   input  pipegs_pkg::su_item_t     item_i,
 
-  input  logic                     selecting_i,     // the keys are of a set that spilled
-  input  logic                     all_selected_i,  // no more of them come
-  input  pipegs_pkg::su_selected_t selected_i,
+  input  logic                     spilled_i,       // the keys are of a set that spilled
+  input  logic                     keep_i,          // it is still being sorted: they go to kept
+  input  logic                     all_sent_i,      // no more of them come
+  input  pipegs_pkg::su_external_t external_i,
   input  logic                     mark_valid_i,
   input  pipegs_pkg::su_mark_t     mark_i,
   output logic                     mark_first_o,
   output logic                     mark_ready_o,
   output logic                     done_o,          // the last mark of the set leaves
 
+  output logic                     kept_valid_o,
+  input  logic                     kept_ready_i,
   output logic                     read_valid_o,    // of external memory
   input  logic                     read_ready_i,
   output logic [NumberW-1:0]       read_line_o,
@@ -55,24 +58,25 @@ module su_output #(
   output logic                     moves_o
 );
 
-  logic valid, emit_ready, emit_valid;
+  logic valid, emit_ready, emit_valid, sends;
   logic [pipegs_pkg::BucketW-1:0] bucket;  // of the key
 
   su_bucket u_bucket (.octave_i, .depth_i(item_i.key[KeyW-1 -: pipegs_pkg::DepthW]), .bucket_o(bucket));
 
-  assign mark_first_o = selecting_i && mark_valid_i && ((all_selected_i && !item_valid_i) ||
+  assign sends        = spilled_i && !keep_i;
+  assign mark_first_o = sends && mark_valid_i && ((all_sent_i && !item_valid_i) ||
                         (!mark_i.all && item_valid_i && mark_i.bucket <= bucket));
   assign mark_ready_o = emit_ready;
   assign done_o       = mark_first_o && mark_i.all && emit_ready;
-  assign emit_valid   = mark_first_o || (item_valid_i && (!selecting_i || mark_valid_i));
-  assign item_ready_o = emit_ready && !mark_first_o && (!selecting_i || mark_valid_i);
+  assign emit_valid   = mark_first_o || (item_valid_i && (!sends || mark_valid_i));
+  assign item_ready_o = emit_ready && !mark_first_o && (!sends || mark_valid_i);
 
   su_emit u_emit (
     .clk_i, .rst_ni, .item_valid_i(emit_valid), .item_ready_o(emit_ready), .item_end_i(mark_first_o || item_i.is_end),
     .item_key_i(item_i.key), .item_slot_i(mark_first_o ? RecordW'(mark_i.kind) : item_i.slot),
-    .spilled_i(selecting_i),
-    .number_write_i(selected_i.write), .number_slot_i(selected_i.slot), .number_i(selected_i.number),
-    .read_valid_o, .read_ready_i, .read_line_o, .line_valid_i, .line_ready_o, .line_i,
+    .spilled_i, .keep_i,
+    .number_write_i(external_i.write), .number_slot_i(external_i.slot), .number_i(external_i.number),
+    .kept_valid_o, .kept_ready_i, .read_valid_o, .read_ready_i, .read_line_o, .line_valid_i, .line_ready_o, .line_i,
     .record_read_o, .record_slot_o, .record_i,
     .out_valid_o(valid), .out_ready_i(divert_i ? back_ready_i : out_ready_i), .out_o,
     .free_o, .free_slot_o, .empty_o, .active_o(moves_o)
@@ -80,7 +84,7 @@ module su_output #(
   assign back_valid_o = valid;
   assign out_valid_o  = valid && !divert_i;
 
-  logic unused;  // claim and key are the stores'
-  assign unused = &{1'b0, selected_i};
+  logic unused;  // the key is the stores'
+  assign unused = &{1'b0, external_i};
 
 endmodule

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// su_overflow: the way of a set that does not fit the pool: to external memory, and back in parts that fit.
+// su_overflow: the way of a set that does not fit the pool: to external memory, sorted there, and back.
 //
 // Paper   None: its buffers hold every layer. Without it a scene could not be rendered whatever its layers hold.
-// Idea    su_spill takes the set's records out, su_select brings their keys back store by store, su_port writes and
-//         reads their lines. Only wiring here.
-// Stream  records in; keys back into the stores; lines to su_select and su_emit. mem: one port that writes and reads.
+// Idea    su_spill takes the set's records out, su_external sorts their keys, su_port writes and reads their lines.
+//         Only wiring here.
+// Stream  records in; keys to and from the pool; sorted keys (item) out; lines to su_external and su_emit. mem: one
+//         port that writes and reads.
 // Pace    su_port's: one request in two cycles.
 // Model   cpp_model/su/su.hpp: the order of what comes out does not depend on it.
 
@@ -23,14 +24,15 @@ module su_overflow #(
 
   input  logic                         start_i,    // the present set spills
   input  logic                         drained_i,  // nothing older is inside
-  input  logic                         empty_i,    // no slot is taken: so it is when the set comes back (asserted)
+  input  logic                         empty_i,    // no slot is taken: so it is when keys come back (asserted)
   input  logic                         ended_i,
   input  logic                         done_i,     // its last mark has left
   output logic                         job_valid_o,
   input  logic                         job_done_i,
-  output logic                         divert_o,     // what su_emit gives goes to memory
-  output logic                         selecting_o,  // the set comes back
-  output logic                         all_sent_o,   // all of it has been selected
+  output logic                         divert_o,   // what su_emit gives goes to memory
+  output logic                         spilled_o,  // the sorter's keys are of this set ...
+  output logic                         keep_o,     // ... which is still being sorted
+  output logic                         sent_o,     // all its keys have left
 
   input  logic                         record_valid_i,
   output logic                         record_ready_o,
@@ -39,11 +41,17 @@ module su_overflow #(
   output logic                         back_ready_o,
   input  logic [SplatBits-1:0]         back_i,
 
-  output pipegs_pkg::su_selected_t     selected_o,     // to the stores
-  output logic                         group_valid_o,  // the store is filled
+  output pipegs_pkg::su_external_t     external_o,     // to the stores
+  input  logic [KeyW-1:0]              key_i,          // a key that was read there
+  output logic                         group_valid_o,  // keys there are to be sorted
   output pipegs_pkg::su_group_t        group_o,
-  input  logic                         sorted_i,  // nothing is being sorted
-  input  logic                         sent_i,    // nor sent
+  output logic                         item_valid_o,   // sorted keys of the last merge
+  input  logic                         item_ready_i,
+  output logic [KeyW-1:0]              item_key_o,
+  output logic [RecordW-1:0]           item_slot_o,
+  input  logic                         kept_valid_i,   // sorted keys before it, with their numbers in read_line_i
+  output logic                         kept_ready_o,
+  input  logic [KeyW-1:0]              kept_key_i,
 
   input  logic                         read_valid_i,  // su_emit reads a record
   output logic                         read_ready_o,
@@ -66,19 +74,21 @@ module su_overflow #(
   output logic                         active_o   // of the port
 );
 
-  logic                 select_start, select_active, select_read, select_turn, select_line_ready;
-  logic                 spill_active, read_ready, write_claim, write;
-  logic                 line_record_valid, line_record_ready, keys_valid, keys_ready;
-  logic [NumberW-1:0]   spill_count, record_line, keys_line, select_line, write_number;
-  logic [RecordW-1:0]   write_slot;
+  localparam int unsigned WayW = $clog2(pipegs_pkg::SuWays);
+
+  logic                 open, closed, external_active, spill_active, fetch_list, fetch_area;
+  logic                 line_record_valid, line_record_ready, keys_valid, keys_ready, run_valid, run_ready, run_area;
+  logic                 fetch_valid, fetch_ready, line_taken, line_shown, line_fetch, fetched_taken;
+  logic [WayW-1:0]      fetch_way, line_way;
+  logic [NumberW-1:0]   spill_count, listed, record_line, keys_line, run_line, fetch_line;
   logic [RecordW:0]     group_count;
-  logic [KeyW-1:0]      spill_min, spill_max, write_key, group_min, group_max;
+  logic [KeyW-1:0]      spill_min, spill_max;
   logic [SplatBits-1:0] line_record;
-  logic [MemoryW-1:0]   keys, line;
+  logic [MemoryW-1:0]   keys, run, line;
 
   su_spill u_spill (
     .clk_i, .rst_ni, .start_i, .drained_i, .ended_i, .job_valid_o, .job_done_i,
-    .divert_o, .selecting_o, .select_start_o(select_start), .done_i,
+    .divert_o, .open_o(open), .listed_o(listed), .closed_o(closed), .done_i,
     .in_valid_i(record_valid_i), .in_ready_o(record_ready_o), .in_i(record_i),
     .back_valid_i, .back_ready_o, .back_i, .count_o(spill_count), .min_o(spill_min), .max_o(spill_max),
     .record_valid_o(line_record_valid), .record_ready_i(line_record_ready), .record_line_o(record_line),
@@ -86,39 +96,41 @@ module su_overflow #(
     .keys_valid_o(keys_valid), .keys_ready_i(keys_ready), .keys_line_o(keys_line), .keys_o(keys),
     .active_o(spill_active)
   );
+  assign spilled_o = open;
 
-  su_select u_select (
-    .clk_i, .rst_ni, .start_i(select_start), .count_i(spill_count), .min_i(spill_min), .max_i(spill_max),
-    .idle_o(all_sent_o), .active_o(select_active),
-    .read_valid_o(select_read), .read_ready_i(read_ready && select_read), .read_line_o(select_line),
-    .line_valid_i(line_valid_o && select_turn), .line_ready_o(select_line_ready), .line_i(line),
-    .write_claim_o(write_claim), .write_o(write), .write_slot_o(write_slot), .write_key_o(write_key),
-    .write_number_o(write_number), .group_o(group_valid_o), .group_count_o(group_count), .group_min_o(group_min),
-    .group_max_o(group_max), .group_done_i(sorted_i)
+  su_external u_external (
+    .clk_i, .rst_ni, .start_i, .open_i(open), .listed_i(listed), .closed_i(closed), .count_i(spill_count),
+    .sent_o, .done_i, .read_valid_o(fetch_valid), .read_ready_i(fetch_ready), .read_list_o(fetch_list),
+    .read_area_o(fetch_area), .read_line_o(fetch_line), .read_way_o(fetch_way),
+    .line_valid_i(line_shown && line_fetch), .line_ready_o(fetched_taken), .line_way_i(line_way), .line_i(line),
+    .run_valid_o(run_valid), .run_ready_i(run_ready), .run_area_o(run_area), .run_line_o(run_line), .run_o(run),
+    .pool_o(external_o), .pool_key_i(key_i), .group_o(group_valid_o), .group_count_o(group_count),
+    .item_valid_o, .item_ready_i, .item_key_o, .item_slot_o,
+    .keep_o, .kept_valid_i, .kept_ready_o, .kept_key_i, .kept_number_i(read_line_i), .active_o(external_active)
   );
-  assign selected_o = {write_claim, write, write_slot, write_key, write_number};
-  assign group_o    = {group_count, group_min, group_max};
+  assign group_o = {group_count, spill_min, spill_max};
 
   su_port u_port (
     .clk_i, .rst_ni, .overflow_i, .unit_i,
     .record_valid_i(line_record_valid), .record_ready_o(line_record_ready), .record_line_i(record_line),
     .record_i(line_record),
     .keys_valid_i(keys_valid), .keys_ready_o(keys_ready), .keys_line_i(keys_line), .keys_i(keys),
-    .read_valid_i(select_read || read_valid_i), .read_ready_o(read_ready), .read_keys_i(select_read),
-    .read_line_i(select_read ? select_line : read_line_i),
-    .line_valid_o, .line_ready_i(select_turn ? select_line_ready : line_ready_i), .line_o(line),
+    .run_valid_i(run_valid), .run_ready_o(run_ready), .run_area_i(run_area), .run_line_i(run_line), .run_i(run),
+    .fetch_valid_i(fetch_valid), .fetch_ready_o(fetch_ready), .fetch_area_i(!fetch_list && fetch_area),
+    .fetch_line_i(fetch_line), .fetch_way_i(fetch_way),
+    .read_valid_i, .read_ready_o, .read_line_i,
+    .line_valid_o(line_shown), .line_ready_i(line_taken), .line_fetch_o(line_fetch), .line_way_o(line_way),
+    .line_o(line),
     .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o, .rsp_valid_i, .rsp_data_i,
     .overflow_o(written_o), .waits_o, .active_o
   );
-
-  // The first line in flight is one of keys: all records that were asked for were sent.
-  assign select_turn  = selecting_o && sent_i && sorted_i;
-  assign read_ready_o = read_ready && !select_read;
+  assign line_valid_o = line_shown && !line_fetch;
+  assign line_taken   = line_fetch ? fetched_taken : line_ready_i;
   assign line_o       = line[SplatBits-1:0];
-  assign moves_o      = select_active || spill_active;
+  assign moves_o      = external_active || spill_active;
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) select_start |-> empty_i);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) group_valid_o |-> empty_i);
 `else
   logic unused_empty;
   assign unused_empty = empty_i;

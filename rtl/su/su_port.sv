@@ -2,13 +2,17 @@
 // su_port: the one memory port of an SU and the store for the lines that were read.
 //
 // Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the
-//         store has room for its answer, counted from the request to the moment the line is used. At most one
-//         overflowed layer lives: address = overflow + {unit, 0, area} * 2^24 + line.
-// Stream  record, keys: lines to write. read: the number of a line. line: the lines read, in order.
+//         store has room for its answer, counted from the request to the moment the line is used; a queue beside the
+//         store says whose line each one is. At most one overflowed layer lives: address = overflow +
+//         {unit, 0, area} * 2^24 + line. Area 1 has records, area 2 the list of keys, and areas 2 and 3 runs.
+// Stream  record, keys, run: lines to write. fetch: the number of a line of keys; read: of a record. line: the lines
+//         read, in order; line_fetch_o: it is one of keys, for line_way_o.
 // Pace    One request in two cycles, up to Answers reads in flight.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
-module su_port (
+module su_port #(
+  localparam int unsigned WayW = $clog2(pipegs_pkg::SuWays)
+) (
   input  logic                              clk_i,
   input  logic                              rst_ni,
   input  logic [pipegs_pkg::AddressW-1:0]   overflow_i,
@@ -23,13 +27,25 @@ module su_port (
   input  logic [pipegs_pkg::SlotW-1:0]      keys_line_i,
   input  logic [pipegs_pkg::MemoryW-1:0]    keys_i,
 
+  input  logic                              run_valid_i,
+  output logic                              run_ready_o,
+  input  logic                              run_area_i,   // 1: area 3, 0: area 2
+  input  logic [pipegs_pkg::SlotW-1:0]      run_line_i,
+  input  logic [pipegs_pkg::MemoryW-1:0]    run_i,
+
+  input  logic                              fetch_valid_i,
+  output logic                              fetch_ready_o,
+  input  logic                              fetch_area_i,  // as run_area_i
+  input  logic [pipegs_pkg::SlotW-1:0]      fetch_line_i,
+  input  logic [WayW-1:0]                   fetch_way_i,
   input  logic                              read_valid_i,
   output logic                              read_ready_o,
-  input  logic                              read_keys_i,  // a line of keys, else a record
   input  logic [pipegs_pkg::SlotW-1:0]      read_line_i,
 
   output logic                              line_valid_o,
   input  logic                              line_ready_i,
+  output logic                              line_fetch_o,
+  output logic [WayW-1:0]                   line_way_o,
   output logic [pipegs_pkg::MemoryW-1:0]    line_o,
 
   output logic                              mem_valid_o,
@@ -50,17 +66,19 @@ module su_port (
   localparam int unsigned AreaW = 2;
   localparam int unsigned OffsetW = pipegs_pkg::UnitW + 1 + AreaW + pipegs_pkg::SlotW;
   localparam logic [AreaW-1:0] RecordArea = 1;
-  localparam logic [AreaW-1:0] KeyArea = 2;
+  localparam logic [AreaW-1:0] ListArea = 2;  // and of every other level of runs
+  localparam logic [AreaW-1:0] RunArea = 3;
 
-  typedef enum logic [1:0] {None, Record, Keys, Read} choice_e;
+  typedef enum logic [2:0] {None, Record, Keys, Run, Fetch, Read} choice_e;
   choice_e choice_q, choice_d;
 
   logic [pipegs_pkg::AddressW-1:0] address_q;
   logic [OffsetW-1:0]              offset;
   logic [FlightW-1:0]              flight_q;  // lines asked for and not yet used
-  logic                            taken, used, room;
+  logic                            taken, asked, used, room;
   logic [FlightW-1:0]              stored;    // of these, the answered ones
-  logic                            unused_queue_ready;
+  logic [FlightW-1:0]              owners;
+  logic                            owner_valid, unused_queue_ready, unused_owner_ready;
 
   assign room  = flight_q != FlightW'(Answers);
   assign taken = mem_valid_o && mem_ready_i;
@@ -70,30 +88,43 @@ module su_port (
     choice_d = None;
     if (record_valid_i) choice_d = Record;
     else if (keys_valid_i) choice_d = Keys;
+    else if (run_valid_i) choice_d = Run;
+    else if (fetch_valid_i && room) choice_d = Fetch;
     else if (read_valid_i && room) choice_d = Read;
     unique case (choice_d)
       Record:  offset = {unit_i, 1'b0, RecordArea, record_line_i};
-      Keys:    offset = {unit_i, 1'b0, KeyArea, keys_line_i};
-      default: offset = {unit_i, 1'b0, read_keys_i ? KeyArea : RecordArea, read_line_i};
+      Keys:    offset = {unit_i, 1'b0, ListArea, keys_line_i};
+      Run:     offset = {unit_i, 1'b0, run_area_i ? RunArea : ListArea, run_line_i};
+      Fetch:   offset = {unit_i, 1'b0, fetch_area_i ? RunArea : ListArea, fetch_line_i};
+      default: offset = {unit_i, 1'b0, RecordArea, read_line_i};
     endcase
   end
 
   assign mem_valid_o    = choice_q != None;
-  assign mem_write_o    = choice_q != Read;
+  assign mem_write_o    = choice_q != Fetch && choice_q != Read;
   assign mem_address_o  = address_q;
-  assign mem_data_o     = choice_q == Keys ? keys_i : pipegs_pkg::MemoryW'(record_i);
+  assign mem_data_o     = choice_q == Keys ? keys_i : choice_q == Run ? run_i : pipegs_pkg::MemoryW'(record_i);
   assign record_ready_o = taken && choice_q == Record;
   assign keys_ready_o   = taken && choice_q == Keys;
+  assign run_ready_o    = taken && choice_q == Run;
+  assign fetch_ready_o  = taken && choice_q == Fetch;
   assign read_ready_o   = taken && choice_q == Read;
+  assign asked          = fetch_ready_o || read_ready_o;
   assign overflow_o     = taken && mem_write_o;
   assign waits_o        = mem_valid_o || (flight_q != '0 && !line_valid_o);
-  assign active_o       = mem_valid_o || choice_d != None || rsp_valid_i || used || (stored != '0 && !line_valid_o);
+  assign active_o       = mem_valid_o || choice_d != None || rsp_valid_i || used || (stored != '0 && !line_valid_o) ||
+                          (owners != '0 && !owner_valid);
 
   sram_fifo #(.DataW(pipegs_pkg::MemoryW), .Depth(Answers)) u_answers (
     .clk_i, .rst_ni,
     .in_valid_i(rsp_valid_i), .in_ready_o(unused_queue_ready), .in_i(rsp_data_i),
     .out_valid_o(line_valid_o), .out_ready_i(line_ready_i), .out_o(line_o),
     .count_o(stored)
+  );
+  sram_fifo #(.DataW(1 + WayW), .Depth(Answers)) u_owners (
+    .clk_i, .rst_ni,
+    .in_valid_i(asked), .in_ready_o(unused_owner_ready), .in_i({fetch_ready_o, fetch_way_i}),
+    .out_valid_o(owner_valid), .out_ready_i(used), .out_o({line_fetch_o, line_way_o}), .count_o(owners)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -103,8 +134,8 @@ module su_port (
     end else begin
       if (choice_q == None) choice_q <= choice_d;
       else if (taken) choice_q <= None;
-      if (read_ready_o && !used) flight_q <= flight_q + 1'b1;
-      if (used && !read_ready_o) flight_q <= flight_q - 1'b1;
+      if (asked && !used) flight_q <= flight_q + 1'b1;
+      if (used && !asked) flight_q <= flight_q - 1'b1;
     end
   end
 
@@ -114,6 +145,8 @@ module su_port (
 
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) rsp_valid_i |-> unused_queue_ready);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) asked |-> unused_owner_ready);
+  assert property (@(posedge clk_i) disable iff (!rst_ni) line_valid_o |-> owner_valid);
 `endif
 
 endmodule

@@ -4,9 +4,9 @@
 // Idea    What was released before leaves first; then everything that the set has in the pool is released too, and what
 //         comes out of su_emit goes to memory instead of to the merge, which frees the slots. Records that come in
 //         meanwhile go to memory as well and first. Record n is line n of the area of records, its key part n % 8 of
-//         line n / 8 of the area of keys. When the set has ended and lies in memory, su_select sorts it.
-// Stream  in: records as they come; back: records out of the pool; record and keys: lines to write; select_start_o with
-//         the number of records (not 0) and the range of their keys.
+//         line n / 8 of the list of keys, which su_external sorts from the moment on at which the pool is empty.
+// Stream  in: records as they come; back: records out of the pool; record and keys: lines to write; count_o with the
+//         number of records and the range of their keys so far.
 // Pace    One record in two cycles, as the port.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
@@ -20,8 +20,9 @@ module su_spill (
   output logic                             job_valid_o,   // release the whole set ...
   input  logic                             job_done_i,
   output logic                             divert_o,      // ... to memory
-  output logic                             selecting_o,
-  output logic                             select_start_o,
+  output logic                             open_o,        // the pool is empty: all else goes to memory ...
+  output logic [pipegs_pkg::SlotW-1:0]     listed_o,      // ... where so many whole lines of keys are
+  output logic                             closed_o,      // the whole set and all its keys
   input  logic                             done_i,        // the set was sent
 
   input  logic                             in_valid_i,
@@ -59,12 +60,12 @@ module su_spill (
     Release, // su_buckets releases the set
     Drain,   // until that lies in memory
     Close,   // until the set has ended and all lines are written; writes the last line of keys
-    Select   // until the set was sent
+    Send     // until the set was sent
   } state_e;
   state_e state_q;
 
   logic             record_valid_q, keys_valid_q, closing_q, free, take, last_part;
-  logic [SlotW-1:0] number_q, record_line_q, keys_line_q;
+  logic [SlotW-1:0] number_q, listed_q, record_line_q, keys_line_q;
   logic [pipegs_pkg::SplatBits-1:0] record_q, record;
   logic [pipegs_pkg::MemoryW-1:0]   keys_q;
   logic [KeyW-1:0]  key;
@@ -82,10 +83,11 @@ module su_spill (
 
   assign job_valid_o    = state_q == Release;
   assign divert_o       = state_q == Release || state_q == Drain;
-  assign selecting_o    = state_q == Select;
+  assign open_o         = state_q == Close || state_q == Send;
+  assign listed_o       = listed_q;
+  assign closed_o       = state_q == Send;
   assign close          = state_q == Close && ended_i && !record_valid_q && !keys_valid_q;
   assign all_written    = close && (closing_q || number_q[PartW-1:0] == '0);
-  assign select_start_o = all_written && number_q != '0;
   assign count_o        = number_q;
   assign record_valid_o = record_valid_q;
   assign record_line_o  = record_line_q;
@@ -101,6 +103,7 @@ module su_spill (
     if (!rst_ni) begin
       state_q        <= Idle;
       number_q       <= '0;
+      listed_q       <= '0;
       closing_q      <= 1'b0;
       record_valid_q <= 1'b0;
       keys_valid_q   <= 1'b0;
@@ -110,10 +113,11 @@ module su_spill (
         Wait:    if (drained_i) state_q <= Release;
         Release: if (job_done_i) state_q <= Drain;
         Drain:   if (drained_i) state_q <= Close;
-        Close:   if (all_written) state_q <= Select;
+        Close:   if (all_written) state_q <= Send;
         default: if (done_i) state_q <= Idle;
       endcase
       if (record_ready_i) record_valid_q <= 1'b0;
+      if (keys_ready_i && !closing_q) listed_q <= listed_q + 1'b1;
       if (keys_ready_i) keys_valid_q <= 1'b0;
       if (take) begin
         record_valid_q <= 1'b1;
@@ -126,6 +130,7 @@ module su_spill (
       end
       if (start_i) begin
         number_q  <= '0;
+        listed_q  <= '0;
         closing_q <= 1'b0;
       end
     end

@@ -3,8 +3,9 @@
 //
 // Paper   Sec. 4.2.2 (the sorter's buffers).
 // Idea    Three memories of Records words. The splitter never waits for a link: buckets link when it does not claim the
-//         port. Selected keys are a chain from the last slot to the first; nobody else is there then.
-// Stream  writes of a collected record, of a selected key, of a link; reads of key and link, and of the rest.
+//         port. Keys of a set that spilled are a chain from the last slot to the first; nobody else is there then.
+// Stream  writes of a collected record, of a key that comes back, of a link; reads of key and link, and of the
+//         rest.
 // Pace    One access of each kind per cycle, data one cycle later.
 // Model   cpp_model/su/su.hpp
 
@@ -19,7 +20,7 @@ module su_stores #(
   input  logic [RecordW-1:0]  slot_i,
   input  pipegs_pkg::splat_t  record_i,
 
-  input  pipegs_pkg::su_selected_t selected_i,  // su_select fills the pool
+  input  pipegs_pkg::su_external_t external_i,  // su_external fills the pool, and merges in it
 
   input  logic                link_i,  // su_buckets chains a slot
   output logic                link_ready_o,
@@ -44,19 +45,20 @@ module su_stores #(
   logic [PayloadW-1:0] payload;
   assign payload      = PayloadW'({record_i} >> (pipegs_pkg::KindW + KeyW));
   su_key u_key (.splat_i(record_i), .key_o(key));
-  assign link_ready_o = !split_claim_i && !selected_i.claim;
+  assign link_ready_o = !split_claim_i;
 
   sram #(.DataW(KeyW), .Depth(pipegs_pkg::Records)) u_keys (
     .clk_i,
-    .write_i(selected_i.write || write_i), .waddr_i(selected_i.write ? selected_i.slot : slot_i),
-    .wdata_i(selected_i.write ? selected_i.key : key),
-    .read_i(split_read_i), .raddr_i(split_slot_i), .rdata_o(split_key_o)
+    .write_i(external_i.write || write_i), .waddr_i(external_i.write ? external_i.slot : slot_i),
+    .wdata_i(external_i.write ? external_i.key : key),
+    .read_i(split_read_i || external_i.read), .raddr_i(external_i.read ? external_i.read_slot : split_slot_i),
+    .rdata_o(split_key_o)
   );
   sram #(.DataW(RecordW), .Depth(pipegs_pkg::Records)) u_links (
     .clk_i,
-    .write_i(split_link_i || selected_i.write || (link_i && link_ready_o)),
-    .waddr_i(split_link_i ? split_link_slot_i : selected_i.write ? selected_i.slot : link_slot_i),
-    .wdata_i(split_link_i ? split_link_to_i : selected_i.write ? selected_i.slot - 1'b1 : link_to_i),
+    .write_i(split_link_i || external_i.write || (link_i && link_ready_o)),
+    .waddr_i(split_link_i ? split_link_slot_i : external_i.write ? external_i.slot : link_slot_i),
+    .wdata_i(split_link_i ? split_link_to_i : external_i.write ? external_i.slot - 1'b1 : link_to_i),
     .read_i(split_read_i), .raddr_i(split_slot_i), .rdata_o(split_link_o)
   );
   sram #(.DataW(PayloadW), .Depth(pipegs_pkg::Records)) u_records (
@@ -64,7 +66,7 @@ module su_stores #(
     .read_i(payload_read_i), .raddr_i(payload_slot_i), .rdata_o(payload_o)
   );
 
-  logic unused;  // the kind, and a selected key's number
-  assign unused = &{1'b0, record_i, selected_i};
+  logic unused;  // the kind, and the number of a key that comes back
+  assign unused = &{1'b0, record_i, external_i};
 
 endmodule

@@ -146,7 +146,14 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("SU u_split.u_stack", "sorter", 2 * c.record_w() + 1 + clog2(c.key_w()), power_of_two(stack + 1), units);
   if (c.overflow) add("SU u_emit.u_numbers", "overflow", c.slot_w(), c.records, units);
   add("SU u_emit.u_waiting", "sorter", c.kind_w() + 1 + c.record_w() + c.key_w(), c.su_waiting(), units);
-  if (c.overflow) add("SU u_port.u_answers", "overflow", memory, c.su_answers(), units);
+  if (c.overflow) {
+    const int ways = c.su_ways(), line = clog2(c.su_way_lines());
+    add("SU u_external.u_ways.u_asks", "overflow", 2 * c.slot_w(), ways, units);
+    add("SU u_external.u_tree.u_left", "overflow", c.slot_w(), ways, units);
+    add("SU u_external.u_tree.u_nodes", "overflow", 1 + c.key_w() + clog2(ways) + 3 + line, ways, units);
+    add("SU u_port.u_owners", "overflow", 1 + clog2(ways), c.su_answers(), units);
+    add("SU u_port.u_answers", "overflow", memory, c.su_answers(), units);
+  }
 
   add("PU u_fetch.u_reader.u_lines", "parameters", memory, c.geometry_lines(), units);
   if (c.tight_cull) add("PU u_reach.u_words", "parameters", record_width<Visible>(c), c.reach_depth(), units);

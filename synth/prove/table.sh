@@ -159,7 +159,7 @@ mutant "a splat is counted as an end" 's/is_end \&\& splat_valid_o/splat_valid_o
 proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8"
 mutant "asks for lines without room" \
        's/Answers = pipegs_pkg::SuAnswers/Answers = 2/; s/read_valid_i \&\& room/read_valid_i/'
-mutant "a line is forgotten when it is answered" 's/if \(used \&\& !read_ready_o\)/if (rsp_valid_i \&\& !read_ready_o)/'
+mutant "a line is forgotten when it is answered" 's/if \(used \&\& !asked\)/if (rsp_valid_i \&\& !asked)/'
 mutant "the choice moves before it is taken" 's/if \(choice_q == None\) choice_q/if (!taken) choice_q/'
 
 # Narrow keys through the real pipeline and iterations, and the cells at the widths of the machine. RecordW holds a mark

@@ -131,7 +131,7 @@ mutant su_range "the last bucket ends with its own step" 's/last \? \{StepW\{1.b
 mutant su_release "an end that releases all releases what is nearer only" \
        's/(job_all_i\(spill_job_i) \|\| head_all/\1/' su
 mutant su_stores "a link is written in the cycle in which the splitter has the port" \
-       's/(link_ready_o = )!split_claim_i \&\& /\1/' su
+       's/(link_ready_o = )!split_claim_i/\11'"'"'b1/' su
 mutant su_minmax "the largest is compared with the smallest" 's/key_i > max_q/key_i > min_q/'
 mutant su_bitonic "direction of the last merge" 's/ && !size_q\[DistanceW\]//'
 mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill_q/\1 > fill_q/'
@@ -140,7 +140,12 @@ mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*
 mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge
 mutant su_spill "the lines of keys begin one too far" \
        's/(keys_line_q *<= )number_q >> PartW/\1(number_q >> PartW) + 1/' su_tiny
-mutant su_select "< becomes <= at the end of a part" 's/part\} < stop_q/part} <= stop_q/' su_tiny
+mutant su_runs "a run begins one line before the whole of it is in memory" \
+       's/listed_i >= first_q \+ SlotW.\(RunLines\)/listed_i + 1 >= first_q + SlotW\x27(RunLines)/' su_tiny
+mutant su_lines "the last line of a run is not written before it is full" 's/ \|\| left_q == SlotW.\(1\)//' su_tiny
+mutant su_levels "the area that is read does not change" 's/(area_q *<= )!area_q/\1area_q/' su_tiny
+mutant su_ways "a line is asked for without a place" "s/ && held_q\[i\] != HeldW'\(Lines\)//" su_tiny
+mutant su_tree "the nearer one stays" 's/(loser\[.*\]) < (rising)/\1 > \2/' su_tiny
 mutant su_emit "the end of a set that spilled asks the memory for a record" \
        's/spilled_i && !item_end_i/spilled_i/' su_tiny
 mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su

@@ -9,6 +9,7 @@
 
 #include "Vsu.h"
 #include "cpp_model/su/su.hpp"
+#include "cpp_model/su/su_external.hpp"
 #include "verif/su/su_keys.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"

@@ -144,8 +144,10 @@ struct LanesBench : BenchBase {
   }
   void run() {
     while (merged.size() < expected.size()) {
-      ASSERT_LT(cycle, moved + 20000) << "nothing moves: " << merged.size() << " of " << expected.size()
-                                      << " beats, seed " << seed;
+      // A set that spilled sends nothing while it is sorted: these pools hold a line of each run, so a key may take as
+      // long as the memory.
+      ASSERT_LT(cycle, moved + 200000) << "nothing moves: " << merged.size() << " of " << expected.size()
+                                       << " beats, seed " << seed;
       step();
     }
     for (size_t i = 0; i < merged.size(); ++i) {

@@ -22,6 +22,8 @@ Su::Su(const Machine& m, int lane)
       marks_(m.config.su_marks()),
       table_(size_t{2} << m.config.bucket_w()),
       words_(size_t{2} << bits_high_) {
+  external_.ways.resize(static_cast<size_t>(m.config.su_ways()));
+  external_.nodes.resize(static_cast<size_t>(m.config.su_ways()));
   for (int i = records_; i-- > 0;) free_slots_.push_back(static_cast<uint32_t>(i));
 }
 
@@ -39,13 +41,14 @@ void Su::step(Machine& m, Cycle now) {
   port(m, now);
   const Now is = look(m, now);
   divert(now, is);
-  emit(m, now, is);
+  emit(now, is);
   sort(now, is);
   buckets(now, is);
   if (spill_ != kSpillIdle || is.spill_start) {
-    if (is.selecting) select(now, is);
-    spill(is);
+    external(now, is);
+    spill(m, is);
   }
+  show_outside(m, now, is);
   collect(m, now, is);
   arrive(m, now);
   if (line_used_) --flight_, line_used_ = false, moved_ = true;
@@ -64,7 +67,7 @@ void Su::step(Machine& m, Cycle now) {
 }
 
 void Su::taken(Machine& m, Cycle now) {
-  if (out_outside_) answers_.pop(now), line_used_ = true;
+  if (out_outside_) answers_.pop(now), owners_.pop_front(), line_used_ = true;
   out_.valid = false;
   out_taken_at_ = now;
   m.wheel.wake_now(unit(kSu, lane_));
@@ -96,10 +99,11 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   // Splitter, sorter, output.
   is.split_idle = split_idle(now);
   is.bitonic_idle = bitonic_idle();
-  is.item = !sorting_ && sent_ < live_;
-  is.item_end = live_end_;
+  is.item = external_.item() || (!sorting_ && sent_ < live_);
+  is.item_end = !external_.item() && live_end_;
   is.emit_empty = waiting_.empty() && !out_.valid && out_taken_at_ != now;
-  is.selecting = spill_ == kSelecting;
+  is.spilled = open();
+  is.sends = is.spilled && external_.last;
   is.diverts = diverts();
   is.chain = chains_.valid(now);
   is.chain_end = is.chain && is_end(chains_.front().end);
@@ -110,13 +114,15 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.hungry = chains_.empty() && is.split_idle;
 
   // Output of a set that spilled: its marks go between its splats.
-  is.sent_all = select_ == kSelectIdle && !is.item;
-  is.mark_first = is.selecting && mark &&
-                  (is.sent_all || (!head.all && is.item && head.bucket <= bucket_of(batches_.front().item.key)));
-  is.emit_item = is.mark_first || (is.item && (!is.selecting || mark));
-  const bool outside = is.selecting && !is.mark_first && !is.item_end;
-  is.emit_ready = waiting_.room(now) && (!outside || (looked_ && read_taken_ && !select_reads()));
-  is.item_goes = is.item && is.emit_ready && !is.mark_first && (!is.selecting || mark);
+  is.sent_all = external_.level == kSent && !is.item;
+  is.mark_first = is.sends && mark && (is.sent_all || (!head.all && is.item && head.bucket <= bucket_of(item().key)));
+  is.emit_item = is.mark_first || (is.item && (!is.sends || mark));
+  is.outside = is.spilled && !is.mark_first && !is.item_end;
+  const bool keeps = is.outside && !is.sends;
+  is.emit_ready =
+      keeps ? looked_ && !external_.lines_full : waiting_.room(now) && (!is.outside || (looked_ && read_taken_));
+  is.kept = keeps && is.emit_item && is.emit_ready;
+  is.item_goes = is.item && is.emit_ready && !is.mark_first && (!is.sends || mark);
   is.spill_done = is.mark_first && head.all && is.emit_ready;
 
   // What comes in.
@@ -138,8 +144,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   }
   is.word_wanted = is.candidates != 0 && work_ == 0 && operation_ != kWord;
   is.quiet = is.candidates == 0 && work_ == 0 && operation_ == kNone;
-  is.select_write = select_ == kLoad && select_part() >= first_ && select_part() < stop_ && select_part() >= 0;
-  is.link_ready = !split_links(now) && !(select_ == kLoad && seen_);
+  is.link_ready = !split_links(now);
   is.released_room = chains_.room(now);
   if (operation_ == kInsert) {
     const uint32_t word = (insert_set_ << bits_high_) + (insert_bucket_ >> bits_low_);
@@ -204,7 +209,6 @@ void Su::collect(Machine& m, Cycle now, const Now& is) {
     ++used_;
     m.peak_records = std::max(m.peak_records, static_cast<uint64_t>(used_));
   }
-  if (is.record && is.taken) records_out_.back().key = m.trace.key[is.in->beat];
   const Collect before = collect_;
   const bool all = is.in != nullptr && (!marks_cut_ || is.in->beat == kWindowEndBeat);
   switch (collect_) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // su.hpp: a Sorting Unit in the timing model.
 //
-// RTL     rtl/su/: su_collect, slot_pool, su_buckets, su_split, su_bitonic, su_emit; su_spill, su_select, su_port.
+// RTL     rtl/su/: su_collect, slot_pool, su_buckets, su_split, su_bitonic, su_emit; su_spill, su_external, su_port.
 // Idea    The splitter's passes depend on the keys alone, so su_groups() plays them when a chain begins: after how many
 //         cycles which group goes to the sorter, and when the links are written. All else are registers, played cycle
 //         by cycle while something moves: first what every part says in this cycle, then what it becomes.
 #pragma once
 
 #include <array>
+#include <deque>
 #include <vector>
 
 #include "cpp_model/config.hpp"
@@ -58,7 +59,7 @@ class Su {
   }  // a register: as this cycle began
 
  private:
-  static constexpr int kAnswers = Config::su_answers(), kKeysPerLine = 8, kGroup = 16;
+  static constexpr int kAnswers = Config::su_answers(), kKeysPerLine = 8, kGroup = 16, kRecordLine = -1;
   static constexpr uint32_t kNil = ~uint32_t{0};
 
   struct Arrived {
@@ -85,9 +86,51 @@ class Su {
   };
   enum Collect { kCollect, kSpill, kSort };
   enum Operation { kNone, kInsert, kWord, kEntry };
-  enum Spill { kSpillIdle, kWait, kRelease, kDrain, kClose, kSelecting };
-  enum Select { kSelectIdle, kMeasure, kCount, kChoose, kLoad, kFull, kSorting };
-  enum Choice { kNothing, kRecord, kKeys, kRead };
+  enum Spill { kSpillIdle, kWait, kRelease, kDrain, kClose, kSend };
+  enum Choice { kNothing, kRecord, kKeys, kRun, kFetch, kRead };
+  enum Form { kFormIdle, kLoad, kGroupGoes, kSortRun };
+  enum Level { kForm, kSize, kSetup, kStart, kMerge, kSent };
+  enum Tree { kTreeIdle, kLook, kTake, kCompare };
+
+  // The merge sort in external memory of a set that spilled.
+  struct Node {  // of the tree: a key of a way
+    bool none = false;
+    Sorted item;
+    int way = 0, place = 0;  // place: in its line
+  };
+  struct Way {
+    std::vector<Sorted> keys;  // of its run
+    uint32_t line = 0;         // to be asked for next
+    uint32_t unasked = 0;      // keys from there on
+    uint32_t left = 0;         // keys that were not taken
+    bool more = false;
+    int held = 0, ready = 0;  // lines
+  };
+  struct External {
+    Form form = kFormIdle;  // su_runs
+    uint32_t first = 0, size = 0, filled = 0, asked = 0;
+    Level level = kForm;  // su_levels
+    uint32_t keys = 0, lines = 0, next_line = 0, left = 0, sum = 0, next_lines = 0;
+    int way = 0, levels = 1;
+    bool area = true, last = false, is_first = false;
+    bool asking = false;  // su_ways
+    int asked_way = 0, place = 0;
+    std::vector<Way> ways;
+    Tree tree = kTreeIdle;  // su_tree
+    Node rising;
+    bool seeding = true, taken = false, fetched = false;
+    int seed = 0, node = 0;
+    uint32_t nodes_filled = 0;
+    std::vector<Node> nodes;
+    uint32_t lines_left = 0, lines_number = 0;  // su_lines
+    int lines_place = 0;
+    bool lines_full = false;
+    std::vector<std::vector<Sorted>> runs, merged;  // of this level, of the next one
+    size_t next_run = 0;
+
+    bool written() const { return lines_left == 0 && !lines_full; }
+    bool item() const { return (tree == kLook || tree == kTake) && !seeding && !taken; }
+  };
 
   // What the parts say in a cycle, from the registers as it began.
   struct Now;
@@ -100,10 +143,12 @@ class Su {
   uint32_t bucket_of(uint64_t key) const {
     return static_cast<uint32_t>(su_bucket(config_, key >> (config_.key_w() - config_.depth_w), octave_));
   }
-  bool select_reads() const {
-    return (select_ == kCount || select_ == kLoad) && line_ * kKeysPerLine < records_out_.size();
+  bool open() const { return spill_ == kClose || spill_ == kSend; }  // the pool is empty
+  bool fetches() const {
+    return external_.level == kForm ? external_.form == kLoad && external_.asked * kKeysPerLine < external_.size
+                                    : external_.asking;
   }
-  int select_part() const;  // of the key seen in the cycle before, -1 if none
+  const Sorted& item() const { return external_.item() ? external_.rising.item : batches_.front().item; }
   uint64_t overflow_line(const Machine& m, int area, uint64_t line) const;
 
   void begin_split(Cycle now, uint64_t min, uint64_t max);
@@ -111,11 +156,17 @@ class Su {
   Now look(const Machine& m, Cycle now);
   void port(Machine& m, Cycle now);
   void divert(Cycle now, const Now& is);
-  void emit(Machine& m, Cycle now, const Now& is);
+  void emit(Cycle now, const Now& is);
   void sort(Cycle now, const Now& is);
   void buckets(Cycle now, const Now& is);
-  void spill(const Now& is);
-  void select(Cycle now, const Now& is);
+  void spill(const Machine& m, const Now& is);
+  void external(Cycle now, const Now& is);
+  void form_runs(Cycle now, bool line, bool written);
+  void merge_levels(const Now& is, bool done);
+  void ask_ways(Cycle now, bool line, bool setup);
+  bool rise(const Now& is);
+  void keep_keys(const Now& is, bool merges);
+  void show_outside(Machine& m, Cycle now, const Now& is);
   void collect(Machine& m, Cycle now, const Now& is);
   void arrive(Machine& m, Cycle now);
 
@@ -160,8 +211,7 @@ class Su {
   // su_split
   std::vector<uint64_t> keys_;
   std::vector<Entry> order_;  // of the chain in the splitter and sorter, sorted
-  std::vector<Entry> part_;
-  size_t next_ = 0;  // of order_, to leave the sorter next
+  size_t next_ = 0;           // of order_, to leave the sorter next
   std::vector<SortGroup> groups_;
   std::vector<LinkWrites> links_;
   std::vector<Writes> link_writes_;  // to come
@@ -184,23 +234,23 @@ class Su {
   // su_spill
   Spill spill_ = kSpillIdle;
   std::vector<Sorted> records_out_;  // records of the set in memory
+  uint32_t listed_ = 0;              // whole lines of its list of keys
+  uint64_t min_ = 0, max_ = 0;       // keys
   bool record_valid_ = false, keys_valid_ = false, closing_ = false;
   bool diverted_ = false;  // in this cycle
   Sorted diverted_record_;
 
-  // su_select
-  Select select_ = kSelectIdle;
-  uint64_t low_ = 0, max_ = 0;
-  int shift_ = 0, first_ = 0, stop_ = 0, sum_ = 0;
-  uint32_t line_ = 0, number_ = 0, sent_keys_ = 0, seen_number_ = 0;
-  bool seen_ = false;
-  std::array<int, 16> counts_{};
+  // su_external
+  External external_;
+  Sorted kept_;  // that goes back to memory in this cycle
 
   // su_port
   Choice choice_ = kNothing;
   int flight_ = 0;
   SramQueue<uint8_t, kAnswers> answers_;
-  bool record_taken_ = false, keys_taken_ = false, read_taken_ = false, line_used_ = false;  // in this cycle
+  std::deque<int> owners_;  // of the lines in flight: a way, or kRecordLine
+  bool record_taken_ = false, keys_taken_ = false, run_taken_ = false, fetch_taken_ = false, read_taken_ = false,
+       line_used_ = false;  // in this cycle
 
   bool moved_ = false;
 };

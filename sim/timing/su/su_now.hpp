@@ -7,10 +7,10 @@
 namespace pipegs::timing {
 
 struct Su::Now {
-  bool item, item_end, split_idle, bitonic_idle, emit_empty, drained, selecting, diverts, spill_job;
+  bool item, item_end, split_idle, bitonic_idle, emit_empty, drained, spilled, sends, outside, kept, diverts, spill_job;
   bool mark_waits, mark_first, mark_all, spill_done, emit_item, emit_ready, item_goes;
   bool chain, chain_end, batch_ready, batch_valid;
-  bool hungry, link_ready, released_room, select_write, sent_all;
+  bool hungry, link_ready, released_room, sent_all;
   uint8_t mark_set;
   uint32_t mark_bucket;
   Beat mark_end;

@@ -14,7 +14,7 @@ int sort_cycles(int keys) { return keys <= 1 ? 0 : keys <= 2 ? 1 : keys <= 4 ? 3
 
 // --- su_emit ---------------------------------------------------------------------------------------------------------
 
-void Su::emit(Machine& m, Cycle now, const Now& is) {
+void Su::emit(Cycle now, const Now& is) {
   // From the queue to the output; the record's slot becomes free.
   if (!out_.valid && waiting_.valid(now)) {
     const Entry& entry = waiting_.front();
@@ -29,25 +29,34 @@ void Su::emit(Machine& m, Cycle now, const Now& is) {
     waiting_.pop(now);
     moved_ = true;
   }
-  if (out_.valid && out_.from == kNever && !answers_.empty()) out_.from = std::max(now + 1, answers_.head_from());
-  if (out_.valid && out_.from > now) m.wheel.wake(is.diverts ? unit(kSu, lane_) : unit(kOrder, 1), out_.from);
-
-  // Into the queue.
-  const bool outside = is.selecting && is.emit_item && !is.mark_first && !is.item_end;
+  // Into the queue, or back to memory.
+  const bool outside = is.outside && is.emit_item;
   if (outside && looked_ == (is.emit_ready && is.emit_item)) moved_ = true;
   looked_ = outside && !is.emit_ready;
   if (!is.emit_item || !is.emit_ready) return;
   moved_ = true;
+  if (is.kept) {
+    kept_ = item();
+    return;
+  }
   Entry entry;
   if (is.mark_first) {
     entry.item.splat.beat = is.mark_end;
     marks_.pop(now);
+  } else if (external_.item()) {
+    entry.item = item();
+    entry.outside = true;
   } else {
     entry = batches_.front();
-    entry.outside = outside;
-    if (outside) entry.slot = kNil;
   }
   waiting_.push(now, entry);
+}
+
+// A record from memory stands at the output when its line is the first of those that were read.
+void Su::show_outside(Machine& m, Cycle now, const Now& is) {
+  if (out_.valid && out_.from == kNever && !answers_.empty() && owners_.front() == kRecordLine)
+    out_.from = std::max(now + 1, answers_.head_from());
+  if (out_.valid && out_.from > now) m.wheel.wake(is.diverts ? unit(kSu, lane_) : unit(kOrder, 1), out_.from);
 }
 
 // --- su_split, su_bitonic --------------------------------------------------------------------------------------------
@@ -82,7 +91,7 @@ void Su::begin_split(Cycle now, uint64_t min, uint64_t max) {
 void Su::sort(Cycle now, const Now& is) {
   const bool end_goes = is.chain_end && is.split_idle && is.batch_ready, load = is.batch_valid && is.batch_ready;
   const bool start = !sorting_ && loaded_ && sent_ == live_;
-  if (is.item_goes) ++sent_, batches_.pop(now), moved_ = true;
+  if (is.item_goes && !external_.item()) ++sent_, batches_.pop(now), moved_ = true;
   if (load) {
     batches_.push(now, order_[next_++]);
     ++fill_;

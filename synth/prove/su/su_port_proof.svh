@@ -2,11 +2,13 @@
 // The end of rtl/su/su_port.sv in its proof: every line asked for has room when it comes.
 //
 // Rule    Lines asked for and not used are at most Answers, so the store never refuses an answer; what the memory is
-//         shown stays until it is taken; of the three who ask, only the one shown is told that it was taken.
-// Assumes The memory answers what was asked for; each who asks holds its request (proof_hold).
+//         shown stays until it is taken; of those who ask, only the one shown is told that it was taken.
+// Assumes The memory answers what was asked for; each who asks holds its request (proof_hold); with a line its owner is
+//         shown, whose queue is filled before (asserted in simulation).
 // Invariant  A line in flight was asked for and not answered, or it is in the store.
 
 (* hierconn *) logic [FlightW-1:0] \u_answers.held_q ;
+(* hierconn *) logic [FlightW-1:0] \u_owners.held_q ;
 logic [FlightW-1:0] asked_q;  // reads not answered
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
@@ -22,27 +24,40 @@ proof_hold #(.DataW(pipegs_pkg::SplatBits), .Assumed(1'b1)) u_hold_record (
 proof_hold #(.DataW(pipegs_pkg::MemoryW), .Assumed(1'b1)) u_hold_keys (
   .clk_i, .rst_ni, .valid_i(keys_valid_i), .ready_i(keys_ready_o), .beat_i(keys_i)
 );
+proof_hold #(.DataW(pipegs_pkg::MemoryW), .Assumed(1'b1)) u_hold_run (
+  .clk_i, .rst_ni, .valid_i(run_valid_i), .ready_i(run_ready_o), .beat_i(run_i)
+);
+proof_hold #(.DataW(WayW), .Assumed(1'b1)) u_hold_fetch (
+  .clk_i, .rst_ni, .valid_i(fetch_valid_i), .ready_i(fetch_ready_o), .beat_i(fetch_way_i)
+);
 proof_hold #(.DataW(1), .Assumed(1'b1)) u_hold_read (
-  .clk_i, .rst_ni, .valid_i(read_valid_i), .ready_i(read_ready_o), .beat_i(read_keys_i)
+  .clk_i, .rst_ni, .valid_i(read_valid_i), .ready_i(read_ready_o), .beat_i(1'b0)
 );
 
 always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) asked_q <= '0;
-  else asked_q <= asked_q + FlightW'(read_ready_o) - FlightW'(rsp_valid_i);
+  else asked_q <= asked_q + FlightW'(asked) - FlightW'(rsp_valid_i);
 end
 
 always_comb begin
   assume (!rsp_valid_i || asked_q != '0);
+  assume (!line_valid_o || owner_valid);
   if (rst_ni) begin
     assert (flight_q <= FlightW'(Answers));
     assert (!rsp_valid_i || unused_queue_ready);
-    assert (2'(record_ready_o) + 2'(keys_ready_o) + 2'(read_ready_o) == 2'(taken));
-    assert ((record_valid_i || !record_ready_o) && (keys_valid_i || !keys_ready_o) && (read_valid_i || !read_ready_o));
+    assert (!asked || unused_owner_ready);
+    assert (3'(record_ready_o) + 3'(keys_ready_o) + 3'(run_ready_o) + 3'(fetch_ready_o) + 3'(read_ready_o) ==
+            3'(taken));
+    assert ((record_valid_i || !record_ready_o) && (keys_valid_i || !keys_ready_o) && (run_valid_i || !run_ready_o) &&
+            (fetch_valid_i || !fetch_ready_o) && (read_valid_i || !read_ready_o));
     // invariants
     assert ((FlightW+1)'(flight_q) == (FlightW+1)'(asked_q) + (FlightW+1)'(\u_answers.held_q ));
-    assert (choice_q != Read || flight_q != FlightW'(Answers));
+    assert ((choice_q != Fetch && choice_q != Read) || flight_q != FlightW'(Answers));
+    assert (flight_q == \u_owners.held_q );
     assert (choice_q != Record || record_valid_i);
     assert (choice_q != Keys || keys_valid_i);
+    assert (choice_q != Run || run_valid_i);
+    assert (choice_q != Fetch || fetch_valid_i);
     assert (choice_q != Read || read_valid_i);
   end
 end

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// su_external: merge sort in external memory of the keys of a set that does not fit the pool.
+//
+// Paper   None: its buffers hold every layer.
+// Idea    su_runs sorts the list of keys pool by pool while it still grows, su_lines writes what was sorted as runs,
+//         su_levels has su_ways and su_tree merge them until the last merge sends its keys. Only wiring here.
+// Stream  A list of keys in; keys to and from the pool, and groups that are to be sorted there; item: keys of the merge
+//         with their slots, nearest first. Both are kept in runs (kept) while keep_o.
+// Pace    Of the splitter for each key, then its tree's for each merge.
+// Model   The whole SU is tested against cpp_model/su/su.hpp.
+
+module su_external #(
+  localparam int unsigned KeyW    = pipegs_pkg::KeyW,
+  localparam int unsigned RecordW = pipegs_pkg::RecordW,
+  localparam int unsigned SlotW   = pipegs_pkg::SlotW,
+  localparam int unsigned MemoryW = pipegs_pkg::MemoryW,
+  localparam int unsigned WayW    = $clog2(pipegs_pkg::SuWays)
+) (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+
+  input  logic                     start_i,   // a set begins to spill
+  input  logic                     open_i,    // the pool is empty
+  input  logic [SlotW-1:0]         listed_i,  // whole lines of its list that are in memory
+  input  logic                     closed_i,  // the list is complete
+  input  logic [SlotW-1:0]         count_i,   // keys of the set then
+  output logic                     sent_o,
+  input  logic                     done_i,    // the set's last end has left
+
+  output logic                     read_valid_o,
+  input  logic                     read_ready_i,
+  output logic                     read_list_o,  // of the list, else of a run
+  output logic                     read_area_o,
+  output logic [SlotW-1:0]         read_line_o,
+  output logic [WayW-1:0]          read_way_o,
+  input  logic                     line_valid_i,
+  output logic                     line_ready_o,
+  input  logic [WayW-1:0]          line_way_i,
+  input  logic [MemoryW-1:0]       line_i,
+
+  output logic                     run_valid_o,  // a line of a run is written
+  input  logic                     run_ready_i,
+  output logic                     run_area_o,
+  output logic [SlotW-1:0]         run_line_o,
+  output logic [MemoryW-1:0]       run_o,
+
+  output pipegs_pkg::su_external_t pool_o,
+  input  logic [KeyW-1:0]          pool_key_i,
+  output logic                     group_o,
+  output logic [RecordW:0]         group_count_o,
+
+  output logic                     item_valid_o,
+  input  logic                     item_ready_i,
+  output logic [KeyW-1:0]          item_key_o,
+  output logic [RecordW-1:0]       item_slot_o,
+
+  output logic                     keep_o,
+  input  logic                     kept_valid_i,
+  output logic                     kept_ready_o,
+  input  logic [KeyW-1:0]          kept_key_i,
+  input  logic [SlotW-1:0]         kept_number_i,
+
+  output logic                     active_o
+);
+
+  localparam int unsigned LevelW = $clog2(WayW + 1);
+
+  logic               forms, form_done, form_read, form_ready, form_write, form_active;
+  logic [SlotW-1:0]   form_line, form_number, run_line;
+  logic [RecordW-1:0] form_slot;
+  logic [KeyW-1:0]    form_key;
+  logic               restart, merge_begin, written, lines_active;
+
+  su_runs u_runs (
+    .clk_i, .rst_ni, .start_i, .open_i, .listed_i, .closed_i, .count_i, .done_o(form_done),
+    .read_valid_o(form_read), .read_ready_i(forms && read_ready_i), .read_line_o(form_line),
+    .line_valid_i(forms && line_valid_i), .line_ready_o(form_ready), .line_i,
+    .write_o(form_write), .write_slot_o(form_slot), .write_key_o(form_key), .write_number_o(form_number),
+    .group_o, .group_count_o, .written_i(written), .active_o(form_active)
+  );
+
+  logic               setup, merge, merged, area, levels_active;
+  logic [WayW-1:0]    setup_way;
+  logic [SlotW-1:0]   setup_line, setup_keys, merge_keys;
+  logic [LevelW-1:0]  tree;
+
+  su_levels u_levels (
+    .clk_i, .rst_ni, .start_i, .formed_i(form_done && open_i), .count_i, .done_i,
+    .setup_o(setup), .setup_way_o(setup_way), .setup_line_o(setup_line), .setup_keys_o(setup_keys),
+    .merge_o(merge), .tree_o(tree), .merged_i(merged), .restart_o(restart), .begin_o(merge_begin),
+    .begin_keys_o(merge_keys), .written_i(written), .written_lines_i(run_line), .area_o(area), .forms_o(forms),
+    .keep_o, .sent_o, .active_o(levels_active)
+  );
+
+  logic               ways_read, ways_ready, ways_write, tree_read, tree_release, ways_active, tree_active;
+  logic [1:0]         ready;
+  logic [WayW-1:0]    way;
+  logic [SlotW-1:0]   ways_line, ways_number;
+  logic [RecordW-1:0] ways_slot, tree_slot;
+  logic [KeyW-1:0]    ways_key;
+
+  su_ways u_ways (
+    .clk_i, .rst_ni, .setup_i(setup), .setup_way_i(setup_way), .setup_line_i(setup_line), .setup_keys_i(setup_keys),
+    .read_valid_o(ways_read), .read_ready_i(!forms && read_ready_i), .read_line_o(ways_line), .read_way_o,
+    .line_valid_i(!forms && line_valid_i), .line_ready_o(ways_ready), .line_way_i, .line_i,
+    .write_o(ways_write), .write_slot_o(ways_slot), .write_key_o(ways_key), .write_number_o(ways_number),
+    .way_i(way), .ready_o(ready), .release_i(tree_release), .active_o(ways_active)
+  );
+
+  su_tree u_tree (
+    .clk_i, .rst_ni, .setup_i(setup), .setup_way_i(setup_way), .setup_keys_i(setup_keys), .start_i(merge),
+    .levels_i(tree), .way_o(way), .ready_i(ready), .release_o(tree_release),
+    .read_o(tree_read), .read_slot_o(tree_slot), .key_i(pool_key_i),
+    .item_valid_o, .item_ready_i, .item_key_o, .item_slot_o, .idle_o(merged), .active_o(tree_active)
+  );
+
+  su_lines u_lines (
+    .clk_i, .rst_ni, .restart_i(restart), .begin_i(group_o || merge_begin),
+    .count_i(forms ? SlotW'(group_count_o) : merge_keys),
+    .key_valid_i(kept_valid_i), .key_ready_o(kept_ready_o), .key_i(kept_key_i), .number_i(kept_number_i),
+    .line_valid_o(run_valid_o), .line_ready_i(run_ready_i), .line_number_o(run_line), .line_o(run_o),
+    .idle_o(written), .active_o(lines_active)
+  );
+
+  assign read_valid_o = form_read || ways_read;
+  assign read_list_o  = forms;
+  assign read_area_o  = area;
+  assign read_line_o  = forms ? form_line : ways_line;
+  assign line_ready_o = forms ? form_ready : ways_ready;
+  assign run_area_o   = forms || !area;
+  assign run_line_o   = run_line;
+  assign pool_o       = {form_write || ways_write, forms ? form_slot : ways_slot, forms ? form_key : ways_key,
+                         forms ? form_number : ways_number, tree_read, tree_slot};
+  assign active_o     = form_active || levels_active || ways_active || tree_active || lines_active;
+
+endmodule

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+// su_external.cpp: the merge sort of a set that a Sorting Unit brought to memory: see su.hpp.
+//
+// RTL     rtl/su/sort/: su_runs, su_levels, su_ways, su_tree, su_lines.
+// Idea    Lines of memory are only counted: the keys of a run are kept beside its ways and nodes.
+#include <algorithm>
+
+#include "sim/timing/su/su_now.hpp"
+
+namespace pipegs::timing {
+
+void Su::external(Cycle now, const Now& is) {
+  External& e = external_;
+  if (is.spilled || is.spill_start) moved_ = true;
+  // What the parts say, from the registers as the cycle began.
+  const bool line = answers_.valid(now) && owners_.front() != kRecordLine;
+  const bool forms = e.level == kForm, written = e.written(), merged = e.tree == kTreeIdle;
+  const bool setup = e.level == kSetup, start = e.level == kStart;
+  const bool formed = spill_ == kSend && e.form == kFormIdle && e.first * kKeysPerLine >= records_out_.size();
+  keep_keys(is, start);
+  if (forms) {
+    form_runs(now, line, written);
+  } else {
+    const int way = e.rising.way;
+    const bool release = rise(is);
+    ask_ways(now, line, setup);
+    if (release) --e.ways[static_cast<size_t>(way)].held, --e.ways[static_cast<size_t>(way)].ready;
+    if (start) {
+      e.tree = kLook;
+      e.seeding = true;
+      e.nodes_filled = 0;
+      e.seed = e.rising.way = e.rising.place = 0;
+    }
+  }
+  merge_levels(is, forms ? formed : merged && (e.last || written));
+  if (is.spill_start) {
+    e.first = 0;
+    e.keys = static_cast<uint32_t>(records_ / kKeysPerLine * kKeysPerLine);
+    e.lines =
+        (e.keys + static_cast<uint32_t>(config_.su_run_keys()) - 1) / static_cast<uint32_t>(config_.su_run_keys());
+    e.area = true;
+    e.last = false;
+    e.lines_number = 0;
+    e.runs.clear();
+    e.merged.clear();
+  }
+}
+
+// --- su_lines --------------------------------------------------------------------------------------------------------
+
+void Su::keep_keys(const Now& is, bool merges) {
+  External& e = external_;
+  if (run_taken_) e.lines_full = false, ++e.lines_number;
+  if (is.kept) {
+    e.merged.back().push_back(kept_);
+    ++e.lines_place;
+    if (e.lines_place == config_.su_run_keys() || e.lines_left == 1) e.lines_full = true, e.lines_place = 0;
+    --e.lines_left;
+  }
+  if (e.level == kForm ? e.form == kGroupGoes : merges && !e.last) {
+    e.lines_left = e.level == kForm ? e.size : e.sum;
+    e.merged.emplace_back();
+  }
+}
+
+// --- su_runs ---------------------------------------------------------------------------------------------------------
+
+void Su::form_runs(Cycle now, bool line, bool written) {
+  External& e = external_;
+  const auto count = static_cast<uint32_t>(records_out_.size());
+  const auto run_lines = static_cast<uint32_t>(records_ / kKeysPerLine);
+  const bool whole = listed_ >= e.first + run_lines;
+  switch (e.form) {
+    case kFormIdle:
+      if (!open() || !(whole || (spill_ == kSend && e.first * kKeysPerLine < count))) break;
+      e.size = whole ? run_lines * kKeysPerLine : count - e.first * kKeysPerLine;
+      e.asked = e.filled = 0;
+      e.form = kLoad;
+      break;
+    case kLoad:
+      if (fetch_taken_) ++e.asked;
+      if (e.filled == e.size) {
+        e.form = kGroupGoes;
+      } else if (line) {
+        ++e.filled;
+        if (e.filled % kKeysPerLine == 0 || e.filled == e.size)
+          answers_.pop(now), owners_.pop_front(), line_used_ = true;
+      }
+      break;
+    case kGroupGoes: {
+      order_.clear();
+      const size_t from = size_t{e.first} * kKeysPerLine;
+      for (size_t i = from; i < from + e.size; ++i) order_.push_back({records_out_[i], kNil, false});
+      begin_split(now, min_, max_);
+      e.form = kSortRun;
+      break;
+    }
+    case kSortRun:
+      if (written) e.form = kFormIdle, e.first += run_lines;
+      break;
+  }
+}
+
+// --- su_ways ---------------------------------------------------------------------------------------------------------
+
+void Su::ask_ways(Cycle now, bool line, bool setup) {
+  External& e = external_;
+  const auto run_keys = static_cast<uint32_t>(config_.su_run_keys());
+  uint32_t wants = 0;
+  for (size_t i = 0; i < e.ways.size(); ++i)
+    if (e.ways[i].more && e.ways[i].held != config_.su_way_lines()) wants |= 1u << i;
+  if (e.asking) {
+    if (fetch_taken_) {
+      Way& way = e.ways[static_cast<size_t>(e.asked_way)];
+      ++way.line;
+      ++way.held;
+      way.more = way.unasked > run_keys;
+      way.unasked -= std::min(way.unasked, run_keys);
+      e.asking = false;
+    }
+  } else if (!setup && wants != 0) {
+    e.asked_way = round_robin(wants, e.asked_way);
+    e.asking = true;
+  }
+  if (!line) return;
+  if (++e.place < config_.su_run_keys()) return;
+  e.place = 0;
+  ++e.ways[static_cast<size_t>(owners_.front())].ready;
+  answers_.pop(now), owners_.pop_front(), line_used_ = true;
+}
+
+// --- su_tree ---------------------------------------------------------------------------------------------------------
+
+// Tells whether a line of the way that was at the top is used up.
+bool Su::rise(const Now& is) {
+  External& e = external_;
+  Node& rising = e.rising;
+  bool release = false;
+  switch (e.tree) {
+    case kTreeIdle: break;
+    case kLook: e.tree = kTake; break;
+    case kTake: {
+      Way& way = e.ways[static_cast<size_t>(rising.way)];
+      const bool wraps = !e.seeding && rising.place == config_.su_run_keys() - 1;
+      const bool ended = way.left == (e.seeding ? 0u : 1u);
+      const bool take = e.item() && is.item_goes;
+      const bool fetch = !ended && !e.fetched && way.ready > (wraps && !e.taken ? 1 : 0);
+      const bool leaves = (e.seeding || e.taken || take) && (ended || e.fetched || fetch);
+      release = take && (wraps || ended);
+      if (take) e.taken = true;
+      if (fetch) e.fetched = true;
+      if (!leaves) break;
+      e.taken = e.fetched = false;
+      if (!e.seeding) --way.left;
+      rising.none = ended;
+      rising.place = e.seeding || wraps ? 0 : rising.place + 1;
+      if (!ended) rising.item = way.keys[way.keys.size() - way.left];
+      e.node = ((1 << e.levels) | rising.way) >> 1;
+      e.tree = kCompare;
+      break;
+    }
+    case kCompare: {
+      const bool filled = (e.nodes_filled >> e.node & 1) != 0;
+      Node& node = e.nodes[static_cast<size_t>(e.node)];
+      const bool top = e.node == 1;
+      if (!filled) {
+        node = rising;
+        e.nodes_filled |= 1u << e.node;
+        rising.way = ++e.seed;
+        rising.place = 0;
+        e.tree = kLook;
+        break;
+      }
+      if (rising.none ? !node.none : !node.none && node.item.key < rising.item.key) std::swap(node, rising);
+      e.node >>= 1;
+      if (!top) break;
+      e.seeding = false;
+      e.tree = rising.none ? kTreeIdle : kLook;
+      break;
+    }
+  }
+  return release;
+}
+
+// --- su_levels -------------------------------------------------------------------------------------------------------
+
+// done: all keys are in runs, or the merge is.
+void Su::merge_levels(const Now& is, bool done) {
+  External& e = external_;
+  const auto count = static_cast<uint32_t>(records_out_.size());
+  const int most = clog2(config_.su_ways());
+  switch (e.level) {
+    case kForm:
+      e.levels = 1;
+      if (!done) break;
+      if (count == 0) e.last = true;
+      e.level = count == 0 ? kSent : kSize;
+      break;
+    case kSize: {
+      const bool fits = count <= uint64_t{e.keys} << e.levels;
+      e.next_line = 0;
+      e.left = count;
+      e.is_first = true;
+      e.way = 0;
+      e.sum = 0;
+      if (!fits && e.levels != most) {
+        ++e.levels;
+        break;
+      }
+      e.last = fits;
+      e.lines_number = 0;
+      e.runs = std::move(e.merged);
+      e.merged.clear();
+      e.next_run = 0;
+      e.level = kSetup;
+      break;
+    }
+    case kSetup: {
+      const uint32_t keys = std::min(e.keys, e.left);
+      Way& way = e.ways[static_cast<size_t>(e.way)];
+      way.keys = e.next_run < e.runs.size() ? std::move(e.runs[e.next_run++]) : std::vector<Sorted>{};
+      way.line = e.next_line;
+      way.unasked = way.left = keys;
+      way.more = keys != 0;
+      way.held = way.ready = 0;
+      e.sum += keys;
+      e.left -= keys;
+      e.next_line += e.lines;
+      if (++e.way == 1 << e.levels) e.level = kStart;
+      break;
+    }
+    case kStart: e.level = kMerge; break;
+    case kMerge: {
+      e.way = 0;
+      e.sum = 0;
+      if (!done) break;
+      if (e.is_first) e.next_lines = e.lines_number;
+      e.is_first = false;
+      e.level = e.last ? kSent : e.left == 0 ? kSize : kSetup;
+      if (e.left != 0) break;
+      e.keys <<= most;
+      e.lines = e.next_lines;
+      e.levels = 1;
+      e.area = !e.area;
+      break;
+    }
+    case kSent:
+      if (is.spill_done) e.level = kForm;
+      break;
+  }
+}
+
+}  // namespace pipegs::timing
