@@ -51,6 +51,7 @@ always_comb begin
     assert ((record_valid_i || !record_ready_o) && (keys_valid_i || !keys_ready_o) && (run_valid_i || !run_ready_o) &&
             (fetch_valid_i || !fetch_ready_o) && (read_valid_i || !read_ready_o));
     // invariants
+    assert (choice_q <= Read);  // of eight codes six are choices
     assert ((FlightW+1)'(flight_q) == (FlightW+1)'(asked_q) + (FlightW+1)'(\u_answers.held_q ));
     assert ((choice_q != Fetch && choice_q != Read) || flight_q != FlightW'(Answers));
     assert (flight_q == \u_owners.held_q );
