@@ -106,7 +106,7 @@ module su (
   logic                     divert, spilled, keep, all_sent, kept_valid, kept_ready, back_valid, back_ready;
   logic                     output_empty, output_moves;
   logic                     read_valid, read_ready, line_valid, line_ready;
-  logic [pipegs_pkg::SlotW-1:0] read_line;
+  logic [pipegs_pkg::SlotW-1:0] read_line, kept_number;
   logic [SplatBits-1:0]     line;
 
   assign item_valid = sorted_valid || merged_valid;
@@ -114,9 +114,10 @@ module su (
 
   su_output u_output (
     .clk_i, .rst_ni, .octave_i, .item_valid_i(item_valid), .item_ready_o(item_ready), .item_i(item),
-    .spilled_i(spilled), .keep_i(keep), .all_sent_i(all_sent), .external_i(external),
+    .merged_valid_i(merged_valid), .merged_key_i(merged_key), .spilled_i(spilled), .keep_i(keep),
+    .all_sent_i(all_sent), .external_i(external),
     .mark_valid_i(mark_valid), .mark_i(mark), .mark_first_o(mark_first), .mark_ready_o(mark_ready), .done_o(spill_done),
-    .kept_valid_o(kept_valid), .kept_ready_i(kept_ready),
+    .kept_valid_o(kept_valid), .kept_ready_i(kept_ready), .kept_number_o(kept_number),
     .read_valid_o(read_valid), .read_ready_i(read_ready), .read_line_o(read_line),
     .line_valid_i(line_valid), .line_ready_o(line_ready), .line_i(line),
     .record_read_o(payload_read), .record_slot_o(payload_slot), .record_i(payload), .free_o(free),
@@ -137,7 +138,7 @@ module su (
       .back_i(out_o), .external_o(external), .key_i(stored_key), .group_valid_o(group_valid), .group_o(group),
       .item_valid_o(merged_valid), .item_ready_i(item_ready), .item_key_o(merged_key), .item_slot_o(merged_slot),
       .kept_valid_i(kept_valid), .kept_ready_o(kept_ready), .kept_key_i(item.key),
-      .read_valid_i(read_valid), .read_ready_o(read_ready), .read_line_i(read_line),
+      .kept_number_i(kept_number), .read_valid_i(read_valid), .read_ready_o(read_ready), .read_line_i(read_line),
       .line_valid_o(line_valid), .line_ready_i(line_ready), .line_o(line),
       .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o, .rsp_valid_i, .rsp_data_i,
       .written_o(overflow_o), .waits_o(port_waits), .moves_o(overflow_moves), .active_o(port_active)
@@ -153,7 +154,7 @@ module su (
     logic unused_overflow;
     assign unused_overflow = &{1'b0, overflow_i, unit_i, mem_ready_i, rsp_valid_i, rsp_data_i, record, job_done, empty,
                                spill_start, spill_ended, spill_valid, back_valid, kept_valid, read_valid, read_line,
-                               line_ready};
+                               line_ready, kept_number};
   end
 
   // --- what the unit does in this cycle -----------------------------------------------------------------------------

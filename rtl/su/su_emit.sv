@@ -5,10 +5,11 @@
 //         the slot, from external memory as soon as they enter the queue, so that up to 32 fetches overlap. A key of a
 //         set that spilled has a record number of its own, kept beside the key store; while that set is still being
 //         sorted key and number go back to external memory. Ends walk through the queue behind their layer, so the next
-//         layer is sorted meanwhile.
+//         layer is sorted meanwhile; none enters before all records of its layer were asked for, which the next set
+//         may overwrite.
 // Stream  item: keys with slots in order, or an end with its kind as slot. out: splats. free: a slot whose record was
 //         read.
-// Pace    One splat per cycle; of a set that spilled one in two cycles, or as fast as the memory gives lines.
+// Pace    One splat per cycle; of a set that spilled one in three cycles, or as fast as the memory takes requests.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
 module su_emit (
@@ -29,9 +30,10 @@ module su_emit (
 
   output logic                            kept_valid_o,
   input  logic                            kept_ready_i,
+  output logic [pipegs_pkg::SlotW-1:0]    kept_number_o,
   output logic                            read_valid_o,
   input  logic                            read_ready_i,
-  output logic [pipegs_pkg::SlotW-1:0]    read_line_o,  // the record's number, also of kept
+  output logic [pipegs_pkg::SlotW-1:0]    read_line_o,  // the record's number
   input  logic                            line_valid_i,
   output logic                            line_ready_o,
   input  logic [pipegs_pkg::SplatBits-1:0] line_i,
@@ -58,8 +60,8 @@ module su_emit (
   localparam int unsigned PayloadAt = KindW + KeyW;  // a splat is {payload, key without depth, key's depth, kind}
 
   // Where is the record? For a set that spilled the number is read first.
-  logic               looked_q, look, outside, known, item_go, queue_ready;
-  logic [NumberW-1:0] number;
+  logic               looked_q, look, outside, known, item_go, queue_ready, ask_q;  // ask: for the record of read_line
+  logic [NumberW-1:0] number, read_line_q;
   if (pipegs_pkg::Overflow != 0) begin : gen_numbers
     sram #(.DataW(NumberW), .Depth(pipegs_pkg::Records)) u_numbers (
       .clk_i, .write_i(number_write_i), .waddr_i(number_slot_i), .wdata_i(number_i),
@@ -73,12 +75,12 @@ module su_emit (
   assign outside      = pipegs_pkg::Overflow != 0 && spilled_i && !item_end_i;
   assign look         = item_valid_i && outside && !looked_q;
   assign known        = !outside || looked_q;
-  assign kept_valid_o = item_valid_i && outside && looked_q && keep_i;
-  assign read_valid_o = item_valid_i && outside && looked_q && queue_ready && !keep_i;
-  assign read_line_o  = number;
-  assign item_ready_o = keep_i && outside ? looked_q && kept_ready_i
-                                          : known && queue_ready && (!outside || read_ready_i);
+  assign read_valid_o = ask_q;
+  assign read_line_o  = read_line_q;
+  assign item_ready_o = keep_i && outside ? looked_q && kept_ready_i : known && queue_ready && !ask_q;
   assign item_go      = item_valid_i && item_ready_o;
+  assign kept_valid_o  = item_valid_i && outside && looked_q && keep_i;
+  assign kept_number_o = number;
 
   // The queue of sorted keys, and the beat whose record is being read.
   logic              head_valid, head_ready;
@@ -118,7 +120,7 @@ module su_emit (
   assign free_o       = record_read_o;
   assign free_slot_o  = head_slot;
   assign empty_o      = waiting == '0 && !valid_q;
-  assign active_o     = item_go || look || number_write_i || sent || (head_valid && head_ready) ||
+  assign active_o     = item_go || look || number_write_i || read_ready_i || sent || (head_valid && head_ready) ||
                         (waiting != '0 && !head_valid);
 
   logic unused_line;
@@ -127,14 +129,17 @@ module su_emit (
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       looked_q <= 1'b0;
+      ask_q    <= 1'b0;
       valid_q  <= 1'b0;
     end else begin
       looked_q <= item_valid_i && outside && !item_go;
+      ask_q    <= (item_go && outside && !keep_i) || (ask_q && !read_ready_i);
       if (head_ready) valid_q <= head_valid;
     end
   end
 
   always_ff @(posedge clk_i) begin
+    if (item_go && outside) read_line_q <= number;
     if (head_valid && head_ready) begin
       kind_q    <= head_kind;
       outside_q <= head_outside;

@@ -21,6 +21,8 @@ module su_output #(
   input  logic                     item_valid_i,
   output logic                     item_ready_o,
   input  pipegs_pkg::su_item_t     item_i,
+  input  logic                     merged_valid_i,  // the item is of a set that spilled, ...
+  input  logic [KeyW-1:0]          merged_key_i,    // ... and this its key
 
   input  logic                     spilled_i,       // the keys are of a set that spilled
   input  logic                     keep_i,          // it is still being sorted: they go to kept
@@ -34,6 +36,7 @@ module su_output #(
 
   output logic                     kept_valid_o,
   input  logic                     kept_ready_i,
+  output logic [NumberW-1:0]       kept_number_o,
   output logic                     read_valid_o,    // of external memory
   input  logic                     read_ready_i,
   output logic [NumberW-1:0]       read_line_o,
@@ -61,11 +64,11 @@ module su_output #(
   logic valid, emit_ready, emit_valid, sends;
   logic [pipegs_pkg::BucketW-1:0] bucket;  // of the key
 
-  su_bucket u_bucket (.octave_i, .depth_i(item_i.key[KeyW-1 -: pipegs_pkg::DepthW]), .bucket_o(bucket));
+  su_bucket u_bucket (.octave_i, .depth_i(merged_key_i[KeyW-1 -: pipegs_pkg::DepthW]), .bucket_o(bucket));
 
   assign sends        = spilled_i && !keep_i;
   assign mark_first_o = sends && mark_valid_i && ((all_sent_i && !item_valid_i) ||
-                        (!mark_i.all && item_valid_i && mark_i.bucket <= bucket));
+                        (!mark_i.all && merged_valid_i && mark_i.bucket <= bucket));
   assign mark_ready_o = emit_ready;
   assign done_o       = mark_first_o && mark_i.all && emit_ready;
   assign emit_valid   = mark_first_o || (item_valid_i && (!sends || mark_valid_i));
@@ -76,7 +79,8 @@ module su_output #(
     .item_key_i(item_i.key), .item_slot_i(mark_first_o ? RecordW'(mark_i.kind) : item_i.slot),
     .spilled_i, .keep_i,
     .number_write_i(external_i.write), .number_slot_i(external_i.slot), .number_i(external_i.number),
-    .kept_valid_o, .kept_ready_i, .read_valid_o, .read_ready_i, .read_line_o, .line_valid_i, .line_ready_o, .line_i,
+    .kept_valid_o, .kept_ready_i, .kept_number_o, .read_valid_o, .read_ready_i, .read_line_o,
+    .line_valid_i, .line_ready_o, .line_i,
     .record_read_o, .record_slot_o, .record_i,
     .out_valid_o(valid), .out_ready_i(divert_i ? back_ready_i : out_ready_i), .out_o,
     .free_o, .free_slot_o, .empty_o, .active_o(moves_o)
@@ -85,6 +89,6 @@ module su_output #(
   assign out_valid_o  = valid && !divert_i;
 
   logic unused;  // the key is the stores'
-  assign unused = &{1'b0, external_i};
+  assign unused = &{1'b0, external_i, merged_key_i};
 
 endmodule

@@ -49,9 +49,10 @@ module su_overflow #(
   input  logic                         item_ready_i,
   output logic [KeyW-1:0]              item_key_o,
   output logic [RecordW-1:0]           item_slot_o,
-  input  logic                         kept_valid_i,   // sorted keys before it, with their numbers in read_line_i
+  input  logic                         kept_valid_i,   // sorted keys before it, with their records' numbers
   output logic                         kept_ready_o,
   input  logic [KeyW-1:0]              kept_key_i,
+  input  logic [NumberW-1:0]           kept_number_i,
 
   input  logic                         read_valid_i,  // su_emit reads a record
   output logic                         read_ready_o,
@@ -106,7 +107,7 @@ module su_overflow #(
     .run_valid_o(run_valid), .run_ready_i(run_ready), .run_area_o(run_area), .run_line_o(run_line), .run_o(run),
     .pool_o(external_o), .pool_key_i(key_i), .group_o(group_valid_o), .group_count_o(group_count),
     .item_valid_o, .item_ready_i, .item_key_o, .item_slot_o,
-    .keep_o, .kept_valid_i, .kept_ready_o, .kept_key_i, .kept_number_i(read_line_i), .active_o(external_active)
+    .keep_o, .kept_valid_i, .kept_ready_o, .kept_key_i, .kept_number_i, .active_o(external_active)
   );
   assign group_o = {group_count, spill_min, spill_max};
 

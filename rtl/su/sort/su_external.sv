@@ -79,17 +79,17 @@ module su_external #(
     .group_o, .group_count_o, .written_i(written), .active_o(form_active)
   );
 
-  logic               setup, merge, merged, area, levels_active;
+  logic               setup, merge, merged, levels_active;
   logic [WayW-1:0]    setup_way;
   logic [SlotW-1:0]   setup_line, setup_keys, merge_keys;
   logic [LevelW-1:0]  tree;
 
   su_levels u_levels (
-    .clk_i, .rst_ni, .start_i, .formed_i(form_done && open_i), .count_i, .done_i,
+    .clk_i, .rst_ni, .start_i, .run_i(group_o), .formed_i(form_done && open_i), .count_i, .done_i,
     .setup_o(setup), .setup_way_o(setup_way), .setup_line_o(setup_line), .setup_keys_o(setup_keys),
     .merge_o(merge), .tree_o(tree), .merged_i(merged), .restart_o(restart), .begin_o(merge_begin),
-    .begin_keys_o(merge_keys), .written_i(written), .written_lines_i(run_line), .area_o(area), .forms_o(forms),
-    .keep_o, .sent_o, .active_o(levels_active)
+    .begin_keys_o(merge_keys), .written_i(written), .written_lines_i(run_line), .way_i(read_way_o),
+    .way_area_o(read_area_o), .write_area_o(run_area_o), .forms_o(forms), .keep_o, .sent_o, .active_o(levels_active)
   );
 
   logic               ways_read, ways_ready, ways_write, tree_read, tree_release, ways_active, tree_active;
@@ -124,10 +124,8 @@ module su_external #(
 
   assign read_valid_o = form_read || ways_read;
   assign read_list_o  = forms;
-  assign read_area_o  = area;
   assign read_line_o  = forms ? form_line : ways_line;
   assign line_ready_o = forms ? form_ready : ways_ready;
-  assign run_area_o   = forms || !area;
   assign run_line_o   = run_line;
   assign pool_o       = {form_write || ways_write, forms ? form_slot : ways_slot, forms ? form_key : ways_key,
                          forms ? form_number : ways_number, tree_read, tree_slot};

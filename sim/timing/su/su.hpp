@@ -103,16 +103,16 @@ class Su {
     uint32_t line = 0;         // to be asked for next
     uint32_t unasked = 0;      // keys from there on
     uint32_t left = 0;         // keys that were not taken
-    bool more = false;
+    bool more = false, area = false;  // area: it lies where runs are formed
     int held = 0, ready = 0;  // lines
   };
   struct External {
     Form form = kFormIdle;  // su_runs
     uint32_t first = 0, size = 0, filled = 0, asked = 0;
     Level level = kForm;  // su_levels
-    uint32_t keys = 0, lines = 0, next_line = 0, left = 0, sum = 0, next_lines = 0;
+    uint32_t lines = 0, next_line = 0, merged_lines = 0, merged_line = 0, ways_used = 0, merges = 0, sum = 0;
     int way = 0, levels = 1;
-    bool area = true, last = false, is_first = false;
+    bool area = true, last = false;
     bool asking = false;  // su_ways
     int asked_way = 0, place = 0;
     std::vector<Way> ways;
@@ -126,7 +126,7 @@ class Su {
     int lines_place = 0;
     bool lines_full = false;
     std::vector<std::vector<Sorted>> runs, merged;  // of this level, of the next one
-    size_t next_run = 0;
+    size_t next_run = 0, next_merged = 0;
 
     bool written() const { return lines_left == 0 && !lines_full; }
     bool item() const { return (tree == kLook || tree == kTake) && !seeding && !taken; }
@@ -229,6 +229,8 @@ class Su {
   SramQueue<Entry, Config::su_waiting()> waiting_;
   Output<Sorted> out_;
   bool out_outside_ = false, looked_ = false;  // looked_: the record's number was read
+  bool ask_ = false;                           // for a record in memory
+  uint32_t ask_line_ = 0;
   Cycle out_taken_at_ = kLongAgo;
 
   // su_spill

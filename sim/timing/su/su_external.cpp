@@ -35,13 +35,11 @@ void Su::external(Cycle now, const Now& is) {
   merge_levels(is, forms ? formed : merged && (e.last || written));
   if (is.spill_start) {
     e.first = 0;
-    e.keys = static_cast<uint32_t>(records_ / kKeysPerLine * kKeysPerLine);
-    e.lines =
-        (e.keys + static_cast<uint32_t>(config_.su_run_keys()) - 1) / static_cast<uint32_t>(config_.su_run_keys());
+    const auto keys = static_cast<uint32_t>(records_ / kKeysPerLine * kKeysPerLine);
+    e.lines = (keys + static_cast<uint32_t>(config_.su_run_keys()) - 1) / static_cast<uint32_t>(config_.su_run_keys());
     e.area = true;
     e.last = false;
     e.lines_number = 0;
-    e.runs.clear();
     e.merged.clear();
   }
 }
@@ -188,62 +186,65 @@ bool Su::rise(const Now& is) {
 void Su::merge_levels(const Now& is, bool done) {
   External& e = external_;
   const auto count = static_cast<uint32_t>(records_out_.size());
-  const int most = clog2(config_.su_ways());
+  const auto most = static_cast<uint32_t>(config_.su_ways());
   switch (e.level) {
     case kForm:
-      e.levels = 1;
       if (!done) break;
+      e.runs = std::move(e.merged);
+      e.merged.clear();
+      e.next_run = 0;
+      e.next_line = 0;
       if (count == 0) e.last = true;
       e.level = count == 0 ? kSent : kSize;
       break;
     case kSize: {
-      const bool fits = count <= uint64_t{e.keys} << e.levels;
-      e.next_line = 0;
-      e.left = count;
-      e.is_first = true;
+      const auto runs = static_cast<uint32_t>(e.runs.size() - e.next_run);
+      const uint32_t merges = static_cast<uint32_t>(e.merged.size()), all = runs + merges;
+      e.last = all <= most;
       e.way = 0;
       e.sum = 0;
-      if (!fits && e.levels != most) {
-        ++e.levels;
+      e.merged_line = 0;
+      e.next_merged = 0;
+      if (e.merged.empty()) e.lines_number = 0;
+      if (!e.last && runs == 0) {
+        e.runs = std::move(e.merged);
+        e.merged.clear();
+        e.next_run = 0;
+        e.next_line = 0;
+        e.lines = e.merged_lines;
+        e.area = !e.area;
         break;
       }
-      e.last = fits;
-      e.lines_number = 0;
-      e.runs = std::move(e.merged);
-      e.merged.clear();
-      e.next_run = 0;
+      e.ways_used = e.last ? all : std::min({runs, most, all - (most - 1)});
+      e.merges = e.last ? merges : 0;
+      e.levels = std::max(1, clog2(static_cast<int>(e.ways_used)));
       e.level = kSetup;
       break;
     }
     case kSetup: {
-      const uint32_t keys = std::min(e.keys, e.left);
       Way& way = e.ways[static_cast<size_t>(e.way)];
-      way.keys = e.next_run < e.runs.size() ? std::move(e.runs[e.next_run++]) : std::vector<Sorted>{};
-      way.line = e.next_line;
-      way.unasked = way.left = keys;
-      way.more = keys != 0;
+      const auto number = static_cast<uint32_t>(e.way);
+      const bool merged = number < e.merges, used = number < e.ways_used;
+      way.keys = merged ? std::move(e.merged[e.next_merged++])
+                 : used ? std::move(e.runs[e.next_run++])
+                        : std::vector<Sorted>{};
+      way.area = e.area != merged;
+      way.line = merged ? e.merged_line : e.next_line;
+      way.unasked = way.left = static_cast<uint32_t>(way.keys.size());
+      way.more = way.left != 0;
       way.held = way.ready = 0;
-      e.sum += keys;
-      e.left -= keys;
-      e.next_line += e.lines;
+      e.sum += way.left;
+      if (merged) e.merged_line += e.merged_lines;
+      if (used && !merged) e.next_line += e.lines;
       if (++e.way == 1 << e.levels) e.level = kStart;
       break;
     }
     case kStart: e.level = kMerge; break;
-    case kMerge: {
-      e.way = 0;
-      e.sum = 0;
+    case kMerge:
       if (!done) break;
-      if (e.is_first) e.next_lines = e.lines_number;
-      e.is_first = false;
-      e.level = e.last ? kSent : e.left == 0 ? kSize : kSetup;
-      if (e.left != 0) break;
-      e.keys <<= most;
-      e.lines = e.next_lines;
-      e.levels = 1;
-      e.area = !e.area;
+      if (e.merged.size() == 1) e.merged_lines = e.lines_number;
+      e.level = e.last ? kSent : kSize;
       break;
-    }
     case kSent:
       if (is.spill_done) e.level = kForm;
       break;

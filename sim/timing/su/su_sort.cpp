@@ -33,6 +33,7 @@ void Su::emit(Cycle now, const Now& is) {
   const bool outside = is.outside && is.emit_item;
   if (outside && looked_ == (is.emit_ready && is.emit_item)) moved_ = true;
   looked_ = outside && !is.emit_ready;
+  if (read_taken_) ask_ = false;
   if (!is.emit_item || !is.emit_ready) return;
   moved_ = true;
   if (is.kept) {
@@ -45,7 +46,8 @@ void Su::emit(Cycle now, const Now& is) {
     marks_.pop(now);
   } else if (external_.item()) {
     entry.item = item();
-    entry.outside = true;
+    entry.outside = ask_ = true;
+    ask_line_ = entry.item.number;
   } else {
     entry = batches_.front();
   }

@@ -51,15 +51,13 @@ void Su::port(Machine& m, Cycle now) {
     m.memory.ask(port_, overflow_line(m, forms || !e.area ? kRunArea : kListArea, e.lines_number), true);
   } else if (flight_ != kAnswers && fetches()) {
     choice_ = kFetch;
-    const uint64_t line =
-        forms ? overflow_line(m, kListArea, e.first + e.asked)
-              : overflow_line(m, e.area ? kRunArea : kListArea, e.ways[static_cast<size_t>(e.asked_way)].line);
+    const Way& way = e.ways[static_cast<size_t>(e.asked_way)];
+    const uint64_t line = forms ? overflow_line(m, kListArea, e.first + e.asked)
+                                : overflow_line(m, way.area ? kRunArea : kListArea, way.line);
     m.memory.ask(port_, line);
-  } else if (flight_ != kAnswers && open() && e.last && e.item() && looked_ && waiting_.room(now) &&
-             marks_.valid(now)) {
-    if (!marks_.front().all && marks_.front().bucket <= bucket_of(item().key)) return;
+  } else if (flight_ != kAnswers && ask_) {
     choice_ = kRead;
-    m.memory.ask(port_, overflow_line(m, kRecordArea, item().number));
+    m.memory.ask(port_, overflow_line(m, kRecordArea, ask_line_));
   }
 }
 
