@@ -141,6 +141,10 @@ PRINTS = {  # a test that prints what it measures: its room, the line, names of 
                 r"decisions", "pixels", "alpha", "bound", "power", "flipped"),
     "su": ("su", r"(\d+) keys per layer: ([\d.]+) cycles per key, .* depths ([\d.]+), clustered ([\d.]+)",
            "keys", "random", "narrow", "clustered"),
+    "load": ("timing", r"(\d+) splats.*clusters ([\d.]+), ([\d.]+); equal ([\d.]+), ([\d.]+); logarithmic ([\d.]+), "
+             r"([\d.]+); outlier ([\d.]+), ([\d.]+); random ([\d.]+), ([\d.]+)", "splats",
+             *(f"{what}_{spread}" for spread in ("clusters", "equal", "logarithmic", "outlier", "random")
+               for what in ("cycles", "bytes"))),
 }
 TABLE = [
     *[Measurement(f"ladder/{scene}", "build/pipegs ladder {scene} --json", ladder, RTL, scene, points=POINTS,

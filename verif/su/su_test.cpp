@@ -90,7 +90,7 @@ TEST(Su, WritesOverflowToItsOwnAreas) {
   EXPECT_EQ(bench.fetched, traffic.read) << "nothing for ends";
   const auto base = [](uint64_t area) { return kOverflow + ((2 << 3 | area) << 24); };
   const auto touched = [&](uint64_t address) { return bench.memory.line(address) != MemoryLine{}; };
-  const uint64_t runs = su_run_lines(kConfig, count, pool / 8 * 8);
+  const uint64_t runs = su_run_lines(kConfig, pool / 8 * 8) + su_run_lines(kConfig, count - pool / 8 * 8);
   EXPECT_TRUE(touched(base(1)) && touched(base(1) + count - 1) && touched(base(2)) &&
               touched(base(2) + (count - 1) / 8) && touched(base(3)) && touched(base(3) + runs - 1));
   EXPECT_FALSE(touched(base(1) + count) || touched(base(0)) || touched(base(3) + runs) || touched(base(4)));
@@ -192,9 +192,8 @@ TEST(Su, SortsSetsThatDoNotFitAtOnePace) {
   constexpr Arrangement kSpreads[] = {Arrangement::kRandom, Arrangement::kEqualDepth, Arrangement::kExtremes,
                                       Arrangement::kOutlier, Arrangement::kClustered};
   double fastest = 1e9, slowest = 0;
-  for (const size_t count : {2500, 25000, 250000}) {
+  for (const size_t count : {2500, 25000}) {  // more of them on the timing model: load_test
     for (const Arrangement arrangement : kSpreads) {
-      if (count > 100000 && arrangement != Arrangement::kRandom && arrangement != Arrangement::kClustered) continue;
       SuBench bench(Pace::kAlways, Pace::kAlways, false);
       bench.layer(arrangement, count, kWindowEnd);
       bench.check(100 * count);

@@ -119,8 +119,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.emit_item = is.mark_first || (is.item && (!is.sends || mark));
   is.outside = is.spilled && !is.mark_first && !is.item_end;
   const bool keeps = is.outside && !is.sends;
-  is.emit_ready =
-      keeps ? looked_ && !external_.lines_full : waiting_.room(now) && !ask_ && (!is.outside || looked_);
+  is.emit_ready = keeps ? looked_ && !external_.lines_full : waiting_.room(now) && !ask_ && (!is.outside || looked_);
   is.kept = keeps && is.emit_item && is.emit_ready;
   is.item_goes = is.item && is.emit_ready && !is.mark_first && (!is.sends || mark);
   is.spill_done = is.mark_first && head.all && is.emit_ready;

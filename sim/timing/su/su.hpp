@@ -99,12 +99,12 @@ class Su {
     int way = 0, place = 0;  // place: in its line
   };
   struct Way {
-    std::vector<Sorted> keys;  // of its run
-    uint32_t line = 0;         // to be asked for next
-    uint32_t unasked = 0;      // keys from there on
-    uint32_t left = 0;         // keys that were not taken
+    std::vector<Sorted> keys;         // of its run
+    uint32_t line = 0;                // to be asked for next
+    uint32_t unasked = 0;             // keys from there on
+    uint32_t left = 0;                // keys that were not taken
     bool more = false, area = false;  // area: it lies where runs are formed
-    int held = 0, ready = 0;  // lines
+    int held = 0, ready = 0;          // lines
   };
   struct External {
     Form form = kFormIdle;  // su_runs

@@ -3,7 +3,7 @@
 from data import data
 from formats import fixed, group, millions, table
 
-MEASURED = ["scale/*"]
+MEASURED = ["scale/*", "prints/timing/load"]
 GAUSSIANS = [f"gaussians_{count}m" for count in (1, 2, 4, 8, 16)]
 PIXELS = ["pixels_648x420", "gaussians_1m", "pixels_2592x1680", "pixels_3840x2160"]
 FILE = 104  # bytes of a Gaussian in a .ply of SH degree 1
@@ -59,3 +59,31 @@ def bytes_beyond_file():
 def microseconds(stage):
     """Processor time of a Gaussian."""
     return fixed(1e6 * each(lambda run: run.seconds[stage]), 1)
+
+
+SPREADS = {
+    "random": "even",
+    "equal": "all equal",
+    "clusters": "two clusters",
+    "outlier": "a narrow cluster, few outliers",
+    "logarithmic": "even in the logarithm",
+}
+
+
+def load():
+    """Cycles and bytes of sorting of a splat in one window, by how many there are and how their depths are spread."""
+    lines = data.prints.timing.load.lines
+    header = ["depths", *(f"{group(line.splats)} splats" for line in lines)]
+    return table(
+        header,
+        [
+            [title, *(f"{fixed(line[f'cycles_{name}'], 2)}, {fixed(line[f'bytes_{name}'], 0)} B" for line in lines)]
+            for name, title in SPREADS.items()
+        ],
+    )
+
+
+def most_of_load(what):
+    """The largest of all loads."""
+    most = max(line[f"{what}_{name}"] for line in data.prints.timing.load.lines for name in SPREADS)
+    return fixed(most, 1)
