@@ -186,7 +186,8 @@ module dopu_test #(
   // --- two planes per cycle: near and left, right and top, bottom ---------------------------------------------------
   localparam bit Ranks = pipegs_pkg::HasWatermarks;
   logic [5*PlaneBits-1:0]     planes;
-  logic                       nearest_q;  // phase 0: plane b is the near plane's normal, of the corner nearest to it
+  logic                       first_q, second_q, third_q;  // phases 1, 2 and 0
+  logic                       nearest;    // phase 0: plane b is the near plane's normal, of the corner nearest to it
   pipegs_pkg::plane_t         plane_a, plane_b;
   logic signed [TestW-1:0]    operand_a;
   logic signed [ProductW-1:0] ax_q, ay_q, az_q, ar_q, bx_q, by_q, bz_q, br_q;
@@ -194,27 +195,29 @@ module dopu_test #(
   logic                       outside, outside_q;
 
   assign planes = set_q ? planes_i[5*PlaneBits +: 5*PlaneBits] : planes_i[0 +: 5*PlaneBits];
-  always_comb begin
-    case (phase_q)
-      2'd1: begin plane_a = planes[0 +: PlaneBits]; plane_b = planes[PlaneBits +: PlaneBits]; end
-      2'd2: begin plane_a = planes[2*PlaneBits +: PlaneBits]; plane_b = planes[3*PlaneBits +: PlaneBits]; end
-      default: begin
-        plane_a = planes[4*PlaneBits +: PlaneBits];
-        plane_b = nearest_q ? planes[0 +: PlaneBits] : planes[4*PlaneBits +: PlaneBits];
-      end
-    endcase
+  // Which pair stands here, from registers of its own: the choice leads into the multipliers.
+  always_ff @(posedge clk_i) begin
+    first_q   <= phase_q == 2'd0;
+    second_q  <= phase_q == 2'd1;
+    third_q   <= last_phase;
   end
-  always_ff @(posedge clk_i) nearest_q <= Ranks && last_phase;
-  assign operand_a = phase_q == 2'd1 ? near_q : scale_q;
+  assign plane_a = ({PlaneBits{first_q}} & planes[0 +: PlaneBits]) |
+                   ({PlaneBits{second_q}} & planes[2*PlaneBits +: PlaneBits]) |
+                   ({PlaneBits{third_q}} & planes[4*PlaneBits +: PlaneBits]);
+  assign plane_b = ({PlaneBits{first_q}} & planes[PlaneBits +: PlaneBits]) |
+                   ({PlaneBits{second_q}} & planes[3*PlaneBits +: PlaneBits]) |
+                   ({PlaneBits{third_q}} & (Ranks ? planes[0 +: PlaneBits] : planes[4*PlaneBits +: PlaneBits]));
+  assign nearest   = Ranks && third_q;
+  assign operand_a = first_q ? near_q : scale_q;
 
   // The far corner of each plane.
   logic signed [TestW-1:0] far_ax, far_ay, far_az, far_bx, far_by, far_bz;
   assign far_ax = plane_a.nx[TestW-1] ? low_x_q : high_x_q;
   assign far_ay = plane_a.ny[TestW-1] ? low_y_q : high_y_q;
   assign far_az = plane_a.nz[TestW-1] ? low_z_q : high_z_q;
-  assign far_bx = plane_b.nx[TestW-1] != nearest_q ? low_x_q : high_x_q;
-  assign far_by = plane_b.ny[TestW-1] != nearest_q ? low_y_q : high_y_q;
-  assign far_bz = plane_b.nz[TestW-1] != nearest_q ? low_z_q : high_z_q;
+  assign far_bx = plane_b.nx[TestW-1] != nearest ? low_x_q : high_x_q;
+  assign far_by = plane_b.ny[TestW-1] != nearest ? low_y_q : high_y_q;
+  assign far_bz = plane_b.nz[TestW-1] != nearest ? low_z_q : high_z_q;
 
   always_ff @(posedge clk_i) begin
     ax_q <= ProductW'(plane_a.nx) * ProductW'(far_ax);
@@ -224,7 +227,7 @@ module dopu_test #(
     bx_q <= ProductW'(plane_b.nx) * ProductW'(far_bx);
     by_q <= ProductW'(plane_b.ny) * ProductW'(far_by);
     bz_q <= ProductW'(plane_b.nz) * ProductW'(far_bz);
-    br_q <= nearest_q ? '0 : ProductW'(plane_b.reach) * ProductW'(scale_q);
+    br_q <= nearest ? '0 : ProductW'(plane_b.reach) * ProductW'(scale_q);
   end
 
   assign sum_a   = SumW'(ax_q) + SumW'(ay_q) + SumW'(az_q) + SumW'(ar_q) + Slack;

@@ -222,8 +222,8 @@ mutant "the place of a node that failed stays reserved" \
        "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ - ReservedW'\(missed\[l\]\)//"
 proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4;
        @late=1,order=2 %BucketW=4 Most=16 Lines=64"
-mutant "one bucket too many is opened" "s/open_q != OpenW'\(Most\)/1/"
-mutant "a bucket opened while one is settled is lost" 's/open_q    <= left \+ /open_q <= settled_i ? left : left + /'
+mutant "one bucket too many is opened" 's/!open_q\[Most-1\]/1/'
+mutant "a bucket opened while one is settled is lost" 's/\(take \? open_q : fewer\)/fewer/'
 mutant "the nearest bucket stays when it is settled" 's/settled_i \? least\[1\] : nearest_q/nearest_q/'
 proof  dopu_bucket "dopu_bucket+ slot_pool first_set free_sram free_sram_fifo" \
        "@late=1,order=2 %BucketW=5 Lists=2 DataW=2 Nodes=4"

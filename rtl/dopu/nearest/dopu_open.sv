@@ -47,31 +47,31 @@ module dopu_open #(
   output logic                             waiting_o
 );
 
-  localparam int unsigned OpenW = $clog2(Most + 1);
-
   // --- buckets open, the oldest at 0 --------------------------------------------------------------------------------
   logic [BucketW-1:0] bucket_q [Most], kept [Most], moved [Most];
-  logic [OpenW-1:0]   open_q, left;
+  logic [Most-1:0]    open_q;       // which of them are open
+  logic [Most-1:0]    fewer, more;  // the same without the oldest, and of one more
   logic [BucketW-1:0] nearest_q, stays;
   // a tree over all but the oldest: the smaller of 2i and 2i+1 at i, leaves from Most on
   logic [BucketW-1:0] least [2*Most];
   logic               take;
 
-  assign take = open_valid_i && open_ready_o;
-  assign left = open_q - OpenW'(settled_i);
-  assign any_o = open_q != '0;
+  assign take  = open_valid_i && open_ready_o;
+  assign fewer = open_q >> 1;
+  assign more  = (open_q << 1) | Most'(1);
+  assign any_o = open_q[0];
 
   always_comb begin
     least[0] = '1;
-    for (int unsigned i = 0; i < Most; i += 1) least[Most+i] = i != 0 && OpenW'(i) < open_q ? bucket_q[i] : '1;
+    for (int unsigned i = 0; i < Most; i += 1) least[Most+i] = i != 0 && open_q[i] ? bucket_q[i] : '1;
     for (int unsigned i = Most - 1; i > 0; i -= 1) least[i] = least[2*i] < least[2*i+1] ? least[2*i] : least[2*i+1];
   end
   // With and without the oldest, and behind those left what is being opened, taken or not: `settled_i` comes late, and
   // what lies behind them does not count.
   always_comb begin
     for (int unsigned i = 0; i < Most; i += 1) begin
-      kept[i]  = OpenW'(i) == open_q ? open_bucket_i : bucket_q[i];
-      moved[i] = i + 1 == Most || OpenW'(i + 1) == open_q ? open_bucket_i : bucket_q[i+1];
+      kept[i]  = open_q[i] ? bucket_q[i] : open_bucket_i;
+      moved[i] = i + 1 != Most && fewer[i] ? bucket_q[i+1] : open_bucket_i;
     end
   end
   assign stays     = settled_i ? least[1] : nearest_q;
@@ -82,7 +82,7 @@ module dopu_open #(
       open_q    <= '0;
       nearest_q <= '1;
     end else begin
-      open_q    <= left + OpenW'(take);
+      open_q    <= settled_i ? (take ? open_q : fewer) : (take ? more : open_q);
       nearest_q <= take && open_bucket_i < stays ? open_bucket_i : stays;
     end
   end
@@ -97,7 +97,7 @@ module dopu_open #(
   logic [CountW-1:0]  job_count_q, job_last, last;
   logic               is_read, idle;
 
-  assign open_ready_o = !job_valid_q && open_q != OpenW'(Most);
+  assign open_ready_o = !job_valid_q && !open_q[Most-1];
   assign job_last     = CountW'(job_first_q) + job_count_q - 1'b1;  // of the last child's number, enough to know it
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -10,6 +10,7 @@ localparam int unsigned ProofW = 16;
 logic [ProofW-1:0]  opened_q, settled_q;  // modulo 2^16
 logic               waits_q;              // a job waits for the reader
 logic [BucketW-1:0] smallest;             // of those open, one after the other
+logic [ProofW-1:0]  number;               // of those open
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
 always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -26,11 +27,15 @@ end
 
 always_comb begin
   smallest = '1;
-  for (int unsigned i = 0; i < Most; i += 1) if (OpenW'(i) < open_q && bucket_q[i] < smallest) smallest = bucket_q[i];
+  number   = '0;
+  for (int unsigned i = 0; i < Most; i += 1) begin
+    if (open_q[i] && bucket_q[i] < smallest) smallest = bucket_q[i];
+    number += ProofW'(open_q[i]);
+  end
   assume (!settled_i || any_o);
   if (rst_ni) begin
-    assert (open_q <= OpenW'(Most));
-    assert (ProofW'(open_q) == opened_q - settled_q);
+    assert ((open_q & (open_q + 1'b1)) == '0);  // from the oldest on
+    assert (number == opened_q - settled_q);
     assert (!(take && waits_q));
     assert (waits_q == job_valid_q);
     assert (any_o == (opened_q != settled_q));
