@@ -49,6 +49,7 @@ void config_set(Config& config, std::string_view assignment) {
 void config_check(const Config& config) {
   const auto power_of_two = [](int n) { return (n & (n - 1)) == 0; };
   for (const auto& [name, value] : {std::pair{"units", config.units},
+                                    {"fronts", config.fronts},
                                     {"window", config.window},
                                     {"pixel_w", config.pixel_w},
                                     {"alpha_lines", config.alpha_lines},

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cpp_model/pu/pu_reach.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
 
 namespace pipegs {
 namespace {

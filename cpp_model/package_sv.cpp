@@ -12,8 +12,8 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/lib/math/exp2.hpp"
-#include "cpp_model/pu/pu_cull.hpp"
-#include "cpp_model/pu/pu_reach.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
 
 namespace {
 
@@ -250,9 +250,9 @@ void print_package(const pipegs::Config& config) {
   print_exp2_table(config);
   print_weights("CullWeights", 9,
                 "Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See "
-                "cpp_model/pu/pu_cull.hpp.",
+                "cpp_model/pu/front/pu_cull.hpp.",
                 pipegs::cull_weight, config);
-  print_weights("ReachWeights", 13, "Their squares for pu_reach, u1.12. See cpp_model/pu/pu_reach.hpp.",
+  print_weights("ReachWeights", 13, "Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.",
                 pipegs::reach_weight, config);
   for (const Record& record : records()) printer.print(record);
   std::printf("%s\nendpackage\n", kBundles);

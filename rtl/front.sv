@@ -46,12 +46,14 @@ module front #(
   localparam int unsigned VisibleBits   = pipegs_pkg::VisibleBits;
   localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
   localparam int unsigned LineW         = pipegs_pkg::LineW;
+  localparam int unsigned PuFronts      = pipegs_pkg::PuFronts;
 
   logic                             dopu_clk, dopu_active, deal_active;
   logic [Units-1:0]                 pu_active, chunk_valid, chunk_ready;
   pipegs_pkg::chunk_t               chunk;
   logic [Units-1:0]                 culled_valid, culled_ready, dealt_valid, dealt_ready;
   logic [Units*VisibleBits-1:0]     culled;
+  logic [PuFronts-1:0]              dealt_from;
   pipegs_pkg::visible_t             dealt;
 
   logic                             node_valid, node_ready, node_line;
@@ -81,7 +83,7 @@ module front #(
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
     logic pu_clk;
     clock_gate u_pu_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(pu_active[k]), .clk_o(pu_clk));
-    pu u_pu (
+    pu #(.Front(k < PuFronts)) u_pu (
       .clk_i(pu_clk), .rst_ni, .rotation_i(frame_i.camera.rotation), .quaternion_i(frame_i.camera.quaternion),
       .lens_i(frame_i.lens), .tables_i(frame_i.tables), .windows_i(frame_i.raster.windows),
       .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
@@ -105,7 +107,8 @@ module front #(
   end
 
   pu_deal u_deal (
-    .clk_i, .rst_ni, .in_valid_i(culled_valid), .in_ready_o(culled_ready), .in_i(culled),
+    .clk_i, .rst_ni, .in_valid_i(culled_valid[PuFronts-1:0]), .in_ready_o(dealt_from),
+    .in_i(culled[PuFronts*VisibleBits-1:0]),
     .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_o(dealt), .active_o(deal_active)
   );
 
@@ -113,7 +116,9 @@ module front #(
   assign tap_chunk_valid_o = chunk_valid & chunk_ready;
   assign tap_chunk_kind_o  = chunk.kind;
 
-  logic unused;  // writes get no answer
-  assign unused = ^spill_line;
+  assign culled_ready = Units'(dealt_from);
+
+  logic unused;  // writes get no answer; PUs without a front give nothing
+  assign unused = &{1'b0, spill_line, culled_valid, culled};
 
 endmodule

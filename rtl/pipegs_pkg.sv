@@ -8,6 +8,8 @@
 package pipegs_pkg;
 
   localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
+  // PUs that fetch and cull, of all PUs at most; every PU projects (1, 2 or 4)
+  localparam int unsigned Fronts         = 4;
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
   localparam int unsigned Window         = 64;
@@ -91,6 +93,10 @@ package pipegs_pkg;
   localparam bit HasWatermarks           = 1'b0;  // chunks come nearest first, watermarks release what is sorted
   localparam bit HasStores               = 1'b1;  // alpha stores lie between the PUs and the RUs
   localparam bit SpillsAlphas            = 1'b1;  // lines of alphas may lie in external memory
+  localparam int unsigned PuFronts       = 4;  // PUs that fetch and cull
+  localparam int unsigned GeometryJobs   = 8;  // chunks whose lines such a PU has asked for
+  // lines of geometry in flight or waiting in it: as many in all, whatever their number
+  localparam int unsigned GeometryLines  = 64;
   // Gaussians from where pu_project gives a payload to pu_conic's output: one, and two in each stage behind it
   localparam int unsigned ShapePlaces    = 13;
   // Gaussians from where pu_project gives a centre to where pu_covariance takes it: 1, 2 in each of four stages, 1
@@ -233,8 +239,6 @@ package pipegs_pkg;
   localparam int unsigned TapLanes       = 1;  // lanes of taps of an RU: one for each group of lanes
   localparam int unsigned TapLineW       = 512;  // alphas that a lane of taps shows
   localparam int unsigned TapWordW       = 1088;  // pixels that a lane of taps shows
-  localparam int unsigned GeometryJobs   = 8;  // chunks whose lines a PU has asked for
-  localparam int unsigned GeometryLines  = 64;  // lines of geometry in flight or waiting in a PU
   localparam int unsigned DescendResults = 8;  // results of the DOPU's test that may wait, each level (order 0 and 1)
   // ranges of nodes that the DOPU has asked for, each level (order 0 and 1)
   localparam int unsigned DescendJobs    = 8;
@@ -301,7 +305,7 @@ package pipegs_pkg;
     32'h60c50a, 32'h5f444c, 32'h5e4390, 32'h5dc2d5, 32'h5c421d, 32'h5b4167, 32'h5ac0b2, 32'h594000
   };
 
-  // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See cpp_model/pu/pu_cull.hpp.
+  // Weights of a Gaussian's reach, u1.8, by the six leading bits of -log2(opacity). See cpp_model/pu/front/pu_cull.hpp.
   localparam logic [64*9-1:0] CullWeights = {
     9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
     9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1, 9'd1,
@@ -313,7 +317,7 @@ package pipegs_pkg;
     9'd227, 9'd231, 9'd236, 9'd240, 9'd244, 9'd248, 9'd252, 9'd256
   };
 
-  // Their squares for pu_reach, u1.12. See cpp_model/pu/pu_reach.hpp.
+  // Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.
   localparam logic [64*13-1:0] ReachWeights = {
     13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,
     13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1, 13'd1,

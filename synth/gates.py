@@ -117,6 +117,19 @@ def module_text(module, gates, library):
     return "\n".join([f"module {module.name} ("] + [",\n".join(ports)] + [");"] + lines + ["endmodule", ""])
 
 
+def choice(name, variants):
+    """A module with parameters that is one of these, which have one each of the values that the machine gives them."""
+    ports = variants[0].ports()
+    parameters = ", ".join(f"parameter int unsigned {key} = {value}" for key, value in variants[0].parameters.items())
+    lines = [HEAD + f"module {name} #({parameters}) ("]
+    lines += [",\n".join(f"  {way} logic {f'[{width - 1}:0] ' if width > 1 else ''}{port}" for port, way, width in ports)]
+    lines += [");"]
+    for module in variants:
+        chosen = " && ".join(f"{key} == {value}" for key, value in module.parameters.items())
+        lines += [f"  if ({chosen}) begin : gen_{module.name}", f"    {module.name} u_gates (.*);", "  end"]
+    return "\n".join(lines + ["endmodule", ""])
+
+
 class Logic:
     """The gates of one module: the drivers of its combinational nets, flip-flops by clock and reset, latches.
 

@@ -73,6 +73,33 @@ def power_entry(machine, names, power):
     }
 
 
+def unit_entry(machine, module):
+    """Area, paths and power of a unit with all that is in it."""
+    below = [one.name for one, _, _ in walk(module) if one.base != rtlil.MEMORY]
+    area = sum(machine.areas[name] for name in below)
+    paths = machine.paths[module.name]
+    return {
+        "area_um2": round(area, 1),
+        "nand2": round(area / machine.library.nand.area),
+        "flipflops": sum(machine.flipflops[name] for name in below),
+        **path_entry(paths["registers"], module),
+        **path_entry(paths["ports"], module, "port_path"),
+        **power_entry(machine, below, paths["power"]),
+    }
+
+
+def mean_entry(entries, counts):
+    """Of units that differ in a parameter (PUs with and without a front): the mean, and the longest path of all."""
+    result = dict(max(entries, key=lambda entry: entry["path_ps"]))
+    longest = max(entries, key=lambda entry: entry["port_path_ps"])
+    result |= {key: value for key, value in longest.items() if key.startswith("port_path")}
+    for key, value in result.items():
+        if len(entries) > 1 and not isinstance(value, str) and not key.endswith("path_ps"):
+            mean = sum(entry[key] * count for entry, count in zip(entries, counts)) / sum(counts)
+            result[key] = round(mean) if isinstance(value, int) else mean
+    return result
+
+
 def summary(machine, modules, configuration, library, seconds):
     nand2 = machine.library.nand.area
     instances = list(walk(modules["pipegs_top"]))
@@ -98,22 +125,10 @@ def summary(machine, modules, configuration, library, seconds):
     units = []
     for base, unit in [*UNITS.items(), ("pipegs_top", "top")]:
         found = [module for module in modules.values() if module.base == base]
+        counts_of = [sum(one is module for one, _, _ in instances) for module in found]
+        entries = [unit_entry(machine, module) for module in found]
         if found:
-            below = [module.name for module, _, _ in walk(found[0]) if module.base != rtlil.MEMORY]
-            area = sum(machine.areas[name] for name in below)
-            paths = machine.paths[found[0].name]
-            units.append(
-                {
-                    "unit": unit,
-                    "instances": sum(module is found[0] for module, _, _ in instances),
-                    "area_um2": round(area, 1),
-                    "nand2": round(area / nand2),
-                    "flipflops": sum(machine.flipflops[name] for name in below),
-                    **path_entry(paths["registers"], found[0]),
-                    **path_entry(paths["ports"], found[0], "port_path"),
-                    **power_entry(machine, below, paths["power"]),
-                }
-            )
+            units.append({"unit": unit, "instances": sum(counts_of), **mean_entry(entries, counts_of)})
     memories = collections.Counter(
         (re.sub(r"\[\d+\]", "[k]", path), unit, module.parameters["Depth"], module.parameters["DataW"])
         for module, unit, path in instances

@@ -51,6 +51,11 @@ class Module:
         return list({child.name: child for _, child in self.children + self.gates}.values())
 
 
+def variant(module):
+    """Its name where the design holds it with several parameters."""
+    return module.base + "".join(f"__{key}_{value}" for key, value in module.parameters.items())
+
+
 def _without_numbers(lines):
     """Names that Yosys made up hold source paths and counts over the whole design: number them in this module."""
     numbers = {}
@@ -98,7 +103,7 @@ def read(path):
     bases = [module.base for module in unique.values()]
     for module in unique.values():
         if bases.count(module.base) > 1:
-            module.name = module.base + "".join(f"__{key}_{value}" for key, value in module.parameters.items())
+            module.name = variant(module)
     for module in unique.values():
         for i, line in enumerate(module.lines):
             if line.startswith("  cell ") and line.split()[1] in by_raw:

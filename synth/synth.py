@@ -288,9 +288,20 @@ def one_each(module):
 
 
 def write_netlists(jobs, machine, package, folder, names):
-    """FOLDER/NAME.v of each: those that stand in the machine without parameters from there, the others alone."""
+    """FOLDER/NAME.v of each: those that stand in the machine without parameters from there, the others alone.
+
+    Of a unit with parameters FOLDER/NAME.sv chooses among one .v for each of the values that the machine gives them."""
     whole = elaborate(jobs, package)
-    alone = [name for name in names if name not in whole or whole[name].parameters]
+    for name in [name for name in names if name in report.UNITS]:
+        variants = [module for module in whole.values() if module.base == name and module.parameters]
+        if variants:
+            for module in variants:
+                del whole[module.name]
+                module.name = rtlil.variant(module)
+                whole[module.name] = module
+            write_new(f"{folder}/{name}.sv", gates.choice(name, variants))
+            names = [one for one in names if one != name] + [module.name for module in variants]
+    alone = [name for name in names if name not in whole or whole[name].parameters and whole[name].base == name]
     designs = jobs.each("elaborate", [(name, 1, functools.partial(elaborate, jobs, package, name)) for name in alone])
     for modules, tops in [(whole, [name for name in names if name not in alone])] + [
         (designs[name], [name]) for name in alone

@@ -2,7 +2,7 @@
 // pack: a scene in the machine's own format: fixed point, grouped by grid cell, cut into chunks with bounding boxes.
 //
 // Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
-// RTL     read by rtl/dopu (nodes), rtl/pu/pu_fetch (geometry), pu_color (SH)
+// RTL     read by rtl/dopu (nodes), rtl/pu/front/pu_fetch (geometry), pu_color (SH)
 // Idea    World unit = 2^scene_exponent scene units, so that every coordinate fits WorldW - 2 bits. A uniform grid lies
 //         over the 2..98 percentile box of the means; its outer cells extend to infinity. A cell's Gaussians are
 //         ordered by pack_order and cut into chunks, up to Group of them in a group; a chunk's means are offsets from

@@ -84,6 +84,7 @@ ADDED = {  # from exact towards sim/fast.cfg: what each step adds to the one bef
     "buckets": ("buckets of 1/64 octave", "--set bucket_bits=6"),
     "tests2": ("two tests of regions in a cycle", "--set tests=2"),
     "tight": ("a cull by the ellipse itself", "--set tight_cull=1"),
+    "fronts": ("two of the four PUs fetch and cull", "--set fronts=2"),
 }
 SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
 STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}

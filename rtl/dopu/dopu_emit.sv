@@ -2,8 +2,9 @@
 // dopu_emit: hands chunks to the PUs, and ends to all of them.
 //
 // Paper   Fig. 7 (DOPU feeds four PUs).
-// Idea    A chunk goes to one PU: the next one in turn that is ready; once shown it stays there. An end goes to every
-//         PU, each takes it in its own time. A layer end is sent only if the layer had a chunk.
+// Idea    A chunk goes to one PU: the next one in turn that is ready, which a PU without a front never is; once shown
+//         it stays there. An end goes to every PU, each takes it in its own time. A layer end is sent only if the layer
+//         had a chunk.
 // Stream  chunk in, in the order of the walk; chunk_valid_o has one bit per PU, the beat is shared.
 // Pace    One chunk in two cycles.
 // Model   None: the bit-accurate model's chunks and ends, in any split among the PUs (verif/dopu/dopu_test.cpp).

@@ -2,13 +2,15 @@
 // pu: one Preprocessing Unit: Gaussians of a window in, sorted-to-be splats and their lines of alphas out.
 //
 // Paper   Fig. 7 (PU), Sec. 4.2.1, Eq. 3, Table 2 (eight Row Units).
-// Idea    fetch -> cull -> reach (TightCull) -> (pu_deal, shared by all PUs) -> queue -> shape (the projection, eight
-//         stages) -> back (regions, colour, alphas). Wiring, and the clock that stops when nothing moves.
+// Idea    front (fetch and cull) -> (pu_deal, shared by all PUs) -> queue -> shape (the projection, eight stages) ->
+//         back (regions, colour, alphas). Wiring, and the clock that stops when nothing moves. PuFronts of the PUs have
+//         a front; the others take what pu_deal gives them, and the ends.
 // Stream  chunk in; splat out; lines to the lane's alpha store; three ports to external memory.
 // Pace    One Gaussian per cycle into the cull, one per eight cycles behind it.
 // Model   preprocess() in cpp_model/golden.cpp
 
 module pu #(
+  parameter bit Front = 1'b1,
   localparam int unsigned Units    = pipegs_pkg::Units,
   localparam int unsigned AddressW = pipegs_pkg::AddressW,
   localparam int unsigned MemoryW  = pipegs_pkg::MemoryW,
@@ -73,19 +75,15 @@ module pu #(
 
   localparam int unsigned VisibleDepth = pipegs_pkg::VisibleDepth;
 
-  logic chunk_valid, chunk_ready, fetched_valid, fetched_ready, survivor_valid, survivor_ready;
-  logic visible_valid, visible_ready, payload_valid;
+  logic chunk_valid, chunk_ready, visible_valid, visible_ready, payload_valid;
   logic conic_valid, conic_ready;
   logic [$clog2(VisibleDepth+1)-1:0] visible_count;
-  pipegs_pkg::fetched_t   fetched;
-  pipegs_pkg::visible_t   survivor;  // of the cull
-  pipegs_pkg::gap_t       gap;
   pipegs_pkg::visible_t   visible;
   pipegs_pkg::payload_t   payload;
   pipegs_pkg::conic_t     conic;
   pipegs_pkg::splat_t     splat;
 
-  logic fetch_idle, fetch_waiting, cull_busy, reach_busy, shape_moved, shape_busy, regions_busy, front_busy;
+  logic front_moved, front_idle, fetch_waiting, culls, shape_moved, shape_busy, regions_busy, busy;
   logic rows_busy, color_busy, color_waiting, back_moved, back_busy, back_waiting;
   logic moved, wake, work, asleep;
 
@@ -101,35 +99,29 @@ module pu #(
     assign splat_o       = splat;
   end
 
-  pu_fetch u_fetch (
-    .clk_i, .rst_ni, .gaussians_i(tables_i.gaussians),
-    .chunk_valid_i(chunk_valid), .chunk_ready_o(chunk_ready), .chunk_i,
-    .mem_valid_o(geometry_valid_o), .mem_ready_i(geometry_ready_i), .mem_address_o(geometry_address_o),
-    .rsp_valid_i(geometry_rsp_valid_i), .rsp_data_i,
-    .fetched_valid_o(fetched_valid), .fetched_ready_i(fetched_ready), .fetched_o(fetched),
-    .waiting_memory_o(fetch_waiting), .idle_o(fetch_idle)
-  );
-
-  pu_cull u_cull (
-    .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i,
-    .fetched_valid_i(fetched_valid), .fetched_ready_o(fetched_ready), .fetched_i(fetched),
-    .visible_valid_o(survivor_valid), .visible_ready_i(survivor_ready), .visible_o(survivor), .gap_o(gap),
-    .busy_o(cull_busy)
-  );
-
-  if (pipegs_pkg::TightCull != 0) begin : gen_reach
-    pu_reach u_reach (
-      .clk_i, .rst_ni, .rotation_i, .lens_i,
-      .culled_valid_i(survivor_valid), .culled_ready_o(survivor_ready), .culled_i({gap, survivor}),
-      .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o), .busy_o(reach_busy)
+  if (Front) begin : gen_front
+    pu_front u_front (
+      .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i, .gaussians_i(tables_i.gaussians),
+      .chunk_valid_i(chunk_valid), .chunk_ready_o(chunk_ready), .chunk_i,
+      .geometry_valid_o, .geometry_ready_i, .geometry_address_o, .geometry_rsp_valid_i, .rsp_data_i,
+      .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o),
+      .moved_o(front_moved), .waiting_o(fetch_waiting), .culls_o(culls), .idle_o(front_idle)
     );
-  end else begin : gen_no_reach
-    logic unused_gap;
-    assign culled_valid_o = survivor_valid;
-    assign survivor_ready = culled_ready_i;
-    assign culled_o       = survivor;
-    assign reach_busy     = 1'b0;
-    assign unused_gap     = &{1'b0, gap};
+  end else begin : gen_no_front
+    logic unused_front;
+    // Ends are shown to all PUs, and only pu_marks needs them here. A chunk comes to one that asks for it before it is
+    // shown, so never to this one.
+    assign chunk_ready        = chunk_valid_i;
+    assign geometry_valid_o   = 1'b0;
+    assign geometry_address_o = '0;
+    assign culled_valid_o     = 1'b0;
+    assign culled_o           = '0;
+    assign front_moved        = 1'b0;
+    assign fetch_waiting      = 1'b0;
+    assign culls              = 1'b0;
+    assign front_idle         = 1'b1;
+    assign unused_front       = &{1'b0, chunk_i, chunk_valid, lens_i, windows_i, tables_i.gaussians, geometry_ready_i,
+                                  geometry_rsp_valid_i, culled_ready_i};
   end
 
   sram_fifo #(.DataW(pipegs_pkg::VisibleBits), .Depth(VisibleDepth)) u_visible (
@@ -158,20 +150,20 @@ module pu #(
   );
 
   // --- what it does, and whether it needs its clock ------------------------------------------------------------------
-  assign front_busy = cull_busy || reach_busy || visible_count != '0 || shape_busy || regions_busy;
-  assign moved = (fetched_valid && fetched_ready) || (visible_valid && visible_ready) || shape_moved || back_moved;
+  assign busy  = culls || visible_count != '0 || shape_busy || regions_busy;
+  assign moved = front_moved || (visible_valid && visible_ready) || shape_moved || back_moved;
   // What may come from outside.
   assign wake  = (chunk_valid_i && chunk_ready_o) || (culled_valid_o && culled_ready_i) ||
                  (visible_valid_i && visible_ready_o) || (splat_valid_o && splat_ready_i) ||
                  layer_free_i || restart_i || geometry_valid_o || color_valid_o || spill_valid_o ||
                  geometry_rsp_valid_i || color_rsp_valid_i;
-  assign work  = chunk_valid_i || visible_valid_i || !fetch_idle || front_busy || back_busy;
+  assign work  = chunk_valid_i || visible_valid_i || !front_idle || busy || back_busy;
   assign active_o = wake || (work && !asleep);
 
   sleep #(.Patience(127)) u_sleep (.clk_i, .rst_ni, .moved_i(moved), .wake_i(wake), .asleep_o(asleep));
 
   pu_state u_state (
-    .rows_i(rows_busy), .front_i(front_busy), .color_i(color_busy),
+    .rows_i(rows_busy), .front_i(busy), .color_i(color_busy),
     .memory_i(fetch_waiting || color_waiting || (spill_valid_o && !spill_ready_i)),
     .blocked_i(back_waiting || (splat_valid_o && !splat_ready_i)), .state_o(perf_o)
   );

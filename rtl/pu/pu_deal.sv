@@ -2,48 +2,53 @@
 // pu_deal: deals the Gaussians that survive the culls to the PUs, so that all of them have the same to do.
 //
 // Paper   Table 2 (four PUs); the paper does not say how Gaussians are shared among them.
-// Idea    A chunk goes to one PU's fetch and cull, but chunks differ a hundredfold in work: 32 screen-filling splats or
-//         32 specks. So survivors of all culls are dealt one by one to whichever PU has room, in turn. The sort behind
-//         makes the image independent of who gets which. A layer's end waits until all culls have reached it and goes
-//         to all PUs.
+// Idea    A chunk goes to the fetch and cull of one PU (of PuFronts that have them), but chunks differ a hundredfold in
+//         work: 32 screen-filling splats or 32 specks. So survivors of all culls are dealt one by one to whichever PU
+//         has room, in turn. The sort behind makes the image independent of who gets which. A layer's end waits until
+//         all culls have reached it and goes to all PUs.
 // Stream  visible from each cull; visible to each PU, one record for all with one valid each.
 // Pace    One Gaussian per cycle (with a single PU every second one), latency one.
 // Model   Any dealing is right: the test checks that each Gaussian arrives once, in its layer.
 
 module pu_deal #(
-  localparam int unsigned Units = pipegs_pkg::Units,
-  localparam int unsigned Bits  = pipegs_pkg::VisibleBits,
-  localparam int unsigned PortW = Units > 1 ? $clog2(Units) : 1
+  localparam int unsigned Units  = pipegs_pkg::Units,
+  localparam int unsigned Fronts = pipegs_pkg::PuFronts,
+  localparam int unsigned Bits   = pipegs_pkg::VisibleBits
 ) (
-  input  logic                  clk_i,
-  input  logic                  rst_ni,
+  input  logic                   clk_i,
+  input  logic                   rst_ni,
 
-  input  logic [Units-1:0]      in_valid_i,
-  output logic [Units-1:0]      in_ready_o,
-  input  logic [Units*Bits-1:0] in_i,
+  input  logic [Fronts-1:0]      in_valid_i,
+  output logic [Fronts-1:0]      in_ready_o,
+  input  logic [Fronts*Bits-1:0] in_i,
 
-  output logic [Units-1:0]      out_valid_o,
-  input  logic [Units-1:0]      out_ready_i,
-  output pipegs_pkg::visible_t  out_o,
+  output logic [Units-1:0]       out_valid_o,
+  input  logic [Units-1:0]       out_ready_i,
+  output pipegs_pkg::visible_t   out_o,
 
-  output logic                  active_o
+  output logic                   active_o
 );
 
-  logic [Units-1:0]     is_end, data, source, target;
-  logic [PortW-1:0]     source_port, target_port;
+  localparam int unsigned FrontW = Fronts > 1 ? $clog2(Fronts) : 1;
+  localparam int unsigned UnitW  = Units > 1 ? $clog2(Units) : 1;
+
+  logic [Fronts-1:0]    is_end, data, source;
+  logic [FrontW-1:0]    source_port;
+  logic [Units-1:0]     target;
+  logic [UnitW-1:0]     target_port;
   logic                 free, take_data, take_end;
   logic [Units-1:0]     waiting_q;  // PUs that have still to take the record
   pipegs_pkg::visible_t out_q;
 
   always_comb begin
-    for (int unsigned i = 0; i < Units; i += 1) begin
+    for (int unsigned i = 0; i < Fronts; i += 1) begin
       is_end[i] = in_valid_i[i] && in_i[i*Bits +: pipegs_pkg::KindW] != pipegs_pkg::KindData;
     end
   end
   assign data = in_valid_i & ~is_end;
   assign free = (waiting_q & ~out_ready_i) == '0;
 
-  arbiter #(.Ports(Units)) u_source (
+  arbiter #(.Ports(Fronts)) u_source (
     .clk_i, .rst_ni, .request_i(data), .advance_i(take_data), .grant_o(source), .port_o(source_port)
   );
   // A PU that takes the present record in this cycle may have filled its queue with it.

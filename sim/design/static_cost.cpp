@@ -73,11 +73,14 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
     for (const int constant : constants) adders += constant_product_adders(constant);
     return adders;
   };
-  // `each` per unit (the DOPU is one), and what one of them holds.
+  // `n` of them, and what one of them holds; `each` per unit (the DOPU is one).
+  const auto add_n = [&](const char* module, const char* kind, const char* unit, int n, int multipliers, int adders,
+                         int constant = 0) {
+    cost.arithmetic.push_back({module, kind, unit, n, n * multipliers, n * adders, n * constant});
+  };
   const auto add = [&](const char* module, const char* kind, const char* unit, int each, int multipliers, int adders,
                        int constant = 0) {
-    const int n = each * (std::string(unit) == "dopu" ? 1 : c.units);
-    cost.arithmetic.push_back({module, kind, unit, n, n * multipliers, n * adders, n * constant});
+    add_n(module, kind, unit, each * (std::string(unit) == "dopu" ? 1 : c.units), multipliers, adders, constant);
   };
   add("dopu_layer", "partition", "dopu", 1, 0, c.layered ? 2 : 0);
   add("dopu_origin", "partition", "dopu", 1, 3, 6);
@@ -86,11 +89,11 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   // Of a window with its margin, sixteenths of a pixel; with lists against the rectangle of all windows.
   const int span = (c.window - 1 + 2 * c.reach_margin()) * 16 + 1;
   if (c.has_lists()) {
-    add("pu_cull", "projection", "pu", 1, 18, 27);
+    add_n("pu_cull", "projection", "pu", c.pu_fronts(), 18, 27);
   } else {
-    add("pu_cull", "projection", "pu", 1, 16, 29 + (c.tight_cull ? 6 : 0), times({span}));
+    add_n("pu_cull", "projection", "pu", c.pu_fronts(), 16, 29 + (c.tight_cull ? 6 : 0), times({span}));
   }
-  if (c.tight_cull) add("pu_reach", "projection", "pu", 1, 36, 26);
+  if (c.tight_cull) add_n("pu_reach", "projection", "pu", c.pu_fronts(), 36, 26);
   add("pu_project", "projection", "pu", 1, 1, 1);
   add("pu_orient", "projection", "pu", 1, 4, 14);
   add("pu_jacobian", "projection", "pu", 1, 2, 4);
@@ -155,8 +158,9 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("SU u_port.u_answers", "overflow", memory, c.su_answers(), units);
   }
 
-  add("PU u_fetch.u_reader.u_lines", "parameters", memory, c.geometry_lines(), units);
-  if (c.tight_cull) add("PU u_reach.u_words", "parameters", record_width<Visible>(c), c.reach_depth(), units);
+  const int fronts = c.pu_fronts();
+  add("PU u_front.u_fetch.u_reader.u_lines", "parameters", memory, c.geometry_lines(), fronts);
+  if (c.tight_cull) add("PU u_front.u_reach.u_words", "parameters", record_width<Visible>(c), c.reach_depth(), fronts);
   add("PU u_visible", "parameters", record_width<Visible>(c), c.visible_depth(), units);
   add("PU u_shape.u_centers", "parameters", record_width<Center>(c), c.center_depth(), units);
   const int payload = c.has_lists() ? record_width<Listed>(c) : record_width<Parted>(c);

@@ -47,7 +47,9 @@ touch "$out/begun"  # the library is as old as this: a file that changes from he
 "$build/cpp_model/package_sv" "${settings[@]}" > "$out/pipegs_pkg.sv"
 shards=4
 if [ ${#units[@]} -gt 0 ]; then
+  rm -rf "$out/netlists"
   "$root/synth/synth.py" --build "$build" --set "${settings[*]}" --netlist "$out/netlists" "${units[@]}"
+  mapfile -t units < <(cd "$out/netlists" && basename -s .v -- *.v)  # a unit with parameters is several
   for unit in "${units[@]}"; do
     "$root/sim/rtl/verilate.sh" "$unit" "$out/units/$unit" "$out/netlists/$unit.v" $shards \
       --lib-create "$unit" --clk clk_i --clk rst_ni
@@ -55,6 +57,7 @@ if [ ${#units[@]} -gt 0 ]; then
     sed -i 's/long long m_seqnum;/long long m_seqnum = 0;/' "$out/units/$unit/$unit.cpp"
     options+=(-y "$out/units/$unit")  # the wrapper that it wrote stands before the RTL
   done
+  options+=(-y "$out/netlists")  # NAME.sv chooses among those of a unit
   options+=(-Wno-UNOPTFLAT)  # a wrapper is one process: what comes in as ready and goes out as valid looks like a loop
 fi
 if [ $shared = 1 ]; then

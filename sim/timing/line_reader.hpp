@@ -10,7 +10,7 @@
 
 namespace pipegs::timing {
 
-template <class Tag, int Jobs, int Lines>
+template <class Tag, int MostJobs>
 class LineReader {
  public:
   struct Job {
@@ -19,7 +19,8 @@ class LineReader {
     Tag tag{};
   };
 
-  explicit LineReader(int items_per_line, uint64_t base) : half_(items_per_line - 1), base_(base) {}
+  LineReader(int items_per_line, uint64_t base, int jobs, int lines)
+      : half_(items_per_line - 1), base_(base), credits_(lines), most_jobs_(jobs), jobs_(jobs) {}
 
   // --- items, for their taker ----------------------------------------------------------------------------------------
   bool item_shown(Cycle now) const { return jobs_.valid(now) && (!jobs_.front().read || line_valid_); }
@@ -62,7 +63,7 @@ class LineReader {
     return load || popped || granted || answered || job != nullptr;
   }
   bool room_next(Cycle now) const {
-    return jobs_.count() < Jobs && free_from_ <= now + 1;
+    return jobs_.count() < most_jobs_ && free_from_ <= now + 1;
   }  // after step: in the next cycle
   bool room_before_job(Cycle now) const {
     return jobs_.room(now) && free_from_ <= now;
@@ -80,10 +81,11 @@ class LineReader {
  private:
   int half_;
   uint64_t base_, line_ = 0;
-  int lines_left_ = 0, credits_ = Lines, stored_ = 0;
+  int lines_left_ = 0, credits_, stored_ = 0;
   Cycle free_from_ = kLongAgo, taken_at_ = kLongAgo;
   bool line_valid_ = false, line_popped_ = false;
-  FallQueue<Job, Jobs> jobs_;
+  int most_jobs_;
+  FallQueue<Job, MostJobs> jobs_;
   uint32_t item_ = 0;
 };
 

@@ -224,7 +224,7 @@ proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW
        @late=1,order=2 %BucketW=4 Most=16 Lines=64"
 mutant "one bucket too many is opened" 's/!open_q\[Most-1\]/1/'
 mutant "a bucket opened while one is settled is lost" 's/\(take \? open_q : fewer\)/fewer/'
-mutant "the nearest bucket stays when it is settled" 's/settled_i \? least\[1\] : nearest_q/nearest_q/'
+mutant "the nearest bucket stays when it is settled" 's/settled_i \? goes : stays/stays/'
 proof  dopu_bucket "dopu_bucket+ slot_pool first_set free_sram free_sram_fifo" \
        "@late=1,order=2 %BucketW=5 Lists=2 DataW=2 Nodes=4"
 mutant "another place than the node's comes back" 's/free_slot_i\(place_q\)/free_slot_i(free_place)/'

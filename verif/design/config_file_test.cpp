@@ -48,7 +48,7 @@ TEST_F(ConfigFile, TheFastestMachine) {
   apply_design_point(find_design_point("exact"), config);
   apply_config_file(PIPEGS_SOURCE_DIR "/sim/fast.cfg", config);
   EXPECT_EQ(config_difference(config),
-            "window=128,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,"
+            "fronts=2,window=128,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,"
             "tight_cull=1,tests=2,alpha_w=10,pixel_w=32,records=1536,bucket_bits=6");
 }
 

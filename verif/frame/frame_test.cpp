@@ -20,7 +20,7 @@ namespace {
 // tests in a cycle and pixels of 32 bits; then `late` with coarse numbers and without some parts.
 const std::vector<std::vector<std::string>> kMachines = {
     {},
-    {"units=2", "pixels_per_row=1", "grid=8", "tight_cull=1"},
+    {"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1"},
     {"units=1", "alpha_lines=64", "records=16"},
     {"late=1", "records=2048"},
     {"order=1"},
@@ -30,7 +30,7 @@ const std::vector<std::vector<std::string>> kMachines = {
     {"units=2", "late=1", "order=2", "records=16"},
     {"late=1", "order=2", "quads=1", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24", "alpha_w=10",
      "records=2048", "bucket_bits=5"},
-    {"window=128", "late=1", "order=2", "quads=1", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24",
+    {"fronts=2", "window=128", "late=1", "order=2", "quads=1", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24",
      "tight_cull=1", "tests=2", "alpha_w=10", "pixel_w=32", "records=1536", "bucket_bits=6"},
     {"late=1", "antialias=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "records=2048",
      "guard_band=0", "early_stop=0", "taps=0"}};

@@ -14,9 +14,9 @@ class PuDeal : public testing::Test {
   // Several streams of layers, each with its own number of Gaussians; returns the cycles that passed.
   uint64_t deal(Pace source_pace, Pace sink_pace, int layers, int most) {
     const Config config = test_config();
-    const int units = config.units, width = record_width<Visible>(config);
+    const int units = config.units, fronts = config.pu_fronts(), width = record_width<Visible>(config);
     Bench<Vpu_deal> bench;
-    std::vector<std::deque<Visible>> sources(units);
+    std::vector<std::deque<Visible>> sources(fronts);
     std::map<uint64_t, int> layer_of;  // by index
     uint64_t index = 0;
     for (int layer = 0; layer < layers; ++layer) {
@@ -32,7 +32,7 @@ class PuDeal : public testing::Test {
       }
     }
     dealt_ = index;
-    std::vector<bool> up(units);
+    std::vector<bool> up(fronts);
     std::vector<int> layer(units, 0);
     bench.dut.in_valid_i = 0;
     bench.dut.out_ready_i = 0;
@@ -42,7 +42,7 @@ class PuDeal : public testing::Test {
     for (; ended < units && bench.cycle < start + 200000; ++bench.cycle) {
       Words all(port_words<decltype(bench.dut.in_i)>() + 2);
       uint32_t valid = 0;
-      for (int u = 0; u < units; ++u) {
+      for (int u = 0; u < fronts; ++u) {
         if (!up[u]) up[u] = !sources[u].empty() && goes(source_pace, bench.rng);
         if (!up[u]) continue;
         valid |= 1u << u;
@@ -64,8 +64,9 @@ class PuDeal : public testing::Test {
       const uint32_t handshakes = bench.dut.out_valid_o & bench.dut.out_ready_i;
       taken_ = static_cast<CData>(handshakes);
       const Visible out = read_record<Visible>(config, bench.dut.out_o);
+      for (int f = 0; f < fronts; ++f)
+        if ((bench.dut.in_ready_o & valid) >> f & 1) sources[f].pop_front(), up[f] = false;
       for (int u = 0; u < units; ++u) {
-        if ((bench.dut.in_ready_o & valid) >> u & 1) sources[u].pop_front(), up[u] = false;
         if ((handshakes >> u & 1) == 0) continue;
         if (out.kind != kData) {
           ++layer[u];

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "cpp_model/fixed.hpp"
-#include "cpp_model/pu/pu_reach.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {

@@ -85,7 +85,7 @@ TEST(Timing, EveryDesignPointOnOurOwnScene) {
 }
 
 TEST(Timing, HalfAndQuarterOfTheMachine) {
-  expect_exact(TimedFrame(own_view(), machine({"units=2", "pixels_per_row=1", "grid=8", "tight_cull=1"}), 2));
+  expect_exact(TimedFrame(own_view(), machine({"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1"}), 2));
   EXPECT_GT(expect_exact(TimedFrame(own_view(), machine({"units=1", "alpha_lines=64", "records=16"}), 1)), 0u);
 }
 
@@ -111,7 +111,8 @@ TEST(Timing, LivingQuads) {
 // The same with windows of four parts.
 TEST(Timing, WindowsOfFourParts) {
   SimulateOptions options = living_quads();
-  for (const char* setting : {"window=128", "tests=2", "pixel_w=32", "records=1536", "bucket_bits=6", "tight_cull=1"})
+  for (const char* setting :
+       {"fronts=2", "window=128", "tests=2", "pixel_w=32", "records=1536", "bucket_bits=6", "tight_cull=1"})
     config_set(options.config, setting);
   expect_exact(TimedFrame(own_view(), options, 2, {3, 3}));
   expect_exact(TimedFrame({random_scene(9, 300, 0), test_camera(260, 150)}, options));

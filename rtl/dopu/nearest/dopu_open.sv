@@ -51,7 +51,7 @@ module dopu_open #(
   logic [BucketW-1:0] bucket_q [Most], kept [Most], moved [Most];
   logic [Most-1:0]    open_q;       // which of them are open
   logic [Most-1:0]    fewer, more;  // the same without the oldest, and of one more
-  logic [BucketW-1:0] nearest_q, stays;
+  logic [BucketW-1:0] nearest_q, stays, goes;  // the nearest next if the oldest stays, if it is settled
   // a tree over all but the oldest: the smaller of 2i and 2i+1 at i, leaves from Most on
   logic [BucketW-1:0] least [2*Most];
   logic               take;
@@ -74,7 +74,8 @@ module dopu_open #(
       moved[i] = i + 1 != Most && fewer[i] ? bucket_q[i+1] : open_bucket_i;
     end
   end
-  assign stays     = settled_i ? least[1] : nearest_q;
+  assign stays     = take && open_bucket_i < nearest_q ? open_bucket_i : nearest_q;
+  assign goes      = take && open_bucket_i < least[1] ? open_bucket_i : least[1];
   assign nearest_o = nearest_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -83,7 +84,7 @@ module dopu_open #(
       nearest_q <= '1;
     end else begin
       open_q    <= settled_i ? (take ? open_q : fewer) : (take ? more : open_q);
-      nearest_q <= take && open_bucket_i < stays ? open_bucket_i : stays;
+      nearest_q <= settled_i ? goes : stays;
     end
   end
   always_ff @(posedge clk_i) begin

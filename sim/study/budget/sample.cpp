@@ -14,7 +14,7 @@
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/conic/pu_conic.hpp"
 #include "cpp_model/pu/project/pu_covariance.hpp"
-#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/project/pu_factors.hpp"
 #include "cpp_model/pu/project/pu_jacobian.hpp"
 #include "cpp_model/pu/parts/pu_parts.hpp"

@@ -15,7 +15,7 @@ namespace pipegs::timing {
 class Descend {
  public:
   explicit Descend(const TimingTrace& trace)
-      : trace_(trace), readers_{Reader(2, trace.frame.tables.groups), Reader(2, trace.frame.tables.chunks)} {}
+      : trace_(trace), readers_{reader(trace.frame.tables.groups), reader(trace.frame.tables.chunks)} {}
 
   // For dopu_origin: null when nothing is shown.
   const DopuItem* shown(Cycle now, const DopuSets& sets);
@@ -34,7 +34,8 @@ class Descend {
     uint8_t set = 0;
     bool last = false;
   };
-  using Reader = LineReader<Tag, Config::descend_jobs(), Config::descend_lines()>;
+  using Reader = LineReader<Tag, Config::descend_jobs()>;
+  static Reader reader(uint64_t base) { return {2, base, Config::descend_jobs(), Config::descend_lines()}; }
   struct InTest {
     Cycle due = 0;
     DopuItem item;

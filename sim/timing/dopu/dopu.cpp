@@ -44,8 +44,8 @@ uint32_t Dopu::ready_pus(const Machine& m, Cycle now) const {
   const bool is_mark = m.config.has_watermarks() && emit_chunk_.end == kLayerEndBeat;
   for (int k = 0; k < units_; ++k) {
     const Pu& pu = m.pu[static_cast<size_t>(k)];
-    const bool full = is_mark && (emit_valid_ >> k & 1) != 0 && !pu.marks.room(now);
-    ready |= uint32_t{pu.chunk_room(now) && !full} << k;
+    const bool shown = (emit_valid_ >> k & 1) != 0, full = is_mark && shown && !pu.marks.room(now);
+    ready |= uint32_t{(pu.front() ? pu.chunk_room(now) : shown) && !full} << k;
   }
   return ready;
 }

@@ -34,7 +34,7 @@ class Nearest {
   struct Parent {
     uint32_t first_pass = 0;  // of its children
   };
-  using Reader = LineReader<Parent, kMost, Config::nearest_lines()>;
+  using Reader = LineReader<Parent, kMost>;
   struct Result {
     bool last = false, pass = false;
     NearestNode node;
@@ -45,7 +45,7 @@ class Nearest {
     Result result;
   };
   struct Open {  // dopu_open
-    Open(uint64_t base, int none) : nearest(none), reader(2, base) {}
+    Open(uint64_t base, int none) : nearest(none), reader(2, base, kMost, Config::nearest_lines()) {}
     bool room() const { return !job_valid && buckets.count() != kMost; }
     int nearest;
     FallQueue<uint16_t, kMost> buckets;  // of the nodes open, the oldest first

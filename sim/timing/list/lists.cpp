@@ -12,7 +12,8 @@ Lists::Lists(const Machine& m)
       port_(m.memory.list_port()),
       windows_(m.trace.windows.size()),
       lists_(windows_),
-      reader_(1, m.frame.tables.overflow + (uint64_t{1} << m.config.list_area_w())) {}
+      reader_(1, m.frame.tables.overflow + (uint64_t{1} << m.config.list_area_w()), Config::list_jobs(),
+              Config::list_lines()) {}
 
 void Lists::step(Machine& m, Cycle now) {
   const bool granted = m.memory.granted(port_, now), answered = m.memory.answered(port_);

@@ -48,7 +48,7 @@ class Lists {
   // list_read
   Read state_ = kIdle;
   size_t number_ = 0;
-  LineReader<Tag, Config::list_jobs(), Config::list_lines()> reader_;
+  LineReader<Tag, Config::list_jobs()> reader_;
   static constexpr Cycle kPatience = 7;  // of its sleep
   Cycle woken_ = kLongAgo;
   uint32_t waiting_ = 0, taken_ = 0;   // SUs that have still to take the record

@@ -13,7 +13,7 @@ void Deal::step(Machine& m, Cycle now) {
   for (int k = 0; k < m.units; ++k) {
     Pu& pu = m.pu[static_cast<size_t>(k)];
     room |= uint32_t{pu.visible.room(now)} << k;
-    if (pu.culled.shown(now)) (is_end(pu.culled.value) ? ends : data) |= uint32_t{1} << k;
+    if (pu.front() && pu.culled.shown(now)) (is_end(pu.culled.value) ? ends : data) |= uint32_t{1} << k;
   }
   // The arbiter of the targets turned in the cycles in between, too: nothing changed in them.
   if (first_) targets_ = room, first_ = false;
@@ -42,9 +42,9 @@ void Deal::step(Machine& m, Cycle now) {
     m.wheel.wake_now(unit(m.config.tight_cull ? kReach : kCull, k));
     moved = true;
   };
-  if (free && data == 0 && std::popcount(ends) == m.units) {
-    for (int k = m.units; k-- > 0;) take(k);
-    waiting_ = ends;
+  if (free && data == 0 && std::popcount(ends) == m.config.pu_fronts()) {
+    for (int k = m.config.pu_fronts(); k-- > 0;) take(k);
+    waiting_ = (uint32_t{1} << m.units) - 1;
   }
   const int source = data == 0                                            ? 0
                      : source_locked_ && (data >> source_shown_ & 1) != 0 ? source_shown_

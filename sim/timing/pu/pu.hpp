@@ -45,6 +45,7 @@ class Pu {
   void rows(Machine& m, Cycle now);
 
   void layer_free(Machine& m, Cycle now);  // all RUs have finished the oldest layer
+  bool front() const { return front_; }    // it fetches and culls
   bool chunk_room(Cycle now) const { return reader_.job_room(now); }
   FallQueue<uint32_t, Config::pu_marks()> marks;  // watermarks of the ends inside (order 2)
 
@@ -73,7 +74,8 @@ class Pu {
     uint32_t first = 0;  // survivor
     uint64_t survivors = 0;
   };
-  using Reader = LineReader<Header, Config::geometry_jobs(), Config::geometry_lines()>;
+  static constexpr int kMostJobs = 32;  // with one front for four PUs
+  using Reader = LineReader<Header, kMostJobs>;
   enum Allocate { kTake, kDecide, kOffer };
 
   bool take_tiles(Machine& m, Cycle now);
@@ -85,6 +87,7 @@ class Pu {
   uint64_t done_regions(const Machine& m, uint64_t part) const;
 
   const int lane_;
+  const bool front_;
   const bool late_, lists_, has_parts_, tight_;
 
   Reader reader_;

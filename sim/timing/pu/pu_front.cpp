@@ -9,11 +9,13 @@ namespace pipegs::timing {
 Pu::Pu(const Machine& m, int lane)
     : color(m, lane),
       lane_(lane),
+      front_(lane < m.config.pu_fronts()),
       late_(!m.config.caches_alphas()),
       lists_(m.config.has_lists()),
       has_parts_(m.config.parts() > 1),
       tight_(m.config.tight_cull != 0),
-      reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians),
+      reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians, m.config.geometry_jobs(),
+              m.config.geometry_lines()),
       phases_(m.config.antialias != 0),
       expand_(lane),
       parts_(lane),
@@ -27,7 +29,7 @@ Pu::Pu(const Machine& m, int lane)
 
 void Pu::reader(Machine& m, Cycle now) {
   const int port = m.memory.geometry_port(lane_);
-  const bool room = reader_.room_before_job(now);
+  const bool room = !front_ || reader_.room_before_job(now);
   Reader::Job job;
   const bool is_mark = m.config.has_watermarks() && m.dopu.chunk().end == kLayerEndBeat;
   const bool take = room && m.dopu.chunk_shown(lane_, now) && (!is_mark || marks.room(now));
@@ -35,6 +37,7 @@ void Pu::reader(Machine& m, Cycle now) {
     const ChunkBeat& chunk = m.dopu.take_chunk(m, lane_);
     m.show(now, Border::kChunk, lane_, is_end(chunk.end) ? shown_end(chunk.end == kWindowEndBeat) : 0);
     if (is_mark) marks.push(now, chunk.mark);
+    if (!front_) return;
     job.read = !is_end(chunk.end);
     job.first = chunk.slot;
     job.count = chunk.count;

@@ -6,9 +6,9 @@
 #include <bit>
 
 #include "cpp_model/pu/conic/pu_coeff.hpp"
-#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
-#include "cpp_model/pu/pu_reach.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/ru/ru_quads.hpp"
 #include "cpp_model/su/su.hpp"

@@ -4,7 +4,7 @@
 #include "Vdopu_depth.h"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
-#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/bench.hpp"

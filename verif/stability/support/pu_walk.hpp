@@ -11,7 +11,7 @@
 #include "cpp_model/pu/color/pu_color.hpp"
 #include "cpp_model/pu/conic/pu_conic.hpp"
 #include "cpp_model/pu/project/pu_covariance.hpp"
-#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/project/pu_factors.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
 #include "cpp_model/pu/project/pu_jacobian.hpp"

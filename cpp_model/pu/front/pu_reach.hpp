@@ -21,7 +21,7 @@
 //         The sum, 11.4 + 9992 2^-(QuatW-1), is below Error. That regions are kept for a cut lowered by CutSlack is in
 //         the weights, and 2^-8 of `spread` is for what is rounded from the variance to the coefficients. As the reach
 //         of pu_cull it counts on the guard band.
-// RTL     rtl/pu/pu_reach.sv
+// RTL     rtl/pu/front/pu_reach.sv
 #pragma once
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 //         near plane exact: keep iff z 2^view_exp > near_plane.
 // Gap     With TightCull pu_reach asks how far a mean lies beyond a side: the same sums without reach s, floored to
 //         1/16 pixel, so never more than the true distance times z.
-// RTL     rtl/pu/pu_cull.sv
+// RTL     rtl/pu/front/pu_cull.sv
 #pragma once
 
 #include <algorithm>

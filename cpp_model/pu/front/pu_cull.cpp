@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu_cull: see pu_cull.hpp.
-#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
 
 #include <algorithm>
 

@@ -11,7 +11,7 @@
 //         what pu_reach needs (TightCull), else zero.
 // Pace    One per cycle, latency 9; the pipeline stands still while the output is not taken. A stage's registers are
 //         clocked for a record only, the output's for one that survives.
-// Model   cpp_model/pu/pu_cull.hpp
+// Model   cpp_model/pu/front/pu_cull.hpp
 
 module pu_cull (
   input  logic                  clk_i,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_fetch_test: rtl/pu/pu_fetch.sv against a queue of chunks and the packed memory.
+// pu_fetch_test: rtl/pu/front/pu_fetch.sv against a queue of chunks and the packed memory.
 #include "Vpu_fetch.h"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"

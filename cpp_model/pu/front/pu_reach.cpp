@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu_reach.cpp: see pu_reach.hpp.
-#include "cpp_model/pu/pu_reach.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
 
 #include <algorithm>
 

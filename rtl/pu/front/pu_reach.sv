@@ -11,7 +11,7 @@
 // Stream  culled in, visible out: only those that are kept, and every end beat, in order.
 // Pace    One per cycle, latency 12. What is dropped leaves its queue in one cycle. A stage's registers are clocked for
 //         a Gaussian only.
-// Model   cpp_model/pu/pu_reach.hpp
+// Model   cpp_model/pu/front/pu_reach.hpp
 
 module pu_reach (
   input  logic                  clk_i,

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_reach_test: rtl/pu/pu_reach.sv against its bit-accurate model, and the model against the regions that the PU finds
+// pu_reach_test: rtl/pu/front/pu_reach.sv against its bit-accurate model, and the model against the regions that the PU finds
 // and against its own test in double precision.
-#include "cpp_model/pu/pu_reach.hpp"
+#include "cpp_model/pu/front/pu_reach.hpp"
 
 #include "Vpu_reach.h"
 #include "cpp_model/golden.hpp"
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
 #include "cpp_model/pu/parts/pu_parts.hpp"
-#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
 #include "verif/pu/pu_chain.hpp"
 #include "verif/pu/pu_stage.hpp"
-#include "verif/pu/random_fetched.hpp"
+#include "verif/pu/front/random_fetched.hpp"
 
 namespace pipegs {
 namespace {

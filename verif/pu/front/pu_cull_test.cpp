@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_cull_test: rtl/pu/pu_cull.sv against its bit-accurate model, and the model against the pixels of the
+// pu_cull_test: rtl/pu/front/pu_cull.sv against its bit-accurate model, and the model against the pixels of the
 // window in double precision.
-#include "cpp_model/pu/pu_cull.hpp"
+#include "cpp_model/pu/front/pu_cull.hpp"
 
 #include "Vpu_cull.h"
 #include "verif/pu/pu_chain.hpp"
 #include "verif/pu/pu_stage.hpp"
-#include "verif/pu/random_fetched.hpp"
+#include "verif/pu/front/random_fetched.hpp"
 #include "verif/support/frame_ports.hpp"
 
 namespace pipegs {

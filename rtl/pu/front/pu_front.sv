@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// pu_front: the part of a PU that fetches the Gaussians of its chunks and culls them.
+//
+// Paper   Fig. 7 (PU), Sec. 4.2.1.
+// Idea    fetch -> cull -> reach (TightCull). One Gaussian a cycle goes in, and of those that leave pu_deal gives each
+//         PU one in eight cycles, so PuFronts of the PUs can feed all of them. Only wiring here.
+// Stream  chunk in; visible out, to pu_deal; a port to external memory for geometry.
+// Pace    One Gaussian per cycle.
+// Model   preprocess() in cpp_model/golden.cpp
+
+module pu_front #(
+  localparam int unsigned AddressW = pipegs_pkg::AddressW,
+  localparam int unsigned MemoryW  = pipegs_pkg::MemoryW
+) (
+  input  logic                     clk_i,
+  input  logic                     rst_ni,
+  input  pipegs_pkg::rotation_t    rotation_i,
+  input  pipegs_pkg::lens_t        lens_i,
+  input  pipegs_pkg::windows_t     windows_i,
+  input  logic [AddressW-1:0]      gaussians_i,  // first line of the geometry, from frame_t
+
+  input  logic                     chunk_valid_i,
+  output logic                     chunk_ready_o,
+  input  pipegs_pkg::chunk_t       chunk_i,
+
+  output logic                     geometry_valid_o,
+  input  logic                     geometry_ready_i,
+  output logic [AddressW-1:0]      geometry_address_o,
+  input  logic                     geometry_rsp_valid_i,
+  input  logic [MemoryW-1:0]       rsp_data_i,
+
+  output logic                     visible_valid_o,
+  input  logic                     visible_ready_i,
+  output pipegs_pkg::visible_t     visible_o,
+
+  output logic                     moved_o,    // a Gaussian was fetched
+  output logic                     waiting_o,  // the next Gaussian waits for the memory
+  output logic                     culls_o,    // Gaussians are in the cull
+  output logic                     idle_o      // no chunk is inside
+);
+
+  logic                 fetched_valid, fetched_ready, survivor_valid, survivor_ready, cull_busy, reach_busy;
+  pipegs_pkg::fetched_t fetched;
+  pipegs_pkg::visible_t survivor;  // of the cull
+  pipegs_pkg::gap_t     gap;
+
+  pu_fetch u_fetch (
+    .clk_i, .rst_ni, .gaussians_i, .chunk_valid_i, .chunk_ready_o, .chunk_i,
+    .mem_valid_o(geometry_valid_o), .mem_ready_i(geometry_ready_i), .mem_address_o(geometry_address_o),
+    .rsp_valid_i(geometry_rsp_valid_i), .rsp_data_i,
+    .fetched_valid_o(fetched_valid), .fetched_ready_i(fetched_ready), .fetched_o(fetched),
+    .waiting_memory_o(waiting_o), .idle_o
+  );
+
+  pu_cull u_cull (
+    .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i,
+    .fetched_valid_i(fetched_valid), .fetched_ready_o(fetched_ready), .fetched_i(fetched),
+    .visible_valid_o(survivor_valid), .visible_ready_i(survivor_ready), .visible_o(survivor), .gap_o(gap),
+    .busy_o(cull_busy)
+  );
+
+  if (pipegs_pkg::TightCull != 0) begin : gen_reach
+    pu_reach u_reach (
+      .clk_i, .rst_ni, .rotation_i, .lens_i,
+      .culled_valid_i(survivor_valid), .culled_ready_o(survivor_ready), .culled_i({gap, survivor}),
+      .visible_valid_o, .visible_ready_i, .visible_o, .busy_o(reach_busy)
+    );
+  end else begin : gen_no_reach
+    logic unused_gap;
+    assign visible_valid_o = survivor_valid;
+    assign survivor_ready  = visible_ready_i;
+    assign visible_o       = survivor;
+    assign reach_busy      = 1'b0;
+    assign unused_gap      = &{1'b0, gap};
+  end
+
+  assign moved_o = fetched_valid && fetched_ready;
+  assign culls_o = cull_busy || reach_busy;
+
+endmodule
