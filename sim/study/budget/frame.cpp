@@ -13,6 +13,7 @@
 #include "cpp_model/dopu/dopu_origin.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
+#include "cpp_model/ru/ru_resolve.hpp"
 
 namespace pipegs {
 namespace {
@@ -80,6 +81,18 @@ void blend_interval(const Rounding& r, Pixel& p, Interval alpha, const Interval 
   }
   p.t_run = {std::max(next.low, r.stop), std::min(next.high, p.t_run.high)};
 }
+
+// A colour in memory. Pixels of 32 bits (ru_unorm) hold it to the nearest of 1023 steps, and at most one.
+double stored(const Config& c, double color) {
+  if (c.pixel_w == 64) return color;
+  constexpr double kSteps = kMostCode;
+  return std::min(std::floor(color * kSteps + 0.5), kSteps) / kSteps;
+}
+Interval stored(const Config& c, Interval color) {
+  return {stored(c, color.low - kSlack), stored(c, color.high + kSlack)};
+}
+// What the truth is of it: not rounded, but no more than a pixel can hold.
+double storable(const Config& c, double color) { return c.pixel_w == 64 ? color : std::min(color, 1.0); }
 
 void note(BudgetFigure& figure, double found, double truth, Interval bound) {
   figure.error = std::max(figure.error, std::abs(found - truth));
@@ -210,7 +223,10 @@ BudgetReport Walk::window(uint64_t wx, uint64_t wy) const {
     const size_t at = image.at(x, y);
     const double worst = std::max(report.t.excess, report.color.excess);
     note(report.t, image.transmittance[at], pixel.t, pixel.t_hull);
-    for (int k = 0; k < 3; ++k) note(report.color, image.rgb[at][k], pixel.rgb[k], pixel.rgb_hull[k]);
+    for (int k = 0; k < 3; ++k) {
+      pixel.rgb_hull[k] = stored(config_, pixel.rgb_hull[k]);
+      note(report.color, image.rgb[at][k], storable(config_, pixel.rgb[k]), pixel.rgb_hull[k]);
+    }
     if (std::max(report.t.excess, report.color.excess) > worst && !report.first) {
       report.first =
           fmt::format("pixel {},{}: T {:.7f} ({:.7f} to {:.7f}), colour {:.6f} {:.6f} {:.6f} (red {:.6f} to {:.6f})", x,
