@@ -28,6 +28,18 @@ std::string variant_words(const RtlVariant& variant, const char* between) {
   return words;
 }
 
+// The folder of a name. One that a file system might not take (255 bytes) becomes folders in each other, cut at commas.
+std::filesystem::path folder_of(std::string name) {
+  constexpr size_t kLongest = 200;
+  std::filesystem::path folder;
+  while (name.size() > kLongest) {
+    const size_t comma = name.rfind(',', kLongest);
+    folder /= name.substr(0, comma);
+    name.erase(0, comma + 1);
+  }
+  return folder / name;
+}
+
 }  // namespace
 
 RtlVariant built_variant(RtlVariant variant, const RtlOptions& options) {
@@ -38,7 +50,7 @@ RtlVariant built_variant(RtlVariant variant, const RtlOptions& options) {
 
 std::string build_rtl(const Config& config, const RtlVariant& variant) {
   const std::string difference = config_difference(config), name = difference + variant_words(variant, "");
-  const std::filesystem::path folder = std::filesystem::path(PIPEGS_BUILD_DIR) / "rtl" / name;
+  const std::filesystem::path folder = std::filesystem::path(PIPEGS_BUILD_DIR) / "rtl" / folder_of(name);
   std::string command =
       fmt::format("'{}/sim/rtl/build_rtl.sh' '{}' '{}'", PIPEGS_SOURCE_DIR, PIPEGS_BUILD_DIR, folder.string());
   command += variant_words(variant, " ");
