@@ -129,8 +129,11 @@ TEST(FrameModel, LeaveOneOutErrorsOfTheFrames) {
 TEST(FrameModel, AddsUpAndIsKept) {
   const FrameModel model = read_frame_model();
   const MeasuredFrame& frame = model.frames().front();
-  const FrameCost cost = model.cost(frame.config, frame.cycles, frame.bytes),
-                  twice = model.cost(frame.config, 2 * frame.cycles, 2 * frame.bytes);
+  const FrameCost cost = model.cost(frame.config, frame.cycles, frame.bytes).value(),
+                  twice = model.cost(frame.config, 2 * frame.cycles, 2 * frame.bytes).value();
+  Config quads = frame.config;
+  quads.quads = 1;
+  EXPECT_FALSE(model.cost(quads, frame.cycles, frame.bytes)) << "no machine with quads is among the points";
   EXPECT_NEAR(cost.dram.mid, 8 * 8e-12 * static_cast<double>(frame.bytes), 1e-15);
   EXPECT_NEAR(twice.joules(), 2 * cost.joules(), 1e-12);
   EXPECT_EQ(twice.mm2.mid, cost.mm2.mid);

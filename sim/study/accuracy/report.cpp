@@ -65,7 +65,7 @@ Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& titl
   Chart chart{.form = Chart::Form::kScatter, .title = title, .x_label = label, .y_label = "numeric PSNR, dB"};
   const double unit = cost == Cost::kBytes ? 1e6 : cost == Cost::kCycles ? 1e3 : cost == Cost::kEnergy ? 1e-3 : 1;
   const auto add = [&](Series& series, const MeasuredPoint& point) {
-    if (!point.figures.failure.empty()) return;
+    if (!point.figures.failure.empty() || !has_cost(point, cost)) return;
     series.x.push_back(cost_of(point, cost) / unit);
     series.values.push_back(point.figures.numeric.psnr);
     series.labels.push_back(difference(point.config, sweep.base.config));
@@ -88,10 +88,10 @@ Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& titl
 }  // namespace
 
 std::string area_text(const MeasuredPoint& point) {
-  return told(point.silicon.mm2.mid, point.silicon.extrapolated_area);
+  return point.silicon ? told(point.silicon->mm2.mid, point.silicon->extrapolated_area) : "-";
 }
 std::string energy_text(const MeasuredPoint& point) {
-  return told(point.silicon.joules() * 1e3, point.silicon.extrapolated_energy);
+  return point.silicon ? told(point.silicon->joules() * 1e3, point.silicon->extrapolated_energy) : "-";
 }
 
 std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf"; }
@@ -107,10 +107,8 @@ std::string difference(const Config& config, const Config& base) {
 
 std::string config_file(const Config& config, const std::string& comment) {
   std::string text = "# " + comment + "\n";
-  const Config standard;
   for (const ConfigEntry& entry : config_entries(config)) {
-    if (entry.member != nullptr && standard.*entry.member != entry.value)
-      text += fmt::format("{}={}\n", entry.name, entry.value);
+    if (entry.member != nullptr) text += fmt::format("{}={}\n", entry.name, entry.value);
   }
   return text;
 }
@@ -134,13 +132,14 @@ std::string knob_sentence(const SweptKnob& swept) {
   }
   const auto cost = [&](const MeasuredPoint& a, const MeasuredPoint& b) {
     const double kb = b.figures.buffer_kb() - a.figures.buffer_kb();
-    return fmt::format(
-        "{:+.2f} % cycles, {:+.2f} % bytes, {:+.1f} KB of buffers, {}{:+.1f} % area and {}{:+.1f} % energy",
-        percent(cycles(b), cycles(a)), percent(bytes(b), bytes(a)), kb,
-        a.silicon.extrapolated_area || b.silicon.extrapolated_area ? "~" : "",
-        percent(b.silicon.mm2.mid, a.silicon.mm2.mid),
-        a.silicon.extrapolated_energy || b.silicon.extrapolated_energy ? "~" : "",
-        percent(b.silicon.joules(), a.silicon.joules()));
+    const std::string text = fmt::format("{:+.2f} % cycles, {:+.2f} % bytes, {:+.1f} KB of buffers",
+                                         percent(cycles(b), cycles(a)), percent(bytes(b), bytes(a)), kb);
+    if (!a.silicon || !b.silicon) return text;
+    return text + fmt::format(", {}{:+.1f} % area and {}{:+.1f} % energy",
+                              a.silicon->extrapolated_area || b.silicon->extrapolated_area ? "~" : "",
+                              percent(b.silicon->mm2.mid, a.silicon->mm2.mid),
+                              a.silicon->extrapolated_energy || b.silicon->extrapolated_energy ? "~" : "",
+                              percent(b.silicon->joules(), a.silicon->joules()));
   };
   const size_t last = measured.back();
   if (to == from) {
@@ -185,7 +184,8 @@ std::string accuracy_text(const AccuracySweep& sweep) {
           front_text(all, Cost::kEnergy, "energy", sweep.base.config);
   text += fmt::format(
       "\n  * the base; flips: of {:.0f} % of the pixels; host s: of one core\n  mm2, mJ: 28 nm, mid, SRAMs and DRAM in "
-      "them, interpolated (docs/numerics/accuracy.md); ~: beyond what was synthesised or measured\n",
+      "them, interpolated (docs/numerics/accuracy.md); ~: beyond what was synthesised or measured,\n"
+      "  -: no machine of the kind was\n",
       100 * sweep.flips_sampled);
   return text + fmt::format("  {} points measured in {:.0f} s, {} taken from the folder\n", sweep.computed,
                             sweep.seconds, sweep.kept);
@@ -201,13 +201,15 @@ std::string accuracy_csv(const AccuracySweep& sweep) {
     const Accuracy& a = point.figures;
     if (!a.failure.empty()) return;
     text += fmt::format(
-        "{},{},{},{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{},{:.6f},{},{:.3f},{},{:"
-        ".4f},{:.5f},{:.5f},{:.3f},{:.3f},{:.3f},{:.3f}\n",
+        "{},{},{},{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{},{:.6f},{},{:.3f},{},"
+        "{},{:.3f},{:.3f},{:.3f},{:.3f}\n",
         knob, label, difference(point.config, Config{}), a.numeric.psnr, a.order.psnr, a.total.psnr, a.numeric.ssim,
         a.order.ssim, a.total.ssim, a.numeric.max, a.numeric.p999, a.total.max, a.total.p999, a.flips.decisions,
         a.flips.flipped, a.cycles, static_cast<double>(a.cycles) * 1e-6, a.bytes, a.gbps(), a.buffer_bits / 8,
-        point.silicon.mm2.mid, point.silicon.chip.mid * 1e3, point.silicon.dram.mid * 1e3, a.seconds_golden,
-        a.seconds_truth, a.seconds_trace, a.seconds_model);
+        point.silicon ? fmt::format("{:.4f},{:.5f},{:.5f}", point.silicon->mm2.mid, point.silicon->chip.mid * 1e3,
+                                    point.silicon->dram.mid * 1e3)
+                      : ",,",
+        a.seconds_golden, a.seconds_truth, a.seconds_trace, a.seconds_model);
   });
   return text;
 }
@@ -219,13 +221,14 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
     const auto range = [](const Range& of, double by) {
       return Json{{"low", of.low * by}, {"mid", of.mid * by}, {"high", of.high * by}};
     };
-    const FrameCost& silicon = point.silicon;
-    if (point.figures.failure.empty()) {
-      json["silicon"] = {{"mm2", range(silicon.mm2, 1)},
-                         {"chip_mj", range(silicon.chip, 1e3)},
-                         {"dram_mj", range(silicon.dram, 1e3)},
-                         {"extrapolated_area", silicon.extrapolated_area},
-                         {"extrapolated_energy", silicon.extrapolated_energy}};
+    if (const std::optional<FrameCost>& silicon = point.silicon) {
+      json["silicon"] = {{"mm2", range(silicon->mm2, 1)},
+                         {"chip_mj", range(silicon->chip, 1e3)},
+                         {"dram_mj", range(silicon->dram, 1e3)},
+                         {"extrapolated_area", silicon->extrapolated_area},
+                         {"extrapolated_energy", silicon->extrapolated_energy}};
+    } else if (point.figures.failure.empty()) {
+      json["silicon"] = nullptr;
     }
     json["configuration"] = config_difference(point.config);
     return json;
@@ -252,6 +255,7 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
                                    {"buffers", Cost::kBuffers},
                                    {"area", Cost::kArea},
                                    {"energy", Cost::kEnergy}}) {
+    json["front"][name] = Json::array();
     for (const MeasuredPoint* point : pareto_front(all, cost))
       json["front"][name].push_back(config_difference(point->config));
   }

@@ -30,7 +30,7 @@ std::string energy_text(const MeasuredPoint& point);
 std::string decibels(double psnr);
 // The entries in which a configuration differs from the base, "base" if in none.
 std::string difference(const Config& config, const Config& base);
-// The same as lines for --config, with what is not the default.
+// All of a configuration as lines for --config: it is the same one on every design point.
 std::string config_file(const Config& config, const std::string& comment);
 
 }  // namespace pipegs

@@ -121,7 +121,8 @@ Range FrameModel::dynamic(const Config& config, const std::map<std::string, doub
   return kNand2InputFf * (gates / kNand2InputFf.mid) + read_of_each(config, law_) * (rate("Buffers", config) * clocked);
 }
 
-FrameCost FrameModel::cost(const Config& config, uint64_t cycles, uint64_t bytes) const {
+std::optional<FrameCost> FrameModel::cost(const Config& config, uint64_t cycles, uint64_t bytes) const {
+  if (!area_.knows(config)) return std::nullopt;
   const std::map<std::string, double> nand2 = area_.nand2(config);
   std::map<std::string, double> kilo_nand2;
   for (const auto& [unit, gates] : nand2) kilo_nand2[row_of(unit)] += gates / 1000;

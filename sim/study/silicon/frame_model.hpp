@@ -15,6 +15,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,8 @@ class FrameModel {
  public:
   FrameModel(AreaModel area, SramLaw law, std::vector<MeasuredFrame> frames);
 
-  FrameCost cost(const Config& config, uint64_t cycles, uint64_t bytes) const;
+  // None of a machine whose area the model does not know.
+  std::optional<FrameCost> cost(const Config& config, uint64_t cycles, uint64_t bytes) const;
   Range dynamic(const Config& config, const std::map<std::string, double>& kilo_nand2,
                 uint64_t cycles) const;  // of the chip, without leakage
 

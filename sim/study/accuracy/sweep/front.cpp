@@ -140,13 +140,17 @@ std::vector<Config> together_path(const MeasuredPoint& base, const std::vector<S
   return chosen;
 }
 
+bool has_cost(const MeasuredPoint& point, Cost cost) {
+  return point.silicon.has_value() || (cost != Cost::kArea && cost != Cost::kEnergy);
+}
+
 double cost_of(const MeasuredPoint& point, Cost cost) {
   switch (cost) {
     case Cost::kCycles: return static_cast<double>(point.figures.cycles);
     case Cost::kBytes: return static_cast<double>(point.figures.bytes);
     case Cost::kBuffers: return point.figures.buffer_kb();
-    case Cost::kArea: return point.silicon.mm2.mid;
-    default: return point.silicon.joules();
+    case Cost::kArea: return point.silicon->mm2.mid;
+    default: return point.silicon->joules();
   }
 }
 
@@ -158,7 +162,7 @@ bool reaches(const Accuracy& figures, double decibels) {
 std::vector<const MeasuredPoint*> pareto_front(const std::vector<MeasuredPoint>& points, Cost cost) {
   std::vector<const MeasuredPoint*> sorted, front;
   for (const MeasuredPoint& point : points) {
-    if (reaches(point.figures, point.figures.numeric.psnr)) sorted.push_back(&point);
+    if (has_cost(point, cost) && reaches(point.figures, point.figures.numeric.psnr)) sorted.push_back(&point);
   }
   std::stable_sort(sorted.begin(), sorted.end(), [&](const MeasuredPoint* a, const MeasuredPoint* b) {
     const double ca = cost_of(*a, cost), cb = cost_of(*b, cost);

@@ -10,6 +10,7 @@
 //         little for a coarser value as such (it saves area). A second path weighs cycles and buffers alike.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/study/accuracy/sweep/knobs.hpp"
@@ -21,7 +22,7 @@ namespace pipegs {
 struct MeasuredPoint {
   Config config;
   Accuracy figures;
-  FrameCost silicon = {};  // interpolated
+  std::optional<FrameCost> silicon = std::nullopt;  // interpolated; none of a machine whose area is not known
 };
 
 struct SweptKnob {
@@ -36,10 +37,11 @@ std::vector<Config> together_path(const MeasuredPoint& base, const std::vector<S
 
 // What a front is drawn over.
 enum class Cost { kCycles, kBytes, kBuffers, kArea, kEnergy };
+bool has_cost(const MeasuredPoint& point, Cost cost);
 double cost_of(const MeasuredPoint& point, Cost cost);
 
-// Points that no other one beats in numeric PSNR and cost together, the cheapest first. Only those whose order is good
-// enough (see reaches) for their own numeric PSNR.
+// Points that no other one with this cost beats in numeric PSNR and cost together, the cheapest first. Only those whose
+// order is good enough (see reaches) for their own numeric PSNR.
 std::vector<const MeasuredPoint*> pareto_front(const std::vector<MeasuredPoint>& points, Cost cost);
 
 // A point reaches `decibels` when its numeric PSNR does and its order is no excuse: an order PSNR of at least that too,

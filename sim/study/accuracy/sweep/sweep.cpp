@@ -99,7 +99,7 @@ AccuracySweep accuracy_sweep(const AccuracyView& view, const AccuracyStore& stor
   const auto point = [&](const Config& one) {
     const Accuracy& figures = measured.at(one);
     return MeasuredPoint{one, figures,
-                         figures.failure.empty() ? silicon.cost(one, figures.cycles, figures.bytes) : FrameCost{}};
+                         figures.failure.empty() ? silicon.cost(one, figures.cycles, figures.bytes) : std::nullopt};
   };
   AccuracySweep sweep{.base = {config, {}}, .flips_sampled = view.flips_sampled()};
   measured.add("base", {config});

@@ -131,8 +131,10 @@ std::vector<double> AreaModel::terms(const Block& block, const Config& config) c
   return x;
 }
 
+bool AreaModel::knows(const Config& config) const { return !config.quads; }
+
 std::map<std::string, double> AreaModel::nand2(const Config& config) const {
-  if (config.quads)
+  if (!knows(config))
     throw ConfigError("quads = 1: the area model has no point of such a machine; `make synth SET=quads=1` maps one");
   const auto design_point = places_.find(design_point_of(config));
   std::map<std::string, double> units;

@@ -40,7 +40,8 @@ class AreaModel {
  public:
   AreaModel(std::vector<AreaPoint> points, Dependences depends);
 
-  std::map<std::string, double> nand2(const Config& config) const;  // by unit; throws ConfigError with quads
+  bool knows(const Config& config) const;  // whether machines of its kind are among the points: none with quads is
+  std::map<std::string, double> nand2(const Config& config) const;  // by unit; throws ConfigError when not known
   bool inside(const Config& config) const;  // of the points' design points and ranges; alike where no point moves
 
   const std::vector<AreaPoint>& points() const { return points_; }
