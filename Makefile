@@ -2,6 +2,7 @@
 # PipeGS. `make run` and `make test` do all their set-up on a fresh Debian 12 machine; nothing is done twice.
 
 BUILD ?= build
+RUNG ?= fast
 PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm-dev libpng-dev zlib1g-dev \
             libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libeigen3-dev libclang-rt-14-dev
 STYLE := clang-format black shellcheck codespell
@@ -63,7 +64,7 @@ prove: tools $(BUILD)/build.ninja  ## formal proofs, and mutants of the RTL that
 synth: tools $(BUILD)/build.ninja  ## area and longest paths of every module; RUNG=, SET="key=value", LIBERTY=, JOBS=
 	@$(call INSTALL,$(GATES))
 	@cmake --build $(BUILD) --target package_sv >/dev/null
-	@synth/synth.py --build $(BUILD) $(if $(RUNG),--rung $(RUNG)) --set "$(SET)" \
+	@synth/synth.py --build $(BUILD) --rung $(RUNG) --set "$(SET)" \
 	  $(if $(LIBERTY),--liberty $(LIBERTY)) $(if $(JOBS),--jobs $(JOBS))
 
 format:  ## apply the formats of C++ and Python
@@ -84,7 +85,7 @@ package: build  ## print rtl/pipegs_pkg.sv from cpp_model/config.def and records
 	$(BUILD)/cpp_model/package_sv > rtl/pipegs_pkg.sv.new && mv rtl/pipegs_pkg.sv.new rtl/pipegs_pkg.sv
 
 wave: build  ## waves of one window of our own scene: build/window.fst
-	$(BUILD)/pipegs sim --no-truth --window 8,6 --out $(BUILD)/wave --waves $(BUILD)/window.fst
+	$(BUILD)/pipegs sim --no-truth --window 4,3 --out $(BUILD)/wave --waves $(BUILD)/window.fst
 
 clean:  ## remove the build folder
 	rm -rf $(BUILD)

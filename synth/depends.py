@@ -19,8 +19,8 @@ import points
 import synth
 from jobs import Failed, Jobs
 
-# Every knob of `pipegs accuracy` that moves gates, at a value that no design point has. Without spherical harmonics
-# whole blocks are gone.
+# Every knob of `pipegs accuracy` that moves gates, at a value that none of DESIGN_POINTS has. Without spherical
+# harmonics whole blocks are gone.
 KNOBS = [
     "coeff_f=24",
     "power_f=16",

@@ -24,11 +24,15 @@ if [ ${#modules[@]} -eq 0 ]; then
   done
 fi
 trap 'rm -rf "$scratch"' EXIT
+design_point() {  # its settings, from the table
+  sed -nE "/^PIPEGS_POINT\($1,/,/^PIPEGS_END/s/^PIPEGS_(SETTING|PICTURE)\(([a-z_]+), ([0-9]+)\).*/\2=\3/p" \
+    sim/design/design_points.def | paste -sd ' '
+}
 # The machines, as settings; of the first ones verif/cli/static_cost_test.cpp elaborates what --rest leaves out.
-machines=("" "late=1 order=2" "late=1 order=2 quads=1 window=128")
+machines=("" "$(design_point fast)")
 [ -z "$rest" ] || machines=()
 machines+=("antialias=1" "tight_cull=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1"
-  "late=1 order=2 quads=1"
+  "late=1 order=2" "late=1 order=2 quads=1"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 declare -A machine_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows]="late=1"

@@ -62,12 +62,13 @@ write_rtlil {folder}/design.il
 
 
 def design_point_settings(name):
-    """The settings of a design point, from the table in sim/design/design_point.cpp."""
-    with open(f"{ROOT}/sim/design/design_point.cpp", encoding="utf-8") as file:
-        design_points = dict(re.findall(r'\{\.name = "(\w+)",\s+((?:\.\w+ = \d+,\s+)+)', file.read()))
+    """The settings of a design point, from the table sim/design/design_points.def."""
+    with open(f"{ROOT}/sim/design/design_points.def", encoding="utf-8") as file:
+        points = re.findall(r"^PIPEGS_POINT\((\w+), (.*?)^PIPEGS_END\(", file.read(), re.DOTALL | re.MULTILINE)
+    design_points = dict(points)
     if name not in design_points:
         raise Failed(f"unknown design point '{name}'; known: {', '.join(design_points)}")
-    return re.findall(r"\.(\w+) = (\d+)", design_points[name])
+    return re.findall(r"^PIPEGS_(?:SETTING|PICTURE)\((\w+), (\d+)\)", design_points[name], re.MULTILINE)
 
 
 def check_log(log):
@@ -319,7 +320,7 @@ def main():
     parser = argparse.ArgumentParser(
         description="The machine in gates of a liberty library; prints and writes areas and longest paths."
     )
-    parser.add_argument("--rung", default="", help="a design point (sim/design/design_point.cpp)")
+    parser.add_argument("--rung", default="dop", help="a design point (sim/design/design_points.def)")
     parser.add_argument("--set", default="", dest="settings", help='"key=value ...", entries of cpp_model/config.def')
     parser.add_argument(
         "--liberty", default="/usr/share/qflow/tech/osu018/osu018_stdcells.lib", help="the library, .gz too"
@@ -337,8 +338,7 @@ def main():
     if bool(options.netlist) != bool(options.modules):
         parser.error("--netlist FOLDER and the modules go together")
     begin = report.now()
-    settings = [f"{key}={value}" for key, value in design_point_settings(options.rung)] if options.rung else []
-    settings += options.settings.split()
+    settings = [f"{key}={value}" for key, value in design_point_settings(options.rung)] + options.settings.split()
     if not os.path.exists(options.liberty):
         raise Failed(f"no library {options.liberty}")
     printed = subprocess.run([f"{options.build}/cpp_model/package_sv", *settings], capture_output=True, text=True)

@@ -41,11 +41,16 @@ from scenes import SIZES, VIEWS_OF_SIZE
 
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory")
-POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact")
+POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact", "fast")
 GATED = {  # whose clocks energy.md shows, on our own scene
     "dpc": "--rung dpc",
-    "fast": "--rung exact --config sim/fast.cfg",
+    "fast": "--rung fast --set records=1024",
 }
+
+
+def points_of(*figures):
+    """The design points that each of these was measured on."""
+    return [point for point in POINTS if all(point in one for one in figures)]
 
 
 @dataclass(frozen=True)
@@ -78,7 +83,7 @@ WHAT_IF = {  # of the design point exact: one thing changed
     "quads": "--set quads=1",
     "quads_bandwidth102": "--set quads=1 --memory lpddr5-6400x8",
 }
-ADDED = {  # from exact towards sim/fast.cfg: what each step adds to the one before
+ADDED = {  # from exact towards fast: what each step adds to the one before
     "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", "--config sim/fine.cfg --set quads=1"),
     "window128": ("windows of four parts", "--set window=128"),
     "buckets": ("buckets of 1/64 octave", "--set bucket_bits=6"),
@@ -88,21 +93,22 @@ ADDED = {  # from exact towards sim/fast.cfg: what each step adds to the one bef
 }
 SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
 STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}
-STEPS["fast"] = ("pixels of 32 bits, 1536 records: `sim/fast.cfg`", "--config sim/fast.cfg")
-LARGE = {  # showroom, 3.0 M Gaussians, of the design point exact
-    "exact": ("`exact`", ""),
-    "fast": ("`sim/fast.cfg`", "--config sim/fast.cfg "),
-    "fast_records4096": ("`sim/fast.cfg` and `--set records=4096`", "--config sim/fast.cfg --set records=4096 "),
+STEPS = {name: (what, f"--rung exact {change}") for name, (what, change) in STEPS.items()}
+STEPS["fast"] = ("pixels of 32 bits, 1536 records: `fast`", "--rung fast")
+LARGE = {  # showroom, 3.0 M Gaussians
+    "exact": ("`exact`", "--rung exact"),
+    "fast": ("`fast`", "--rung fast"),
+    "fast_records4096": ("`fast` and `--set records=4096`", "--rung fast --set records=4096"),
 }
 SCALED = {  # docs/data/scale: our own scene in parts, and the view; millions of Gaussians, then pixels
     **{f"gaussians_{millions}m": (f"own_{millions}m", 0) for millions in (1, 2, 4, 8, 16)},
     **{f"pixels_{size}": ("own_1m", VIEWS_OF_SIZE * place) for place, size in enumerate(SIZES) if place},
 }
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
-    "dop": "", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",
+    "dop": "--rung dop ", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",
     "exact_quads": "--rung exact --config sim/fine.cfg --set quads=1 ",
-    "exact_fast": "--rung exact --config sim/fast.cfg ",
-    "exact_records1024": "--rung exact --set records=1024 ", "dop_sky130": "--library sky130hd_tt ",
+    "fast": "--rung fast ",
+    "exact_records1024": "--rung exact --set records=1024 ", "dop_sky130": "--rung dop --library sky130hd_tt ",
 }
 MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
     "dop": "", "baseline": "late=1 order=1 quadratic=1 records=2048", "dpc": "late=1 order=1 records=2048",
@@ -155,18 +161,19 @@ TABLE = [
       for scene in FOUR],
     *[Measurement(f"what_if/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
-    *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
-                  MODEL, scene, points=("exact",)) for name, (_, change) in STEPS.items() for scene in FOUR],
-    *[Measurement(f"large/showroom/{name}", f"build/pipegs model {{scene}} --rung exact {options}--json", large_model,
-                  MODEL, "showroom", points=("exact",)) for name, (_, options) in LARGE.items()],
-    *[Measurement(f"scale/sim/{name}", "build/pipegs sim {scene} --no-rtl --json", host, ("models",), scene, view,
-                  ("dop",)) for name, (scene, view) in SCALED.items()],
-    *[Measurement(f"scale/model/{name}", "build/pipegs model {scene} --rung exact --config sim/fast.cfg "
-                  "--set records=4096 --json", host_model, MODEL, scene, view, ("exact",))
+    *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
+                  points=(change.split()[1],)) for name, (_, change) in STEPS.items() for scene in FOUR],
+    *[Measurement(f"large/showroom/{name}", f"build/pipegs model {{scene}} {options} --json", large_model, MODEL,
+                  "showroom", points=(options.split()[1],)) for name, (_, options) in LARGE.items()],
+    *[Measurement(f"scale/sim/{name}", "build/pipegs sim {scene} --rung dop --no-rtl --json", host, ("models",), scene,
+                  view, ("dop",)) for name, (scene, view) in SCALED.items()],
+    *[Measurement(f"scale/model/{name}", "build/pipegs model {scene} --rung fast --set records=4096 --json",
+                  host_model, MODEL, scene, view, ("fast",))
       for name, (scene, view) in SCALED.items()],
     *[Measurement(f"lanes/{scene}", "build/pipegs sim {scene} --rung exact --set quads=1 --no-rtl --no-truth --json",
                   lanes, ("models",), scene, points=("exact",)) for scene in FOUR],
-    *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --json", frame, RTL, scene, view, ("dop",))
+    *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --rung dop --json", frame, RTL, scene, view,
+                  ("dop",))
       for scene in ("terrace", "statue", "plushdog") for view in (0, 1, 2)],
     *[Measurement(f"truth/{scene}_{view}", "build/pipegs render {scene} --model truth --semantics inria "
                   f"--compare {{reference}} --out build/figures/truth", difference, ("models",), scene, view,
@@ -182,11 +189,11 @@ TABLE = [
     *[Measurement(f"prints/{room.split('/')[0]}/{test}", f"build/verif/{room}/{test}_test", printed(*what),
                   ("rtl", "models"))
       for test, (room, *what) in PRINTS.items()],
-    Measurement("shown/sim", "build/pipegs sim --out build/out", shown, RTL, points=("dop",)),
+    Measurement("shown/sim", "build/pipegs sim --out build/out", shown, RTL, points=("fast",)),
     Measurement("shown/profile", "build/pipegs profile --no-rtl", shown, ("models", "cost"),
                 points=("baseline",), chart="profile.svg"),
     Measurement("loops/all", "verif/self/loop.sh", dict, RTL),
-    Measurement("speed/fast", "verif/speed/speed.sh exact sim/fast.cfg", speed, (*RTL, "simulator"), points=("exact",)),
+    Measurement("speed/fast", "verif/speed/speed.sh fast", speed, (*RTL, "simulator"), points=("fast",)),
     Measurement("proofs/all", "synth/prove.sh", proofs, ("rtl", "proofs")),
     Measurement("dram/check", "build/pipegs dram", tables("runs"), ("memory",)),
     Measurement("dram/worth", "build/pipegs dram --mappings", tables("mappings", "steps"), ("memory",)),
@@ -194,7 +201,7 @@ TABLE = [
                   f"build/pipegs model {{scene}} --rung dop --set alpha_lines={lines} --json", one_model, MODEL,
                   "terrace", points=("dop",)) for lines in (4096, 8192)],
     *[Measurement(f"silicon/{name}", f"build/pipegs silicon {options}--no-energy --json", silicon, ("rtl", "synth"),
-                  points=("exact" if "exact" in name else "dop",)) for name, options in SYNTHESISED.items()],
+                  points=(options.split()[1],)) for name, options in SYNTHESISED.items()],
     Measurement("silicon/paths", f"build/pipegs silicon --rungs {','.join(POINTS)} --no-energy --json", paths,
                 ("rtl", "synth"), points=POINTS),
     Measurement("energy/own", f"build/pipegs silicon --rungs {','.join(POINTS)} --json", energy, (*RTL, "synth"),
@@ -203,8 +210,8 @@ TABLE = [
                 (*RTL, "synth"), "terrace", 1, ("baseline", "dop", "exact")),
     *[Measurement(f"gating/{name}", f"build/pipegs silicon {options} --json", gating, (*RTL, "synth"),
                   points=(options.split()[1],)) for name, options in GATED.items()],
-    *[Measurement(f"energy/{scene}_sky130", "build/pipegs silicon {scene} --library sky130hd_tt --json", energy,
-                  (*RTL, "synth"), scene, view, ("dop",)) for scene, view in (("own", 0), ("terrace", 1))],
+    *[Measurement(f"energy/{scene}_sky130", "build/pipegs silicon {scene} --rung dop --library sky130hd_tt --json",
+                  energy, (*RTL, "synth"), scene, view, ("dop",)) for scene, view in (("own", 0), ("terrace", 1))],
     *[Measurement(f"accuracy/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --out accuracy/{scene} "
                   "--json", accuracy, MODEL, scene, points=("exact",)) for scene in ("own", "terrace", "statue")],
     *[Measurement(f"accuracy_rtl/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --rtl "
@@ -219,19 +226,19 @@ TABLE = [
                 leave_one_out, ("rtl", "synth")),
     *[Measurement(f"fidelity/{scene}", "build/pipegs fidelity {scene} --rung exact --json", fidelity,
                   (*RTL, "timing"), scene, points=("exact",)) for scene in CHARTED],
-    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", effects, MODEL, scene, points=("dop",))
-      for scene in ("own", "terrace", "plushdog", "flowers", "statue", "showroom")],
+    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --rung dop --json", effects, MODEL, scene,
+                  points=("dop",)) for scene in ("own", "terrace", "plushdog", "flowers", "statue", "showroom")],
     *[Measurement(f"effects_gain/{scene}_{point}", f"build/pipegs effects {{scene}} --rung {point} --measure "
                   "--rounds 2 --json", effects_gain, RTL, scene, points=(point,))
       for scene in ("own", "statue", "plushdog", "terrace") for point in ("dop", "exact")],
-    *[Measurement(f"netlist/{scene}_{window.replace(',', '_')}/{kind}", f"build/pipegs sim {{scene}} --window {window} "
-                  f"{option}--no-truth --json", netlist, (*RTL, "synth"), scene, points=("dop",))
+    *[Measurement(f"netlist/{scene}_{window.replace(',', '_')}/{kind}", f"build/pipegs sim {{scene}} --rung dop "
+                  f"--window {window} {option}--no-truth --json", netlist, (*RTL, "synth"), scene, points=("dop",))
       for scene, window in (("own", "8,6"), ("own", "15,11"), ("terrace", "9,6"))
       for kind, option in (("gates", "--netlist "), ("rtl", ""))],
     *[Measurement(f"memories/{name}", f"synth/memories.sh {settings}".rstrip(), list, ("rtl", "models"))
       for name, settings in MEMORIES.items()],
     Measurement("numbers/golden", "build/verif/frame/golden_test --gtest_output=xml:/dev/stdout", golden, ("models",)),
     Measurement("stability/cases", "ctest --test-dir build/. -R ^stability_ -LE long -V", stability, RTL),
-    Measurement("budget/random", "build/pipegs budget --count 1000000 --json", budget, ("models",),
+    Measurement("budget/random", "build/pipegs budget --rung dop --count 1000000 --json", budget, ("models",),
                 chart="error_budget.svg"),
 ]

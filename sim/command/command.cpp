@@ -19,10 +19,10 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
   app.add_option("SCENE", scene, "scene as .ply (INRIA layout); without it our own scene");
   app.add_option("--cameras", cameras, "cameras.json (INRIA layout); needed with SCENE");
   add_integer(app, "--view", view, "which camera of the file, counted from 0", 0)->capture_default_str();
-  add_place(app, "--window", window, "only this window (64x64 pixels by default)");
+  add_place(app, "--window", window, "only this window (128x128 pixels of `fast`, 64x64 of the other design points)");
   if (which != DesignPoints::kSeveral)
-    app.add_option("--rung", design_point,
-                   fmt::format("design point: {} (--set comes after it)", design_point_names()));
+    app.add_option("--rung", design_point, fmt::format("design point: {} (--set comes after it)", design_point_names()))
+        ->capture_default_str();
   if (which != DesignPoints::kOne) {
     const char* otherwise = which == DesignPoints::kSeveral ? "all of them without it" : "instead of --rung";
     add_names(app, "--rungs", design_points,
@@ -50,7 +50,7 @@ SimulateOptions ViewArguments::options(const DesignPoint& on) const {
 
 SimulateOptions ViewArguments::options() const {
   SimulateOptions options;
-  if (!design_point.empty()) apply_design_point(find_design_point(design_point), options.config);
+  options.config = find_design_point(design_point).config;
   if (!config.empty()) apply_config_file(config, options.config);
   std::set<std::string> keys;
   for (const std::string& setting : settings) {

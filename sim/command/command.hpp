@@ -37,14 +37,15 @@ enum class DesignPoints { kOne, kSeveral, kOneOrSeveral };
 
 // What every subcommand that renders a view takes.
 struct ViewArguments {
-  std::string scene, cameras, design_point, config;
+  std::string scene, cameras, design_point{kDefaultDesignPoint}, config;
   int view = 0;
   std::vector<int> window;
   std::vector<std::string> settings, design_points;
   double near_plane = 0.2;
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
-  // The configuration is the design point, then the lines of --config, then the settings. Throws ConfigError.
+  // The configuration is the design point (`fast` unless one is named), then the lines of --config, then the settings.
+  // Throws ConfigError.
   SimulateOptions options() const;
   // The same on another design point; the settings must leave alone what makes one.
   SimulateOptions options(const DesignPoint& design_point) const;

@@ -4,64 +4,39 @@
 
 namespace pipegs {
 
+namespace {
+
+// How many entries two configurations set unlike.
+int differences(const Config& one, const Config& other) {
+  int count = 0;
+  for (const ConfigEntry& entry : config_entries(one))
+    count += entry.member != nullptr && entry.value != other.*entry.member;
+  return count;
+}
+
+}  // namespace
+
 const std::vector<DesignPoint>& design_points() {
-  static const std::vector<DesignPoint> kDesignPoints = {
-      {.name = "baseline",
-       .late = 1,
-       .order = 1,
-       .quadratic = 1,
-       .records = 2048,
-       .what = "preprocess all, list per window, sort, then every pixel's power by the full quadratic form in the RUs",
-       .in_paper = true,
-       .paper_speedup = 1,
-       .paper_ratio = 7.48},
-      {.name = "dpc",
-       .late = 1,
-       .order = 1,
-       .quadratic = 0,
-       .records = 2048,
-       .what = "baseline with the power by differences along rows (DPC)",
-       .in_paper = true,
-       .paper_speedup = 0,
-       .paper_ratio = 5.71},
-      {.name = "tspp",
-       .late = 0,
-       .order = 1,
-       .quadratic = 0,
-       .records = 1024,
-       .what = "dpc with the alphas computed once in the PUs and cached (TSPP): the paper's HGR",
-       .in_paper = true,
-       .paper_speedup = 2.33,
-       .paper_ratio = 1.83},
-      {.name = "dop",
-       .late = 0,
-       .order = 0,
-       .quadratic = 0,
-       .records = 1024,
-       .what = "tspp with layers instead of lists (DOP): the paper's final design",
-       .in_paper = true,
-       .paper_speedup = 2.85,
-       .paper_ratio = 0},
-      {.name = "late",
-       .late = 1,
-       .order = 0,
-       .quadratic = 0,
-       .records = 2048,
-       .what = "layers, but coefficients are cached instead of alphas; the Row Units stand in the RUs",
-       .in_paper = false,
-       .paper_speedup = 0,
-       .paper_ratio = 0},
-      {.name = "exact",
-       .late = 1,
-       .order = 2,
-       .quadratic = 0,
-       .records = 2048,
-       .bucket_bits = 5,
-       .what = "late with chunks taken nearest first and released by watermarks: depth order without layers",
-       .in_paper = false,
-       .paper_speedup = 0,
-       .paper_ratio = 0},
-  };
+  static const std::vector<DesignPoint> kDesignPoints = [] {
+    std::vector<DesignPoint> points;
+#define PIPEGS_POINT(name_, in_paper_, speedup_, ratio_, what_) \
+  points.push_back({.name = #name_,                             \
+                    .in_paper = in_paper_,                      \
+                    .paper_speedup = speedup_,                  \
+                    .paper_ratio = ratio_,                      \
+                    .what = what_,                              \
+                    .config = {},                               \
+                    .picture = {}});
+#define PIPEGS_SETTING(entry, value) points.back().config.entry = value;
+#define PIPEGS_PICTURE(entry, value) points.back().config.entry = points.back().picture.entry = value;
+#define PIPEGS_END(name_)
+#include "sim/design/design_points.def"
+#undef PIPEGS_POINT
+#undef PIPEGS_SETTING
+#undef PIPEGS_PICTURE
+#undef PIPEGS_END
+    return points;
+  }();
   return kDesignPoints;
 }
 
@@ -94,21 +69,14 @@ std::vector<const DesignPoint*> find_design_points(const std::vector<std::string
   return found;
 }
 
-void apply_design_point(const DesignPoint& design_point, Config& config) {
-  config.late = design_point.late;
-  config.order = design_point.order;
-  config.quadratic = design_point.quadratic;
-  config.records = design_point.records;
-  config.bucket_bits = design_point.bucket_bits;
-}
-
 std::string design_point_name(const Config& config) {
-  for (const DesignPoint& design_point : design_points()) {
-    if (design_point.late == config.late && design_point.order == config.order &&
-        design_point.quadratic == config.quadratic)
-      return std::string(design_point.name);
+  const DesignPoint* nearest = nullptr;
+  for (const DesignPoint& point : design_points()) {
+    const Config& own = point.config;
+    if (own.late != config.late || own.order != config.order || own.quadratic != config.quadratic) continue;
+    if (nearest == nullptr || differences(own, config) < differences(nearest->config, config)) nearest = &point;
   }
-  return "";
+  return nearest == nullptr ? "" : std::string(nearest->name);
 }
 
 }  // namespace pipegs

@@ -175,9 +175,9 @@ Json ladder_json(const std::vector<LadderRow>& rows) {
                  {"what", row.design_point->what},
                  {"in_paper", row.design_point->in_paper},
                  {"settings",
-                  {{"late", row.design_point->late},
-                   {"order", row.design_point->order},
-                   {"quadratic", row.design_point->quadratic}}}};
+                  {{"late", row.options.config.late},
+                   {"order", row.options.config.order},
+                   {"quadratic", row.options.config.quadratic}}}};
     if (!row.failure.empty()) {
       json["failure"] = row.failure;
       list.push_back(json);
@@ -246,7 +246,7 @@ std::string ladder_text(const std::vector<LadderRow>& rows) {
   }
   for (const LadderRow* row : done) {
     if (row->different_pixels > 0) {
-      text += fmt::format("  {}: {} pixels unlike another design point of the same order\n", row->design_point->name,
+      text += fmt::format("  {}: {} pixels unlike another design point of the same picture\n", row->design_point->name,
                           row->different_pixels);
     } else if (!row->same_pixels.empty()) {
       text += fmt::format("  {}: same pixels as {}\n", row->design_point->name, row->same_pixels);

@@ -59,7 +59,7 @@ struct LadderRow {
   double over_bound = 0;
   std::string bound;
   std::string same_pixels;        // the first design point above that has the same picture, bit for bit
-  uint64_t different_pixels = 0;  // from the first design point above of the same order, which must be the same
+  uint64_t different_pixels = 0;  // from the first design point above that must draw the same picture
   std::vector<UnitCycles> ru;
   StaticCost cost;
 };

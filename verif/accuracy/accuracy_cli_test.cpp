@@ -84,6 +84,22 @@ TEST_F(AccuracyCli, TheTargetIsAFileThatEveryCommandReads) {
   EXPECT_NE(high.out.find("not reached"), std::string::npos);
 }
 
+// The area model has no point of a machine like `fast`: nothing is told of its area and energy.
+TEST_F(AccuracyCli, TheDefaultMachineHasAccuracyAndCyclesButNoArea) {
+  const Outcome outcome =
+      run("accuracy scene.ply --cameras cameras.json --knobs alpha_w --points 2 --out acc --target 45dB --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_TRUE(json["base"]["silicon"].is_null());
+  EXPECT_GT(json["base"]["cycles"], 0);
+  EXPECT_FALSE(json["front"]["cycles"].empty());
+  EXPECT_TRUE(json["front"]["area"].empty());
+  EXPECT_TRUE(json["front"]["energy"].empty());
+  EXPECT_EQ(json["knobs"][0]["sentence"].get<std::string>().find("area"), std::string::npos);
+  EXPECT_EQ(xml_fault(text("acc/fronts.svg")), "");
+  EXPECT_NE(text("acc/accuracy.csv").find(",,,"), std::string::npos);
+}
+
 TEST_F(AccuracyCli, SettingsComeAfterTheFile) {
   write("mine.cfg", "alpha_w = 10  # finer\nt_w = 22\n");
   const Outcome outcome = run(

@@ -19,8 +19,7 @@ namespace {
 
 TEST(AccuracyKnobs, EveryValueIsLegalOnEveryDesignPointThatTakesItsOrder) {
   for (const DesignPoint& design_point : design_points()) {
-    Config base;
-    apply_design_point(design_point, base);
+    const Config& base = design_point.config;
     for (const Knob& knob : accuracy_knobs()) {
       for (const KnobValue& value : knob.values) {
         if (base.quadratic && knob.name == "layers") continue;
@@ -59,7 +58,7 @@ class SmallView : public testing::Test {
  protected:
   SmallView() {
     options_.memory.dram = "lpddr5-6400x4";
-    apply_design_point(find_design_point("exact"), options_.config);
+    options_.config = find_design_point("exact").config;
   }
   Config with(const std::vector<std::string>& settings) const {
     Config config = options_.config;

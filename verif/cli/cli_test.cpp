@@ -23,7 +23,7 @@ TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
 }
 
 TEST_F(Cli, OneWindowAlone) {
-  const Outcome outcome = run("sim scene.ply --cameras cameras.json --window 1,0 --out pictures");
+  const Outcome outcome = run("sim scene.ply --cameras cameras.json --rung dop --window 1,0 --out pictures");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
@@ -40,6 +40,22 @@ TEST_F(Cli, ADesignPointIsItsSettings) {
   EXPECT_EQ(config["late"], 1);
   EXPECT_EQ(config["order"], 0);
   EXPECT_EQ(config["quadratic"], 0);
+}
+
+TEST_F(Cli, WithoutADesignPointItIsTheDefaultOne) {
+  const auto config_of = [&](const std::string& rung) {
+    const Outcome outcome =
+        run("sim scene.ply --cameras cameras.json " + rung + "--no-truth --no-rtl --json --out pictures");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out)["config"];
+  };
+  const auto standard = config_of(""), paper = config_of("--rung dop ");
+  EXPECT_EQ(standard, config_of("--rung fast "));
+  EXPECT_EQ(standard["order"], 2);
+  EXPECT_EQ(standard["window"], 128);
+  EXPECT_EQ(paper["order"], 0);
+  EXPECT_EQ(paper["window"], 64);
+  EXPECT_EQ(paper["alpha_w"], 8) << "nothing of the default is left in the paper's machine";
 }
 
 TEST_F(Cli, SettingsComeAfterTheDesignPoint) {
@@ -108,7 +124,8 @@ TEST_F(Cli, BadInputIsRefusedInOneLine) {
   expect_refused("sim scene.ply --cameras cameras.json --set nonsense=3", "nonsense");
   expect_refused("sim scene.ply --cameras cameras.json --set alpha_w=99", "alpha_w");
   expect_refused("sim scene.ply --cameras cameras.json --set alpha_w", "key=value");
-  expect_refused("sim scene.ply --cameras cameras.json --rung nonsense", "baseline, dpc, tspp, dop, late, exact");
+  expect_refused("sim scene.ply --cameras cameras.json --rung nonsense", "baseline, dpc, tspp, dop, late, exact, fast");
+  expect_refused("sim scene.ply --cameras cameras.json --rung ''", "unknown design point ''");
   expect_refused("explain scene.ply --cameras cameras.json --pixel 900,2", "--pixel");
 }
 

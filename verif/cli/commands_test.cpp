@@ -130,8 +130,9 @@ TEST_F(Commands, ProfileGivesThePapersArithmetic) {
   }
 }
 
-// Slices of one track do not overlap, and the states of each unit sum to its performance counters.
-void expect_whole_trace(const Json& trace, bool late) {
+// Slices of one track do not overlap, and the states of each unit sum to its performance counters. With watermarks SUs
+// and RUs have a slice for each of `marked_windows`; without (0) all units see the same layers.
+void expect_whole_trace(const Json& trace, bool late, size_t marked_windows = 0) {
   std::map<std::pair<int, int>, std::vector<Json>> tracks;
   std::map<std::string, int> counters;
   uint64_t bytes = 0;
@@ -166,10 +167,11 @@ void expect_whole_trace(const Json& trace, bool late) {
     SCOPED_TRACE(unit["unit"]);
     const int process = unit["pid"], thread = unit["tid"];
     const std::vector<Json>&work = tracks[{process, thread}], &states = tracks[{process, thread + 1}];
-    // A slice for each layer: all units see the same layers.
     if (layers == 0) layers = work.size();
     EXPECT_GT(work.size(), 0u);
-    EXPECT_EQ(work.size(), layers);
+    const std::string name = unit["unit"];
+    const bool behind_marks = marked_windows > 0 && (name.starts_with("SU") || name.starts_with("RU"));
+    EXPECT_EQ(work.size(), behind_marks ? marked_windows : layers);
     long long whole = 0, sums = 0;
     for (const Json& slice : states) whole += cycles(slice["dur"]);
     EXPECT_EQ(whole, frame);
@@ -184,10 +186,10 @@ void expect_whole_trace(const Json& trace, bool late) {
 }
 
 TEST_F(Commands, TimelineIsAWholeTrace) {
-  const Outcome sim = run("sim" + view_ + "--no-truth --out pictures");
+  const Outcome sim = run("sim" + view_ + "--rung dop --no-truth --out pictures");
   ASSERT_EQ(sim.code, 0) << sim.err;
   const Json report = Json::parse(text("pictures/report.json"));
-  const Outcome outcome = run("timeline" + view_ + "--out trace.json");
+  const Outcome outcome = run("timeline" + view_ + "--rung dop --out trace.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json trace = Json::parse(text("trace.json"));
   expect_whole_trace(trace, false);
@@ -207,6 +209,12 @@ TEST_F(Commands, TimelineOfSomeWindowsOnAnotherDesignPoint) {
       run("timeline" + view_ + "--rung late --window 0,0 --windows 2 --grain 5 --sample 100 --out trace.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   expect_whole_trace(Json::parse(text("trace.json")), true);
+}
+
+TEST_F(Commands, TimelineOfTheDefaultMachine) {
+  const Outcome outcome = run("timeline" + view_ + "--out trace.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  expect_whole_trace(Json::parse(text("trace.json")), true, 1);
 }
 
 TEST_F(Commands, SweepFindsWhereMemoryStopsToMatter) {

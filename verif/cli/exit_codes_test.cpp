@@ -90,7 +90,7 @@ TEST_F(ExitCodes, OneWhenAMachineOfEffectsDiffers) {
   write_ply(folder_ / "quiet.ply", quiet_scene());
   write_cameras(folder_ / "quiet.json", {test_camera(128, 64)});
   const std::string measure =
-      "effects quiet.ply --cameras quiet.json --memory ideal --jitter 0 --measure --rounds 1 --json ";
+      "effects quiet.ply --cameras quiet.json --rung dop --memory ideal --jitter 0 --measure --rounds 1 --json ";
   const Outcome none = faulty("none", measure);
   EXPECT_EQ(none.code, 0) << none.err << none.out;
   const Outcome pixel = faulty("pixel", measure);

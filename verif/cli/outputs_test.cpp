@@ -94,7 +94,7 @@ TEST_F(Outputs, WhatIsReadAtTheEndIsReadFirst) {
   expect_refused("silicon" + none_ + "--table table.csv", "expected scene,configuration,cycles");
   const std::string view = "render scene.ply --cameras cameras.json --out pictures ";
   expect_refused(view + "--compare scene.ply", "scene.ply: cannot read");
-  ASSERT_EQ(run("render scene.ply --cameras cameras.json --window 1,0 --out small").code, 0);
+  ASSERT_EQ(run("render scene.ply --cameras cameras.json --rung dop --window 1,0 --out small").code, 0);
   expect_refused(view + "--compare small/frame.png", "found 6x50 pixels, expected 70x50");
 }
 

@@ -34,22 +34,11 @@ class ConfigFile : public testing::Test {
 
 // The machine that verif/frame runs in RTL.
 TEST_F(ConfigFile, TheFineNumbersOfExact) {
-  Config config;
-  apply_design_point(find_design_point("exact"), config);
+  Config config = find_design_point("exact").config;
   apply_config_file(PIPEGS_SOURCE_DIR "/sim/fine.cfg", config);
   EXPECT_EQ(config_difference(config),
             "late=1,order=2,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,alpha_w=10,records=2048,bucket_bits=5");
   EXPECT_EQ(config.gaussians_per_line(), 2) << "as many bytes as by default";
-}
-
-// The machine with windows of four parts that verif/frame runs in RTL.
-TEST_F(ConfigFile, TheFastestMachine) {
-  Config config;
-  apply_design_point(find_design_point("exact"), config);
-  apply_config_file(PIPEGS_SOURCE_DIR "/sim/fast.cfg", config);
-  EXPECT_EQ(config_difference(config),
-            "fronts=2,window=128,late=1,order=2,quads=1,pos_w=18,base_w=14,mantissa_w=22,coeff_f=24,"
-            "tight_cull=1,tests=2,alpha_w=10,pixel_w=32,records=1536,bucket_bits=6");
 }
 
 TEST_F(ConfigFile, BlanksAndCommentsDoNotCount) {

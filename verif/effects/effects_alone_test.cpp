@@ -44,7 +44,7 @@ const Part kParts[] = {
 
 SimulateOptions design_point_options(const std::string& design_point) {
   SimulateOptions options;
-  apply_design_point(find_design_point(design_point), options.config);
+  options.config = find_design_point(design_point).config;
   options.memory.jitter = 20;
   return options;
 }
@@ -117,7 +117,7 @@ std::vector<std::pair<const char*, Part>> machines() {
   std::vector<std::pair<const char*, Part>> all;
   for (const char* design_point : {"dop", "late", "exact", "baseline"}) {
     for (const Part& part : kParts) {
-      if (part.flag == &Config::layered && find_design_point(design_point).order != 0)
+      if (part.flag == &Config::layered && find_design_point(design_point).config.order != 0)
         continue;  // there are no layers to leave out
       all.emplace_back(design_point, part);
     }

@@ -12,7 +12,8 @@ using Json = nlohmann::json;
 
 class SiliconCli : public Cli {
  protected:
-  const std::string view_ = "silicon scene.ply --cameras cameras.json --synth synth --library hand --no-energy ";
+  const std::string silicon_ = "silicon scene.ply --cameras cameras.json --synth synth --library hand ";
+  const std::string view_ = silicon_ + "--no-energy --rung dop ";
 
   Json synth() {
     Json json = {{"configuration", "default"},
@@ -99,8 +100,7 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   half.enabled = {{"pu", {{"stage", {90, {30}}}}}};
   const FrameActivity kept = {10000, 64000, {half, half}};
   store.save(Config{}, to_json(kept));
-  const Outcome outcome =
-      run("silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept --json --svg silicon.svg");
+  const Outcome outcome = run(silicon_ + "--rung dop --keep kept --json --svg silicon.svg");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(xml_fault(text("silicon.svg")), "");
   const Json design_point = Json::parse(outcome.out)["rungs"][0];
@@ -123,7 +123,7 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   EXPECT_EQ(design_point["clocks"][0]["module"], "stage");
   EXPECT_EQ(design_point["clocks"][0]["flipflops"], 5);
   EXPECT_DOUBLE_EQ(design_point["clocks"][0]["gated_j"], rows[1].gated_j());
-  const Outcome table = run("silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept");
+  const Outcome table = run(silicon_ + "--rung dop --keep kept");
   for (const char* part : {"unseen", "80.0 %", "33.3 %", "5 flip-flops,      4 gated"})
     EXPECT_NE(table.out.find(part), std::string::npos) << part << " in\n" << table.out;
   EXPECT_DOUBLE_EQ(design_point["frames_per_joule"], 1e5 / rows[6].watts(1e5).mid);
@@ -135,8 +135,7 @@ TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
   Json small = synth();
   small["configuration"] = "units=1,alpha_lines=64,records=16";
   plant(small.dump(), small["configuration"]);
-  const std::string command =
-      "silicon scene.ply --cameras cameras.json --synth synth --library hand --keep kept --table energy.csv ";
+  const std::string command = silicon_ + "--keep kept --table energy.csv ";
   const std::string measure = command + smallest_;
   const auto expect_none = [&](const Outcome& outcome, int code, const std::string& part) {
     EXPECT_EQ(outcome.code, code) << outcome.err;
@@ -150,7 +149,7 @@ TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
   Json other = synth();
   other["configuration"] = "alpha_lines=128";
   plant(other.dump(), "alpha_lines=128");
-  const Outcome unbuilt = run(command + "--set alpha_lines=128", "PATH=/nowhere ");
+  const Outcome unbuilt = run(command + "--rung dop --set alpha_lines=128", "PATH=/nowhere ");
   EXPECT_EQ(unbuilt.code, 3);
   EXPECT_NE(unbuilt.err.find("does not build"), std::string::npos) << unbuilt.err;
 }
@@ -190,7 +189,7 @@ TEST_F(SiliconCli, RefusesWhatMakeSynthDidNotWrite) {
   json["volts"] = 0;
   plant(json.dump());
   expect_refused(view_, "volts: found '0', expected a number above 0");
-  expect_refused(view_ + "--rungs dop,nothing", "unknown design point 'nothing'");
+  expect_refused(silicon_ + "--no-energy --rungs dop,nothing", "unknown design point 'nothing'");
 }
 
 }  // namespace

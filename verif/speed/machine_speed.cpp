@@ -75,8 +75,7 @@ int positive(const char* name, const std::string& text) {
 }
 
 Config configuration(const std::string& point, const std::string& file) {
-  Config config;
-  apply_design_point(find_design_point(point), config);
+  Config config = find_design_point(point).config;
   if (!file.empty()) apply_config_file(file, config);
   config_check(config);
   return config;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # speed.sh: kHz of the Verilated machine, with every beat compared and with nothing looked at, in variants side by side.
 #
-#   speed.sh [POINT [CONFIG [VARIANT ...]]]     else exact, sim/fast.cfg, and the variants of docs/cycles/speed.md
+#   speed.sh [POINT [CONFIG [VARIANT ...]]]     else fast, no CONFIG, and the variants of docs/cycles/speed.md
 #
 # A VARIANT is what sim/rtl/build_rtl.sh takes before the settings, without blanks between: +noasserts, or
 # +apart+noasserts; `+` alone is the machine of `pipegs sim`. Their machines lie in the build folder under speed/. Other
@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.." || exit 3
 build=$(realpath "${BUILD:-build}")
-point=${1:-exact} config=${2-sim/fast.cfg}
+point=${1:-fast} config=${2-}
 variants=("${@:3}")
 if [ ${#variants[@]} = 0 ]; then
   variants=(+apart + +apart+noasserts +noasserts +noasserts+cxx=-march=native)

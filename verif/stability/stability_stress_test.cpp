@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pipegs stress` itself: hostile views on two machines, and the shrinker against a failure that is injected.
+// `pipegs stress` itself: hostile views on three machines, and the shrinker against a failure that is injected.
 #include <cmath>
 #include <cstdlib>
 
+#include "sim/design/design_point.hpp"
 #include "sim/study/stress/stress.hpp"
 #include "verif/stability/support/stability.hpp"
 
@@ -10,15 +11,19 @@ namespace pipegs {
 namespace {
 
 // Views from PIPEGS_STRESS_SEED on, PIPEGS_STRESS_COUNT of them; 15 from seed 1.
-TEST(Stress, HostileViewsOnTwoMachines) {
+// On those of every hard case, and on the default one.
+TEST(Stress, HostileViewsOnThreeMachines) {
   const auto number = [](const char* name, uint64_t otherwise) {
     const char* text = std::getenv(name);
     return text != nullptr ? std::strtoull(text, nullptr, 0) : otherwise;
   };
   StressFigures figures;
   const uint64_t first = number("PIPEGS_STRESS_SEED", 1), count = number("PIPEGS_STRESS_COUNT", 15);
+  std::vector<SimulateOptions> machines = stable_machines();
+  machines.push_back(stable_machine());
+  machines.back().config = find_design_point(kDefaultDesignPoint).config;
   for (uint64_t seed = first; seed < first + count; ++seed) {
-    for (SimulateOptions options : stable_machines()) {
+    for (SimulateOptions options : machines) {
       options.memory.seed = options.rtl.seed = seed;
       const std::optional<std::string> what = stress_check(stress_view(seed), options, true, &figures);
       EXPECT_FALSE(what) << "seed " << seed << ", " << config_difference(options.config) << ": " << *what;

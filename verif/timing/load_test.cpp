@@ -13,7 +13,6 @@
 
 #include "scenes/generate/generate_random.hpp"
 #include "sim/compare/simulate.hpp"
-#include "sim/design/config_file.hpp"
 #include "sim/design/design_point.hpp"
 #include "sim/timing/timing_check.hpp"
 #include "verif/frame/scenes.hpp"
@@ -54,12 +53,11 @@ struct Cost {
   double cycles = 0, sorting = 0;  // of a splat; bytes of the sort overflow
 };
 
-// By the fast machine: exact order, windows of 128 pixels, so that all of them are one set.
+// By `fast`: exact order, windows of 128 pixels, so that all of them are one set.
 Cost cost(const std::string& name, size_t count) {
   SimulateOptions options;
   options.memory.dram = "lpddr5-6400x4";
-  apply_design_point(find_design_point("exact"), options.config);
-  apply_config_file(PIPEGS_SOURCE_DIR "/sim/fast.cfg", options.config);
+  options.config = find_design_point("fast").config;
   Simulation simulation;
   const Scene scene = load(depths().at(name), count);
   simulate_pack(scene, test_camera(kSide, kSide, kFocal), options, simulation);

@@ -30,7 +30,7 @@ struct Known {
 void compare_pixels(LadderRow& row, const std::vector<uint64_t>& pixels, Known& known) {
   for (const auto& [design_point, other] : known.pixels) {
     if (row.same_pixels.empty() && other == pixels) row.same_pixels = design_point->name;
-    if (design_point->order != row.design_point->order || row.different_pixels > 0) continue;
+    if (design_point->picture != row.design_point->picture || row.different_pixels > 0) continue;
     for (size_t i = 0; i < pixels.size(); ++i) row.different_pixels += pixels[i] != other[i];
   }
   known.pixels.emplace_back(row.design_point, pixels);

@@ -18,7 +18,7 @@ namespace pipegs {
 namespace {
 
 struct BudgetArguments {
-  std::string svg;
+  std::string design_point{kDefaultDesignPoint}, svg;
   std::vector<std::string> settings;
   uint64_t seed = 1;
   size_t count = 1000000;
@@ -86,7 +86,7 @@ std::vector<Chart> charts(const std::vector<BudgetSample>& samples) {
 
 int budget(const BudgetArguments& arguments) {
   ViewArguments view;
-  view.settings = arguments.settings;
+  view.design_point = arguments.design_point, view.settings = arguments.settings;
   const Config config = view.options().config;
   try_file("--svg", arguments.svg);
   Progress progress("budget");
@@ -152,6 +152,7 @@ void add_budget(CLI::App& app, Run& run) {
   static BudgetArguments arguments;
   add_integer(*command, "--count", arguments.count, "Gaussians", size_t{1}, size_t{100000000})->capture_default_str();
   add_integer(*command, "--seed", arguments.seed, "of the Gaussians")->capture_default_str();
+  command->add_option("--rung", arguments.design_point, "design point: " + design_point_names())->capture_default_str();
   command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--svg", arguments.svg, "charts of the errors by needle ratio and by size");

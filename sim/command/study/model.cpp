@@ -36,9 +36,8 @@ struct ModelRow {
 // The design point alone, or all that is set.
 std::string name(const Config& config) {
   const std::string design_point = design_point_name(config);
-  Config pure;
-  if (!design_point.empty()) apply_design_point(find_design_point(design_point), pure);
-  return pure == config ? design_point : config_difference(config);
+  if (!design_point.empty() && find_design_point(design_point).config == config) return design_point;
+  return config_difference(config);
 }
 
 ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, bool check) {

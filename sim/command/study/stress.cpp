@@ -19,7 +19,7 @@ namespace pipegs {
 namespace {
 
 struct StressArguments {
-  std::string design_point, size, out = "stress";
+  std::string design_point{kDefaultDesignPoint}, size, out = "stress";
   std::vector<std::string> settings;
   uint64_t seed = 1;
   int count = 100, gaussians = 0;
@@ -55,7 +55,7 @@ std::string replay(const std::string& program, const StressArguments& arguments,
                                  shell_word(program), shell_word(arguments.out + "/scene.ply"),
                                  shell_word(arguments.out + "/cameras.json"), view.near_plane, options.memory.latency,
                                  options.memory.jitter, options.memory.seed);
-  if (!arguments.design_point.empty()) line += " --rung " + arguments.design_point;
+  line += " --rung " + arguments.design_point;
   for (const std::string& setting : arguments.settings) line += " --set " + shell_word(setting);
   return line + (arguments.no_rtl ? " --no-rtl" : "");
 }
@@ -128,7 +128,7 @@ void add_stress(CLI::App& app, Run& run) {
   static StressArguments arguments;
   add_integer(*command, "--seed", arguments.seed, "of the first view; the next ones count up")->capture_default_str();
   add_integer(*command, "--count", arguments.count, "views", 1, 100000000)->capture_default_str();
-  command->add_option("--rung", arguments.design_point, "design point: " + design_point_names());
+  command->add_option("--rung", arguments.design_point, "design point: " + design_point_names())->capture_default_str();
   command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--size", arguments.size, "image, WxH; without it up to 160x120");

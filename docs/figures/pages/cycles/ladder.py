@@ -2,7 +2,7 @@
 """Tables of docs/cycles/ladder.md."""
 from data import data
 from formats import fixed, group, mean, percent, table, times
-from measurements import FOUR, POINTS
+from measurements import FOUR, points_of
 
 MEASURED = ["ladder/*", "sweep/*", "results/terrace_0", "what_if/terrace/alpha_lines*"]
 PAPER = {"baseline": ("1.00", "7.48"), "dpc": ("-", "5.71"), "tspp": ("2.33", "1.83"), "dop": ("2.85", "-")}
@@ -12,7 +12,7 @@ SWEPT = ("baseline", "dop", "exact")
 def ladder(scene):
     """One scene: a row for each design point."""
     rows = []
-    for point in POINTS:
+    for point in points_of(data.ladder[scene]):
         row, paper = data.ladder[scene][point], PAPER.get(point, ("-", "-"))
         rows.append(
             [
@@ -56,7 +56,7 @@ def ladder(scene):
 def built_of():
     """What each design point is made of; by the configuration alone, so the same for every scene."""
     rows = []
-    for point in POINTS:
+    for point in points_of(data.ladder.own):
         built = data.ladder.own[point].built_of
         rows.append(
             [

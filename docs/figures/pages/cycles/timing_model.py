@@ -2,7 +2,7 @@
 """Tables of docs/cycles/timing_model.md."""
 from data import data
 from formats import fixed, group, table
-from measurements import FOUR, POINTS
+from measurements import FOUR, points_of
 
 MEASURED = ["ladder/*", "model/*"]
 
@@ -15,7 +15,7 @@ def agreement():
     """Cycles of the RTL and of the model, scene by scene."""
     rows = []
     for scene in FOUR:
-        for point in POINTS:
+        for point in points_of(data.ladder[scene], data.model[scene]):
             rtl, model = data.ladder[scene][point].cycles, data.model[scene][point]
             rows.append(
                 [scene, f"`{point}`", rtl, model.cycles, signed(model.cycles / rtl - 1), fixed(model.seconds, 2)]

@@ -2,10 +2,10 @@
 """Tables of docs/silicon/energy.md."""
 from data import data
 from formats import fixed, group, percent, table, times
+from measurements import points_of
 from pages.silicon.silicon import either, ranged
 
 MEASURED = ["energy/*", "gating/*"]
-POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact")
 ROWS = ("DOPU", "PU", "SU", "RU", "Other", "Buffers", "Total", "DRAM")
 PAPER = {"DOPU": 0.004, "PU": 0.466, "SU": 0.068, "RU": 0.171, "Buffers": 0.236, "Total": 0.948}  # W, Table 2
 
@@ -48,7 +48,7 @@ def units(scene, point="dop"):
 def points(scene):
     """Frames for area and for energy, over the baseline."""
     rows, base = [], data.energy[scene].baseline
-    for name in POINTS:
+    for name in points_of(data.energy[scene]):
         row = data.energy[scene][name]
         rows.append([f"`{name}`", row.cycles, group(row.fps), fixed(row.mm2, 2)])
         for key, digits in (("fps_per_mm2", 1), ("frames_per_joule", 0), ("frames_per_joule_with_dram", 0)):
@@ -73,12 +73,11 @@ def points(scene):
 def joules(scene):
     """uJ of a frame by unit at mid, without leakage."""
     rows = []
-    for name in POINTS:
-        if name in data.energy[scene]:
-            row = data.energy[scene][name]
-            cells = [group(row.rows[unit].uj.mid) for unit in ROWS]
-            awake = [percent(row.rows[unit].awake) for unit in ("PU", "RU")]
-            rows.append([f"`{name}`", *cells, *awake, fixed(row.fps_per_mm2, 1), group(row.frames_per_joule)])
+    for name in points_of(data.energy[scene]):
+        row = data.energy[scene][name]
+        cells = [group(row.rows[unit].uj.mid) for unit in ROWS]
+        awake = [percent(row.rows[unit].awake) for unit in ("PU", "RU")]
+        rows.append([f"`{name}`", *cells, *awake, fixed(row.fps_per_mm2, 1), group(row.frames_per_joule)])
     return table(
         [
             "design point",
@@ -95,7 +94,7 @@ def joules(scene):
 def gated():
     """Of the machines in gating/: which flip-flops have a gate, and what their clocks take."""
     rows = []
-    for name, title in (("dpc", "`dpc`"), ("fast", "`sim/fast.cfg`, 1024 records")):
+    for name, title in (("dpc", "`dpc`"), ("fast", "`fast`, 1024 records")):
         if name not in data.gating:
             continue
         point = data.gating[name]

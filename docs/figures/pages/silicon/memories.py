@@ -4,9 +4,9 @@ import re
 
 from data import data
 from formats import change, fixed, group, table
+from measurements import points_of
 
 MEASURED = ["memories/*"]
-POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact")
 PAPER_KB = 428
 WHERE = [  # unit, place without generate blocks and the SU's wiring, what it holds, purpose
     ("alpha store", "u_store.u_lines", "lines of 64 alphas, a ring", "alphas"),
@@ -135,7 +135,7 @@ def purposes():
 def points():
     """KB by purpose of each design point."""
     rows = []
-    for name in POINTS:
+    for name in points_of(data.memories):
         sums = by_purpose(name)
         (records,) = {row.depth for row in data.memories[name] if known(row)[1] == "u_su.u_records"}
         rows.append(

@@ -109,7 +109,7 @@ def fine():
         ("exact", "`exact`"),
         ("exact_fine", "`exact`, `sim/fine.cfg`"),
         ("exact_quads", "and `--set quads=1`"),
-        ("exact_fast", "`exact`, `sim/fast.cfg`"),
+        ("fast", "`fast`"),
     )
     for point, name in named:
         row = data.silicon[point]
