@@ -65,9 +65,19 @@ SimulateOptions ViewArguments::options() const {
 }
 
 std::vector<SimulateOptions> ViewArguments::each() const {
-  if (design_points.empty()) return {options()};
+  return design_points.empty() ? std::vector{options()} : options(find_design_points(design_points));
+}
+
+std::vector<SimulateOptions> ViewArguments::options(const std::vector<const DesignPoint*>& several) const {
   std::vector<SimulateOptions> each;
-  for (const DesignPoint* one : find_design_points(design_points)) each.push_back(options(*one));
+  for (const DesignPoint* one : several) {
+    each.push_back(options(*one));
+    const int first = each.front().config.window, side = each.back().config.window;
+    if (!window.empty() && side != first) {
+      throw ConfigError(fmt::format("--window: found design points with windows of {} and {} pixels, expected one size",
+                                    first, side));
+    }
+  }
   return each;
 }
 

@@ -49,6 +49,8 @@ struct ViewArguments {
   SimulateOptions options() const;
   // The same on another design point; the settings must leave alone what makes one.
   SimulateOptions options(const DesignPoint& design_point) const;
+  // Of several; with --window their windows must be of one size.
+  std::vector<SimulateOptions> options(const std::vector<const DesignPoint*>& several) const;
   std::vector<SimulateOptions> each() const;  // of --rungs, or the one of --rung
 };
 

@@ -25,10 +25,10 @@ class Commands : public Cli {
 };
 
 TEST_F(Commands, LadderComparesDesignPointsAndWritesTheirFigures) {
-  const Json ladder = json("ladder" + view_ + "--rungs dop,late --out rungs --svg charts/ladder.svg");
+  const Json ladder = json("ladder" + view_ + "--rungs dop,late,fast --out rungs --svg charts/ladder.svg");
   EXPECT_EQ(ladder, Json::parse(text("rungs/ladder.json")));
   expect_chart("charts/ladder.svg");
-  ASSERT_EQ(ladder["rungs"].size(), 2u);
+  ASSERT_EQ(ladder["rungs"].size(), 3u);
   for (const Json& design_point : ladder["rungs"]) {
     SCOPED_TRACE(design_point["name"]);
     const Json report = Json::parse(text("rungs/" + design_point["name"].get<std::string>() + "/report.json"));
@@ -52,6 +52,8 @@ TEST_F(Commands, LadderComparesDesignPointsAndWritesTheirFigures) {
   EXPECT_EQ(ladder["rungs"][1]["same_pixels_as"], "dop");
   EXPECT_GT(ladder["rungs"][0]["peak_alpha_lines"], 0);
   EXPECT_TRUE(ladder["rungs"][1]["peak_alpha_lines"].is_null());
+  EXPECT_TRUE(ladder["rungs"][2]["same_pixels_as"].is_null());
+  EXPECT_EQ(ladder["rungs"][2]["pixels_unlike_same_order"], 0) << "its numbers are others: there is nothing to compare";
 }
 
 TEST_F(Commands, LadderPrintsATable) {
@@ -280,6 +282,10 @@ TEST_F(Commands, BadInputIsRefusedInOneLine) {
   expect_refused("ladder" + view_ + "--rungs dop,dop", "found a second 'dop'");
   expect_refused("ladder" + view_ + "--set late=1", "the design points set late");
   expect_refused("ladder scene.ply", "--cameras");
+  for (const char* command : {"ladder", "sweep", "model", "silicon"}) {
+    expect_refused(command + view_ + "--rungs dop,fast --window 0,0",
+                   "--window: found design points with windows of 64 and 128 pixels, expected one size");
+  }
   expect_refused("profile" + view_ + "--rung nonsense", "nonsense");
   expect_refused("profile missing.ply --cameras cameras.json --no-rtl", "missing.ply");
   expect_refused("timeline" + view_ + "--window 9,9 --out t.json", "--window");

@@ -72,9 +72,10 @@ PixelBytes memory_of(const LadderArguments& arguments) {
 
 int ladder(const LadderArguments& arguments) {
   const std::vector<const DesignPoint*> chosen = find_design_points(arguments.view.design_points);
+  const std::vector<SimulateOptions> options = arguments.view.options(chosen);
   std::vector<LadderRow> rows;
-  for (const DesignPoint* design_point : chosen) {
-    rows.push_back({.design_point = design_point, .options = arguments.view.options(*design_point)});
+  for (size_t i = 0; i < chosen.size(); ++i) {
+    rows.push_back({.design_point = chosen[i], .options = options[i]});
     arguments.memory.apply(rows.back().options);
   }
   check_outputs(arguments, chosen);

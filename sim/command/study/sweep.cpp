@@ -120,12 +120,12 @@ int sweep(SweepArguments arguments) {
   }
   std::sort(bandwidths.begin(), bandwidths.end());
   bandwidths.erase(std::unique(bandwidths.begin(), bandwidths.end()), bandwidths.end());
+  const std::vector<const DesignPoint*> chosen = find_design_points(arguments.view.design_points);
+  std::vector<SimulateOptions> options = arguments.view.options(chosen);
   std::vector<SweepRow> rows;
-  std::vector<SimulateOptions> options;
-  for (const DesignPoint* design_point : find_design_points(arguments.view.design_points)) {
-    rows.push_back({.design_point = design_point});
-    options.push_back(arguments.view.options(*design_point));
-    arguments.memory.apply(options.back());
+  for (size_t i = 0; i < chosen.size(); ++i) {
+    rows.push_back({.design_point = chosen[i]});
+    arguments.memory.apply(options[i]);
   }
   try_file("--svg", arguments.svg);
   const LoadedView loaded = load_view(arguments.view);
