@@ -9,8 +9,9 @@
 namespace pipegs {
 namespace {
 
-constexpr int kRows = 8;    // Row Units of a unit, Table 2
-constexpr int kLanes = 16;  // of an RU: the paper's Rendering Units, Table 2
+constexpr int kAdderBits = 14;  // of both values that a sum must have to be counted
+constexpr int kRows = 8;        // Row Units of a unit, Table 2
+constexpr int kLanes = 16;      // of an RU: the paper's Rendering Units, Table 2
 
 void add_row_inits(const Config& c, StaticCost& cost) {
   int adders = 0, constant = 0;
@@ -118,7 +119,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
     add("pu_color_normalise", "color", "pu", 1, 1, 0);
     add("rsqrt", "color", "pu", 1, 1, 1);
     add("pu_color_basis", "color", "pu", 1, 4, 4);
-    add("pu_color_sum", "color", "pu", 1, 6, 6);
+    add("pu_color_sum", "color", "pu", 1, 6, c.base_w < kAdderBits ? 6 : 9);  // three add the base
   }
   add_power(c, cost);
   add("ru_blend", "blend", "ru", kLanes, 4, 4);
