@@ -122,7 +122,9 @@ def choice(name, variants):
     ports = variants[0].ports()
     parameters = ", ".join(f"parameter int unsigned {key} = {value}" for key, value in variants[0].parameters.items())
     lines = [HEAD + f"module {name} #({parameters}) ("]
-    lines += [",\n".join(f"  {way} logic {f'[{width - 1}:0] ' if width > 1 else ''}{port}" for port, way, width in ports)]
+    lines += [
+        ",\n".join(f"  {way} logic {f'[{width - 1}:0] ' if width > 1 else ''}{port}" for port, way, width in ports)
+    ]
     lines += [");"]
     for module in variants:
         chosen = " && ".join(f"{key} == {value}" for key, value in module.parameters.items())

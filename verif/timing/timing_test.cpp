@@ -86,7 +86,8 @@ TEST(Timing, EveryDesignPointOnOurOwnScene) {
 }
 
 TEST(Timing, HalfAndQuarterOfTheMachine) {
-  expect_exact(TimedFrame(own_view(), machine({"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1"}), 2));
+  expect_exact(
+      TimedFrame(own_view(), machine({"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1"}), 2));
   EXPECT_GT(expect_exact(TimedFrame(own_view(), machine({"units=1", "alpha_lines=64", "records=16"}), 1)), 0u);
 }
 
