@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_reach_test: rtl/pu/front/pu_reach.sv against its bit-accurate model, and the model against the regions that the PU finds
-// and against its own test in double precision.
+// pu_reach_test: rtl/pu/front/pu_reach.sv against its bit-accurate model, and the model against the regions that the PU
+// finds and against its own test in double precision.
 #include "cpp_model/pu/front/pu_reach.hpp"
 
 #include "Vpu_reach.h"
