@@ -121,7 +121,7 @@ def choice(name, variants):
     """A module with parameters that is one of these, which have one each of the values that the machine gives them."""
     ports = variants[0].ports()
     parameters = ", ".join(f"parameter int unsigned {key} = {value}" for key, value in variants[0].parameters.items())
-    lines = [HEAD + f"module {name} #({parameters}) ("]
+    lines = [HEAD + "// verilator lint_off WIDTH", f"module {name} #({parameters}) ("]  # a parameter of one bit
     lines += [
         ",\n".join(f"  {way} logic {f'[{width - 1}:0] ' if width > 1 else ''}{port}" for port, way, width in ports)
     ]
@@ -129,7 +129,7 @@ def choice(name, variants):
     for module in variants:
         chosen = " && ".join(f"{key} == {value}" for key, value in module.parameters.items())
         lines += [f"  if ({chosen}) begin : gen_{module.name}", f"    {module.name} u_gates (.*);", "  end"]
-    return "\n".join(lines + ["endmodule", ""])
+    return "\n".join(lines + ["endmodule", "// verilator lint_on WIDTH", ""])
 
 
 class Logic:

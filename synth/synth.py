@@ -298,7 +298,7 @@ def write_netlists(jobs, machine, package, folder, names):
         if variants:
             for module in variants:
                 del whole[module.name]
-                module.name = rtlil.variant(module)
+                module.name = rtlil.variant(module).replace("__", "_")  # Verilator gives `__` a meaning of its own
                 whole[module.name] = module
             write_new(f"{folder}/{name}.sv", gates.choice(name, variants))
             names = [one for one in names if one != name] + [module.name for module in variants]

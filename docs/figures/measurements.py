@@ -42,10 +42,7 @@ from scenes import SIZES, VIEWS_OF_SIZE
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory")
 POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact", "fast")
-GATED = {  # whose clocks energy.md shows, on our own scene
-    "dpc": "--rung dpc",
-    "fast": "--rung fast --set records=1024",
-}
+GATED = ("dpc", "fast")  # whose clocks energy.md shows
 
 
 def points_of(*figures):
@@ -208,8 +205,8 @@ TABLE = [
                 points=POINTS, chart="silicon.svg"),
     Measurement("energy/terrace", "build/pipegs silicon {scene} --rungs baseline,dop,exact --json", energy,
                 (*RTL, "synth"), "terrace", 1, ("baseline", "dop", "exact")),
-    *[Measurement(f"gating/{name}", f"build/pipegs silicon {options} --json", gating, (*RTL, "synth"),
-                  points=(options.split()[1],)) for name, options in GATED.items()],
+    *[Measurement(f"gating/{scene}/{point}", f"build/pipegs silicon {{scene}} --rung {point} --json", gating,
+                  (*RTL, "synth"), scene, points=(point,)) for scene in CHARTED for point in GATED],
     *[Measurement(f"energy/{scene}_sky130", "build/pipegs silicon {scene} --rung dop --library sky130hd_tt --json",
                   energy, (*RTL, "synth"), scene, view, ("dop",)) for scene, view in (("own", 0), ("terrace", 1))],
     *[Measurement(f"accuracy/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --out accuracy/{scene} "

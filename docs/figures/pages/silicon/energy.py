@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/silicon/energy.md."""
+from itertools import product
+
 from data import data
 from formats import fixed, group, percent, table, times
 from measurements import points_of
 from pages.silicon.silicon import either, ranged
 
 MEASURED = ["energy/*", "gating/*"]
+TITLES = {"own": "our own scene", "terrace": "terrace 0"}
 ROWS = ("DOPU", "PU", "SU", "RU", "Other", "Buffers", "Total", "DRAM")
 PAPER = {"DOPU": 0.004, "PU": 0.466, "SU": 0.068, "RU": 0.171, "Buffers": 0.236, "Total": 0.948}  # W, Table 2
 
@@ -94,15 +97,15 @@ def joules(scene):
 def gated():
     """Of the machines in gating/: which flip-flops have a gate, and what their clocks take."""
     rows = []
-    for name, title in (("dpc", "`dpc`"), ("fast", "`fast`, 1024 records")):
-        if name not in data.gating:
+    for scene, name in product(TITLES, ("dpc", "fast")):
+        if scene not in data.gating or name not in data.gating[scene]:
             continue
-        point = data.gating[name]
+        point = data.gating[scene][name]
         all_rows = point.rows.Total
         open_edges = (all_rows.clocks - all_rows.ungated - all_rows.gates) / all_rows.open
         rows.append(
             [
-                title,
+                f"`{name}`, {TITLES[scene]}",
                 group(all_rows.flipflops),
                 percent(all_rows.gated / all_rows.flipflops, 1),
                 percent(all_rows.unseen / all_rows.flipflops, 2),
@@ -117,7 +120,7 @@ def gated():
         )
     return table(
         [
-            "machine",
+            "machine and scene",
             "flip-flops",
             "behind a gate",
             "enable not seen",
@@ -144,7 +147,7 @@ def gated_modules(name):
             fixed(one.ungated, 1),
             fixed(one.gated_uj, 1),
         ]
-        for one in data.gating[name].modules
+        for one in data.gating.own[name].modules
     ]
     return table(["unit", "module", "flip-flops", "behind a gate", "uJ without a gate", "uJ behind gates"], rows)
 
