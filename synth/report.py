@@ -125,10 +125,10 @@ def summary(machine, modules, configuration, library, seconds):
     units = []
     for base, unit in [*UNITS.items(), ("pipegs_top", "top")]:
         found = [module for module in modules.values() if module.base == base]
-        counts_of = [sum(one is module for one, _, _ in instances) for module in found]
-        entries = [unit_entry(machine, module) for module in found]
+        numbers = [counts[module.name, unit] for module in found]
         if found:
-            units.append({"unit": unit, "instances": sum(counts_of), **mean_entry(entries, counts_of)})
+            entries = [unit_entry(machine, module) for module in found]
+            units.append({"unit": unit, "instances": sum(numbers), **mean_entry(entries, numbers)})
     memories = collections.Counter(
         (re.sub(r"\[\d+\]", "[k]", path), unit, module.parameters["Depth"], module.parameters["DataW"])
         for module, unit, path in instances

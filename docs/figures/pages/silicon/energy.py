@@ -5,10 +5,10 @@ from itertools import product
 from data import data
 from formats import fixed, group, percent, table, times
 from measurements import points_of
+from pages.cycles.utilisation import TITLES
 from pages.silicon.silicon import either, ranged
 
 MEASURED = ["energy/*", "gating/*"]
-TITLES = {"own": "our own scene", "terrace": "terrace 0"}
 ROWS = ("DOPU", "PU", "SU", "RU", "Other", "Buffers", "Total", "DRAM")
 PAPER = {"DOPU": 0.004, "PU": 0.466, "SU": 0.068, "RU": 0.171, "Buffers": 0.236, "Total": 0.948}  # W, Table 2
 
