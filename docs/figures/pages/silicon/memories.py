@@ -23,6 +23,10 @@ WHERE = [  # unit, place without generate blocks and the SU's wiring, what it ho
     ("SU", "u_emit.u_numbers", "record numbers, only sets that spilled", "overflow"),
     ("SU", "u_emit.u_waiting", "sorted keys whose records are fetched", "sorter"),
     ("SU", "u_port.u_answers", "lines read back, only sets that spilled", "overflow"),
+    ("SU", "u_port.u_owners", "whose these are", "overflow"),
+    ("SU", "u_ways.u_asks", "each run's next line and keys left in it", "overflow"),
+    ("SU", "u_tree.u_left", "keys of each run that the tree has not taken", "overflow"),
+    ("SU", "u_tree.u_nodes", "the keys that wait in the tree", "overflow"),
     ("PU", "u_fetch.u_reader.u_lines", "geometry, two Gaussians a line", "parameters"),
     ("PU", "u_pu.u_visible", "Gaussians dealt to this PU", "parameters"),
     ("PU", "u_shape.u_centers", "means and opacities beside the projection", "parameters"),
@@ -41,7 +45,7 @@ WHERE = [  # unit, place without generate blocks and the SU's wiring, what it ho
     ("RU", "u_ru.u_queue", "sorted splats", "RU queues"),
     ("DOPU", "u_dopu.*u_reader.u_lines", "groups and chunks", "scene"),
     ("DOPU", "u_cells.u_table", "the cell table, Grid^3 cells", "scene"),
-    ("DOPU", "u_bucket.u_(nodes|heads|back)", "nodes that wait, by depth (`order=2`)", "scene"),
+    ("DOPU", "u_bucket.u_(nodes|heads|back|words)", "nodes that wait, by depth (`order=2`)", "scene"),
     ("lists", "u_counts", "entries of each window's list (`order=1`)", "lists"),
     ("lists", r"u_read\..*u_lines", "lines of lists (`order=1`)", "lists"),
 ]
@@ -66,10 +70,8 @@ PURPOSES = {  # purpose: what it is, what the paper says of it
 
 def known(row):
     """The row of WHERE that an SRAM belongs to, and its place there."""
-    place = re.sub(r"\b(?:gen_?\w*|genblk\d+|u_stores|u_gather|u_release|u_places)\.|\.u_words$", "", row.place)
-    found = [one for one in WHERE if re.search(rf"(?:^|\.){one[1]}$", place)]
-    if row.place.endswith("u_buckets.u_words"):
-        found = [one for one in WHERE if one[1] == "u_buckets.u_words"]
+    place = re.sub(r"\b(?:gen_?\w*|genblk\d+|u_stores|u_gather|u_release|u_places)\.", "", row.place)
+    found = [one for one in WHERE if re.search(rf"(?:^|\.){one[1]}(?:\.u_words)?$", place)]  # u_words: of a queue
     if "u_dopu." in row.place:
         found = [one for one in found if one[0] == "DOPU"]
     if len(found) != 1:
