@@ -8,8 +8,7 @@
 package pipegs_pkg;
 
   localparam int unsigned Units          = 4;  // PUs, SUs and RUs (1, 2 or 4), Table 2
-  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
-  localparam int unsigned Fronts         = 4;
+  localparam int unsigned Fronts         = 4;  // PUs that fetch and cull, at most all; every PU projects (1, 2 or 4)
   localparam int unsigned PixelsPerRow   = 2;  // pixels that one Row Unit computes in a cycle
   // side of a window (16, 32, 64 or 128); regions are 8x8 pixels, a window of 128 has four parts of 64
   localparam int unsigned Window         = 64;
