@@ -77,6 +77,10 @@ void config_check(const Config& config) {
   }
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.tight_cull && config.order == 1) throw ConfigError("configuration: tight_cull = 1 needs order 0 or 2");
+  if (config.tight_boxes && config.order != 2) throw ConfigError("configuration: tight_boxes = 1 needs order = 2");
+  if (config.tight_boxes && 3 * config.world_w + config.scale_m_w > 132) {
+    throw ConfigError("configuration: tight_boxes = 1 needs 3 world_w + scale_m_w of at most 132, a node has 256 bits");
+  }
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");
 }
 

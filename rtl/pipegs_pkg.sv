@@ -51,6 +51,9 @@ package pipegs_pkg;
   // 1: a Gaussian is also dropped when its own ellipse ends before the window; 0: only when its largest scale does (1
   // needs order 0 or 2)
   localparam int unsigned TightCull      = 0;
+  // 1: a node holds the box around its Gaussians' ellipsoids, too, which the DOPU tests where they are small beside
+  // their distance; 0: only that of their means, grown by the largest scale (1 needs order 2)
+  localparam int unsigned TightBoxes     = 0;
   localparam int unsigned Tests          = 1;  // regions side by side that pu_intersect tests in a cycle
   localparam int unsigned ExpIndexW      = 6;  // index of the exp2 table
   // 1: linear interpolation between the entries of the exp2 table; 0: the entry alone, no multiplier
@@ -126,9 +129,14 @@ package pipegs_pkg;
   localparam int unsigned ExpW           = 6;  // block exponent, unsigned
   localparam int unsigned FloatEW        = 9;  // exponent of a normalised mantissa, signed
   localparam int unsigned SlotW          = 24;  // slot of a Gaussian in packed memory
-  localparam int unsigned CountW         = 20;  // Gaussians of a chunk, or chunks of a cell
+  localparam int unsigned CountW         = 20;  // Gaussians of a chunk, chunks of a group, groups of a cell
   // half extent of a bounding box, unsigned, unit 2^half_exp world units, rounded up
   localparam int unsigned HalfW          = 16;
+  // how far the box around ellipsoids reaches, unit 2^(half_exp + 1), rounded up; absent unless tight_boxes
+  localparam int unsigned HullW          = 0;
+  // log2 of the standard deviations that a Gaussian reaches, and of what log2 m exceeds m - 1 by (at most 0.0861), unit
+  // 1/64, rounded up
+  localparam int unsigned HullLog        = 118;
   localparam int unsigned RotW           = 26;  // camera rotation matrix, s1.24
   localparam int unsigned RotF           = 24;  // its fraction
   localparam int unsigned CamQuatW       = 20;  // camera quaternion, s1.18

@@ -36,15 +36,15 @@ DopuCounts dopu_window(const Config& config, const Frame& frame, const PackedSce
       const Node& cell = scene.cells[static_cast<size_t>(dopu_layer_cell(config, axis, slab, n))];
       if (cell.count == 0) continue;
       ++counts.cell_tests;
-      if (!dopu_test(config, frame, planes, cell)) continue;
+      if (!dopu_test(config, frame, planes, cell, 0)) continue;
       for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
         const Node& group = scene.groups[g];
         ++counts.group_tests;
-        if (!dopu_test(config, frame, planes, group)) continue;
+        if (!dopu_test(config, frame, planes, group, 0)) continue;
         for (uint64_t i = group.first; i < group.first + group.count; ++i) {
           const Node& node = scene.chunks[i];
           ++counts.chunk_tests;
-          if (!dopu_test(config, frame, planes, node)) continue;
+          if (!dopu_test(config, frame, planes, node, 0)) continue;
           ++counts.chunks;
           counts.gaussians += node.count;
           chunk(layer, dopu_origin(config, frame, node, window_x, window_y), i);

@@ -2,9 +2,10 @@
 // dopu_test: can a node (a cell or a chunk) hold a mean that touches the window? Never says no when it can.
 //
 // Paper   Sec. 4.1.        RTL  rtl/dopu/dopu_test.sv
-// Idea    Of the corners of the box, the one farthest along a plane's normal decides: n_i >= 0 takes the high side of
-//         axis i, else the low side, so a plane costs three products and one for reach * scale (near: -1 * near).
-//         Corners, scale and near are brought to one unit 2^e with which the largest fits TestW bits, and floored.
+// Idea    The box is that of the means or of the ellipsoids (dopu_hull.hpp). Of its corners the farthest one along
+//         a plane's normal decides: n_i >= 0 takes the high side of axis i, else the low side, so a plane costs three
+//         products and one for reach * scale (near: -1 * near). Corners, scale and near are brought to one unit 2^e
+//         with which the largest fits TestW bits, and floored.
 // Bound   Flooring a corner loses under one unit times n_i, flooring n_i loses under one unit times the corner, the
 //         same for reach and scale: together at most 2^(TestW + 2), which is added before the sign is looked at. At a
 //         1000 px focal length about 0.07 px on the window's edges for a node ahead (estimate).
@@ -12,53 +13,63 @@
 
 #include <algorithm>
 
+#include "cpp_model/dopu/dopu_hull.hpp"
 #include "cpp_model/dopu/dopu_planes.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
 
-// The box of a node relative to the camera, in units of 2^exponent world units, floored: the largest number fits TestW
-// bits.
+// The box that meets the planes and that of the means, relative to the camera, in units of 2^exponent world units,
+// floored: the largest number fits TestW bits.
 struct Corners {
-  int64_t low[3], high[3];
+  int64_t low[3], high[3], means_low[3], means_high[3];
+  uint64_t scale;  // field
   int exponent;
 };
 
-// Precondition (the packer's): |centre| < 2^(WorldW - 1), half << half_exp < 2^WorldW.
-inline Corners dopu_test_corners(const Config& config, const Frame& frame, const Node& node) {
+// Precondition (the packer's): |centre| < 2^(WorldW - 1), half, 2 down and 2 up << half_exp < 2^WorldW, half at most
+// 2 down and 2 up.
+// `step`: of depth, that of the parent's bucket (tight_boxes).
+inline Corners dopu_test_corners(const Config& config, const Frame& frame, const Node& node, int step) {
   const int64_t delta[3] = {node.center_x - frame.camera.position.x, node.center_y - frame.camera.position.y,
                             node.center_z - frame.camera.position.z};
-  const uint64_t halves[3] = {node.half_x, node.half_y, node.half_z};
+  const uint64_t halves[3] = {node.half_x, node.half_y, node.half_z},
+                 downs[3] = {node.down_x, node.down_y, node.down_z}, ups[3] = {node.up_x, node.up_y, node.up_z};
+  const Hull hull = dopu_hull(config, node.scale_max, step);
   Corners box;
+  box.scale = hull.scale;
   uint64_t magnitudes = 0;
   for (int i = 0; i < 3; ++i) {
-    const int64_t half = static_cast<int64_t>(halves[i] << node.half_exp);
-    const int64_t low = delta[i] - half, high = delta[i] + half;
+    const auto half = static_cast<int64_t>(halves[i] << node.half_exp);
+    const auto down = static_cast<int64_t>(downs[i] << 1 << node.half_exp),
+               up = static_cast<int64_t>(ups[i] << 1 << node.half_exp);
+    const int64_t low = delta[i] - (hull.tight ? down : half), high = delta[i] + (hull.tight ? up : half);
     box.low[i] = low;
     box.high[i] = high;
+    box.means_low[i] = delta[i] - half;
+    box.means_high[i] = delta[i] + half;
     magnitudes |= static_cast<uint64_t>(low < 0 ? ~low : low) | static_cast<uint64_t>(high < 0 ? ~high : high);
   }
-  const int scale_e = static_cast<int>(node.scale_max >> config.scale_m_w);
+  const int scale_e = static_cast<int>(box.scale >> config.scale_m_w);
   const int length = std::max(bit_length(magnitudes), scale_e - 7);  // scale < 2^(scale_e - 7)
   box.exponent = std::max(0, length - (config.test_w() - 1));
   for (int i = 0; i < 3; ++i) {
-    box.low[i] = shift_floor(box.low[i], box.exponent);
-    box.high[i] = shift_floor(box.high[i], box.exponent);
+    for (int64_t* corner : {&box.low[i], &box.high[i], &box.means_low[i], &box.means_high[i]})
+      *corner = shift_floor(*corner, box.exponent);
   }
   return box;
 }
 
 // Does the node pass all planes of a window?
-inline bool dopu_test(const Config& config, const Frame& frame, const Planes& planes, const Node& node) {
+inline bool dopu_test(const Config& config, const Frame& frame, const Planes& planes, const Node& node, int step) {
   const int width = config.test_w();
-  const Corners box = dopu_test_corners(config, frame, node);
-  const int scale_e = static_cast<int>(node.scale_max >> config.scale_m_w);
+  const Corners box = dopu_test_corners(config, frame, node, step);
+  const int scale_e = static_cast<int>(box.scale >> config.scale_m_w);
 
   // scale = mantissa * 2^(scale_e - 8 - ScaleMW)
   const int64_t one = int64_t{1} << config.scale_m_w;
-  const int64_t mantissa =
-      scale_e == 0 ? 0 : one | static_cast<int64_t>(node.scale_max & static_cast<uint64_t>(one - 1));
+  const int64_t mantissa = scale_e == 0 ? 0 : one | static_cast<int64_t>(box.scale & static_cast<uint64_t>(one - 1));
   const int up = scale_e - 8 - config.scale_m_w - box.exponent;
   const int64_t scale = up >= 0 ? mantissa << up : shift_floor(mantissa, -up);
   const int64_t most = (int64_t{1} << (width - 1)) - 1;

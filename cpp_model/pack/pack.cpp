@@ -119,6 +119,11 @@ OrderItem order_item(const PackedScene& packed, const Scene& scene, uint32_t ind
   OrderItem item;
   for (int axis = 0; axis < 3; ++axis) item.value[axis] = scene.gaussians[index].mean[axis];
   item.value[3] = static_cast<float>(std::ldexp(effective_scale(packed.config, record), packed.scene_exponent));
+  if (packed.config.tight_boxes) {
+    const std::array<double, 3> extents = ellipsoid_extents(packed.config, record);
+    for (size_t axis = 0; axis < 3; ++axis)
+      item.extent[axis] = static_cast<float>(std::ldexp(extents[axis], packed.scene_exponent));
+  }
   item.index = index;
   return item;
 }
@@ -159,7 +164,8 @@ CellItems cell_items(const Scene& scene, const std::vector<uint32_t>& kept, cons
 // with one at the end.
 void order_cells(const Config& config, float window, CellItems& cells) {
   // sqrt(2 ln 255) = 3.33 standard deviations at AlphaCut 255, a little more off the image's centre.
-  const float reach = static_cast<float>(4 * std::sqrt(std::log(config.alpha_cut) / std::log(255)));
+  const float reach =
+      static_cast<float>((config.tight_boxes ? 1.2 : 4) * std::sqrt(std::log(config.alpha_cut) / std::log(255)));
   const size_t chunk = static_cast<size_t>(config.chunk), group = chunk * static_cast<size_t>(config.group);
   std::vector<std::span<OrderItem>> all;
   for (size_t cell = 0; cell + 1 < cells.first.size(); ++cell) all.push_back(cells.cell(cell));

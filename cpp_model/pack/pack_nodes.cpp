@@ -3,6 +3,7 @@
 #include "cpp_model/pack/pack_nodes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,36 @@ int cell_coordinate(const Config& config, const GridBox& grid, int axis, int64_t
   return static_cast<int>(std::clamp<Int128>(shift_floor(product, config.world_w), 0, config.grid - 1));
 }
 
+using Extents = std::array<int64_t, 3>;
+
+// Extents into the fields of a node, rounded up, in the finest unit in which all fit. What is wider than any scene is
+// cut: a hull so wide counts for no window.
+void set_extents(const Config& config, const Extents& half, Extents down, Extents up, Node& node) {
+  int64_t widest = *std::max_element(half.begin(), half.end());
+  for (Extents* hull : {&down, &up}) {
+    for (int64_t& extent : *hull) {
+      extent = std::min(extent, int64_t{1} << (config.world_w - 1));
+      widest = std::max(widest, extent);
+    }
+  }
+  while (shift_ceil(widest, static_cast<int>(node.half_exp)) >> config.half_w() != 0) ++node.half_exp;
+  while (config.tight_boxes && shift_ceil(widest, static_cast<int>(node.half_exp) + 1) >> config.hull_w() != 0)
+    ++node.half_exp;
+  const auto field = [&](int64_t extent, int more) {
+    return static_cast<uint64_t>(shift_ceil(extent, static_cast<int>(node.half_exp) + more));
+  };
+  node.half_x = field(half[0], 0);
+  node.half_y = field(half[1], 0);
+  node.half_z = field(half[2], 0);
+  if (!config.tight_boxes) return;
+  node.down_x = field(down[0], 1);
+  node.down_y = field(down[1], 1);
+  node.down_z = field(down[2], 1);
+  node.up_x = field(up[0], 1);
+  node.up_y = field(up[1], 1);
+  node.up_z = field(up[2], 1);
+}
+
 // Centre, offset exponent, offsets of the records and half extents of one chunk, all from the rounded means.
 Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::span<GaussianRecord> records) {
   Node node;
@@ -52,19 +83,22 @@ Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::sp
     widest = std::max(widest, high - *center[axis]);  // high is at least as far as low
   }
   while (shift_round(widest, static_cast<int>(node.offset_exp)) > most) ++node.offset_exp;
-  int64_t half[3] = {0, 0, 0};
+  Extents half = {0, 0, 0}, down = {0, 0, 0}, up = {0, 0, 0};
   for (size_t i = 0; i < means.size(); ++i) {
+    const std::array<double, 3> extent =
+        config.tight_boxes ? ellipsoid_extents(config, records[i]) : std::array<double, 3>{};
     for (size_t axis = 0; axis < 3; ++axis) {
       const int64_t rounded = shift_round(means[i][axis] - *center[axis], static_cast<int>(node.offset_exp));
       records[i].*offset[axis] = rounded;
-      half[axis] = std::max(half[axis], std::abs(rounded) << node.offset_exp);
+      const int64_t away = std::abs(rounded) << node.offset_exp;
+      const double farthest = std::min(std::ceil(extent[axis]), std::ldexp(1.0, config.world_w));
+      half[axis] = std::max(half[axis], away);
+      const int64_t from = rounded * (int64_t{1} << node.offset_exp), reach = static_cast<int64_t>(farthest);
+      down[axis] = std::max({down[axis], half[axis], reach - from});
+      up[axis] = std::max({up[axis], half[axis], reach + from});
     }
   }
-  const int64_t widest_half = std::max({half[0], half[1], half[2]});
-  while (shift_ceil(widest_half, static_cast<int>(node.half_exp)) >> config.half_w() != 0) ++node.half_exp;
-  node.half_x = static_cast<uint64_t>(shift_ceil(half[0], static_cast<int>(node.half_exp)));
-  node.half_y = static_cast<uint64_t>(shift_ceil(half[1], static_cast<int>(node.half_exp)));
-  node.half_z = static_cast<uint64_t>(shift_ceil(half[2], static_cast<int>(node.half_exp)));
+  set_extents(config, half, down, up, node);
   double scale = 0;
   for (const GaussianRecord& record : records) scale = std::max(scale, effective_scale(config, record));
   node.scale_max = encode_scale(config, scale * (1 + 1e-9), true);
@@ -75,25 +109,29 @@ Node make_chunk(const Config& config, std::span<const WorldPoint> means, std::sp
 Node make_parent(const Config& config, std::span<const Node> children, uint64_t first) {
   Node node;
   int64_t* const center[3] = {&node.center_x, &node.center_y, &node.center_z};
-  uint64_t* const halves[3] = {&node.half_x, &node.half_y, &node.half_z};
   int64_t Node::*const centers[3] = {&Node::center_x, &Node::center_y, &Node::center_z};
-  uint64_t Node::*const half[3] = {&Node::half_x, &Node::half_y, &Node::half_z};
-  int64_t extent[3], widest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
+  uint64_t Node::*const halves[3] = {&Node::half_x, &Node::half_y, &Node::half_z};
+  uint64_t Node::*const downs[3] = {&Node::down_x, &Node::down_y, &Node::down_z};
+  uint64_t Node::*const ups[3] = {&Node::up_x, &Node::up_y, &Node::up_z};
+  Extents half = {0, 0, 0}, down = {0, 0, 0}, up = {0, 0, 0};
+  for (size_t axis = 0; axis < 3; ++axis) {
     int64_t low = std::numeric_limits<int64_t>::max(), high = std::numeric_limits<int64_t>::min();
     for (const Node& child : children) {
-      const int64_t reach = static_cast<int64_t>(child.*half[axis]) << child.half_exp;
+      const int64_t reach = static_cast<int64_t>(child.*halves[axis]) << child.half_exp;
       low = std::min(low, child.*centers[axis] - reach);
       high = std::max(high, child.*centers[axis] + reach);
     }
     *center[axis] = shift_floor(low + high, 1);
-    extent[axis] = high - *center[axis];
-    widest = std::max(widest, extent[axis]);
+    half[axis] = high - *center[axis];
+    for (const Node& child : children) {
+      const int64_t from = child.*centers[axis] - *center[axis];
+      down[axis] =
+          std::max({down[axis], half[axis], (static_cast<int64_t>(child.*downs[axis]) << 1 << child.half_exp) - from});
+      up[axis] =
+          std::max({up[axis], half[axis], (static_cast<int64_t>(child.*ups[axis]) << 1 << child.half_exp) + from});
+    }
   }
-  while (shift_ceil(widest, static_cast<int>(node.half_exp)) >> config.half_w() != 0) ++node.half_exp;
-  for (int axis = 0; axis < 3; ++axis) {
-    *halves[axis] = static_cast<uint64_t>(shift_ceil(extent[axis], static_cast<int>(node.half_exp)));
-  }
+  set_extents(config, half, down, up, node);
   for (const Node& child : children) node.scale_max = std::max(node.scale_max, child.scale_max);
   node.first = first;
   node.count = children.size();

@@ -27,7 +27,10 @@ using Orders = std::array<std::vector<uint32_t>, kDimensions>;
 struct Bounds {
   float low[3], high[3], scale = 0;
   explicit Bounds(const OrderItem& item) {
-    for (int axis = 0; axis < 3; ++axis) low[axis] = high[axis] = item.value[axis];
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = item.value[axis] - item.extent[axis];
+      high[axis] = item.value[axis] + item.extent[axis];
+    }
     scale = item.value[kSize];
   }
   void add(const OrderItem& item) { add(Bounds(item)); }

@@ -18,7 +18,8 @@
 namespace pipegs {
 
 struct OrderItem {
-  float value[4];  // position in scene units from any origin; effective scale in scene units
+  float value[4];               // position in scene units from any origin; effective scale in scene units
+  float extent[3] = {0, 0, 0};  // half extents of what is boxed around the position
   uint32_t index;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 
 #include "cpp_model/fixed.hpp"
 
@@ -18,6 +19,12 @@ int64_t to_signed(double value, int bits, uint64_t& clipped) {
   const double high = std::ldexp(1.0, bits - 1) - 1, rounded = std::round(value);
   if (rounded > high || rounded < -high - 1) ++clipped;
   return static_cast<int64_t>(std::clamp(rounded, -high - 1, high));
+}
+
+// How far a Gaussian reaches, of what an opaque one does.
+double reach_of_opacity(const Config& config, const GaussianRecord& record) {
+  const double log2_opacity = -std::ldexp(static_cast<double>(record.opacity), -config.opacity_f);
+  return std::sqrt(std::max(0.0, 1 + log2_opacity / std::log2(config.alpha_cut)));
 }
 
 }  // namespace
@@ -49,8 +56,30 @@ uint64_t encode_opacity(const Config& config, double opacity) {
 
 double effective_scale(const Config& config, const GaussianRecord& record) {
   const double widest = scale_value(config, std::max({record.scale_0, record.scale_1, record.scale_2}));
-  const double log2_opacity = -std::ldexp(static_cast<double>(record.opacity), -config.opacity_f);
-  return widest * std::sqrt(std::max(0.0, 1 + log2_opacity / std::log2(config.alpha_cut)));
+  return widest * reach_of_opacity(config, record);
+}
+
+std::array<double, 3> ellipsoid_extents(const Config& config, const GaussianRecord& record) {
+  // Of the mantissas' width, and of a quaternion that its rounding leaves a little longer or shorter than one.
+  const double slack = std::ldexp(1.0, -9) + std::ldexp(8.0, -config.quat_w);
+  const glm::dquat rotation =
+      glm::normalize(glm::dquat(static_cast<double>(record.qw), static_cast<double>(record.qx),
+                                static_cast<double>(record.qy), static_cast<double>(record.qz)));
+  const glm::dmat3 axes = glm::mat3_cast(rotation);  // columns
+  const std::array<double, 3> scale = {scale_value(config, record.scale_0), scale_value(config, record.scale_1),
+                                       scale_value(config, record.scale_2)};
+  const double reach = std::sqrt(2 * std::log(config.alpha_cut)) * reach_of_opacity(config, record);
+  const double widest = *std::max_element(scale.begin(), scale.end());
+  std::array<double, 3> extents;
+  for (int axis = 0; axis < 3; ++axis) {
+    double variance = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double part = axes[k][axis] * scale[static_cast<size_t>(k)];
+      variance += part * part;
+    }
+    extents[static_cast<size_t>(axis)] = reach * (std::sqrt(variance) + slack * widest);
+  }
+  return extents;
 }
 
 GaussianRecord quantize_reach(const Config& config, const ActivatedGaussian& gaussian, int scene_exponent,
@@ -68,12 +97,6 @@ GaussianRecord quantize_reach(const Config& config, const ActivatedGaussian& gau
   record.scale_1 = scale(1);
   record.scale_2 = scale(2);
   record.opacity = encode_opacity(config, gaussian.opacity);
-  return record;
-}
-
-GaussianRecord quantize(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
-                        int scene_exponent, PackCounts& counts) {
-  GaussianRecord record = quantize_reach(config, gaussian, scene_exponent, counts);
   uint64_t rotation_clipped = 0;  // a component of exactly one loses one unit: within the rounding, not reported
   const auto component = [&](int i) {
     return to_signed(std::ldexp(gaussian.rotation[i], config.quat_w - 1), config.quat_w, rotation_clipped);
@@ -82,6 +105,12 @@ GaussianRecord quantize(const Config& config, const Scene& scene, const Activate
   record.qx = component(1);
   record.qy = component(2);
   record.qz = component(3);
+  return record;
+}
+
+GaussianRecord quantize(const Config& config, const Scene& scene, const ActivatedGaussian& gaussian, uint32_t index,
+                        int scene_exponent, PackCounts& counts) {
+  GaussianRecord record = quantize_reach(config, gaussian, scene_exponent, counts);
   const auto base = [&](int channel) {
     const double color = kShBand0 * static_cast<double>(scene.gaussians[index].sh_dc[channel]) + 0.5;
     return to_signed(std::ldexp(color, config.base_w - 3), config.base_w, counts.saturated_base);

@@ -8,6 +8,7 @@
 //           SH       m * 2^(e - 26 - ShMW), one e for all coefficients of a Gaussian
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "cpp_model/config.hpp"
@@ -25,7 +26,11 @@ uint64_t encode_opacity(const Config& config, double opacity);
 // Largest scale of the record, weighted by how far its opacity lets it reach; in world units.
 double effective_scale(const Config& config, const GaussianRecord& record);
 
-// The fields of scales and opacity. Adds to the counts of clipped fields.
+// Half extents of the box around the ellipsoid on which alpha is 1/AlphaCut, in world units; a little more, for the
+// PU's roundings.
+std::array<double, 3> ellipsoid_extents(const Config& config, const GaussianRecord& record);
+
+// The fields of scales, opacity and rotation. Adds to the counts of clipped fields.
 GaussianRecord quantize_reach(const Config& config, const ActivatedGaussian& gaussian, int scene_exponent,
                               PackCounts& counts);
 

@@ -4,7 +4,7 @@
 // Paper   Sec. 4.1.
 // Idea    The corner of the box farthest along a plane's normal decides: three products, one more for reach * scale.
 //         Corners, scale and near distance share one block exponent; what flooring takes away is given back as a
-//         constant Slack.
+//         constant Slack. The box is that of the means or, with TightBoxes, that of the ellipsoids (dopu_hull).
 // Stream  node: a node, the set of planes to use (stable while the node is inside), a tag. result: node, tag, pass; it
 //         has no ready: the caller asks only for what it can take.
 //         nearest (with watermarks, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is
@@ -30,6 +30,7 @@ module dopu_test #(
   output logic                                  node_ready_o,
   input  pipegs_pkg::node_t                     node_i,
   input  logic                                  set_i,
+  input  logic [pipegs_pkg::StepW:0]            step_i,   // of depth: what can be seen of the node is not nearer
   input  logic [TagW-1:0]                       tag_i,
 
   output logic                                  result_valid_o,
@@ -84,8 +85,8 @@ module dopu_test #(
   // --- slot 0: low and high corner of one axis per cycle, relative to the camera --------------------------------
   pipegs_pkg::node_t          node0, node1;
   logic signed [WorldW-1:0]   center, camera;
-  logic [pipegs_pkg::HalfW-1:0] half;
-  logic signed [CornerW-1:0]  delta, extent, low, high;
+  logic [pipegs_pkg::HalfW-1:0] half, down, up;  // of the means; of the box that counts
+  logic signed [CornerW-1:0]  delta, low, high;
   logic [CornerW-1:0]         magnitude, magnitudes_q;
   logic signed [CornerW-1:0]  low_q [4];   // delay until the exponent is known
   logic signed [CornerW-1:0]  high_q [4];
@@ -99,9 +100,8 @@ module dopu_test #(
     endcase
   end
   assign delta     = CornerW'(center) - CornerW'(camera);
-  assign extent    = CornerW'({1'b0, half}) <<< node0.half_exp;
-  assign low       = delta - extent;
-  assign high      = delta + extent;
+  assign low       = delta - (CornerW'({1'b0, down}) <<< node0.half_exp);
+  assign high      = delta + (CornerW'({1'b0, up}) <<< node0.half_exp);
   assign magnitude = (low[CornerW-1] ? ~low : low) | (high[CornerW-1] ? ~high : high);
 
   always_ff @(posedge clk_i) begin
@@ -121,11 +121,12 @@ module dopu_test #(
   logic [ExpW:0]             length;
   logic [ExpW-1:0]           exponent_d, exponent_q;
   logic [ScaleEW-1:0]        scale_e;
+  logic [pipegs_pkg::ScaleW-1:0] scale1;
   logic signed [CornerW-1:0] low_wide, high_wide;
   logic signed [TestW-1:0]   low_cut, high_cut, low_x_cut_q, high_x_cut_q, low_y_cut_q, high_y_cut_q;
 
   assign node1   = slot1_q[0 +: pipegs_pkg::NodeBits];
-  assign scale_e = node1.scale_max[ScaleMW +: ScaleEW];
+  assign scale_e = scale1[ScaleMW +: ScaleEW];
   bit_length #(.DataW(CornerW)) u_length (.in_i(magnitudes_q), .length_o(corner_length));
   always_comb begin
     length = (ExpW+1)'(corner_length);
@@ -156,7 +157,7 @@ module dopu_test #(
   logic [ExpW+1:0]    scale_shift;
   logic [WorldW-1:0]  near_wide;
 
-  assign scale_top   = (TestW-1)'({1'b1, node1.scale_max[ScaleMW-1:0]}) << (TestW - 2 - ScaleMW);
+  assign scale_top   = (TestW-1)'({1'b1, scale1[ScaleMW-1:0]}) << (TestW - 2 - ScaleMW);
   assign scale_shift = (ExpW+2)'(exponent_q) + (ExpW+2)'(TestW + ScaleBias - 1) - (ExpW+2)'(scale_e);
   assign near_wide   = near_plane_i >> exponent_q;
 
@@ -210,14 +211,69 @@ module dopu_test #(
   assign nearest   = Ranks && third_q;
   assign operand_a = first_q ? near_q : scale_q;
 
+  // --- which box counts; the corner of the means that is nearest to the near plane -----------------------------------
+  logic signed [TestW-1:0] nearest_x, nearest_y, nearest_z;
+  if (pipegs_pkg::TightBoxes != 0) begin : gen_hull
+    localparam int unsigned ScaleW = pipegs_pkg::ScaleW;
+    logic                       tight, tight_q, ahead;  // ahead: the near plane's normal rises along the axis
+    logic [ScaleW-1:0]          scale, scale0_q, scale1_q;
+    logic [3*TestW-1:0]         normal;
+    logic signed [CornerW-1:0]  extent, corner, corner_wide;
+    logic signed [CornerW-1:0]  corner_q [4];
+    logic signed [TestW-1:0]    cut, x_cut_q, y_cut_q, x_q, y_q, z_q;
+
+    dopu_hull u_hull (.scale_i(node_i.scale_max), .step_i, .tight_o(tight), .scale_o(scale));
+    always_ff @(posedge clk_i) begin
+      if (last_phase) begin
+        {tight_q, scale0_q} <= {tight, scale};
+        scale1_q <= scale0_q;
+      end
+    end
+    assign scale1 = scale1_q;
+    assign normal = slot0_q[StageW-1] ? planes_i[5*PlaneBits +: 3*TestW] : planes_i[0 +: 3*TestW];  // x lowest
+    always_comb begin
+      case (phase_q)
+        2'd0: begin {down, up} = {node0.down_x, 1'b0, node0.up_x, 1'b0}; ahead = !normal[TestW-1]; end
+        2'd1: begin {down, up} = {node0.down_y, 1'b0, node0.up_y, 1'b0}; ahead = !normal[2*TestW-1]; end
+        default: begin {down, up} = {node0.down_z, 1'b0, node0.up_z, 1'b0}; ahead = !normal[3*TestW-1]; end
+      endcase
+      if (!tight_q) {down, up} = {half, half};
+    end
+    assign extent      = CornerW'({1'b0, half}) <<< node0.half_exp;
+    assign corner      = ahead ? delta - extent : delta + extent;
+    assign corner_wide = corner_q[3] >>> exponent_q;
+    assign cut         = corner_wide[TestW-1:0];
+    always_ff @(posedge clk_i) begin
+      if (valid_q[1:0] != '0) begin
+        corner_q[0] <= corner;
+        for (int unsigned i = 1; i < 4; i += 1) corner_q[i] <= corner_q[i-1];
+      end
+      if (phase_q == 2'd1) x_cut_q <= cut;
+      if (phase_q == 2'd2) y_cut_q <= cut;
+      if (phase_q == 2'd0) {x_q, y_q, z_q} <= {x_cut_q, y_cut_q, cut};
+    end
+    assign {nearest_x, nearest_y, nearest_z} = {x_q, y_q, z_q};
+    logic unused_corner;  // sign bits beyond TestW
+    assign unused_corner = ^{corner_wide[CornerW-1:TestW], normal};
+  end else begin : gen_means
+    assign scale1    = node1.scale_max;
+    assign down      = half;
+    assign up        = half;
+    assign nearest_x = plane_b.nx[TestW-1] ? high_x_q : low_x_q;
+    assign nearest_y = plane_b.ny[TestW-1] ? high_y_q : low_y_q;
+    assign nearest_z = plane_b.nz[TestW-1] ? high_z_q : low_z_q;
+    logic unused_step;
+    assign unused_step = ^step_i;
+  end
+
   // The far corner of each plane.
   logic signed [TestW-1:0] far_ax, far_ay, far_az, far_bx, far_by, far_bz;
   assign far_ax = plane_a.nx[TestW-1] ? low_x_q : high_x_q;
   assign far_ay = plane_a.ny[TestW-1] ? low_y_q : high_y_q;
   assign far_az = plane_a.nz[TestW-1] ? low_z_q : high_z_q;
-  assign far_bx = plane_b.nx[TestW-1] != nearest ? low_x_q : high_x_q;
-  assign far_by = plane_b.ny[TestW-1] != nearest ? low_y_q : high_y_q;
-  assign far_bz = plane_b.nz[TestW-1] != nearest ? low_z_q : high_z_q;
+  assign far_bx = nearest ? nearest_x : plane_b.nx[TestW-1] ? low_x_q : high_x_q;
+  assign far_by = nearest ? nearest_y : plane_b.ny[TestW-1] ? low_y_q : high_y_q;
+  assign far_bz = nearest ? nearest_z : plane_b.nz[TestW-1] ? low_z_q : high_z_q;
 
   always_ff @(posedge clk_i) begin
     ax_q <= ProductW'(plane_a.nx) * ProductW'(far_ax);

@@ -4,7 +4,7 @@
 #include "Vdopu_test.h"
 #include "cpp_model/dopu/dopu_test.hpp"
 #include "cpp_model/dopu/dopu.hpp"
-#include "cpp_model/dopu/nearest/dopu_depth.hpp"
+#include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/bench.hpp"
@@ -75,7 +75,9 @@ TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
     for (int wy = 0; wy <= static_cast<int>(frame.raster.windows.last_y); ++wy) {
       for (int wx = 0; wx <= static_cast<int>(frame.raster.windows.last_x); ++wx) {
         std::vector<bool> chosen(packed.chunks.size());
-        dopu_window(config, frame, packed, wx, wy, [&](int, const Chunk&, uint64_t chunk) { chosen[chunk] = true; });
+        const auto choose = [&](int, const Chunk&, uint64_t chunk) { chosen[chunk] = true; };
+        if (config.has_watermarks()) dopu_nearest(config, frame, packed, wx, wy, choose);
+        else dopu_window(config, frame, packed, wx, wy, choose);
         for (size_t c = 0; c < packed.chunks.size(); ++c) {
           const Node& node = packed.chunks[c];
           for (uint64_t slot = node.first; slot < node.first + node.count; ++slot) {
@@ -108,6 +110,13 @@ Node random_node(const Config& config, const Frame& frame, Rng& rng) {
   node.center_z = around(frame.camera.position.z);
   node.half_exp = rng() % static_cast<uint64_t>(config.world_w - config.half_w());
   if (rng() % 2 == 0) node.scale_max >>= 1 + rng() % 4;
+  if (!config.tight_boxes) return node;
+  // The box around the ellipsoids holds that of the means.
+  for (const auto& [half, down, up] :
+       {std::tuple(&node.half_x, &node.down_x, &node.up_x), std::tuple(&node.half_y, &node.down_y, &node.up_y),
+        std::tuple(&node.half_z, &node.down_z, &node.up_z)}) {
+    *half = std::min(*half, 2 * std::min(*down, *up));
+  }
   return node;
 }
 
@@ -125,12 +134,15 @@ void compare(Pace pace) {
     decltype(dut)& d;
     Bench<Vdopu_test>& b;
     std::vector<bool> pass;
-    std::vector<uint64_t> tags, taken, exponents;
+    std::vector<uint64_t> tags, taken, exponents, steps;
     std::vector<int64_t> nearest;
     explicit Probe(Bench<Vdopu_test>& bench) : d(bench.dut), b(bench) { bench.add(*this); }
     void drive() override {
       d.set_i = taken.size() & 1;
       d.tag_i = taken.size() & 0xf;
+      d.step_i = taken.size() < steps.size()
+                     ? static_cast<std::remove_reference_t<decltype(d.step_i)>>(steps[taken.size()])
+                     : 0;
     }
     void observe() override {
       if (d.node_valid_i && d.node_ready_o) taken.push_back(b.cycle);
@@ -140,7 +152,7 @@ void compare(Pace pace) {
     }
   } probe(bench);
   bench.reset();
-  uint64_t passed = 0;
+  uint64_t passed = 0, tight = 0;
   for (int round = 0; round < 30; ++round) {
     const Scene scene = random_scene(bench.rng, 300);
     const Camera camera = random_camera(bench.rng, 500, 400);
@@ -167,15 +179,25 @@ void compare(Pace pace) {
       Words node(static_cast<size_t>(record_words<Node>(config)) + 1);
       pack(config, nodes.back(), node.data());
       in.push(node);
+      // From the near plane's step on, or so that the node's largest reach is about as long as its depth.
+      const int near = dopu_depth_near(config, frame), fraction = config.scale_m_w - config.bucket_bits;
+      const int reach = static_cast<int>(shift_floor(static_cast<int64_t>(nodes.back().scale_max), fraction)) -
+                        (8 << config.bucket_bits);
+      const int around = reach + static_cast<int>(bench.rng() % (4u << config.bucket_bits));
+      probe.steps.push_back(static_cast<uint64_t>(
+          std::clamp(i % 4 < 2 ? around : near + static_cast<int>(bench.rng() % (1u << config.bucket_w())), 0,
+                     (2 << config.step_w()) - 1)));
     }
     ASSERT_TRUE(bench.run_until([&] { return out.size() == first + nodes.size(); }));
     for (size_t i = 0; i < nodes.size(); ++i) {
-      const bool expected = dopu_test(config, frame, sets[(first + i) & 1], nodes[i]);
+      const int step = static_cast<int>(probe.steps[first + i]);
+      const bool expected = dopu_test(config, frame, sets[(first + i) & 1], nodes[i], step);
+      tight += dopu_hull(config, nodes[i].scale_max, step).tight;
       passed += expected;
       ASSERT_EQ(expected, probe.pass[first + i]) << "node " << first + i << " " << to_text(config, nodes[i])
                                                  << " cycle " << out.cycles[first + i] << " seed " << bench.seed;
       ASSERT_EQ(probe.tags[first + i], (first + i) & tag_mask);
-      const Corners box = dopu_test_corners(config, frame, nodes[i]);
+      const Corners box = dopu_test_corners(config, frame, nodes[i], step);
       const bool ranks = config.has_watermarks();  // else the test says nothing about depth
       ASSERT_EQ(probe.nearest[first + i], ranks ? dopu_depth_bound(config, box, sets[0][kNear]) : 0)
           << to_text(config, nodes[i]);
@@ -188,6 +210,10 @@ void compare(Pace pace) {
   }
   EXPECT_GT(passed, 500u);
   EXPECT_LT(passed, 5500u);
+  if (config.tight_boxes) {
+    EXPECT_GT(tight, 1000u);
+    EXPECT_LT(tight, 5000u);
+  }
 }
 
 TEST(DopuTest, EqualsItsModelAtFullPace) { compare(Pace::kAlways); }

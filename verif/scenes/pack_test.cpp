@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -30,6 +31,21 @@ bool inside(const Node& node, const Node& chunk, const GaussianRecord& g) {
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(world_mean(chunk, g, axis) - center[axis]) > static_cast<int64_t>(half[axis] << node.half_exp))
       return false;
+  }
+  return true;
+}
+
+// Whether the ellipsoid on which alpha is 1/AlphaCut lies in the node's box around ellipsoids.
+bool covers(const Config& config, const Node& node, const Node& chunk, const GaussianRecord& g) {
+  const std::array<double, 3> extents = ellipsoid_extents(config, g);
+  const int64_t center[3] = {node.center_x, node.center_y, node.center_z};
+  const uint64_t down[3] = {node.down_x, node.down_y, node.down_z}, up[3] = {node.up_x, node.up_y, node.up_z};
+  const double most = std::ldexp(1.0, config.world_w - 1);  // what is wider is cut
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto from = static_cast<double>(world_mean(chunk, g, axis) - center[axis]);
+    const double extent = extents[static_cast<size_t>(axis)], unit = std::ldexp(2.0, static_cast<int>(node.half_exp));
+    if (std::min(extent - from, most) > static_cast<double>(down[axis]) * unit) return false;
+    if (std::min(extent + from, most) > static_cast<double>(up[axis]) * unit) return false;
   }
   return true;
 }
@@ -68,6 +84,7 @@ void check(const Config& config, const Scene& scene, const PackedScene& packed) 
           for (const Node* node : {&chunk, &group, &cell}) {
             ASSERT_TRUE(inside(*node, chunk, record)) << "slot " << slot;
             ASSERT_GE(scale_value(config, node->scale_max), effective_scale(config, record));
+            if (config.tight_boxes) { ASSERT_TRUE(covers(config, *node, chunk, record)) << "slot " << slot; }
           }
         }
       }
@@ -97,10 +114,12 @@ TEST(Pack, KeepsItsPromisesInEveryConfiguration) {
   std::mt19937_64 rng(1);
   for (const char* assignment :
        {"units=4", "grid=1", "grid=2", "grid=8", "chunk=8", "chunk=64", "group=1", "world_w=32", "world_w=44",
-        "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1"}) {
+        "pos_w=12", "pos_w=24", "scale_m_w=6", "scale_m_w=16", "index_w=16", "sh_degree=1", "tight_boxes=1"}) {
     SCOPED_TRACE(assignment);
     Config config;
     config_set(config, assignment);
+    config.late = config.tight_boxes;
+    config.order = 2 * config.tight_boxes;
     for (const size_t count : {0, 1, 2, 31, 33, 1000, 5000}) {
       const Scene scene = random_scene(rng, count, static_cast<int>(rng() % 4));
       check(config, scene, pack_scene(config, scene, 10));

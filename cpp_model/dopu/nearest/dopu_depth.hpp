@@ -40,8 +40,9 @@ inline int64_t dopu_depth_slack(const Config& config) {
 
 // Lower bound of the depth in a node, unit 2^(corners' exponent - kNormalF) world units; may be negative.
 inline int64_t dopu_depth_bound(const Config& config, const Corners& box, const Plane& near) {
-  return near.nx * (near.nx >= 0 ? box.low[0] : box.high[0]) + near.ny * (near.ny >= 0 ? box.low[1] : box.high[1]) +
-         near.nz * (near.nz >= 0 ? box.low[2] : box.high[2]) - dopu_depth_slack(config);
+  return near.nx * (near.nx >= 0 ? box.means_low[0] : box.means_high[0]) +
+         near.ny * (near.ny >= 0 ? box.means_low[1] : box.means_high[1]) +
+         near.nz * (near.nz >= 0 ? box.means_low[2] : box.means_high[2]) - dopu_depth_slack(config);
 }
 
 // Exponent and leading mantissa bits of the depth key of value * 2^exponent world units; below one unit: 0.
@@ -59,16 +60,21 @@ inline int dopu_depth_near(const Config& config, const Frame& frame) {
   return dopu_depth_step(config, static_cast<int64_t>(frame.lens.near_plane), 0);
 }
 
-// The bucket of a node by itself; the walk never takes a smaller one than its parent's.
-inline int dopu_depth(const Config& config, const Frame& frame, const Planes& planes, const Node& node) {
-  const Corners box = dopu_test_corners(config, frame, node);
+// The step of a bucket's edge.
+inline int dopu_depth_edge(const Config& config, const Frame& frame, int bucket) {
+  return dopu_depth_near(config, frame) + bucket;
+}
+
+// The bucket of a node whose parent's is known; never a smaller one than that.
+inline int dopu_depth(const Config& config, const Frame& frame, const Planes& planes, const Node& node, int parent) {
+  const Corners box = dopu_test_corners(config, frame, node, dopu_depth_edge(config, frame, parent));
   const int step = dopu_depth_step(config, dopu_depth_bound(config, box, planes[kNear]), box.exponent - kNormalF);
-  return std::clamp(step - dopu_depth_near(config, frame), 0, (1 << config.bucket_w()) - 1);
+  return std::clamp(step - dopu_depth_near(config, frame), parent, (1 << config.bucket_w()) - 1);
 }
 
 // The edge of a bucket: no depth key in it, nor in any later one, is smaller.
 inline uint64_t dopu_depth_key(const Config& config, const Frame& frame, int bucket) {
-  return static_cast<uint64_t>(dopu_depth_near(config, frame) + bucket) << (config.depth_w - config.step_w());
+  return static_cast<uint64_t>(dopu_depth_edge(config, frame, bucket)) << (config.depth_w - config.step_w());
 }
 
 }  // namespace pipegs

@@ -24,20 +24,21 @@ template <class Callback>
 void dopu_nearest(const Config& config, const Frame& frame, const PackedScene& scene, int window_x, int window_y,
                   Callback&& chunk) {
   const Planes planes = dopu_planes(config, frame, window_x, window_y);
-  const auto bucket = [&](const Node& node, int parent) {
-    return std::max(parent, dopu_depth(config, frame, planes, node));
+  const auto passes = [&](const Node& node, int parent) {
+    return dopu_test(config, frame, planes, node, dopu_depth_edge(config, frame, parent));
   };
   for (const Node& cell : scene.cells) {
-    if (cell.count == 0 || !dopu_test(config, frame, planes, cell)) continue;
-    const int cell_bucket = bucket(cell, 0);
+    if (cell.count == 0 || !passes(cell, 0)) continue;
+    const int cell_bucket = dopu_depth(config, frame, planes, cell, 0);
     for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
       const Node& group = scene.groups[g];
-      if (!dopu_test(config, frame, planes, group)) continue;
-      const int group_bucket = bucket(group, cell_bucket);
+      if (!passes(group, cell_bucket)) continue;
+      const int group_bucket = dopu_depth(config, frame, planes, group, cell_bucket);
       for (uint64_t i = group.first; i < group.first + group.count; ++i) {
         const Node& node = scene.chunks[i];
-        if (!dopu_test(config, frame, planes, node)) continue;
-        chunk(bucket(node, group_bucket), dopu_origin(config, frame, node, window_x, window_y), i);
+        if (!passes(node, group_bucket)) continue;
+        chunk(dopu_depth(config, frame, planes, node, group_bucket),
+              dopu_origin(config, frame, node, window_x, window_y), i);
       }
     }
   }

@@ -47,17 +47,19 @@ module dopu_rank #(
   localparam int unsigned DistanceW = 2 * pipegs_pkg::TestW + 2;
   localparam int unsigned SumW = StepW + 1;
 
+  logic [StepW:0]             edge_step;  // of the parent's bucket
   logic [Tests-1:0]           ready, valid, pass;
   logic [TagW+BucketW-1:0]    tag [Tests];
   logic [NodeBits-1:0]        node [Tests];
   logic signed [DistanceW-1:0] nearest [Tests];
   logic [ExpW-1:0]            exponent [Tests];
 
+  assign edge_step = (StepW+1)'(near_step_i) + (StepW+1)'(parent_i);
   generate
     for (genvar t = 0; t < Tests; t += 1) begin : gen_tests
       dopu_test #(.TagW(TagW + BucketW), .Phase(t)) u_test (
         .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i,
-        .node_valid_i, .node_ready_o(ready[t]), .node_i, .set_i, .tag_i({tag_i, parent_i}),
+        .node_valid_i, .node_ready_o(ready[t]), .node_i, .set_i, .step_i(edge_step), .tag_i({tag_i, parent_i}),
         .result_valid_o(valid[t]), .result_pass_o(pass[t]), .result_node_o(node[t]), .result_tag_o(tag[t]),
         .result_nearest_o(nearest[t]), .result_exponent_o(exponent[t])
       );

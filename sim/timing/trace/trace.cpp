@@ -53,7 +53,12 @@ class WindowTrace {
   }
 
  private:
-  bool passes(const Node& node) const { return dopu_test(config_, frame_, planes_, node); }
+  // Of a node in this bucket; with watermarks, else nothing asks for it.
+  bool passes(const Node& node, int parent) const {
+    const int step = config_.has_watermarks() ? dopu_depth_edge(config_, frame_, parent) : 0;
+    return dopu_test(config_, frame_, planes_, node, step);
+  }
+  int bucket(const Node& node, int parent) const { return dopu_depth(config_, frame_, planes_, node, parent); }
 
   // Slab by slab.
   void slabs() {
@@ -67,10 +72,10 @@ class WindowTrace {
       for (int n = 0; n < config_.grid * config_.grid; ++n) {
         const auto number = static_cast<uint64_t>(dopu_layer_cell(config_, axis, slab, n));
         const Node& cell = packed_.cells[number];
-        if (cell.count == 0 || !passes(cell)) continue;
+        if (cell.count == 0 || !passes(cell, 0)) continue;
         set_bit(part_.walk.cells, number);
         for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
-          if (!passes(packed_.groups[g])) continue;
+          if (!passes(packed_.groups[g], 0)) continue;
           set_bit(part_.walk.groups, g);
           chunks(packed_.groups[g], 0);
         }
@@ -81,19 +86,16 @@ class WindowTrace {
   // In the order of the tables, with buckets of depth.
   void ranked() {
     layers_.emplace_back();
-    const auto bucket = [&](const Node& node, int parent) {
-      return std::max(parent, dopu_depth(config_, frame_, planes_, node));
-    };
     for (uint64_t number = 0; number < packed_.cells.size(); ++number) {
       const Node& cell = packed_.cells[number];
-      if (cell.count == 0 || !passes(cell)) continue;
+      if (cell.count == 0 || !passes(cell, 0)) continue;
       const int cell_bucket = bucket(cell, 0);
       part_.walk.cells_ranked.push_back({static_cast<uint32_t>(number),
                                          static_cast<uint32_t>(part_.walk.groups_ranked.size()),
                                          static_cast<uint16_t>(cell_bucket)});
       for (uint64_t g = cell.first; g < cell.first + cell.count; ++g) {
         const Node& group = packed_.groups[g];
-        if (!passes(group)) continue;
+        if (!passes(group, cell_bucket)) continue;
         const int group_bucket = bucket(group, cell_bucket);
         part_.walk.groups_ranked.push_back({static_cast<uint32_t>(g), static_cast<uint32_t>(part_.chunks.size()),
                                             static_cast<uint16_t>(group_bucket)});
@@ -105,12 +107,11 @@ class WindowTrace {
   void chunks(const Node& group, int group_bucket) {
     for (uint64_t i = group.first; i < group.first + group.count; ++i) {
       const Node& node = packed_.chunks[i];
-      if (!passes(node)) continue;
-      const int bucket =
-          config_.has_watermarks() ? std::max(group_bucket, dopu_depth(config_, frame_, planes_, node)) : 0;
+      if (!passes(node, group_bucket)) continue;
+      const int own_bucket = config_.has_watermarks() ? bucket(node, group_bucket) : 0;
       const Chunk chunk = dopu_origin(config_, frame_, node, x_, y_);
       TimingChunk sent{static_cast<uint32_t>(i), static_cast<uint32_t>(part_.slot.size()), 0,
-                       static_cast<uint16_t>(bucket)};
+                       static_cast<uint16_t>(own_bucket)};
       for (uint64_t k = 0; k < chunk.count; ++k) {
         bool dropped = false;
         const std::optional<GoldenConic> found = trace_conic(input_, chunk, chunk.slot + k, &dropped);

@@ -28,7 +28,7 @@ void walk(const GoldenInput& input, TimingWalk& walk, std::vector<Chunk>& chunks
   const auto pass = [&](const std::vector<Node>& nodes) {
     std::vector<uint64_t> bits((nodes.size() + 63) / 64);
     for (size_t i = 0; i < nodes.size(); ++i) {
-      if (nodes[i].count != 0 && dopu_test(packed.config, frame, planes, nodes[i]))
+      if (nodes[i].count != 0 && dopu_test(packed.config, frame, planes, nodes[i], 0))
         bits[i / 64] |= uint64_t{1} << (i % 64);
     }
     return bits;

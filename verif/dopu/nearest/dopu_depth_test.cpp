@@ -41,12 +41,12 @@ struct Bounds {
          slack = 0;  // the smallest distance from a bound, and what the bounds give away, in the test's units
 
   void check(const Planes& planes, const Node& node, const Visible& visible, uint64_t key, const char* what) {
-    const Corners box = dopu_test_corners(config, frame, node);
+    const Corners box = dopu_test_corners(config, frame, node, dopu_depth_near(config, frame));
     const double bound =
         std::ldexp(static_cast<double>(dopu_depth_bound(config, box, planes[kNear])), box.exponent - kNormalF);
     const double depth = std::ldexp(static_cast<double>(visible.view_z), static_cast<int>(visible.view_exp));
     ASSERT_GE(depth, bound) << what << " " << to_text(config, node) << " slot " << visible.slot;
-    ASSERT_GE(key, dopu_depth_key(config, frame, dopu_depth(config, frame, planes, node)))
+    ASSERT_GE(key, dopu_depth_key(config, frame, dopu_depth(config, frame, planes, node, 0)))
         << what << " " << to_text(config, node);
     const double distance = std::ldexp(depth - bound, -box.exponent);
     if (distance < least)
