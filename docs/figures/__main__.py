@@ -40,7 +40,8 @@ def measure(one, build):
     words = command_line(one, scene, build)
     if one.command.startswith("build/verif/"):  # a test that prints what it measures; `pipegs` is there
         subprocess.run(["cmake", "--build", build, "--target", Path(words[0]).name], check=True, stdout=sys.stderr)
-    hashes = measured_by(one.by, one.scene)  # before the run: an edit during it makes the data older, not newer
+    # Before the run: an edit during it makes the data older, not newer.
+    hashes = measured_by(one.by, one.scene, one.points)
     run = subprocess.run(words, cwd=build, stdout=subprocess.PIPE, text=True)
     if run.returncode not in one.exit_codes:
         return f"failed: exit code {run.returncode}: {one.shown()}"

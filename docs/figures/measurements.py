@@ -87,12 +87,12 @@ ADDED = {  # from exact towards fast: what each step adds to the one before
     "tests2": ("two tests of regions in a cycle", "--set tests=2"),
     "tight": ("a cull by the ellipse itself", "--set tight_cull=1"),
     "fronts": ("two of the four PUs fetch and cull", "--set fronts=2"),
-    "boxes": ("boxes around ellipsoids in the DOPU", "--set tight_boxes=1"),
+    "boxes": ("boxes around ellipsoids in the DOPU, groups of 16 chunks", "--set tight_boxes=1 --set group=16"),
 }
 SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
 STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}
 STEPS = {name: (what, f"--rung exact {change}") for name, (what, change) in STEPS.items()}
-STEPS["fast"] = ("pixels of 32 bits, 1536 records, 1024 nodes, a watermark every 7 chunks: `fast`", "--rung fast")
+STEPS["fast"] = ("pixels of 32 bits, 1408 records, 1024 nodes, a watermark every 7 chunks: `fast`", "--rung fast")
 LARGE = {  # showroom, 3.0 M Gaussians
     "exact": ("`exact`", "--rung exact"),
     "fast": ("`fast`", "--rung fast"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What measures a figure, as short hashes: RTL, models, memory outside the chip, and the scene's file.
+"""What measures a figure, as short hashes: RTL, models, memory outside the chip, design points, and the scene's file.
 
 Only code counts. Comments, blanks, include lines and the folder that a file lies in change no figure, so they change no
 hash either.
@@ -29,6 +29,7 @@ SCENES = {  # scene: its file or folder in the folder of scenes
     "flowers": "flowers/flowers",
     "showroom": "showroom/lacadiere",
 }
+POINT = "point "  # before the name of a design point whose settings measure too
 CODE = {".sv", ".svh", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby"}
 IGNORED = re.compile(rb"^[ \t]*[#`]include[^\n]*|/\*.*?\*/|//[^\n]*|\s+", re.DOTALL | re.MULTILINE)
 
@@ -54,21 +55,35 @@ def scene_hash(scene):
     return digest(hashlib.sha256(f.read_bytes()).digest() for f in files_of(place)) if place.exists() else None
 
 
-def measured_by(groups, scene):
-    hashes = {group: group_hash(group) for group in groups}
-    return hashes | {"scene": scene_hash(scene)} if scene in SCENES else hashes
+@functools.cache
+def point_hash(point):
+    """The settings of a design point; a machine that has no name there is none."""
+    text = re.sub(r"//[^\n]*", "", (ROOT / "sim/design/design_points.def").read_text())
+    settings = re.search(rf"PIPEGS_POINT\({point},.*?PIPEGS_END", text, re.DOTALL)[0]
+    return digest(one.encode() for one in re.findall(r"PIPEGS_(?:SETTING|PICTURE)\((\w+, \w+)\)", settings))
+
+
+def hash_of(name, scene):
+    """What stands now for a name in measured_by; None where nothing does."""
+    if name == "scene":
+        return scene_hash(scene)
+    if name.startswith(POINT):
+        return point_hash(name.removeprefix(POINT))
+    return group_hash(name) if name in GROUPS else ""
+
+
+def measured_by(groups, scene, points):
+    names = [*groups, *(POINT + point for point in points), *(["scene"] if scene in SCENES else [])]
+    return {name: hash_of(name, scene) for name in names}
 
 
 def older_than(content):
     """Which of the hashes that stored data carry are no longer those of the sources; a scene not here is no news."""
     if content["measured_by"] == "unknown":
         return ["unknown"]
-    now = {
-        name: scene_hash(content["scene"]) if name == "scene" else group_hash(name)
-        for name in content["measured_by"]
-        if name in GROUPS or name == "scene"
-    }
-    return [name for name, value in content["measured_by"].items() if name not in now or now[name] not in (None, value)]
+    return [
+        name for name, value in content["measured_by"].items() if hash_of(name, content["scene"]) not in (None, value)
+    ]
 
 
 CSV = {  # measured tables that programs read: what measured them

@@ -102,8 +102,7 @@ module dopu_descend #(
   dopu_test #(.TagW(TagW)) u_test (
     .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i,
     .node_valid_i(test_valid), .node_ready_o(test_ready), .node_i(test_beat[0 +: NodeBits]), .set_i(test_beat[BeatW-1]),
-    .step_i('0),
-    .tag_i({test_level, test_beat[BeatW-1:NodeBits]}),
+    .tight_i(1'b0), .scale_i('0), .tag_i({test_level, test_beat[BeatW-1:NodeBits]}),
     .result_valid_o(result_valid), .result_pass_o(result_pass), .result_node_o(result_node), .result_tag_o(result_tag),
     .result_nearest_o(), .result_exponent_o()
   );

@@ -30,7 +30,8 @@ module dopu_test #(
   output logic                                  node_ready_o,
   input  pipegs_pkg::node_t                     node_i,
   input  logic                                  set_i,
-  input  logic [pipegs_pkg::StepW:0]            step_i,   // of depth: what can be seen of the node is not nearer
+  input  logic                                  tight_i,  // with TightBoxes: what dopu_hull says of the node
+  input  logic [pipegs_pkg::ScaleW-1:0]         scale_i,
   input  logic [TagW-1:0]                       tag_i,
 
   output logic                                  result_valid_o,
@@ -215,17 +216,16 @@ module dopu_test #(
   logic signed [TestW-1:0] nearest_x, nearest_y, nearest_z;
   if (pipegs_pkg::TightBoxes != 0) begin : gen_hull
     localparam int unsigned ScaleW = pipegs_pkg::ScaleW;
-    logic                       tight, tight_q, ahead;  // ahead: the near plane's normal rises along the axis
-    logic [ScaleW-1:0]          scale, scale0_q, scale1_q;
+    logic                       tight_q, ahead;  // ahead: the near plane's normal rises along the axis
+    logic [ScaleW-1:0]          scale0_q, scale1_q;
     logic [3*TestW-1:0]         normal;
     logic signed [CornerW-1:0]  extent, corner, corner_wide;
     logic signed [CornerW-1:0]  corner_q [4];
     logic signed [TestW-1:0]    cut, x_cut_q, y_cut_q, x_q, y_q, z_q;
 
-    dopu_hull u_hull (.scale_i(node_i.scale_max), .step_i, .tight_o(tight), .scale_o(scale));
     always_ff @(posedge clk_i) begin
       if (last_phase) begin
-        {tight_q, scale0_q} <= {tight, scale};
+        {tight_q, scale0_q} <= {tight_i, scale_i};
         scale1_q <= scale0_q;
       end
     end
@@ -262,8 +262,8 @@ module dopu_test #(
     assign nearest_x = plane_b.nx[TestW-1] ? high_x_q : low_x_q;
     assign nearest_y = plane_b.ny[TestW-1] ? high_y_q : low_y_q;
     assign nearest_z = plane_b.nz[TestW-1] ? high_z_q : low_z_q;
-    logic unused_step;
-    assign unused_step = ^step_i;
+    logic unused_hull;
+    assign unused_hull = ^{tight_i, scale_i};
   end
 
   // The far corner of each plane.

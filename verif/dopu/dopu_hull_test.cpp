@@ -16,9 +16,9 @@ struct Draw {
   template <class Rng>
   Draw(const Config& config, Rng& rng) : scale(rng() & ((uint64_t{1} << config.scale_w()) - 1)) {
     if (rng() % 16 == 0) scale &= (uint64_t{1} << config.scale_m_w) - 1;  // zero
-    const auto most = (2 << config.step_w()) - 1, octave = 1 << config.bucket_bits;
+    const auto most = (1 << config.step_w()) - 1, octave = 1 << config.bucket_bits;
     const int reach = (static_cast<int>(scale >> config.scale_m_w) - 8) * octave;
-    step = std::clamp(rng() % 2 == 0 ? static_cast<int>(rng() % (2u << config.step_w()))
+    step = std::clamp(rng() % 2 == 0 ? static_cast<int>(rng() % (1u << config.step_w()))
                                      : reach + static_cast<int>(rng() % static_cast<uint64_t>(4 * octave)),
                       0, most);
   }
@@ -29,8 +29,14 @@ TEST(DopuHull, EqualsItsModel) {
   Bench<Vdopu_hull> bench;
   for (int i = 0; i < 200000; ++i) {
     const Draw draw(config, bench.rng);
-    bench.dut.scale_i = static_cast<uint32_t>(draw.scale);
-    bench.dut.step_i = static_cast<std::remove_reference_t<decltype(bench.dut.step_i)>>(draw.step);
+    Node node = random_record<Node>(config, bench.rng);
+    node.scale_max = draw.scale;
+    Words words(static_cast<size_t>(record_words<Node>(config)) + 1);
+    pack(config, node, words.data());
+    write_port(bench.dut.node_i, words.data());
+    const int bucket = std::min(draw.step, static_cast<int>(bench.rng() & ((uint64_t{1} << config.bucket_w()) - 1)));
+    bench.dut.near_step_i = static_cast<SData>(draw.step - bucket);
+    bench.dut.parent_i = static_cast<SData>(bucket);
     bench.dut.eval();
     const Hull expected = dopu_hull(config, draw.scale, draw.step);
     ASSERT_EQ(bench.dut.tight_o, expected.tight) << draw.scale << ", step " << draw.step << ", seed " << bench.seed;

@@ -134,15 +134,16 @@ void compare(Pace pace) {
     decltype(dut)& d;
     Bench<Vdopu_test>& b;
     std::vector<bool> pass;
-    std::vector<uint64_t> tags, taken, exponents, steps;
+    std::vector<uint64_t> tags, taken, exponents;
+    std::vector<Hull> hulls;
     std::vector<int64_t> nearest;
     explicit Probe(Bench<Vdopu_test>& bench) : d(bench.dut), b(bench) { bench.add(*this); }
     void drive() override {
       d.set_i = taken.size() & 1;
       d.tag_i = taken.size() & 0xf;
-      d.step_i = taken.size() < steps.size()
-                     ? static_cast<std::remove_reference_t<decltype(d.step_i)>>(steps[taken.size()])
-                     : 0;
+      const Hull hull = taken.size() < hulls.size() ? hulls[taken.size()] : Hull{};
+      d.tight_i = hull.tight;
+      d.scale_i = static_cast<uint32_t>(hull.scale);
     }
     void observe() override {
       if (d.node_valid_i && d.node_ready_o) taken.push_back(b.cycle);
@@ -173,6 +174,7 @@ void compare(Pace pace) {
     const size_t first = out.size();
     ASSERT_EQ(first, probe.taken.size());
     std::vector<Node> nodes;
+    std::vector<int> steps;
     for (int i = 0; i < 200; ++i) {
       nodes.push_back(i % 2 == 0 ? random_node(config, frame, bench.rng)
                                  : packed.chunks[bench.rng() % packed.chunks.size()]);
@@ -184,15 +186,15 @@ void compare(Pace pace) {
       const int reach = static_cast<int>(shift_floor(static_cast<int64_t>(nodes.back().scale_max), fraction)) -
                         (8 << config.bucket_bits);
       const int around = reach + static_cast<int>(bench.rng() % (4u << config.bucket_bits));
-      probe.steps.push_back(static_cast<uint64_t>(
-          std::clamp(i % 4 < 2 ? around : near + static_cast<int>(bench.rng() % (1u << config.bucket_w())), 0,
-                     (2 << config.step_w()) - 1)));
+      steps.push_back(std::clamp(i % 4 < 2 ? around : near + static_cast<int>(bench.rng() % (1u << config.bucket_w())),
+                                 0, (2 << config.step_w()) - 1));
+      probe.hulls.push_back(dopu_hull(config, nodes.back().scale_max, steps.back()));
     }
     ASSERT_TRUE(bench.run_until([&] { return out.size() == first + nodes.size(); }));
     for (size_t i = 0; i < nodes.size(); ++i) {
-      const int step = static_cast<int>(probe.steps[first + i]);
+      const int step = steps[i];
       const bool expected = dopu_test(config, frame, sets[(first + i) & 1], nodes[i], step);
-      tight += dopu_hull(config, nodes[i].scale_max, step).tight;
+      tight += probe.hulls[first + i].tight;
       passed += expected;
       ASSERT_EQ(expected, probe.pass[first + i]) << "node " << first + i << " " << to_text(config, nodes[i])
                                                  << " cycle " << out.cycles[first + i] << " seed " << bench.seed;

@@ -63,6 +63,7 @@ module dopu_nearest #(
   localparam int unsigned RangeW = CountW + SlotW;
   localparam int unsigned DataW = RangeW + PlaceW;
   localparam int unsigned StepW = pipegs_pkg::StepW;
+  localparam int unsigned ScaleW = pipegs_pkg::ScaleW;
   localparam int unsigned ReservedW = $clog2(Results + 1);
   localparam int unsigned WaitW = $clog2(pipegs_pkg::NearestNodes + 1);
 
@@ -128,6 +129,20 @@ module dopu_nearest #(
     enter[level] = want[level] && rank_ready;
   end
 
+  // Which box counts is known before it is known whose turn it is.
+  logic [Levels-1:0]  tight;
+  logic [ScaleW-1:0]  scale [Levels];
+  for (genvar l = 0; l < Levels; l += 1) begin : gen_hull
+    if (pipegs_pkg::TightBoxes != 0) begin : gen_tight
+      dopu_hull u_hull (
+        .node_i(child[l]), .near_step_i(near_step), .parent_i(child_parent[l]), .tight_o(tight[l]), .scale_o(scale[l])
+      );
+    end else begin : gen_means
+      assign tight[l] = 1'b0;
+      assign scale[l] = '0;
+    end
+  end
+
   logic               result_valid, result_pass, result_last, result_kept;
   logic [1:0]         result_level;
   logic [BucketW-1:0] result_bucket;
@@ -137,7 +152,7 @@ module dopu_nearest #(
   dopu_rank #(.TagW(3)) u_rank (
     .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i, .near_step_i(near_step),
     .node_valid_i(want != '0), .node_ready_o(rank_ready), .node_i(child[level]), .set_i(set_q[level]),
-    .parent_i(child_parent[level]), .tag_i({child_last[level], level}),
+    .parent_i(child_parent[level]), .tight_i(tight[level]), .scale_i(scale[level]), .tag_i({child_last[level], level}),
     .result_valid_o(result_valid), .result_pass_o(result_pass), .result_tag_o({result_last, result_level}),
     .result_bucket_o(result_bucket), .result_place_o(result_place), .result_range_o(result_range)
   );

@@ -5,9 +5,9 @@
 // Idea    Two box tests, out of step, take turns. The depth of a node's nearest corner gives its step; relative to the
 //         near plane's step it is the bucket, clamped at both ends, and never below the parent's: what holds for the
 //         parent's box holds for what lies inside.
-// Stream  node: a node, its set of planes, its parent's bucket, a tag. result: tag, pass, bucket and those fields of
-//         the node that are still needed, in the order of the nodes; it has no ready: the caller asks only for what it
-//         can take.
+// Stream  node: a node, its set of planes, its parent's bucket, which of its boxes counts, a tag. result: tag, pass,
+//         bucket and those fields of the node that are still needed, in the order of the nodes; it has no ready: the
+//         caller asks only for what it can take.
 // Pace    Two nodes in three cycles, results 15 cycles later.
 // Model   cpp_model/dopu/nearest/dopu_nearest.hpp
 
@@ -31,6 +31,8 @@ module dopu_rank #(
   input  pipegs_pkg::node_t                     node_i,
   input  logic                                  set_i,
   input  logic [BucketW-1:0]                    parent_i,
+  input  logic                                  tight_i,      // with TightBoxes: what dopu_hull says of the node
+  input  logic [pipegs_pkg::ScaleW-1:0]         scale_i,
   input  logic [TagW-1:0]                       tag_i,
 
   output logic                                  result_valid_o,
@@ -47,19 +49,17 @@ module dopu_rank #(
   localparam int unsigned DistanceW = 2 * pipegs_pkg::TestW + 2;
   localparam int unsigned SumW = StepW + 1;
 
-  logic [StepW:0]             edge_step;  // of the parent's bucket
   logic [Tests-1:0]           ready, valid, pass;
   logic [TagW+BucketW-1:0]    tag [Tests];
   logic [NodeBits-1:0]        node [Tests];
   logic signed [DistanceW-1:0] nearest [Tests];
   logic [ExpW-1:0]            exponent [Tests];
 
-  assign edge_step = (StepW+1)'(near_step_i) + (StepW+1)'(parent_i);
   generate
     for (genvar t = 0; t < Tests; t += 1) begin : gen_tests
       dopu_test #(.TagW(TagW + BucketW), .Phase(t)) u_test (
         .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i,
-        .node_valid_i, .node_ready_o(ready[t]), .node_i, .set_i, .step_i(edge_step), .tag_i({tag_i, parent_i}),
+        .node_valid_i, .node_ready_o(ready[t]), .node_i, .set_i, .tight_i, .scale_i, .tag_i({tag_i, parent_i}),
         .result_valid_o(valid[t]), .result_pass_o(pass[t]), .result_node_o(node[t]), .result_tag_o(tag[t]),
         .result_nearest_o(nearest[t]), .result_exponent_o(exponent[t])
       );

@@ -19,8 +19,22 @@ struct SiliconArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table, svg;
+  double equal_area = 0;  // mm2
   bool json = false, no_energy = false;
 };
+
+Synth synth_of(const SiliconArguments& arguments, const Config& config) {
+  const std::filesystem::path folder = std::filesystem::path(arguments.folder) / config_difference(config);
+  return read_synth(folder / arguments.library / "synth.json", config);
+}
+
+Config half_of(Config config) {
+  if (config.units == 1)
+    throw ConfigError("--equal-area: units = 1, expected at least 2: half the machine is a point of the law");
+  config.units /= 2;
+  if (config.fronts > 1 && config.fronts <= config.units) config.fronts /= 2;  // else every PU is one
+  return config;
+}
 
 // What was kept of this frame, or a run of the RTL.
 FrameActivity frame_activity(const LoadedView& loaded, const SimulateOptions& options, const Enables& enables,
@@ -70,18 +84,29 @@ int silicon(const SiliconArguments& arguments) {
     check_picture_memory(loaded.camera, one, kGoldenPixels + kRtlPixels);
   }
   const SramLaw law(PIPEGS_SOURCE_DIR "/synth/data/sram.csv");
-  std::vector<SiliconPoint> design_points;
-  std::vector<Enables> enables;  // of each, where energy is asked for
+  std::vector<SiliconPoint> design_points, halves;  // of these, with half as many units
+  std::vector<Enables> enables;                     // of each, where energy is asked for
   for (const SimulateOptions& one : options) {
     const std::string name = config_difference(one.config), design_point = design_point_name(one.config);
-    const std::filesystem::path synthesised = std::filesystem::path(arguments.folder) / name / arguments.library;
-    const Synth synth = read_synth(synthesised / "synth.json", one.config);
-    if (!arguments.no_energy) enables.push_back(read_enables(synthesised / "enables.json", one.config));
+    const Synth synth = synth_of(arguments, one.config);
+    if (!arguments.no_energy) {
+      const std::filesystem::path folder = std::filesystem::path(arguments.folder) / name / arguments.library;
+      enables.push_back(read_enables(folder / "enables.json", one.config));
+    }
     design_points.push_back({design_point.empty() ? name : design_point, synth, silicon_rows(one.config, synth, law)});
+    if (arguments.equal_area == 0) continue;
+    const Config half = half_of(one.config);
+    const Synth half_synth = synth_of(arguments, half);
+    halves.push_back({half_synth.configuration, half_synth, silicon_rows(half, half_synth, law)});
   }
   for (size_t i = 0; i < design_points.size(); ++i) {
     const Config& config = options[i].config;
-    design_points[i].cycles = model_engine(loaded.scene, loaded.camera, options[i])(config, options[i].memory).cycles;
+    const CycleEngine engine = model_engine(loaded.scene, loaded.camera, options[i]);
+    design_points[i].cycles = engine(config, options[i].memory).cycles;
+    if (arguments.equal_area > 0) {
+      halves[i].cycles = engine(half_of(config), options[i].memory).cycles;
+      design_points[i].half = HalfMachine{halves[i].mm2(), halves[i].us()};
+    }
     if (arguments.no_energy) continue;
     const FrameActivity activity =
         frame_activity(loaded, options[i], enables[i], design_points[i].cycles, arguments.keep);
@@ -96,11 +121,11 @@ int silicon(const SiliconArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json json = {
         {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
-    json.update(to_json(design_points));
+    json.update(to_json(design_points, arguments.equal_area));
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}: view {} ({}x{}), memory {}\n\n{}", loaded.scene.name, loaded.camera.name, loaded.camera.width,
-               loaded.camera.height, arguments.memory.external.dram, to_text(design_points));
+               loaded.camera.height, arguments.memory.external.dram, to_text(design_points, arguments.equal_area));
   }
   return kExitOk;
 }
@@ -125,6 +150,9 @@ void add_silicon(CLI::App& app, Run& run) {
   command->add_option(
       "--table", arguments.table,
       "add the frames' energies to this table; `pipegs accuracy` interpolates between those of synth/data/energy.csv");
+  add_real(*command, "--equal-area", arguments.equal_area,
+           "compare the machines at this area too, mm2; `make synth` of each with half as many units comes first",
+           {.low = 0.1, .high = 100});
   command->add_flag("--no-energy", arguments.no_energy, "area and clock only, without the RTL");
   command->add_option("--svg", arguments.svg, "charts");
   command->add_flag("--json", arguments.json, "as JSON");

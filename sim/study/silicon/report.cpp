@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/study/silicon/published.hpp"
 
@@ -90,25 +91,38 @@ std::string energy_text(const SiliconPoint& design_point) {
 }
 
 // The design points against each other, as Figs. 10 and 11 do: over the baseline where it is among them.
-std::string design_points_text(const std::vector<SiliconPoint>& design_points) {
+// `mm2`: the area at which they are compared, too, or 0.
+std::string design_points_text(const std::vector<SiliconPoint>& design_points, double mm2) {
   const SiliconPoint* baseline = design_points.front().name == "baseline" ? &design_points.front() : nullptr;
-  std::string text = fmt::format("  {:<28}{:>10}{:>10}{:>8}{:>14}{:>8}{:>10}{:>8}{:>11}{:>8}\n", "design point",
-                                 "cycles", "frames/s", "mm2", "frames/s/mm2", "x", "frames/J", "x", "with DRAM", "x");
+  const auto over = [&](double ratio) { return baseline == nullptr ? "" : fmt::format("{:.2f}", ratio); };
+  std::string text =
+      fmt::format("  {:<28}{:>10}{:>7}{:>10}{:>8}{:>8}{:>14}{:>8}{:>10}{:>8}{:>11}{:>8}{}\n", "design point", "cycles",
+                  "GHz", "us", "x", "mm2", "frames/s/mm2", "x", "frames/J", "x", "with DRAM", "x",
+                  mm2 > 0 ? fmt::format("{:>20}{:>8}", fmt::format("us at {:g} mm2", mm2), "x") : "");
   for (const SiliconPoint& design_point : design_points) {
-    text += fmt::format("  {:<28}{:>10}{:>10.0f}{:>8.2f}", design_point.name, design_point.cycles, design_point.fps(),
-                        design_point.mm2());
+    text += fmt::format("  {:<28}{:>10}{:>7.3f}{:>10.1f}{:>8}{:>8.2f}", design_point.name, design_point.cycles,
+                        design_point.ghz(), design_point.us(),
+                        over(baseline == nullptr ? 0 : baseline->us() / design_point.us()), design_point.mm2());
     const auto add = [&](double (SiliconPoint::*value)() const, int width, int digits) {
-      text +=
-          fmt::format("{:>{}.{}f}{:>8}", (design_point.*value)(), width, digits,
-                      baseline == nullptr ? "" : fmt::format("{:.2f}", (design_point.*value)() / (baseline->*value)()));
+      text += fmt::format("{:>{}.{}f}{:>8}", (design_point.*value)(), width, digits,
+                          over(baseline == nullptr ? 0 : (design_point.*value)() / (baseline->*value)()));
     };
     add(&SiliconPoint::fps_per_mm2, 14, 1);
-    if (!design_point.energy.empty()) {
+    if (design_point.energy.empty()) {
+      text += mm2 > 0 ? fmt::format("{:>37}", "") : "";
+    } else {
       add(&SiliconPoint::frames_per_joule, 10, 0);
       add(&SiliconPoint::frames_per_joule_with_dram, 11, 0);
     }
+    if (mm2 > 0) {
+      const double us = design_point.us_of_area(mm2);
+      text += fmt::format("{:>20.1f}{:>8}", us, over(baseline == nullptr ? 0 : baseline->us_of_area(mm2) / us));
+    }
     text += "\n";
   }
+  text += "  GHz: the clock that the longest path allows, at most 1; x: over the baseline\n";
+  if (mm2 > 0)
+    text += "  at equal area: by the law time = c area^-p through each machine and the one of half as many units\n";
   return text;
 }
 
@@ -155,15 +169,23 @@ Chart efficiency(const char* title, const char* y_label, const std::vector<Silic
 
 }  // namespace
 
-Json to_json(const std::vector<SiliconPoint>& design_points) {
+double SiliconPoint::us_of_area(double area) const {
+  const double power = std::log(half->us / us()) / std::log(mm2() / half->mm2);
+  return us() * std::pow(mm2() / area, power);
+}
+
+Json to_json(const std::vector<SiliconPoint>& design_points, double mm2) {
   Json list = Json::array();
   for (const SiliconPoint& design_point : design_points) {
     Json json = {{"name", design_point.name},
                  {"configuration", design_point.synth.configuration},
                  {"library", design_point.synth.library},
                  {"cycles", design_point.cycles},
+                 {"ghz", design_point.ghz()},
+                 {"us", design_point.us()},
                  {"fps", design_point.fps()},
                  {"fps_per_mm2", design_point.fps_per_mm2()},
+                 {"fps_per_mm2_at_1_ghz", design_point.fps_per_mm2() / design_point.ghz()},
                  {"rows", Json::array()}};
     for (const SiliconRow& row : design_point.rows) {
       json["rows"].push_back({{"name", row.name},
@@ -172,6 +194,12 @@ Json to_json(const std::vector<SiliconPoint>& design_points) {
                               {"kb", row.kb},
                               {"area_mm2", to_json(row.area_mm2)},
                               {"path_ps", to_json(row.path_ps)}});
+    }
+    if (mm2 > 0) {
+      json["equal_area"] = {{"mm2", mm2},
+                            {"us", design_point.us_of_area(mm2)},
+                            {"half_mm2", design_point.half->mm2},
+                            {"half_us", design_point.half->us}};
     }
     if (!design_point.energy.empty()) {
       json["frames_per_joule"] = design_point.frames_per_joule();
@@ -218,11 +246,11 @@ Json to_json(const std::vector<SiliconPoint>& design_points) {
   return {{"rungs", list}, {"paper", published(kPipegsTable2)}, {"gscore", published(kGscore)}};
 }
 
-std::string to_text(const std::vector<SiliconPoint>& design_points) {
+std::string to_text(const std::vector<SiliconPoint>& design_points, double mm2) {
   std::string text;
   for (const SiliconPoint& design_point : design_points)
     text += area_text(design_point) + energy_text(design_point) + clocks_text(design_point) + "\n";
-  return text + design_points_text(design_points) + "\n" + gscore_text();
+  return text + design_points_text(design_points, mm2) + "\n" + gscore_text();
 }
 
 std::vector<Chart> silicon_charts(const std::vector<SiliconPoint>& design_points) {

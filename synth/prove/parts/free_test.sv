@@ -20,7 +20,8 @@ module dopu_test #(
   output logic                                  node_ready_o,
   input  pipegs_pkg::node_t                     node_i,
   input  logic                                  set_i,
-  input  logic [pipegs_pkg::StepW:0]            step_i,
+  input  logic                                  tight_i,
+  input  logic [pipegs_pkg::ScaleW-1:0]         scale_i,
   input  logic [TagW-1:0]                       tag_i,
 
   output logic                                  result_valid_o,
