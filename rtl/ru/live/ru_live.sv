@@ -144,7 +144,11 @@ module ru_live #(
   logic             job, drain_idle;
   logic [AddrW-1:0] job_address;
   logic [WordW-1:0] word;
-  logic [2:0]       odd_q;  // the row of quads of the jobs of one, two, three cycles ago
+  logic [2:0]       job_q, odd_q;  // jobs of one, two, three cycles ago, and their rows of quads
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) job_q <= '0;
+    else job_q <= {job_q[1:0], job};
+  end
   always_ff @(posedge clk_i) odd_q <= {odd_q[1:0], job_address[0]};
 
   for (genvar i = 0; i < Slots; i += 1) begin : gen_held
@@ -192,11 +196,12 @@ module ru_live #(
     );
     assign banks[g*BankW +: BankW] = rdata;
   end
-  // A row of quads as two rows of eight pixels: of each field all sixteen side by side.
+  // A row of quads as two rows of eight pixels: of each field all sixteen side by side. What the banks show the lanes
+  // is kept from ru_drain, whose arithmetic would switch with it.
   for (genvar i = 0; i < Lanes; i += 1) begin : gen_pixel
     localparam int unsigned Even = i % 8 / 2, Odd = (Even + 2) % 4, Pixel = i / 8 * 2 + i % 2;
     logic [BankW-1:0] bank;
-    assign bank = odd_q[2] ? banks[Odd*BankW +: BankW] : banks[Even*BankW +: BankW];
+    assign bank = {BankW{job_q[2]}} & (odd_q[2] ? banks[Odd*BankW +: BankW] : banks[Even*BankW +: BankW]);
     assign word[i*PixelsW +: PixelsW]     = bank[Pixel*PixelsW +: PixelsW];
     assign word[Lanes*PixelsW+i*TW +: TW] = bank[4*PixelsW+Pixel*TW +: TW];
     assign word[Lanes*(PixelsW+TW)+i]     = bank[4*(PixelsW+TW)+Pixel];

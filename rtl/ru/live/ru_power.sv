@@ -8,7 +8,8 @@
 //         quads: two of each group.
 //           starts of the eight rows | 64 powers, clamped | the live halves leave, one in a cycle
 // Stream  region_t in; out: for each group whether it has live quads in the half, which of the two, and their
-//         exponents, first quad lowest, pixels row by row. All groups with live quads take it in one cycle.
+//         exponents, first quad lowest, pixels row by row; those of a dead quad are of an earlier region. All groups
+//         with live quads take it in one cycle.
 // Pace    One region per cycle, or per live half; latency 2.
 // Model   cpp_model/ru/ru_quads.hpp
 
@@ -126,6 +127,12 @@ module ru_power #(
   for (genvar i = 0; i < 16; i += 1) begin : gen_quad
     localparam int unsigned First = 16 * (i / 4) + 2 * (i % 4);
     assign live[i] = (visible[First +: 2] != '0 || visible[First+8 +: 2] != '0) && !stopped[i];
+    always_ff @(posedge clk_i) begin  // what lies behind a dead quad stands still
+      if (rows_valid_q && pixels_move && live[i]) begin
+        exponents_q[First*ExponentW +: 2*ExponentW]     <= exponents[First*ExponentW +: 2*ExponentW];
+        exponents_q[(First+8)*ExponentW +: 2*ExponentW] <= exponents[(First+8)*ExponentW +: 2*ExponentW];
+      end
+    end
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -135,9 +142,8 @@ module ru_power #(
   end
   always_ff @(posedge clk_i) begin
     if (rows_valid_q && pixels_move) begin
-      exponents_q <= exponents;
-      live_q      <= live;
-      tag_q       <= rows_tag_q;
+      live_q <= live;
+      tag_q  <= rows_tag_q;
     end
   end
 
