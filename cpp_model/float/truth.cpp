@@ -76,6 +76,8 @@ void check(const Scene& scene, const Camera& camera, const TruthOptions& options
     throw std::invalid_argument("truth: rank holds " + std::to_string(options.rank->size()) + " entries, the scene " +
                                 std::to_string(scene.gaussians.size()) + " Gaussians");
   }
+  if (options.largest_weight != nullptr && options.largest_weight->size() != scene.gaussians.size())
+    throw std::invalid_argument("truth: there is not one weight for each Gaussian");
   if (options.clip_window && !(0 <= options.x0 && options.x0 < options.x1 && options.x1 <= camera.width &&
                                0 <= options.y0 && options.y0 < options.y1 && options.y1 <= camera.height)) {
     throw std::invalid_argument("truth: the clip window is empty or outside the image");
@@ -156,8 +158,14 @@ Bins bin(const Splats& splats, const PixelRect& window, unsigned threads) {
   return bins;
 }
 
+void raise(float& largest, float value) {
+  const std::atomic_ref shared(largest);
+  float known = shared.load(std::memory_order_relaxed);
+  while (known < value && !shared.compare_exchange_weak(known, value, std::memory_order_relaxed)) {}
+}
+
 void blend_bin(const Splats& splats, std::span<const std::uint32_t> places, const Rules& rules, const PixelRect& area,
-               const PixelRect& window, Image& image) {
+               const PixelRect& window, Image& image, std::vector<float>* largest_weight) {
   std::vector<Turn> turns;
   turns.reserve(places.size());
   for (const std::uint32_t place : places) turns.push_back({splats[place].order, place});
@@ -167,7 +175,7 @@ void blend_bin(const Splats& splats, std::span<const std::uint32_t> places, cons
   for (auto turn = turns.begin(); turn != turns.end() && live > 0; ++turn) {
     const Splat& s = splats[turn->place];
     const PixelRect r = intersection(s.rect, area);
-    double powers[kBin];
+    double powers[kBin], largest = 0;
     for (int y = r.y0; y < r.y1; ++y) {
       const double dy = s.mean.y - (y + rules.center);
       for (int x = r.x0; x < r.x1; ++x) powers[x - r.x0] = power_at(s.conic, s.mean.x - (x + rules.center), dy);
@@ -190,8 +198,10 @@ void blend_bin(const Splats& splats, std::span<const std::uint32_t> places, cons
         image.depth[pixel] += weight * s.depth;
         image.transmittance[pixel] = next;
         ++image.blended[pixel];
+        largest = std::max(largest, weight);
       }
     }
+    if (largest_weight != nullptr && largest > 0) raise((*largest_weight)[s.index], static_cast<float>(largest));
   }
 }
 
@@ -213,7 +223,7 @@ Image render_truth(const Scene& scene, const Camera& camera, const TruthOptions&
     const int y = window.y0 + kBin * static_cast<int>(b / static_cast<std::size_t>(bins.columns));
     const PixelRect area = intersection({x, y, x + kBin, y + kBin}, window);
     const auto places = std::span(bins.splats).subspan(bins.first[b], bins.first[b + 1] - bins.first[b]);
-    blend_bin(splats, places, rules, area, window, image);
+    blend_bin(splats, places, rules, area, window, image, options.largest_weight);
     if (options.progress) {
       const std::lock_guard lock(mutex);
       options.progress(static_cast<double>(++done) / static_cast<double>(total));

@@ -33,9 +33,10 @@ struct TruthOptions {
   double near_plane = 0.2;                           // in all semantics; gsplat's own default is 0.01
   bool clip_window = false;                          // render only [x0, x1) x [y0, y1)
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  unsigned threads = 0;                  // 0: as many as the machine has
-  std::function<void(double)> progress;  // called with 0..1, rising, never from two threads at once
-  int sh_degree = kMaxShDegree;          // cap below the scene's own degree
+  unsigned threads = 0;                          // 0: as many as the machine has
+  std::function<void(double)> progress;          // called with 0..1, rising, never from two threads at once
+  int sh_degree = kMaxShDegree;                  // cap below the scene's own degree
+  std::vector<float>* largest_weight = nullptr;  // per Gaussian: raised to the largest weight that it has at a pixel
 };
 
 struct TruthStep {
@@ -44,7 +45,7 @@ struct TruthStep {
   double alpha, weight, transmittance_before;
 };
 
-// Non-finite Gaussians and zero quaternions are left out. std::invalid_argument for a rank of the
+// Non-finite Gaussians and zero quaternions are left out. std::invalid_argument for a rank or weights of the
 // wrong length or a window outside the image.
 Image render_truth(const Scene& scene, const Camera& camera, const TruthOptions& options);
 
