@@ -76,8 +76,10 @@ void check(const Scene& scene, const Camera& camera, const TruthOptions& options
     throw std::invalid_argument("truth: rank holds " + std::to_string(options.rank->size()) + " entries, the scene " +
                                 std::to_string(scene.gaussians.size()) + " Gaussians");
   }
-  if (options.largest_weight != nullptr && options.largest_weight->size() != scene.gaussians.size())
-    throw std::invalid_argument("truth: there is not one weight for each Gaussian");
+  if (options.largest_weight != nullptr && options.largest_weight->size() != scene.gaussians.size()) {
+    throw std::invalid_argument("truth: largest_weight holds " + std::to_string(options.largest_weight->size()) +
+                                " entries, the scene " + std::to_string(scene.gaussians.size()) + " Gaussians");
+  }
   if (options.clip_window && !(0 <= options.x0 && options.x0 < options.x1 && options.x1 <= camera.width &&
                                0 <= options.y0 && options.y0 < options.y1 && options.y1 <= camera.height)) {
     throw std::invalid_argument("truth: the clip window is empty or outside the image");

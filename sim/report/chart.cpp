@@ -317,6 +317,7 @@ void Drawing::points() {
           fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" {}><title>{}</title></circle>\n", x, y, paint(k),
                       escaped(fmt::format("{}, {}: {}, {}", series.name, series.labels[i], short_number(series.x[i]),
                                           short_number(series.values[i]))));
+      if (series.named) text(x - 5, y - 5, "end", series.labels[i], " font-size=\"10\"");
     }
     if (!series.outlined || path.empty()) continue;
     out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" stroke-dasharray=\"5 4\"/>\n",

@@ -24,13 +24,17 @@ std::vector<float> contributions(const Scene& scene, const std::vector<Camera>& 
   return largest;
 }
 
+size_t left_out(size_t count, double without) {
+  return static_cast<size_t>(std::llround(without * static_cast<double>(count)));
+}
+
 Scene without_least(const Scene& scene, const std::vector<float>& contributions, double without) {
   const size_t count = scene.gaussians.size(), rest = 3 * static_cast<size_t>(sh_rest_count(scene.sh_degree));
   std::vector<uint32_t> order(count);
   for (size_t i = 0; i < count; ++i) order[i] = static_cast<uint32_t>(i);
   std::stable_sort(order.begin(), order.end(),
                    [&](uint32_t a, uint32_t b) { return contributions[a] < contributions[b]; });
-  const auto gone = static_cast<size_t>(std::llround(without * static_cast<double>(count)));
+  const size_t gone = left_out(count, without);
   std::vector<bool> stays(count, true);
   for (size_t i = 0; i < gone; ++i) stays[order[i]] = false;
 

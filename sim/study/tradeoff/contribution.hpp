@@ -6,6 +6,7 @@
 // Rule    Cameras are those of the file, the view that is measured among them: elsewhere more may be missing.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace pipegs {
 std::vector<float> contributions(const Scene& scene, const std::vector<Camera>& cameras, double near_plane,
                                  const std::function<void(double)>& progress);
 
+// How many of `count` Gaussians a share is: the nearest number.
+size_t left_out(size_t count, double without);
 // The scene without its share `without` (0 to 1) of least contribution; equal ones by index, the first go.
 Scene without_least(const Scene& scene, const std::vector<float>& contributions, double without);
 
