@@ -13,7 +13,8 @@ using Json = nlohmann::json;
 
 class TradeoffCli : public Cli {
  protected:
-  const std::string view_ = "tradeoff scene.ply --cameras cameras.json ", kept_ = view_ + "--together 3 --keep kept ";
+  const std::string view_ = "tradeoff scene.ply --cameras cameras.json ", kept_ = view_ + "--keep kept ",
+                    few_ = kept_ + "--together 3 ", alone_ = kept_ + "--together 0 ";
 
   Json json(const std::string& arguments) {
     const Outcome outcome = run(arguments + "--json");
@@ -29,7 +30,7 @@ class TradeoffCli : public Cli {
 };
 
 TEST_F(TradeoffCli, TellsEveryPointOnceAndTakesWhatIsKept) {
-  const Json first = json(kept_ + "--svg charts/tradeoff.svg ");
+  const Json first = json(few_ + "--svg charts/tradeoff.svg ");
   EXPECT_EQ(xml_fault(text("charts/tradeoff.svg")), "");
   EXPECT_EQ(first["ghz"], 1.0);
   std::map<std::string, int> knobs;
@@ -52,7 +53,7 @@ TEST_F(TradeoffCli, TellsEveryPointOnceAndTakesWhatIsKept) {
 
   // Kept ones are believed: this one has another number now. A broken one is measured again.
   const std::vector<fs::path> paths = files();
-  EXPECT_EQ(json(kept_), first);
+  EXPECT_EQ(json(few_), first);
   const std::string cycles = std::to_string(first["points"][0]["cycles"].get<uint64_t>());
   for (const fs::path& path : paths) {
     std::string kept = text(fs::relative(path, folder_));
@@ -61,23 +62,23 @@ TEST_F(TradeoffCli, TellsEveryPointOnceAndTakesWhatIsKept) {
     if (key["scale"] != 1.0 || key["without"] != 0.0 || at == std::string::npos) continue;
     std::ofstream(path, std::ios::binary) << kept.replace(at, 10 + cycles.size(), "\"cycles\": 987654321");
   }
-  const Json second = json(kept_ + "--together 0 --ghz 2 ");
+  const Json second = json(alone_ + "--ghz 2 ");
   EXPECT_EQ(second["points"][0]["cycles"], 987654321);
   EXPECT_DOUBLE_EQ(second["points"][0]["us"], 493827.1605);
   for (const fs::path& path : paths) std::ofstream(path, std::ios::binary) << "{\"key\":";
-  EXPECT_EQ(json(kept_), first);
+  EXPECT_EQ(json(few_), first);
 }
 
-// The same Gaussians as a part of a scene and as all of it: their truths differ, so nothing is shared.
+// Another near plane, and another camera whose picture the contributions are of.
 TEST_F(TradeoffCli, AnotherViewMeasuresItsOwn) {
-  json(kept_ + "--together 0 ");
+  json(alone_);
   const size_t own = files().size();
-  json(kept_ + "--together 0 --near 0.3 ");
+  json(alone_ + "--near 0.3 ");
   EXPECT_EQ(files().size(), 2 * own);
   Camera other = test_camera(70, 50);
   other.position.x = 0.1;
   write_cameras(folder_ / "cameras.json", {test_camera(70, 50), other});
-  json(kept_ + "--together 0 ");
+  json(alone_);
   EXPECT_EQ(files().size(), 3 * own);
 }
 
@@ -94,10 +95,12 @@ TEST_F(TradeoffCli, RunsOnEveryOrderAndOnScenesWithoutColourBands) {
 }
 
 TEST_F(TradeoffCli, AnInterruptedOneKeepsWholePointsOnly) {
-  const std::string command =
-      "{ '" PIPEGS_BINARY
-      "' tradeoff --keep kept & pid=$!; tries=0; while [ \"$(ls kept 2>/dev/null | wc -l)\" -lt 1 ] && [ $tries -lt "
-      "1200 ]; do sleep 0.05; tries=$((tries + 1)); done; kill -INT $pid; wait $pid; }";
+  write_ply(folder_ / "more.ply", random_scene(3, 3000, 1));
+  write_cameras(folder_ / "larger.json", {test_camera(320, 240)});
+  const std::string command = "{ '" PIPEGS_BINARY
+                              "' tradeoff more.ply --cameras larger.json --keep kept & pid=$!; tries=0; while [ \"$(ls "
+                              "kept 2>/dev/null | wc -l)\" -lt 1 ] && [ $tries -lt "
+                              "1200 ]; do sleep 0.05; tries=$((tries + 1)); done; kill -INT $pid; wait $pid; }";
   const Outcome outcome = shell(command);
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_EQ(outcome.out, "");

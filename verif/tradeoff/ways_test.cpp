@@ -101,7 +101,10 @@ TEST(Ways, AFewOfManyAreSpreadOverTheirDecibels) {
 TEST(Ways, NobodyBeatsTheFrontAndAllOthersAreBeaten) {
   std::mt19937 rng(1);
   std::vector<TradeoffPoint> points;
-  for (int i = 0; i < 300; ++i) points.push_back(point("a", "b", 1 + rng() % 50, static_cast<double>(rng() % 40)));
+  for (int i = 0; i < 300; ++i) {  // more time is often, not always, more accuracy; some points are equal
+    const uint64_t cycles = 1 + rng() % 50;
+    points.push_back(point("a", "b", cycles, static_cast<double>(cycles + rng() % 20)));
+  }
   find_front(points);
   const auto beats = [](const TradeoffPoint& a, const TradeoffPoint& b) {
     return a.cycles <= b.cycles && a.psnr >= b.psnr && (a.cycles < b.cycles || a.psnr > b.psnr);

@@ -56,7 +56,7 @@ void add_tradeoff(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "tradeoff", "what accuracy costs in time: fewer pixels, Gaussians, SH degrees, other cuts and orders");
   command->footer(footer("pipegs tradeoff garden.ply --cameras cameras.json --view 0 --svg tradeoff.svg", "measured",
-                         "never",
+                         "",
                          "Cycles are those of the timing model. What was measured is kept and not measured again."));
   static TradeoffArguments arguments;
   arguments.view.add(*command);

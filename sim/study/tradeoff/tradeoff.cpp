@@ -95,8 +95,13 @@ bool Study::take_kept(const std::optional<Json>& kept, TradeoffPoint& point) {
 
 const Scene& Study::scene_without(double without) {
   if (without == 0) return view_.scene;
-  if (contributions_.empty())
-    contributions_ = contributions(view_.scene, view_.cameras, view_.options.near_plane, stop_when_interrupted);
+  if (contributions_.empty()) {
+    Progress progress("contributions");
+    contributions_ = contributions(view_.scene, view_.cameras, view_.options.near_plane, [&](double share) {
+      stop_when_interrupted(share);
+      progress.update(share);
+    });
+  }
   if (less_without_ != without) less_ = without_least(view_.scene, contributions_, without);
   less_without_ = without;
   return less_;
