@@ -121,6 +121,14 @@ def saved(knob, label):
     return f"{span(shares)} %"
 
 
+def mb(scene, knob, label):
+    return f"{fixed(single(scene, knob, label).bytes / 1e6, 1)} MB"
+
+
+def us(scene, knob, label):
+    return f"{fixed(single(scene, knob, label).us, 1)} us"
+
+
 def left(knob, label):
     """Decibels that are left, over the scenes."""
     return f"{span([one.psnr_db for one in (single(scene, knob, label) for scene in TITLES) if one])} dB"
