@@ -226,7 +226,7 @@ TABLE = [
     *[Measurement(f"fidelity/{scene}", "build/pipegs fidelity {scene} --rung exact --json", fidelity,
                   (*RTL, "timing"), scene, points=("exact",)) for scene in CHARTED],
     *[Measurement(f"tradeoff/{scene}", "build/pipegs tradeoff {scene} --json", tradeoff, MODEL, scene, points=("fast",),
-                  chart=f"tradeoff_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
+                  chart=f"tradeoff/{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
     *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --rung dop --json", effects, MODEL, scene,
                   points=("dop",)) for scene in ("own", "terrace", "plushdog", "flowers", "statue", "showroom")],
     *[Measurement(f"effects_gain/{scene}_{point}", f"build/pipegs effects {{scene}} --rung {point} --measure "
