@@ -227,6 +227,8 @@ TABLE = [
                   (*RTL, "timing"), scene, points=("exact",)) for scene in CHARTED],
     *[Measurement(f"tradeoff/{scene}", "build/pipegs tradeoff {scene} --json", tradeoff, MODEL, scene, points=("fast",),
                   chart=f"tradeoff/{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
+    Measurement("tradeoff/statue_records4096", "build/pipegs tradeoff {scene} --set records=4096 --together 0 --json",
+                tradeoff, MODEL, "statue", points=("fast",)),
     *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --rung dop --json", effects, MODEL, scene,
                   points=("dop",)) for scene in ("own", "terrace", "plushdog", "flowers", "statue", "showroom")],
     *[Measurement(f"effects_gain/{scene}_{point}", f"build/pipegs effects {{scene}} --rung {point} --measure "

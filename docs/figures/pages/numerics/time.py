@@ -125,6 +125,10 @@ def mb(scene, knob, label):
     return f"{fixed(single(scene, knob, label).bytes / 1e6, 1)} MB"
 
 
+def us(scene, knob, label):
+    return f"{fixed(single(scene, knob, label).us, 1)} us"
+
+
 def of_all(scene, knob, label):
     return share(scene, single(scene, knob, label))
 
