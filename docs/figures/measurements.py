@@ -38,6 +38,7 @@ from keep import (
     stability,
     sweep,
     tables,
+    tradeoff,
 )
 from scenes import SIZES, VIEWS_OF_SIZE
 
@@ -231,6 +232,10 @@ TABLE = [
                 leave_one_out, ("rtl", "synth")),
     *[Measurement(f"fidelity/{scene}", "build/pipegs fidelity {scene} --rung exact --json", fidelity,
                   (*RTL, "timing"), scene, points=("exact",)) for scene in CHARTED],
+    *[Measurement(f"tradeoff/{scene}", "build/pipegs tradeoff {scene} --json", tradeoff, MODEL, scene, points=("fast",),
+                  chart=f"tradeoff/{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
+    Measurement("tradeoff/statue_records4096", "build/pipegs tradeoff {scene} --set records=4096 --together 0 --json",
+                tradeoff, MODEL, "statue", points=("fast",)),
     *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --rung dop --json", effects, MODEL, scene,
                   points=("dop",)) for scene in ("own", "terrace", "plushdog", "flowers", "statue", "showroom")],
     *[Measurement(f"effects_gain/{scene}_{point}", f"build/pipegs effects {{scene}} --rung {point} --measure "
