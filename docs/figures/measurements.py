@@ -96,6 +96,7 @@ SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
 STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}
 STEPS = {name: (what, f"--rung exact {change}") for name, (what, change) in STEPS.items()}
 STEPS["fast"] = ("pixels of 32 bits, 1408 records, 1024 nodes, a watermark every 7 chunks: `fast`", "--rung fast")
+COSTED = {"exact": ("`exact`", "--rung exact")} | STEPS  # with their area and energy
 EQUAL_AREA = "--equal-area 3.283 "  # mm2 of the paper's chip; `make synth` of half of each machine comes first
 LARGE = {  # showroom, 3.0 M Gaussians
     "exact": ("`exact`", "--rung exact"),
@@ -166,7 +167,7 @@ TABLE = [
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
                   points=(change.split()[1],)) for name, (_, change) in STEPS.items() for scene in FOUR],
     *[Measurement(f"costs/{name}", f"build/pipegs silicon {change} --json", cost, (*RTL, "synth"),
-                  points=(change.split()[1],)) for name, (_, change) in (("exact", ("", "--rung exact")), *STEPS.items())],
+                  points=(change.split()[1],)) for name, (_, change) in COSTED.items()],
     *[Measurement(f"equal_area/{scene}", f"build/pipegs silicon {{scene}} --rungs {','.join(POINTS)} {EQUAL_AREA}"
                   "--no-energy --json", equal_area, ("rtl", *MODEL, "synth"), scene, points=POINTS) for scene in FOUR],
     *[Measurement(f"large/showroom/{name}", f"build/pipegs model {{scene}} {options} --json", large_model, MODEL,

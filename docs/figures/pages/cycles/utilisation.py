@@ -2,7 +2,7 @@
 """Tables of docs/cycles/utilisation.md."""
 from data import data
 from formats import change, fixed, group, mean, table, thousands
-from measurements import FOUR, LARGE, STEPS, WHAT_IF
+from measurements import COSTED, FOUR, LARGE, STEPS, WHAT_IF
 
 MEASURED = ["ladder/*", "what_if/*", "steps/*", "costs/*", "large/*", "lanes/*", "results/statue_0"]
 TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
@@ -77,7 +77,6 @@ def steps():
 
 def costs():
     """Our own scene: area, longest path and energy, step by step; steps that were measured."""
-    names = {"exact": "`exact`"} | {name: what for name, (what, _) in STEPS.items()}
     rows = [
         [
             what,
@@ -88,7 +87,7 @@ def costs():
             group(point.frames_per_joule),
             group(point.frames_per_joule_with_dram),
         ]
-        for name, what in names.items()
+        for name, (what, _) in COSTED.items()
         if name in data.costs
         for point in [data.costs[name]]
     ]
