@@ -3,6 +3,7 @@
 #include "sim/study/shapes/shapes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "sim/study/shapes/neighbours.hpp"
@@ -10,13 +11,14 @@
 namespace pipegs {
 namespace {
 
-constexpr double kWorth = 1e-3;  // a smaller promise is none
-constexpr size_t kRound = 4;     // shapes of a round
+constexpr double kWorth = 1e-4;     // a smaller gain is none: a thousandth of the time over a tenth of the area
+constexpr double kNoneThere = 2;    // where nothing so small was measured, the front counts as this much slower
+constexpr size_t kRound = 4;        // shapes of a round, at most
+constexpr size_t kRoundWithin = 2;  // of these, for the best within the wanted area
 
 struct ShapeCandidate {
   Config config;
-  double promise;
-  bool within;
+  double us, mm2, gain;  // predicted
 };
 
 class ShapeSweep {
@@ -58,10 +60,17 @@ class ShapeSweep {
     return find(with_shape(shapes_.front().config, entry, value));
   }
 
-  // How much sooner it would be than the front there, or how much smaller than all; 0: it is beaten.
-  double promise(double us, double mm2) const {
-    const Shape *soonest = best_within(shapes_, mm2), *smallest = front_of(shapes_).front();
-    return soonest == nullptr ? smallest->mm2() / mm2 - 1 : std::max(0.0, soonest->us() / us - 1);
+  // What the front would gain, up to the wanted area or its own largest: relative time, summed over relative area.
+  double gain(double us, double mm2) const {
+    const std::vector<const Shape*> front = front_of(shapes_);
+    const double end = std::max(options_.mm2, front.back()->mm2());
+    double sum = 0, from = mm2, slowest = kNoneThere * front.front()->us();
+    for (size_t i = 0; i <= front.size(); ++i) {
+      const double to = i < front.size() ? front[i]->mm2() : end;
+      if (to > from) sum += std::max(0.0, std::log(slowest / us)) * std::log(to / from), from = to;
+      if (i < front.size()) slowest = front[i]->us();
+    }
+    return sum;
   }
 
   std::vector<ShapeCandidate> candidates() const {
@@ -73,28 +82,32 @@ class ShapeSweep {
         const double ratio = static_cast<double>(then->frame.cycles) / static_cast<double>(now->frame.cycles);
         const auto cycles = static_cast<uint64_t>(static_cast<double>(origin->frame.cycles) * ratio);
         const FrameCost cost = silicon_.cost(one.config, cycles, origin->frame.bytes).value();
-        const double promised = promise(cost.us, cost.mm2.mid);
-        if (promised > kWorth) found.push_back({one.config, promised, cost.mm2.mid <= options_.mm2});
+        found.push_back({one.config, cost.us, cost.mm2.mid, gain(cost.us, cost.mm2.mid)});
       }
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const ShapeCandidate& a, const ShapeCandidate& b) { return a.promise > b.promise; });
     return found;
   }
 
   std::vector<Config> next() const {
     std::vector<Config> round;
     if (shapes_.size() >= static_cast<size_t>(options_.runs)) return round;
-    const std::vector<ShapeCandidate> found = candidates();
-    const auto take = [&](bool within, size_t most) {
-      for (const ShapeCandidate& one : found) {
-        const bool known = std::find(round.begin(), round.end(), one.config) != round.end();
-        if (!known && one.within == within && round.size() < most) round.push_back(one.config);
-      }
+    std::vector<ShapeCandidate> found = candidates();
+    const auto take = [&](const ShapeCandidate& one, size_t most) {
+      const bool known = std::find(round.begin(), round.end(), one.config) != round.end();
+      if (!known && round.size() < most) round.push_back(one.config);
     };
-    take(true, kRound / 2);
-    take(false, kRound);
-    take(true, kRound);
+    const Shape* best = best_within(shapes_, options_.mm2);
+    const auto by_time = [](const ShapeCandidate& a, const ShapeCandidate& b) { return a.us < b.us; };
+    std::stable_sort(found.begin(), found.end(), by_time);
+    for (const ShapeCandidate& one : found) {
+      const bool better = best == nullptr || one.us < (1 - kWorth) * best->us();
+      if (better && one.mm2 <= options_.mm2) take(one, kRoundWithin);
+    }
+    const auto by_gain = [](const ShapeCandidate& a, const ShapeCandidate& b) { return a.gain > b.gain; };
+    std::stable_sort(found.begin(), found.end(), by_gain);
+    for (const ShapeCandidate& one : found) {
+      if (one.gain > kWorth) take(one, kRound);
+    }
     return round;
   }
 

@@ -3,11 +3,12 @@
 //
 // Idea    First the base and each of its neighbours (neighbours.hpp), one entry changed at a time. Then rounds, a
 //         descent along coordinates from every shape of the front at once: each neighbour of the front has a predicted
-//         time, its origin's times what that entry alone gained on the base, and an area, which needs no run. Of those
-//         that no measured shape beats the most promising are measured, half of a round's within the wanted area.
+//         time, its origin's times what that entry alone gained on the base, and an area, which needs no run. Measured
+//         are those that promise to beat the best within the wanted area, two a round, and those by which the front
+//         would gain most, in relative time over relative area.
 // Rule    What is told is measured: cycles and bytes by the timing model. Areas and clocks are interpolated
 //         (frame_model.hpp). A shape is on the front when no other one takes both no more time and no more area. Ends
-//         after `runs` shapes, or when no neighbour of the front promises a thousandth.
+//         after `runs` shapes, or when no neighbour of the front promises anything.
 // Errors  ConfigError: the model knows no area of such a machine.
 // Docs    docs/silicon/shapes.md
 #pragma once
