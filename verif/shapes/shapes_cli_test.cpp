@@ -6,7 +6,7 @@
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;  // a kept frame is read in its own order
 
 class ShapesCli : public Cli {
  protected:
