@@ -269,6 +269,25 @@ def energy(found):
     return result
 
 
+def cost(found):
+    """Of one machine: area, longest path, and what a frame takes of chip and DRAM."""
+    (row,) = found["rungs"]
+    total = silicon_rows(row)["Total"]
+    uj = {one["name"]: 1e6 * one["frame_j"]["mid"] for one in row["energy"]}
+    figures = pick("cycles", "frames_per_joule", "frames_per_joule_with_dram")(row)
+    mid = {"mm2": total["area_mm2"]["mid"], "path_ps": total["path_ps"]["mid"]}
+    return figures | mid | {"chip_uj": uj["Total"], "dram_uj": uj["DRAM"]}
+
+
+def equal_area(found):
+    """By design point: clock, time, area, and the time at the area at which all are compared."""
+    figures = pick("cycles", "ghz", "us", "fps_per_mm2", "fps_per_mm2_at_1_ghz")
+    return {
+        row["name"]: figures(row) | {"mm2": silicon_rows(row)["Total"]["area_mm2"]["mid"], "equal": row["equal_area"]}
+        for row in found["rungs"]
+    }
+
+
 def gating(found):
     """Of one design point: its clocks, by row and by module (uJ of a frame), and frames for energy."""
     (row,) = found["rungs"]
@@ -466,6 +485,12 @@ def leave_one_out(text):
             for told, uj, alone, scene, name in frame.findall(text)
         ],
     }
+
+
+def tradeoff(found):
+    """What was measured with less of something, and what a decibel costs along the front."""
+    keep = pick("knob", "label", "width", "height", "gaussians", "cycles", "us", "bytes", "psnr_db", "ssim", "front")
+    return {"points": [keep(row) for row in found["points"]], "price": found["price"]}
 
 
 def fidelity(found):

@@ -9,10 +9,12 @@ from keep import (
     accuracy_rtl,
     budget,
     compared,
+    cost,
     difference,
     effects,
     effects_gain,
     energy,
+    equal_area,
     fetched,
     fidelity,
     frame,
@@ -37,6 +39,7 @@ from keep import (
     stability,
     sweep,
     tables,
+    tradeoff,
 )
 from scenes import SIZES, VIEWS_OF_SIZE
 
@@ -94,6 +97,8 @@ SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
 STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}
 STEPS = {name: (what, f"--rung exact {change}") for name, (what, change) in STEPS.items()}
 STEPS["fast"] = ("pixels of 32 bits, 1408 records, 1024 nodes, a watermark every 7 chunks: `fast`", "--rung fast")
+COSTED = {"exact": ("`exact`", "--rung exact")} | STEPS  # with their area and energy
+EQUAL_AREA = "--equal-area 3.283 "  # mm2 of the paper's chip; `make synth` of half of each machine comes first
 LARGE = {  # showroom, 3.0 M Gaussians
     "exact": ("`exact`", "--rung exact"),
     "fast": ("`fast`", "--rung fast"),
@@ -162,6 +167,10 @@ TABLE = [
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
                   points=(change.split()[1],)) for name, (_, change) in STEPS.items() for scene in FOUR],
+    *[Measurement(f"costs/{name}", f"build/pipegs silicon {change} --json", cost, (*RTL, "synth"),
+                  points=(change.split()[1],)) for name, (_, change) in COSTED.items()],
+    *[Measurement(f"equal_area/{scene}", f"build/pipegs silicon {{scene}} --rungs {','.join(POINTS)} {EQUAL_AREA}"
+                  "--no-energy --json", equal_area, ("rtl", *MODEL, "synth"), scene, points=POINTS) for scene in FOUR],
     *[Measurement(f"large/showroom/{name}", f"build/pipegs model {{scene}} {options} --json", large_model, MODEL,
                   "showroom", points=(options.split()[1],)) for name, (_, options) in LARGE.items()],
     *[Measurement(f"scale/sim/{name}", "build/pipegs sim {scene} --rung dop --no-rtl --json", host, ("models",), scene,
@@ -227,6 +236,10 @@ TABLE = [
                 leave_one_out, ("rtl", "synth")),
     *[Measurement(f"fidelity/{scene}", "build/pipegs fidelity {scene} --rung exact --json", fidelity,
                   (*RTL, "timing"), scene, points=("exact",)) for scene in CHARTED],
+    *[Measurement(f"tradeoff/{scene}", "build/pipegs tradeoff {scene} --json", tradeoff, MODEL, scene, points=("fast",),
+                  chart=f"tradeoff/{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
+    Measurement("tradeoff/statue_records4096", "build/pipegs tradeoff {scene} --set records=4096 --together 0 --json",
+                tradeoff, MODEL, "statue", points=("fast",)),
     *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --rung dop --json", effects, MODEL, scene,
                   points=("dop",)) for scene in ("own", "terrace", "plushdog", "flowers", "statue", "showroom")],
     *[Measurement(f"effects_gain/{scene}_{point}", f"build/pipegs effects {{scene}} --rung {point} --measure "

@@ -108,7 +108,7 @@ void MemoryArguments::apply(SimulateOptions& options) const {
 
 LoadedView load_view(const ViewArguments& arguments) {
   LoadedView loaded;
-  std::vector<Camera> cameras;
+  std::vector<Camera>& cameras = loaded.cameras;
   if (arguments.scene.empty()) {
     loaded.scene = generate_scene(1);
     cameras = arguments.cameras.empty() ? generated_cameras() : read_cameras(arguments.cameras);

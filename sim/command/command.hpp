@@ -67,6 +67,7 @@ struct MemoryArguments {
 struct LoadedView {
   Scene scene;
   Camera camera;
+  std::vector<Camera> cameras;  // all of the file
 };
 LoadedView load_view(const ViewArguments& arguments);
 
@@ -89,6 +90,7 @@ void add_dram(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
 void add_accuracy(CLI::App& app, Run& run);
 void add_fidelity(CLI::App& app, Run& run);
+void add_tradeoff(CLI::App& app, Run& run);
 void add_stress(CLI::App& app, Run& run);
 void add_budget(CLI::App& app, Run& run);
 void add_effects(CLI::App& app, Run& run);

@@ -85,6 +85,7 @@ int main(int argc, char** argv) {
   add_model(app, run);
   add_accuracy(app, run);
   add_fidelity(app, run);
+  add_tradeoff(app, run);
   add_stress(app, run);
   add_budget(app, run);
   add_effects(app, run);

@@ -309,6 +309,7 @@ void Drawing::points() {
   for (size_t k = 0; k < chart_.series.size(); ++k) {
     const Series& series = chart_.series[k];
     std::string path;
+    double last_x = -1e9, last_y = -1e9;  // of the last label
     for (size_t i = 0; i < series.values.size(); ++i) {
       if (!up_.holds(series.values[i]) || !across_.holds(series.x[i])) continue;
       const double x = across_.place(series.x[i]), y = up_.place(series.values[i]);
@@ -317,6 +318,9 @@ void Drawing::points() {
           fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" {}><title>{}</title></circle>\n", x, y, paint(k),
                       escaped(fmt::format("{}, {}: {}, {}", series.name, series.labels[i], short_number(series.x[i]),
                                           short_number(series.values[i]))));
+      if (!series.named || (std::abs(x - last_x) < 8 && std::abs(y - last_y) < 8)) continue;  // never over each other
+      text(x - 5, y - 5, "end", series.labels[i], " font-size=\"10\"");
+      last_x = x, last_y = y;
     }
     if (!series.outlined || path.empty()) continue;
     out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" stroke-dasharray=\"5 4\"/>\n",

@@ -19,6 +19,7 @@ struct Series {
   bool outlined = false;                 // drawn as a dashed outline: what others reported; of points: joined by a line
   std::vector<double> x = {};            // of points: where each lies
   std::vector<std::string> labels = {};  // of points: what each is
+  bool named = false;                    // of points: the labels stand beside them, but for one that covers another
 };
 
 struct Chart {

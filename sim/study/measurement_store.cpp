@@ -64,6 +64,12 @@ MeasurementStore::MeasurementStore(std::filesystem::path folder, const Scene& sc
   if (!folder_.empty()) std::filesystem::create_directories(folder_);
 }
 
+MeasurementStore MeasurementStore::with(const Json& more) const {
+  MeasurementStore result = *this;
+  result.view_.update(more);
+  return result;
+}
+
 Json MeasurementStore::key(const Config& config) const {
   Json key = view_;
   for (const ConfigEntry& entry : config_entries(config)) {
@@ -73,10 +79,7 @@ Json MeasurementStore::key(const Config& config) const {
 }
 
 std::filesystem::path MeasurementStore::path(const Config& config) const {
-  const std::string text = json_text(key(config));
-  Hash hash;
-  hash.add(text.data(), text.size());
-  return folder_ / (config_difference(config).substr(0, 120) + "-" + hash.text() + ".json");
+  return folder_ / (config_difference(config).substr(0, 120) + "-" + hash_of_text(json_text(key(config))) + ".json");
 }
 
 std::optional<Json> MeasurementStore::load(const Config& config) const {
@@ -100,6 +103,12 @@ void MeasurementStore::save(const Config& config, const Json& measured) const {
   out.close();
   if (!out) throw OwnFailure(path(config).string() + ": cannot write");
   file.commit();
+}
+
+std::string hash_of_text(const std::string& text) {
+  Hash hash;
+  hash.add(text.data(), text.size());
+  return hash.text();
 }
 
 std::string hash_of_files(const std::filesystem::path& folder, const std::string& extension) {

@@ -24,6 +24,9 @@ class MeasurementStore {
                    const SimulateOptions& options,
                    const nlohmann::ordered_json& more = nlohmann::ordered_json::object());
 
+  // The same folder and view; `more` joins the key, too.
+  MeasurementStore with(const nlohmann::ordered_json& more) const;
+
   std::optional<nlohmann::ordered_json> load(const Config& config) const;
   void save(const Config& config,
             const nlohmann::ordered_json& measured) const;  // any thread; OwnFailure when it cannot be written
@@ -35,6 +38,9 @@ class MeasurementStore {
   std::filesystem::path folder_;
   nlohmann::ordered_json view_;  // the key's part that all configurations share
 };
+
+// A hash of a text.
+std::string hash_of_text(const std::string& text);
 
 // A hash of the contents of all files of a folder with this extension, and of their names.
 std::string hash_of_files(const std::filesystem::path& folder, const std::string& extension);

@@ -66,6 +66,10 @@ TEST(Chart, PointsLieWhereTheirSeriesSays) {
                   {.name = "front", .values = {61}, .outlined = true, .x = {950}, .labels = {"b"}}};
   EXPECT_EQ(marks(chart), 3);
   EXPECT_EQ(count(charts_svg({chart}), "<path"), 1);  // only what is outlined is joined
+  EXPECT_EQ(count(charts_svg({chart}), ">b<"), 0);
+  chart.series[1].named = true;
+  EXPECT_EQ(count(charts_svg({chart}), ">b<"), 1);
+  EXPECT_EQ(marks(chart), 3);
   chart.series[0].labels.pop_back();
   EXPECT_THROW(charts_svg({chart}), std::invalid_argument);
   chart.series = {};

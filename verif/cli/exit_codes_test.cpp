@@ -165,8 +165,8 @@ TEST_F(ExitCodes, TwoForAPictureThatDoesNotFitInMemory) {
   for (const std::string& arguments :
        {"sim" + view, "sim" + view + "--no-rtl --no-truth", "render" + view, "explain" + view + "--pixel 1,1",
         "ladder" + view, "profile" + view, "timeline" + view + "--out t.json", "sweep" + view + "--engine rtl",
-        "fidelity" + view, "accuracy" + view, "effects" + view, "silicon" + view, "model" + view + "--check",
-        std::string("stress --size 16384x16384")}) {
+        "fidelity" + view, "accuracy" + view, "tradeoff" + view, "effects" + view, "silicon" + view,
+        "model" + view + "--check", std::string("stress --size 16384x16384")}) {
     SCOPED_TRACE(arguments);
     expect_one_line(run(arguments, "ulimit -v 4000000; "), 2, "16384x16384 pixels would take ");
   }

@@ -172,6 +172,37 @@ TEST(Truth, WindowIsTheCropOfTheWholePicture) {
   EXPECT_THROW(render_truth(scene, camera, outside), std::invalid_argument);
 }
 
+// Each Gaussian is told the largest weight that it has at a pixel; the picture is the same.
+TEST(Truth, TheLargestWeightIsThatOfSomePixelAndChangesNoPicture) {
+  const Scene scene = generate_scene(5, 4000);
+  Camera camera = generated_cameras()[0];
+  camera.width = 40, camera.height = 30;
+  camera.fx = camera.fy = 35;
+  camera.cx = 19.5, camera.cy = 14.5;
+  const Image plain = render_truth(scene, camera, {});
+  std::vector<float> largest(scene.gaussians.size()), wanted(scene.gaussians.size());
+  TruthOptions options;
+  options.largest_weight = &largest;
+  const Image image = render_truth(scene, camera, options);
+  EXPECT_EQ(image.rgb, plain.rgb);
+  EXPECT_EQ(image.transmittance, plain.transmittance);
+  EXPECT_EQ(image.blended, plain.blended);
+  for (int y = 0; y < camera.height; ++y) {
+    for (int x = 0; x < camera.width; ++x) {
+      for (const TruthStep& step : explain_truth(scene, camera, {}, x, y))
+        wanted[step.index] = std::max(wanted[step.index], static_cast<float>(step.weight));
+    }
+  }
+  EXPECT_EQ(largest, wanted);
+  largest[0] = 2;  // raised, never lowered
+  render_truth(scene, camera, options);
+  EXPECT_EQ(largest[0], 2);
+  for (const std::size_t length : {scene.gaussians.size() - 1, scene.gaussians.size() + 1, std::size_t{0}}) {
+    largest.resize(length);
+    EXPECT_THROW(render_truth(scene, camera, options), std::invalid_argument) << length;
+  }
+}
+
 TEST(Truth, ExplainAddsUpToThePixelAndThreadsDoNotMatter) {
   const Scene scene = generate_scene(6, 4000);
   Camera camera = generated_cameras()[1];

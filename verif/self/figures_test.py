@@ -87,6 +87,9 @@ def lint_finds():
 def copy_into(folder):
     shutil.copytree(ROOT / "docs", Path(folder) / "docs", ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(ROOT / "synth/data", Path(folder) / "synth/data")
+    points = Path(folder) / "sim/design"  # whose settings data carry a hash of
+    points.mkdir(parents=True)
+    shutil.copy(ROOT / "sim/design/design_points.def", points)
     shutil.copy(ROOT / "README.md", folder)
 
 

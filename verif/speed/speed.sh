@@ -13,7 +13,8 @@ build=$(realpath "${BUILD:-build}")
 point=${1:-fast} config=${2-}
 variants=("${@:3}")
 if [ ${#variants[@]} = 0 ]; then
-  variants=(+apart + +apart+noasserts +noasserts +noasserts+cxx=-march=native)
+  any=cxx=-march=x86-64
+  variants=("+apart+$any" "+$any" + "+apart+noasserts+$any" +noasserts)
 fi
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT

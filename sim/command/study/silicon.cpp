@@ -87,6 +87,8 @@ int silicon(const SiliconArguments& arguments) {
   std::vector<SiliconPoint> design_points, halves;  // of these, with half as many units
   std::vector<Enables> enables;                     // of each, where energy is asked for
   for (const SimulateOptions& one : options) {
+    std::optional<Config> half;
+    if (arguments.equal_area > 0) half = half_of(one.config);
     const std::string name = config_difference(one.config), design_point = design_point_name(one.config);
     const Synth synth = synth_of(arguments, one.config);
     if (!arguments.no_energy) {
@@ -94,10 +96,9 @@ int silicon(const SiliconArguments& arguments) {
       enables.push_back(read_enables(folder / "enables.json", one.config));
     }
     design_points.push_back({design_point.empty() ? name : design_point, synth, silicon_rows(one.config, synth, law)});
-    if (arguments.equal_area == 0) continue;
-    const Config half = half_of(one.config);
-    const Synth half_synth = synth_of(arguments, half);
-    halves.push_back({half_synth.configuration, half_synth, silicon_rows(half, half_synth, law)});
+    if (!half) continue;
+    const Synth half_synth = synth_of(arguments, *half);
+    halves.push_back({half_synth.configuration, half_synth, silicon_rows(*half, half_synth, law)});
   }
   for (size_t i = 0; i < design_points.size(); ++i) {
     const Config& config = options[i].config;

@@ -4,7 +4,7 @@ from data import data
 from formats import fixed, group, mean, percent, table, times
 from measurements import FOUR, points_of
 
-MEASURED = ["ladder/*", "sweep/*", "results/terrace_0", "what_if/terrace/alpha_lines*"]
+MEASURED = ["ladder/*", "equal_area/*", "sweep/*", "results/terrace_0", "what_if/terrace/alpha_lines*"]
 PAPER = {"baseline": ("1.00", "7.48"), "dpc": ("-", "5.71"), "tspp": ("2.33", "1.83"), "dop": ("2.85", "-")}
 SWEPT = ("baseline", "dop", "exact")
 
@@ -51,6 +51,30 @@ def ladder(scene):
         ],
         rows,
     )
+
+
+def fair(scene):
+    """Each design point at the clock that it reaches, for its area, and at an area that all have."""
+    found = data.equal_area[scene]
+    base = found.baseline
+    rows = [
+        [
+            f"`{point}`",
+            fixed(row.ghz, 3),
+            fixed(row.us, 0),
+            times(base.us / row.us),
+            fixed(row.mm2, 2),
+            fixed(row.fps_per_mm2, 0),
+            times(row.fps_per_mm2 / base.fps_per_mm2),
+            fixed(row.equal.us, 0),
+            times(base.equal.us / row.equal.us),
+        ]
+        for point in points_of(found)
+        for row in [found[point]]
+    ]
+    area = f"us at {base.equal.mm2} mm2"
+    head = ["design point", "GHz", "us", "speed-up", "mm2", "frames/s/mm2", "over baseline", area, "speed-up"]
+    return table(head, rows)
 
 
 def built_of():

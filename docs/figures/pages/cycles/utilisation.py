@@ -2,9 +2,9 @@
 """Tables of docs/cycles/utilisation.md."""
 from data import data
 from formats import change, fixed, group, mean, table, thousands
-from measurements import FOUR, LARGE, STEPS, WHAT_IF
+from measurements import COSTED, FOUR, LARGE, STEPS, WHAT_IF
 
-MEASURED = ["ladder/*", "what_if/*", "steps/*", "large/*", "lanes/*", "results/statue_0"]
+MEASURED = ["ladder/*", "what_if/*", "steps/*", "costs/*", "large/*", "lanes/*", "results/statue_0"]
 TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
 VIEWS = {
     "own": ("60k Gaussians, SH 3", "1024x768"),
@@ -73,6 +73,26 @@ def steps():
     over = [data.ladder[scene].baseline.cycles / data.steps[scene].fast.cycles for scene in FOUR]
     rows += [["times as fast as `baseline`", *[fixed(ratio, 2) for ratio in over]]]
     return table(["each step adds to the one before", *TITLES.values()], rows)
+
+
+def costs():
+    """Our own scene: area, longest path and energy, step by step; steps that were measured."""
+    rows = [
+        [
+            what,
+            fixed(point.mm2, 3),
+            fixed(point.path_ps, 0),
+            group(point.chip_uj),
+            group(point.dram_uj),
+            group(point.frames_per_joule),
+            group(point.frames_per_joule_with_dram),
+        ]
+        for name, (what, _) in COSTED.items()
+        if name in data.costs
+        for point in [data.costs[name]]
+    ]
+    head = ["mm2", "longest path, ps", "uJ of the chip", "uJ of DRAM", "frames/J", "with DRAM"]
+    return table(["each step adds to the one before", *head], rows)
 
 
 def large():
