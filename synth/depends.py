@@ -6,6 +6,8 @@ knob.
 Idea    A block depends on a knob when its elaborated text changes with it, but for the order of its lines and the
         numbers of nameless signals, which Yosys gives out anew. Nothing is mapped, so this is exact and cheap, and the
         area model's least squares (sim/study/silicon/area/area_model.hpp) never lays one knob's area on another.
+Rule    What there is once in each unit, or in each PU that fetches, and is so with any number of them, does not depend
+        on that number. A knob that a design point cannot take is none of it.
 """
 import argparse
 import collections
@@ -19,24 +21,25 @@ import points
 import synth
 from jobs import Failed, Jobs
 
-# Every knob of `pipegs accuracy` that moves gates, at a value that none of DESIGN_POINTS has. Without spherical
-# harmonics whole blocks are gone.
+# Every knob that moves gates: of `pipegs accuracy`, of `pipegs shapes`, and of the design points. Each at a value that
+# none of DESIGN_POINTS has, or at each of its values where it has no more. Without spherical harmonics whole blocks are
+# gone.
 KNOBS = [
-    "coeff_f=24",
+    "coeff_f=22",
     "power_f=16",
     "window=32",
     "mean_f=10",
-    "mantissa_w=22",
+    "mantissa_w=24",
     "exp_index_w=5",
     "exp_linear=0",
-    "alpha_w=10",
+    "alpha_w=9",
     "t_w=16",
     "color_w=10",
     "rgb_w=14",
     "alpha_cut=128",
     "t_cut=1000",
     "depth_w=20",
-    "pos_w=18",
+    "pos_w=16",
     "quat_w=14",
     "scale_m_w=10",
     "opacity_f=10",
@@ -47,17 +50,53 @@ KNOBS = [
     "tile_test=0",
     "grid=2",
     "records=512",
+    "units=2",
+    "fronts=1",
+    "group=8",
+    "tests=1",
+    "tests=2",
+    "tight_cull=0",
+    "tight_cull=1",
+    "tight_boxes=0",
+    "tight_boxes=1",
+    "pixel_w=32",
+    "pixel_w=64",
+    "bucket_bits=4",
+    "nearest_nodes=256",
+    "mark_chunks=4",
 ]
-DESIGN_POINTS = ["exact", "dop", "baseline"]  # together they hold every block of points.csv
+DESIGN_POINTS = ["fast", "exact", "dop", "baseline"]  # together they hold every block of points.csv
 
 
 def digests(modules):
-    """{block: digests of the modules that it holds}"""
-    texts = collections.defaultdict(list)
+    """{block: how many modules with which digest it holds}"""
+    texts = collections.defaultdict(collections.Counter)
     for module, _, block, _ in points.instances(modules):
         lines = sorted(re.sub(r"\$\d+", "$", line) for line in module.text().splitlines())
-        texts[block].append(hashlib.sha256("\n".join(lines).encode()).hexdigest())
-    return {block: sorted(found) for block, found in texts.items()}
+        texts[block][hashlib.sha256("\n".join(lines).encode()).hexdigest()] += 1
+    return texts
+
+
+def package_with(build, design_point, knob):
+    """The package of a design point with a knob at this value; None when it cannot take it."""
+    try:
+        return points.package(build, f"{design_point} {knob}")
+    except Failed:
+        return None
+
+
+def copies(package):
+    """How often what stands in each unit, and in each PU that fetches, does: the area model multiplies by them."""
+    return [int(re.search(rf"\b{name} += (\d+);", package)[1]) for name in ("Units", "PuFronts")]
+
+
+def depends(base, moved, of_base, of_moved):
+    """Whether a block's text changes, or how many of it there are by anything but the number of units or fronts."""
+    ratios = [(1, 1), *zip(of_base, of_moved)]
+    return not any(
+        base.keys() == moved.keys() and all(moved[text] * old == base[text] * new for text in base)
+        for old, new in ratios
+    )
 
 
 def main():
@@ -68,14 +107,18 @@ def main():
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), 1)
     found, line = collections.defaultdict(set), points.csv_line("synth/data/depends.csv")
     for design_point in DESIGN_POINTS:
-        base = digests(points.elaborated(jobs, options.build, design_point)[1])
+        own = points.package(options.build, design_point)
+        base = digests(points.elaborated(jobs, own)[1])
         for block in base:
             found[block] |= set()
         for number, knob in enumerate(KNOBS, 1):
+            printed = package_with(options.build, design_point, knob)
+            if printed in (None, own):
+                continue
             print(f"{design_point}: {number} of {len(KNOBS)}: {knob}", flush=True)
-            moved = digests(points.elaborated(jobs, options.build, f"{design_point} {knob}")[1])
+            moved = digests(points.elaborated(jobs, printed)[1])
             for block in base:
-                if moved.get(block) != base[block]:
+                if depends(base[block], moved.get(block, {}), copies(own), copies(printed)):
                     found[block].add(knob.split("=")[0])
             synth.write_new(
                 options.out,

@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""points.py: synthesises configurations around two design points into synth/data/points.csv, which the area model
-interpolates (sim/study/silicon/area/area_model.hpp).
+"""points.py: synthesises configurations around three design points into synth/data/points.csv and paths.csv, which the
+models of area and clock interpolate (sim/study/silicon/area: area_model.hpp, path_model.hpp).
 
 Idea    A row is a block of the machine in one configuration: a module with what it holds of rtl/lib. A block depends on
         few knobs, so few configurations tell them apart: those in which knobs move that seldom meet in a block, then
-        some in which all move. What a change leaves alone comes out of the cache, and nothing is timed.
-Rule    Areas are those of `make synth`, buffers included, memories not; of all instances in the machine.
+        some in which all move. What a change leaves alone comes out of the cache. Timed are the four units, each of
+        their variants, and the machine: what a clock is made of.
+Rule    Areas are those of `make synth`, buffers included, memories not; of all instances in the machine. A path is the
+        longest between registers, in FO4 delays of the library, as in `make synth`.
 """
 import argparse
 import collections
+import functools
 import glob
 import os
 import re
@@ -21,12 +24,15 @@ import liberty
 import report
 import rtlil
 import synth
+import timing
 from jobs import Failed, Jobs
 
 sys.path.append(f"{synth.ROOT}/docs/figures")
 from sources import csv_line  # noqa: E402  (what tables are measured with)
 
 HEAD = "configuration,unit,block,instances,nand2,flipflops"
+PATHS_HEAD = "configuration,unit,path_fo4"
+TIMED = {base: unit for base, unit in report.UNITS.items() if unit in ("dopu", "pu", "su", "ru")} | {synth.TOP: "top"}
 
 
 def settings(text):
@@ -52,17 +58,50 @@ def instances(modules):
     yield from visit(modules[synth.TOP], "top", synth.TOP)
 
 
-def elaborated(jobs, build, text):
-    """The name of a configuration, and its modules."""
+def package(build, text):
+    """The package of a configuration; Failed when it is none."""
     printed = subprocess.run([f"{build}/cpp_model/package_sv", *settings(text)], capture_output=True, text=True)
     if printed.returncode != 0:
-        raise Failed(printed.stderr.strip())
-    return re.search(r"Configuration: (\S+)\.", printed.stdout)[1], synth.elaborate(jobs, printed.stdout)
+        raise Failed(f"{text}: {printed.stderr.strip()}")
+    return printed.stdout
+
+
+def elaborated(jobs, printed):
+    """The name of a configuration, and its modules; printed: its package."""
+    return re.search(r"Configuration: (\S+)\.", printed)[1], synth.elaborate(jobs, printed)
+
+
+def longest_paths(machine, modules, netlists):
+    """{unit: FO4}: the longest path of any of its variants, and of the whole machine."""
+    memories = [module for module in modules.values() if module.base == rtlil.MEMORY]
+    gates = [module for module in modules.values() if module.base == rtlil.GATE]
+    models = liberty.models(memories, gates, machine.library, machine.access, machine.setup)
+    machine.verilog = {name: gate.verilog(name) for name, gate in netlists.items() if modules[name] not in gates}
+    timed = {name: module for name, module in modules.items() if module.base in TIMED}
+    parts = {
+        name: [part.name for part in module.below() if part.name in machine.verilog] for name, module in timed.items()
+    }
+    folders = machine.jobs.each(
+        "timing",
+        [
+            (
+                name,
+                sum(len(machine.verilog[part]) for part in parts[name]),
+                functools.partial(machine.time, module, parts[name], models),
+            )
+            for name, module in timed.items()
+        ],
+    )
+    longest = collections.defaultdict(float)
+    for name, folder in folders.items():
+        unit, path = TIMED[timed[name].base], timing.read(f"{folder}/log")["registers"]
+        longest[unit] = max(longest[unit], path.ns / machine.fo4 if path else 0)
+    return dict(sorted(longest.items()))
 
 
 def point(machine, build, text):
-    """The table's lines of one configuration."""
-    configuration, modules = elaborated(machine.jobs, build, text)
+    """The lines of one configuration in both tables."""
+    configuration, modules = elaborated(machine.jobs, package(build, text))
     netlists = machine.netlists(modules, [synth.TOP])
     areas = {name: gate.area(machine.library) / machine.library.nand.area for name, gate in netlists.items()}
     flipflops = {name: gate.flipflops(machine.library) for name, gate in netlists.items()}
@@ -72,20 +111,25 @@ def point(machine, build, text):
         row[0] += own
         row[1] += areas[module.name]
         row[2] += flipflops[module.name]
-    return [
+    blocks = [
         f'"{configuration}",{unit},{block},{count},{nand2:.0f},{flops}'
         for (unit, block), (count, nand2, flops) in sorted(rows.items())
     ]
+    paths = longest_paths(machine, modules, netlists)
+    return blocks, [f'"{configuration}",{unit},{fo4:.2f}' for unit, fo4 in paths.items()]
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Synthesises the points of the area model into synth/data/points.csv.")
+    parser = argparse.ArgumentParser(
+        description="Synthesises the points of the models of area and clock into synth/data/points.csv and paths.csv."
+    )
     parser.add_argument(
         "--liberty", default="/usr/share/qflow/tech/osu018/osu018_stdcells.lib", help="the library, .gz too"
     )
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="programs at once")
     parser.add_argument("--build", default="build", help="build folder; holds cpp_model/package_sv")
-    parser.add_argument("--out", default=f"{synth.HERE}/data/points.csv", help="the table")
+    parser.add_argument("--out", default=f"{synth.HERE}/data/points.csv", help="the table of areas")
+    parser.add_argument("--paths", default=f"{synth.HERE}/data/paths.csv", help="the table of longest paths")
     parser.add_argument("points", nargs="*", help='"POINT key=value ..."; without any those of points.txt')
     options = parser.parse_args()
     with open(f"{synth.HERE}/data/points.txt", encoding="utf-8") as file:
@@ -95,10 +139,14 @@ def main():
         Jobs(os.path.abspath(f"{options.build}/synth/cache"), options.jobs), liberty.Library(options.liberty), 20
     )
     lines = [csv_line("synth/data/points.csv"), HEAD]  # the sources of now: what changes meanwhile is not in it
+    path_lines = [csv_line("synth/data/paths.csv"), PATHS_HEAD]
     for number, text in enumerate(points, 1):
         print(f"{number} of {len(points)}: {text}", flush=True)
-        lines += point(machine, options.build, text)
+        blocks, paths = point(machine, options.build, text)
+        lines += blocks
+        path_lines += paths
         synth.write_new(options.out, "\n".join(lines) + "\n")
+        synth.write_new(options.paths, "\n".join(path_lines) + "\n")
 
 
 if __name__ == "__main__":

@@ -398,6 +398,17 @@ def effects_gain(found):
     }
 
 
+def shapes(found):
+    """The wanted area, and what each shape takes; the best within that area and the front by name."""
+    keep = pick("shape", "step", "cycles", "ghz", "us", "extrapolated_area", "fps_per_mm2", "within", "front")
+    rows = [
+        keep(row)
+        | {"mb": row["bytes"] / 1e6, "mm2": row["mm2"]["mid"], "frames_per_joule": row["frames_per_joule_with_dram"]}
+        for row in found["shapes"]
+    ]
+    return pick("mm2", "clock_known", "best")(found) | {"shapes": rows}
+
+
 def budget(found):
     """Percentiles of errors and bounds of random Gaussians."""
     rows = {name: list(of.values()) for name, of in found.items() if ", " in name}
@@ -442,7 +453,18 @@ def leave_one_out(text):
     """What the area and energy models say of a point that they were not fitted to."""
     point = re.compile(r"([+-][\d.]+) % fitted, +([+-][\d.]+) % leave-one-out( \(extrapolated\))?: (\S+)")
     frame = re.compile(r"([+-][\d.]+) % of the chip's (\d+) uJ leave-one-out( \([^)]*\))?: (\w+) (\S+)")
+    path = re.compile(r"([\d.]+) FO4, fitted +([+-][\d.]+) %, leave-one-out +([+-][\d.]+) %( \(extrapolated\))?: (\S+)")
     return {
+        "paths": [
+            {
+                "configuration": name,
+                "fo4": float(fo4),
+                "fitted": float(fitted) / 100,
+                "leave_one_out": float(told) / 100,
+                "extrapolated": bool(beyond),
+            }
+            for fo4, fitted, told, beyond, name in path.findall(text)
+        ],
         "points": [
             {
                 "configuration": name,

@@ -88,6 +88,7 @@ def older_than(content):
 
 CSV = {  # measured tables that programs read: what measured them
     "synth/data/points.csv": ["rtl"],
+    "synth/data/paths.csv": ["rtl"],
     "synth/data/energy.csv": ["rtl", "models"],
     "synth/data/depends.csv": ["rtl"],
 }

@@ -95,5 +95,6 @@ void add_stress(CLI::App& app, Run& run);
 void add_budget(CLI::App& app, Run& run);
 void add_effects(CLI::App& app, Run& run);
 void add_silicon(CLI::App& app, Run& run);
+void add_shapes(CLI::App& app, Run& run);
 
 }  // namespace pipegs

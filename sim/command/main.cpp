@@ -90,6 +90,7 @@ int main(int argc, char** argv) {
   add_budget(app, run);
   add_effects(app, run);
   add_silicon(app, run);
+  add_shapes(app, run);
   add_info(app, run);
   add_split(app, run);
   try {

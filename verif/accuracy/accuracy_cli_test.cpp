@@ -84,10 +84,10 @@ TEST_F(AccuracyCli, TheTargetIsAFileThatEveryCommandReads) {
   EXPECT_NE(high.out.find("not reached"), std::string::npos);
 }
 
-// The area model has no point of a machine like `fast`: nothing is told of its area and energy.
-TEST_F(AccuracyCli, TheDefaultMachineHasAccuracyAndCyclesButNoArea) {
-  const Outcome outcome =
-      run("accuracy scene.ply --cameras cameras.json --knobs alpha_w --points 2 --out acc --target 45dB --json");
+// The area model has no point of a machine like `dpc`: nothing is told of its area, clock and energy.
+TEST_F(AccuracyCli, AMachineThatNoPointIsLikeHasAccuracyAndCyclesButNoArea) {
+  const Outcome outcome = run(
+      "accuracy scene.ply --cameras cameras.json --rung dpc --knobs alpha_w --points 2 --out acc --target 45dB --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   EXPECT_TRUE(json["base"]["silicon"].is_null());
@@ -95,9 +95,27 @@ TEST_F(AccuracyCli, TheDefaultMachineHasAccuracyAndCyclesButNoArea) {
   EXPECT_FALSE(json["front"]["cycles"].empty());
   EXPECT_TRUE(json["front"]["area"].empty());
   EXPECT_TRUE(json["front"]["energy"].empty());
+  EXPECT_TRUE(json["front"]["time"].empty());
   EXPECT_EQ(json["knobs"][0]["sentence"].get<std::string>().find("area"), std::string::npos);
   EXPECT_EQ(xml_fault(text("acc/fronts.svg")), "");
   EXPECT_NE(text("acc/accuracy.csv").find(",,,"), std::string::npos);
+  EXPECT_NE(text("acc/accuracy.txt").find("cycles count at 1 GHz"), std::string::npos);
+}
+
+// What has an area has the keys of a clock, null where no path of the kind is known.
+TEST_F(AccuracyCli, TimeIsCyclesByTheClock) {
+  const Outcome outcome = run(sweep_ + "--json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out), silicon = json["base"]["silicon"];
+  ASSERT_TRUE(silicon.contains("ghz") && silicon.contains("us") && silicon.contains("path_ps"));
+  EXPECT_EQ(silicon["ghz"].is_null(), json["front"]["time"].empty());
+  if (silicon["ghz"].is_null()) {
+    EXPECT_TRUE(silicon["us"].is_null() && silicon["path_ps"].is_null());
+    EXPECT_NE(text("acc/accuracy.txt").find("cycles count at 1 GHz"), std::string::npos);
+  } else {
+    EXPECT_NEAR(silicon["us"].get<double>(), json["base"]["cycles"].get<double>() / silicon["ghz"].get<double>() / 1000,
+                1e-6);
+  }
 }
 
 TEST_F(AccuracyCli, SettingsComeAfterTheFile) {

@@ -17,7 +17,9 @@ double cycles(const MeasuredPoint& point) { return static_cast<double>(point.fig
 double bytes(const MeasuredPoint& point) { return static_cast<double>(point.figures.bytes); }
 
 // "3.12", or "~3.12" beyond what was synthesised or measured.
-std::string told(double value, bool extrapolated) { return fmt::format("{}{:.2f}", extrapolated ? "~" : "", value); }
+std::string told(double value, bool extrapolated, int digits = 2) {
+  return fmt::format("{}{:.{}f}", extrapolated ? "~" : "", value, digits);
+}
 
 // What a knob is judged by: an order knob by the sum of both errors.
 double quality(const Knob& knob, const Accuracy& a) {
@@ -30,25 +32,31 @@ std::string row_text(const std::string& label, const MeasuredPoint& point, const
   if (!a.failure.empty()) return fmt::format("  {:<14}{}\n", label, a.failure);
   return fmt::format(
       "  "
-      "{:<14}{:>8}{:>8}{:>8}{:>9.5f}{:>8.4f}{:>8.4f}{:>9.4f}{:>10}{:>+8.2f}{:>8.1f}{:>7.1f}{:>9.1f}{:>7}{:>7}{:>8.1f}"
-      "\n",
+      "{:<14}{:>8}{:>8}{:>8}{:>9.5f}{:>8.4f}{:>8.4f}{:>9.4f}{:>10}{:>+8.2f}{:>7}{:>9}{:>8.1f}{:>7.1f}{:>9.1f}{:>7}"
+      "{:>7}{:>8.1f}\n",
       label, decibels(a.numeric.psnr), decibels(a.order.psnr), decibels(a.total.psnr), a.total.ssim, a.numeric.max,
       a.numeric.p999, 100 * a.flips.share(), a.cycles,
-      percent(static_cast<double>(a.cycles), static_cast<double>(base.cycles)), static_cast<double>(a.bytes) / 1e6,
-      a.gbps(), a.buffer_kb(), area_text(point), energy_text(point),
+      percent(static_cast<double>(a.cycles), static_cast<double>(base.cycles)), clock_text(point), time_text(point),
+      static_cast<double>(a.bytes) / 1e6, a.gbps(), a.buffer_kb(), area_text(point), energy_text(point),
       a.seconds_golden + a.seconds_truth + a.seconds_trace + a.seconds_model);
 }
 
 std::string front_text(const std::vector<MeasuredPoint>& points, Cost cost, const char* name, const Config& base) {
-  std::string text = fmt::format("\n  front over {}\n  {:>8}{:>8}{:>8}{:>10}{:>8}{:>9}{:>7}{:>7}  configuration\n",
-                                 name, "numeric", "order", "total", "cycles", "MB", "buf KB", "mm2", "mJ");
+  std::string text = fmt::format("\n  front over {}\n  {:>8}{:>8}{:>8}{:>10}{:>9}{:>8}{:>9}{:>7}{:>7}  configuration\n",
+                                 name, "numeric", "order", "total", "cycles", "us", "MB", "buf KB", "mm2", "mJ");
   for (const MeasuredPoint* point : pareto_front(points, cost)) {
     const Accuracy& a = point->figures;
-    text += fmt::format("  {:>8}{:>8}{:>8}{:>10}{:>8.1f}{:>9.1f}{:>7}{:>7}  {}\n", decibels(a.numeric.psnr),
-                        decibels(a.order.psnr), decibels(a.total.psnr), a.cycles, static_cast<double>(a.bytes) / 1e6,
-                        a.buffer_kb(), area_text(*point), energy_text(*point), difference(point->config, base));
+    text += fmt::format("  {:>8}{:>8}{:>8}{:>10}{:>9}{:>8.1f}{:>9.1f}{:>7}{:>7}  {}\n", decibels(a.numeric.psnr),
+                        decibels(a.order.psnr), decibels(a.total.psnr), a.cycles, time_text(*point),
+                        static_cast<double>(a.bytes) / 1e6, a.buffer_kb(), area_text(*point), energy_text(*point),
+                        difference(point->config, base));
   }
   return text;
+}
+
+bool clock_known(const std::vector<MeasuredPoint>& points) {
+  return std::any_of(points.begin(), points.end(),
+                     [](const MeasuredPoint& point) { return has_cost(point, Cost::kTime); });
 }
 
 // Every measured row: knob, label, point.
@@ -92,6 +100,13 @@ std::string area_text(const MeasuredPoint& point) {
 }
 std::string energy_text(const MeasuredPoint& point) {
   return point.silicon ? told(point.silicon->joules() * 1e3, point.silicon->extrapolated_energy) : "-";
+}
+
+std::string clock_text(const MeasuredPoint& point) {
+  return has_cost(point, Cost::kTime) ? told(*point.silicon->ghz(), point.silicon->extrapolated_path, 3) : "-";
+}
+std::string time_text(const MeasuredPoint& point) {
+  return has_cost(point, Cost::kTime) ? told(point.silicon->us, point.silicon->extrapolated_path, 1) : "-";
 }
 
 std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf"; }
@@ -162,9 +177,10 @@ std::string knob_sentence(const SweptKnob& swept) {
 
 std::string accuracy_text(const AccuracySweep& sweep) {
   const Accuracy& base = sweep.base.figures;
-  std::string text = fmt::format(
-      "  {:<14}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>9}{:>10}{:>8}{:>8}{:>7}{:>9}{:>7}{:>7}{:>8}\n", "", "numeric", "order",
-      "total", "SSIM", "max", "99.9 %", "flips %", "cycles", "%", "MB", "GB/s", "buf KB", "mm2", "mJ", "host s");
+  std::string text =
+      fmt::format("  {:<14}{:>8}{:>8}{:>8}{:>9}{:>8}{:>8}{:>9}{:>10}{:>8}{:>7}{:>9}{:>8}{:>7}{:>9}{:>7}{:>7}{:>8}\n",
+                  "", "numeric", "order", "total", "SSIM", "max", "99.9 %", "flips %", "cycles", "%", "GHz", "us", "MB",
+                  "GB/s", "buf KB", "mm2", "mJ", "host s");
   text += row_text("base", sweep.base, base);
   for (const SweptKnob& knob : sweep.knobs) {
     text += fmt::format("\n  {}: {}\n", knob.knob->name, knob.knob->what);
@@ -178,6 +194,7 @@ std::string accuracy_text(const AccuracySweep& sweep) {
   if (!sweep.skipped.empty()) text += "\n";
   const std::vector<MeasuredPoint> all = sweep.all();
   text += front_text(all, Cost::kCycles, "cycles", sweep.base.config) +
+          (clock_known(all) ? front_text(all, Cost::kTime, "time", sweep.base.config) : "") +
           front_text(all, Cost::kBytes, "bytes", sweep.base.config) +
           front_text(all, Cost::kBuffers, "buffers", sweep.base.config) +
           front_text(all, Cost::kArea, "area", sweep.base.config) +
@@ -187,6 +204,8 @@ std::string accuracy_text(const AccuracySweep& sweep) {
       "them, interpolated (docs/numerics/accuracy.md); ~: beyond what was synthesised or measured,\n"
       "  -: no machine of the kind was\n",
       100 * sweep.flips_sampled);
+  text += clock_known(all) ? "  GHz: what the longest path allows, 28 nm, mid, interpolated; us: cycles / GHz\n"
+                           : "  GHz: no longest path of such a machine is known, so cycles count at 1 GHz\n";
   return text + fmt::format("  {} points measured in {:.0f} s, {} taken from the folder\n", sweep.computed,
                             sweep.seconds, sweep.kept);
 }
@@ -195,20 +214,21 @@ std::string accuracy_csv(const AccuracySweep& sweep) {
   std::string text =
       "knob,value,configuration,numeric_db,order_db,total_db,numeric_ssim,order_ssim,total_ssim,numeric_max,numeric_"
       "p999,total_max,total_p999,"
-      "decisions,flipped,cycles,ms_at_1ghz,bytes,gbps,buffer_bytes,mm2,chip_mj,dram_mj,golden_s,truth_s,trace_s,model_"
-      "s\n";
+      "decisions,flipped,cycles,ms_at_1ghz,bytes,gbps,buffer_bytes,mm2,chip_mj,dram_mj,ghz,us,golden_s,truth_s,trace_s,"
+      "model_s\n";
   each_row(sweep, [&](const std::string& knob, const std::string& label, const MeasuredPoint& point) {
     const Accuracy& a = point.figures;
     if (!a.failure.empty()) return;
     text += fmt::format(
         "{},{},{},{:.4f},{:.4f},{:.4f},{:.7f},{:.7f},{:.7f},{:.6f},{:.6f},{:.6f},{:.6f},{},{},{},{:.6f},{},{:.3f},{},"
-        "{},{:.3f},{:.3f},{:.3f},{:.3f}\n",
+        "{},{},{:.3f},{:.3f},{:.3f},{:.3f}\n",
         knob, label, difference(point.config, Config{}), a.numeric.psnr, a.order.psnr, a.total.psnr, a.numeric.ssim,
         a.order.ssim, a.total.ssim, a.numeric.max, a.numeric.p999, a.total.max, a.total.p999, a.flips.decisions,
         a.flips.flipped, a.cycles, static_cast<double>(a.cycles) * 1e-6, a.bytes, a.gbps(), a.buffer_bits / 8,
         point.silicon ? fmt::format("{:.4f},{:.5f},{:.5f}", point.silicon->mm2.mid, point.silicon->chip.mid * 1e3,
                                     point.silicon->dram.mid * 1e3)
                       : ",,",
+        has_cost(point, Cost::kTime) ? fmt::format("{:.4f},{:.3f}", *point.silicon->ghz(), point.silicon->us) : ",",
         a.seconds_golden, a.seconds_truth, a.seconds_trace, a.seconds_model);
   });
   return text;
@@ -226,7 +246,16 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
                          {"chip_mj", range(silicon->chip, 1e3)},
                          {"dram_mj", range(silicon->dram, 1e3)},
                          {"extrapolated_area", silicon->extrapolated_area},
-                         {"extrapolated_energy", silicon->extrapolated_energy}};
+                         {"extrapolated_energy", silicon->extrapolated_energy},
+                         {"path_ps", nullptr},
+                         {"ghz", nullptr},
+                         {"us", nullptr}};
+      if (has_cost(point, Cost::kTime)) {
+        json["silicon"].update({{"path_ps", range(kFo4Ps, *silicon->path_fo4)},
+                                {"ghz", *silicon->ghz()},
+                                {"us", silicon->us},
+                                {"extrapolated_path", silicon->extrapolated_path}});
+      }
     } else if (point.figures.failure.empty()) {
       json["silicon"] = nullptr;
     }
@@ -251,6 +280,7 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
   for (const MeasuredPoint& point : sweep.together) json["together"].push_back(row(point));
   const std::vector<MeasuredPoint> all = sweep.all();
   for (const auto& [name, cost] : {std::pair{"cycles", Cost::kCycles},
+                                   {"time", Cost::kTime},
                                    {"bytes", Cost::kBytes},
                                    {"buffers", Cost::kBuffers},
                                    {"area", Cost::kArea},
@@ -264,11 +294,15 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
 }
 
 std::vector<Chart> front_charts(const AccuracySweep& sweep) {
-  return {front_chart(sweep, Cost::kCycles, "Accuracy against cycles", "kilocycles of the frame"),
-          front_chart(sweep, Cost::kBytes, "Accuracy against memory traffic", "MB a frame"),
-          front_chart(sweep, Cost::kBuffers, "Accuracy against buffers", "KB of SRAM"),
-          front_chart(sweep, Cost::kArea, "Accuracy against area", "mm2 in 28 nm, mid, interpolated"),
-          front_chart(sweep, Cost::kEnergy, "Accuracy against energy", "mJ a frame with DRAM, mid, interpolated")};
+  std::vector<Chart> charts = {
+      front_chart(sweep, Cost::kCycles, "Accuracy against cycles", "kilocycles of the frame"),
+      front_chart(sweep, Cost::kBytes, "Accuracy against memory traffic", "MB a frame"),
+      front_chart(sweep, Cost::kBuffers, "Accuracy against buffers", "KB of SRAM"),
+      front_chart(sweep, Cost::kArea, "Accuracy against area", "mm2 in 28 nm, mid, interpolated"),
+      front_chart(sweep, Cost::kEnergy, "Accuracy against energy", "mJ a frame with DRAM, mid, interpolated")};
+  if (clock_known(sweep.all()))
+    charts.insert(charts.begin() + 1, front_chart(sweep, Cost::kTime, "Accuracy against time", "us of a frame"));
+  return charts;
 }
 
 Chart knob_chart(const SweptKnob& knob) {

@@ -18,13 +18,16 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep);
 // What the knob's last decibel costs: one sentence.
 std::string knob_sentence(const SweptKnob& knob);
 
-// The fronts: numeric PSNR over cycles, bytes, buffers, area and energy.
+// The fronts: numeric PSNR over cycles, bytes, buffers, area and energy; over time where a clock is known.
 std::vector<Chart> front_charts(const AccuracySweep& sweep);
 Chart knob_chart(const SweptKnob& knob);
 
 // mm2 and mJ of a frame with DRAM, mid; with ~ when extrapolated.
 std::string area_text(const MeasuredPoint& point);
 std::string energy_text(const MeasuredPoint& point);
+// GHz that the longest path allows, with ~ when extrapolated, and us of a frame; "-" where no path is known.
+std::string clock_text(const MeasuredPoint& point);
+std::string time_text(const MeasuredPoint& point);
 
 // "65.2", "inf"
 std::string decibels(double psnr);

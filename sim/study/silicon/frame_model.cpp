@@ -15,7 +15,6 @@ namespace pipegs {
 namespace {
 
 constexpr const char* kHeader = "scene,configuration,cycles,bytes,row,kilo_nand2,frame_uj";
-constexpr double kHz = 1e9;
 constexpr const char* kRows[] = {"DOPU", "PU", "SU", "RU", "Other"};
 
 std::string row_of(const std::string& unit) {
@@ -26,9 +25,7 @@ std::string row_of(const std::string& unit) {
 // What one read of every SRAM takes: how an access grows with the configuration.
 Range read_of_each(const Config& config, const SramLaw& law) { return sram_sum(config, law, &SramFigures::read_pj); }
 
-bool same_design_point(const Config& a, const Config& b) {
-  return a.late == b.late && a.order == b.order && a.quadratic == b.quadratic;
-}
+bool same_design_point(const Config& a, const Config& b) { return kind_of(a) == kind_of(b); }
 
 }  // namespace
 
@@ -86,13 +83,13 @@ MeasuredFrame measured_frame(const std::string& scene, const Config& config, con
   return frame;
 }
 
-FrameModel::FrameModel(AreaModel area, SramLaw law, std::vector<MeasuredFrame> frames)
-    : area_(std::move(area)), law_(std::move(law)), frames_(std::move(frames)) {}
+FrameModel::FrameModel(AreaModel area, PathModel paths, SramLaw law, std::vector<MeasuredFrame> frames)
+    : area_(std::move(area)), paths_(std::move(paths)), law_(std::move(law)), frames_(std::move(frames)) {}
 
 FrameModel FrameModel::without(size_t frame) const {
   std::vector<MeasuredFrame> rest = frames_;
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(frame));
-  return {area_, law_, rest};
+  return {area_, paths_, law_, rest};
 }
 
 bool FrameModel::measured(const Config& config) const {
@@ -130,17 +127,21 @@ std::optional<FrameCost> FrameModel::cost(const Config& config, uint64_t cycles,
   FrameCost cost;
   cost.mm2 = kNand2Um2 * (all * 1e-6) + sram_sum(config, law_, &SramFigures::area_mm2);
   const Range leakage = kNand2LeakageNw * (all * 1e-9) + sram_sum(config, law_, &SramFigures::leak_mw) * 1e-3;
-  cost.chip = dynamic(config, kilo_nand2, cycles) + leakage * (static_cast<double>(cycles) / kHz);
+  cost.path_fo4 = paths_.fo4(config);
+  cost.us = static_cast<double>(cycles) / (1e3 * cost.ghz().value_or(1));
+  cost.chip = dynamic(config, kilo_nand2, cycles) + leakage * (cost.us * 1e-6);
   cost.dram = kDramPjPerBit * (8e-12 * static_cast<double>(bytes));
   cost.extrapolated_area = !area_.inside(config);
+  cost.extrapolated_path = cost.path_fo4 && !paths_.inside(config);
   cost.extrapolated_energy = cost.extrapolated_area || !measured(config);
   return cost;
 }
 
 FrameModel read_frame_model() {
   const std::filesystem::path folder = PIPEGS_SOURCE_DIR "/synth/data";
-  return {AreaModel(read_area_points(folder / "points.csv"), read_dependences(folder / "depends.csv")),
-          SramLaw(folder / "sram.csv"), read_frames(folder / "energy.csv")};
+  const AreaModel area(read_area_points(folder / "points.csv"), read_dependences(folder / "depends.csv"));
+  return {area, PathModel(read_path_points(folder / "paths.csv"), area.unit_knobs()), SramLaw(folder / "sram.csv"),
+          read_frames(folder / "energy.csv")};
 }
 
 }  // namespace pipegs

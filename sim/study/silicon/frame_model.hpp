@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// frame_model.hpp: area of any configuration and energy of any frame, interpolated, without synthesis and without RTL.
+// frame_model.hpp: area and clock of any configuration, time and energy of any frame, interpolated, without synthesis
+// and without RTL.
 //
-// Idea    Area: gates from the area model, SRAMs from their law, which is exact. Energy of a frame: a unit's gates take
+// Idea    Area: gates from the area model, SRAMs from their law, which is exact. Clock: what the longest path of the
+//         path model allows, above 1 GHz too; a frame takes cycles / clock. Energy of a frame: a unit's gates take
 //         so many joules for each NAND2 and cycle of the frame, an SRAM access so many for what an access costs there:
 //         rates of frames that `pipegs silicon` has measured (synth/data/energy.csv), mean over those of the same
 //         design point. Leakage follows area and cycles, DRAM follows bytes.
 // Rule    A design point of which no frame was measured takes the mean over all design points; that is extrapolated,
-//         like areas beyond the points.
+//         like areas beyond the points. Where no path of the kind is known, time counts at 1 GHz.
 // Trust   Rates differ from scene to scene and design point to design point: docs/numerics/accuracy.md has
 //         the leave-one-out errors.
-// Units   mm2, J of a frame at 1 GHz and full speed; ranges of process.hpp.
+// Units   mm2, us, J of a frame at full speed; ranges of process.hpp.
 // Errors  InputError: a table is missing or broken.
 #pragma once
 
@@ -20,6 +22,7 @@
 #include <vector>
 
 #include "sim/study/silicon/area/area_model.hpp"
+#include "sim/study/silicon/area/path_model.hpp"
 #include "sim/study/silicon/energy/energy.hpp"
 
 namespace pipegs {
@@ -37,16 +40,19 @@ MeasuredFrame measured_frame(const std::string& scene, const Config& config, con
                              const std::vector<SiliconRow>& area, const std::vector<EnergyRow>& energy);
 
 struct FrameCost {
-  Range mm2;         // gates and SRAMs
-  Range chip, dram;  // J, leakage in the chip's
-  bool extrapolated_area = false, extrapolated_energy = false;
+  Range mm2;                                      // gates and SRAMs
+  Range chip, dram;                               // J, leakage in the chip's
+  std::optional<double> path_fo4 = std::nullopt;  // the longest; none where no path of such a machine is known
+  double us = 0;                                  // cycles / clock, at 1 GHz where that is not known
+  bool extrapolated_area = false, extrapolated_energy = false, extrapolated_path = false;
 
+  std::optional<double> ghz() const { return path_fo4 ? std::optional(1e3 / (*path_fo4 * kFo4Ps.mid)) : std::nullopt; }
   double joules() const { return chip.mid + dram.mid; }
 };
 
 class FrameModel {
  public:
-  FrameModel(AreaModel area, SramLaw law, std::vector<MeasuredFrame> frames);
+  FrameModel(AreaModel area, PathModel paths, SramLaw law, std::vector<MeasuredFrame> frames);
 
   // None of a machine whose area the model does not know.
   std::optional<FrameCost> cost(const Config& config, uint64_t cycles, uint64_t bytes) const;
@@ -54,6 +60,7 @@ class FrameModel {
                 uint64_t cycles) const;  // of the chip, without leakage
 
   const AreaModel& area() const { return area_; }
+  const PathModel& paths() const { return paths_; }
   const std::vector<MeasuredFrame>& frames() const { return frames_; }
   FrameModel without(size_t frame) const;
 
@@ -63,6 +70,7 @@ class FrameModel {
               const Config& config) const;  // of a design point: J for each cycle and unit of size
 
   AreaModel area_;
+  PathModel paths_;
   SramLaw law_;
   std::vector<MeasuredFrame> frames_;
 };

@@ -140,6 +140,22 @@ def frames():
     return table(["scene", "configuration", "uJ", "leave-one-out error", "alone of its design point"], rows)
 
 
+def clock():
+    """Synthesised points: errors of the longest path."""
+    rows = [
+        [
+            f"`{row.configuration}`",
+            fixed(row.fo4, 1),
+            change(row.fitted, 2),
+            change(row.leave_one_out, 2),
+            "yes" if row.extrapolated else "",
+        ]
+        for row in data.accuracy.leave_one_out.get("paths", [])
+    ]
+    rows = rows or [["none has been measured yet", "", "", "", ""]]
+    return table(["configuration", "FO4", "fitted", "leave-one-out error", "extrapolated"], rows)
+
+
 def alone(configuration):
     (row,) = [row for row in data.accuracy.leave_one_out.points if row.configuration == configuration]
     return change(row.leave_one_out)

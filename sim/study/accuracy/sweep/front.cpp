@@ -141,12 +141,14 @@ std::vector<Config> together_path(const MeasuredPoint& base, const std::vector<S
 }
 
 bool has_cost(const MeasuredPoint& point, Cost cost) {
+  if (cost == Cost::kTime) return point.silicon && point.silicon->path_fo4;
   return point.silicon.has_value() || (cost != Cost::kArea && cost != Cost::kEnergy);
 }
 
 double cost_of(const MeasuredPoint& point, Cost cost) {
   switch (cost) {
     case Cost::kCycles: return static_cast<double>(point.figures.cycles);
+    case Cost::kTime: return point.silicon->us;
     case Cost::kBytes: return static_cast<double>(point.figures.bytes);
     case Cost::kBuffers: return point.figures.buffer_kb();
     case Cost::kArea: return point.silicon->mm2.mid;

@@ -35,8 +35,8 @@ struct SweptKnob {
 // swept around.
 std::vector<Config> together_path(const MeasuredPoint& base, const std::vector<SweptKnob>& knobs, int count);
 
-// What a front is drawn over.
-enum class Cost { kCycles, kBytes, kBuffers, kArea, kEnergy };
+// What a front is drawn over. Time is known where the clock is.
+enum class Cost { kCycles, kTime, kBytes, kBuffers, kArea, kEnergy };
 bool has_cost(const MeasuredPoint& point, Cost cost);
 double cost_of(const MeasuredPoint& point, Cost cost);
 

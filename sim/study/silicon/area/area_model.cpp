@@ -3,6 +3,7 @@
 #include "sim/study/silicon/area/area_model.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -17,15 +18,7 @@ namespace {
 constexpr const char* kPointsHeader = "configuration,unit,block,instances,nand2,flipflops";
 constexpr const char* kDependsHeader = "block,knobs";
 // Beside a block's mean area of 1: what a coefficient may cost. A knob's whole range is 2.
-constexpr double kDesignPointRidge = 1e-6, kLineRidge = 1e-4, kSquareRidge = 1e-2;
-
-// From -1 to 1 over the knob's legal range.
-double scaled(const Config& config, const std::string& knob) {
-  for (const ConfigEntry& entry : config_entries(config)) {
-    if (entry.name == knob) return (2.0 * entry.value - entry.low - entry.high) / std::max(1, entry.high - entry.low);
-  }
-  throw ConfigError("no entry " + knob);
-}
+constexpr double kLineRidge = 1e-4, kSquareRidge = 1e-2;
 
 }  // namespace
 
@@ -52,13 +45,14 @@ std::vector<AreaPoint> read_area_points(const std::filesystem::path& csv) {
       name = row.text("configuration");
       if (!names.insert(name).second)
         row.fail("configuration", "found " + quote(name) + " again, expected its rows once");
-      points.push_back({config_of(name), {}});
+      points.push_back({.config = config_of(name)});
     }
-    row.integer<int>("instances", 1);
+    const int instances = row.integer<int>("instances", 1);
     row.integer<int>("flipflops", 0);
     const std::string &block = row.text("block"), &unit = row.text("unit");
     if (!points.back().nand2[block].try_emplace(unit, row.real("nand2", kNotNegative)).second)
       row.fail("block", "found a second row of " + quote(block) + " in " + quote(unit) + ", expected one");
+    points.back().instances[block] += instances;
   });
   if (points.empty()) throw InputError(csv.string(), "", "no points");
   return points;
@@ -88,25 +82,47 @@ AreaModel::AreaModel(std::vector<AreaPoint> points, Dependences depends)
       if (depends == depends_.end())
         throw InputError("synth/data/depends.csv", "block " + name, "missing: synth/depends.py finds its knobs");
       blocks_[name].knobs = depends->second;
-      if (sum(places) > 0) places_[design_point_of(point.config)].try_emplace(name, places);
+      if (sum(places) > 0) places_[kind_of(point.config)].try_emplace(name, places);
     }
   }
-  for (auto& [name, block] : blocks_) fit(name, block);
+  for (auto& [name, block] : blocks_) {
+    block.copies = copies_of(name);
+    fit(name, block);
+  }
 }
 
-AreaModel::DesignPoint AreaModel::design_point_of(const Config& config) {
-  return {config.late, config.order, config.quadratic};
+int AreaModel::count(Copies copies, const Config& config) {
+  if (copies == Copies::kUnits) return config.units;
+  return copies == Copies::kFronts ? config.pu_fronts() : 1;
+}
+
+AreaModel::Copies AreaModel::copies_of(const std::string& name) const {
+  Copies best = Copies::kOne;
+  size_t fewest = std::numeric_limits<size_t>::max();
+  for (const Copies copies : {Copies::kUnits, Copies::kFronts, Copies::kOne}) {
+    std::set<std::pair<MachineKind, int>> ratios;
+    bool whole = true;
+    for (const AreaPoint& point : points_) {
+      const auto instances = point.instances.find(name);
+      if (!point.nand2.contains(name)) continue;
+      const int all = instances == point.instances.end() ? 1 : instances->second, each = count(copies, point.config);
+      whole = whole && all % each == 0;
+      ratios.insert({kind_of(point.config), all / each});
+    }
+    if (whole && ratios.size() < fewest) best = copies, fewest = ratios.size();
+  }
+  return best;
 }
 
 void AreaModel::fit(const std::string& name, Block& block) const {
   std::vector<std::vector<double>> x;
-  std::vector<double> y, ridge = {0, kDesignPointRidge, kDesignPointRidge, kDesignPointRidge, kDesignPointRidge};
+  std::vector<double> y, ridge = kind_ridges();
   double mean = 0;
   for (const AreaPoint& point : points_) {
-    if (!places_.at(design_point_of(point.config)).contains(name)) continue;  // no part of such a design point
+    if (!places_.at(kind_of(point.config)).contains(name)) continue;  // no part of such a machine
     const auto found = point.nand2.find(name);
     x.push_back(terms(block, point.config));
-    y.push_back(found == point.nand2.end() ? 0 : sum(found->second));
+    y.push_back(found == point.nand2.end() ? 0 : sum(found->second) / count(block.copies, point.config));
     mean += y.back();
   }
   if (mean == 0) {
@@ -121,8 +137,7 @@ void AreaModel::fit(const std::string& name, Block& block) const {
 }
 
 std::vector<double> AreaModel::terms(const Block& block, const Config& config) const {
-  std::vector<double> x = {1, 1.0 * config.late, 1.0 * config.has_lists(), 1.0 * config.has_watermarks(),
-                           1.0 * config.quadratic};
+  std::vector<double> x = kind_terms(config);
   for (const std::string& knob : block.knobs) {
     const double at = scaled(config, knob) - scaled(points_.front().config, knob);
     x.push_back(at);
@@ -131,37 +146,39 @@ std::vector<double> AreaModel::terms(const Block& block, const Config& config) c
   return x;
 }
 
-bool AreaModel::knows(const Config& config) const { return !config.quads; }
+bool AreaModel::knows(const Config& config) const { return places_.contains(kind_of(config)); }
 
 std::map<std::string, double> AreaModel::nand2(const Config& config) const {
-  if (!knows(config))
-    throw ConfigError("quads = 1: the area model has no point of such a machine; `make synth SET=quads=1` maps one");
-  const auto design_point = places_.find(design_point_of(config));
   std::map<std::string, double> units;
-  for (const auto& [name, places] :
-       design_point == places_.end() ? places_.at(design_point_of(points_.front().config)) : design_point->second) {
+  for (const auto& [name, places] : places_.at(kind_of(knows(config) ? config : points_.front().config))) {
     const Block& block = blocks_.at(name);
     const std::vector<double> x = terms(block, config);
     double area = 0;
     for (size_t i = 0; i < x.size(); ++i) area += block.coefficients[i] * x[i];
-    for (const auto& [unit, part] : places) units[unit] += std::max(0.0, area) * part / sum(places);
+    area = std::max(0.0, area) * count(block.copies, config);
+    for (const auto& [unit, part] : places) units[unit] += area * part / sum(places);
   }
   return units;
 }
 
 bool AreaModel::inside(const Config& config) const {
-  if (!places_.contains(design_point_of(config))) return false;
-  for (const ConfigEntry& entry : config_entries(config)) {
-    if (entry.member == nullptr) continue;
-    int low = entry.value, high = entry.value;
-    bool first = true;
-    for (const AreaPoint& point : points_) {
-      const int value = point.config.*entry.member;
-      low = first ? value : std::min(low, value), high = first ? value : std::max(high, value), first = false;
+  std::vector<Config> points;
+  for (const AreaPoint& point : points_) points.push_back(point.config);
+  return knows(config) && within(config, points);
+}
+
+UnitKnobs AreaModel::unit_knobs() const {
+  std::map<std::string, std::set<std::string>> found;
+  for (const AreaPoint& point : points_) {
+    for (const auto& [name, places] : point.nand2) {
+      const std::vector<std::string>& knobs = blocks_.at(name).knobs;
+      found["top"].insert(knobs.begin(), knobs.end());
+      for (const auto& [unit, area] : places) found[unit].insert(knobs.begin(), knobs.end());
     }
-    if (entry.value < low || entry.value > high) return false;
   }
-  return true;
+  UnitKnobs result;
+  for (const auto& [unit, knobs] : found) result[unit].assign(knobs.begin(), knobs.end());
+  return result;
 }
 
 AreaModel AreaModel::without(size_t point) const {
