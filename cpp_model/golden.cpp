@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/color/pu_color.hpp"
@@ -301,19 +302,19 @@ GoldenWindow golden_window(const GoldenInput& input, uint64_t window_x, uint64_t
   window.x = window_x;
   window.y = window_y;
   const bool layers = packed.config.has_layers();
+  // The layer of a chunk, or its bucket of depth: sorted as a whole then.
   const auto walk = [&](int ordinal, const Chunk& chunk, uint64_t) {
-    if (!layers) ordinal = 0;  // sorted as a whole
+    if (!layers) ordinal = 0;
     if (window.layers.empty() || window.layers.back().ordinal != ordinal) window.layers.push_back({ordinal, {}});
     ++window.work.chunks;
     for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
       preprocess(input, golden_fetched(chunk, packed.gaussians[slot], slot), window, window.layers.back());
     }
   };
-  if (packed.config.has_lists()) {
-    read_list(input, window);
-  } else {
-    dopu_window(packed.config, input.frame, packed, static_cast<int>(window_x), static_cast<int>(window_y), walk);
-  }
+  const int x = static_cast<int>(window_x), y = static_cast<int>(window_y);
+  if (packed.config.has_lists()) read_list(input, window);
+  else if (packed.config.has_watermarks()) dopu_nearest(packed.config, input.frame, packed, x, y, walk);
+  else dopu_window(packed.config, input.frame, packed, x, y, walk);
   const int octave = su_octave(packed.config, input.frame);
   for (GoldenLayer& layer : window.layers) {
     std::sort(layer.splats.begin(), layer.splats.end(),

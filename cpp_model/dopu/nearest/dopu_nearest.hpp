@@ -2,9 +2,11 @@
 // dopu_nearest: which chunks of a window go to the PUs, each with its bucket of depth, when the nearest goes first.
 //
 // Paper   None: instead of the layers of Sec. 3.2.        RTL  rtl/dopu/nearest/dopu_nearest.sv
-// Idea    The chunks are those of dopu_window. A node's bucket is its own (dopu_depth), but never smaller than its
-//         parent's, whose bound holds for it too: so what is opened last never lies before what is known already, and
-//         the watermark (the smallest bucket among all that waits or is being opened) only rises.
+// Idea    The walk is that of dopu_window, but a node is tested with what its parent's bucket says (dopu_hull): beyond
+//         the image's edges other chunks pass, of which no pixel shows anything. A node's bucket is its own
+//         (dopu_depth), but never smaller than its parent's, whose bound holds for it too: so what is opened last never
+//         lies before what is known already, and the watermark (the smallest bucket among all that waits or is being
+//         opened) only rises.
 // Rule    Any order of chunks gives the same image; every watermark is at most the edge of every later chunk's bucket.
 //         Which of the legal orders the machine takes depends on its memory, and is no part of this bit-accurate model.
 #pragma once
