@@ -86,7 +86,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("dopu_layer", "partition", "dopu", 1, 0, c.layered ? 2 : 0);
   add("dopu_origin", "partition", "dopu", 1, 3, 6);
   add("dopu_planes", "partition", "dopu", 1, 1, 3);
-  add("dopu_test", "partition", "dopu", c.has_watermarks() ? 2 : 1, 8, 9);
+  add("dopu_test", "partition", "dopu", c.has_watermarks() ? 2 : 1, 8, 9 + (c.tight_boxes ? 2 : 0));
   // Of a window with its margin, sixteenths of a pixel; with lists against the rectangle of all windows.
   const int span = (c.window - 1 + 2 * c.reach_margin()) * 16 + 1;
   if (c.has_lists()) {
