@@ -42,6 +42,9 @@ mutant dopu_depth "leading bits of the mantissa taken one place too high" \
        's/wide\[i \+: StepBits\]/wide[i+1 +: StepBits]/'
 mutant dopu_test "slack of the nearest corner halved" \
        's/( Lost *= .*SumW.\(1\) <<< \()TestW \+ 1(\)\) \+ )/\1TestW\2/' dopu_test_nearest
+mutant dopu_hull "the scale is not floored at the least that a field holds" \
+       's/smaller < (\$signed\(RatioW.\()1 << LogF/smaller < \10/'
+mutant dopu_hull "the box of the ellipsoids counts for nearer nodes too" "s/(Least = RatioW'\()-6/\16/"
 mutant dopu/nearest/dopu_depth.hpp "the model's slack for the cut bits left out" \
        's/\(int64_t\{1\} << \(config\.test_w\(\) \+ 1\)\) \+ //' dopu_depth
 
@@ -184,6 +187,8 @@ mutant ru_power "of each row a group has the same column" 's/(Column = )\(g \+ 2
 mutant ru_power "a half leaves when one of its groups has room" \
        "s/\(some & ~out_ready_i\) == '0/(some \& out_ready_i) != '0/"
 mutant ru_power "quads that have stopped live" 's/ && !stopped\[i\]//'
+mutant ru_power "the exponents of dead quads are stored, those of living ones stand still" \
+       's/pixels_move && live\[i\]/pixels_move \&\& !live[i]/'
 mutant ru_quads "a quad comes again after three cycles" "s/\(valid_3_q && address_3_q == address\)/1'b0/"
 mutant ru_quads "outside the image: every row of quads has the column of the first" "s/ \^ \{row_2_q\[0\], 1'b0\}//"
 mutant ru_quads "a window begins without what lies outside" "s/(stopped_q <= )outside_i/\1'0/"
@@ -195,6 +200,7 @@ mutant ru_drain "slots outside the image are handed over" "s/held_q <= ~outside_
 mutant ru_drain "no slot goes first" "s/first != '0 \? first : left/left/"
 mutant ru_live "a layer's end hands the regions over" 's/start_i\(window_done_o\)/start_i(layer_done_o)/'
 mutant ru_live "rows of quads are read as if all began with the same group" 's/(Odd = \(Even \+ )2/\10/'
+mutant ru_live "the banks are shown to the drain a cycle too early" 's/(BankW\{job_q\[)2/\11/'
 mutant ru_live "done of the window before is shown in the next one" 's/ && !clear_q( && slots_stopped)/\1/'
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
