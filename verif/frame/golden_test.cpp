@@ -156,6 +156,15 @@ TEST(Golden, TheTighterCullGivesTheSamePixels) {
   }
 }
 
+SimulateOptions with_tight_boxes() {
+  SimulateOptions options;
+  options.config.late = 1;
+  options.config.order = 2;
+  options.config.tight_boxes = 1;
+  options.config.chunk = 8;
+  return options;
+}
+
 // What the box of the ellipsoids drops, no window misses: with the largest scale in every node all boxes pass, because
 // all are nearer than they reach.
 TEST(Golden, TheBoxOfTheEllipsoidsGivesTheSamePixels) {
@@ -165,11 +174,7 @@ TEST(Golden, TheBoxOfTheEllipsoidsGivesTheSamePixels) {
       if (seed % 2 == 0) gaussian.log_scale += glm::vec3(-1.5f, 0.5f, -1.0f);  // long and small ones
     }
     const Camera camera = test_camera(260, 200, seed % 4 < 2 ? 90 : 300);
-    SimulateOptions options;
-    options.config.late = 1;
-    options.config.order = 2;
-    options.config.tight_boxes = 1;
-    options.config.chunk = 8;
+    const SimulateOptions options = with_tight_boxes();
     Simulation tight;
     simulate_golden(scene, camera, options, tight);
     PackedScene open = *tight.input.packed;
@@ -192,11 +197,7 @@ TEST(Golden, AWindowHasTheChunksOfTheWalkThatTheMachineMakes) {
   for (uint64_t seed = 90; seed < 98; ++seed) {
     Scene scene = random_scene(seed, 4000, 1);
     for (Gaussian& gaussian : scene.gaussians) gaussian.log_scale += glm::vec3(-1.5f, 0.5f, -1.0f);
-    SimulateOptions options;
-    options.config.late = 1;
-    options.config.order = 2;
-    options.config.tight_boxes = 1;
-    options.config.chunk = 8;
+    const SimulateOptions options = with_tight_boxes();
     Simulation simulation;
     simulate_golden(scene, test_camera(260, 200, 300), options, simulation);
     const auto& [packed, frame, lists] = simulation.input;

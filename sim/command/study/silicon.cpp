@@ -23,9 +23,13 @@ struct SiliconArguments {
   bool json = false, no_energy = false;
 };
 
+// What `make synth` wrote of a configuration.
+std::filesystem::path synth_folder(const SiliconArguments& arguments, const Config& config) {
+  return std::filesystem::path(arguments.folder) / config_difference(config) / arguments.library;
+}
+
 Synth synth_of(const SiliconArguments& arguments, const Config& config) {
-  const std::filesystem::path folder = std::filesystem::path(arguments.folder) / config_difference(config);
-  return read_synth(folder / arguments.library / "synth.json", config);
+  return read_synth(synth_folder(arguments, config) / "synth.json", config);
 }
 
 Config half_of(Config config) {
@@ -91,10 +95,8 @@ int silicon(const SiliconArguments& arguments) {
     if (arguments.equal_area > 0) half = half_of(one.config);
     const std::string name = config_difference(one.config), design_point = design_point_name(one.config);
     const Synth synth = synth_of(arguments, one.config);
-    if (!arguments.no_energy) {
-      const std::filesystem::path folder = std::filesystem::path(arguments.folder) / name / arguments.library;
-      enables.push_back(read_enables(folder / "enables.json", one.config));
-    }
+    if (!arguments.no_energy)
+      enables.push_back(read_enables(synth_folder(arguments, one.config) / "enables.json", one.config));
     design_points.push_back({design_point.empty() ? name : design_point, synth, silicon_rows(one.config, synth, law)});
     if (!half) continue;
     const Synth half_synth = synth_of(arguments, *half);
