@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/study/silicon/report.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -15,11 +17,6 @@ constexpr double kFlat = 1;  // decibels that a step must gain to be worth a wor
 double percent(double value, double base) { return 100 * (value / base - 1); }
 double cycles(const MeasuredPoint& point) { return static_cast<double>(point.figures.cycles); }
 double bytes(const MeasuredPoint& point) { return static_cast<double>(point.figures.bytes); }
-
-// "3.12", or "~3.12" beyond what was synthesised or measured.
-std::string told(double value, bool extrapolated, int digits = 2) {
-  return fmt::format("{}{:.{}f}", extrapolated ? "~" : "", value, digits);
-}
 
 // What a knob is judged by: an order knob by the sum of both errors.
 double quality(const Knob& knob, const Accuracy& a) {
@@ -96,17 +93,18 @@ Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& titl
 }  // namespace
 
 std::string area_text(const MeasuredPoint& point) {
-  return point.silicon ? told(point.silicon->mm2.mid, point.silicon->extrapolated_area) : "-";
+  return point.silicon ? interpolated_text(point.silicon->mm2.mid, point.silicon->extrapolated_area, 2) : "-";
 }
 std::string energy_text(const MeasuredPoint& point) {
-  return point.silicon ? told(point.silicon->joules() * 1e3, point.silicon->extrapolated_energy) : "-";
+  return point.silicon ? interpolated_text(point.silicon->joules() * 1e3, point.silicon->extrapolated_energy, 2) : "-";
 }
 
 std::string clock_text(const MeasuredPoint& point) {
-  return has_cost(point, Cost::kTime) ? told(*point.silicon->ghz(), point.silicon->extrapolated_path, 3) : "-";
+  return has_cost(point, Cost::kTime) ? interpolated_text(*point.silicon->ghz(), point.silicon->extrapolated_path, 3)
+                                      : "-";
 }
 std::string time_text(const MeasuredPoint& point) {
-  return has_cost(point, Cost::kTime) ? told(point.silicon->us, point.silicon->extrapolated_path, 1) : "-";
+  return has_cost(point, Cost::kTime) ? interpolated_text(point.silicon->us, point.silicon->extrapolated_path, 1) : "-";
 }
 
 std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf"; }
@@ -238,20 +236,17 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
   using Json = nlohmann::ordered_json;
   const auto row = [&](const MeasuredPoint& point) {
     Json json = to_json(point.figures);
-    const auto range = [](const Range& of, double by) {
-      return Json{{"low", of.low * by}, {"mid", of.mid * by}, {"high", of.high * by}};
-    };
     if (const std::optional<FrameCost>& silicon = point.silicon) {
-      json["silicon"] = {{"mm2", range(silicon->mm2, 1)},
-                         {"chip_mj", range(silicon->chip, 1e3)},
-                         {"dram_mj", range(silicon->dram, 1e3)},
+      json["silicon"] = {{"mm2", to_json(silicon->mm2)},
+                         {"chip_mj", to_json(silicon->chip * 1e3)},
+                         {"dram_mj", to_json(silicon->dram * 1e3)},
                          {"extrapolated_area", silicon->extrapolated_area},
                          {"extrapolated_energy", silicon->extrapolated_energy},
                          {"path_ps", nullptr},
                          {"ghz", nullptr},
                          {"us", nullptr}};
       if (has_cost(point, Cost::kTime)) {
-        json["silicon"].update({{"path_ps", range(kFo4Ps, *silicon->path_fo4)},
+        json["silicon"].update({{"path_ps", to_json(kFo4Ps * *silicon->path_fo4)},
                                 {"ghz", *silicon->ghz()},
                                 {"us", silicon->us},
                                 {"extrapolated_path", silicon->extrapolated_path}});

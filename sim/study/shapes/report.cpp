@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "sim/study/silicon/report.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -26,11 +28,7 @@ const char* step_name(const Shape& shape) {
   return shape.step == Shape::Step::kAlone ? "alone" : "together";
 }
 
-std::string marked(double value, bool extrapolated, int digits) {
-  return fmt::format("{}{:.{}f}", extrapolated ? "~" : "", value, digits);
-}
-
-std::string shape_area(const Shape& shape) { return marked(shape.mm2(), shape.cost.extrapolated_area, 3); }
+std::string shape_area(const Shape& shape) { return interpolated_text(shape.mm2(), shape.cost.extrapolated_area, 3); }
 double fps_per_mm2(const Shape& shape) { return 1e6 / shape.us() / shape.mm2(); }
 double frames_per_joule(const Shape& shape) { return 1 / shape.cost.joules(); }
 
@@ -38,10 +36,10 @@ std::string shape_row(const Shape& shape, const std::string& name, size_t width,
   const FrameCost& cost = shape.cost;
   return fmt::format("  {:<{}}{:>10}{:>8.1f}{:>8}{:>10}{:>9}{:>14.1f}{:>10}{:>6}{:>7}\n", name, width,
                      shape.frame.cycles, static_cast<double>(shape.frame.bytes) / 1e6,
-                     cost.ghz() ? marked(*cost.ghz(), cost.extrapolated_path, 3) : "-",
-                     marked(cost.us, cost.extrapolated_path, 1), shape_area(shape), fps_per_mm2(shape),
-                     marked(frames_per_joule(shape), cost.extrapolated_energy, 0), shape.mm2() <= mm2 ? "yes" : "",
-                     shape.front > 0 ? std::to_string(shape.front) : "");
+                     cost.ghz() ? interpolated_text(*cost.ghz(), cost.extrapolated_path, 3) : "-",
+                     interpolated_text(cost.us, cost.extrapolated_path, 1), shape_area(shape), fps_per_mm2(shape),
+                     interpolated_text(frames_per_joule(shape), cost.extrapolated_energy, 0),
+                     shape.mm2() <= mm2 ? "yes" : "", shape.front > 0 ? std::to_string(shape.front) : "");
 }
 
 std::string best_shape_text(const std::vector<Shape>& shapes, double mm2) {
@@ -51,10 +49,6 @@ std::string best_shape_text(const std::vector<Shape>& shapes, double mm2) {
                      shape_name(*best, shapes.front().config), best->frame.cycles, best->us(), shape_area(*best));
 }
 
-Json range_json(const Range& of, double by = 1) {
-  return {{"low", of.low * by}, {"mid", of.mid * by}, {"high", of.high * by}};
-}
-
 Json shape_json(const Shape& shape, const Config& base, double mm2) {
   const FrameCost& cost = shape.cost;
   return {{"shape", shape_name(shape, base)},
@@ -62,10 +56,10 @@ Json shape_json(const Shape& shape, const Config& base, double mm2) {
           {"step", step_name(shape)},
           {"cycles", shape.frame.cycles},
           {"bytes", shape.frame.bytes},
-          {"path_ps", cost.path_fo4 ? range_json(kFo4Ps, *cost.path_fo4) : Json(nullptr)},
+          {"path_ps", cost.path_fo4 ? to_json(kFo4Ps * *cost.path_fo4) : Json(nullptr)},
           {"ghz", cost.ghz() ? Json(*cost.ghz()) : Json(nullptr)},
           {"us", cost.us},
-          {"mm2", range_json(cost.mm2)},
+          {"mm2", to_json(cost.mm2)},
           {"extrapolated_area", cost.extrapolated_area},
           {"extrapolated_path", cost.extrapolated_path},
           {"extrapolated_energy", cost.extrapolated_energy},

@@ -83,6 +83,10 @@ MeasuredFrame measured_frame(const std::string& scene, const Config& config, con
   return frame;
 }
 
+std::string interpolated_text(double value, bool extrapolated, int digits) {
+  return fmt::format("{}{:.{}f}", extrapolated ? "~" : "", value, digits);
+}
+
 FrameModel::FrameModel(AreaModel area, PathModel paths, SramLaw law, std::vector<MeasuredFrame> frames)
     : area_(std::move(area)), paths_(std::move(paths)), law_(std::move(law)), frames_(std::move(frames)) {}
 

@@ -50,6 +50,9 @@ struct FrameCost {
   double joules() const { return chip.mid + dram.mid; }
 };
 
+// "3.12", or "~3.12" beyond what was synthesised or measured.
+std::string interpolated_text(double value, bool extrapolated, int digits);
+
 class FrameModel {
  public:
   FrameModel(AreaModel area, PathModel paths, SramLaw law, std::vector<MeasuredFrame> frames);

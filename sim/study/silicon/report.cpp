@@ -22,8 +22,6 @@ const PublishedRow* paper_row(const std::string& unit) {
   return found == kPipegsTable2.end() ? nullptr : &*found;
 }
 
-Json to_json(const Range& range) { return {{"low", range.low}, {"mid", range.mid}, {"high", range.high}}; }
-
 std::string text_of(const Range& range, int digits) {
   return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", range.mid, digits, range.low, digits, range.high, digits);
 }
@@ -168,6 +166,8 @@ Chart efficiency(const char* title, const char* y_label, const std::vector<Silic
 }
 
 }  // namespace
+
+Json to_json(const Range& range) { return {{"low", range.low}, {"mid", range.mid}, {"high", range.high}}; }
 
 double SiliconPoint::us_of_area(double area) const {
   const double power = std::log(half->us / us()) / std::log(mm2() / half->mm2);

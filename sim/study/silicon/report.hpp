@@ -19,6 +19,8 @@
 
 namespace pipegs {
 
+nlohmann::ordered_json to_json(const Range& range);
+
 struct HalfMachine {       // of half as many units
   double mm2 = 0, us = 0;  // of a frame
 };
