@@ -86,7 +86,7 @@ module pixel_buffer #(
   );
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) swap_i |-> !blend_write_i && !blend_read_i && !resolve_read_i)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!swap_i || (!blend_write_i && !blend_read_i && !resolve_read_i))
     else $error("pixel_buffer: access during a swap");
 `endif
 

@@ -55,7 +55,7 @@ module slot_pool #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) free_i |-> unused_ready && used_q != '0);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!free_i || (unused_ready && used_q != '0));
 `endif
 
 endmodule

@@ -133,7 +133,7 @@ module dopu_descend #(
         else reserved_q[l] <= reserved_q[l] + ReservedW'(enter[l]) - ReservedW'(missed[l]) - ReservedW'(popped[l]);
       end
 `ifndef SYNTHESIS
-      assert property (@(posedge clk_i) disable iff (!rst_ni) push[l] |-> queue_ready[l]);
+      always_ff @(posedge clk_i) if (rst_ni) assert (!push[l] || queue_ready[l]);
 `endif
     end
   endgenerate

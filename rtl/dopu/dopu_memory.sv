@@ -46,8 +46,8 @@ module dopu_memory #(
   assign answer_o = !rsp_valid_i ? '0 : loading_i ? 3'b100 : group ? 3'b010 : 3'b001;
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) rsp_valid_i && !loading_i |-> asked_valid);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) ready_o[1:0] != '0 |-> asked_ready);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(rsp_valid_i && !loading_i) || asked_valid);
+  always_ff @(posedge clk_i) if (rst_ni) assert (ready_o[1:0] == '0 || asked_ready);
 `else
   logic unused_asked;
   assign unused_asked = asked_valid ^ asked_ready;

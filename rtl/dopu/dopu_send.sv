@@ -142,7 +142,7 @@ module dopu_send #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) load_popped |-> !valid_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!load_popped || !valid_q);
 `endif
 
 endmodule

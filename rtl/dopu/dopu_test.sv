@@ -187,8 +187,8 @@ module dopu_test #(
 
   // --- two planes per cycle: near and left, right and top, bottom ---------------------------------------------------
   localparam bit Ranks = pipegs_pkg::HasWatermarks;
-  logic [5*PlaneBits-1:0]     planes;
-  logic                       first_q, second_q, third_q;  // phases 1, 2 and 0
+  logic                       set_d;
+  logic [1:0]                 first_q, second_q, third_q;  // phases 1, 2 and 0, of either set
   logic                       nearest;    // phase 0: plane b is the near plane's normal, of the corner nearest to it
   pipegs_pkg::plane_t         plane_a, plane_b;
   logic signed [TestW-1:0]    operand_a;
@@ -196,21 +196,27 @@ module dopu_test #(
   logic signed [SumW-1:0]     sum_a, sum_b;
   logic                       outside, outside_q;
 
-  assign planes = set_q ? planes_i[5*PlaneBits +: 5*PlaneBits] : planes_i[0 +: 5*PlaneBits];
-  // Which pair stands here, from registers of its own: the choice leads into the multipliers.
+  // Which pair stands here, and of which set, from registers of its own: the choice leads into the multipliers.
+  assign set_d = phase_q == 2'd0 ? slot2_q[StageW-1] : set_q;
   always_ff @(posedge clk_i) begin
-    first_q   <= phase_q == 2'd0;
-    second_q  <= phase_q == 2'd1;
-    third_q   <= last_phase;
+    first_q  <= phase_q == 2'd0 ? {set_d, !set_d} : '0;
+    second_q <= phase_q == 2'd1 ? {set_d, !set_d} : '0;
+    third_q  <= last_phase ? {set_d, !set_d} : '0;
   end
-  assign plane_a = ({PlaneBits{first_q}} & planes[0 +: PlaneBits]) |
-                   ({PlaneBits{second_q}} & planes[2*PlaneBits +: PlaneBits]) |
-                   ({PlaneBits{third_q}} & planes[4*PlaneBits +: PlaneBits]);
-  assign plane_b = ({PlaneBits{first_q}} & planes[PlaneBits +: PlaneBits]) |
-                   ({PlaneBits{second_q}} & planes[3*PlaneBits +: PlaneBits]) |
-                   ({PlaneBits{third_q}} & (Ranks ? planes[0 +: PlaneBits] : planes[4*PlaneBits +: PlaneBits]));
-  assign nearest   = Ranks && third_q;
-  assign operand_a = first_q ? near_q : scale_q;
+  always_comb begin
+    plane_a = '0;
+    plane_b = '0;
+    for (int unsigned set = 0; set < 2; set += 1) begin
+      plane_a |= ({PlaneBits{first_q[set]}} & planes_i[(5*set)*PlaneBits +: PlaneBits]) |
+                 ({PlaneBits{second_q[set]}} & planes_i[(5*set+2)*PlaneBits +: PlaneBits]) |
+                 ({PlaneBits{third_q[set]}} & planes_i[(5*set+4)*PlaneBits +: PlaneBits]);
+      plane_b |= ({PlaneBits{first_q[set]}} & planes_i[(5*set+1)*PlaneBits +: PlaneBits]) |
+                 ({PlaneBits{second_q[set]}} & planes_i[(5*set+3)*PlaneBits +: PlaneBits]) |
+                 ({PlaneBits{third_q[set]}} & planes_i[(5*set + (Ranks ? 0 : 4))*PlaneBits +: PlaneBits]);
+    end
+  end
+  assign nearest   = Ranks && third_q != '0;
+  assign operand_a = first_q != '0 ? near_q : scale_q;
 
   // --- which box counts; the corner of the means that is nearest to the near plane -----------------------------------
   logic signed [TestW-1:0] nearest_x, nearest_y, nearest_z;

@@ -156,8 +156,8 @@ module line_reader #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) take && job_read_i |-> job_count_i != '0);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) rsp_valid_i |-> stored_q != CreditW'(Lines));
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(take && job_read_i) || job_count_i != '0);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || stored_q != CreditW'(Lines));
   assert property (@(posedge clk_i) disable iff (!rst_ni)
                    mem_valid_o && !mem_ready_i |=> mem_valid_o && $stable(mem_address_o));
 `endif

@@ -129,7 +129,7 @@ module list_write #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) move |-> entry != '1)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!move || entry != '1)
     else $error("the list of a window is full");
 `endif
 

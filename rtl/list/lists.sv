@@ -88,7 +88,7 @@ module lists #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) !(write_valid && (read_valid || reading)))
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(write_valid && (read_valid || reading)))
     else $error("a list is read before all are written");
 `endif
 

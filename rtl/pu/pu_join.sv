@@ -43,7 +43,7 @@ module pu_join (
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) ends_q != '1);
+  always_ff @(posedge clk_i) if (rst_ni) assert (ends_q != '1);
 `endif
 
 endmodule

@@ -50,7 +50,7 @@ module pu_marks (
   assign unused = &{1'b0, chunk_i, held, count};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) splat_taken_i && splat_is_end |-> held)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(splat_taken_i && splat_is_end) || held)
     else $error("a layer's end has no watermark");
 `endif
 

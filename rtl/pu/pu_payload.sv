@@ -50,9 +50,9 @@ module pu_payload #(
     if (!rst_ni) count_q <= 0;
     else count_q <= count_q + 32'(walk_i) - 32'(leave_i);
   end
-  assert property (@(posedge clk_i) disable iff (!rst_ni) walk_i |-> count_q < Places || leave_i)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!walk_i || count_q < Places || leave_i)
     else $error("more Gaussians walk than there are places for their payloads");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) leave_i |-> count_q != 0)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!leave_i || count_q != 0)
     else $error("a Gaussian leaves that never walked");
 `endif
 

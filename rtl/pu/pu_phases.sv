@@ -82,8 +82,8 @@ module pu_phases #(
 
 `ifndef SYNTHESIS
   initial assert (Depth >= 1 && Depth <= Claim && Claim < 8);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) !(finish && out_valid_q));
-  assert property (@(posedge clk_i) disable iff (!rst_ni) phase_o == 8'b1 << phase_q);  // so a parallel_case is safe
+  always_ff @(posedge clk_i) if (rst_ni) assert (!finish || !out_valid_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (phase_o == 8'b1 << phase_q);  // so a parallel_case is safe
 `endif
 
 endmodule

@@ -76,9 +76,9 @@ module pu_regions #(
   assign unused = &{1'b0, waiting_room, waiting_held, waiting_count};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) payload_valid_i |-> waiting_room)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!payload_valid_i || waiting_room)
     else $error("more Gaussians than places for their payloads");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) drop || go |-> waiting_held)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(drop || go) || waiting_held)
     else $error("a payload is not there in time");
 `endif
 

@@ -131,9 +131,9 @@ module pu_shape (
   assign unused = &{1'b0, tables_i, center_room, center_held, center_count};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) center_valid |-> center_room)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!center_valid || center_room)
     else $error("more Gaussians than places for their centres");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) center_take |-> center_held)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!center_take || center_held)
     else $error("a centre is not there in time");
 `endif
 

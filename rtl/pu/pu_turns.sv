@@ -68,10 +68,9 @@ module pu_turns #(
 
 `ifndef SYNTHESIS
   initial assert (Out >= 1 && Out <= 6);
-  assert property (@(posedge clk_i) disable iff (!rst_ni)
-                   phase_q[Out:1] != '0 && fresh_q |-> in_valid_i)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(phase_q[Out:1] != '0 && fresh_q) || in_valid_i)
     else $error("the record went away from the input");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) $onehot(phase_q));  // so a parallel_case is safe
+  always_ff @(posedge clk_i) if (rst_ni) assert ($onehot(phase_q));  // so a parallel_case is safe
 `endif
 
 endmodule

@@ -188,7 +188,7 @@ module ru_fetch (
     logic unused_count;
     assign unused_count = &{1'b0, external_ready, external_count};
 `ifndef SYNTHESIS
-    assert property (@(posedge clk_i) disable iff (!rst_ni) external_push |-> external_ready)
+    always_ff @(posedge clk_i) if (rst_ni) assert (!external_push || external_ready)
       else $error("ru_fetch: no room for a line from memory");
 `endif
   end else begin : gen_inside
@@ -199,7 +199,7 @@ module ru_fetch (
     logic unused_memory;
     assign unused_memory = &{1'b0, restart_i, overflow_i, rsp_valid_i, rsp_data_i};
 `ifndef SYNTHESIS
-    assert property (@(posedge clk_i) disable iff (!rst_ni) in_valid_i && is_data |-> !in_i.ext)
+    always_ff @(posedge clk_i) if (rst_ni) assert (!(in_valid_i && is_data) || !in_i.ext)
       else $error("ru_fetch: a line in memory, and Overflow is 0");
 `endif
   end
@@ -208,9 +208,9 @@ module ru_fetch (
   assign unused_ready = local_ready;
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) answer_valid_i != '0 |-> local_ready && asked_q)
+  always_ff @(posedge clk_i) if (rst_ni) assert (answer_valid_i == '0 || (local_ready && asked_q))
     else $error("ru_fetch: a line that was not asked for");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) asked_q |-> answer_valid_i != '0)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!asked_q || answer_valid_i != '0)
     else $error("ru_fetch: an alpha store did not answer in the next cycle");
 `endif
 

@@ -105,7 +105,7 @@ module ru_resolve #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> ready_o)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || ready_o)
     else $error("ru_resolve: a window came before the last one was written");
 `endif
 

@@ -132,10 +132,9 @@ module ru_rows #(
   assign unused_fields = &{1'b0, splat_q.depth, alphas.address, alphas.ext, alphas.parity, tag_valid, tag_count};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) out_valid_o &&
-      alphas.kind == pipegs_pkg::KindData |-> tag_valid)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(out_valid_o && alphas.kind == pipegs_pkg::KindData) || tag_valid)
     else $error("ru_rows: a line without its colour");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) window_done_i |-> ends_q != '0)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!window_done_i || ends_q != '0)
     else $error("ru_rows: a window ended that never came");
 `endif
 

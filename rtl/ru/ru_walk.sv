@@ -111,7 +111,7 @@ module ru_walk #(
 `ifndef SYNTHESIS
   assert property (@(posedge clk_i) disable iff (!rst_ni) out_valid_o && !out_ready_i |=> out_valid_o && $stable(out_o))
     else $error("ru_walk: a beat changed before it was taken");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) window_done_i |-> ends_q != '0)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!window_done_i || ends_q != '0)
     else $error("ru_walk: a window ended that never came");
 `endif
 

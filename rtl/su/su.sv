@@ -169,9 +169,9 @@ module su (
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) external.write |-> !write && !link);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) external.read |-> !sort_read);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) merged_valid |-> !sorted_valid);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!external.write || (!write && !link));
+  always_ff @(posedge clk_i) if (rst_ni) assert (!external.read || !sort_read);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!merged_valid || !sorted_valid);
 `endif
 
 endmodule

@@ -110,9 +110,9 @@ module su_collect (
       mark_q  <= mark_all_o ? '0 : in_bucket_i;
     end
   end
-  assert property (@(posedge clk_i) disable iff (!rst_ni) take && !data && !mark_all_o |-> marks_q != '1);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) take && data |-> in_bucket_i >= mark_q);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) pipegs_pkg::Overflow == 0 |-> !lost)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(take && !data && !mark_all_o) || marks_q != '1);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(take && data) || in_bucket_i >= mark_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (pipegs_pkg::Overflow != 0 || !lost)
     else $error("su_collect: the records of a set do not fit, and Overflow is 0");
 `else
   logic unused_bucket;

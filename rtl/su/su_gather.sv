@@ -97,7 +97,7 @@ module su_gather #(
   assign moves_o = collect_active || pool_active || release_moves;
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) mark_push |-> mark_room || !pipegs_pkg::HasWatermarks);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!mark_push || mark_room || !pipegs_pkg::HasWatermarks);
 `endif
 
 endmodule

@@ -131,7 +131,7 @@ module su_overflow #(
   assign moves_o      = external_active || spill_active;
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) group_valid_o |-> empty_i);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!group_valid_o || empty_i);
 `else
   logic unused_empty;
   assign unused_empty = empty_i;

@@ -144,9 +144,9 @@ module su_port #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) rsp_valid_i |-> unused_queue_ready);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) asked |-> unused_owner_ready);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) line_valid_o |-> owner_valid);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || unused_queue_ready);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!asked || unused_owner_ready);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!line_valid_o || owner_valid);
 `endif
 
 endmodule

@@ -146,9 +146,9 @@ module su_spill (
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) record_ready_i |-> record_valid_q);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) keys_ready_i |-> keys_valid_q);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> state_q == Idle);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!record_ready_i || record_valid_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!keys_ready_i || keys_valid_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || state_q == Idle);
 `endif
 
 endmodule

@@ -230,12 +230,12 @@ mutant su_collect "no clock for a record that finds no room: the assertion is ne
 mutant pu_allocate "lines are given although the older layer's lie there" \
        "s/(room *= )SumW'\(oldest_q\) \+/\1/" pu_allocate_lean
 mutant pu_allocate "assertion: the Gaussian's own lines are not counted" \
-       "s/(\|-> SumW'\(current\)) \+ SumW'\(count_q\)/\1/" pu_allocate_lean
+       "s/^( +SumW'\(current\)) \+ SumW'\(count_q\)( <=)/\1\2/" pu_allocate_lean
 mutant pu_spill "assertion: looks at a flag that is 0 where nothing goes to memory" \
-       's/\|-> !alphas_i\.ext/|-> !ext/' pu_spill_lean
+       's/\|\| !alphas_i\.ext/|| !ext/' pu_spill_lean
 mutant pu_spill "an end waits for a memory that nobody writes to" "s/(free *= 1')b1/\1b0/" pu_spill_lean
 mutant ru_fetch "assertion: looks at a flag that is 0 where nothing lies in memory" \
-       's/\|-> !in_i\.ext/|-> !ext/' ru_fetch_lean
+       's/\|\| !in_i\.ext/|| !ext/' ru_fetch_lean
 mutant ru_fetch "a line of memory is always wanted" \
        "s/(\{external_want, external_valid, mem_valid_o\} = )'0/\13'b100/" ru_fetch_lean
 

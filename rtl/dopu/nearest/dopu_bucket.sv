@@ -190,7 +190,7 @@ module dopu_bucket #(
   assign crowded_o = taken >= (NodeW+1)'(Nodes / 4 * 3);
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) take_pop |-> first_valid_o[pop_list_i]);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!take_pop || first_valid_o[pop_list_i]);
 `endif
 
 endmodule

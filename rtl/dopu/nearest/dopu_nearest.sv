@@ -196,7 +196,7 @@ module dopu_nearest #(
       logic unused_count;
       assign unused_count = &{1'b0, count};
 `ifndef SYNTHESIS
-      assert property (@(posedge clk_i) disable iff (!rst_ni) push[l] |-> queue_ready[l]);
+      always_ff @(posedge clk_i) if (rst_ni) assert (!push[l] || queue_ready[l]);
 `endif
     end
   endgenerate
@@ -294,7 +294,7 @@ module dopu_nearest #(
         .waiting_o(reading[l])
       );
 `ifndef SYNTHESIS
-      assert property (@(posedge clk_i) disable iff (!rst_ni) open_valid[l] |-> open_ready[l]);
+      always_ff @(posedge clk_i) if (rst_ni) assert (!open_valid[l] || open_ready[l]);
 `endif
     end
   endgenerate

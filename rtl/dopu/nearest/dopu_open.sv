@@ -129,7 +129,7 @@ module dopu_open #(
   assign unused = &{1'b0, is_read, idle, index, least[0]};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) settled_i |-> any_o);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!settled_i || any_o);
 `endif
 
 endmodule

@@ -113,8 +113,8 @@ module dopu_rank #(
   assign unused_node = ^result;
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) ready != '1);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) valid != '1);
+  always_ff @(posedge clk_i) if (rst_ni) assert (ready != '1);
+  always_ff @(posedge clk_i) if (rst_ni) assert (valid != '1);
 `endif
 
 endmodule

@@ -129,9 +129,9 @@ module pu_color_fetch #(
   wire unused_fields = &{1'b0, direction_room, line_room, direction_count, line_count};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) ask |-> direction_room)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!ask || direction_room)
     else $error("no room for a direction");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) rsp_valid_i |-> line_room)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || line_room)
     else $error("a line came that nobody waits for");
 `endif
 

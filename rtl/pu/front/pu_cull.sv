@@ -389,8 +389,8 @@ module pu_cull (
                        size3[HighW-1:ViewW]};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni)
-                   pipegs_pkg::NearTest == 0 && out_valid_q && out_q.kind == pipegs_pkg::KindData |-> out_q.view_z > 0)
+  always_ff @(posedge clk_i) if (rst_ni)
+    assert (!(pipegs_pkg::NearTest == 0 && out_valid_q && out_q.kind == pipegs_pkg::KindData) || out_q.view_z > 0)
     else $error("pu_cull: a Gaussian behind the camera, and NearTest is 0");
 `endif
 

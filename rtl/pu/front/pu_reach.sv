@@ -353,7 +353,7 @@ module pu_reach (
                        raised_z, raised_side, weighted9, sum9, n4[0], n4[1], n4[2]};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) valid_q[Stages] |-> bit_ready)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!valid_q[Stages] || bit_ready)
     else $error("pu_reach: a bit without room");
 `endif
 

@@ -127,9 +127,9 @@ module pu_parts (
   assign unused = &{1'b0, payload_room, payload_held, payload_count};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) payload_valid_i |-> payload_room)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!payload_valid_i || payload_room)
     else $error("more Gaussians than places for their payloads");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) start |-> payload_held)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start || payload_held)
     else $error("a payload is not there in time");
 `endif
 

@@ -204,15 +204,15 @@ module pu_allocate #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) layer_free_i |-> ended_q != '0)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!layer_free_i || ended_q != '0)
     else $error("a layer was freed that has not ended");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) restart_i |-> !take && ended_q == '0 && oldest_q == '0)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!restart_i || (!take && ended_q == '0 && oldest_q == '0))
     else $error("a frame begins in a PU that is not empty");
-  assert property (@(posedge clk_i) disable iff (!rst_ni)
-                   overflow_q <= ~AlphaAddressW'(0) - AlphaAddressW'(2 * Regions))
+  always_ff @(posedge clk_i) if (rst_ni) assert (overflow_q <= ~AlphaAddressW'(0) - AlphaAddressW'(2 * Regions))
     else $error("the overflow area of a layer is full");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) pipegs_pkg::Overflow == 0 && state_q == StateDecide
-                   |-> SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
+  always_ff @(posedge clk_i) if (rst_ni)
+    assert (!(pipegs_pkg::Overflow == 0 && state_q == StateDecide) ||
+            SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
     else $error("pu_allocate: the alphas of a layer do not fit, and Overflow is 0");
 `endif
 

@@ -126,7 +126,7 @@ module pu_lines #(
   assign window_o = listed_q.window;
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) lines_q <= ~LinesW'(0) - LinesW'(2 * pipegs_pkg::Regions))
+  always_ff @(posedge clk_i) if (rst_ni) assert (lines_q <= ~LinesW'(0) - LinesW'(2 * pipegs_pkg::Regions))
     else $error("the area of a unit's alphas is full");
 `endif
 

@@ -109,7 +109,7 @@ module pu_spill #(
     logic unused_memory;
     assign unused_memory = &{1'b0, clk_i, rst_ni, overflow_i, unit_i, mem_ready_i};
 `ifndef SYNTHESIS
-    assert property (@(posedge clk_i) disable iff (!rst_ni) alphas_valid_i && is_data |-> !alphas_i.ext)
+    always_ff @(posedge clk_i) if (rst_ni) assert (!(alphas_valid_i && is_data) || !alphas_i.ext)
       else $error("pu_spill: a line for memory, and Overflow is 0");
 `endif
   end

@@ -145,9 +145,9 @@ module ru_drain #(
   assign unused_counts = &{1'b0, tags, words};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) flying_q[2] |-> word_ready)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!flying_q[2] || word_ready)
     else $error("ru_drain: a word came for which there is no place");
-  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> ready_o)
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || ready_o)
     else $error("ru_drain: a window came before the last one was handed over");
 `endif
 

@@ -68,11 +68,18 @@ module ru_live #(
   localparam int unsigned PairW    = 8 * pipegs_pkg::ExponentBits;
   localparam int unsigned Side     = pipegs_pkg::Window / 2;  // quads
 
+  // Column and row of a region in its window, in regions.
+  function automatic logic [31:0] region_column(input int unsigned region);
+    region_column = region / pipegs_pkg::MaskW % pipegs_pkg::PartsX * PartSide + region % pipegs_pkg::MaskW % PartSide;
+  endfunction
+  function automatic logic [31:0] region_row(input int unsigned region);
+    region_row = region / pipegs_pkg::MaskW / pipegs_pkg::PartsX * PartSide + region % pipegs_pkg::MaskW / PartSide;
+  endfunction
+
   // --- a window begins -----------------------------------------------------------------------------------------------
   logic             clear_q;
   logic [Side-1:0]  columns_out, rows_out;  // columns and rows of quads outside the image
-  logic [Slots*16-1:0] outside;             // [slot, row, column]
-  logic [Groups*Words-1:0] stopped;         // [group, slot, row]: as the groups hold it
+  logic [Groups*Words-1:0] outside, stopped;  // [group, slot, row]: as the groups hold them
   logic [Slots-1:0]    slots_out;           // slots without a pixel inside the image
   logic [Slots-1:0]    slots_stopped;
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -83,17 +90,20 @@ module ru_live #(
     assign columns_out[i] = columns_i <= SideW'(2 * i);
     assign rows_out[i]    = rows_i <= SideW'(2 * i);
   end
-  // A slot is one of Units regions side by side, another one for each RU.
-  for (genvar i = 0; i < Slots * 16; i += 1) begin : gen_outside
-    logic [Units-1:0] out;
-    for (genvar k = 0; k < Units; k += 1) begin : gen_place
-      localparam int unsigned Region = i / 16 * Units + k, InPart = Region % pipegs_pkg::MaskW;
-      localparam int unsigned Part = Region / pipegs_pkg::MaskW;
-      localparam int unsigned Column = Part % pipegs_pkg::PartsX * PartSide + InPart % PartSide;  // in regions
-      localparam int unsigned Row = Part / pipegs_pkg::PartsX * PartSide + InPart / PartSide;
-      assign out[k] = own_i[Region] && (rows_out[4*Row + i%16/4] || columns_out[4*Column + i%4]);
+  // A slot is one of Units regions side by side, another one for each RU. Asked for only when a window begins: so a
+  // simulator need not find it out in every cycle, nor its gates switch.
+  always_comb begin
+    outside = '0;
+    if (clear_q) begin
+      for (int unsigned region = 0; region < Regions; region += 1) begin
+        for (int unsigned row = 0; row < 4; row += 1) begin
+          for (int unsigned group = 0; group < Groups; group += 1) begin
+            outside[Words*group + 4*(region/Units) + row] |= own_i[region] && (rows_out[4*region_row(region) + row] ||
+                                                             columns_out[4*region_column(region) + (group+2*row)%4]);
+          end
+        end
+      end
     end
-    assign outside[i] = out != '0;
   end
   for (genvar i = 0; i < Slots; i += 1) begin : gen_slot
     logic [Groups-1:0] all;
@@ -169,18 +179,13 @@ module ru_live #(
     logic             read, write;
     logic [AddrW-1:0] raddr, waddr;
     logic [BankW-1:0] rdata, wdata;
-    logic [Words-1:0] group_outside;
-
-    for (genvar i = 0; i < Words; i += 1) begin : gen_word
-      localparam int unsigned Quad = 4 * i + (g + 2 * i) % 4;  // [slot, row, column]
-      assign group_outside[i] = outside[Quad];
-    end
 
     ru_quads #(.Group(g)) u_quads (
       .clk_i, .rst_ni, .in_valid_i(half_valid[g]), .in_ready_o(half_ready[g]), .in_live_i(half_live[2*g +: 2]),
       .in_i(pairs[g*PairW +: PairW]), .in_half_i(half), .in_region_i(half_region), .in_color_i(color),
       .in_index_i(half_index), .drain_i(job), .drain_address_i(job_address),
-      .clear_i(clear_q), .outside_i(group_outside), .columns_i, .rows_i, .stopped_o(stopped[g*Words +: Words]),
+      .clear_i(clear_q), .outside_i(outside[g*Words +: Words]), .columns_i, .rows_i,
+      .stopped_o(stopped[g*Words +: Words]),
       .read_o(read), .raddr_o(raddr), .rdata_i(rdata),
       .write_o(write), .waddr_o(waddr), .wdata_o(wdata), .issue_o(group_issue[g]), .busy_o(group_busy[g]),
       .tap_quad_valid_o(tap_line_valid_o[g]), .tap_quad_index_o(tap_line_index_o[g*TapIndexW +: TapIndexW]),

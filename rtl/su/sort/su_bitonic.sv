@@ -137,8 +137,8 @@ module su_bitonic (
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) load |-> fill_q < (ChannelW+1)'(Channels));
-  assert property (@(posedge clk_i) disable iff (!rst_ni) load && in_end_i |-> fill_q == '0 && in_last_i);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!load || fill_q < (ChannelW+1)'(Channels));
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(load && in_end_i) || (fill_q == '0 && in_last_i));
 `endif
 
 endmodule

@@ -213,7 +213,7 @@ module su_buckets (
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) operation_q == Entry && push_group |-> chain_ready_i);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(operation_q == Entry && push_group) || chain_ready_i);
 `endif
 
 endmodule

@@ -73,10 +73,10 @@ module su_lines (
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) begin_i |-> idle_o && count_i != '0);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) restart_i |-> idle_o);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) take |-> left_q != '0);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) line_ready_i |-> full_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!begin_i || (idle_o && count_i != '0));
+  always_ff @(posedge clk_i) if (rst_ni) assert (!restart_i || idle_o);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!take || left_q != '0);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!line_ready_i || full_q);
 `endif
 
 endmodule

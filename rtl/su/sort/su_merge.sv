@@ -107,7 +107,7 @@ module su_merge (
       else if (go && !mark) before_q <= ends != '1;
     end
     always_ff @(posedge clk_i) if (go && !mark) key_q <= key;
-    assert property (@(posedge clk_i) disable iff (!rst_ni) go && before_q && ends != '1 |-> key > key_q)
+    always_ff @(posedge clk_i) if (rst_ni) assert (!(go && before_q && ends != '1) || key > key_q)
       else $error("su_merge: two splats of one depth, and IndexTies is 0");
   end
 `endif

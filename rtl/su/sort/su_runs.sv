@@ -118,7 +118,7 @@ module su_runs (
   assign unused_line = &{1'b0, line_i, first_key};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> state_q == Idle);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || state_q == Idle);
 `endif
 
 endmodule

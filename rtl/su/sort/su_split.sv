@@ -201,7 +201,7 @@ module su_split (
     end
 
 `ifndef SYNTHESIS
-    assert property (@(posedge clk_i) disable iff (!rst_ni) push |-> depth_q < StackW'(StackDepth));
+    always_ff @(posedge clk_i) if (rst_ni) assert (!push || depth_q < StackW'(StackDepth));
 `endif
   end else begin : gen_whole
     assign {dropping, gather, several, join_near, stacked, link_claim_o, link_write_o} = '0;
@@ -212,7 +212,7 @@ module su_split (
     assign unused_range = &{1'b0, min_i, max_i};
 
 `ifndef SYNTHESIS
-    assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> count_i <= (RecordW+1)'(Group))
+    always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || count_i <= (RecordW+1)'(Group))
       else $error("su_split: a chain of more than sixteen keys, and LargeGroups is 0");
 `endif
   end
@@ -271,7 +271,7 @@ module su_split (
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> state_q == Idle && count_i != '0);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || (state_q == Idle && count_i != '0));
 `endif
 
 endmodule

@@ -157,8 +157,8 @@ module su_tree #(
   end
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) start_i |-> idle_o && levels_i != '0);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) state_q == Look && item_valid_o |-> !item_ready_i);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || (idle_o && levels_i != '0));
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(state_q == Look && item_valid_o) || !item_ready_i);
 `endif
 
 endmodule

@@ -124,8 +124,8 @@ module su_ways #(
   assign unused_line = &{1'b0, line_i};
 
 `ifndef SYNTHESIS
-  assert property (@(posedge clk_i) disable iff (!rst_ni) setup_i |-> !asking_q);
-  assert property (@(posedge clk_i) disable iff (!rst_ni) release_i |-> ready_o[0]);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!setup_i || !asking_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!release_i || ready_o[0]);
 `endif
 
 endmodule
