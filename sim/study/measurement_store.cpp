@@ -82,7 +82,7 @@ std::filesystem::path MeasurementStore::path(const Config& config) const {
   return folder_ / (config_difference(config).substr(0, 120) + "-" + hash_of_text(json_text(key(config))) + ".json");
 }
 
-std::optional<Json> MeasurementStore::load(const Config& config) const {
+std::optional<Json> MeasurementStore::measured(const Config& config) const {
   if (folder_.empty()) return std::nullopt;
   const std::filesystem::path file = path(config);
   if (!std::filesystem::exists(file)) return std::nullopt;

@@ -4,7 +4,8 @@
 //
 // Idea    A file holds what it was measured of (the key: scene, camera, memory, every entry of the configuration, the
 //         sources of the models, and what else the measurement depends on) beside what was measured. One that is broken
-//         (json.hpp's rules) or of another key is as good as none: its configuration is measured again.
+//         (json.hpp's rules), of another key, or refused by who reads it (NumberError, a field that is not there) is as
+//         good as none: its configuration is measured again.
 // Rule    A file appears when it is complete, never before.
 #pragma once
 
@@ -12,7 +13,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <type_traits>
 
+#include "scenes/text/number.hpp"
 #include "sim/compare/simulate.hpp"
 
 namespace pipegs {
@@ -27,13 +30,24 @@ class MeasurementStore {
   // The same folder and view; `more` joins the key, too.
   MeasurementStore with(const nlohmann::ordered_json& more) const;
 
-  std::optional<nlohmann::ordered_json> load(const Config& config) const;
+  // What `read` makes of the JSON that was saved.
+  template <typename Read>
+  auto load(const Config& config, const Read& read) const
+      -> std::optional<std::invoke_result_t<Read, const nlohmann::ordered_json&>> {
+    const std::optional<nlohmann::ordered_json> kept = measured(config);
+    try {
+      if (kept) return read(*kept);
+    } catch (const NumberError&) {
+    } catch (const nlohmann::json::exception&) {}
+    return std::nullopt;
+  }
   void save(const Config& config,
             const nlohmann::ordered_json& measured) const;  // any thread; OwnFailure when it cannot be written
   std::filesystem::path path(const Config& config) const;
 
  private:
   nlohmann::ordered_json key(const Config& config) const;
+  std::optional<nlohmann::ordered_json> measured(const Config& config) const;
 
   std::filesystem::path folder_;
   nlohmann::ordered_json view_;  // the key's part that all configurations share

@@ -154,7 +154,7 @@ TEST(AccuracyFront, TheTargetIsReachedByTheCheapest) {
 
 TEST_F(SmallView, TogetherGoesFromTheFinestToTheCoarsest) {
   const AccuracyView view(scene_, camera_, options_);
-  const AccuracyStore store("", scene_, camera_, options_);
+  const MeasurementStore store("", scene_, camera_, options_);
   const AccuracySweep sweep = accuracy_sweep(view, store, read_frame_model(), options_.config,
                                              {.knobs = find_knobs({"alpha_w", "rgb_w", "sh_degree"}), .points = 8});
   ASSERT_GE(sweep.together.size(), 3u);

@@ -7,7 +7,8 @@
 
 #include "scenes/input_error.hpp"
 #include "scenes/text/json.hpp"
-#include "sim/study/accuracy/sweep/store.hpp"
+#include "sim/study/accuracy/accuracy_json.hpp"
+#include "sim/study/measurement_store.hpp"
 #include "verif/frame/scenes.hpp"
 #include "verif/scenes/scratch_folder.hpp"
 
@@ -30,17 +31,17 @@ Accuracy measured() {
 class Points : public testing::Test {
  protected:
   Points() { scene_.name = "caf\xe9"; }  // Latin-1, as a file name may be
-  AccuracyStore store() const { return {scratch_ / "points", scene_, camera_, options_}; }
+  MeasurementStore store() const { return {scratch_ / "points", scene_, camera_, options_}; }
   // The point of the default configuration with another text in place of `from`.
   bool is_read_with(const std::string& from, const std::string& to) {
-    store().save(config_, measured());
+    store().save(config_, to_json(measured()));
     const std::filesystem::path path = store().path(config_);
     std::ifstream file(path, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(file), {}};
     EXPECT_NE(text.find(from), std::string::npos) << from;
     text.replace(text.find(from), from.size(), to);
     std::ofstream(path, std::ios::binary) << text;
-    return store().load(config_).has_value();
+    return store().load(config_, accuracy_from_json).has_value();
   }
 
   const ScratchFolder scratch_;
@@ -51,9 +52,9 @@ class Points : public testing::Test {
 };
 
 TEST_F(Points, ComeBackAsTheyWereMeasured) {
-  EXPECT_FALSE(store().load(config_).has_value());
-  store().save(config_, measured());
-  const std::optional<Accuracy> read = store().load(config_);
+  EXPECT_FALSE(store().load(config_, accuracy_from_json).has_value());
+  store().save(config_, to_json(measured()));
+  const std::optional<Accuracy> read = store().load(config_, accuracy_from_json);
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(to_json(*read), to_json(measured()));
   EXPECT_EQ(read->bytes, ~uint64_t{0});
@@ -78,7 +79,7 @@ TEST_F(Points, WhatIsNoFileIsRefused) {
   store();
   std::filesystem::create_directories(store().path(config_));
   try {
-    store().load(config_);
+    store().load(config_, accuracy_from_json);
     FAIL() << "a folder was taken for a point";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("found a folder, expected a kept measurement"), std::string::npos);

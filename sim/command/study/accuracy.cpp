@@ -117,7 +117,7 @@ int accuracy(const AccuracyArguments& arguments) {
   check_picture_memory(loaded.camera, options, memory_of(arguments));
   const std::filesystem::path out = arguments.out;
   const AccuracyView view(loaded.scene, loaded.camera, options);
-  const AccuracyStore store(out / "points", loaded.scene, loaded.camera, options);
+  const MeasurementStore store(out / "points", loaded.scene, loaded.camera, options);
   const AccuracySweep sweep = accuracy_sweep(view, store, silicon, options.config, sweep_options);
   const std::vector<MeasuredPoint> points = sweep.all();
 

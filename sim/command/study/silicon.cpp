@@ -47,12 +47,7 @@ FrameActivity frame_activity(const LoadedView& loaded, const SimulateOptions& op
                                {{"rtl", hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv")},
                                 {"samples", {kSamples, kSampleCycles}},
                                 {"enables", enables.program}});
-  if (const auto kept = store.load(options.config)) {
-    try {
-      return frame_activity_from_json(*kept);
-    } catch (const NumberError&) {  // as good as none
-    } catch (const nlohmann::json::exception&) {}
-  }
+  if (const std::optional<FrameActivity> kept = store.load(options.config, frame_activity_from_json)) return *kept;
   const FrameActivity activity = measure_activity(loaded.scene, loaded.camera, options, enables, cycles, folder);
   store.save(options.config, to_json(activity));
   return activity;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/study/accuracy/accuracy_json.hpp"
 #include "sim/study/silicon/report.hpp"
 
 namespace pipegs {

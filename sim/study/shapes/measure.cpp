@@ -16,16 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A broken file is as good as none.
-bool take_kept_frame(const std::optional<Json>& kept, EngineResult& frame) {
-  if (!kept) return false;
-  try {
-    frame.cycles = json_integer<uint64_t>(kept->at("cycles"), 1);
-    frame.bytes = json_integer<uint64_t>(kept->at("bytes"));
-    return true;
-  } catch (const NumberError&) {
-  } catch (const Json::exception&) {}
-  return false;
+EngineResult frame_from_json(const Json& json) {
+  EngineResult frame;
+  frame.cycles = json_integer<uint64_t>(json.at("cycles"), 1);
+  frame.bytes = json_integer<uint64_t>(json.at("bytes"));
+  return frame;
 }
 
 }  // namespace
@@ -38,7 +33,10 @@ MeasureShapes measure_shapes(const Scene& scene, const Camera& camera, const Sim
     std::map<std::string, std::vector<size_t>> missing;  // by trace
     size_t count = 0, done = 0;
     for (size_t i = 0; i < configs.size(); ++i) {
-      if (take_kept_frame(store.load(configs[i]), frames[i])) continue;
+      if (const std::optional<EngineResult> kept = store.load(configs[i], frame_from_json)) {
+        frames[i] = *kept;
+        continue;
+      }
       missing[config_difference(timing_config(configs[i]))].push_back(i);
       ++count;
     }

@@ -40,7 +40,10 @@ class Study {
                         .height = camera.height,
                         .gaussians = count - left_out(count, way.without)};
     const MeasurementStore store = store_.with({{"scale", way.scale}, {"without", way.without}});
-    if (!take_kept(store.load(point.config), point)) {
+    const auto read = [&](const Json& json) { return with_figures(point, json); };
+    if (const std::optional<TradeoffPoint> kept = store.load(point.config, read)) {
+      point = *kept;
+    } else {
       measure(camera, point);
       store.save(point.config, figures(point));
     }
@@ -51,7 +54,7 @@ class Study {
  private:
   static std::string poses(const std::vector<Camera>& cameras);
   static Json figures(const TradeoffPoint& point);
-  static bool take_kept(const std::optional<Json>& kept, TradeoffPoint& point);
+  static TradeoffPoint with_figures(TradeoffPoint point, const Json& json);
   const Scene& scene_without(double without);
   void measure(const Camera& camera, TradeoffPoint& point);
 
@@ -79,18 +82,13 @@ Json Study::figures(const TradeoffPoint& point) {
   return {{"cycles", point.cycles}, {"bytes", point.bytes}, {"psnr", finite(point.psnr)}, {"ssim", finite(point.ssim)}};
 }
 
-bool Study::take_kept(const std::optional<Json>& kept, TradeoffPoint& point) {
-  if (!kept) return false;
-  try {
-    const Json &psnr = kept->at("psnr"), &ssim = kept->at("ssim");
-    point.cycles = json_integer<uint64_t>(kept->at("cycles"), 1);
-    point.bytes = json_integer<uint64_t>(kept->at("bytes"));
-    point.psnr = psnr.is_null() ? std::numeric_limits<double>::infinity() : json_real(psnr);
-    point.ssim = ssim.is_null() ? std::nan("") : json_real(ssim, {-1, 1});
-    return true;
-  } catch (const NumberError&) { return false; } catch (const nlohmann::json::exception&) {
-    return false;
-  }
+TradeoffPoint Study::with_figures(TradeoffPoint point, const Json& json) {
+  const Json &psnr = json.at("psnr"), &ssim = json.at("ssim");
+  point.cycles = json_integer<uint64_t>(json.at("cycles"), 1);
+  point.bytes = json_integer<uint64_t>(json.at("bytes"));
+  point.psnr = psnr.is_null() ? std::numeric_limits<double>::infinity() : json_real(psnr);
+  point.ssim = ssim.is_null() ? std::nan("") : json_real(ssim, {-1, 1});
+  return point;
 }
 
 const Scene& Study::scene_without(double without) {

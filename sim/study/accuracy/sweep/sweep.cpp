@@ -12,6 +12,7 @@
 #include "cpp_model/float/parallel.hpp"
 #include "scenes/input_error.hpp"
 #include "sim/progress.hpp"
+#include "sim/study/accuracy/accuracy_json.hpp"
 
 namespace pipegs {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 // What has been measured, by configuration.
 class Measured {
  public:
-  Measured(const AccuracyView& view, const AccuracyStore& store, bool resume)
+  Measured(const AccuracyView& view, const MeasurementStore& store, bool resume)
       : view_(view), store_(store), resume_(resume) {}
 
   const Accuracy& at(const Config& config) const { return figures_.at(config_difference(config)); }
@@ -30,7 +31,7 @@ class Measured {
     for (const Config& config : configs) {
       const std::string name = config_difference(config);
       if (figures_.contains(name)) continue;
-      const std::optional<Accuracy> known = resume_ ? store_.load(config) : std::nullopt;
+      const std::optional<Accuracy> known = resume_ ? store_.load(config, accuracy_from_json) : std::nullopt;
       if (known) figures_[name] = *known, ++kept;
       else missing.emplace(name, config);
     }
@@ -41,7 +42,7 @@ class Measured {
     parallel_for(work.size(), 0, [&](size_t i) {
       if (interrupted()) throw std::runtime_error("interrupted");
       const Accuracy accuracy = view_.measure(work[i].second);
-      store_.save(work[i].second, accuracy);
+      store_.save(work[i].second, to_json(accuracy));
       const std::lock_guard lock(mutex_);
       figures_[work[i].first] = accuracy;
       ++computed, ++done;
@@ -54,7 +55,7 @@ class Measured {
 
  private:
   const AccuracyView& view_;
-  const AccuracyStore& store_;
+  const MeasurementStore& store_;
   const bool resume_;
   std::map<std::string, Accuracy> figures_;
   std::mutex mutex_;
@@ -92,7 +93,7 @@ std::vector<MeasuredPoint> AccuracySweep::all() const {
   return points;
 }
 
-AccuracySweep accuracy_sweep(const AccuracyView& view, const AccuracyStore& store, const FrameModel& silicon,
+AccuracySweep accuracy_sweep(const AccuracyView& view, const MeasurementStore& store, const FrameModel& silicon,
                              const Config& config, const SweepOptions& options) {
   const Stopwatch watch;
   Measured measured(view, store, options.resume);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/study/accuracy/sweep/front.hpp"
-#include "sim/study/accuracy/sweep/store.hpp"
+#include "sim/study/measurement_store.hpp"
 
 namespace pipegs {
 
@@ -33,7 +33,7 @@ struct AccuracySweep {
 
 // `config` is the base. Throws std::runtime_error when interrupted; what was measured until then is in the store.
 // Area and energy are told by `silicon`, and not kept.
-AccuracySweep accuracy_sweep(const AccuracyView& view, const AccuracyStore& store, const FrameModel& silicon,
+AccuracySweep accuracy_sweep(const AccuracyView& view, const MeasurementStore& store, const FrameModel& silicon,
                              const Config& config, const SweepOptions& options);
 
 }  // namespace pipegs
