@@ -242,31 +242,48 @@ def silicon(found):
     return silicon_rows(row)
 
 
-def paths(found):
-    """The longest path of each design point, ps at mid."""
-    return {row["name"]: silicon_rows(row)["Total"]["path_ps"]["mid"] for row in found["rungs"]}
-
-
 def energy(found):
-    """By design point: frames for area and energy, and what each unit takes."""
+    """By design point: clock, area, frames for area and energy, and what each unit takes."""
     result = {}
     for row in found["rungs"]:
-        by = lambda factor, of: {key: factor * value for key, value in of.items()}
-        units = {
-            one["name"]: {
-                "awake": one["awake"] or None,
-                "uj": by(1e6, one["frame_j"]),
-                "halves": one["halves_differ"] or None,
-                "clocks": one["clocks_j"] / one["frame_j"]["mid"] if one["clocks_j"] else None,
-                "leakage_mw": by(1e3, one["leakage_w"]),
-                "mw_60": by(1e3, one["watts_60"]),
-                "w_full": one["watts_full"],
-            }
-            for one in row["energy"]
+        total = silicon_rows(row)["Total"]
+        figures = pick("cycles", "ghz", "us", "fps", "fps_per_mm2", "frames_per_joule", "frames_per_joule_with_dram")
+        result[row["name"]] = figures(row) | {
+            "mm2": total["area_mm2"]["mid"],
+            "path_ps": total["path_ps"]["mid"],
+            "rows": {one["name"]: energy_row(one) for one in row["energy"]},
+            "modules": [clocks_row(one) for one in row["clocks"][:12]],
         }
-        figures = pick("cycles", "fps", "fps_per_mm2", "frames_per_joule", "frames_per_joule_with_dram")(row)
-        result[row["name"]] = figures | {"mm2": silicon_rows(row)["Total"]["area_mm2"]["mid"], "rows": units}
     return result
+
+
+def equal_area(found):
+    """By design point: the area at which all are compared, and its time there."""
+    return {row["name"]: row["equal_area"] for row in found["rungs"]}
+
+
+def energy_row(one):
+    """What a unit takes; uJ of a frame are without leakage."""
+    by = lambda factor, of: {key: factor * value for key, value in of.items()}
+    row = {
+        "awake": one["awake"] or None,
+        "uj": by(1e6, one["frame_j"]),
+        "halves": one["halves_differ"] or None,
+        "clocks": one["clocks_j"] / one["frame_j"]["mid"] if one["clocks_j"] else None,
+        "leakage_mw": by(1e3, one["leakage_w"]),
+        "mw_60": by(1e3, one["watts_60"]),
+        "w_full": one["watts_full"],
+    }
+    if one["flipflops"]:
+        row |= {key: one[key] for key in ("flipflops", "gated", "unseen")}
+        row["clock_uj"] = {name: 1e6 * one[f"{name}_j"] for name in ("clocks", "ungated", "gates", "open")}
+    return row
+
+
+def clocks_row(one):
+    """What the clocks of a module's instances take, uJ of a frame."""
+    row = {key: one[key] for key in ("row", "module", "flipflops", "gated")}
+    return row | {f"{name}_uj": 1e6 * one[f"{name}_j"] for name in ("ungated", "gated")}
 
 
 def cost(found):
@@ -277,36 +294,6 @@ def cost(found):
     figures = pick("cycles", "frames_per_joule", "frames_per_joule_with_dram")(row)
     mid = {"mm2": total["area_mm2"]["mid"], "path_ps": total["path_ps"]["mid"]}
     return figures | mid | {"chip_uj": uj["Total"], "dram_uj": uj["DRAM"]}
-
-
-def equal_area(found):
-    """By design point: clock, time, area, and the time at the area at which all are compared."""
-    figures = pick("cycles", "ghz", "us", "fps_per_mm2", "fps_per_mm2_at_1_ghz")
-    return {
-        row["name"]: figures(row) | {"mm2": silicon_rows(row)["Total"]["area_mm2"]["mid"], "equal": row["equal_area"]}
-        for row in found["rungs"]
-    }
-
-
-def gating(found):
-    """Of one design point: its clocks, by row and by module (uJ of a frame), and frames for energy."""
-    (row,) = found["rungs"]
-    keys = ("flipflops", "gated", "unseen")
-    uj = lambda one, *names: {name: 1e6 * one[f"{name}_j"] for name in names}
-    rows = {
-        one["name"]: {key: one[key] for key in keys} | uj(one, "clocks", "ungated", "gates", "open")
-        for one in row["energy"]
-        if one["flipflops"]
-    }
-    modules = [
-        pick("row", "module", "flipflops", "gated")(one)
-        | {"gated_uj": 1e6 * one["gated_j"]}
-        | uj(one, "ungated", "gates")
-        for one in row["clocks"][:12]
-    ]
-    frames = pick("cycles", "frames_per_joule", "frames_per_joule_with_dram")(row)
-    chip = next(one for one in row["energy"] if one["name"] == "Total")
-    return frames | {"chip_uj": 1e6 * chip["frame_j"]["mid"], "rows": rows, "modules": modules}
 
 
 def accuracy(found):

@@ -18,7 +18,6 @@ from keep import (
     fetched,
     fidelity,
     frame,
-    gating,
     golden,
     host,
     host_model,
@@ -29,7 +28,6 @@ from keep import (
     models,
     netlist,
     one_model,
-    paths,
     printed,
     proofs,
     shapes,
@@ -46,7 +44,6 @@ from scenes import SIZES, VIEWS_OF_SIZE
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory")
 POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact", "fast")
-GATED = ("dpc", "fast")  # whose clocks energy.md shows
 
 
 def points_of(*figures):
@@ -169,8 +166,6 @@ TABLE = [
                   points=(change.split()[1],)) for name, (_, change) in STEPS.items() for scene in FOUR],
     *[Measurement(f"costs/{name}", f"build/pipegs silicon {change} --json", cost, (*RTL, "synth"),
                   points=(change.split()[1],)) for name, (_, change) in COSTED.items()],
-    *[Measurement(f"equal_area/{scene}", f"build/pipegs silicon {{scene}} --rungs {','.join(POINTS)} {EQUAL_AREA}"
-                  "--no-energy --json", equal_area, ("rtl", *MODEL, "synth"), scene, points=POINTS) for scene in FOUR],
     *[Measurement(f"large/showroom/{name}", f"build/pipegs model {{scene}} {options} --json", large_model, MODEL,
                   "showroom", points=(options.split()[1],)) for name, (_, options) in LARGE.items()],
     *[Measurement(f"scale/sim/{name}", "build/pipegs sim {scene} --rung dop --no-rtl --json", host, ("models",), scene,
@@ -212,16 +207,13 @@ TABLE = [
                   points=(options.split()[1],)) for name, options in SYNTHESISED.items()],
     Measurement("shapes/own", "build/pipegs shapes --rung exact --json", shapes, MODEL, points=("exact",),
                 chart="shapes_own.svg"),
-    Measurement("silicon/paths", f"build/pipegs silicon --rungs {','.join(POINTS)} --no-energy --json", paths,
-                ("rtl", "synth"), points=POINTS),
-    Measurement("energy/own", f"build/pipegs silicon --rungs {','.join(POINTS)} --json", energy, (*RTL, "synth"),
-                points=POINTS, chart="silicon.svg"),
-    Measurement("energy/terrace", "build/pipegs silicon {scene} --rungs baseline,dop,exact --json", energy,
-                (*RTL, "synth"), "terrace", 1, ("baseline", "dop", "exact")),
-    *[Measurement(f"gating/{scene}/{point}", f"build/pipegs silicon {{scene}} --rung {point} --json", gating,
-                  (*RTL, "synth"), scene, points=(point,)) for scene in CHARTED for point in GATED],
+    *[Measurement(f"energy/{scene}", f"build/pipegs silicon {{scene}} --rungs {','.join(POINTS)} --json", energy,
+                  (*RTL, "synth"), scene, points=POINTS, chart="silicon.svg" if scene == "own" else "")
+      for scene in FOUR],
+    *[Measurement(f"equal_area/{scene}", f"build/pipegs silicon {{scene}} --rungs {','.join(POINTS)} {EQUAL_AREA}"
+                  "--no-energy --json", equal_area, ("rtl", *MODEL, "synth"), scene, points=POINTS) for scene in FOUR],
     *[Measurement(f"energy/{scene}_sky130", "build/pipegs silicon {scene} --rung dop --library sky130hd_tt --json",
-                  energy, (*RTL, "synth"), scene, view, ("dop",)) for scene, view in (("own", 0), ("terrace", 1))],
+                  energy, (*RTL, "synth"), scene, points=("dop",)) for scene in CHARTED],
     *[Measurement(f"accuracy/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --out accuracy/{scene} "
                   "--json", accuracy, MODEL, scene, points=("exact",)) for scene in ("own", "terrace", "statue")],
     *[Measurement(f"accuracy_rtl/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --rtl "

@@ -4,8 +4,9 @@ from data import data
 from formats import fixed, group, mean, percent, table, times
 from measurements import FOUR, points_of
 
-MEASURED = ["ladder/*", "equal_area/*", "sweep/*", "results/terrace_0", "what_if/terrace/alpha_lines*"]
+MEASURED = ["ladder/*", "energy/*", "equal_area/*", "sweep/*", "results/terrace_0", "what_if/terrace/alpha_lines*"]
 PAPER = {"baseline": ("1.00", "7.48"), "dpc": ("-", "5.71"), "tspp": ("2.33", "1.83"), "dop": ("2.85", "-")}
+FOR = ("fps_per_mm2", "frames_per_joule", "frames_per_joule_with_dram")
 SWEPT = ("baseline", "dop", "exact")
 
 
@@ -54,27 +55,37 @@ def ladder(scene):
 
 
 def fair(scene):
-    """Each design point at the clock that it reaches, for its area, and at an area that all have."""
-    found = data.equal_area[scene]
+    """Each design point at the clock that it reaches: for its area, and for a joule."""
+    found = data.energy[scene]
     base = found.baseline
     rows = [
         [
             f"`{point}`",
             fixed(row.ghz, 3),
-            fixed(row.us, 0),
-            times(base.us / row.us),
+            *[group(row.us), times(base.us / row.us)],
             fixed(row.mm2, 2),
-            fixed(row.fps_per_mm2, 0),
-            times(row.fps_per_mm2 / base.fps_per_mm2),
-            fixed(row.equal.us, 0),
-            times(base.equal.us / row.equal.us),
+            *[cell for key in FOR for cell in (group(row[key]), times(row[key] / base[key]))],
         ]
         for point in points_of(found)
         for row in [found[point]]
     ]
-    area = f"us at {base.equal.mm2} mm2"
-    head = ["design point", "GHz", "us", "speed-up", "mm2", "frames/s/mm2", "over baseline", area, "speed-up"]
-    return table(head, rows)
+    head = ["design point", "GHz", "us", "over baseline", "mm2", "frames/s/mm2", "over", "frames/J", "over"]
+    return table([*head, "with DRAM", "over"], rows)
+
+
+def best_over(key):
+    """The span over the scenes of what `fast` has over baseline."""
+    return span(fixed, [data.energy[scene].fast[key] / data.energy[scene].baseline[key] for scene in FOUR], 2)
+
+
+def equal():
+    """The time of a frame at the area that all have, scene by scene."""
+    rows = []
+    for point in points_of(data.equal_area.own):
+        us = {scene: data.equal_area[scene][point].us for scene in FOUR}
+        over = {scene: data.equal_area[scene].baseline.us / us[scene] for scene in FOUR}
+        rows.append([f"`{point}`", *[f"{group(us[scene])} ({times(over[scene])})" for scene in FOUR]])
+    return table(["us of a frame (over `baseline`)", *FOUR], rows)
 
 
 def built_of():

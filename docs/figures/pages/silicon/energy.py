@@ -4,11 +4,11 @@ from itertools import product
 
 from data import data
 from formats import fixed, group, percent, table, times
-from measurements import points_of
+from measurements import CHARTED, points_of
 from pages.cycles.utilisation import TITLES
 from pages.silicon.silicon import either, ranged
 
-MEASURED = ["energy/*", "gating/*"]
+MEASURED = ["energy/*"]
 ROWS = ("DOPU", "PU", "SU", "RU", "Other", "Buffers", "Total", "DRAM")
 PAPER = {"DOPU": 0.004, "PU": 0.466, "SU": 0.068, "RU": 0.171, "Buffers": 0.236, "Total": 0.948}  # W, Table 2
 
@@ -48,31 +48,6 @@ def units(scene, point="dop"):
     )
 
 
-def points(scene):
-    """Frames for area and for energy, over the baseline."""
-    rows, base = [], data.energy[scene].baseline
-    for name in points_of(data.energy[scene]):
-        row = data.energy[scene][name]
-        rows.append([f"`{name}`", row.cycles, group(row.fps), fixed(row.mm2, 2)])
-        for key, digits in (("fps_per_mm2", 1), ("frames_per_joule", 0), ("frames_per_joule_with_dram", 0)):
-            rows[-1] += [fixed(row[key], digits), times(row[key] / base[key])]
-    return table(
-        [
-            "design point",
-            "cycles",
-            "frames/s",
-            "mm2",
-            "frames/s/mm2",
-            "over baseline",
-            "frames/J",
-            "over baseline",
-            "frames/J with DRAM",
-            "over baseline",
-        ],
-        rows,
-    )
-
-
 def joules(scene):
     """uJ of a frame by unit at mid, without leakage."""
     rows = []
@@ -80,40 +55,36 @@ def joules(scene):
         row = data.energy[scene][name]
         cells = [group(row.rows[unit].uj.mid) for unit in ROWS]
         awake = [percent(row.rows[unit].awake) for unit in ("PU", "RU")]
-        rows.append([f"`{name}`", *cells, *awake, fixed(row.fps_per_mm2, 1), group(row.frames_per_joule)])
+        rows.append([f"`{name}`", *cells, *awake])
     return table(
         [
             "design point",
             *["chip" if unit == "Total" else unit for unit in ROWS],
             "PUs awake",
             "RUs awake",
-            "frames/s/mm2",
-            "frames/J",
         ],
         rows,
     )
 
 
 def gated():
-    """Of the machines in gating/: which flip-flops have a gate, and what their clocks take."""
+    """Which flip-flops of two machines have a gate, and what their clocks take."""
     rows = []
-    for scene, name in product(TITLES, ("dpc", "fast")):
-        if scene not in data.gating or name not in data.gating[scene]:
-            continue
-        point = data.gating[scene][name]
-        all_rows = point.rows.Total
-        open_edges = (all_rows.clocks - all_rows.ungated - all_rows.gates) / all_rows.open
+    for scene, name in product(CHARTED, ("dpc", "fast")):
+        point = data.energy[scene][name]
+        total = point.rows.Total
+        clock = total.clock_uj
         rows.append(
             [
                 f"`{name}`, {TITLES[scene]}",
-                group(all_rows.flipflops),
-                percent(all_rows.gated / all_rows.flipflops, 1),
-                percent(all_rows.unseen / all_rows.flipflops, 2),
-                percent(open_edges, 1),
-                group(all_rows.clocks),
-                group(all_rows.ungated),
-                group(all_rows.gates),
-                group(point.chip_uj),
+                group(total.flipflops),
+                percent(total.gated / total.flipflops, 1),
+                percent(total.unseen / total.flipflops, 2),
+                percent((clock.clocks - clock.ungated - clock.gates) / clock.open, 1),
+                group(clock.clocks),
+                group(clock.ungated),
+                group(clock.gates),
+                group(total.uj.mid),
                 group(point.frames_per_joule),
                 group(point.frames_per_joule_with_dram),
             ]
@@ -144,10 +115,10 @@ def gated_modules(name):
             f"`{one.module}`",
             group(one.flipflops),
             group(one.gated),
-            fixed(one.ungated, 1),
+            fixed(one.ungated_uj, 1),
             fixed(one.gated_uj, 1),
         ]
-        for one in data.gating.own[name].modules
+        for one in data.energy.own[name].modules
     ]
     return table(["unit", "module", "flip-flops", "behind a gate", "uJ without a gate", "uJ behind gates"], rows)
 
@@ -168,20 +139,20 @@ def spread(form, values, *digits):
 
 def of_paper(unit, digits=1):
     """The unit's power at full speed over the paper's, both scenes."""
-    return spread(times, (watts(scene, unit) / PAPER[unit] for scene in ("own", "terrace")), digits)
+    return spread(times, (watts(scene, unit) / PAPER[unit] for scene in CHARTED), digits)
 
 
 def awake(unit):
-    return spread(percent, (data.energy[scene].dop.rows[unit].awake for scene in ("own", "terrace")))
+    return spread(percent, (data.energy[scene].dop.rows[unit].awake for scene in CHARTED))
 
 
 def clocks(unit):
-    return spread(percent, (data.energy[scene].dop.rows[unit].clocks for scene in ("own", "terrace")))
+    return spread(percent, (data.energy[scene].dop.rows[unit].clocks for scene in CHARTED))
 
 
 def leaks(unit):
     """Leakage as a share of the unit's power at full speed, both scenes."""
-    rows = [data.energy[scene].dop.rows[unit] for scene in ("own", "terrace")]
+    rows = [data.energy[scene].dop.rows[unit] for scene in CHARTED]
     return spread(percent, (row.leakage_mw.mid / 1e3 / row.w_full.mid for row in rows))
 
 

@@ -7,7 +7,7 @@ from formats import change, fixed, group, percent, table, times
 from pages.silicon import memories
 from sources import ROOT
 
-MEASURED = ["silicon/*", "memories/dop"]
+MEASURED = ["silicon/*", "energy/own", "memories/dop"]
 UNITS = ("DOPU", "PU", "SU", "RU")
 ROWS = (*UNITS, "Other", "Buffers", "Total")
 PAPER = {"DOPU": 0.001, "PU": 1.695, "SU": 0.065, "RU": 0.472, "Buffers": 1.038, "Total": 3.283}  # mm2, Table 2
@@ -99,7 +99,7 @@ def difference(to, unit, frm="dop"):
 
 def longest(*points):
     """Longest path of the whole machine at each design point."""
-    return [f"{data.silicon.paths[point]:.0f} ps" for point in points]
+    return [f"{data.energy.own[point].path_ps:.0f} ps" for point in points]
 
 
 def fine():
