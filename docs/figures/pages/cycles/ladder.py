@@ -4,7 +4,7 @@ from data import data
 from formats import fixed, group, mean, percent, table, times
 from measurements import FOUR, points_of
 
-MEASURED = ["ladder/*", "energy/*", "equal_area/*", "sweep/*", "results/terrace_0", "what_if/terrace/alpha_lines*"]
+MEASURED = ["ladder/*", "energy/*", "sweep/*", "results/terrace_0", "what_if/terrace/alpha_lines*"]
 PAPER = {"baseline": ("1.00", "7.48"), "dpc": ("-", "5.71"), "tspp": ("2.33", "1.83"), "dop": ("2.85", "-")}
 FOR = ("fps_per_mm2", "frames_per_joule", "frames_per_joule_with_dram")
 SWEPT = ("baseline", "dop", "exact")
@@ -62,7 +62,8 @@ def fair(scene):
         [
             f"`{point}`",
             fixed(row.ghz, 3),
-            *[group(row.us), times(base.us / row.us)],
+            group(row.us),
+            times(base.us / row.us),
             fixed(row.mm2, 2),
             *[cell for key in FOR for cell in (group(row[key]), times(row[key] / base[key]))],
         ]
@@ -76,16 +77,6 @@ def fair(scene):
 def best_over(key):
     """The span over the scenes of what `fast` has over baseline."""
     return span(fixed, [data.energy[scene].fast[key] / data.energy[scene].baseline[key] for scene in FOUR], 2)
-
-
-def equal():
-    """The time of a frame at the area that all have, scene by scene."""
-    rows = []
-    for point in points_of(data.equal_area.own):
-        us = {scene: data.equal_area[scene][point].us for scene in FOUR}
-        over = {scene: data.equal_area[scene].baseline.us / us[scene] for scene in FOUR}
-        rows.append([f"`{point}`", *[f"{group(us[scene])} ({times(over[scene])})" for scene in FOUR]])
-    return table(["us of a frame (over `baseline`)", *FOUR], rows)
 
 
 def built_of():
