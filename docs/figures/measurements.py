@@ -157,9 +157,9 @@ PRINTS = {  # a test that prints what it measures: its room, the line, names of 
 TABLE = [
     *[Measurement(f"ladder/{scene}", "build/pipegs ladder {scene} --json", ladder, RTL, scene, points=POINTS,
                   chart=f"ladder_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
-    *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --rungs baseline,dop,exact --json", sweep, MODEL, scene,
-                  points=("baseline", "dop", "exact"), chart=f"sweep_{scene}.svg" if scene in CHARTED else "")
-      for scene in FOUR],
+    *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --rungs baseline,dop,exact,fast --json", sweep, MODEL,
+                  scene, points=("baseline", "dop", "exact", "fast"),
+                  chart=f"sweep_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
     *[Measurement(f"what_if/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
@@ -207,6 +207,7 @@ TABLE = [
                   points=(options.split()[1],)) for name, options in SYNTHESISED.items()],
     Measurement("shapes/own", "build/pipegs shapes --rung exact --json", shapes, MODEL, points=("exact",),
                 chart="shapes_own.svg"),
+    Measurement("shapes/fast", "build/pipegs shapes --rung fast --json", shapes, MODEL, points=("fast",)),
     *[Measurement(f"energy/{scene}", f"build/pipegs silicon {{scene}} --rungs {','.join(POINTS)} --json", energy,
                   (*RTL, "synth"), scene, points=POINTS, chart="silicon.svg" if scene == "own" else "")
       for scene in FOUR],

@@ -5,8 +5,9 @@
 #   speed.sh [POINT [CONFIG [VARIANT ...]]]     else fast, no CONFIG, and the variants of docs/cycles/speed.md
 #
 # A VARIANT is what sim/rtl/build_rtl.sh takes before the settings, without blanks between: +noasserts, or
-# +apart+noasserts; `+` alone is the machine of `pipegs sim`. Their machines lie in the build folder under speed/. Other
-# work on the computer slows all of them alike; the ratios hold. Exit code 3 when something does not build.
+# +apart+noasserts; `+` alone is the machine of `pipegs sim`. @COMMIT before it is the RTL of another commit, with
+# today's package of the configuration. Their machines lie in the build folder under speed/. Other work on the computer
+# slows all of them alike; the ratios hold. Exit code 3 when something does not build.
 set -euo pipefail
 cd "$(dirname "$0")/../.." || exit 3
 build=$(realpath "${BUILD:-build}")
@@ -14,7 +15,7 @@ point=${1:-fast} config=${2-}
 variants=("${@:3}")
 if [ ${#variants[@]} = 0 ]; then
   any=cxx=-march=x86-64
-  variants=("+apart+$any" "+$any" + "+apart+noasserts+$any" +noasserts)
+  variants=("@70124d4+apart+$any" "+apart+$any" "+$any" + "+apart+noasserts+$any" +noasserts)
 fi
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
@@ -28,10 +29,18 @@ libraries=()
 for variant in "${variants[@]}"; do
   folder=$build/speed/$point,${config//\//.}/$variant
   mkdir -p "$folder"
+  source=. options=$variant
+  if [[ $variant == @* ]]; then
+    commit=${variant%%+*} options=${variant#"${variant%%+*}"}
+    source=$build/speed/source/$commit
+    mkdir -p "$source"
+    quietly git archive -o "$source.tar" "${commit#@}"
+    quietly tar -x -f "$source.tar" -C "$source"
+  fi
   words=()
-  if [ "$variant" != + ]; then read -ra words <<< "${variant//+/ +}"; fi
+  if [ "$options" != + ]; then read -ra words <<< "${options//+/ +}"; fi
   # shellcheck disable=SC2086  # the settings are words
-  quietly sim/rtl/build_rtl.sh "$build" "$folder" "${words[@]}" ${settings//,/ }
+  quietly "$source/sim/rtl/build_rtl.sh" "$build" "$folder" "${words[@]}" ${settings//,/ }
   libraries+=("$folder/librtl.so")
 done
 "$program" "$point" "$config" "${ROUNDS:-3}" "${WINDOWS:-2}" "${libraries[@]}"

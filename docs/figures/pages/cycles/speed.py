@@ -4,9 +4,10 @@ from data import data
 from formats import fixed, group, table
 
 MEASURED = ["speed/*"]
-BEFORE = "+apart+cxx=-march=x86-64"  # every unit's code for itself, for any processor, as Verilator's -O3 makes it
+BEFORE = "@70124d4+apart+cxx=-march=x86-64"  # the commit before what was done in RTL, built as below
 VARIANTS = {  # variant: what it is, whether machines are built so
-    BEFORE: ("code for each unit, as Verilator's `-O3` makes it, for any x86-64 processor", "no"),
+    BEFORE: ("the RTL of commit 70124d4, code for each unit, for any x86-64 processor", "no"),
+    "+apart+cxx=-march=x86-64": ("today's RTL, code for each unit, as Verilator's `-O3` makes it", "no"),
     "+cxx=-march=x86-64": ("PUs, SUs and RUs share their code", "on a processor without AVX2"),
     "+": ("and for the processor's level of instructions", "the machine of `pipegs sim`"),
     "+apart+noasserts+cxx=-march=x86-64": ("code for each unit, no assertions, any processor", "no"),
@@ -15,7 +16,7 @@ VARIANTS = {  # variant: what it is, whether machines are built so
 
 
 def variants(point):
-    """kHz of each variant, with nothing looked at and compared, over those of the variant before."""
+    """kHz of each variant, with nothing looked at and compared, over those of BEFORE."""
     found = data.speed[point]
     rows = []
     for variant, (what, kept) in VARIANTS.items():

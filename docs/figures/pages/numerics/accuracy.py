@@ -156,32 +156,17 @@ def clock():
     return table(["configuration", "FO4", "fitted", "leave-one-out error", "extrapolated"], rows)
 
 
-def alone(configuration):
-    (row,) = [row for row in data.accuracy.leave_one_out.points if row.configuration == configuration]
-    return change(row.leave_one_out)
-
-
-LONE = (
-    "late=1,order=1,quadratic=1,records=2048",
-    "sh_degree=0,late=1,order=2,opacity_f=16,tile_test=0,color_w=16,records=2048",
-)
-
-
 def most(rows, key="leave_one_out"):
     return percent(max(abs(row[key]) for row in rows), 1)
 
 
-def usual():
-    """The largest leave-one-out error without the two points that stand alone."""
-    return most(row for row in data.accuracy.leave_one_out.points if row.configuration not in LONE)
+def of_points(extrapolated):
+    """The largest leave-one-out error of the points that lie among the others, or beyond them."""
+    return most(row for row in data.accuracy.leave_one_out.points if row.extrapolated == extrapolated)
 
 
-def same_point():
-    return most(row for row in data.accuracy.leave_one_out.frames if not row.alone)
-
-
-def other_points():
-    return most(row for row in data.accuracy.leave_one_out.frames if row.alone)
+def of_frames():
+    return most(data.accuracy.leave_one_out.frames)
 
 
 def fidelity(scene):
