@@ -43,7 +43,7 @@ def settings(text):
 
 def instances(modules):
     """(module, unit, block, whether it is the block itself) of every instance that is no memory."""
-    shared = {os.path.basename(path)[:-3] for path in glob.glob(f"{synth.ROOT}/rtl/lib/*.sv")}
+    shared = {os.path.basename(path)[:-3] for path in glob.glob(f"{synth.ROOT}/rtl/lib/**/*.sv", recursive=True)}
 
     def visit(module, unit, block):
         if module.base == rtlil.MEMORY:

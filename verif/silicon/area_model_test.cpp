@@ -119,6 +119,13 @@ TEST(AreaModel, RefusesABlockWithoutItsKnobs) {
   }
 }
 
+// Fitted alone, a part of the library would be the sum of what all blocks hold of it, in widths of no one knob.
+TEST(AreaModel, BlocksHoldTheirPartsOfTheLibrary) {
+  const Dependences depends = read_dependences(std::string(kSynth) + "depends.csv");
+  for (const fs::directory_entry& file : fs::recursive_directory_iterator(PIPEGS_SOURCE_DIR "/rtl/lib"))
+    EXPECT_FALSE(depends.contains(file.path().stem().string())) << file.path() << " is no block";
+}
+
 // Whether another point is of the same kind, and another one has spherical harmonics of the same degree.
 bool has_kin(const AreaModel& model, size_t point) {
   const Config& config = model.points()[point].config;
@@ -145,10 +152,8 @@ TEST(AreaModel, LeaveOneOutErrorsOfThePoints) {
     printf("%+7.2f %% fitted, %+7.2f %% leave-one-out%s: %s\n", 100 * fitted, 100 * told,
            model.without(i).inside(kept_out.config) ? "" : " (extrapolated)",
            config_difference(kept_out.config).c_str());
-    // Some knobs are shown by one point alone: without it nothing tells what they do. Of `fast` these are its window,
-    // its tests and its culls.
-    EXPECT_LT(std::abs(fitted), 0.004);
-    EXPECT_LT(std::abs(told), has_kin(model, i) && model.without(i).inside(kept_out.config) ? 0.07 : 0.11);
+    EXPECT_LT(std::abs(fitted), 0.002);
+    EXPECT_LT(std::abs(told), has_kin(model, i) && model.without(i).inside(kept_out.config) ? 0.03 : 0.1);
   }
 }
 
@@ -169,7 +174,7 @@ TEST(FrameModel, LeaveOneOutErrorsOfTheFrames) {
     printf("%+7.1f %% of the chip's %.0f uJ leave-one-out%s: %s %s\n", 100 * told, measured * 1e6,
            same_design_point ? "" : " (no other of its design point)", frame.scene.c_str(),
            config_difference(frame.config).c_str());
-    EXPECT_LT(std::abs(told), same_design_point ? 0.25 : 0.8);  // how often a unit switches differs between scenes
+    EXPECT_LT(std::abs(told), same_design_point ? 0.21 : 0.8);  // how often a unit switches differs between scenes
   }
 }
 

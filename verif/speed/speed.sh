@@ -31,8 +31,8 @@ for variant in "${variants[@]}"; do
   mkdir -p "$folder"
   source=. options=$variant
   if [[ $variant == @* ]]; then
-    commit=${variant%%+*} options=${variant#"${variant%%+*}"}
-    source=$build/speed/source/$commit
+    commit=${variant%%+*}
+    options=${variant#"$commit"} source=$build/speed/source/$commit
     mkdir -p "$source"
     quietly git archive -o "$source.tar" "${commit#@}"
     quietly tar -x -f "$source.tar" -C "$source"

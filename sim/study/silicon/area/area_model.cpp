@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* kPointsHeader = "configuration,unit,block,instances,nand2,flipflops";
 constexpr const char* kDependsHeader = "block,knobs";
-// Beside a block's mean area of 1: what a coefficient may cost. A knob's whole range is 2.
-constexpr double kLineRidge = 1e-4, kSquareRidge = 1e-2;
+// Beside a block's mean area of 1: what a coefficient may cost. A knob's whole range is 2. Live: with living quads.
+constexpr double kLineRidge = 1e-4, kSquareRidge = 1e-2, kLiveRidge = 1e-3;
 
 }  // namespace
 
@@ -126,11 +126,11 @@ void AreaModel::fit(const std::string& name, Block& block) const {
     mean += y.back();
   }
   if (mean == 0) {
-    block.coefficients.assign(ridge.size() + 2 * block.knobs.size(), 0);
+    block.coefficients.assign(ridge.size() + 3 * block.knobs.size(), 0);
     return;
   }
   mean /= static_cast<double>(y.size());
-  for (size_t i = 0; i < block.knobs.size(); ++i) ridge.push_back(kLineRidge), ridge.push_back(kSquareRidge);
+  for (size_t i = 0; i < block.knobs.size(); ++i) ridge.insert(ridge.end(), {kLineRidge, kSquareRidge, kLiveRidge});
   for (double& area : y) area /= mean;
   block.coefficients = least_squares(x, y, ridge);
   for (double& coefficient : block.coefficients) coefficient *= mean;
@@ -142,6 +142,7 @@ std::vector<double> AreaModel::terms(const Block& block, const Config& config) c
     const double at = scaled(config, knob) - scaled(points_.front().config, knob);
     x.push_back(at);
     x.push_back(at * at);
+    x.push_back(at * config.quads);
   }
   return x;
 }

@@ -3,9 +3,9 @@
 //
 // Idea    A block is a module with what it holds of rtl/lib. Its NAND2 equivalents are a sum over the knobs that its
 //         text depends on (synth/data/depends.csv): a line for a width, and a square, since a multiplier grows with the
-//         product of two widths. Kinds of machines (machine_kind.hpp) are offsets. Each block is fitted by least
-//         squares to synth/data/points.csv; units are sums of blocks. Ridges hold back what few points do not tell,
-//         squares most.
+//         product of two widths. Kinds of machines (machine_kind.hpp) are offsets; with living quads a block's lines
+//         have another slope, too, because other lanes stand in it. Each block is fitted by least squares to
+//         synth/data/points.csv; units are sums of blocks. Ridges hold back what few points do not tell, squares most.
 // Copies  What stands in each unit, or in each PU that fetches, is fitted for one of them and multiplied: a block is so
 //         when its instances are a multiple of `units`, or of pu_fronts, in every point, and of these what leaves the
 //         fewest different ratios in a kind.
