@@ -4,7 +4,8 @@
 #
 # Arrays of structs, of enums and of other named types lose a dimension, functions that return structs return 0,
 # functions that build a table in a constant get it wrong, a parameter of '1 is 1, a sum in a comparison keeps what a
-# sized cast in it cuts off, and a minus before a sized cast binds to the size: write W'(0) - W'(x).
+# sized cast in it cuts off, a shifted cast in a replication is not as wide as the cast, and a minus before a sized cast
+# binds to the size: write W'(0) - W'(x).
 # Prints each place with what is wrong with it; fails when there is one.
 set -uo pipefail
 found=0
@@ -13,6 +14,7 @@ look "an array of a named type" '\b[a-z_0-9]+_[te] +(\[|[a-z_0-9]+ *\[)' "$@"
 look "a function that returns a struct" 'function automatic +(pipegs_pkg::)?[a-z_0-9]+_t' "$@"
 look "a constant table built by a function" 'localparam[^=]*\[[^=]*= *[a-z_]+\(' "$@"
 look "a minus before a sized cast" "[^] A-Za-z0-9_)'] *-(\([^()]*\)|[A-Za-z0-9_:]+)'\(" "$@"
+look "a shift of a sized cast in a replication" "\{[A-Za-z0-9_:]+'\([^{}]*\) *<<[^{}]*\}\}" "$@"
 look "a parameter of all ones" "(local)?param(eter)?[^=]*= *'1 *[;,)]" "$@"
 look "a comparison with a sum that holds a sized cast" \
   "[=!]= *[]A-Za-z0-9_.:[]+ *[+-] *[A-Za-z0-9_:]+'\(|[+-] *[A-Za-z0-9_:]+'\([^()]*\) *[=!]=" "$@"

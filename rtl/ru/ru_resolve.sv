@@ -91,7 +91,8 @@ module ru_resolve #(
   end
 
   // --- the word as it lies in memory ---------------------------------------------------------------------------------
-  localparam logic [WordW-1:0] Fresh = {Lanes'(0), {Lanes{TW'(1) << (TW - 1)}}, (Lanes*3*RgbW)'(0)};
+  localparam logic [TW-1:0]    Open  = TW'(1) << (TW - 1);  // T is 1
+  localparam logic [WordW-1:0] Fresh = {Lanes'(0), {Lanes{Open}}, (Lanes*3*RgbW)'(0)};
   logic [Lanes*PixelW-1:0] lines;
 
   ru_pixels u_pixels (.word_i(fresh_i ? Fresh : rdata_i), .lines_o(lines));
