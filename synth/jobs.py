@@ -24,28 +24,36 @@ class Jobs:
     def __init__(self, cache, workers):
         self.cache, self.workers = cache, workers
         self._children, self._lock, self._stopped = set(), threading.Lock(), False
+        self._making = {}  # folder of a result: the lock of who makes it
         os.makedirs(cache, exist_ok=True)
 
     def result(self, name, made_from, make):
         """The folder of this result; make(folder) fills it unless it is there."""
         key = hashlib.sha256("\0".join(made_from).encode()).hexdigest()[:16]
         folder = os.path.join(self.cache, f"{name}.{key}")
-        if not os.path.isdir(folder):
-            scratch = f"{folder}.{os.getpid()}"
-            shutil.rmtree(scratch, ignore_errors=True)
-            os.makedirs(scratch)
-            try:
-                make(scratch)
-                os.rename(scratch, folder)
-            except Failed:
-                failed = f"{folder}.failed"  # for its log
-                shutil.rmtree(failed, ignore_errors=True)
-                os.rename(scratch, failed)
-                raise
-            except BaseException:
-                shutil.rmtree(scratch, ignore_errors=True)
-                raise
+        with self._lock:
+            making = self._making.setdefault(folder, threading.Lock())
+        with making:
+            if not os.path.isdir(folder):
+                self._make(folder, make)
         return folder
+
+    @staticmethod
+    def _make(folder, make):
+        scratch = f"{folder}.{os.getpid()}"
+        shutil.rmtree(scratch, ignore_errors=True)
+        os.makedirs(scratch)
+        try:
+            make(scratch)
+            os.rename(scratch, folder)
+        except Failed:
+            failed = f"{folder}.failed"  # for its log
+            shutil.rmtree(failed, ignore_errors=True)
+            os.rename(scratch, failed)
+            raise
+        except BaseException:
+            shutil.rmtree(scratch, ignore_errors=True)
+            raise
 
     def run(self, command, log):
         """Runs a program; its output is the file log. A failure raises Failed."""
