@@ -3,8 +3,8 @@
 //
 // Paper   Fig. 7 (left), Sec. 4.1, 4.2.1, Table 2.
 // Idea    DOPU -> PU[k] (with pu_deal between cull and projection) -> splats. A clock gate per unit. Only wiring here.
-// Stream  restart_i with a constant frame_i; reads and lines of alphas that found no room go to external memory; splats
-//         out, one stream per PU; lines of alphas to the stores.
+// Stream  restart_i with a frame_i that is constant until busy_o falls; reads and lines of alphas that found no room go
+//         to external memory; splats out, one stream per PU; lines of alphas to the stores.
 // Model   preprocess() in cpp_model/golden.cpp
 
 module front #(
@@ -48,8 +48,8 @@ module front #(
   localparam int unsigned LineW         = pipegs_pkg::LineW;
   localparam int unsigned PuFronts      = pipegs_pkg::PuFronts;
 
-  logic                             dopu_clk, dopu_active, deal_active;
-  logic [Units-1:0]                 pu_active, chunk_valid, chunk_ready;
+  logic                             dopu_clk, dopu_active, dopu_busy, deal_active;
+  logic [Units-1:0]                 pu_active, pu_busy, chunk_valid, chunk_ready;
   pipegs_pkg::chunk_t               chunk;
   logic [Units-1:0]                 culled_valid, culled_ready, dealt_valid, dealt_ready;
   logic [Units*VisibleBits-1:0]     culled;
@@ -73,7 +73,7 @@ module front #(
 
   clock_gate u_dopu_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(dopu_active), .clk_o(dopu_clk));
   dopu u_dopu (
-    .clk_i(dopu_clk), .rst_ni, .start_i(restart_i), .frame_i, .busy_o(),
+    .clk_i(dopu_clk), .rst_ni, .start_i(restart_i), .frame_i, .busy_o(dopu_busy),
     .mem_valid_o(node_valid), .mem_ready_i(node_ready), .mem_address_o(node_address), .rsp_valid_i(node_line),
     .rsp_data_i(line_i), .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
     .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_o(chunk),
@@ -102,7 +102,8 @@ module front #(
       .store_line_o(store_line[k*LineW +: LineW]),
       .splat_valid_o(splat_valid_o[k]), .splat_ready_i(splat_ready_i[k]),
       .splat_o(splat_o[k*SplatBits +: SplatBits]), .number_o(number_o[k*NumberW +: NumberW]),
-      .overflowed_o(overflow_o[k*LinesW +: LinesW]), .active_o(pu_active[k]), .perf_o(perf_o[2*(1+k) +: 2])
+      .overflowed_o(overflow_o[k*LinesW +: LinesW]), .busy_o(pu_busy[k]), .active_o(pu_active[k]),
+      .perf_o(perf_o[2*(1+k) +: 2])
     );
   end
 
@@ -112,7 +113,7 @@ module front #(
     .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_o(dealt), .active_o(deal_active)
   );
 
-  assign busy_o            = dopu_active || pu_active != '0 || deal_active;
+  assign busy_o            = dopu_busy || pu_busy != '0 || deal_active;
   assign tap_chunk_valid_o = chunk_valid & chunk_ready;
   assign tap_chunk_kind_o  = chunk.kind;
 

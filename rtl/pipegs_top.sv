@@ -5,10 +5,10 @@
 // Idea    scene -> front (DOPU, PUs) -> splats -> sorting (SUs, merge) -> sorted -> raster (RUs) -> pixels.
 //         While the RUs blend layer i, the SUs sort behind them and the PUs already work on layer i + 1, across windows
 //         too.
+//         The front works on the frame in front_q, the back on the one in back_q: the same, or the one before.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
-//         frame_i goes through a register, so that nothing inside depends on an input port combinationally.
-// Stream  start_i with frame_i, which is stable from one cycle before start_i; the scene and the frame lie in external
-//         memory; busy_o falls when the last pixel is written.
+// Stream  frame_i is taken with frame_valid_i and frame_ready_o; its scene and its pixels lie in external memory.
+//         done_o: pulse, the oldest frame inside is complete. busy_o: a frame is inside.
 //         tap_*: what moves on the streams and what each unit does, for the harness; all 0 if Taps is 0. perf_o: cycles
 //         busy, starved, blocked, memory of each unit, in the order DOPU, PUs, SUs, RUs.
 // Model   cpp_model/golden.hpp
@@ -24,8 +24,10 @@ module pipegs_top #(
   input  logic                                 rst_ni,
   input  logic                                 test_en_i,  // every clock runs: for the test of the silicon, else 0
 
-  input  logic                                 start_i,
+  input  logic                                 frame_valid_i,
+  output logic                                 frame_ready_o,
   input  pipegs_pkg::frame_t                   frame_i,
+  output logic                                 done_o,
   output logic                                 busy_o,
 
   output logic                                 mem_valid_o,
@@ -36,7 +38,7 @@ module pipegs_top #(
   input  logic [pipegs_pkg::TagW-1:0]          mem_rsp_tag_i,
   input  logic [MemoryW-1:0]                   mem_rsp_data_i,
 
-  output logic [PerfW-1:0]                     cycles_o,
+  output logic [PerfW-1:0]                     cycles_o,             // these and perf_o: since it was last empty
   output logic [PerfW-1:0]                     preprocess_cycles_o,  // of cycles_o, before the first list is read
   output logic [PerfW-1:0]                     overflow_lines_o,
   output logic [PerfUnits*4*PerfW-1:0]         perf_o,
@@ -65,16 +67,19 @@ module pipegs_top #(
 
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits;
 
-  pipegs_pkg::frame_t                       frame_q;
-  logic                                     restart, running, written;
-  logic                                     front_busy, sorting_busy, raster_busy, memory_busy;
+  pipegs_pkg::frame_t                       front_q;
+  pipegs_pkg::raster_t                      back_raster_q;
+  logic [pipegs_pkg::AddressW-1:0]          back_pixels_q;
+  logic                                     front_take, front_restart, back_take, back_restart, same;
+  logic                                     hold, listen, begins, running, written;
+  logic                                     front_busy, sorting_busy, raster_busy, memory_busy, storing;
   logic [Units-1:0]                         splat_valid, splat_ready;
   logic [Units*SplatBits-1:0]               splat;
   logic [Units*pipegs_pkg::ListWindowW-1:0] number;
-  logic                                     sorted_valid, sorted_ready;
+  logic                                     sorted_valid, sorted_ready, raster_ready, sorted_taken;
   pipegs_pkg::sorted_t                      sorted;
   pipegs_pkg::store_writes_t                store;
-  pipegs_pkg::progress_t                    progress;
+  pipegs_pkg::progress_t                    progress, heard;
   logic                                     layer_free;
   logic [Units-1:0]                         layer_done, window_done, overflow_sort;
   logic [Units*(pipegs_pkg::RegionW+1)-1:0] overflow_alpha;
@@ -93,28 +98,47 @@ module pipegs_top #(
   logic [Units*SplatBits-1:0]               tap_splat;
   logic [pipegs_pkg::KindW-1:0]             tap_chunk_kind;
 
-  always_ff @(posedge clk_i) if (!busy_o) frame_q <= frame_i;
-  assign running = busy_o && !restart;
+  // --- frames -------------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) begin
+    if (front_take) front_q <= frame_i;
+    if (back_take) {back_raster_q, back_pixels_q} <= {front_q.raster, front_q.tables.pixels};
+  end
+  // The SUs work for both: where they spill and where depths begin must be one.
+  assign same         = frame_i.tables.overflow == front_q.tables.overflow &&
+                        frame_i.lens.near_plane == front_q.lens.near_plane;
+  assign running      = busy_o && !begins;
+  assign sorted_ready = raster_ready && !hold;
+  assign sorted_taken = sorted_valid && sorted_ready;
 
   scheduler u_scheduler (
-    .clk_i, .rst_ni, .start_i, .windows_i(frame_q.raster.windows), .window_done_i(window_done),
+    .clk_i, .rst_ni, .frame_valid_i, .frame_ready_o, .same_i(same), .windows_i(front_q.raster.windows),
+    .front_busy_i(front_busy), .back_busy_i(raster_busy), .storing_i(storing),
     .idle_i(!front_busy && !sorting_busy && !raster_busy && !memory_busy),
-    .overflow_sort_i(overflow_sort), .overflow_alpha_i(overflow_alpha), .written_i(written),
-    .restart_o(restart), .busy_o, .cycles_o, .preprocess_cycles_o, .overflow_lines_o
+    .end_i(sorted_taken && sorted.kind == pipegs_pkg::KindWindowEnd), .window_done_i(window_done), .written_i(written),
+    .overflow_sort_i(overflow_sort), .overflow_alpha_i(overflow_alpha),
+    .front_take_o(front_take), .front_restart_o(front_restart), .back_take_o(back_take),
+    .back_restart_o(back_restart), .hold_o(hold), .listen_o(listen), .begin_o(begins), .done_o, .busy_o,
+    .cycles_o, .preprocess_cycles_o, .overflow_lines_o
   );
 
+  // --- the machine --------------------------------------------------------------------------------------------------
+  always_comb begin
+    heard      = progress;
+    heard.done = listen ? progress.done : '0;
+  end
+
   front u_front (
-    .clk_i, .rst_ni, .test_en_i, .frame_i(frame_q), .restart_i(restart),
+    .clk_i, .rst_ni, .test_en_i, .frame_i(front_q), .restart_i(front_restart),
     .reads_o(reads), .reads_i(reads_answer), .spill_o(spill), .spill_i(spill_answer), .line_i(line),
-    .progress_i(progress), .layer_free_i(layer_free), .store_o(store),
+    .progress_i(heard), .layer_free_i(layer_free), .store_o(store),
     .splat_valid_o(splat_valid), .splat_ready_i(splat_ready), .splat_o(splat), .number_o(number),
     .overflow_o(overflow_alpha), .busy_o(front_busy), .perf_o(perf_state[0 +: 2*(1+Units)]),
     .tap_chunk_valid_o(tap_chunk_valid), .tap_chunk_kind_o(tap_chunk_kind)
   );
 
   sorting u_sorting (
-    .clk_i, .rst_ni, .test_en_i, .windows_i(frame_q.raster.windows), .overflow_i(frame_q.tables.overflow),
-    .near_plane_i(frame_q.lens.near_plane), .restart_i(restart),
+    .clk_i, .rst_ni, .test_en_i, .windows_i(front_q.raster.windows), .overflow_i(front_q.tables.overflow),
+    .near_plane_i(front_q.lens.near_plane), .restart_i(front_restart),
     .made_valid_i(splat_valid), .made_ready_o(splat_ready), .made_i(splat), .number_i(number),
     .sorted_valid_o(sorted_valid), .sorted_ready_i(sorted_ready), .sorted_o(sorted),
     .sort_o(sort), .sort_i(sort_answer), .lists_o(lists), .lists_i(lists_answer), .line_i(line),
@@ -123,9 +147,9 @@ module pipegs_top #(
   );
 
   raster u_raster (
-    .clk_i, .rst_ni, .test_en_i, .raster_i(frame_q.raster), .pixels_i(frame_q.tables.pixels),
-    .overflow_i(frame_q.tables.overflow), .restart_i(restart),
-    .sorted_valid_i(sorted_valid), .sorted_ready_o(sorted_ready), .sorted_i(sorted), .store_i(store),
+    .clk_i, .rst_ni, .test_en_i, .raster_i(back_raster_q), .pixels_i(back_pixels_q),
+    .overflow_i(front_q.tables.overflow), .restart_i(back_restart),
+    .sorted_valid_i(sorted_valid && !hold), .sorted_ready_o(raster_ready), .sorted_i(sorted), .store_i(store),
     .memory_o(pixels), .memory_i(pixels_answer), .line_i(line),
     .progress_o(progress), .layer_free_o(layer_free), .layer_done_o(layer_done), .window_done_o(window_done),
     .busy_o(raster_busy), .perf_o(perf_state[2*(1+2*Units) +: 2*Units]), .taps_o(taps)
@@ -134,13 +158,13 @@ module pipegs_top #(
   memory_ports u_memory (
     .clk_i, .rst_ni, .spill_i(spill), .spill_o(spill_answer), .sort_i(sort), .sort_o(sort_answer),
     .raster_i(pixels), .raster_o(pixels_answer), .lists_i(lists), .lists_o(lists_answer),
-    .reads_i(reads), .reads_o(reads_answer), .line_o(line), .busy_o(memory_busy),
+    .reads_i(reads), .reads_o(reads_answer), .line_o(line), .storing_o(storing), .busy_o(memory_busy),
     .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
   );
 
   for (genvar i = 0; i < PerfUnits; i += 1) begin : gen_perf
     perf u_perf (
-      .clk_i, .rst_ni, .restart_i(restart), .running_i(running), .state_i(perf_state[2*i +: 2]),
+      .clk_i, .rst_ni, .restart_i(begins), .running_i(running), .state_i(perf_state[2*i +: 2]),
       .counts_o(perf_o[i*4*PerfW +: 4*PerfW])
     );
   end
@@ -149,7 +173,7 @@ module pipegs_top #(
   localparam bit Shown = pipegs_pkg::Taps != 0;
   assign tap_splat_valid_o    = Shown ? tap_splat_valid : '0;
   assign tap_splat_o          = Shown ? tap_splat : '0;
-  assign tap_sorted_valid_o   = Shown ? sorted_valid && sorted_ready : '0;
+  assign tap_sorted_valid_o   = Shown ? sorted_taken : '0;
   assign tap_sorted_o         = Shown ? sorted : '0;
   assign tap_window_x_o       = Shown ? progress.x : '0;
   assign tap_window_y_o       = Shown ? progress.y : '0;

@@ -11,7 +11,8 @@ module memory_ports #(
   localparam int unsigned MemoryW    = pipegs_pkg::MemoryW,
   localparam int unsigned AddressW   = pipegs_pkg::AddressW,
   localparam int unsigned Ports      = pipegs_pkg::MemoryPorts,
-  localparam int unsigned WritePorts = pipegs_pkg::WritePorts
+  localparam int unsigned WritePorts = pipegs_pkg::WritePorts,
+  localparam int unsigned Units      = pipegs_pkg::Units
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
@@ -27,7 +28,8 @@ module memory_ports #(
   input  pipegs_pkg::memory_reads_t        reads_i,
   output pipegs_pkg::memory_reads_answer_t reads_o,
   output logic [MemoryW-1:0]               line_o,
-  output logic                             busy_o,
+  output logic                             storing_o,  // a line of pixels waits
+  output logic                             busy_o,     // any request waits
 
   output logic                             mem_valid_o,
   input  logic                             mem_ready_i,
@@ -68,6 +70,9 @@ module memory_ports #(
     .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
   );
 
-  assign busy_o = valid != '0 || mem_valid_o;
+  assign busy_o    = valid != '0 || mem_valid_o;
+  assign storing_o = (raster_i.valid & raster_i.write) != '0 ||
+                     (mem_valid_o && mem_request_o.write && mem_request_o.tag >= pipegs_pkg::TagW'(2 * Units) &&
+                      mem_request_o.tag < pipegs_pkg::TagW'(3 * Units));
 
 endmodule

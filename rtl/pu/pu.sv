@@ -69,7 +69,8 @@ module pu #(
   output logic [pipegs_pkg::ListWindowW-1:0]   number_o,    // of its window, with lists
 
   output logic [pipegs_pkg::RegionW:0]         overflowed_o,
-  output logic                                 active_o,
+  output logic                                 busy_o,      // something is inside
+  output logic                                 active_o,    // needs a clock in this cycle
   output logic [1:0]                           perf_o       // 0 busy, 1 starved, 2 blocked, 3 memory
 );
 
@@ -158,6 +159,7 @@ module pu #(
                  layer_free_i || restart_i || geometry_valid_o || color_valid_o || spill_valid_o ||
                  geometry_rsp_valid_i || color_rsp_valid_i;
   assign work  = chunk_valid_i || visible_valid_i || !front_idle || busy || back_busy;
+  assign busy_o   = work;
   assign active_o = wake || (work && !asleep);
 
   sleep #(.Patience(127)) u_sleep (.clk_i, .rst_ni, .moved_i(moved), .wake_i(wake), .asleep_o(asleep));

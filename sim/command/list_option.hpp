@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// list_option.hpp: options whose value is a list in one word, its elements by commas: names, numbers, a place.
+// list_option.hpp: options whose value is a list in one word, its elements by commas: names, numbers, a place; a span.
 //
 // Why     The parser of the command line would leave out empty elements: a,,b would be a,b. And it would take the words
 //         behind the list for more of it, the scene among them.
@@ -78,6 +78,20 @@ inline CLI::Option* add_place(CLI::App& app, const std::string& name, std::vecto
         if (found.size() != 2)
           throw CLI::ValidationError(name, fmt::format("found {}, expected COLUMN,ROW", quote(list)));
         return std::vector<int>{parse_integer<int>(found[0], 0), parse_integer<int>(found[1], 0)};
+      },
+      [] { return ""; });
+}
+
+// First and last, as 0-9; nothing is set without the option.
+inline CLI::Option* add_span(CLI::App& app, const std::string& name, std::vector<int>& span, const std::string& what) {
+  return number_option_detail::add<std::vector<int>>(
+      app, name, what, "FIRST-LAST", span,
+      [name](const std::string& text) {
+        const size_t dash = text.find('-');
+        if (dash == std::string::npos)
+          throw CLI::ValidationError(name, fmt::format("found {}, expected FIRST-LAST", quote(text)));
+        const int first = parse_integer<int>(text.substr(0, dash), 0);
+        return std::vector<int>{first, parse_integer<int>(text.substr(dash + 1), first)};
       },
       [] { return ""; });
 }

@@ -10,7 +10,6 @@
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
-#include "cpp_model/ru/ru_resolve.hpp"
 #include "sim/host_use.hpp"
 #include "sim/progress.hpp"
 
@@ -35,45 +34,6 @@ Rectangle asked(int width, int height, const SimulateOptions& options) {
 
 // Ports of the lists of windows, which stand behind the others that write.
 int list_ports(const Config& config) { return config.memory_ports() - 5 * config.units - 1; }
-
-void fill(ExternalMemory& memory, const PackedScene& packed) {
-  const MemoryImage image = memory_image(packed);
-  for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
-}
-
-// Shows the machine to two watchers.
-class TapFan final : public RtlTaps {
- public:
-  TapFan(RtlTaps& first, RtlTaps* second) : first_(first), second_(second) {}
-
-  void on_splat(int unit, const uint32_t* splat) override {
-    first_.on_splat(unit, splat);
-    if (second_ != nullptr) second_->on_splat(unit, splat);
-  }
-  void on_sorted(const uint32_t* sorted) override {
-    first_.on_sorted(sorted);
-    if (second_ != nullptr) second_->on_sorted(sorted);
-  }
-  void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
-                 const uint32_t* line) override {
-    first_.on_alphas(lane, window_x, window_y, index, region, quarter, line);
-    if (second_ != nullptr) second_->on_alphas(lane, window_x, window_y, index, region, quarter, line);
-  }
-  void on_pixels(int lane, int region, int quarter, const uint32_t* word) override {
-    first_.on_pixels(lane, region, quarter, word);
-    if (second_ != nullptr) second_->on_pixels(lane, region, quarter, word);
-  }
-  // Only the second one looks at cycles.
-  bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }
-  void on_cycle(uint64_t cycle, const uint8_t* states) override { second_->on_cycle(cycle, states); }
-  void on_chunk(int unit, int kind) override { second_->on_chunk(unit, kind); }
-  void on_layer_done(int unit, bool window_done) override { second_->on_layer_done(unit, window_done); }
-  void on_request(int tag, bool write, uint64_t line) override { second_->on_request(tag, write, line); }
-
- private:
-  RtlTaps& first_;
-  RtlTaps* second_;
-};
 
 }  // namespace
 
@@ -116,9 +76,18 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
   return part;
 }
 
-void simulate_frame(const Camera& camera, const SimulateOptions& options, Simulation& result) {
-  result.input = {.packed = &result.packed,
-                  .frame = frame_setup(options.config, result.packed, camera, {}, options.near_plane)};
+PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, const SimulateOptions& options) {
+  // World coordinates must hold the cameras and, in a tiny or empty scene, the near plane.
+  double bound = 2 * options.near_plane;
+  for (const Camera& camera : cameras) {
+    for (int axis = 0; axis < 3; ++axis) bound = std::max(bound, std::abs(camera.position[axis]));
+  }
+  return pack_scene(options.config, scene, bound);
+}
+
+void simulate_frame(const PackedScene& packed, const Camera& camera, const SimulateOptions& options,
+                    Simulation& result) {
+  result.input = {.packed = &packed, .frame = frame_setup(options.config, packed, camera, {}, options.near_plane)};
   if (!options.window) return;
   asked(camera.width, camera.height, options);  // refuses a window outside the image
   const auto [x, y] = *options.window;
@@ -129,17 +98,13 @@ void simulate_frame(const Camera& camera, const SimulateOptions& options, Simula
 }
 
 void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
-  // World coordinates must hold the camera and, in a tiny or empty scene, the near plane.
-  const double bound = std::max(
-      {std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z), 2 * options.near_plane});
   const double before = process_seconds();
-  result.packed = pack_scene(options.config, scene, bound);
+  result.packed = pack_views(scene, {camera}, options);
   result.cpu_pack = process_seconds() - before;
-  simulate_frame(camera, options, result);
+  simulate_frame(result.packed, camera, options, result);
 }
 
-void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
-  simulate_pack(scene, camera, options, result);
+void simulate_golden(Simulation& result) {
   Progress progress("golden");
   const Stopwatch watch;
   const double before = process_seconds();
@@ -149,6 +114,11 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
                                               }});
   result.wall_golden = watch.seconds();
   result.cpu_golden = process_seconds() - before;
+}
+
+void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
+  simulate_pack(scene, camera, options, result);
+  simulate_golden(result);
 }
 
 void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,
@@ -183,63 +153,6 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
   result.psnr_order = psnr(result.truth_order, result.truth_exact);
   result.psnr_total = psnr(golden, result.truth_inria);
   result.max_abs_error = max_abs_error(golden, result.truth_order);
-}
-
-void simulate_rtl(const SimulateOptions& options, Simulation& result) {
-  const Config& config = options.config;
-  if (!config.taps && (options.taps != nullptr || options.watch))
-    throw ConfigError("configuration: what shows the streams needs taps = 1");
-  const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(options.variant, options.rtl));
-  const Frame& frame = result.input.frame;
-  ExternalMemory memory(options.memory);
-  fill(memory, result.packed);
-
-  StreamCheck check(result.input);
-  if (options.watch) check.watch((*options.watch)[0], (*options.watch)[1]);
-  TapFan taps(check, options.taps);
-  std::vector<uint32_t> words(record_words<Frame>(config) + 1);
-  pack(config, frame, words.data());
-  const double windows = static_cast<double>((frame.raster.windows.last_x - frame.raster.windows.first_x + 1) *
-                                             (frame.raster.windows.last_y - frame.raster.windows.first_y + 1));
-  Progress progress("rtl");
-  const Stopwatch watch;
-  result.rtl = model->run(words.data(), memory, options.rtl, &taps, [&](uint64_t cycle, uint64_t windows_done) {
-    progress.update(static_cast<double>(windows_done) / windows,
-                    fmt::format("{:.0f} kHz", static_cast<double>(cycle) / watch.seconds() / 1000));
-    return !interrupted();
-  });
-  if (config.taps) check.finish();
-  result.wall_rtl = watch.seconds();
-  result.traffic = memory_traffic(config, memory);
-  result.dram.reset();
-  if (const Dram* dram = memory.dram())
-    result.dram = {dram->statistics(), dram->achieved_gbps(), dram->timing().peak_gbps()};
-  result.seen = check.seen();
-  result.beats = check.beats();
-  result.mismatches = check.mismatches();
-  result.first_mismatch = check.first();
-
-  // The frame in external memory against the golden pixels.
-  const uint64_t side = config.window;
-  for (uint64_t y = frame.raster.windows.first_y * side;
-       y < std::min(frame.raster.height, (frame.raster.windows.last_y + 1) * side); ++y) {
-    for (uint64_t x = frame.raster.windows.first_x * side;
-         x < std::min(frame.raster.width, (frame.raster.windows.last_x + 1) * side); ++x) {
-      const int region = region_at(config, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8));
-      const MemoryLine& line =
-          memory.line(ru_pixel_line(config, frame, x / side, y / side, region, static_cast<int>(y % 8)));
-      const uint64_t found =
-          get_bits(line.data(), ru_pixel_bit(config, static_cast<int>(y % 8), static_cast<int>(x % 8)), config.pixel_w);
-      const uint64_t expected = result.golden.pixels[y * frame.raster.width + x];
-      if (found == expected) continue;
-      ++result.mismatches;
-      if (!result.first_mismatch) {
-        result.first_mismatch =
-            Mismatch{fmt::format("frame: pixel {},{}: expected {:016x}, found {:016x}", x, y, expected, found),
-                     x / side, y / side};
-      }
-    }
-  }
 }
 
 }  // namespace pipegs

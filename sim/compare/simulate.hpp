@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// simulate.hpp: one frame through golden model, truth and RTL, compared, with everything that the report needs.
+// simulate.hpp: frames through golden model, truth and RTL, compared, with everything that the report needs.
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ struct MemoryFigures {
 
 struct Simulation {
   PackedScene packed;
-  GoldenInput input;  // points at packed
+  GoldenInput input;  // points at packed, or at that of another simulation
   GoldenFrame golden;
   // Exact in the hardware's order, exact and INRIA in global order; only the window that was asked for.
   Image truth_order, truth_exact, truth_inria;
@@ -58,8 +58,13 @@ struct Simulation {
   Simulation(const Simulation&) = delete;  // input points into packed
 };
 
-// Sets up the frame for the scene that is packed already.
-void simulate_frame(const Camera& camera, const SimulateOptions& options, Simulation& result);
+// Packs the scene so that frames of all these cameras can be rendered.
+PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, const SimulateOptions& options);
+// Sets up the frame of a scene that is packed already, the result's own or one that outlives the result.
+void simulate_frame(const PackedScene& packed, const Camera& camera, const SimulateOptions& options,
+                    Simulation& result);
+// Runs the golden model on the frame that is set up.
+void simulate_golden(Simulation& result);
 // Packs the scene and sets up the frame.
 void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
 // The same, and runs the golden model.
@@ -70,6 +75,19 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
                     const Simulation* known = nullptr);
 // Runs the RTL and compares every stream and every pixel; needs simulate_golden.
 void simulate_rtl(const SimulateOptions& options, Simulation& result);
+
+// What one machine says of frames that it ran one after the other.
+struct SequenceRun {
+  RtlResult rtl;  // counters since the machine was last empty
+  std::vector<MemoryTraffic> traffic;
+  std::optional<MemoryFigures> dram;
+  double wall = 0;  // seconds
+};
+
+// Runs these frames in one machine without a reset between them, as options.rtl says, and compares each; their scenes
+// lie behind one another in memory, frames of one PackedScene share it and the place of their pixels. Needs
+// simulate_golden of each.
+SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<Simulation*>& frames);
 
 // The streams of external memory, in the order of the ports of rtl/buf/memory_arbiter.sv, and that of one port (a
 // request's tag).

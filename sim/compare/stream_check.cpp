@@ -37,9 +37,9 @@ StreamCheck::StreamCheck(const GoldenInput& input)
       marks_(config_.units, 0) {}
 
 StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
-  const auto found = windows_.find(ordinal);
-  if (found != windows_.end()) return found->second;
-  Window& window = windows_[ordinal];
+  const auto found = open_.find(ordinal);
+  if (found != open_.end()) return found->second;
+  Window& window = open_[ordinal];
   const uint64_t x = input_.frame.raster.windows.first_x + ordinal % windows_x_,
                  y = input_.frame.raster.windows.first_y + ordinal / windows_x_;
   window.golden = golden_window(input_, x, y);
@@ -59,8 +59,8 @@ void StreamCheck::release() {
   uint64_t oldest = sorted_place_.window;
   for (const Place& place : splat_place_) oldest = std::min(oldest, place.window);
   for (const uint64_t window : ru_window_) oldest = std::min(oldest, window);
-  for (auto window = windows_.begin(); window != windows_.end();) {
-    window = window->first + 2 < oldest ? windows_.erase(window) : std::next(window);
+  for (auto window = open_.begin(); window != open_.end();) {
+    window = window->first + 2 < oldest ? open_.erase(window) : std::next(window);
   }
 }
 
@@ -69,6 +69,11 @@ void StreamCheck::fail(uint64_t window, std::string what) {
   if (first_) return;
   first_ = Mismatch{std::move(what), input_.frame.raster.windows.first_x + window % windows_x_,
                     input_.frame.raster.windows.first_y + window / windows_x_};
+}
+
+void StreamCheck::fail_pixel(uint64_t window_x, uint64_t window_y, std::string what) {
+  ++mismatches_;
+  if (!first_) first_ = Mismatch{std::move(what), window_x, window_y};
 }
 
 void StreamCheck::end(Place& place, uint64_t kind) {
@@ -266,16 +271,15 @@ void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* w
 }
 
 void StreamCheck::finish() {
-  const uint64_t windows = windows_x_ * (input_.frame.raster.windows.last_y - input_.frame.raster.windows.first_y + 1);
   for (size_t unit = 0; unit < splat_place_.size(); ++unit) {
-    if (splat_place_[unit].window != windows)
+    if (!splats_over(static_cast<int>(unit)))
       fail(splat_place_[unit].window, fmt::format("PU {} -> SU: windows are missing", unit));
   }
   for (size_t lane = 0; lane < pending_.size(); ++lane) {
     if (!pending_[lane].empty())
       fail(ru_window_[lane], ru_name(static_cast<int>(lane)) + ": a line was not written back");
   }
-  if (sorted_place_.window != windows) fail(sorted_place_.window, "merge -> RU: windows are missing");
+  if (!sorted_over()) fail(sorted_place_.window, "merge -> RU: windows are missing");
 }
 
 }  // namespace pipegs

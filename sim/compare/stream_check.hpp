@@ -40,6 +40,11 @@ class StreamCheck final : public RtlTaps {
   // After the run: all that was owed has come.
   void finish();
 
+  // A stream has shown the frame's last window.
+  bool splats_over(int unit) const { return splat_place_[static_cast<size_t>(unit)].window == windows(); }
+  bool sorted_over() const { return sorted_place_.window == windows(); }
+  void fail_pixel(uint64_t window_x, uint64_t window_y, std::string what);  // found where no stream shows it
+
   uint64_t mismatches() const { return mismatches_; }
   const std::optional<Mismatch>& first() const { return first_; }
   uint64_t beats() const { return beats_; }  // beats compared
@@ -73,6 +78,9 @@ class StreamCheck final : public RtlTaps {
     int words;  // to come
   };
 
+  uint64_t windows() const {
+    return windows_x_ * (input_.frame.raster.windows.last_y - input_.frame.raster.windows.first_y + 1);
+  }
   Window& window(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.
@@ -93,10 +101,10 @@ class StreamCheck final : public RtlTaps {
   uint64_t windows_x_;
   std::vector<Place> splat_place_;
   Place sorted_place_;
-  std::vector<uint64_t> ru_window_;           // of each lane of taps: the window of its latest alphas
-  std::vector<std::deque<Pending>> pending_;  // of each lane of taps
-  std::vector<uint64_t> marks_;               // of each PU: the last watermark of its window (order 2)
-  std::unordered_map<uint64_t, Window> windows_;
+  std::vector<uint64_t> ru_window_;            // of each lane of taps: the window of its latest alphas
+  std::vector<std::deque<Pending>> pending_;   // of each lane of taps
+  std::vector<uint64_t> marks_;                // of each PU: the last watermark of its window (order 2)
+  std::unordered_map<uint64_t, Window> open_;  // windows that a stream is in
   uint64_t mismatches_ = 0, beats_ = 0;
   std::optional<Mismatch> first_;
   int watch_x_ = -1, watch_y_ = -1;

@@ -45,7 +45,7 @@ struct Widths {
 };
 
 constexpr uint64_t kResetCycles = 4;
-constexpr int64_t kRestartCycle = kResetCycles + 1;  // start comes with the first cycle behind the reset
+constexpr int64_t kRestartCycle = kResetCycles + 1;  // a frame is offered with the first cycle behind the reset
 
 // The file of waves; nothing without a path, and in a variant that has no waves only that.
 class Waves {
@@ -84,12 +84,13 @@ class Waves {
 class VerilatedMachine final : public RtlModel {
  public:
   explicit VerilatedMachine(const Config& config) : w_(config) {}
-  RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+  RtlResult run(const std::vector<FrameWords>& frames, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
                 const std::function<bool(uint64_t, uint64_t)>& progress) override;
 
  private:
   void tap(RtlTaps& taps);
   void tap_cycle(RtlTaps& taps);
+  RtlResult counters();
   std::string position() const { return "cycle " + std::to_string(cycle_); }
 
   const Widths w_;
@@ -173,7 +174,8 @@ void VerilatedMachine::tap_cycle(RtlTaps& taps) {
   }
 }
 
-RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalMemory& memory,
+                                const RtlOptions& options, RtlTaps* taps,
                                 const std::function<bool(uint64_t, uint64_t)>& progress) {
   context_ = std::make_unique<VerilatedContext>();
   context_->threads(PIPEGS_THREADS);
@@ -184,28 +186,28 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
   dut_ = std::make_unique<Vpipegs_top>(context_.get());
   Vpipegs_top& top = *dut_;
   Waves waves(top, options);
-  if (!w_.taps) taps = nullptr;
   cycle_ = windows_ = counted_ = 0;
   running_ = false;
-  const bool cycles = taps != nullptr && taps->wants_cycles();
+  const bool streams = taps != nullptr && w_.taps, cycles = streams && taps->wants_cycles();
   uint64_t last_request = 0, pixel_lines = 0;
+  size_t taken = 0;
+  std::vector<uint64_t> ends;
 
   top.test_en_i = 0;
-  top.start_i = 0;
+  top.frame_valid_i = 0;
   top.mem_ready_i = 0;
   top.mem_rsp_valid_i = 0;
-  write_port(top.frame_i, frame);
   // Before the reset everything is noise: it falls once, and assertions count from its end on.
   context_->assertOn(false);
   top.clk_i = 0;
   top.rst_ni = 1;
   top.eval();
-  bool started = false;
   for (;; ++cycle_) {
     top.clk_i = 0;
     top.rst_ni = cycle_ >= kResetCycles;
     if (cycle_ == kResetCycles) context_->assertOn(true);
-    top.start_i = cycle_ == kResetCycles;
+    top.frame_valid_i = cycle_ >= kResetCycles && taken < frames.size() && (options.queued || !top.busy_o);
+    if (taken < frames.size()) write_port(top.frame_i, frames[taken].data());
     memory.step();
     top.mem_ready_i = memory.ready();
     const ExternalMemory::Answer* answer = memory.answer();
@@ -217,6 +219,7 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
     top.eval();
     waves.dump_low(cycle_);
     if (cycle_ >= kResetCycles) {
+      if (top.frame_valid_i && top.frame_ready_o) ++taken;
       if (taps != nullptr) taps->cycle = static_cast<int64_t>(cycle_) - kRestartCycle;
       if (cycles) tap_cycle(*taps);
       if (top.mem_valid_o && top.mem_ready_i) {
@@ -231,13 +234,16 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
         if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines / static_cast<uint64_t>(w_.pixel_lines);
         last_request = cycle_;
       }
-      if (taps != nullptr) tap(*taps);
+      if (streams) tap(*taps);
+      if (top.done_o) {
+        ends.push_back(cycle_ - kRestartCycle - 1);  // done_o is one cycle behind
+        if (taps != nullptr) taps->on_frame_done();
+      }
     }
     top.clk_i = 1;
     top.eval();
     waves.dump_high(cycle_);
-    started = started || top.busy_o;
-    if (started && !top.busy_o) break;
+    if (taken == frames.size() && !top.busy_o && ends.size() == taken) break;
     if (cycle_ - last_request > options.quiet_limit) {
       throw RtlFault("RTL: no memory request for " + std::to_string(options.quiet_limit) + " cycles, " + position() +
                      ", " + std::to_string(windows_) + " windows sorted: the machine hangs");
@@ -250,6 +256,13 @@ RtlResult VerilatedMachine::run(const uint32_t* frame, ExternalMemory& memory, c
   top.clk_i = 1;
   top.eval();
 
+  RtlResult result = counters();
+  result.frame_ends = std::move(ends);
+  return result;
+}
+
+RtlResult VerilatedMachine::counters() {
+  const Vpipegs_top& top = *dut_;
   RtlResult result;
   uint32_t words[2] = {};
   slice(top.cycles_o, 0, w_.perf, words);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl_model.hpp: the Verilated machine as the rest of the program sees it: run one frame, watch its streams.
+// rtl_model.hpp: the Verilated machine as the rest of the program sees it: run frames, watch its streams.
 //
 // Each configuration is a shared library of its own (librtl.so, built by sim/rtl/build_rtl.sh) that exports
 // `pipegs_rtl_create`; the program itself holds no Verilated code. Records cross as packed 32-bit words.
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/records.hpp"
 #include "sim/memory/external_memory.hpp"
 
 namespace pipegs {
@@ -29,7 +30,8 @@ class RtlTaps {
   virtual void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                          const uint32_t* line) = 0;
   virtual void on_pixels(int lane, int region, int quarter, const uint32_t* word) = 0;  // T and RGB, written back
-  int64_t cycle = 0;  // of what is shown: counted as RtlResult::cycles, 1 is the first one that counts
+  virtual void on_frame_done() {}  // the last pixel of the oldest frame inside was accepted; without taps too
+  int64_t cycle = 0;               // of what is shown: counted as RtlResult::cycles, 1 is the first one that counts
 
   // What follows is shown only when `wants_cycles` says so, because it costs time in every cycle.
   virtual bool wants_cycles() const { return false; }
@@ -46,6 +48,7 @@ struct RtlOptions {
   uint64_t seed = 1;                              // of the random initial values of registers and memories
   std::string waves;                              // FST file, empty for none; needs a variant with waves
   uint64_t sample_period = 0, sample_cycles = 0;  // waves of so many cycles in each period only; 0: of all
+  bool queued = true;             // a frame is offered while the one before runs; else when the machine is empty
   uint64_t quiet_limit = 200000;  // cycles without a memory request after which the machine counts as hung
 };
 
@@ -65,21 +68,31 @@ struct UnitCycles {
   uint64_t busy = 0, starved = 0, blocked = 0, memory = 0;
 };
 
+// What the counters of the machine say: since it was last empty.
 struct RtlResult {
   uint64_t cycles = 0;
   uint64_t preprocess_cycles = 0;  // of these, before the first list was read (order 1; else 0)
   std::vector<UnitCycles> dopu, pu, su, ru;
-  uint64_t overflow_lines = 0;  // lines of alphas, records and keys that went to external memory
+  uint64_t overflow_lines = 0;       // lines of alphas, records and keys that went to external memory
+  std::vector<uint64_t> frame_ends;  // cycle in which each frame was complete; 1 is the first one that counts
 };
+
+using FrameWords = std::vector<uint32_t>;  // a packed Frame
+
+inline FrameWords frame_words(const Config& config, const Frame& frame) {
+  FrameWords words(record_words<Frame>(config) + 1);
+  pack(config, frame, words.data());
+  return words;
+}
 
 class RtlModel {
  public:
   virtual ~RtlModel() = default;
-  // Runs the frame that `frame` (a packed Frame) describes on the scene that lies in `memory`. `progress(cycle,
+  // Resets the machine and runs these frames, one after the other, on the scenes that lie in `memory`. `progress(cycle,
   // window)` is called every few thousand cycles; returning false stops the run with an exception. Throws
   // std::runtime_error when an assertion fails or the machine hangs.
-  virtual RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
-                        const std::function<bool(uint64_t cycle, uint64_t windows_done)>& progress) = 0;
+  virtual RtlResult run(const std::vector<FrameWords>& frames, ExternalMemory& memory, const RtlOptions& options,
+                        RtlTaps* taps, const std::function<bool(uint64_t cycle, uint64_t windows_done)>& progress) = 0;
 };
 
 // The RTL of a configuration does not build.

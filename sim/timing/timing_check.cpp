@@ -40,14 +40,12 @@ RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const Exter
   ExternalMemory memory(options);
   const MemoryImage image = memory_image(*input.packed);
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
-  std::vector<uint32_t> words(record_words<Frame>(config) + 1);
-  pack(config, input.frame, words.data());
   WindowTaps windows(config);
   RtlTaps& taps = lockstep != nullptr ? static_cast<RtlTaps&>(*lockstep) : windows;
   RtlOptions rtl_options;
   rtl_options.seed = seed;
   const double before = thread_seconds();
-  const RtlResult rtl = model->run(words.data(), memory, rtl_options, &taps, {});
+  const RtlResult rtl = model->run({frame_words(config, input.frame)}, memory, rtl_options, &taps, {});
   if (lockstep != nullptr) lockstep->finish();
   return {.cycles = rtl.cycles,
           .overflow_lines = rtl.overflow_lines,

@@ -101,10 +101,15 @@ mutant "the queue loses its head while new slots are left" \
 mutant "a slot that comes back stays counted as used" 's/(if \(free_i) \&\& !take(\) used_q)/\1 \&\& fresh\2/'
 
 # --- rtl --------------------------------------------------------------------------------------------------------------
-proof  scheduler "scheduler+" "@default %WindowW=3 %PerfW=8; @units=1 %WindowW=4"
+proof  scheduler "scheduler+" "@late=1,order=2 %WindowW=3 %PerfW=8; @default %WindowW=3; @units=1 %WindowW=4"
 mutant "the frame ends before all RUs have completed it" 's/complete == .1/complete != 0/'
 mutant "the windows of a row are one too few" 's/(windows_i.first_x\)) \+ 1.b1/\1/'
-mutant "a second start begins the frame anew" 's/(if \(start_i) \&\& !busy_q\)/\1)/'
+mutant "a frame ends while pixels are on their way" 's/ \&\& !storing_i;/;/'
+mutant "the next frame goes to a back that works" 's/(back_take_o *= ahead_q) \&\& !back_q/\1/'
+mutant "a frame is taken before the one in the front has gone to the back" \
+       's/!front_q \&\& !ahead_q \&\& /!front_q \&\& /'
+mutant "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
+mutant "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q \&\& /\1/'
 
 proof  layer_free "layer_free+" "@default; @units=2; @units=1"
 mutant "frees when one RU has finished" "s/some == '1/some != 0/"

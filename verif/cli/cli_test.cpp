@@ -22,6 +22,39 @@ TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
   EXPECT_EQ(read, report["memory"]["bytes_read"]);
 }
 
+TEST_F(Cli, ViewsFollowInOneMachine) {
+  write_cameras(folder_ / "cameras.json", {test_camera(70, 50), test_camera(40, 90), test_camera(70, 50)});
+  const Outcome outcome = run("sim scene.ply --cameras cameras.json --views 1-2 --json --out pictures");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* name : {"view_1/frame.exr", "view_1/frame.png", "view_2/frame.exr", "view_2/frame.png"})
+    EXPECT_TRUE(fs::exists(folder_ / "pictures" / name)) << name;
+  const auto report = nlohmann::json::parse(text("pictures/sequence.json"));
+  EXPECT_EQ(report, nlohmann::json::parse(outcome.out));
+  ASSERT_EQ(report["views"].size(), 2u);
+  uint64_t queued = 0, alone = 0;
+  for (const auto& view : report["views"]) {
+    EXPECT_EQ(view["mismatches"], 0);
+    queued += view["cycles_queued"].get<uint64_t>();
+    alone += view["cycles_alone"].get<uint64_t>();
+  }
+  EXPECT_EQ(queued, report["cycles_queued"]);
+  EXPECT_EQ(alone, report["cycles_alone"]);
+  EXPECT_LT(queued, alone);
+  // A frame that is alone takes as long as in a machine of its own, and the cycles in which it is taken.
+  ASSERT_EQ(run("sim scene.ply --cameras cameras.json --view 1 --no-truth --out single").code, 0);
+  const auto single = nlohmann::json::parse(text("single/report.json"));
+  EXPECT_EQ(report["views"][0]["cycles_alone"], single["cycles"]);
+}
+
+TEST_F(Cli, ViewsThatAreNotThereOrNotMeantAreRefused) {
+  const std::string sim = "sim scene.ply --cameras cameras.json --views ";
+  expect_refused(sim + "0-1", "--view: found 1, expected 0 to 0");
+  expect_refused(sim + "0", "--views: found '0', expected FIRST-LAST");
+  expect_refused(sim + "2-1", "--views: found '1', expected an integer from 2");
+  for (const char* other : {" --view 0", " --no-rtl", " --effects auto"})
+    expect_refused(sim + "0-0" + other, "--views: found with --no-rtl, --effects or --view, expected without");
+}
+
 TEST_F(Cli, OneWindowAlone) {
   const Outcome outcome = run("sim scene.ply --cameras cameras.json --rung dop --window 1,0 --out pictures");
   EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -11,6 +11,7 @@
 //         Every variant of the default machine is that machine, which changes neither a cycle nor a bit, and need not
 //         be built.
 #include <cstdlib>
+#include <functional>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -22,10 +23,12 @@
 namespace pipegs {
 namespace {
 
-// All that a machine shows but its first chunk.
-class WithoutAChunk final : public RtlTaps {
+// All that a machine shows, with a fault in it: its first chunk is missing, or something is done to the memory before
+// the frame counts as complete.
+class FaultyTaps final : public RtlTaps {
  public:
-  explicit WithoutAChunk(RtlTaps& taps) : taps_(taps) {}
+  FaultyTaps(RtlTaps& taps, bool without_a_chunk, std::function<void()> before_done)
+      : taps_(taps), shown_(!without_a_chunk), before_done_(std::move(before_done)) {}
   void on_splat(int unit, const uint32_t* splat) override { now().on_splat(unit, splat); }
   void on_sorted(const uint32_t* sorted) override { now().on_sorted(sorted); }
   void on_alphas(int lane, uint64_t x, uint64_t y, uint32_t index, int region, int quarter,
@@ -43,6 +46,10 @@ class WithoutAChunk final : public RtlTaps {
   }
   void on_layer_done(int unit, bool window_done) override { now().on_layer_done(unit, window_done); }
   void on_request(int tag, bool write, uint64_t line) override { now().on_request(tag, write, line); }
+  void on_frame_done() override {
+    before_done_();
+    now().on_frame_done();
+  }
 
  private:
   RtlTaps& now() {
@@ -51,7 +58,8 @@ class WithoutAChunk final : public RtlTaps {
   }
 
   RtlTaps& taps_;
-  bool shown_ = false;
+  bool shown_;
+  std::function<void()> before_done_;
 };
 
 class FaultyMachine final : public RtlModel {
@@ -59,16 +67,18 @@ class FaultyMachine final : public RtlModel {
   FaultyMachine(const Config& config, std::unique_ptr<RtlModel> machine, std::string_view fault)
       : config_(config), machine_(std::move(machine)), fault_(fault) {}
 
-  RtlResult run(const uint32_t* frame, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+  RtlResult run(const std::vector<FrameWords>& frames, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
                 const std::function<bool(uint64_t, uint64_t)>& progress) override {
     if (fault_ == "memory") throw std::bad_alloc();
     if (fault_ == "bug") throw std::logic_error("a promise is broken");
     RtlOptions mine = options;
     if (fault_ == "hang") mine.quiet_limit = 2;
-    std::optional<WithoutAChunk> other;
-    if (fault_ == "cycles" && taps != nullptr) taps = &other.emplace(*taps);
-    RtlResult result = machine_->run(frame, memory, mine, taps, progress);
-    if (fault_ == "pixel") turn_over(unpack<Frame>(config_, frame), memory);
+    const auto before_done = [&] {
+      if (fault_ == "pixel") turn_over(unpack<Frame>(config_, frames.front().data()), memory);
+    };
+    std::optional<FaultyTaps> faulty;
+    if (taps != nullptr) taps = &faulty.emplace(*taps, fault_ == "cycles", before_done);
+    RtlResult result = machine_->run(frames, memory, mine, taps, progress);
     if (fault_ == "cycles") ++result.cycles;
     return result;
   }

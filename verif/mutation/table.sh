@@ -245,9 +245,13 @@ mutant perf "counts state 3 also while nothing runs" "s/if \(running_q\)/if (run
 mutant perf "a restart clears three of the four counts" '/if \(restart_q\)/,/end/s/i < 4/i < 3/'
 mutant layer_free "one RU's pulse frees a layer" "s/some == '1/some != '0/"
 mutant layer_free "counters of one bit: no drift of two layers" 's/(CountW *= )4/\11/'
-mutant scheduler "one complete RU ends the frame" "s/complete == '1 && idle_i/complete != '0 \&\& idle_i/"
-mutant scheduler "complete or idle is enough" "s/complete == '1 && idle_i/(complete == '1 || idle_i)/"
+mutant scheduler "one complete RU ends the frame" "s/complete == '1 && !back_busy_i/complete != '0 \&\& !back_busy_i/"
+mutant scheduler "a frame ends while pixels are on their way" 's/ && !storing_i;/;/'
 mutant scheduler "windows counted in the width of a column" 's/(CountW *= )2 \* WindowW \+ 2/\1WindowW + 1/'
+mutant scheduler "a frame is taken before the back has begun the one in the front" \
+       's/!front_q && !ahead_q && \(\(/!front_q \&\& ((/'
+mutant scheduler "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
+mutant scheduler "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q && /\1/'
 
 # --- rtl/lib ----------------------------------------------------------------------------------------------------------
 group lib "Library"

@@ -14,10 +14,8 @@ uint64_t mismatches(const Simulation& simulation, const MemoryImage& image, std:
   const Config& config = simulation.packed.config;
   ExternalMemory memory;
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
-  std::vector<uint32_t> words(record_words<Frame>(config) + 1);
-  pack(config, simulation.input.frame, words.data());
   StreamCheck check(simulation.input);
-  load_rtl(config)->run(words.data(), memory, {}, &check, {});
+  load_rtl(config)->run({frame_words(config, simulation.input.frame)}, memory, {}, &check, {});
   check.finish();
   if (check.first()) *first = check.first()->what;
   return check.mismatches();

@@ -50,12 +50,11 @@ void run(Machine& machine, const Simulation& simulation, bool compare) {
   ExternalMemory memory({.dram = "lpddr5-6400x4"});
   const MemoryImage image = memory_image(simulation.packed);
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
-  std::vector<uint32_t> words(record_words<Frame>(config) + 1);
-  pack(config, simulation.input.frame, words.data());
   StreamCheck check(simulation.input);
   const std::unique_ptr<RtlModel> model(machine.create(&config));
   const double before = thread_seconds();
-  const RtlResult result = model->run(words.data(), memory, {}, compare ? &check : nullptr, {});
+  const RtlResult result =
+      model->run({frame_words(config, simulation.input.frame)}, memory, {}, compare ? &check : nullptr, {});
   const double seconds = thread_seconds() - before;
   if (compare) check.finish();
   if (check.mismatches() != 0) throw std::runtime_error(machine.library + ": " + check.first()->what);

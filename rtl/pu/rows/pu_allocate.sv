@@ -154,7 +154,10 @@ module pu_allocate #(
         overflow_q    <= '0;
         next_parity_q <= !next_parity_q;
       end
-      if (restart_i) next_parity_q <= 1'b0;
+      if (restart_i) begin  // a frame's lines lie where they would lie behind a reset
+        head_q        <= '0;
+        next_parity_q <= 1'b0;
+      end
     end
   end
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "sim/command/command.hpp"
+#include "sim/command/frame/views.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/report/report.hpp"
 #include "sim/study/effects/run.hpp"
@@ -19,6 +20,7 @@ struct SimArguments {
   MemoryArguments memory;
   std::string out = "out", waves;
   std::vector<std::string> effects = {"all"};
+  std::vector<int> views;
   bool netlist = false, json = false, no_truth = false, no_rtl = false;
 };
 
@@ -64,6 +66,11 @@ std::string run_rtl(const SimArguments& arguments, const CLI::App& command, cons
 }
 
 void check_outputs(const SimArguments& arguments) {
+  if (!arguments.views.empty()) {
+    try_folder("--out", arguments.out, {"sequence.json"});
+    try_folder("--out", fmt::format("{}/view_{}", arguments.out, arguments.views[0]), {"frame.exr", "frame.png"});
+    return try_file("--waves", arguments.waves);
+  }
   try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
   try_file("--waves", arguments.waves);
 }
@@ -76,6 +83,18 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   if (arguments.no_rtl && !arguments.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
   built_variant(options.variant, options.rtl);  // refuses waves of gates
   check_outputs(arguments);
+  if (!arguments.views.empty()) {
+    if (arguments.no_rtl || arguments.effects != kAll || command.count("--view") > 0)
+      throw ConfigError("--views: found with --no-rtl, --effects or --view, expected without");
+    make_folder_of(arguments.waves);
+    return simulate_views(arguments.view,
+                          {.first = arguments.views[0],
+                           .last = arguments.views[1],
+                           .out = arguments.out,
+                           .json = arguments.json,
+                           .replay = replay(arguments, command, "")},
+                          options);
+  }
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
   check_picture_memory(loaded.camera, options,
@@ -124,6 +143,8 @@ void add_sim(CLI::App& app, Run& run) {
   static SimArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
+  add_span(*command, "--views", arguments.views,
+           "instead of --view: these views in one machine without a reset, without truth");
   command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json")->capture_default_str();
   command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
   add_names(*command, "--effects", arguments.effects,

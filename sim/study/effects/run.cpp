@@ -18,7 +18,7 @@ void repack(const Scene& scene, const Camera& camera, const SimulateOptions& opt
     simulate_pack(scene, camera, options, simulation);
   } else {
     simulation.packed.config = options.config;
-    simulate_frame(camera, options, simulation);
+    simulate_frame(simulation.packed, camera, options, simulation);
   }
 }
 

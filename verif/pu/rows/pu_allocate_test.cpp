@@ -28,7 +28,7 @@ struct World : Endpoint {
   void drive() override {
     write_record(config, dut.payload_i, payload);
     dut.restart_i = restart;
-    if (restart) x = frame.raster.windows.first_x, y = frame.raster.windows.first_y, model.parity = 0;
+    if (restart) x = frame.raster.windows.first_x, y = frame.raster.windows.first_y, model = PuAllocate(config);
     restart = false;
     Words done(port_words<decltype(dut.done_i)>() + 2), done_x(8), done_y(8);
     live = 0;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// sequence_check.hpp: holds a sequence of frames in one machine against the golden model: every stream, every pixel.
+//
+// Idea    Frames overlap: the front of the machine shows splats of a frame while its RUs blend the one before. Ends of
+//         windows tell for each stream in which frame it is; what the RUs show is of the oldest frame that is not
+//         complete. When that one is, its pixels in memory are compared, before the next one may overwrite them.
+// Result  Mismatches of each frame, see StreamCheck.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cpp_model/golden.hpp"
+#include "sim/compare/stream_check.hpp"
+
+namespace pipegs {
+
+class SequenceCheck final : public RtlTaps {
+ public:
+  // A frame where it lies in memory, and its golden pixels. `input` and `pixels` outlive this.
+  struct Expected {
+    const GoldenInput* input;
+    const std::vector<uint64_t>* pixels;
+  };
+  // `second` sees all that this sees, or is null.
+  SequenceCheck(const std::vector<Expected>& frames, const ExternalMemory& memory, RtlTaps* second);
+
+  void on_splat(int unit, const uint32_t* splat) override;
+  void on_sorted(const uint32_t* sorted) override;
+  void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
+                 const uint32_t* line) override;
+  void on_pixels(int lane, int region, int quarter, const uint32_t* word) override;
+  void on_frame_done() override;
+  // Only the second one looks at cycles.
+  bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }
+  void on_cycle(uint64_t cycle, const uint8_t* states) override { second_->on_cycle(cycle, states); }
+  void on_chunk(int unit, int kind) override { second_->on_chunk(unit, kind); }
+  void on_layer_done(int unit, bool window_done) override { second_->on_layer_done(unit, window_done); }
+  void on_request(int tag, bool write, uint64_t line) override { second_->on_request(tag, write, line); }
+
+  StreamCheck& frame(size_t number) { return *frames_[number].streams; }
+  size_t complete() const { return back_; }  // frames that are
+
+ private:
+  struct One {
+    Expected expected;
+    std::unique_ptr<StreamCheck> streams;
+  };
+  StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
+  void compare_pixels(One& one);
+
+  const ExternalMemory& memory_;
+  RtlTaps* second_;
+  std::vector<One> frames_;
+  std::vector<size_t> splat_frame_;  // of each unit
+  size_t sorted_frame_ = 0, back_ = 0;
+};
+
+}  // namespace pipegs

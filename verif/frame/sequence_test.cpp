@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// sequence_test: frames one after the other in one machine without a reset, every stream and pixel of each compared.
+//
+// What the machine keeps of a frame must not show in the next one: frames of other sizes, cameras and scenes follow on
+// each machine, queued behind the running one and one at a time.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "verif/frame/machines.hpp"
+#include "verif/frame/scenes.hpp"
+
+namespace pipegs {
+namespace {
+
+// Runs views in turn; `simulations` outlives the run.
+class Sequence {
+ public:
+  explicit Sequence(const SimulateOptions& options) : options_(options) {}
+
+  void add(const Scene& scene, const Camera& camera) {
+    simulations_.push_back(std::make_unique<Simulation>());
+    simulate_golden(scene, camera, options_, *simulations_.back());
+  }
+  // A frame of the scene before, which shares its place in memory, pixels included.
+  void add(const Camera& camera, double near_plane = 0.2) {
+    const PackedScene& packed = *simulations_.back()->input.packed;
+    auto& next = *simulations_.emplace_back(std::make_unique<Simulation>());
+    options_.near_plane = near_plane;
+    simulate_frame(packed, camera, options_, next);
+    simulate_golden(next);
+  }
+  void expect_equal() {
+    std::vector<Simulation*> frames;
+    for (const auto& one : simulations_) frames.push_back(one.get());
+    for (const bool queued : {true, false}) {
+      options_.rtl.queued = queued;
+      const SequenceRun run = simulate_sequence(options_, frames);
+      ASSERT_EQ(run.rtl.frame_ends.size(), frames.size());
+      for (size_t i = 0; i < frames.size(); ++i) {
+        ASSERT_EQ(frames[i]->mismatches, 0u)
+            << config_difference(options_.config) << (queued ? ", queued" : ", one at a time") << ", seed "
+            << options_.rtl.seed << ": frame " << i << ", window " << frames[i]->first_mismatch->window_x << ","
+            << frames[i]->first_mismatch->window_y << ": " << frames[i]->first_mismatch->what;
+        if (options_.config.taps) { ASSERT_GT(frames[i]->beats, 0u); }
+      }
+      (queued ? queued_cycles : single_cycles) = run.rtl.frame_ends.back();
+    }
+  }
+
+  uint64_t queued_cycles = 0, single_cycles = 0;
+
+ private:
+  SimulateOptions options_;
+  std::vector<std::unique_ptr<Simulation>> simulations_;
+};
+
+// Sizes up and down, a scene of another degree, an empty one, and the first again.
+TEST(Sequence, FramesOfOtherSizesCamerasAndScenesFollowWithoutAReset) {
+  const Scene first = random_scene(61, 900, 1), second = random_scene(62, 400, 2);
+  Camera turned = test_camera(96, 70);
+  turned.position = {0.4, -0.2, 0.6};
+  turned.world_to_camera = glm::dmat3(0.96, 0, 0.28, 0, 1, 0, -0.28, 0, 0.96);
+  for (size_t i = 0; i < kMachines.size(); ++i) {
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence sequence(machine(i));
+    sequence.add(first, test_camera(130, 70));
+    sequence.add(test_camera(17, 33));
+    sequence.add(turned);
+    sequence.add(second, test_camera(200, 64, 150));
+    sequence.add(scene_of({}), test_camera(64, 64));
+    sequence.add(first, test_camera(130, 70));
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+    const Config config = machine(i).config;
+    if (!config.has_lists() && !config.has_stores()) { EXPECT_LT(sequence.queued_cycles, sequence.single_cycles); }
+  }
+}
+
+// Opaque windows: what is done in one frame must not stop the next one, which begins while the RUs finish.
+TEST(Sequence, WhatIsOpaqueInOneFrameIsOpenInTheNext) {
+  Scene open = random_scene(63, 600, 0), hidden = open;
+  for (int i = 0; i < 60; ++i) hidden.gaussians.push_back(gaussian_at({0, 0, 0.3f + 0.001f * i}, 6.0f, 0.999));
+  for (size_t i = 0; i < kMachines.size(); ++i) {
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence sequence(machine(i));
+    for (int round = 0; round < 2; ++round) {
+      sequence.add(hidden, test_camera(64, 64));
+      sequence.add(open, test_camera(64, 64));
+    }
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Frames that sort otherwise (another near plane) wait until the SUs are empty.
+TEST(Sequence, TheMemoryAndTheNearPlaneMayChange) {
+  const Scene scene = random_scene(64, 1500, 1);
+  for (const size_t number : {size_t{0}, size_t{2}, size_t{7}, size_t{8}, size_t{10}}) {
+    SCOPED_TRACE(config_difference(machine(number).config));
+    for (const auto& [latency, bandwidth, jitter, queue] : {std::tuple{1, 64.0, 0, 256}, {400, 6.4, 400, 4}}) {
+      SimulateOptions options = machine(number);
+      options.memory = {.latency = latency, .bytes_per_cycle = bandwidth, .jitter = jitter, .queue = queue, .seed = 3};
+      Sequence sequence(options);
+      sequence.add(scene, test_camera(128, 128));
+      sequence.add(test_camera(100, 150, 130));
+      sequence.add(test_camera(128, 128), 0.7);
+      sequence.add(test_camera(128, 128));
+      sequence.expect_equal();
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pipegs
