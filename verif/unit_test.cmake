@@ -10,18 +10,22 @@ target_link_libraries(unit_test_headers PRIVATE verilated_runtime pipegs_model p
 target_precompile_headers(unit_test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <verilated.h> <algorithm> <deque>
                           <filesystem> <functional> <map> <memory> <random>)
 
-# pipegs_unit_test(NAME MODULE module [SOURCE file] [RTL_ONLY] [SET key=value ...]): a GoogleTest of one module against
-# its bit-accurate model. The test sees the configuration as PIPEGS_SET, a string for pipegs::test_config().
-# NAME_waves_test, which only a replay builds, is the same test with waves. In the default configuration it is a test of
-# the module's netlist too, unless RTL_ONLY says that there is none.
+# pipegs_unit_test(NAME MODULE module [SOURCE file] [RTL_ONLY] [SET key=value ...] [PARAMETERS Name=value ...]
+# [CHECKERS file ...]): a GoogleTest of one module against its bit-accurate model. PARAMETERS are the module's own,
+# CHECKERS are SystemVerilog files read with it. The test sees the configuration as PIPEGS_SET, a string for
+# pipegs::test_config(). NAME_waves_test, which only a replay builds, is the same test with waves. In the default
+# configuration, with the module's own parameters, it is a test of the netlist too, unless RTL_ONLY says that there is
+# none.
 function(pipegs_unit_test name)
-  cmake_parse_arguments(ARG "RTL_ONLY" "MODULE;SOURCE" "SET" ${ARGN})
+  cmake_parse_arguments(ARG "RTL_ONLY" "MODULE;SOURCE" "SET;PARAMETERS;CHECKERS" ${ARGN})
   if(NOT ARG_SOURCE)
     set(ARG_SOURCE ${name}_test.cpp)
   endif()
   string(REPLACE ";" " " set_text "${ARG_SET}")
-  pipegs_verilated(verilated_${name} ${ARG_MODULE} SET ${ARG_SET})
-  pipegs_verilated(verilated_${name}_waves ${ARG_MODULE} WAVES SET ${ARG_SET})
+  list(TRANSFORM ARG_PARAMETERS PREPEND "-G" OUTPUT_VARIABLE options)
+  list(APPEND options ${ARG_CHECKERS})
+  pipegs_verilated(verilated_${name} ${ARG_MODULE} SET ${ARG_SET} OPTIONS ${options})
+  pipegs_verilated(verilated_${name}_waves ${ARG_MODULE} WAVES SET ${ARG_SET} OPTIONS ${options})
   add_executable(${name}_test ${ARG_SOURCE})
   target_precompile_headers(${name}_test REUSE_FROM unit_test_headers)
   add_executable(${name}_waves_test EXCLUDE_FROM_ALL ${ARG_SOURCE})
@@ -32,7 +36,7 @@ function(pipegs_unit_test name)
                           fmt::fmt)
   endforeach()
   add_test(NAME ${name} COMMAND ${name}_test)
-  if(NOT ARG_SET AND NOT ARG_RTL_ONLY)
+  if(NOT ARG_SET AND NOT ARG_PARAMETERS AND NOT ARG_RTL_ONLY)
     pipegs_netlist_test(${name} MODULE ${ARG_MODULE} SOURCE ${ARG_SOURCE})
   endif()
 endfunction()

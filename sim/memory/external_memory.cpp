@@ -8,24 +8,6 @@ namespace pipegs {
 
 ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options) : timing_(memory_timing(options)) {}
 
-MemoryLine& ExternalMemory::line(uint64_t address) {
-  const uint64_t page = address / kPageLines;
-  if (page != cached_page_) {
-    auto& slot = pages_[page];
-    if (!slot) slot = std::make_unique<std::array<MemoryLine, kPageLines>>();
-    cached_page_ = page;
-    cached_ = slot.get();
-  }
-  return (*cached_)[address % kPageLines];
-}
-
-const MemoryLine& ExternalMemory::line(uint64_t address) const {
-  static const MemoryLine kZero{};
-  const uint64_t page = address / kPageLines;
-  const auto slot = pages_.find(page);
-  return slot == pages_.end() ? kZero : (*slot->second)[address % kPageLines];
-}
-
 void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data) {
   timing_->request(write, address, tag);
   ++lines_;

@@ -13,9 +13,9 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 
 #include "cpp_model/memory_line.hpp"
+#include "sim/memory/memory_pages.hpp"
 #include "sim/memory/memory_timing.hpp"
 
 namespace pipegs {
@@ -37,22 +37,19 @@ class ExternalMemory {
   const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }        // the answer shown in this cycle, if any
   void step();                                                                // the next cycle begins
 
-  const MemoryLine& line(uint64_t address) const;  // contents, for host access; untouched lines hold zero
-  MemoryLine& line(uint64_t address);
+  // Contents, for host access; untouched lines hold zero.
+  const MemoryLine& line(uint64_t address) const { return pages_.line(address); }
+  MemoryLine& line(uint64_t address) { return pages_.line(address); }
   const std::array<Traffic, 256>& traffic() const { return traffic_; }
   const Dram* dram() const { return timing_->dram(); }  // for its statistics, if the memory is one
   uint64_t busy_line_cycles() const { return lines_; }  // lines that crossed the pins
 
  private:
-  static constexpr uint64_t kPageLines = 4096;
-
   std::unique_ptr<MemoryTiming> timing_;
-  std::unordered_map<uint64_t, std::unique_ptr<std::array<MemoryLine, kPageLines>>> pages_;
+  MemoryPages pages_;
   std::array<std::deque<MemoryLine>, 256> read_;  // of each tag: lines read and not answered yet
   std::array<Traffic, 256> traffic_{};
   uint64_t lines_ = 0;
-  mutable uint64_t cached_page_ = ~uint64_t{0};
-  mutable std::array<MemoryLine, kPageLines>* cached_ = nullptr;
   std::optional<Answer> shown_;
 };
 

@@ -45,10 +45,10 @@ function(pipegs_package out)
   set(${out}_target ${name} PARENT_SCOPE)
 endfunction()
 
-# pipegs_verilated(NAME MODULE [WAVES] [SET key=value ...]): a static library with the Verilated module, built when a
-# target needs it; with WAVES its waves can be written.
+# pipegs_verilated(NAME MODULE [WAVES] [SET key=value ...] [OPTIONS option ...]): a static library with the Verilated
+# module, built when a target needs it; with WAVES its waves can be written. OPTIONS go to Verilator.
 function(pipegs_verilated name module)
-  cmake_parse_arguments(ARG "WAVES" "" "SET" ${ARGN})
+  cmake_parse_arguments(ARG "WAVES" "" "SET;OPTIONS" ${ARGN})
   pipegs_package(package ${ARG_SET})
   set(dir ${CMAKE_BINARY_DIR}/verilated/${name})
   if(ARG_WAVES)
@@ -59,7 +59,7 @@ function(pipegs_verilated name module)
     set(options 0)
   endif()
   add_custom_command(OUTPUT ${sources}
-    COMMAND ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${module} ${dir} ${package} ${options}
+    COMMAND ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${module} ${dir} ${package} ${options} ${ARG_OPTIONS}
     DEPENDS ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${package} ${package_target} DEPFILE ${dir}/depends.d
     COMMENT "Verilating ${module} (${name})" VERBATIM COMMAND_EXPAND_LISTS)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${sources})

@@ -100,6 +100,79 @@ mutant "the queue loses its head while new slots are left" \
        's/out_ready_i\(slot_ready_i \&\& !fresh\)/out_ready_i(slot_ready_i)/'
 mutant "a slot that comes back stays counted as used" 's/(if \(free_i) \&\& !take(\) used_q)/\1 \&\& fresh\2/'
 
+# --- rtl/mem ----------------------------------------------------------------------------------------------------------
+# Small queues, then that of the machine.
+proof  axi_fence "axi_fence+ free_queue" "DataW=2 Fenced=3 Writes=3; DataW=2 Fenced=3 Writes=1;
+       DataW=4 Fenced=8 Writes=13; DataW=47 Fenced=64 Writes=64"
+mutant "what waits leaves as soon as it shows" "s/since >= StampW'\(writes_i\)/1/"
+mutant "one write too few is waited for" "s/since >= StampW'\(writes_i\)/since + StampW'(1) >= StampW'(writes_i)/"
+mutant "a read passes others that wait" "s/waiting == '0 \&\& //"
+mutant "a read passes while a write is unanswered" "s/ \&\& writes_i == '0//"
+mutant "the head is withdrawn when its stamp is too old" 's/leaving_q \|\| //' "DataW=2 Fenced=3 Writes=1"
+mutant "a read that is shown is replaced by one that is due" 's/ \&\& !passing_q;/;/'
+
+# A line of one beat, of two and of four, with short words and addresses of a few pages.
+proof  axi_write "axi_write+ free_sram_fifo axi_check" \
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=16 AddrW=16 Writes=3;
+  @default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3;
+  @default %MemoryW=32 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3;
+  @default %AddressW=10 %TagW=2 DataW=128 AddrW=16 Writes=3; @default %AddressW=10 %TagW=2 DataW=512 AddrW=16 Writes=3"
+mutant "WLAST one beat early" 's/(data_last    = beat_q == BeatW.\(Beats) - 1/\1 - 2/' \
+       "@default %MemoryW=32 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
+mutant "the address is written over while it waits" 's/address_free = !aw_valid_q \|\| m_axi_awready/address_free = 1/'
+mutant "the data is written over while it waits" 's/data_free    = !w_valid_q \|\| .*;/data_free = 1;/'
+mutant "data shows before its address" 's/(if \(data_free\) w_valid_q <= )take/\1in_valid_i/'
+mutant "AW is valid in reset" 's/aw_valid_q <= 1.b0/aw_valid_q <= 1/'
+mutant "all beats leave from the top of the line" 's/data_q\[DataW-1:0\]/data_q[pipegs_pkg::MemoryW-1 -: DataW]/' \
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
+mutant "strobes only on the lowest byte" 's/\{\(DataW\/8\)\{1.b1\}\}/(DataW\/8)\x27(1)/'
+mutant "a burst that is not INCR" 's/m_axi_awburst  = 2.b01/m_axi_awburst = 2\x27b10/'
+mutant "a line is taken without room" 's/in_ready_o   = room \&\& /in_ready_o = /'
+mutant "the page of the base is not added" 's/base_i\[AddrW-1:12\] \+ //'
+
+# Short words, then lines of the machine at each width of the bus.
+proof  axi_gather "axi_gather+ free_sram" "@default %MemoryW=4 %MemoryPorts=3 %TagW=2 DataW=4;
+       @default %MemoryW=4 %MemoryPorts=3 %TagW=2 DataW=2; @default %MemoryW=8 %MemoryPorts=3 %TagW=2 DataW=2;
+       @default DataW=512; @default DataW=256; @default DataW=128"
+mutant "one counter for all tags" 's/port = beat_tag_i\[PortW-1:0\]/port = 0/' \
+       "@default %MemoryW=8 %MemoryPorts=3 %TagW=2 DataW=2"
+mutant "a counter goes on in the next epoch" 's/else if \(turn_i\) beats_q <= .0;//' \
+       "@default %MemoryW=8 %MemoryPorts=3 %TagW=2 DataW=2"
+mutant "a line of the old epoch shows" 's/line_valid_q \&\& !turn_i/line_valid_q/'
+mutant "the last beat goes to the lowest place" 's/line_o = \{last_q, parts\}/line_o = {parts, last_q}/' \
+       "@default %MemoryW=8 %MemoryPorts=3 %TagW=2 DataW=2"
+
+proof  axi_read "axi_read+ axi_gather free_sram axi_check" \
+       "@default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=16 AddrW=16 Reads=3;
+  @default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=8 AddrW=16 Reads=3;
+  @default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=8 AddrW=16 Reads=3"
+mutant "the address is written over while it waits" 's/free       = !ar_valid_q \|\| m_axi_arready/free = 1/'
+mutant "one beat too many" "s/ - 8'd1;/;/"
+mutant "beats of half the bus" 's/(DataW) \/ 8\)\);$/\1 \/ 16));/' \
+       "@default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=16 AddrW=16 Reads=3"
+mutant "one read too many" "s/room_o         = reads_q != .*;/room_o = 1;/"
+mutant "drained although the old core's reads are out" 's/(if \(turn\) old_q <= ).*/\1 0;/'
+mutant "answers to the new core are counted as old ones" 's/(else if \(answered) \&\& !now\)/\1 \&\& old_q != 0)/'
+mutant "drained in the cycle of the turn" "s/turn \? reads_q == '0 : old_q == '0/old_q == '0/"
+mutant "errors of the old core are told" 's/error_o        = now \&\& /error_o = m_axi_rvalid \&\& /'
+
+proof  axi_manager \
+       "axi_manager+ axi_fence axi_read axi_write axi_gather axi_errors free_sram free_sram_fifo axi_check" \
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=16 AddrW=16 Reads=3
+  Writes=3 Fenced=2;
+  @default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=8 AddrW=16 Reads=3
+  Writes=3 Fenced=2;
+  @default %MemoryW=32 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=8 AddrW=16 Reads=3
+  Writes=3 Fenced=2;
+  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=128 AddrW=16 Reads=3 Writes=3 Fenced=2;
+  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=512 AddrW=16 Reads=3 Writes=3 Fenced=2"
+mutant "the fence does not see the writes" 's/writes_i\(writes\)/writes_i(writes ^ writes)/'
+mutant "the last tag that may write is not fenced" 's/WritePorts\)\)/WritePorts) - 1)/'
+mutant "a read is accepted without room" 's/ \&\& read_room;/;/'
+mutant "idle while reads are out" "s/writes != '0 \|\| reads_pending/writes != '0/"
+mutant "idle while writes are out" "s/writes != '0 \|\| reads_pending/reads_pending/"
+mutant "a write is a read, too" 's/mem_valid_i \&\& !mem_request_i.write \&\& read_room/mem_valid_i \&\& read_room/'
+
 # --- rtl --------------------------------------------------------------------------------------------------------------
 proof  scheduler "scheduler+" "@late=1,order=2 %WindowW=3 %PerfW=8; @default %WindowW=3; @units=1 %WindowW=4"
 mutant "the frame ends before all RUs have completed it" 's/complete == .1/complete != 0/'

@@ -239,6 +239,32 @@ mutant ru_fetch "assertion: looks at a flag that is 0 where nothing lies in memo
 mutant ru_fetch "a line of memory is always wanted" \
        "s/(\{external_want, external_valid, mem_valid_o\} = )'0/\13'b100/" ru_fetch_lean
 
+# --- rtl/mem ----------------------------------------------------------------------------------------------------------
+group mem "AXI4 manager"
+mutant axi_fence "no read waits for writes" "s/(passes *= ).*/\11'b1;/" axi_manager_512
+mutant axi_fence "a read that waits leaves as soon as it shows" "s/since >= StampW'\(writes_i\)/1'b1/" axi_manager_512
+mutant axi_fence "a read passes others of its tag that wait" "s/waiting == '0 && //" axi_manager_512
+mutant axi_fence "one write too few is waited for" "s/since >= StampW/since + 1'b1 >= StampW/" axi_manager_512
+mutant axi_manager "the last tag that may write is not fenced" \
+       "s/TagW'\(pipegs_pkg::WritePorts\)/TagW'(pipegs_pkg::WritePorts - 1)/" axi_manager_512
+mutant axi_manager "nothing is pending when only writes are unanswered" \
+       "s/writes != '0 \|\| reads_pending/reads_pending/" axi_manager_512
+mutant axi_read "answers to the old core are shown" 's/ && m_axi_rid\[IdW-1\] == epoch_i//' axi_manager_512
+mutant axi_read "more reads than Reads" "s/(room_o *= ).*/\11'b1;/" axi_manager_512
+mutant axi_read "drained as soon as the epoch turns" 's/(if \(turn\) old_q <= ).*/\1'"'0;/" axi_manager_512
+mutant axi_read "one beat too few" "s/ - 8'd1;/ - 8'd2;/" axi_manager_128
+mutant axi_read "the base does not count" 's/base_i\[AddrW-1:12\] \+ //' axi_manager_256
+mutant axi_gather "one counter for all tags" "s/port = beat_tag_i\[PortW-1:0\]/port = '0/" axi_manager_128
+mutant axi_gather "half a line of the old core is completed for the new one" "s/else if \(turn_i\) beats_q <= '0;//" \
+       axi_manager_128
+mutant axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last_q}/' axi_manager_256
+mutant axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
+mutant axi_write "data changes while it waits" 's/else if \(m_axi_wready\) data_q/else data_q/' axi_manager_256
+mutant axi_write "errors of the old core's writes are told" 's/ && done_epoch == epoch_i//' axi_manager_512
+mutant axi_errors "the last tag that failed instead of the first" 's/ && \(!read_q \|\| clear_i\)//' axi_manager_512
+mutant axi_errors "an error in the cycle of the clearing is lost" \
+       's/write_i \|\| \(write_q && !clear_i\)/(write_i || write_q) \&\& !clear_i/' axi_manager_512
+
 # --- rtl: control at the top ------------------------------------------------------------------------------------------
 group top "Control at the top"
 mutant perf "counts state 3 also while nothing runs" "s/if \(running_q\)/if (running_q || state_q == 2'd3)/"

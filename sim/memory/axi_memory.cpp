@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// axi_memory.cpp: see axi_memory.hpp.
+#include "sim/memory/axi_memory.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+namespace pipegs {
+namespace {
+
+constexpr uint64_t kLineBytes = 64;
+constexpr size_t kAsks = 8;   // timed: lines that may wait for the timing before addresses are refused
+constexpr size_t kBack = 64;  // timed: lines that may wait for R, likewise
+
+}  // namespace
+
+AxiMemory::AxiMemory(const AxiMemoryOptions& options)
+    : options_(options),
+      rules_(options.data_w, options.most_reads, options.most_writes),
+      timing_(memory_timing(options.timing)),
+      rng_(options.seed) {
+  if (options.data_w != 128 && options.data_w != 256 && options.data_w != 512) {
+    throw std::invalid_argument("AXI memory: the bus has 128, 256 or 512 bits");
+  }
+  if (options.base % kLineBytes != 0 || options.size % kLineBytes != 0 || options.ready_percent < 1) {
+    throw std::invalid_argument("AXI memory: base and size are multiples of 64, ready_percent is above 0");
+  }
+}
+
+AxiResponse AxiMemory::response(uint64_t line) const {
+  const uint64_t first = options_.base / kLineBytes;
+  if (line < first || line - first >= options_.size / kLineBytes) return AxiResponse::kDecodeError;
+  return failing.contains(line) ? AxiResponse::kSlaveError : AxiResponse::kOkay;
+}
+
+// --- what the manager asks for ---------------------------------------------------------------------------------------
+void AxiMemory::observe(const AxiManagerSide& manager) {
+  rules_.check(manager, shown_);
+  if (manager.ar.valid && shown_.ar_ready) take_read(manager.ar);
+  if (manager.aw.valid && shown_.aw_ready) address_.push_back(manager.aw);
+  if (manager.w.valid && shown_.w_ready) data_.push_back(manager.w);
+  take_write();
+  ask();
+  if (manager.r_ready) shown_.r.valid = false;
+  if (manager.b_ready) shown_.b.valid = false;
+}
+
+void AxiMemory::take_read(const AxiAddress& address) {
+  const uint64_t bytes = static_cast<uint64_t>(options_.data_w) / 8;
+  if (address.address % kLineBytes != 0 || (static_cast<uint64_t>(address.length) + 1) * bytes % kLineBytes != 0) {
+    throw std::runtime_error("AXI memory: a burst that is not made of lines of 64 bytes");
+  }
+  const uint64_t lines = (static_cast<uint64_t>(address.length) + 1) * bytes / kLineBytes;
+  const bool sampled = options_.harsh && rng_() % 2 == 0;
+  Reads& reads = reads_[address.id];
+  ++bursts_;
+  for (uint64_t i = 0; i < lines; ++i) {
+    const uint64_t line = address.address / kLineBytes + i;
+    const bool last = i + 1 == lines;
+    reads.lines.push_back({line, {}, last, false, response(line)});
+    if (sampled) sample(reads.lines.back());
+    if (!options_.harsh) asks_.push_back({false, line, address.id, last});
+  }
+  if (options_.harsh) {
+    reads.due.push_back(now_ + 1 + static_cast<int64_t>(rng_() % static_cast<uint64_t>(options_.read_delay)));
+  }
+  lines_read_ += lines;
+}
+
+void AxiMemory::sample(Line& line) {
+  line.sampled = true;
+  if (line.response != AxiResponse::kDecodeError) line.data = pages_.line(line.address);
+}
+
+// A write is complete when its address and all its beats are here.
+void AxiMemory::take_write() {
+  const size_t words = static_cast<size_t>(options_.data_w) / 32;
+  while (!address_.empty() && data_.size() > static_cast<size_t>(address_.front().length)) {
+    const AxiAddress address = address_.front();
+    const size_t beats = static_cast<size_t>(address.length) + 1;
+    if (address.address % kLineBytes != 0 || beats * words != 16) {
+      throw std::runtime_error("AXI memory: a write that is not one line of 64 bytes");
+    }
+    const uint64_t half = static_cast<uint64_t>(options_.write_delay) / 2;
+    Write write{address.id, address.address / kLineBytes, {}, {}, 0, false, response(address.address / kLineBytes)};
+    write.due = now_ + 1 + static_cast<int64_t>(half + rng_() % (half + 1));
+    for (size_t i = 0; i < 16; ++i) {
+      const AxiWriteBeat& beat = data_[i / words];
+      write.data[i] = beat.data[i % words];
+      for (size_t byte = 0; byte < 4; ++byte) {
+        if ((beat.strobes >> (4 * (i % words) + byte)) & 1) write.mask[i] |= 0xffu << (8 * byte);
+      }
+    }
+    data_.erase(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(beats));
+    address_.pop_front();
+    if (!options_.harsh) asks_.push_back({true, write.address, write.id, true});
+    writes_.push_back(write);
+    ++lines_written_;
+  }
+}
+
+void AxiMemory::apply(Write& write) {
+  write.applied = true;
+  if (write.response != AxiResponse::kOkay) return;
+  MemoryLine& line = pages_.line(write.address);
+  for (size_t i = 0; i < line.size(); ++i) line[i] = (line[i] & ~write.mask[i]) | (write.data[i] & write.mask[i]);
+}
+
+// One line per cycle goes to the timing.
+void AxiMemory::ask() {
+  if (asks_.empty() || !timing_->ready()) return;
+  const Ask ask = asks_.front();
+  asks_.pop_front();
+  timing_->request(ask.write, ask.address, static_cast<int>(ask.id & 0xff));
+  if (ask.write) {
+    const auto write = std::find_if(writes_.begin(), writes_.end(), [](const Write& w) { return !w.applied; });
+    apply(*write);
+    write->due = now_ + options_.write_latency;
+  } else {
+    asked_[ask.id & 0xff].push_back(ask.id);
+    for (Line& line : reads_[ask.id].lines) {
+      if (line.sampled) continue;
+      sample(line);
+      break;
+    }
+  }
+}
+
+// --- what it answers -------------------------------------------------------------------------------------------------
+const AxiSubordinateSide& AxiMemory::step() {
+  ++now_;
+  if (options_.harsh) {
+    step_harsh();
+  } else {
+    step_timed();
+  }
+  return shown_;
+}
+
+void AxiMemory::show_beat(uint32_t id) {
+  const auto found = reads_.find(id);
+  Reads& reads = found->second;
+  Line& line = reads.lines.front();
+  const size_t words = static_cast<size_t>(options_.data_w) / 32;
+  if (!line.sampled && reads.beat == 0) sample(line);
+  const auto first = line.data.begin() + static_cast<std::ptrdiff_t>(static_cast<size_t>(reads.beat) * words);
+  const bool ends = static_cast<size_t>(reads.beat + 1) * words == line.data.size();
+  shown_.r.valid = true;
+  shown_.r.id = id;
+  shown_.r.response = line.response;
+  shown_.r.last = ends && line.last;
+  std::copy(first, first + static_cast<std::ptrdiff_t>(words), shown_.r.data.begin());
+  reads.beat = ends ? 0 : reads.beat + 1;
+  if (!ends) return;
+  const bool last = line.last;
+  reads.lines.pop_front();
+  if (!last) return;
+  --bursts_;
+  if (options_.harsh) reads.due.pop_front();
+  if (reads.lines.empty()) reads_.erase(found);
+}
+
+void AxiMemory::show_answer(uint32_t id, AxiResponse response) {
+  shown_.b.valid = true;
+  shown_.b.id = id;
+  shown_.b.response = response;
+}
+
+void AxiMemory::step_harsh() {
+  shown_.ar_ready = chance();
+  shown_.aw_ready = chance() && address_.size() < 4;
+  shown_.w_ready = chance() && data_.size() < 16;
+  if (!shown_.r.valid && chance()) {
+    std::vector<uint32_t> due;
+    for (const auto& [id, reads] : reads_) {
+      if (reads.due.front() <= now_) due.push_back(id);
+    }
+    if (!due.empty()) show_beat(due[rng_() % due.size()]);
+  }
+  // Writes of one ID are applied and answered in their order; of several IDs each for itself.
+  std::set<uint32_t> waiting;
+  for (Write& write : writes_) {
+    if (!write.applied && (write.due > now_ || waiting.contains(write.id))) waiting.insert(write.id);
+    if (!write.applied && !waiting.contains(write.id)) apply(write);
+  }
+  if (shown_.b.valid || !chance()) return;
+  std::set<uint32_t> seen;
+  for (auto write = writes_.begin(); write != writes_.end(); ++write) {
+    if (!seen.insert(write->id).second || !write->applied || !chance()) continue;
+    show_answer(write->id, write->response);
+    writes_.erase(write);
+    return;
+  }
+}
+
+void AxiMemory::step_timed() {
+  const int tag = timing_->step();
+  if (tag != MemoryTiming::kNoAnswer) {
+    auto& asked = asked_[static_cast<size_t>(tag)];
+    back_.push_back(asked.front());
+    asked.pop_front();
+  }
+  shown_.ar_ready = shown_.aw_ready = shown_.w_ready = asks_.size() < kAsks && back_.size() < kBack;
+  if (!shown_.r.valid && !back_.empty()) {
+    const uint32_t id = back_.front();
+    if (static_cast<size_t>(reads_[id].beat + 1) * static_cast<size_t>(options_.data_w) == 512) back_.pop_front();
+    show_beat(id);
+  }
+  if (!shown_.b.valid && !writes_.empty() && writes_.front().applied && writes_.front().due <= now_) {
+    show_answer(writes_.front().id, writes_.front().response);
+    writes_.pop_front();
+  }
+}
+
+}  // namespace pipegs

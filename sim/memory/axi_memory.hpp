@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// axi_memory.hpp: an AXI4 subordinate with a memory behind it.
+//
+// Idea    Two behaviours over the same contents. `harsh` does what AXI4 allows: a write is applied hundreds of cycles
+//         after its last beat and answered later still, answers of different IDs overtake each other, beats of one ID
+//         stand between those of another, each ready falls at random. A read looks at the memory when its address is
+//         taken or when its beat leaves, by chance. Otherwise the memory behaves as ExternalMemory does: a MemoryTiming
+//         (memory_timing.hpp) takes one line per cycle and says when a read answers; a write is applied when the timing
+//         takes it and answered `write_latency` cycles later.
+// Rule    In each cycle: step(), then observe() with what the manager shows. The manager is checked (axi_rules.hpp).
+//         The memory has a place and a size: what lies outside is answered DECERR and changes nothing; so are the lines
+//         of `failing` with SLVERR.
+// Units   Cycles of the machine's clock. Numbers of lines are byte addresses / 64.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+
+#include "sim/memory/axi_rules.hpp"
+#include "sim/memory/memory_pages.hpp"
+#include "sim/memory/memory_timing.hpp"
+
+namespace pipegs {
+
+struct AxiMemoryOptions {
+  int data_w = 512;                             // bits of the bus: 128, 256 or 512
+  uint64_t base = 0, size = uint64_t{1} << 40;  // bytes: first and how many, multiples of 64
+  int most_reads = 256, most_writes = 64;       // bursts of the manager that may be unanswered
+  bool harsh = false;
+  ExternalMemoryOptions timing = {};  // not harsh
+  int write_latency = 20;             // not harsh
+  int read_delay = 100;               // harsh: largest random cycles until a burst may answer
+  int write_delay = 400;              // harsh: largest random cycles until a write is applied, half of it the least
+  int ready_percent = 70;             // harsh: chance of each ready and of each answer in a cycle
+  uint64_t seed = 1;                  // harsh
+};
+
+class AxiMemory {
+ public:
+  explicit AxiMemory(const AxiMemoryOptions& options);
+
+  const AxiSubordinateSide& step();             // the next cycle begins: what is shown in it
+  void observe(const AxiManagerSide& manager);  // what the manager shows in it
+  void observe_reset(const AxiManagerSide& manager) { rules_.check_reset(manager); }
+
+  const MemoryLine& line(uint64_t address) const { return pages_.line(address); }  // contents, for host access
+  MemoryLine& line(uint64_t address) { return pages_.line(address); }
+  std::set<uint64_t> failing;  // lines that answer SLVERR
+  bool quiet() const { return bursts_ == 0 && writes_.empty() && address_.empty() && data_.empty(); }
+  uint64_t lines_read() const { return lines_read_; }
+  uint64_t lines_written() const { return lines_written_; }
+  const Dram* dram() const { return timing_->dram(); }
+
+ private:
+  struct Line {  // of a burst that is read
+    uint64_t address;
+    MemoryLine data;
+    bool last;     // of its burst
+    bool sampled;  // data is that of the memory; else it is looked at when the line leaves
+    AxiResponse response;
+  };
+  struct Reads {  // of one ID
+    std::deque<Line> lines;
+    std::deque<int64_t> due;  // of each of their bursts: not before this cycle
+    int beat = 0;             // of the first line
+  };
+  struct Write {
+    uint32_t id;
+    uint64_t address;
+    MemoryLine data, mask;
+    int64_t due;  // applied
+    bool applied;
+    AxiResponse response;
+  };
+  struct Ask {  // one line on its way to the timing
+    bool write;
+    uint64_t address;
+    uint32_t id;
+    bool last;
+  };
+
+  AxiResponse response(uint64_t line) const;
+  bool chance() { return static_cast<int>(rng_() % 100) < options_.ready_percent; }
+  void take_read(const AxiAddress& address);
+  void sample(Line& line);
+  void take_write();
+  void apply(Write& write);
+  void ask();
+  void step_harsh();
+  void step_timed();
+  void show_beat(uint32_t id);
+  void show_answer(uint32_t id, AxiResponse response);
+
+  AxiMemoryOptions options_;
+  AxiRules rules_;
+  MemoryPages pages_;
+  std::unique_ptr<MemoryTiming> timing_;
+  std::mt19937_64 rng_;
+  AxiSubordinateSide shown_;
+  int64_t now_ = 0;
+  int bursts_ = 0;                               // read bursts inside
+  std::map<uint32_t, Reads> reads_;              // by ID
+  std::deque<AxiAddress> address_;               // of writes whose data did not come
+  std::deque<AxiWriteBeat> data_;                // beats without address
+  std::deque<Write> writes_;                     // complete, in their order; answered ones leave
+  std::deque<Ask> asks_;                         // lines that the timing did not take
+  std::array<std::deque<uint32_t>, 256> asked_;  // of each tag of the timing: IDs, oldest first
+  std::deque<uint32_t> back_;                    // IDs of lines that the timing has answered
+  uint64_t lines_read_ = 0, lines_written_ = 0;
+};
+
+}  // namespace pipegs

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The end of rtl/mem/axi_write.sv in its proof: AXI4 on AW, W and B, and every bit of a line in its place.
+//
+// Rule    axi_check. The address is that of the line taken last, computed here without cutting the page off; of the
+//         line one bit of the solver's choice is remembered, and stands in the beat and at the place where it belongs.
+//         writes_o counts the lines taken and not answered, at most Writes. Nothing is taken over what waits.
+// Assumes A subordinate that keeps its rules; a base that is a multiple of 4096.
+// Invariant  A line that was taken and is not answered waits on AW or was taken there; the same of W.
+
+(* anyconst *) logic [$clog2(pipegs_pkg::MemoryW)-1:0] place;
+localparam int unsigned ProofW = $clog2(Writes + 1) + 1;
+logic              manager, subordinate, bit_q;
+logic [ProofW-1:0] addresses, lines;
+logic [7:0]        beat;
+logic [AddrW-1:0]  expected_q;
+logic [pipegs_pkg::MemoryW-1:0] moved;  // the line as it would stand if no beat had left
+
+proof_reset u_proof_reset (.clk_i, .rst_ni);
+axi_check #(
+  .DataW(DataW), .AddrW(AddrW), .IdW(IdW), .LineW(pipegs_pkg::MemoryW), .Reads(1), .Writes(Writes)
+) u_check (
+  .clk_i, .rst_ni, .pick_i(1'b0),
+  .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awvalid, .m_axi_awready,
+  .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid, .m_axi_wready,
+  .m_axi_bid, .m_axi_bresp, .m_axi_bvalid, .m_axi_bready,
+  .m_axi_arid({IdW{1'b0}}), .m_axi_araddr({AddrW{1'b0}}), .m_axi_arlen(8'd0), .m_axi_arsize(3'd0),
+  .m_axi_arburst(2'd0), .m_axi_arvalid(1'b0), .m_axi_arready(1'b0), .m_axi_rid({IdW{1'b0}}),
+  .m_axi_rdata({DataW{1'b0}}), .m_axi_rresp(2'd0), .m_axi_rlast(1'b0), .m_axi_rvalid(1'b0), .m_axi_rready(1'b0),
+  .manager_o(manager), .subordinate_o(subordinate), .reads_o(), .reads_of_o(), .addresses_o(addresses),
+  .lines_o(lines), .beat_o(beat)
+);
+
+always_ff @(posedge clk_i) if (in_valid_i && in_ready_o) begin
+  expected_q <= base_i + (AddrW'(in_line_i) << LineB);
+  bit_q      <= in_data_i[place];
+end
+
+assign moved = data_q << (beat_q * DataW);
+always_comb begin
+  assume (subordinate);
+  assume (base_i[11:0] == '0);
+  assert (manager);
+  if (rst_ni) begin
+    assert (!m_axi_awvalid || m_axi_awaddr == expected_q);
+    assert (!(m_axi_wvalid && beat == 8'(place / DataW)) || m_axi_wdata[place % DataW] == bit_q);
+    assert (!(in_valid_i && in_ready_o) || ((!m_axi_awvalid || m_axi_awready) &&
+                                            (!m_axi_wvalid || (m_axi_wready && m_axi_wlast))));
+    assert (!error_o || (m_axi_bvalid && m_axi_bready && m_axi_bresp[1]));
+    // invariants
+    assert (addresses <= ProofW'(Writes) && lines <= ProofW'(Writes));
+    assert (ProofW'(writes_o) == addresses + ProofW'(aw_valid_q));
+    assert (ProofW'(writes_o) == lines + ProofW'(w_valid_q));
+    assert (beat == (w_valid_q ? 8'(beat_q) : '0));
+    assert (8'(beat_q) < (w_valid_q ? 8'(Beats) : 8'd1));
+    assert (!w_valid_q || 8'(beat_q) > 8'(place / DataW) || moved[place] == bit_q);
+  end
+end

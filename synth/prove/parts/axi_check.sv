@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// axi_check: the rules of AXI4 between axi_manager and a subordinate, in immediate assertions, for tests and proofs.
+//
+// Rule    Manager: nothing valid in reset; what is shown stays until taken; bursts of INCR in beats of the bus,
+//         aligned, of one to eight whole lines within 4 KB; writes of one line with ID 0, all strobes set, WLAST at the
+//         last beat, data never before its address shows; at most Reads and Writes bursts unanswered.
+//         Subordinate: the same of valid and stay; R only with an ID that waits, RLAST exactly at the last beat of its
+//         burst, in order within an ID; B with ID 0 only after address and last beat of a write; no EXOKAY.
+// Idea    Counters know what is out, by ID for reads. RLAST is checked for one burst at a time, chosen by pick_i when
+//         its address is taken, with the bursts of its ID ahead of it: what holds for any choice holds for all.
+// Use     Bound to the module in Verilator, where each rule is asserted at the clock's edge. In a proof the checker of
+//         a module asserts manager_o and assumes subordinate_o, each of which is up while the rules are kept.
+
+module axi_check #(
+  parameter int unsigned DataW  = 512,
+  parameter int unsigned AddrW  = 40,
+  parameter int unsigned IdW    = 9,
+  parameter int unsigned LineW  = 512,  // bits of a line
+  parameter int unsigned Reads  = 256,
+  parameter int unsigned Writes = 64,
+  localparam int unsigned ReadsW  = $clog2(Reads + 1) + 1,
+  localparam int unsigned WritesW = $clog2(Writes + 1) + 1
+) (
+  input  logic               clk_i,
+  input  logic               rst_ni,
+  input  logic               pick_i,
+
+  input  logic [IdW-1:0]     m_axi_awid,
+  input  logic [AddrW-1:0]   m_axi_awaddr,
+  input  logic [7:0]         m_axi_awlen,
+  input  logic [2:0]         m_axi_awsize,
+  input  logic [1:0]         m_axi_awburst,
+  input  logic               m_axi_awvalid,
+  input  logic               m_axi_awready,
+  input  logic [DataW-1:0]   m_axi_wdata,
+  input  logic [DataW/8-1:0] m_axi_wstrb,
+  input  logic               m_axi_wlast,
+  input  logic               m_axi_wvalid,
+  input  logic               m_axi_wready,
+  input  logic [IdW-1:0]     m_axi_bid,
+  input  logic [1:0]         m_axi_bresp,
+  input  logic               m_axi_bvalid,
+  input  logic               m_axi_bready,
+  input  logic [IdW-1:0]     m_axi_arid,
+  input  logic [AddrW-1:0]   m_axi_araddr,
+  input  logic [7:0]         m_axi_arlen,
+  input  logic [2:0]         m_axi_arsize,
+  input  logic [1:0]         m_axi_arburst,
+  input  logic               m_axi_arvalid,
+  input  logic               m_axi_arready,
+  input  logic [IdW-1:0]     m_axi_rid,
+  input  logic [DataW-1:0]   m_axi_rdata,
+  input  logic [1:0]         m_axi_rresp,
+  input  logic               m_axi_rlast,
+  input  logic               m_axi_rvalid,
+  input  logic               m_axi_rready,
+
+  output logic               manager_o,      // the manager keeps its rules
+  output logic               subordinate_o,  // likewise
+  output logic [ReadsW-1:0]  reads_o,        // bursts on AR that are not answered
+  output logic [(1<<IdW)*ReadsW-1:0] reads_of_o,  // of each ID
+  output logic [WritesW-1:0] addresses_o,    // writes whose address was taken and that are not answered
+  output logic [WritesW-1:0] lines_o,        // likewise of their last beat
+  output logic [7:0]         beat_o          // beats taken of the burst on W
+);
+
+  localparam int unsigned Ids       = 1 << IdW;
+  localparam int unsigned Beats     = LineW / DataW;
+  localparam logic [2:0]  Size      = 3'($clog2(DataW / 8));
+  localparam int unsigned AddressW  = IdW + AddrW + 13;  // of all that stands beside an address
+
+  logic                  ar_take, aw_take, w_take, w_end, r_take, r_end, b_take;
+  logic [AddressW-1:0]   ar, aw, ar_q, aw_q;
+  logic [DataW+DataW/8:0] w, w_q;
+  logic [IdW+DataW+2:0]  r, r_q;
+  logic [IdW+1:0]        b, b_q;
+  logic                  ar_waits_q, aw_waits_q, w_waits_q, r_waits_q, b_waits_q, reset_q;
+
+  assign ar_take = m_axi_arvalid && m_axi_arready;
+  assign aw_take = m_axi_awvalid && m_axi_awready;
+  assign w_take  = m_axi_wvalid && m_axi_wready;
+  assign w_end   = w_take && m_axi_wlast;
+  assign r_take  = m_axi_rvalid && m_axi_rready;
+  assign r_end   = r_take && m_axi_rlast;
+  assign b_take  = m_axi_bvalid && m_axi_bready;
+  assign ar      = {m_axi_arid, m_axi_araddr, m_axi_arlen, m_axi_arsize, m_axi_arburst};
+  assign aw      = {m_axi_awid, m_axi_awaddr, m_axi_awlen, m_axi_awsize, m_axi_awburst};
+  assign w       = {m_axi_wlast, m_axi_wstrb, m_axi_wdata};
+  assign r       = {m_axi_rlast, m_axi_rid, m_axi_rresp, m_axi_rdata};
+  assign b       = {m_axi_bid, m_axi_bresp};
+
+  // --- what waits ----------------------------------------------------------------------------------------------------
+  always_ff @(posedge clk_i) begin
+    reset_q    <= !rst_ni;
+    ar_waits_q <= rst_ni && m_axi_arvalid && !m_axi_arready;
+    aw_waits_q <= rst_ni && m_axi_awvalid && !m_axi_awready;
+    w_waits_q  <= rst_ni && m_axi_wvalid && !m_axi_wready;
+    r_waits_q  <= rst_ni && m_axi_rvalid && !m_axi_rready;
+    b_waits_q  <= rst_ni && m_axi_bvalid && !m_axi_bready;
+    ar_q       <= ar;
+    aw_q       <= aw;
+    w_q        <= w;
+    r_q        <= r;
+    b_q        <= b;
+  end
+
+  // --- what is out ---------------------------------------------------------------------------------------------------
+  logic [ReadsW-1:0]     reads_q, reads_of_r, reads_of_ar;
+  logic [Ids*ReadsW-1:0] reads_of_q;       // of each ID
+  logic [WritesW-1:0]    addresses_q, lines_q;
+  logic [7:0]            beat_q;
+  logic                  tracked_q;        // the chosen burst is out
+  logic [IdW-1:0]        tracked_id_q;
+  logic [ReadsW-1:0]     tracked_ahead_q;  // bursts of its ID ahead of it
+  logic [7:0]            tracked_left_q;   // beats of it that come before its last
+
+  assign reads_of_r  = reads_of_q[m_axi_rid*ReadsW +: ReadsW];
+  assign reads_of_ar = reads_of_q[m_axi_arid*ReadsW +: ReadsW];
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      reads_q     <= '0;
+      reads_of_q  <= '0;
+      addresses_q <= '0;
+      lines_q     <= '0;
+      beat_q      <= '0;
+      tracked_q   <= 1'b0;
+    end else begin
+      reads_q     <= reads_q + ReadsW'(ar_take) - ReadsW'(r_end);
+      addresses_q <= addresses_q + WritesW'(aw_take) - WritesW'(b_take);
+      lines_q     <= lines_q + WritesW'(w_end) - WritesW'(b_take);
+      if (w_take) beat_q <= m_axi_wlast ? '0 : beat_q + 1'b1;
+      if (ar_take && !(r_end && m_axi_arid == m_axi_rid)) begin
+        reads_of_q[m_axi_arid*ReadsW +: ReadsW] <= reads_of_ar + 1'b1;
+      end
+      if (r_end && !(ar_take && m_axi_arid == m_axi_rid)) begin
+        reads_of_q[m_axi_rid*ReadsW +: ReadsW] <= reads_of_r - 1'b1;
+      end
+      if (!tracked_q) tracked_q <= ar_take && pick_i;
+      else if (r_end && m_axi_rid == tracked_id_q && tracked_ahead_q == '0) tracked_q <= 1'b0;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (!tracked_q) begin
+      tracked_id_q    <= m_axi_arid;
+      tracked_ahead_q <= reads_of_ar - ReadsW'(r_end && m_axi_rid == m_axi_arid);
+      tracked_left_q  <= m_axi_arlen;
+    end else if (r_take && m_axi_rid == tracked_id_q) begin
+      if (tracked_ahead_q == '0) tracked_left_q <= tracked_left_q - 1'b1;
+      else if (m_axi_rlast) tracked_ahead_q <= tracked_ahead_q - 1'b1;
+    end
+  end
+
+  assign reads_o     = reads_q;
+  assign reads_of_o  = reads_of_q;
+  assign addresses_o = addresses_q;
+  assign lines_o     = lines_q;
+  assign beat_o      = beat_q;
+
+  // --- rules of the manager ------------------------------------------------------------------------------------------
+  logic        silent, ar_stays, aw_stays, w_stays, ar_legal, aw_legal, w_legal, w_behind, few;
+  logic [8:0]  ar_beats;
+  logic [13:0] ar_end, aw_end;  // of the burst, in bytes from the begin of its 4 KB
+
+  assign ar_beats = {1'b0, m_axi_arlen} + 9'd1;
+  assign ar_end   = 14'(m_axi_araddr[11:0]) + (14'(ar_beats) << Size);
+  assign aw_end   = 14'(m_axi_awaddr[11:0]) + (14'(Beats) << Size);
+  assign silent   = (rst_ni && !reset_q) || !(m_axi_arvalid || m_axi_awvalid || m_axi_wvalid);
+  assign ar_stays = !ar_waits_q || !rst_ni || (m_axi_arvalid && ar == ar_q);
+  assign aw_stays = !aw_waits_q || !rst_ni || (m_axi_awvalid && aw == aw_q);
+  assign w_stays  = !w_waits_q || !rst_ni || (m_axi_wvalid && w == w_q);
+  assign ar_legal = !m_axi_arvalid ||
+      (m_axi_arburst == 2'b01 && m_axi_arsize == Size && (12'(m_axi_araddr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
+       ar_end <= 14'd4096 && (ar_beats & (9'(Beats) - 9'd1)) == '0 && ar_beats <= 9'(8 * Beats));
+  assign aw_legal = !m_axi_awvalid ||
+      (m_axi_awburst == 2'b01 && m_axi_awsize == Size && (12'(m_axi_awaddr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
+       aw_end <= 14'd4096 && m_axi_awlen == 8'(Beats - 1) && m_axi_awid == '0);
+  assign w_legal  = !m_axi_wvalid || (m_axi_wstrb == {(DataW/8){1'b1}} && m_axi_wlast == (beat_q == 8'(Beats - 1)));
+  assign w_behind = !m_axi_wvalid || addresses_q + WritesW'(m_axi_awvalid) > lines_q;
+  assign few      = reads_q + ReadsW'(m_axi_arvalid) <= ReadsW'(Reads) &&
+                    addresses_q + WritesW'(m_axi_awvalid) <= WritesW'(Writes);
+  assign manager_o = silent && (!rst_ni || (ar_stays && aw_stays && w_stays && ar_legal && aw_legal && w_legal &&
+                                            w_behind && few));
+
+  // --- rules of the subordinate --------------------------------------------------------------------------------------
+  logic asked, r_stays, b_stays, r_legal, b_legal, r_last;
+
+  assign asked   = (rst_ni && !reset_q) || !(m_axi_rvalid || m_axi_bvalid);
+  assign r_stays = !r_waits_q || !rst_ni || (m_axi_rvalid && r == r_q);
+  assign b_stays = !b_waits_q || !rst_ni || (m_axi_bvalid && b == b_q);
+  assign r_legal = !m_axi_rvalid || (reads_of_r != '0 && m_axi_rresp != 2'b01);
+  assign r_last  = !(m_axi_rvalid && tracked_q && m_axi_rid == tracked_id_q && tracked_ahead_q == '0) ||
+                   m_axi_rlast == (tracked_left_q == '0);
+  assign b_legal = !m_axi_bvalid ||
+                   (addresses_q != '0 && lines_q != '0 && m_axi_bid == '0 && m_axi_bresp != 2'b01);
+  assign subordinate_o = asked && (!rst_ni || (r_stays && b_stays && r_legal && r_last && b_legal));
+
+`ifndef SYNTHESIS
+  logic began_q = 1'b0;  // some edge came in reset: registers hold what they shall
+  always_ff @(posedge clk_i) if (!rst_ni) began_q <= 1'b1;
+  always_ff @(posedge clk_i) if (began_q) begin
+    assert (silent) else $error("axi_check: valid in reset");
+    assert (asked) else $error("axi_check: an answer in reset");
+  end
+  always_ff @(posedge clk_i) if (rst_ni && began_q) begin
+    assert (ar_stays) else $error("axi_check: AR fell or changed before it was taken");
+    assert (aw_stays) else $error("axi_check: AW fell or changed before it was taken");
+    assert (w_stays) else $error("axi_check: W fell or changed before it was taken");
+    assert (ar_legal) else $error("axi_check: a burst on AR that is not legal");
+    assert (aw_legal) else $error("axi_check: a burst on AW that is not legal");
+    assert (w_legal) else $error("axi_check: strobes or WLAST are wrong");
+    assert (w_behind) else $error("axi_check: data before its address");
+    assert (few) else $error("axi_check: too many bursts are unanswered");
+    assert (r_stays && b_stays) else $error("axi_check: an answer fell or changed before it was taken");
+    assert (r_legal) else $error("axi_check: R to nobody");
+    assert (r_last) else $error("axi_check: RLAST is wrong");
+    assert (b_legal) else $error("axi_check: B to nobody");
+  end
+`endif
+
+endmodule

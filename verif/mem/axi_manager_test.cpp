@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+// axi_manager_test: rtl/mem/axi_manager.sv between a core of random requests and an AXI4 memory.
+//
+// Every line that is read is compared with an array (core_port.hpp); the memory checks the rules of AXI4, and so does
+// synth/prove/parts/axi_check.sv, bound to the module.
+#include "verif/mem/core_port.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr uint64_t kBase = 0x1234567000;
+constexpr int kBeats = 512 / PIPEGS_DATA_W;
+
+struct Machine {
+  explicit Machine(AxiMemoryOptions options)
+      : memory(with_width(options)), port(bench, memory), core(bench, memory, kBase) {
+    memory_options = options;
+    bench.reset();
+  }
+  static AxiMemoryOptions with_width(AxiMemoryOptions options) {
+    options.data_w = PIPEGS_DATA_W;
+    options.most_reads = PIPEGS_READS;
+    options.most_writes = PIPEGS_WRITES;
+    options.seed = test_seed();
+    return options;
+  }
+  void finish() {
+    bench.run_until([&] { return core.finished(); }, 1000000);
+  }
+
+  Bench<Vaxi_manager> bench;
+  AxiMemoryOptions memory_options;
+  AxiMemory memory;
+  AxiPort<Vaxi_manager> port;
+  CorePort core;
+};
+
+const AxiMemoryOptions kHarsh{.harsh = true};
+
+TEST(AxiManager, EveryReadSeesTheWritesBeforeItAtEveryPace) {
+  for (const Pace pace : kPaces) {
+    for (const int ready : {20, 70, 100}) {
+      AxiMemoryOptions options = kHarsh;
+      options.ready_percent = ready;
+      Machine machine(options);
+      machine.core.pace = pace;
+      for (int i = 0; i < 3000; ++i) machine.core.push(machine.core.random_request());
+      machine.finish();
+      EXPECT_EQ(machine.core.accepted, 3000u);
+      for (uint64_t line = 0; line < CorePort::kShared; ++line) {
+        ASSERT_EQ(machine.memory.line(kBase / 64 + line), machine.core.model[line]) << "line " << line;
+      }
+      if (HasFailure()) { FAIL() << "core " << to_text(pace) << ", memory ready " << ready << " %"; }
+    }
+  }
+}
+
+// Seldom a write, so that reads that must wait do not all wait.
+TEST(AxiManager, EveryReadSeesTheWritesBeforeItWhenWritesAreFew) {
+  Machine machine(kHarsh);
+  for (int i = 0; i < 6000; ++i) {
+    CoreRequest request = machine.core.random_request();
+    if (request.write && machine.bench.rng() % 8 != 0) request.write = false;
+    machine.core.push(request);
+  }
+  machine.finish();
+}
+
+TEST(AxiManager, ATimedMemoryGivesTheSameLines) {
+  for (const char* dram : {"ideal", "lpddr5-6400x4"}) {
+    Machine machine({.timing = {.dram = dram, .latency = 40, .jitter = 30}, .write_latency = 60});
+    for (int i = 0; i < 4000; ++i) machine.core.push(machine.core.random_request());
+    machine.finish();
+    EXPECT_EQ(machine.core.accepted, 4000u) << dram;
+  }
+}
+
+TEST(AxiManager, AResetOfTheCoreDropsWhatItAskedForAndNothingElse) {
+  Machine machine(kHarsh);
+  machine.core.pace = Pace::kCoin;
+  uint64_t turns = 0, undrained = 0;
+  for (int round = 0; round < 60 && !testing::Test::HasFatalFailure(); ++round) {
+    for (int i = 0; i < 200; ++i) machine.core.push(machine.core.random_request());
+    const uint64_t steps = 1 + machine.bench.rng() % 400;
+    for (uint64_t i = 0; i < steps; ++i) machine.bench.step();
+    machine.bench.run_until([&] { return machine.bench.dut.drained_o != 0; }, 20000);
+    undrained += machine.bench.dut.pending_o;
+    machine.core.restart();
+    ++turns;
+  }
+  for (int i = 0; i < 200; ++i) machine.core.push(machine.core.random_request());
+  machine.finish();
+  EXPECT_EQ(turns, 60u);
+  EXPECT_GT(undrained, 30u);  // most of them in mid-flight
+}
+
+// Until every read of the old core is answered on the bus, drained_o is low; then it rises.
+TEST(AxiManager, DrainedSaysWhetherReadsOfTheOldCoreAreOut) {
+  Machine machine({.timing = {.latency = 50}});
+  auto& dut = machine.bench.dut;
+  CoreRequest request;
+  request.tag = machine.core.config.memory_ports() - 1;
+  request.line = CorePort::kFixed;
+  request.lines = 8;
+  for (int i = 0; i < 3; ++i) machine.core.push(request);
+  machine.bench.run_until([&] { return machine.core.accepted == 3; });
+  EXPECT_EQ(dut.drained_o, 1);
+  machine.core.restart();
+  machine.core.push(request);
+  machine.bench.step();
+  EXPECT_EQ(dut.drained_o, 0);
+  int low = 0;
+  for (; dut.drained_o == 0 && low < 500; ++low) machine.bench.step();
+  EXPECT_GT(low, 40);
+  EXPECT_LT(low, 40 + 50 + 3 * 8 * kBeats);
+  machine.finish();
+  EXPECT_EQ(machine.core.answered, 8u);
+}
+
+// Lines outside the memory and lines that fail, while the core is reset now and then; flags and first ones against a
+// model of them.
+TEST(AxiManager, ErrorsAreToldWithTheFirstTagAndLine) {
+  AxiMemoryOptions options = kHarsh;
+  options.base = kBase;
+  options.size = (CorePort::kFixed + CorePort::kShared / 2) * 64;
+  for (const bool failing : {false, true}) {
+    Machine machine(options);
+    auto& dut = machine.bench.dut;
+    std::deque<std::pair<uint64_t, CData>> writes;  // lines accepted and not answered, and their epochs
+    bool read = false, write = false, decode = false, any = false, told = false;
+    uint64_t tag = 0, line = 0, errors = 0;
+    for (uint64_t i = CorePort::kShared / 2; i < CorePort::kShared; ++i) machine.core.store(CorePort::kFixed + i, {});
+    if (failing) {
+      for (const uint64_t bad : {3, 9, 31}) {
+        machine.memory.failing.insert(kBase / 64 + bad);
+        machine.core.refused.insert(bad);
+      }
+    }
+    struct Watch : Endpoint {
+      std::function<void()> look;
+      void drive() override {}
+      void observe() override { look(); }
+    } watch;
+    machine.bench.add(watch);
+    watch.look = [&] {
+      ASSERT_EQ(dut.error_o != 0, told) << "cycle " << machine.bench.cycle;
+      ASSERT_EQ(dut.read_error_o != 0, read) << "cycle " << machine.bench.cycle;
+      ASSERT_EQ(dut.write_error_o != 0, write) << "cycle " << machine.bench.cycle;
+      ASSERT_EQ(dut.decode_o != 0, decode) << "cycle " << machine.bench.cycle;
+      if (read) { ASSERT_EQ(dut.error_tag_o, tag) << "cycle " << machine.bench.cycle; }
+      if (write) { ASSERT_EQ(dut.error_line_o, line) << "cycle " << machine.bench.cycle; }
+      const AxiSubordinateSide& shown = machine.port.shown();
+      const bool clear = dut.error_clear_i;
+      if (clear) read = write = decode = false;
+      told = false;
+      if (shown.r.valid && shown.r.response != AxiResponse::kOkay && shown.r.id >> 8 == dut.epoch_i) {
+        if (!read) tag = shown.r.id & 0xff;
+        read = told = true;
+        decode = decode || shown.r.response == AxiResponse::kDecodeError;
+      }
+      if (shown.b.valid && dut.m_axi_bready) {
+        if (shown.b.response != AxiResponse::kOkay && writes.front().second == dut.epoch_i) {
+          if (!write) line = writes.front().first;
+          write = told = true;
+          decode = decode || shown.b.response == AxiResponse::kDecodeError;
+        }
+        writes.pop_front();
+      }
+      errors += told;
+      any = any || told;
+      if (dut.mem_valid_i && dut.mem_ready_o) {
+        const auto request = read_record<MemoryRequest>(machine.core.config, dut.mem_request_i);
+        if (request.write) writes.push_back({request.address, dut.epoch_i});
+      }
+    };
+    for (int round = 0; round < 8 && !testing::Test::HasFatalFailure(); ++round) {
+      if (round > 0) machine.core.restart();
+      for (int i = 0; i < 400; ++i) machine.core.push(machine.core.random_request());
+      const uint64_t end = machine.bench.cycle + 200 + machine.bench.rng() % 200;
+      machine.bench.run_until([&] {
+        dut.error_clear_i = machine.bench.rng() % 16 == 0;
+        return machine.core.finished() || (round < 7 && machine.bench.cycle >= end && dut.drained_o);
+      });
+    }
+    EXPECT_TRUE(any);
+    EXPECT_GT(errors, 100u);
+  }
+}
+
+// Two reads of one tag in a row, the first of which comes in any cycle about that of the answer to a write.
+TEST(AxiManager, ReadsStayInOrderWhenTheLastWriteIsAnswered) {
+  Machine machine({.timing = {.latency = 5, .bytes_per_cycle = 64}, .write_latency = 10});
+  for (uint64_t delay = 0; delay < 40; ++delay) {
+    CoreRequest request;
+    request.write = true;
+    request.data = machine.core.random_line();
+    machine.core.push(request);
+    for (uint64_t i = 0; i < delay; ++i) machine.bench.step();
+    request.write = false;
+    for (request.line = 0; request.line < 4; ++request.line) machine.core.push(request);
+    machine.finish();
+  }
+  EXPECT_EQ(machine.core.answered, 160u);
+}
+
+// As many as the parameters say are unanswered at once, and not more: the memory and the checker count, too.
+TEST(AxiManager, KeepsToItsLimits) {
+  AxiMemoryOptions options = kHarsh;
+  options.ready_percent = 100;
+  options.read_delay = options.write_delay = 4000;
+  for (const bool write : {false, true}) {
+    Machine machine(options);
+    CoreRequest request;
+    request.write = write;
+    request.tag = write ? 0 : machine.core.config.memory_ports() - 1;
+    request.line = write ? 0 : CorePort::kFixed;
+    for (int i = 0; i < 600; ++i) machine.core.push(request);
+    uint64_t most = 0;
+    for (int i = 0; write && i < 1500; ++i) machine.bench.step();  // no write is answered yet
+    if (write) most = machine.core.accepted;
+    machine.bench.run_until(
+        [&] {
+          if (!write) most = std::max(most, machine.core.accepted - machine.core.answered);
+          return machine.core.finished();
+        },
+        1000000);
+    EXPECT_EQ(most, write ? PIPEGS_WRITES : PIPEGS_READS);
+  }
+}
+
+#ifndef PIPEGS_SMALL
+// One read in an idle machine: how many cycles more than at the bare port, whose memory answers after `latency`.
+TEST(AxiManager, AReadTakesTwoCyclesMoreAndOneForEachFurtherBeat) {
+  Machine machine({.timing = {.latency = 30, .bytes_per_cycle = 64}});
+  CoreRequest request;
+  request.tag = machine.core.config.memory_ports() - 1;
+  request.line = CorePort::kFixed;
+  machine.core.push(request);
+  machine.finish();
+  ASSERT_EQ(machine.core.answers.size(), 1u);
+  EXPECT_EQ(machine.core.answers[0] - machine.core.last_accepted, 30u + 2 + (kBeats - 1));
+}
+
+TEST(AxiManager, MovesALineInEachTurnOfTheBus) {
+  for (const int lines : {1, 8}) {
+    for (const bool write : {false, true}) {
+      Machine machine({.timing = {.latency = 20, .bytes_per_cycle = 64}});
+      CoreRequest request;
+      request.lines = lines;
+      request.write = write;
+      if (write && lines > 1) continue;
+      request.tag = write ? 0 : machine.core.config.memory_ports() - 1;
+      const uint64_t first = write ? 0 : CorePort::kFixed;
+      constexpr int kRequests = 400;
+      for (int i = 0; i < kRequests; ++i) {
+        request.line = first + static_cast<uint64_t>(i * lines) % CorePort::kShared;
+        request.data = machine.core.random_line();
+        machine.core.push(request);
+      }
+      const uint64_t begin = machine.bench.cycle;
+      machine.finish();
+      const uint64_t turns = static_cast<uint64_t>(kRequests * lines) * kBeats;
+      EXPECT_LE(machine.bench.cycle - begin, turns + 60) << lines << (write ? " written" : " read");
+    }
+  }
+}
+
+// A read that must wait for a write does not hold up others, and later writes do not hold up the read.
+TEST(AxiManager, OnlyWhatMustWaitWaits) {
+  Machine machine({.timing = {.latency = 20, .bytes_per_cycle = 64}, .write_latency = 300});
+  CoreRequest write, read, other;
+  write.write = true;
+  write.data = machine.core.random_line();
+  read.tag = 1;
+  other.tag = machine.core.config.memory_ports() - 1;
+  other.line = CorePort::kFixed;
+  const uint64_t begin = machine.bench.cycle;
+  machine.core.push(write);
+  machine.core.push(read);
+  machine.core.push(other);
+  for (int i = 0; i < 40; ++i) {
+    write.line = 8 + static_cast<uint64_t>(i % 8);
+    machine.core.push(write);
+  }
+  machine.finish();
+  ASSERT_EQ(machine.core.order, (std::vector<int>{other.tag, read.tag}));
+  EXPECT_LT(machine.core.answers[0] - begin, 40u);
+  EXPECT_GE(machine.core.answers[1] - begin, 300u);
+  EXPECT_LT(machine.core.answers[1] - begin, 300u + 45);
+}
+#endif
+
+}  // namespace
+}  // namespace pipegs
