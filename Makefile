@@ -81,8 +81,9 @@ lacks:  ## what belongs to a module and what a change to it lacks: MODULE=pu_con
 rooms:  ## what lacks its rhyme: module, model, test, heading
 	verif/self/rooms.sh
 
-package: build  ## print rtl/pipegs_pkg.sv from cpp_model/config.def and records.def
-	$(BUILD)/cpp_model/package_sv > rtl/pipegs_pkg.sv.new && mv rtl/pipegs_pkg.sv.new rtl/pipegs_pkg.sv
+package: build  ## print rtl/pipegs_pkg.sv and what else follows from config.def, records.def and registers.def
+	cmake --build $(BUILD) --target package_sv registers_print
+	verif/self/package.sh --write $(BUILD)/cpp_model/package_sv $(BUILD)/cpp_model/control/print/registers_print
 
 wave: build  ## waves of one window of our own scene: build/window.fst
 	$(BUILD)/pipegs sim --no-truth --window 4,3 --out $(BUILD)/wave --waves $(BUILD)/window.fst

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// package_sv.cpp: prints rtl/pipegs_pkg.sv from config.def and records.def: `package_sv [key=value ...]`.
+// package_sv.cpp: prints rtl/pipegs_pkg.sv from config.def, records.def, registers.def: `package_sv [key=value ...]`.
 //
 // The committed rtl/pipegs_pkg.sv is the default configuration, so rtl/ reads and builds on its own; a test compares it
 // with this program's output. Other configurations get a package of their own in their build folder.
@@ -11,37 +11,16 @@
 #include <map>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/control/print/print.hpp"
 #include "cpp_model/lib/math/exp2.hpp"
+#include "cpp_model/lib/record_table.hpp"
 #include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/front/pu_reach.hpp"
 
 namespace {
 
-struct Field {
-  const char* name;
-  const char* type;  // a width, or the C++ name of a record
-  enum { kUnsigned, kSigned, kRecord } form;
-  const char* what;
-};
-struct Record {
-  const char* name;
-  const char* camel_name;
-  std::vector<Field> fields;
-};
-
-const std::vector<Record>& records() {
-  // clang-format off
-  static const std::vector<Record> table = {
-#define PIPEGS_RECORD(Name, name) {#name, #Name, {
-#define FIELD_U(field, width, what) {#field, #width, Field::kUnsigned, what},
-#define FIELD_S(field, width, what) {#field, #width, Field::kSigned, what},
-#define FIELD_R(field, Record, what) {#field, #Record, Field::kRecord, what},
-#define PIPEGS_END(Name) }},
-#include "cpp_model/records.def"
-  };
-  // clang-format on
-  return table;
-}
+using Field = pipegs::RecordField;
+using Record = pipegs::RecordEntry;
 
 // The table of rtl/lib/math/exp2.sv: entry i is {0, delta, value}, entry 0 in the low bits. An entry fills a machine
 // word, so that a simulator reads it with one load; synthesis drops the zeros.
@@ -97,7 +76,7 @@ class Printer {
  public:
   explicit Printer(const pipegs::Config& config) {
     for (const pipegs::ConfigEntry& entry : pipegs::config_entries(config)) entries_.emplace(entry.name, entry);
-    for (const Record& record : records()) by_name_.emplace(record.camel_name, &record);
+    for (const Record& record : pipegs::record_table()) by_name_.emplace(record.camel_name, &record);
   }
 
   void print(const pipegs::ConfigEntry& entry) const {
@@ -231,8 +210,10 @@ constexpr const char* kBundles = R"(
 void print_package(const pipegs::Config& config) {
   std::printf(
       "// SPDX-License-Identifier: Apache-2.0\n"
-      "// pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from\n"
-      "// cpp_model/config.def and cpp_model/records.def (`make package`): change those, never this file.\n"
+      "// pipegs_pkg: widths, counts, capacities, records and registers of the machine. Printed by\n"
+      "// cpp_model/package_sv.cpp from config.def, records.def and control/registers.def of cpp_model (`make "
+      "package`):\n"
+      "// change those, never this file.\n"
       "//\n// Configuration: %s.   Model  cpp_model/config.hpp, cpp_model/records.hpp\n"
       "// Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.\n\n"
       "package pipegs_pkg;\n\n",
@@ -254,8 +235,9 @@ void print_package(const pipegs::Config& config) {
                 pipegs::cull_weight, config);
   print_weights("ReachWeights", 13, "Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.",
                 pipegs::reach_weight, config);
-  for (const Record& record : records()) printer.print(record);
-  std::printf("%s\nendpackage\n", kBundles);
+  for (const Record& record : pipegs::record_table()) printer.print(record);
+  std::printf("%s", kBundles);
+  std::printf("%s\nendpackage\n", pipegs::print_package(pipegs::register_map(config)).c_str());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// pipegs_pkg: widths, counts, capacities and records of the machine. Printed by cpp_model/package_sv.cpp from
-// cpp_model/config.def and cpp_model/records.def (`make package`): change those, never this file.
+// pipegs_pkg: widths, counts, capacities, records and registers of the machine. Printed by
+// cpp_model/package_sv.cpp from config.def, records.def and control/registers.def of cpp_model (`make package`):
+// change those, never this file.
 //
 // Configuration: default.   Model  cpp_model/config.hpp, cpp_model/records.hpp
 // Fixed point is written sI.F / uI.F; the first field of a record lies in its low bits.
@@ -1039,5 +1040,234 @@ package pipegs_pkg;
     logic [KeyW-1:0] key;
     logic [RecordW-1:0] slot;
   } su_item_t;
+
+  // Registers of the control side, see docs/units/registers.md: byte offsets.
+  localparam int unsigned ControlAddressW = 12;
+  localparam logic [ControlAddressW-1:0] ControlControlAt = 12'h010;
+  localparam logic [ControlAddressW-1:0] ControlStatusAt = 12'h014;
+  localparam logic [ControlAddressW-1:0] ControlErrorAt = 12'h018;
+  localparam logic [ControlAddressW-1:0] ControlErrorFirstAt = 12'h01c;
+  localparam logic [ControlAddressW-1:0] ControlErrorAddressLowAt = 12'h020;
+  localparam logic [ControlAddressW-1:0] ControlErrorAddressHighAt = 12'h024;
+  localparam logic [ControlAddressW-1:0] ControlIrqStatusAt = 12'h028;
+  localparam logic [ControlAddressW-1:0] ControlIrqEnableAt = 12'h02c;
+  localparam logic [ControlAddressW-1:0] ControlFramesStartedAt = 12'h030;
+  localparam logic [ControlAddressW-1:0] ControlFramesDoneAt = 12'h034;
+
+  typedef struct packed {  // what the machine is to do
+    logic [29:0] gap_0;
+    logic abort_all;
+    logic start;
+  } control_control_t;
+  typedef struct packed {  // what the machine does
+    logic [28:0] gap_0;
+    logic failed;
+    logic queued;
+    logic busy;
+  } control_status_t;
+  typedef struct packed {  // what went wrong since it was cleared
+    logic [24:0] gap_0;
+    logic start_full;
+    logic bad_scene;
+    logic area_full;
+    logic write_decerr;
+    logic write_slverr;
+    logic read_decerr;
+    logic read_slverr;
+  } control_error_t;
+  typedef struct packed {  // the first error with an address, until ERROR 5:0 is clear
+    logic [20:0] gap_1;
+    logic [2:0] cause;
+    logic [6:0] gap_0;
+    logic valid;
+  } control_error_first_t;
+  typedef struct packed {  // where the first error happened, low word
+    logic [31:0] address;
+  } control_error_address_low_t;
+  typedef struct packed {  // where the first error happened, high word
+    logic [31:0] address;
+  } control_error_address_high_t;
+  typedef struct packed {  // what happened since it was cleared
+    logic [28:0] gap_0;
+    logic error;
+    logic queue_free;
+    logic frame_done;
+  } control_irq_status_t;
+  typedef struct packed {  // which bits of IRQ_STATUS raise the interrupt
+    logic [28:0] gap_0;
+    logic error;
+    logic queue_free;
+    logic frame_done;
+  } control_irq_enable_t;
+  typedef struct packed {  // frames that the machine has taken from the queue
+    logic [31:0] count;
+  } control_frames_started_t;
+  typedef struct packed {  // frames that are complete in memory
+    logic [31:0] count;
+  } control_frames_done_t;
+
+  // Registers that the configuration fixes: {offset of 16 bits, value of 32}.
+  localparam int unsigned ControlConstants = 13;
+  localparam logic [ControlConstants*48-1:0] ControlConstantTable = {
+    48'h00a0_00ff4022,  // CONFIG_MEMORY
+    48'h009c_0f002016,  // CONFIG_LENS
+    48'h0098_1c1c141a,  // CONFIG_CAMERA
+    48'h0094_14180010,  // CONFIG_NODE
+    48'h0090_40201828,  // CONFIG_SCENE
+    48'h008c_0c050b0c,  // CONFIG_COLOR
+    48'h0088_060c1014,  // CONFIG_GAUSSIAN
+    48'h0084_00030800,  // CONFIG_POINT
+    48'h0080_10044004,  // CONFIG_COUNTS
+    48'h000c_69d7c34d,  // CONFIG_HASH
+    48'h0008_d3dcdf50,  // LAYOUT
+    48'h0004_00010000,  // VERSION
+    48'h0000_47504950  // ID
+  };
+
+  typedef struct packed {  // sizes of what lies at the addresses of the frame
+    logic [33:0] overflow;
+    logic [33:0] pixels;
+    logic [33:0] colors;
+    logic [33:0] gaussians;
+    logic [33:0] chunks;
+    logic [33:0] groups;
+    logic [33:0] cells;
+  } areas_t;
+  localparam int unsigned AreasBits = 238;
+  typedef struct packed {  // the picture in raster order
+    logic [11:0] stride;
+    logic [33:0] base;
+    logic format;
+  } picture_t;
+  localparam int unsigned PictureBits = 47;
+
+  // What a start queues: frame_t, areas_t and picture_t in this order, the first one lowest. A slot is {byte
+  // offset of its low word (16 bits), lowest bit of its value in what is queued (16), width of the value (8),
+  // bit of the slot at which it begins (8), 1 if it is signed (8)}.
+  localparam int unsigned ControlShadowBits = 1503;
+  localparam int unsigned ControlSlots = 58;
+  localparam logic [ControlSlots*56-1:0] ControlSlotTable = {
+    56'h0490_05d3_0c_06_00,  // stride
+    56'h0488_05b1_22_06_00,  // base
+    56'h0480_05b0_01_00_00,  // format
+    56'h0430_058e_22_06_00,  // overflow
+    56'h0428_056c_22_06_00,  // pixels
+    56'h0420_054a_22_06_00,  // colors
+    56'h0418_0528_22_06_00,  // gaussians
+    56'h0410_0506_22_06_00,  // chunks
+    56'h0408_04e4_22_06_00,  // groups
+    56'h0400_04c2_22_06_00,  // cells
+    56'h0378_04b8_0a_00_00,  // raster.windows.last_y
+    56'h0370_04ae_0a_00_00,  // raster.windows.last_x
+    56'h0368_04a4_0a_00_00,  // raster.windows.first_y
+    56'h0360_049a_0a_00_00,  // raster.windows.first_x
+    56'h0358_048b_0f_00_00,  // raster.height
+    56'h0350_047c_0f_00_00,  // raster.width
+    56'h0348_045a_22_06_00,  // tables.overflow
+    56'h0340_0438_22_06_00,  // tables.pixels
+    56'h0338_0438_00_00_00,  // tables.antialias
+    56'h0330_0436_02_00_00,  // tables.sh_degree
+    56'h0328_0414_22_06_00,  // tables.colors
+    56'h0320_03f2_22_06_00,  // tables.gaussians
+    56'h0318_03d0_22_06_00,  // tables.chunks
+    56'h0310_03ae_22_06_00,  // tables.groups
+    56'h0308_038c_22_06_00,  // tables.cells
+    56'h0300_0370_1c_00_00,  // grid.scale_z
+    56'h02f8_0354_1c_00_00,  // grid.scale_y
+    56'h02f0_0338_1c_00_00,  // grid.scale_x
+    56'h02e8_0310_28_00_01,  // grid.low.z
+    56'h02e0_02e8_28_00_01,  // grid.low.y
+    56'h02d8_02c0_28_00_01,  // grid.low.x
+    56'h02d0_0298_28_00_00,  // lens.near_plane
+    56'h02c8_0298_00_00_00,  // lens.spread_y
+    56'h02c0_0298_00_00_00,  // lens.spread_x
+    56'h02b8_0278_20_00_00,  // lens.reach_y
+    56'h02b0_0258_20_00_00,  // lens.reach_x
+    56'h02a8_023d_1b_00_00,  // lens.limit_y
+    56'h02a0_0222_1b_00_00,  // lens.limit_x
+    56'h0298_0206_1c_00_01,  // lens.center_y
+    56'h0290_01ea_1c_00_01,  // lens.center_x
+    56'h0288_01ce_1c_00_00,  // lens.focal_y
+    56'h0280_01b2_1c_00_00,  // lens.focal_x
+    56'h0278_019e_14_00_01,  // camera.quaternion.z
+    56'h0270_018a_14_00_01,  // camera.quaternion.y
+    56'h0268_0176_14_00_01,  // camera.quaternion.x
+    56'h0260_0162_14_00_01,  // camera.quaternion.w
+    56'h0258_0148_1a_00_01,  // camera.rotation.w22
+    56'h0250_012e_1a_00_01,  // camera.rotation.w21
+    56'h0248_0114_1a_00_01,  // camera.rotation.w20
+    56'h0240_00fa_1a_00_01,  // camera.rotation.w12
+    56'h0238_00e0_1a_00_01,  // camera.rotation.w11
+    56'h0230_00c6_1a_00_01,  // camera.rotation.w10
+    56'h0228_00ac_1a_00_01,  // camera.rotation.w02
+    56'h0220_0092_1a_00_01,  // camera.rotation.w01
+    56'h0218_0078_1a_00_01,  // camera.rotation.w00
+    56'h0210_0050_28_00_01,  // camera.position.z
+    56'h0208_0028_28_00_01,  // camera.position.y
+    56'h0200_0000_28_00_01  // camera.position.x
+  };
+
+  // Performance counters: the byte offset of each that this machine has (16 bits), in their order; those of the
+  // largest machine lie from begin to end.
+  localparam logic [ControlAddressW-1:0] ControlCountersBegin = 12'h600;
+  localparam logic [ControlAddressW-1:0] ControlCountersEnd = 12'h7c0;
+  localparam int unsigned ControlCounters = 55;
+  localparam logic [ControlCounters*16-1:0] ControlCounterTable = {
+    16'h07b8,  // ru3_memory
+    16'h07b0,  // ru3_blocked
+    16'h07a8,  // ru3_starved
+    16'h07a0,  // ru3_busy
+    16'h0798,  // ru2_memory
+    16'h0790,  // ru2_blocked
+    16'h0788,  // ru2_starved
+    16'h0780,  // ru2_busy
+    16'h0778,  // ru1_memory
+    16'h0770,  // ru1_blocked
+    16'h0768,  // ru1_starved
+    16'h0760,  // ru1_busy
+    16'h0758,  // ru0_memory
+    16'h0750,  // ru0_blocked
+    16'h0748,  // ru0_starved
+    16'h0740,  // ru0_busy
+    16'h0738,  // su3_memory
+    16'h0730,  // su3_blocked
+    16'h0728,  // su3_starved
+    16'h0720,  // su3_busy
+    16'h0718,  // su2_memory
+    16'h0710,  // su2_blocked
+    16'h0708,  // su2_starved
+    16'h0700,  // su2_busy
+    16'h06f8,  // su1_memory
+    16'h06f0,  // su1_blocked
+    16'h06e8,  // su1_starved
+    16'h06e0,  // su1_busy
+    16'h06d8,  // su0_memory
+    16'h06d0,  // su0_blocked
+    16'h06c8,  // su0_starved
+    16'h06c0,  // su0_busy
+    16'h06b8,  // pu3_memory
+    16'h06b0,  // pu3_blocked
+    16'h06a8,  // pu3_starved
+    16'h06a0,  // pu3_busy
+    16'h0698,  // pu2_memory
+    16'h0690,  // pu2_blocked
+    16'h0688,  // pu2_starved
+    16'h0680,  // pu2_busy
+    16'h0678,  // pu1_memory
+    16'h0670,  // pu1_blocked
+    16'h0668,  // pu1_starved
+    16'h0660,  // pu1_busy
+    16'h0658,  // pu0_memory
+    16'h0650,  // pu0_blocked
+    16'h0648,  // pu0_starved
+    16'h0640,  // pu0_busy
+    16'h0638,  // dopu_memory
+    16'h0630,  // dopu_blocked
+    16'h0628,  // dopu_starved
+    16'h0620,  // dopu_busy
+    16'h0610,  // overflow_lines
+    16'h0608,  // preprocess_cycles
+    16'h0600  // cycles
+  };
 
 endpackage

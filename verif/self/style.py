@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """style.py: the rules of the tree that need no tool: lines, SPDX, Markdown, folders, includes. style.sh calls it.
 
-Rules   Text: at most COLUMNS columns (not Markdown, CSV, JSON, SVG), no blanks at the end of a line, one newline at the
+Rules   Text: at most COLUMNS columns (not Markdown, CSV, JSON, XML), no blanks at the end of a line, one newline at the
         end of the file, and `SPDX-License-Identifier` in the first two lines of each source file.
         Markdown: a paragraph or list item is one line; a relative link names a file that is there, and its anchor a
         heading of that file.
@@ -38,7 +38,7 @@ SOURCES = (
     ".cff",
     "CMakeLists.txt",
 )
-WIDE = (".md", ".csv", ".json", ".jsonl", ".svg")
+WIDE = (".md", ".csv", ".json", ".jsonl", ".svg", ".xml")
 BINARY = (".png", ".ply", ".sog", ".pfm", ".exr", ".webp", ".bin", ".fst")
 
 finds = []

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// control_shadow: the parameters of the next frame, which software writes while the machine renders another one.
+//
+// Idea    One register for all slots of the table, and a bit that says whether they are queued. A start sets the bit;
+//         from then on the slots are shown as a frame and cannot be written, until the machine takes it. A slot is a
+//         value of up to 64 bits in two words; a value that is signed reads with its sign, addresses and sizes are
+//         written in bytes and kept in lines. Which bit lies where is the package's table, so a new field of frame_t
+//         has its slot without a change here.
+// Stream  write_i: pulse; a word that is not hit, or comes while a frame is queued, changes nothing. start_i, drop_i:
+//         pulses; drop_i wins. Out: the queued frame with what lies beside it, valid until it is taken or dropped.
+// Pace    A start is shown in the next cycle. read_data_o follows read_word_i in the same cycle.
+// Model   cpp_model/control/control_registers.hpp
+
+module control_shadow #(
+  localparam int unsigned WordW = pipegs_pkg::ControlAddressW - 2
+) (
+  input  logic                   clk_i,
+  input  logic                   rst_ni,
+
+  input  logic                   write_i,
+  input  logic [WordW-1:0]       write_word_i,
+  input  logic [31:0]            write_data_i,
+  input  logic [31:0]            write_mask_i,
+  output logic                   write_hit_o,   // the word is part of a slot
+  input  logic [WordW-1:0]       read_word_i,
+  output logic                   read_hit_o,
+  output logic [31:0]            read_data_o,   // 0 where nothing is hit
+
+  input  logic                   start_i,
+  input  logic                   drop_i,
+  output logic                   frame_valid_o,
+  input  logic                   frame_ready_i,
+  output pipegs_pkg::frame_t     frame_o,
+  output pipegs_pkg::areas_t     areas_o,
+  output pipegs_pkg::picture_t   picture_o
+);
+
+  localparam int unsigned Slots     = pipegs_pkg::ControlSlots;
+  localparam int unsigned Bits      = pipegs_pkg::ControlShadowBits;
+  localparam int unsigned FrameBits = pipegs_pkg::FrameBits;
+  localparam int unsigned AreasBits = pipegs_pkg::AreasBits;
+
+  logic [Bits-1:0]     shadow_q, shadow_next;
+  logic                queued_q, write;
+  logic [Slots*2-1:0]  write_hits, read_hits;  // low and high word of each slot
+  logic [Slots*64-1:0] shown;
+
+  assign write         = write_i && !queued_q;
+  assign write_hit_o   = write_hits != '0;
+  assign read_hit_o    = read_hits != '0;
+  assign frame_valid_o = queued_q;
+  assign frame_o       = shadow_q[0 +: FrameBits];
+  assign areas_o       = shadow_q[FrameBits +: AreasBits];
+  assign picture_o     = shadow_q[Bits-1:FrameBits+AreasBits];
+
+  for (genvar i = 0; i < Slots; i += 1) begin : gen_slot
+    localparam int unsigned Offset = 32'(pipegs_pkg::ControlSlotTable[56*i+40 +: 16]);
+    localparam int unsigned At     = 32'(pipegs_pkg::ControlSlotTable[56*i+24 +: 16]);
+    localparam int unsigned Width  = 32'(pipegs_pkg::ControlSlotTable[56*i+16 +: 8]);
+    localparam int unsigned Shift  = 32'(pipegs_pkg::ControlSlotTable[56*i+8 +: 8]);
+    localparam bit          Signed = pipegs_pkg::ControlSlotTable[56*i];
+    localparam int unsigned Word   = Offset / 4;
+
+    assign write_hits[2*i +: 2] = {write_word_i == WordW'(Word + 1), write_word_i == WordW'(Word)};
+    assign read_hits[2*i +: 2]  = {read_word_i == WordW'(Word + 1), read_word_i == WordW'(Word)};
+
+    if (Width > 0) begin : gen_value
+      logic [63:0] wide, value, mask, next;
+      logic        unused_next;
+
+      always_comb begin
+        wide             = {64{Signed && shadow_q[At+Width-1]}};
+        wide[0 +: Width] = shadow_q[At +: Width];
+        value            = wide << Shift;
+      end
+      assign mask = {write_mask_i & {32{write_hits[2*i+1]}}, write_mask_i & {32{write_hits[2*i]}}};
+      assign next = (value & ~mask) | ({write_data_i, write_data_i} & mask);
+      assign unused_next = &{1'b0, next};
+      assign shadow_next[At +: Width] = next[Shift +: Width];
+      assign shown[64*i +: 64] = value;
+    end else begin : gen_absent
+      assign shown[64*i +: 64] = '0;
+    end
+  end
+
+  always_comb begin
+    read_data_o = '0;
+    for (int unsigned i = 0; i < 2 * Slots; i += 1) read_data_o |= shown[32*i +: 32] & {32{read_hits[i]}};
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) shadow_q <= '0;
+    else if (write && write_hit_o) shadow_q <= shadow_next;
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) queued_q <= 1'b0;
+    else if (drop_i) queued_q <= 1'b0;
+    else if (!queued_q) queued_q <= start_i;
+    else if (frame_ready_i) queued_q <= 1'b0;
+  end
+
+endmodule
