@@ -88,7 +88,7 @@ module control_registers #(
   control_shadow u_shadow (
     .clk_i, .rst_ni, .write_i(write), .write_word_i(write_word), .write_data_i(write_data), .write_mask_i(write_mask),
     .write_hit_o(shadow_write_hit), .read_word_i(read_word), .read_hit_o(shadow_read_hit), .read_data_o(shadow_data),
-    .start_i(control.start && !control.abort_all), .drop_i(control.abort_all),
+    .start_i(control.start), .drop_i(control.abort_all),
     .frame_valid_o, .frame_ready_i, .frame_o, .areas_o, .picture_o
   );
 

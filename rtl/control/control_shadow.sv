@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // control_shadow: the parameters of the next frame, which software writes while the machine renders another one.
 //
-// Idea    One register for all slots of the table, and a bit that says whether they are queued. A start sets the bit;
-//         from then on the slots are shown as a frame and cannot be written, until the machine takes it. A slot is a
-//         value of up to 64 bits in two words; a value that is signed reads with its sign, addresses and sizes are
-//         written in bytes and kept in lines. Which bit lies where is the package's table, so a new field of frame_t
-//         has its slot without a change here.
+// Idea    A control_slot for each value of the package's table, and a bit that says whether they are queued. A start
+//         sets the bit; from then on the slots are shown as a frame and cannot be written, until the machine takes it.
+//         A new field of frame_t has its slot without a change here. A value that this configuration does not have
+//         keeps its place, which reads 0.
 // Stream  write_i: pulse; a word that is not hit, or comes while a frame is queued, changes nothing. start_i, drop_i:
 //         pulses; drop_i wins. Out: the queued frame with what lies beside it, valid until it is taken or dropped.
 // Pace    A start is shown in the next cycle. read_data_o follows read_word_i in the same cycle.
@@ -40,18 +39,18 @@ module control_shadow #(
   localparam int unsigned FrameBits = pipegs_pkg::FrameBits;
   localparam int unsigned AreasBits = pipegs_pkg::AreasBits;
 
-  logic [Bits-1:0]     shadow_q, shadow_next;
+  logic [Bits-1:0]     shadow;
   logic                queued_q, write;
-  logic [Slots*2-1:0]  write_hits, read_hits;  // low and high word of each slot
-  logic [Slots*64-1:0] shown;
+  logic [Slots-1:0]    write_hits, read_hits;
+  logic [Slots*32-1:0] shown;
 
   assign write         = write_i && !queued_q;
   assign write_hit_o   = write_hits != '0;
   assign read_hit_o    = read_hits != '0;
   assign frame_valid_o = queued_q;
-  assign frame_o       = shadow_q[0 +: FrameBits];
-  assign areas_o       = shadow_q[FrameBits +: AreasBits];
-  assign picture_o     = shadow_q[Bits-1:FrameBits+AreasBits];
+  assign frame_o       = shadow[0 +: FrameBits];
+  assign areas_o       = shadow[FrameBits +: AreasBits];
+  assign picture_o     = shadow[Bits-1:FrameBits+AreasBits];
 
   for (genvar i = 0; i < Slots; i += 1) begin : gen_slot
     localparam int unsigned Offset = 32'(pipegs_pkg::ControlSlotTable[56*i+40 +: 16]);
@@ -59,38 +58,23 @@ module control_shadow #(
     localparam int unsigned Width  = 32'(pipegs_pkg::ControlSlotTable[56*i+16 +: 8]);
     localparam int unsigned Shift  = 32'(pipegs_pkg::ControlSlotTable[56*i+8 +: 8]);
     localparam bit          Signed = pipegs_pkg::ControlSlotTable[56*i];
-    localparam int unsigned Word   = Offset / 4;
 
-    assign write_hits[2*i +: 2] = {write_word_i == WordW'(Word + 1), write_word_i == WordW'(Word)};
-    assign read_hits[2*i +: 2]  = {read_word_i == WordW'(Word + 1), read_word_i == WordW'(Word)};
+    assign write_hits[i] = write_word_i[WordW-1:1] == (WordW-1)'(Offset / 8);
+    assign read_hits[i]  = read_word_i[WordW-1:1] == (WordW-1)'(Offset / 8);
 
     if (Width > 0) begin : gen_value
-      logic [63:0] wide, value, mask, next;
-      logic        unused_next;
-
-      always_comb begin
-        wide             = {64{Signed && shadow_q[At+Width-1]}};
-        wide[0 +: Width] = shadow_q[At +: Width];
-        value            = wide << Shift;
-      end
-      assign mask = {write_mask_i & {32{write_hits[2*i+1]}}, write_mask_i & {32{write_hits[2*i]}}};
-      assign next = (value & ~mask) | ({write_data_i, write_data_i} & mask);
-      assign unused_next = &{1'b0, next};
-      assign shadow_next[At +: Width] = next[Shift +: Width];
-      assign shown[64*i +: 64] = value;
+      control_slot #(.WordW(WordW), .Word(Offset / 4), .Width(Width), .Shift(Shift), .Signed(Signed)) u_slot (
+        .clk_i, .rst_ni, .write_i(write), .write_word_i, .write_data_i, .write_mask_i, .read_word_i,
+        .read_data_o(shown[32*i +: 32]), .value_o(shadow[At +: Width])
+      );
     end else begin : gen_absent
-      assign shown[64*i +: 64] = '0;
+      assign shown[32*i +: 32] = '0;
     end
   end
 
   always_comb begin
     read_data_o = '0;
-    for (int unsigned i = 0; i < 2 * Slots; i += 1) read_data_o |= shown[32*i +: 32] & {32{read_hits[i]}};
-  end
-
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) shadow_q <= '0;
-    else if (write && write_hit_o) shadow_q <= shadow_next;
+    for (int unsigned i = 0; i < Slots; i += 1) read_data_o |= shown[32*i +: 32];
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin

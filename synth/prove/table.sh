@@ -173,6 +173,53 @@ mutant "idle while reads are out" "s/writes != '0 \|\| reads_pending/writes != '
 mutant "idle while writes are out" "s/writes != '0 \|\| reads_pending/reads_pending/"
 mutant "a write is a read, too" 's/mem_valid_i \&\& !mem_request_i.write \&\& read_room/mem_valid_i \&\& read_room/'
 
+# --- rtl/control ------------------------------------------------------------------------------------------------------
+proof  control_bus "control_bus+" "@default"
+mutant "an answer that was not taken is overwritten" 's/(!ar_ready_q \&\& )\(!r_valid_q \|\| s_axi_rready\)/\11/'
+mutant "a write is done without its data" 's/(!aw_ready_q) \&\& !w_ready_q/\1/'
+mutant "an address is taken over one that waits" 's/if \(aw_ready_q \&\& (s_axi_awvalid\) aw_word_q)/if (\1/'
+mutant "B falls before it was taken" 's/else if \(s_axi_bready\) b_valid_q/else b_valid_q/'
+mutant "a read is not answered before the next one comes" 's/(read_o *= !ar_ready_q)/\1 \&\& s_axi_arvalid/'
+mutant "the data of a read changes while it waits" 's/if \(read_o\) begin/if (!ar_ready_q) begin/'
+
+# A signed value over both words, addresses, and values that fill one word or two.
+proof  control_slot "control_slot+" "Word=128 Width=40 Signed=1; Word=130 Width=34 Shift=6; Width=32; Width=1;
+       Width=28 Signed=1; Width=64; Width=12 Shift=6; Width=58 Shift=6 Signed=1"
+mutant "strobes are not looked at" 's/(next .*write_data_i, write_data_i\}) \& mask/\1/'
+mutant "a signed value reads without its sign" 's/64\{Signed \&\& /64{!Signed \&\& /'
+mutant "addresses are kept in bytes" 's/next\[Shift \+: Width\]/next[0 +: Width]/' "Width=34 Shift=6"
+mutant "a write of the low word reaches the high one" "s/(\{write_mask_i, )32'd0\}/\1write_mask_i}/"
+mutant "a write beside the slot reaches it" 's/write_i \&\& write_hit/write_i/'
+
+proof  control_shadow "control_shadow+ control_slot" "@units=1,antialias=1,tight_cull=1,world_w=32"
+mutant "a queued frame can be written" 's/(write *= write_i) \&\& !queued_q/\1/'
+mutant "a frame that was taken stays when a start comes" \
+       's/else if \(frame_ready_i\)/else if (frame_ready_i \&\& !start_i)/'
+mutant "a dropped frame is shown" 's/else if \(drop_i\)/else if (drop_i \&\& !queued_q)/'
+
+proof  control_events "control_events+" "@default %AddressW=6"
+mutant "a clear wins over an event" \
+       's/(error_next *= )\(error_q \& (~clear_error_i\[Causes:0\])\)( \| .*);/\1(error_q\3) \& \2;/'
+mutant "a later error replaces the first address" "s/(error_i != '0) \&\& kept == '0/\1/"
+mutant "of several causes the highest is shown" \
+       's/int unsigned i = Causes; i > 0; i -= 1/int unsigned i = 1; i <= Causes; i += 1/'
+mutant "the interrupt does not look at the mask" 's/irq_q \& enable_i\[2:0\]/irq_q/'
+mutant "a start while full raises no interrupt" "s/start_full_i \|\| error_i/error_i/"
+
+proof  control_counters "control_counters+" "@default %PerfW=36; @units=1 %PerfW=34"
+mutant "the high word is that of now" 's/32.\(high_q\)/32'"'"'(count[PerfW-1:32])/'
+mutant "a read of the high word keeps another one" 's/ \&\& !read_word_i\[0\]//'
+mutant "reads beside the counters keep a word" 's/read_i \&\& read_hit_o/read_i/'
+
+proof  control_registers "control_registers+ control_bus control_shadow control_slot control_counters control_events" \
+       "@units=1 %PerfW=33"
+mutant "a start with an abort is an error" 's/(start_full_i\(control.start) \&\& !control.abort_all/\1/'
+mutant "a write to a queued frame is not refused" 's/(!shadow_write_hit) \|\| queued/\1/'
+mutant "a start while a frame is queued is no error" \
+       's/(start_full_i\(control.start) .* queued/\1 \&\& control.abort_all/'
+mutant "the strobes of CONTROL are not looked at" 's/write_data \& write_mask \& \{32/write_data \& {32/'
+mutant "an abort does not drop the queue" "s/drop_i\(control.abort_all\)/drop_i(1'b0)/"
+
 # --- rtl --------------------------------------------------------------------------------------------------------------
 proof  scheduler "scheduler+" "@late=1,order=2 %WindowW=3 %PerfW=8; @default %WindowW=3; @units=1 %WindowW=4"
 mutant "the frame ends before all RUs have completed it" 's/complete == .1/complete != 0/'

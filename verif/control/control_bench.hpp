@@ -55,7 +55,7 @@ class ControlBench : public Endpoint {
   // --- what tests call -----------------------------------------------------------------------------------------------
   void push_write(int offset, uint32_t data, uint32_t strobe = 0xf) {
     addresses_.push_back(offset);
-    datas_.push_back({offset, data, strobe});
+    writes_.push_back({offset, data, strobe});
     ++expected_writes;
   }
   void push_read(int offset) {
@@ -93,7 +93,7 @@ class ControlBench : public Endpoint {
     in.frame_done = false, in.errors = 0, in.frame_ready = false;
   }
   void reset() {  // in the middle of whatever goes on
-    addresses_.clear(), datas_.clear(), reads_.clear(), write_answers.clear(), read_answers.clear();
+    addresses_.clear(), writes_.clear(), reads_.clear(), write_answers.clear(), read_answers.clear();
     expected_writes = expected_reads = 0;
     in.aw_valid = in.w_valid = in.ar_valid = false;
     write_inputs();
@@ -105,11 +105,11 @@ class ControlBench : public Endpoint {
   void drive() override {
     const auto offer = [&](bool& valid, bool waits) { valid = valid || (waits && goes(pace, bench.rng)); };
     offer(in.aw_valid, !addresses_.empty());
-    offer(in.w_valid, !datas_.empty());
+    offer(in.w_valid, !writes_.empty());
     offer(in.ar_valid, !reads_.empty());
     in.aw_address = in.aw_valid ? static_cast<uint32_t>(addresses_.front()) : noise();
-    in.w_data = in.w_valid ? datas_.front().data : noise();
-    in.w_strobe = in.w_valid ? datas_.front().strobe : noise() & 15;
+    in.w_data = in.w_valid ? writes_.front().data : noise();
+    in.w_strobe = in.w_valid ? writes_.front().strobe : noise() & 15;
     in.ar_address = in.ar_valid ? static_cast<uint32_t>(reads_.front()) : noise();
     in.b_ready = goes(answer_pace, bench.rng);
     in.r_ready = goes(answer_pace, bench.rng);
@@ -134,7 +134,7 @@ class ControlBench : public Endpoint {
     ASSERT_EQ(dut.frame_valid_o, out.frame_valid) << at();
     if (out.frame_valid) check_frame();
     if (in.aw_valid && out.aw_ready) addresses_.pop_front(), in.aw_valid = false;
-    if (in.w_valid && out.w_ready) datas_.pop_front(), in.w_valid = false;
+    if (in.w_valid && out.w_ready) writes_.pop_front(), in.w_valid = false;
     if (in.ar_valid && out.ar_ready) reads_.pop_front(), in.ar_valid = false;
     if (out.b_valid && in.b_ready) write_answers.push_back(out.b_error);
     if (out.r_valid && in.r_ready) read_answers.push_back({out.r_error, out.r_data});
@@ -194,7 +194,7 @@ class ControlBench : public Endpoint {
   }
 
   std::deque<int> addresses_, reads_;
-  std::deque<BusWrite> datas_;
+  std::deque<BusWrite> writes_;
   ControlInputs sampled_;
 };
 

@@ -219,6 +219,41 @@ mutant memory_arbiter "the data of a shown write changes" 's/if \(take && out\.w
 mutant memory_arbiter "an answer goes to two ports: the lowest bit of the tag is ignored" \
        's/(mem_rsp_tag_i) == ([a-z_:]*TagW.\(i\))/\1 >> 1 == \2 >> 1/'
 
+# --- rtl/control ------------------------------------------------------------------------------------------------------
+group control "Control: registers"
+mutant control_bus "an answer that was not taken is overwritten" \
+       's/(read_o *= !ar_ready_q) && \(!r_valid_q \|\| s_axi_rready\)/\1/' control_registers
+mutant control_bus "the answer to a write is never an error" "s/(b_error_q <= )write_error_i/\11'b0/" control_registers
+mutant control_bus "the strobe of the second byte is that of the first" \
+       's/\{8\{w_strobe_q\[1\]\}\}/{8{w_strobe_q[0]}}/' \
+       control_registers
+mutant control_slot "a signed value reads without its sign" 's/64\{Signed && /64{!Signed \&\& /' control_registers
+mutant control_slot "addresses are kept in bytes" 's/next\[Shift \+: Width\]/next[0 +: Width]/' control_registers
+mutant control_slot "a write of the low word reaches the high one" "s/(\{write_mask_i, )32'd0\}/\1write_mask_i}/" \
+       control_registers
+mutant control_shadow "a queued frame can be written" 's/(write *= write_i) && !queued_q/\1/' control_registers
+mutant control_shadow "an abort does not drop what is queued" 's/else if \(drop_i\)/else if (drop_i \&\& !queued_q)/' \
+       control_registers
+mutant control_shadow "a value that does not exist is outside the table" \
+       's/(read_hits\[i\] *= )/\1Width != 0 \&\& /' control_registers_small
+mutant control_events "a later error replaces the first address" "s/(error_i != '0) && kept == '0/\1/" control_registers
+mutant control_events "a clear wins over an event" \
+       's/(error_next *= )\(error_q & (~clear_error_i\[Causes:0\])\)( \| .*);/\1(error_q\3) \& \2;/' control_registers
+mutant control_events "frames started are counted when they are queued" \
+       "s/32'\(taken_i\)/32'(freed_i)/" control_registers
+mutant control_counters "the high word is that of now" "s/32'\(high_q\)/32'(count[PerfW-1:32])/" control_registers
+mutant control_counters "the read of a high word keeps another one" 's/ && !read_word_i\[0\]//' control_registers
+mutant control_counters "the last counter's place is outside" \
+       's/read_word_i < End/read_word_i < End - 2/' control_registers
+mutant control_registers "a write to what can only be read is not refused" \
+       "s/(write_error *= )!live_writable/\1!(live_writable || write_word < 16)/"
+mutant control_registers "a start with an abort is an error" \
+       's/(start_full_i\(control.start) && !control.abort_all/\1/'
+mutant control_registers "the enables are written without strobes" \
+       's/irq_enable_q\[2:0\] & ~write_mask\[2:0\]/3'"'"'d0/'
+mutant control_registers "the abort lasts" 's/(abort_q <= control.abort_all)/\1 || abort_q/'
+mutant control_registers "an address is shown in lines" 's/(30.d0, error_line\} << )6/\10/'
+
 # --- parts left out ---------------------------------------------------------------------------------------------------
 group lean "Machines without index ties and without overflow (\`index_ties = 0\`, \`overflow = 0\`)"
 mutant su_key "depth sorted downwards" 's/order = splat_i\.depth/order = ~splat_i.depth/' su_merge_lean
