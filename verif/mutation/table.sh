@@ -235,7 +235,7 @@ mutant control_shadow "a queued frame can be written" 's/(write *= write_i) && !
 mutant control_shadow "an abort does not drop what is queued" 's/else if \(drop_i\)/else if (drop_i \&\& !queued_q)/' \
        control_registers
 mutant control_shadow "a value that does not exist is outside the table" \
-       's/(read_hits\[i\] *= )/\1Width != 0 \&\& /' control_registers_small
+       's/(read_hits\[i\] *= )/\1Width != 0 \&\& /' control_registers
 mutant control_events "a later error replaces the first address" "s/(error_i != '0) && kept == '0/\1/" control_registers
 mutant control_events "a clear wins over an event" \
        's/(error_next *= )\(error_q & (~clear_error_i\[Causes:0\])\)( \| .*);/\1(error_q\3) \& \2;/' control_registers

@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 write=""
 if [ "$1" = --write ]; then write=1; shift; fi
-package_sv=$1 registers=$2 status=0
+package_sv=$1 registers=$2 registers_header=sim/driver/pipegs_registers.h status=0
 printed() {  # FILE COMMAND ...
   local text; text=$(mktemp)
   "${@:2}" > "$text"
@@ -16,8 +16,11 @@ printed() {  # FILE COMMAND ...
   rm -f "$text"
 }
 printed rtl/pipegs_pkg.sv "$package_sv"
-printed sim/driver/pipegs_registers.h "$registers" header
+printed $registers_header "$registers" header
 printed docs/units/registers.md "$registers" page
 printed package/pipegs_registers.rdl "$registers" rdl
 printed package/pipegs_registers.xml "$registers" ipxact
+# One driver for every machine: no configuration changes its header.
+diff "$registers_header" <("$registers" header units=1 antialias=1 world_w=32 late=1 order=2) ||
+  { echo "$registers_header depends on the configuration"; status=1; }
 exit $status

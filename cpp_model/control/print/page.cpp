@@ -39,7 +39,7 @@ std::string print_page(const RegisterMap& map) {
       "## Registers\n\n| offset | register | bits | field | access | value after reset | what |\n"
       "|---|---|---|---|---|---|---|\n";
   for (const Register& reg : map.registers) {
-    text += fmt::format("| {:03x} | `{}` |  |  |  |  | {} |\n", reg.offset, reg.name, reg.what);
+    text += fmt::format("| `{:03x}` | `{}` |  |  |  |  | {} |\n", reg.offset, reg.name, reg.what);
     for (const RegisterField& field : reg.fields) {
       const std::string value =
           field.value > 0xffff ? fmt::format("0x{:08x}", field.value) : std::to_string(field.value);
@@ -54,7 +54,7 @@ std::string print_page(const RegisterMap& map) {
                         block.slots.front().writable ? "0 after reset, written while no frame is queued" : "read only");
     text += "| offset | value | bits of the slot | signed | what |\n|---|---|---|---|---|\n";
     for (const Slot& slot : block.slots) {
-      text += fmt::format("| {:03x} | `{}` | {} | {} | {}{}{} |\n", slot.offset, slot.name, width_of(slot),
+      text += fmt::format("| `{:03x}` | `{}` | {} | {} | {}{}{} |\n", slot.offset, slot.name, width_of(slot),
                           slot.is_signed ? "yes" : "", slot.unit, slot.unit.empty() || slot.what.empty() ? "" : ": ",
                           slot.what);
     }
