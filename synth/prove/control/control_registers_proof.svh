@@ -2,8 +2,8 @@
 // The end of rtl/control/control_registers.sv in its proof: what the bus may do to the core, and what it is told.
 //
 // Rule    A frame is shown only after a start was written, stays until it is taken or an abort comes, and is not shown
-//         with an abort. A refused write changes nothing; all that is written is either refused or in the table. A read
-//         outside the table reads 0 and is refused.
+//         with an abort. A write to a slot while a frame is shown is refused; a refused write changes nothing; what is
+//         not refused is in the table. A read outside the table reads 0 and is refused.
 
 logic        past_q, refused_q, start_q, abort_written_q, was_valid_q, was_ready_q, was_full_q;
 logic [31:0] was_enable_q, was_error_q;
@@ -30,6 +30,7 @@ always_comb begin
   if (rst_ni) begin
     assert (!(abort_o && frame_valid_o));
     assert (!write || write_error || live_writable || shadow_write_hit);
+    assert (!(write && frame_valid_o && shadow_write_hit) || write_error);
     assert (!read_error || read_data == '0);
     assert (irq_enable_q[31:3] == '0);
     if (past_q) begin
