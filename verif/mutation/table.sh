@@ -310,7 +310,7 @@ mutant scheduler "one complete RU ends the frame" "s/complete == '1 && !back_bus
 mutant scheduler "a frame ends while pixels are on their way" 's/ && !storing_i;/;/'
 mutant scheduler "windows counted in the width of a column" 's/(CountW *= )2 \* WindowW \+ 2/\1WindowW + 1/'
 mutant scheduler "a frame is taken before the back has begun the one in the front" \
-       's/!front_q && !ahead_q && \(\(/!front_q \&\& ((/'
+       's/!front_q && !ahead_q && \(\(/!front_q \&\& ((/' scheduler_late
 mutant scheduler "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
 mutant scheduler "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q && /\1/'
 

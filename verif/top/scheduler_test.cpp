@@ -80,7 +80,7 @@ class Schedule {
     dut.idle_i = !busy() && random(2) == 0;
     dut.front_busy_i = front_works_ && !front_restart_ && front_left_ > 0;
     const bool completed = std::all_of(left_.begin(), left_.end(), [](uint64_t n) { return n == 0; });
-    dut.back_busy_i = back_works_ && (!completed || random(busy_one_in) != 0);
+    dut.back_busy_i = back_works_ && random(busy_one_in) != 0;
     dut.storing_i = random(busy_one_in) != 0;
     dut.written_i = random(50) == 0;
     // Ends go in only of the back's frame, and RUs complete only what went in.

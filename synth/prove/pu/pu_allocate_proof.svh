@@ -5,7 +5,8 @@
 //         free.
 // Rule    At most two layers live, and no beat of a third comes in; the lines of both fit into the ring; a line that
 //         lives is not given to another beat; both outputs keep what they show.
-// Assumes Of layer_free (its proof): a layer is freed only while one lives. A frame begins when no layer lives.
+// Assumes Of layer_free (its proof): a layer is freed only while one lives. Of scheduler: a frame begins in an empty PU,
+//         when no layer lives.
 // Invariant  A line that lives lies behind the head, nearer than all lines of its layer and of the layer after it.
 // Not said  overflow_q counts the lines of a layer in memory: that an area has room for them depends on the scene, see
 //           the module's own assertion.
@@ -46,7 +47,7 @@ end
 
 always_comb begin
   assume (!layer_free_i || ended_q != '0);
-  assume (!restart_i || ended_q == '0);
+  assume (!restart_i || (state_q == StateTake && !take && ended_q == '0 && oldest_q == '0));
   if (rst_ni) begin
     assert (ended_q <= 2'd2);
     assert (!take || ended_q != 2'd2);
