@@ -16,4 +16,11 @@ std::string print_page(const RegisterMap& map);     // docs/units/registers.md
 std::string print_rdl(const RegisterMap& map);      // package/pipegs_registers.rdl
 std::string print_ipxact(const RegisterMap& map);   // package/pipegs_registers.xml
 
+// The name of one of the two registers of a slot, of letters, digits and underlines only: frame_lens_focal_x_low.
+inline std::string word_name(const SlotBlock& block, const Slot& slot, int word) {
+  std::string name = block.name + "_" + slot.name + (word == 0 ? "_low" : "_high");
+  for (char& c : name) c = c == '.' ? '_' : c;
+  return name;
+}
+
 }  // namespace pipegs

@@ -49,11 +49,8 @@ std::string print_rdl(const RegisterMap& map) {
   for (const SlotBlock& block : map.blocks) {
     text += fmt::format("\n  // {}\n", block.what);
     for (const Slot& slot : block.slots) {
-      std::string name = block.name + "_" + slot.name;
-      for (char& c : name) c = c == '.' ? '_' : c;
-      for (int word = 0; word < 2; ++word) {
-        text += reg(name + (word == 0 ? "_low" : "_high"), slot.offset + 4 * word, slot.what, slot_fields(slot, word));
-      }
+      for (int word = 0; word < 2; ++word)
+        text += reg(word_name(block, slot, word), slot.offset + 4 * word, slot.what, slot_fields(slot, word));
     }
   }
   return text + "};\n";
