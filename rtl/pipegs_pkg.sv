@@ -88,6 +88,8 @@ package pipegs_pkg;
   // 1: alphas, records and keys that find no room go to external memory; 0: there is always room
   localparam int unsigned Overflow       = 1;
   localparam int unsigned LargeGroups    = 1;  // 1: the SU cuts chains of more than 16 keys; 0: no bucket holds more
+  // data of the AXI4 bus to memory: 128, 256 or 512; 0: the core's own port of a line, without a bus
+  localparam int unsigned BusW           = 512;
   // 1: the streams show at the top level (tap_*), so every one is compared; 0: only pixels are
   localparam int unsigned Taps           = 1;
   localparam bit CachesAlphas            = 1'b1;  // the PUs compute alphas; else coefficients, and the RUs alphas
@@ -247,6 +249,9 @@ package pipegs_pkg;
   localparam int unsigned TapLanes       = 1;  // lanes of taps of an RU: one for each group of lanes
   localparam int unsigned TapLineW       = 512;  // alphas that a lane of taps shows
   localparam int unsigned TapWordW       = 1088;  // pixels that a lane of taps shows
+  localparam int unsigned BusReads       = 256;  // reads that may be unanswered on the bus
+  localparam int unsigned BusWrites      = 64;  // writes that may be unanswered on the bus
+  localparam int unsigned BusFenced      = 64;  // reads that may wait for earlier writes
   localparam int unsigned DescendResults = 8;  // results of the DOPU's test that may wait, each level (order 0 and 1)
   // ranges of nodes that the DOPU has asked for, each level (order 0 and 1)
   localparam int unsigned DescendJobs    = 8;
@@ -1118,7 +1123,7 @@ package pipegs_pkg;
     48'h0088_060c1014,  // CONFIG_GAUSSIAN
     48'h0084_00030800,  // CONFIG_POINT
     48'h0080_10044004,  // CONFIG_COUNTS
-    48'h000c_69d7c34d,  // CONFIG_HASH
+    48'h000c_4c110547,  // CONFIG_HASH
     48'h0008_d3dcdf50,  // LAYOUT
     48'h0004_00010000,  // VERSION
     48'h0000_47504950  // ID

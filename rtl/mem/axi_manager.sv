@@ -16,9 +16,9 @@
 module axi_manager #(
   parameter int unsigned DataW  = 512,  // 128, 256 or 512
   parameter int unsigned AddrW  = 40,   // of a byte address
-  parameter int unsigned Reads  = 256,  // bursts that may be unanswered
-  parameter int unsigned Writes = 64,   // likewise
-  parameter int unsigned Fenced = 64,   // reads that may wait for writes
+  parameter int unsigned Reads  = pipegs_pkg::BusReads,   // bursts that may be unanswered
+  parameter int unsigned Writes = pipegs_pkg::BusWrites,  // likewise
+  parameter int unsigned Fenced = pipegs_pkg::BusFenced,  // reads that may wait for writes
   localparam int unsigned IdW    = pipegs_pkg::TagW + 1,
   localparam int unsigned LineW  = pipegs_pkg::AddressW,
   localparam int unsigned TagW   = pipegs_pkg::TagW
@@ -41,13 +41,11 @@ module axi_manager #(
   output logic [TagW-1:0]                rsp_tag_o,
   output logic [pipegs_pkg::MemoryW-1:0] rsp_data_o,
 
-  input  logic                           error_clear_i,
-  output logic                           error_o,        // for one cycle: something has failed
-  output logic                           read_error_o,   // a read has failed since the last clear
-  output logic                           write_error_o,  // a write has failed since the last clear
-  output logic                           decode_o,       // for one of them nothing was at its address (DECERR)
-  output logic [TagW-1:0]                error_tag_o,    // of the first read that failed
-  output logic [LineW-1:0]               error_line_o,   // of the first write that failed: number of its line
+  output logic [3:0]                     error_o,        // pulses: read SLVERR, read DECERR, write SLVERR, write
+                                                         // DECERR; of this epoch, one cycle after the answer
+  output logic [LineW-1:0]               error_line_o,   // of a write: number of its line
+  output logic [$clog2(Writes+1)-1:0]    writes_o,       // accepted and not answered
+  output logic                           answered_o,     // one of them is, in this cycle
 
   output logic [IdW-1:0]                 m_axi_awid,
   output logic [AddrW-1:0]               m_axi_awaddr,
@@ -94,8 +92,8 @@ module axi_manager #(
   logic [WritesW-1:0] writes;
   logic [ReadW-1:0]   issue;
   logic               read_error, read_decode, write_error, write_decode;
-  logic [TagW-1:0]    read_tag;
-  logic [LineW-1:0]   write_line;
+  logic [3:0]         error_q;
+  logic [LineW-1:0]   write_line, error_line_q;
 
   assign write_valid = mem_valid_i && mem_request_i.write;
   assign read_valid  = mem_valid_i && !mem_request_i.write && read_room;
@@ -115,7 +113,7 @@ module axi_manager #(
     .clk_i, .rst_ni, .base_i, .epoch_i, .room_o(read_room), .accept_i(read_valid && fence_ready),
     .drained_o, .pending_o(reads_pending), .in_valid_i(issue_valid), .in_ready_o(issue_ready), .in_i(issue),
     .line_valid_o(rsp_valid_o), .line_tag_o(rsp_tag_o), .line_o(rsp_data_o),
-    .error_o(read_error), .error_decode_o(read_decode), .error_tag_o(read_tag),
+    .error_o(read_error), .error_decode_o(read_decode),
     .m_axi_arid, .m_axi_araddr, .m_axi_arlen, .m_axi_arsize, .m_axi_arburst, .m_axi_arvalid, .m_axi_arready,
     .m_axi_rid, .m_axi_rdata, .m_axi_rresp, .m_axi_rlast, .m_axi_rvalid, .m_axi_rready
   );
@@ -129,11 +127,16 @@ module axi_manager #(
     .m_axi_bid, .m_axi_bresp, .m_axi_bvalid, .m_axi_bready
   );
 
-  axi_errors u_errors (
-    .clk_i, .rst_ni, .clear_i(error_clear_i), .read_i(read_error), .read_decode_i(read_decode), .read_tag_i(read_tag),
-    .write_i(write_error), .write_decode_i(write_decode), .write_line_i(write_line),
-    .error_o, .read_error_o, .write_error_o, .decode_o, .error_tag_o, .error_line_o
-  );
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) error_q <= '0;
+    else error_q <= {write_error && write_decode, write_error && !write_decode, read_error && read_decode,
+                     read_error && !read_decode};
+  end
+  always_ff @(posedge clk_i) error_line_q <= write_line;
+  assign error_o      = error_q;
+  assign error_line_o = error_line_q;
+  assign writes_o     = writes;
+  assign answered_o   = m_axi_bvalid && m_axi_bready;
 
   assign m_axi_awcache = Cache;
   assign m_axi_awprot  = Prot;

@@ -39,7 +39,6 @@ module axi_read #(
 
   output logic                           error_o,     // a beat of this epoch failed
   output logic                           error_decode_o,  // nothing is at that address
-  output logic [TagW-1:0]                error_tag_o,
 
   output logic [IdW-1:0]                 m_axi_arid,
   output logic [AddrW-1:0]               m_axi_araddr,
@@ -121,7 +120,6 @@ module axi_read #(
   assign pending_o      = reads_q != '0 || gathering;
   assign error_o        = now && m_axi_rresp[1];
   assign error_decode_o = m_axi_rresp[0];
-  assign error_tag_o    = m_axi_rid[TagW-1:0];
 
   logic unused;
   assign unused = &{1'b0, base_i[11:0]};

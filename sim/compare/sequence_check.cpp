@@ -52,6 +52,14 @@ void SequenceCheck::on_frame_done() {
   if (second_ != nullptr) second_->on_frame_done();
 }
 
+void SequenceCheck::on_give_up() {
+  for (size_t i = back_; i < frames_.size(); ++i)
+    frames_[i].streams = std::make_unique<StreamCheck>(*frames_[i].expected.input);
+  std::fill(splat_frame_.begin(), splat_frame_.end(), back_);
+  sorted_frame_ = back_;
+  if (second_ != nullptr) second_->on_give_up();
+}
+
 // The frame in external memory against the golden pixels.
 void SequenceCheck::compare_pixels(One& one) {
   const Config& config = one.expected.input->packed->config;

@@ -31,6 +31,7 @@ class SequenceCheck final : public RtlTaps {
                  const uint32_t* line) override;
   void on_pixels(int lane, int region, int quarter, const uint32_t* word) override;
   void on_frame_done() override;
+  void on_give_up() override;  // what is not complete begins anew
   // Only the second one looks at cycles.
   bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }
   void on_cycle(uint64_t cycle, const uint8_t* states) override { second_->on_cycle(cycle, states); }

@@ -10,6 +10,7 @@
 #include "sim/compare/simulate.hpp"
 #include "sim/host_use.hpp"
 #include "sim/progress.hpp"
+#include "sim/rtl/job.hpp"
 
 namespace pipegs {
 namespace {
@@ -50,14 +51,14 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   if (!config.taps && (options.taps != nullptr || options.watch))
     throw ConfigError("configuration: what shows the streams needs taps = 1");
   const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(options.variant, options.rtl));
-  ExternalMemory memory(options.memory);
+  ExternalMemory memory(options.memory, config.bus_w);
   const std::vector<GoldenInput> placed = place(frames, memory);
   std::vector<SequenceCheck::Expected> expected;
-  std::vector<FrameWords> words;
+  std::vector<pipegs_job> jobs;
   uint64_t windows = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
     expected.push_back({&placed[i], &frames[i]->golden.pixels});
-    words.push_back(frame_words(config, placed[i].frame));
+    jobs.push_back(frame_job(config, placed[i].frame));
     windows += windows_of(placed[i].frame);
   }
   SequenceCheck check(expected, memory, options.taps);
@@ -66,7 +67,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   Progress progress("rtl");
   const Stopwatch watch;
   SequenceRun run;
-  run.rtl = model->run(words, memory, options.rtl, &check, [&](uint64_t cycle, uint64_t windows_done) {
+  run.rtl = model->run(jobs, memory, options.rtl, &check, [&](uint64_t cycle, uint64_t windows_done) {
     progress.update(static_cast<double>(windows_done) / static_cast<double>(windows),
                     fmt::format("{:.0f} kHz", static_cast<double>(cycle) / watch.seconds() / 1000));
     return !interrupted();

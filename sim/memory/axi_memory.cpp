@@ -28,9 +28,13 @@ AxiMemory::AxiMemory(const AxiMemoryOptions& options)
   }
 }
 
-AxiResponse AxiMemory::response(uint64_t line) const {
+AxiResponse AxiMemory::response(uint64_t line, int& fail) const {
   const uint64_t first = options_.base / kLineBytes;
   if (line < first || line - first >= options_.size / kLineBytes) return AxiResponse::kDecodeError;
+  if (fail > 0) {
+    --fail;
+    return AxiResponse::kSlaveError;
+  }
   return failing.contains(line) ? AxiResponse::kSlaveError : AxiResponse::kOkay;
 }
 
@@ -58,7 +62,7 @@ void AxiMemory::take_read(const AxiAddress& address) {
   for (uint64_t i = 0; i < lines; ++i) {
     const uint64_t line = address.address / kLineBytes + i;
     const bool last = i + 1 == lines;
-    reads.lines.push_back({line, {}, last, false, response(line)});
+    reads.lines.push_back({line, {}, last, false, response(line, fail_reads)});
     if (sampled) sample(reads.lines.back());
     if (!options_.harsh) asks_.push_back({false, line, address.id, last});
   }
@@ -83,7 +87,8 @@ void AxiMemory::take_write() {
       throw std::runtime_error("AXI memory: a write that is not one line of 64 bytes");
     }
     const uint64_t half = static_cast<uint64_t>(options_.write_delay) / 2;
-    Write write{address.id, address.address / kLineBytes, {}, {}, 0, false, response(address.address / kLineBytes)};
+    const uint64_t line = address.address / kLineBytes;
+    Write write{address.id, line, {}, {}, 0, false, response(line, fail_writes)};
     write.due = now_ + 1 + static_cast<int64_t>(half + rng_() % (half + 1));
     for (size_t i = 0; i < 16; ++i) {
       const AxiWriteBeat& beat = data_[i / words];

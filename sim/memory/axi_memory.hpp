@@ -51,6 +51,7 @@ class AxiMemory {
   const MemoryLine& line(uint64_t address) const { return pages_.line(address); }  // contents, for host access
   MemoryLine& line(uint64_t address) { return pages_.line(address); }
   std::set<uint64_t> failing;  // lines that answer SLVERR
+  int fail_reads = 0, fail_writes = 0;  // so many of those that are taken next answer SLVERR
   bool quiet() const { return bursts_ == 0 && writes_.empty() && address_.empty() && data_.empty(); }
   uint64_t lines_read() const { return lines_read_; }
   uint64_t lines_written() const { return lines_written_; }
@@ -84,7 +85,7 @@ class AxiMemory {
     bool last;
   };
 
-  AxiResponse response(uint64_t line) const;
+  AxiResponse response(uint64_t line, int& fail) const;
   bool chance() { return static_cast<int>(rng_() % 100) < options_.ready_percent; }
   void take_read(const AxiAddress& address);
   void sample(Line& line);

@@ -6,17 +6,22 @@
 
 namespace pipegs {
 
-ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options) : timing_(memory_timing(options)) {}
+ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options, int bus_w) {
+  if (bus_w == 0) {
+    timing_ = memory_timing(options);
+  } else {
+    bus_ = std::make_unique<AxiMemory>(
+        AxiMemoryOptions{.data_w = bus_w, .harsh = options.harsh, .timing = options, .seed = options.seed});
+  }
+}
 
 void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data) {
   timing_->request(write, address, tag);
-  ++lines_;
+  count(write, tag);
   if (write) {
     std::copy(data, data + 16, line(address).begin());
-    ++traffic_[tag].lines_written;
     return;
   }
-  ++traffic_[tag].lines_read;
   read_[tag].push_back(line(address));
 }
 

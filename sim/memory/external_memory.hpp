@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// external_memory.hpp: the memory outside the chip, as lines of 64 bytes behind one port.
+// external_memory.hpp: the memory outside the chip, as lines of 64 bytes behind one port or behind an AXI4 bus.
 //
 // Idea    Contents behind a MemoryTiming (memory_timing.hpp), which says when the port is ready and when a read
-//         answers.
-//         Requests take effect in the order in which they are accepted; only the answers come later. Bytes and requests
-//         are counted by tag.
+//         answers. Requests take effect in the order in which they are accepted; only the answers come later. With a
+//         bus an AxiMemory (axi_memory.hpp) stands in the place of the port. Lines are counted by the tag of the core.
 // Units   Cycles of the machine's clock. Paper: Sec. 5.1 (off-chip memory).
 #pragma once
 
@@ -15,6 +14,7 @@
 #include <optional>
 
 #include "cpp_model/memory_line.hpp"
+#include "sim/memory/axi_memory.hpp"
 #include "sim/memory/memory_pages.hpp"
 #include "sim/memory/memory_timing.hpp"
 
@@ -22,7 +22,8 @@ namespace pipegs {
 
 class ExternalMemory {
  public:
-  explicit ExternalMemory(const ExternalMemoryOptions& options = {});
+  // bus_w: bits of the bus; 0: the port.
+  explicit ExternalMemory(const ExternalMemoryOptions& options = {}, int bus_w = 0);
 
   struct Answer {
     int tag;
@@ -37,19 +38,21 @@ class ExternalMemory {
   const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }        // the answer shown in this cycle, if any
   void step();                                                                // the next cycle begins
 
+  AxiMemory* bus() { return bus_.get(); }  // what stands in the place of the port, or null
+  void count(bool write, int tag) { ++(write ? traffic_[tag].lines_written : traffic_[tag].lines_read); }
+
   // Contents, for host access; untouched lines hold zero.
-  const MemoryLine& line(uint64_t address) const { return pages_.line(address); }
-  MemoryLine& line(uint64_t address) { return pages_.line(address); }
+  const MemoryLine& line(uint64_t address) const { return bus_ ? bus_->line(address) : pages_.line(address); }
+  MemoryLine& line(uint64_t address) { return bus_ ? bus_->line(address) : pages_.line(address); }
   const std::array<Traffic, 256>& traffic() const { return traffic_; }
-  const Dram* dram() const { return timing_->dram(); }  // for its statistics, if the memory is one
-  uint64_t busy_line_cycles() const { return lines_; }  // lines that crossed the pins
+  const Dram* dram() const { return bus_ ? bus_->dram() : timing_->dram(); }  // for its statistics, if it is one
 
  private:
   std::unique_ptr<MemoryTiming> timing_;
+  std::unique_ptr<AxiMemory> bus_;
   MemoryPages pages_;
   std::array<std::deque<MemoryLine>, 256> read_;  // of each tag: lines read and not answered yet
   std::array<Traffic, 256> traffic_{};
-  uint64_t lines_ = 0;
   std::optional<Answer> shown_;
 };
 

@@ -31,6 +31,7 @@ struct ExternalMemoryOptions {
   int queue = 64;                 // ideal: requests that may wait for the pins
   uint64_t seed = 1;
   int path = 20;  // DRAM: cycles between machine and channels, there and back
+  bool harsh = false;  // behind a bus: all that AXI4 allows and a machine may stumble over, see axi_memory.hpp
 };
 
 class MemoryTiming {

@@ -63,7 +63,7 @@ fi
 if [ $shared = 1 ]; then
   options=(--inline-mult 2000 "$root/sim/rtl/units.vlt" "${options[@]}")  # -O3 inlines every module
 fi
-"$root/sim/rtl/verilate.sh" pipegs_top "$out" "$out/pipegs_pkg.sv" $shards "${options[@]}"
+"$root/sim/rtl/verilate.sh" pipegs_sim "$out" "$out/pipegs_pkg.sv" $shards -y "$root/sim/rtl" "${options[@]}"
 # A level of instructions by its name, not the processor's own: through ccache they could reach another one.
 levels=$(/lib64/ld-linux-x86-64.so.2 --help 2> /dev/null | sed -n 's/^ *\(x86-64-v[34]\) (supported.*/\1/p' || true)
 if [ -n "$levels" ]; then tuning=("-march=${levels%%$'\n'*}" "${tuning[@]}"); fi
@@ -85,8 +85,8 @@ export ccache cxx flags
     echo "$out/units/$unit/V${unit}__once.cpp $out/${unit}_once.o -O0 -w -I$out/units/$unit"
   done
   fast="-O$((3 - 2 * waves)) -ffunction-sections ${tuning[*]}"
-  for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_top__shard$i.cpp $out/shard$i.o $fast -w"; done
-  echo "$out/Vpipegs_top__once.cpp $out/once.o -O0 -w"  # what waves need is in it: half of all code
+  for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_sim__shard$i.cpp $out/shard$i.o $fast -w"; done
+  echo "$out/Vpipegs_sim__once.cpp $out/once.o -O0 -w"  # what waves need is in it: half of all code
   if [ $waves = 1 ]; then echo "$verilator/include/verilated_fst_c.cpp $out/fst.o -O2 -w"; fi
   echo "$root/sim/rtl/rtl_bridge.cpp $out/bridge.o -O2 -Wall -Wextra"; } |
   xargs -P "$(nproc)" -L 1 bash -c 'compile -c "$0" -o "$1" "${@:2}"'

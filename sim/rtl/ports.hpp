@@ -35,4 +35,25 @@ constexpr size_t port_words() {
   return (sizeof(Port) + 3) / 4;
 }
 
+// `width` bits at `at` of a wide port, as words.
+template <class Port>
+void slice(const Port& port, int at, int width, uint32_t* words) {
+  constexpr size_t kWords = sizeof(Port) / 4 + 2;
+  uint32_t all[kWords] = {};
+  const uint32_t* source;
+  if constexpr (std::is_integral_v<Port>) {
+    read_port(port, all);
+    source = all;
+  } else {
+    source = port.data();
+  }
+  const int count = (width + 31) / 32, shift = at % 32, first = at / 32;
+  for (int i = 0; i < count; ++i) {
+    const uint64_t low = source[first + i];
+    const uint64_t high = shift != 0 && first + i + 1 < static_cast<int>(kWords - 2) ? source[first + i + 1] : 0;
+    words[i] = static_cast<uint32_t>((high << 32 | low) >> shift);
+  }
+  if (width % 32 != 0) words[count - 1] &= (1u << (width % 32)) - 1;
+}
+
 }  // namespace pipegs

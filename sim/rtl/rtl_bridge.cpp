@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl_bridge.cpp: the loop that clocks the Verilated top level, compiled once for each configuration into librtl.so.
+// rtl_bridge.cpp: the loop that clocks the Verilated machine, compiled once for each configuration into librtl.so.
 //
 // In each cycle the external memory shows its answer and its readiness while the clock is low; the machine settles; the
-// taps and the memory port are sampled; the clock rises.
+// taps and the memory side are sampled; the clock rises. Above that loop stands the driver of sim/driver: each of its
+// accesses to a register is as many cycles as the bus takes. Time of the memory begins with the first frame.
 #include <verilated.h>
-#if VM_TRACE
-#include <verilated_fst_c.h>
-#endif
 
-#include <cstring>
 #include <stdexcept>
+#include <tuple>
 
-#include "Vpipegs_top.h"
+#include "Vpipegs_sim.h"
 #include "cpp_model/records.hpp"
+#include "sim/rtl/axi_pins.hpp"
+#include "sim/rtl/control_pins.hpp"
 #include "sim/rtl/ports.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 #include "sim/rtl/rtl_model.hpp"
+#include "sim/rtl/wave_file.hpp"
 
 namespace pipegs {
 namespace {
@@ -36,94 +37,65 @@ struct Widths {
         pixels(c.tap_word_w()),
         address(c.address_w()),
         tag(c.tag_w()),
-        perf(c.perf_w()),
+        bus(c.bus_w),
         pixel_lines(c.region_lines() * c.regions()),
         taps(c.taps != 0) {}
-  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
+  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, bus;
   int pixel_lines;  // in memory, of a window inside the image
   bool taps;        // the streams show
 };
 
 constexpr uint64_t kResetCycles = 4;
-constexpr int64_t kRestartCycle = kResetCycles + 1;  // a frame is offered with the first cycle behind the reset
-
-// The file of waves; nothing without a path, and in a variant that has no waves only that.
-class Waves {
- public:
-#if VM_TRACE
-  Waves(Vpipegs_top& top, const RtlOptions& options) : options_(options) {
-    if (options.waves.empty()) return;
-    file_ = std::make_unique<VerilatedFstC>();
-    top.trace(file_.get(), 99);
-    file_->open(options.waves.c_str());
-  }
-  void dump_low(uint64_t cycle) {
-    if (file_ && in_sample(options_, cycle)) file_->dump(cycle * 10);
-  }
-  // Of the cycle before a sample too: the change to its first low phase is a part of the sample.
-  void dump_high(uint64_t cycle) {
-    if (file_ && (in_sample(options_, cycle) || in_sample(options_, cycle + 1))) file_->dump(cycle * 10 + 5);
-  }
-  void close() {
-    if (file_) file_->close();
-  }
-
- private:
-  const RtlOptions& options_;
-  std::unique_ptr<VerilatedFstC> file_;
-#else
-  Waves(Vpipegs_top&, const RtlOptions& options) {
-    if (!options.waves.empty()) throw std::logic_error("RTL: waves of a variant that was built without them");
-  }
-  void dump_low(uint64_t) {}
-  void dump_high(uint64_t) {}
-  void close() {}
-#endif
-};
+constexpr int kMemoryAhead = 5;  // cycles of the memory before the first one of the first frame
 
 class VerilatedMachine final : public RtlModel {
  public:
   explicit VerilatedMachine(const Config& config) : w_(config) {}
-  RtlResult run(const std::vector<FrameWords>& frames, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+  RtlResult run(const std::vector<pipegs_job>& frames, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
                 const std::function<bool(uint64_t, uint64_t)>& progress) override;
 
  private:
+  using Progress = std::function<bool(uint64_t, uint64_t)>;
+
+  void begin(size_t frames);
+  void cycle();
+  void drive_memory();
+  void observe_memory();
   void tap(RtlTaps& taps);
   void tap_cycle(RtlTaps& taps);
-  RtlResult counters();
+  uint32_t access(bool write, uint32_t offset, uint32_t value);
+  void idle();
+  bool due() const;
+  void disturb();
+  void give_up();
   std::string position() const { return "cycle " + std::to_string(cycle_); }
 
   const Widths w_;
   std::unique_ptr<VerilatedContext> context_;
-  std::unique_ptr<Vpipegs_top> dut_;
-  uint64_t cycle_ = 0, windows_ = 0;
-  bool running_ = false;  // the machine was busy in the cycle before; its first cycle restarts the counters
-  uint64_t counted_ = 0;  // cycles that they have counted
+  std::unique_ptr<Vpipegs_sim> dut_;
+  std::unique_ptr<WaveFile<Vpipegs_sim>> waves_;
+  ControlPins<Vpipegs_sim> control_;
+  pipegs_device device_{};
+
+  ExternalMemory* memory_ = nullptr;
+  const RtlOptions* options_ = nullptr;
+  RtlTaps* taps_ = nullptr;
+  const Progress* progress_ = nullptr;
+  bool streams_ = false, cycles_ = false;  // the taps see streams, and each cycle
+
+  uint64_t cycle_ = 0, windows_ = 0, pixel_lines_ = 0, last_request_ = 0;
+  int64_t origin_ = 0;        // the first cycle of the first frame; it restarts the counters
+  uint64_t taken_ = 0;        // frames
+  uint64_t taken_cycle_ = 0;  // of the latest of them
+  size_t disturbed_ = 0;      // disturbances that have come
+  bool mute_ = false;         // what the machine shows is of frames that are given up
+  bool running_ = false;      // the machine was busy in the cycle before; its first cycle restarts the counters
+  uint64_t counted_ = 0;      // cycles that they have counted
+  std::vector<uint64_t> ends_;
 };
 
-// `width` bits at `at` of a wide port, as words.
-template <class Port>
-void slice(const Port& port, int at, int width, uint32_t* words) {
-  constexpr size_t kWords = sizeof(Port) / 4 + 2;
-  uint32_t all[kWords] = {};
-  const uint32_t* source;
-  if constexpr (std::is_integral_v<Port>) {
-    read_port(port, all);
-    source = all;
-  } else {
-    source = port.data();
-  }
-  const int count = (width + 31) / 32, shift = at % 32, first = at / 32;
-  for (int i = 0; i < count; ++i) {
-    const uint64_t low = source[first + i];
-    const uint64_t high = shift != 0 && first + i + 1 < static_cast<int>(kWords - 2) ? source[first + i + 1] : 0;
-    words[i] = static_cast<uint32_t>((high << 32 | low) >> shift);
-  }
-  if (width % 32 != 0) words[count - 1] &= (1u << (width % 32)) - 1;
-}
-
 void VerilatedMachine::tap(RtlTaps& taps) {
-  const Vpipegs_top& top = *dut_;
+  const Vpipegs_sim& top = *dut_;
   uint32_t words[64];
   for (int unit = 0; unit < w_.units; ++unit) {
     if (top.tap_splat_valid_o >> unit & 1) {
@@ -160,134 +132,212 @@ void VerilatedMachine::tap(RtlTaps& taps) {
 
 // What each unit does in this cycle, and the pulses that no stream shows.
 void VerilatedMachine::tap_cycle(RtlTaps& taps) {
-  const Vpipegs_top& top = *dut_;
-  if (running_ && top.busy_o) {
+  const Vpipegs_sim& top = *dut_;
+  if (running_ && top.tap_busy_o) {
     uint8_t states[1 + 3 * 4];
     for (int unit = 0; unit < 1 + 3 * w_.units; ++unit)
       states[unit] = static_cast<uint8_t>(top.tap_state_o >> (2 * unit) & 3);
     taps.on_cycle(counted_++, states);
   }
-  running_ = top.busy_o;
+  running_ = top.tap_busy_o;
   for (int unit = 0; unit < w_.units; ++unit) {
     if (top.tap_chunk_valid_o >> unit & 1) taps.on_chunk(unit, static_cast<int>(top.tap_chunk_kind_o));
     if (top.tap_layer_done_o >> unit & 1) taps.on_layer_done(unit, top.tap_window_done_o >> unit & 1);
   }
 }
 
-RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalMemory& memory,
-                                const RtlOptions& options, RtlTaps* taps,
-                                const std::function<bool(uint64_t, uint64_t)>& progress) {
+// --- one cycle -------------------------------------------------------------------------------------------------------
+void VerilatedMachine::begin(size_t frames) {
   context_ = std::make_unique<VerilatedContext>();
   context_->threads(PIPEGS_THREADS);
   context_->randReset(2);
-  context_->randSeed(static_cast<int>(options.seed % 0x7ffffffe) + 1);
-  context_->traceEverOn(!options.waves.empty());
+  context_->randSeed(static_cast<int>(options_->seed % 0x7ffffffe) + 1);
+  context_->traceEverOn(!options_->waves.empty());
   Verilated::threadContextp(context_.get());  // that of units which are libraries of their own
-  dut_ = std::make_unique<Vpipegs_top>(context_.get());
-  Vpipegs_top& top = *dut_;
-  Waves waves(top, options);
-  cycle_ = windows_ = counted_ = 0;
-  running_ = false;
-  const bool streams = taps != nullptr && w_.taps, cycles = streams && taps->wants_cycles();
-  uint64_t last_request = 0, pixel_lines = 0;
-  size_t taken = 0;
-  std::vector<uint64_t> ends;
-
-  top.test_en_i = 0;
-  top.frame_valid_i = 0;
-  top.mem_ready_i = 0;
-  top.mem_rsp_valid_i = 0;
+  dut_ = std::make_unique<Vpipegs_sim>(context_.get());
+  waves_ = std::make_unique<WaveFile<Vpipegs_sim>>(*dut_, *options_);
+  control_ = {};
+  cycle_ = windows_ = pixel_lines_ = last_request_ = taken_ = taken_cycle_ = disturbed_ = counted_ = 0;
+  running_ = mute_ = false;
+  ends_.clear();
+  ends_.reserve(frames);
   // Before the reset everything is noise: it falls once, and assertions count from its end on.
   context_->assertOn(false);
-  top.clk_i = 0;
-  top.rst_ni = 1;
-  top.eval();
-  for (;; ++cycle_) {
-    top.clk_i = 0;
-    top.rst_ni = cycle_ >= kResetCycles;
-    if (cycle_ == kResetCycles) context_->assertOn(true);
-    top.frame_valid_i = cycle_ >= kResetCycles && taken < frames.size() && (options.queued || !top.busy_o);
-    if (taken < frames.size()) write_port(top.frame_i, frames[taken].data());
-    memory.step();
-    top.mem_ready_i = memory.ready();
-    const ExternalMemory::Answer* answer = memory.answer();
-    top.mem_rsp_valid_i = answer != nullptr;
-    if (answer != nullptr) {
-      top.mem_rsp_tag_i = static_cast<uint8_t>(answer->tag);
-      write_port(top.mem_rsp_data_i, answer->data.data());
-    }
-    top.eval();
-    waves.dump_low(cycle_);
-    if (cycle_ >= kResetCycles) {
-      if (top.frame_valid_i && top.frame_ready_o) ++taken;
-      if (taps != nullptr) taps->cycle = static_cast<int64_t>(cycle_) - kRestartCycle;
-      if (cycles) tap_cycle(*taps);
-      if (top.mem_valid_o && top.mem_ready_i) {
-        uint32_t request[2];
-        slice(top.mem_request_o, 0, w_.request, request);
-        const bool write = request[0] & 1;
-        const int tag = static_cast<int>(get_bits(request, 1 + w_.address, w_.tag));
-        const uint64_t line = get_bits(request, 1, w_.address);
-        memory.request(write, line, tag, top.mem_data_o.data());
-        if (cycles) taps->on_request(tag, write, line);
-        // Without taps what the RUs have written tells how far the frame is.
-        if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines / static_cast<uint64_t>(w_.pixel_lines);
-        last_request = cycle_;
-      }
-      if (streams) tap(*taps);
-      if (top.done_o) {
-        ends.push_back(cycle_ - kRestartCycle - 1);  // done_o is one cycle behind
-        if (taps != nullptr) taps->on_frame_done();
-      }
-    }
-    top.clk_i = 1;
-    top.eval();
-    waves.dump_high(cycle_);
-    if (taken == frames.size() && !top.busy_o && ends.size() == taken) break;
-    if (cycle_ - last_request > options.quiet_limit) {
-      throw RtlFault("RTL: no memory request for " + std::to_string(options.quiet_limit) + " cycles, " + position() +
-                     ", " + std::to_string(windows_) + " windows sorted: the machine hangs");
-    }
-    if (cycle_ % 4096 == 0 && progress && !progress(cycle_, windows_)) throw std::runtime_error("RTL: interrupted");
-  }
-  waves.close();
-  top.clk_i = 0;  // rtl/perf.sv is one cycle behind
-  top.eval();
-  top.clk_i = 1;
-  top.eval();
-
-  RtlResult result = counters();
-  result.frame_ends = std::move(ends);
-  return result;
+  dut_->aclk = 0;
+  dut_->aresetn = 1;
+  control_.drive(*dut_);
+  dut_->eval();
+  while (cycle_ < kResetCycles) cycle();
+  context_->assertOn(true);
 }
 
-RtlResult VerilatedMachine::counters() {
-  const Vpipegs_top& top = *dut_;
-  RtlResult result;
-  uint32_t words[2] = {};
-  slice(top.cycles_o, 0, w_.perf, words);
-  result.cycles = get_bits(words, 0, w_.perf);
-  words[1] = 0;
-  slice(top.preprocess_cycles_o, 0, w_.perf, words);
-  result.preprocess_cycles = get_bits(words, 0, w_.perf);
-  words[1] = 0;
-  slice(top.overflow_lines_o, 0, w_.perf, words);
-  result.overflow_lines = get_bits(words, 0, w_.perf);
-  int unit = 0;
-  const auto read_units = [&](std::vector<UnitCycles>& units, int count) {
-    for (int i = 0; i < count; ++i, ++unit) {
-      uint64_t values[4];
-      for (int k = 0; k < 4; ++k) {
-        slice(top.perf_o, (unit * 4 + k) * w_.perf, w_.perf, words);
-        values[k] = get_bits(words, 0, w_.perf);
-      }
-      units.push_back({values[0], values[1], values[2], values[3]});
+void VerilatedMachine::drive_memory() {
+  Vpipegs_sim& top = *dut_;
+  if (w_.bus != 0) {
+    write_subordinate_side(top, taken_ > 0 ? memory_->bus()->step() : AxiSubordinateSide{});
+    return;
+  }
+  top.mem_ready_i = 0;
+  top.mem_rsp_valid_i = 0;
+  if (taken_ == 0) return;
+  memory_->step();
+  top.mem_ready_i = memory_->ready();
+  const ExternalMemory::Answer* answer = memory_->answer();
+  if (answer == nullptr) return;
+  top.mem_rsp_valid_i = 1;
+  top.mem_rsp_tag_i = static_cast<uint8_t>(answer->tag);
+  write_port(top.mem_rsp_data_i, answer->data.data());
+}
+
+void VerilatedMachine::observe_memory() {
+  const Vpipegs_sim& top = *dut_;
+  if (w_.bus != 0 && taken_ > 0) memory_->bus()->observe(axi_manager_side(top));
+  if (!top.mem_valid_o || !top.mem_ready_o) return;
+  uint32_t request[2];
+  slice(top.mem_request_o, 0, w_.request, request);
+  const bool write = request[0] & 1;
+  const int tag = static_cast<int>(get_bits(request, 1 + w_.address, w_.tag));
+  const uint64_t line = get_bits(request, 1, w_.address);
+  if (w_.bus != 0) memory_->count(write, tag);
+  if (w_.bus == 0) memory_->request(write, line, tag, top.mem_data_o.data());
+  if (cycles_ && !mute_) taps_->on_request(tag, write, line);
+  // Without taps what the RUs have written tells how far the frame is.
+  if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines_ / static_cast<uint64_t>(w_.pixel_lines);
+  last_request_ = cycle_;
+}
+
+void VerilatedMachine::cycle() {
+  Vpipegs_sim& top = *dut_;
+  top.aclk = 0;
+  top.aresetn = cycle_ >= kResetCycles;
+  control_.drive(top);
+  drive_memory();
+  top.eval();
+  waves_->dump_low(cycle_);
+  if (cycle_ >= kResetCycles) {
+    control_.observe(top);
+    if (taps_ != nullptr) taps_->cycle = static_cast<int64_t>(cycle_) - origin_;
+    if (cycles_ && !mute_) tap_cycle(*taps_);
+    observe_memory();
+    if (streams_ && !mute_) tap(*taps_);
+    if (top.tap_done_o && !mute_) {
+      ends_.push_back(static_cast<uint64_t>(static_cast<int64_t>(cycle_) - origin_ - 2));  // so far behind the pixel
+      if (taps_ != nullptr) taps_->on_frame_done();
     }
-  };
-  read_units(result.dopu, 1);
-  read_units(result.pu, w_.units);
-  read_units(result.su, w_.units);
-  read_units(result.ru, w_.units);
+    if (top.tap_reset_o && taken_ > 0) give_up();
+    if (top.tap_take_o) {
+      if (taken_ == 0) {
+        origin_ = static_cast<int64_t>(cycle_) + 1;
+        for (int i = 0; i < kMemoryAhead; ++i) w_.bus != 0 ? static_cast<void>(memory_->bus()->step()) : memory_->step();
+      }
+      ++taken_;
+      taken_cycle_ = cycle_;
+    }
+  }
+  top.aclk = 1;
+  top.eval();
+  waves_->dump_high(cycle_);
+  if (cycle_ - last_request_ > options_->quiet_limit) {
+    throw RtlFault("RTL: no memory request for " + std::to_string(options_->quiet_limit) + " cycles, " + position() +
+                   ", " + std::to_string(windows_) + " windows sorted: the machine hangs");
+  }
+  if (cycle_ % 4096 == 0 && *progress_ && !(*progress_)(cycle_, windows_))
+    throw std::runtime_error("RTL: interrupted");
+  ++cycle_;
+}
+
+// --- frames ----------------------------------------------------------------------------------------------------------
+uint32_t VerilatedMachine::access(bool write, uint32_t offset, uint32_t value) {
+  control_.begin(write, offset, value);
+  while (control_.open()) cycle();
+  return control_.value();
+}
+
+bool VerilatedMachine::due() const {
+  if (disturbed_ == options_->disturbances.size()) return false;
+  const RtlDisturbance& next = options_->disturbances[disturbed_];
+  return taken_ > next.frame + 1 || (taken_ == next.frame + 1 && cycle_ >= taken_cycle_ + next.cycle);
+}
+
+void VerilatedMachine::idle() {
+  while (!dut_->irq && !due()) cycle();
+}
+
+void VerilatedMachine::disturb() {
+  const RtlDisturbance::Kind kind = options_->disturbances[disturbed_++].kind;
+  if (kind == RtlDisturbance::Kind::kAbort) {
+    pipegs_abort(&device_, PIPEGS_NO_LIMIT);
+  } else {
+    ++(kind == RtlDisturbance::Kind::kFailRead ? memory_->bus()->fail_reads : memory_->bus()->fail_writes);
+  }
+}
+
+// The core is in reset: from here on nothing that it shows counts, until the driver has begun anew.
+void VerilatedMachine::give_up() {
+  if (mute_) return;
+  mute_ = true;
+  running_ = false;
+  if (taps_ != nullptr) taps_->on_give_up();
+}
+
+RtlResult VerilatedMachine::run(const std::vector<pipegs_job>& frames, ExternalMemory& memory,
+                                const RtlOptions& options, RtlTaps* taps, const Progress& progress) {
+  memory_ = &memory, options_ = &options, taps_ = taps, progress_ = &progress;
+  streams_ = taps != nullptr && w_.taps;
+  cycles_ = streams_ && taps->wants_cycles();
+  begin(frames.size());
+
+  const pipegs_bus bus = {
+      .read = [](void* self, uint32_t offset) {
+        return static_cast<VerilatedMachine*>(self)->access(false, offset, 0);
+      },
+      .write = [](void* self, uint32_t offset, uint32_t value) {
+        static_cast<VerilatedMachine*>(self)->access(true, offset, value);
+      },
+      .idle = [](void* self) { static_cast<VerilatedMachine*>(self)->idle(); },
+      .context = this};
+  if (pipegs_identify(&device_, &bus) != PIPEGS_OK) throw RtlFault("RTL: the registers are not those of the driver");
+  pipegs_enable(&device_, PIPEGS_IRQ_STATUS_FRAME_DONE | PIPEGS_IRQ_STATUS_QUEUE_FREE | PIPEGS_IRQ_STATUS_ERROR);
+  for (size_t next = 0; ends_.size() < frames.size();) {
+    while (next < frames.size() && !due() && pipegs_queue_free(&device_) &&
+           (options.queued || next == ends_.size())) {
+      pipegs_write(&device_, &frames[next++], false);
+      pipegs_start(&device_);
+    }
+    idle();
+    if (due()) disturb();
+    const uint32_t events = pipegs_interrupt(&device_);
+    if (events & PIPEGS_IRQ_STATUS_ERROR) {
+      const pipegs_error error = pipegs_get_error(&device_);
+      if (disturbed_ == 0) {
+        char text[200];
+        pipegs_error_text(&error, text, sizeof text);
+        throw RtlFault("RTL: " + std::string(text));
+      }
+      pipegs_abort(&device_, PIPEGS_NO_LIMIT);
+      pipegs_clear_error(&device_, error.causes);
+    }
+    if (mute_) {  // all that is not done is given up and begins anew
+      next = ends_.size();
+      mute_ = false;
+    }
+  }
+  while (pipegs_done(&device_, device_.ticket) == PIPEGS_PENDING) {}
+
+  RtlResult result;
+  pipegs_counters counters;
+  pipegs_get_counters(&device_, &counters);
+  waves_->close();
+  result.cycles = counters.cycles;
+  result.preprocess_cycles = counters.preprocess_cycles;
+  result.overflow_lines = counters.overflow_lines;
+  const uint64_t* unit = &counters.dopu_busy;
+  for (const auto& [cycles, count, most] : {std::tuple{&result.dopu, 1, 1}, std::tuple{&result.pu, w_.units, 4},
+                                            std::tuple{&result.su, w_.units, 4}, std::tuple{&result.ru, w_.units, 4}}) {
+    for (int i = 0; i < count; ++i) cycles->push_back({unit[4 * i], unit[4 * i + 1], unit[4 * i + 2], unit[4 * i + 3]});
+    unit += 4 * most;
+  }
+  result.frame_ends = ends_;
   return result;
 }
 

@@ -15,6 +15,7 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/records.hpp"
+#include "sim/driver/pipegs.h"
 #include "sim/memory/external_memory.hpp"
 
 namespace pipegs {
@@ -30,7 +31,8 @@ class RtlTaps {
   virtual void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                          const uint32_t* line) = 0;
   virtual void on_pixels(int lane, int region, int quarter, const uint32_t* word) = 0;  // T and RGB, written back
-  virtual void on_frame_done() {}  // the last pixel of the oldest frame inside was accepted; without taps too
+  virtual void on_frame_done() {}  // the last pixel of the oldest frame inside is in memory; without taps too
+  virtual void on_give_up() {}     // no frame inside counts any more: those that are not done begin anew
   int64_t cycle = 0;               // of what is shown: counted as RtlResult::cycles, 1 is the first one that counts
 
   // What follows is shown only when `wants_cycles` says so, because it costs time in every cycle.
@@ -44,12 +46,21 @@ class RtlTaps {
   virtual void on_request(int /*tag*/, bool /*write*/, uint64_t /*line*/) {}
 };
 
+// What a run is to survive: it happens `cycle` cycles after the machine has taken its frame number `frame`, counted with
+// those that it takes again.
+struct RtlDisturbance {
+  enum class Kind { kAbort, kFailRead, kFailWrite };
+  uint64_t frame = 0, cycle = 0;
+  Kind kind = Kind::kAbort;
+};
+
 struct RtlOptions {
   uint64_t seed = 1;                              // of the random initial values of registers and memories
   std::string waves;                              // FST file, empty for none; needs a variant with waves
   uint64_t sample_period = 0, sample_cycles = 0;  // waves of so many cycles in each period only; 0: of all
-  bool queued = true;             // a frame is offered while the one before runs; else when the machine is empty
+  bool queued = true;             // a frame is queued while the one before runs; else when the machine is empty
   uint64_t quiet_limit = 200000;  // cycles without a memory request after which the machine counts as hung
+  std::vector<RtlDisturbance> disturbances;  // in the order in which they come
 };
 
 // Whether waves show this cycle. Where in its period a sample lies is drawn from the period's number, so that samples
@@ -77,21 +88,14 @@ struct RtlResult {
   std::vector<uint64_t> frame_ends;  // cycle in which each frame was complete; 1 is the first one that counts
 };
 
-using FrameWords = std::vector<uint32_t>;  // a packed Frame
-
-inline FrameWords frame_words(const Config& config, const Frame& frame) {
-  FrameWords words(record_words<Frame>(config) + 1);
-  pack(config, frame, words.data());
-  return words;
-}
-
 class RtlModel {
  public:
   virtual ~RtlModel() = default;
-  // Resets the machine and runs these frames, one after the other, on the scenes that lie in `memory`. `progress(cycle,
-  // window)` is called every few thousand cycles; returning false stops the run with an exception. Throws
-  // std::runtime_error when an assertion fails or the machine hangs.
-  virtual RtlResult run(const std::vector<FrameWords>& frames, ExternalMemory& memory, const RtlOptions& options,
+  // Resets the machine and runs these frames, one after the other, on the scenes that lie in `memory`: the driver of
+  // sim/driver writes them to its registers. `progress(cycle, window)` is called every few thousand cycles; returning
+  // false stops the run with an exception. Throws std::runtime_error when an assertion fails, the machine hangs or
+  // tells of an error that is none of the disturbances.
+  virtual RtlResult run(const std::vector<pipegs_job>& frames, ExternalMemory& memory, const RtlOptions& options,
                         RtlTaps* taps, const std::function<bool(uint64_t cycle, uint64_t windows_done)>& progress) = 0;
 };
 

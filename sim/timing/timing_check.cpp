@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <ctime>
 
+#include "sim/rtl/job.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -37,7 +39,7 @@ double thread_seconds() {
 RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const ExternalMemoryOptions& options,
                      uint64_t seed, Lockstep* lockstep) {
   const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant());
-  ExternalMemory memory(options);
+  ExternalMemory memory(options, config.bus_w);
   const MemoryImage image = memory_image(*input.packed);
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
   WindowTaps windows(config);
@@ -45,7 +47,7 @@ RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const Exter
   RtlOptions rtl_options;
   rtl_options.seed = seed;
   const double before = thread_seconds();
-  const RtlResult rtl = model->run({frame_words(config, input.frame)}, memory, rtl_options, &taps, {});
+  const RtlResult rtl = model->run({frame_job(config, input.frame)}, memory, rtl_options, &taps, {});
   if (lockstep != nullptr) lockstep->finish();
   return {.cycles = rtl.cycles,
           .overflow_lines = rtl.overflow_lines,

@@ -18,6 +18,7 @@
 
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
+#include "sim/rtl/job.hpp"
 #include "sim/rtl/rtl_model.hpp"
 
 namespace pipegs {
@@ -67,14 +68,14 @@ class FaultyMachine final : public RtlModel {
   FaultyMachine(const Config& config, std::unique_ptr<RtlModel> machine, std::string_view fault)
       : config_(config), machine_(std::move(machine)), fault_(fault) {}
 
-  RtlResult run(const std::vector<FrameWords>& frames, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
+  RtlResult run(const std::vector<pipegs_job>& frames, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
                 const std::function<bool(uint64_t, uint64_t)>& progress) override {
     if (fault_ == "memory") throw std::bad_alloc();
     if (fault_ == "bug") throw std::logic_error("a promise is broken");
     RtlOptions mine = options;
     if (fault_ == "hang") mine.quiet_limit = 2;
     const auto before_done = [&] {
-      if (fault_ == "pixel") turn_over(unpack<Frame>(config_, frames.front().data()), memory);
+      if (fault_ == "pixel") turn_over(job_frame(config_, frames.front()), memory);
     };
     std::optional<FaultyTaps> faulty;
     if (taps != nullptr) taps = &faulty.emplace(*taps, fault_ == "cycles", before_done);

@@ -4,6 +4,7 @@
 
 #include "cpp_model/frame_setup.hpp"
 #include "sim/compare/simulate.hpp"
+#include "sim/rtl/job.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -12,10 +13,10 @@ namespace {
 // Runs the RTL on `image` and compares it with the golden model of `simulation`.
 uint64_t mismatches(const Simulation& simulation, const MemoryImage& image, std::string* first) {
   const Config& config = simulation.packed.config;
-  ExternalMemory memory;
+  ExternalMemory memory({}, config.bus_w);
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
   StreamCheck check(simulation.input);
-  load_rtl(config)->run({frame_words(config, simulation.input.frame)}, memory, {}, &check, {});
+  load_rtl(config)->run({frame_job(config, simulation.input.frame)}, memory, {}, &check, {});
   check.finish();
   if (check.first()) *first = check.first()->what;
   return check.mismatches();

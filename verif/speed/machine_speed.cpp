@@ -22,6 +22,7 @@
 #include "sim/compare/simulate.hpp"
 #include "sim/design/config_file.hpp"
 #include "sim/design/design_point.hpp"
+#include "sim/rtl/job.hpp"
 #include "sim/timing/timing_check.hpp"
 
 namespace pipegs {
@@ -47,14 +48,14 @@ Machine load(const std::string& library) {
 // Runs the machine once and keeps the seconds if they are the fewest. Throws when a beat differs.
 void run(Machine& machine, const Simulation& simulation, bool compare) {
   const Config& config = simulation.packed.config;
-  ExternalMemory memory({.dram = "lpddr5-6400x4"});
+  ExternalMemory memory({.dram = "lpddr5-6400x4"}, config.bus_w);
   const MemoryImage image = memory_image(simulation.packed);
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
   StreamCheck check(simulation.input);
   const std::unique_ptr<RtlModel> model(machine.create(&config));
   const double before = thread_seconds();
   const RtlResult result =
-      model->run({frame_words(config, simulation.input.frame)}, memory, {}, compare ? &check : nullptr, {});
+      model->run({frame_job(config, simulation.input.frame)}, memory, {}, compare ? &check : nullptr, {});
   const double seconds = thread_seconds() - before;
   if (compare) check.finish();
   if (check.mismatches() != 0) throw std::runtime_error(machine.library + ": " + check.first()->what);

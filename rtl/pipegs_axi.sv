@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipegs_axi: PipeGS as a block of a system: an AXI4-Lite subordinate for its registers, an AXI4 manager to memory.
+//
+// Idea    Flat ports with the names of AXI, which tools for systems on a chip find by themselves. Everything else is
+//         below: pipegs_host is the machine with its registers, axi_manager its way to memory. Only wiring here.
+// Stream  s_axi_*: registers, docs/units/registers.md. m_axi_*: memory, docs/units/mem.md. No path leads from an input
+//         to an output without a register.
+// Reset   aresetn falls at any time and rises with aclk; hold it low for two cycles or more.
+// Pace    axi_manager's.
+// Model   cpp_model/golden.hpp; the harness runs whole frames through these ports.
+
+module pipegs_axi #(
+  parameter int unsigned      AddrW    = 40,  // of a byte address on m_axi, 40 or more
+  parameter logic [AddrW-1:0] Base     = '0,  // byte address of what registers call 0, a multiple of 4096
+  localparam int unsigned     DataW    = pipegs_pkg::BusW,
+  localparam int unsigned     IdW      = pipegs_pkg::TagW + 1,
+  localparam int unsigned     ControlW = pipegs_pkg::ControlAddressW
+) (
+  input  logic                aclk,
+  input  logic                aresetn,
+  input  logic                test_en,    // every clock runs: for the test of the silicon, else 0
+  output logic                irq,        // level
+
+  input  logic [ControlW-1:0] s_axi_awaddr,
+  input  logic [2:0]          s_axi_awprot,  // not looked at
+  input  logic                s_axi_awvalid,
+  output logic                s_axi_awready,
+  input  logic [31:0]         s_axi_wdata,
+  input  logic [3:0]          s_axi_wstrb,
+  input  logic                s_axi_wvalid,
+  output logic                s_axi_wready,
+  output logic [1:0]          s_axi_bresp,
+  output logic                s_axi_bvalid,
+  input  logic                s_axi_bready,
+  input  logic [ControlW-1:0] s_axi_araddr,
+  input  logic [2:0]          s_axi_arprot,  // not looked at
+  input  logic                s_axi_arvalid,
+  output logic                s_axi_arready,
+  output logic [31:0]         s_axi_rdata,
+  output logic [1:0]          s_axi_rresp,
+  output logic                s_axi_rvalid,
+  input  logic                s_axi_rready,
+
+  output logic [IdW-1:0]      m_axi_awid,
+  output logic [AddrW-1:0]    m_axi_awaddr,
+  output logic [7:0]          m_axi_awlen,
+  output logic [2:0]          m_axi_awsize,
+  output logic [1:0]          m_axi_awburst,
+  output logic [3:0]          m_axi_awcache,
+  output logic [2:0]          m_axi_awprot,
+  output logic                m_axi_awvalid,
+  input  logic                m_axi_awready,
+  output logic [DataW-1:0]    m_axi_wdata,
+  output logic [DataW/8-1:0]  m_axi_wstrb,
+  output logic                m_axi_wlast,
+  output logic                m_axi_wvalid,
+  input  logic                m_axi_wready,
+  input  logic [IdW-1:0]      m_axi_bid,
+  input  logic [1:0]          m_axi_bresp,
+  input  logic                m_axi_bvalid,
+  output logic                m_axi_bready,
+  output logic [IdW-1:0]      m_axi_arid,
+  output logic [AddrW-1:0]    m_axi_araddr,
+  output logic [7:0]          m_axi_arlen,
+  output logic [2:0]          m_axi_arsize,
+  output logic [1:0]          m_axi_arburst,
+  output logic [3:0]          m_axi_arcache,
+  output logic [2:0]          m_axi_arprot,
+  output logic                m_axi_arvalid,
+  input  logic                m_axi_arready,
+  input  logic [IdW-1:0]      m_axi_rid,
+  input  logic [DataW-1:0]    m_axi_rdata,
+  input  logic [1:0]          m_axi_rresp,
+  input  logic                m_axi_rlast,
+  input  logic                m_axi_rvalid,
+  output logic                m_axi_rready
+);
+
+  localparam int unsigned MemoryW = pipegs_pkg::MemoryW;
+  localparam int unsigned LineW   = pipegs_pkg::AddressW;
+  localparam int unsigned WritesW = $clog2(pipegs_pkg::BusWrites + 1);
+
+  logic                         valid, ready, rsp_valid, epoch, drained, answered;
+  pipegs_pkg::memory_request_t  request;
+  logic [MemoryW-1:0]           data, rsp_data;
+  logic [pipegs_pkg::TagW-1:0]  rsp_tag;
+  logic [WritesW-1:0]           writes;
+  logic [3:0]                   error;
+  logic [LineW-1:0]             error_line;
+
+  pipegs_host u_host (
+    .clk_i(aclk), .rst_ni(aresetn), .test_en_i(test_en), .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr,
+    .s_axi_wvalid, .s_axi_wready, .s_axi_wdata, .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp,
+    .s_axi_arvalid, .s_axi_arready, .s_axi_araddr, .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp,
+    .irq_o(irq), .mem_valid_o(valid), .mem_ready_i(ready), .mem_request_o(request), .mem_data_o(data),
+    .mem_rsp_valid_i(rsp_valid), .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data), .mem_epoch_o(epoch),
+    .mem_drained_i(drained), .mem_writes_i(writes), .mem_answered_i(answered), .mem_error_i(error),
+    .mem_error_line_i(error_line)
+  );
+
+  axi_manager #(.DataW(DataW), .AddrW(AddrW)) u_manager (
+    .clk_i(aclk), .rst_ni(aresetn), .base_i(Base), .epoch_i(epoch), .drained_o(drained), .pending_o(),
+    .mem_valid_i(valid), .mem_ready_o(ready), .mem_request_i(request), .mem_lines_i(4'd1), .mem_data_i(data),
+    .rsp_valid_o(rsp_valid), .rsp_tag_o(rsp_tag), .rsp_data_o(rsp_data),
+    .error_o(error), .error_line_o(error_line), .writes_o(writes), .answered_o(answered),
+    .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awcache, .m_axi_awprot,
+    .m_axi_awvalid, .m_axi_awready, .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid, .m_axi_wready,
+    .m_axi_bid, .m_axi_bresp, .m_axi_bvalid, .m_axi_bready, .m_axi_arid, .m_axi_araddr, .m_axi_arlen,
+    .m_axi_arsize, .m_axi_arburst, .m_axi_arcache, .m_axi_arprot, .m_axi_arvalid, .m_axi_arready, .m_axi_rid,
+    .m_axi_rdata, .m_axi_rresp, .m_axi_rlast, .m_axi_rvalid, .m_axi_rready
+  );
+
+  logic unused_prot;
+  assign unused_prot = &{1'b0, s_axi_awprot, s_axi_arprot};
+
+endmodule

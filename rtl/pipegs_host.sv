@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipegs_host: the core with the registers on which its host stands, behind one port to memory.
+//
+// Idea    The registers give frames to the core, its counters and errors to the host. Between them stand only what ends
+//         a frame: control_done holds its end back until its pixels are in memory, control_restart resets the core when
+//         a frame was aborted or has met an error. Then every frame inside is given up; the queued one is begun behind
+//         it, unless it was an abort, which drops that one too. Only wiring here.
+// Stream  s_axi_*: AXI4-Lite, see control_bus. mem_*: see memory_arbiter; reads belong to the epoch that shows with them.
+// Pace    A frame begins four cycles after the bus has taken the write of CONTROL.start.
+// Model   The harness drives it as software does: sim/driver, sim/rtl/rtl_bridge.cpp.
+
+module pipegs_host #(
+  localparam int unsigned ControlW = pipegs_pkg::ControlAddressW,
+  localparam int unsigned LineW    = pipegs_pkg::AddressW,
+  localparam int unsigned MemoryW  = pipegs_pkg::MemoryW,
+  localparam int unsigned PerfW    = pipegs_pkg::PerfW,
+  localparam int unsigned UnitsW   = (1 + 3 * pipegs_pkg::Units) * 4 * PerfW,
+  localparam int unsigned WritesW  = $clog2(pipegs_pkg::BusWrites + 1)
+) (
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
+  input  logic                           test_en_i,  // every clock runs: for the test of the silicon, else 0
+
+  input  logic                           s_axi_awvalid,
+  output logic                           s_axi_awready,
+  input  logic [ControlW-1:0]            s_axi_awaddr,  // byte
+  input  logic                           s_axi_wvalid,
+  output logic                           s_axi_wready,
+  input  logic [31:0]                    s_axi_wdata,
+  input  logic [3:0]                     s_axi_wstrb,
+  output logic                           s_axi_bvalid,
+  input  logic                           s_axi_bready,
+  output logic [1:0]                     s_axi_bresp,
+  input  logic                           s_axi_arvalid,
+  output logic                           s_axi_arready,
+  input  logic [ControlW-1:0]            s_axi_araddr,  // byte
+  output logic                           s_axi_rvalid,
+  input  logic                           s_axi_rready,
+  output logic [31:0]                    s_axi_rdata,
+  output logic [1:0]                     s_axi_rresp,
+  output logic                           irq_o,         // level: an enabled event is not cleared
+
+  output logic                           mem_valid_o,
+  input  logic                           mem_ready_i,
+  output pipegs_pkg::memory_request_t    mem_request_o,
+  output logic [MemoryW-1:0]             mem_data_o,
+  input  logic                           mem_rsp_valid_i,
+  input  logic [pipegs_pkg::TagW-1:0]    mem_rsp_tag_i,
+  input  logic [MemoryW-1:0]             mem_rsp_data_i,
+
+  output logic                           mem_epoch_o,
+  input  logic                           mem_drained_i,     // no read of an older epoch is unanswered
+  input  logic [WritesW-1:0]             mem_writes_i,      // accepted and not answered
+  input  logic                           mem_answered_i,    // pulse: one of them is
+  input  logic [3:0]                     mem_error_i,       // pulses: read SLVERR, DECERR, write SLVERR, DECERR
+  input  logic [LineW-1:0]               mem_error_line_i   // of a write: number of its line
+);
+
+  pipegs_pkg::frame_t   frame;
+  pipegs_pkg::areas_t   areas;
+  pipegs_pkg::picture_t picture;
+  logic                 frame_valid, frame_ready, core_ready, core_busy, core_done, done, waiting;
+  logic                 abort, give_up, ready, core_rst_n;
+  logic [5:0]           errors;
+  logic [PerfW-1:0]     cycles, preprocess_cycles, overflow_lines;
+  logic [UnitsW-1:0]    perf;
+
+  assign errors      = {2'b00, mem_error_i};
+  assign give_up     = abort || errors != '0;
+  assign frame_ready = core_ready && ready;
+
+  control_registers u_registers (
+    .clk_i, .rst_ni, .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr, .s_axi_wvalid, .s_axi_wready, .s_axi_wdata,
+    .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp, .s_axi_arvalid, .s_axi_arready, .s_axi_araddr,
+    .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp, .irq_o,
+    .frame_valid_o(frame_valid), .frame_ready_i(frame_ready), .frame_o(frame), .areas_o(areas), .picture_o(picture),
+    .abort_o(abort), .busy_i(core_busy || waiting), .frame_done_i(done), .error_i(errors),
+    .error_address_i({LineW'(0), LineW'(0), mem_error_line_i, mem_error_line_i, LineW'(0), LineW'(0)}),
+    .counters_i({perf, overflow_lines, preprocess_cycles, cycles})
+  );
+
+  control_restart u_restart (
+    .clk_i, .rst_ni, .give_up_i(give_up), .drained_i(mem_drained_i), .epoch_o(mem_epoch_o), .core_rst_no(core_rst_n),
+    .ready_o(ready)
+  );
+
+  control_done u_done (
+    .clk_i, .rst_ni, .core_done_i(core_done), .give_up_i(give_up), .writes_i(mem_writes_i),
+    .answered_i(mem_answered_i), .done_o(done), .waiting_o(waiting)
+  );
+
+  pipegs_top u_core (
+    .clk_i, .rst_ni(core_rst_n), .test_en_i,
+    .frame_valid_i(frame_valid && ready), .frame_ready_o(core_ready), .frame_i(frame), .done_o(core_done),
+    .busy_o(core_busy), .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i,
+    .mem_rsp_data_i, .cycles_o(cycles), .preprocess_cycles_o(preprocess_cycles), .overflow_lines_o(overflow_lines),
+    .perf_o(perf)
+  );
+
+  logic unused_records;
+  assign unused_records = &{1'b0, areas, picture};
+
+endmodule

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipegs_sim: the machine as it is simulated: pipegs_axi, and what the harness sees of its inside.
+//
+// Idea    No port of the product shows a stream, so this one looks by name. With BusW = 0 there is no bus: pipegs_host
+//         stands alone, its port to memory is mem_*, and m_axi_* are quiet; else mem_* only tell what the core asks for.
+//         With Taps = 0 only the ports of the product, the memory port and the ends of frames show.
+// Stream  As pipegs_axi. mem_valid_o with mem_ready_o: the core's request was accepted. tap_*: what moves on the streams.
+// Pace    No register of its own but a count of reads (BusW = 0).
+// Model   sim/rtl/rtl_bridge.cpp clocks it.
+
+`define PIPEGS_LOOK(CORE) \
+  assign core_busy            = CORE.busy_o; \
+  assign core_take            = CORE.front_take; \
+  assign sorted_taken         = CORE.sorted_taken; \
+  assign sorted               = CORE.sorted; \
+  assign taps                 = CORE.taps; \
+  assign window_x             = CORE.progress.x; \
+  assign window_y             = CORE.progress.y; \
+  assign splat_valid          = CORE.tap_splat_valid; \
+  assign splat                = CORE.tap_splat; \
+  assign chunk_valid          = CORE.tap_chunk_valid; \
+  assign chunk_kind           = CORE.tap_chunk_kind; \
+  assign state                = CORE.perf_state; \
+  assign layer_done           = CORE.layer_done; \
+  assign window_done          = CORE.window_done;
+
+module pipegs_sim #(
+  localparam int unsigned Bus       = pipegs_pkg::BusW,
+  localparam int unsigned DataW     = Bus == 0 ? 512 : Bus,
+  localparam int unsigned AddrW     = 40,
+  localparam int unsigned IdW       = pipegs_pkg::TagW + 1,
+  localparam int unsigned ControlW  = pipegs_pkg::ControlAddressW,
+  localparam int unsigned MemoryW   = pipegs_pkg::MemoryW,
+  localparam int unsigned Units     = pipegs_pkg::Units,
+  localparam int unsigned PerfUnits = 1 + 3 * Units,
+  localparam int unsigned TapsN     = Units * pipegs_pkg::TapLanes
+) (
+  input  logic                aclk,
+  input  logic                aresetn,
+  output logic                irq,
+
+  input  logic [ControlW-1:0] s_axi_awaddr,
+  input  logic [2:0]          s_axi_awprot,  // not looked at
+  input  logic                s_axi_awvalid,
+  output logic                s_axi_awready,
+  input  logic [31:0]         s_axi_wdata,
+  input  logic [3:0]          s_axi_wstrb,
+  input  logic                s_axi_wvalid,
+  output logic                s_axi_wready,
+  output logic [1:0]          s_axi_bresp,
+  output logic                s_axi_bvalid,
+  input  logic                s_axi_bready,
+  input  logic [ControlW-1:0] s_axi_araddr,
+  input  logic [2:0]          s_axi_arprot,  // not looked at
+  input  logic                s_axi_arvalid,
+  output logic                s_axi_arready,
+  output logic [31:0]         s_axi_rdata,
+  output logic [1:0]          s_axi_rresp,
+  output logic                s_axi_rvalid,
+  input  logic                s_axi_rready,
+
+  output logic [IdW-1:0]      m_axi_awid,
+  output logic [AddrW-1:0]    m_axi_awaddr,
+  output logic [7:0]          m_axi_awlen,
+  output logic [2:0]          m_axi_awsize,
+  output logic [1:0]          m_axi_awburst,
+  output logic [3:0]          m_axi_awcache,
+  output logic [2:0]          m_axi_awprot,
+  output logic                m_axi_awvalid,
+  input  logic                m_axi_awready,
+  output logic [DataW-1:0]    m_axi_wdata,
+  output logic [DataW/8-1:0]  m_axi_wstrb,
+  output logic                m_axi_wlast,
+  output logic                m_axi_wvalid,
+  input  logic                m_axi_wready,
+  input  logic [IdW-1:0]      m_axi_bid,
+  input  logic [1:0]          m_axi_bresp,
+  input  logic                m_axi_bvalid,
+  output logic                m_axi_bready,
+  output logic [IdW-1:0]      m_axi_arid,
+  output logic [AddrW-1:0]    m_axi_araddr,
+  output logic [7:0]          m_axi_arlen,
+  output logic [2:0]          m_axi_arsize,
+  output logic [1:0]          m_axi_arburst,
+  output logic [3:0]          m_axi_arcache,
+  output logic [2:0]          m_axi_arprot,
+  output logic                m_axi_arvalid,
+  input  logic                m_axi_arready,
+  input  logic [IdW-1:0]      m_axi_rid,
+  input  logic [DataW-1:0]    m_axi_rdata,
+  input  logic [1:0]          m_axi_rresp,
+  input  logic                m_axi_rlast,
+  input  logic                m_axi_rvalid,
+  output logic                m_axi_rready,
+
+  output logic                          mem_valid_o,
+  output logic                          mem_ready_o,
+  input  logic                          mem_ready_i,      // BusW = 0, as the following inputs
+  output pipegs_pkg::memory_request_t   mem_request_o,
+  output logic [MemoryW-1:0]            mem_data_o,
+  input  logic                          mem_rsp_valid_i,
+  input  logic [pipegs_pkg::TagW-1:0]   mem_rsp_tag_i,
+  input  logic [MemoryW-1:0]            mem_rsp_data_i,
+
+  output logic                          tap_take_o,         // the core takes a frame
+  output logic                          tap_busy_o,         // a frame is in the core
+  output logic                          tap_done_o,         // pulse: a frame is complete in memory
+  output logic                          tap_reset_o,        // the core is in reset
+  output logic [Units-1:0]              tap_splat_valid_o,
+  output logic [Units*pipegs_pkg::SplatBits-1:0] tap_splat_o,
+  output logic                          tap_sorted_valid_o,
+  output pipegs_pkg::sorted_t           tap_sorted_o,
+  output logic [Units*pipegs_pkg::WindowW-1:0] tap_window_x_o,
+  output logic [Units*pipegs_pkg::WindowW-1:0] tap_window_y_o,
+  output logic [TapsN-1:0]              tap_alphas_valid_o,
+  output logic [TapsN*pipegs_pkg::TapIndexW-1:0] tap_alphas_index_o,
+  output logic [TapsN*pipegs_pkg::RegionW-1:0] tap_alphas_region_o,
+  output logic [TapsN*2-1:0]            tap_alphas_quarter_o,
+  output logic [TapsN*pipegs_pkg::TapLineW-1:0] tap_alphas_o,
+  output logic [TapsN-1:0]              tap_pixels_valid_o,
+  output logic [TapsN*pipegs_pkg::RegionW-1:0] tap_pixels_region_o,
+  output logic [TapsN*2-1:0]            tap_pixels_quarter_o,
+  output logic [TapsN*pipegs_pkg::TapWordW-1:0] tap_pixels_o,
+  output logic [Units-1:0]              tap_chunk_valid_o,  // DOPU -> PU
+  output logic [pipegs_pkg::KindW-1:0]  tap_chunk_kind_o,
+  output logic [PerfUnits*2-1:0]        tap_state_o,        // of each unit in the order of perf_o, see perf
+  output logic [Units-1:0]              tap_layer_done_o,   // pulse: the RU has blended a layer
+  output logic [Units-1:0]              tap_window_done_o   // pulse: with it, the window is complete
+);
+
+  localparam int unsigned SplatBits = pipegs_pkg::SplatBits;
+
+  logic                             core_busy, core_take, sorted_taken, done, core_rst_n;
+  pipegs_pkg::sorted_t              sorted;
+  pipegs_pkg::raster_taps_t         taps;
+  logic [Units*pipegs_pkg::WindowW-1:0] window_x, window_y;
+  logic [Units-1:0]                 splat_valid, chunk_valid, layer_done, window_done;
+  logic [Units*SplatBits-1:0]       splat;
+  logic [pipegs_pkg::KindW-1:0]     chunk_kind;
+  logic [PerfUnits*2-1:0]           state;
+
+  if (Bus == 0) begin : gen_port
+    // The port orders writes by itself; what a reset core has asked for is counted until it is answered.
+    logic [31:0] reads_q;
+    pipegs_host u_host (
+      .clk_i(aclk), .rst_ni(aresetn), .test_en_i(1'b0), .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr,
+      .s_axi_wvalid, .s_axi_wready, .s_axi_wdata, .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp,
+      .s_axi_arvalid, .s_axi_arready, .s_axi_araddr, .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp,
+      .irq_o(irq), .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i,
+      .mem_rsp_data_i, .mem_epoch_o(), .mem_drained_i(reads_q == '0), .mem_writes_i('0),
+      .mem_answered_i(1'b0), .mem_error_i('0), .mem_error_line_i('0)
+    );
+    always_ff @(posedge aclk or negedge aresetn) begin
+      if (!aresetn) reads_q <= '0;
+      else reads_q <= reads_q + 32'(mem_valid_o && mem_ready_i && !mem_request_o.write) - 32'(mem_rsp_valid_i);
+    end
+    assign mem_ready_o = mem_ready_i;
+    assign done        = u_host.done;
+    assign core_rst_n  = u_host.core_rst_n;
+    `PIPEGS_LOOK(u_host.u_core)
+    assign {m_axi_awid, m_axi_awaddr, m_axi_awlen, m_axi_awsize, m_axi_awburst, m_axi_awcache, m_axi_awprot,
+      m_axi_awvalid, m_axi_wdata, m_axi_wstrb, m_axi_wlast, m_axi_wvalid, m_axi_bready, m_axi_arid, m_axi_araddr,
+      m_axi_arlen, m_axi_arsize, m_axi_arburst, m_axi_arcache, m_axi_arprot, m_axi_arvalid, m_axi_rready} = '0;
+    logic unused_bus;
+    assign unused_bus = &{1'b0, m_axi_awready, m_axi_wready, m_axi_bid, m_axi_bresp, m_axi_bvalid, m_axi_arready,
+      m_axi_rid, m_axi_rdata, m_axi_rresp, m_axi_rlast, m_axi_rvalid, s_axi_awprot, s_axi_arprot};
+  end else begin : gen_bus
+    pipegs_axi u_axi (
+      .aclk, .aresetn, .test_en(1'b0), .irq, .s_axi_awaddr, .s_axi_awprot, .s_axi_awvalid, .s_axi_awready,
+      .s_axi_wdata, .s_axi_wstrb, .s_axi_wvalid, .s_axi_wready, .s_axi_bresp, .s_axi_bvalid, .s_axi_bready,
+      .s_axi_araddr, .s_axi_arprot, .s_axi_arvalid, .s_axi_arready, .s_axi_rdata, .s_axi_rresp, .s_axi_rvalid,
+      .s_axi_rready, .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awcache,
+      .m_axi_awprot, .m_axi_awvalid, .m_axi_awready, .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid,
+      .m_axi_wready, .m_axi_bid, .m_axi_bresp, .m_axi_bvalid, .m_axi_bready, .m_axi_arid, .m_axi_araddr,
+      .m_axi_arlen, .m_axi_arsize, .m_axi_arburst, .m_axi_arcache, .m_axi_arprot, .m_axi_arvalid, .m_axi_arready,
+      .m_axi_rid, .m_axi_rdata, .m_axi_rresp, .m_axi_rlast, .m_axi_rvalid, .m_axi_rready
+    );
+    assign mem_valid_o   = u_axi.valid;
+    assign mem_ready_o   = u_axi.ready;
+    assign mem_request_o = u_axi.request;
+    assign mem_data_o    = u_axi.data;
+    assign done          = u_axi.u_host.done;
+    assign core_rst_n    = u_axi.u_host.core_rst_n;
+    `PIPEGS_LOOK(u_axi.u_host.u_core)
+    logic unused_port;
+    assign unused_port = &{1'b0, mem_ready_i, mem_rsp_valid_i, mem_rsp_tag_i, mem_rsp_data_i};
+  end
+
+  localparam bit Shown = pipegs_pkg::Taps != 0;
+  assign tap_take_o           = core_take;
+  assign tap_busy_o           = core_busy;
+  assign tap_done_o           = done;
+  assign tap_reset_o          = !core_rst_n;
+  assign tap_splat_valid_o    = Shown ? splat_valid : '0;
+  assign tap_splat_o          = Shown ? splat : '0;
+  assign tap_sorted_valid_o   = Shown ? sorted_taken : '0;
+  assign tap_sorted_o         = Shown ? sorted : '0;
+  assign tap_window_x_o       = Shown ? window_x : '0;
+  assign tap_window_y_o       = Shown ? window_y : '0;
+  assign tap_alphas_valid_o   = Shown ? taps.alphas_valid : '0;
+  assign tap_alphas_index_o   = Shown ? taps.alphas_index : '0;
+  assign tap_alphas_region_o  = Shown ? taps.alphas_region : '0;
+  assign tap_alphas_quarter_o = Shown ? taps.alphas_quarter : '0;
+  assign tap_alphas_o         = Shown ? taps.alphas : '0;
+  assign tap_pixels_valid_o   = Shown ? taps.pixels_valid : '0;
+  assign tap_pixels_region_o  = Shown ? taps.pixels_region : '0;
+  assign tap_pixels_quarter_o = Shown ? taps.pixels_quarter : '0;
+  assign tap_pixels_o         = Shown ? taps.pixels : '0;
+  assign tap_chunk_valid_o    = Shown ? chunk_valid : '0;
+  assign tap_chunk_kind_o     = Shown ? chunk_kind : '0;
+  assign tap_state_o          = Shown ? state : '0;
+  assign tap_layer_done_o     = Shown ? layer_done : '0;
+  assign tap_window_done_o    = Shown ? window_done : '0;
+
+endmodule

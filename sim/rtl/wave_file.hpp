@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// wave_file.hpp: the waves of a Verilated module, of all cycles or of samples of them.
+#pragma once
+
+#include <verilated.h>
+#if VM_TRACE
+#include <verilated_fst_c.h>
+#endif
+
+#include <memory>
+#include <stdexcept>
+
+#include "sim/rtl/rtl_model.hpp"
+
+namespace pipegs {
+
+// The file of waves; nothing without a path, and in a variant that has no waves only that.
+template <class Dut>
+class WaveFile {
+ public:
+#if VM_TRACE
+  WaveFile(Dut& top, const RtlOptions& options) : options_(options) {
+    if (options.waves.empty()) return;
+    file_ = std::make_unique<VerilatedFstC>();
+    top.trace(file_.get(), 99);
+    file_->open(options.waves.c_str());
+  }
+  void dump_low(uint64_t cycle) {
+    if (file_ && in_sample(options_, cycle)) file_->dump(cycle * 10);
+  }
+  // Of the cycle before a sample too: the change to its first low phase is a part of the sample.
+  void dump_high(uint64_t cycle) {
+    if (file_ && (in_sample(options_, cycle) || in_sample(options_, cycle + 1))) file_->dump(cycle * 10 + 5);
+  }
+  void close() {
+    if (file_) file_->close();
+  }
+
+ private:
+  const RtlOptions& options_;
+  std::unique_ptr<VerilatedFstC> file_;
+#else
+  WaveFile(Dut&, const RtlOptions& options) {
+    if (!options.waves.empty()) throw std::logic_error("RTL: waves of a variant that was built without them");
+  }
+  void dump_low(uint64_t) {}
+  void dump_high(uint64_t) {}
+  void close() {}
+#endif
+};
+
+}  // namespace pipegs
