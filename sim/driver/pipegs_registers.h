@@ -433,4 +433,103 @@ struct pipegs_counters {
   uint64_t ru3_memory; /* ru3: it waited for memory */
 };
 
+/* CAUSE(NAME, bit, what) for each bit of PIPEGS_ERROR. */
+#define PIPEGS_ERROR_CAUSES(CAUSE) \
+  CAUSE(READ_SLVERR, 0, "memory answered a read with SLVERR") \
+  CAUSE(READ_DECERR, 1, "memory answered a read with DECERR") \
+  CAUSE(WRITE_SLVERR, 2, "memory answered a write with SLVERR") \
+  CAUSE(WRITE_DECERR, 3, "memory answered a write with DECERR") \
+  CAUSE(AREA_FULL, 4, "an area has no room for what the frame needs") \
+  CAUSE(BAD_SCENE, 5, "a node of the scene in memory contradicts itself") \
+  CAUSE(START_FULL, 6, "a start came while a frame was queued; it is lost")
+
+/* The machine as it was built: what the registers CONFIG_... say. */
+struct pipegs_configuration {
+  uint32_t config_hash; /* FNV-1a of name=value; of every choice in config.def */
+  uint32_t units; /* PUs, SUs and RUs */
+  uint32_t window; /* side of a window */
+  uint32_t grid; /* cells of the scene's grid along one axis */
+  uint32_t chunk; /* most Gaussians in a chunk */
+  uint32_t order; /* 0: layers; 1: lists of windows; 2: nearest chunk first */
+  uint32_t late; /* 1: coefficients are cached, not alphas */
+  uint32_t quadratic; /* 1: powers by the full quadratic form */
+  uint32_t quads; /* 1: living quads alone are blended */
+  uint32_t antialias; /* 1: tables.antialias exists */
+  uint32_t tight_cull; /* 1: lens.spread_x and spread_y exist */
+  uint32_t tight_boxes; /* 1: a node holds the box around its ellipsoids */
+  uint32_t overflow; /* 1: the overflow area is used */
+  uint32_t sh_degree; /* highest SH degree */
+  uint32_t pos_w; /* offset of a mean */
+  uint32_t quat_w; /* quaternion component */
+  uint32_t scale_m_w; /* mantissa of a scale */
+  uint32_t scale_e_w; /* exponent of a scale */
+  uint32_t base_w; /* SH band 0 */
+  uint32_t sh_m_w; /* mantissa of an SH coefficient */
+  uint32_t sh_e_w; /* exponent that SH coefficients share */
+  uint32_t opacity_f; /* fraction of -log2(opacity) */
+  uint32_t world_w; /* world coordinate */
+  uint32_t index_w; /* index of a Gaussian */
+  uint32_t group; /* most chunks in a group */
+  uint32_t pixel_w; /* pixel in the frame in memory */
+  uint32_t half_w; /* half extent of a node */
+  uint32_t hull_w; /* reach of its ellipsoids, 0: absent */
+  uint32_t slot_w; /* slot of a Gaussian, number of a node */
+  uint32_t count_w; /* count of a node's children */
+  uint32_t rot_w; /* entry of the rotation */
+  uint32_t cam_quat_w; /* component of the quaternion */
+  uint32_t focal_w; /* focal length */
+  uint32_t center_w; /* principal point */
+  uint32_t tan_f; /* fraction of lens.limit_x and limit_y */
+  uint32_t reach_w; /* lens.reach_x and reach_y */
+  uint32_t spread_w; /* lens.spread_x and spread_y, 0: absent */
+  uint32_t size_w; /* width and height of the frame */
+  uint32_t address_w; /* number of a line */
+  uint32_t line; /* a line */
+  uint32_t alpha_cut; /* a pixel counts iff alpha >= 1/alpha_cut */
+};
+
+/* FIELD(name, offset, lowest bit, width) for each field of struct pipegs_configuration. */
+#define PIPEGS_CONFIGURATION(FIELD) \
+  FIELD(config_hash, PIPEGS_CONFIG_HASH, 0, 32) \
+  FIELD(units, PIPEGS_CONFIG_COUNTS, 0, 8) \
+  FIELD(window, PIPEGS_CONFIG_COUNTS, 8, 8) \
+  FIELD(grid, PIPEGS_CONFIG_COUNTS, 16, 8) \
+  FIELD(chunk, PIPEGS_CONFIG_COUNTS, 24, 8) \
+  FIELD(order, PIPEGS_CONFIG_POINT, 0, 2) \
+  FIELD(late, PIPEGS_CONFIG_POINT, 4, 1) \
+  FIELD(quadratic, PIPEGS_CONFIG_POINT, 5, 1) \
+  FIELD(quads, PIPEGS_CONFIG_POINT, 6, 1) \
+  FIELD(antialias, PIPEGS_CONFIG_POINT, 8, 1) \
+  FIELD(tight_cull, PIPEGS_CONFIG_POINT, 9, 1) \
+  FIELD(tight_boxes, PIPEGS_CONFIG_POINT, 10, 1) \
+  FIELD(overflow, PIPEGS_CONFIG_POINT, 11, 1) \
+  FIELD(sh_degree, PIPEGS_CONFIG_POINT, 16, 2) \
+  FIELD(pos_w, PIPEGS_CONFIG_GAUSSIAN, 0, 8) \
+  FIELD(quat_w, PIPEGS_CONFIG_GAUSSIAN, 8, 8) \
+  FIELD(scale_m_w, PIPEGS_CONFIG_GAUSSIAN, 16, 8) \
+  FIELD(scale_e_w, PIPEGS_CONFIG_GAUSSIAN, 24, 8) \
+  FIELD(base_w, PIPEGS_CONFIG_COLOR, 0, 8) \
+  FIELD(sh_m_w, PIPEGS_CONFIG_COLOR, 8, 8) \
+  FIELD(sh_e_w, PIPEGS_CONFIG_COLOR, 16, 8) \
+  FIELD(opacity_f, PIPEGS_CONFIG_COLOR, 24, 8) \
+  FIELD(world_w, PIPEGS_CONFIG_SCENE, 0, 8) \
+  FIELD(index_w, PIPEGS_CONFIG_SCENE, 8, 8) \
+  FIELD(group, PIPEGS_CONFIG_SCENE, 16, 8) \
+  FIELD(pixel_w, PIPEGS_CONFIG_SCENE, 24, 8) \
+  FIELD(half_w, PIPEGS_CONFIG_NODE, 0, 8) \
+  FIELD(hull_w, PIPEGS_CONFIG_NODE, 8, 8) \
+  FIELD(slot_w, PIPEGS_CONFIG_NODE, 16, 8) \
+  FIELD(count_w, PIPEGS_CONFIG_NODE, 24, 8) \
+  FIELD(rot_w, PIPEGS_CONFIG_CAMERA, 0, 8) \
+  FIELD(cam_quat_w, PIPEGS_CONFIG_CAMERA, 8, 8) \
+  FIELD(focal_w, PIPEGS_CONFIG_CAMERA, 16, 8) \
+  FIELD(center_w, PIPEGS_CONFIG_CAMERA, 24, 8) \
+  FIELD(tan_f, PIPEGS_CONFIG_LENS, 0, 8) \
+  FIELD(reach_w, PIPEGS_CONFIG_LENS, 8, 8) \
+  FIELD(spread_w, PIPEGS_CONFIG_LENS, 16, 8) \
+  FIELD(size_w, PIPEGS_CONFIG_LENS, 24, 8) \
+  FIELD(address_w, PIPEGS_CONFIG_MEMORY, 0, 8) \
+  FIELD(line, PIPEGS_CONFIG_MEMORY, 8, 8) \
+  FIELD(alpha_cut, PIPEGS_CONFIG_MEMORY, 16, 16)
+
 #endif

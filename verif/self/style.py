@@ -20,7 +20,7 @@ COLUMNS = 120
 FILES = 15
 # From the bottom up. progress.hpp lies in sim/ itself, for all its rooms.
 LAYERS = (
-    "scenes cpp_model/float cpp_model sim sim/memory sim/rtl sim/compare sim/timing sim/design sim/report sim/study "
+    "sim/driver scenes cpp_model/float cpp_model sim sim/memory sim/rtl sim/compare sim/timing sim/design sim/report sim/study "
     "sim/command verif"
 ).split()
 SOURCES = (

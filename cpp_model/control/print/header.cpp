@@ -31,6 +31,37 @@ std::string block_struct(const SlotBlock& block) {
   return text + "};\n";
 }
 
+// Each cause of an error with its sentence.
+std::string causes(const RegisterMap& map) {
+  std::string text = "\n/* CAUSE(NAME, bit, what) for each bit of PIPEGS_ERROR. */\n#define PIPEGS_ERROR_CAUSES(CAUSE)";
+  for (const Register& reg : map.registers) {
+    if (reg.name != "ERROR") continue;
+    for (const RegisterField& field : reg.fields) {
+      text += fmt::format(" \\\n  CAUSE({}, {}, \"{}\")", upper(field.name), field.low, field.what);
+    }
+  }
+  return text + "\n";
+}
+
+// The machine as it was built, in the order of the registers: a struct, and for each field where it is read.
+std::string configuration(const RegisterMap& map) {
+  std::string fields =
+      "\n/* The machine as it was built: what the registers CONFIG_... say. */\n"
+      "struct pipegs_configuration {\n";
+  std::string places =
+      "\n/* FIELD(name, offset, lowest bit, width) for each field of struct pipegs_configuration. */\n"
+      "#define PIPEGS_CONFIGURATION(FIELD)";
+  for (const Register& reg : map.registers) {
+    if (reg.name.rfind("CONFIG_", 0) != 0) continue;
+    for (const RegisterField& field : reg.fields) {
+      const std::string name = reg.name == "CONFIG_HASH" ? "config_hash" : field.name;
+      fields += line(fmt::format("  uint32_t {};", name), field.what);
+      places += fmt::format(" \\\n  FIELD({}, PIPEGS_{}, {}, {})", name, reg.name, field.low, field.width);
+    }
+  }
+  return fields + "};\n" + places + "\n";
+}
+
 }  // namespace
 
 std::string print_header(const RegisterMap& map) {
@@ -68,7 +99,7 @@ std::string print_header(const RegisterMap& map) {
     }
   }
   for (const SlotBlock& block : map.blocks) text += block_struct(block);
-  return text + "\n#endif\n";
+  return text + causes(map) + configuration(map) + "\n#endif\n";
 }
 
 }  // namespace pipegs
