@@ -34,8 +34,8 @@ module pu_deal #(
 
   logic [Fronts-1:0]    is_end, data, source;
   logic [FrontW-1:0]    source_port;
-  logic [Units-1:0]     target;
-  logic [UnitW-1:0]     target_port;
+  logic [Units-1:0]     room, target;
+  logic [UnitW-1:0]     target_port, last_q;  // last_q: the PU that was dealt to last
   logic                 free, take_data, take_end;
   logic [Units-1:0]     waiting_q;  // PUs that have still to take the record
   pipegs_pkg::visible_t out_q;
@@ -52,9 +52,12 @@ module pu_deal #(
     .clk_i, .rst_ni, .request_i(data), .advance_i(take_data), .grant_o(source), .port_o(source_port)
   );
   // A PU that takes the present record in this cycle may have filled its queue with it.
-  arbiter #(.Ports(Units)) u_target (
-    .clk_i, .rst_ni, .request_i(out_ready_i & ~waiting_q), .advance_i(1'b1), .grant_o(target), .port_o(target_port)
-  );
+  assign room = out_ready_i & ~waiting_q;
+  round_robin #(.Ports(Units)) u_target (.mask_i(room), .last_i(last_q), .choice_o(target_port));
+  always_comb begin
+    target              = '0;
+    target[target_port] = room[target_port];
+  end
 
   assign take_data  = free && data != '0 && target != '0;
   assign take_end   = free && is_end == '1;
@@ -67,6 +70,11 @@ module pu_deal #(
     else waiting_q <= waiting_q & ~out_ready_i;
   end
 
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) last_q <= '0;
+    else if (take_data) last_q <= target_port;
+  end
+
   always_ff @(posedge clk_i) begin
     if (take_data || take_end) out_q <= in_i[source_port*Bits +: Bits];
   end
@@ -74,8 +82,5 @@ module pu_deal #(
   assign out_valid_o = waiting_q;
   assign out_o       = out_q;
   assign active_o    = in_valid_i != '0 || waiting_q != '0;
-
-  logic unused_port;
-  assign unused_port = &{1'b0, target_port};
 
 endmodule

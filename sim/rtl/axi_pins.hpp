@@ -34,14 +34,14 @@ void write_subordinate_side(Dut& dut, const AxiSubordinateSide& side, const AxiS
   dut.m_axi_bvalid = side.b.valid;
   if (side.r.valid || noise != nullptr) {
     const auto& r = side.r.valid ? side.r : noise->r;
-    dut.m_axi_rid = static_cast<decltype(dut.m_axi_rid)>(r.id);
+    dut.m_axi_rid = static_cast<SData>(r.id);
     dut.m_axi_rresp = static_cast<CData>(r.response);
     dut.m_axi_rlast = r.last;
     write_port(dut.m_axi_rdata, r.data.data());
   }
   if (side.b.valid || noise != nullptr) {
     const auto& b = side.b.valid ? side.b : noise->b;
-    dut.m_axi_bid = static_cast<decltype(dut.m_axi_bid)>(b.id);
+    dut.m_axi_bid = static_cast<SData>(b.id);
     dut.m_axi_bresp = static_cast<CData>(b.response);
   }
 }

@@ -15,15 +15,7 @@ void Deal::step(Machine& m, Cycle now) {
     room |= uint32_t{pu.visible.room(now)} << k;
     if (pu.front() && pu.culled.shown(now)) (is_end(pu.culled.value) ? ends : data) |= uint32_t{1} << k;
   }
-  // The arbiter of the targets turned in the cycles in between, too: nothing changed in them.
-  if (first_) targets_ = room, first_ = false;
-  if (targets_ != 0 && stepped_ != now - 1) {
-    for (Cycle turns = (now - 1 - stepped_) % std::popcount(targets_); turns > 0; --turns)
-      target_last_ = round_robin(targets_, target_last_);
-  }
-  targets_ = room & ~waiting_;
-  stepped_ = now;
-  if (targets_ != 0) target_last_ = round_robin(targets_, target_last_);
+  const uint32_t targets = room & ~waiting_;
 
   bool moved = false;
   for (uint32_t rest = waiting_ & room; rest != 0; rest &= rest - 1) {
@@ -49,10 +41,11 @@ void Deal::step(Machine& m, Cycle now) {
   const int source = data == 0                                            ? 0
                      : source_locked_ && (data >> source_shown_ & 1) != 0 ? source_shown_
                                                                           : round_robin(data, source_last_);
-  const bool dealt = free && data != 0 && targets_ != 0;
+  const bool dealt = free && data != 0 && targets != 0;
   if (dealt) {
     take(source);
     source_last_ = source;
+    target_last_ = round_robin(targets, target_last_);
     waiting_ = uint32_t{1} << target_last_;
   }
   source_locked_ = data != 0 && !dealt;

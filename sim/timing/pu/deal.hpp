@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // deal.hpp: survivors of all culls to the PUs, in the timing model.
 //
-// RTL     rtl/pu/pu_deal.sv. The arbiter of the targets turns in every cycle in which a PU has room, dealt or not.
+// RTL     rtl/pu/pu_deal.sv
 #pragma once
 
 #include "sim/timing/cycle.hpp"
@@ -20,9 +20,6 @@ class Deal {
   int source_last_ = 0, source_shown_ = 0;
   bool source_locked_ = false;
   int target_last_ = 0;
-  uint32_t targets_ = 0;  // that had room when it was stepped last
-  Cycle stepped_ = -2;    // the arbiter turns from the cycle of the start on
-  bool first_ = true;
 };
 
 }  // namespace pipegs::timing
