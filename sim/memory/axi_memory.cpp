@@ -10,15 +10,13 @@ namespace pipegs {
 namespace {
 
 constexpr uint64_t kLineBytes = 64;
-constexpr size_t kAsks = 8;   // timed: lines that may wait for the timing before addresses are refused
-constexpr size_t kBack = 64;  // timed: lines that may wait for R, likewise
 
 }  // namespace
 
 AxiMemory::AxiMemory(const AxiMemoryOptions& options)
     : options_(options),
       rules_(options.data_w, options.most_reads, options.most_writes),
-      timing_(memory_timing(options.timing)),
+      timing_(options.timing, options.data_w, options.timing.write_latency),
       rng_(options.seed) {
   if (options.data_w != 128 && options.data_w != 256 && options.data_w != 512) {
     throw std::invalid_argument("AXI memory: the bus has 128, 256 or 512 bits");
@@ -45,7 +43,10 @@ void AxiMemory::observe(const AxiManagerSide& manager) {
   if (manager.aw.valid && shown_.aw_ready) address_.push_back(manager.aw);
   if (manager.w.valid && shown_.w_ready) data_.push_back(manager.w);
   take_write();
-  ask();
+  if (!options_.harsh) {
+    const std::optional<AxiLine> taken = timing_.end(manager.r_ready, manager.b_ready);
+    if (taken) take(*taken);
+  }
   if (manager.r_ready) shown_.r.valid = false;
   if (manager.b_ready) shown_.b.valid = false;
 }
@@ -64,8 +65,8 @@ void AxiMemory::take_read(const AxiAddress& address) {
     const bool last = i + 1 == lines;
     reads.lines.push_back({line, {}, last, false, response(line, fail_reads)});
     if (sampled) sample(reads.lines.back());
-    if (!options_.harsh) asks_.push_back({false, line, address.id, last});
   }
+  if (!options_.harsh) timing_.read(address.address / kLineBytes, static_cast<int>(lines), address.id);
   if (options_.harsh) {
     reads.due.push_back(now_ + 1 + static_cast<int64_t>(rng_() % static_cast<uint64_t>(options_.read_delay)));
   }
@@ -99,7 +100,7 @@ void AxiMemory::take_write() {
     }
     data_.erase(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(beats));
     address_.pop_front();
-    if (!options_.harsh) asks_.push_back({true, write.address, write.id, true});
+    if (!options_.harsh) timing_.write(write.address, write.id);
     writes_.push_back(write);
     ++lines_written_;
   }
@@ -112,24 +113,14 @@ void AxiMemory::apply(Write& write) {
   for (size_t i = 0; i < line.size(); ++i) line[i] = (line[i] & ~write.mask[i]) | (write.data[i] & write.mask[i]);
 }
 
-// One line per cycle goes to the timing.
-void AxiMemory::ask() {
-  if (asks_.empty() || !timing_->ready()) return;
-  const Ask ask = asks_.front();
-  asks_.pop_front();
-  timing_->request(ask.write, ask.address, static_cast<int>(ask.id & 0xff));
-  if (ask.write) {
-    const auto write = std::find_if(writes_.begin(), writes_.end(), [](const Write& w) { return !w.applied; });
-    apply(*write);
-    write->due = now_ + options_.write_latency;
-  } else {
-    asked_[ask.id & 0xff].push_back(ask.id);
-    for (Line& line : reads_[ask.id].lines) {
-      if (line.sampled) continue;
-      sample(line);
-      break;
-    }
+// The timing takes a line: what is in memory now is what counts.
+void AxiMemory::take(const AxiLine& line) {
+  if (line.write) {
+    apply(*std::find_if(writes_.begin(), writes_.end(), [](const Write& w) { return !w.applied; }));
+    return;
   }
+  std::deque<Line>& lines = reads_[line.id].lines;
+  sample(*std::find_if(lines.begin(), lines.end(), [](const Line& l) { return !l.sampled; }));
 }
 
 // --- what it answers -------------------------------------------------------------------------------------------------
@@ -200,19 +191,10 @@ void AxiMemory::step_harsh() {
 }
 
 void AxiMemory::step_timed() {
-  const int tag = timing_->step();
-  if (tag != MemoryTiming::kNoAnswer) {
-    auto& asked = asked_[static_cast<size_t>(tag)];
-    back_.push_back(asked.front());
-    asked.pop_front();
-  }
-  shown_.ar_ready = shown_.aw_ready = shown_.w_ready = asks_.size() < kAsks && back_.size() < kBack;
-  if (!shown_.r.valid && !back_.empty()) {
-    const uint32_t id = back_.front();
-    if (static_cast<size_t>(reads_[id].beat + 1) * static_cast<size_t>(options_.data_w) == 512) back_.pop_front();
-    show_beat(id);
-  }
-  if (!shown_.b.valid && !writes_.empty() && writes_.front().applied && writes_.front().due <= now_) {
+  timing_.step();
+  shown_.ar_ready = shown_.aw_ready = shown_.w_ready = timing_.ready();
+  if (!shown_.r.valid && timing_.beat()) show_beat(timing_.beat_line().id);
+  if (!shown_.b.valid && timing_.answer()) {
     show_answer(writes_.front().id, writes_.front().response);
     writes_.pop_front();
   }

@@ -4,26 +4,23 @@
 // Idea    Two behaviours over the same contents. `harsh` does what AXI4 allows: a write is applied hundreds of cycles
 //         after its last beat and answered later still, answers of different IDs overtake each other, beats of one ID
 //         stand between those of another, each ready falls at random. A read looks at the memory when its address is
-//         taken or when its beat leaves, by chance. Otherwise the memory behaves as ExternalMemory does: a MemoryTiming
-//         (memory_timing.hpp) takes one line per cycle and says when a read answers; a write is applied when the timing
-//         takes it and answered `write_latency` cycles later.
+//         taken or when its beat leaves, by chance. Otherwise an AxiTiming (axi_timing.hpp) says when what happens: a
+//         read looks at the memory, and a write is applied, when it takes the line.
 // Rule    In each cycle: step(), then observe() with what the manager shows. The manager is checked (axi_rules.hpp).
 //         The memory has a place and a size: what lies outside is answered DECERR and changes nothing; so are the lines
 //         of `failing` with SLVERR.
 // Units   Cycles of the machine's clock. Numbers of lines are byte addresses / 64.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <memory>
 #include <random>
 #include <set>
 
 #include "sim/memory/axi_rules.hpp"
+#include "sim/memory/axi_timing.hpp"
 #include "sim/memory/memory_pages.hpp"
-#include "sim/memory/memory_timing.hpp"
 
 namespace pipegs {
 
@@ -33,7 +30,6 @@ struct AxiMemoryOptions {
   int most_reads = 256, most_writes = 64;       // bursts of the manager that may be unanswered
   bool harsh = false;
   ExternalMemoryOptions timing = {};  // not harsh
-  int write_latency = 20;             // not harsh
   int read_delay = 100;               // harsh: largest random cycles until a burst may answer
   int write_delay = 400;              // harsh: largest random cycles until a write is applied, half of it the least
   int ready_percent = 70;             // harsh: chance of each ready and of each answer in a cycle
@@ -55,7 +51,7 @@ class AxiMemory {
   bool quiet() const { return bursts_ == 0 && writes_.empty() && address_.empty() && data_.empty(); }
   uint64_t lines_read() const { return lines_read_; }
   uint64_t lines_written() const { return lines_written_; }
-  const Dram* dram() const { return timing_->dram(); }
+  const Dram* dram() const { return timing_.dram(); }
 
  private:
   struct Line {  // of a burst that is read
@@ -78,20 +74,13 @@ class AxiMemory {
     bool applied;
     AxiResponse response;
   };
-  struct Ask {  // one line on its way to the timing
-    bool write;
-    uint64_t address;
-    uint32_t id;
-    bool last;
-  };
-
   AxiResponse response(uint64_t line, int& fail) const;
   bool chance() { return static_cast<int>(rng_() % 100) < options_.ready_percent; }
   void take_read(const AxiAddress& address);
   void sample(Line& line);
   void take_write();
   void apply(Write& write);
-  void ask();
+  void take(const AxiLine& line);
   void step_harsh();
   void step_timed();
   void show_beat(uint32_t id);
@@ -100,7 +89,7 @@ class AxiMemory {
   AxiMemoryOptions options_;
   AxiRules rules_;
   MemoryPages pages_;
-  std::unique_ptr<MemoryTiming> timing_;
+  AxiTiming timing_;  // not harsh
   std::mt19937_64 rng_;
   AxiSubordinateSide shown_;
   int64_t now_ = 0;
@@ -109,9 +98,6 @@ class AxiMemory {
   std::deque<AxiAddress> address_;               // of writes whose data did not come
   std::deque<AxiWriteBeat> data_;                // beats without address
   std::deque<Write> writes_;                     // complete, in their order; answered ones leave
-  std::deque<Ask> asks_;                         // lines that the timing did not take
-  std::array<std::deque<uint32_t>, 256> asked_;  // of each tag of the timing: IDs, oldest first
-  std::deque<uint32_t> back_;                    // IDs of lines that the timing has answered
   uint64_t lines_read_ = 0, lines_written_ = 0;
 };
 

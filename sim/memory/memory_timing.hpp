@@ -31,6 +31,7 @@ struct ExternalMemoryOptions {
   int queue = 64;                 // ideal: requests that may wait for the pins
   uint64_t seed = 1;
   int path = 20;  // DRAM: cycles between machine and channels, there and back
+  int write_latency = 20;  // behind a bus: cycles until a line that is written is answered
   bool harsh = false;  // behind a bus: all that AXI4 allows and a machine may stumble over, see axi_memory.hpp
 };
 
@@ -42,6 +43,12 @@ class MemoryTiming {
   virtual int step() = 0;          // the next cycle begins: tag of the read answered in it
   virtual bool ready() const = 0;  // may a request be accepted in this cycle
   virtual void request(bool write, uint64_t line, int tag) = 0;  // accepted in this cycle; tags 0 to 255
+  // Both at once, for a port whose readiness depends on what is asked: was it accepted? At most once in a cycle.
+  virtual bool offer(bool write, uint64_t line, int tag) {
+    if (!ready()) return false;
+    request(write, line, tag);
+    return true;
+  }
   virtual const Dram* dram() const { return nullptr; }           // for its statistics, if it is one
 };
 

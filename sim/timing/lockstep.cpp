@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // lockstep.cpp: see lockstep.hpp.
+#include "sim/memory/bus_timing.hpp"
 #include "sim/timing/lockstep.hpp"
 
 #include <fmt/format.h>
@@ -69,7 +70,7 @@ std::string TimingDifference::text() const {
 
 Lockstep::Lockstep(const TimingTrace& trace, const Config& config, const ExternalMemoryOptions& memory)
     : config_(config),
-      memory_(memory_timing(memory)),
+      memory_(machine_memory_timing(memory, config)),
       machine_(std::make_unique<timing::Machine>(trace, config, *memory_)) {
   machine_->events = &model_;
 }

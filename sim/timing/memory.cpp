@@ -34,8 +34,7 @@ void Memory::step(Machine& machine, Cycle now) {
   if (wanted_ == 0 && !out_valid_) return;
 
   bool free = !out_valid_;
-  if (out_valid_ && timing_.ready()) {
-    timing_.request(out_write_, out_line_, out_port_);
+  if (out_valid_ && timing_.offer(out_write_, out_line_, out_port_)) {
     ++(out_write_ ? written_ : read_)[static_cast<size_t>(out_port_)];
     machine.show(now, Border::kRequest, out_port_, shown_request(out_line_, out_write_));
     last_accepted_ = now;

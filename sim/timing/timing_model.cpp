@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // timing_model.cpp: see timing_model.hpp.
+#include "sim/memory/bus_timing.hpp"
 #include "sim/timing/timing_model.hpp"
 
 #include <stdexcept>
@@ -11,7 +12,7 @@ namespace pipegs {
 
 TimingResult timing_run(const TimingTrace& trace, const Config& config, const ExternalMemoryOptions& options,
                         const TimingOptions& timing) {
-  const std::unique_ptr<MemoryTiming> memory = memory_timing(options);
+  const std::unique_ptr<MemoryTiming> memory = machine_memory_timing(options, config);
   return timing_run(trace, config, *memory, timing);
 }
 

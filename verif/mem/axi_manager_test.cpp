@@ -68,7 +68,7 @@ TEST(AxiManager, EveryReadSeesTheWritesBeforeItWhenWritesAreFew) {
 
 TEST(AxiManager, ATimedMemoryGivesTheSameLines) {
   for (const char* dram : {"ideal", "lpddr5-6400x4"}) {
-    Machine machine({.timing = {.dram = dram, .latency = 40, .jitter = 30}, .write_latency = 60});
+    Machine machine({.timing = {.dram = dram, .latency = 40, .jitter = 30, .write_latency = 60}});
     for (int i = 0; i < 4000; ++i) machine.core.push(machine.core.random_request());
     machine.finish();
     EXPECT_EQ(machine.core.accepted, 4000u) << dram;
@@ -189,7 +189,7 @@ TEST(AxiManager, ErrorsAreToldWithTheFirstTagAndLine) {
 
 // Two reads of one tag in a row, the first of which comes in any cycle about that of the answer to a write.
 TEST(AxiManager, ReadsStayInOrderWhenTheLastWriteIsAnswered) {
-  Machine machine({.timing = {.latency = 5, .bytes_per_cycle = 64}, .write_latency = 10});
+  Machine machine({.timing = {.latency = 5, .bytes_per_cycle = 64, .write_latency = 10}});
   for (uint64_t delay = 0; delay < 40; ++delay) {
     CoreRequest request;
     request.write = true;
@@ -267,7 +267,7 @@ TEST(AxiManager, MovesALineInEachTurnOfTheBus) {
 
 // A read that must wait for a write does not hold up others, and later writes do not hold up the read.
 TEST(AxiManager, OnlyWhatMustWaitWaits) {
-  Machine machine({.timing = {.latency = 20, .bytes_per_cycle = 64}, .write_latency = 300});
+  Machine machine({.timing = {.latency = 20, .bytes_per_cycle = 64, .write_latency = 300}});
   CoreRequest write, read, other;
   write.write = true;
   write.data = machine.core.random_line();

@@ -124,7 +124,7 @@ RoundTrip round_trip(AxiMemory& memory, uint64_t byte) {
 
 TEST(AxiMemory, WritesLateAndAnswersWhatFails) {
   for (const bool harsh : {false, true}) {
-    AxiMemory memory({.data_w = 128, .base = 4096, .size = 4096, .harsh = harsh, .write_latency = 200});
+    AxiMemory memory({.data_w = 128, .base = 4096, .size = 4096, .harsh = harsh, .timing = {.write_latency = 200}});
     memory.failing.insert(66);
     const RoundTrip good = round_trip(memory, 4096), failing = round_trip(memory, 66 * 64);
     EXPECT_EQ(good.write, AxiResponse::kOkay);

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// bus_timing.hpp: the AXI4 manager and the memory behind it as the core's port sees them, without contents.
+//
+// RTL     rtl/mem/axi_manager.sv: the fence, one register before each of AR, AW and W, the queue of writes that are not
+//         answered, one register behind R.
+// Idea    A MemoryTiming like the others, so the timing model runs with or without a bus. What shows on the bus are
+//         registers only, so a cycle of the bus is played when it begins, and what the core offers counts in the next.
+// Units   Cycles of the machine's clock.
+#pragma once
+
+#include <deque>
+
+#include "cpp_model/config.hpp"
+#include "sim/memory/axi_timing.hpp"
+
+namespace pipegs {
+
+class BusTiming final : public MemoryTiming {
+ public:
+  BusTiming(const ExternalMemoryOptions& options, const Config& config);
+
+  int step() override;
+  bool ready() const override { return false; }  // it depends on what is asked: see offer
+  void request(bool, uint64_t, int) override {}
+  bool offer(bool write, uint64_t line, int tag) override;
+  const Dram* dram() const override { return axi_.dram(); }
+
+ private:
+  // rtl/buf/sram_fifo.sv: a word is seen two cycles after it came.
+  struct Queue {
+    int stored = 0;  // in the memory and not fetched
+    bool valid = false;
+    int count() const { return stored + valid; }
+    void clock(bool push, bool pop) {
+      const bool fetch = stored > 0 && (!valid || pop);
+      stored += push - fetch;
+      valid = fetch || (valid && !pop);
+    }
+  };
+  struct Read {
+    uint64_t line = 0;
+    int tag = 0, lines = 1;
+    uint64_t stamp = 0;  // writes accepted before it
+  };
+
+  void clock();  // the edge at the end of the cycle before
+  // Writes accepted since the first read in the fence came, as a stamp counts them.
+  uint64_t since() const { return (stamp_ - fenced_.front().stamp) % (4 * 2 * Config::bus_writes()); }
+
+  AxiTiming axi_;
+  int write_ports_, beats_;
+
+  // Registers.
+  bool ar_valid_ = false, aw_valid_ = false, w_valid_ = false;
+  Read ar_;
+  uint64_t aw_line_ = 0;
+  int w_beat_ = 0;
+  Queue writes_;                    // not answered
+  Queue waiting_;                   // reads in the fence
+  std::deque<Read> fenced_;         // these
+  uint64_t stamp_ = 0;              // writes accepted
+  bool passing_ = false, leaving_ = false;
+  int reads_ = 0;                   // not answered
+  int line_tag_ = kNoAnswer;        // the line that shows to the core
+
+  // The present cycle: what the bus shows and what the core offers.
+  bool ar_ready_ = false, aw_ready_ = false, w_ready_ = false, b_taken_ = false, read_ends_ = false;
+  int line_ = kNoAnswer;            // a line that is whole with this cycle's beat
+  std::deque<uint64_t> addresses_;  // of writes whose data is not whole
+  int data_ = 0;                    // whole lines without an address
+  bool offered_ = false, accepted_ = false, offered_write_ = false;
+  Read offer_;
+};
+
+// The memory at the core's port: behind a bus if the machine has one.
+std::unique_ptr<MemoryTiming> machine_memory_timing(const ExternalMemoryOptions& options, const Config& config);
+
+}  // namespace pipegs
