@@ -52,12 +52,13 @@ class VerilatedMachine final : public RtlModel {
  public:
   explicit VerilatedMachine(const Config& config) : w_(config) {}
   RtlResult run(const std::vector<pipegs_job>& frames, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
-                const std::function<bool(uint64_t, uint64_t)>& progress) override;
+                const Progress& progress) override;
+  RtlResult drive(const std::function<void(const pipegs_bus&)>& program, ExternalMemory& memory,
+                  const RtlOptions& options, RtlTaps* taps, const Progress& progress) override;
 
  private:
-  using Progress = std::function<bool(uint64_t, uint64_t)>;
-
-  void begin(size_t frames);
+  void begin();
+  void render(const std::vector<pipegs_job>& frames);
   void cycle();
   void drive_memory();
   void observe_memory();
@@ -75,7 +76,7 @@ class VerilatedMachine final : public RtlModel {
   std::unique_ptr<Vpipegs_sim> dut_;
   std::unique_ptr<WaveFile<Vpipegs_sim>> waves_;
   ControlPins<Vpipegs_sim> control_;
-  pipegs_device device_{};
+  pipegs_device device_{};  // of `render`
 
   ExternalMemory* memory_ = nullptr;
   const RtlOptions* options_ = nullptr;
@@ -147,7 +148,7 @@ void VerilatedMachine::tap_cycle(RtlTaps& taps) {
 }
 
 // --- one cycle -------------------------------------------------------------------------------------------------------
-void VerilatedMachine::begin(size_t frames) {
+void VerilatedMachine::begin() {
   context_ = std::make_unique<VerilatedContext>();
   context_->threads(PIPEGS_THREADS);
   context_->randReset(2);
@@ -160,7 +161,6 @@ void VerilatedMachine::begin(size_t frames) {
   cycle_ = windows_ = pixel_lines_ = last_request_ = taken_ = taken_cycle_ = disturbed_ = counted_ = 0;
   running_ = mute_ = false;
   ends_.clear();
-  ends_.reserve(frames);
   // Before the reset everything is noise: it falls once, and assertions count from its end on.
   context_->assertOn(false);
   dut_->aclk = 0;
@@ -280,27 +280,11 @@ void VerilatedMachine::give_up() {
   if (taps_ != nullptr) taps_->on_give_up();
 }
 
-RtlResult VerilatedMachine::run(const std::vector<pipegs_job>& frames, ExternalMemory& memory,
-                                const RtlOptions& options, RtlTaps* taps, const Progress& progress) {
-  memory_ = &memory, options_ = &options, taps_ = taps, progress_ = &progress;
-  streams_ = taps != nullptr && w_.taps;
-  cycles_ = streams_ && taps->wants_cycles();
-  begin(frames.size());
-
-  const pipegs_bus bus = {
-      .read = [](void* self, uint32_t offset) {
-        return static_cast<VerilatedMachine*>(self)->access(false, offset, 0);
-      },
-      .write = [](void* self, uint32_t offset, uint32_t value) {
-        static_cast<VerilatedMachine*>(self)->access(true, offset, value);
-      },
-      .idle = [](void* self) { static_cast<VerilatedMachine*>(self)->idle(); },
-      .context = this};
-  if (pipegs_identify(&device_, &bus) != PIPEGS_OK) throw RtlFault("RTL: the registers are not those of the driver");
+void VerilatedMachine::render(const std::vector<pipegs_job>& frames) {
   pipegs_enable(&device_, PIPEGS_IRQ_STATUS_FRAME_DONE | PIPEGS_IRQ_STATUS_QUEUE_FREE | PIPEGS_IRQ_STATUS_ERROR);
   for (size_t next = 0; ends_.size() < frames.size();) {
     while (next < frames.size() && !due() && pipegs_queue_free(&device_) &&
-           (options.queued || next == ends_.size())) {
+           (options_->queued || next == ends_.size())) {
       pipegs_write(&device_, &frames[next++], false);
       pipegs_start(&device_);
     }
@@ -322,11 +306,40 @@ RtlResult VerilatedMachine::run(const std::vector<pipegs_job>& frames, ExternalM
       mute_ = false;
     }
   }
-  while (pipegs_done(&device_, device_.ticket) == PIPEGS_PENDING) {}
+}
 
+RtlResult VerilatedMachine::run(const std::vector<pipegs_job>& frames, ExternalMemory& memory,
+                                const RtlOptions& options, RtlTaps* taps, const Progress& progress) {
+  const auto program = [&](const pipegs_bus& bus) {
+    if (pipegs_identify(&device_, &bus) != PIPEGS_OK) throw RtlFault("RTL: the registers are not those of the driver");
+    render(frames);
+  };
+  return drive(program, memory, options, taps, progress);
+}
+
+RtlResult VerilatedMachine::drive(const std::function<void(const pipegs_bus&)>& program, ExternalMemory& memory,
+                                  const RtlOptions& options, RtlTaps* taps, const Progress& progress) {
+  memory_ = &memory, options_ = &options, taps_ = taps, progress_ = &progress;
+  streams_ = taps != nullptr && w_.taps;
+  cycles_ = streams_ && taps->wants_cycles();
+  begin();
+  const pipegs_bus bus = {
+      .read = [](void* self, uint32_t offset) {
+        return static_cast<VerilatedMachine*>(self)->access(false, offset, 0);
+      },
+      .write = [](void* self, uint32_t offset, uint32_t value) {
+        static_cast<VerilatedMachine*>(self)->access(true, offset, value);
+      },
+      .idle = [](void* self) { static_cast<VerilatedMachine*>(self)->idle(); },
+      .context = this};
+  program(bus);
+
+  while (access(false, PIPEGS_STATUS, 0) & PIPEGS_STATUS_BUSY) {}
+  pipegs_device device{};
+  device.bus = bus;
   RtlResult result;
   pipegs_counters counters;
-  pipegs_get_counters(&device_, &counters);
+  pipegs_get_counters(&device, &counters);
   waves_->close();
   result.cycles = counters.cycles;
   result.preprocess_cycles = counters.preprocess_cycles;

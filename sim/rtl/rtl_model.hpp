@@ -90,13 +90,19 @@ struct RtlResult {
 
 class RtlModel {
  public:
+  using Progress = std::function<bool(uint64_t cycle, uint64_t windows_done)>;
+
   virtual ~RtlModel() = default;
+  // Resets the machine and lets `program` drive it by its registers: each access takes as many cycles as the bus needs,
+  // `idle` of the bus returns when the interrupt is high.
+  virtual RtlResult drive(const std::function<void(const pipegs_bus&)>& program, ExternalMemory& memory,
+                          const RtlOptions& options, RtlTaps* taps, const Progress& progress) = 0;
   // Resets the machine and runs these frames, one after the other, on the scenes that lie in `memory`: the driver of
   // sim/driver writes them to its registers. `progress(cycle, window)` is called every few thousand cycles; returning
   // false stops the run with an exception. Throws std::runtime_error when an assertion fails, the machine hangs or
   // tells of an error that is none of the disturbances.
   virtual RtlResult run(const std::vector<pipegs_job>& frames, ExternalMemory& memory, const RtlOptions& options,
-                        RtlTaps* taps, const std::function<bool(uint64_t cycle, uint64_t windows_done)>& progress) = 0;
+                        RtlTaps* taps, const Progress& progress) = 0;
 };
 
 // The RTL of a configuration does not build.

@@ -68,8 +68,12 @@ class FaultyMachine final : public RtlModel {
   FaultyMachine(const Config& config, std::unique_ptr<RtlModel> machine, std::string_view fault)
       : config_(config), machine_(std::move(machine)), fault_(fault) {}
 
+  RtlResult drive(const std::function<void(const pipegs_bus&)>& program, ExternalMemory& memory,
+                  const RtlOptions& options, RtlTaps* taps, const Progress& progress) override {
+    return machine_->drive(program, memory, options, taps, progress);
+  }
   RtlResult run(const std::vector<pipegs_job>& frames, ExternalMemory& memory, const RtlOptions& options, RtlTaps* taps,
-                const std::function<bool(uint64_t, uint64_t)>& progress) override {
+                const Progress& progress) override {
     if (fault_ == "memory") throw std::bad_alloc();
     if (fault_ == "bug") throw std::logic_error("a promise is broken");
     RtlOptions mine = options;
