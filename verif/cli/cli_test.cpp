@@ -142,9 +142,13 @@ TEST_F(Cli, PackWritesTheImageAndItsHeader) {
   EXPECT_NE(header.find(size), std::string::npos) << header;
   EXPECT_NE(header.find("    .window = 64u,\n"), std::string::npos) << header;
   EXPECT_NE(header.find("  .width = 70u,\n  .height = 50u,\n"), std::string::npos) << header;
-  expect_refused("pack scene.ply --cameras cameras.json --near 1e30 --out no", "near");
+  Camera narrow = test_camera(70, 50);
+  narrow.fx = 20000;
+  write_cameras(folder_ / "narrow.json", {narrow});
+  expect_refused("pack scene.ply --cameras narrow.json --out no", "the focal length fx is 20000");
   EXPECT_FALSE(fs::exists(folder_ / "no"));
   expect_refused("pack scene.ply --out no", "--cameras FILE is needed");
+  expect_refused("pack scene.ply --cameras cameras.json --window 0,0 --out no", "--window: found one");
 }
 
 TEST_F(Cli, ExplainShowsTheSameAlphaInGoldenAndRtl) {
