@@ -57,11 +57,12 @@ struct Refusal {
     fail_unsigned(what, value, config.focal_w() - config.focal_f());
   }
   [[noreturn]] void fail_rotation() const {
+    double worst = 0;
     for (int i = 0; i < 9; ++i) {
       const double entry = camera.world_to_camera[i % 3][i / 3];
-      if (!(std::abs(entry) < 2)) fail_signed("a rotation entry", entry, config.rot_w() - config.rot_f() - 1);
+      if (!(std::abs(entry) <= std::abs(worst))) worst = entry;
     }
-    fail("the determinant of the rotation", glm::determinant(camera.world_to_camera), "no rotation has such entries");
+    fail_signed("a rotation entry", worst, config.rot_w() - config.rot_f() - 1);
   }
   [[noreturn]] void fail_windows(bool lists) const {
     const int columns = (camera.width + config.window - 1) / config.window,

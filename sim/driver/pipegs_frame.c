@@ -60,16 +60,15 @@ static uint64_t two_logarithms(uint32_t n) {
   return pipegs_wide_right(sum, 4).low;
 }
 
-/* The quaternion of a rotation by the largest of its components, times a factor that the length takes out again. */
-static bool set_quaternion(const struct pipegs_camera *camera, uint32_t width, int64_t *const q[4]) {
-  int64_t m[3][3], v[4];
+/* The quaternion of a rotation by the largest of its components, times a factor that the length takes out again. No
+ * entry is beyond 2, so sums of them have 63 bits; whatever they are, the length is 2^60 or more. */
+static void set_quaternion(const struct pipegs_camera *camera, uint32_t width, int64_t *const q[4]) {
+  int64_t m[3][3] = {{0}}, v[4];
   struct pipegs_wide sum = {0, 0};
   uint64_t length;
   const int64_t one = INT64_C(1) << ROTATION_F;
   int i, j, k;
-  for (i = 0; i < 9; ++i) {
-    if (!rounded(camera->rotation[i / 3][i % 3], ROTATION_F, &m[i / 3][i % 3])) return false;
-  }
+  for (i = 0; i < 9; ++i) (void)rounded(camera->rotation[i / 3][i % 3], ROTATION_F, &m[i / 3][i % 3]);
   if (m[0][0] + m[1][1] + m[2][2] > 0) {
     v[0] = one + m[0][0] + m[1][1] + m[2][2];
     v[1] = m[2][1] - m[1][2];
@@ -83,7 +82,6 @@ static bool set_quaternion(const struct pipegs_camera *camera, uint32_t width, i
     v[1 + i] = one + m[i][i] - m[j][j] - m[k][k];
     v[1 + j] = m[j][i] + m[i][j];
     v[1 + k] = m[k][i] + m[i][k];
-    if (v[1 + i] <= 0) return false;
   }
   for (i = 0; i < 4; ++i) {
     const uint64_t size = v[i] < 0 ? 0 - (uint64_t)v[i] : (uint64_t)v[i];
@@ -94,11 +92,10 @@ static bool set_quaternion(const struct pipegs_camera *camera, uint32_t width, i
     struct pipegs_wide size = {0, 0};
     uint64_t twice = 0;
     size.low = v[i] < 0 ? 0 - (uint64_t)v[i] : (uint64_t)v[i];
-    if (!pipegs_wide_divide(pipegs_wide_left(size, (int)width - ROTATION_BITS + 1), length, &twice)) return false;
+    (void)pipegs_wide_divide(pipegs_wide_left(size, (int)width - ROTATION_BITS + 1), length, &twice);
     twice = (twice + 1) >> 1;
     *q[i] = v[i] < 0 ? -(int64_t)twice : (int64_t)twice;
   }
-  return true;
 }
 
 static enum pipegs_setup set_pose(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
@@ -121,7 +118,8 @@ static enum pipegs_setup set_pose(const struct pipegs_configuration *config, con
       return PIPEGS_SETUP_ROTATION;
     }
   }
-  return set_quaternion(camera, config->cam_quat_w, quaternion) ? PIPEGS_SETUP_OK : PIPEGS_SETUP_ROTATION;
+  set_quaternion(camera, config->cam_quat_w, quaternion);
+  return PIPEGS_SETUP_OK;
 }
 
 /* 13/10 size / (2 focal), to the nearest. */

@@ -73,7 +73,7 @@ enum pipegs_setup {
   PIPEGS_SETUP_POSITION_X,
   PIPEGS_SETUP_POSITION_Y,
   PIPEGS_SETUP_POSITION_Z,
-  PIPEGS_SETUP_ROTATION, /* an entry of 2 or more, or no rotation at all */
+  PIPEGS_SETUP_ROTATION, /* an entry of 2 or more */
   PIPEGS_SETUP_FOCAL_X,
   PIPEGS_SETUP_CENTER_X,
   PIPEGS_SETUP_GUARD_X, /* 1.3 tan(fov / 2) is 16 or more */

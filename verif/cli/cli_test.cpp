@@ -133,6 +133,24 @@ TEST_F(Cli, SplitWritesALargerSceneAndItsCameras) {
   expect_refused("split --sizes 70", "--sizes: found '70', expected WxH");
 }
 
+TEST_F(Cli, PackWritesTheImageAndItsHeader) {
+  const Outcome outcome = run("pack scene.ply --cameras cameras.json --rung dop --out packed");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::ifstream file(folder_ / "packed/scene.h");
+  const std::string header{std::istreambuf_iterator<char>(file), {}};
+  const std::string size = fmt::format(".size = UINT64_C({}),", fs::file_size(folder_ / "packed/image.bin"));
+  EXPECT_NE(header.find(size), std::string::npos) << header;
+  EXPECT_NE(header.find("    .window = 64u,\n"), std::string::npos) << header;
+  EXPECT_NE(header.find("  .width = 70u,\n  .height = 50u,\n"), std::string::npos) << header;
+  Camera narrow = test_camera(70, 50);
+  narrow.fx = 20000;
+  write_cameras(folder_ / "narrow.json", {narrow});
+  expect_refused("pack scene.ply --cameras narrow.json --out no", "the focal length fx is 20000");
+  EXPECT_FALSE(fs::exists(folder_ / "no"));
+  expect_refused("pack scene.ply --out no", "--cameras FILE is needed");
+  expect_refused("pack scene.ply --cameras cameras.json --window 0,0 --out no", "--window: found one");
+}
+
 TEST_F(Cli, ExplainShowsTheSameAlphaInGoldenAndRtl) {
   const Outcome outcome = run("explain scene.ply --cameras cameras.json --pixel 35,25 --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

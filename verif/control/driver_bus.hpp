@@ -66,8 +66,8 @@ class DriverBus {
 
   void step() {
     const ControlOutputs out = model.outputs();
-    in.busy = left_ > 0;
-    in.frame_ready = left_ == 0 && takes && rng() % 4 == 0;
+    in.busy = left_ > 0 || draining_ > 0;
+    in.frame_ready = left_ == 0 && draining_ == 0 && takes && rng() % 4 == 0;
     in.frame_done = left_ == 1 && takes;
     in.errors = errors, errors = 0;
     if (left_ > 0 && (left_ > 1 || takes)) --left_;
@@ -75,7 +75,11 @@ class DriverBus {
       frames.push_back(model.shadow());
       left_ = 1 + static_cast<int>(rng() % 300);
     }
-    if (out.abort) left_ = 0, in.frame_done = false, ++aborts;
+    if (draining_ > 0) --draining_;
+    if (out.abort) {
+      if (in.busy) draining_ = 1 + static_cast<int>(rng() % 100);  // what was asked of memory still comes
+      left_ = 0, in.frame_done = false, ++aborts;
+    }
     if (in.frame_done) ++done;
     for (uint64_t& count : in.counters) count = (count + 1) & ((uint64_t{1} << 40) - 1);
     if (at_step) at_step();
@@ -96,7 +100,7 @@ class DriverBus {
  private:
   static constexpr int kNever = 100000;
   bool pause() { return rng() % 3 != 0; }
-  int left_ = 0;
+  int left_ = 0, draining_ = 0;
 };
 
 }  // namespace pipegs

@@ -10,8 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <random>
+#include <sstream>
 
 #include "cpp_model/frame_setup.hpp"
+#include "sim/design/design_point.hpp"
 
 namespace pipegs {
 
@@ -175,6 +179,47 @@ inline Frame reference_frame(const Config& config, const PackedScene& scene, con
   frame.tables.pixels = scene.layout.pixels;
   set_windows(config, set, windows, frame);
   return frame;
+}
+
+// --- what is tried ---
+
+inline uint64_t frame_seed() {
+  const char* text = std::getenv("PIPEGS_SEED");
+  return text != nullptr ? std::strtoull(text, nullptr, 0) : 1;
+}
+
+// A scene of which a frame sees no more than unit, grid and places.
+inline PackedScene bare_scene(const Config& config, int exponent, std::mt19937_64& rng) {
+  PackedScene scene;
+  scene.config = config;
+  scene.scene_exponent = exponent;
+  scene.sh_degree = static_cast<int>(rng() % 4);
+  scene.antialiased = config.antialias != 0 && rng() % 2 != 0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    scene.grid.low[axis] = static_cast<int64_t>(rng()) >> (65 - config.world_w);
+    scene.grid.scale[axis] = rng() >> (64 - config.focal_w());
+  }
+  uint64_t at = 0;
+  for (uint64_t* place : {&scene.layout.cells, &scene.layout.groups, &scene.layout.chunks, &scene.layout.gaussians,
+                          &scene.layout.colors, &scene.layout.pixels}) {
+    *place = at;
+    at += 1 + rng() % 1000000;
+  }
+  return scene;
+}
+
+inline std::vector<Config> machines() {
+  std::vector<Config> configs;
+  for (const DesignPoint& point : design_points()) configs.push_back(point.config);
+  for (const char* settings :
+       {"tan_f=16", "tan_f=24", "alpha_cut=32", "alpha_cut=1023", "alpha_cut=512 antialias=1", "world_w=32",
+        "world_w=44", "window=16 pixel_w=32", "order=2 late=1 tight_cull=1", "tight_cull=1 alpha_cut=33 tan_f=17"}) {
+    Config config;
+    std::istringstream text(settings);
+    for (std::string one; text >> one;) config_set(config, one);
+    configs.push_back(config);
+  }
+  return configs;
 }
 
 }  // namespace pipegs
