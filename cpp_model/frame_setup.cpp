@@ -4,166 +4,207 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "cpp_model/pu/front/pu_reach.hpp"
+#include "cpp_model/control/registers.hpp"
 
 namespace pipegs {
 namespace {
 
-// Turns values into fields of one camera's frame.
-struct Setter {
-  const Camera& camera;
+// Of the machine that was asked about last, so that its next frame does not make the table anew.
+const RegisterMap& registers_of(const Config& config) {
+  thread_local Config known;
+  thread_local RegisterMap map = register_map(known);
+  if (!(known == config)) {
+    map = register_map(config);
+    known = config;
+  }
+  return map;
+}
 
-  [[noreturn]] void fail(const char* what, double value, const char* limit) const {
+// A double without rounding; one that is no number becomes one that fits nowhere.
+pipegs_number number(double value) {
+  if (!std::isfinite(value)) return {1, 1 << 20};
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  return {static_cast<int64_t>(std::ldexp(fraction, 53)), exponent - 53};
+}
+
+// Says why the driver refuses a frame.
+struct Refusal {
+  const Config& config;
+  const PackedScene& scene;
+  const Camera& camera;
+  const std::optional<WindowRange>& windows;
+  double near_plane;
+
+  [[noreturn]] void fail(const char* what, double value, const std::string& limit) const {
     throw FrameError(fmt::format("camera '{}': {} is {:g}, {}", camera.name, what, value, limit));
   }
-  int64_t signed_field(const char* what, double value, int fraction, int width) const {
-    const double field = std::round(std::ldexp(value, fraction)), high = std::ldexp(1.0, width - 1);
-    if (!(field >= -high && field < high)) {
-      fail(what, value, fmt::format("its magnitude must be below {:g}", std::ldexp(high, -fraction)).c_str());
+  [[noreturn]] void fail_signed(const char* what, double value, int bits) const {
+    fail(what, value, fmt::format("its magnitude must be below {:g}", std::ldexp(1.0, bits)));
+  }
+  [[noreturn]] void fail_unsigned(const char* what, double value, int bits) const {
+    fail(what, value, fmt::format("it must be at least 0 and below {:g}", std::ldexp(1.0, bits)));
+  }
+  [[noreturn]] void fail_side(const char* what, const char* in_windows, int pixels) const {
+    if (pixels < 1 || pixels > kMaxImageSide) fail(what, pixels, fmt::format("it must be 1 to {}", kMaxImageSide));
+    fail(in_windows, (pixels + config.window - 1) / config.window,
+         fmt::format("at most {} fit: use larger windows", 1 << config.window_w()));
+  }
+  [[noreturn]] void fail_focal(const char* what, double value) const {
+    if (value >= 0 && value < 1) fail(what, value, "it must be positive");
+    fail_unsigned(what, value, config.focal_w() - config.focal_f());
+  }
+  [[noreturn]] void fail_rotation() const {
+    for (int i = 0; i < 9; ++i) {
+      const double entry = camera.world_to_camera[i % 3][i / 3];
+      if (!(std::abs(entry) < 2)) fail_signed("a rotation entry", entry, config.rot_w() - config.rot_f() - 1);
     }
-    return static_cast<int64_t>(field);
+    fail("the determinant of the rotation", glm::determinant(camera.world_to_camera), "no rotation has such entries");
   }
-  uint64_t unsigned_field(const char* what, double value, int fraction, int width, bool round_up = false) const {
-    const double scaled = std::ldexp(value, fraction), field = round_up ? std::ceil(scaled) : std::round(scaled);
-    const double high = std::ldexp(1.0, width);
-    if (!(field >= 0 && field < high)) {
-      fail(what, value, fmt::format("it must be at least 0 and below {:g}", std::ldexp(high, -fraction)).c_str());
+  [[noreturn]] void fail_windows(bool lists) const {
+    const int columns = (camera.width + config.window - 1) / config.window,
+              rows = (camera.height + config.window - 1) / config.window;
+    const WindowRange range = windows.value_or(WindowRange{0, 0, columns - 1, rows - 1});
+    if (lists) {
+      throw FrameError(fmt::format("camera '{}': {} windows, but order = 1 has {} lists at most: use larger windows",
+                                   camera.name, (range.last_x - range.first_x + 1) * (range.last_y - range.first_y + 1),
+                                   1 << config.list_window_w()));
     }
-    return static_cast<uint64_t>(field);
-  }
-};
-
-void set_rotation(const Config& config, const Setter& set, Frame& frame) {
-  const glm::dmat3& w = set.camera.world_to_camera;  // w[column][row]
-  int64_t* const fields[9] = {&frame.camera.rotation.w00, &frame.camera.rotation.w01, &frame.camera.rotation.w02,
-                              &frame.camera.rotation.w10, &frame.camera.rotation.w11, &frame.camera.rotation.w12,
-                              &frame.camera.rotation.w20, &frame.camera.rotation.w21, &frame.camera.rotation.w22};
-  for (int i = 0; i < 9; ++i)
-    *fields[i] = set.signed_field("a rotation entry", w[i % 3][i / 3], config.rot_f(), config.rot_w());
-
-  // Quaternion by the largest of its four components, so that no small number is divided by.
-  const auto m = [&](int row, int column) { return w[column][row]; };
-  const double trace = m(0, 0) + m(1, 1) + m(2, 2);
-  double q[4];
-  if (trace > 0) {
-    const double s = 2 * std::sqrt(1 + trace);
-    q[0] = s / 4;
-    q[1] = (m(2, 1) - m(1, 2)) / s;
-    q[2] = (m(0, 2) - m(2, 0)) / s;
-    q[3] = (m(1, 0) - m(0, 1)) / s;
-  } else {
-    const int i = m(0, 0) >= m(1, 1) && m(0, 0) >= m(2, 2) ? 0
-                  : m(1, 1) >= m(2, 2)                     ? 1
-                                                           : 2,
-              j = (i + 1) % 3, k = (i + 2) % 3;
-    const double s = 2 * std::sqrt(1 + m(i, i) - m(j, j) - m(k, k));
-    q[0] = (m(k, j) - m(j, k)) / s;
-    q[1 + i] = s / 4;
-    q[1 + j] = (m(j, i) + m(i, j)) / s;
-    q[1 + k] = (m(k, i) + m(i, k)) / s;
-  }
-  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  int64_t* const quaternion[4] = {&frame.camera.quaternion.w, &frame.camera.quaternion.x, &frame.camera.quaternion.y,
-                                  &frame.camera.quaternion.z};
-  for (int i = 0; i < 4; ++i) {
-    *quaternion[i] = set.signed_field("a quaternion entry", q[i] / norm, config.cam_quat_w() - 2, config.cam_quat_w());
-  }
-}
-
-// Focal length, principal point, guard band and reach of one image axis.
-void set_lens(const Config& config, const Setter& set, bool x, uint64_t& focal, int64_t& center, uint64_t& limit,
-              uint64_t& reach) {
-  const double f = x ? set.camera.fx : set.camera.fy, size = x ? set.camera.width : set.camera.height;
-  focal = set.unsigned_field(x ? "the focal length fx" : "the focal length fy", f, config.focal_f(), config.focal_w());
-  if (focal == 0) set.fail(x ? "the focal length fx" : "the focal length fy", f, "it must be positive");
-  center = set.signed_field(x ? "the principal point cx" : "the principal point cy", x ? set.camera.cx : set.camera.cy,
-                            config.center_f(), config.center_w());
-  limit =
-      set.unsigned_field("the guard band 1.3 tan(fov/2)", kGuardBand * size / (2 * f), config.tan_f, 4 + config.tan_f);
-  // From the rounded fields and one unit up: a bound on what the machine computes.
-  const double slope = std::ldexp(static_cast<double>(limit + 1), -config.tan_f);
-  const double pixels = std::ldexp(static_cast<double>(focal), -config.focal_f());
-  reach = set.unsigned_field("the reach of a unit scale in pixels",
-                             std::sqrt(2 * std::log(config.alpha_cut)) * pixels * std::hypot(1, slope),
-                             config.focal_f(), config.reach_w(), true) +
-          1;
-}
-
-void set_windows(const Config& config, const Setter& set, const std::optional<WindowRange>& windows, Frame& frame) {
-  const Camera& camera = set.camera;
-  if (camera.width < 1 || camera.width > kMaxImageSide) set.fail("the width", camera.width, "it must be 1 to 16384");
-  if (camera.height < 1 || camera.height > kMaxImageSide)
-    set.fail("the height", camera.height, "it must be 1 to 16384");
-  const int columns = (camera.width + config.window - 1) / config.window,
-            rows = (camera.height + config.window - 1) / config.window;
-  if (columns > 1 << config.window_w())
-    set.fail("the width in windows", columns, "at most 1024 fit: use larger windows");
-  if (rows > 1 << config.window_w()) set.fail("the height in windows", rows, "at most 1024 fit: use larger windows");
-  const WindowRange range = windows.value_or(WindowRange{0, 0, columns - 1, rows - 1});
-  if (range.first_x < 0 || range.first_x > range.last_x || range.last_x >= columns || range.first_y < 0 ||
-      range.first_y > range.last_y || range.last_y >= rows) {
     throw FrameError(fmt::format("camera '{}': windows ({}, {}) to ({}, {}) do not lie in {} x {} windows", camera.name,
                                  range.first_x, range.first_y, range.last_x, range.last_y, columns, rows));
   }
-  const int count = (range.last_x - range.first_x + 1) * (range.last_y - range.first_y + 1);
-  if (config.has_lists() && count > 1 << config.list_window_w()) {
-    throw FrameError(fmt::format("camera '{}': {} windows, but order = 1 has {} lists at most: use larger windows",
-                                 camera.name, count, 1 << config.list_window_w()));
+  double guard(double focal, int size) const { return kGuardBand * size / (2 * focal); }
+  double reach(double focal, int size) const {
+    return std::sqrt(2 * std::log(config.alpha_cut)) * focal * std::hypot(1, guard(focal, size));
   }
-  frame.raster.width = static_cast<uint64_t>(camera.width);
-  frame.raster.height = static_cast<uint64_t>(camera.height);
-  frame.raster.windows.first_x = static_cast<uint64_t>(range.first_x);
-  frame.raster.windows.first_y = static_cast<uint64_t>(range.first_y);
-  frame.raster.windows.last_x = static_cast<uint64_t>(range.last_x);
-  frame.raster.windows.last_y = static_cast<uint64_t>(range.last_y);
-  // Pixels of all windows, whole ones, whatever their order; then the overflow areas.
-  const uint64_t pixels = static_cast<uint64_t>(columns) * static_cast<uint64_t>(rows) *
-                          static_cast<uint64_t>(config.window * config.window);
-  const uint64_t lines = pixels / static_cast<uint64_t>(config.memory_w() / config.pixel_w);
-  frame.tables.overflow =
-      (frame.tables.pixels + lines + kOverflowAlignment - 1) / kOverflowAlignment * kOverflowAlignment;
-}
+  [[noreturn]] void tell(pipegs_setup setup) const {
+    const int world = config.world_w - 2 + scene.scene_exponent, center = config.center_w() - config.center_f() - 1;
+    const int pixels = config.reach_w() - config.focal_f();
+    const char* const guard_band = "the guard band 1.3 tan(fov/2)";
+    const char* const unit_reach = "the reach of a unit scale in pixels";
+    switch (setup) {
+      case PIPEGS_SETUP_POSITION_X: fail_signed("the position x", camera.position.x, world);
+      case PIPEGS_SETUP_POSITION_Y: fail_signed("the position y", camera.position.y, world);
+      case PIPEGS_SETUP_POSITION_Z: fail_signed("the position z", camera.position.z, world);
+      case PIPEGS_SETUP_ROTATION: fail_rotation();
+      case PIPEGS_SETUP_FOCAL_X: fail_focal("the focal length fx", camera.fx);
+      case PIPEGS_SETUP_FOCAL_Y: fail_focal("the focal length fy", camera.fy);
+      case PIPEGS_SETUP_CENTER_X: fail_signed("the principal point cx", camera.cx, center);
+      case PIPEGS_SETUP_CENTER_Y: fail_signed("the principal point cy", camera.cy, center);
+      case PIPEGS_SETUP_GUARD_X: fail_unsigned(guard_band, guard(camera.fx, camera.width), 4);
+      case PIPEGS_SETUP_GUARD_Y: fail_unsigned(guard_band, guard(camera.fy, camera.height), 4);
+      case PIPEGS_SETUP_REACH_X: fail_unsigned(unit_reach, reach(camera.fx, camera.width), pixels);
+      case PIPEGS_SETUP_REACH_Y: fail_unsigned(unit_reach, reach(camera.fy, camera.height), pixels);
+      case PIPEGS_SETUP_NEAR_PLANE:
+        fail_unsigned("the near plane", near_plane, config.world_w - 1 + scene.scene_exponent);
+      case PIPEGS_SETUP_ANTIALIAS: throw FrameError("the scene is antialiased, the configuration has antialias = 0");
+      case PIPEGS_SETUP_WIDTH: fail_side("the width", "the width in windows", camera.width);
+      case PIPEGS_SETUP_HEIGHT: fail_side("the height", "the height in windows", camera.height);
+      case PIPEGS_SETUP_WINDOWS: fail_windows(false);
+      case PIPEGS_SETUP_LISTS: fail_windows(true);
+      case PIPEGS_SETUP_MEMORY:
+        throw FrameError(fmt::format("camera '{}': scene and pixels do not fit the machine's memory", camera.name));
+      case PIPEGS_SETUP_SCENE:
+      case PIPEGS_SETUP_OK: break;
+    }
+    throw FrameError("the scene was packed for another configuration");
+  }
+};
+
+// The words of the slots as the fields of a record.
+class SlotReader final : public FieldVisitor {
+ public:
+  SlotReader(const std::vector<Slot>& slots, const uint64_t* words) : slots_(slots), words_(words) {}
+  void visit(const FieldName&, uint64_t& value, int, bool is_signed) override {
+    const int shift = slots_[at_].shift;
+    value = is_signed ? static_cast<uint64_t>(static_cast<int64_t>(words_[at_]) >> shift) : words_[at_] >> shift;
+    ++at_;
+  }
+
+ private:
+  const std::vector<Slot>& slots_;
+  const uint64_t* words_;
+  size_t at_ = 0;
+};
 
 }  // namespace
 
+pipegs_configuration driver_configuration(const Config& config) {
+  std::vector<uint32_t> values;
+  for (const Register& reg : registers_of(config).registers) {
+    if (reg.name.rfind("CONFIG_", 0) != 0) continue;
+    for (const RegisterField& field : reg.fields) values.push_back(field.value);
+  }
+  pipegs_configuration configuration;
+  size_t i = 0;
+#define SET_FIELD(name, offset, low, width) configuration.name = values.at(i++);
+  PIPEGS_CONFIGURATION(SET_FIELD)
+#undef SET_FIELD
+  return configuration;
+}
+
+pipegs_scene driver_scene(const PackedScene& scene) {
+  pipegs_scene packed = {};
+  packed.packed_for = driver_configuration(scene.config);
+  packed.exponent = scene.scene_exponent;
+  packed.sh_degree = static_cast<uint32_t>(scene.sh_degree);
+  packed.antialias = scene.antialiased;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    packed.grid_low[axis] = scene.grid.low[axis];
+    packed.grid_scale[axis] = scene.grid.scale[axis];
+  }
+  const uint64_t line = packed.packed_for.line;
+  packed.cells = scene.layout.cells * line;
+  packed.groups = scene.layout.groups * line;
+  packed.chunks = scene.layout.chunks * line;
+  packed.gaussians = scene.layout.gaussians * line;
+  packed.colors = scene.layout.colors * line;
+  packed.size = scene.layout.pixels * line;
+  return packed;
+}
+
+pipegs_camera driver_camera(const Camera& camera, double near_plane) {
+  pipegs_camera taken = {};
+  for (int row = 0; row < 3; ++row) {
+    taken.position[row] = number(camera.position[row]);
+    for (int column = 0; column < 3; ++column) {
+      taken.rotation[row][column] = number(camera.world_to_camera[column][row]);  // column-major
+    }
+  }
+  taken.focal[0] = number(camera.fx), taken.focal[1] = number(camera.fy);
+  taken.center[0] = number(camera.cx), taken.center[1] = number(camera.cy);
+  taken.near_plane = number(near_plane);
+  taken.width = static_cast<uint32_t>(camera.width), taken.height = static_cast<uint32_t>(camera.height);
+  return taken;
+}
+
+pipegs_job frame_job(const Config& config, const PackedScene& scene, const Camera& camera,
+                     const std::optional<WindowRange>& windows, double near_plane, uint64_t overflow_size) {
+  const Refusal refusal{config, scene, camera, windows, near_plane};
+  if (!(scene.config == config)) refusal.tell(PIPEGS_SETUP_SCENE);
+  const pipegs_scene packed = driver_scene(scene);
+  const pipegs_camera taken = driver_camera(camera, near_plane);
+  pipegs_windows range = {};
+  if (windows) {
+    range = {static_cast<uint32_t>(windows->first_x), static_cast<uint32_t>(windows->first_y),
+             static_cast<uint32_t>(windows->last_x), static_cast<uint32_t>(windows->last_y)};
+  }
+  const pipegs_memory memory = pipegs_place(&packed.packed_for, &packed, &taken, 0, overflow_size);
+  pipegs_job job = {};
+  const pipegs_setup setup =
+      pipegs_setup_job(&packed.packed_for, &packed, &taken, windows ? &range : nullptr, &memory, &job);
+  if (setup != PIPEGS_SETUP_OK) refusal.tell(setup);
+  return job;
+}
+
 Frame frame_setup(const Config& config, const PackedScene& scene, const Camera& camera,
                   const std::optional<WindowRange>& windows, double near_plane) {
-  if (!(scene.config == config)) throw FrameError("the scene was packed for another configuration");
-  const Setter set{camera};
+  const pipegs_job job = frame_job(config, scene, camera, windows, near_plane);
+  SlotReader reader(registers_of(config).block("frame").slots, reinterpret_cast<const uint64_t*>(&job.frame));
   Frame frame;
-  // One bit below WorldW, so that centre - camera keeps WorldW + 1 bits in every unit.
-  const auto world = [&](const char* what, double value) {
-    return set.signed_field(what, value, -scene.scene_exponent, config.world_w - 1);
-  };
-  frame.camera.position.x = world("the position x", camera.position.x);
-  frame.camera.position.y = world("the position y", camera.position.y);
-  frame.camera.position.z = world("the position z", camera.position.z);
-  set_rotation(config, set, frame);
-  set_lens(config, set, true, frame.lens.focal_x, frame.lens.center_x, frame.lens.limit_x, frame.lens.reach_x);
-  set_lens(config, set, false, frame.lens.focal_y, frame.lens.center_y, frame.lens.limit_y, frame.lens.reach_y);
-  frame.lens.spread_x = pu_reach_spread(config, frame.lens.focal_x);
-  frame.lens.spread_y = pu_reach_spread(config, frame.lens.focal_y);
-  frame.lens.near_plane = set.unsigned_field("the near plane", near_plane, -scene.scene_exponent, config.world_w - 1);
-  frame.tables.sh_degree = static_cast<uint64_t>(scene.sh_degree);
-  if (scene.antialiased && !config.antialias)
-    throw FrameError("the scene is antialiased, the configuration has antialias = 0");
-  frame.tables.antialias = scene.antialiased;
-  frame.grid.low.x = scene.grid.low[0];
-  frame.grid.low.y = scene.grid.low[1];
-  frame.grid.low.z = scene.grid.low[2];
-  frame.grid.scale_x = scene.grid.scale[0];
-  frame.grid.scale_y = scene.grid.scale[1];
-  frame.grid.scale_z = scene.grid.scale[2];
-  frame.tables.cells = scene.layout.cells;
-  frame.tables.groups = scene.layout.groups;
-  frame.tables.chunks = scene.layout.chunks;
-  frame.tables.gaussians = scene.layout.gaussians;
-  frame.tables.colors = scene.layout.colors;
-  frame.tables.pixels = scene.layout.pixels;
-  set_windows(config, set, windows, frame);
+  visit_fields(config, frame, reader);
   return frame;
 }
 

@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SHARED = Path(os.environ.get("PIPEGS_SHARED", ROOT.parent / "shared"))
 GROUPS = {  # name of a group: the folders or files that make it
     "rtl": ["rtl"],
-    "models": ["cpp_model", "scenes/generate"],
+    "models": ["cpp_model", "sim/driver/pipegs_frame.c", "sim/driver/pipegs_wide.h", "scenes/generate"],
     "timing": ["sim/timing"],
     "memory": ["sim/memory"],
     "simulator": ["sim/rtl"],
@@ -30,7 +30,7 @@ SCENES = {  # scene: its file or folder in the folder of scenes
     "showroom": "showroom/lacadiere",
 }
 POINT = "point "  # before the name of a design point whose settings measure too
-CODE = {".sv", ".svh", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby"}
+CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby"}
 IGNORED = re.compile(rb"^[ \t]*[#`]include[^\n]*|/\*.*?\*/|//[^\n]*|\s+", re.DOTALL | re.MULTILINE)
 
 

@@ -79,6 +79,7 @@ void need_taps(const SimulateOptions& options);
 
 void add_info(CLI::App& app, Run& run);
 void add_split(CLI::App& app, Run& run);
+void add_pack(CLI::App& app, Run& run);
 void add_sim(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);

@@ -93,6 +93,7 @@ int main(int argc, char** argv) {
   add_shapes(app, run);
   add_info(app, run);
   add_split(app, run);
+  add_pack(app, run);
   try {
     return run_command(app, argc, argv, run);
   } catch (const std::exception& error) { return tell(error); }

@@ -8,11 +8,17 @@ set -euo pipefail
 cd "$(dirname "$0")/../../sim/driver"
 status=0 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+# Stands for what `pipegs pack` prints; the test `example` has the real one.
+cat > "$folder/scene.h" << 'END'
+#include "pipegs_frame.h"
+static const struct pipegs_scene pipegs_packed_scene = {.exponent = 0};
+static const struct pipegs_camera pipegs_packed_camera = {.near_plane = PIPEGS_NEAR_PLANE};
+END
 for compiler in gcc clang; do
   command -v "$compiler" > /dev/null || { echo "not run: $compiler is not installed"; continue; }
   for file in *.c; do
-    "$compiler" -std=c99 -ffreestanding -Wall -Wextra -pedantic -Wconversion -Wshadow -Werror -O2 -c "$file" \
-      -o "$folder/${file%.c}.$compiler.o" || status=1
+    "$compiler" -std=c99 -ffreestanding -Wall -Wextra -pedantic -Wconversion -Wshadow -Werror -O2 -I"$folder" -I. \
+      -c "$file" -o "$folder/${file%.c}.$compiler.o" || status=1
   done
   for object in "$folder"/*."$compiler".o; do
     other=$(nm -u "$object" | awk '{print $2}' |

@@ -4,8 +4,11 @@
 // What the machine keeps of a frame must not show in the next one: frames of other sizes, cameras and scenes follow on
 // each machine, queued behind the running one and one at a time.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/rtl/job.hpp"
+#include "sim/rtl/rtl_fault.hpp"
 #include "verif/frame/machines.hpp"
 #include "verif/frame/scenes.hpp"
 
@@ -109,6 +112,66 @@ TEST(Sequence, TheMemoryAndTheNearPlaneMayChange) {
       if (HasFatalFailure()) return;
     }
   }
+}
+
+// Everything that AXI4 allows: writes applied hundreds of cycles late, answers that overtake each other, readies that
+// fall. The picture depends on nothing of it.
+TEST(Sequence, AHarshMemoryChangesNoBit) {
+  const Scene first = random_scene(65, 900, 1), second = random_scene(66, 500, 3);
+  for (size_t i = 0; i < kMachines.size(); ++i) {
+    SimulateOptions options = machine(i);
+    if (options.config.bus_w == 0) continue;
+    SCOPED_TRACE(config_difference(options.config));
+    options.memory.harsh = true;
+    options.memory.seed = 7 + i;
+    Sequence sequence(options);
+    sequence.add(first, test_camera(130, 70));
+    sequence.add(test_camera(40, 90));
+    sequence.add(second, test_camera(96, 64));
+    sequence.expect_equal();
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Frames are given up in the middle, with reads and writes out: by an abort, by a read and by a write that fails. Each
+// begins anew behind the reset of the core, and no late answer of the old one may count.
+TEST(Sequence, WhatIsGivenUpInTheMiddleLeavesNothingBehind) {
+  using Kind = RtlDisturbance::Kind;
+  const Scene first = random_scene(67, 900, 1), second = random_scene(68, 500, 2);
+  for (size_t i = 0; i < kMachines.size(); ++i) {
+    for (const bool harsh : {false, true}) {
+      SimulateOptions options = machine(i);
+      if (options.config.bus_w == 0 && harsh) continue;
+      SCOPED_TRACE(config_difference(options.config));
+      options.memory.harsh = harsh;
+      options.memory.latency = 200;
+      std::mt19937_64 rng(i);
+      for (uint64_t frame = 0; frame < 9; ++frame) {
+        const Kind kind = options.config.bus_w == 0 ? Kind::kAbort : static_cast<Kind>(rng() % 3);
+        options.rtl.disturbances.push_back({frame, rng() % 3000, kind});
+      }
+      Sequence sequence(options);
+      sequence.add(first, test_camera(130, 70));
+      sequence.add(test_camera(100, 90));
+      sequence.add(second, test_camera(96, 64));
+      sequence.expect_equal();
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+// An error that nobody foresaw ends the run in words.
+TEST(Sequence, AnErrorOfTheMemoryIsTold) {
+  SimulateOptions options = machine(10);
+  Simulation simulation;
+  simulate_golden(random_scene(69, 300, 1), test_camera(64, 64), options, simulation);
+  const std::unique_ptr<RtlModel> model = load_rtl(options.config);
+  ExternalMemory memory(options.memory, options.config.bus_w);
+  memory.bus()->failing.insert(simulation.input.frame.tables.cells);
+  try {
+    model->run({frame_job(options.config, simulation.input.frame)}, memory, {}, nullptr, {});
+    FAIL() << "no error";
+  } catch (const RtlFault& fault) { EXPECT_THAT(fault.what(), testing::HasSubstr("SLVERR")); }
 }
 
 }  // namespace

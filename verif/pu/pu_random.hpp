@@ -7,7 +7,7 @@
 #include <random>
 
 #include "cpp_model/fixed.hpp"
-#include "cpp_model/pu/front/pu_reach.hpp"
+#include "cpp_model/frame_setup.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
@@ -62,8 +62,8 @@ struct PuRandom {
     f.lens.center_y = std::llround(std::ldexp(height * uniform(0.3, 0.7), config.center_f()));
     set_reach(f.lens.focal_x, width, f.lens.limit_x, f.lens.reach_x);
     set_reach(f.lens.focal_y, height, f.lens.limit_y, f.lens.reach_y);
-    f.lens.spread_x = pu_reach_spread(config, f.lens.focal_x);
-    f.lens.spread_y = pu_reach_spread(config, f.lens.focal_y);
+    f.lens.spread_x = lens_spread(config, f.lens.focal_x);
+    f.lens.spread_y = lens_spread(config, f.lens.focal_y);
     f.lens.near_plane = static_cast<uint64_t>(integer(1, 1 << integer(1, 20)));
     return f;
   }

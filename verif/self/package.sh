@@ -20,6 +20,8 @@ printed $registers_header "$registers" header
 printed docs/units/registers.md "$registers" page
 printed package/pipegs_registers.rdl "$registers" rdl
 printed package/pipegs_registers.xml "$registers" ipxact
+for file in pipegs.core Bender.yml; do printed $file python3 -B package/files.py $file; done
+for file in pipegs.f vivado.tcl; do printed package/$file python3 -B package/files.py $file; done
 # One driver for every machine: no configuration changes its header.
 diff "$registers_header" <("$registers" header units=1 antialias=1 world_w=32 late=1 order=2) ||
   { echo "$registers_header depends on the configuration"; status=1; }

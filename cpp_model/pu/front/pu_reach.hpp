@@ -40,17 +40,6 @@ inline uint64_t reach_weight(const Config& config, int entry) {
 
 inline constexpr int kSpreadMW = 8;  // mantissa of the lens' field below its leading one
 
-// Field of the lens for a focal length; 0 without TightCull.
-inline uint64_t pu_reach_spread(const Config& c, uint64_t focal) {
-  if (!c.tight_cull) return 0;
-  const double pixels = std::ldexp(static_cast<double>(focal), -c.focal_f());
-  const double spread = std::max(1.0, 2 * std::log(c.alpha_cut) * pixels * pixels * (1 + std::ldexp(1.0, -8)));
-  const int e = std::ilogb(spread);
-  // A mantissa that rounds up to 2 carries into the exponent.
-  return (static_cast<uint64_t>(e) << kSpreadMW) + static_cast<uint64_t>(std::ceil(std::ldexp(spread, kSpreadMW - e))) -
-         (uint64_t{1} << kSpreadMW);
-}
-
 // What |n . R_k| may be too small.
 inline int64_t reach_error(const Config& config) { return 13 + (9992 >> (config.quat_w - 1)); }
 

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * pipegs_frame.h: what a start queues, computed from a packed scene and a camera, in integers alone.
+ *
+ * Paper   Sec. 2.1 (projection constants).
+ * Idea    Everything that is the same for all Gaussians of a frame is computed here once. A number of the camera is
+ *         mantissa * 2^exponent: fixed point in the caller's own unit, or the two parts of a float. Products have up to
+ *         128 bits, so any processor gives the same words. What does not fit its field is an error, never a clamp.
+ * Numbers Half a unit of the field at most, a tie away from 0: position, near plane, rotation, focal length, principal
+ *         point (exact but for that), guard band (1.3 is 13/10). Quaternion: half a unit and 2^-40 of one, from the
+ *         numbers of the rotation to 2^-60. Bounds, rounded up: reach, at most 2 units of u18.14 above
+ *         sqrt(2 ln AlphaCut) fx sqrt(1 + limit^2) of the rounded focal length and the guard band one unit up; spread,
+ *         less than 2^-8 above 2 ln AlphaCut fx^2 (1 + 2^-8), and 1 where that is smaller. 2 ln is good to 2^-57.
+ * Sign    A quaternion and its negative are one rotation. Of the two it is the one whose w is positive when the trace
+ *         is, else that whose largest component is positive. */
+#ifndef PIPEGS_FRAME_H
+#define PIPEGS_FRAME_H
+
+#include "pipegs.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* mantissa * 2^exponent */
+struct pipegs_number {
+  int64_t mantissa;
+  int32_t exponent;
+};
+
+/* camera space = rotation * (p - position), axes right, down, forward; pixel = focal * xy / z + center. */
+struct pipegs_camera {
+  struct pipegs_number position[3];    /* scene units */
+  struct pipegs_number rotation[3][3]; /* rows: right, down, forward; orthonormal */
+  struct pipegs_number focal[2];       /* pixels, x and y */
+  struct pipegs_number center[2];      /* pixels; pixel i has its centre at i, so (width - 1) / 2 is the middle */
+  struct pipegs_number near_plane;     /* scene units */
+  uint32_t width, height;              /* pixels */
+};
+
+/* INRIA's near plane, 0.2, as a double has it. */
+#define PIPEGS_NEAR_PLANE \
+  { INT64_C(0x1999999999999a), -55 }
+
+/* What the packer knows of a scene (`pipegs pack` prints it). Places are bytes from the beginning of the image, each
+ * table up to the next one, multiples of a line. */
+struct pipegs_scene {
+  struct pipegs_configuration packed_for; /* what its records need of it is compared */
+  int32_t exponent;                       /* a world unit is 2^exponent scene units */
+  uint32_t sh_degree, antialias;
+  int64_t grid_low[3];    /* world units */
+  uint64_t grid_scale[3]; /* cells per world unit * 2^world_w */
+  uint64_t cells, groups, chunks, gaussians, colors, size;
+};
+
+/* Where things lie in the machine's memory: byte addresses, multiples of a line. */
+struct pipegs_memory {
+  uint64_t scene;    /* the image */
+  uint64_t pixels;   /* the frame by windows, pipegs_pixels_size bytes */
+  uint64_t overflow; /* the overflow areas, a multiple of PIPEGS_OVERFLOW_ALIGNMENT */
+  uint64_t overflow_size;
+};
+#define PIPEGS_OVERFLOW_ALIGNMENT UINT64_C(0x40000)
+
+/* Columns and rows of windows, both ends included. */
+struct pipegs_windows {
+  uint32_t first_x, first_y, last_x, last_y;
+};
+
+/* Which value does not fit; PIPEGS_SETUP_OK is 0. */
+enum pipegs_setup {
+  PIPEGS_SETUP_OK = 0,
+  PIPEGS_SETUP_SCENE, /* packed for other records than this machine's */
+  PIPEGS_SETUP_POSITION_X,
+  PIPEGS_SETUP_POSITION_Y,
+  PIPEGS_SETUP_POSITION_Z,
+  PIPEGS_SETUP_ROTATION, /* an entry of 2 or more, or no rotation at all */
+  PIPEGS_SETUP_FOCAL_X,
+  PIPEGS_SETUP_CENTER_X,
+  PIPEGS_SETUP_GUARD_X, /* 1.3 tan(fov / 2) is 16 or more */
+  PIPEGS_SETUP_REACH_X,
+  PIPEGS_SETUP_FOCAL_Y,
+  PIPEGS_SETUP_CENTER_Y,
+  PIPEGS_SETUP_GUARD_Y,
+  PIPEGS_SETUP_REACH_Y,
+  PIPEGS_SETUP_NEAR_PLANE,
+  PIPEGS_SETUP_ANTIALIAS, /* the scene needs what this machine has not */
+  PIPEGS_SETUP_WIDTH,
+  PIPEGS_SETUP_HEIGHT,
+  PIPEGS_SETUP_WINDOWS, /* not within the picture */
+  PIPEGS_SETUP_LISTS,   /* more windows than lists (order = 1) */
+  PIPEGS_SETUP_MEMORY   /* an address that is not aligned or that the machine does not have */
+};
+
+/* Bytes of a frame's pixels by windows, whole windows. */
+uint64_t pipegs_pixels_size(const struct pipegs_configuration *config, const struct pipegs_camera *camera);
+
+/* The pixels behind the image, the overflow areas behind them: what one frame at a time needs. */
+struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
+                                  const struct pipegs_camera *camera, uint64_t image, uint64_t overflow_size);
+
+/* Fills frame and areas of `job`; the picture in raster order is the caller's. `windows` 0: all. */
+enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
+                                   const struct pipegs_camera *camera, const struct pipegs_windows *windows,
+                                   const struct pipegs_memory *memory, struct pipegs_job *job);
+
+/* The field lens.spread_x or _y of a rounded focal length, for a machine that has it (tight_cull). */
+uint64_t pipegs_spread(uint32_t alpha_cut, uint64_t focal);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
