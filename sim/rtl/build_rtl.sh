@@ -21,7 +21,8 @@ mkdir -p "$out"
 out=$(cd "$out" && pwd)
 exec 9> "$out/lock"
 flock 9
-if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl/rtl_bridge.cpp" "$root/sim/rtl/"*.hpp "$root/sim/driver/"*.h \
+if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl/rtl_bridge.cpp" "$root/sim/rtl/"*.hpp \
+    "$root/sim/rtl/pins" "$root/sim/driver/"*.h \
     "$root/sim/memory/external_memory.hpp" "$root/sim/memory/memory_timing.hpp" "$root/sim/rtl/build_rtl.sh" \
     "$root/sim/rtl/verilate.sh" "$root/sim/rtl/units.vlt" "$root/cpp_model/config.def" "$root/cpp_model/records.def" \
     "$root/sim/rtl/pipegs_sim.sv" "$build/sim/driver/libpipegs_driver.a" \
@@ -95,6 +96,7 @@ fold=()
 if [ $shared = 1 ] && command -v ld.gold > /dev/null; then fold=(-fuse-ld=gold "-Wl,--icf=all"); fi
 "$cxx" -shared "${fold[@]}" -o "$out/librtl.so.new" "$out"/*.o "$build/sim/memory/libpipegs_memory.a" \
   "$build/sim/memory/dram/libpipegs_dram.a" \
-  "$build/sim/driver/libpipegs_driver.a" "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" -lz -latomic -lpthread
+  "$build/sim/driver/libpipegs_driver.a" "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" \
+  -lz -latomic -lpthread
 touch -r "$out/begun" "$out/librtl.so.new"
 mv "$out/librtl.so.new" "$out/librtl.so"

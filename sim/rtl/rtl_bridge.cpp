@@ -11,9 +11,9 @@
 
 #include "Vpipegs_sim.h"
 #include "cpp_model/records.hpp"
-#include "sim/rtl/axi_pins.hpp"
-#include "sim/rtl/control_pins.hpp"
-#include "sim/rtl/ports.hpp"
+#include "sim/rtl/pins/axi_pins.hpp"
+#include "sim/rtl/pins/control_pins.hpp"
+#include "sim/rtl/pins/ports.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 #include "sim/rtl/rtl_model.hpp"
 #include "sim/rtl/wave_file.hpp"
@@ -228,7 +228,8 @@ void VerilatedMachine::cycle() {
     if (top.tap_take_o) {
       if (taken_ == 0) {
         origin_ = static_cast<int64_t>(cycle_) + 1;
-        for (int i = 0; i < kMemoryAhead; ++i) w_.bus != 0 ? static_cast<void>(memory_->bus()->step()) : memory_->step();
+        for (int i = 0; i < kMemoryAhead; ++i)
+          w_.bus != 0 ? static_cast<void>(memory_->bus()->step()) : memory_->step();
       }
       ++taken_;
       taken_cycle_ = cycle_;
@@ -241,8 +242,7 @@ void VerilatedMachine::cycle() {
     throw RtlFault("RTL: no memory request for " + std::to_string(options_->quiet_limit) + " cycles, " + position() +
                    ", " + std::to_string(windows_) + " windows sorted: the machine hangs");
   }
-  if (cycle_ % 4096 == 0 && *progress_ && !(*progress_)(cycle_, windows_))
-    throw std::runtime_error("RTL: interrupted");
+  if (cycle_ % 4096 == 0 && *progress_ && !(*progress_)(cycle_, windows_)) throw std::runtime_error("RTL: interrupted");
   ++cycle_;
 }
 
@@ -288,19 +288,16 @@ RtlResult VerilatedMachine::run(const std::vector<pipegs_job>& frames, ExternalM
   begin(frames.size());
 
   const pipegs_bus bus = {
-      .read = [](void* self, uint32_t offset) {
-        return static_cast<VerilatedMachine*>(self)->access(false, offset, 0);
-      },
-      .write = [](void* self, uint32_t offset, uint32_t value) {
-        static_cast<VerilatedMachine*>(self)->access(true, offset, value);
-      },
+      .read = [](void* self,
+                 uint32_t offset) { return static_cast<VerilatedMachine*>(self)->access(false, offset, 0); },
+      .write = [](void* self, uint32_t offset,
+                  uint32_t value) { static_cast<VerilatedMachine*>(self)->access(true, offset, value); },
       .idle = [](void* self) { static_cast<VerilatedMachine*>(self)->idle(); },
       .context = this};
   if (pipegs_identify(&device_, &bus) != PIPEGS_OK) throw RtlFault("RTL: the registers are not those of the driver");
   pipegs_enable(&device_, PIPEGS_IRQ_STATUS_FRAME_DONE | PIPEGS_IRQ_STATUS_QUEUE_FREE | PIPEGS_IRQ_STATUS_ERROR);
   for (size_t next = 0; ends_.size() < frames.size();) {
-    while (next < frames.size() && !due() && pipegs_queue_free(&device_) &&
-           (options.queued || next == ends_.size())) {
+    while (next < frames.size() && !due() && pipegs_queue_free(&device_) && (options.queued || next == ends_.size())) {
       pipegs_write(&device_, &frames[next++], false);
       pipegs_start(&device_);
     }

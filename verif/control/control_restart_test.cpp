@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_restart_test: rtl/control/control_restart.sv against its model in every cycle, and what it promises to a core.
+// control_restart_test: rtl/control/control_restart.sv against its model in every cycle, and what it promises.
 //
 // The memory side is played as far as it counts here: reads of each epoch that are unanswered. A core that is not in
 // reset asks for more at random, so the epoch may turn only while it is.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_timing_test: sim/memory/bus_timing beside rtl/mem/axi_manager.sv with an AXI4 memory behind it, cycle by cycle.
+// axi_timing_test: sim/memory/axi/bus_timing beside rtl/mem/axi_manager.sv with an AXI4 memory behind it, in each cycle.
 //
 // Both see the same random requests; the memory of both is the same AxiTiming. In every cycle the one must accept what
 // the other accepts and answer the tag that the other answers. So the timing model has the machine's cycles behind a
 // bus, of every width.
 #include "Vaxi_manager.h"
-#include "sim/memory/bus_timing.hpp"
+#include "sim/memory/axi/bus_timing.hpp"
 #include "verif/support/axi_port.hpp"
 #include "verif/support/config.hpp"
 
@@ -64,7 +64,8 @@ class Pair : public Endpoint {
     if (answer != MemoryTiming::kNoAnswer) --open;
     if (!up_) return;
     const bool accepted = model.offer(request_.write, request_.address, static_cast<int>(request_.tag));
-    ASSERT_EQ(dut.mem_ready_o, accepted) << (request_.write ? "write" : "read") << " of tag " << request_.tag << ", " << at;
+    ASSERT_EQ(dut.mem_ready_o, accepted) << (request_.write ? "write" : "read") << " of tag " << request_.tag << ", "
+                                         << at;
     refused += !accepted;
     if (!accepted) return;
     up_ = false;
@@ -102,8 +103,8 @@ const ExternalMemoryOptions kMemories[] = {
     {.dram = "lpddr5-6400x4"},
     {.dram = "lpddr5-6400x4", .write_latency = 300},
 };
-const Mix kMixes[] = {{0, 0},  {100, 0}, {50, 0}, {50, 50}, {10, 90}, {30, 30, Pace::kCoin}, {50, 100},
-                      {3, 60}, {3, 60, Pace::kQuarter}};
+const Mix kMixes[] = {
+    {0, 0}, {100, 0}, {50, 0}, {50, 50}, {10, 90}, {30, 30, Pace::kCoin}, {50, 100}, {3, 60}, {3, 60, Pace::kQuarter}};
 
 TEST(AxiTiming, EveryCycleIsThatOfTheRtl) {
   uint64_t refused = 0;
