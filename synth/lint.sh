@@ -6,9 +6,10 @@
 # with -Wall), and machines that none of them elaborates.
 # Some modules exist in some machines only: they are read with the package of such a machine, printed by
 # $BUILD/cpp_model/package_sv. So is the whole machine of each design point, and one without any effect that can be
-# absent, for Yosys as pipegs_axi, for Verilator as it is simulated, sim/rtl/pipegs_sim.sv. The waivers are those of sim/rtl/waivers.vlt, each with its reason. Yosys 0.23 reads some constructs without a
-# word and gets them wrong (docs/decisions/systemverilog.md): misread.sh searches for those, and its warning "implicitly
-# declared", which goes with one of them, is an error. Ends in a count.
+# absent, for Yosys as pipegs_axi, for Verilator as it is simulated, sim/rtl/pipegs_sim.sv. The waivers are those of
+# sim/rtl/waivers.vlt, each with its reason. Yosys 0.23 reads some constructs without a word and gets them wrong
+# (docs/decisions/systemverilog.md): misread.sh searches for those, and its warning "implicitly declared", which goes
+# with one of them, is an error. Ends in a count.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 mapfile -t paths < <(find rtl sim/rtl -type d | sort | sed 's/^/-y\n/')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_timing_test: sim/memory/axi/bus_timing beside rtl/mem/axi_manager.sv with an AXI4 memory behind it, in each cycle.
+// axi_timing_test: sim/memory/axi/bus_timing beside rtl/mem/axi_manager.sv and an AXI4 memory behind it, in each cycle.
 //
 // Both see the same random requests; the memory of both is the same AxiTiming. In every cycle the one must accept what
 // the other accepts and answer the tag that the other answers. So the timing model has the machine's cycles behind a
