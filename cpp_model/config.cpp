@@ -61,6 +61,9 @@ void config_check(const Config& config) {
                         ", expected a power of two");
     }
   }
+  if (config.bus_w != 0 && config.bus_w != 128 && config.bus_w != 256 && config.bus_w != 512) {
+    throw ConfigError("configuration: bus_w = " + std::to_string(config.bus_w) + ", expected 0, 128, 256 or 512");
+  }
   if (config.quadratic && !config.late) throw ConfigError("configuration: quadratic = 1 needs late = 1");
   if (config.quads && (!config.late || config.quadratic)) {
     throw ConfigError("configuration: quads = 1 needs late = 1 and quadratic = 0");

@@ -32,7 +32,8 @@ def version():
 
 
 def filelist():
-    return "\n".join([f"// {LICENSE}", f"// {PRINTED} Paths from the root of the project; top: {TOP}."] + sources()) + "\n"
+    head = [f"// {LICENSE}", f"// {PRINTED}", f"// Paths from the root of the project; top: {TOP}."]
+    return "\n".join(head + sources()) + "\n"
 
 
 def fusesoc():
@@ -79,8 +80,8 @@ def vivado():
         f"# {LICENSE}",
         f"# {PRINTED}",
         "#",
-        "# vivado -mode batch -source package/vivado.tcl, from the root of the project: packs the core as an IP in build/ip.",
-        "# Vivado finds the AXI interfaces by the names of the ports.",
+        "# vivado -mode batch -source package/vivado.tcl, from the root of the project: packs the core as an IP in",
+        "# build/ip. Vivado finds the AXI interfaces by the names of the ports.",
         "create_project -in_memory",
         "read_verilog -sv {",
         *[f"  {file}" for file in sources()],
@@ -91,7 +92,8 @@ def vivado():
         "set_property name pipegs $core",
         f"set_property version {'.'.join(version().split('.')[:2])} $core",
         "foreach bus {s_axi m_axi} { ipx::associate_bus_interfaces -busif $bus -clock aclk $core }",
-        "set_property value ACTIVE_LOW [ipx::add_bus_parameter POLARITY [ipx::get_bus_interfaces aresetn -of_objects $core]]",
+        "set reset [ipx::get_bus_interfaces aresetn -of_objects $core]",
+        "set_property value ACTIVE_LOW [ipx::add_bus_parameter POLARITY $reset]",
         "ipx::create_xgui_files $core",
         "ipx::update_checksums $core",
         "ipx::check_integrity $core",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Printed by package/files.py (`make package`): change that, never this file. Paths from the root of the project; top: pipegs_axi.
+// Printed by package/files.py (`make package`): change that, never this file.
+// Paths from the root of the project; top: pipegs_axi.
 rtl/pipegs_pkg.sv
 rtl/buf/alpha_store.sv
 rtl/buf/memory_arbiter.sv

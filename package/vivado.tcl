@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Printed by package/files.py (`make package`): change that, never this file.
 #
-# vivado -mode batch -source package/vivado.tcl, from the root of the project: packs the core as an IP in build/ip.
-# Vivado finds the AXI interfaces by the names of the ports.
+# vivado -mode batch -source package/vivado.tcl, from the root of the project: packs the core as an IP in
+# build/ip. Vivado finds the AXI interfaces by the names of the ports.
 create_project -in_memory
 read_verilog -sv {
   rtl/pipegs_pkg.sv
@@ -185,7 +185,8 @@ set core [ipx::current_core]
 set_property name pipegs $core
 set_property version 1.0 $core
 foreach bus {s_axi m_axi} { ipx::associate_bus_interfaces -busif $bus -clock aclk $core }
-set_property value ACTIVE_LOW [ipx::add_bus_parameter POLARITY [ipx::get_bus_interfaces aresetn -of_objects $core]]
+set reset [ipx::get_bus_interfaces aresetn -of_objects $core]
+set_property value ACTIVE_LOW [ipx::add_bus_parameter POLARITY $reset]
 ipx::create_xgui_files $core
 ipx::update_checksums $core
 ipx::check_integrity $core

@@ -5,7 +5,8 @@
 //         a frame: control_done holds its end back until its pixels are in memory, control_restart resets the core when
 //         a frame was aborted or has met an error. Then every frame inside is given up; the queued one is begun behind
 //         it, unless it was an abort, which drops that one too. Only wiring here.
-// Stream  s_axi_*: AXI4-Lite, see control_bus. mem_*: see memory_arbiter; reads belong to the epoch that shows with them.
+// Stream  s_axi_*: AXI4-Lite, see control_bus. mem_*: see memory_arbiter; a read belongs to the epoch that shows with
+//         it.
 // Pace    A frame begins four cycles after the bus has taken the write of CONTROL.start.
 // Model   The harness drives it as software does: sim/driver, sim/rtl/rtl_bridge.cpp.
 

@@ -64,6 +64,8 @@ KNOBS = [
     "bucket_bits=4",
     "nearest_nodes=256",
     "mark_chunks=4",
+    "bus_w=128",
+    "bus_w=256",
 ]
 DESIGN_POINTS = ["fast", "exact", "dop", "baseline"]  # together they hold every block of points.csv
 

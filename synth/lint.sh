@@ -6,12 +6,13 @@
 # with -Wall), and machines that none of them elaborates.
 # Some modules exist in some machines only: they are read with the package of such a machine, printed by
 # $BUILD/cpp_model/package_sv. So is the whole machine of each design point, and one without any effect that can be
-# absent. The waivers are those of sim/rtl/waivers.vlt, each with its reason. Yosys 0.23 reads some constructs without a
-# word and gets them wrong (docs/decisions/systemverilog.md): misread.sh searches for those, and its warning "implicitly
-# declared", which goes with one of them, is an error. Ends in a count.
+# absent, for Yosys as pipegs_axi, for Verilator as it is simulated, sim/rtl/pipegs_sim.sv. The waivers are those of
+# sim/rtl/waivers.vlt, each with its reason. Yosys 0.23 reads some constructs without a word and gets them wrong
+# (docs/decisions/systemverilog.md): misread.sh searches for those, and its warning "implicitly declared", which goes
+# with one of them, is an error. Ends in a count.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
-mapfile -t paths < <(find rtl -type d | sort | sed 's/^/-y\n/')
+mapfile -t paths < <(find rtl sim/rtl -type d | sort | sed 's/^/-y\n/')
 mapfile -t files < <(find rtl -name '*.sv' ! -name pipegs_pkg.sv | sort)
 modules=("$@")
 build=${BUILD:-build} failed=0 scratch=$(mktemp -d) rest=
@@ -32,9 +33,11 @@ design_point() {  # its settings, from the table
 machines=("" "$(design_point fast)")
 [ -z "$rest" ] || machines=()
 machines+=("antialias=1" "tight_cull=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1"
-  "late=1 order=2" "late=1 order=2 quads=1"
+  "late=1 order=2" "late=1 order=2 quads=1" "bus_w=128"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
+simulated=("" "bus_w=0")
+[ -n "$rest" ] || simulated+=("${machines[@]:1}")
 declare -A machine_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows]="late=1"
   [pu_power]="late=1 quadratic=1" [pu_expand]="late=1 order=1" [pu_list]="late=1 order=1" [pu_record]="late=1 order=1"
   [pu_lines]="order=1" [pu_fill]="order=1" [pu_marks]="late=1 order=2"
@@ -60,11 +63,11 @@ lint() {  # one module with these settings
   fi
 }
 for module in "${modules[@]}"; do lint "$module" "${machine_of[$module]:-}"; done
+for machine in "${simulated[@]}"; do lint pipegs_sim "$machine"; done
 for machine in "${machines[@]}"; do
-  if [ -n "$machine" ] && [ -z "$rest" ]; then lint pipegs_top "$machine"; fi
   if ! log=$(yosys -q -e 'implicitly declared' \
       -p "read_verilog -sv -defer -DSYNTHESIS $(package "$machine") ${files[*]}
-          hierarchy -check -top pipegs_top; proc" 2>&1); then
+          hierarchy -check -top pipegs_axi; proc" 2>&1); then
     echo "FAIL yosys $machine"; grep -v '^Warning' <<< "$log" | head -n 8; failed=$((failed + 1))
   fi
 done

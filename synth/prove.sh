@@ -31,7 +31,7 @@ instances() {
     files=$(find rtl -name '*.sv' ! -name pipegs_pkg.sv | sort | tr '\n' ' ')
     for machine in "${machines[@]}"; do
       "$build/cpp_model/package_sv" $machine > "$list.$$.sv" &&
-        yosys -p "read_verilog -sv -defer $list.$$.sv $files; hierarchy -check -top pipegs_top" || echo ERROR
+        yosys -p "read_verilog -sv -defer $list.$$.sv $files; hierarchy -check -top pipegs_axi" || echo ERROR
     done | awk -F"[\`']" '/ERROR/ {print "ERROR"}
         /derive mode using pre-parsed AST for module/ {name = substr($2, 2); set = ""}
       /^Parameter / {split($0, part, /[\\ ]+/); set = set " " part[2] "=" part[4]}

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // control_restart: gives up what the core is doing: resets it alone, while the bus goes on by its rules.
 //
-// Idea    A frame that was aborted or has met an error has nothing in the core worth keeping, so the core is reset. What
-//         it asked for is still answered: the memory side tells answers apart by the epoch of their request, one bit,
-//         and so the epoch may turn only when nothing of the epoch before is out. Until then the core stays in reset.
+// Idea    A frame that was aborted or has met an error has nothing in the core worth keeping, so the core is reset.
+//         What it asked for is still answered: the memory side tells answers apart by the epoch of their request, one
+//         bit, and so the epoch may turn only when nothing of the epoch before is out. Until then the core stays in
+//         reset.
 // Stream  give_up_i: pulse. core_rst_no: the core's reset, a flip-flop of its own. ready_o: the core may take a frame.
 // Pace    The core is in reset from the next cycle on, for two cycles when drained_i is up.
 // Model   cpp_model/control/control_restart.hpp

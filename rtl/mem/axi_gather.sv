@@ -8,7 +8,7 @@
 //         Beats of an epoch that is over are dropped; when the epoch changes all counters begin again.
 // Stream  in: beats of R, never refused. out: a line and its tag, never refused by the core.
 // Pace    One beat per cycle; a line shows one cycle after its last beat.
-// Model   sim/memory/axi_memory.hpp has the other side.
+// Model   sim/memory/axi/axi_memory.hpp has the other side.
 
 module axi_gather #(
   parameter int unsigned DataW = 512,

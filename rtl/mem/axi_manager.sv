@@ -11,7 +11,7 @@
 //         to its outputs without a register.
 // Pace    One request per cycle with DataW = 512, a line in 512 / DataW cycles. A read shows on AR one cycle after it
 //         was accepted, its line to the core one cycle after its last beat.
-// Model   sim/memory/axi_memory.hpp has the other side; verif/mem/axi_manager_test.cpp compares every line.
+// Model   sim/memory/axi/axi_memory.hpp has the other side; verif/mem/axi_manager_test.cpp compares every line.
 
 module axi_manager #(
   parameter int unsigned DataW  = 512,  // 128, 256 or 512

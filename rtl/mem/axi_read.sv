@@ -8,7 +8,7 @@
 //         drained_o is up.
 // Stream  in: the read, {epoch, tag, lines, line}. out: AR; R is never refused. Lines and their tag to the core.
 // Pace    One read and one beat per cycle; AR shows one cycle after the read, a line one cycle after its last beat.
-// Model   sim/memory/axi_memory.hpp has the other side.
+// Model   sim/memory/axi/axi_memory.hpp has the other side.
 
 module axi_read #(
   parameter int unsigned DataW = 512,

@@ -8,7 +8,7 @@
 // Stream  in: the number of a line and its 512 bits. out: AW and W; B is taken when the queue shows its line, which is
 //         before the answer can come. An error of an epoch that is over is not told.
 // Pace    A line in MemoryW / DataW cycles; its address shows one cycle after it was taken.
-// Model   sim/memory/axi_memory.hpp has the other side.
+// Model   sim/memory/axi/axi_memory.hpp has the other side.
 
 module axi_write #(
   parameter int unsigned DataW  = 512,

@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "cpp_model/memory_line.hpp"
-#include "sim/memory/axi_memory.hpp"
+#include "sim/memory/axi/axi_memory.hpp"
 #include "sim/memory/memory_pages.hpp"
 #include "sim/memory/memory_timing.hpp"
 

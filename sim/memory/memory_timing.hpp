@@ -30,9 +30,9 @@ struct ExternalMemoryOptions {
   int jitter = 0;                 // ideal: largest random delay added to an answer
   int queue = 64;                 // ideal: requests that may wait for the pins
   uint64_t seed = 1;
-  int path = 20;  // DRAM: cycles between machine and channels, there and back
+  int path = 20;           // DRAM: cycles between machine and channels, there and back
   int write_latency = 20;  // behind a bus: cycles until a line that is written is answered
-  bool harsh = false;  // behind a bus: all that AXI4 allows and a machine may stumble over, see axi_memory.hpp
+  bool harsh = false;      // behind a bus: all that AXI4 allows and a machine may stumble over, see axi_memory.hpp
 };
 
 class MemoryTiming {
@@ -49,7 +49,7 @@ class MemoryTiming {
     request(write, line, tag);
     return true;
   }
-  virtual const Dram* dram() const { return nullptr; }           // for its statistics, if it is one
+  virtual const Dram* dram() const { return nullptr; }  // for its statistics, if it is one
 };
 
 class PinsTiming final : public MemoryTiming {

@@ -28,7 +28,8 @@ Frame job_frame(const Config& config, const pipegs_job& job) {
   const uint64_t* slot = reinterpret_cast<const uint64_t*>(&job.frame);
   int at = 0;
   for (const Slot& field : register_map(config).block("frame").slots) {
-    if (field.width > 0) put_bits(bits.data(), at, field.width, (*slot >> field.shift) & (~uint64_t{0} >> (64 - field.width)));
+    if (field.width > 0)
+      put_bits(bits.data(), at, field.width, (*slot >> field.shift) & (~uint64_t{0} >> (64 - field.width)));
     ++slot;
     at += field.width;
   }

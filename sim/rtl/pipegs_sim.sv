@@ -2,9 +2,10 @@
 // pipegs_sim: the machine as it is simulated: pipegs_axi, and what the harness sees of its inside.
 //
 // Idea    No port of the product shows a stream, so this one looks by name. With BusW = 0 there is no bus: pipegs_host
-//         stands alone, its port to memory is mem_*, and m_axi_* are quiet; else mem_* only tell what the core asks for.
-//         With Taps = 0 only the ports of the product, the memory port and the ends of frames show.
-// Stream  As pipegs_axi. mem_valid_o with mem_ready_o: the core's request was accepted. tap_*: what moves on the streams.
+//         stands alone, its port to memory is mem_*, and m_axi_* are quiet; else mem_* only tell what the core asks
+//         for. With Taps = 0 only the ports of the product, the memory port and the ends of frames show.
+// Stream  As pipegs_axi. mem_valid_o with mem_ready_o: the core's request was accepted. tap_*: what moves on the
+//         streams.
 // Pace    No register of its own but a count of reads (BusW = 0).
 // Model   sim/rtl/rtl_bridge.cpp clocks it.
 

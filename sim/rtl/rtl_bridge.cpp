@@ -11,9 +11,9 @@
 
 #include "Vpipegs_sim.h"
 #include "cpp_model/records.hpp"
-#include "sim/rtl/axi_pins.hpp"
-#include "sim/rtl/control_pins.hpp"
-#include "sim/rtl/ports.hpp"
+#include "sim/rtl/pins/axi_pins.hpp"
+#include "sim/rtl/pins/control_pins.hpp"
+#include "sim/rtl/pins/ports.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 #include "sim/rtl/rtl_model.hpp"
 #include "sim/rtl/wave_file.hpp"
@@ -228,7 +228,8 @@ void VerilatedMachine::cycle() {
     if (top.tap_take_o) {
       if (taken_ == 0) {
         origin_ = static_cast<int64_t>(cycle_) + 1;
-        for (int i = 0; i < kMemoryAhead; ++i) w_.bus != 0 ? static_cast<void>(memory_->bus()->step()) : memory_->step();
+        for (int i = 0; i < kMemoryAhead; ++i)
+          w_.bus != 0 ? static_cast<void>(memory_->bus()->step()) : memory_->step();
       }
       ++taken_;
       taken_cycle_ = cycle_;
@@ -241,8 +242,7 @@ void VerilatedMachine::cycle() {
     throw RtlFault("RTL: no memory request for " + std::to_string(options_->quiet_limit) + " cycles, " + position() +
                    ", " + std::to_string(windows_) + " windows sorted: the machine hangs");
   }
-  if (cycle_ % 4096 == 0 && *progress_ && !(*progress_)(cycle_, windows_))
-    throw std::runtime_error("RTL: interrupted");
+  if (cycle_ % 4096 == 0 && *progress_ && !(*progress_)(cycle_, windows_)) throw std::runtime_error("RTL: interrupted");
   ++cycle_;
 }
 
@@ -324,12 +324,10 @@ RtlResult VerilatedMachine::drive(const std::function<void(const pipegs_bus&)>& 
   cycles_ = streams_ && taps->wants_cycles();
   begin();
   const pipegs_bus bus = {
-      .read = [](void* self, uint32_t offset) {
-        return static_cast<VerilatedMachine*>(self)->access(false, offset, 0);
-      },
-      .write = [](void* self, uint32_t offset, uint32_t value) {
-        static_cast<VerilatedMachine*>(self)->access(true, offset, value);
-      },
+      .read = [](void* self,
+                 uint32_t offset) { return static_cast<VerilatedMachine*>(self)->access(false, offset, 0); },
+      .write = [](void* self, uint32_t offset,
+                  uint32_t value) { static_cast<VerilatedMachine*>(self)->access(true, offset, value); },
       .idle = [](void* self) { static_cast<VerilatedMachine*>(self)->idle(); },
       .context = this};
   program(bus);

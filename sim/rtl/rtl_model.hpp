@@ -46,8 +46,8 @@ class RtlTaps {
   virtual void on_request(int /*tag*/, bool /*write*/, uint64_t /*line*/) {}
 };
 
-// What a run is to survive: it happens `cycle` cycles after the machine has taken its frame number `frame`, counted with
-// those that it takes again.
+// What a run is to survive: it happens `cycle` cycles after the machine has taken its frame number `frame`, counted
+// with those that it takes again.
 struct RtlDisturbance {
   enum class Kind { kAbort, kFailRead, kFailWrite };
   uint64_t frame = 0, cycle = 0;

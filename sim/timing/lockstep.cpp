@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // lockstep.cpp: see lockstep.hpp.
-#include "sim/memory/bus_timing.hpp"
+#include "sim/memory/axi/bus_timing.hpp"
 #include "sim/timing/lockstep.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // timing_model.cpp: see timing_model.hpp.
-#include "sim/memory/bus_timing.hpp"
+#include "sim/memory/axi/bus_timing.hpp"
 #include "sim/timing/timing_model.hpp"
 
 #include <stdexcept>

@@ -157,7 +157,7 @@ mutant "drained in the cycle of the turn" "s/turn \? reads_q == '0 : old_q == '0
 mutant "errors of the old core are told" 's/error_o        = now \&\& /error_o = m_axi_rvalid \&\& /'
 
 proof  axi_manager \
-       "axi_manager+ axi_fence axi_read axi_write axi_gather axi_errors free_sram free_sram_fifo axi_check" \
+       "axi_manager+ axi_fence axi_read axi_write axi_gather free_sram free_sram_fifo axi_check" \
        "@default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=16 AddrW=16 Reads=3
   Writes=3 Fenced=2;
   @default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=8 AddrW=16 Reads=3
@@ -172,6 +172,12 @@ mutant "a read is accepted without room" 's/ \&\& read_room;/;/'
 mutant "idle while reads are out" "s/writes != '0 \|\| reads_pending/writes != '0/"
 mutant "idle while writes are out" "s/writes != '0 \|\| reads_pending/reads_pending/"
 mutant "a write is a read, too" 's/mem_valid_i \&\& !mem_request_i.write \&\& read_room/mem_valid_i \&\& read_room/'
+mutant "of two errors in a cycle the read's is lost" \
+       's/read_error \&\& read_decode/!write_error \&\& read_error \&\& read_decode/'
+mutant "a write that nothing answers is told as one that failed" 's/write_error \&\& !write_decode/write_error/'
+mutant "the line shown with an error is that of now" 's/(error_line_o = )error_line_q/\1write_line/'
+mutant "errors are told in reset" "s/if \(!rst_ni\) error_q <= '0;/if (!rst_ni) error_q <= '1;/"
+mutant "an answer counts before it is taken" 's/(answered_o *= m_axi_bvalid) \&\& m_axi_bready/\1/'
 
 # --- rtl/control ------------------------------------------------------------------------------------------------------
 proof  control_bus "control_bus+" "@default"
@@ -219,6 +225,26 @@ mutant "a start while a frame is queued is no error" \
        's/(start_full_i\(control.start) .* queued/\1 \&\& control.abort_all/'
 mutant "the strobes of CONTROL are not looked at" 's/write_data \& write_mask \& \{32/write_data \& {32/'
 mutant "an abort does not drop the queue" "s/drop_i\(control.abort_all\)/drop_i(1'b0)/"
+
+proof  control_restart "control_restart+" ""
+mutant "the epoch turns while old reads are out" "s/(StateStop: if \()drained_i/\11'b1/"
+mutant "the epoch does not turn" 's/epoch_q <= !epoch_q/epoch_q <= epoch_q/'
+mutant "a frame is taken in the cycle of a give-up" 's/(state_q == StateRun) \&\& !give_up_i;/\1;/'
+mutant "the core is not in reset before the epoch turns" \
+       "/StateRun: if/,/end/s/core_rst_nq <= 1'b0/core_rst_nq <= 1'b1/"
+mutant "the core leaves reset as the epoch turns" \
+       "/StateStop: if/,/end/s/(epoch_q <= !epoch_q;)/\1 core_rst_nq <= 1'b1;/"
+mutant "a give-up is lost" 's/StateRun: if \(give_up_i\)/StateRun: if (give_up_i \&\& drained_i)/'
+
+# Few writes, then as many as the machine has.
+proof  control_done "control_done+" "@default %BusWrites=3; @default %BusWrites=1; @default"
+mutant "a frame is told before its writes are answered" "s/(done_o *= .*) \&\& left_q == '0/\1/"
+mutant "a frame that was given up is told" 's/(done_o *= .*) \&\& !give_up_i/\1/'
+mutant "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
+mutant "an answer in the cycle of the end is waited for" "s/(later_left = writes_i) - WritesW.\(answered_i\)/\1/"
+mutant "those behind the oldest frame are forgotten" 's/(later_q *<= )later;/\1later_q;/'
+mutant "those behind it wait for its writes alone" 's/( left_q *<= )later_left;/\1left_q;/'
+mutant "a frame is told twice" "s/(frames_q *<= frames_q) - FramesW.\(done_o\)/\1/"
 
 # --- rtl --------------------------------------------------------------------------------------------------------------
 proof  scheduler "scheduler+" "@late=1,order=2 %WindowW=3 %PerfW=8; @default %WindowW=3; @units=1 %WindowW=4"

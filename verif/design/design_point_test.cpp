@@ -47,6 +47,19 @@ TEST(DesignPoints, AreLegalAndKnownByTheirSettings) {
   EXPECT_EQ(design_points().back().name, kDefaultDesignPoint);
 }
 
+TEST(DesignPoints, ABusHasAWidthOfAxiOrIsAbsent) {
+  for (int width = 0; width <= 512; ++width) {
+    Config config;
+    config.bus_w = width;
+    std::string error;
+    try {
+      config_check(config);
+    } catch (const ConfigError& found) { error = found.what(); }
+    const bool legal = width == 0 || width == 128 || width == 256 || width == 512;
+    EXPECT_EQ(error, legal ? "" : "configuration: bus_w = " + std::to_string(width) + ", expected 0, 128, 256 or 512");
+  }
+}
+
 TEST(DesignPoints, BadNamesAreRefused) {
   EXPECT_THROW(find_design_point("nonsense"), ConfigError);
   EXPECT_THROW(find_design_point(""), ConfigError);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_memory_test: the AXI4 memory of the tests (sim/memory/axi_memory) names each rule that a manager breaks, and what
+// axi_memory_test: the AXI4 memory of the tests (sim/memory/axi/axi_memory) names each rule that a manager breaks; what
 // lies outside of it or fails is answered as such.
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "sim/memory/axi_memory.hpp"
+#include "sim/memory/axi/axi_memory.hpp"
 
 namespace pipegs {
 namespace {

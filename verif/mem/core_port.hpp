@@ -36,7 +36,6 @@ class CorePort : public Endpoint {
     dut.mem_valid_i = 0;
     dut.epoch_i = 0;
     dut.base_i = base;
-    dut.error_clear_i = 0;
     for (uint64_t line = 0; line < kShared; ++line) {
       store(line, random_line());
       store(kFixed + line, random_line());

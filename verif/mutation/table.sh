@@ -107,6 +107,8 @@ mutant pu_spill "the end is taken while a line waits" \
 mutant pu_join "an end passes before its lines are written" "s/!is_end \|\| ends_q != '0/1/"
 mutant pu_deal "an end passes when one cull has reached it" "s/is_end == '1/is_end != '0/"
 mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1/\11/"
+mutant pu_deal "the turn goes on while nothing is dealt" \
+       "s/(else if \()take_data\) last_q/\1room != '0) last_q/"
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/drop \|\| go\), \.out_o/go), .out_o/'
 mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/"
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic
@@ -252,6 +254,20 @@ mutant control_registers "a start with an abort is an error" \
 mutant control_registers "the enables are written without strobes" \
        's/irq_enable_q\[2:0\] & ~write_mask\[2:0\]/3'"'"'d0/'
 mutant control_registers "the abort lasts" 's/(abort_q <= control.abort_all)/\1 || abort_q/'
+mutant control_restart "the epoch turns while old reads are out" "s/(StateStop: if \()drained_i/\11'b1/"
+mutant control_restart "the epoch does not turn" 's/epoch_q <= !epoch_q/epoch_q <= epoch_q/'
+mutant control_restart "a frame is taken in the cycle of a give-up" 's/(state_q == StateRun) && !give_up_i;/\1;/'
+mutant control_restart "the core is not in reset before the epoch turns" \
+       "/StateRun: if/,/end/s/core_rst_nq <= 1'b0/core_rst_nq <= 1'b1/"
+mutant control_restart "the core leaves reset as the epoch turns" \
+       "/StateStop: if/,/end/s/(epoch_q <= !epoch_q;)/\1 core_rst_nq <= 1'b1;/"
+mutant control_done "a frame is told before its writes are answered" "s/(done_o *= .*) && left_q == '0/\1/"
+mutant control_done "a frame that was given up is told" 's/(done_o *= .*) && !give_up_i/\1/'
+mutant control_done "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
+mutant control_done "an answer in the cycle of the end is waited for" \
+       "s/(later_left = writes_i) - WritesW'\(answered_i\)/\1/"
+mutant control_done "those behind the oldest frame are forgotten" 's/(later_q *<= )later;/\1later_q;/'
+mutant control_done "those behind it wait for its writes alone" 's/( left_q *<= )later_left;/\1left_q;/'
 mutant control_registers "an address is shown in lines" 's/(30.d0, error_line\} << )6/\10/'
 
 # --- parts left out ---------------------------------------------------------------------------------------------------
@@ -296,9 +312,15 @@ mutant axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last
 mutant axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
 mutant axi_write "data changes while it waits" 's/else if \(m_axi_wready\) data_q/else data_q/' axi_manager_256
 mutant axi_write "errors of the old core's writes are told" 's/ && done_epoch == epoch_i//' axi_manager_512
-mutant axi_errors "the last tag that failed instead of the first" 's/ && \(!read_q \|\| clear_i\)//' axi_manager_512
-mutant axi_errors "an error in the cycle of the clearing is lost" \
-       's/write_i \|\| \(write_q && !clear_i\)/(write_i || write_q) \&\& !clear_i/' axi_manager_512
+mutant axi_read "errors of the old core's reads are told" 's/(error_o *= )now && /\1m_axi_rvalid \&\& /' axi_manager_512
+mutant axi_manager "of two errors in a cycle the read's is lost" \
+       's/read_error && read_decode/!write_error \&\& &/' axi_manager_512
+mutant axi_manager "a write that nothing answers is told as one that failed" \
+       's/write_error && !write_decode/write_error/' axi_manager_512
+mutant axi_manager "the line shown with an error is that of now" 's/(error_line_o = )error_line_q/\1write_line/' \
+       axi_manager_512
+mutant axi_manager "an answer counts before it is taken" 's/(answered_o *= m_axi_bvalid) && m_axi_bready/\1/' \
+       axi_manager_small
 
 # --- rtl: control at the top ------------------------------------------------------------------------------------------
 group top "Control at the top"

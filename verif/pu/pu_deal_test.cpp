@@ -11,8 +11,14 @@ namespace {
 
 class PuDeal : public testing::Test {
  protected:
-  // Several streams of layers, each with its own number of Gaussians; returns the cycles that passed.
-  uint64_t deal(Pace source_pace, Pace sink_pace, int layers, int most) {
+  struct Dealt {
+    uint64_t cycle, index;
+    int unit;
+    bool operator==(const Dealt&) const = default;
+  };
+  // Several streams of layers, each with its own number of Gaussians, `idle` cycles after the reset; returns the cycles
+  // that passed.
+  uint64_t deal(Pace source_pace, Pace sink_pace, int layers, int most, int idle = 0) {
     const Config config = test_config();
     const int units = config.units, fronts = config.pu_fronts(), width = record_width<Visible>(config);
     Bench<Vpu_deal> bench;
@@ -35,8 +41,11 @@ class PuDeal : public testing::Test {
     std::vector<bool> up(fronts);
     std::vector<int> layer(units, 0);
     bench.dut.in_valid_i = 0;
-    bench.dut.out_ready_i = 0;
+    bench.dut.out_ready_i = static_cast<CData>((1 << units) - 1);  // empty queues
     bench.reset();
+    for (int i = 0; i < idle; ++i) bench.step();
+    order.clear();
+    taken_ = 0;
     const uint64_t start = bench.cycle;
     int ended = 0;
     for (; ended < units && bench.cycle < start + 200000; ++bench.cycle) {
@@ -68,6 +77,7 @@ class PuDeal : public testing::Test {
         if ((bench.dut.in_ready_o & valid) >> f & 1) sources[f].pop_front(), up[f] = false;
       for (int u = 0; u < units; ++u) {
         if ((handshakes >> u & 1) == 0) continue;
+        order.push_back({bench.cycle - start, out.kind == kData ? out.index : ~uint64_t{0}, u});
         if (out.kind != kData) {
           ++layer[u];
           ended += out.kind == kWindowEnd;
@@ -89,12 +99,25 @@ class PuDeal : public testing::Test {
     return bench.cycle - start;
   }
   CData taken_ = 0;
-  uint64_t dealt_ = 0;  // Gaussians of the last run
+  uint64_t dealt_ = 0;       // Gaussians of the last run
+  std::vector<Dealt> order;  // and where they and the ends went
 };
 
 TEST_F(PuDeal, EveryGaussianArrivesOnceInItsLayerAtEveryPace) {
   for (const Pace source : kPaces) {
     for (const Pace sink : kPaces) deal(source, sink, 20, 30);
+  }
+}
+
+// So the cycles of a frame do not depend on when it begins.
+TEST_F(PuDeal, WhoIsDealtToDoesNotDependOnTheCyclesBefore) {
+  for (const Pace sink : kPaces) {
+    deal(Pace::kQuarter, sink, 5, 20);
+    const std::vector<Dealt> first = order;
+    for (int idle = 1; idle < 6; ++idle) {
+      deal(Pace::kQuarter, sink, 5, 20, idle);
+      EXPECT_EQ(order, first) << idle << " cycles later, PUs " << to_text(sink);
+    }
   }
 }
 

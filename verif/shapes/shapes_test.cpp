@@ -50,6 +50,10 @@ TEST(Neighbours, LeaveAloneWhatAMachineDoesNotHave) {
   Config narrow = exact();
   narrow.window = 32;
   EXPECT_FALSE(moves(narrow, "window")) << "its footprints have another anchor";
+  EXPECT_TRUE(moves(exact(), "bus_w"));
+  Config bare = exact();
+  bare.bus_w = 0;
+  EXPECT_FALSE(moves(bare, "bus_w")) << "there is no bus";
 }
 
 // Cycles by formula: units and tests help, records above 1024 do not, one bucket bit is best.

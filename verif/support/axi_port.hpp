@@ -2,8 +2,8 @@
 // axi_port.hpp: an AxiMemory at the m_axi pins of a module.
 #pragma once
 
-#include "sim/memory/axi_memory.hpp"
-#include "sim/rtl/axi_pins.hpp"
+#include "sim/memory/axi/axi_memory.hpp"
+#include "sim/rtl/pins/axi_pins.hpp"
 #include "verif/support/bench.hpp"
 
 namespace pipegs {

@@ -23,7 +23,7 @@
 
 #include "cpp_model/records.hpp"
 #include "sim/memory/external_memory.hpp"
-#include "sim/rtl/ports.hpp"
+#include "sim/rtl/pins/ports.hpp"
 #include "verif/support/waves.hpp"
 
 namespace pipegs {

@@ -4,7 +4,8 @@
 // Rule    axi_check. pending_o is up while anything is out. What `axi_fence` assumes: it sees the number of writes that
 //         were accepted and not answered, no write is accepted in the cycle of a read, and a read of a tag that may
 //         write does not pass while a write is unanswered. What `axi_read` assumes: a read is accepted when there is
-//         room.
+//         room. An answer of this epoch that failed is told in the next cycle, each kind by itself, a write's with its
+//         line; writes_o and answered_o are the writes that are unanswered, and one that is answered.
 // Assumes A subordinate that keeps its rules; a base that is a multiple of 4096; reads of 1 to 8 lines in one aligned
 //         group. The core may withdraw a request.
 // Invariant  Reads that are accepted and not answered wait in the fence, on AR or with the subordinate.
@@ -19,6 +20,10 @@ localparam int unsigned ProofReadsW  = $clog2(Reads + 1) + 1;
 localparam int unsigned ProofWritesW = $clog2(Writes + 1) + 1;
 localparam int unsigned ProofBeats   = pipegs_pkg::MemoryW / DataW;
 (* hierconn *) logic [(ProofBeats > 1 ? $clog2(ProofBeats) : 1)-1:0] \u_write.beat_q ;
+(* hierconn *) logic \u_write.done_epoch ;
+(* hierconn *) logic [LineW-1:0] \u_write.error_line_o ;
+logic [3:0]              failed_q;
+logic [LineW-1:0]        failed_line_q;
 logic                    manager, subordinate, accepts_read, accepts_write;
 logic [ProofReadsW-1:0]  reads;
 logic [ProofReadsW+IdW-1:0] sum;  // of all IDs
@@ -47,6 +52,17 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   else open_q <= open_q + ProofWritesW'(accepts_write) - ProofWritesW'(m_axi_bvalid && m_axi_bready);
 end
 
+always_ff @(posedge clk_i or negedge rst_ni) begin
+  if (!rst_ni) failed_q <= '0;
+  else begin
+    failed_q[1:0] <= m_axi_rvalid && m_axi_rready && m_axi_rid[IdW-1] == epoch_i ?
+                     {m_axi_rresp == 2'd3, m_axi_rresp == 2'd2} : 2'd0;
+    failed_q[3:2] <= m_axi_bvalid && m_axi_bready && \u_write.done_epoch == epoch_i ?
+                     {m_axi_bresp == 2'd3, m_axi_bresp == 2'd2} : 2'd0;
+  end
+end
+always_ff @(posedge clk_i) failed_line_q <= \u_write.error_line_o ;
+
 always_comb begin
   sum = '0;
   for (int unsigned i = 0; i < 1 << IdW; i += 1) sum = sum + (ProofReadsW+IdW)'(reads_of[i*ProofReadsW +: ProofReadsW]);
@@ -60,6 +76,9 @@ always_comb begin
   if (rst_ni) begin
     assert (pending_o || (reads == '0 && addresses == '0 && lines == '0 && !rsp_valid_o));
     assert (pending_o || !(m_axi_arvalid || m_axi_awvalid || m_axi_wvalid));
+    assert (error_o == failed_q);
+    assert (error_o[3:2] == '0 || error_line_o == failed_line_q);
+    assert (writes_o == writes && answered_o == (m_axi_bvalid && m_axi_bready));
     assert (ProofWritesW'(writes) == open_q && open_q <= ProofWritesW'(Writes));
     assert (!(write_valid && read_valid));
     assert (!(accepts_read && mem_request_i.tag < TagW'(pipegs_pkg::WritePorts) && open_q != '0) || !\u_fence.passes );

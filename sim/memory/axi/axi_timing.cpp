@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // axi_timing.cpp: see axi_timing.hpp.
-#include "sim/memory/axi_timing.hpp"
+#include "sim/memory/axi/axi_timing.hpp"
 
 namespace pipegs {
 namespace {

@@ -10,7 +10,7 @@
 #include <deque>
 #include <string>
 
-#include "sim/memory/axi_signals.hpp"
+#include "sim/memory/axi/axi_signals.hpp"
 
 namespace pipegs {
 

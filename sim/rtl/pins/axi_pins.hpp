@@ -2,8 +2,8 @@
 // axi_pins.hpp: the m_axi_* pins of a Verilated module as what AXI4 shows in a cycle (axi_signals.hpp).
 #pragma once
 
-#include "sim/memory/axi_signals.hpp"
-#include "sim/rtl/ports.hpp"
+#include "sim/memory/axi/axi_signals.hpp"
+#include "sim/rtl/pins/ports.hpp"
 
 namespace pipegs {
 

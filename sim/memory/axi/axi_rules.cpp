@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // axi_rules.cpp: see axi_rules.hpp.
-#include "sim/memory/axi_rules.hpp"
+#include "sim/memory/axi/axi_rules.hpp"
 
 #include <stdexcept>
 

@@ -2,9 +2,9 @@
 // axi_timing.hpp: when an AXI4 subordinate with a memory behind it answers, without contents: for AxiMemory and for the
 // timing model.
 //
-// Idea    A MemoryTiming (memory_timing.hpp) takes one line per cycle, reads and writes in the order in which they came,
-//         and says when a read answers; its beats leave one after the other, lines never mixed. A write is in memory
-//         when the timing takes it and answered `write_latency` cycles later.
+// Idea    A MemoryTiming (memory_timing.hpp) takes one line per cycle, reads and writes in the order in which they
+//         came, and says when a read answers; its beats leave one after the other, lines never mixed. A write is in
+//         memory when the timing takes it and answered `write_latency` cycles later.
 // Rule    In each cycle: step(); then what it shows holds; read() and write() for what is accepted in it; end().
 // Units   Cycles of the machine's clock; lines of 64 bytes.
 #pragma once
@@ -34,12 +34,12 @@ class AxiTiming {
   void step();  // the next cycle begins
 
   // What shows in this cycle.
-  bool ready() const { return ready_; }           // AR, AW and W
-  bool beat() const { return beat_ > 0; }         // R is valid
+  bool ready() const { return ready_; }               // AR, AW and W
+  bool beat() const { return beat_ > 0; }             // R is valid
   bool line_ends() const { return beat_ == beats_; }  // with the last beat of a line
-  int beat_number() const { return beat_ - 1; }   // in its line
+  int beat_number() const { return beat_ - 1; }       // in its line
   const AxiLine& beat_line() const { return shown_; }
-  bool answer() const { return answer_; }         // B is valid
+  bool answer() const { return answer_; }  // B is valid
 
   // What is accepted in this cycle; a write when both its address and its last beat have come.
   void read(uint64_t line, int lines, uint32_t id);
@@ -54,13 +54,13 @@ class AxiTiming {
   int beats_, write_latency_;
   int64_t now_ = 0;
   bool ready_ = false, answer_ = false;
-  int beat_ = 0;                                  // shown, counted from 1; 0: none
-  AxiLine shown_;                                 // its line
-  std::deque<AxiLine> asks_;                      // that the timing did not take
-  std::array<std::deque<AxiLine>, 256> asked_;    // of each tag of the timing, oldest first
-  std::deque<AxiLine> back_;                      // that it has answered
-  int sent_ = 0;                                  // beats of the first of them that were taken
-  std::deque<int64_t> answers_;                   // of each write that is in memory: when it may be answered
+  int beat_ = 0;                                // shown, counted from 1; 0: none
+  AxiLine shown_;                               // its line
+  std::deque<AxiLine> asks_;                    // that the timing did not take
+  std::array<std::deque<AxiLine>, 256> asked_;  // of each tag of the timing, oldest first
+  std::deque<AxiLine> back_;                    // that it has answered
+  int sent_ = 0;                                // beats of the first of them that were taken
+  std::deque<int64_t> answers_;                 // of each write that is in memory: when it may be answered
 };
 
 }  // namespace pipegs

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // bus_timing.cpp: see bus_timing.hpp.
-#include "sim/memory/bus_timing.hpp"
+#include "sim/memory/axi/bus_timing.hpp"
 
 namespace pipegs {
 
 BusTiming::BusTiming(const ExternalMemoryOptions& options, const Config& config)
-    : axi_(options, config.bus_w, options.write_latency), write_ports_(config.write_ports()), beats_(512 / config.bus_w) {}
+    : axi_(options, config.bus_w, options.write_latency),
+      write_ports_(config.write_ports()),
+      beats_(512 / config.bus_w) {}
 
 int BusTiming::step() {
   clock();
@@ -34,16 +36,15 @@ bool BusTiming::offer(bool write, uint64_t line, int tag) {
     return accepted_;
   }
   const bool passes = tag >= write_ports_ || (waiting_.count() == 0 && writes_.count() == 0);
-  const bool due = waiting_.valid && !passing_ &&
-                   (leaving_ || since() >= static_cast<uint64_t>(writes_.count()));
-  accepted_ = reads_ < Config::bus_reads() && (passes ? (!ar_valid_ || ar_ready_) && !due : waiting_.count() < Config::bus_fenced());
+  const bool due = waiting_.valid && !passing_ && (leaving_ || since() >= static_cast<uint64_t>(writes_.count()));
+  accepted_ = reads_ < Config::bus_reads() &&
+              (passes ? (!ar_valid_ || ar_ready_) && !due : waiting_.count() < Config::bus_fenced());
   return accepted_;
 }
 
 void BusTiming::clock() {
   const bool free = !ar_valid_ || ar_ready_;
-  const bool due = waiting_.valid && !passing_ &&
-                   (leaving_ || since() >= static_cast<uint64_t>(writes_.count()));
+  const bool due = waiting_.valid && !passing_ && (leaving_ || since() >= static_cast<uint64_t>(writes_.count()));
   const bool reads = offered_ && !offered_write_ && reads_ < Config::bus_reads();
   const bool passes = offer_.tag >= write_ports_ || (waiting_.count() == 0 && writes_.count() == 0);
   const bool passing = reads && passes && !due;

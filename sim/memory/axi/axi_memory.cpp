@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // axi_memory.cpp: see axi_memory.hpp.
-#include "sim/memory/axi_memory.hpp"
+#include "sim/memory/axi/axi_memory.hpp"
 
 #include <algorithm>
 #include <stdexcept>

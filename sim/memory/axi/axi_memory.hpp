@@ -18,8 +18,8 @@
 #include <random>
 #include <set>
 
-#include "sim/memory/axi_rules.hpp"
-#include "sim/memory/axi_timing.hpp"
+#include "sim/memory/axi/axi_rules.hpp"
+#include "sim/memory/axi/axi_timing.hpp"
 #include "sim/memory/memory_pages.hpp"
 
 namespace pipegs {
@@ -46,7 +46,7 @@ class AxiMemory {
 
   const MemoryLine& line(uint64_t address) const { return pages_.line(address); }  // contents, for host access
   MemoryLine& line(uint64_t address) { return pages_.line(address); }
-  std::set<uint64_t> failing;  // lines that answer SLVERR
+  std::set<uint64_t> failing;           // lines that answer SLVERR
   int fail_reads = 0, fail_writes = 0;  // so many of those that are taken next answer SLVERR
   bool quiet() const { return bursts_ == 0 && writes_.empty() && address_.empty() && data_.empty(); }
   uint64_t lines_read() const { return lines_read_; }
@@ -93,11 +93,11 @@ class AxiMemory {
   std::mt19937_64 rng_;
   AxiSubordinateSide shown_;
   int64_t now_ = 0;
-  int bursts_ = 0;                               // read bursts inside
-  std::map<uint32_t, Reads> reads_;              // by ID
-  std::deque<AxiAddress> address_;               // of writes whose data did not come
-  std::deque<AxiWriteBeat> data_;                // beats without address
-  std::deque<Write> writes_;                     // complete, in their order; answered ones leave
+  int bursts_ = 0;                   // read bursts inside
+  std::map<uint32_t, Reads> reads_;  // by ID
+  std::deque<AxiAddress> address_;   // of writes whose data did not come
+  std::deque<AxiWriteBeat> data_;    // beats without address
+  std::deque<Write> writes_;         // complete, in their order; answered ones leave
   uint64_t lines_read_ = 0, lines_written_ = 0;
 };
 

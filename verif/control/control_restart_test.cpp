@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// control_restart_test: rtl/control/control_restart.sv against its model in every cycle, and what it promises.
+//
+// The memory side is played as far as it counts here: reads of each epoch that are unanswered. A core that is not in
+// reset asks for more at random, so the epoch may turn only while it is.
+#include "Vcontrol_restart.h"
+#include "cpp_model/control/control_restart.hpp"
+#include "verif/support/bench.hpp"
+
+namespace pipegs {
+namespace {
+
+class Restart : public testing::Test, protected Endpoint {
+ protected:
+  Restart() {
+    bench.add(*this);
+    bench.dut.give_up_i = bench.dut.drained_i = 0;
+    bench.reset();
+  }
+  void drive() override {
+    auto& dut = bench.dut;
+    if (turned_) std::swap(reads_, old_reads_);  // what was asked for until now is old from here on
+    for (int* reads : {&old_reads_, &reads_}) {
+      if (*reads > 0 && static_cast<int>(bench.rng() % 100) < answer_percent) --*reads;
+    }
+    dut.give_up_i = static_cast<int>(bench.rng() % 100) < give_up_percent;
+    dut.drained_i = old_reads_ == 0;
+  }
+  void observe() override {
+    auto& dut = bench.dut;
+    const std::string at = "cycle " + std::to_string(bench.cycle) + ", seed " + std::to_string(bench.seed);
+    const bool give_up = dut.give_up_i;
+    ASSERT_EQ(dut.epoch_o, model.epoch()) << at;
+    ASSERT_EQ(dut.core_rst_no, !model.core_reset()) << at;
+    ASSERT_EQ(dut.ready_o, model.ready(give_up)) << at;
+    // In its own words, beside the model.
+    if (dut.epoch_o != epoch_) {
+      ASSERT_FALSE(dut.core_rst_no) << "the epoch turned and the core is not in reset, " << at;
+      ASSERT_TRUE(drained_) << "the epoch turned before the reads of the one before were answered, " << at;
+      ++turns;
+    }
+    if (given_up_) { ASSERT_FALSE(dut.core_rst_no) << "given up, and the core is not in reset, " << at; }
+    if (!dut.core_rst_no || give_up) { ASSERT_FALSE(dut.ready_o) << "a frame may be taken in reset, " << at; }
+    low_ = dut.core_rst_no ? 0 : low_ + 1;
+    longest = std::max(longest, low_);
+    given_up_ = give_up && dut.core_rst_no;
+    drained_ = dut.drained_i;
+    if (dut.core_rst_no && reads_ < 20 && bench.rng() % 2 == 0) ++reads_;
+    model.step(give_up, drained_);
+    turned_ = model.epoch() != (dut.epoch_o != 0);
+    epoch_ = dut.epoch_o;
+  }
+
+  void forget() {  // the machine is reset
+    model.reset();
+    reads_ = old_reads_ = low_ = 0;
+    epoch_ = 0;
+    turned_ = given_up_ = drained_ = false;
+  }
+
+  Bench<Vcontrol_restart> bench;
+  ControlRestart model;
+  int give_up_percent = 0, answer_percent = 100, longest = 0;
+  uint64_t turns = 0;
+
+ private:
+  int reads_ = 0, old_reads_ = 0, low_ = 0;
+  CData epoch_ = 0;
+  bool turned_ = false, given_up_ = false, drained_ = false;
+};
+
+TEST_F(Restart, KeepsItsPromisesAtEveryPace) {
+  for (const int give_up : {1, 5, 30, 100}) {
+    for (const int answer : {3, 20, 100}) {
+      give_up_percent = give_up;
+      answer_percent = answer;
+      const uint64_t before = turns;
+      for (int i = 0; i < 5000 && !HasFatalFailure(); ++i) bench.step();
+      EXPECT_GT(turns - before, 3u) << "give-ups " << give_up << " %, answers " << answer << " %";
+    }
+  }
+  EXPECT_GT(longest, 20);
+}
+
+TEST_F(Restart, TakesTwoCyclesWhenNothingIsOut) {
+  auto& dut = bench.dut;
+  for (int i = 0; i < 5; ++i) bench.step();
+  ASSERT_EQ(dut.core_rst_no, 1);
+  const CData epoch = dut.epoch_o;
+  give_up_percent = 100;
+  bench.step();
+  give_up_percent = 0;
+  std::vector<std::pair<int, int>> seen;  // core in reset, epoch turned
+  for (int i = 0; i < 4; ++i) {
+    seen.push_back({dut.core_rst_no == 0, dut.epoch_o != epoch});
+    bench.step();
+  }
+  EXPECT_EQ(seen, (std::vector<std::pair<int, int>>{{1, 0}, {1, 1}, {0, 1}, {0, 1}}));
+}
+
+// A reset of the machine: whatever was, the first epoch begins, and the core leaves reset a cycle later.
+TEST_F(Restart, BeginsAgainAfterAReset) {
+  for (int round = 0; round < 40 && !HasFatalFailure(); ++round) {
+    give_up_percent = round % 2 == 0 ? 20 : 0;
+    for (uint64_t i = bench.rng() % 30; i > 0; --i) bench.step();
+    bench.reset(1 + static_cast<int>(bench.rng() % 3));
+    forget();
+  }
+}
+
+}  // namespace
+}  // namespace pipegs
