@@ -17,6 +17,8 @@
 #include "cpp_model/control/registers.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/study/budget/frame.hpp"
+#include "sim/timing/timing_model.hpp"
+#include "sim/timing/trace/trace.hpp"
 #include "verif/frame/scenes.hpp"
 #include "verif/stability/support/pu_walk.hpp"
 #include "verif/support/records_fit.hpp"
@@ -132,6 +134,21 @@ TEST(Corners, TheModelsCanDoThem) {
       for (const Node& node : *nodes) fits(node);
     }
     EXPECT_EQ(first, "") << frame.which;
+  }
+}
+
+// The control of a corner comes to an end, too: no unit waits for ever.
+TEST(Corners, TheTimingModelEndsTheFrame) {
+  for (uint64_t seed = first_seed(); seed < first_seed() + kSeeds; ++seed) {
+    Frames frame = small_frame(seed);
+    Config& config = frame.options.config;
+    config.overflow = config.large_groups = config.index_ties = 1;  // what these leave out, a scene must not call for
+    Simulation simulation;
+    simulate_pack(frame.scene, frame.camera, frame.options, simulation);
+    const TimingTrace trace = timing_trace(simulation.input);
+    TimingResult result;
+    ASSERT_NO_THROW(result = timing_run(trace, config, frame.options.memory)) << frame.which;
+    EXPECT_GT(result.cycles, 100u) << frame.which;
   }
 }
 
