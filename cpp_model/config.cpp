@@ -46,6 +46,16 @@ void config_set(Config& config, std::string_view assignment) {
   throw ConfigError("--set: unknown key " + quote(key) + "; known: " + known);
 }
 
+namespace {
+
+// Of the record Node of records.def: two of them fill a line of memory.
+int node_bits(const Config& config) {
+  return 3 * (config.world_w + config.half_w() + 2 * config.hull_w()) + 2 * config.exp_w() + config.scale_w() +
+         config.slot_w() + config.count_w();
+}
+
+}  // namespace
+
 void config_check(const Config& config) {
   const auto power_of_two = [](int n) { return (n & (n - 1)) == 0; };
   for (const auto& [name, value] : {std::pair{"units", config.units},
@@ -81,8 +91,9 @@ void config_check(const Config& config) {
   if (!config.layered && config.order != 0) throw ConfigError("configuration: layered = 0 needs order = 0");
   if (config.tight_cull && config.order == 1) throw ConfigError("configuration: tight_cull = 1 needs order 0 or 2");
   if (config.tight_boxes && config.order != 2) throw ConfigError("configuration: tight_boxes = 1 needs order = 2");
-  if (config.tight_boxes && 3 * config.world_w + config.scale_m_w > 132) {
-    throw ConfigError("configuration: tight_boxes = 1 needs 3 world_w + scale_m_w of at most 132, a node has 256 bits");
+  if (const int bits = node_bits(config), most = config.memory_w() / 2; bits > most) {
+    throw ConfigError("configuration: a node has " + std::to_string(bits) + " bits, expected at most " +
+                      std::to_string(most) + ": world_w or scale_m_w must be smaller");
   }
   if (config.power_f > config.coeff_f) throw ConfigError("configuration: power_f must not exceed coeff_f");
 }

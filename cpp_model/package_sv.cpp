@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // package_sv.cpp: prints rtl/pipegs_pkg.sv from config.def, records.def, registers.def: `package_sv [key=value ...]`.
+// `package_sv --corner SEED` prints instead the settings of the legal configuration that this seed makes (corners.hpp).
 //
 // The committed rtl/pipegs_pkg.sv is the default configuration, so rtl/ reads and builds on its own; a test compares it
 // with this program's output. Other configurations get a package of their own in their build folder.
@@ -12,10 +13,12 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/control/print/print.hpp"
+#include "cpp_model/lib/corners.hpp"
 #include "cpp_model/lib/math/exp2.hpp"
 #include "cpp_model/lib/record_table.hpp"
 #include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/front/pu_reach.hpp"
+#include "scenes/text/number.hpp"
 
 namespace {
 
@@ -244,6 +247,11 @@ void print_package(const pipegs::Config& config) {
 
 int main(int argc, char** argv) {
   try {
+    if (argc == 3 && std::string_view(argv[1]) == "--corner") {
+      const auto seed = pipegs::parse_integer<uint64_t>(argv[2]);
+      std::printf("%s\n", pipegs::config_arguments(pipegs::config_corner(seed)).c_str());
+      return 0;
+    }
     pipegs::Config config;
     for (int i = 1; i < argc; ++i) pipegs::config_set(config, argv[i]);
     pipegs::config_check(config);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # lint.sh [--rest | MODULE ...]: each RTL module alone through `verilator --lint-only -Wall`, machines through Yosys
+# lint.sh --corners N [--seed S]: N machines that nobody chose, of the seeds S, S + 1, ..., through both
 #
 # --rest: only what the tests in $BUILD do not read as strictly: modules that none of them has Verilated (which is done
 # with -Wall), and machines that none of them elaborates.
@@ -10,21 +11,32 @@
 # sim/rtl/waivers.vlt, each with its reason. Yosys 0.23 reads some constructs without a word and gets them wrong
 # (docs/decisions/systemverilog.md): misread.sh searches for those, and its warning "implicitly declared", which goes
 # with one of them, is an error. Ends in a count.
+# --corners: random legal configurations (cpp_model/lib/corners.hpp), before them those that were once broken; each as
+# the whole machine. One that fails is printed with the command that repeats it.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 mapfile -t paths < <(find rtl sim/rtl -type d | sort | sed 's/^/-y\n/')
 mapfile -t files < <(find rtl -name '*.sv' ! -name pipegs_pkg.sv | sort)
-modules=("$@")
-build=${BUILD:-build} failed=0 scratch=$(mktemp -d) rest=
-if [ "${modules[*]:-}" = --rest ]; then rest=1 modules=(); fi
-if [ ${#modules[@]} -eq 0 ]; then
+modules=() build=${BUILD:-build} failed=0 rest='' corners='' seed=1
+while [ $# -gt 0 ]; do
+  case $1 in
+    --rest) rest=1 ;;
+    --corners) shift; corners=${1:-none} ;;
+    --seed) shift; seed=${1:-none} ;;
+    *) modules+=("$1") ;;
+  esac
+  shift
+done
+if ! [[ ${corners:-1}$seed =~ ^[0-9]+$ ]]; then echo "lint.sh: --corners N --seed S, expected numbers" >&2; exit 2; fi
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+if [ ${#modules[@]} -eq 0 ] && [ -z "$corners" ]; then
   for file in "${files[@]}"; do
     module=$(basename "$file" .sv)
     if [ -n "$rest" ] && compgen -G "$build/verilated/*/V${module}__ver.d" > /dev/null; then continue; fi
     modules+=("$module")
   done
 fi
-trap 'rm -rf "$scratch"' EXIT
 design_point() {  # its settings, from the table
   sed -nE "/^PIPEGS_POINT\($1,/,/^PIPEGS_END/s/^PIPEGS_(SETTING|PICTURE)\(([a-z_]+), ([0-9]+)\).*/\2=\3/p" \
     sim/design/design_points.def | paste -sd ' '
@@ -48,28 +60,51 @@ declare -A machine_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows
   [pu_reach]="tight_cull=1"
   [dopu_send]="late=1 order=2" [dopu_nearest]="late=1 order=2")
 package() {  # the path of the package with these settings
-  local folder=$scratch/${1// /,}
+  local folder; folder=$scratch/$(cksum <<< "$1" | tr ' ' _)
   if [ -z "$1" ]; then echo rtl/pipegs_pkg.sv; return; fi
   mkdir -p "$folder"
   # shellcheck disable=SC2086
   [ -e "$folder/pipegs_pkg.sv" ] || "$build/cpp_model/package_sv" $1 > "$folder/pipegs_pkg.sv"
   echo "$folder/pipegs_pkg.sv"
 }
-lint() {  # one module with these settings
-  local log
-  if ! log=$(verilator --lint-only -Wall --unroll-count 256 --top-module "$1" sim/rtl/waivers.vlt "$(package "$2")" \
-      "${paths[@]}" "$1" 2>&1); then
-    echo "FAIL verilator $1 $2"; head -n 8 <<< "$log"; failed=$((failed + 1))
-  fi
+fail() {  # what the tool and what it read; its first lines
+  echo "FAIL $1"; grep -v '^Warning' <<< "$2" | head -n 8; failed=$((failed + 1))
 }
+lint() {  # MODULES, SETTINGS: these modules with these settings
+  local log
+  # shellcheck disable=SC2086
+  log=$(verilator --lint-only -Wall -Wno-MULTITOP --unroll-count 256 sim/rtl/waivers.vlt "$(package "$2")" \
+    "${paths[@]}" $1 2>&1) || fail "verilator $1 $2" "$log"
+}
+elaborate() {  # MODULES, SETTINGS: each of them as the top of a design
+  local log top script
+  script="read_verilog -sv -defer -DSYNTHESIS $(package "$2") ${files[*]}; design -save all"
+  for top in $1; do script+="; design -load all; hierarchy -check -top $top; proc"; done
+  log=$(yosys -q -e 'implicitly declared' -p "$script" 2>&1) || fail "yosys $1 $2" "$log"
+}
+top_of() { if [[ " $1 " == *" bus_w=0 "* ]]; then echo pipegs_host; else echo pipegs_axi; fi; }
+if [ -n "$corners" ]; then
+  broken=("index_ties=0 depth_w=12 bucket_bits=6" "world_w=44 scale_m_w=14" "mean_f=11 order=1")
+  for ((i = 0; i < ${#broken[@]} + corners; i += 1)); do
+    before=$failed replay=''
+    if [ "$i" -lt ${#broken[@]} ]; then
+      machine=${broken[i]}
+    else
+      number=$((seed + i - ${#broken[@]})) replay="synth/lint.sh --corners 1 --seed $number"
+      if ! machine=$("$build/cpp_model/package_sv" --corner $number); then fail "corner $number" ""; continue; fi
+    fi
+    lint pipegs_sim "$machine"
+    elaborate "$(top_of "$machine")" "$machine"
+    [ "$failed" -eq "$before" ] || [ -z "$replay" ] || echo "replay: $replay"
+  done
+  echo "$corners corners from seed $seed on and ${#broken[@]} others read, $failed failed"
+  [ "$failed" -eq 0 ]
+  exit
+fi
 for module in "${modules[@]}"; do lint "$module" "${machine_of[$module]:-}"; done
 for machine in "${simulated[@]}"; do lint pipegs_sim "$machine"; done
 for machine in "${machines[@]}"; do
-  if ! log=$(yosys -q -e 'implicitly declared' \
-      -p "read_verilog -sv -defer -DSYNTHESIS $(package "$machine") ${files[*]}
-          hierarchy -check -top pipegs_axi; proc" 2>&1); then
-    echo "FAIL yosys $machine"; grep -v '^Warning' <<< "$log" | head -n 8; failed=$((failed + 1))
-  fi
+  elaborate "$(top_of "$machine")" "$machine"
 done
 if ! synth/misread.sh "${files[@]}"; then echo "FAIL read wrong by Yosys"; failed=$((failed + 1)); fi
 echo "${#modules[@]} modules read, $failed failed"

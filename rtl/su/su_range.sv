@@ -14,9 +14,10 @@ module su_range (
 );
 
   localparam int unsigned StepW = pipegs_pkg::StepW;
-  localparam int unsigned LowW = pipegs_pkg::KeyW - StepW;
+  localparam int unsigned KeyW = pipegs_pkg::KeyW;
+  localparam int unsigned LowW = KeyW - StepW;
 
-  logic [StepW-1:0] step;
+  logic [StepW-1:0] step, low, high;
   logic             first, last;
 
   if (pipegs_pkg::HasWatermarks) begin : gen_near
@@ -30,7 +31,10 @@ module su_range (
     logic unused_octave;
     assign unused_octave = &{1'b0, octave_i};
   end
-  assign min_o = {first ? StepW'(0) : step, LowW'(0)};
-  assign max_o = {last ? {StepW{1'b1}} : step, {LowW{1'b1}}};
+  // LowW may be 0: the step is the whole key.
+  assign low   = first ? StepW'(0) : step;
+  assign high  = last ? {StepW{1'b1}} : step;
+  assign min_o = KeyW'(low) << LowW;
+  assign max_o = (KeyW'(high) << LowW) | ~({KeyW{1'b1}} << LowW);
 
 endmodule

@@ -179,9 +179,10 @@ module pu_project (
   if (MeanF >= CenterF) begin : gen_fine
     assign center = MeanW'(principal) <<< (MeanF - CenterF);
   end else begin : gen_coarse
-    logic signed [CenterW:0] fine;
-    assign fine   = (CenterW + 1)'(principal) >>> (CenterF - MeanF - 1);
-    assign center = MeanW'((fine + (CenterW + 1)'(1)) >>> 1);
+    localparam int unsigned FineW = MeanW > CenterW + 1 ? MeanW : CenterW + 1;
+    logic signed [FineW-1:0] fine;
+    assign fine   = FineW'(principal) >>> (CenterF - MeanF - 1);
+    assign center = MeanW'((fine + FineW'(1)) >>> 1);
   end
   assign mean_wide = ((pixel_q + PixelW'(1)) >>> 1) + PixelW'(offset_q);
   saturate #(.InW(PixelW), .OutW(MeanW)) u_mean (.in_i(mean_wide), .out_o(mean));

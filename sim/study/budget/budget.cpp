@@ -292,9 +292,11 @@ Interval color_interval(const Config& config, double color, double error) {
 }
 
 double alpha_rounding(const Config& config) {
-  const double chord = 0.4804530139182014 / 8 * unit(2 * config.exp_index_w);
-  const double inside =
-      chord + unit(config.alpha_w + 7) + unit(config.alpha_w + 7) + unit(config.exp_f()) * 0.6931471805599453;
+  constexpr double kLn2 = 0.6931471805599453;
+  // What a chord lies above the curve, or half the way from one entry of the table to the next.
+  const double table =
+      config.exp_linear ? kLn2 * kLn2 / 8 * unit(2 * config.exp_index_w) : kLn2 / 2 * unit(config.exp_index_w);
+  const double inside = table + unit(config.alpha_w + 7) + unit(config.alpha_w + 7) + unit(config.exp_f()) * kLn2;
   return unit(config.alpha_w + 1) + inside;
 }
 

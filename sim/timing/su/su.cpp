@@ -139,7 +139,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   const uint32_t job_high = head.bucket >> bits_low_, job_low = head.bucket & ((1u << bits_low_) - 1);
   if (is.job) {
     is.candidates = held_[is.job_set];
-    if (!is.job_all) is.candidates &= ((uint64_t{1} << job_high) - 1) | (uint64_t{!edge_ && job_low != 0} << job_high);
+    if (!is.job_all) is.candidates &= ((Bits{1} << job_high) - 1) | (Bits{!edge_ && job_low != 0} << job_high);
   }
   is.word_wanted = is.candidates != 0 && work_ == 0 && operation_ != kWord;
   is.quiet = is.candidates == 0 && work_ == 0 && operation_ == kNone;
@@ -166,8 +166,8 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   const uint32_t job_words = static_cast<uint32_t>(is.job_set) << bits_high_;
   if (is.ends) {
     if (is.word_wanted) {
-      const bool same = operation_ == kInsert && word_of(insert_set_, insert_bucket_) ==
-                                                     job_words + static_cast<uint32_t>(std::countr_zero(is.candidates));
+      const bool same =
+          operation_ == kInsert && word_of(insert_set_, insert_bucket_) == job_words + lowest(is.candidates);
       is.next = same ? kNone : kWord;
     } else if (insert && operation_ != kInsert &&
                !(operation_ == kWord && word_of(set_, bucket_of(m.trace.key[is.in->beat])) == job_words + word_)) {

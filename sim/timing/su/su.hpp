@@ -8,10 +8,12 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <deque>
 #include <vector>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/fixed.hpp"
 #include "cpp_model/su/su.hpp"
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/ru/ru.hpp"
@@ -31,6 +33,14 @@ struct SortGroup {
   int keys = 0;
   size_t links = 0;  // link writes up to here belong to the passes before this group
 };
+
+// Buckets in a word, words in a set: 2^7 of each at most (exp_w and eight bucket_bits).
+using Bits = Uint128;
+inline uint32_t lowest(Bits bits) {  // of them that is set; not 0
+  const auto low = static_cast<uint64_t>(bits);
+  return static_cast<uint32_t>(low != 0 ? std::countr_zero(low)
+                                        : 64 + std::countr_zero(static_cast<uint64_t>(bits >> 64)));
+}
 
 // Cycles in which the splitter may write links, counted like SortGroup::delay.
 struct LinkWrites {
@@ -197,13 +207,13 @@ class Su {
 
   // su_buckets
   Operation operation_ = kNone;
-  std::vector<Chain> table_;        // of both sets
-  std::vector<uint64_t> words_;     // filled buckets
-  std::array<uint64_t, 2> held_{};  // words that are not zero
+  std::vector<Chain> table_;    // of both sets
+  std::vector<Bits> words_;     // filled buckets
+  std::array<Bits, 2> held_{};  // words that are not zero
   uint8_t insert_set_ = 0;
   uint32_t insert_slot_ = 0, insert_bucket_ = 0;
   uint32_t word_ = 0, entry_bucket_ = 0;
-  uint64_t work_ = 0;
+  Bits work_ = 0;
   bool edge_ = false, group_valid_ = false;
   Chain joined_;
   SramQueue<Chain, Config::su_chains()> chains_;

@@ -41,17 +41,17 @@ void Su::buckets(Cycle now, const Now& is) {
         } else {
           chain = {0, insert_slot_, insert_slot_, 1, insert_bucket_};
           const bool held = (held_[insert_set_] >> (insert_bucket_ >> bits_low_) & 1) != 0;
-          words_[word] = (held ? words_[word] : 0) | uint64_t{1} << (insert_bucket_ & ((1u << bits_low_) - 1));
+          words_[word] = (held ? words_[word] : 0) | Bits{1} << (insert_bucket_ & ((1u << bits_low_) - 1));
         }
       }
-      held_[insert_set_] |= uint64_t{1} << (insert_bucket_ >> bits_low_);
+      held_[insert_set_] |= Bits{1} << (insert_bucket_ >> bits_low_);
       break;
     case kWord: {
-      uint64_t& word = words_[(static_cast<size_t>(is.job_set) << bits_high_) + word_];
-      const uint64_t below = is.job_all || word_ != job_high ? ~uint64_t{0} : (uint64_t{1} << job_low) - 1;
+      Bits& word = words_[(static_cast<size_t>(is.job_set) << bits_high_) + word_];
+      const Bits below = is.job_all || word_ != job_high ? ~Bits{0} : (Bits{1} << job_low) - 1;
       work_ = word & below;
       word &= ~below;
-      if (word == 0) held_[is.job_set] &= ~(uint64_t{1} << word_);
+      if (word == 0) held_[is.job_set] &= ~(Bits{1} << word_);
       if (word_ == job_high) edge_ = true;
       break;
     }
@@ -80,9 +80,9 @@ void Su::buckets(Cycle now, const Now& is) {
       insert_slot_ = free_slots_.back();  // collect() takes it
       insert_bucket_ = 0;                 // and says which bucket
       break;
-    case kWord: word_ = static_cast<uint32_t>(std::countr_zero(is.candidates)); break;
+    case kWord: word_ = lowest(is.candidates); break;
     case kEntry: {
-      const auto bit = static_cast<uint32_t>(std::countr_zero(work_));
+      const uint32_t bit = lowest(work_);
       entry_bucket_ = (word_ << bits_low_) + bit;
       work_ &= work_ - 1;
       break;

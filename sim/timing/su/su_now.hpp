@@ -17,7 +17,7 @@ struct Su::Now {
   // buckets
   bool job, job_all, job_done, quiet, word_wanted, ends, push_group, join_group, filled, insert, chain_valid;
   uint8_t job_set;
-  uint64_t candidates;
+  Bits candidates;
   Operation next;
   // collect
   const Splat* in;
