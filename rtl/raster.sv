@@ -17,7 +17,7 @@ module raster #(
   input  logic                             rst_ni,
   input  logic                             test_en_i,
   input  pipegs_pkg::raster_t              raster_i,
-  input  logic [AddressW-1:0]              pixels_i,    // first line of the frame
+  input  pipegs_pkg::picture_t             picture_i,   // its base is that of the pixels in either format
   input  logic [AddressW-1:0]              overflow_i,  // first line of the overflow areas
   input  logic                             restart_i,
 
@@ -27,6 +27,7 @@ module raster #(
   input  pipegs_pkg::store_writes_t        store_i,
 
   output pipegs_pkg::memory_lanes_t        memory_o,
+  output logic [Units*pipegs_pkg::HalvesW-1:0] halves_o,  // of the line of each: what a write changes
   input  pipegs_pkg::memory_lanes_answer_t memory_i,
   input  logic [MemoryW-1:0]               line_i,      // of the memory's answers
 
@@ -86,13 +87,15 @@ module raster #(
     logic ru_clk;
     clock_gate u_ru_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(ru_active[k]), .clk_o(ru_clk));
     ru u_ru (
-      .clk_i(ru_clk), .rst_ni, .raster_i, .pixels_i, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
+      .clk_i(ru_clk), .rst_ni, .raster_i, .picture_i, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat),
       .read_valid_o(read_valid[k*Units +: Units]), .read_ready_i(read_ready[k*Units +: Units]),
       .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]),
       .answer_valid_i(answer_valid[k*Units +: Units]), .answer_i(answer),
       .mem_valid_o(mem_valid[k]), .mem_ready_i(mem_ready[k]), .mem_write_o(mem_write[k]),
-      .mem_address_o(mem_address[k*AddressW +: AddressW]), .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
+      .mem_address_o(mem_address[k*AddressW +: AddressW]),
+      .mem_halves_o(halves_o[k*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW]),
+      .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
       .rsp_valid_i(mem_line[k]), .rsp_data_i(line_i),
       .done_o(done[k*Regions +: Regions]), .done_x_o(done_x[k*WindowW +: WindowW]),
       .done_y_o(done_y[k*WindowW +: WindowW]),

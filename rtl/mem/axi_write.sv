@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // axi_write: lines of the core as AXI4 write bursts.
 //
-// Idea    A line is one burst of INCR with all strobes set and ID 0. Address and data go into their registers in the
+// Idea    A line is one burst of INCR with ID 0; of half a line the strobes of the other half are 0. Address and data go into their registers in the
 //         same cycle, so data never shows before its address does, and neither waits for the other to be taken. The
 //         lines that are not answered stand in a queue: their number is the limit of outstanding writes and what the
 //         fence waits for, and an answer that tells of an error names the line at its head.
@@ -26,6 +26,7 @@ module axi_write #(
   input  logic                           in_valid_i,
   output logic                           in_ready_o,
   input  logic [LineW-1:0]               in_line_i,
+  input  logic [pipegs_pkg::HalvesW-1:0] in_halves_i,  // of the line, what is written
   input  logic [pipegs_pkg::MemoryW-1:0] in_data_i,
   output logic [WritesW-1:0]             writes_o,     // accepted and not answered
 
@@ -55,10 +56,13 @@ module axi_write #(
   localparam int unsigned PageB = 12 - LineB;  // bits of a line's number within 4 KB
   localparam int unsigned Beats = pipegs_pkg::MemoryW / DataW;
   localparam int unsigned BeatW = Beats > 1 ? $clog2(Beats) : 1;
+  localparam int unsigned Steps = pipegs_pkg::MemoryW / 128;  // of the data: the finest beat
+  localparam int unsigned StepW = DataW / 128;                // in a beat
 
   logic                           aw_valid_q, w_valid_q, take, room, address_free, data_free, data_last, done;
   logic [AddrW-1:0]               address_q;
   logic [pipegs_pkg::MemoryW-1:0] data_q;
+  logic [Steps-1:0]               written_q;  // 16 bytes each, those of the beat shown lowest
   logic [BeatW-1:0]               beat_q;
   logic                           done_epoch;  // of the write that is answered next
 
@@ -91,6 +95,8 @@ module axi_write #(
     if (take) address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(in_line_i >> PageB), in_line_i[PageB-1:0], LineB'(0)};
     if (take) data_q <= in_data_i;
     else if (m_axi_wready) data_q <= data_q >> DataW;
+    if (take) written_q <= {{(Steps/2){in_halves_i[1]}}, {(Steps/2){in_halves_i[0]}}};
+    else if (m_axi_wready) written_q <= written_q >> StepW;
   end
 
   assign m_axi_awid     = '0;
@@ -100,7 +106,9 @@ module axi_write #(
   assign m_axi_awburst  = 2'b01;
   assign m_axi_awvalid  = aw_valid_q;
   assign m_axi_wdata    = data_q[DataW-1:0];
-  assign m_axi_wstrb    = {(DataW/8){1'b1}};
+  for (genvar i = 0; i < StepW; i += 1) begin : gen_strobes
+    assign m_axi_wstrb[16*i +: 16] = {16{written_q[i]}};
+  end
   assign m_axi_wlast    = data_last;
   assign m_axi_wvalid   = w_valid_q;
   assign error_o        = done && m_axi_bresp[1] && done_epoch == epoch_i;

@@ -18,7 +18,7 @@ module ru #(
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
   input  pipegs_pkg::raster_t                  raster_i,
-  input  logic [pipegs_pkg::AddressW-1:0]      pixels_i,        // first line of the frame
+  input  pipegs_pkg::picture_t                 picture_i,       // its base is that of the pixels in either format
   input  logic [pipegs_pkg::AddressW-1:0]      overflow_i,      // first line of the overflow areas
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,          // constant
   input  logic                                 restart_i,       // a frame begins; the RU is idle
@@ -37,6 +37,7 @@ module ru #(
   input  logic                                 mem_ready_i,
   output logic                                 mem_write_o,
   output logic [pipegs_pkg::AddressW-1:0]      mem_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]       mem_halves_o,    // of the line: what a write changes
   output logic [pipegs_pkg::MemoryW-1:0]       mem_data_o,
   input  logic                                 rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]       rsp_data_i,
@@ -80,19 +81,21 @@ module ru #(
   logic [pipegs_pkg::MaskW-1:0]      part_own;
   logic [Regions-1:0]                own, outside;
   logic [$clog2(pipegs_pkg::Window):0] columns, rows;
-  logic [2*pipegs_pkg::WindowW-1:0]  number;
+  logic [AddressW-1:0]               line;  // first one of the window's pixels
 
   ru_own u_own (.unit_i, .own_o(part_own));
   assign own = {pipegs_pkg::Parts{part_own}};
   ru_window u_window (
     .clk_i, .rst_ni, .width_i(raster_i.width), .height_i(raster_i.height), .first_x_i(raster_i.windows.first_x),
-    .first_y_i(raster_i.windows.first_y), .last_x_i(raster_i.windows.last_x), .restart_i, .advance_i(window_done_o),
-    .x_o(done_x_o), .y_o(done_y_o), .columns_o(columns), .rows_o(rows), .outside_o(outside), .number_o(number)
+    .first_y_i(raster_i.windows.first_y), .last_x_i(raster_i.windows.last_x), .picture_i, .restart_i,
+    .advance_i(window_done_o), .x_o(done_x_o), .y_o(done_y_o), .columns_o(columns), .rows_o(rows),
+    .outside_o(outside), .line_o(line)
   );
 
   // --- blending -----------------------------------------------------------------------------------------------------
   logic                load_valid, load_ready, store_valid, store_ready, issue, memory, waits, blend_idle;
   logic [AddressW-1:0] load_address, store_address;
+  logic [pipegs_pkg::HalvesW-1:0] store_halves;
   logic [pipegs_pkg::MemoryW-1:0] store_data;
 
   if (pipegs_pkg::Quads == 0) begin : gen_whole
@@ -112,18 +115,20 @@ module ru #(
       .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
     );
     ru_resolve u_resolve (
-      .clk_i, .rst_ni, .unit_i, .pixels_i,
-      .start_i(window_done_o), .ready_o(resolve_ready), .number_i(number), .outside_i(outside),
+      .clk_i, .rst_ni, .unit_i, .raster_i(picture_i.format), .stride_i(picture_i.stride),
+      .start_i(window_done_o), .ready_o(resolve_ready), .line_i(line), .rows_i(rows), .outside_i(outside),
       .read_o(resolve_read), .raddr_o(resolve_raddr), .rdata_i(resolve_rdata), .fresh_i(resolve_fresh),
-      .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address), .mem_data_o(store_data)
+      .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address),
+      .mem_halves_o(store_halves), .mem_data_o(store_data)
     );
     assign blend_idle         = whole_idle && resolve_ready;
     assign tap_line_quarter_o = '0;
   end else begin : gen_live
     ru_live u_blend (
       .clk_i, .rst_ni, .restart_i, .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .own_i(own), .outside_i(outside), .columns_i(columns), .rows_i(rows), .done_o, .pixels_i, .number_i(number),
-      .store_valid_o(store_valid), .store_ready_i(store_ready), .store_address_o(store_address),
+      .own_i(own), .outside_i(outside), .columns_i(columns), .rows_i(rows), .done_o,
+      .raster_i(picture_i.format), .stride_i(picture_i.stride), .line_i(line), .store_valid_o(store_valid),
+      .store_ready_i(store_ready), .store_address_o(store_address), .store_halves_o(store_halves),
       .store_data_o(store_data), .layer_done_o, .window_done_o, .issue_o(issue), .idle_o(blend_idle),
       .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_quarter_o, .tap_line_o,
       .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
@@ -137,7 +142,8 @@ module ru #(
   ru_memory u_memory (
     .clk_i, .rst_ni, .read_valid_i(load_valid), .read_ready_o(load_ready), .read_address_i(load_address),
     .write_valid_i(store_valid), .write_ready_o(store_ready), .write_address_i(store_address),
-    .write_data_i(store_data), .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o
+    .write_halves_i(store_halves), .write_data_i(store_data), .mem_valid_o, .mem_ready_i, .mem_write_o,
+    .mem_address_o, .mem_halves_o, .mem_data_o
   );
 
   // --- what the unit does in this cycle -----------------------------------------------------------------------------

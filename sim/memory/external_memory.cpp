@@ -8,11 +8,15 @@ namespace pipegs {
 
 ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options) : timing_(memory_timing(options)) {}
 
-void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data) {
+void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data, int halves) {
   timing_->request(write, address, tag);
   ++lines_;
   if (write) {
-    std::copy(data, data + 16, line(address).begin());
+    for (int half = 0; half < 2; ++half) {
+      if ((halves >> half & 1) == 0) continue;
+      std::copy(data + 8 * half, data + 8 * half + 8, line(address).begin() + 8 * half);
+      ++traffic_[tag].halves_written;
+    }
     ++traffic_[tag].lines_written;
     return;
   }

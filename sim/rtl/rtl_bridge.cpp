@@ -28,6 +28,8 @@ struct Widths {
         splat(record_width<Splat>(c)),
         sorted(record_width<Sorted>(c)),
         request(record_width<MemoryRequest>(c)),
+        halves(request - c.halves_w()),
+        picture(picture_at(c)),
         kind(c.kind_w()),
         region(c.region_w()),
         index(c.tap_index_w()),
@@ -38,10 +40,13 @@ struct Widths {
         tag(c.tag_w()),
         perf(c.perf_w()),
         pixel_lines(c.region_lines() * c.regions()),
+        raster_rows(8 * c.regions()),
         taps(c.taps != 0) {}
-  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
-  int pixel_lines;  // in memory, of a window inside the image
-  bool taps;        // the streams show
+  int units, tap_lanes, splat, sorted, request, halves;  // halves: where they lie in a request
+  size_t picture;                                        // where it lies in the words of a frame
+  int kind, region, index, window, line, pixels, address, tag, perf;
+  int pixel_lines, raster_rows;  // what is written of a window inside the image, in either format of the picture
+  bool taps;                     // the streams show
 };
 
 constexpr uint64_t kResetCycles = 4;
@@ -189,6 +194,8 @@ RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalM
   cycle_ = windows_ = counted_ = 0;
   running_ = false;
   const bool streams = taps != nullptr && w_.taps, cycles = streams && taps->wants_cycles();
+  const bool raster = (frames.front()[w_.picture] & 1) != 0;
+  const auto window_lines = static_cast<uint64_t>(raster ? w_.raster_rows : w_.pixel_lines);
   uint64_t last_request = 0, pixel_lines = 0;
   size_t taken = 0;
   std::vector<uint64_t> ends;
@@ -207,7 +214,10 @@ RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalM
     top.rst_ni = cycle_ >= kResetCycles;
     if (cycle_ == kResetCycles) context_->assertOn(true);
     top.frame_valid_i = cycle_ >= kResetCycles && taken < frames.size() && (options.queued || !top.busy_o);
-    if (taken < frames.size()) write_port(top.frame_i, frames[taken].data());
+    if (taken < frames.size()) {
+      write_port(top.frame_i, frames[taken].data());
+      write_port(top.picture_i, frames[taken].data() + w_.picture);
+    }
     memory.step();
     top.mem_ready_i = memory.ready();
     const ExternalMemory::Answer* answer = memory.answer();
@@ -228,10 +238,10 @@ RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalM
         const bool write = request[0] & 1;
         const int tag = static_cast<int>(get_bits(request, 1 + w_.address, w_.tag));
         const uint64_t line = get_bits(request, 1, w_.address);
-        memory.request(write, line, tag, top.mem_data_o.data());
+        memory.request(write, line, tag, top.mem_data_o.data(), static_cast<int>(get_bits(request, w_.halves, 2)));
         if (cycles) taps->on_request(tag, write, line);
         // Without taps what the RUs have written tells how far the frame is.
-        if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines / static_cast<uint64_t>(w_.pixel_lines);
+        if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines / window_lines;
         last_request = cycle_;
       }
       if (streams) tap(*taps);

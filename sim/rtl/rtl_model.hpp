@@ -15,6 +15,7 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/records.hpp"
+#include "cpp_model/ru/ru_raster.hpp"
 #include "sim/memory/external_memory.hpp"
 
 namespace pipegs {
@@ -77,11 +78,14 @@ struct RtlResult {
   std::vector<uint64_t> frame_ends;  // cycle in which each frame was complete; 1 is the first one that counts
 };
 
-using FrameWords = std::vector<uint32_t>;  // a packed Frame
+using FrameWords = std::vector<uint32_t>;  // a packed Frame, and from picture_at on its Picture
 
-inline FrameWords frame_words(const Config& config, const Frame& frame) {
-  FrameWords words(record_words<Frame>(config) + 1);
+inline size_t picture_at(const Config& config) { return record_words<Frame>(config) + 1; }
+inline FrameWords frame_words(const Config& config, const Frame& frame, const Picture& picture = {}) {
+  FrameWords words(picture_at(config));
   pack(config, frame, words.data());
+  const std::vector<uint32_t> more = picture_words(config, picture);
+  words.insert(words.end(), more.begin(), more.end());
   return words;
 }
 

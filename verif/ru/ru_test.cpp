@@ -5,6 +5,7 @@
 #include "verif/ru/alpha_lines.hpp"
 #include "verif/ru/pixel_words.hpp"
 #include "verif/ru/region_ports.hpp"
+#include "verif/ru/written_pixels.hpp"
 #include "verif/ru/live/random_splat.hpp"
 #include "verif/support/config.hpp"
 #include "Vru.h"
@@ -34,13 +35,16 @@ class RuBench : public Bench<Vru> {
         stores(*this, kConfig, paces.stores),
         port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o,
              dut.rsp_valid_i, dut.rsp_data_i, paces.memory) {
+    port.halves = &dut.mem_halves_o;
     dut.unit_i = unit;
     dut.restart_i = 0;
     reset();
   }
 
-  void start(const Frame& new_frame) {
+  void start(const Frame& new_frame, bool raster = false) {
     frame = new_frame;
+    picture = random_picture(kConfig, frame, rng, raster);
+    write_port(dut.picture_i, picture_words(kConfig, picture).data());
     write_frame(kConfig, dut, frame);
     dut.restart_i = 1;
     cycle_once();
@@ -91,12 +95,15 @@ class RuBench : public Bench<Vru> {
     }
     in.push(splat);
     ru_take(
-        kConfig, kBlend, frame, state, splat,
+        kConfig, kBlend, frame, picture, state, splat,
         [&](const Sorted& s, int region, uint64_t) {
           return codes.at({s.index, region}).data();
         },
-        [&](uint64_t address, const uint64_t* pixels) {
-          lines[address].assign(pixels, pixels + 512 / kConfig.pixel_w);
+        [&](uint64_t address, int halves, const MemoryLine& pixels) {
+          ++requests;
+          for (size_t i = 0; i < 16; ++i) {
+            if ((halves >> i / 8 & 1) != 0) lines[{address, i / 8}][i % 8] = pixels[i];
+          }
         });
     ends += kind != kData;
     windows += kind == kWindowEnd;
@@ -202,15 +209,17 @@ class RuBench : public Bench<Vru> {
     EXPECT_EQ(windows_seen, windows);
     EXPECT_EQ(dut.done_x_o, state.window_x);
     EXPECT_EQ(dut.done_y_o, state.window_y);
-    EXPECT_EQ(memory.traffic()[0].lines_written - lines_before, lines.size())
+    const ExternalMemory::Traffic& traffic = memory.traffic()[0];
+    EXPECT_EQ(traffic.lines_written - before.lines_written, requests)
         << "lines outside the image were written, or some twice";
-    lines_before = memory.traffic()[0].lines_written;
-    for (const auto& [address, pixels] : lines) {
-      const MemoryLine& line = memory.line(address);
-      for (int i = 0; i < 512 / kConfig.pixel_w; ++i) {
-        const uint64_t found = get_bits(line.data(), i * kConfig.pixel_w, kConfig.pixel_w);
-        ASSERT_EQ(found, pixels[i]) << std::hex << "line " << address << " pixel " << i << " expected " << pixels[i]
-                                    << " found " << found << " seed " << seed;
+    EXPECT_EQ(traffic.halves_written - before.halves_written, lines.size()) << "lines were written whole";
+    before = traffic;
+    requests = 0;
+    for (const auto& [place, pixels] : lines) {
+      const MemoryLine& line = memory.line(place.first);
+      for (size_t i = 0; i < pixels.size(); ++i) {
+        ASSERT_EQ(line[8 * place.second + i], pixels[i])
+            << "line " << place.first << " half " << place.second << " word " << i << " seed " << seed;
       }
     }
     lines.clear();
@@ -225,14 +234,17 @@ class RuBench : public Bench<Vru> {
   MemoryEndpoint<QData, LinePort> port;
   std::map<std::pair<uint64_t, int>, Codes> codes;
   std::map<uint64_t, Sorted> colors;
-  std::map<uint64_t, std::vector<uint64_t>> lines;
+  Picture picture;
+  std::map<std::pair<uint64_t, size_t>, std::array<uint32_t, 8>> lines;  // by line and half
+  uint64_t requests = 0;                                                 // that write them
+  ExternalMemory::Traffic before;
   struct ExpectedWord {
     int region, part;  // a quarter of the region, or a row of its quads
     Words word;
   };
   std::vector<std::deque<ExpectedWord>> expected_words{static_cast<size_t>(kConfig.tap_lanes())};
   std::vector<uint64_t> line_cycles;  // of the first lane of taps
-  uint64_t next_index = 0, next_address = 0, ends = 0, ends_seen = 0, windows = 0, windows_seen = 0, lines_before = 0;
+  uint64_t next_index = 0, next_address = 0, ends = 0, ends_seen = 0, windows = 0, windows_seen = 0;
   uint64_t active_cycles = 0, perf[4] = {};
 };
 
@@ -281,7 +293,7 @@ TEST(Ru, FramesEqualTheModelAtEveryPace) {
       bench.unit = bench.dut.unit_i = bench.rng() % kConfig.units;
       const uint64_t sizes[][2] = {{17, 33}, {2ull * kConfig.window + 7, kConfig.window + 9ull}, {24, 40}, {1, 1}};
       for (const auto& size : sizes) {  // frames follow each other on the same module
-        bench.start(random_frame(bench.rng, size[0], size[1]));
+        bench.start(random_frame(bench.rng, size[0], size[1]), bench.rng() % 2 != 0);
         send_frame(bench, 60, 30);
         ASSERT_NO_FATAL_FAILURE(bench.finish());
         if (HasFailure()) return;
@@ -300,22 +312,26 @@ TEST(Ru, EveryUnitRendersItsOwnRegions) {
 }
 
 TEST(Ru, EmptyWindowsAreWrittenBlack) {
-  RuBench bench({}, 0);
-  bench.start(random_frame(bench.rng, 4ull * kConfig.window, 3ull * kConfig.window));
-  for (int i = 0; i < 12; ++i) bench.send(kWindowEnd);
-  ASSERT_NO_FATAL_FAILURE(bench.finish());
+  for (const bool raster : {false, true}) {
+    RuBench bench({}, 0);
+    bench.start(random_frame(bench.rng, 4ull * kConfig.window, 3ull * kConfig.window), raster);
+    for (int i = 0; i < 12; ++i) bench.send(kWindowEnd);
+    ASSERT_NO_FATAL_FAILURE(bench.finish());
+  }
 }
 
 TEST(Ru, PartOfAFrameIsRendered) {
-  RuBench bench({}, kConfig.units - 1);
-  Frame frame = random_frame(bench.rng, 5ull * kConfig.window, 5ull * kConfig.window);
-  frame.raster.windows.first_x = 1;
-  frame.raster.windows.last_x = 2;
-  frame.raster.windows.first_y = 2;
-  frame.raster.windows.last_y = 3;
-  bench.start(frame);
-  send_frame(bench, 30, 20);
-  ASSERT_NO_FATAL_FAILURE(bench.finish());
+  for (const bool raster : {false, true}) {
+    RuBench bench({}, kConfig.units - 1);
+    Frame frame = random_frame(bench.rng, 5ull * kConfig.window, 5ull * kConfig.window);
+    frame.raster.windows.first_x = 1;
+    frame.raster.windows.last_x = 2;
+    frame.raster.windows.first_y = 2;
+    frame.raster.windows.last_y = 3;
+    bench.start(frame, raster);
+    send_frame(bench, 30, 20);
+    ASSERT_NO_FATAL_FAILURE(bench.finish());
+  }
 }
 
 TEST(Ru, AFullWindowClosesAllRegions) {

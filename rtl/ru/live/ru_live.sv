@@ -36,11 +36,13 @@ module ru_live #(
   input  logic [SideW-1:0]                  rows_i,     // restart_i or window_done_o they are those of the next one
   output logic [Regions-1:0]                done_o,     // own regions that need nothing more
 
-  input  logic [pipegs_pkg::AddressW-1:0]   pixels_i,   // first line of the frame
-  input  logic [2*pipegs_pkg::WindowW-1:0]  number_i,   // of the window in the frame
+  input  logic                              raster_i,   // pixels in raster order, else by windows
+  input  logic [pipegs_pkg::StrideW-1:0]    stride_i,   // lines from row to row, in raster order
+  input  logic [pipegs_pkg::AddressW-1:0]   line_i,     // first one of the window's pixels
   output logic                              store_valid_o,
   input  logic                              store_ready_i,
   output logic [pipegs_pkg::AddressW-1:0]   store_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]    store_halves_o,  // of the line
   output logic [pipegs_pkg::MemoryW-1:0]    store_data_o,
 
   output logic                              layer_done_o,
@@ -166,11 +168,12 @@ module ru_live #(
     assign wanted[i] = (wants[i*Units +: Units] & own_i[i*Units +: Units]) != '0;
   end
   ru_drain u_drain (
-    .clk_i, .rst_ni, .own_i, .pixels_i, .restart_i, .start_i(window_done_o), .number_i, .outside_i(slots_out),
+    .clk_i, .rst_ni, .own_i, .raster_i, .stride_i, .restart_i, .start_i(window_done_o), .line_i, .rows_i,
+    .outside_i(slots_out),
     .wanted_i(wanted), .held_o(held), .ready_o(drained), .idle_o(drain_idle),
     .job_o(job), .job_address_o(job_address), .word_i(word),
     .mem_valid_o(store_valid_o), .mem_ready_i(store_ready_i), .mem_address_o(store_address_o),
-    .mem_data_o(store_data_o)
+    .mem_halves_o(store_halves_o), .mem_data_o(store_data_o)
   );
 
   // --- quads ---------------------------------------------------------------------------------------------------------

@@ -21,7 +21,8 @@ bool Drain::step(const Config& config, Cycle now, size_t part, uint64_t wanted) 
   const bool job = chosen_ >= 0 && room, last = job && row_ == 3;
   if ((flying_ & 4) != 0) words.push(now, coming_[2]);
   coming_ = {Word{chosen_, row_, window_}, coming_[0], coming_[1]};
-  flying_ = (flying_ << 1 & 7) | (job && !quiet_ ? 1u : 0u);
+  const bool written = job && !quiet_ && 8 * region_y(config, chosen_) + 2 * row_ < rows_;
+  flying_ = (flying_ << 1 & 7) | (written ? 1u : 0u);
   if (last) {
     held_.mask[static_cast<size_t>(region_part(config, chosen_))] &= ~(uint64_t{1} << region_bit(config, chosen_));
   }

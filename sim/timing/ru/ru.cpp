@@ -2,8 +2,10 @@
 // ru.cpp: see ru.hpp.
 #include "sim/timing/ru/ru.hpp"
 
+#include <algorithm>
 #include <bit>
 
+#include "cpp_model/ru/ru_raster.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "sim/timing/machine.hpp"
@@ -24,7 +26,7 @@ Ru::Ru(const Machine& m, int lane)
       own_(ru_own_mask(m.config, lane)) {
   for (size_t part = 0; part < static_cast<size_t>(m.config.parts()); ++part) owned_.mask[part] = own_;
   set_window(m, 0);
-  if (quads_) drain_.start(0, owned_, true, 0);
+  if (quads_) drain_.start(0, owned_, true, 0, 0);
 }
 
 void Ru::set_window(const Machine& m, size_t window) {
@@ -155,11 +157,15 @@ void Ru::end(Machine& m, Cycle now, Beat beat) {
   lines_.fill(0);
   if (!quads_) m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
   m.wheel.wake(unit(late_ ? kSource : kWalk, lane_), now + 1);
-  if (quads_) return drain_.start(now, owned_ & ~outside_, false, window_);
+  if (quads_) return drain_.start(now, owned_ & ~outside_, false, window_, rows_written(m, window_));
   // ru_resolve starts.
   regions_left_ = owned_ & ~outside_;
   window_written_ = window_;
-  lines_left_ = m.config.region_lines() * regions_left_.count();
+  lines_left_ = 0;
+  for (size_t part = 0; part < regions_left_.mask.size(); ++part) {
+    for (uint64_t rest = regions_left_.mask[part]; rest != 0; rest &= rest - 1)
+      lines_left_ += requests(m, window_, region_number(m.config, part, std::countr_zero(rest)), 0, 8);
+  }
   line_ = 0;
   line_from_ = now + 2;
   if (lines_left_ > 0) m.wheel.wake(unit(kRuMemory, lane_), line_from_);
@@ -277,25 +283,47 @@ void Ru::rows_source(Machine& m, Cycle now) {
 
 // --- ru_memory and ru_resolve ----------------------------------------------------------------------------------------
 
-// A line of pixels of a region to memory.
+// Rows of pixels of a window that are written: in raster order those inside the picture, else all.
+int Ru::rows_written(const Machine& m, size_t window) const {
+  if (m.trace.picture.format == 0) return m.config.window;
+  const Windows& windows = m.frame.raster.windows;
+  const uint64_t y = windows.first_y + window / (windows.last_x - windows.first_x + 1);
+  return static_cast<int>(std::min(static_cast<uint64_t>(m.config.window),
+                                   m.frame.raster.height - y * static_cast<uint64_t>(m.config.window)));
+}
+
+// Requests that write some rows of a region.
+int Ru::requests(const Machine& m, size_t window, int region, int first_row, int rows) const {
+  if (m.trace.picture.format == 0) return m.config.region_lines() * rows / 8;
+  return std::clamp(rows_written(m, window) - 8 * region_y(m.config, region) - first_row, 0, rows);
+}
+
+// A line of pixels of a region to memory, or a row of them in raster order.
 void Ru::write(Machine& m, size_t window, int region, uint64_t line) {
+  memory_valid_ = true;
   const uint64_t columns =
       (m.frame.raster.width + static_cast<uint64_t>(m.config.window) - 1) / static_cast<uint64_t>(m.config.window);
   const uint64_t row_windows = m.frame.raster.windows.last_x - m.frame.raster.windows.first_x + 1;
-  const uint64_t number = (m.frame.raster.windows.first_y + window / row_windows) * columns +
-                          m.frame.raster.windows.first_x + window % row_windows;
+  const uint64_t window_x = m.frame.raster.windows.first_x + window % row_windows,
+                 window_y = m.frame.raster.windows.first_y + window / row_windows,
+                 side = static_cast<uint64_t>(m.config.window);
+  if (m.trace.picture.format != 0) {
+    const uint64_t x = window_x * side + 8 * static_cast<uint64_t>(region_x(m.config, region)),
+                   y = window_y * side + 8 * static_cast<uint64_t>(region_y(m.config, region)) + line;
+    return m.memory.ask(port_, ru_raster_line(m.trace.picture, x, y), true);
+  }
+  const uint64_t number = window_y * columns + window_x;
   const uint64_t place = number * static_cast<uint64_t>(m.config.regions()) + static_cast<uint64_t>(region);
   m.memory.ask(port_, m.frame.tables.pixels + place * static_cast<uint64_t>(m.config.region_lines()) + line, true);
-  memory_valid_ = true;
 }
 
 // With quads: the words that ru_drain has brought.
 void Ru::drained(Machine& m, Cycle now) {
   if (!drain_.words.valid(now)) return m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
   const Drain::Word word = drain_.words.front();
-  const auto lines = static_cast<uint64_t>(m.config.region_lines()) / 4;  // of a word
-  write(m, word.window, word.region, static_cast<uint64_t>(word.row) * lines + line_);
-  if (++line_ < lines) return;
+  const auto whole = static_cast<uint64_t>(m.trace.picture.format != 0 ? 2 : m.config.region_lines() / 4);  // of a word
+  write(m, word.window, word.region, static_cast<uint64_t>(word.row) * whole + line_);
+  if (++line_ < static_cast<uint64_t>(requests(m, word.window, word.region, 2 * word.row, 2))) return;
   line_ = 0;
   drain_.words.pop(now);
 }
@@ -310,8 +338,9 @@ void Ru::memory(Machine& m, Cycle now) {
   size_t part = 0;
   while (regions_left_.mask[part] == 0) ++part;
   uint64_t& left = regions_left_.mask[part];
-  write(m, window_written_, region_number(m.config, part, std::countr_zero(left)), line_);
-  if (++line_ == static_cast<uint64_t>(m.config.region_lines())) line_ = 0, left &= left - 1;
+  const int region = region_number(m.config, part, std::countr_zero(left));
+  write(m, window_written_, region, line_);
+  if (++line_ == static_cast<uint64_t>(requests(m, window_written_, region, 0, 8))) line_ = 0, left &= left - 1;
   if (--lines_left_ == 0) {
     resolved_from_ = now + 1;
     m.wheel.wake(unit(kLanes, lane_), now + 1);

@@ -75,6 +75,8 @@ class Ru {
   void set_window(const Machine& m, size_t window);
   bool read(Machine& m, Cycle now, uint64_t line);
   void write(Machine& m, size_t window, int region, uint64_t line);
+  int rows_written(const Machine& m, size_t window) const;
+  int requests(const Machine& m, size_t window, int region, int first_row, int rows) const;
   void drained(Machine& m, Cycle now);
   uint64_t live() const { return ends_ == 0 ? rest_ & ~done_.mask[splat_.part] : rest_; }
 
