@@ -7,7 +7,7 @@
 //         too.
 //         The front works on the frame in front_q, the back on the one in back_q: the same, or the one before.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
-// Stream  frame_i and picture_i are taken with frame_valid_i and frame_ready_o; scene and pixels lie in external memory.
+// Stream  frame_i and picture_i are taken with frame_valid_i and frame_ready_o; scene and pixels lie outside.
 //         done_o: pulse, the oldest frame inside is complete. busy_o: a frame is inside.
 //         tap_*: what moves on the streams and what each unit does, for the harness; all 0 if Taps is 0. perf_o: cycles
 //         busy, starved, blocked, memory of each unit, in the order DOPU, PUs, SUs, RUs.

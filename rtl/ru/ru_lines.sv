@@ -3,7 +3,8 @@
 //
 // Idea    By windows a word is one line, or two that follow one another (PixelW 64). In raster order its two rows are
 //         halves of lines that lie a stride apart; both halves show the row, and the request says which one counts.
-// Stream  A word's first line and its pixels (ru_pixels), which of its requests -> address, halves, data. Combinational.
+// Stream  A word's first line and its pixels (ru_pixels), which of its requests -> address, halves, data.
+//         Combinational.
 // Model   cpp_model/ru/ru_resolve.hpp, cpp_model/ru/ru_raster.hpp
 
 module ru_lines #(

@@ -3,8 +3,8 @@
 //
 // Idea    One register holds the request, so it never changes while it waits. Reads go first: the lanes wait for them,
 //         while writes only have to be done before the next window ends.
-// Stream  read: an address. write: an address, a line and which halves of it count. mem: one request; nothing comes back
-//         here.
+// Stream  read: an address. write: an address, a line and which halves of it count. mem: one request; nothing comes
+//         back here.
 // Pace    One request per cycle.
 // Model   Two queues in the test.
 

@@ -3,8 +3,8 @@
 //
 // Paper   Fig. 7, the output side of the double buffer. Background is black: the accumulated colour is the pixel.
 // Idea    A word of the pixel buffer is two rows of a region, which are one or two lines, or two halves of lines
-//         (ru_pixels, ru_lines). Where it lies is found out when it is read (ru_offset). The next word is read while the
-//         last line leaves. In raster order a region ends with the last row of the picture.
+//         (ru_pixels, ru_lines). Where it lies is found out when it is read (ru_offset). The next word is read while
+//         the last line leaves. In raster order a region ends with the last row of the picture.
 // Stream  start_i with the window's first line, its rows and the regions to leave out; write requests out. Fresh words
 //         are T = 1, black.
 // Pace    One line, or half a line in raster order, per cycle.

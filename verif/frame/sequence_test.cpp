@@ -83,8 +83,8 @@ TEST(Sequence, FramesOfOtherSizesCamerasAndScenesFollowWithoutAReset) {
   }
 }
 
-// The picture of a frame is taken with it, while the frame before is still being written in the other format. Nothing is
-// written but half lines with a pixel of the picture.
+// The picture of a frame is taken with it, while the frame before is still being written in the other format. Nothing
+// is written but half lines with a pixel of the picture.
 TEST(Sequence, PicturesInRasterOrderFollowThoseByWindows) {
   const Scene scene = random_scene(65, 500, 1);
   for (size_t i = 0; i < kMachines.size(); ++i) {

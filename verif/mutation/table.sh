@@ -176,15 +176,14 @@ mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_v
 mutant ru_memory "a read asks for half a line" "s/read_valid_i \? '1 : write_halves_i/write_halves_i/"
 mutant ru_window "raster order: a row of windows is one row of pixels high" "s/(AddressW'\(before_q\)) << Shift/\1/"
 mutant ru_offset "raster order: the first word below the picture is written" 's/(shown_o *= first <) rows/\1= rows/'
-mutant ru_offset "raster order: a region goes on below the picture" "s/first \+ .*(< rows)/first \1/"
+mutant ru_offset "raster order: a region goes on below the picture" "s/(more_o *= )first.*/\11'b1;/"
 mutant ru_offset "raster order: all regions lie in the low halves of lines" "s/(half_o *= )column\[0\]/\11'b0/"
-mutant ru_lines "raster order: the second row of a word lies in the next line" "s/raster_i \? AddressW'\(stride_i\) : //" \
-       ru_resolve
+mutant ru_lines "raster order: the second row of a word lies in the next line" \
+       "s/raster_i \? AddressW'\(stride_i\) : //" ru_resolve
 mutant ru_lines "raster order: the halves of a line are exchanged" 's/\{half_i, !half_i\}/{!half_i, half_i}/' ru_resolve
 mutant ru_pixels "raster order: A is 0" "s/(bytes\[32\*i\+24 \+: 8\] = )'1/\1'0/" ru_resolve
 mutant ru_byte "the second third of the codes begins one late" "s/10'd343/10'd344/"
-mutant ru_unorm "a half is rounded down" "s/ \+ \(WideW'\(1\) << \(Fraction - 1\)\)/ + (WideW'(1) << (Fraction - 1)) - 1'b1/" \
-       ru_unorm_byte_16
+mutant ru_unorm "a half is rounded down" "s/(WideW'\(1\) << \(Fraction - 1\))/(\1) - 1'b1/" ru_unorm_byte_16
 mutant ru_whole "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/' ru
 
 # --- rtl/ru/live ------------------------------------------------------------------------------------------------------

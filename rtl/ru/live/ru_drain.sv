@@ -2,10 +2,10 @@
 // ru_drain: brings the pixels of a finished window to external memory, region by region, out of the lanes' own buffer.
 //
 // Paper   None: its RUs have T and RGB twice, and write one half while they blend the other.
-// Idea    One buffer. A region of the finished window is held until its four words were read and cleared; then the
-//         next window may blend it. Regions that the next splat wants go first. A job takes one turn of all groups of
-//         lanes and its word comes three cycles later, so there is a place for it before it is asked for. Where the word
-//         lies is found out meanwhile; in raster order words below the picture are read and cleared only.
+// Idea    One buffer. A region of the finished window is held until its four words were read and cleared; then the next
+//         window may blend it. Regions that the next splat wants go first. A job takes one turn of all groups of lanes
+//         and its word comes three cycles later, so there is a place for it before it is asked for. Where the word lies
+//         is found out meanwhile; in raster order words below the picture are read and cleared only.
 // Stream  start_i with the window's first line, its rows and the slots outside the image, which are clear already.
 //         restart_i: all is cleared, nothing written. Jobs out, words in, write requests out.
 // Pace    A word per cycle while there is room; RuDrained words in five cycles, in six when each is two requests.

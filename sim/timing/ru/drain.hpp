@@ -22,8 +22,8 @@ class Drain {
     size_t window = 0;
   };
 
-  // In the cycle `now`, behind step(): regions to hand over; `quiet`: they are only cleared. So are the words that begin
-  // behind `rows` rows of pixels.
+  // In the cycle `now`, behind step(): regions to hand over; `quiet`: they are only cleared. So are the words that
+  // begin behind `rows` rows of pixels.
   void start(Cycle now, const RegionSet& regions, bool quiet, size_t window, int rows) {
     held_ = regions, quiet_ = quiet, window_ = window, rows_ = rows, from_ = now + 1;
   }

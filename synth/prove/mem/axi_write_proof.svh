@@ -15,7 +15,7 @@ logic [ProofW-1:0] addresses, lines;
 logic [7:0]        beat;
 logic [AddrW-1:0]  expected_q;
 logic [pipegs_pkg::MemoryW-1:0] moved;  // the line as it would stand if no beat had left
-logic [Steps-1:0]  moved_written;       // and what of it is written
+logic [Grains-1:0] moved_written;       // and what of it is written
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
 axi_check #(
@@ -58,9 +58,10 @@ always_comb begin
     assert (beat == (w_valid_q ? 8'(beat_q) : '0));
     assert (8'(beat_q) < (w_valid_q ? 8'(Beats) : 8'd1));
     assert (!w_valid_q || 8'(beat_q) > 8'(place / DataW) || moved[place] == bit_q);
-    assert (!w_valid_q || 8'(beat_q) > 8'(place / DataW) || moved_written[place / 128] == half_q);
-    for (int unsigned i = 0; i < Steps; i += 1) begin
-      assert (!w_valid_q || 8'(beat_q) > 8'(i / StepW) || moved_written[i] == moved_written[i / (Steps/2) * (Steps/2) + Steps/2 - 1]);
+    assert (!w_valid_q || 8'(beat_q) > 8'(place / DataW) || moved_written[place / GrainW] == half_q);
+    for (int unsigned i = 0; i < Grains; i += 1) begin
+      assert (!w_valid_q || 8'(beat_q) > 8'(i / StepW) ||
+              moved_written[i] == moved_written[i / (Grains/2) * (Grains/2) + Grains/2 - 1]);
     end
   end
 end
