@@ -61,6 +61,12 @@ module raster #(
   logic [Units*AddressW-1:0]       mem_address;
   logic [Units*MemoryW-1:0]        mem_data;
 
+  localparam int unsigned HalfW = MemoryW / 2;
+  localparam int unsigned Slots = Regions / Units;
+  logic [Units-1:0]                pair_valid, pair_taken, pair_at_end;  // of each RU, to the one that shares its lines
+  logic [Units*HalfW-1:0]          pair_row;
+  logic [Units*Slots-1:0]          pair_wanted;
+
   logic [Units*Units-1:0]          read_valid, read_ready, answer_valid;  // [RU * Units + store]
   logic [Units*AlphaAddressW-1:0]  read_address;                          // of each RU
   logic [Units*LineW-1:0]          answer;                                // of each store
@@ -84,6 +90,21 @@ module raster #(
   );
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
+    // The RU with which this one shares lines, if there is another one.
+    localparam int unsigned Other = Units > 1 ? (k % 2 == 0 ? k + 1 : k - 1) : 0;
+    logic             other_valid, other_taken, other_at_end;
+    logic [HalfW-1:0] other_row;
+    logic [Slots-1:0] other_wanted;
+    if (Units > 1) begin : gen_pair
+      assign {other_valid, other_taken, other_at_end} = {pair_valid[Other], pair_taken[Other], pair_at_end[Other]};
+      assign other_row    = pair_row[Other*HalfW +: HalfW];
+      assign other_wanted = pair_wanted[Other*Slots +: Slots];
+    end else begin : gen_alone
+      assign {other_valid, other_taken, other_at_end, other_row, other_wanted} = '0;
+      logic unused_pair;
+      assign unused_pair = &{1'b0, pair_valid, pair_taken, pair_at_end, pair_row, pair_wanted};
+    end
+
     logic ru_clk;
     clock_gate u_ru_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(ru_active[k]), .clk_o(ru_clk));
     ru u_ru (
@@ -97,6 +118,10 @@ module raster #(
       .mem_halves_o(halves_o[k*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW]),
       .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
       .rsp_valid_i(mem_line[k]), .rsp_data_i(line_i),
+      .pair_valid_o(pair_valid[k]), .pair_taken_o(pair_taken[k]), .pair_row_o(pair_row[k*HalfW +: HalfW]),
+      .pair_at_end_o(pair_at_end[k]), .pair_wanted_o(pair_wanted[k*Slots +: Slots]),
+      .pair_valid_i(other_valid), .pair_taken_i(other_taken), .pair_row_i(other_row), .pair_at_end_i(other_at_end),
+      .pair_wanted_i(other_wanted),
       .done_o(done[k*Regions +: Regions]), .done_x_o(done_x[k*WindowW +: WindowW]),
       .done_y_o(done_y[k*WindowW +: WindowW]),
       .layer_done_o(layer_done_o[k]), .window_done_o(window_done_o[k]), .idle_o(),

@@ -52,6 +52,14 @@ inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
   return state;
 }
 
+// Whether rows leave together with those of the RU that has the other halves of their lines (rtl/ru/write/ru_join.sv).
+inline bool ru_joined(const Config& c, const Picture& picture) { return picture.format != 0 && c.units > 1; }
+
+// Whether a region leaves the RU: one that is inside the image, or whose left neighbour on the same lines is.
+inline bool ru_leaves(const Config& c, const Frame& frame, const Picture& picture, const RuState& state, int region) {
+  return ru_inside(c, frame, state.window_x, state.window_y, ru_joined(c, picture) ? region / 2 * 2 : region);
+}
+
 // The requests that write a region of the current window: pixels(line address, halves of it, const MemoryLine&).
 template <class Pixels>
 void ru_write(const Config& c, const Frame& frame, const Picture& picture, const RuState& state, int region,
@@ -96,7 +104,7 @@ void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, const
   if (splat.kind != kWindowEnd) return;
   for (int slot = 0; slot < c.regions() / c.units; ++slot) {
     const int region = ru_region(c, state.unit, slot);
-    if (ru_inside(c, frame, state.window_x, state.window_y, region)) ru_write(c, frame, picture, state, region, pixels);
+    if (ru_leaves(c, frame, picture, state, region)) ru_write(c, frame, picture, state, region, pixels);
   }
   if (state.window_x == frame.raster.windows.last_x) {
     state.window_x = frame.raster.windows.first_x;

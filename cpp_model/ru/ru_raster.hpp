@@ -8,7 +8,7 @@
 //         at most 1, where with PixelW 32 c is n / 1023.
 // Stream  A pixel by windows in, its RGBA8 out. Rows below the picture are not written; to its right black pixels fill
 //         the half line, which no other row shares, for stride is in lines.
-// RTL     rtl/ru/ru_pixels.sv, ru_byte.sv, ru_lines.sv, rtl/ru/place/ru_offset.sv
+// RTL     rtl/ru/write/, rtl/ru/place/ru_offset.sv
 #pragma once
 
 #include <algorithm>

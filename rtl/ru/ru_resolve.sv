@@ -25,7 +25,8 @@ module ru_resolve #(
   input  logic                            start_i,
   output logic                            ready_o,    // the last window is written
   input  logic [pipegs_pkg::AddressW-1:0] line_i,     // first one of the window's pixels
-  input  logic [$clog2(pipegs_pkg::Window):0] rows_i,  // pixel rows of the window inside the image
+  input  logic [$clog2(pipegs_pkg::Window):0] columns_i,  // pixels of the window inside the image
+  input  logic [$clog2(pipegs_pkg::Window):0] rows_i,
   input  logic [pipegs_pkg::Regions-1:0]  outside_i,  // regions that are not written
 
   output logic                            read_o,
@@ -37,6 +38,7 @@ module ru_resolve #(
   input  logic                            mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
   output logic [pipegs_pkg::HalvesW-1:0]  mem_halves_o,  // of the line
+  output logic                            mem_wide_o,    // both are in the picture
   output logic [pipegs_pkg::MemoryW-1:0]  mem_data_o
 );
 
@@ -53,11 +55,11 @@ module ru_resolve #(
   logic [Regions-1:0] lowest;              // of them
   logic [1:0]         next_quarter_q;      // of the word to read next
   logic [AddressW-1:0] line_q;
-  logic [$clog2(pipegs_pkg::Window):0] rows_q;
+  logic [$clog2(pipegs_pkg::Window):0] columns_q, rows_q;
   logic               word_valid_q;        // the pixel buffer shows a word
   logic [RegionW-1:0] next_region, slot;
   logic [OffsetW-1:0] offset, offset_q;    // of the word from the window's first line
-  logic               half, half_q, two, two_q, more, shown;
+  logic               half, half_q, wide, wide_q, two, two_q, more, shown;
   logic               second_q;            // the second request of the word
   logic               word_free, ends;     // ends: the word read is the last one of its region
 
@@ -66,8 +68,8 @@ module ru_resolve #(
   ru_slot u_slot (.region_i(next_region), .slot_o(slot));
 
   ru_offset u_offset (
-    .raster_i, .stride_i, .rows_i(rows_q), .region_i(next_region), .quarter_i(next_quarter_q),
-    .offset_o(offset), .half_o(half), .shown_o(shown), .two_o(two), .more_o(more)
+    .raster_i, .stride_i, .columns_i(columns_q), .rows_i(rows_q), .region_i(next_region), .quarter_i(next_quarter_q),
+    .offset_o(offset), .half_o(half), .wide_o(wide), .shown_o(shown), .two_o(two), .more_o(more)
   );
 
   assign word_free   = !word_valid_q || ((second_q || !two_q) && mem_ready_i);
@@ -92,8 +94,8 @@ module ru_resolve #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (start_i) {line_q, rows_q} <= {line_i, rows_i};
-    if (read_o) {offset_q, half_q, two_q} <= {offset, half, two};
+    if (start_i) {line_q, columns_q, rows_q} <= {line_i, columns_i, rows_i};
+    if (read_o) {offset_q, half_q, wide_q, two_q} <= {offset, half, wide, two};
   end
 
   // --- the word as it lies in memory ---------------------------------------------------------------------------------
@@ -107,6 +109,7 @@ module ru_resolve #(
     .lines_i(lines), .address_o(mem_address_o), .halves_o(mem_halves_o), .data_o(mem_data_o)
   );
   assign mem_valid_o = word_valid_q;
+  assign mem_wide_o  = wide_q;
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || ready_o)

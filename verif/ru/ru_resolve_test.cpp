@@ -65,12 +65,13 @@ void resolve_window(Pace pace, uint64_t seed, bool raster, bool expect_rate) {
   dut.start_i = 1;
   const auto side = static_cast<uint64_t>(kConfig.window);
   dut.line_i = raster ? ru_raster_line(picture, x * side, y * side) : ru_pixel_line(kConfig, frame, x, y, 0, 0);
+  dut.columns_i = std::min(side, frame.raster.width - x * side);
   dut.rows_i = std::min(side, frame.raster.height - y * side);
   write_regions(kConfig, dut.outside_i, outside);
   EXPECT_TRUE(dut.ready_o);
   bench.step();
   dut.start_i = 0;
-  dut.line_i = dut.rows_i = 0;
+  dut.line_i = dut.columns_i = dut.rows_i = 0;
   write_regions(kConfig, dut.outside_i, {});
   uint64_t lines = 0;
   const uint64_t start = bench.cycle;
@@ -84,6 +85,7 @@ void resolve_window(Pace pace, uint64_t seed, bool raster, bool expect_rate) {
     if (dut.mem_valid_o && dut.mem_ready_i) {
       ++lines;
       ASSERT_NO_FATAL_FAILURE(expected.take(dut.mem_address_o, dut.mem_halves_o, dut.mem_data_o, seed));
+      ASSERT_EQ(dut.mem_wide_o, raster && WrittenPixels::wide(frame, picture, dut.mem_address_o));
     }
     bench.step();
     if (reads) {

@@ -25,6 +25,57 @@ struct Paces {
   ExternalMemoryOptions options = {.latency = 20};
 };
 
+// The other RU of the pair, in raster order: its rows come, or it takes ours, at some pace.
+class OtherRu : public Endpoint {
+ public:
+  OtherRu(Bench<Vru>& bench, Pace pace) : bench_(bench), pace_(pace) {
+    auto& dut = bench.dut;
+    dut.pair_valid_i = dut.pair_taken_i = dut.pair_at_end_i = 0;
+    bench.add(*this);
+  }
+  void drive() override {
+    auto& dut = bench_.dut;
+    if (!waits_) {
+      waits_ = goes(pace_, bench_.rng);
+      for (uint32_t& word : row_) word = static_cast<uint32_t>(bench_.rng());
+    }
+    dut.pair_valid_i = waits_;
+    write_port(dut.pair_row_i, row_.data());
+    dut.pair_at_end_i = goes(pace_, bench_.rng);
+    const auto slots = static_cast<uint64_t>(kConfig.regions() / kConfig.units);
+    std::vector<uint32_t> wanted(port_words<decltype(dut.pair_wanted_i)>() + 1);
+    put_bits(wanted.data(), static_cast<int>(bench_.rng() % slots), 1, bench_.rng() % 2);
+    write_port(dut.pair_wanted_i, wanted.data());
+    dut.pair_taken_i = 0;
+    dut.eval();
+    dut.pair_taken_i = odd() && joined && dut.pair_valid_o && waits_;
+  }
+  void observe() override {
+    auto& dut = bench_.dut;
+    if (!joined) return;
+    if (!odd() && dut.pair_taken_o) {
+      ASSERT_TRUE(waits_ && dut.pair_valid_o) << "a line leaves without one of its halves, cycle " << bench_.cycle;
+      waits_ = false;
+    }
+    if (dut.pair_taken_i) {
+      std::array<uint32_t, 8> row;
+      read_port(dut.pair_row_o, row.data());
+      rows.insert(row);
+      waits_ = false;
+    }
+  }
+  bool joined = false;
+  std::multiset<std::array<uint32_t, 8>> rows;  // that an odd RU gave us
+
+ private:
+  bool odd() const { return bench_.dut.unit_i % 2 != 0; }
+
+  Bench<Vru>& bench_;
+  Pace pace_;
+  bool waits_ = false;
+  std::array<uint32_t, 8> row_;
+};
+
 class RuBench : public Bench<Vru> {
  public:
   explicit RuBench(const Paces& paces, int unit, uint64_t seed = test_seed())
@@ -34,7 +85,8 @@ class RuBench : public Bench<Vru> {
         in(*this, kConfig, dut.in_valid_i, dut.in_ready_o, dut.in_i, paces.in),
         stores(*this, kConfig, paces.stores),
         port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o,
-             dut.rsp_valid_i, dut.rsp_data_i, paces.memory) {
+             dut.rsp_valid_i, dut.rsp_data_i, paces.memory),
+        other(*this, paces.memory) {
     port.halves = &dut.mem_halves_o;
     dut.unit_i = unit;
     dut.restart_i = 0;
@@ -45,6 +97,7 @@ class RuBench : public Bench<Vru> {
     frame = new_frame;
     picture = random_picture(kConfig, frame, rng, raster);
     write_port(dut.picture_i, picture_words(kConfig, picture).data());
+    other.joined = ru_joined(kConfig, picture);
     write_frame(kConfig, dut, frame);
     dut.restart_i = 1;
     cycle_once();
@@ -100,7 +153,16 @@ class RuBench : public Bench<Vru> {
           return codes.at({s.index, region}).data();
         },
         [&](uint64_t address, int halves, const MemoryLine& pixels) {
+          if (other.joined && unit % 2 != 0) {
+            std::array<uint32_t, 8> row;
+            std::copy_n(pixels.begin() + (halves == 2 ? 8 : 0), 8, row.begin());
+            rows.insert(row);
+            return;
+          }
           ++requests;
+          const bool outside = other.joined && !WrittenPixels::wide(frame, picture, address);  // the right half
+          theirs += other.joined && (halves == 2 || !outside);
+          if (outside && halves == 2) return;
           for (size_t i = 0; i < 16; ++i) {
             if ((halves >> i / 8 & 1) != 0) lines[{address, i / 8}][i % 8] = pixels[i];
           }
@@ -212,9 +274,12 @@ class RuBench : public Bench<Vru> {
     const ExternalMemory::Traffic& traffic = memory.traffic()[0];
     EXPECT_EQ(traffic.lines_written - before.lines_written, requests)
         << "lines outside the image were written, or some twice";
-    EXPECT_EQ(traffic.halves_written - before.halves_written, lines.size()) << "lines were written whole";
+    EXPECT_EQ(traffic.halves_written - before.halves_written, lines.size() + theirs) << "other halves were written";
+    EXPECT_TRUE(other.rows == rows) << "rows for the other RU, seed " << seed;
     before = traffic;
-    requests = 0;
+    requests = theirs = 0;
+    rows.clear();
+    other.rows.clear();
     for (const auto& [place, pixels] : lines) {
       const MemoryLine& line = memory.line(place.first);
       for (size_t i = 0; i < pixels.size(); ++i) {
@@ -232,11 +297,13 @@ class RuBench : public Bench<Vru> {
   RecordSource<Sorted, decltype(dut.in_i)> in;
   AlphaStores<Vru> stores;
   MemoryEndpoint<QData, LinePort> port;
+  OtherRu other;
   std::map<std::pair<uint64_t, int>, Codes> codes;
   std::map<uint64_t, Sorted> colors;
   Picture picture;
   std::map<std::pair<uint64_t, size_t>, std::array<uint32_t, 8>> lines;  // by line and half
-  uint64_t requests = 0;                                                 // that write them
+  uint64_t requests = 0, theirs = 0;            // that write them, and rows of the other RU among them
+  std::multiset<std::array<uint32_t, 8>> rows;  // for the other RU
   ExternalMemory::Traffic before;
   struct ExpectedWord {
     int region, part;  // a quarter of the region, or a row of its quads

@@ -42,6 +42,10 @@ class WrittenPixels {
     lines_.erase(expected);
   }
   bool empty() const { return lines_.empty(); }
+  // Whether both halves of a line of the picture hold pixels.
+  static bool wide(const Frame& frame, const Picture& picture, uint64_t line) {
+    return (line - picture.base) % picture.stride * 16 + 8 < frame.raster.width;
+  }
 
  private:
   std::map<std::pair<uint64_t, int>, MemoryLine> lines_;

@@ -26,7 +26,8 @@ module ru_drain #(
   input  logic                            restart_i,
   input  logic                            start_i,
   input  logic [pipegs_pkg::AddressW-1:0] line_i,     // first one of the window's pixels
-  input  logic [$clog2(pipegs_pkg::Window):0] rows_i,  // pixel rows of the window inside the image
+  input  logic [$clog2(pipegs_pkg::Window):0] columns_i,  // pixels of the window inside the image
+  input  logic [$clog2(pipegs_pkg::Window):0] rows_i,
   input  logic [Slots-1:0]                outside_i,
   input  logic [Slots-1:0]                wanted_i,
   output logic [Slots-1:0]                held_o,     // not handed over yet
@@ -41,6 +42,7 @@ module ru_drain #(
   input  logic                            mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
   output logic [pipegs_pkg::HalvesW-1:0]  mem_halves_o,  // of the line
+  output logic                            mem_wide_o,    // both are in the picture
   output logic [pipegs_pkg::MemoryW-1:0]  mem_data_o
 );
 
@@ -57,7 +59,7 @@ module ru_drain #(
   logic [SlotW-1:0]   slot_q, next_slot;
   logic [1:0]         row_q;
   logic [AddressW-1:0] line_q;
-  logic [$clog2(pipegs_pkg::Window):0] rows_q;
+  logic [$clog2(pipegs_pkg::Window):0] columns_q, rows_q;
   logic               quiet_q, room, last;  // quiet: nothing is written
 
   assign left  = held_q & ~chosen_q;
@@ -85,7 +87,7 @@ module ru_drain #(
     end
   end
   always_ff @(posedge clk_i) begin
-    if (start_i) {line_q, rows_q} <= {line_i, rows_i};
+    if (start_i) {line_q, columns_q, rows_q} <= {line_i, columns_i, rows_i};
     if (chosen_q == '0 || last) slot_q <= next_slot;
   end
 
@@ -107,12 +109,12 @@ module ru_drain #(
   end
 
   logic [OffsetW-1:0] offset, offset_q;  // of the job's word from the window's first line; _q: of the last cycle's
-  logic               half, half_q, two, two_q, shown;
+  logic               half, half_q, wide, wide_q, two, two_q, shown;
   ru_offset u_offset (
-    .raster_i, .stride_i, .rows_i(rows_q), .region_i(region), .quarter_i(row_q),
-    .offset_o(offset), .half_o(half), .shown_o(shown), .two_o(two), .more_o()
+    .raster_i, .stride_i, .columns_i(columns_q), .rows_i(rows_q), .region_i(region), .quarter_i(row_q),
+    .offset_o(offset), .half_o(half), .wide_o(wide), .shown_o(shown), .two_o(two), .more_o()
   );
-  always_ff @(posedge clk_i) if (job_o) {offset_q, half_q, two_q} <= {offset, half, two};
+  always_ff @(posedge clk_i) if (job_o) {offset_q, half_q, wide_q, two_q} <= {offset, half, wide, two};
 
   // --- jobs -> words -> lines ----------------------------------------------------------------------------------------
   logic [2:0]          flying_q;  // a job whose word is written, of one, two, three cycles ago
@@ -127,10 +129,10 @@ module ru_drain #(
     else flying_q <= {flying_q[1:0], job_o && !quiet_q && shown};
   end
   assign room = tags + {1'b0, flying_q[0]} != ($clog2(Depth + 1))'(Depth);
-  fifo #(.DataW(AddressW + 2), .Depth(Depth)) u_tags (
+  fifo #(.DataW(AddressW + 3), .Depth(Depth)) u_tags (
     .clk_i, .rst_ni, .in_valid_i(flying_q[0]), .in_ready_o(tag_ready),
-    .in_i({line_q + AddressW'(offset_q), half_q, two_q}),
-    .out_valid_o(tag_valid), .out_ready_i(pop), .out_o({place, place_half, place_two}), .count_o(tags)
+    .in_i({line_q + AddressW'(offset_q), half_q, wide_q, two_q}),
+    .out_valid_o(tag_valid), .out_ready_i(pop), .out_o({place, place_half, mem_wide_o, place_two}), .count_o(tags)
   );
   ru_pixels u_pixels (.word_i, .raster_i, .lines_o(lines));
   fifo #(.DataW(LinesW), .Depth(Depth)) u_words (

@@ -31,13 +31,13 @@ class Drain {
   bool empty() const { return !active() && words.empty(); }
   bool active() const { return held_ != RegionSet{} || flying_ != 0; }
 
-  // A cycle: whether a job takes the groups' turn. `wanted`: regions of a part that the next splat waits for.
-  bool step(const Config& config, Cycle now, size_t part, uint64_t wanted);
+  // A cycle: whether a job takes the groups' turn. `wanted`: regions that the next splat waits for.
+  bool step(const Config& config, Cycle now, const RegionSet& wanted);
 
   FallQueue<Word, Config::ru_drained()> words;  // that have come
 
  private:
-  void choose(const Config& config, size_t part, uint64_t wanted);
+  void choose(const Config& config, const RegionSet& wanted);
 
   RegionSet held_;
   bool quiet_ = false;

@@ -157,9 +157,9 @@ void Ru::end(Machine& m, Cycle now, Beat beat) {
   lines_.fill(0);
   if (!quads_) m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
   m.wheel.wake(unit(late_ ? kSource : kWalk, lane_), now + 1);
-  if (quads_) return drain_.start(now, owned_ & ~outside_, false, window_, rows_written(m, window_));
+  if (quads_) return drain_.start(now, owned_ & ~unwritten(m), false, window_, rows_written(m, window_));
   // ru_resolve starts.
-  regions_left_ = owned_ & ~outside_;
+  regions_left_ = owned_ & ~unwritten(m);
   window_written_ = window_;
   lines_left_ = 0;
   for (size_t part = 0; part < regions_left_.mask.size(); ++part) {
@@ -168,7 +168,7 @@ void Ru::end(Machine& m, Cycle now, Beat beat) {
   }
   line_ = 0;
   line_from_ = now + 2;
-  if (lines_left_ > 0) m.wheel.wake(unit(kRuMemory, lane_), line_from_);
+  if (lines_left_ > 0) m.wheel.wake(unit(kRuMemory, joined(m) ? lane_ & ~1 : lane_), line_from_);
 }
 
 // --- ru_fetch, or the Row Units --------------------------------------------------------------------------------------
@@ -228,18 +228,51 @@ void Ru::next_splat(Machine& m, Cycle now) {
   m.wheel.wake(unit(kOrder), now + 1);
 }
 
+bool Ru::joined(const Machine& m) { return m.trace.picture.format != 0 && m.units > 1; }
+
+Ru& Ru::other(Machine& m) const { return m.ru[static_cast<size_t>(lane_ ^ 1)]; }
+
+// Asked for by both RUs of a pair: the first one to ask is stepped first, or neither is.
+const Ru::Seen& Ru::seen(Cycle now) {
+  if (seen_.at == now) return seen_;
+  seen_ = {.at = now, .at_end = false, .wanted = {}};
+  if (!splat_valid_) return seen_;
+  seen_.at_end = splat_.beat == kWindowEndBeat && live_.idle(now) && drain_.held() == RegionSet{};
+  if (!is_end(splat_.beat)) seen_.wanted.mask[splat_.part] = rest_;
+  return seen_;
+}
+
+// Of two regions side by side the left one is outside when both are.
+RegionSet Ru::unwritten(const Machine& m) const {
+  constexpr uint64_t kLeft = 0x5555555555555555;
+  RegionSet result = outside_;
+  for (uint64_t& mask : result.mask) {
+    if (joined(m)) mask = (mask & kLeft) | (mask & kLeft) << 1;
+  }
+  return result;
+}
+
 // ru_live.
 void Ru::live_source(Machine& m, Cycle now) {
   const bool data = !is_end(splat_.beat), empty = live_.idle(now), known = now != window_done_at_ + 1;
   const size_t before = stops_.size();
   const RegionSet held = drain_.held();
-  const bool job = drain_.step(m.config, now, splat_.part, splat_valid_ && data ? rest_ : 0);
+  RegionSet wanted = seen(now).wanted;
+  bool at_end = seen(now).at_end;
+  if (joined(m)) {
+    constexpr uint64_t kLeft = 0x5555555555555555;
+    const Seen& beside = other(m).seen(now);
+    at_end = at_end && beside.at_end;
+    for (size_t i = 0; i < wanted.mask.size(); ++i)
+      wanted.mask[i] |= (beside.wanted.mask[i] & kLeft) << 1 | (beside.wanted.mask[i] >> 1 & kLeft);
+  }
+  const bool job = drain_.step(m.config, now, wanted);
   if (!drain_.words.empty()) m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
   live_.step(m, now, lane_, job, stops_);
   for (size_t i = before; i < stops_.size(); ++i) m.wheel.wake(unit(kPublish), stops_[i].from);
   bool leave = false;
   if (splat_valid_ && !data) {
-    leave = empty && (splat_.beat != kWindowEndBeat || held == RegionSet{});
+    leave = splat_.beat == kWindowEndBeat ? at_end : empty;
     if (leave) end(m, now, splat_.beat);
   } else if (splat_valid_ && known) {
     const uint64_t open = rest_ & ~done_.mask[splat_.part], free = open & ~held.mask[splat_.part];
@@ -310,7 +343,8 @@ void Ru::write(Machine& m, size_t window, int region, uint64_t line) {
   if (m.trace.picture.format != 0) {
     const uint64_t x = window_x * side + 8 * static_cast<uint64_t>(region_x(m.config, region)),
                    y = window_y * side + 8 * static_cast<uint64_t>(region_y(m.config, region)) + line;
-    return m.memory.ask(port_, ru_raster_line(m.trace.picture, x, y), true);
+    const bool wide = joined(m) && (x | 8) < m.frame.raster.width;
+    return m.memory.ask(port_, ru_raster_line(m.trace.picture, x, y), true, wide ? 2 : 1);
   }
   const uint64_t number = window_y * columns + window_x;
   const uint64_t place = number * static_cast<uint64_t>(m.config.regions()) + static_cast<uint64_t>(region);
@@ -326,20 +360,30 @@ void Ru::drained(Machine& m, Cycle now) {
   if (++line_ < static_cast<uint64_t>(requests(m, word.window, word.region, 2 * word.row, 2))) return;
   line_ = 0;
   drain_.words.pop(now);
+  if (joined(m)) other(m).drain_.words.pop(now);
 }
 
 void Ru::memory(Machine& m, Cycle now) {
   if (read_at_ == now) return;
   if (m.memory.granted(port_, now)) memory_valid_ = false;
-  if (memory_valid_) return;
+  if (memory_valid_ || (joined(m) && lane_ % 2 != 0)) return;
   if (quads_) return drained(m, now);
-  if (lines_left_ == 0) return;
-  if (now < line_from_) return m.wheel.wake(unit(kRuMemory, lane_), line_from_);
+  if (lines_left_ == 0 || (joined(m) && other(m).lines_left_ == 0)) return;
+  const Cycle from = joined(m) ? std::max(line_from_, other(m).line_from_) : line_from_;
+  if (now < from) return m.wheel.wake(unit(kRuMemory, lane_), from);
+  size_t part = 0;
+  while (regions_left_.mask[part] == 0) ++part;
+  write(m, window_written_, region_number(m.config, part, std::countr_zero(regions_left_.mask[part])), line_);
+  written_line(m, now);
+  if (joined(m)) other(m).written_line(m, now);
+}
+
+// ru_resolve goes on to its next line.
+void Ru::written_line(Machine& m, Cycle now) {
   size_t part = 0;
   while (regions_left_.mask[part] == 0) ++part;
   uint64_t& left = regions_left_.mask[part];
   const int region = region_number(m.config, part, std::countr_zero(left));
-  write(m, window_written_, region, line_);
   if (++line_ == static_cast<uint64_t>(requests(m, window_written_, region, 0, 8))) line_ = 0, left &= left - 1;
   if (--lines_left_ == 0) {
     resolved_from_ = now + 1;

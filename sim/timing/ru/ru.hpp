@@ -74,6 +74,18 @@ class Ru {
   void publish_stops(const Machine& m, Cycle now);
   void set_window(const Machine& m, size_t window);
   bool read(Machine& m, Cycle now, uint64_t line);
+  // In raster order rows leave together with those of the RU that shares their lines, which is also at its window's
+  // end then (with quads), and hands over regions in the same order.
+  struct Seen {  // at the beginning of a cycle
+    Cycle at = kLongAgo;
+    bool at_end = false;
+    RegionSet wanted;
+  };
+  static bool joined(const Machine& m);
+  Ru& other(Machine& m) const;
+  const Seen& seen(Cycle now);
+  RegionSet unwritten(const Machine& m) const;  // of the owned regions
+  void written_line(Machine& m, Cycle now);
   void write(Machine& m, size_t window, int region, uint64_t line);
   int rows_written(const Machine& m, size_t window) const;
   int requests(const Machine& m, size_t window, int region, int first_row, int rows) const;
@@ -81,6 +93,7 @@ class Ru {
   uint64_t live() const { return ends_ == 0 ? rest_ & ~done_.mask[splat_.part] : rest_; }
 
   const int lane_, port_;
+  Seen seen_;
   const bool late_, quads_;
   const int fetch_lines_, parts_;
 

@@ -75,12 +75,13 @@ class Around : public Endpoint {
     const auto side = static_cast<uint64_t>(kConfig.window);
     dut.line_i = picture_.format != 0 ? ru_raster_line(picture_, x * side, y * side)
                                       : ru_pixel_line(kConfig, frame_, x, y, 0, 0);
+    dut.columns_i = std::min(side, frame_.raster.width - x * side);
     dut.rows_i = std::min(side, frame_.raster.height - y * side);
     write_port(dut.outside_i, outside.data());
     dut.start_i = 1;
     bench_.step();
     dut.start_i = 0;
-    dut.line_i = dut.rows_i = 0;
+    dut.line_i = dut.columns_i = dut.rows_i = 0;
     left_ = left;
     steady_ = false;
     run();
@@ -133,6 +134,7 @@ class Around : public Endpoint {
     ++lines_taken;
     ASSERT_FALSE(quiet_) << "pixels are written when a frame begins";
     lines_.take(dut.mem_address_o, dut.mem_halves_o, dut.mem_data_o, bench_.seed);
+    ASSERT_EQ(dut.mem_wide_o, picture_.format != 0 && WrittenPixels::wide(frame_, picture_, dut.mem_address_o));
   }
   uint64_t lines_taken = 0;
 

@@ -19,6 +19,8 @@ TEST(RuOffset, IsThatOfTheModelForEveryWord) {
     dut.raster_i = picture.format != 0;
     dut.stride_i = static_cast<SData>(picture.stride);
     dut.rows_i = static_cast<CData>(rows);
+    const int columns = 1 + static_cast<int>(rng() % static_cast<uint64_t>(kConfig.window));
+    dut.columns_i = static_cast<CData>(columns);
     for (int region = 0; region < kConfig.regions(); ++region) {
       if (8 * region_y(kConfig, region) >= rows) continue;
       for (int quarter = 0; quarter < 4; ++quarter) {
@@ -39,6 +41,7 @@ TEST(RuOffset, IsThatOfTheModelForEveryWord) {
         if (!dut.shown_o) continue;
         ASSERT_EQ(dut.offset_o, ru_raster_line(picture, x, static_cast<uint64_t>(row))) << at;
         ASSERT_EQ(dut.half_o, ru_raster_half(x)) << at;
+        ASSERT_EQ(dut.wide_o, static_cast<int>(x | 8) < columns) << at << ", " << columns << " columns";
         ASSERT_EQ(dut.two_o, row + 1 < rows) << at;
         if (quarter < 3) { ASSERT_EQ(dut.more_o, row + 2 < rows) << at; }
       }
