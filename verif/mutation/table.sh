@@ -212,6 +212,8 @@ mutant ru_quads "a quad starts in the turn of a job" 's/(half_valid && !conflict
 mutant ru_drain "a word is asked for that finds no place" 's/\(quiet_q \|\| room\)/1/'
 mutant ru_drain "a region is handed over one row too early" "s/row_q == 2'd3/row_q == 2'd2/"
 mutant ru_drain "slots outside the image are handed over" "s/held_q <= ~outside_i/held_q <= '1/"
+mutant ru_live "raster order: a window ends without that of the other RU" \
+       's/ && \(!joined_i \|\| pair_at_end_i\)//'
 mutant ru_drain "raster order: words below the picture are written" 's/ && shown\}/}/'
 mutant ru_drain "raster order: every word is two requests" 's/ \|\| !place_two\)/)/'
 mutant ru_drain "no slot goes first" "s/first != '0 \? first : left/left/"

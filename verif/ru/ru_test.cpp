@@ -53,6 +53,9 @@ class OtherRu : public Endpoint {
   void observe() override {
     auto& dut = bench_.dut;
     if (!joined) return;
+    if (kConfig.quads && dut.active_o && dut.window_done_o) {
+      ASSERT_TRUE(dut.pair_at_end_i && dut.pair_at_end_o) << "a window ends alone, cycle " << bench_.cycle;
+    }
     if (!odd() && dut.pair_taken_o) {
       ASSERT_TRUE(waits_ && dut.pair_valid_o) << "a line leaves without one of its halves, cycle " << bench_.cycle;
       waits_ = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_byte_test: rtl/ru/write/ru_byte.sv against its bit-accurate model and the 8-bit picture that C++ writes, for every code.
+// ru_byte_test: rtl/ru/write/ru_byte.sv against its bit-accurate model and the 8-bit picture that C++ writes, for every
+// code.
 #include <gtest/gtest.h>
 
 #include "cpp_model/float/image.hpp"

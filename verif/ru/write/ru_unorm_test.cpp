@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_unorm_test: rtl/ru/write/ru_unorm.sv against its bit-accurate model and the nearest code, for every colour; in 8 bits
-// against the 8-bit picture that C++ writes.
+// ru_unorm_test: rtl/ru/write/ru_unorm.sv against its bit-accurate model and the nearest code, for every colour; in 8
+// bits against the 8-bit picture that C++ writes.
 #include <gtest/gtest.h>
 
 #include <cmath>
