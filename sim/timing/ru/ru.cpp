@@ -267,6 +267,7 @@ void Ru::live_source(Machine& m, Cycle now) {
       wanted.mask[i] |= (beside.wanted.mask[i] & kLeft) << 1 | (beside.wanted.mask[i] >> 1 & kLeft);
   }
   const bool job = drain_.step(m.config, now, wanted);
+  if (job) last_job_ = now;
   if (!drain_.words.empty()) m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
   live_.step(m, now, lane_, job, stops_);
   for (size_t i = before; i < stops_.size(); ++i) m.wheel.wake(unit(kPublish), stops_[i].from);

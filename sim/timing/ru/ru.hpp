@@ -8,6 +8,7 @@
 //         cycle in which they see it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "cpp_model/config.hpp"
@@ -49,7 +50,8 @@ class Ru {
   size_t window() const { return window_; }  // number in the frame
 
   SramQueue<Splat, 64> queue;
-  Cycle last_window_done() const { return window_done_at_; }
+  // The last cycle in which a window ended or, with quads, a job was inside: those below the picture write nothing.
+  Cycle last_busy() const { return std::max(window_done_at_, last_job_ + Live::kInside - 1); }
   bool written() const { return lines_left_ == 0 && drain_.empty() && !memory_valid_; }
 
  private:
@@ -118,6 +120,7 @@ class Ru {
   Live live_;  // with quads, instead of the above and of ru_lanes
   std::vector<Live::Stop> stops_;
   Drain drain_;
+  Cycle last_job_ = kLongAgo;
 
   // ru_lanes
   Cycle start_ = kNever;  // of the line in the lanes
