@@ -236,6 +236,8 @@ package pipegs_pkg;
   localparam int unsigned RegionLines    = 8;  // lines of external memory for the pixels of a region
   localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
   localparam int unsigned MemoryW        = 512;  // a line of external memory
+  localparam int unsigned HalvesW        = 2;  // halves of a line of external memory, one bit each
+  localparam int unsigned StrideW        = 12;  // lines from one row of pixels to the next, in raster order
   localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits
   // a pixel stops before its transmittance falls below 1/TCut: ceil(2^(TW-1) / TCut)
   localparam int unsigned TStop          = 27;
@@ -953,11 +955,12 @@ package pipegs_pkg;
   localparam int unsigned BlendBits = 69;
 
   typedef struct packed {
+    logic [HalvesW-1:0] halves;  // which 32 bytes of the line a write changes, the low ones first; 3 of a read
     logic [TagW-1:0] tag;  // who asks; reads of one tag answer in order
     logic [AddressW-1:0] address;  // line
     logic write;
   } memory_request_t;
-  localparam int unsigned MemoryRequestBits = 43;
+  localparam int unsigned MemoryRequestBits = 45;
 
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;

@@ -8,8 +8,8 @@
 //         only read. The choice is registered: a grant is for the next cycle, so no requester's valid reaches a ready
 //         in the same one. It falls on a port other than the one that is served now if there is one, else it stays: one
 //         port alone moves a request each cycle.
-// Stream  ports: valid, ready, write, address, data. out: memory_request_t and the data. answers: tag and data in, one
-//         valid per port out; a requester asks only for what it has room for, so answers are never refused.
+// Stream  ports: valid, ready, write, address, halves, data. out: memory_request_t and the data. answers: tag and data
+//         in, one valid per port out; a requester asks only for what it has room for, so answers are never refused.
 // Pace    One request and one answer per cycle; three cycles of latency out (two for the port served last), one back.
 // Model   sim/memory/external_memory.hpp applies requests in the order in which this port shows them.
 
@@ -25,6 +25,7 @@ module memory_arbiter #(
   output logic [Ports-1:0]                               ready_o,
   input  logic [WritePorts-1:0]                          write_i,
   input  logic [Ports*pipegs_pkg::AddressW-1:0]          address_i,
+  input  logic [WritePorts*pipegs_pkg::HalvesW-1:0]      halves_i,  // of the line: what a write changes
   input  logic [WritePorts*pipegs_pkg::MemoryW-1:0]      data_i,
   output logic [Ports-1:0]                               rsp_valid_o,
   output logic [pipegs_pkg::MemoryW-1:0]                 rsp_data_o,
@@ -68,15 +69,17 @@ module memory_arbiter #(
   always_ff @(posedge clk_i) if (request != '0 && moves) port_q <= port;
 
   always_comb begin
-    out      = '0;
-    out.tag  = pipegs_pkg::TagW'(port_q);
-    data     = '0;
+    out        = '0;
+    out.tag    = pipegs_pkg::TagW'(port_q);
+    out.halves = '1;
+    data       = '0;
     for (int unsigned i = 0; i < Ports; i += 1) begin
       out.address |= address_i[i*pipegs_pkg::AddressW +: pipegs_pkg::AddressW] & {pipegs_pkg::AddressW{grant_q[i]}};
     end
     for (int unsigned i = 0; i < WritePorts; i += 1) begin
-      out.write |= write_i[i] && grant_q[i];
-      data      |= data_i[i*pipegs_pkg::MemoryW +: pipegs_pkg::MemoryW] & {pipegs_pkg::MemoryW{grant_q[i]}};
+      out.write  |= write_i[i] && grant_q[i];
+      out.halves &= halves_i[i*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW] | {pipegs_pkg::HalvesW{!grant_q[i]}};
+      data       |= data_i[i*pipegs_pkg::MemoryW +: pipegs_pkg::MemoryW] & {pipegs_pkg::MemoryW{grant_q[i]}};
     end
   end
 

@@ -12,7 +12,8 @@ module memory_ports #(
   localparam int unsigned AddressW   = pipegs_pkg::AddressW,
   localparam int unsigned Ports      = pipegs_pkg::MemoryPorts,
   localparam int unsigned WritePorts = pipegs_pkg::WritePorts,
-  localparam int unsigned Units      = pipegs_pkg::Units
+  localparam int unsigned Units      = pipegs_pkg::Units,
+  localparam int unsigned HalvesW    = pipegs_pkg::HalvesW
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
@@ -22,6 +23,7 @@ module memory_ports #(
   input  pipegs_pkg::memory_lanes_t        sort_i,
   output pipegs_pkg::memory_lanes_answer_t sort_o,
   input  pipegs_pkg::memory_lanes_t        raster_i,
+  input  logic [Units*pipegs_pkg::HalvesW-1:0] halves_i,  // of these lines what a write changes; of others all
   output pipegs_pkg::memory_lanes_answer_t raster_o,
   input  pipegs_pkg::memory_lists_t        lists_i,
   output pipegs_pkg::memory_lists_answer_t lists_o,
@@ -44,6 +46,12 @@ module memory_ports #(
   logic [WritePorts-1:0]         write;
   logic [Ports*AddressW-1:0]     address;
   logic [WritePorts*MemoryW-1:0] data;
+  logic [WritePorts*HalvesW-1:0] halves;
+
+  always_comb begin
+    halves = '1;
+    halves[2*Units*HalvesW +: Units*HalvesW] = halves_i;
+  end
 
   if (pipegs_pkg::HasLists) begin : gen_lists
     assign valid   = {reads_i.valid, lists_i.valid, raster_i.valid, sort_i.valid, spill_i.valid};
@@ -65,8 +73,8 @@ module memory_ports #(
   end
 
   memory_arbiter u_arbiter (
-    .clk_i, .rst_ni, .valid_i(valid), .ready_o(ready), .write_i(write), .address_i(address), .data_i(data),
-    .rsp_valid_o(line), .rsp_data_o(line_o),
+    .clk_i, .rst_ni, .valid_i(valid), .ready_o(ready), .write_i(write), .address_i(address), .halves_i(halves),
+    .data_i(data), .rsp_valid_o(line), .rsp_data_o(line_o),
     .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
   );
 

@@ -120,7 +120,7 @@ module axi_manager #(
 
   axi_write #(.DataW(DataW), .AddrW(AddrW), .Writes(Writes)) u_write (
     .clk_i, .rst_ni, .base_i, .epoch_i, .in_valid_i(write_valid), .in_ready_o(write_ready),
-    .in_line_i(mem_request_i.address), .in_data_i(mem_data_i), .writes_o(writes),
+    .in_line_i(mem_request_i.address), .in_halves_i(mem_request_i.halves), .in_data_i(mem_data_i), .writes_o(writes),
     .error_o(write_error), .error_decode_o(write_decode), .error_line_o(write_line),
     .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awvalid, .m_axi_awready,
     .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid, .m_axi_wready,

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cpp_model/golden.hpp"
@@ -41,14 +42,18 @@ class SequenceCheck final : public RtlTaps {
 
   StreamCheck& frame(size_t number) { return *frames_[number].streams; }
   size_t complete() const { return back_; }  // frames that are
+  // Of a frame that is complete, with pixels in raster order: what memory held of its windows.
+  const std::optional<Rgb8>& picture(size_t number) const { return frames_[number].picture; }
 
  private:
   struct One {
     Expected expected;
     std::unique_ptr<StreamCheck> streams;
+    std::optional<Rgb8> picture = {};
   };
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
   void compare_pixels(One& one);
+  uint64_t found(const One& one, uint64_t x, uint64_t y) const;  // the pixel in memory
 
   const ExternalMemory& memory_;
   RtlTaps* second_;

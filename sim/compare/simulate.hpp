@@ -23,6 +23,7 @@ struct SimulateOptions {
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
   int windows = 1;                           // with `window`: so many side by side, up to the end of the row
   double near_plane = 0.2;                   // scene units
+  bool raster = false;                       // pixels in raster order, RGBA8; else by windows
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
   RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison
 };
@@ -42,6 +43,7 @@ struct Simulation {
   PackedScene packed;
   GoldenInput input;  // points at packed, or at that of another simulation
   GoldenFrame golden;
+  std::optional<Rgb8> picture;  // with `raster`, of the windows that were rendered: as it lies in the RTL's memory
   // Exact in the hardware's order, exact and INRIA in global order; only the window that was asked for.
   Image truth_order, truth_exact, truth_inria;
   RtlResult rtl;

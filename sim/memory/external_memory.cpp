@@ -15,11 +15,23 @@ ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options, int bus_w) 
   }
 }
 
-void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data) {
-  timing_->request(write, address, tag);
-  count(write, tag);
+void ExternalMemory::count(bool write, int tag, int halves) {
+  Traffic& traffic = traffic_[static_cast<size_t>(tag)];
   if (write) {
-    std::copy(data, data + 16, line(address).begin());
+    ++traffic.lines_written;
+    traffic.halves_written += static_cast<uint64_t>((halves & 1) + (halves >> 1));
+  } else {
+    ++traffic.lines_read;
+  }
+}
+
+void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data, int halves) {
+  timing_->request(write, address, tag);
+  count(write, tag, halves);
+  if (write) {
+    for (int half = 0; half < 2; ++half) {
+      if ((halves >> half & 1) != 0) std::copy(data + 8 * half, data + 8 * half + 8, line(address).begin() + 8 * half);
+    }
     return;
   }
   read_[tag].push_back(line(address));

@@ -89,6 +89,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
     config["memory_jitter"] = options.memory.jitter;
   }
   config["memory_bytes_per_cycle"] = memory_peak(options.memory);
+  config["picture"] = options.raster ? "raster" : "windows";
   config["seed"] = options.rtl.seed;
   report["config"] = config;
 

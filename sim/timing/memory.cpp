@@ -35,7 +35,11 @@ void Memory::step(Machine& machine, Cycle now) {
 
   bool free = !out_valid_;
   if (out_valid_ && timing_.offer(out_write_, out_line_, out_port_)) {
-    ++(out_write_ ? written_ : read_)[static_cast<size_t>(out_port_)];
+    if (out_write_) {
+      written_[static_cast<size_t>(out_port_)] += static_cast<uint64_t>(out_halves_);
+    } else {
+      ++read_[static_cast<size_t>(out_port_)];
+    }
     machine.show(now, Border::kRequest, out_port_, shown_request(out_line_, out_write_));
     last_accepted_ = now;
     free = true;
@@ -48,6 +52,7 @@ void Memory::step(Machine& machine, Cycle now) {
     out_valid_ = true;
     out_port_ = chosen_;
     out_write_ = write_[static_cast<size_t>(chosen_)];
+    out_halves_ = halves_[static_cast<size_t>(chosen_)];
     out_line_ = line_[static_cast<size_t>(chosen_)];
     wanted_ &= ~chosen;
     granted_ = chosen_;

@@ -22,8 +22,10 @@ class Memory {
  public:
   Memory(MemoryTiming& timing, const Config& config);
 
-  void ask(int port, uint64_t line, bool write = false) {
+  // halves: of the line, that a write changes.
+  void ask(int port, uint64_t line, bool write = false, int halves = 2) {
     wanted_ |= uint32_t{1} << port, line_[static_cast<size_t>(port)] = line, write_[static_cast<size_t>(port)] = write;
+    halves_[static_cast<size_t>(port)] = halves;
   }
   bool granted(int port, Cycle now) const { return granted_ == port && grant_at_ == now; }
   bool answered(int port) const { return answered_ == port; }
@@ -33,7 +35,7 @@ class Memory {
 
   Cycle last_accepted() const { return last_accepted_; }
   uint64_t lines_read(int port) const { return read_[static_cast<size_t>(port)]; }
-  uint64_t lines_written(int port) const { return written_[static_cast<size_t>(port)]; }
+  uint64_t halves_written(int port) const { return written_[static_cast<size_t>(port)]; }
 
   // Ports, see rtl/pipegs_top.sv.
   int alpha_port(int lane) const { return lane; }
@@ -54,11 +56,12 @@ class Memory {
   uint32_t wanted_ = 0;
   std::array<uint64_t, kPorts> line_{};
   std::array<bool, kPorts> write_{};
+  std::array<int, kPorts> halves_{};
   int chosen_ = kNone;  // granted in this cycle if it asks
   int last_ = 0, shown_ = 0;
   bool locked_ = false;
   bool out_valid_ = false, out_write_ = false;
-  int out_port_ = 0;
+  int out_port_ = 0, out_halves_ = 0;
   uint64_t out_line_ = 0;
   int granted_ = kNone, answered_ = kNone, coming_ = kNone;
   Cycle grant_at_ = kLongAgo, last_accepted_ = 0;

@@ -47,7 +47,7 @@ RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const Exter
   RtlOptions rtl_options;
   rtl_options.seed = seed;
   const double before = thread_seconds();
-  const RtlResult rtl = model->run({frame_job(config, input.frame)}, memory, rtl_options, &taps, {});
+  const RtlResult rtl = model->run({frame_job(config, input.frame, input.picture)}, memory, rtl_options, &taps, {});
   if (lockstep != nullptr) lockstep->finish();
   return {.cycles = rtl.cycles,
           .overflow_lines = rtl.overflow_lines,

@@ -73,6 +73,7 @@ mutant "no class goes first" 's/(assign request = ).*/\1others;/'
 mutant "a grant leaves a port that waits" 's/if \(request != .0 \&\& moves\) grant_q/if (request != 0) grant_q/'
 mutant "an answer goes to the port beside it" 's/mem_rsp_tag_i == /(mem_rsp_tag_i | 1) == /'
 mutant "the tag names another port" 's/(TagW.\(port_q)\)/\1 ^ 1)/'
+mutant "the halves are those of all ports" 's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
 
 # A small store on the real SRAM, then the default machine's store and those of two units and one on free_sram.
 proof  alpha_store "alpha_store+ arbiter+ round_robin first_set sram+" "@units=2,alpha_lines=64 %LineW=4 %AlphaLines=8;
@@ -125,7 +126,12 @@ mutant "data shows before its address" 's/(if \(data_free\) w_valid_q <= )take/\
 mutant "AW is valid in reset" 's/aw_valid_q <= 1.b0/aw_valid_q <= 1/'
 mutant "all beats leave from the top of the line" 's/data_q\[DataW-1:0\]/data_q[pipegs_pkg::MemoryW-1 -: DataW]/' \
        "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
-mutant "strobes only on the lowest byte" 's/\{\(DataW\/8\)\{1.b1\}\}/(DataW\/8)\x27(1)/'
+mutant "strobes only on the lowest byte of a half" \
+       's/\{\(GrainW\/8\)\{written_q\[i\]\}\}/(GrainW\/8)\x27(written_q[i])/' \
+       "@default %AddressW=10 %TagW=2 DataW=512 AddrW=16 Writes=3"
+mutant "a half that is not written is" "s/in_halves_i\[1\]/1'b1/"
+mutant "the strobes do not move with the data" 's/written_q >> StepW/written_q/' \
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
 mutant "a burst that is not INCR" 's/m_axi_awburst  = 2.b01/m_axi_awburst = 2\x27b10/'
 mutant "a line is taken without room" 's/in_ready_o   = room \&\& /in_ready_o = /'
 mutant "the page of the base is not added" 's/base_i\[AddrW-1:12\] \+ //'

@@ -17,6 +17,7 @@ struct Request {
   bool write;
   uint64_t address;
   MemoryLine data;
+  int halves;  // of the line: all of a read
 };
 
 class Requesters : public Endpoint {
@@ -42,13 +43,17 @@ class Requesters : public Endpoint {
     for (uint32_t& word : line) word = static_cast<uint32_t>(bench_.rng());
     return line;
   }
-  void push(int port, bool write) { waiting[port].push_back({write, bases_[port] + bench_.rng() % 16, random_line()}); }
+  void push(int port, bool write) {
+    const int halves = write ? 1 + static_cast<int>(bench_.rng() % 3) : 3;
+    waiting[port].push_back({write, bases_[port] + bench_.rng() % 16, random_line(), halves});
+  }
   void drive() override {
     auto& dut = bench_.dut;
     Words address(port_words<decltype(dut.address_i)>() + 2), data(port_words<decltype(dut.data_i)>() + 2);
     for (uint32_t& word : address) word = static_cast<uint32_t>(bench_.rng());  // noise beside a low valid
     for (uint32_t& word : data) word = static_cast<uint32_t>(bench_.rng());
     uint32_t valid = 0, write = static_cast<uint32_t>(bench_.rng()) & ((1u << writers) - 1);
+    uint32_t halves = static_cast<uint32_t>(bench_.rng()) & ((1u << 2 * writers) - 1);
     for (int p = 0; p < ports; ++p) {
       if (!up_[p] && !waiting[p].empty() && goes(pace, bench_.rng)) up_[p] = true;
       if (!up_[p]) continue;
@@ -56,12 +61,14 @@ class Requesters : public Endpoint {
       valid |= 1u << p;
       put_bits(address.data(), p * config.address_w(), config.address_w(), request.address);
       if (p >= writers) continue;
+      halves = (halves & ~(3u << 2 * p)) | static_cast<uint32_t>(request.halves) << 2 * p;
       write = (write & ~(1u << p)) | (request.write ? 1u : 0u) << p;
       if (request.write) std::copy(request.data.begin(), request.data.end(), data.begin() + 16 * p);
     }
     write_port(dut.valid_i, &valid);
     write_port(dut.write_i, &write);
     write_port(dut.address_i, address.data());
+    write_port(dut.halves_i, &halves);
     write_port(dut.data_i, data.data());
 
     memory.step();
@@ -134,13 +141,17 @@ class Requesters : public Endpoint {
     taken_[p].pop_front();
     ASSERT_EQ(request.address, expected.address) << at(p);
     ASSERT_EQ(request.write, expected.write ? 1u : 0u) << at(p);
+    ASSERT_EQ(request.halves, static_cast<uint64_t>(expected.halves)) << at(p);
     if (expected.write) {
       ASSERT_EQ(data, expected.data) << at(p);
-      lines_[expected.address] = expected.data;
+      for (size_t i = 0; i < 16; ++i) {
+        if ((expected.halves >> i / 8 & 1) != 0) lines_[expected.address][i] = expected.data[i];
+      }
     } else {
       due_[p].push_back(lines_.at(expected.address));
     }
-    memory.request(request.write != 0, request.address, static_cast<int>(request.tag), data.data());
+    memory.request(request.write != 0, request.address, static_cast<int>(request.tag), data.data(),
+                   static_cast<int>(request.halves));
     order.push_back(p);
     cycles.push_back(bench_.cycle);
   }

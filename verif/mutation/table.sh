@@ -175,6 +175,21 @@ mutant ru_lanes "a region is done with its last quarter" "s/\(quarter_3_q == 2'd
 mutant ru_resolve "quarters of a region: 3 becomes 2" "s/next_quarter_q == 2'd3/next_quarter_q == 2'd2/"
 mutant ru_resolve "regions outside the image are written" 's/ & ~outside_i//'
 mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/'
+mutant ru_memory "a read asks for half a line" "s/read_valid_i \? '1 : write_halves_i/write_halves_i/"
+mutant ru_window "raster order: a row of windows is one row of pixels high" "s/(AddressW'\(before_q\)) << Shift/\1/"
+mutant ru_offset "raster order: the first word below the picture is written" 's/(shown_o *= first <) rows/\1= rows/'
+mutant ru_offset "raster order: a region goes on below the picture" "s/(more_o *= )first.*/\11'b1;/"
+mutant ru_offset "raster order: all regions lie in the low halves of lines" "s/(half_o *= )column\[0\]/\11'b0/"
+mutant ru_lines "raster order: the second row of a word lies in the next line" \
+       "s/raster_i \? AddressW'\(stride_i\) : //" ru_resolve
+mutant ru_lines "raster order: the halves of a line are exchanged" 's/\{half_i, !half_i\}/{!half_i, half_i}/' ru_resolve
+mutant ru_join "a line leaves with one of its rows" 's/in_valid_i && pair_valid_i && !odd_i/in_valid_i \&\& !odd_i/'
+mutant ru_join "a half that is not in the picture is written" "s/\{wide_i, 1'b1\}/2'b11/"
+mutant ru_join "the row of the even RU is always the left one" 's/in_halves_i\[0\] \? (\{pair_row_i, row\}).*;/\1;/'
+mutant ru_join "the odd RU's row stays" 's/odd_i \? pair_taken_i : pair_taken_o/pair_taken_o/'
+mutant ru_pixels "raster order: A is 0" "s/(bytes\[32\*i\+24 \+: 8\] = )'1/\1'0/" ru_resolve
+mutant ru_byte "the second third of the codes begins one late" "s/10'd343/10'd344/"
+mutant ru_unorm "a half is rounded down" "s/(WideW'\(1\) << \(Fraction - 1\))/(\1) - 1'b1/" ru_unorm_byte_16
 mutant ru_whole "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/' ru
 
 # --- rtl/ru/live ------------------------------------------------------------------------------------------------------
@@ -199,6 +214,10 @@ mutant ru_quads "a quad starts in the turn of a job" 's/(half_valid && !conflict
 mutant ru_drain "a word is asked for that finds no place" 's/\(quiet_q \|\| room\)/1/'
 mutant ru_drain "a region is handed over one row too early" "s/row_q == 2'd3/row_q == 2'd2/"
 mutant ru_drain "slots outside the image are handed over" "s/held_q <= ~outside_i/held_q <= '1/"
+mutant ru_live "raster order: a window ends without that of the other RU" \
+       's/ && \(!joined_i \|\| pair_at_end_i\)//'
+mutant ru_drain "raster order: words below the picture are written" 's/ && shown\}/}/'
+mutant ru_drain "raster order: every word is two requests" 's/ \|\| !place_two\)/)/'
 mutant ru_drain "no slot goes first" "s/first != '0 \? first : left/left/"
 mutant ru_live "a layer's end hands the regions over" 's/start_i\(window_done_o\)/start_i(layer_done_o)/'
 mutant ru_live "rows of quads are read as if all began with the same group" 's/(Odd = \(Even \+ )2/\10/'
@@ -218,6 +237,8 @@ mutant sram_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_
 mutant memory_arbiter "a shown request is overwritten before the memory took it" \
        's/(free *= )!out_valid_q \|\| mem_ready_i/\11/'
 mutant memory_arbiter "the data of a shown write changes" 's/if \(take && out\.write\) data_q/if (out.write) data_q/'
+mutant memory_arbiter "a write changes what another port's write would" \
+       's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
 mutant memory_arbiter "an answer goes to two ports: the lowest bit of the tag is ignored" \
        's/(mem_rsp_tag_i) == ([a-z_:]*TagW.\(i\))/\1 >> 1 == \2 >> 1/'
 
@@ -311,6 +332,8 @@ mutant axi_gather "half a line of the old core is completed for the new one" "s/
 mutant axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last_q}/' axi_manager_256
 mutant axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
 mutant axi_write "data changes while it waits" 's/else if \(m_axi_wready\) data_q/else data_q/' axi_manager_256
+mutant axi_write "the strobes of the first beat are those of all" 's/written_q >> StepW/written_q/' axi_manager_256
+mutant axi_write "a half of a line is written whole" "s/in_halves_i\[1\]/1'b1/" axi_manager_512
 mutant axi_write "errors of the old core's writes are told" 's/ && done_epoch == epoch_i//' axi_manager_512
 mutant axi_read "errors of the old core's reads are told" 's/(error_o *= )now && /\1m_axi_rvalid \&\& /' axi_manager_512
 mutant axi_manager "of two errors in a cycle the read's is lost" \

@@ -280,11 +280,12 @@ class MemoryEndpoint : public Endpoint {
     Words words(17);
     const bool is_write = write_ != nullptr && *write_;
     if (is_write) read_port(*data_, words.data());
-    memory_.request(is_write, static_cast<uint64_t>(address_), 0, words.data());
+    memory_.request(is_write, static_cast<uint64_t>(address_), 0, words.data(), halves != nullptr ? *halves : 3);
     ++requests;
   }
   uint64_t requests = 0;
   Pace pace;
+  const CData* halves = nullptr;  // of a line, what a write changes; null for a port that writes whole ones
 
  private:
   BenchBase& bench_;

@@ -10,7 +10,8 @@
 // Invariant  The registers hold what was remembered. Fairness inside is that of arbiter_proof.svh, at this size.
 
 localparam int unsigned ProofAddressW = pipegs_pkg::AddressW;
-localparam int unsigned ProofBeatW = 1 + ProofAddressW + pipegs_pkg::TagW;
+localparam int unsigned ProofHalvesW = pipegs_pkg::HalvesW;
+localparam int unsigned ProofBeatW = 1 + ProofAddressW + pipegs_pkg::TagW + ProofHalvesW;
 (* anyconst *) logic [PortW-1:0] watched;  // any port
 (* anyconst *) logic [$clog2(pipegs_pkg::MemoryW)-1:0] place;  // any bit of a line
 logic                        waits_q;  // a request of the watched port was taken last and is still here
@@ -20,6 +21,7 @@ logic                        chosen_q, first_q, held_q;
 logic [Ports-1:0]            asked_q, granted_q;
 logic                        asks, takes, writes, line_bit, write_q, line_bit_q, answer_q, answer_bit_q;
 logic [ProofAddressW-1:0]    address_q;
+logic [ProofHalvesW-1:0]     halves, halves_q;
 logic [pipegs_pkg::TagW-1:0] answer_tag_q;
 logic [ProofBeatW-1:0]       beat;
 
@@ -28,9 +30,11 @@ assign takes      = asks && ready_o[watched];
 always_comb begin
   writes   = 1'b0;
   line_bit = 1'b0;
+  halves   = '1;
   for (int unsigned i = 0; i < WritePorts; i += 1) begin
     if (watched == PortW'(i)) begin
       writes   = write_i[i];
+      halves   = halves_i[i*ProofHalvesW +: ProofHalvesW];
       line_bit = data_i[i*pipegs_pkg::MemoryW + 32'(place)];
     end
   end
@@ -42,7 +46,7 @@ proof_hold #(.DataW(ProofBeatW)) u_hold (
 proof_hold #(.DataW(pipegs_pkg::MemoryW)) u_hold_data (
   .clk_i, .rst_ni, .valid_i(mem_valid_o && mem_request_o.write), .ready_i(mem_ready_i), .beat_i(mem_data_o)
 );
-assign beat = {mem_request_o.write, mem_request_o.address, mem_request_o.tag};
+assign beat = {mem_request_o.write, mem_request_o.address, mem_request_o.tag, mem_request_o.halves};
 
 always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) begin
@@ -67,6 +71,7 @@ always_ff @(posedge clk_i) begin
   answer_bit_q <= mem_rsp_data_i[place];
   if (takes) begin
     write_q    <= writes;
+    halves_q   <= halves;
     address_q  <= address_i[watched*ProofAddressW +: ProofAddressW];
     line_bit_q <= line_bit;
   end
@@ -85,6 +90,7 @@ always_comb begin
     assert (!waits_q || (any_q && mem_request_o.tag == pipegs_pkg::TagW'(watched)));
     assert (!(any_q && mem_request_o.tag == pipegs_pkg::TagW'(watched)) || waits_q);
     assert (!waits_q || (mem_request_o.write == write_q && mem_request_o.address == address_q));
+    assert (!waits_q || mem_request_o.halves == halves_q);
     assert (!(waits_q && write_q) || mem_data_o[place] == line_bit_q);
     assert (ready_o == grant_q || (any_q && !mem_ready_i));
     assert (rsp_valid_o == (answer_q ? Ports'(1) << answer_tag_q : '0));
