@@ -112,7 +112,7 @@ void AxiMemory::ask() {
   if (asks_.empty() || !timing_->ready()) return;
   const Ask ask = asks_.front();
   asks_.pop_front();
-  timing_->request(ask.write, ask.address, static_cast<int>(ask.id & 0xff));
+  timing_->request(ask.write, ask.address, static_cast<int>(ask.id & 0xff), 1);
   if (ask.write) {
     const auto write = std::find_if(writes_.begin(), writes_.end(), [](const Write& w) { return !w.applied; });
     apply(*write);

@@ -3,7 +3,7 @@
 //
 // Idea    Contents behind a MemoryTiming (memory_timing.hpp), which says when the port is ready and when a read
 //         answers.
-//         Requests take effect in the order in which they are accepted; only the answers come later. Bytes and requests
+//         Requests take effect in the order in which they are accepted; only the answers come later. Lines and bursts
 //         are counted by tag.
 // Units   Cycles of the machine's clock. Paper: Sec. 5.1 (off-chip memory).
 #pragma once
@@ -30,10 +30,12 @@ class ExternalMemory {
   };
   struct Traffic {
     uint64_t lines_read = 0, lines_written = 0;
+    uint64_t bursts = 0;  // reads, each of one to eight lines in a row
   };
 
-  bool ready() const { return timing_->ready(); }                             // may a request be accepted in this cycle
-  void request(bool write, uint64_t address, int tag, const uint32_t* data);  // accepted in this cycle
+  bool ready() const { return timing_->ready(); }  // may a request be accepted in this cycle
+  // Accepted in this cycle: a write of one line, or a read of `lines` of them, which are answered one by one.
+  void request(bool write, uint64_t address, int tag, const uint32_t* data, int lines = 1);
   const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }        // the answer shown in this cycle, if any
   void step();                                                                // the next cycle begins
 

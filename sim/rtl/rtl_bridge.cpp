@@ -36,10 +36,11 @@ struct Widths {
         pixels(c.tap_word_w()),
         address(c.address_w()),
         tag(c.tag_w()),
+        burst(c.burst_w()),
         perf(c.perf_w()),
         pixel_lines(c.region_lines() * c.regions()),
         taps(c.taps != 0) {}
-  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, perf;
+  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, burst, perf;
   int pixel_lines;  // in memory, of a window inside the image
   bool taps;        // the streams show
 };
@@ -228,8 +229,9 @@ RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalM
         const bool write = request[0] & 1;
         const int tag = static_cast<int>(get_bits(request, 1 + w_.address, w_.tag));
         const uint64_t line = get_bits(request, 1, w_.address);
-        memory.request(write, line, tag, top.mem_data_o.data());
-        if (cycles) taps->on_request(tag, write, line);
+        const int lines = 1 + static_cast<int>(get_bits(request, 1 + w_.address + w_.tag, w_.burst));
+        memory.request(write, line, tag, top.mem_data_o.data(), lines);
+        if (cycles) taps->on_request(tag, write, line, lines);
         // Without taps what the RUs have written tells how far the frame is.
         if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines / static_cast<uint64_t>(w_.pixel_lines);
         last_request = cycle_;

@@ -86,8 +86,10 @@ class CorePort : public Endpoint {
     }
     dut.mem_valid_i = up_.has_value();
     write_record(config, dut.mem_request_i,
-                 MemoryRequest{.write = shown.write, .address = shown.line, .tag = static_cast<uint64_t>(shown.tag)});
-    dut.mem_lines_i = static_cast<CData>(shown.lines);
+                 MemoryRequest{.write = shown.write,
+                               .address = shown.line,
+                               .tag = static_cast<uint64_t>(shown.tag),
+                               .lines = static_cast<uint64_t>(shown.lines - 1)});
     write_port(dut.mem_data_i, shown.data.data());
   }
 
