@@ -79,7 +79,8 @@ module front #(
   dopu u_dopu (
     .clk_i(dopu_clk), .rst_ni, .start_i(restart_i), .frame_i, .busy_o(dopu_busy),
     .mem_valid_o(node_valid), .mem_ready_i(node_ready), .mem_address_o(node_address), .mem_lines_o(node_lines),
-    .rsp_valid_i(node_line), .rsp_data_i(line_i), .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
+    .rsp_valid_i(node_line), .rsp_data_i(line_i),
+    .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
     .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_o(chunk),
     .active_o(dopu_active), .perf_o(perf_o[1:0])
   );

@@ -2,13 +2,14 @@
 // memory_arbiter: all requesters of the chip share the one port to external memory.
 //
 // Idea    The ports that may write stand nearer to the image and go first, with the DOPU's, which asks for little and
-//         waits for each answer: what these wait for holds up all others. Then come the colours, one line each, and last
-//         the geometry, in bursts: after one of n lines no geometry is asked for in n - 1 cycles, so that others find
-//         no more lines before theirs than without bursts. Round robin within each class; one request per cycle; the
-//         port number travels as the tag, and an answer goes back to the port that its tag names. Writes carry a line of data and get no answer. Port order: WritePorts that may write, then those that
-//         only read. The choice is registered: a grant is for the next cycle, so no requester's valid reaches a ready
-//         in the same one. It falls on a port other than the one that is served now if there is one, else it stays: one
-//         port alone moves a request each cycle.
+//         waits for each answer: what these wait for holds up all others. Then come the colours, one line each, and
+//         last the geometry, in bursts: after one of n lines no geometry is asked for in n - 1 cycles, so that others
+//         find no more lines before theirs than without bursts. Round robin within each class; one request per cycle;
+//         the port number travels as the tag, and an answer goes back to the port that its tag names. Writes carry a
+//         line of data and get no answer. Port order: WritePorts that may write, then those that only read. The choice
+//         is registered: a grant is for the next cycle, so no requester's valid reaches a ready in the same one. It
+//         falls on a port other than the one that is served now if there is one, else it stays: one port alone moves a
+//         request each cycle.
 // Stream  ports: valid, ready, write, address, lines, data. out: memory_request_t and the data. answers: tag and data
 //         in, one valid per port out; a requester asks only for what it has room for, so answers are never refused.
 // Pace    One request and one answer per cycle; three cycles of latency out (two for the port served last), one back.

@@ -102,7 +102,8 @@ module dopu (
     .tables_i(frame_i.tables), .planes_i(planes), .set_done_i(set_done),
     .cell_valid_i(cell_valid), .cell_ready_o(cell_ready), .cell_kind_i(cell_kind), .cell_set_i(cell_set),
     .cell_i(cell_node), .mem_valid_o(request[1:0]), .mem_ready_i(ready[1:0]),
-    .mem_address_o(address[0 +: 2*AddressW]), .mem_lines_o(lines[0 +: 2*BurstW]), .rsp_valid_i(answer[1:0]), .rsp_data_i,
+    .mem_address_o(address[0 +: 2*AddressW]), .mem_lines_o(lines[0 +: 2*BurstW]), .rsp_valid_i(answer[1:0]),
+    .rsp_data_i,
     .chunk_valid_o(node_valid), .chunk_ready_i(node_ready), .chunk_kind_o(node_kind), .chunk_set_o(node_set),
     .chunk_o(node), .mark_o(node_mark), .testing_o(testing), .waiting_o(waiting)
   );

@@ -2,9 +2,9 @@
 // dopu_cells: keeps the cell table on chip and walks it for each window, slab by slab outward from the camera.
 //
 // Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
-// Idea    The table is read once per frame, two cells per line, up to eight lines at a time; every window walks it again from the SRAM. Empty cells
-//         cost one cycle. After a slab comes a layer end, after the last slab a window end. A window that is done has
-//         only that. Layered 0: no slab has an end.
+// Idea    The table is read once per frame, two cells per line, up to eight lines at a time; every window walks it
+//         again from the SRAM. Empty cells cost one cycle. After a slab comes a layer end, after the last slab a window
+//         end. A window that is done has only that. Layered 0: no slab has an end.
 // Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.
 // Pace    One cell per cycle.
 // Model   cpp_model/dopu/dopu.hpp (the outer loops)

@@ -36,8 +36,8 @@ class ExternalMemory {
   bool ready() const { return timing_->ready(); }  // may a request be accepted in this cycle
   // Accepted in this cycle: a write of one line, or a read of `lines` of them, which are answered one by one.
   void request(bool write, uint64_t address, int tag, const uint32_t* data, int lines = 1);
-  const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }        // the answer shown in this cycle, if any
-  void step();                                                                // the next cycle begins
+  const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }  // the answer shown in this cycle, if any
+  void step();                                                          // the next cycle begins
 
   // Contents, for host access; untouched lines hold zero.
   const MemoryLine& line(uint64_t address) const { return pages_.line(address); }

@@ -231,8 +231,7 @@ TEST(MemoryArbiter, MovesOneRequestPerCycleAndServesWritersAndTheDopuFirst) {
     for (; i < begin + kEach * sizes[number]; ++i) {
       ASSERT_EQ(class_of(all.order[i]), number) << "request " << i;
       const int turn = sizes[number];
-      if (i >= begin + turn + (number == 0 ? 0 : turn))
-        ASSERT_EQ(all.order[i], all.order[i - turn]) << "request " << i;
+      if (i >= begin + turn + (number == 0 ? 0 : turn)) ASSERT_EQ(all.order[i], all.order[i - turn]) << "request " << i;
     }
   }
 }
