@@ -7,8 +7,8 @@
 //         (those that may write, and the last one) if such a one did, else of geometry only if no colour did, and stays
 //         while its port may be served. A burst of geometry of n lines keeps geometry away for n - 1 cycles. What
 //         leaves is what was taken last, with the port's number as its tag, and stays until the memory takes it;
-//         nothing is taken over a request that waits. An answer goes to the port of its tag in the next cycle, and to no
-//         other.
+//         nothing is taken over a request that waits. An answer goes to the port of its tag in the next cycle, and to
+//         no other.
 // Invariant  The registers hold what was remembered. Fairness inside is that of arbiter_proof.svh, at this size.
 
 localparam int unsigned ProofAddressW = pipegs_pkg::AddressW;
