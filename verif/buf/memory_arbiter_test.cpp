@@ -243,7 +243,7 @@ TEST(MemoryArbiter, BurstsOfGeometryTakeAsManyTurnsAsTheyHaveLines) {
     Requesters all(bench, Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64, .queue = 1000});
     bench.reset();
     const int units = all.config.units, color = all.writers + units;
-    for (int i = 0; i < 200; ++i) all.push(all.writers + static_cast<int>(bench.rng()) % units, false);
+    for (int i = 0; i < 200; ++i) all.push(all.writers + static_cast<int>(bench.rng() % 4) % units, false);
     uint64_t asked = 0;
     bench.run_until([&] {
       if (others && bench.rng() % 6 == 0) all.push(color, false, 1), ++asked;
