@@ -34,6 +34,7 @@ module dopu_descend #(
   output logic [1:0]                            mem_valid_o,   // 0: groups, 1: chunks
   input  logic [1:0]                            mem_ready_i,
   output logic [2*pipegs_pkg::AddressW-1:0]     mem_address_o,
+  output logic [2*pipegs_pkg::BurstW-1:0]       mem_lines_o,     // less one
   input  logic [1:0]                            rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]        rsp_data_i,
 
@@ -169,6 +170,7 @@ module dopu_descend #(
         .job_first_i(first[l]), .job_count_i(count[l]), .job_tag_i(kept[l][BeatW-1:NodeBits]),
         .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
         .mem_address_o(mem_address_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
+        .mem_lines_o(mem_lines_o[l*pipegs_pkg::BurstW +: pipegs_pkg::BurstW]),
         .rsp_valid_i(rsp_valid_i[l]), .rsp_data_i,
         .out_valid_o(node_valid[l+1]), .out_ready_i(node_ready[l+1]), .out_read_o(out_read), .out_index_o(out_index),
         .out_tag_o(out_tag), .out_item_o(out_node),

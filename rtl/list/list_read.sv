@@ -32,6 +32,7 @@ module list_read #(
   output logic                           mem_valid_o,
   input  logic                           mem_ready_i,
   output logic [AddressW-1:0]            mem_address_o,
+  output logic [pipegs_pkg::BurstW-1:0]  mem_lines_o,  // less one
   input  logic                           rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0] rsp_data_i,
 
@@ -100,7 +101,7 @@ module list_read #(
     .clk_i, .rst_ni, .base_i(overflow_i + (AddressW'(1) << pipegs_pkg::ListAreaW)),
     .job_valid_i(job_valid), .job_ready_o(job_ready), .job_read_i(state_q == StateLines),
     .job_first_i({number_q, EntryW'(0)}), .job_count_i(count_i), .job_tag_i(1'b0),
-    .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
+    .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
     .out_valid_o(item_valid), .out_ready_i(item_ready), .out_read_o(item_read), .out_index_o(item_index),
     .out_tag_o(item_tag), .out_item_o(item), .waiting_o(waiting), .idle_o(idle)
   );

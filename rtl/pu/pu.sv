@@ -13,6 +13,7 @@ module pu #(
   parameter bit Front = 1'b1,
   localparam int unsigned Units    = pipegs_pkg::Units,
   localparam int unsigned AddressW = pipegs_pkg::AddressW,
+  localparam int unsigned BurstW   = pipegs_pkg::BurstW,
   localparam int unsigned MemoryW  = pipegs_pkg::MemoryW,
   localparam int unsigned LineW    = pipegs_pkg::LineW
 ) (
@@ -45,6 +46,7 @@ module pu #(
   output logic                                 geometry_valid_o,
   input  logic                                 geometry_ready_i,
   output logic [AddressW-1:0]                  geometry_address_o,
+  output logic [BurstW-1:0]                    geometry_lines_o,  // less one
   input  logic                                 geometry_rsp_valid_i,
 
   output logic                                 color_valid_o,
@@ -104,7 +106,7 @@ module pu #(
     pu_front u_front (
       .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i, .gaussians_i(tables_i.gaussians),
       .chunk_valid_i(chunk_valid), .chunk_ready_o(chunk_ready), .chunk_i,
-      .geometry_valid_o, .geometry_ready_i, .geometry_address_o, .geometry_rsp_valid_i, .rsp_data_i,
+      .geometry_valid_o, .geometry_ready_i, .geometry_address_o, .geometry_lines_o, .geometry_rsp_valid_i, .rsp_data_i,
       .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o),
       .moved_o(front_moved), .waiting_o(fetch_waiting), .culls_o(culls), .idle_o(front_idle)
     );
@@ -115,6 +117,7 @@ module pu #(
     assign chunk_ready        = chunk_valid_i;
     assign geometry_valid_o   = 1'b0;
     assign geometry_address_o = '0;
+    assign geometry_lines_o = '0;
     assign culled_valid_o     = 1'b0;
     assign culled_o           = '0;
     assign front_moved        = 1'b0;

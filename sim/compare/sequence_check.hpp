@@ -38,7 +38,9 @@ class SequenceCheck final : public RtlTaps {
   void on_cycle(uint64_t cycle, const uint8_t* states) override { second_->on_cycle(cycle, states); }
   void on_chunk(int unit, int kind) override { second_->on_chunk(unit, kind); }
   void on_layer_done(int unit, bool window_done) override { second_->on_layer_done(unit, window_done); }
-  void on_request(int tag, bool write, uint64_t line) override { second_->on_request(tag, write, line); }
+  void on_request(int tag, bool write, uint64_t line, int lines) override {
+    second_->on_request(tag, write, line, lines);
+  }
 
   StreamCheck& frame(size_t number) { return *frames_[number].streams; }
   size_t complete() const { return back_; }  // frames that are

@@ -42,6 +42,7 @@ std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMe
   for (const std::string& name : memory_streams(config)) result.push_back({.stream = name});
   for (int port = 0; port < config.memory_ports(); ++port) {
     MemoryTraffic& traffic = result[memory_stream(config, port)];
+    traffic.bursts += memory.traffic()[port].bursts;
     traffic.bytes_read += 64 * memory.traffic()[port].lines_read;
     traffic.bytes_written += 32 * memory.traffic()[port].halves_written;
   }

@@ -31,6 +31,7 @@ struct SimulateOptions {
 struct MemoryTraffic {
   std::string stream;  // who: "dopu nodes", "pu gaussians", ...
   uint64_t bytes_read = 0, bytes_written = 0;
+  uint64_t bursts = 0;  // reads, each of one to eight lines in a row
 };
 
 // What the DRAM says of itself after a frame.

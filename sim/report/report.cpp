@@ -106,7 +106,8 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
   Json by_stream;
   for (const MemoryTraffic& traffic : simulation.traffic) {
     read += traffic.bytes_read, written += traffic.bytes_written;
-    by_stream[traffic.stream] = {{"read", traffic.bytes_read}, {"written", traffic.bytes_written}};
+    by_stream[traffic.stream] = {
+        {"read", traffic.bytes_read}, {"written", traffic.bytes_written}, {"bursts", traffic.bursts}};
   }
   report["memory"] = of(rtl, {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}});
   if (simulation.dram) {

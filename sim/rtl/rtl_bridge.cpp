@@ -37,11 +37,12 @@ struct Widths {
         pixels(c.tap_word_w()),
         address(c.address_w()),
         tag(c.tag_w()),
+        burst(c.burst_w()),
         bus(c.bus_w),
         pixel_lines(c.region_lines() * c.regions()),
         raster_rows(8 * c.regions()),
         taps(c.taps != 0) {}
-  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, bus;
+  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, burst, bus;
   int pixel_lines, raster_rows;  // what is written of a window inside the image, in either format of the picture
   bool taps;                     // the streams show
 };
@@ -201,9 +202,10 @@ void VerilatedMachine::observe_memory() {
   const int tag = static_cast<int>(get_bits(request, 1 + w_.address, w_.tag));
   const uint64_t line = get_bits(request, 1, w_.address);
   const int halves = static_cast<int>(get_bits(request, 1 + w_.address + w_.tag, 2));
-  if (w_.bus != 0) memory_->count(write, tag, halves);
-  if (w_.bus == 0) memory_->request(write, line, tag, top.mem_data_o.data(), halves);
-  if (cycles_ && !mute_) taps_->on_request(tag, write, line);
+  const int lines = 1 + static_cast<int>(get_bits(request, 1 + w_.address + w_.tag + 2, w_.burst));
+  if (w_.bus != 0) memory_->count(write, tag, lines, halves);
+  if (w_.bus == 0) memory_->request(write, line, tag, top.mem_data_o.data(), lines, halves);
+  if (cycles_ && !mute_) taps_->on_request(tag, write, line, lines);
   // Without taps what the RUs have written tells how far the frame is.
   if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines_ / window_lines_;
   last_request_ = cycle_;

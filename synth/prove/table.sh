@@ -43,12 +43,14 @@ mutant "the lowest port always comes first" "s/last_i\(last_q\)/last_i({PortW{1'
 
 # Jobs for lines with one item and with two, in a small buffer.
 proof  line_reader "line_reader+ fifo+ free_sram" \
-       "@default %MemoryW=4 %AddressW=6 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
-  @default %MemoryW=4 %AddressW=6 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
+       "@default %MemoryW=4 %AddressW=6 %BurstW=1 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
+  @default %MemoryW=4 %AddressW=6 %BurstW=2 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=8 %AddressW=6 TagW=2 ItemW=4 ItemsPerLine=2 Lines=64 Jobs=8 IndexW=6 CountW=5"
-mutant "asks without a credit" 's/ \&\& credits_q != .0//'
-mutant "a credit comes back with the answer" 's/load \&\& !issue\) credits_q/rsp_valid_i \&\& !issue) credits_q/'
+mutant "asks without credits" 's/ \&\& credits_q\[.*\] != .0//'
+mutant "a credit comes back with the answer" 's/else if \(load\) credits_q/else if (rsp_valid_i) credits_q/'
 mutant "the address asked for goes on before it is taken" 's/else if \(issue\) line_q/else line_q/'
+mutant "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
+mutant "a request leaves its group" 's/(assign rest  .*= ).*/\1 BurstW\x27(2**BurstW - 1);/'
 mutant "items go on behind the last" 's/item_q \+ 1.b1 == job_count/item_q == job_count/'
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
@@ -70,6 +72,9 @@ mutant "a shown request is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
 mutant "the shown request changes" 's/if \(take\) request_q <= out/request_q <= out/'
 mutant "the data of a shown write changes" 's/if \(take \&\& out.write\)/if (out.write)/'
 mutant "no class goes first" 's/(assign request = ).*/\1others;/'
+mutant "geometry goes before colours" 's/(assign second  = ).*/\1others;/'
+mutant "geometry follows geometry at once" 's/(assign able    = ).*/\1{Ports{1\x27b1}};/'
+mutant "geometry keeps away for a cycle too few" 's/pause_q <= out.lines;/pause_q <= out.lines >> 1;/'
 mutant "a grant leaves a port that waits" 's/if \(request != .0 \&\& moves\) grant_q/if (request != 0) grant_q/'
 mutant "an answer goes to the port beside it" 's/mem_rsp_tag_i == /(mem_rsp_tag_i | 1) == /'
 mutant "the tag names another port" 's/(TagW.\(port_q)\)/\1 ^ 1)/'

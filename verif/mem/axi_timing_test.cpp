@@ -29,7 +29,6 @@ class Pair : public Endpoint {
       : memory({.data_w = PIPEGS_DATA_W, .timing = timing}), port(bench, memory), model(timing, config) {
     bench.dut.mem_valid_i = bench.dut.epoch_i = 0;
     bench.dut.base_i = 0;
-    bench.dut.mem_lines_i = 1;
     bench.add(*this);
     bench.reset();
   }
@@ -51,7 +50,8 @@ class Pair : public Endpoint {
       } else {
         run_ = bench.rng() % 16;
       }
-      last_ = request_.address;
+      request_.lines = request_.write ? 0 : bench.rng() % (8 - request_.address % 8);
+      last_ = request_.address + request_.lines;
     }
     dut.mem_valid_i = up_;
     write_record(config, dut.mem_request_i, request_);
@@ -63,13 +63,14 @@ class Pair : public Endpoint {
     ASSERT_EQ(answer, expected_) << "tag that is answered, " << at;
     if (answer != MemoryTiming::kNoAnswer) --open;
     if (!up_) return;
-    const bool accepted = model.offer(request_.write, request_.address, static_cast<int>(request_.tag));
+    const bool accepted = model.offer(request_.write, request_.address, static_cast<int>(request_.tag),
+                                      1 + static_cast<int>(request_.lines));
     ASSERT_EQ(dut.mem_ready_o, accepted) << (request_.write ? "write" : "read") << " of tag " << request_.tag << ", "
                                          << at;
     refused += !accepted;
     if (!accepted) return;
     up_ = false;
-    open += !request_.write;
+    if (!request_.write) open += 1 + static_cast<int>(request_.lines);
     most_open = std::max(most_open, open);
     most_writes = std::max(most_writes, static_cast<int>(dut.writes_o));
   }

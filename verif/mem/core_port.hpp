@@ -90,8 +90,8 @@ class CorePort : public Endpoint {
                  MemoryRequest{.write = shown.write,
                                .address = shown.line,
                                .tag = static_cast<uint64_t>(shown.tag),
-                               .halves = static_cast<uint64_t>(shown.halves)});
-    dut.mem_lines_i = static_cast<CData>(shown.lines);
+                               .halves = static_cast<uint64_t>(shown.halves),
+                               .lines = static_cast<uint64_t>(shown.lines - 1)});
     write_port(dut.mem_data_i, shown.data.data());
   }
 

@@ -22,6 +22,8 @@ mutant dopu_windows "a set of planes is overwritten before it is released" \
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
 mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
+mutant line_reader "a request leaves its group of eight lines" "s/(assign rest +=) .*/\1 3'd7;/"
+mutant line_reader "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
 mutant line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/'
 
 # --- rtl/dopu, nearest first ------------------------------------------------------------------------------------------
@@ -239,6 +241,8 @@ mutant memory_arbiter "a shown request is overwritten before the memory took it"
 mutant memory_arbiter "the data of a shown write changes" 's/if \(take && out\.write\) data_q/if (out.write) data_q/'
 mutant memory_arbiter "a write changes what another port's write would" \
        's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
+mutant memory_arbiter "bursts of geometry follow each other at once" "s/(able +=) .*/\1 '1;/"
+mutant memory_arbiter "geometry goes before the colours" 's/(second +=) .*/\1 others;/'
 mutant memory_arbiter "an answer goes to two ports: the lowest bit of the tag is ignored" \
        's/(mem_rsp_tag_i) == ([a-z_:]*TagW.\(i\))/\1 >> 1 == \2 >> 1/'
 

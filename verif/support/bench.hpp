@@ -247,13 +247,14 @@ class RecordSink : public WordSink<Port> {
   Config config_;
 };
 
-// An external memory behind a unit's port. `write` and `data` are null for a port that only reads.
+// An external memory behind a unit's port. `write` and `data` are null for a port that only reads, `lines` (of a read,
+// less one) for one that asks for single lines.
 template <class AddressPort, class LinePort>
 class MemoryEndpoint : public Endpoint {
  public:
   MemoryEndpoint(BenchBase& bench, ExternalMemory& memory, const CData& valid, CData& ready, const CData* write,
                  const AddressPort& address, const LinePort* data, CData& answer_valid, LinePort& answer,
-                 Pace pace = Pace::kAlways)
+                 Pace pace = Pace::kAlways, const CData* lines = nullptr)
       : pace(pace),
         bench_(bench),
         memory_(memory),
@@ -263,7 +264,8 @@ class MemoryEndpoint : public Endpoint {
         address_(address),
         data_(data),
         answer_valid_(answer_valid),
-        answer_(answer) {
+        answer_(answer),
+        lines_(lines) {
     ready_ = 0;
     answer_valid_ = 0;
     bench.add(*this);
@@ -280,10 +282,13 @@ class MemoryEndpoint : public Endpoint {
     Words words(17);
     const bool is_write = write_ != nullptr && *write_;
     if (is_write) read_port(*data_, words.data());
-    memory_.request(is_write, static_cast<uint64_t>(address_), 0, words.data(), halves != nullptr ? *halves : 3);
+    const int lines = lines_ != nullptr ? 1 + *lines_ : 1;
+    EXPECT_LE(static_cast<int>(address_ % 8) + lines, 8) << "a request leaves its group, cycle " << bench_.cycle;
+    memory_.request(is_write, static_cast<uint64_t>(address_), 0, words.data(), lines, halves != nullptr ? *halves : 3);
     ++requests;
+    requested += static_cast<uint64_t>(lines);
   }
-  uint64_t requests = 0;
+  uint64_t requests = 0, requested = 0;  // and their lines
   Pace pace;
   const CData* halves = nullptr;  // of a line, what a write changes; null for a port that writes whole ones
 
@@ -297,6 +302,7 @@ class MemoryEndpoint : public Endpoint {
   const LinePort* data_;
   CData& answer_valid_;
   LinePort& answer_;
+  const CData* lines_;
 };
 
 }  // namespace pipegs

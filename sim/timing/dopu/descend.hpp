@@ -23,6 +23,7 @@ class Descend {
 
   bool wants(int level) const { return readers_[static_cast<size_t>(level)].wants(); }
   uint64_t line(int level) const { return readers_[static_cast<size_t>(level)].line(); }
+  int lines(int level) const { return readers_[static_cast<size_t>(level)].lines(); }
 
  private:
   static constexpr int kLevels = 3;

@@ -25,6 +25,7 @@ class Nearest {
 
   bool wants(int level) const { return open_[static_cast<size_t>(level)].reader.wants(); }
   uint64_t line(int level) const { return open_[static_cast<size_t>(level)].reader.line(); }
+  int lines(int level) const { return open_[static_cast<size_t>(level)].reader.lines(); }
 
  private:
   static constexpr int kLevels = 3;
