@@ -119,7 +119,7 @@ module list_write #(
     if (take) begin
       held_q        <= splat_i[port*SplatBits +: SplatBits];
       held_number_q <= number;
-      same_q        <= move && number == held_number_q;  // the SRAM gives what stood there before
+      same_q        <= move && number == held_number_q;  // the SRAM promises nothing then
     end
     if (move) begin
       out_q     <= held_q;

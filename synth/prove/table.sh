@@ -30,7 +30,7 @@ mutant "shows the word at the tail" 's/words_q\[head_q\]/words_q[tail_q]/' "Data
 # Memory: a word and a bit of the solver's choice; sizes up to 64 words of 8 bits, and 1024 of one.
 proof  sram "sram+" "DataW=1 Depth=2; DataW=3 Depth=5; DataW=8 Depth=64; DataW=1 Depth=1024"
 mutant "the output changes without a read" 's/if \(read_i\) //'
-mutant "a word that is written in the cycle of the read shows" \
+mutant "a word that is written shows whatever is read" \
        's/words_q\[raddr_i\]/write_i ? wdata_i : words_q[raddr_i]/'
 
 proof  arbiter "arbiter+ round_robin first_set" "Ports=3; Ports=1; Ports=2; Ports=4; Ports=5; Ports=6; Ports=7; Ports=8"

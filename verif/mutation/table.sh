@@ -377,7 +377,12 @@ mutant window_walk "a row of windows starts at 0 instead of the first one" \
        "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru_window
 mutant clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'
 mutant clock_gate "the latch is open all the time" 's/if \(!clk_i\) enable_q/enable_q/'
+mutant reset_sync "the reset comes with the clock" 's/ or negedge rst_ni//'
+mutant reset_sync "one flip-flop" "s/\{release_q\[0\], 1'b1\}/2'b11/"
+mutant reset_sync "in the scan test the flip-flops stay in the way" 's/test_en_i \? rst_ni : //'
 mutant sram "the output changes without a read" 's/if \(read_i\) rdata_o/rdata_o/'
+mutant sram "a read of the word that is written shows the new one" 's/(rdata_o <= )DataW.*;/\1wdata_i;/'
+mutant sram "such a read shows the same each time" 's/(noise_q <= )noise_q .*;/\1noise_q;/'
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
 group list "Lists (\`order = 1\`), parts (\`window = 128\`)"
