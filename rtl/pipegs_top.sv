@@ -192,4 +192,10 @@ module pipegs_top #(
   assign tap_layer_done_o     = Shown ? layer_done : '0;
   assign tap_window_done_o    = Shown ? window_done : '0;
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(sorted))) u_check_sorted (
+    .clk_i, .rst_ni, .valid_i(sorted_valid && !hold), .ready_i(raster_ready), .beat_i(sorted)
+  );
+`endif
+
 endmodule

@@ -48,6 +48,9 @@ module dopu_memory #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!(rsp_valid_i && !loading_i) || asked_valid);
   always_ff @(posedge clk_i) if (rst_ni) assert (ready_o[1:0] == '0 || asked_ready);
+  stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+  );
 `else
   logic unused_asked;
   assign unused_asked = asked_valid ^ asked_ready;

@@ -6,7 +6,8 @@
 //         work: 32 screen-filling splats or 32 specks. So survivors of all culls are dealt one by one to whichever PU
 //         has room, in turn. The sort behind makes the image independent of who gets which. A layer's end waits until
 //         all culls have reached it and goes to all PUs.
-// Stream  visible from each cull; visible to each PU, one record for all with one valid each.
+// Stream  visible from each cull; visible to each PU, one record for all with one valid each. Room is no ready: it may
+//         not wait for valid, and a PU that cannot tell says yes.
 // Pace    One Gaussian per cycle (with a single PU every second one), latency one.
 // Model   Any dealing is right: the test checks that each Gaussian arrives once, in its layer.
 
@@ -24,6 +25,7 @@ module pu_deal #(
 
   output logic [Units-1:0]       out_valid_o,
   input  logic [Units-1:0]       out_ready_i,
+  input  logic [Units-1:0]       out_room_i,   // PUs that one may choose
   output pipegs_pkg::visible_t   out_o,
 
   output logic                   active_o
@@ -53,7 +55,7 @@ module pu_deal #(
   );
   // A PU that takes the present record in this cycle may have filled its queue with it.
   arbiter #(.Ports(Units)) u_target (
-    .clk_i, .rst_ni, .request_i(out_ready_i & ~waiting_q), .advance_i(1'b1), .grant_o(target), .port_o(target_port)
+    .clk_i, .rst_ni, .request_i(out_room_i & ~waiting_q), .advance_i(1'b1), .grant_o(target), .port_o(target_port)
   );
 
   assign take_data  = free && data != '0 && target != '0;
@@ -77,5 +79,11 @@ module pu_deal #(
 
   logic unused_port;
   assign unused_port = &{1'b0, target_port};
+
+`ifndef SYNTHESIS
+  stream_check #(.Ports(Units), .Shared(1), .DataW($bits(out_o))) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+  );
+`endif
 
 endmodule

@@ -108,6 +108,9 @@ module ru_resolve #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || ready_o)
     else $error("ru_resolve: a window came before the last one was written");
+  stream_check #(.DataW($bits({mem_address_o, mem_data_o}))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
+  );
 `endif
 
 endmodule
