@@ -54,10 +54,12 @@ read_verilog -sv {
   rtl/lib/math/recip.sv
   rtl/lib/math/rsqrt.sv
   rtl/lib/math/saturate.sv
+  rtl/lib/reset_sync.sv
   rtl/lib/round_robin.sv
   rtl/lib/skid.sv
   rtl/lib/sleep.sv
   rtl/lib/sram.sv
+  rtl/lib/stream_check.sv
   rtl/lib/window_walk.sv
   rtl/list/list_read.sv
   rtl/list/list_write.sv

@@ -50,9 +50,9 @@ module front #(
   localparam int unsigned PuFronts      = pipegs_pkg::PuFronts;
 
   logic                             dopu_clk, dopu_active, dopu_busy, deal_active;
-  logic [Units-1:0]                 pu_active, pu_busy, chunk_valid, chunk_ready;
+  logic [Units-1:0]                 pu_active, pu_busy, chunk_valid, chunk_ready, chunk_room;
   pipegs_pkg::chunk_t               chunk;
-  logic [Units-1:0]                 culled_valid, culled_ready, dealt_valid, dealt_ready;
+  logic [Units-1:0]                 culled_valid, culled_ready, dealt_valid, dealt_ready, dealt_room;
   logic [Units*VisibleBits-1:0]     culled;
   logic [PuFronts-1:0]              dealt_from;
   pipegs_pkg::visible_t             dealt;
@@ -81,7 +81,7 @@ module front #(
     .mem_valid_o(node_valid), .mem_ready_i(node_ready), .mem_address_o(node_address), .mem_lines_o(node_lines),
     .rsp_valid_i(node_line), .rsp_data_i(line_i),
     .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
-    .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_o(chunk),
+    .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_room_i(chunk_room), .chunk_o(chunk),
     .active_o(dopu_active), .perf_o(perf_o[1:0])
   );
 
@@ -92,10 +92,11 @@ module front #(
       .clk_i(pu_clk), .rst_ni, .rotation_i(frame_i.camera.rotation), .quaternion_i(frame_i.camera.quaternion),
       .lens_i(frame_i.lens), .tables_i(frame_i.tables), .windows_i(frame_i.raster.windows),
       .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
-      .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_i(chunk),
+      .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_room_o(chunk_room[k]), .chunk_i(chunk),
       .culled_valid_o(culled_valid[k]), .culled_ready_i(culled_ready[k]),
       .culled_o(culled[k*VisibleBits +: VisibleBits]),
-      .visible_valid_i(dealt_valid[k]), .visible_ready_o(dealt_ready[k]), .visible_i(dealt),
+      .visible_valid_i(dealt_valid[k]), .visible_ready_o(dealt_ready[k]), .visible_room_o(dealt_room[k]),
+      .visible_i(dealt),
       .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y), .layer_free_i,
       .geometry_valid_o(geometry_valid[k]), .geometry_ready_i(geometry_ready[k]),
       .geometry_address_o(geometry_address[k*AddressW +: AddressW]),
@@ -116,7 +117,8 @@ module front #(
   pu_deal u_deal (
     .clk_i, .rst_ni, .in_valid_i(culled_valid[PuFronts-1:0]), .in_ready_o(dealt_from),
     .in_i(culled[PuFronts*VisibleBits-1:0]),
-    .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_o(dealt), .active_o(deal_active)
+    .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_room_i(dealt_room), .out_o(dealt),
+    .active_o(deal_active)
   );
 
   assign busy_o            = dopu_busy || pu_busy != '0 || deal_active;

@@ -157,4 +157,10 @@ module pipegs_top #(
   logic unused_taps;
   assign unused_taps = &{1'b0, tap_splat_valid, tap_splat, tap_chunk_valid, tap_chunk_kind, taps, layer_done};
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(sorted))) u_check_sorted (
+    .clk_i, .rst_ni, .valid_i(sorted_valid && !hold), .ready_i(raster_ready), .beat_i(sorted)
+  );
+`endif
+
 endmodule

@@ -70,7 +70,9 @@ module sorting #(
       .made_valid_i, .made_ready_o, .made_i, .number_i,
       .mem_valid_o(list_valid), .mem_ready_i(list_ready), .mem_write_o(list_write), .mem_address_o(list_address),
       .mem_lines_o(list_lines), .mem_data_o(list_data), .rsp_valid_i(list_line), .rsp_data_i(line_i),
-      .splat_valid_o(splat_valid), .splat_ready_i(splat_ready), .splat_o(listed),
+      .splat_valid_o(splat_valid), .splat_ready_i(splat_ready),
+      .splat_room_i(splat_ready),  // an SU's ready is a register: it waits for no valid
+      .splat_o(listed),
       .written_o, .busy_o(lists_busy), .active_o(lists_active)
     );
     assign splat = {Units{listed}};

@@ -136,4 +136,10 @@ module memory_arbiter #(
   assign rsp_valid_o = rsp_valid_q;
   assign rsp_data_o  = rsp_data_q;
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({mem_request_o, mem_data_o})), .Proven(1)) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_request_o, mem_data_o})
+  );
+`endif
+
 endmodule

@@ -88,4 +88,10 @@ module memory_ports #(
                      (mem_valid_o && mem_request_o.write && mem_request_o.tag >= pipegs_pkg::TagW'(2 * Units) &&
                       mem_request_o.tag < pipegs_pkg::TagW'(3 * Units));
 
+`ifndef SYNTHESIS
+  stream_check #(.Ports(Ports), .DataW(AddressW)) u_check_port (
+    .clk_i, .rst_ni, .valid_i(valid), .ready_i(ready), .beat_i(address)
+  );
+`endif
+
 endmodule

@@ -34,6 +34,7 @@ module dopu (
 
   output logic [pipegs_pkg::Units-1:0]                     chunk_valid_o,
   input  logic [pipegs_pkg::Units-1:0]                     chunk_ready_i,
+  input  logic [pipegs_pkg::Units-1:0]                     chunk_room_i,  // PUs that one may choose for a chunk
   output pipegs_pkg::chunk_t                               chunk_o
 );
 
@@ -132,7 +133,7 @@ module dopu (
 
   dopu_emit u_emit (
     .clk_i, .rst_ni, .in_valid_i(chunk_valid), .in_ready_o(chunk_ready), .in_i(chunk),
-    .chunk_valid_o, .chunk_ready_i, .chunk_o
+    .chunk_valid_o, .chunk_ready_i, .chunk_room_i, .chunk_o
   );
 
   // --- busy, clock, counters ----------------------------------------------------------------------------------------
@@ -141,6 +142,7 @@ module dopu (
     .moved_i(testing || walking || (node_valid && node_ready) || (chunk_valid && chunk_ready)),
     .memory_i(rsp_valid_i || (mem_valid_o && mem_ready_i)), .news_i(done_news), .waits_i(waiting || loading),
     .chunk_valid_i(chunk_valid), .last_end_i(last_end), .out_valid_i(chunk_valid_o), .out_ready_i(chunk_ready_i),
+    .out_room_i(chunk_room_i),
     .busy_o, .active_o, .perf_o
   );
 

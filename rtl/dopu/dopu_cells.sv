@@ -177,4 +177,13 @@ module dopu_cells #(
   logic unused_data;  // the bits of a line beside the nodes
   assign unused_data = ^rsp_data_i;
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({kind_o, set_o, cell_o}))) u_check_cell (
+    .clk_i, .rst_ni, .valid_i(cell_valid_o), .ready_i(cell_ready_i), .beat_i({kind_o, set_o, cell_o})
+  );
+  stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+  );
+`endif
+
 endmodule

@@ -60,6 +60,9 @@ module dopu_memory #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!answer || asked_valid);
+  stream_check #(.DataW($bits({mem_address_o, mem_lines_o}))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
+  );
 `else
   logic unused_asked;
   assign unused_asked = asked_valid;

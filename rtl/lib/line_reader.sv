@@ -167,6 +167,15 @@ module line_reader #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || stored_q != CreditW'(Lines));
   assert property (@(posedge clk_i) disable iff (!rst_ni)
                    mem_valid_o && !mem_ready_i |=> mem_valid_o && $stable({mem_address_o, mem_lines_o}));
+  stream_check #(.DataW($bits({mem_address_o, mem_lines_o})), .Proven(1)) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
+  );
+  stream_check #(
+    .DataW($bits({out_read_o, out_index_o, out_tag_o, out_item_o})), .Proven(1)
+  ) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+    .beat_i({out_read_o, out_index_o, out_tag_o, out_read_o ? out_item_o : '0})  // a marker has no item
+  );
 `endif
 
 endmodule

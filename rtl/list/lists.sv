@@ -41,6 +41,7 @@ module lists #(
 
   output logic [Units-1:0]           splat_valid_o,  // to the SUs
   input  logic [Units-1:0]           splat_ready_i,
+  input  logic [Units-1:0]           splat_room_i,   // see list_read
   output pipegs_pkg::splat_t         splat_o,
 
   output logic                       written_o,
@@ -68,7 +69,7 @@ module lists #(
     .clk_i, .rst_ni, .windows_i, .overflow_i, .start_i(written_o), .count_read_o(read_count_read),
     .count_number_o(read_number),
     .count_i(count), .mem_valid_o(read_valid), .mem_ready_i(mem_ready_i), .mem_address_o(read_address),
-    .mem_lines_o(read_lines), .rsp_valid_i, .rsp_data_i, .splat_valid_o, .splat_ready_i, .splat_o,
+    .mem_lines_o(read_lines), .rsp_valid_i, .rsp_data_i, .splat_valid_o, .splat_ready_i, .splat_room_i, .splat_o,
     .busy_o(reading), .active_o(read_active)
   );
 
@@ -95,6 +96,9 @@ module lists #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!(write_valid && (read_valid || reading)))
     else $error("a list is read before all are written");
+  stream_check #(.DataW($bits({mem_write_o, mem_address_o, mem_data_o}))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_write_o, mem_address_o, mem_data_o})
+  );
 `endif
 
 endmodule

@@ -116,6 +116,9 @@ module ru_resolve #(
     else $error("ru_resolve: a window came before the last one was written");
   always_ff @(posedge clk_i) if (rst_ni) assert (!read_o || shown)
     else $error("ru_resolve: a word below the picture is read");
+  stream_check #(.DataW($bits({mem_address_o, mem_halves_o, mem_data_o}))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_halves_o, mem_data_o})
+  );
 `endif
 
 endmodule

@@ -73,6 +73,7 @@ TEST(Dopu, EqualsItsModelWithASlowMemory) {
   compare(Pace::kAlways, Pace::kCoin, {.latency = 150, .bytes_per_cycle = 12.8, .jitter = 40});
 }
 TEST(Dopu, EqualsItsModelUnderBackPressure) { compare(Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20}); }
+TEST(Dopu, EqualsItsModelWithLazyUnits) { compare(Pace::kLazy, Pace::kLazy, {.latency = 60, .jitter = 20}); }
 TEST(Dopu, EqualsItsModelByCoin) { compare(Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20}); }
 
 // The RUs report a window done after it got some chunks: what comes after is a subset in order, and every end still

@@ -16,11 +16,14 @@ mutant dopu_planes "the margin moves an edge inwards" 's/\(far \? margin : -marg
 mutant dopu_test "slack for the cut bits halved" 's/( Slack *= .*\(TestW \+ )2/\11/'
 mutant dopu_origin "no block exponent where it is needed first" 's/(longest > LengthW.\(ViewW - )2/\11/'
 mutant dopu_emit "the end of an empty layer is sent" 's/ && !had_chunk_q//' dopu
+mutant dopu_emit "a chunk waits for a PU's ready" "s/(is_data \|\| chunk_)room(_i != '0)/\1ready\2/" dopu
+mutant dopu_emit "a chunk goes to a PU without room" 's/mask_i\(chunk_room_i\)/mask_i(~chunk_room_i)/' dopu
 mutant dopu "the clock does not come back for an answer of the memory" 's/(memory_i\()rsp_valid_i \|\| /\1/'
 mutant dopu_windows "a set of planes is overwritten before it is released" \
        's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/' dopu
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
+mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
 mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
 mutant line_reader "a request leaves its group of eight lines" "s/(assign rest +=) .*/\1 3'd7;/"
 mutant line_reader "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
@@ -33,6 +36,7 @@ mutant dopu_nearest "the watermark forgets the groups that are being opened" \
 mutant dopu_rank "the smaller of own and parent's bucket instead of the larger" \
        's/own > parent \?/own < parent ?/' dopu_nearest
 mutant dopu_send "a watermark is sent although it has not risen" 's/(mark_due *= .*) && risen/\1/' dopu_nearest
+mutant dopu_send "what is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu_nearest
 mutant dopu_open "the last child but one counts as the last too" \
        "s/(child_last_o = )(CountW'\(index\)) == last/\1\2 == last || \2 + 1'b1 == last/" dopu_nearest
 mutant dopu_bucket "a word of buckets is given up although another chain is left in it" \
@@ -108,6 +112,7 @@ mutant pu_spill "the end is taken while a line waits" \
        's/(alphas_ready_o = )free && rows_end_ready_i/\1rows_end_ready_i/'
 mutant pu_join "an end passes before its lines are written" "s/!is_end \|\| ends_q != '0/1/"
 mutant pu_deal "an end passes when one cull has reached it" "s/is_end == '1/is_end != '0/"
+mutant pu_deal "a Gaussian waits for a PU's ready" 's/out_room_i & ~waiting_q/out_ready_i \& ~waiting_q/'
 mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1/\11/"
 mutant pu_deal "the turn goes on while nothing is dealt" \
        "s/(else if \()take_data\) last_q/\1room != '0) last_q/"
@@ -143,6 +148,8 @@ mutant su_minmax "the largest is compared with the smallest" 's/key_i > max_q/ke
 mutant su_bitonic "direction of the last merge" 's/ && !size_q\[DistanceW\]//'
 mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill_q/\1 > fill_q/'
 mutant su_split "the tail of a bucket is overwritten" 's/\{filled \? tail : drop_slot_q/{drop_slot_q/'
+mutant su_output "a splat is shown to the spill too while it goes to the merge" \
+       's/(back_valid_o = valid) && divert_i/\1/' su
 mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
 mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge
 mutant su_spill "the lines of keys begin one too far" \
@@ -204,7 +211,7 @@ mutant ru_regions "a region is picked before it was handed over" 's/(free += ope
 mutant ru_regions "E ry rx for E ry ry" 's/(e_ry_2_q\) \* SquareW.\()ry/\1rx/'
 mutant ru_power "of each row a group has the same column" 's/(Column = )\(g \+ 2 \* j\) % 4/\1g/'
 mutant ru_power "a half leaves when one of its groups has room" \
-       "s/\(some & ~out_ready_i\) == '0/(some \& out_ready_i) != '0/"
+       "s/\(some & ~out_room_i\) == '0/(some \& out_room_i) != '0/"
 mutant ru_power "quads that have stopped live" 's/ && !stopped\[i\]//'
 mutant ru_power "the exponents of dead quads are stored, those of living ones stand still" \
        's/pixels_move && live\[i\]/pixels_move \&\& !live[i]/'
@@ -305,6 +312,8 @@ mutant su_collect "no clock for a record that finds no room: the assertion is ne
        's/(active_o *= take) \|\| lost/\1/' su_lean
 mutant pu_allocate "lines are given although the older layer's lie there" \
        "s/(room *= )SumW'\(oldest_q\) \+/\1/" pu_allocate_lean
+mutant pu_allocate "assertion: two lines of memory count as one" \
+       "s/AreaW'\(pipegs_pkg::AlphaMemoryLines\) \*/AreaW'(1) */" pu_allocate_wide
 mutant pu_allocate "assertion: the Gaussian's own lines are not counted" \
        "s/^( +SumW'\(current\)) \+ SumW'\(count_q\)( <=)/\1\2/" pu_allocate_lean
 mutant pu_spill "assertion: looks at a flag that is 0 where nothing goes to memory" \
@@ -367,6 +376,11 @@ mutant scheduler "the RUs are heard while they finish the frame before" 's/(list
 group lib "Library"
 mutant fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
 mutant saturate "beyond the range the sign is kept twice" 's/\{!in_i\[InW-1\]\}/{in_i[InW-1]}/'
+mutant stream_check "what was taken must stay, too" 's/(waits_q <= valid_i) & ~ready_i/\1/'
+mutant stream_check "of several valids any one may fall" \
+       "s/(gone = )\(waits_q & ~valid_i\) != '0/\1(waits_q \& ~valid_i) == '1/"
+mutant stream_check "a beat that some wait for is compared for the first one only" \
+       "s/Beats'\(waits_q != '0\)/waits_q[0]/" stream_check_shared
 mutant skid "the spare register is overwritten" 's/in_ready_o && in_valid_i\) spare_q/in_valid_i) spare_q/'
 mutant normalize "the largest shift is one less" 's/( < DataW)\)/\1 - 1)/'
 mutant first_set "lowest bit: negation for two's complement" "s/~mask_i \+ 1'b1/~mask_i/"
@@ -401,4 +415,6 @@ mutant pu_lines "an end leaves before the rows have ended" 's/ && \(!is_end \|\|
 mutant list_write "the count of the record before is not yet in the memory" 's/(same_q *<= )move && .*;/\10;/'
 mutant list_write "a waiting line is overwritten" 's/held_valid_q && \(!out_valid_q \|\| mem_ready_i\)/held_valid_q/'
 mutant list_read "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
+mutant list_read "an entry waits until an SU has room" \
+       "s/(request    = )able == '0 && none_q == '1 \? '1 : able/\1able/"
 mutant list_read "one window too many" "s/windows - LeftW'\(1\)/windows/"

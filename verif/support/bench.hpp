@@ -48,11 +48,13 @@ R read_record(const Config& config, const Port& port) {
   return unpack<R>(config, words.data());
 }
 
-// How eager a source or a sink is.
-enum class Pace { kAlways, kQuarter, kCoin };
-inline constexpr Pace kPaces[] = {Pace::kAlways, Pace::kQuarter, Pace::kCoin};
+// How eager a source or a sink is. A lazy sink is ready only for what was shown in the cycle before and not taken: who
+// waits for its ready before showing anything waits for ever. A lazy source is one by coin.
+enum class Pace { kAlways, kQuarter, kCoin, kLazy };
+inline constexpr Pace kPaces[] = {Pace::kAlways, Pace::kQuarter, Pace::kCoin, Pace::kLazy};
 inline const char* to_text(Pace pace) {
-  return pace == Pace::kAlways ? "always" : pace == Pace::kQuarter ? "one in four" : "coin";
+  constexpr const char* kNames[] = {"always", "one in four", "coin", "lazy"};
+  return kNames[static_cast<int>(pace)];
 }
 template <class Rng>
 bool goes(Pace pace, Rng& rng) {
@@ -206,7 +208,7 @@ class WordSink : public Endpoint {
     ready_ = 0;
     bench.add(*this);
   }
-  void drive() override { ready_ = goes(pace, bench_.rng); }
+  void drive() override { ready_ = (pace != Pace::kLazy || shown_) && goes(pace, bench_.rng); }
   void observe() override {
     Words words(port_words<Port>() + 1);
     if (valid_) read_port(port_, words.data());
@@ -272,12 +274,13 @@ class MemoryEndpoint : public Endpoint {
   }
   void drive() override {
     memory_.step();
-    ready_ = memory_.ready() && goes(pace, bench_.rng);
+    ready_ = memory_.ready() && (pace != Pace::kLazy || shown_) && goes(pace, bench_.rng);
     const ExternalMemory::Answer* answer = memory_.answer();
     answer_valid_ = answer != nullptr;
     if (answer != nullptr) write_port(answer_, answer->data.data());
   }
   void observe() override {
+    shown_ = valid_ && !ready_;
     if (!valid_ || !ready_) return;
     Words words(17);
     const bool is_write = write_ != nullptr && *write_;
@@ -303,6 +306,7 @@ class MemoryEndpoint : public Endpoint {
   CData& answer_valid_;
   LinePort& answer_;
   const CData* lines_;
+  bool shown_ = false;  // and not taken
 };
 
 }  // namespace pipegs

@@ -131,6 +131,10 @@ module dopu_open #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!settled_i || any_o);
+  stream_check #(.DataW($bits({job_last, job_bucket_q, job_first_q, job_count_q}))) u_check_job (
+    .clk_i, .rst_ni, .valid_i(job_valid_q), .ready_i(job_ready),
+    .beat_i({job_last, job_bucket_q, job_first_q, job_count_q})
+  );
 `endif
 
 endmodule

@@ -160,6 +160,9 @@ module ru_drain #(
     else $error("ru_drain: a word came for which there is no place");
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || ready_o)
     else $error("ru_drain: a window came before the last one was handed over");
+  stream_check #(.DataW($bits({mem_address_o, mem_data_o}))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
+  );
 `endif
 
 endmodule

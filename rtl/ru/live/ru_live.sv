@@ -151,7 +151,7 @@ module ru_live #(
   ru_power u_power (
     .clk_i, .rst_ni, .stopped_i(stopped),
     .region_valid_i(region_valid), .region_ready_o(region_ready), .region_i(region), .color_i(region_color),
-    .out_valid_o(half_valid), .out_ready_i(half_ready), .out_live_o(half_live), .out_o(pairs), .out_half_o(half),
+    .out_push_o(half_valid), .out_room_i(half_ready), .out_live_o(half_live), .out_o(pairs), .out_half_o(half),
     .out_region_o(half_region), .out_color_o(color), .out_index_o(half_index), .busy_o(power_busy)
   );
   logic empty;

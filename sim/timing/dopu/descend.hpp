@@ -54,6 +54,7 @@ class Descend {
   std::array<int, kLevels> reserved_{};
   FallQueue<InTest, 8> in_test_;
   std::array<Reader, 2> readers_;
+  bool shown_ = false;  // to dopu_origin, in the cycle before: it stays until taken
 };
 
 }  // namespace pipegs::timing

@@ -184,6 +184,9 @@ TEST(DopuNearest, SendsEveryChunkOnceWithASlowMemory) {
 TEST(DopuNearest, SendsEveryChunkOnceUnderBackPressure) {
   compare("back pressure", Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20});
 }
+TEST(DopuNearest, EqualsItsModelWithLazyUnits) {
+  compare("lazy units", Pace::kLazy, Pace::kLazy, {.latency = 60, .jitter = 20});
+}
 TEST(DopuNearest, SendsEveryChunkOnceByCoin) {
   compare("by coin", Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20});
 }
