@@ -957,15 +957,14 @@ package pipegs_pkg;
   localparam int unsigned BlendBits = 69;
 
   typedef struct packed {
-    logic [HalvesW-1:0] halves;  // which 32 bytes of the line a write changes, the low ones first; 3 of a read
     // lines of a read, less one: from `address` on, in one aligned group of eight; 0 for a write
     logic [BurstW-1:0] lines;
+    logic [HalvesW-1:0] halves;  // which 32 bytes of the line a write changes, the low ones first; 3 of a read
     logic [TagW-1:0] tag;  // who asks; reads of one tag answer in order
     logic [AddressW-1:0] address;  // line
     logic write;
   } memory_request_t;
-  localparam int unsigned MemoryRequestBits = 45;
-  localparam int unsigned MemoryRequestBits = 46;
+  localparam int unsigned MemoryRequestBits = 48;
 
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
