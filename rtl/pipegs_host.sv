@@ -62,10 +62,13 @@ module pipegs_host #(
   pipegs_pkg::picture_t picture;
   logic                 frame_valid, frame_ready, core_ready, core_busy, core_done, done, waiting;
   logic                 abort, give_up, ready, core_rst_n;
+  logic                 busy;
   logic [5:0]           errors;
   logic [PerfW-1:0]     cycles, preprocess_cycles, overflow_lines;
   logic [UnitsW-1:0]    perf;
 
+  // Frames that were given up are not inside any more, but what they have written may be on its way.
+  assign busy        = core_busy || waiting || mem_writes_i != '0;
   assign errors      = {2'b00, mem_error_i};
   assign give_up     = abort || errors != '0;
   assign frame_ready = core_ready && ready;
@@ -75,7 +78,7 @@ module pipegs_host #(
     .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp, .s_axi_arvalid, .s_axi_arready, .s_axi_araddr,
     .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp, .irq_o,
     .frame_valid_o(frame_valid), .frame_ready_i(frame_ready), .frame_o(frame), .areas_o(areas), .picture_o(picture),
-    .abort_o(abort), .busy_i(core_busy || waiting), .frame_done_i(done), .error_i(errors),
+    .abort_o(abort), .busy_i(busy), .frame_done_i(done), .error_i(errors),
     .error_address_i({LineW'(0), LineW'(0), mem_error_line_i, mem_error_line_i, LineW'(0), LineW'(0)}),
     .counters_i({perf, overflow_lines, preprocess_cycles, cycles})
   );
