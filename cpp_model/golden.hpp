@@ -19,6 +19,7 @@
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
+#include "cpp_model/ru/ru_raster.hpp"
 #include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
@@ -101,6 +102,7 @@ struct GoldenLists {
 struct GoldenInput {
   const PackedScene* packed = nullptr;
   Frame frame;
+  Picture picture = {};  // how the pixels lie in memory; changes none of them
   // Made by the first golden_lists(); a copy of the input shares them, another frame needs a new input.
   mutable std::shared_ptr<const GoldenLists> lists = {};
 };
@@ -127,7 +129,7 @@ void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t cod
 
 struct GoldenFrame {
   Image image;
-  std::vector<uint64_t> pixels;  // as in external memory (ru_resolve), row by row of the image
+  std::vector<uint64_t> pixels;  // as in external memory by windows (ru_resolve), row by row of the image
   Work work;
   Saturations saturations;
   Called called;

@@ -125,6 +125,7 @@ constexpr const char* kBundles = R"(
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
   typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
+    logic [ReadPorts*BurstW-1:0] lines;  // less one
     logic [ReadPorts*AddressW-1:0] address;
     logic [ReadPorts-1:0] valid;
   } memory_reads_t;
@@ -146,6 +147,7 @@ constexpr const char* kBundles = R"(
 
   typedef struct packed {  // the one port of the lists
     logic [MemoryW-1:0] data;
+    logic [BurstW-1:0] lines;  // of a read, less one
     logic [AddressW-1:0] address;
     logic write;
     logic valid;

@@ -54,10 +54,12 @@ read_verilog -sv {
   rtl/lib/math/recip.sv
   rtl/lib/math/rsqrt.sv
   rtl/lib/math/saturate.sv
+  rtl/lib/reset_sync.sv
   rtl/lib/round_robin.sv
   rtl/lib/skid.sv
   rtl/lib/sleep.sv
   rtl/lib/sram.sv
+  rtl/lib/stream_check.sv
   rtl/lib/window_walk.sv
   rtl/list/list_read.sv
   rtl/list/list_write.sv
@@ -134,6 +136,7 @@ read_verilog -sv {
   rtl/ru/live/ru_quads.sv
   rtl/ru/live/ru_regions.sv
   rtl/ru/place/ru_count.sv
+  rtl/ru/place/ru_offset.sv
   rtl/ru/place/ru_own.sv
   rtl/ru/place/ru_place.sv
   rtl/ru/place/ru_slot.sv
@@ -144,13 +147,16 @@ read_verilog -sv {
   rtl/ru/ru_fetch.sv
   rtl/ru/ru_lanes.sv
   rtl/ru/ru_memory.sv
-  rtl/ru/ru_pixels.sv
   rtl/ru/ru_resolve.sv
   rtl/ru/ru_rows.sv
   rtl/ru/ru_source.sv
-  rtl/ru/ru_unorm.sv
   rtl/ru/ru_walk.sv
   rtl/ru/ru_whole.sv
+  rtl/ru/write/ru_byte.sv
+  rtl/ru/write/ru_join.sv
+  rtl/ru/write/ru_lines.sv
+  rtl/ru/write/ru_pixels.sv
+  rtl/ru/write/ru_unorm.sv
   rtl/scheduler.sv
   rtl/sorting.sv
   rtl/su/sort/su_bitonic.sv

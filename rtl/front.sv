@@ -11,6 +11,7 @@ module front #(
   localparam int unsigned Units     = pipegs_pkg::Units,
   localparam int unsigned AddressW  = pipegs_pkg::AddressW,
   localparam int unsigned MemoryW   = pipegs_pkg::MemoryW,
+  localparam int unsigned BurstW    = pipegs_pkg::BurstW,
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits,
   localparam int unsigned NumberW   = pipegs_pkg::ListWindowW,
   localparam int unsigned LinesW    = pipegs_pkg::RegionW + 1
@@ -49,9 +50,9 @@ module front #(
   localparam int unsigned PuFronts      = pipegs_pkg::PuFronts;
 
   logic                             dopu_clk, dopu_active, dopu_busy, deal_active;
-  logic [Units-1:0]                 pu_active, pu_busy, chunk_valid, chunk_ready;
+  logic [Units-1:0]                 pu_active, pu_busy, chunk_valid, chunk_ready, chunk_room;
   pipegs_pkg::chunk_t               chunk;
-  logic [Units-1:0]                 culled_valid, culled_ready, dealt_valid, dealt_ready;
+  logic [Units-1:0]                 culled_valid, culled_ready, dealt_valid, dealt_ready, dealt_room;
   logic [Units*VisibleBits-1:0]     culled;
   logic [PuFronts-1:0]              dealt_from;
   pipegs_pkg::visible_t             dealt;
@@ -60,12 +61,15 @@ module front #(
   logic [Units-1:0]                 geometry_valid, geometry_ready, geometry_line, color_valid, color_ready, color_line;
   logic [AddressW-1:0]              node_address;
   logic [Units*AddressW-1:0]        geometry_address, color_address, spill_address;
+  logic [BurstW-1:0]                node_lines;
+  logic [Units*BurstW-1:0]          geometry_lines;
   logic [Units-1:0]                 spill_valid, spill_ready, spill_line, store_write;
   logic [Units*MemoryW-1:0]         spill_data;
   logic [Units*AlphaAddressW-1:0]   store_address;
   logic [Units*LineW-1:0]           store_line;
 
-  assign reads_o = {node_address, color_address, geometry_address, node_valid, color_valid, geometry_valid};
+  assign reads_o = {node_lines, (Units*BurstW)'(0), geometry_lines, node_address, color_address, geometry_address,
+                    node_valid, color_valid, geometry_valid};
   assign {node_line, color_line, geometry_line, node_ready, color_ready, geometry_ready} = reads_i;
   assign spill_o = {spill_data, spill_address, {Units{1'b1}}, spill_valid};
   assign {spill_line, spill_ready} = spill_i;
@@ -74,9 +78,10 @@ module front #(
   clock_gate u_dopu_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(dopu_active), .clk_o(dopu_clk));
   dopu u_dopu (
     .clk_i(dopu_clk), .rst_ni, .start_i(restart_i), .frame_i, .busy_o(dopu_busy),
-    .mem_valid_o(node_valid), .mem_ready_i(node_ready), .mem_address_o(node_address), .rsp_valid_i(node_line),
-    .rsp_data_i(line_i), .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
-    .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_o(chunk),
+    .mem_valid_o(node_valid), .mem_ready_i(node_ready), .mem_address_o(node_address), .mem_lines_o(node_lines),
+    .rsp_valid_i(node_line), .rsp_data_i(line_i),
+    .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
+    .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_room_i(chunk_room), .chunk_o(chunk),
     .active_o(dopu_active), .perf_o(perf_o[1:0])
   );
 
@@ -87,13 +92,15 @@ module front #(
       .clk_i(pu_clk), .rst_ni, .rotation_i(frame_i.camera.rotation), .quaternion_i(frame_i.camera.quaternion),
       .lens_i(frame_i.lens), .tables_i(frame_i.tables), .windows_i(frame_i.raster.windows),
       .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
-      .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_i(chunk),
+      .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_room_o(chunk_room[k]), .chunk_i(chunk),
       .culled_valid_o(culled_valid[k]), .culled_ready_i(culled_ready[k]),
       .culled_o(culled[k*VisibleBits +: VisibleBits]),
-      .visible_valid_i(dealt_valid[k]), .visible_ready_o(dealt_ready[k]), .visible_i(dealt),
+      .visible_valid_i(dealt_valid[k]), .visible_ready_o(dealt_ready[k]), .visible_room_o(dealt_room[k]),
+      .visible_i(dealt),
       .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y), .layer_free_i,
       .geometry_valid_o(geometry_valid[k]), .geometry_ready_i(geometry_ready[k]),
-      .geometry_address_o(geometry_address[k*AddressW +: AddressW]), .geometry_rsp_valid_i(geometry_line[k]),
+      .geometry_address_o(geometry_address[k*AddressW +: AddressW]),
+      .geometry_lines_o(geometry_lines[k*BurstW +: BurstW]), .geometry_rsp_valid_i(geometry_line[k]),
       .color_valid_o(color_valid[k]), .color_ready_i(color_ready[k]),
       .color_address_o(color_address[k*AddressW +: AddressW]), .color_rsp_valid_i(color_line[k]), .rsp_data_i(line_i),
       .spill_valid_o(spill_valid[k]), .spill_ready_i(spill_ready[k]),
@@ -110,7 +117,8 @@ module front #(
   pu_deal u_deal (
     .clk_i, .rst_ni, .in_valid_i(culled_valid[PuFronts-1:0]), .in_ready_o(dealt_from),
     .in_i(culled[PuFronts*VisibleBits-1:0]),
-    .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_o(dealt), .active_o(deal_active)
+    .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_room_i(dealt_room), .out_o(dealt),
+    .active_o(deal_active)
   );
 
   assign busy_o            = dopu_busy || pu_busy != '0 || deal_active;

@@ -100,7 +100,7 @@ module pipegs_axi #(
 
   axi_manager #(.DataW(DataW), .AddrW(AddrW)) u_manager (
     .clk_i(aclk), .rst_ni(aresetn), .base_i(Base), .epoch_i(epoch), .drained_o(drained), .pending_o(),
-    .mem_valid_i(valid), .mem_ready_o(ready), .mem_request_i(request), .mem_lines_i(4'd1), .mem_data_i(data),
+    .mem_valid_i(valid), .mem_ready_o(ready), .mem_request_i(request), .mem_data_i(data),
     .rsp_valid_o(rsp_valid), .rsp_tag_o(rsp_tag), .rsp_data_o(rsp_data),
     .error_o(error), .error_line_o(error_line), .writes_o(writes), .answered_o(answered),
     .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awcache, .m_axi_awprot,

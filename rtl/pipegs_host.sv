@@ -95,13 +95,14 @@ module pipegs_host #(
 
   pipegs_top u_core (
     .clk_i, .rst_ni(core_rst_n), .test_en_i,
-    .frame_valid_i(frame_valid && ready), .frame_ready_o(core_ready), .frame_i(frame), .done_o(core_done),
+    .frame_valid_i(frame_valid && ready), .frame_ready_o(core_ready), .frame_i(frame), .picture_i(picture),
+    .done_o(core_done),
     .busy_o(core_busy), .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i,
     .mem_rsp_data_i, .cycles_o(cycles), .preprocess_cycles_o(preprocess_cycles), .overflow_lines_o(overflow_lines),
     .perf_o(perf)
   );
 
-  logic unused_records;
-  assign unused_records = &{1'b0, areas, picture};
+  logic unused_areas;
+  assign unused_areas = &{1'b0, areas};
 
 endmodule

@@ -236,9 +236,13 @@ package pipegs_pkg;
   localparam int unsigned RegionLines    = 8;  // lines of external memory for the pixels of a region
   localparam int unsigned AddressW       = 34;  // line of 64 bytes in external memory
   localparam int unsigned MemoryW        = 512;  // a line of external memory
+  localparam int unsigned HalvesW        = 2;  // halves of a line of external memory, one bit each
+  localparam int unsigned StrideW        = 12;  // lines from one row of pixels to the next, in raster order
   localparam int unsigned TagW           = 8;  // who asked: the requester's port in the low bits
   // a pixel stops before its transmittance falls below 1/TCut: ceil(2^(TW-1) / TCut)
   localparam int unsigned TStop          = 27;
+  // lines of a read, less one: a request reads up to eight lines of one aligned group
+  localparam int unsigned BurstW         = 3;
   localparam int unsigned PerfW          = 40;  // a performance counter, cycles or events
   // memory ports that may write: PU alphas, SU, RU of each unit, then the lists if there are any
   localparam int unsigned WritePorts     = 12;
@@ -953,15 +957,19 @@ package pipegs_pkg;
   localparam int unsigned BlendBits = 69;
 
   typedef struct packed {
+    // lines of a read, less one: from `address` on, in one aligned group of eight; 0 for a write
+    logic [BurstW-1:0] lines;
+    logic [HalvesW-1:0] halves;  // which 32 bytes of the line a write changes, the low ones first; 3 of a read
     logic [TagW-1:0] tag;  // who asks; reads of one tag answer in order
     logic [AddressW-1:0] address;  // line
     logic write;
   } memory_request_t;
-  localparam int unsigned MemoryRequestBits = 43;
+  localparam int unsigned MemoryRequestBits = 48;
 
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
   typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
+    logic [ReadPorts*BurstW-1:0] lines;  // less one
     logic [ReadPorts*AddressW-1:0] address;
     logic [ReadPorts-1:0] valid;
   } memory_reads_t;
@@ -983,6 +991,7 @@ package pipegs_pkg;
 
   typedef struct packed {  // the one port of the lists
     logic [MemoryW-1:0] data;
+    logic [BurstW-1:0] lines;  // of a read, less one
     logic [AddressW-1:0] address;
     logic write;
     logic valid;

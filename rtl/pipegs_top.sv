@@ -7,7 +7,7 @@
 //         too.
 //         The front works on the frame in front_q, the back on the one in back_q: the same, or the one before.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
-// Stream  frame_i is taken with frame_valid_i and frame_ready_o; its scene and its pixels lie in external memory.
+// Stream  frame_i and picture_i are taken with frame_valid_i and frame_ready_o; scene and pixels lie outside.
 //         done_o: pulse, the oldest frame inside is complete. busy_o: a frame is inside.
 //         perf_o: cycles busy, starved, blocked, memory of each unit, in the order DOPU, PUs, SUs, RUs.
 // Model   cpp_model/golden.hpp
@@ -25,6 +25,7 @@ module pipegs_top #(
   input  logic                                 frame_valid_i,
   output logic                                 frame_ready_o,
   input  pipegs_pkg::frame_t                   frame_i,
+  input  pipegs_pkg::picture_t                 picture_i,  // format 0: pixels by windows, at frame_i.tables.pixels
   output logic                                 done_o,
   output logic                                 busy_o,
 
@@ -46,7 +47,7 @@ module pipegs_top #(
 
   pipegs_pkg::frame_t                       front_q;
   pipegs_pkg::raster_t                      back_raster_q;
-  logic [pipegs_pkg::AddressW-1:0]          back_pixels_q;
+  pipegs_pkg::picture_t                     front_picture_q, back_picture, back_picture_q;
   logic                                     front_take, front_restart, back_take, back_restart, same;
   logic                                     hold, listen, begins, running, written;
   logic                                     front_busy, sorting_busy, raster_busy, memory_busy, storing;
@@ -65,6 +66,7 @@ module pipegs_top #(
   pipegs_pkg::memory_reads_t                reads;
   pipegs_pkg::memory_reads_answer_t         reads_answer;
   pipegs_pkg::memory_lanes_t                spill, sort, pixels;
+  logic [Units*pipegs_pkg::HalvesW-1:0]     halves;
   pipegs_pkg::memory_lanes_answer_t         spill_answer, sort_answer, pixels_answer;
   pipegs_pkg::memory_lists_t                lists;
   pipegs_pkg::memory_lists_answer_t         lists_answer;
@@ -77,8 +79,13 @@ module pipegs_top #(
 
   // --- frames -------------------------------------------------------------------------------------------------------
   always_ff @(posedge clk_i) begin
-    if (front_take) front_q <= frame_i;
-    if (back_take) {back_raster_q, back_pixels_q} <= {front_q.raster, front_q.tables.pixels};
+    if (front_take) {front_picture_q, front_q} <= {picture_i, frame_i};
+    if (back_take) {back_picture_q, back_raster_q} <= {back_picture, front_q.raster};
+  end
+  // One base for the pixels, whatever their format.
+  always_comb begin
+    back_picture = front_picture_q;
+    if (!front_picture_q.format) back_picture.base = front_q.tables.pixels;
   end
   // The SUs work for both: where they spill and where depths begin must be one.
   assign same         = frame_i.tables.overflow == front_q.tables.overflow &&
@@ -124,17 +131,17 @@ module pipegs_top #(
   );
 
   raster u_raster (
-    .clk_i, .rst_ni, .test_en_i, .raster_i(back_raster_q), .pixels_i(back_pixels_q),
+    .clk_i, .rst_ni, .test_en_i, .raster_i(back_raster_q), .picture_i(back_picture_q),
     .overflow_i(front_q.tables.overflow), .restart_i(back_restart),
     .sorted_valid_i(sorted_valid && !hold), .sorted_ready_o(raster_ready), .sorted_i(sorted), .store_i(store),
-    .memory_o(pixels), .memory_i(pixels_answer), .line_i(line),
+    .memory_o(pixels), .halves_o(halves), .memory_i(pixels_answer), .line_i(line),
     .progress_o(progress), .layer_free_o(layer_free), .layer_done_o(layer_done), .window_done_o(window_done),
     .busy_o(raster_busy), .perf_o(perf_state[2*(1+2*Units) +: 2*Units]), .taps_o(taps)
   );
 
   memory_ports u_memory (
     .clk_i, .rst_ni, .spill_i(spill), .spill_o(spill_answer), .sort_i(sort), .sort_o(sort_answer),
-    .raster_i(pixels), .raster_o(pixels_answer), .lists_i(lists), .lists_o(lists_answer),
+    .raster_i(pixels), .halves_i(halves), .raster_o(pixels_answer), .lists_i(lists), .lists_o(lists_answer),
     .reads_i(reads), .reads_o(reads_answer), .line_o(line), .storing_o(storing), .busy_o(memory_busy),
     .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
   );
@@ -149,5 +156,11 @@ module pipegs_top #(
   // The simulated machine (sim/rtl/pipegs_sim.sv) looks at what moves on the streams by name.
   logic unused_taps;
   assign unused_taps = &{1'b0, tap_splat_valid, tap_splat, tap_chunk_valid, tap_chunk_kind, taps, layer_done};
+
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(sorted))) u_check_sorted (
+    .clk_i, .rst_ni, .valid_i(sorted_valid && !hold), .ready_i(raster_ready), .beat_i(sorted)
+  );
+`endif
 
 endmodule

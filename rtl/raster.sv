@@ -17,7 +17,7 @@ module raster #(
   input  logic                             rst_ni,
   input  logic                             test_en_i,
   input  pipegs_pkg::raster_t              raster_i,
-  input  logic [AddressW-1:0]              pixels_i,    // first line of the frame
+  input  pipegs_pkg::picture_t             picture_i,   // its base is that of the pixels in either format
   input  logic [AddressW-1:0]              overflow_i,  // first line of the overflow areas
   input  logic                             restart_i,
 
@@ -27,6 +27,7 @@ module raster #(
   input  pipegs_pkg::store_writes_t        store_i,
 
   output pipegs_pkg::memory_lanes_t        memory_o,
+  output logic [Units*pipegs_pkg::HalvesW-1:0] halves_o,  // of the line of each: what a write changes
   input  pipegs_pkg::memory_lanes_answer_t memory_i,
   input  logic [MemoryW-1:0]               line_i,      // of the memory's answers
 
@@ -60,6 +61,12 @@ module raster #(
   logic [Units*AddressW-1:0]       mem_address;
   logic [Units*MemoryW-1:0]        mem_data;
 
+  localparam int unsigned HalfW = MemoryW / 2;
+  localparam int unsigned Slots = Regions / Units;
+  logic [Units-1:0]                pair_valid, pair_taken, pair_at_end;  // of each RU, to the one that shares its lines
+  logic [Units*HalfW-1:0]          pair_row;
+  logic [Units*Slots-1:0]          pair_wanted;
+
   logic [Units*Units-1:0]          read_valid, read_ready, answer_valid;  // [RU * Units + store]
   logic [Units*AlphaAddressW-1:0]  read_address;                          // of each RU
   logic [Units*LineW-1:0]          answer;                                // of each store
@@ -83,17 +90,38 @@ module raster #(
   );
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
+    // The RU with which this one shares lines, if there is another one.
+    localparam int unsigned Other = Units > 1 ? (k % 2 == 0 ? k + 1 : k - 1) : 0;
+    logic             other_valid, other_taken, other_at_end;
+    logic [HalfW-1:0] other_row;
+    logic [Slots-1:0] other_wanted;
+    if (Units > 1) begin : gen_pair
+      assign {other_valid, other_taken, other_at_end} = {pair_valid[Other], pair_taken[Other], pair_at_end[Other]};
+      assign other_row    = pair_row[Other*HalfW +: HalfW];
+      assign other_wanted = pair_wanted[Other*Slots +: Slots];
+    end else begin : gen_alone
+      assign {other_valid, other_taken, other_at_end, other_row, other_wanted} = '0;
+      logic unused_pair;
+      assign unused_pair = &{1'b0, pair_valid, pair_taken, pair_at_end, pair_row, pair_wanted};
+    end
+
     logic ru_clk;
     clock_gate u_ru_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(ru_active[k]), .clk_o(ru_clk));
     ru u_ru (
-      .clk_i(ru_clk), .rst_ni, .raster_i, .pixels_i, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
+      .clk_i(ru_clk), .rst_ni, .raster_i, .picture_i, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat),
       .read_valid_o(read_valid[k*Units +: Units]), .read_ready_i(read_ready[k*Units +: Units]),
       .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]),
       .answer_valid_i(answer_valid[k*Units +: Units]), .answer_i(answer),
       .mem_valid_o(mem_valid[k]), .mem_ready_i(mem_ready[k]), .mem_write_o(mem_write[k]),
-      .mem_address_o(mem_address[k*AddressW +: AddressW]), .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
+      .mem_address_o(mem_address[k*AddressW +: AddressW]),
+      .mem_halves_o(halves_o[k*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW]),
+      .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
       .rsp_valid_i(mem_line[k]), .rsp_data_i(line_i),
+      .pair_valid_o(pair_valid[k]), .pair_taken_o(pair_taken[k]), .pair_row_o(pair_row[k*HalfW +: HalfW]),
+      .pair_at_end_o(pair_at_end[k]), .pair_wanted_o(pair_wanted[k*Slots +: Slots]),
+      .pair_valid_i(other_valid), .pair_taken_i(other_taken), .pair_row_i(other_row), .pair_at_end_i(other_at_end),
+      .pair_wanted_i(other_wanted),
       .done_o(done[k*Regions +: Regions]), .done_x_o(done_x[k*WindowW +: WindowW]),
       .done_y_o(done_y[k*WindowW +: WindowW]),
       .layer_done_o(layer_done_o[k]), .window_done_o(window_done_o[k]), .idle_o(),

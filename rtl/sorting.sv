@@ -59,17 +59,20 @@ module sorting #(
   if (pipegs_pkg::HasLists) begin : gen_lists
     logic                lists_clk, lists_active, list_valid, list_ready, list_write, list_line;
     logic [AddressW-1:0] list_address;
+    logic [pipegs_pkg::BurstW-1:0] list_lines;
     logic [MemoryW-1:0]  list_data;
     pipegs_pkg::splat_t  listed;
-    assign lists_o = {list_data, list_address, list_write, list_valid};
+    assign lists_o = {list_data, list_lines, list_address, list_write, list_valid};
     assign {list_line, list_ready} = lists_i;
     clock_gate u_lists_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(lists_active), .clk_o(lists_clk));
     lists u_lists (
       .clk_i(lists_clk), .rst_ni, .windows_i, .overflow_i, .restart_i,
       .made_valid_i, .made_ready_o, .made_i, .number_i,
       .mem_valid_o(list_valid), .mem_ready_i(list_ready), .mem_write_o(list_write), .mem_address_o(list_address),
-      .mem_data_o(list_data), .rsp_valid_i(list_line), .rsp_data_i(line_i),
-      .splat_valid_o(splat_valid), .splat_ready_i(splat_ready), .splat_o(listed),
+      .mem_lines_o(list_lines), .mem_data_o(list_data), .rsp_valid_i(list_line), .rsp_data_i(line_i),
+      .splat_valid_o(splat_valid), .splat_ready_i(splat_ready),
+      .splat_room_i(splat_ready),  // an SU's ready is a register: it waits for no valid
+      .splat_o(listed),
       .written_o, .busy_o(lists_busy), .active_o(lists_active)
     );
     assign splat = {Units{listed}};

@@ -11,7 +11,9 @@
 #include <bit>
 #include <vector>
 
+#include "cpp_model/memory_line.hpp"
 #include "cpp_model/ru/ru_lanes.hpp"
+#include "cpp_model/ru/ru_raster.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 
@@ -50,11 +52,42 @@ inline RuState ru_start(const Config& c, const Frame& frame, int unit) {
   return state;
 }
 
+// Whether rows leave together with those of the RU that has the other halves of their lines (rtl/ru/write/ru_join.sv).
+inline bool ru_joined(const Config& c, const Picture& picture) { return picture.format != 0 && c.units > 1; }
+
+// Whether a region leaves the RU: one that is inside the image, or whose left neighbour on the same lines is.
+inline bool ru_leaves(const Config& c, const Frame& frame, const Picture& picture, const RuState& state, int region) {
+  return ru_inside(c, frame, state.window_x, state.window_y, ru_joined(c, picture) ? region / 2 * 2 : region);
+}
+
+// The requests that write a region of the current window: pixels(line address, halves of it, const MemoryLine&).
+template <class Pixels>
+void ru_write(const Config& c, const Frame& frame, const Picture& picture, const RuState& state, int region,
+              Pixels&& pixels) {
+  const RegionState& of = state.regions[ru_slot(c, region)];
+  const uint64_t x = state.window_x * c.window + 8 * static_cast<uint64_t>(region_x(c, region)),
+                 y = state.window_y * c.window + 8 * static_cast<uint64_t>(region_y(c, region));
+  const int rows = picture.format != 0 ? 1 : 8 / c.region_lines();  // in a request
+  for (int row = 0; row < 8; row += rows) {
+    MemoryLine line{};
+    if (picture.format == 0) {
+      for (int i = 0; i < 8 * rows; ++i)
+        put_bits(line.data(), ru_pixel_bit(c, row + i / 8, i % 8), c.pixel_w, ru_resolve(c, of.pixel(8 * row + i)));
+      pixels(ru_pixel_line(c, frame, state.window_x, state.window_y, region, row), 3, line);
+    } else if (y + static_cast<uint64_t>(row) < frame.raster.height) {
+      for (int i = 0; i < 8; ++i)
+        put_bits(line.data(), ru_raster_bit(x + static_cast<uint64_t>(i)), 32,
+                 ru_rgba8(c, ru_resolve(c, of.pixel(8 * row + i))));
+      pixels(ru_raster_line(picture, x, y + static_cast<uint64_t>(row)), 1 << ru_raster_half(x), line);
+    }
+  }
+}
+
 // Takes one beat. codes(splat, region, parity) gives the 64 alpha codes of a region, `const uint16_t*`;
-// pixels(line address, const uint64_t* pixel) takes a line of the finished window, 512 / PixelW pixels.
+// pixels(line address, halves, const MemoryLine&) takes a line of the finished window, or half of one.
 template <class Codes, class Pixels>
-void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuState& state, const Sorted& splat,
-             Codes&& codes, Pixels&& pixels) {
+void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, const Picture& picture, RuState& state,
+             const Sorted& splat, Codes&& codes, Pixels&& pixels) {
   if (splat.kind == kData) {
     const uint32_t color[3] = {static_cast<uint32_t>(splat.red), static_cast<uint32_t>(splat.green),
                                static_cast<uint32_t>(splat.blue)};
@@ -71,13 +104,7 @@ void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, RuSta
   if (splat.kind != kWindowEnd) return;
   for (int slot = 0; slot < c.regions() / c.units; ++slot) {
     const int region = ru_region(c, state.unit, slot);
-    if (!ru_inside(c, frame, state.window_x, state.window_y, region)) continue;
-    const int rows = 8 / c.region_lines();
-    for (int row = 0; row < 8; row += rows) {
-      uint64_t line[16];
-      for (int i = 0; i < 8 * rows; ++i) line[i] = ru_resolve(c, state.regions[slot].pixel(8 * row + i));
-      pixels(ru_pixel_line(c, frame, state.window_x, state.window_y, region, row), line);
-    }
+    if (ru_leaves(c, frame, picture, state, region)) ru_write(c, frame, picture, state, region, pixels);
   }
   if (state.window_x == frame.raster.windows.last_x) {
     state.window_x = frame.raster.windows.first_x;

@@ -4,7 +4,8 @@
 // Paper   The alpha buffer of Fig. 7.
 // Idea    One SRAM with a line of 64 alphas per word. Writes come from the lane's PU; what may be overwritten is the
 //         business of pu_allocate, which runs it as a ring. All RUs read; a round-robin arbiter picks one per cycle.
-//         An address counts on beyond the ring's end: it is taken modulo AlphaLines.
+//         An address counts on beyond the ring's end: it is taken modulo AlphaLines. No line is asked for before the
+//         cycle behind its write.
 // Stream  write: never refused. read: one port per RU, valid, ready, address; the asker has room for the answer.
 // Pace    One write and one read per cycle; answer_valid_o (one bit per RU) and the line come one cycle after the read.
 // Model   An array.
@@ -60,5 +61,10 @@ module alpha_store #(
 
   logic unused_address;
   assign unused_address = &{1'b0, address_i, read_address};
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(read && write_i) || read_address[RingW-1:0] != address_i[RingW-1:0])
+    else $error("alpha_store: a line is read while it is written");
+`endif
 
 endmodule

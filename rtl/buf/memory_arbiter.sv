@@ -2,14 +2,16 @@
 // memory_arbiter: all requesters of the chip share the one port to external memory.
 //
 // Idea    The ports that may write stand nearer to the image and go first, with the DOPU's, which asks for little and
-//         waits for each answer: what these wait for holds up all others. Round robin among them, and among the others;
-//         one request per cycle; the port number travels as the tag, and an answer goes back to the port that its tag
-//         names. Writes carry a line of data and get no answer. Port order: WritePorts that may write, then those that
-//         only read. The choice is registered: a grant is for the next cycle, so no requester's valid reaches a ready
-//         in the same one. It falls on a port other than the one that is served now if there is one, else it stays: one
-//         port alone moves a request each cycle.
-// Stream  ports: valid, ready, write, address, data. out: memory_request_t and the data. answers: tag and data in, one
-//         valid per port out; a requester asks only for what it has room for, so answers are never refused.
+//         waits for each answer: what these wait for holds up all others. Then come the colours, one line each, and
+//         last the geometry, in bursts: after one of n lines no geometry is asked for in n - 1 cycles, so that others
+//         find no more lines before theirs than without bursts. Round robin within each class; one request per cycle;
+//         the port number travels as the tag, and an answer goes back to the port that its tag names. Writes carry a
+//         line of data and get no answer. Port order: WritePorts that may write, then those that only read. The choice
+//         is registered: a grant is for the next cycle, so no requester's valid reaches a ready in the same one. It
+//         falls on a port other than the one that is served now if there is one, else it stays: one port alone moves a
+//         request each cycle.
+// Stream  ports: valid, ready, write, address, halves, lines, data. out: memory_request_t and the data. answers: tag and data
+//         in, one valid per port out; a requester asks only for what it has room for, so answers are never refused.
 // Pace    One request and one answer per cycle; three cycles of latency out (two for the port served last), one back.
 // Model   sim/memory/external_memory.hpp applies requests in the order in which this port shows them.
 
@@ -25,6 +27,8 @@ module memory_arbiter #(
   output logic [Ports-1:0]                               ready_o,
   input  logic [WritePorts-1:0]                          write_i,
   input  logic [Ports*pipegs_pkg::AddressW-1:0]          address_i,
+  input  logic [WritePorts*pipegs_pkg::HalvesW-1:0]      halves_i,  // of the line: what a write changes
+  input  logic [Ports*pipegs_pkg::BurstW-1:0]            lines_i,      // of a read, less one
   input  logic [WritePorts*pipegs_pkg::MemoryW-1:0]      data_i,
   output logic [Ports-1:0]                               rsp_valid_o,
   output logic [pipegs_pkg::MemoryW-1:0]                 rsp_data_o,
@@ -38,7 +42,12 @@ module memory_arbiter #(
   input  logic [pipegs_pkg::MemoryW-1:0]                 mem_rsp_data_i
 );
 
-  logic [Ports-1:0]                  others, first, request, grant, grant_q;
+  localparam int unsigned      Units    = pipegs_pkg::Units;
+  localparam int unsigned      BurstW   = pipegs_pkg::BurstW;
+  localparam logic [Ports-1:0] Geometry = ((Ports'(1) << Units) - Ports'(1)) << WritePorts;
+
+  logic [Ports-1:0]                  able, others, first, second, request, grant, grant_q;
+  logic [BurstW-1:0]                 pause_q;              // cycles in which no geometry is asked for
   logic [PortW-1:0]                  port, port_q;
   // the port of the grant asks; the register on the way out takes
   logic                              served, free, take;
@@ -47,19 +56,21 @@ module memory_arbiter #(
   pipegs_pkg::memory_request_t       out, request_q;
   logic [pipegs_pkg::MemoryW-1:0]    data, data_q;
 
-  assign others  = valid_i & ~grant_q;
+  assign able    = pause_q != '0 ? ~Geometry : '1;
+  assign others  = valid_i & able & ~grant_q;
   assign first   = {others[Ports-1], (Ports - 1)'(others[WritePorts-1:0])};
-  assign request = first != '0 ? first : others;
+  assign second  = others & ~Geometry;
+  assign request = first != '0 ? first : second != '0 ? second : others;
 
   arbiter #(.Ports(Ports)) u_arbiter (
     .clk_i, .rst_ni, .request_i(request), .advance_i(moves), .grant_o(grant), .port_o(port)
   );
 
-  assign served  = (grant_q & valid_i) != '0;
+  assign served  = (grant_q & valid_i & able) != '0;
   assign free    = !out_valid_q || mem_ready_i;
   assign take    = served && free;
   assign moves   = !served || free;
-  assign ready_o = free ? grant_q : '0;
+  assign ready_o = free ? grant_q & able : '0;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) grant_q <= '0;
@@ -68,16 +79,25 @@ module memory_arbiter #(
   always_ff @(posedge clk_i) if (request != '0 && moves) port_q <= port;
 
   always_comb begin
-    out      = '0;
-    out.tag  = pipegs_pkg::TagW'(port_q);
-    data     = '0;
+    out        = '0;
+    out.tag    = pipegs_pkg::TagW'(port_q);
+    out.halves = '1;
+    data       = '0;
     for (int unsigned i = 0; i < Ports; i += 1) begin
+      out.lines   |= lines_i[i*BurstW +: BurstW] & {BurstW{grant_q[i]}};
       out.address |= address_i[i*pipegs_pkg::AddressW +: pipegs_pkg::AddressW] & {pipegs_pkg::AddressW{grant_q[i]}};
     end
     for (int unsigned i = 0; i < WritePorts; i += 1) begin
-      out.write |= write_i[i] && grant_q[i];
-      data      |= data_i[i*pipegs_pkg::MemoryW +: pipegs_pkg::MemoryW] & {pipegs_pkg::MemoryW{grant_q[i]}};
+      out.write  |= write_i[i] && grant_q[i];
+      out.halves &= halves_i[i*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW] | {pipegs_pkg::HalvesW{!grant_q[i]}};
+      data       |= data_i[i*pipegs_pkg::MemoryW +: pipegs_pkg::MemoryW] & {pipegs_pkg::MemoryW{grant_q[i]}};
     end
+  end
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) pause_q <= '0;
+    else if (take && (grant_q & Geometry) != '0) pause_q <= out.lines;
+    else if (pause_q != '0) pause_q <= pause_q - 1'b1;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -115,5 +135,11 @@ module memory_arbiter #(
 
   assign rsp_valid_o = rsp_valid_q;
   assign rsp_data_o  = rsp_data_q;
+
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({mem_request_o, mem_data_o})), .Proven(1)) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_request_o, mem_data_o})
+  );
+`endif
 
 endmodule

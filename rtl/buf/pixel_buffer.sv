@@ -6,8 +6,8 @@
 //         words of the half that will be blended next fresh, a write makes its word valid.
 // Stream  blend: read and write ports of the one half; resolve: read port of the other. Data and fresh flag come in the
 //         cycle after the read and stay until the next one.
-// Pace    One read and one write by the blender and one read by the resolver in each cycle. No read of either side
-//         may be outstanding at swap_i.
+// Pace    One read and one write by the blender, of different words, and one read by the resolver in each cycle. No
+//         read of either side may be outstanding at swap_i.
 // Model   Two arrays in the test.
 
 module pixel_buffer #(
@@ -88,6 +88,9 @@ module pixel_buffer #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!swap_i || (!blend_write_i && !blend_read_i && !resolve_read_i))
     else $error("pixel_buffer: access during a swap");
+  always_ff @(posedge clk_i) if (rst_ni)
+    assert (!(blend_read_i && blend_write_i) || blend_raddr_i != blend_waddr_i)
+    else $error("pixel_buffer: a word is read while it is written");
 `endif
 
 endmodule

@@ -56,6 +56,9 @@ module slot_pool #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!free_i || (unused_ready && used_q != '0));
+  stream_check #(.DataW($bits(slot_o)), .Proven(1)) u_check_slot (
+    .clk_i, .rst_ni, .valid_i(slot_valid_o), .ready_i(slot_ready_i), .beat_i(slot_o)
+  );
 `endif
 
 endmodule

@@ -65,4 +65,10 @@ module sram_fifo #(
     .rdata_o(out_o)
   );
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(out_o)), .Proven(1)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+  );
+`endif
+
 endmodule

@@ -84,4 +84,10 @@ module control_shadow #(
     else if (frame_ready_i) queued_q <= 1'b0;
   end
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({frame_o, areas_o, picture_o}))) u_check_frame (
+    .clk_i, .rst_ni, .valid_i(frame_valid_o), .ready_i(frame_ready_i), .beat_i({frame_o, areas_o, picture_o})
+  );
+`endif
+
 endmodule

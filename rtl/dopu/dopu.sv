@@ -24,6 +24,7 @@ module dopu (
   output logic                                             mem_valid_o,
   input  logic                                             mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0]                  mem_address_o,
+  output logic [pipegs_pkg::BurstW-1:0]                    mem_lines_o,  // less one
   input  logic                                             rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]                   rsp_data_i,
 
@@ -33,10 +34,12 @@ module dopu (
 
   output logic [pipegs_pkg::Units-1:0]                     chunk_valid_o,
   input  logic [pipegs_pkg::Units-1:0]                     chunk_ready_i,
+  input  logic [pipegs_pkg::Units-1:0]                     chunk_room_i,  // PUs that one may choose for a chunk
   output pipegs_pkg::chunk_t                               chunk_o
 );
 
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
+  localparam int unsigned BurstW   = pipegs_pkg::BurstW;
   localparam int unsigned KindW    = pipegs_pkg::KindW;
   localparam int unsigned WindowW  = pipegs_pkg::WindowW;
   localparam int unsigned GridW    = pipegs_pkg::Grid > 1 ? $clog2(pipegs_pkg::Grid) : 1;
@@ -74,13 +77,15 @@ module dopu (
   // --- cells --------------------------------------------------------------------------------------------------------
   logic [2:0]            request, ready, answer;  // of memory: chunks, groups, cells
   logic [3*AddressW-1:0] address;
+  logic [3*BurstW-1:0]   lines;
   logic                  loading, walking, cell_valid, cell_ready, cell_set;
   logic [KindW-1:0]      cell_kind;
   pipegs_pkg::node_t     cell_node;
 
   dopu_cells u_cells (
     .clk_i, .rst_ni, .start_i, .cells_i(frame_i.tables.cells), .loading_o(loading), .mem_valid_o(request[2]),
-    .mem_ready_i(ready[2]), .mem_address_o(address[2*AddressW +: AddressW]), .rsp_valid_i(answer[2]), .rsp_data_i,
+    .mem_ready_i(ready[2]), .mem_address_o(address[2*AddressW +: AddressW]),
+    .mem_lines_o(lines[2*BurstW +: BurstW]), .rsp_valid_i(answer[2]), .rsp_data_i,
     .layer_ready_i(layer_ready), .step_o(step), .inside_i(in_grid), .number_o(number), .cell_i(cell_number),
     .set_valid_i(set_valid), .set_last_i(set_last), .set_done_i(set_done), .walked_o(window_walked),
     .cell_valid_o(cell_valid), .cell_ready_i(cell_ready), .kind_o(cell_kind), .set_o(cell_set), .cell_o(cell_node),
@@ -98,14 +103,15 @@ module dopu (
     .tables_i(frame_i.tables), .planes_i(planes), .set_done_i(set_done),
     .cell_valid_i(cell_valid), .cell_ready_o(cell_ready), .cell_kind_i(cell_kind), .cell_set_i(cell_set),
     .cell_i(cell_node), .mem_valid_o(request[1:0]), .mem_ready_i(ready[1:0]),
-    .mem_address_o(address[0 +: 2*AddressW]), .rsp_valid_i(answer[1:0]), .rsp_data_i,
+    .mem_address_o(address[0 +: 2*AddressW]), .mem_lines_o(lines[0 +: 2*BurstW]), .rsp_valid_i(answer[1:0]),
+    .rsp_data_i,
     .chunk_valid_o(node_valid), .chunk_ready_i(node_ready), .chunk_kind_o(node_kind), .chunk_set_o(node_set),
     .chunk_o(node), .mark_o(node_mark), .testing_o(testing), .waiting_o(waiting)
   );
 
   dopu_memory u_memory (
-    .clk_i, .rst_ni, .loading_i(loading), .request_i(request), .ready_o(ready), .address_i(address), .answer_o(answer),
-    .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i
+    .clk_i, .rst_ni, .loading_i(loading), .request_i(request), .ready_o(ready), .address_i(address), .lines_i(lines),
+    .answer_o(answer), .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i
   );
 
   // --- chunks -> PUs ------------------------------------------------------------------------------------------------
@@ -127,7 +133,7 @@ module dopu (
 
   dopu_emit u_emit (
     .clk_i, .rst_ni, .in_valid_i(chunk_valid), .in_ready_o(chunk_ready), .in_i(chunk),
-    .chunk_valid_o, .chunk_ready_i, .chunk_o
+    .chunk_valid_o, .chunk_ready_i, .chunk_room_i, .chunk_o
   );
 
   // --- busy, clock, counters ----------------------------------------------------------------------------------------
@@ -136,6 +142,7 @@ module dopu (
     .moved_i(testing || walking || (node_valid && node_ready) || (chunk_valid && chunk_ready)),
     .memory_i(rsp_valid_i || (mem_valid_o && mem_ready_i)), .news_i(done_news), .waits_i(waiting || loading),
     .chunk_valid_i(chunk_valid), .last_end_i(last_end), .out_valid_i(chunk_valid_o), .out_ready_i(chunk_ready_i),
+    .out_room_i(chunk_room_i),
     .busy_o, .active_o, .perf_o
   );
 

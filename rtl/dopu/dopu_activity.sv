@@ -23,6 +23,7 @@ module dopu_activity #(
   input  logic             last_end_i,    // the end of the last window is taken there
   input  logic [Units-1:0] out_valid_i,   // behind it
   input  logic [Units-1:0] out_ready_i,
+  input  logic [Units-1:0] out_room_i,    // for a chunk that is not behind it yet
 
   output logic             busy_o,        // until the last end is taken
   output logic             active_o,      // needs a clock in this cycle
@@ -46,7 +47,8 @@ module dopu_activity #(
   end
 
   assign blocked = chunk_valid_i || out_valid_i != '0;
-  assign woken   = start_i || memory_i || (blocked && out_ready_i != '0) || news_i;
+  assign woken   = start_i || memory_i || news_i ||
+                   (out_valid_i != '0 ? out_ready_i != '0 : chunk_valid_i && out_room_i != '0);
   sleep #(.Patience(127)) u_sleep (.clk_i, .rst_ni, .moved_i, .wake_i(woken), .asleep_o(asleep));
 
   assign busy_o   = busy_q;

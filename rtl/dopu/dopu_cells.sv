@@ -2,9 +2,9 @@
 // dopu_cells: keeps the cell table on chip and walks it for each window, slab by slab outward from the camera.
 //
 // Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
-// Idea    The table is read once per frame, two cells per line; every window walks it again from the SRAM. Empty cells
-//         cost one cycle. After a slab comes a layer end, after the last slab a window end. A window that is done has
-//         only that. Layered 0: no slab has an end.
+// Idea    The table is read once per frame, two cells per line, up to eight lines at a time; every window walks it
+//         again from the SRAM. Empty cells cost one cycle. After a slab comes a layer end, after the last slab a window
+//         end. A window that is done has only that. Layered 0: no slab has an end.
 // Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.
 // Pace    One cell per cycle.
 // Model   cpp_model/dopu/dopu.hpp (the outer loops)
@@ -22,6 +22,7 @@ module dopu_cells #(
   output logic                            mem_valid_o,
   input  logic                            mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
+  output logic [pipegs_pkg::BurstW-1:0]   mem_lines_o,  // less one
   input  logic                            rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]  rsp_data_i,
 
@@ -46,6 +47,7 @@ module dopu_cells #(
 );
 
   localparam int unsigned NodeBits = pipegs_pkg::NodeBits;
+  localparam int unsigned BurstW = pipegs_pkg::BurstW;
   localparam int unsigned CellW = 3 * GridW;
   localparam int unsigned Cells = pipegs_pkg::Grid * pipegs_pkg::Grid * pipegs_pkg::Grid;
   localparam int unsigned TableLines = (Cells + 1) / 2;
@@ -56,6 +58,7 @@ module dopu_cells #(
 
   // --- load, once per frame -----------------------------------------------------------------------------------------
   logic [LinesW-1:0]               to_ask_q, to_come_q;
+  logic [BurstW-1:0]               rest;  // lines of the aligned group of eight behind the present one
   logic [pipegs_pkg::AddressW-1:0] address_q;
   logic [TableW-1:0]                write_line_q;
   logic                            answer;
@@ -64,6 +67,8 @@ module dopu_cells #(
   assign answer        = rsp_valid_i && loading_o;
   assign mem_valid_o   = to_ask_q != '0;
   assign mem_address_o = address_q;
+  assign rest          = ~address_q[BurstW-1:0];
+  assign mem_lines_o   = 32'(to_ask_q) > 32'(rest) ? rest : BurstW'(to_ask_q - 1'b1);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -73,7 +78,7 @@ module dopu_cells #(
       to_ask_q  <= LinesW'(TableLines);
       to_come_q <= LinesW'(TableLines);
     end else begin
-      if (mem_valid_o && mem_ready_i) to_ask_q <= to_ask_q - 1'b1;
+      if (mem_valid_o && mem_ready_i) to_ask_q <= to_ask_q - LinesW'(mem_lines_o) - 1'b1;
       if (answer) to_come_q <= to_come_q - 1'b1;
     end
   end
@@ -82,7 +87,7 @@ module dopu_cells #(
       address_q    <= cells_i;
       write_line_q <= '0;
     end else begin
-      if (mem_valid_o && mem_ready_i) address_q <= address_q + 1'b1;
+      if (mem_valid_o && mem_ready_i) address_q <= address_q + pipegs_pkg::AddressW'(mem_lines_o) + 1'b1;
       if (answer) write_line_q <= write_line_q + 1'b1;
     end
   end
@@ -171,5 +176,14 @@ module dopu_cells #(
 
   logic unused_data;  // the bits of a line beside the nodes
   assign unused_data = ^rsp_data_i;
+
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({kind_o, set_o, cell_o}))) u_check_cell (
+    .clk_i, .rst_ni, .valid_i(cell_valid_o), .ready_i(cell_ready_i), .beat_i({kind_o, set_o, cell_o})
+  );
+  stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+  );
+`endif
 
 endmodule

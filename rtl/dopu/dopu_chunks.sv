@@ -29,6 +29,7 @@ module dopu_chunks #(
   output logic [1:0]                           mem_valid_o,
   input  logic [1:0]                           mem_ready_i,
   output logic [2*AddressW-1:0]                mem_address_o,
+  output logic [2*pipegs_pkg::BurstW-1:0]      mem_lines_o,  // less one
   input  logic [1:0]                           rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]       rsp_data_i,
 
@@ -47,14 +48,14 @@ module dopu_chunks #(
     dopu_nearest #(.Lines(pipegs_pkg::NodeLines)) u_nearest (
       .clk_i, .rst_ni, .position_i, .near_plane_i, .groups_i(tables_i.groups), .chunks_i(tables_i.chunks), .planes_i,
       .set_done_i, .cell_valid_i, .cell_ready_o, .cell_kind_i, .cell_set_i, .cell_i,
-      .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
+      .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
       .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .mark_o, .testing_o, .waiting_o
     );
   end else begin : gen_layers
     dopu_descend #(.Lines(pipegs_pkg::NodeLines)) u_descend (
       .clk_i, .rst_ni, .position_i, .near_plane_i, .groups_i(tables_i.groups), .chunks_i(tables_i.chunks), .planes_i,
       .set_done_i, .cell_valid_i, .cell_ready_o, .cell_kind_i, .cell_set_i, .cell_i,
-      .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
+      .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
       .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .testing_o, .waiting_o
     );
     assign mark_o = '0;

@@ -6,7 +6,8 @@
 //         passes for its chunks (line_reader: several lines in flight). Upper levels go first as long as their results
 //         have room, so that the memory always has work; a node enters the test only when a place for its result is
 //         reserved. Order is kept within each level, hence the chunks leave in the order of the nested loops. Ends pass
-//         through all levels in their turn. What belongs to a done window is dropped wherever it stands.
+//         through all levels in their turn. What belongs to a done window is dropped wherever it stands, but for
+//         a chunk that is shown already.
 // Stream  cell in; chunk out: a chunk's node that passed, or an end, with its set of planes.
 // Pace    One test in three cycles.
 // Model   cpp_model/dopu/dopu.hpp (the inner loops)
@@ -34,6 +35,7 @@ module dopu_descend #(
   output logic [1:0]                            mem_valid_o,   // 0: groups, 1: chunks
   input  logic [1:0]                            mem_ready_i,
   output logic [2*pipegs_pkg::AddressW-1:0]     mem_address_o,
+  output logic [2*pipegs_pkg::BurstW-1:0]       mem_lines_o,     // less one
   input  logic [1:0]                            rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]        rsp_data_i,
 
@@ -169,6 +171,7 @@ module dopu_descend #(
         .job_first_i(first[l]), .job_count_i(count[l]), .job_tag_i(kept[l][BeatW-1:NodeBits]),
         .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
         .mem_address_o(mem_address_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
+        .mem_lines_o(mem_lines_o[l*pipegs_pkg::BurstW +: pipegs_pkg::BurstW]),
         .rsp_valid_i(rsp_valid_i[l]), .rsp_data_i,
         .out_valid_o(node_valid[l+1]), .out_ready_i(node_ready[l+1]), .out_read_o(out_read), .out_index_o(out_index),
         .out_tag_o(out_tag), .out_item_o(out_node),
@@ -183,15 +186,26 @@ module dopu_descend #(
   assign waiting_o = waiting != '0;
 
   // --- chunks that passed -------------------------------------------------------------------------------------------
-  logic chunk_done;
+  logic chunk_done, shown_q;  // shown: a chunk once shown is not taken back, even if its window is done now
   assign chunk_kind_o  = kept[2][NodeBits +: KindW];
   assign chunk_set_o   = kept[2][BeatW-1];
   assign chunk_o       = kept[2][0 +: NodeBits];
-  assign chunk_done    = chunk_kind_o == pipegs_pkg::KindData && set_done_i[chunk_set_o];
+  assign chunk_done    = chunk_kind_o == pipegs_pkg::KindData && set_done_i[chunk_set_o] && !shown_q;
   assign chunk_valid_o = kept_valid[2] && !chunk_done;
   assign kept_ready[2] = chunk_ready_i || chunk_done;
 
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) shown_q <= 1'b0;
+    else shown_q <= chunk_valid_o && !chunk_ready_i;
+  end
+
   logic unused;
   assign unused = &{1'b0, idle, parent_cell, parent_group};
+
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({chunk_kind_o, chunk_set_o, chunk_o}))) u_check_chunk (
+    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i({chunk_kind_o, chunk_set_o, chunk_o})
+  );
+`endif
 
 endmodule

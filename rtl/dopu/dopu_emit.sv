@@ -2,10 +2,11 @@
 // dopu_emit: hands chunks to the PUs, and ends to all of them.
 //
 // Paper   Fig. 7 (DOPU feeds four PUs).
-// Idea    A chunk goes to one PU: the next one in turn that is ready, which a PU without a front never is; once shown
-//         it stays there. An end goes to every PU, each takes it in its own time. A layer end is sent only if the layer
-//         had a chunk.
-// Stream  chunk in, in the order of the walk; chunk_valid_o has one bit per PU, the beat is shared.
+// Idea    A chunk goes to one PU: the next one in turn that says it has room, which a PU without a front never does;
+//         once shown it stays there. An end goes to every PU, each takes it in its own time. A layer end is sent only
+//         if the layer had a chunk.
+// Stream  chunk in, in the order of the walk; chunk_valid_o has one bit per PU, the beat is shared. Room is no ready:
+//         it may not wait for valid, and a PU that cannot tell says yes.
 // Pace    One chunk in two cycles.
 // Model   None: the bit-accurate model's chunks and ends, in any split among the PUs (verif/dopu/dopu_test.cpp).
 
@@ -19,6 +20,7 @@ module dopu_emit (
 
   output logic [pipegs_pkg::Units-1:0]  chunk_valid_o,
   input  logic [pipegs_pkg::Units-1:0]  chunk_ready_i,
+  input  logic [pipegs_pkg::Units-1:0]  chunk_room_i,   // PUs that one may choose for a chunk
   output pipegs_pkg::chunk_t            chunk_o
 );
 
@@ -31,7 +33,7 @@ module dopu_emit (
   logic               is_data, drop, take;
   pipegs_pkg::chunk_t chunk_q;
 
-  round_robin #(.Ports(Units)) u_turn (.mask_i(chunk_ready_i), .last_i(last_q), .choice_o(choice));
+  round_robin #(.Ports(Units)) u_turn (.mask_i(chunk_room_i), .last_i(last_q), .choice_o(choice));
   always_comb begin
     chosen = '0;
     chosen[choice] = 1'b1;
@@ -39,7 +41,7 @@ module dopu_emit (
 
   assign is_data    = in_i.kind == pipegs_pkg::KindData;
   assign drop       = in_i.kind == pipegs_pkg::KindLayerEnd && !had_chunk_q;
-  assign in_ready_o = valid_q == '0 && (!is_data || chunk_ready_i != '0);
+  assign in_ready_o = valid_q == '0 && (!is_data || chunk_room_i != '0);
   assign take       = in_valid_i && in_ready_o;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -62,5 +64,11 @@ module dopu_emit (
   end
   assign chunk_valid_o = valid_q;
   assign chunk_o       = chunk_q;
+
+`ifndef SYNTHESIS
+  stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(chunk_o))) u_check_chunk (
+    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i(chunk_o)
+  );
+`endif
 
 endmodule

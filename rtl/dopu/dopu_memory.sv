@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // dopu_memory: the DOPU's port of external memory: lines of chunks, of groups and of cells.
 //
-// Idea    Answers come back in the order of the requests, so a queue of who asked tells whose an answer is. The table
-//         of cells is loaded before anything else is asked: until then every answer is its.
-// Stream  request_i of chunks (0), groups (1), cells (2), each with an address; answer_o: whose line came.
+// Idea    Answers come back in the order of the requests, so a queue of who asked for how many lines tells whose an
+//         answer is; while it is full nothing is asked. The table of cells is loaded before anything else is asked:
+//         until then every answer is its.
+// Stream  request_i of chunks (0), groups (1), cells (2), each with an address and lines; answer_o: whose line came.
 // Pace    One request per cycle.
 // Model   Plumbing; tested with the whole DOPU.
 
 module dopu_memory #(
-  localparam int unsigned AddressW = pipegs_pkg::AddressW
+  localparam int unsigned AddressW = pipegs_pkg::AddressW,
+  localparam int unsigned BurstW   = pipegs_pkg::BurstW
 ) (
   input  logic                  clk_i,
   input  logic                  rst_ni,
@@ -17,40 +19,53 @@ module dopu_memory #(
   input  logic [2:0]            request_i,
   output logic [2:0]            ready_o,
   input  logic [3*AddressW-1:0] address_i,
+  input  logic [3*BurstW-1:0]   lines_i,    // less one
   output logic [2:0]            answer_o,
 
   output logic                  mem_valid_o,
   input  logic                  mem_ready_i,
   output logic [AddressW-1:0]   mem_address_o,
+  output logic [BurstW-1:0]     mem_lines_o,  // less one
   input  logic                  rsp_valid_i
 );
 
-  localparam int unsigned Asked = 2 * pipegs_pkg::NodeLines;  // answers of chunks and groups to come
+  localparam int unsigned Asked = pipegs_pkg::NodeLines / 2;  // requests of chunks and groups to be answered
 
   logic [2:0] grant;
   logic [1:0] granted;
-  logic       group, asked_valid, asked_ready;
+  logic [BurstW-1:0] lines, come_q;  // of the oldest request: its lines, less one, and how many have come
+  logic       group, asked_valid, asked_ready, answer;
 
   arbiter #(.Ports(3)) u_arbiter (
-    .clk_i, .rst_ni, .request_i, .advance_i(mem_ready_i), .grant_o(grant), .port_o(granted)
+    .clk_i, .rst_ni, .request_i, .advance_i(mem_ready_i && asked_ready), .grant_o(grant), .port_o(granted)
   );
-  assign mem_valid_o   = grant != '0;
+  assign mem_valid_o   = grant != '0 && asked_ready;
   assign mem_address_o = granted == 2'd2 ? address_i[2*AddressW +: AddressW]
                        : granted == 2'd1 ? address_i[AddressW +: AddressW] : address_i[0 +: AddressW];
-  assign ready_o       = grant & {3{mem_ready_i}};
+  assign mem_lines_o   = granted == 2'd2 ? lines_i[2*BurstW +: BurstW]
+                       : granted == 2'd1 ? lines_i[BurstW +: BurstW] : lines_i[0 +: BurstW];
+  assign ready_o       = grant & {3{mem_ready_i && asked_ready}};
 
-  fifo #(.DataW(1), .Depth(Asked)) u_asked (
-    .clk_i, .rst_ni, .in_valid_i(ready_o[1:0] != '0), .in_ready_o(asked_ready), .in_i(granted[0]),
-    .out_valid_o(asked_valid), .out_ready_i(rsp_valid_i && !loading_i), .out_o(group), .count_o()
+  assign answer        = rsp_valid_i && !loading_i;
+
+  fifo #(.DataW(1 + BurstW), .Depth(Asked)) u_asked (
+    .clk_i, .rst_ni, .in_valid_i(ready_o[1:0] != '0), .in_ready_o(asked_ready), .in_i({granted[0], mem_lines_o}),
+    .out_valid_o(asked_valid), .out_ready_i(answer && come_q == lines), .out_o({group, lines}), .count_o()
   );
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) come_q <= '0;
+    else if (answer) come_q <= come_q == lines ? '0 : come_q + 1'b1;
+  end
   assign answer_o = !rsp_valid_i ? '0 : loading_i ? 3'b100 : group ? 3'b010 : 3'b001;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!(rsp_valid_i && !loading_i) || asked_valid);
-  always_ff @(posedge clk_i) if (rst_ni) assert (ready_o[1:0] == '0 || asked_ready);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!answer || asked_valid);
+  stream_check #(.DataW($bits({mem_address_o, mem_lines_o}))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
+  );
 `else
   logic unused_asked;
-  assign unused_asked = asked_valid ^ asked_ready;
+  assign unused_asked = asked_valid;
 `endif
 
 endmodule

@@ -199,4 +199,10 @@ module dopu_origin (
   assign unused = &{1'b0, node_i, mark_i, chunk_q, shifted, magnitudes_q[RotF-1:0], origin_q[0], origin_q[1],
                   origin_q[2]};
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(chunk_o))) u_check_chunk (
+    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i(chunk_o)
+  );
+`endif
+
 endmodule

@@ -179,4 +179,10 @@ module dopu_planes (
   logic unused_frame;  // fields that do not matter here
   assign unused_frame = &{1'b0, lens_i, raster_i};
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(planes_o)), .Proven(1)) u_check_planes (
+    .clk_i, .rst_ni, .valid_i(planes_valid_o), .ready_i(planes_ready_i), .beat_i(planes_o)
+  );
+`endif
+
 endmodule

@@ -54,6 +54,7 @@ module dopu_send #(
   localparam int unsigned SinceW = $clog2(MarkChunks + 1) + pipegs_pkg::WindowMarks / 8;
 
   logic                         set_q, popping_q, valid_q, chunk_set_q;
+  logic                         shown_q;  // the output was shown and not taken: it stays, even if its window is done
   logic [pipegs_pkg::KindW-1:0] kind_q;
   logic [DataW-1:0]             data_q;
   logic [SinceW-1:0]            since_q;  // chunks since the last watermark
@@ -96,7 +97,7 @@ module dopu_send #(
   assign direct_ready_o = idle && !done && !mark_due && !pop_o;
   assign load_popped    = popped_i && !done;
   assign load_direct    = direct_valid_i && direct_ready_o;
-  assign dropped        = kind_q != pipegs_pkg::KindWindowEnd && set_done_i[chunk_set_q];
+  assign dropped        = kind_q != pipegs_pkg::KindWindowEnd && set_done_i[chunk_set_q] && !shown_q;
   assign window_end_o   = end_due;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -104,6 +105,7 @@ module dopu_send #(
       set_q     <= 1'b0;
       popping_q <= 1'b0;
       valid_q   <= 1'b0;
+      shown_q   <= 1'b0;
       since_q   <= '0;
       mark_q    <= '0;
       marks_q   <= '0;
@@ -112,6 +114,7 @@ module dopu_send #(
       else if (pop_o && pop_ready_i) popping_q <= 1'b1;
       if (load_popped || load_direct || mark_due || end_due) valid_q <= 1'b1;
       else if (chunk_ready_i || dropped) valid_q <= 1'b0;
+      shown_q <= chunk_valid_o && !chunk_ready_i;
       if (end_due || mark_due) since_q <= '0;
       else if ((load_popped || load_direct) && since_q != '1) since_q <= since_q + 1'b1;
       if (end_due) mark_q <= '0;
@@ -143,6 +146,10 @@ module dopu_send #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!load_popped || !valid_q);
+  stream_check #(.DataW($bits({chunk_kind_o, chunk_set_o, chunk_o, mark_o}))) u_check_chunk (
+    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i),
+    .beat_i({chunk_kind_o, chunk_set_o, chunk_o, mark_o})
+  );
 `endif
 
 endmodule

@@ -132,4 +132,10 @@ module dopu_windows (
   assign done_news_o = done_d != done_q;
   assign set_done_o = done_q & valid_q;
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({x, y}))) u_check_window (
+    .clk_i, .rst_ni, .valid_i(window_valid), .ready_i(window_ready), .beat_i({x, y})
+  );
+`endif
+
 endmodule

@@ -2,11 +2,13 @@
 // line_reader: turns ranges of items that lie packed in external memory into a stream of items.
 //
 // Idea    A job names consecutive items. Its lines are requested at once, as far as the line buffer has room (a credit
-//         is a line's place in the buffer), so the requests of later jobs overlap the answers of earlier ones. A job
-//         without read is a marker: it passes in its turn and needs no memory. Item i lies in line base + i /
+//         is a line's place in the buffer), so the requests of later jobs overlap the answers of earlier ones. A
+//         request goes on to the end of the job or of the aligned group of eight lines; it waits until eight places are
+//         free, so that a full buffer asks for groups, not for single lines, and a request that shows never changes.
+//         A job without read is a marker: it passes in its turn and needs no memory. Item i lies in line base + i /
 //         ItemsPerLine.
-// Stream  job: first item, count (at least 1), tag. mem: one line address per beat; rsp: the lines in the same order,
-//         always accepted. out: one beat per item, or per marker, with the job's tag.
+// Stream  job: first item, count (at least 1), tag. mem: first line and number of lines of a request; rsp: the lines in
+//         the same order, always accepted. out: one beat per item, or per marker, with the job's tag.
 // Pace    One item per cycle while the memory delivers; one request per cycle, one cycle between jobs.
 // Model   A queue of jobs in verif/lib/line_reader_test.cpp.
 
@@ -14,7 +16,7 @@ module line_reader #(
   parameter int unsigned TagW = 8,
   parameter int unsigned ItemW = 256,
   parameter int unsigned ItemsPerLine = 2,  // 1 or 2
-  parameter int unsigned Lines = 32,        // in flight or in the buffer; a power of two
+  parameter int unsigned Lines = 32,        // in flight or in the buffer; a power of two, at least 8
   parameter int unsigned Jobs = 4,
   parameter int unsigned IndexW = pipegs_pkg::SlotW,
   parameter int unsigned CountW = pipegs_pkg::CountW
@@ -34,6 +36,7 @@ module line_reader #(
   output logic                              mem_valid_o,
   input  logic                              mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0]   mem_address_o,
+  output logic [pipegs_pkg::BurstW-1:0]     mem_lines_o,  // less one
   input  logic                              rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]    rsp_data_i,
 
@@ -48,28 +51,32 @@ module line_reader #(
   output logic                              idle_o      // no job is inside
 );
 
+  localparam int unsigned BurstW = pipegs_pkg::BurstW;
   localparam int unsigned PtrW = $clog2(Lines);
   localparam int unsigned CreditW = $clog2(Lines + 1);
   localparam int unsigned HalfW = ItemsPerLine - 1;  // bits of an item's place in its line
   localparam int unsigned JobW = 1 + IndexW + CountW + TagW;
 
-  // --- requests: one line after another of the job taken last --------------------------------------------------
+  // --- requests: one group of lines after another of the job taken last ---------------------------------------------
   logic [pipegs_pkg::AddressW-1:0] line_q;
   logic [CountW:0]                 lines_left_q;
   logic [CreditW-1:0]              credits_q;
   logic [CountW:0]                 lines;  // of the job at the door
+  logic [BurstW-1:0]               rest;   // lines of the group behind the present one
   logic                            take, issue, load, jobs_ready;
 
   assign lines = ((CountW+1)'(job_count_i) + (CountW+1)'(HalfW) + (CountW+1)'(job_first_i & IndexW'(HalfW))) >> HalfW;
   assign job_ready_o   = jobs_ready && lines_left_q == '0;
   assign take          = job_valid_i && job_ready_o;
-  assign mem_valid_o   = lines_left_q != '0 && credits_q != '0;
+  assign rest          = ~line_q[BurstW-1:0];
+  assign mem_valid_o   = lines_left_q != '0 && credits_q[CreditW-1:BurstW] != '0;
   assign mem_address_o = line_q;
+  assign mem_lines_o   = lines_left_q > (CountW+1)'(rest) ? rest : lines_left_q[BurstW-1:0] - 1'b1;
   assign issue         = mem_valid_o && mem_ready_i;
 
   always_ff @(posedge clk_i) begin
     if (take) line_q <= base_i + (pipegs_pkg::AddressW'(job_first_i) >> HalfW);
-    else if (issue) line_q <= line_q + 1'b1;
+    else if (issue) line_q <= {line_q[pipegs_pkg::AddressW-1:BurstW] + 1'b1, BurstW'(0)};  // if lines are left
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -78,9 +85,9 @@ module line_reader #(
       credits_q    <= CreditW'(Lines);
     end else begin
       if (take) lines_left_q <= job_read_i ? lines : '0;
-      else if (issue) lines_left_q <= lines_left_q - 1'b1;
-      if (issue && !load) credits_q <= credits_q - 1'b1;
-      if (load && !issue) credits_q <= credits_q + 1'b1;
+      else if (issue) lines_left_q <= lines_left_q - (CountW+1)'(mem_lines_o) - 1'b1;
+      if (issue) credits_q <= credits_q - CreditW'(mem_lines_o) - CreditW'(!load);
+      else if (load) credits_q <= credits_q + 1'b1;
     end
   end
 
@@ -159,7 +166,16 @@ module line_reader #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!(take && job_read_i) || job_count_i != '0);
   always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || stored_q != CreditW'(Lines));
   assert property (@(posedge clk_i) disable iff (!rst_ni)
-                   mem_valid_o && !mem_ready_i |=> mem_valid_o && $stable(mem_address_o));
+                   mem_valid_o && !mem_ready_i |=> mem_valid_o && $stable({mem_address_o, mem_lines_o}));
+  stream_check #(.DataW($bits({mem_address_o, mem_lines_o})), .Proven(1)) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
+  );
+  stream_check #(
+    .DataW($bits({out_read_o, out_index_o, out_tag_o, out_item_o})), .Proven(1)
+  ) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+    .beat_i({out_read_o, out_index_o, out_tag_o, out_read_o ? out_item_o : '0})  // a marker has no item
+  );
 `endif
 
 endmodule

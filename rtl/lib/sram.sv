@@ -5,10 +5,11 @@
 //         the macros in one place and a technology replaces them in one place. A handful of words is flip-flops:
 //         fifo instead of sram_fifo.
 // Stream  write_i stores wdata_i at waddr_i. read_i fetches raddr_i; rdata_o shows it from the next cycle on and holds
-//         it until the next read. Reading the word that is written in the same cycle gives the old word. There is no
-//         reset: a word that was never written, and rdata_o before the first read, are undefined.
+//         it until the next read. What a read of the word shows that is written in the same cycle is not promised, nor
+//         what a word holds that was never written, nor rdata_o before the first read. There is no reset.
 // Pace    One write and one read per cycle.
-// Model   An array.
+// Model   An array. In simulation what is not promised is noise, with the run's seed: words and registers start from it
+//         (X where a simulator has four states), and a collision shows other noise each time.
 
 module sram #(
   parameter int unsigned DataW = 32,
@@ -27,10 +28,21 @@ module sram #(
 );
 
   logic [DataW-1:0] words_q [Depth];
+`ifndef SYNTHESIS
+  // A linear congruential generator, which moves with each collision: nothing is computed in other cycles.
+  localparam int unsigned Parts = (DataW + 31) / 32;
+  logic [63:0] noise_q;
+`endif
 
   always_ff @(posedge clk_i) begin
     if (read_i) rdata_o <= words_q[raddr_i];
     if (write_i) words_q[waddr_i] <= wdata_i;
+`ifndef SYNTHESIS
+    if (read_i && write_i && raddr_i == waddr_i) begin
+      rdata_o <= DataW'({Parts{noise_q[63:32]}});
+      noise_q <= noise_q * 64'd6364136223846793005 + 64'd1442695040888963407;
+    end
+`endif
   end
 
 endmodule

@@ -3,11 +3,11 @@
 //
 // Paper   the reproduced GSCore of Sec. 5: rasterization begins when the preprocessing of the frame is over.
 // Idea    For each window two jobs for line_reader: its lines, and a marker that becomes the window's end. So the lines
-//         of the next windows are asked for while this one is dealt. An entry goes to any SU that is ready, in turn; an
-//         end goes to all. When none is ready for some cycles the next one in turn gets it: a full SU brings records to
+//         of the next windows are asked for while this one is dealt. An entry goes to any SU that has room, in turn; an
+//         end goes to all. When none has room for some cycles the next one in turn gets it: a full SU brings records to
 //         memory only when another one is at its door.
 // Stream  start_i: all lists are written. Counts from their SRAM; memory reads; splats out, one record for all SUs with
-//         one valid each. A list is one layer: only windows end.
+//         one valid each. Room is no ready: it may not wait for valid. A list is one layer: only windows end.
 // Pace    One entry per cycle (with a single SU every second one).
 // Model   cpp_model/list/list_write.hpp (the lists); any dealing is right.
 
@@ -32,11 +32,13 @@ module list_read #(
   output logic                           mem_valid_o,
   input  logic                           mem_ready_i,
   output logic [AddressW-1:0]            mem_address_o,
+  output logic [pipegs_pkg::BurstW-1:0]  mem_lines_o,  // less one
   input  logic                           rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0] rsp_data_i,
 
   output logic [Units-1:0]               splat_valid_o,
   input  logic [Units-1:0]               splat_ready_i,
+  input  logic [Units-1:0]               splat_room_i,   // SUs that one may choose first
   output pipegs_pkg::splat_t             splat_o,
 
   output logic                           busy_o,   // from start_i until the last end is taken
@@ -100,14 +102,14 @@ module list_read #(
     .clk_i, .rst_ni, .base_i(overflow_i + (AddressW'(1) << pipegs_pkg::ListAreaW)),
     .job_valid_i(job_valid), .job_ready_o(job_ready), .job_read_i(state_q == StateLines),
     .job_first_i({number_q, EntryW'(0)}), .job_count_i(count_i), .job_tag_i(1'b0),
-    .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
+    .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
     .out_valid_o(item_valid), .out_ready_i(item_ready), .out_read_o(item_read), .out_index_o(item_index),
     .out_tag_o(item_tag), .out_item_o(item), .waiting_o(waiting), .idle_o(idle)
   );
 
   // --- dealing ------------------------------------------------------------------------------------------------------
   logic [Units-1:0]     waiting_q, able, request, target;  // waiting: SUs that have still to take the record
-  logic [1:0]           none_q;                      // cycles in which no SU was ready
+  logic [1:0]           none_q;                      // cycles in which no SU had room
   logic [PortW-1:0]     target_port;
   logic                 free, give;
   logic [SplatBits-1:0] out_q;
@@ -116,7 +118,7 @@ module list_read #(
   arbiter #(.Ports(Units)) u_target (
     .clk_i, .rst_ni, .request_i(request), .advance_i(give), .grant_o(target), .port_o(target_port)
   );
-  assign able       = splat_ready_i & ~waiting_q;
+  assign able       = splat_room_i & ~waiting_q;
   assign request    = able == '0 && none_q == '1 ? '1 : able;
   assign free       = (waiting_q & ~splat_ready_i) == '0;
   assign item_ready = free && (!item_read || target != '0);
@@ -150,5 +152,14 @@ module list_read #(
 
   logic unused_reader;
   assign unused_reader = &{1'b0, item_index, item_tag, waiting, target_port};
+
+`ifndef SYNTHESIS
+  stream_check #(.Ports(Units), .Shared(1), .DataW($bits(splat_o)), .Proven(1)) u_check_splat (
+    .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i(splat_o)
+  );
+  stream_check #(.DataW($bits({state_q, number_q, count_i}))) u_check_job (
+    .clk_i, .rst_ni, .valid_i(job_valid), .ready_i(job_ready), .beat_i({state_q, number_q, count_i})
+  );
+`endif
 
 endmodule

@@ -119,7 +119,7 @@ module list_write #(
     if (take) begin
       held_q        <= splat_i[port*SplatBits +: SplatBits];
       held_number_q <= number;
-      same_q        <= move && number == held_number_q;  // the SRAM gives what stood there before
+      same_q        <= move && number == held_number_q;  // the SRAM promises nothing then
     end
     if (move) begin
       out_q     <= held_q;
@@ -131,6 +131,9 @@ module list_write #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!move || entry != '1)
     else $error("the list of a window is full");
+  stream_check #(.DataW($bits({mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
+  );
 `endif
 
 endmodule

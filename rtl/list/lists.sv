@@ -16,6 +16,7 @@ module lists #(
   localparam int unsigned NumberW   = pipegs_pkg::ListWindowW,
   localparam int unsigned EntryW    = pipegs_pkg::ListEntryW,
   localparam int unsigned AddressW  = pipegs_pkg::AddressW,
+  localparam int unsigned BurstW    = pipegs_pkg::BurstW,
   localparam int unsigned MemoryW   = pipegs_pkg::MemoryW
 ) (
   input  logic                       clk_i,
@@ -33,12 +34,14 @@ module lists #(
   input  logic                       mem_ready_i,
   output logic                       mem_write_o,
   output logic [AddressW-1:0]        mem_address_o,
+  output logic [BurstW-1:0]          mem_lines_o,    // of a read, less one
   output logic [MemoryW-1:0]         mem_data_o,
   input  logic                       rsp_valid_i,
   input  logic [MemoryW-1:0]         rsp_data_i,
 
   output logic [Units-1:0]           splat_valid_o,  // to the SUs
   input  logic [Units-1:0]           splat_ready_i,
+  input  logic [Units-1:0]           splat_room_i,   // see list_read
   output pipegs_pkg::splat_t         splat_o,
 
   output logic                       written_o,
@@ -51,6 +54,7 @@ module lists #(
   logic [NumberW-1:0]  write_number, read_number, count_at;
   logic [EntryW-1:0]   count, count_new;
   logic [AddressW-1:0] write_address, read_address;
+  logic [BurstW-1:0]   read_lines;
 
   list_write u_write (
     .clk_i, .rst_ni, .windows_i, .overflow_i, .restart_i, .splat_valid_i(made_valid_i), .splat_ready_o(made_ready_o),
@@ -65,7 +69,8 @@ module lists #(
     .clk_i, .rst_ni, .windows_i, .overflow_i, .start_i(written_o), .count_read_o(read_count_read),
     .count_number_o(read_number),
     .count_i(count), .mem_valid_o(read_valid), .mem_ready_i(mem_ready_i), .mem_address_o(read_address),
-    .rsp_valid_i, .rsp_data_i, .splat_valid_o, .splat_ready_i, .splat_o, .busy_o(reading), .active_o(read_active)
+    .mem_lines_o(read_lines), .rsp_valid_i, .rsp_data_i, .splat_valid_o, .splat_ready_i, .splat_room_i, .splat_o,
+    .busy_o(reading), .active_o(read_active)
   );
 
   sram #(.DataW(EntryW), .Depth(2 ** NumberW)) u_counts (
@@ -77,6 +82,7 @@ module lists #(
   assign mem_valid_o   = write_valid || read_valid;
   assign mem_write_o   = write_valid;
   assign mem_address_o = write_valid ? write_address : read_address;
+  assign mem_lines_o   = write_valid ? '0 : read_lines;
   assign written_o     = done && !written_q;
   assign busy_o        = reading;
   assign active_o      = write_active || read_active || written_o;
@@ -90,6 +96,9 @@ module lists #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!(write_valid && (read_valid || reading)))
     else $error("a list is read before all are written");
+  stream_check #(.DataW($bits({mem_write_o, mem_address_o, mem_data_o}))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_write_o, mem_address_o, mem_data_o})
+  );
 `endif
 
 endmodule

@@ -68,4 +68,10 @@ module axi_fence #(
     end
   end
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(out_o))) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+  );
+`endif
+
 endmodule

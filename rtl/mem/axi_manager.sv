@@ -6,8 +6,8 @@
 //         writes accepted before them and wait for these in the fence; other tags read only what the host wrote before
 //         the start. The core may be reset while requests are out: epoch_i turns, the bus goes on by its rules, and
 //         answers to the old core are dropped.
-// Stream  mem: request, number of lines (1 to 8 in one aligned group of eight; a write has 1), data of a write. rsp:
-//         tag and line of an answer, in order within a tag, never refused. m_axi: AXI4; no path leads from its inputs
+// Stream  mem: request (1 to 8 lines of one aligned group of eight; a write has 1), data of a write. rsp: tag and line
+//         of an answer, in order within a tag, never refused. m_axi: AXI4; no path leads from its inputs
 //         to its outputs without a register.
 // Pace    One request per cycle with DataW = 512, a line in 512 / DataW cycles. A read shows on AR one cycle after it
 //         was accepted, its line to the core one cycle after its last beat.
@@ -35,7 +35,6 @@ module axi_manager #(
   input  logic                           mem_valid_i,
   output logic                           mem_ready_o,
   input  pipegs_pkg::memory_request_t    mem_request_i,
-  input  logic [3:0]                     mem_lines_i,    // 1 to 8
   input  logic [pipegs_pkg::MemoryW-1:0] mem_data_i,
   output logic                           rsp_valid_o,
   output logic [TagW-1:0]                rsp_tag_o,
@@ -104,7 +103,7 @@ module axi_manager #(
   axi_fence #(.DataW(ReadW), .Fenced(Fenced), .Writes(Writes)) u_fence (
     .clk_i, .rst_ni, .in_valid_i(read_valid), .in_ready_o(fence_ready),
     .in_fenced_i(mem_request_i.tag < TagW'(pipegs_pkg::WritePorts)),
-    .in_i({epoch_i, mem_request_i.tag, mem_lines_i, mem_request_i.address}),
+    .in_i({epoch_i, mem_request_i.tag, 4'(mem_request_i.lines) + 4'd1, mem_request_i.address}),
     .write_i(write_valid && write_ready), .writes_i(writes),
     .out_valid_o(issue_valid), .out_ready_i(issue_ready), .out_o(issue)
   );
@@ -120,7 +119,7 @@ module axi_manager #(
 
   axi_write #(.DataW(DataW), .AddrW(AddrW), .Writes(Writes)) u_write (
     .clk_i, .rst_ni, .base_i, .epoch_i, .in_valid_i(write_valid), .in_ready_o(write_ready),
-    .in_line_i(mem_request_i.address), .in_data_i(mem_data_i), .writes_o(writes),
+    .in_line_i(mem_request_i.address), .in_halves_i(mem_request_i.halves), .in_data_i(mem_data_i), .writes_o(writes),
     .error_o(write_error), .error_decode_o(write_decode), .error_line_o(write_line),
     .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awvalid, .m_axi_awready,
     .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid, .m_axi_wready,
@@ -145,10 +144,16 @@ module axi_manager #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) begin
-    assert (!mem_valid_i || !mem_request_i.write || mem_lines_i == 4'd1)
+    assert (!mem_valid_i || !mem_request_i.write || mem_request_i.lines == '0)
       else $error("axi_manager: a write of more than one line");
     assert (base_i[11:0] == '0) else $error("axi_manager: the base is not a multiple of 4096");
   end
+  stream_check #(.DataW($bits(mem_request_i))) u_check_read (
+    .clk_i, .rst_ni, .valid_i(read_valid), .ready_i(fence_ready), .beat_i(mem_request_i)
+  );
+  stream_check #(.DataW($bits({mem_request_i, mem_data_i}))) u_check_write (
+    .clk_i, .rst_ni, .valid_i(write_valid), .ready_i(write_ready), .beat_i({mem_request_i, mem_data_i})
+  );
 `endif
 
 endmodule

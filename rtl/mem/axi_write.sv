@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // axi_write: lines of the core as AXI4 write bursts.
 //
-// Idea    A line is one burst of INCR with all strobes set and ID 0. Address and data go into their registers in the
-//         same cycle, so data never shows before its address does, and neither waits for the other to be taken. The
-//         lines that are not answered stand in a queue: their number is the limit of outstanding writes and what the
-//         fence waits for, and an answer that tells of an error names the line at its head.
+// Idea    A line is one burst of INCR with ID 0; of half a line the strobes of the other half are 0. Address and data
+//         go into their registers in the same cycle, so data never shows before its address does, and neither waits for
+//         the other to be taken. The lines that are not answered stand in a queue: their number is the limit of
+//         outstanding writes and what the fence waits for, and an answer that tells of an error names the line at its
+//         head.
 // Stream  in: the number of a line and its 512 bits. out: AW and W; B is taken when the queue shows its line, which is
 //         before the answer can come. An error of an epoch that is over is not told.
 // Pace    A line in MemoryW / DataW cycles; its address shows one cycle after it was taken.
@@ -26,6 +27,7 @@ module axi_write #(
   input  logic                           in_valid_i,
   output logic                           in_ready_o,
   input  logic [LineW-1:0]               in_line_i,
+  input  logic [pipegs_pkg::HalvesW-1:0] in_halves_i,  // of the line, what is written
   input  logic [pipegs_pkg::MemoryW-1:0] in_data_i,
   output logic [WritesW-1:0]             writes_o,     // accepted and not answered
 
@@ -55,10 +57,15 @@ module axi_write #(
   localparam int unsigned PageB = 12 - LineB;  // bits of a line's number within 4 KB
   localparam int unsigned Beats = pipegs_pkg::MemoryW / DataW;
   localparam int unsigned BeatW = Beats > 1 ? $clog2(Beats) : 1;
+  // A grain lies in one beat and in one half of the line.
+  localparam int unsigned GrainW = DataW < pipegs_pkg::MemoryW / 2 ? DataW : pipegs_pkg::MemoryW / 2;
+  localparam int unsigned Grains = pipegs_pkg::MemoryW / GrainW;
+  localparam int unsigned StepW  = DataW / GrainW;  // in a beat
 
   logic                           aw_valid_q, w_valid_q, take, room, address_free, data_free, data_last, done;
   logic [AddrW-1:0]               address_q;
   logic [pipegs_pkg::MemoryW-1:0] data_q;
+  logic [Grains-1:0]              written_q;   // those of the beat that is shown lowest
   logic [BeatW-1:0]               beat_q;
   logic                           done_epoch;  // of the write that is answered next
 
@@ -91,6 +98,8 @@ module axi_write #(
     if (take) address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(in_line_i >> PageB), in_line_i[PageB-1:0], LineB'(0)};
     if (take) data_q <= in_data_i;
     else if (m_axi_wready) data_q <= data_q >> DataW;
+    if (take) written_q <= {{(Grains/2){in_halves_i[1]}}, {(Grains/2){in_halves_i[0]}}};
+    else if (m_axi_wready) written_q <= written_q >> StepW;
   end
 
   assign m_axi_awid     = '0;
@@ -100,7 +109,9 @@ module axi_write #(
   assign m_axi_awburst  = 2'b01;
   assign m_axi_awvalid  = aw_valid_q;
   assign m_axi_wdata    = data_q[DataW-1:0];
-  assign m_axi_wstrb    = {(DataW/8){1'b1}};
+  for (genvar i = 0; i < StepW; i += 1) begin : gen_strobes
+    assign m_axi_wstrb[GrainW/8*i +: GrainW/8] = {(GrainW/8){written_q[i]}};
+  end
   assign m_axi_wlast    = data_last;
   assign m_axi_wvalid   = w_valid_q;
   assign error_o        = done && m_axi_bresp[1] && done_epoch == epoch_i;

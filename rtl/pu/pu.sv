@@ -13,6 +13,7 @@ module pu #(
   parameter bit Front = 1'b1,
   localparam int unsigned Units    = pipegs_pkg::Units,
   localparam int unsigned AddressW = pipegs_pkg::AddressW,
+  localparam int unsigned BurstW   = pipegs_pkg::BurstW,
   localparam int unsigned MemoryW  = pipegs_pkg::MemoryW,
   localparam int unsigned LineW    = pipegs_pkg::LineW
 ) (
@@ -28,6 +29,7 @@ module pu #(
 
   input  logic                                 chunk_valid_i,
   output logic                                 chunk_ready_o,
+  output logic                                 chunk_room_o,  // for a chunk, whether or not one is shown
   input  pipegs_pkg::chunk_t                   chunk_i,
 
   output logic                                 culled_valid_o,  // survivors of this PU's cull, to pu_deal
@@ -35,6 +37,7 @@ module pu #(
   output pipegs_pkg::visible_t                 culled_o,
   input  logic                                 visible_valid_i,  // Gaussians dealt to this PU
   output logic                                 visible_ready_o,
+  output logic                                 visible_room_o,   // whether or not one is shown
   input  pipegs_pkg::visible_t                 visible_i,
 
   input  logic [Units*pipegs_pkg::Regions-1:0] done_i,      // from the RUs
@@ -45,6 +48,7 @@ module pu #(
   output logic                                 geometry_valid_o,
   input  logic                                 geometry_ready_i,
   output logic [AddressW-1:0]                  geometry_address_o,
+  output logic [BurstW-1:0]                    geometry_lines_o,  // less one
   input  logic                                 geometry_rsp_valid_i,
 
   output logic                                 color_valid_o,
@@ -101,20 +105,23 @@ module pu #(
   end
 
   if (Front) begin : gen_front
+    assign chunk_room_o = chunk_ready;
     pu_front u_front (
       .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i, .gaussians_i(tables_i.gaussians),
       .chunk_valid_i(chunk_valid), .chunk_ready_o(chunk_ready), .chunk_i,
-      .geometry_valid_o, .geometry_ready_i, .geometry_address_o, .geometry_rsp_valid_i, .rsp_data_i,
+      .geometry_valid_o, .geometry_ready_i, .geometry_address_o, .geometry_lines_o, .geometry_rsp_valid_i, .rsp_data_i,
       .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o),
       .moved_o(front_moved), .waiting_o(fetch_waiting), .culls_o(culls), .idle_o(front_idle)
     );
   end else begin : gen_no_front
     logic unused_front;
-    // Ends are shown to all PUs, and only pu_marks needs them here. A chunk comes to one that asks for it before it is
-    // shown, so never to this one.
+    // Ends are shown to all PUs, and only pu_marks needs them here. A chunk comes to one that has room for it, so never
+    // to this one.
     assign chunk_ready        = chunk_valid_i;
+    assign chunk_room_o       = 1'b0;
     assign geometry_valid_o   = 1'b0;
     assign geometry_address_o = '0;
+    assign geometry_lines_o = '0;
     assign culled_valid_o     = 1'b0;
     assign culled_o           = '0;
     assign front_moved        = 1'b0;
@@ -129,6 +136,8 @@ module pu #(
     .clk_i, .rst_ni, .in_valid_i(visible_valid_i), .in_ready_o(visible_ready_o), .in_i(visible_i),
     .out_valid_o(visible_valid), .out_ready_i(visible_ready), .out_o(visible), .count_o(visible_count)
   );
+
+  assign visible_room_o = visible_ready_o;
 
   pu_shape u_shape (
     .clk_i, .rst_ni, .quaternion_i, .lens_i, .tables_i,

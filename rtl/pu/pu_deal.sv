@@ -6,7 +6,8 @@
 //         work: 32 screen-filling splats or 32 specks. So survivors of all culls are dealt one by one to whichever PU
 //         has room, in turn. The sort behind makes the image independent of who gets which. A layer's end waits until
 //         all culls have reached it and goes to all PUs.
-// Stream  visible from each cull; visible to each PU, one record for all with one valid each.
+// Stream  visible from each cull; visible to each PU, one record for all with one valid each. Room is no ready: it may
+//         not wait for valid, and a PU that cannot tell says yes.
 // Pace    One Gaussian per cycle (with a single PU every second one), latency one.
 // Model   Any dealing is right: the test checks that each Gaussian arrives once, in its layer.
 
@@ -24,6 +25,7 @@ module pu_deal #(
 
   output logic [Units-1:0]       out_valid_o,
   input  logic [Units-1:0]       out_ready_i,
+  input  logic [Units-1:0]       out_room_i,   // PUs that one may choose
   output pipegs_pkg::visible_t   out_o,
 
   output logic                   active_o
@@ -52,7 +54,7 @@ module pu_deal #(
     .clk_i, .rst_ni, .request_i(data), .advance_i(take_data), .grant_o(source), .port_o(source_port)
   );
   // A PU that takes the present record in this cycle may have filled its queue with it.
-  assign room = out_ready_i & ~waiting_q;
+  assign room = out_room_i & ~waiting_q;
   round_robin #(.Ports(Units)) u_target (.mask_i(room), .last_i(last_q), .choice_o(target_port));
   always_comb begin
     target              = '0;
@@ -82,5 +84,11 @@ module pu_deal #(
   assign out_valid_o = waiting_q;
   assign out_o       = out_q;
   assign active_o    = in_valid_i != '0 || waiting_q != '0;
+
+`ifndef SYNTHESIS
+  stream_check #(.Ports(Units), .Shared(1), .DataW($bits(out_o))) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+  );
+`endif
 
 endmodule

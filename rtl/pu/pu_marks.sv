@@ -52,6 +52,9 @@ module pu_marks (
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!(splat_taken_i && splat_is_end) || held)
     else $error("a layer's end has no watermark");
+  stream_check u_check_chunk (
+    .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i(1'b0)
+  );
 `endif
 
 endmodule

@@ -135,6 +135,9 @@ module pu_shape (
     else $error("more Gaussians than places for their centres");
   always_ff @(posedge clk_i) if (rst_ni) assert (!center_take || center_held)
     else $error("a centre is not there in time");
+  stream_check #(.DataW($bits(conic_o))) u_check_conic (
+    .clk_i, .rst_ni, .valid_i(conic_valid_o), .ready_i(conic_ready_i), .beat_i(conic_o)
+  );
 `endif
 
 endmodule

@@ -3,7 +3,8 @@
 //
 // Paper   Fig. 7, Table 2 (RU: sixteen lanes, which it calls Rendering Units; double-buffered T and RGB).
 // Idea    queue -> blending and its pixel buffer: ru_whole -> ru_resolve, or with Quads ru_live. ru_window knows where
-//         in the frame the RU is; ru_memory joins alpha reads and pixel writes. Only wiring here.
+//         in the frame the RU is; ru_join brings its rows together with those of the RU that shares their lines, in
+//         raster order; ru_memory joins alpha reads and pixel writes. Only wiring here.
 // Stream  sorted_t in; alpha stores and external memory beside it; done feedback to the PUs.
 // Pace    Four cycles per region, or one per live quad of each group; pixels are written meanwhile.
 // Model   cpp_model/ru/ru.hpp
@@ -12,13 +13,14 @@ module ru #(
   localparam int unsigned Units = pipegs_pkg::Units,
   localparam int unsigned LineW = pipegs_pkg::LineW,
   localparam int unsigned TapLanes = pipegs_pkg::TapLanes,
+  localparam int unsigned Slots = pipegs_pkg::Regions / pipegs_pkg::Units,
   localparam int unsigned Lanes = 16,
   localparam int unsigned WordW = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1)
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
   input  pipegs_pkg::raster_t                  raster_i,
-  input  logic [pipegs_pkg::AddressW-1:0]      pixels_i,        // first line of the frame
+  input  pipegs_pkg::picture_t                 picture_i,       // its base is that of the pixels in either format
   input  logic [pipegs_pkg::AddressW-1:0]      overflow_i,      // first line of the overflow areas
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,          // constant
   input  logic                                 restart_i,       // a frame begins; the RU is idle
@@ -37,9 +39,22 @@ module ru #(
   input  logic                                 mem_ready_i,
   output logic                                 mem_write_o,
   output logic [pipegs_pkg::AddressW-1:0]      mem_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]       mem_halves_o,    // of the line: what a write changes
   output logic [pipegs_pkg::MemoryW-1:0]       mem_data_o,
   input  logic                                 rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]       rsp_data_i,
+
+  // The RU with whose regions these share lines of a picture in raster order, see ru_join.
+  output logic                                 pair_valid_o,    // a row waits
+  output logic                                 pair_taken_o,    // the rows of both leave; from the even RU
+  output logic [pipegs_pkg::MemoryW/2-1:0]     pair_row_o,
+  output logic                                 pair_at_end_o,   // with Quads: nothing is left of the window
+  output logic [Slots-1:0]                     pair_wanted_o,   // with Quads: what the next splat waits for
+  input  logic                                 pair_valid_i,
+  input  logic                                 pair_taken_i,
+  input  logic [pipegs_pkg::MemoryW/2-1:0]     pair_row_i,
+  input  logic                                 pair_at_end_i,
+  input  logic [Slots-1:0]                     pair_wanted_i,
 
   output logic [pipegs_pkg::Regions-1:0]       done_o,          // owned regions that need no more alphas
   output logic [pipegs_pkg::WindowW-1:0]       done_x_o,        // the window they are of
@@ -78,22 +93,30 @@ module ru #(
 
   // --- where in the frame -------------------------------------------------------------------------------------------
   logic [pipegs_pkg::MaskW-1:0]      part_own;
-  logic [Regions-1:0]                own, outside;
+  logic [Regions-1:0]                own, outside, unwritten;
+  logic                              joined;  // rows leave together with those of the other RU
   logic [$clog2(pipegs_pkg::Window):0] columns, rows;
-  logic [2*pipegs_pkg::WindowW-1:0]  number;
+  logic [AddressW-1:0]               line;  // first one of the window's pixels
 
   ru_own u_own (.unit_i, .own_o(part_own));
   assign own = {pipegs_pkg::Parts{part_own}};
   ru_window u_window (
     .clk_i, .rst_ni, .width_i(raster_i.width), .height_i(raster_i.height), .first_x_i(raster_i.windows.first_x),
-    .first_y_i(raster_i.windows.first_y), .last_x_i(raster_i.windows.last_x), .restart_i, .advance_i(window_done_o),
-    .x_o(done_x_o), .y_o(done_y_o), .columns_o(columns), .rows_o(rows), .outside_o(outside), .number_o(number)
+    .first_y_i(raster_i.windows.first_y), .last_x_i(raster_i.windows.last_x), .picture_i, .restart_i,
+    .advance_i(window_done_o), .x_o(done_x_o), .y_o(done_y_o), .columns_o(columns), .rows_o(rows),
+    .outside_o(outside), .line_o(line)
   );
+  assign joined = picture_i.format && Units > 1;
+  for (genvar i = 0; i < Regions; i += 1) begin : gen_unwritten
+    assign unwritten[i] = joined ? outside[i/2*2] : outside[i];  // the left one of two is outside: so is the other one
+  end
 
   // --- blending -----------------------------------------------------------------------------------------------------
   logic                load_valid, load_ready, store_valid, store_ready, issue, memory, waits, blend_idle;
   logic [AddressW-1:0] load_address, store_address;
-  logic [pipegs_pkg::MemoryW-1:0] store_data;
+  logic [pipegs_pkg::HalvesW-1:0] store_halves, write_halves;
+  logic [pipegs_pkg::MemoryW-1:0] store_data, write_data;
+  logic                           store_wide, write_valid, write_ready;
 
   if (pipegs_pkg::Quads == 0) begin : gen_whole
     logic             whole_idle, resolve_ready, resolve_read, resolve_fresh;
@@ -112,19 +135,27 @@ module ru #(
       .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
     );
     ru_resolve u_resolve (
-      .clk_i, .rst_ni, .unit_i, .pixels_i,
-      .start_i(window_done_o), .ready_o(resolve_ready), .number_i(number), .outside_i(outside),
+      .clk_i, .rst_ni, .unit_i, .raster_i(picture_i.format), .stride_i(picture_i.stride),
+      .start_i(window_done_o), .ready_o(resolve_ready), .line_i(line), .columns_i(columns), .rows_i(rows),
+      .outside_i(unwritten),
       .read_o(resolve_read), .raddr_o(resolve_raddr), .rdata_i(resolve_rdata), .fresh_i(resolve_fresh),
-      .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address), .mem_data_o(store_data)
+      .mem_valid_o(store_valid), .mem_ready_i(store_ready), .mem_address_o(store_address),
+      .mem_halves_o(store_halves), .mem_wide_o(store_wide), .mem_data_o(store_data)
     );
+    assign {pair_at_end_o, pair_wanted_o} = '0;
+    logic unused_pair;
+    assign unused_pair = &{1'b0, pair_at_end_i, pair_wanted_i};
     assign blend_idle         = whole_idle && resolve_ready;
     assign tap_line_quarter_o = '0;
   end else begin : gen_live
     ru_live u_blend (
       .clk_i, .rst_ni, .restart_i, .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .own_i(own), .outside_i(outside), .columns_i(columns), .rows_i(rows), .done_o, .pixels_i, .number_i(number),
-      .store_valid_o(store_valid), .store_ready_i(store_ready), .store_address_o(store_address),
-      .store_data_o(store_data), .layer_done_o, .window_done_o, .issue_o(issue), .idle_o(blend_idle),
+      .own_i(own), .unwritten_i(unwritten), .columns_i(columns), .rows_i(rows), .done_o,
+      .joined_i(joined), .pair_at_end_i, .pair_wanted_i, .at_end_o(pair_at_end_o), .wanted_o(pair_wanted_o),
+      .raster_i(picture_i.format), .stride_i(picture_i.stride), .line_i(line), .store_valid_o(store_valid),
+      .store_ready_i(store_ready), .store_address_o(store_address), .store_halves_o(store_halves),
+      .store_wide_o(store_wide), .store_data_o(store_data), .layer_done_o, .window_done_o, .issue_o(issue),
+      .idle_o(blend_idle),
       .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_quarter_o, .tap_line_o,
       .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
     );
@@ -134,10 +165,17 @@ module ru #(
                             rsp_data_i};
   end
 
+  ru_join u_join (
+    .joined_i(joined), .odd_i(unit_i[0]), .wide_i(store_wide), .in_valid_i(store_valid), .in_ready_o(store_ready),
+    .in_halves_i(store_halves), .in_data_i(store_data), .pair_valid_o, .pair_taken_o, .pair_row_o, .pair_valid_i,
+    .pair_taken_i, .pair_row_i, .out_valid_o(write_valid), .out_ready_i(write_ready), .out_halves_o(write_halves),
+    .out_data_o(write_data)
+  );
   ru_memory u_memory (
     .clk_i, .rst_ni, .read_valid_i(load_valid), .read_ready_o(load_ready), .read_address_i(load_address),
-    .write_valid_i(store_valid), .write_ready_o(store_ready), .write_address_i(store_address),
-    .write_data_i(store_data), .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o
+    .write_valid_i(write_valid), .write_ready_o(write_ready), .write_address_i(store_address),
+    .write_halves_i(write_halves), .write_data_i(write_data), .mem_valid_o, .mem_ready_i, .mem_write_o,
+    .mem_address_o, .mem_halves_o, .mem_data_o
   );
 
   // --- what the unit does in this cycle -----------------------------------------------------------------------------

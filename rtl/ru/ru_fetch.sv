@@ -212,6 +212,16 @@ module ru_fetch (
     else $error("ru_fetch: a line that was not asked for");
   always_ff @(posedge clk_i) if (rst_ni) assert (!asked_q || answer_valid_i != '0)
     else $error("ru_fetch: an alpha store did not answer in the next cycle");
+  stream_check #(.DataW($bits(mem_address_o)), .Proven(1)) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+  );
+  stream_check #(.DataW($bits({out_o, out_line_o})), .Proven(1)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+    .beat_i({out_o, out_o.kind == pipegs_pkg::KindData ? out_line_o : '0})  // an end has no line
+  );
+  stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(read_address_o))) u_check_read (
+    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i(read_address_o)
+  );
 `endif
 
 endmodule

@@ -136,6 +136,12 @@ module ru_rows #(
     else $error("ru_rows: a line without its colour");
   always_ff @(posedge clk_i) if (rst_ni) assert (!window_done_i || ends_q != '0)
     else $error("ru_rows: a window ended that never came");
+  stream_check #(.DataW($bits({out_o, out_line_o}))) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_o, out_line_o})
+  );
+  stream_check #(.DataW($bits(job))) u_check_job (
+    .clk_i, .rst_ni, .valid_i(job_valid), .ready_i(job_ready), .beat_i(job)
+  );
 `endif
 
 endmodule

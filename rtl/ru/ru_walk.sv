@@ -113,6 +113,9 @@ module ru_walk #(
     else $error("ru_walk: a beat changed before it was taken");
   always_ff @(posedge clk_i) if (rst_ni) assert (!window_done_i || ends_q != '0)
     else $error("ru_walk: a window ended that never came");
+  stream_check #(.DataW($bits(out_o)), .Proven(1)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+  );
 `endif
 
 endmodule

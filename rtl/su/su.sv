@@ -172,6 +172,9 @@ module su (
   always_ff @(posedge clk_i) if (rst_ni) assert (!external.write || (!write && !link));
   always_ff @(posedge clk_i) if (rst_ni) assert (!external.read || !sort_read);
   always_ff @(posedge clk_i) if (rst_ni) assert (!merged_valid || !sorted_valid);
+  stream_check #(.DataW($bits(item))) u_check_item (
+    .clk_i, .rst_ni, .valid_i(item_valid), .ready_i(item_ready), .beat_i(item)
+  );
 `endif
 
 endmodule

@@ -147,4 +147,16 @@ module su_emit (
     end
   end
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(kept_number_o))) u_check_kept (
+    .clk_i, .rst_ni, .valid_i(kept_valid_o), .ready_i(kept_ready_i), .beat_i(kept_number_o)
+  );
+  stream_check #(.DataW($bits(out_o))) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+  );
+  stream_check #(.DataW($bits(read_line_o))) u_check_read (
+    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i(read_line_o)
+  );
+`endif
+
 endmodule

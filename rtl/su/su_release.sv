@@ -55,7 +55,7 @@ module su_release #(
   localparam int unsigned Marks  = pipegs_pkg::SuMarks;
   localparam int unsigned Chains = pipegs_pkg::SuChains;
 
-  logic                        head_set, head_all, head_spills, waits, released_valid, released_ready, buckets_active;
+  logic                        head_set, head_all, head_spills, waits, released, released_room, buckets_active;
   logic [KindW-1:0]            head_kind, released_kind;
   logic [RecordW-1:0]          released_head;
   logic [RecordW:0]            released_count;
@@ -78,14 +78,14 @@ module su_release #(
     .job_valid_i(spill_job_i || waits), .job_done_o, .job_set_i(spill_job_i ? set_i : head_set),
     .job_all_i(spill_job_i || head_all), .job_bucket_i(head_bucket),
     .job_kind_i(spill_job_i ? pipegs_pkg::KindData : head_kind),
-    .chain_valid_o(released_valid), .chain_ready_i(released_ready), .chain_kind_o(released_kind),
+    .chain_push_o(released), .chain_room_i(released_room), .chain_kind_o(released_kind),
     .chain_head_o(released_head), .chain_count_o(released_count), .chain_bucket_o(released_bucket),
     .hungry_i(chains == '0 && split_idle_i),
     .link_write_o(link_o), .link_ready_i, .link_slot_o, .link_o(link_to_o), .active_o(buckets_active)
   );
 
   sram_fifo #(.DataW(KindW + BucketW + RecordW + RecordW + 1), .Depth(Chains)) u_chains (
-    .clk_i, .rst_ni, .in_valid_i(released_valid), .in_ready_o(released_ready),
+    .clk_i, .rst_ni, .in_valid_i(released), .in_ready_o(released_room),
     .in_i({released_kind, released_bucket, released_head, released_count}),
     .out_valid_o(chain_valid_o), .out_ready_i(chain_ready_i),
     .out_o(chain_o), .count_o(chains)

@@ -70,10 +70,10 @@ void make_folder_of(const fs::path& file) {
   if (!folder.empty()) fs::create_directories(folder);
 }
 
-void write_images(const std::string& folder, const Image& image) {
+void write_images(const std::string& folder, const Image& image, const std::optional<Rgb8>& picture) {
   fs::create_directories(folder);
   write_exr(fs::path(folder) / "frame.exr", image);
-  write_png(fs::path(folder) / "frame.png", image, glm::dvec3(0));
+  write_png8(fs::path(folder) / "frame.png", picture ? *picture : to_rgb8(image, glm::dvec3(0)));
 }
 
 void write_text(const fs::path& path, const std::string& text) {

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ void try_file(const std::string& option, const std::filesystem::path& file);
 // Makes the folder in which `file` will lie.
 void make_folder_of(const std::filesystem::path& file);
 
-void write_images(const std::string& folder, const Image& image);  // frame.exr and frame.png
+// frame.exr and frame.png: the 8-bit picture of the image, or the one that is given.
+void write_images(const std::string& folder, const Image& image, const std::optional<Rgb8>& picture = {});
 void write_text(const std::filesystem::path& path, const std::string& text);
 void write_charts(const std::string& path, const std::vector<Chart>& charts);  // nothing without a path
 

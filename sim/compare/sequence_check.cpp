@@ -60,24 +60,36 @@ void SequenceCheck::on_give_up() {
   if (second_ != nullptr) second_->on_give_up();
 }
 
+uint64_t SequenceCheck::found(const One& one, uint64_t x, uint64_t y) const {
+  const GoldenInput& input = *one.expected.input;
+  const Config& config = input.packed->config;
+  if (input.picture.format != 0)
+    return get_bits(memory_.line(ru_raster_line(input.picture, x, y)).data(), ru_raster_bit(x), 32);
+  const uint64_t side = static_cast<uint64_t>(config.window);
+  const int region = region_at(config, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8)),
+            row = static_cast<int>(y % 8);
+  return get_bits(memory_.line(ru_pixel_line(config, input.frame, x / side, y / side, region, row)).data(),
+                  ru_pixel_bit(config, row, static_cast<int>(x % 8)), config.pixel_w);
+}
+
 // The frame in external memory against the golden pixels.
 void SequenceCheck::compare_pixels(One& one) {
   const Config& config = one.expected.input->packed->config;
-  const Frame& frame = one.expected.input->frame;
-  const Windows& windows = frame.raster.windows;
+  const Raster& raster = one.expected.input->frame.raster;
+  const bool in_raster = one.expected.input->picture.format != 0;
   const uint64_t side = static_cast<uint64_t>(config.window);
-  for (uint64_t y = windows.first_y * side; y < std::min(frame.raster.height, (windows.last_y + 1) * side); ++y) {
-    for (uint64_t x = windows.first_x * side; x < std::min(frame.raster.width, (windows.last_x + 1) * side); ++x) {
-      const int region = region_at(config, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8));
-      const MemoryLine& line =
-          memory_.line(ru_pixel_line(config, frame, x / side, y / side, region, static_cast<int>(y % 8)));
-      const uint64_t found =
-          get_bits(line.data(), ru_pixel_bit(config, static_cast<int>(y % 8), static_cast<int>(x % 8)), config.pixel_w);
-      const uint64_t expected = (*one.expected.pixels)[y * frame.raster.width + x];
-      if (found == expected) continue;
+  const uint64_t x0 = raster.windows.first_x * side, x1 = std::min(raster.width, (raster.windows.last_x + 1) * side),
+                 y0 = raster.windows.first_y * side, y1 = std::min(raster.height, (raster.windows.last_y + 1) * side);
+  if (in_raster) one.picture = Rgb8{static_cast<int>(x1 - x0), static_cast<int>(y1 - y0), {}};
+  for (uint64_t y = y0; y < y1; ++y) {
+    for (uint64_t x = x0; x < x1; ++x) {
+      const uint64_t pixel = (*one.expected.pixels)[y * raster.width + x], shown = found(one, x, y),
+                     expected = in_raster ? ru_rgba8(config, pixel) : pixel;
+      for (int i = 0; in_raster && i < 3; ++i) one.picture->data.push_back(static_cast<uint8_t>(shown >> 8 * i));
+      if (shown == expected) continue;
       one.streams->fail_pixel(
           x / side, y / side,
-          fmt::format("frame: pixel {},{}: expected {:016x}, found {:016x}", x, y, expected, found));
+          fmt::format("frame: pixel {},{}: expected {:016x}, found {:016x}", x, y, expected, shown));
     }
   }
 }

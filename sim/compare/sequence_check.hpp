@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cpp_model/golden.hpp"
@@ -37,18 +38,24 @@ class SequenceCheck final : public RtlTaps {
   void on_cycle(uint64_t cycle, const uint8_t* states) override { second_->on_cycle(cycle, states); }
   void on_chunk(int unit, int kind) override { second_->on_chunk(unit, kind); }
   void on_layer_done(int unit, bool window_done) override { second_->on_layer_done(unit, window_done); }
-  void on_request(int tag, bool write, uint64_t line) override { second_->on_request(tag, write, line); }
+  void on_request(int tag, bool write, uint64_t line, int lines) override {
+    second_->on_request(tag, write, line, lines);
+  }
 
   StreamCheck& frame(size_t number) { return *frames_[number].streams; }
   size_t complete() const { return back_; }  // frames that are
+  // Of a frame that is complete, with pixels in raster order: what memory held of its windows.
+  const std::optional<Rgb8>& picture(size_t number) const { return frames_[number].picture; }
 
  private:
   struct One {
     Expected expected;
     std::unique_ptr<StreamCheck> streams;
+    std::optional<Rgb8> picture = {};
   };
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
   void compare_pixels(One& one);
+  uint64_t found(const One& one, uint64_t x, uint64_t y) const;  // the pixel in memory
 
   const ExternalMemory& memory_;
   RtlTaps* second_;

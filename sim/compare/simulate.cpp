@@ -42,8 +42,9 @@ std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMe
   for (const std::string& name : memory_streams(config)) result.push_back({.stream = name});
   for (int port = 0; port < config.memory_ports(); ++port) {
     MemoryTraffic& traffic = result[memory_stream(config, port)];
+    traffic.bursts += memory.traffic()[port].bursts;
     traffic.bytes_read += 64 * memory.traffic()[port].lines_read;
-    traffic.bytes_written += 64 * memory.traffic()[port].lines_written;
+    traffic.bytes_written += 32 * memory.traffic()[port].halves_written;
   }
   return result;
 }
@@ -88,6 +89,8 @@ PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, c
 void simulate_frame(const PackedScene& packed, const Camera& camera, const SimulateOptions& options,
                     Simulation& result) {
   result.input = {.packed = &packed, .frame = frame_setup(options.config, packed, camera, {}, options.near_plane)};
+  if (options.raster)
+    result.input.picture = raster_picture(result.input.frame.tables.pixels, result.input.frame.raster.width);
   if (!options.window) return;
   asked(camera.width, camera.height, options);  // refuses a window outside the image
   const auto [x, y] = *options.window;

@@ -23,6 +23,7 @@ struct SimulateOptions {
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
   int windows = 1;                           // with `window`: so many side by side, up to the end of the row
   double near_plane = 0.2;                   // scene units
+  bool raster = false;                       // pixels in raster order, RGBA8; else by windows
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
   RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison
 };
@@ -30,6 +31,7 @@ struct SimulateOptions {
 struct MemoryTraffic {
   std::string stream;  // who: "dopu nodes", "pu gaussians", ...
   uint64_t bytes_read = 0, bytes_written = 0;
+  uint64_t bursts = 0;  // reads, each of one to eight lines in a row
 };
 
 // What the DRAM says of itself after a frame.
@@ -42,6 +44,7 @@ struct Simulation {
   PackedScene packed;
   GoldenInput input;  // points at packed, or at that of another simulation
   GoldenFrame golden;
+  std::optional<Rgb8> picture;  // with `raster`, of the windows that were rendered: as it lies in the RTL's memory
   // Exact in the hardware's order, exact and INRIA in global order; only the window that was asked for.
   Image truth_order, truth_exact, truth_inria;
   RtlResult rtl;

@@ -35,7 +35,7 @@ std::vector<GoldenInput> place(const std::vector<Simulation*>& frames, ExternalM
     }
     Tables& tables = input.frame.tables;
     for (uint64_t* at : {&tables.cells, &tables.groups, &tables.chunks, &tables.gaussians, &tables.colors,
-                         &tables.pixels, &tables.overflow})
+                         &tables.pixels, &tables.overflow, &input.picture.base})
       *at += found->second;
     end = std::max(end, tables.overflow);
     placed.push_back(input);
@@ -58,7 +58,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   uint64_t windows = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
     expected.push_back({&placed[i], &frames[i]->golden.pixels});
-    jobs.push_back(frame_job(config, placed[i].frame));
+    jobs.push_back(frame_job(config, placed[i].frame, placed[i].picture));
     windows += windows_of(placed[i].frame);
   }
   SequenceCheck check(expected, memory, options.taps);
@@ -80,6 +80,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
     run.dram = {dram->statistics(), dram->achieved_gbps(), dram->timing().peak_gbps()};
   for (size_t i = 0; i < frames.size(); ++i) {
     const StreamCheck& one = check.frame(i);
+    frames[i]->picture = check.picture(i);
     frames[i]->seen = one.seen();
     frames[i]->beats = one.beats();
     frames[i]->mismatches = one.mismatches();

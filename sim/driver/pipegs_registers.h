@@ -368,7 +368,7 @@ struct pipegs_areas {
 
 /* the picture in raster order, in the order of its slots. */
 struct pipegs_picture {
-  uint64_t format; /* 0: pixels by windows, at tables.pixels; 1: RGBA8 in raster order, too */
+  uint64_t format; /* 0: pixels by windows, at tables.pixels; 1: RGBA8 in raster order, instead */
   uint64_t base; /* address of the picture's first pixel, a multiple of a line */
   uint64_t stride; /* from one row of pixels to the next, a multiple of a line */
 };

@@ -49,19 +49,29 @@ DramMemory::DramMemory(const ExternalMemoryOptions& options)
   for (uint32_t i = 0; i < kFlying; ++i) free_.push_back(i);
 }
 
-void DramMemory::request(bool write, uint64_t line, int tag) {
+void DramMemory::request(bool write, uint64_t line, int tag, int lines) {
   if (write) return dram_.request(true, line, 0);
-  const uint32_t id = free_.front();
-  free_.pop_front();
-  ++flying_;
-  reads_[id] = {tag, false};
-  order_[static_cast<size_t>(tag)].push_back(id);
-  dram_.request(false, line, id);
+  next_line_ = line;
+  lines_left_ = lines;
+  tag_ = tag;
+  enter();
+}
+
+void DramMemory::enter() {
+  for (; lines_left_ > 0 && dram_.ready() && flying_ < kFlying; --lines_left_) {
+    const uint32_t id = free_.front();
+    free_.pop_front();
+    ++flying_;
+    reads_[id] = {tag_, false};
+    order_[static_cast<size_t>(tag_)].push_back(id);
+    dram_.request(false, next_line_++, id);
+  }
 }
 
 int DramMemory::step() {
   ++now_;
   dram_.step();
+  enter();
   for (uint32_t id; dram_.done(id);) {
     reads_[id].back = true;
     auto& order = order_[static_cast<size_t>(reads_[id].tag)];

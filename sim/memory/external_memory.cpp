@@ -15,14 +15,27 @@ ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options, int bus_w) 
   }
 }
 
-void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data) {
-  timing_->request(write, address, tag);
-  count(write, tag);
+void ExternalMemory::count(bool write, int tag, int lines, int halves) {
+  Traffic& traffic = traffic_[static_cast<size_t>(tag)];
   if (write) {
-    std::copy(data, data + 16, line(address).begin());
+    ++traffic.lines_written;
+    traffic.halves_written += static_cast<uint64_t>((halves & 1) + (halves >> 1));
+  } else {
+    ++traffic.bursts;
+    traffic.lines_read += static_cast<uint64_t>(lines);
+  }
+}
+
+void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data, int lines, int halves) {
+  timing_->request(write, address, tag, lines);
+  count(write, tag, lines, halves);
+  if (write) {
+    for (int half = 0; half < 2; ++half) {
+      if ((halves >> half & 1) != 0) std::copy(data + 8 * half, data + 8 * half + 8, line(address).begin() + 8 * half);
+    }
     return;
   }
-  read_[tag].push_back(line(address));
+  for (int i = 0; i < lines; ++i) read_[tag].push_back(line(address + static_cast<uint64_t>(i)));
 }
 
 void ExternalMemory::step() {

@@ -3,7 +3,8 @@
 //
 // Idea    Contents behind a MemoryTiming (memory_timing.hpp), which says when the port is ready and when a read
 //         answers. Requests take effect in the order in which they are accepted; only the answers come later. With a
-//         bus an AxiMemory (axi_memory.hpp) stands in the place of the port. Lines are counted by the tag of the core.
+//         bus an AxiMemory (axi_memory.hpp) stands in the place of the port. Lines and bursts are
+//         counted by the tag of the core. Half a line takes the pins as long as a whole one: the rest is masked.
 // Units   Cycles of the machine's clock. Paper: Sec. 5.1 (off-chip memory).
 #pragma once
 
@@ -31,15 +32,19 @@ class ExternalMemory {
   };
   struct Traffic {
     uint64_t lines_read = 0, lines_written = 0;
+    uint64_t bursts = 0;          // reads, each of one to eight lines in a row
+    uint64_t halves_written = 0;  // of 32 bytes
   };
 
-  bool ready() const { return timing_->ready(); }                             // may a request be accepted in this cycle
-  void request(bool write, uint64_t address, int tag, const uint32_t* data);  // accepted in this cycle
-  const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }        // the answer shown in this cycle, if any
-  void step();                                                                // the next cycle begins
+  bool ready() const { return timing_->ready(); }  // may a request be accepted in this cycle
+  // Accepted in this cycle: a write of one line, or a read of `lines` of them, which are answered one by one. `halves`:
+  // which 32 bytes a write changes, the low ones in bit 0.
+  void request(bool write, uint64_t address, int tag, const uint32_t* data, int lines = 1, int halves = 3);
+  const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }  // the answer shown in this cycle, if any
+  void step();                                                          // the next cycle begins
 
   AxiMemory* bus() { return bus_.get(); }  // what stands in the place of the port, or null
-  void count(bool write, int tag) { ++(write ? traffic_[tag].lines_written : traffic_[tag].lines_read); }
+  void count(bool write, int tag, int lines, int halves);
 
   // Contents, for host access; untouched lines hold zero.
   const MemoryLine& line(uint64_t address) const { return bus_ ? bus_->line(address) : pages_.line(address); }

@@ -14,11 +14,15 @@ PinsTiming::PinsTiming(const ExternalMemoryOptions& options) : options_(options)
     throw std::invalid_argument("external memory: latency, bandwidth and queue must be positive");
   }
   cycles_per_line_ = 64.0 / options.bytes_per_cycle;
-  starts_.resize(static_cast<size_t>(options.queue) + 1);
+  starts_.resize(static_cast<size_t>(options.queue) + kMostLines);
   answers_.resize(64);
 }
 
-void PinsTiming::request(bool write, uint64_t, int tag) {
+void PinsTiming::request(bool write, uint64_t, int tag, int lines) {
+  for (int i = 0; i < lines; ++i) add(write, tag);
+}
+
+void PinsTiming::add(bool write, int tag) {
   const double start = std::max(now_, pins_free_);
   pins_free_ = start + cycles_per_line_;
   starts_[(first_start_ + static_cast<size_t>(waiting_)) % starts_.size()] = start;

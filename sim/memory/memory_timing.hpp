@@ -4,10 +4,10 @@
 // Idea    ExternalMemory (contents, for the RTL) and the timing model drive the same object, so that both see the same
 //         memory. PinsTiming is the ideal one: each line costs 64 / bytes_per_cycle cycles of the pins; a read answers
 //         after `latency` cycles plus a random jitter of up to `jitter` cycles, never before an earlier read of the
-//         same tag. At most `queue` requests wait for the pins; then the port is not ready. DramMemory
-//         (dram_memory.hpp) is a DRAM with its channels, banks and rows.
-// Rule    In each cycle: step, then at most one request, only when ready. At most one read is answered per cycle;
-//         answers of one tag keep their order.
+//         same tag. When `queue` lines wait for the pins the port is not ready. DramMemory (dram_memory.hpp) is a DRAM
+//         with its channels, banks and rows.
+// Rule    In each cycle: step, then at most one request, only when ready; a read is of up to eight lines in a row. At
+//         most one line is answered per cycle; answers of one tag keep their order.
 // Units   Cycles of the machine's clock. Paper: Sec. 5.1 (off-chip memory).
 #pragma once
 
@@ -28,7 +28,7 @@ struct ExternalMemoryOptions {
   int latency = 100;              // ideal: cycles from acceptance to answer when nothing waits
   double bytes_per_cycle = 51.2;  // ideal: of the pins
   int jitter = 0;                 // ideal: largest random delay added to an answer
-  int queue = 64;                 // ideal: requests that may wait for the pins
+  int queue = 64;                 // ideal: lines that wait for the pins, from which on the port is not ready
   uint64_t seed = 1;
   int path = 20;           // DRAM: cycles between machine and channels, there and back
   int write_latency = 20;  // behind a bus: cycles until a line that is written is answered
@@ -40,13 +40,14 @@ class MemoryTiming {
   static constexpr int kNoAnswer = -1;
 
   virtual ~MemoryTiming() = default;
-  virtual int step() = 0;          // the next cycle begins: tag of the read answered in it
+  virtual int step() = 0;          // the next cycle begins: tag of the line answered in it
   virtual bool ready() const = 0;  // may a request be accepted in this cycle
-  virtual void request(bool write, uint64_t line, int tag) = 0;  // accepted in this cycle; tags 0 to 255
+  // Accepted in this cycle: a write of one line, or a read of `lines` of them from `line` on. Tags 0 to 255.
+  virtual void request(bool write, uint64_t line, int tag, int lines) = 0;
   // Both at once, for a port whose readiness depends on what is asked: was it accepted? At most once in a cycle.
-  virtual bool offer(bool write, uint64_t line, int tag) {
+  virtual bool offer(bool write, uint64_t line, int tag, int lines) {
     if (!ready()) return false;
-    request(write, line, tag);
+    request(write, line, tag, lines);
     return true;
   }
   virtual const Dram* dram() const { return nullptr; }  // for its statistics, if it is one
@@ -58,9 +59,10 @@ class PinsTiming final : public MemoryTiming {
 
   int step() override;
   bool ready() const override { return waiting_ < options_.queue; }
-  void request(bool write, uint64_t line, int tag) override;
+  void request(bool write, uint64_t line, int tag, int lines) override;
 
  private:
+  static constexpr int kMostLines = 8;  // of a request
   struct Pending {
     double due;
     uint64_t order;
@@ -68,11 +70,13 @@ class PinsTiming final : public MemoryTiming {
     bool operator>(const Pending& other) const { return due != other.due ? due > other.due : order > other.order; }
   };
 
+  void add(bool write, int tag);  // one line
+
   ExternalMemoryOptions options_;
   double cycles_per_line_;
   std::mt19937_64 rng_;
   double now_ = 0, pins_free_ = 0;
-  int waiting_ = 0;             // requests that wait for the pins
+  int waiting_ = 0;             // lines that wait for the pins
   std::vector<double> starts_;  // a ring: when each of them gets the pins
   size_t first_start_ = 0;
   uint64_t order_ = 0;

@@ -89,6 +89,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
     config["memory_jitter"] = options.memory.jitter;
   }
   config["memory_bytes_per_cycle"] = memory_peak(options.memory);
+  config["picture"] = options.raster ? "raster" : "windows";
   config["seed"] = options.rtl.seed;
   report["config"] = config;
 
@@ -105,7 +106,8 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
   Json by_stream;
   for (const MemoryTraffic& traffic : simulation.traffic) {
     read += traffic.bytes_read, written += traffic.bytes_written;
-    by_stream[traffic.stream] = {{"read", traffic.bytes_read}, {"written", traffic.bytes_written}};
+    by_stream[traffic.stream] = {
+        {"read", traffic.bytes_read}, {"written", traffic.bytes_written}, {"bursts", traffic.bursts}};
   }
   report["memory"] = of(rtl, {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}});
   if (simulation.dram) {

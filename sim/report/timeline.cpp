@@ -77,7 +77,9 @@ void Timeline::layer(UnitKind kind, int k, const FramePlace& place, uint64_t beg
                     process, thread, time(begin), time(end + 1 - begin), x, y, place.layer, place.window, place.layer));
 }
 
-void Timeline::on_request(int tag, bool, uint64_t) { bytes_[memory_stream(config(), tag)] += 64; }
+void Timeline::on_request(int tag, bool, uint64_t, int lines) {
+  bytes_[memory_stream(config(), tag)] += 64 * static_cast<uint64_t>(lines);
+}
 
 void Timeline::end_slice(int unit, uint64_t end) {
   States& states = states_[unit];

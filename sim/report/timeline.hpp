@@ -31,7 +31,7 @@ class Timeline final : public FrameWatch {
  public:
   Timeline(const Config& config, const TimelineOptions& options, std::ostream& out);
 
-  void on_request(int tag, bool write, uint64_t line) override;
+  void on_request(int tag, bool write, uint64_t line, int lines) override;
   // Ends the trace; `rtl` is what the run returned.
   void finish(const RtlResult& rtl);
 

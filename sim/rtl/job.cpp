@@ -8,7 +8,7 @@
 
 namespace pipegs {
 
-pipegs_job frame_job(const Config& config, const Frame& frame) {
+pipegs_job frame_job(const Config& config, const Frame& frame, const Picture& picture) {
   std::vector<uint32_t> bits(record_words<Frame>(config) + 1);
   pack(config, frame, bits.data());
   pipegs_job job{};
@@ -20,6 +20,7 @@ pipegs_job frame_job(const Config& config, const Frame& frame) {
     *slot++ = value << field.shift;
     at += field.width;
   }
+  job.picture = {picture.format, picture.base << 6, picture.stride << 6};  // lines to bytes
   return job;
 }
 

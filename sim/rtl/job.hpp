@@ -4,11 +4,12 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/records.hpp"
+#include "cpp_model/ru/ru_raster.hpp"
 #include "sim/driver/pipegs.h"
 
 namespace pipegs {
 
-pipegs_job frame_job(const Config& config, const Frame& frame);
+pipegs_job frame_job(const Config& config, const Frame& frame, const Picture& picture = {});
 Frame job_frame(const Config& config, const pipegs_job& job);  // and back
 
 }  // namespace pipegs

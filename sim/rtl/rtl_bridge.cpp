@@ -37,12 +37,14 @@ struct Widths {
         pixels(c.tap_word_w()),
         address(c.address_w()),
         tag(c.tag_w()),
+        burst(c.burst_w()),
         bus(c.bus_w),
         pixel_lines(c.region_lines() * c.regions()),
+        raster_rows(8 * c.regions()),
         taps(c.taps != 0) {}
-  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, bus;
-  int pixel_lines;  // in memory, of a window inside the image
-  bool taps;        // the streams show
+  int units, tap_lanes, splat, sorted, request, kind, region, index, window, line, pixels, address, tag, burst, bus;
+  int pixel_lines, raster_rows;  // what is written of a window inside the image, in either format of the picture
+  bool taps;                     // the streams show
 };
 
 constexpr uint64_t kResetCycles = 4;
@@ -85,13 +87,14 @@ class VerilatedMachine final : public RtlModel {
   bool streams_ = false, cycles_ = false;  // the taps see streams, and each cycle
 
   uint64_t cycle_ = 0, windows_ = 0, pixel_lines_ = 0, last_request_ = 0;
-  int64_t origin_ = 0;        // the first cycle of the first frame; it restarts the counters
-  uint64_t taken_ = 0;        // frames
-  uint64_t taken_cycle_ = 0;  // of the latest of them
-  size_t disturbed_ = 0;      // disturbances that have come
-  bool mute_ = false;         // what the machine shows is of frames that are given up
-  bool running_ = false;      // the machine was busy in the cycle before; its first cycle restarts the counters
-  uint64_t counted_ = 0;      // cycles that they have counted
+  uint64_t window_lines_ = 1;  // that the RUs write of a window
+  int64_t origin_ = 0;         // the first cycle of the first frame; it restarts the counters
+  uint64_t taken_ = 0;         // frames
+  uint64_t taken_cycle_ = 0;   // of the latest of them
+  size_t disturbed_ = 0;       // disturbances that have come
+  bool mute_ = false;          // what the machine shows is of frames that are given up
+  bool running_ = false;       // the machine was busy in the cycle before; its first cycle restarts the counters
+  uint64_t counted_ = 0;       // cycles that they have counted
   std::vector<uint64_t> ends_;
 };
 
@@ -198,11 +201,13 @@ void VerilatedMachine::observe_memory() {
   const bool write = request[0] & 1;
   const int tag = static_cast<int>(get_bits(request, 1 + w_.address, w_.tag));
   const uint64_t line = get_bits(request, 1, w_.address);
-  if (w_.bus != 0) memory_->count(write, tag);
-  if (w_.bus == 0) memory_->request(write, line, tag, top.mem_data_o.data());
-  if (cycles_ && !mute_) taps_->on_request(tag, write, line);
+  const int halves = static_cast<int>(get_bits(request, 1 + w_.address + w_.tag, 2));
+  const int lines = 1 + static_cast<int>(get_bits(request, 1 + w_.address + w_.tag + 2, w_.burst));
+  if (w_.bus != 0) memory_->count(write, tag, lines, halves);
+  if (w_.bus == 0) memory_->request(write, line, tag, top.mem_data_o.data(), lines, halves);
+  if (cycles_ && !mute_) taps_->on_request(tag, write, line, lines);
   // Without taps what the RUs have written tells how far the frame is.
-  if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines_ / static_cast<uint64_t>(w_.pixel_lines);
+  if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines_ / window_lines_;
   last_request_ = cycle_;
 }
 
@@ -284,6 +289,7 @@ void VerilatedMachine::give_up() {
 }
 
 void VerilatedMachine::render(const std::vector<pipegs_job>& frames) {
+  window_lines_ = static_cast<uint64_t>(frames.front().picture.format != 0 ? w_.raster_rows : w_.pixel_lines);
   pipegs_enable(&device_, PIPEGS_IRQ_STATUS_FRAME_DONE | PIPEGS_IRQ_STATUS_QUEUE_FREE | PIPEGS_IRQ_STATUS_ERROR);
   for (size_t next = 0; ends_.size() < frames.size();) {
     while (next < frames.size() && !due() && pipegs_queue_free(&device_) &&

@@ -42,8 +42,8 @@ class RtlTaps {
   virtual void on_cycle(uint64_t /*cycle*/, const uint8_t* /*states*/) {}
   virtual void on_chunk(int /*unit*/, int /*kind*/) {}               // DOPU -> PU: a chunk or an end beat
   virtual void on_layer_done(int /*unit*/, bool /*window_done*/) {}  // RU `unit` has blended a layer
-  // A line to or from external memory, see MemoryRequest.
-  virtual void on_request(int /*tag*/, bool /*write*/, uint64_t /*line*/) {}
+  // A line to external memory, or lines from it, see MemoryRequest.
+  virtual void on_request(int /*tag*/, bool /*write*/, uint64_t /*line*/, int /*lines*/) {}
 };
 
 // What a run is to survive: it happens `cycle` cycles after the machine has taken its frame number `frame`, counted

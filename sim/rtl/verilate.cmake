@@ -46,7 +46,8 @@ function(pipegs_package out)
 endfunction()
 
 # pipegs_verilated(NAME MODULE [WAVES] [SET key=value ...] [OPTIONS option ...]): a static library with the Verilated
-# module, built when a target needs it; with WAVES its waves can be written. OPTIONS go to Verilator.
+# module, built when a target needs it; with WAVES its waves can be written. OPTIONS go to Verilator. In it
+# stream_check compares beats.
 function(pipegs_verilated name module)
   cmake_parse_arguments(ARG "WAVES" "" "SET;OPTIONS" ${ARGN})
   pipegs_package(package ${ARG_SET})
@@ -59,7 +60,8 @@ function(pipegs_verilated name module)
     set(options 0)
   endif()
   add_custom_command(OUTPUT ${sources}
-    COMMAND ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${module} ${dir} ${package} ${options} ${ARG_OPTIONS}
+    COMMAND ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${module} ${dir} ${package} ${options}
+            -DPIPEGS_BEATS ${ARG_OPTIONS}
     DEPENDS ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${package} ${package_target} DEPFILE ${dir}/depends.d
     COMMENT "Verilating ${module} (${name})" VERBATIM COMMAND_EXPAND_LISTS)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${sources})

@@ -12,7 +12,7 @@ namespace pipegs::timing {
 
 // In the order of the data.
 enum class Border : uint8_t {
-  kRequest,  // a line to or from external memory; the lane is the port
+  kRequest,  // of lines, to external memory; the lane is the port
   kChunk,    // DOPU -> PU
   kSplat,    // PU -> SU, or lists -> SU
   kSorted,   // merge -> RUs
@@ -30,7 +30,9 @@ struct TimingEvent {
 };
 
 // TimingEvent::what: of a request; of a beat's splat by its sort key; of an end. A chunk is 0.
-constexpr uint64_t shown_request(uint64_t line, bool write) { return line << 1 | (write ? 1 : 0); }
+constexpr uint64_t shown_request(uint64_t line, bool write, int lines) {
+  return line << 4 | static_cast<uint64_t>(lines - 1) << 1 | (write ? 1 : 0);
+}
 constexpr uint64_t shown_splat(uint64_t key) { return key << 2; }
 constexpr uint64_t shown_line(int region, int quarter) { return static_cast<uint64_t>(4 * region + quarter); }
 constexpr uint64_t shown_end(bool of_window) { return of_window ? 2 : 1; }

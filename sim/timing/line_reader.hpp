@@ -45,10 +45,12 @@ class LineReader {
     stored_ += (answered ? 1 : 0) - (load ? 1 : 0);
     line_valid_ = load || (line_valid_ && !line_popped_);
     line_popped_ = false;
-    credits_ += (load ? 1 : 0) - (granted ? 1 : 0);
+    credits_ += (load ? 1 : 0) - (granted ? lines() : 0);
     if (granted) {
-      ++line_;
-      if (--lines_left_ == 0) free_from_ = now + 1;
+      const int asked = lines();
+      line_ += static_cast<uint64_t>(asked);
+      lines_left_ -= asked;
+      if (lines_left_ == 0) free_from_ = now + 1;
     }
     if (job != nullptr) {
       taken_at_ = now;
@@ -70,8 +72,9 @@ class LineReader {
   }  // as job_room, asked for in step's cycle
 
   // From the next cycle on.
-  bool wants() const { return lines_left_ > 0 && credits_ > 0; }
+  bool wants() const { return lines_left_ > 0 && credits_ >= kGroup; }
   uint64_t line() const { return line_; }
+  int lines() const { return std::min(lines_left_, kGroup - static_cast<int>(line_ % kGroup)); }
   Cycle next(Cycle now) const { return stored_ > 0 && !line_valid_ ? now + 1 : kNever; }
   Cycle item_from(Cycle now) const {  // kNever when it waits for the memory
     return jobs_.empty() || (jobs_.front().read && !line_valid_) ? kNever : std::max(jobs_.head_from(), now + 1);
@@ -79,6 +82,8 @@ class LineReader {
   bool idle() const { return jobs_.empty(); }
 
  private:
+  static constexpr int kGroup = 8;  // lines: a request goes to the end of the job or of its group
+
   int half_;
   uint64_t base_, line_ = 0;
   int lines_left_ = 0, credits_, stored_ = 0;

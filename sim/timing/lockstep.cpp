@@ -52,7 +52,9 @@ std::string beat_name(uint64_t what, const char* data) {
 std::string action(const TimingEvent* event) {
   if (event == nullptr) return "nothing";
   switch (event->border) {
-    case Border::kRequest: return fmt::format("{} line {:x}", event->what & 1 ? "writes" : "reads", event->what >> 1);
+    case Border::kRequest:
+      return fmt::format("{} {} from line {:x} on", event->what & 1 ? "writes" : "reads", 1 + (event->what >> 1 & 7),
+                         event->what >> 4);
     case Border::kChunk: return "takes " + (event->what == 0 ? "a chunk" : beat_name(event->what, ""));
     case Border::kSplat: return "takes " + beat_name(event->what, "the splat of key");
     case Border::kSorted: return "gives " + beat_name(event->what, "the splat of key");
@@ -77,8 +79,8 @@ Lockstep::Lockstep(const TimingTrace& trace, const Config& config, const Externa
 
 Lockstep::~Lockstep() = default;
 
-void Lockstep::on_request(int tag, bool write, uint64_t line) {
-  show(Border::kRequest, tag, timing::shown_request(line, write));
+void Lockstep::on_request(int tag, bool write, uint64_t line, int lines) {
+  show(Border::kRequest, tag, timing::shown_request(line, write, lines));
 }
 void Lockstep::on_chunk(int unit, int kind) { show(Border::kChunk, unit, static_cast<uint64_t>(kind)); }
 void Lockstep::on_splat(int unit, const uint32_t* splat) { show(Border::kSplat, unit, beat<Splat>(splat)); }

@@ -42,7 +42,7 @@ class Lockstep final : public RtlTaps {
   void on_pixels(int, int, int, const uint32_t*) override {}
   void on_chunk(int unit, int kind) override;
   void on_layer_done(int unit, bool window_done) override;
-  void on_request(int tag, bool write, uint64_t line) override;
+  void on_request(int tag, bool write, uint64_t line, int lines) override;
 
   // After the RTL's last cycle: plays the model to its end.
   void finish();

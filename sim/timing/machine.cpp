@@ -106,7 +106,7 @@ bool Machine::cycle() {
         return one.window() == trace.windows.size() && one.written();
       })) {
     Cycle end = memory.last_accepted();
-    for (const Ru& one : ru) end = std::max(end, one.last_window_done());
+    for (const Ru& one : ru) end = std::max(end, one.last_busy());
     cycles_ = end + 1;
   }
   if (now - memory.last_accepted() > kQuiet)

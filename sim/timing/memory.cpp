@@ -10,7 +10,8 @@ Memory::Memory(MemoryTiming& timing, const Config& config)
     : timing_(timing),
       units_(config.units),
       write_ports_(config.write_ports()),
-      first_(((uint32_t{1} << write_ports_) - 1) | uint32_t{1} << node_port()) {
+      first_(((uint32_t{1} << write_ports_) - 1) | uint32_t{1} << node_port()),
+      geometry_(((uint32_t{1} << units_) - 1) << write_ports_) {
   const auto set = [this](int port, int grant, int answer) {
     grant_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(grant);
     answer_unit_[static_cast<size_t>(port)] = static_cast<uint8_t>(answer);
@@ -31,25 +32,33 @@ void Memory::step(Machine& machine, Cycle now) {
   answered_ = coming_;
   coming_ = timing_.step();
   if (answered_ >= 0) machine.wheel.wake_now(answer_unit_[static_cast<size_t>(answered_)]);
+  const uint32_t able = pause_ > 0 ? wanted_ & ~geometry_ : wanted_;
+  if (pause_ > 0) --pause_;
   if (wanted_ == 0 && !out_valid_) return;
 
   bool free = !out_valid_;
-  if (out_valid_ && timing_.offer(out_write_, out_line_, out_port_)) {
-    ++(out_write_ ? written_ : read_)[static_cast<size_t>(out_port_)];
-    machine.show(now, Border::kRequest, out_port_, shown_request(out_line_, out_write_));
+  if (out_valid_ && timing_.offer(out_.write, out_.line, out_port_, out_.lines)) {
+    const auto port = static_cast<size_t>(out_port_);
+    if (out_.write) {
+      written_[port] += static_cast<uint64_t>(out_.halves);
+    } else {
+      ++bursts_[port], read_[port] += static_cast<uint64_t>(out_.lines);
+    }
+    machine.show(now, Border::kRequest, out_port_, shown_request(out_.line, out_.write, out_.lines));
     last_accepted_ = now;
     free = true;
     out_valid_ = false;
   }
   const uint32_t chosen = chosen_ == kNone ? 0 : uint32_t{1} << chosen_;
-  const uint32_t others = wanted_ & ~chosen, first = others & first_, requests = first != 0 ? first : others;
-  const bool served = (wanted_ & chosen) != 0, moves = !served || free;
+  const uint32_t others = able & ~chosen, first = others & first_, second = others & ~geometry_;
+  const uint32_t requests = first != 0 ? first : second != 0 ? second : others;
+  const bool served = (able & chosen) != 0, moves = !served || free;
   if (served && free) {
     out_valid_ = true;
     out_port_ = chosen_;
-    out_write_ = write_[static_cast<size_t>(chosen_)];
-    out_line_ = line_[static_cast<size_t>(chosen_)];
+    out_ = request_[static_cast<size_t>(chosen_)];
     wanted_ &= ~chosen;
+    if ((chosen & geometry_) != 0) pause_ = out_.lines - 1;
     granted_ = chosen_;
     grant_at_ = now;
     machine.wheel.wake_now(grant_unit_[static_cast<size_t>(chosen_)]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // memory.hpp: the arbiter to external memory in the timing model.
 //
-// RTL     rtl/buf/memory_arbiter.sv: round robin among those that go first, then among the others, for the cycle after;
-//         a register on the way out and one on the way back.
+// RTL     rtl/buf/memory_arbiter.sv: round robin among those that go first, then among the colours, then among the
+//         bursts of geometry, for the cycle after; a register on the way out and one on the way back.
 // Idea    A unit asks by setting its port's bit, which counts from the next cycle on and is cleared by the grant. The
 //         unit is woken in the cycle of its grant and in the cycle of its answer.
 #pragma once
@@ -22,8 +22,9 @@ class Memory {
  public:
   Memory(MemoryTiming& timing, const Config& config);
 
-  void ask(int port, uint64_t line, bool write = false) {
-    wanted_ |= uint32_t{1} << port, line_[static_cast<size_t>(port)] = line, write_[static_cast<size_t>(port)] = write;
+  // lines: of a read, in a row; halves: of the line that a write changes.
+  void ask(int port, uint64_t line, bool write = false, int lines = 1, int halves = 2) {
+    wanted_ |= uint32_t{1} << port, request_[static_cast<size_t>(port)] = {line, write, lines, halves};
   }
   bool granted(int port, Cycle now) const { return granted_ == port && grant_at_ == now; }
   bool answered(int port) const { return answered_ == port; }
@@ -32,8 +33,9 @@ class Memory {
   bool idle() const { return wanted_ == 0 && !out_valid_; }
 
   Cycle last_accepted() const { return last_accepted_; }
+  uint64_t bursts(int port) const { return bursts_[static_cast<size_t>(port)]; }
   uint64_t lines_read(int port) const { return read_[static_cast<size_t>(port)]; }
-  uint64_t lines_written(int port) const { return written_[static_cast<size_t>(port)]; }
+  uint64_t halves_written(int port) const { return written_[static_cast<size_t>(port)]; }
 
   // Ports, see rtl/pipegs_top.sv.
   int alpha_port(int lane) const { return lane; }
@@ -46,23 +48,30 @@ class Memory {
 
  private:
   static constexpr int kPorts = 22, kNone = -1;
+  struct Request {
+    uint64_t line = 0;
+    bool write = false;
+    int lines = 1;
+    int halves = 2;
+  };
 
   MemoryTiming& timing_;
   int units_, write_ports_;
-  uint32_t first_;  // ports that go first: those that may write, and the DOPU's
+  uint32_t first_;     // ports that go first: those that may write, and the DOPU's
+  uint32_t geometry_;  // those that go last
   std::array<uint8_t, kPorts> grant_unit_{}, answer_unit_{};  // whom to wake
   uint32_t wanted_ = 0;
-  std::array<uint64_t, kPorts> line_{};
-  std::array<bool, kPorts> write_{};
+  std::array<Request, kPorts> request_{};
+  int pause_ = 0;       // cycles for which no geometry is asked for
   int chosen_ = kNone;  // granted in this cycle if it asks
   int last_ = 0, shown_ = 0;
   bool locked_ = false;
-  bool out_valid_ = false, out_write_ = false;
+  bool out_valid_ = false;
   int out_port_ = 0;
-  uint64_t out_line_ = 0;
+  Request out_;
   int granted_ = kNone, answered_ = kNone, coming_ = kNone;
   Cycle grant_at_ = kLongAgo, last_accepted_ = 0;
-  std::array<uint64_t, kPorts> read_{}, written_{};
+  std::array<uint64_t, kPorts> bursts_{}, read_{}, written_{};
 };
 
 }  // namespace pipegs::timing

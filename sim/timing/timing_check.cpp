@@ -47,7 +47,7 @@ RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const Exter
   RtlOptions rtl_options;
   rtl_options.seed = seed;
   const double before = thread_seconds();
-  const RtlResult rtl = model->run({frame_job(config, input.frame)}, memory, rtl_options, &taps, {});
+  const RtlResult rtl = model->run({frame_job(config, input.frame, input.picture)}, memory, rtl_options, &taps, {});
   if (lockstep != nullptr) lockstep->finish();
   return {.cycles = rtl.cycles,
           .overflow_lines = rtl.overflow_lines,
@@ -65,6 +65,7 @@ std::vector<std::string> timing_differences(const TimingResult& model, const Rtl
   compare("lines that overflow", rtl.overflow_lines, model.overflow_lines);
   for (size_t i = 0; i < rtl.traffic.size(); ++i) {
     compare("bytes read, " + rtl.traffic[i].stream, rtl.traffic[i].bytes_read, model.streams.at(i).bytes_read);
+    compare("bursts read, " + rtl.traffic[i].stream, rtl.traffic[i].bursts, model.streams.at(i).bursts);
     compare("bytes written, " + rtl.traffic[i].stream, rtl.traffic[i].bytes_written, model.streams.at(i).bytes_written);
   }
   if (rtl.window_ends.empty()) return lines;

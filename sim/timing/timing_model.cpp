@@ -34,8 +34,9 @@ TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTi
   for (const std::string& name : memory_streams(config)) result.streams.push_back({.name = name});
   for (int port = 0; port < config.memory_ports(); ++port) {
     TimingResult::Stream& stream = result.streams[memory_stream(config, port)];
+    stream.bursts += machine->memory.bursts(port);
     stream.bytes_read += 64 * machine->memory.lines_read(port);
-    stream.bytes_written += 64 * machine->memory.lines_written(port);
+    stream.bytes_written += 32 * machine->memory.halves_written(port);
   }
   return result;
 }

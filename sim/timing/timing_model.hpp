@@ -22,6 +22,7 @@ struct TimingResult {
   struct Stream {
     std::string name;  // as in report.json
     uint64_t bytes_read = 0, bytes_written = 0;
+    uint64_t bursts = 0;  // reads, each of one to eight lines in a row
   };
   std::vector<Stream> streams;
   uint64_t overflow_lines = 0;

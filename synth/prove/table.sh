@@ -30,7 +30,7 @@ mutant "shows the word at the tail" 's/words_q\[head_q\]/words_q[tail_q]/' "Data
 # Memory: a word and a bit of the solver's choice; sizes up to 64 words of 8 bits, and 1024 of one.
 proof  sram "sram+" "DataW=1 Depth=2; DataW=3 Depth=5; DataW=8 Depth=64; DataW=1 Depth=1024"
 mutant "the output changes without a read" 's/if \(read_i\) //'
-mutant "a word that is written in the cycle of the read shows" \
+mutant "a word that is written shows whatever is read" \
        's/words_q\[raddr_i\]/write_i ? wdata_i : words_q[raddr_i]/'
 
 proof  arbiter "arbiter+ round_robin first_set" "Ports=3; Ports=1; Ports=2; Ports=4; Ports=5; Ports=6; Ports=7; Ports=8"
@@ -43,12 +43,14 @@ mutant "the lowest port always comes first" "s/last_i\(last_q\)/last_i({PortW{1'
 
 # Jobs for lines with one item and with two, in a small buffer.
 proof  line_reader "line_reader+ fifo+ free_sram" \
-       "@default %MemoryW=4 %AddressW=6 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
-  @default %MemoryW=4 %AddressW=6 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
+       "@default %MemoryW=4 %AddressW=6 %BurstW=1 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
+  @default %MemoryW=4 %AddressW=6 %BurstW=2 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=8 %AddressW=6 TagW=2 ItemW=4 ItemsPerLine=2 Lines=64 Jobs=8 IndexW=6 CountW=5"
-mutant "asks without a credit" 's/ \&\& credits_q != .0//'
-mutant "a credit comes back with the answer" 's/load \&\& !issue\) credits_q/rsp_valid_i \&\& !issue) credits_q/'
+mutant "asks without credits" 's/ \&\& credits_q\[.*\] != .0//'
+mutant "a credit comes back with the answer" 's/else if \(load\) credits_q/else if (rsp_valid_i) credits_q/'
 mutant "the address asked for goes on before it is taken" 's/else if \(issue\) line_q/else line_q/'
+mutant "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
+mutant "a request leaves its group" 's/(assign rest  .*= ).*/\1 BurstW\x27(2**BurstW - 1);/'
 mutant "items go on behind the last" 's/item_q \+ 1.b1 == job_count/item_q == job_count/'
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
@@ -70,9 +72,13 @@ mutant "a shown request is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
 mutant "the shown request changes" 's/if \(take\) request_q <= out/request_q <= out/'
 mutant "the data of a shown write changes" 's/if \(take \&\& out.write\)/if (out.write)/'
 mutant "no class goes first" 's/(assign request = ).*/\1others;/'
+mutant "geometry goes before colours" 's/(assign second  = ).*/\1others;/'
+mutant "geometry follows geometry at once" 's/(assign able    = ).*/\1{Ports{1\x27b1}};/'
+mutant "geometry keeps away for a cycle too few" 's/pause_q <= out.lines;/pause_q <= out.lines >> 1;/'
 mutant "a grant leaves a port that waits" 's/if \(request != .0 \&\& moves\) grant_q/if (request != 0) grant_q/'
 mutant "an answer goes to the port beside it" 's/mem_rsp_tag_i == /(mem_rsp_tag_i | 1) == /'
 mutant "the tag names another port" 's/(TagW.\(port_q)\)/\1 ^ 1)/'
+mutant "the halves are those of all ports" 's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
 
 # A small store on the real SRAM, then the default machine's store and those of two units and one on free_sram.
 proof  alpha_store "alpha_store+ arbiter+ round_robin first_set sram+" "@units=2,alpha_lines=64 %LineW=4 %AlphaLines=8;
@@ -125,7 +131,12 @@ mutant "data shows before its address" 's/(if \(data_free\) w_valid_q <= )take/\
 mutant "AW is valid in reset" 's/aw_valid_q <= 1.b0/aw_valid_q <= 1/'
 mutant "all beats leave from the top of the line" 's/data_q\[DataW-1:0\]/data_q[pipegs_pkg::MemoryW-1 -: DataW]/' \
        "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
-mutant "strobes only on the lowest byte" 's/\{\(DataW\/8\)\{1.b1\}\}/(DataW\/8)\x27(1)/'
+mutant "strobes only on the lowest byte of a half" \
+       's/\{\(GrainW\/8\)\{written_q\[i\]\}\}/(GrainW\/8)\x27(written_q[i])/' \
+       "@default %AddressW=10 %TagW=2 DataW=512 AddrW=16 Writes=3"
+mutant "a half that is not written is" "s/in_halves_i\[1\]/1'b1/"
+mutant "the strobes do not move with the data" 's/written_q >> StepW/written_q/' \
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
 mutant "a burst that is not INCR" 's/m_axi_awburst  = 2.b01/m_axi_awburst = 2\x27b10/'
 mutant "a line is taken without room" 's/in_ready_o   = room \&\& /in_ready_o = /'
 mutant "the page of the base is not added" 's/base_i\[AddrW-1:12\] \+ //'
@@ -371,6 +382,7 @@ mutant "a node enters without a place" \
        "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
 mutant "the place of a node that failed stays reserved" \
        "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ - ReservedW'\(missed\[l\]\)//"
+mutant "a chunk that is shown is taken back when its window is done" 's/ \&\& !shown_q;/;/'
 proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4;
        @late=1,order=2 %BucketW=4 Most=16 Lines=64"
 mutant "one bucket too many is opened" 's/!open_q\[Most-1\]/1/'

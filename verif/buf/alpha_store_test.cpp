@@ -20,7 +20,6 @@ struct Traffic : Endpoint {
   }
   void drive() override {
     dut.write_i = fill < model.size() || goes(write_pace, bench.rng);
-    dut.address_i = fill < model.size() ? fill : bench.rng() & 0xffffff;
     Words line(static_cast<size_t>(config.line_w()) / 32);
     for (uint32_t& word : line) word = static_cast<uint32_t>(bench.rng());
     write_port(dut.line_i, line.data());
@@ -32,6 +31,8 @@ struct Traffic : Endpoint {
       put_bits(ports.data(), j * 24, 24, asked[j]);
     }
     write_port(dut.read_address_i, ports.data());
+    do dut.address_i = fill < model.size() ? fill : bench.rng() & 0xffffff;
+    while (is_asked(dut.address_i));
     dut.read_valid_i = valid;
   }
   void observe() override {
@@ -48,12 +49,19 @@ struct Traffic : Endpoint {
     answer_to = dut.read_ready_o;
     for (int j = 0; j < config.units; ++j) {
       if (!((answer_to >> j) & 1)) continue;
-      answer = model[asked[j] % model.size()];  // a write in the same cycle is not seen
+      answer = model[asked[j] % model.size()];
       valid &= ~(1u << j);
       ++taken[j], ++reads;
     }
     if (dut.write_i) model[dut.address_i % model.size()] = written;
     if (fill < model.size()) ++fill;
+  }
+
+  // Somebody may read that line in this cycle, so nobody writes it.
+  bool is_asked(uint64_t address) const {
+    for (int j = 0; j < config.units; ++j)
+      if ((valid >> j & 1) && asked[j] % model.size() == address % model.size()) return true;
+    return false;
   }
 
   BenchBase& bench;

@@ -16,7 +16,9 @@ namespace {
 struct Request {
   bool write;
   uint64_t address;
+  int lines;
   MemoryLine data;
+  int halves;  // of the line: all of a read
 };
 
 class Requesters : public Endpoint {
@@ -42,26 +44,41 @@ class Requesters : public Endpoint {
     for (uint32_t& word : line) word = static_cast<uint32_t>(bench_.rng());
     return line;
   }
-  void push(int port, bool write) { waiting[port].push_back({write, bases_[port] + bench_.rng() % 16, random_line()}); }
+  // A read of some lines of a group of eight, or of as many as given from its first on; a write of one.
+  void push(int port, bool write, int lines = 0) {
+    const int halves = write ? 1 + static_cast<int>(bench_.rng() % 3) : 3;
+    const uint64_t place = bench_.rng() % 16;
+    if (lines == 0) lines = 1 + static_cast<int>(bench_.rng() % (8 - place % 8));
+    if (write) lines = 1;
+    const uint64_t line = bases_[port] + (lines == 8 ? place & ~uint64_t{7} : place);
+    waiting[port].push_back({write, line, lines, random_line(), halves});
+  }
   void drive() override {
     auto& dut = bench_.dut;
+    Words lines(port_words<decltype(dut.lines_i)>() + 2);
     Words address(port_words<decltype(dut.address_i)>() + 2), data(port_words<decltype(dut.data_i)>() + 2);
     for (uint32_t& word : address) word = static_cast<uint32_t>(bench_.rng());  // noise beside a low valid
     for (uint32_t& word : data) word = static_cast<uint32_t>(bench_.rng());
+    for (uint32_t& word : lines) word = static_cast<uint32_t>(bench_.rng());
     uint32_t valid = 0, write = static_cast<uint32_t>(bench_.rng()) & ((1u << writers) - 1);
+    uint32_t halves = static_cast<uint32_t>(bench_.rng()) & ((1u << 2 * writers) - 1);
     for (int p = 0; p < ports; ++p) {
       if (!up_[p] && !waiting[p].empty() && goes(pace, bench_.rng)) up_[p] = true;
       if (!up_[p]) continue;
       const Request& request = waiting[p].front();
       valid |= 1u << p;
       put_bits(address.data(), p * config.address_w(), config.address_w(), request.address);
+      put_bits(lines.data(), p * config.burst_w(), config.burst_w(), static_cast<uint64_t>(request.lines - 1));
       if (p >= writers) continue;
+      halves = (halves & ~(3u << 2 * p)) | static_cast<uint32_t>(request.halves) << 2 * p;
       write = (write & ~(1u << p)) | (request.write ? 1u : 0u) << p;
       if (request.write) std::copy(request.data.begin(), request.data.end(), data.begin() + 16 * p);
     }
     write_port(dut.valid_i, &valid);
     write_port(dut.write_i, &write);
     write_port(dut.address_i, address.data());
+    write_port(dut.halves_i, &halves);
+    write_port(dut.lines_i, lines.data());
     write_port(dut.data_i, data.data());
 
     memory.step();
@@ -90,6 +107,7 @@ class Requesters : public Endpoint {
   ExternalMemory memory;
   std::vector<std::deque<Request>> waiting{static_cast<size_t>(ports)};
   std::vector<int> order;        // the ports of the requests that left
+  std::vector<int> lengths;      // their lines
   std::vector<uint64_t> cycles;  // and when
   uint64_t answers = 0;
 
@@ -134,14 +152,21 @@ class Requesters : public Endpoint {
     taken_[p].pop_front();
     ASSERT_EQ(request.address, expected.address) << at(p);
     ASSERT_EQ(request.write, expected.write ? 1u : 0u) << at(p);
+    ASSERT_EQ(request.halves, static_cast<uint64_t>(expected.halves)) << at(p);
+    ASSERT_EQ(request.lines, static_cast<uint64_t>(expected.lines - 1)) << at(p);
     if (expected.write) {
       ASSERT_EQ(data, expected.data) << at(p);
-      lines_[expected.address] = expected.data;
+      for (size_t i = 0; i < 16; ++i) {
+        if ((expected.halves >> i / 8 & 1) != 0) lines_[expected.address][i] = expected.data[i];
+      }
     } else {
-      due_[p].push_back(lines_.at(expected.address));
+      for (int i = 0; i < expected.lines; ++i)
+        due_[p].push_back(lines_.at(expected.address + static_cast<uint64_t>(i)));
     }
-    memory.request(request.write != 0, request.address, static_cast<int>(request.tag), data.data());
+    memory.request(request.write != 0, request.address, static_cast<int>(request.tag), data.data(), expected.lines,
+                   static_cast<int>(request.halves));
     order.push_back(p);
+    lengths.push_back(expected.lines);
     cycles.push_back(bench_.cycle);
   }
   void answer() {
@@ -182,7 +207,7 @@ TEST(MemoryArbiter, EveryRequestLeavesOnceAndEveryAnswerComesBackAtEveryPace) {
         for (int i = 0; i < count; ++i) {
           const bool write = p < all.writers && bench.rng() % 2 == 0;
           all.push(p, write);
-          reads += !write, ++requests;
+          reads += write ? 0 : static_cast<uint64_t>(all.waiting[p].back().lines), ++requests;
         }
       }
       bench.run_until([&] { return all.finished(); });
@@ -200,18 +225,54 @@ TEST(MemoryArbiter, MovesOneRequestPerCycleAndServesWritersAndTheDopuFirst) {
   bench.reset();
   constexpr int kEach = 20;
   for (int p = 0; p < all.ports; ++p)
-    for (int i = 0; i < kEach; ++i) all.push(p, p < all.writers && i % 2 == 0);
+    for (int i = 0; i < kEach; ++i) all.push(p, p < all.writers && i % 2 == 0, 1);
   bench.run_until([&] { return all.finished(); });
   ASSERT_EQ(all.order.size(), static_cast<size_t>(kEach * all.ports));
   EXPECT_EQ(all.cycles.back() - all.cycles.front(), all.order.size() - 1);
-  const int first = all.writers + 1, others = all.ports - first;  // of these each in its turn
-  const auto is_first = [&](int port) { return port < all.writers || port == all.ports - 1; };
-  for (int i = 0; i < kEach * all.ports; ++i) {
-    const bool early = i < kEach * first;
-    ASSERT_EQ(is_first(all.order[i]), early) << "request " << i;
-    const int turn = early ? first : others;
-    if (i >= turn && (early || i >= kEach * first + turn))
-      ASSERT_EQ(all.order[i], all.order[i - turn]) << "request " << i;
+  // Three classes: these, the colours, the geometry; of each class each port in its turn.
+  const int units = all.config.units;
+  const auto class_of = [&](int port) {
+    return port < all.writers || port == all.ports - 1 ? 0 : port < all.writers + units ? 2 : 1;
+  };
+  const int sizes[] = {all.writers + 1, units, units};
+  int i = 0;
+  for (int number = 0; number < 3; ++number) {
+    const int begin = i;
+    for (; i < begin + kEach * sizes[number]; ++i) {
+      ASSERT_EQ(class_of(all.order[i]), number) << "request " << i;
+      const int turn = sizes[number];
+      if (i >= begin + turn + (number == 0 ? 0 : turn)) ASSERT_EQ(all.order[i], all.order[i - turn]) << "request " << i;
+    }
+  }
+}
+
+// A burst of geometry of n lines takes n turns: of geometry, not of what others ask for meanwhile.
+TEST(MemoryArbiter, BurstsOfGeometryTakeAsManyTurnsAsTheyHaveLines) {
+  for (const bool others : {false, true}) {
+    Bench<Vmemory_arbiter> bench;
+    Requesters all(bench, Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64, .queue = 1000});
+    bench.reset();
+    const int units = all.config.units, color = all.writers + units;
+    for (int i = 0; i < 200; ++i) all.push(all.writers + static_cast<int>(bench.rng() % 4) % units, false);
+    uint64_t asked = 0;
+    bench.run_until([&] {
+      if (others && bench.rng() % 6 == 0) all.push(color, false, 1), ++asked;
+      if (others && bench.rng() % 9 == 0) all.push(0, true), ++asked;
+      return all.finished();
+    });
+    EXPECT_EQ(all.order.size(), 200 + asked);
+    uint64_t last = 0, turns = 0, lines = 0, late = 0;
+    for (size_t i = 0; i < all.order.size(); ++i) {
+      if (all.order[i] < all.writers || all.order[i] >= color) continue;
+      if (turns != 0) {
+        ASSERT_GE(all.cycles[i] - last, turns) << "request " << i;
+        if (!others) { ASSERT_EQ(all.cycles[i] - last, turns) << "request " << i; }
+        late += all.cycles[i] - last - turns;
+      }
+      last = all.cycles[i], turns = static_cast<uint64_t>(all.lengths[i]), lines += turns;
+    }
+    EXPECT_LE(late, others ? 4 * asked : 0);
+    EXPECT_GT(lines, 500u);
   }
 }
 

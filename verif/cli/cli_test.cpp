@@ -22,6 +22,22 @@ TEST_F(Cli, SimAgreesAndWritesPictureAndReport) {
   EXPECT_EQ(read, report["memory"]["bytes_read"]);
 }
 
+TEST_F(Cli, ThePictureInRasterOrderIsTheSame) {
+  const std::string sim = "sim scene.ply --cameras cameras.json --no-truth ";
+  ASSERT_EQ(run(sim + "--out windows").code, 0);
+  const Outcome outcome = run(sim + "--picture raster --out raster");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(text("raster/frame.png"), text("windows/frame.png"));
+  const auto raster = nlohmann::json::parse(text("raster/report.json")),
+             windows = nlohmann::json::parse(text("windows/report.json"));
+  EXPECT_EQ(raster["config"]["picture"], "raster");
+  EXPECT_EQ(windows["config"]["picture"], "windows");
+  // Rows of eight pixels, four bytes each, of a picture whose sides need not be multiples of anything.
+  const int width = raster["camera"]["width"], height = raster["camera"]["height"];
+  EXPECT_EQ(raster["memory"]["by_stream"]["raster"]["written"], (width + 7) / 8 * 32 * height);
+  expect_refused(sim + "--picture upside", "--picture: upside not in {windows,raster}");
+}
+
 TEST_F(Cli, ViewsFollowInOneMachine) {
   write_cameras(folder_ / "cameras.json", {test_camera(70, 50), test_camera(40, 90), test_camera(70, 50)});
   const Outcome outcome = run("sim scene.ply --cameras cameras.json --views 1-2 --json --out pictures");

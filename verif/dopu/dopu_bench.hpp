@@ -16,7 +16,8 @@
 
 namespace pipegs {
 
-// The PUs: takes chunks at a pace, checks the stream rules of each, keeps the data in order and each unit's ends.
+// The PUs: takes chunks at a pace, checks the stream rules of each, keeps the data in order and each unit's ends. A PU
+// that is ready has room; lazy ones say that they have room, and are ready only for what was shown.
 class Units : public Endpoint {
  public:
   Units(Bench<Vdopu>& bench, const Config& config, Pace pace)
@@ -24,13 +25,14 @@ class Units : public Endpoint {
     bench.add(*this);
   }
   void drive() override {
-    uint64_t ready = 0;
     for (int u = 0; u < config_.units; ++u) {
       // Like a PU's input, ready stays until a beat is taken: it is never withdrawn.
+      if (pace == Pace::kLazy && (shown_ >> u & 1) == 0) continue;
       if (rare != 0 ? bench_.rng() % rare == 0 : goes(pace, bench_.rng)) ready_ |= uint64_t{1} << u;
     }
-    ready = ready_;
-    bench_.dut.chunk_ready_i = static_cast<CData>(ready);
+    bench_.dut.chunk_ready_i = static_cast<CData>(ready_);
+    const uint64_t all = (uint64_t{1} << config_.units) - 1;
+    bench_.dut.chunk_room_i = static_cast<CData>(pace == Pace::kLazy ? all : ready_);
   }
   void observe() override {
     const uint64_t valid = bench_.dut.chunk_valid_o, now = valid & ready_;

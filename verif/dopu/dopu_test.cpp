@@ -41,7 +41,7 @@ void compare(Pace pace, Pace memory_pace, const ExternalMemoryOptions& options) 
   ExternalMemory memory(options);
   Units units(bench, config, pace);
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace, &bench.dut.mem_lines_o);
   bench.reset();
   for (int frame = 0; frame < 6; ++frame) {  // one after another: nothing may be left of the frame before
     const size_t gaussians[] = {3000, 0, 1, 20000, 500, 60};
@@ -73,6 +73,7 @@ TEST(Dopu, EqualsItsModelWithASlowMemory) {
   compare(Pace::kAlways, Pace::kCoin, {.latency = 150, .bytes_per_cycle = 12.8, .jitter = 40});
 }
 TEST(Dopu, EqualsItsModelUnderBackPressure) { compare(Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20}); }
+TEST(Dopu, EqualsItsModelWithLazyUnits) { compare(Pace::kLazy, Pace::kLazy, {.latency = 60, .jitter = 20}); }
 TEST(Dopu, EqualsItsModelByCoin) { compare(Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20}); }
 
 // The RUs report a window done after it got some chunks: what comes after is a subset in order, and every end still
@@ -85,7 +86,7 @@ TEST(Dopu, SkipsTheRestOfAWindowThatIsDone) {
   ExternalMemory memory({.latency = 40});
   Units units(bench, config, Pace::kAlways);
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
   Feedback feedback(bench, units, config);
   bench.reset();
   const World world(bench.rng, 20000, 200, 150);
@@ -122,7 +123,7 @@ TEST(Dopu, NeedsNoClockWhenItSaysSo) {
   Units units(bench, config, Pace::kAlways);
   units.rare = 600;
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
   bench.reset();
   const World world(bench.rng, 300, 3 * config.window, 2 * config.window);
   world.load(memory);
@@ -149,7 +150,7 @@ TEST(Dopu, KeepsItsTestBusy) {
   ExternalMemory memory({.latency = 60, .bytes_per_cycle = 51.2});
   Units units(bench, config, Pace::kAlways);
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
   bench.reset();
   const World world(bench.rng, 20000, 10 * config.window, 7 * config.window);
   world.load(memory);

@@ -7,11 +7,43 @@
 #include <functional>
 #include <tuple>
 
+#include "sim/driver/pipegs_wide.h"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/dopu/frame_reference.hpp"
 
 namespace pipegs {
 namespace {
+
+using Uint128 = unsigned __int128;
+
+// The driver's 128 bits beside the compiler's own.
+TEST(FrameLimits, AreReachedByNumbersOf128Bits) {
+  std::mt19937_64 rng(frame_seed());
+  const auto wide = [](Uint128 value) {
+    return pipegs_wide{static_cast<uint64_t>(value >> 64), static_cast<uint64_t>(value)};
+  };
+  const auto narrow = [](pipegs_wide value) { return static_cast<Uint128>(value.high) << 64 | value.low; };
+  for (int i = 0; i < 20000; ++i) {
+    const uint64_t a = rng() >> (rng() % 64), b = rng() >> (rng() % 64), most = ~uint64_t{0};
+    const Uint128 product = static_cast<Uint128>(a) * b, other = (static_cast<Uint128>(rng()) << 64 | rng()) >> 1;
+    ASSERT_EQ(narrow(pipegs_wide_multiply(a, b)), product);
+    ASSERT_EQ(narrow(pipegs_wide_add(wide(product >> 1), wide(other))), (product >> 1) + other);
+    const int places = static_cast<int>(rng() % 128);
+    ASSERT_EQ(narrow(pipegs_wide_left(wide(other), places)), other << places);
+    ASSERT_EQ(narrow(pipegs_wide_right(wide(other), places)), other >> places);
+    for (const uint64_t divisor : {b, most - a % 1000, uint64_t{0}}) {
+      uint64_t quotient = 0;
+      const Uint128 dividend = i % 2 == 0 ? other : product;
+      const bool fits = divisor != 0 && dividend / divisor <= most;
+      ASSERT_EQ(pipegs_wide_divide(wide(dividend), divisor, &quotient), fits);
+      if (fits) ASSERT_EQ(quotient, static_cast<uint64_t>(dividend / divisor));
+    }
+    const Uint128 square = static_cast<Uint128>(a) * a;
+    ASSERT_EQ(pipegs_wide_root(wide(square)), a);
+    if (a > 0) ASSERT_EQ(pipegs_wide_root(wide(square - 1)), a - 1);
+    ASSERT_EQ(pipegs_wide_root(wide(square + 2 * static_cast<Uint128>(a))), a);
+  }
+}
 
 // The same number with more or fewer bits in its mantissa is the same number.
 TEST(FrameLimits, AreTheSameForEveryFormOfANumber) {

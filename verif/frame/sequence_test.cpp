@@ -24,6 +24,12 @@ class Sequence {
     simulations_.push_back(std::make_unique<Simulation>());
     simulate_golden(scene, camera, options_, *simulations_.back());
   }
+  // The frame added last has its pixels in raster order, with so many lines to spare in each row.
+  void in_raster_order(uint64_t spare) {
+    GoldenInput& input = simulations_.back()->input;
+    input.picture = raster_picture(input.frame.tables.pixels, input.frame.raster.width);
+    input.picture.stride += spare;
+  }
   // A frame of the scene before, which shares its place in memory, pixels included.
   void add(const Camera& camera, double near_plane = 0.2) {
     const PackedScene& packed = *simulations_.back()->input.packed;
@@ -38,6 +44,7 @@ class Sequence {
     for (const bool queued : {true, false}) {
       options_.rtl.queued = queued;
       const SequenceRun run = simulate_sequence(options_, frames);
+      pixel_bytes = run.traffic.at(2).bytes_written;
       ASSERT_EQ(run.rtl.frame_ends.size(), frames.size());
       for (size_t i = 0; i < frames.size(); ++i) {
         ASSERT_EQ(frames[i]->mismatches, 0u)
@@ -50,7 +57,7 @@ class Sequence {
     }
   }
 
-  uint64_t queued_cycles = 0, single_cycles = 0;
+  uint64_t queued_cycles = 0, single_cycles = 0, pixel_bytes = 0;
 
  private:
   SimulateOptions options_;
@@ -76,6 +83,30 @@ TEST(Sequence, FramesOfOtherSizesCamerasAndScenesFollowWithoutAReset) {
     if (HasFatalFailure()) return;
     const Config config = machine(i).config;
     if (!config.has_lists() && !config.has_stores()) { EXPECT_LT(sequence.queued_cycles, sequence.single_cycles); }
+  }
+}
+
+// The picture of a frame is taken with it, while the frame before is still being written in the other format. Nothing
+// is written but half lines with a pixel of the picture.
+TEST(Sequence, PicturesInRasterOrderFollowThoseByWindows) {
+  const Scene scene = random_scene(65, 500, 1);
+  for (size_t i = 0; i < kMachines.size(); ++i) {
+    SCOPED_TRACE(config_difference(machine(i).config));
+    Sequence mixed(machine(i)), raster(machine(i));
+    mixed.add(scene, test_camera(130, 71));
+    mixed.in_raster_order(0);
+    mixed.add(test_camera(90, 70));
+    mixed.add(test_camera(17, 33));
+    mixed.in_raster_order(5);
+    mixed.add(test_camera(1, 1));
+    mixed.expect_equal();
+    raster.add(scene, test_camera(130, 71));
+    raster.in_raster_order(2);
+    raster.add(test_camera(129, 65));
+    raster.in_raster_order(0);
+    raster.expect_equal();
+    EXPECT_EQ(raster.pixel_bytes, 32u * 17 * (71 + 65));
+    if (HasFailure()) return;
   }
 }
 

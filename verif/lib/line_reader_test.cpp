@@ -70,17 +70,21 @@ void run(Pace source, Pace sink, Pace memory_pace, const ExternalMemoryOptions& 
   dut.base_i = kBase;
   Jobs ends(bench, source, sink);
   MemoryEndpoint<QData, VlWide<16>> port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o,
-                                         nullptr, dut.rsp_valid_i, dut.rsp_data_i, memory_pace);
+                                         nullptr, dut.rsp_valid_i, dut.rsp_data_i, memory_pace, &dut.mem_lines_o);
   bench.reset();
+  uint64_t groups = 0;  // of eight lines, in which the lines of a job lie
   for (int i = 0; i < jobs; ++i) {
     const uint32_t first = static_cast<uint32_t>(bench.rng() % 1000);
     ends.push({full_rate || bench.rng() % 4 != 0, full_rate ? first & ~1u : first,
                full_rate ? largest : 1 + static_cast<uint32_t>(bench.rng() % largest),
                static_cast<uint32_t>(bench.rng() % 256)});
+    const Jobs::Job& job = ends.jobs.back();
+    if (job.read) groups += (kBase + (job.first + job.count - 1) / 2) / 8 - (kBase + job.first / 2) / 8 + 1;
   }
   ASSERT_TRUE(bench.run_until([&] { return ends.expected.empty(); }));
   for (int i = 0; i < 100; ++i) bench.step();
   EXPECT_EQ(dut.idle_o, 1);
+  EXPECT_EQ(port.requests, groups);
   if (full_rate) { EXPECT_EQ(ends.cycles.back() - ends.cycles.front(), ends.items - 1); }
 }
 

@@ -116,27 +116,32 @@ class ListPus : public Endpoint {
   std::vector<bool> up_;
 };
 
-// The SUs: a ready one stays so until it is given something. Each keeps its entries by window.
+// The SUs: a ready one stays so until it is given something, and has room. Lazy ones say that they have room, and are
+// ready only for what was shown. Each keeps its entries by window.
 template <class ValidPort, class SplatPort>
 class ListSus : public Endpoint {
  public:
-  ListSus(BenchBase& bench, const Config& config, const ValidPort& valid, ValidPort& ready, const SplatPort& splat)
+  ListSus(BenchBase& bench, const Config& config, const ValidPort& valid, ValidPort& ready, ValidPort& room,
+          const SplatPort& splat)
       : bench_(bench),
         config_(config),
         valid_(valid),
         ready_(ready),
+        room_(room),
         splat_(splat),
         window(config.units),
         count(config.units) {
-    ready_ = 0;
+    ready_ = room_ = 0;
     bench.add(*this);
   }
   void drive() override {
+    const bool lazy = pace == Pace::kLazy;
     for (size_t u = 0; u < window.size(); ++u) {
-      if (full && ((shown_ >> u) & 1) == 0) continue;
+      if ((full || lazy) && ((shown_ >> u) & 1) == 0) continue;
       if (goes(pace, bench_.rng)) up_ |= 1u << u;
     }
     ready_ = static_cast<ValidPort>(up_);
+    room_ = static_cast<ValidPort>(lazy && !full ? (1u << window.size()) - 1 : up_);
   }
   void observe() override {
     if (shown_ != 0) {
@@ -178,6 +183,7 @@ class ListSus : public Endpoint {
   Config config_;
   const ValidPort& valid_;
   ValidPort& ready_;
+  ValidPort& room_;
   const SplatPort& splat_;
   uint32_t up_ = 0, shown_ = 0;
   Splat last_;

@@ -15,8 +15,10 @@ struct ReadRun {
       : memory(options),
         counts(bench, config, bench.dut),
         port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o,
-             static_cast<const LinePort*>(nullptr), bench.dut.rsp_valid_i, bench.dut.rsp_data_i),
-        sus(bench, config, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_o) {
+             static_cast<const LinePort*>(nullptr), bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways,
+             &bench.dut.mem_lines_o),
+        sus(bench, config, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_room_i,
+            bench.dut.splat_o) {
     bench.dut.start_i = 0;
     write_frame(config, bench.dut, Frame{});
     bench.reset();

@@ -16,8 +16,10 @@ struct ListsRun {
       : memory(options),
         pus(bench, config, bench.dut.made_valid_i, bench.dut.made_ready_o, bench.dut.made_i, bench.dut.number_i),
         port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, &bench.dut.mem_write_o,
-             bench.dut.mem_address_o, &bench.dut.mem_data_o, bench.dut.rsp_valid_i, bench.dut.rsp_data_i),
-        sus(bench, config, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_o) {
+             bench.dut.mem_address_o, &bench.dut.mem_data_o, bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways,
+             &bench.dut.mem_lines_o),
+        sus(bench, config, bench.dut.splat_valid_o, bench.dut.splat_ready_i, bench.dut.splat_room_i,
+            bench.dut.splat_o) {
     bench.dut.restart_i = 0;
     write_frame(config, bench.dut, Frame{});
     bench.reset();

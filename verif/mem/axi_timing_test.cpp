@@ -4,6 +4,9 @@
 // Both see the same random requests; the memory of both is the same AxiTiming. In every cycle the one must accept what
 // the other accepts and answer the tag that the other answers. So the timing model has the machine's cycles behind a
 // bus, of every width.
+#include <deque>
+#include <map>
+
 #include "Vaxi_manager.h"
 #include "sim/memory/axi/bus_timing.hpp"
 #include "verif/support/axi_port.hpp"
@@ -29,7 +32,6 @@ class Pair : public Endpoint {
       : memory({.data_w = PIPEGS_DATA_W, .timing = timing}), port(bench, memory), model(timing, config) {
     bench.dut.mem_valid_i = bench.dut.epoch_i = 0;
     bench.dut.base_i = 0;
-    bench.dut.mem_lines_i = 1;
     bench.add(*this);
     bench.reset();
   }
@@ -51,7 +53,8 @@ class Pair : public Endpoint {
       } else {
         run_ = bench.rng() % 16;
       }
-      last_ = request_.address;
+      request_.lines = request_.write ? 0 : bench.rng() % (8 - request_.address % 8);
+      last_ = request_.address + request_.lines;
     }
     dut.mem_valid_i = up_;
     write_record(config, dut.mem_request_i, request_);
@@ -61,15 +64,22 @@ class Pair : public Endpoint {
     const std::string at = "cycle " + std::to_string(bench.cycle) + ", seed " + std::to_string(bench.seed);
     const int answer = dut.rsp_valid_o ? dut.rsp_tag_o : MemoryTiming::kNoAnswer;
     ASSERT_EQ(answer, expected_) << "tag that is answered, " << at;
-    if (answer != MemoryTiming::kNoAnswer) --open;
+    if (answer != MemoryTiming::kNoAnswer && --bursts_[answer].front() == 0) {
+      bursts_[answer].pop_front();
+      --open;
+    }
     if (!up_) return;
-    const bool accepted = model.offer(request_.write, request_.address, static_cast<int>(request_.tag));
+    const bool accepted = model.offer(request_.write, request_.address, static_cast<int>(request_.tag),
+                                      1 + static_cast<int>(request_.lines));
     ASSERT_EQ(dut.mem_ready_o, accepted) << (request_.write ? "write" : "read") << " of tag " << request_.tag << ", "
                                          << at;
     refused += !accepted;
     if (!accepted) return;
     up_ = false;
-    open += !request_.write;
+    if (!request_.write) {
+      ++open;
+      bursts_[static_cast<int>(request_.tag)].push_back(1 + static_cast<int>(request_.lines));
+    }
     most_open = std::max(most_open, open);
     most_writes = std::max(most_writes, static_cast<int>(dut.writes_o));
   }
@@ -93,6 +103,7 @@ class Pair : public Endpoint {
   MemoryRequest request_ = {};
   bool up_ = false;
   uint64_t last_ = 0, run_ = 0;
+  std::map<int, std::deque<int>> bursts_;  // of each tag: lines that are missing of its reads
   int expected_ = MemoryTiming::kNoAnswer;
 };
 

@@ -23,6 +23,7 @@ struct CoreRequest {
   int tag = 0;
   int lines = 1;
   MemoryLine data{};
+  int halves = 3;  // of the line, that a write changes
 };
 
 class CorePort : public Endpoint {
@@ -52,6 +53,7 @@ class CorePort : public Endpoint {
     request.line = (writer ? 0 : kFixed) + bench_.rng() % kShared;
     request.lines = request.write ? 1 : 1 + static_cast<int>(bench_.rng() % (8 - request.line % 8));
     request.data = random_line();
+    if (request.write) request.halves = 1 + static_cast<int>(bench_.rng() % 3);
     return request;
   }
   MemoryLine random_line() {
@@ -85,8 +87,11 @@ class CorePort : public Endpoint {
     }
     dut.mem_valid_i = up_.has_value();
     write_record(config, dut.mem_request_i,
-                 MemoryRequest{.write = shown.write, .address = shown.line, .tag = static_cast<uint64_t>(shown.tag)});
-    dut.mem_lines_i = static_cast<CData>(shown.lines);
+                 MemoryRequest{.write = shown.write,
+                               .address = shown.line,
+                               .tag = static_cast<uint64_t>(shown.tag),
+                               .halves = static_cast<uint64_t>(shown.halves),
+                               .lines = static_cast<uint64_t>(shown.lines - 1)});
     write_port(dut.mem_data_i, shown.data.data());
   }
 
@@ -102,7 +107,7 @@ class CorePort : public Endpoint {
     ++accepted;
     last_accepted = bench_.cycle;
     if (request.write) {
-      if (!refused.contains(request.line)) model[request.line] = request.data;
+      if (!refused.contains(request.line)) write(request);
     } else {
       for (int i = 0; i < request.lines; ++i) {
         const uint64_t line = request.line + static_cast<uint64_t>(i);
@@ -136,6 +141,11 @@ class CorePort : public Endpoint {
   bool free(const CoreRequest& request) {
     const auto reads = reading_.find(request.line);
     return !request.write || reads == reading_.end() || reads->second == 0;
+  }
+  void write(const CoreRequest& request) {
+    for (size_t i = 0; i < 16; ++i) {
+      if ((request.halves >> i / 8 & 1) != 0) model[request.line][i] = request.data[i];
+    }
   }
   void answer() {
     auto& dut = bench_.dut;

@@ -16,12 +16,17 @@ mutant dopu_planes "the margin moves an edge inwards" 's/\(far \? margin : -marg
 mutant dopu_test "slack for the cut bits halved" 's/( Slack *= .*\(TestW \+ )2/\11/'
 mutant dopu_origin "no block exponent where it is needed first" 's/(longest > LengthW.\(ViewW - )2/\11/'
 mutant dopu_emit "the end of an empty layer is sent" 's/ && !had_chunk_q//' dopu
+mutant dopu_emit "a chunk waits for a PU's ready" "s/(is_data \|\| chunk_)room(_i != '0)/\1ready\2/" dopu
+mutant dopu_emit "a chunk goes to a PU without room" 's/mask_i\(chunk_room_i\)/mask_i(~chunk_room_i)/' dopu
 mutant dopu "the clock does not come back for an answer of the memory" 's/(memory_i\()rsp_valid_i \|\| /\1/'
 mutant dopu_windows "a set of planes is overwritten before it is released" \
        's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/' dopu
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
+mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
 mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
+mutant line_reader "a request leaves its group of eight lines" "s/(assign rest +=) .*/\1 3'd7;/"
+mutant line_reader "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
 mutant line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/'
 
 # --- rtl/dopu, nearest first ------------------------------------------------------------------------------------------
@@ -31,6 +36,7 @@ mutant dopu_nearest "the watermark forgets the groups that are being opened" \
 mutant dopu_rank "the smaller of own and parent's bucket instead of the larger" \
        's/own > parent \?/own < parent ?/' dopu_nearest
 mutant dopu_send "a watermark is sent although it has not risen" 's/(mark_due *= .*) && risen/\1/' dopu_nearest
+mutant dopu_send "what is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu_nearest
 mutant dopu_open "the last child but one counts as the last too" \
        "s/(child_last_o = )(CountW'\(index\)) == last/\1\2 == last || \2 + 1'b1 == last/" dopu_nearest
 mutant dopu_bucket "a word of buckets is given up although another chain is left in it" \
@@ -106,6 +112,7 @@ mutant pu_spill "the end is taken while a line waits" \
        's/(alphas_ready_o = )free && rows_end_ready_i/\1rows_end_ready_i/'
 mutant pu_join "an end passes before its lines are written" "s/!is_end \|\| ends_q != '0/1/"
 mutant pu_deal "an end passes when one cull has reached it" "s/is_end == '1/is_end != '0/"
+mutant pu_deal "a Gaussian waits for a PU's ready" 's/out_room_i & ~waiting_q/out_ready_i \& ~waiting_q/'
 mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1/\11/"
 mutant pu_deal "the turn goes on while nothing is dealt" \
        "s/(else if \()take_data\) last_q/\1room != '0) last_q/"
@@ -141,6 +148,8 @@ mutant su_minmax "the largest is compared with the smallest" 's/key_i > max_q/ke
 mutant su_bitonic "direction of the last merge" 's/ && !size_q\[DistanceW\]//'
 mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill_q/\1 > fill_q/'
 mutant su_split "the tail of a bucket is overwritten" 's/\{filled \? tail : drop_slot_q/{drop_slot_q/'
+mutant su_output "a splat is shown to the spill too while it goes to the merge" \
+       's/(back_valid_o = valid) && divert_i/\1/' su
 mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
 mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge
 mutant su_spill "the lines of keys begin one too far" \
@@ -175,6 +184,21 @@ mutant ru_lanes "a region is done with its last quarter" "s/\(quarter_3_q == 2'd
 mutant ru_resolve "quarters of a region: 3 becomes 2" "s/next_quarter_q == 2'd3/next_quarter_q == 2'd2/"
 mutant ru_resolve "regions outside the image are written" 's/ & ~outside_i//'
 mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/'
+mutant ru_memory "a read asks for half a line" "s/read_valid_i \? '1 : write_halves_i/write_halves_i/"
+mutant ru_window "raster order: a row of windows is one row of pixels high" "s/(AddressW'\(before_q\)) << Shift/\1/"
+mutant ru_offset "raster order: the first word below the picture is written" 's/(shown_o *= first <) rows/\1= rows/'
+mutant ru_offset "raster order: a region goes on below the picture" "s/(more_o *= )first.*/\11'b1;/"
+mutant ru_offset "raster order: all regions lie in the low halves of lines" "s/(half_o *= )column\[0\]/\11'b0/"
+mutant ru_lines "raster order: the second row of a word lies in the next line" \
+       "s/raster_i \? AddressW'\(stride_i\) : //" ru_resolve
+mutant ru_lines "raster order: the halves of a line are exchanged" 's/\{half_i, !half_i\}/{!half_i, half_i}/' ru_resolve
+mutant ru_join "a line leaves with one of its rows" 's/in_valid_i && pair_valid_i && !odd_i/in_valid_i \&\& !odd_i/'
+mutant ru_join "a half that is not in the picture is written" "s/\{wide_i, 1'b1\}/2'b11/"
+mutant ru_join "the row of the even RU is always the left one" 's/in_halves_i\[0\] \? (\{pair_row_i, row\}).*;/\1;/'
+mutant ru_join "the odd RU's row stays" 's/odd_i \? pair_taken_i : pair_taken_o/pair_taken_o/'
+mutant ru_pixels "raster order: A is 0" "s/(bytes\[32\*i\+24 \+: 8\] = )'1/\1'0/" ru_resolve
+mutant ru_byte "the second third of the codes begins one late" "s/10'd343/10'd344/"
+mutant ru_unorm "a half is rounded down" "s/(WideW'\(1\) << \(Fraction - 1\))/(\1) - 1'b1/" ru_unorm_byte_16
 mutant ru_whole "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/' ru
 
 # --- rtl/ru/live ------------------------------------------------------------------------------------------------------
@@ -187,7 +211,7 @@ mutant ru_regions "a region is picked before it was handed over" 's/(free += ope
 mutant ru_regions "E ry rx for E ry ry" 's/(e_ry_2_q\) \* SquareW.\()ry/\1rx/'
 mutant ru_power "of each row a group has the same column" 's/(Column = )\(g \+ 2 \* j\) % 4/\1g/'
 mutant ru_power "a half leaves when one of its groups has room" \
-       "s/\(some & ~out_ready_i\) == '0/(some \& out_ready_i) != '0/"
+       "s/\(some & ~out_room_i\) == '0/(some \& out_room_i) != '0/"
 mutant ru_power "quads that have stopped live" 's/ && !stopped\[i\]//'
 mutant ru_power "the exponents of dead quads are stored, those of living ones stand still" \
        's/pixels_move && live\[i\]/pixels_move \&\& !live[i]/'
@@ -199,6 +223,10 @@ mutant ru_quads "a quad starts in the turn of a job" 's/(half_valid && !conflict
 mutant ru_drain "a word is asked for that finds no place" 's/\(quiet_q \|\| room\)/1/'
 mutant ru_drain "a region is handed over one row too early" "s/row_q == 2'd3/row_q == 2'd2/"
 mutant ru_drain "slots outside the image are handed over" "s/held_q <= ~outside_i/held_q <= '1/"
+mutant ru_live "raster order: a window ends without that of the other RU" \
+       's/ && \(!joined_i \|\| pair_at_end_i\)//'
+mutant ru_drain "raster order: words below the picture are written" 's/ && shown\}/}/'
+mutant ru_drain "raster order: every word is two requests" 's/ \|\| !place_two\)/)/'
 mutant ru_drain "no slot goes first" "s/first != '0 \? first : left/left/"
 mutant ru_live "a layer's end hands the regions over" 's/start_i\(window_done_o\)/start_i(layer_done_o)/'
 mutant ru_live "rows of quads are read as if all began with the same group" 's/(Odd = \(Even \+ )2/\10/'
@@ -218,6 +246,10 @@ mutant sram_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_
 mutant memory_arbiter "a shown request is overwritten before the memory took it" \
        's/(free *= )!out_valid_q \|\| mem_ready_i/\11/'
 mutant memory_arbiter "the data of a shown write changes" 's/if \(take && out\.write\) data_q/if (out.write) data_q/'
+mutant memory_arbiter "a write changes what another port's write would" \
+       's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
+mutant memory_arbiter "bursts of geometry follow each other at once" "s/(able +=) .*/\1 '1;/"
+mutant memory_arbiter "geometry goes before the colours" 's/(second +=) .*/\1 others;/'
 mutant memory_arbiter "an answer goes to two ports: the lowest bit of the tag is ignored" \
        's/(mem_rsp_tag_i) == ([a-z_:]*TagW.\(i\))/\1 >> 1 == \2 >> 1/'
 
@@ -280,6 +312,8 @@ mutant su_collect "no clock for a record that finds no room: the assertion is ne
        's/(active_o *= take) \|\| lost/\1/' su_lean
 mutant pu_allocate "lines are given although the older layer's lie there" \
        "s/(room *= )SumW'\(oldest_q\) \+/\1/" pu_allocate_lean
+mutant pu_allocate "assertion: two lines of memory count as one" \
+       "s/AreaW'\(pipegs_pkg::AlphaMemoryLines\) \*/AreaW'(1) */" pu_allocate_wide
 mutant pu_allocate "assertion: the Gaussian's own lines are not counted" \
        "s/^( +SumW'\(current\)) \+ SumW'\(count_q\)( <=)/\1\2/" pu_allocate_lean
 mutant pu_spill "assertion: looks at a flag that is 0 where nothing goes to memory" \
@@ -311,6 +345,8 @@ mutant axi_gather "half a line of the old core is completed for the new one" "s/
 mutant axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last_q}/' axi_manager_256
 mutant axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
 mutant axi_write "data changes while it waits" 's/else if \(m_axi_wready\) data_q/else data_q/' axi_manager_256
+mutant axi_write "the strobes of the first beat are those of all" 's/written_q >> StepW/written_q/' axi_manager_256
+mutant axi_write "a half of a line is written whole" "s/in_halves_i\[1\]/1'b1/" axi_manager_512
 mutant axi_write "errors of the old core's writes are told" 's/ && done_epoch == epoch_i//' axi_manager_512
 mutant axi_read "errors of the old core's reads are told" 's/(error_o *= )now && /\1m_axi_rvalid \&\& /' axi_manager_512
 mutant axi_manager "of two errors in a cycle the read's is lost" \
@@ -340,6 +376,11 @@ mutant scheduler "the RUs are heard while they finish the frame before" 's/(list
 group lib "Library"
 mutant fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
 mutant saturate "beyond the range the sign is kept twice" 's/\{!in_i\[InW-1\]\}/{in_i[InW-1]}/'
+mutant stream_check "what was taken must stay, too" 's/(waits_q <= valid_i) & ~ready_i/\1/'
+mutant stream_check "of several valids any one may fall" \
+       "s/(gone = )\(waits_q & ~valid_i\) != '0/\1(waits_q \& ~valid_i) == '1/"
+mutant stream_check "a beat that some wait for is compared for the first one only" \
+       "s/Beats'\(waits_q != '0\)/waits_q[0]/" stream_check_shared
 mutant skid "the spare register is overwritten" 's/in_ready_o && in_valid_i\) spare_q/in_valid_i) spare_q/'
 mutant normalize "the largest shift is one less" 's/( < DataW)\)/\1 - 1)/'
 mutant first_set "lowest bit: negation for two's complement" "s/~mask_i \+ 1'b1/~mask_i/"
@@ -350,7 +391,12 @@ mutant window_walk "a row of windows starts at 0 instead of the first one" \
        "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru_window
 mutant clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'
 mutant clock_gate "the latch is open all the time" 's/if \(!clk_i\) enable_q/enable_q/'
+mutant reset_sync "the reset comes with the clock" 's/ or negedge rst_ni//'
+mutant reset_sync "one flip-flop" "s/\{release_q\[0\], 1'b1\}/2'b11/"
+mutant reset_sync "in the scan test the flip-flops stay in the way" 's/test_en_i \? rst_ni : //'
 mutant sram "the output changes without a read" 's/if \(read_i\) rdata_o/rdata_o/'
+mutant sram "a read of the word that is written shows the new one" 's/(rdata_o <= )DataW.*;/\1wdata_i;/'
+mutant sram "such a read shows the same each time" 's/(noise_q <= )noise_q .*;/\1noise_q;/'
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
 group list "Lists (\`order = 1\`), parts (\`window = 128\`)"
@@ -369,4 +415,6 @@ mutant pu_lines "an end leaves before the rows have ended" 's/ && \(!is_end \|\|
 mutant list_write "the count of the record before is not yet in the memory" 's/(same_q *<= )move && .*;/\10;/'
 mutant list_write "a waiting line is overwritten" 's/held_valid_q && \(!out_valid_q \|\| mem_ready_i\)/held_valid_q/'
 mutant list_read "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
+mutant list_read "an entry waits until an SU has room" \
+       "s/(request    = )able == '0 && none_q == '1 \? '1 : able/\1able/"
 mutant list_read "one window too many" "s/windows - LeftW'\(1\)/windows/"

@@ -47,6 +47,7 @@ class PuDeal : public testing::Test {
     order.clear();
     taken_ = 0;
     const uint64_t start = bench.cycle;
+    uint32_t shown = 0;  // and not taken
     int ended = 0;
     for (; ended < units && bench.cycle < start + 200000; ++bench.cycle) {
       Words all(port_words<decltype(bench.dut.in_i)>() + 2);
@@ -65,13 +66,17 @@ class PuDeal : public testing::Test {
       uint32_t ready = 0;
       for (int u = 0; u < units; ++u) ready |= static_cast<uint32_t>(goes(sink_pace, bench.rng)) << u;
       bench.dut.in_valid_i = static_cast<CData>(valid);
-      // A PU's queue, once it has room, keeps it until it is given something.
-      bench.dut.out_ready_i = static_cast<CData>(ready | (bench.dut.out_ready_i & ~taken_));
+      // A PU's queue, once it has room, keeps it until it is given something. A lazy one is ready only for what it saw.
+      const bool lazy = sink_pace == Pace::kLazy;
+      bench.dut.out_ready_i = static_cast<CData>(lazy ? ready & shown : ready | (bench.dut.out_ready_i & ~taken_));
+      bench.dut.out_room_i = static_cast<CData>(lazy ? (1u << units) - 1 : bench.dut.out_ready_i);
       write_port(bench.dut.in_i, all.data());
       bench.dut.clk_i = 0;
       bench.dut.eval();
       const uint32_t handshakes = bench.dut.out_valid_o & bench.dut.out_ready_i;
       taken_ = static_cast<CData>(handshakes);
+      EXPECT_EQ(shown & ~bench.dut.out_valid_o, 0u) << "a record was withdrawn, cycle " << bench.cycle;
+      shown = bench.dut.out_valid_o & ~handshakes;
       const Visible out = read_record<Visible>(config, bench.dut.out_o);
       for (int f = 0; f < fronts; ++f)
         if ((bench.dut.in_ready_o & valid) >> f & 1) sources[f].pop_front(), up[f] = false;

@@ -15,7 +15,7 @@ class Port : public Endpoint {
   void observe() override {
     auto& dut = bench_.dut;
     Words now(2 + 16);
-    now[0] = dut.mem_write_o;
+    now[0] = dut.mem_write_o | dut.mem_halves_o << 1;
     now[1] = static_cast<uint32_t>(dut.mem_address_o);
     if (dut.mem_write_o) read_port(dut.mem_data_o, now.data() + 2);
     if (waiting_) {
@@ -47,10 +47,11 @@ class Writer : public Endpoint {
     if (!up_ && left_ > 0) {
       up_ = true;
       words_ = Words(18);
-      words_[0] = 1;
+      words_[0] = 1 | static_cast<uint32_t>(bench_.rng() % 4) << 1;  // a write, and its halves
       for (size_t i = 1; i < words_.size(); ++i) words_[i] = static_cast<uint32_t>(bench_.rng());
     }
     dut.write_valid_i = up_;
+    dut.write_halves_i = words_[0] >> 1;
     dut.write_address_i = words_[1];
     write_port(dut.write_data_i, words_.data() + 2);
   }
@@ -87,7 +88,10 @@ TEST(RuMemory, KeepsBothOrdersAndLetsReadsGoFirst) {
       }
       bench.run_until([&] { return port.reads.size() + port.writes.size() == 400; });
       ASSERT_EQ(port.reads.size(), 200u);
-      for (int i = 0; i < 200; ++i) ASSERT_EQ(port.reads[i][1], addresses[i]);
+      for (int i = 0; i < 200; ++i) {
+        ASSERT_EQ(port.reads[i][0], 3u << 1) << "a read is of the whole line";
+        ASSERT_EQ(port.reads[i][1], addresses[i]);
+      }
       ASSERT_EQ(port.writes, writer.sent);
       if (port_pace == Pace::kAlways && read_pace == Pace::kAlways) {
         EXPECT_EQ(port.cycles.back() - port.cycles.front(), 399u);

@@ -5,6 +5,7 @@
 #include "verif/ru/alpha_lines.hpp"
 #include "verif/ru/pixel_words.hpp"
 #include "verif/ru/region_ports.hpp"
+#include "verif/ru/written_pixels.hpp"
 #include "verif/ru/live/random_splat.hpp"
 #include "verif/support/config.hpp"
 #include "Vru.h"
@@ -24,6 +25,60 @@ struct Paces {
   ExternalMemoryOptions options = {.latency = 20};
 };
 
+// The other RU of the pair, in raster order: its rows come, or it takes ours, at some pace.
+class OtherRu : public Endpoint {
+ public:
+  OtherRu(Bench<Vru>& bench, Pace pace) : bench_(bench), pace_(pace) {
+    auto& dut = bench.dut;
+    dut.pair_valid_i = dut.pair_taken_i = dut.pair_at_end_i = 0;
+    bench.add(*this);
+  }
+  void drive() override {
+    auto& dut = bench_.dut;
+    if (!waits_) {
+      waits_ = goes(pace_, bench_.rng);
+      for (uint32_t& word : row_) word = static_cast<uint32_t>(bench_.rng());
+    }
+    dut.pair_valid_i = waits_;
+    write_port(dut.pair_row_i, row_.data());
+    dut.pair_at_end_i = goes(pace_, bench_.rng);
+    const auto slots = static_cast<uint64_t>(kConfig.regions() / kConfig.units);
+    std::vector<uint32_t> wanted(port_words<decltype(dut.pair_wanted_i)>() + 1);
+    put_bits(wanted.data(), static_cast<int>(bench_.rng() % slots), 1, bench_.rng() % 2);
+    write_port(dut.pair_wanted_i, wanted.data());
+    dut.pair_taken_i = 0;
+    dut.eval();
+    dut.pair_taken_i = odd() && joined && dut.pair_valid_o && waits_;
+  }
+  void observe() override {
+    auto& dut = bench_.dut;
+    if (!joined) return;
+    if (kConfig.quads && dut.active_o && dut.window_done_o) {
+      ASSERT_TRUE(dut.pair_at_end_i && dut.pair_at_end_o) << "a window ends alone, cycle " << bench_.cycle;
+    }
+    if (!odd() && dut.pair_taken_o) {
+      ASSERT_TRUE(waits_ && dut.pair_valid_o) << "a line leaves without one of its halves, cycle " << bench_.cycle;
+      waits_ = false;
+    }
+    if (dut.pair_taken_i) {
+      std::array<uint32_t, 8> row;
+      read_port(dut.pair_row_o, row.data());
+      rows.insert(row);
+      waits_ = false;
+    }
+  }
+  bool joined = false;
+  std::multiset<std::array<uint32_t, 8>> rows;  // that an odd RU gave us
+
+ private:
+  bool odd() const { return bench_.dut.unit_i % 2 != 0; }
+
+  Bench<Vru>& bench_;
+  Pace pace_;
+  bool waits_ = false;
+  std::array<uint32_t, 8> row_;
+};
+
 class RuBench : public Bench<Vru> {
  public:
   explicit RuBench(const Paces& paces, int unit, uint64_t seed = test_seed())
@@ -33,14 +88,19 @@ class RuBench : public Bench<Vru> {
         in(*this, kConfig, dut.in_valid_i, dut.in_ready_o, dut.in_i, paces.in),
         stores(*this, kConfig, paces.stores),
         port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o,
-             dut.rsp_valid_i, dut.rsp_data_i, paces.memory) {
+             dut.rsp_valid_i, dut.rsp_data_i, paces.memory),
+        other(*this, paces.memory) {
+    port.halves = &dut.mem_halves_o;
     dut.unit_i = unit;
     dut.restart_i = 0;
     reset();
   }
 
-  void start(const Frame& new_frame) {
+  void start(const Frame& new_frame, bool raster = false) {
     frame = new_frame;
+    picture = random_picture(kConfig, frame, rng, raster);
+    write_port(dut.picture_i, picture_words(kConfig, picture).data());
+    other.joined = ru_joined(kConfig, picture);
     write_frame(kConfig, dut, frame);
     dut.restart_i = 1;
     cycle_once();
@@ -91,12 +151,24 @@ class RuBench : public Bench<Vru> {
     }
     in.push(splat);
     ru_take(
-        kConfig, kBlend, frame, state, splat,
+        kConfig, kBlend, frame, picture, state, splat,
         [&](const Sorted& s, int region, uint64_t) {
           return codes.at({s.index, region}).data();
         },
-        [&](uint64_t address, const uint64_t* pixels) {
-          lines[address].assign(pixels, pixels + 512 / kConfig.pixel_w);
+        [&](uint64_t address, int halves, const MemoryLine& pixels) {
+          if (other.joined && unit % 2 != 0) {
+            std::array<uint32_t, 8> row;
+            std::copy_n(pixels.begin() + (halves == 2 ? 8 : 0), 8, row.begin());
+            rows.insert(row);
+            return;
+          }
+          ++requests;
+          const bool outside = other.joined && !WrittenPixels::wide(frame, picture, address);  // the right half
+          theirs += other.joined && (halves == 2 || !outside);
+          if (outside && halves == 2) return;
+          for (size_t i = 0; i < 16; ++i) {
+            if ((halves >> i / 8 & 1) != 0) lines[{address, i / 8}][i % 8] = pixels[i];
+          }
         });
     ends += kind != kData;
     windows += kind == kWindowEnd;
@@ -202,15 +274,20 @@ class RuBench : public Bench<Vru> {
     EXPECT_EQ(windows_seen, windows);
     EXPECT_EQ(dut.done_x_o, state.window_x);
     EXPECT_EQ(dut.done_y_o, state.window_y);
-    EXPECT_EQ(memory.traffic()[0].lines_written - lines_before, lines.size())
+    const ExternalMemory::Traffic& traffic = memory.traffic()[0];
+    EXPECT_EQ(traffic.lines_written - before.lines_written, requests)
         << "lines outside the image were written, or some twice";
-    lines_before = memory.traffic()[0].lines_written;
-    for (const auto& [address, pixels] : lines) {
-      const MemoryLine& line = memory.line(address);
-      for (int i = 0; i < 512 / kConfig.pixel_w; ++i) {
-        const uint64_t found = get_bits(line.data(), i * kConfig.pixel_w, kConfig.pixel_w);
-        ASSERT_EQ(found, pixels[i]) << std::hex << "line " << address << " pixel " << i << " expected " << pixels[i]
-                                    << " found " << found << " seed " << seed;
+    EXPECT_EQ(traffic.halves_written - before.halves_written, lines.size() + theirs) << "other halves were written";
+    EXPECT_TRUE(other.rows == rows) << "rows for the other RU, seed " << seed;
+    before = traffic;
+    requests = theirs = 0;
+    rows.clear();
+    other.rows.clear();
+    for (const auto& [place, pixels] : lines) {
+      const MemoryLine& line = memory.line(place.first);
+      for (size_t i = 0; i < pixels.size(); ++i) {
+        ASSERT_EQ(line[8 * place.second + i], pixels[i])
+            << "line " << place.first << " half " << place.second << " word " << i << " seed " << seed;
       }
     }
     lines.clear();
@@ -223,16 +300,21 @@ class RuBench : public Bench<Vru> {
   RecordSource<Sorted, decltype(dut.in_i)> in;
   AlphaStores<Vru> stores;
   MemoryEndpoint<QData, LinePort> port;
+  OtherRu other;
   std::map<std::pair<uint64_t, int>, Codes> codes;
   std::map<uint64_t, Sorted> colors;
-  std::map<uint64_t, std::vector<uint64_t>> lines;
+  Picture picture;
+  std::map<std::pair<uint64_t, size_t>, std::array<uint32_t, 8>> lines;  // by line and half
+  uint64_t requests = 0, theirs = 0;            // that write them, and rows of the other RU among them
+  std::multiset<std::array<uint32_t, 8>> rows;  // for the other RU
+  ExternalMemory::Traffic before;
   struct ExpectedWord {
     int region, part;  // a quarter of the region, or a row of its quads
     Words word;
   };
   std::vector<std::deque<ExpectedWord>> expected_words{static_cast<size_t>(kConfig.tap_lanes())};
   std::vector<uint64_t> line_cycles;  // of the first lane of taps
-  uint64_t next_index = 0, next_address = 0, ends = 0, ends_seen = 0, windows = 0, windows_seen = 0, lines_before = 0;
+  uint64_t next_index = 0, next_address = 0, ends = 0, ends_seen = 0, windows = 0, windows_seen = 0;
   uint64_t active_cycles = 0, perf[4] = {};
 };
 
@@ -281,7 +363,7 @@ TEST(Ru, FramesEqualTheModelAtEveryPace) {
       bench.unit = bench.dut.unit_i = bench.rng() % kConfig.units;
       const uint64_t sizes[][2] = {{17, 33}, {2ull * kConfig.window + 7, kConfig.window + 9ull}, {24, 40}, {1, 1}};
       for (const auto& size : sizes) {  // frames follow each other on the same module
-        bench.start(random_frame(bench.rng, size[0], size[1]));
+        bench.start(random_frame(bench.rng, size[0], size[1]), bench.rng() % 2 != 0);
         send_frame(bench, 60, 30);
         ASSERT_NO_FATAL_FAILURE(bench.finish());
         if (HasFailure()) return;
@@ -300,22 +382,26 @@ TEST(Ru, EveryUnitRendersItsOwnRegions) {
 }
 
 TEST(Ru, EmptyWindowsAreWrittenBlack) {
-  RuBench bench({}, 0);
-  bench.start(random_frame(bench.rng, 4ull * kConfig.window, 3ull * kConfig.window));
-  for (int i = 0; i < 12; ++i) bench.send(kWindowEnd);
-  ASSERT_NO_FATAL_FAILURE(bench.finish());
+  for (const bool raster : {false, true}) {
+    RuBench bench({}, 0);
+    bench.start(random_frame(bench.rng, 4ull * kConfig.window, 3ull * kConfig.window), raster);
+    for (int i = 0; i < 12; ++i) bench.send(kWindowEnd);
+    ASSERT_NO_FATAL_FAILURE(bench.finish());
+  }
 }
 
 TEST(Ru, PartOfAFrameIsRendered) {
-  RuBench bench({}, kConfig.units - 1);
-  Frame frame = random_frame(bench.rng, 5ull * kConfig.window, 5ull * kConfig.window);
-  frame.raster.windows.first_x = 1;
-  frame.raster.windows.last_x = 2;
-  frame.raster.windows.first_y = 2;
-  frame.raster.windows.last_y = 3;
-  bench.start(frame);
-  send_frame(bench, 30, 20);
-  ASSERT_NO_FATAL_FAILURE(bench.finish());
+  for (const bool raster : {false, true}) {
+    RuBench bench({}, kConfig.units - 1);
+    Frame frame = random_frame(bench.rng, 5ull * kConfig.window, 5ull * kConfig.window);
+    frame.raster.windows.first_x = 1;
+    frame.raster.windows.last_x = 2;
+    frame.raster.windows.first_y = 2;
+    frame.raster.windows.last_y = 3;
+    bench.start(frame, raster);
+    send_frame(bench, 30, 20);
+    ASSERT_NO_FATAL_FAILURE(bench.finish());
+  }
 }
 
 TEST(Ru, AFullWindowClosesAllRegions) {

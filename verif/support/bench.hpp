@@ -48,11 +48,13 @@ R read_record(const Config& config, const Port& port) {
   return unpack<R>(config, words.data());
 }
 
-// How eager a source or a sink is.
-enum class Pace { kAlways, kQuarter, kCoin };
-inline constexpr Pace kPaces[] = {Pace::kAlways, Pace::kQuarter, Pace::kCoin};
+// How eager a source or a sink is. A lazy sink is ready only for what was shown in the cycle before and not taken: who
+// waits for its ready before showing anything waits for ever. A lazy source is one by coin.
+enum class Pace { kAlways, kQuarter, kCoin, kLazy };
+inline constexpr Pace kPaces[] = {Pace::kAlways, Pace::kQuarter, Pace::kCoin, Pace::kLazy};
 inline const char* to_text(Pace pace) {
-  return pace == Pace::kAlways ? "always" : pace == Pace::kQuarter ? "one in four" : "coin";
+  constexpr const char* kNames[] = {"always", "one in four", "coin", "lazy"};
+  return kNames[static_cast<int>(pace)];
 }
 template <class Rng>
 bool goes(Pace pace, Rng& rng) {
@@ -206,7 +208,7 @@ class WordSink : public Endpoint {
     ready_ = 0;
     bench.add(*this);
   }
-  void drive() override { ready_ = goes(pace, bench_.rng); }
+  void drive() override { ready_ = (pace != Pace::kLazy || shown_) && goes(pace, bench_.rng); }
   void observe() override {
     Words words(port_words<Port>() + 1);
     if (valid_) read_port(port_, words.data());
@@ -247,13 +249,14 @@ class RecordSink : public WordSink<Port> {
   Config config_;
 };
 
-// An external memory behind a unit's port. `write` and `data` are null for a port that only reads.
+// An external memory behind a unit's port. `write` and `data` are null for a port that only reads, `lines` (of a read,
+// less one) for one that asks for single lines.
 template <class AddressPort, class LinePort>
 class MemoryEndpoint : public Endpoint {
  public:
   MemoryEndpoint(BenchBase& bench, ExternalMemory& memory, const CData& valid, CData& ready, const CData* write,
                  const AddressPort& address, const LinePort* data, CData& answer_valid, LinePort& answer,
-                 Pace pace = Pace::kAlways)
+                 Pace pace = Pace::kAlways, const CData* lines = nullptr)
       : pace(pace),
         bench_(bench),
         memory_(memory),
@@ -263,28 +266,34 @@ class MemoryEndpoint : public Endpoint {
         address_(address),
         data_(data),
         answer_valid_(answer_valid),
-        answer_(answer) {
+        answer_(answer),
+        lines_(lines) {
     ready_ = 0;
     answer_valid_ = 0;
     bench.add(*this);
   }
   void drive() override {
     memory_.step();
-    ready_ = memory_.ready() && goes(pace, bench_.rng);
+    ready_ = memory_.ready() && (pace != Pace::kLazy || shown_) && goes(pace, bench_.rng);
     const ExternalMemory::Answer* answer = memory_.answer();
     answer_valid_ = answer != nullptr;
     if (answer != nullptr) write_port(answer_, answer->data.data());
   }
   void observe() override {
+    shown_ = valid_ && !ready_;
     if (!valid_ || !ready_) return;
     Words words(17);
     const bool is_write = write_ != nullptr && *write_;
     if (is_write) read_port(*data_, words.data());
-    memory_.request(is_write, static_cast<uint64_t>(address_), 0, words.data());
+    const int lines = lines_ != nullptr ? 1 + *lines_ : 1;
+    EXPECT_LE(static_cast<int>(address_ % 8) + lines, 8) << "a request leaves its group, cycle " << bench_.cycle;
+    memory_.request(is_write, static_cast<uint64_t>(address_), 0, words.data(), lines, halves != nullptr ? *halves : 3);
     ++requests;
+    requested += static_cast<uint64_t>(lines);
   }
-  uint64_t requests = 0;
+  uint64_t requests = 0, requested = 0;  // and their lines
   Pace pace;
+  const CData* halves = nullptr;  // of a line, what a write changes; null for a port that writes whole ones
 
  private:
   BenchBase& bench_;
@@ -296,6 +305,8 @@ class MemoryEndpoint : public Endpoint {
   const LinePort* data_;
   CData& answer_valid_;
   LinePort& answer_;
+  const CData* lines_;
+  bool shown_ = false;  // and not taken
 };
 
 }  // namespace pipegs

@@ -142,6 +142,23 @@ TEST(Timing, SmallStoresBehindAMemoryOfRandomLatency) {
   }
 }
 
+// Half lines, and words below the picture that are not written; behind a fast memory the RUs wait for their pixels.
+TEST(Timing, PixelsInRasterOrder) {
+  const View odd{random_scene(9, 300, 0), test_camera(130, 97)};
+  for (const char* name : {"dop", "late", "tspp", "fast"}) {
+    SCOPED_TRACE(name);
+    SimulateOptions options = design_point(name);
+    options.raster = true;
+    expect_exact(TimedFrame(odd, options));
+    expect_exact(TimedFrame(own_view(), options, 2));
+    options.memory = {.dram = "ideal", .latency = 2, .bytes_per_cycle = 64, .jitter = 3};
+    expect_exact(TimedFrame(odd, options));
+  }
+  SimulateOptions options = living_quads();
+  options.raster = true;
+  expect_exact(TimedFrame(odd, options));
+}
+
 TEST(Timing, FramesOfLittleWork) {
   const std::vector<View> views = {{scene_of({}), test_camera(100, 70)},
                                    {scene_of({gaussian_at({0.1f, 0.05f, 2})}), test_camera(64, 64)},

@@ -38,6 +38,7 @@ module dopu_nearest #(
   output logic [1:0]                            mem_valid_o,   // 0: groups, 1: chunks
   input  logic [1:0]                            mem_ready_i,
   output logic [2*pipegs_pkg::AddressW-1:0]     mem_address_o,
+  output logic [2*pipegs_pkg::BurstW-1:0]       mem_lines_o,     // less one
   input  logic [1:0]                            rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]        rsp_data_i,
 
@@ -287,6 +288,7 @@ module dopu_nearest #(
         .open_first_i(open_range[l][0 +: SlotW]), .open_count_i(open_range[l][SlotW +: CountW]),
         .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
         .mem_address_o(mem_address_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
+        .mem_lines_o(mem_lines_o[l*pipegs_pkg::BurstW +: pipegs_pkg::BurstW]),
         .rsp_valid_i(rsp_valid_i[l]), .rsp_data_i,
         .child_valid_o(child_valid[l+1]), .child_ready_i(enter[l+1] || drop[l+1]), .child_o(child[l+1]),
         .child_parent_o(child_parent[l+1]), .child_last_o(child_last[l+1]),

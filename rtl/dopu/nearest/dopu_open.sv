@@ -32,6 +32,7 @@ module dopu_open #(
   output logic                             mem_valid_o,
   input  logic                             mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0]  mem_address_o,
+  output logic [pipegs_pkg::BurstW-1:0]    mem_lines_o,  // less one
   input  logic                             rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]   rsp_data_i,
 
@@ -118,7 +119,7 @@ module dopu_open #(
     .clk_i, .rst_ni, .base_i,
     .job_valid_i(job_valid_q), .job_ready_o(job_ready), .job_read_i(1'b1),
     .job_first_i(job_first_q), .job_count_i(job_count_q), .job_tag_i({job_last, job_bucket_q}),
-    .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
+    .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
     .out_valid_o(child_valid_o), .out_ready_i(child_ready_i), .out_read_o(is_read), .out_index_o(index),
     .out_tag_o({last, child_parent_o}), .out_item_o(child_o),
     .waiting_o, .idle_o(idle)
@@ -130,6 +131,10 @@ module dopu_open #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!settled_i || any_o);
+  stream_check #(.DataW($bits({job_last, job_bucket_q, job_first_q, job_count_q}))) u_check_job (
+    .clk_i, .rst_ni, .valid_i(job_valid_q), .ready_i(job_ready),
+    .beat_i({job_last, job_bucket_q, job_first_q, job_count_q})
+  );
 `endif
 
 endmodule

@@ -133,6 +133,9 @@ module pu_color_fetch #(
     else $error("no room for a direction");
   always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || line_room)
     else $error("a line came that nobody waits for");
+  stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+  );
 `endif
 
 endmodule

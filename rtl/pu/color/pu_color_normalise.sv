@@ -123,4 +123,10 @@ module pu_color_normalise (
 
   wire unused_bits = &{1'b0, normal[LengthW-InW-1:0]};
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(unit_o))) u_check_unit (
+    .clk_i, .rst_ni, .valid_i(unit_valid_o), .ready_i(unit_ready_i), .beat_i(unit_o)
+  );
+`endif
+
 endmodule

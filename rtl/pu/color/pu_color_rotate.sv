@@ -129,4 +129,10 @@ module pu_color_rotate (
   assign world_o       = world_q;
 
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(world_o))) u_check_world (
+    .clk_i, .rst_ni, .valid_i(world_valid_o), .ready_i(world_ready_i), .beat_i(world_o)
+  );
+`endif
+
 endmodule

@@ -392,6 +392,9 @@ module pu_cull (
   always_ff @(posedge clk_i) if (rst_ni)
     assert (!(pipegs_pkg::NearTest == 0 && out_valid_q && out_q.kind == pipegs_pkg::KindData) || out_q.view_z > 0)
     else $error("pu_cull: a Gaussian behind the camera, and NearTest is 0");
+  stream_check #(.DataW($bits({visible_o, gap_o}))) u_check_visible (
+    .clk_i, .rst_ni, .valid_i(visible_valid_o), .ready_i(visible_ready_i), .beat_i({visible_o, gap_o})
+  );
 `endif
 
 endmodule

@@ -23,6 +23,7 @@ module pu_fetch #(
   output logic                            mem_valid_o,
   input  logic                            mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
+  output logic [pipegs_pkg::BurstW-1:0]   mem_lines_o,  // less one
   input  logic                            rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]  rsp_data_i,
 
@@ -53,7 +54,7 @@ module pu_fetch #(
     .clk_i, .rst_ni, .base_i(gaussians_i),
     .job_valid_i(chunk_valid_i), .job_ready_o(chunk_ready_o), .job_read_i(chunk_i.kind == pipegs_pkg::KindData),
     .job_first_i(chunk_i.slot), .job_count_i(chunk_i.count), .job_tag_i(header_in),
-    .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
+    .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
     .out_valid_o(fetched_valid_o), .out_ready_i(fetched_ready_i), .out_read_o(is_data), .out_index_o(slot),
     .out_tag_o(header), .out_item_o(item),
     .waiting_o(waiting_memory_o), .idle_o

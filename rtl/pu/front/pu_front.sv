@@ -10,6 +10,7 @@
 
 module pu_front #(
   localparam int unsigned AddressW = pipegs_pkg::AddressW,
+  localparam int unsigned BurstW   = pipegs_pkg::BurstW,
   localparam int unsigned MemoryW  = pipegs_pkg::MemoryW
 ) (
   input  logic                     clk_i,
@@ -26,6 +27,7 @@ module pu_front #(
   output logic                     geometry_valid_o,
   input  logic                     geometry_ready_i,
   output logic [AddressW-1:0]      geometry_address_o,
+  output logic [BurstW-1:0]        geometry_lines_o,  // less one
   input  logic                     geometry_rsp_valid_i,
   input  logic [MemoryW-1:0]       rsp_data_i,
 
@@ -47,6 +49,7 @@ module pu_front #(
   pu_fetch u_fetch (
     .clk_i, .rst_ni, .gaussians_i, .chunk_valid_i, .chunk_ready_o, .chunk_i,
     .mem_valid_o(geometry_valid_o), .mem_ready_i(geometry_ready_i), .mem_address_o(geometry_address_o),
+    .mem_lines_o(geometry_lines_o),
     .rsp_valid_i(geometry_rsp_valid_i), .rsp_data_i,
     .fetched_valid_o(fetched_valid), .fetched_ready_i(fetched_ready), .fetched_o(fetched),
     .waiting_memory_o(waiting_o), .idle_o

@@ -355,6 +355,9 @@ module pu_reach (
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!valid_q[Stages] || bit_ready)
     else $error("pu_reach: a bit without room");
+  stream_check #(.DataW($bits(visible_o))) u_check_visible (
+    .clk_i, .rst_ni, .valid_i(visible_valid_o), .ready_i(visible_ready_i), .beat_i(visible_o)
+  );
 `endif
 
 endmodule

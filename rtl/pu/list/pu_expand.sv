@@ -212,4 +212,13 @@ module pu_expand #(
   logic unused_in;
   assign unused_in = &{1'b0, colored_i};
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(color_job_o))) u_check_color_job (
+    .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(color_job_o)
+  );
+  stream_check #(.DataW($bits(placed_o))) u_check_placed (
+    .clk_i, .rst_ni, .valid_i(placed_valid_o), .ready_i(placed_ready_i), .beat_i(placed_o)
+  );
+`endif
+
 endmodule

@@ -131,6 +131,9 @@ module pu_parts (
     else $error("more Gaussians than places for their payloads");
   always_ff @(posedge clk_i) if (rst_ni) assert (!start || payload_held)
     else $error("a payload is not there in time");
+  stream_check #(.DataW($bits(placed_o))) u_check_placed (
+    .clk_i, .rst_ni, .valid_i(placed_valid_o), .ready_i(placed_ready_i), .beat_i(placed_o)
+  );
 `endif
 
 endmodule

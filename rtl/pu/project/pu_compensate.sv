@@ -93,4 +93,10 @@ module pu_compensate (
 
   wire unused_bits = &{1'b0, halves[0]};
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(compensated_o))) u_check_compensated (
+    .clk_i, .rst_ni, .valid_i(compensated_valid_o), .ready_i(compensated_ready_i), .beat_i(compensated_o)
+  );
+`endif
+
 endmodule

@@ -207,16 +207,26 @@ module pu_allocate #(
   end
 
 `ifndef SYNTHESIS
+  localparam int unsigned AreaW = AlphaAddressW + 3;
   always_ff @(posedge clk_i) if (rst_ni) assert (!layer_free_i || ended_q != '0)
     else $error("a layer was freed that has not ended");
   always_ff @(posedge clk_i) if (rst_ni) assert (!restart_i || (!take && ended_q == '0 && oldest_q == '0))
     else $error("a frame begins in a PU that is not empty");
-  always_ff @(posedge clk_i) if (rst_ni) assert (overflow_q <= ~AlphaAddressW'(0) - AlphaAddressW'(2 * Regions))
+  // An area holds 2^AlphaAddressW lines of memory, and alphas of more than eight bits take two each.
+  always_ff @(posedge clk_i) if (rst_ni)
+    assert (!(decided && !fits) || pipegs_pkg::HasLists || AreaW'(pipegs_pkg::AlphaMemoryLines) *
+            (AreaW'(overflow_q) + AreaW'(count_q)) <= AreaW'(1) << AlphaAddressW)
     else $error("the overflow area of a layer is full");
   always_ff @(posedge clk_i) if (rst_ni)
     assert (!(pipegs_pkg::Overflow == 0 && state_q == StateDecide) ||
             SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
     else $error("pu_allocate: the alphas of a layer do not fit, and Overflow is 0");
+  stream_check #(.DataW($bits(color_job_o)), .Proven(1)) u_check_color_job (
+    .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(color_job_o)
+  );
+  stream_check #(.DataW($bits(row_job_o)), .Proven(1)) u_check_row_job (
+    .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i(row_job_o)
+  );
 `endif
 
 endmodule

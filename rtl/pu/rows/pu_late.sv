@@ -182,4 +182,13 @@ module pu_late #(
   logic unused_in;
   assign unused_in = &{1'b0, shown, queued, count};
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(splat_o))) u_check_splat (
+    .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i(splat_o)
+  );
+  stream_check #(.DataW($bits(job))) u_check_job (
+    .clk_i, .rst_ni, .valid_i(job_valid), .ready_i(job_ready), .beat_i(job)
+  );
+`endif
+
 endmodule

@@ -128,6 +128,12 @@ module pu_lines #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (lines_q <= ~LinesW'(0) - LinesW'(2 * pipegs_pkg::Regions))
     else $error("the area of a unit's alphas is full");
+  stream_check #(.DataW($bits(row_job_o))) u_check_row_job (
+    .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i(row_job_o)
+  );
+  stream_check #(.DataW($bits({splat_o, window_o}))) u_check_splat (
+    .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i({splat_o, window_o})
+  );
 `endif
 
 endmodule

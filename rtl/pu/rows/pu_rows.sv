@@ -138,4 +138,10 @@ module pu_rows (
     assign line_o[dy*RowW +: RowW] = codes_q;
   end
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({alphas_o, line_o}))) u_check_alphas (
+    .clk_i, .rst_ni, .valid_i(alphas_valid_o), .ready_i(alphas_ready_i), .beat_i({alphas_o, line_o})
+  );
+`endif
+
 endmodule

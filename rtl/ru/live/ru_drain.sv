@@ -2,29 +2,32 @@
 // ru_drain: brings the pixels of a finished window to external memory, region by region, out of the lanes' own buffer.
 //
 // Paper   None: its RUs have T and RGB twice, and write one half while they blend the other.
-// Idea    One buffer. A region of the finished window is held until its four words were read and cleared; then the
-//         next window may blend it. Regions that the next splat wants go first. A job takes one turn of all groups of
-//         lanes and its word comes three cycles later, so there is a place for it before it is asked for.
-// Stream  start_i with the window's number and the slots outside the image, which are clear already. restart_i: all is
-//         cleared, nothing written. Jobs out, words in, write requests out.
-// Pace    A word per cycle while there is room; RuDrained words in five cycles.
-// Model   cpp_model/ru/ru_resolve.hpp
+// Idea    One buffer. A region of the finished window is held until its four words were read and cleared; then the next
+//         window may blend it. Regions that the next splat wants go first. A job takes one turn of all groups of lanes
+//         and its word comes three cycles later, so there is a place for it before it is asked for. Where the word lies
+//         is found out meanwhile; in raster order words below the picture are read and cleared only.
+// Stream  start_i with the window's first line, its rows and the slots outside the image, which are clear already.
+//         restart_i: all is cleared, nothing written. Jobs out, words in, write requests out.
+// Pace    A word per cycle while there is room; RuDrained words in five cycles, in six when each is two requests.
+// Model   cpp_model/ru/ru_resolve.hpp, cpp_model/ru/ru_raster.hpp
 
 module ru_drain #(
   localparam int unsigned Lanes   = 16,
   localparam int unsigned Slots   = pipegs_pkg::Regions / pipegs_pkg::Units,
   localparam int unsigned AddrW   = $clog2(Slots * 4),
-  localparam int unsigned WordW   = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1),
-  localparam int unsigned NumberW = 2 * pipegs_pkg::WindowW
+  localparam int unsigned WordW   = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1)
 ) (
   input  logic                            clk_i,
   input  logic                            rst_ni,
   input  logic [pipegs_pkg::Regions-1:0]  own_i,
-  input  logic [pipegs_pkg::AddressW-1:0] pixels_i,   // first line of the frame
+  input  logic                            raster_i,   // pixels in raster order, else by windows
+  input  logic [pipegs_pkg::StrideW-1:0]  stride_i,   // lines from row to row, in raster order
 
   input  logic                            restart_i,
   input  logic                            start_i,
-  input  logic [NumberW-1:0]              number_i,   // of the window in the frame
+  input  logic [pipegs_pkg::AddressW-1:0] line_i,     // first one of the window's pixels
+  input  logic [$clog2(pipegs_pkg::Window):0] columns_i,  // pixels of the window inside the image
+  input  logic [$clog2(pipegs_pkg::Window):0] rows_i,
   input  logic [Slots-1:0]                outside_i,
   input  logic [Slots-1:0]                wanted_i,
   output logic [Slots-1:0]                held_o,     // not handed over yet
@@ -38,23 +41,25 @@ module ru_drain #(
   output logic                            mem_valid_o,
   input  logic                            mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0] mem_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]  mem_halves_o,  // of the line
+  output logic                            mem_wide_o,    // both are in the picture
   output logic [pipegs_pkg::MemoryW-1:0]  mem_data_o
 );
 
   localparam int unsigned Units     = pipegs_pkg::Units;
   localparam int unsigned RegionW   = pipegs_pkg::RegionW;
   localparam int unsigned AddressW  = pipegs_pkg::AddressW;
-  localparam int unsigned MemoryW   = pipegs_pkg::MemoryW;
   localparam int unsigned SlotW     = Slots > 1 ? $clog2(Slots) : 1;
   localparam int unsigned LinesW    = Lanes * pipegs_pkg::PixelW;
-  localparam int unsigned TagW      = NumberW + RegionW + 2;
+  localparam int unsigned OffsetW   = pipegs_pkg::StrideW + RegionW / 2 + 3;
   localparam int unsigned Depth     = pipegs_pkg::RuDrained;
 
   // --- which word is next --------------------------------------------------------------------------------------------
   logic [Slots-1:0]   held_q, chosen_q, left, first, next;  // chosen: one slot or none
   logic [SlotW-1:0]   slot_q, next_slot;
   logic [1:0]         row_q;
-  logic [NumberW-1:0] number_q;
+  logic [AddressW-1:0] line_q;
+  logic [$clog2(pipegs_pkg::Window):0] columns_q, rows_q;
   logic               quiet_q, room, last;  // quiet: nothing is written
 
   assign left  = held_q & ~chosen_q;
@@ -82,7 +87,7 @@ module ru_drain #(
     end
   end
   always_ff @(posedge clk_i) begin
-    if (start_i) number_q <= number_i;
+    if (start_i) {line_q, columns_q, rows_q} <= {line_i, columns_i, rows_i};
     if (chosen_q == '0 || last) slot_q <= next_slot;
   end
 
@@ -103,52 +108,61 @@ module ru_drain #(
     assign unused_own = &{1'b0, own_i};
   end
 
+  logic [OffsetW-1:0] offset, offset_q;  // of the job's word from the window's first line; _q: of the last cycle's
+  logic               half, half_q, wide, wide_q, two, two_q, shown;
+  ru_offset u_offset (
+    .raster_i, .stride_i, .columns_i(columns_q), .rows_i(rows_q), .region_i(region), .quarter_i(row_q),
+    .offset_o(offset), .half_o(half), .wide_o(wide), .shown_o(shown), .two_o(two), .more_o()
+  );
+  always_ff @(posedge clk_i) if (job_o) {offset_q, half_q, wide_q, two_q} <= {offset, half, wide, two};
+
   // --- jobs -> words -> lines ----------------------------------------------------------------------------------------
-  logic [2:0]          flying_q;  // a job of one, two, three cycles ago
-  logic [TagW-1:0]     tag;
+  logic [2:0]          flying_q;  // a job whose word is written, of one, two, three cycles ago
+  logic [AddressW-1:0] place;     // line of the word that is written next
+  logic                place_half, place_two, second_q;
   logic [LinesW-1:0]   lines, word;
-  logic                word_valid, tag_valid, pop, word_ready;
+  logic                word_valid, tag_ready, tag_valid, pop, word_ready;
   logic [$clog2(Depth+1)-1:0] tags, words;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) flying_q <= '0;
-    else flying_q <= {flying_q[1:0], job_o && !quiet_q};
+    else flying_q <= {flying_q[1:0], job_o && !quiet_q && shown};
   end
-  fifo #(.DataW(TagW), .Depth(Depth)) u_tags (
-    .clk_i, .rst_ni, .in_valid_i(job_o && !quiet_q), .in_ready_o(room), .in_i({number_q, region, row_q}),
-    .out_valid_o(tag_valid), .out_ready_i(pop), .out_o(tag), .count_o(tags)
+  assign room = tags + {1'b0, flying_q[0]} != ($clog2(Depth + 1))'(Depth);
+  fifo #(.DataW(AddressW + 3), .Depth(Depth)) u_tags (
+    .clk_i, .rst_ni, .in_valid_i(flying_q[0]), .in_ready_o(tag_ready),
+    .in_i({line_q + AddressW'(offset_q), half_q, wide_q, two_q}),
+    .out_valid_o(tag_valid), .out_ready_i(pop), .out_o({place, place_half, mem_wide_o, place_two}), .count_o(tags)
   );
-  ru_pixels u_pixels (.word_i, .lines_o(lines));
+  ru_pixels u_pixels (.word_i, .raster_i, .lines_o(lines));
   fifo #(.DataW(LinesW), .Depth(Depth)) u_words (
     .clk_i, .rst_ni, .in_valid_i(flying_q[2]), .in_ready_o(word_ready), .in_i(lines),
     .out_valid_o(word_valid), .out_ready_i(pop), .out_o(word), .count_o(words)
   );
+  ru_lines u_lines (
+    .raster_i, .stride_i, .first_i(place), .half_i(place_half), .second_i(second_q), .lines_i(word),
+    .address_o(mem_address_o), .halves_o(mem_halves_o), .data_o(mem_data_o)
+  );
   assign mem_valid_o = word_valid;
-  assign idle_o      = ready_o && !tag_valid;
+  assign pop         = word_valid && mem_ready_i && (second_q || !place_two);
+  assign idle_o      = ready_o && !flying_q[0] && !tag_valid;
 
-  if (pipegs_pkg::PixelW == 32) begin : gen_line
-    assign pop           = word_valid && mem_ready_i;
-    assign mem_data_o    = word;
-    assign mem_address_o = pixels_i + AddressW'(tag);
-  end else begin : gen_lines
-    logic second_q;
-    assign pop           = word_valid && mem_ready_i && second_q;
-    assign mem_data_o    = second_q ? word[MemoryW +: MemoryW] : word[0 +: MemoryW];
-    assign mem_address_o = pixels_i + AddressW'({tag, second_q});
-    always_ff @(posedge clk_i or negedge rst_ni) begin
-      if (!rst_ni) second_q <= 1'b0;
-      else if (mem_valid_o && mem_ready_i) second_q <= !second_q;
-    end
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) second_q <= 1'b0;
+    else if (mem_valid_o && mem_ready_i) second_q <= !second_q && place_two;
   end
 
   logic unused_counts;
-  assign unused_counts = &{1'b0, tags, words};
+  assign unused_counts = &{1'b0, words};
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!flying_q[2] || word_ready)
+  always_ff @(posedge clk_i) if (rst_ni) assert ((!flying_q[2] || word_ready) && (!flying_q[0] || tag_ready))
     else $error("ru_drain: a word came for which there is no place");
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || ready_o)
     else $error("ru_drain: a window came before the last one was handed over");
+  stream_check #(.DataW($bits({mem_address_o, mem_data_o}))) u_check_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
+  );
 `endif
 
 endmodule

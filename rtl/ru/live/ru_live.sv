@@ -18,6 +18,7 @@ module ru_live #(
   localparam int unsigned WordW     = Lanes * (pipegs_pkg::TW + 3 * pipegs_pkg::RgbW + 1),
   localparam int unsigned Words     = Regions / Units * 4,
   localparam int unsigned AddrW     = $clog2(Words),
+  localparam int unsigned Slots     = Regions / Units,
   localparam int unsigned SideW     = $clog2(pipegs_pkg::Window) + 1,
   localparam int unsigned TapIndexW = pipegs_pkg::TapIndexW,
   localparam int unsigned RegionW   = pipegs_pkg::RegionW
@@ -31,16 +32,25 @@ module ru_live #(
   input  pipegs_pkg::sorted_t               in_i,
 
   input  logic [Regions-1:0]                own_i,
-  input  logic [Regions-1:0]                outside_i,  // regions without a pixel inside the image
+  input  logic [Regions-1:0]                unwritten_i,  // regions whose pixels do not go to memory
   input  logic [SideW-1:0]                  columns_i,  // pixels of the window inside the image; in the cycle behind
   input  logic [SideW-1:0]                  rows_i,     // restart_i or window_done_o they are those of the next one
   output logic [Regions-1:0]                done_o,     // own regions that need nothing more
 
-  input  logic [pipegs_pkg::AddressW-1:0]   pixels_i,   // first line of the frame
-  input  logic [2*pipegs_pkg::WindowW-1:0]  number_i,   // of the window in the frame
+  input  logic                              joined_i,   // windows end together with those of the RU that shares lines
+  input  logic                              pair_at_end_i,  // it has nothing left of its window
+  input  logic [Slots-1:0]                  pair_wanted_i,  // what its next splat waits for
+  output logic                              at_end_o,   // the same of this one
+  output logic [Slots-1:0]                  wanted_o,
+
+  input  logic                              raster_i,   // pixels in raster order, else by windows
+  input  logic [pipegs_pkg::StrideW-1:0]    stride_i,   // lines from row to row, in raster order
+  input  logic [pipegs_pkg::AddressW-1:0]   line_i,     // first one of the window's pixels
   output logic                              store_valid_o,
   input  logic                              store_ready_i,
   output logic [pipegs_pkg::AddressW-1:0]   store_address_o,
+  output logic [pipegs_pkg::HalvesW-1:0]    store_halves_o,  // of the line
+  output logic                              store_wide_o,    // both are in the picture
   output logic [pipegs_pkg::MemoryW-1:0]    store_data_o,
 
   output logic                              layer_done_o,
@@ -59,7 +69,6 @@ module ru_live #(
   output logic [Groups*pipegs_pkg::TapWordW-1:0] tap_word_o
 );
 
-  localparam int unsigned Slots    = Regions / Units;
   localparam int unsigned PartSide = pipegs_pkg::PartRegionsX;
   localparam int unsigned ColorsW  = 3 * pipegs_pkg::ColorW;
   localparam int unsigned TW       = pipegs_pkg::TW;
@@ -80,7 +89,7 @@ module ru_live #(
   logic             clear_q;
   logic [Side-1:0]  columns_out, rows_out;  // columns and rows of quads outside the image
   logic [Groups*Words-1:0] outside, stopped;  // [group, slot, row]: as the groups hold them
-  logic [Slots-1:0]    slots_out;           // slots without a pixel inside the image
+  logic [Slots-1:0]    slots_out;           // slots whose pixels do not go to memory
   logic [Slots-1:0]    slots_stopped;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) clear_q <= 1'b0;
@@ -111,7 +120,7 @@ module ru_live #(
       assign all[g] = stopped[g*Words+4*i +: 4] == '1;
     end
     assign slots_stopped[i] = all == '1;
-    assign slots_out[i]     = (own_i[i*Units +: Units] & outside_i[i*Units +: Units]) != '0;
+    assign slots_out[i]     = (own_i[i*Units +: Units] & unwritten_i[i*Units +: Units]) != '0;
   end
   for (genvar i = 0; i < Regions; i += 1) begin : gen_done
     assign done_o[i] = own_i[i] && !clear_q && slots_stopped[i/Units];
@@ -129,7 +138,7 @@ module ru_live #(
   logic [RegionW-1:0]           half_region;
   logic [TapIndexW-1:0]         half_index;
 
-  logic [Slots-1:0]             held, wanted;
+  logic [Slots-1:0]             held;
   logic [Regions-1:0]           held_regions, wants;
   logic                         drained;
 
@@ -142,11 +151,13 @@ module ru_live #(
   ru_power u_power (
     .clk_i, .rst_ni, .stopped_i(stopped),
     .region_valid_i(region_valid), .region_ready_o(region_ready), .region_i(region), .color_i(region_color),
-    .out_valid_o(half_valid), .out_ready_i(half_ready), .out_live_o(half_live), .out_o(pairs), .out_half_o(half),
+    .out_push_o(half_valid), .out_room_i(half_ready), .out_live_o(half_live), .out_o(pairs), .out_half_o(half),
     .out_region_o(half_region), .out_color_o(color), .out_index_o(half_index), .busy_o(power_busy)
   );
-  assign ended         = end_valid && !power_busy && group_busy == '0 &&
-                         (end_kind != pipegs_pkg::KindWindowEnd || drained);
+  logic empty;
+  assign empty         = end_valid && !power_busy && group_busy == '0;
+  assign at_end_o      = empty && end_kind == pipegs_pkg::KindWindowEnd && drained;
+  assign ended         = end_kind == pipegs_pkg::KindWindowEnd ? at_end_o && (!joined_i || pair_at_end_i) : empty;
   assign layer_done_o  = ended;
   assign window_done_o = ended && end_kind == pipegs_pkg::KindWindowEnd;
 
@@ -163,14 +174,15 @@ module ru_live #(
 
   for (genvar i = 0; i < Slots; i += 1) begin : gen_held
     assign held_regions[i*Units +: Units] = {Units{held[i]}};
-    assign wanted[i] = (wants[i*Units +: Units] & own_i[i*Units +: Units]) != '0;
+    assign wanted_o[i] = (wants[i*Units +: Units] & own_i[i*Units +: Units]) != '0;
   end
   ru_drain u_drain (
-    .clk_i, .rst_ni, .own_i, .pixels_i, .restart_i, .start_i(window_done_o), .number_i, .outside_i(slots_out),
-    .wanted_i(wanted), .held_o(held), .ready_o(drained), .idle_o(drain_idle),
+    .clk_i, .rst_ni, .own_i, .raster_i, .stride_i, .restart_i, .start_i(window_done_o), .line_i, .columns_i,
+    .rows_i, .outside_i(slots_out), .wanted_i(wanted_o | (joined_i ? pair_wanted_i : '0)),
+    .held_o(held), .ready_o(drained), .idle_o(drain_idle),
     .job_o(job), .job_address_o(job_address), .word_i(word),
     .mem_valid_o(store_valid_o), .mem_ready_i(store_ready_i), .mem_address_o(store_address_o),
-    .mem_data_o(store_data_o)
+    .mem_halves_o(store_halves_o), .mem_wide_o(store_wide_o), .mem_data_o(store_data_o)
   );
 
   // --- quads ---------------------------------------------------------------------------------------------------------

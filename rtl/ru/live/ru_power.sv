@@ -29,8 +29,8 @@ module ru_power #(
   input  pipegs_pkg::region_t              region_i,
   input  logic [ColorsW-1:0]               color_i,
 
-  output logic [Groups-1:0]                out_valid_o,
-  input  logic [Groups-1:0]                out_ready_i,
+  output logic [Groups-1:0]                out_push_o,   // into the groups' queues, all of a half at once, ...
+  input  logic [Groups-1:0]                out_room_i,   // ... which have room
   output logic [Groups*2-1:0]              out_live_o,   // of each group's two quads
   output logic [Groups*PairW-1:0]          out_o,
   output logic                             out_half_o,
@@ -151,8 +151,8 @@ module ru_power #(
   logic              half;
   logic [Groups-1:0] some;
   assign half        = !halves_q[0];
-  assign fire        = halves_q != '0 && (some & ~out_ready_i) == '0;
-  assign out_valid_o = fire ? some : '0;
+  assign fire        = halves_q != '0 && (some & ~out_room_i) == '0;
+  assign out_push_o  = fire ? some : '0;
   assign out_half_o  = half;
   assign {out_index_o, out_region_o, out_color_o} = tag_q;
   for (genvar g = 0; g < Groups; g += 1) begin : gen_group

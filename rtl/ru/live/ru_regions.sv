@@ -224,4 +224,13 @@ module ru_regions #(
   logic unused_in;
   assign unused_in = &{1'b0, splat_q};
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits(end_kind_o))) u_check_end (
+    .clk_i, .rst_ni, .valid_i(end_valid_o), .ready_i(end_ready_i), .beat_i(end_kind_o)
+  );
+  stream_check #(.DataW($bits({region_o, color_o}))) u_check_region (
+    .clk_i, .rst_ni, .valid_i(region_valid_o), .ready_i(region_ready_i), .beat_i({region_o, color_o})
+  );
+`endif
+
 endmodule

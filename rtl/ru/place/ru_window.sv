@@ -3,11 +3,11 @@
 //
 // Paper   Sec. 4 (the frame is rendered tile group by tile group).
 // Idea    Windows follow row by row from first to last. All that depends on the window is computed in the cycle in
-//         which it changes and kept: pixels inside, regions outside, and the window's number in the frame (by
-//         addition).
+//         which it changes and kept: pixels inside, regions outside, and where the row's pixels begin in memory (by
+//         addition): after so many windows, or in raster order after so many strides of a whole window's rows.
 // Stream  restart_i: the first window of the frame. advance_i: the next one.
 // Pace    New values in the cycle after the pulse.
-// Model   ru_take, ru_inside and ru_pixel_line in cpp_model/ru/
+// Model   ru_take, ru_inside, ru_pixel_line and ru_raster_line in cpp_model/ru/
 
 module ru_window (
   input  logic                             clk_i,
@@ -17,6 +17,7 @@ module ru_window (
   input  logic [pipegs_pkg::WindowW-1:0]   first_x_i,
   input  logic [pipegs_pkg::WindowW-1:0]   first_y_i,
   input  logic [pipegs_pkg::WindowW-1:0]   last_x_i,
+  input  pipegs_pkg::picture_t             picture_i,  // its base is that of the pixels in either format
 
   input  logic                             restart_i,
   input  logic                             advance_i,
@@ -26,14 +27,17 @@ module ru_window (
   output logic [$clog2(pipegs_pkg::Window):0] columns_o,  // pixel columns of the window inside the image
   output logic [$clog2(pipegs_pkg::Window):0] rows_o,
   output logic [pipegs_pkg::Regions-1:0]   outside_o,     // regions without a pixel inside the image
-  output logic [2*pipegs_pkg::WindowW-1:0] number_o       // of the window in the frame
+  output logic [pipegs_pkg::AddressW-1:0]  line_o         // of external memory: the first one of the window's pixels
 );
 
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
   localparam int unsigned PlaceW = pipegs_pkg::RegionW / 2;
   localparam int unsigned Shift = $clog2(pipegs_pkg::Window);
   localparam int unsigned SideW = WindowW + Shift + 1;  // pixels, signed after a subtraction
-  localparam int unsigned NumberW = 2 * WindowW;
+  localparam int unsigned AddressW = pipegs_pkg::AddressW;
+  localparam int unsigned StrideW = pipegs_pkg::StrideW;
+  localparam int unsigned BeforeW = WindowW + StrideW;
+  localparam int unsigned Tiles = $clog2(pipegs_pkg::Regions * pipegs_pkg::RegionLines);  // lines of a window
 
   // Pixels of a window that starts at window `at` in an image of `size` pixels: 0 .. Window.
   function automatic logic [Shift:0] span(input logic [pipegs_pkg::SizeW-1:0] size, input logic [WindowW-1:0] at);
@@ -47,7 +51,8 @@ module ru_window (
   logic [WindowW-1:0]             x_d, y_d, windows_x;
   logic [Shift:0]                 columns_q, rows_q, columns_d, rows_d;
   logic [pipegs_pkg::Regions-1:0] outside_q, outside_d;
-  logic [NumberW-1:0]             number_q, row_number_q, row_number_d;
+  logic [BeforeW-1:0]             before_q, before_d;  // windows, or strides of a window's rows, before the row
+  logic [StrideW-1:0]             step;                // in a row
   logic                           row_ends;
 
   assign windows_x = WindowW'((SideW'(width_i) + SideW'(pipegs_pkg::Window - 1)) >> Shift);
@@ -58,8 +63,9 @@ module ru_window (
   );
 
   always_comb begin
-    row_number_d = row_ends ? row_number_q + NumberW'(windows_x) : row_number_q;
-    if (restart_i) row_number_d = NumberW'(first_y_i) * NumberW'(windows_x);
+    step     = picture_i.format ? picture_i.stride : StrideW'(windows_x);
+    before_d = row_ends ? before_q + BeforeW'(step) : before_q;
+    if (restart_i) before_d = BeforeW'(first_y_i) * BeforeW'(step);
     columns_d = span(width_i, x_d);
     rows_d    = span(height_i, y_d);
   end
@@ -76,23 +82,23 @@ module ru_window (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      columns_q    <= '0;
-      rows_q       <= '0;
-      outside_q    <= '0;
-      number_q     <= '0;
-      row_number_q <= '0;
+      columns_q <= '0;
+      rows_q    <= '0;
+      outside_q <= '0;
+      before_q  <= '0;
     end else if (restart_i || advance_i) begin
-      columns_q    <= columns_d;
-      rows_q       <= rows_d;
-      outside_q    <= outside_d;
-      number_q     <= row_number_d + NumberW'(x_d);
-      row_number_q <= row_number_d;
+      columns_q <= columns_d;
+      rows_q    <= rows_d;
+      outside_q <= outside_d;
+      before_q  <= before_d;
     end
   end
 
   assign columns_o = columns_q;
   assign rows_o    = rows_q;
   assign outside_o = outside_q;
-  assign number_o  = number_q;
+  assign line_o    = picture_i.base + (picture_i.format
+                     ? (AddressW'(before_q) << Shift) + (AddressW'(x_o) << (Shift - 4))
+                     : (AddressW'(before_q) + AddressW'(x_o)) << Tiles);
 
 endmodule

@@ -29,8 +29,8 @@ module su_buckets (
   input  logic [pipegs_pkg::BucketW-1:0] job_bucket_i,
   input  logic [pipegs_pkg::KindW-1:0]   job_kind_i,
 
-  output logic                           chain_valid_o,
-  input  logic                           chain_ready_i,
+  output logic                           chain_push_o,    // into a queue, ...
+  input  logic                           chain_room_i,    // ... which has room
   output logic [pipegs_pkg::KindW-1:0]   chain_kind_o,    // KindData: a chain
   output logic [pipegs_pkg::RecordW-1:0] chain_head_o,
   output logic [pipegs_pkg::RecordW:0]   chain_count_o,
@@ -110,7 +110,7 @@ module su_buckets (
     operation_d = None;
     if (word_wanted) operation_d = operation_q == Insert && same_word ? None : Word;
     else if (insert_valid_i && !insert_waits) operation_d = Insert;
-    else if (work_q != '0 && chain_ready_i && !chain_valid_o) operation_d = Entry;
+    else if (work_q != '0 && chain_room_i && !chain_due) operation_d = Entry;
     if (!ends) operation_d = None;
   end
   assign insert_ready_o = ends && !insert_waits;
@@ -145,7 +145,7 @@ module su_buckets (
   end
 
   // --- the group that is being joined -------------------------------------------------------------------------------
-  logic               group_valid_q, fits, join_group, push_group;
+  logic               group_valid_q, fits, join_group, push_group, chain_due;
   logic [RecordW-1:0]   group_head_q, group_tail_q;
   logic [RecordW:0]     group_count_q;
   logic [BucketW-1:0] group_bucket_q, entry_bucket_q;
@@ -161,14 +161,15 @@ module su_buckets (
   assign link_o       = head;
   assign ends         = !link_write_o || link_ready_i;
 
-  assign chain_valid_o  = push_group || (job_valid_i && quiet && job_kind_i != pipegs_pkg::KindData);
+  assign chain_due      = push_group || (job_valid_i && quiet && job_kind_i != pipegs_pkg::KindData);
+  assign chain_push_o   = chain_due && chain_room_i;
   assign chain_kind_o   = push_group ? pipegs_pkg::KindData : job_kind_i;
   assign chain_head_o   = group_head_q;
   assign chain_count_o  = group_count_q;
   assign chain_bucket_o = group_bucket_q;
-  assign job_done_o     = job_valid_i && quiet && !group_valid_q && (chain_ready_i ||
+  assign job_done_o     = job_valid_i && quiet && !group_valid_q && (chain_room_i ||
                           job_kind_i == pipegs_pkg::KindData);
-  assign active_o       = operation_q != None || operation_d != None || (chain_valid_o && chain_ready_i) || job_done_o;
+  assign active_o       = operation_q != None || operation_d != None || chain_push_o || job_done_o;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -187,7 +188,7 @@ module su_buckets (
       if (entry_reads) work_q[first_bit] <= 1'b0;
       if (job_done_o) edge_q <= 1'b0;
       else if (operation_q == Word && word_q == job_high) edge_q <= 1'b1;
-      if (push_group && chain_ready_i) group_valid_q <= 1'b0;
+      if (push_group && chain_room_i) group_valid_q <= 1'b0;
       if (operation_q == Entry && ends) group_valid_q <= 1'b1;
     end
   end
@@ -213,7 +214,7 @@ module su_buckets (
   end
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!(operation_q == Entry && push_group) || chain_ready_i);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!(operation_q == Entry && push_group) || chain_room_i);
 `endif
 
 endmodule

@@ -75,4 +75,10 @@ module su_sort #(
   assign idle_o  = split_idle_o && bitonic_idle;
   assign moves_o = start || (end_go && batch_ready) || split_active || bitonic_active;
 
+`ifndef SYNTHESIS
+  stream_check u_check_batch (
+    .clk_i, .rst_ni, .valid_i(batch_valid || end_go), .ready_i(batch_ready), .beat_i(1'b0)
+  );
+`endif
+
 endmodule

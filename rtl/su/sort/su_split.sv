@@ -272,6 +272,9 @@ module su_split (
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || (state_q == Idle && count_i != '0));
+  stream_check #(.DataW($bits({out_last_o, out_key_o, out_slot_o}))) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_last_o, out_key_o, out_slot_o})
+  );
 `endif
 
 endmodule

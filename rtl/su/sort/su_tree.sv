@@ -159,6 +159,9 @@ module su_tree #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || (idle_o && levels_i != '0));
   always_ff @(posedge clk_i) if (rst_ni) assert (!(state_q == Look && item_valid_o) || !item_ready_i);
+  stream_check #(.DataW($bits({item_key_o, item_slot_o}))) u_check_item (
+    .clk_i, .rst_ni, .valid_i(item_valid_o), .ready_i(item_ready_i), .beat_i({item_key_o, item_slot_o})
+  );
 `endif
 
 endmodule

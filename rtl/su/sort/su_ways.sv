@@ -126,6 +126,9 @@ module su_ways #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!setup_i || !asking_q);
   always_ff @(posedge clk_i) if (rst_ni) assert (!release_i || ready_o[0]);
+  stream_check #(.DataW($bits({read_line_o, read_way_o}))) u_check_read (
+    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i({read_line_o, read_way_o})
+  );
 `endif
 
 endmodule

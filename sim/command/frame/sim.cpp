@@ -21,6 +21,7 @@ struct SimArguments {
   std::string out = "out", waves;
   std::vector<std::string> effects = {"all"};
   std::vector<int> views;
+  std::string picture = "windows";
   bool netlist = false, json = false, no_truth = false, no_rtl = false;
 };
 
@@ -79,6 +80,7 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
+  options.raster = arguments.picture == "raster";
   options.variant.netlist = arguments.netlist;
   if (arguments.no_rtl && !arguments.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
   built_variant(options.variant, options.rtl);  // refuses waves of gates
@@ -115,7 +117,7 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   report["effects"] = arguments.no_rtl
                           ? nlohmann::ordered_json(nullptr)
                           : nlohmann::ordered_json{{"simulated", plan.simulated}, {"left_out", plan.left_out}};
-  write_images(arguments.out, crop_window(simulation.golden.image, options));
+  write_images(arguments.out, crop_window(simulation.golden.image, options), simulation.picture);
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
   if (arguments.json) {
     fmt::print("{}\n", report.dump(2));
@@ -145,6 +147,11 @@ void add_sim(CLI::App& app, Run& run) {
   arguments.memory.add(*command);
   add_span(*command, "--views", arguments.views,
            "instead of --view: these views in one machine without a reset, without truth");
+  command
+      ->add_option("--picture", arguments.picture,
+                   "pixels in memory: windows, as --set pixel_w says; raster, rows of RGBA8, and frame.png is these")
+      ->capture_default_str()
+      ->check(CLI::Validator(CLI::IsMember({"windows", "raster"})).description(""));
   command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json")->capture_default_str();
   command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
   add_names(*command, "--effects", arguments.effects,

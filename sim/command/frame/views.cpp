@@ -91,7 +91,7 @@ int simulate_views(const ViewArguments& view, const ViewsArguments& views, const
 
   for (size_t i = 0; i < frames.size(); ++i)
     write_images(fmt::format("{}/view_{}", views.out, views.first + static_cast<int>(i)),
-                 crop_window(frames[i]->golden.image, run));
+                 crop_window(frames[i]->golden.image, run), frames[i]->picture);
   write_text(views.out + "/sequence.json", report.dump(2) + "\n");
   if (views.json) {
     fmt::print("{}\n", report.dump(2));

@@ -69,7 +69,8 @@ nlohmann::ordered_json to_json(const ModelRow& row, bool check, bool windows) {
                                  {"seconds", {{"trace", row.trace_seconds}, {"model", row.seconds}}},
                                  {"model_mhz", row.mega_cycles()}};
   for (const TimingResult::Stream& stream : row.result.streams)
-    json["bytes"][stream.name] = {{"read", stream.bytes_read}, {"written", stream.bytes_written}};
+    json["bytes"][stream.name] = {
+        {"read", stream.bytes_read}, {"written", stream.bytes_written}, {"bursts", stream.bursts}};
   if (windows) json["window_ends"] = row.result.window_ends;
   if (!check) return json;
   json["rtl"] = {{"cycles", row.rtl.cycles}, {"overflow_lines", row.rtl.overflow_lines}, {"khz", row.rtl_khz()}};

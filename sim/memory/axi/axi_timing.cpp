@@ -46,7 +46,7 @@ std::optional<AxiLine> AxiTiming::end(bool r_ready, bool b_ready) {
   if (asks_.empty() || !timing_->ready()) return std::nullopt;
   const AxiLine ask = asks_.front();
   asks_.pop_front();
-  timing_->request(ask.write, ask.line, static_cast<int>(ask.id & 0xff));
+  timing_->request(ask.write, ask.line, static_cast<int>(ask.id & 0xff), 1);
   if (ask.write) {
     answers_.push_back(now_ + write_latency_);
   } else {

@@ -26,10 +26,10 @@ int BusTiming::step() {
   return answer;
 }
 
-bool BusTiming::offer(bool write, uint64_t line, int tag) {
+bool BusTiming::offer(bool write, uint64_t line, int tag, int lines) {
   offered_ = true;
   offered_write_ = write;
-  offer_ = {.line = line, .tag = tag, .stamp = stamp_};
+  offer_ = {.line = line, .tag = tag, .lines = lines, .stamp = stamp_};
   if (write) {
     accepted_ = writes_.count() < Config::bus_writes() && (!aw_valid_ || aw_ready_) &&
                 (!w_valid_ || (w_ready_ && w_beat_ + 1 == beats_));

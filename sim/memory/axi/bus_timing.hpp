@@ -21,8 +21,8 @@ class BusTiming final : public MemoryTiming {
 
   int step() override;
   bool ready() const override { return false; }  // it depends on what is asked: see offer
-  void request(bool, uint64_t, int) override {}
-  bool offer(bool write, uint64_t line, int tag) override;
+  void request(bool, uint64_t, int, int) override {}
+  bool offer(bool write, uint64_t line, int tag, int lines) override;
   const Dram* dram() const override { return axi_.dram(); }
 
  private:

@@ -11,12 +11,15 @@ bool bit(const std::vector<uint64_t>& bits, uint32_t at) { return (bits[at / 64]
 
 const DopuItem* Descend::shown(Cycle now, const DopuSets& sets) {
   FallQueue<DopuItem, kResults>& kept = results_[2];
-  return kept.valid(now) && !drops(kept.front(), sets) ? &kept.front() : nullptr;
+  return kept.valid(now) && (shown_ || !drops(kept.front(), sets)) ? &kept.front() : nullptr;
 }
 
 void Descend::step(DopuCycle& cycle, DopuSets& sets) {
   FallQueue<DopuItem, kResults>& kept = results_[2];
-  if (kept.valid(cycle.now) && (cycle.node_taken || drops(kept.front(), sets))) {
+  const bool shows = shown(cycle.now, sets) != nullptr;
+  const bool leaves = kept.valid(cycle.now) && (cycle.node_taken || !shows);
+  shown_ = shows && !cycle.node_taken;
+  if (leaves) {
     kept.pop(cycle.now);
     --reserved_[2];
     cycle.changed = true;

@@ -23,6 +23,7 @@ class Descend {
 
   bool wants(int level) const { return readers_[static_cast<size_t>(level)].wants(); }
   uint64_t line(int level) const { return readers_[static_cast<size_t>(level)].line(); }
+  int lines(int level) const { return readers_[static_cast<size_t>(level)].lines(); }
 
  private:
   static constexpr int kLevels = 3;
@@ -53,6 +54,7 @@ class Descend {
   std::array<int, kLevels> reserved_{};
   FallQueue<InTest, 8> in_test_;
   std::array<Reader, 2> readers_;
+  bool shown_ = false;  // to dopu_origin, in the cycle before: it stays until taken
 };
 
 }  // namespace pipegs::timing

@@ -21,6 +21,8 @@ Dopu::Dopu(const Machine& m)
       grid_(m.config.grid),
       axis_(dopu_axis(m.frame)),
       walks_(m.trace.walks.size()),
+      most_asked_(m.config.node_lines() / 2),
+      asked_(most_asked_),
       table_line_(m.frame.tables.cells) {
   table_left_ = table_coming_ = (grid_ * grid_ * grid_ + 1) / 2;
   const int camera = dopu_layer_camera(m.config, m.frame, axis_);
@@ -166,10 +168,11 @@ void Dopu::port(Machine& m, DopuCycle& cycle) {
     cycle.granted = port_last_ = port_shown_;
     port_locked_ = false;
     if (cycle.granted == 2) {
-      ++table_line_;
-      --table_left_;
+      const int lines = table_lines();
+      table_line_ += static_cast<uint64_t>(lines);
+      table_left_ -= lines;
     } else {
-      asked_.push(cycle.now, static_cast<uint8_t>(cycle.granted));
+      asked_.push(cycle.now, {cycle.granted, lines(cycle.granted)});
     }
   }
   if (!answered) return;
@@ -177,15 +180,14 @@ void Dopu::port(Machine& m, DopuCycle& cycle) {
     cycle.answered = 2;
     --table_coming_;
   } else {
-    cycle.answered = asked_.front();
-    asked_.pop(cycle.now);
+    cycle.answered = asked_.front().level;
+    if (--asked_.front().lines == 0) asked_.pop(cycle.now);
   }
   cycle.changed = true;
 }
 
 void Dopu::ask(Machine& m) {
   const auto wants = [&](int level) { return nearest_ ? nearest_->wants(level) : descend_->wants(level); };
-  const auto line = [&](int level) { return nearest_ ? nearest_->line(level) : descend_->line(level); };
   const uint32_t requests = uint32_t{wants(0)} | uint32_t{wants(1)} << 1 | uint32_t{table_left_ > 0} << 2;
   if (requests == 0) {
     port_locked_ = false;
@@ -193,7 +195,12 @@ void Dopu::ask(Machine& m) {
   }
   if (!port_locked_ || (requests >> port_shown_ & 1) == 0) port_shown_ = round_robin(requests, port_last_);
   port_locked_ = true;
-  m.memory.ask(m.memory.node_port(), port_shown_ == 2 ? table_line_ : line(port_shown_));
+  if (asked_.count() == most_asked_) return;
+  if (port_shown_ == 2) {
+    m.memory.ask(m.memory.node_port(), table_line_, false, table_lines());
+  } else {
+    m.memory.ask(m.memory.node_port(), line(port_shown_), false, lines(port_shown_));
+  }
 }
 
 // --- dopu_cells ------------------------------------------------------------------------------------------------------

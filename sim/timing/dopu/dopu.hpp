@@ -47,6 +47,9 @@ class Dopu {
   void cells(const Machine& m, DopuCycle& cycle);
   void windows(const Machine& m, DopuCycle& cycle);
   void ask(Machine& m);
+  uint64_t line(int level) const { return nearest_ ? nearest_->line(level) : descend_->line(level); }
+  int lines(int level) const { return nearest_ ? nearest_->lines(level) : descend_->lines(level); }
+  int table_lines() const { return std::min(table_left_, 8 - static_cast<int>(table_line_ & 7)); }
 
   const int units_, grid_;
   std::array<int, 16> slabs_{};  // of each step; -1 outside the grid
@@ -76,7 +79,11 @@ class Dopu {
   bool window_sent_ = false;
 
   // memory port: 0 groups, 1 chunks, 2 cells
-  FallQueue<uint8_t, 128> asked_;
+  struct Asked {
+    int level = 0, lines = 0;
+  };
+  const int most_asked_;
+  FallQueue<Asked, 32> asked_;
   int port_last_ = 0, port_shown_ = 0;
   bool port_locked_ = false;
 

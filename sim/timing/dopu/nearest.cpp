@@ -261,6 +261,7 @@ bool Nearest::send(const DopuCycle& cycle, const DopuSets& sets, const Said& is)
   } else if (is.pop_send && queue_->idle()) {
     popping_ = true;
   }
+  shown_ = valid_ && !gone;
   if (gone) valid_ = false;
   if (!is.load_popped && !is.load_direct && !is.mark_due && !is.end_due) return gone;
   valid_ = true;

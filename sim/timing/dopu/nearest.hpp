@@ -25,6 +25,7 @@ class Nearest {
 
   bool wants(int level) const { return open_[static_cast<size_t>(level)].reader.wants(); }
   uint64_t line(int level) const { return open_[static_cast<size_t>(level)].reader.line(); }
+  int lines(int level) const { return open_[static_cast<size_t>(level)].reader.lines(); }
 
  private:
   static constexpr int kLevels = 3;
@@ -56,7 +57,7 @@ class Nearest {
   };
   struct Said;
 
-  bool dropped(const DopuSets& sets) const { return out_.end != kWindowEndBeat && sets[out_.set].done; }
+  bool dropped(const DopuSets& sets) const { return out_.end != kWindowEndBeat && sets[out_.set].done && !shown_; }
   int list(int level, int set) const { return 2 * level + set; }
   Result child(int level, uint32_t node, bool last, const DopuSets& sets);
   Said look(const DopuCycle& cycle, const DopuSets& sets);
@@ -83,6 +84,7 @@ class Nearest {
   // dopu_send
   int send_set_ = 0;
   bool popping_ = false, valid_ = false;
+  bool shown_ = false;  // in the cycle before: it stays until taken
   DopuItem out_;
   uint32_t since_ = 0;
   int mark_ = 0, marks_ = 0;

@@ -138,7 +138,7 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
     }
   }
   if (reader_.step(now, granted, answered, take ? &job : nullptr)) moved_ = true;
-  if (reader_.wants()) m.memory.ask(port_, reader_.line());
+  if (reader_.wants()) m.memory.ask(port_, reader_.line(), false, reader_.lines());
   m.wheel.wake(unit(kLists), reader_.next(now));
   m.wheel.wake(unit(kLists), reader_.item_from(now));
 }

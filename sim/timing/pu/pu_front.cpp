@@ -44,7 +44,7 @@ void Pu::reader(Machine& m, Cycle now) {
     job.tag = {chunk.end, chunk.first, chunk.survivors};
   }
   reader_.step(now, m.memory.granted(port, now), m.memory.answered(port), take ? &job : nullptr);
-  if (reader_.wants()) m.memory.ask(port, reader_.line());
+  if (reader_.wants()) m.memory.ask(port, reader_.line(), false, reader_.lines());
   m.wheel.wake(unit(kCull, lane_), reader_.item_from(now));
   m.wheel.wake(unit(kReader, lane_), reader_.next(now));
   if (const bool next = reader_.room_next(now); next != chunk_room_) {

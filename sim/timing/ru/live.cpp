@@ -9,8 +9,6 @@ namespace pipegs::timing {
 namespace {
 
 constexpr Cycle kAgain = 4;  // cycles until a quad may be issued again
-// Cycles until it is written and its group may be empty, and until others know of its stop.
-constexpr Cycle kInside = 6;
 
 }  // namespace
 

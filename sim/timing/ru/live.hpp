@@ -26,6 +26,9 @@ class Live {
     uint16_t quad;  // 16 * region + quad
   };
 
+  // Cycles until a quad is written and its group may be empty, and until others know of its stop.
+  static constexpr Cycle kInside = 6;
+
   Live();
 
   void start_window(const TimingWindow* window);  // nullptr behind the last one

@@ -2,8 +2,10 @@
 // ru.cpp: see ru.hpp.
 #include "sim/timing/ru/ru.hpp"
 
+#include <algorithm>
 #include <bit>
 
+#include "cpp_model/ru/ru_raster.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "sim/timing/machine.hpp"
@@ -24,7 +26,7 @@ Ru::Ru(const Machine& m, int lane)
       own_(ru_own_mask(m.config, lane)) {
   for (size_t part = 0; part < static_cast<size_t>(m.config.parts()); ++part) owned_.mask[part] = own_;
   set_window(m, 0);
-  if (quads_) drain_.start(0, owned_, true, 0);
+  if (quads_) drain_.start(0, owned_, true, 0, 0);
 }
 
 void Ru::set_window(const Machine& m, size_t window) {
@@ -155,14 +157,18 @@ void Ru::end(Machine& m, Cycle now, Beat beat) {
   lines_.fill(0);
   if (!quads_) m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
   m.wheel.wake(unit(late_ ? kSource : kWalk, lane_), now + 1);
-  if (quads_) return drain_.start(now, owned_ & ~outside_, false, window_);
+  if (quads_) return drain_.start(now, owned_ & ~unwritten(m), false, window_, rows_written(m, window_));
   // ru_resolve starts.
-  regions_left_ = owned_ & ~outside_;
+  regions_left_ = owned_ & ~unwritten(m);
   window_written_ = window_;
-  lines_left_ = m.config.region_lines() * regions_left_.count();
+  lines_left_ = 0;
+  for (size_t part = 0; part < regions_left_.mask.size(); ++part) {
+    for (uint64_t rest = regions_left_.mask[part]; rest != 0; rest &= rest - 1)
+      lines_left_ += requests(m, window_, region_number(m.config, part, std::countr_zero(rest)), 0, 8);
+  }
   line_ = 0;
   line_from_ = now + 2;
-  if (lines_left_ > 0) m.wheel.wake(unit(kRuMemory, lane_), line_from_);
+  if (lines_left_ > 0) m.wheel.wake(unit(kRuMemory, joined(m) ? lane_ & ~1 : lane_), line_from_);
 }
 
 // --- ru_fetch, or the Row Units --------------------------------------------------------------------------------------
@@ -222,18 +228,52 @@ void Ru::next_splat(Machine& m, Cycle now) {
   m.wheel.wake(unit(kOrder), now + 1);
 }
 
+bool Ru::joined(const Machine& m) { return m.trace.picture.format != 0 && m.units > 1; }
+
+Ru& Ru::other(Machine& m) const { return m.ru[static_cast<size_t>(lane_ ^ 1)]; }
+
+// Asked for by both RUs of a pair: the first one to ask is stepped first, or neither is.
+const Ru::Seen& Ru::seen(Cycle now) {
+  if (seen_.at == now) return seen_;
+  seen_ = {.at = now, .at_end = false, .wanted = {}};
+  if (!splat_valid_) return seen_;
+  seen_.at_end = splat_.beat == kWindowEndBeat && live_.idle(now) && drain_.held() == RegionSet{};
+  if (!is_end(splat_.beat)) seen_.wanted.mask[splat_.part] = rest_;
+  return seen_;
+}
+
+// Of two regions side by side the left one is outside when both are.
+RegionSet Ru::unwritten(const Machine& m) const {
+  constexpr uint64_t kLeft = 0x5555555555555555;
+  RegionSet result = outside_;
+  for (uint64_t& mask : result.mask) {
+    if (joined(m)) mask = (mask & kLeft) | (mask & kLeft) << 1;
+  }
+  return result;
+}
+
 // ru_live.
 void Ru::live_source(Machine& m, Cycle now) {
   const bool data = !is_end(splat_.beat), empty = live_.idle(now), known = now != window_done_at_ + 1;
   const size_t before = stops_.size();
   const RegionSet held = drain_.held();
-  const bool job = drain_.step(m.config, now, splat_.part, splat_valid_ && data ? rest_ : 0);
+  RegionSet wanted = seen(now).wanted;
+  bool at_end = seen(now).at_end;
+  if (joined(m)) {
+    constexpr uint64_t kLeft = 0x5555555555555555;
+    const Seen& beside = other(m).seen(now);
+    at_end = at_end && beside.at_end;
+    for (size_t i = 0; i < wanted.mask.size(); ++i)
+      wanted.mask[i] |= (beside.wanted.mask[i] & kLeft) << 1 | (beside.wanted.mask[i] >> 1 & kLeft);
+  }
+  const bool job = drain_.step(m.config, now, wanted);
+  if (job) last_job_ = now;
   if (!drain_.words.empty()) m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
   live_.step(m, now, lane_, job, stops_);
   for (size_t i = before; i < stops_.size(); ++i) m.wheel.wake(unit(kPublish), stops_[i].from);
   bool leave = false;
   if (splat_valid_ && !data) {
-    leave = empty && (splat_.beat != kWindowEndBeat || held == RegionSet{});
+    leave = splat_.beat == kWindowEndBeat ? at_end : empty;
     if (leave) end(m, now, splat_.beat);
   } else if (splat_valid_ && known) {
     const uint64_t open = rest_ & ~done_.mask[splat_.part], free = open & ~held.mask[splat_.part];
@@ -277,41 +317,75 @@ void Ru::rows_source(Machine& m, Cycle now) {
 
 // --- ru_memory and ru_resolve ----------------------------------------------------------------------------------------
 
-// A line of pixels of a region to memory.
+// Rows of pixels of a window that are written: in raster order those inside the picture, else all.
+int Ru::rows_written(const Machine& m, size_t window) const {
+  if (m.trace.picture.format == 0) return m.config.window;
+  const Windows& windows = m.frame.raster.windows;
+  const uint64_t y = windows.first_y + window / (windows.last_x - windows.first_x + 1);
+  return static_cast<int>(std::min(static_cast<uint64_t>(m.config.window),
+                                   m.frame.raster.height - y * static_cast<uint64_t>(m.config.window)));
+}
+
+// Requests that write some rows of a region.
+int Ru::requests(const Machine& m, size_t window, int region, int first_row, int rows) const {
+  if (m.trace.picture.format == 0) return m.config.region_lines() * rows / 8;
+  return std::clamp(rows_written(m, window) - 8 * region_y(m.config, region) - first_row, 0, rows);
+}
+
+// A line of pixels of a region to memory, or a row of them in raster order.
 void Ru::write(Machine& m, size_t window, int region, uint64_t line) {
+  memory_valid_ = true;
   const uint64_t columns =
       (m.frame.raster.width + static_cast<uint64_t>(m.config.window) - 1) / static_cast<uint64_t>(m.config.window);
   const uint64_t row_windows = m.frame.raster.windows.last_x - m.frame.raster.windows.first_x + 1;
-  const uint64_t number = (m.frame.raster.windows.first_y + window / row_windows) * columns +
-                          m.frame.raster.windows.first_x + window % row_windows;
+  const uint64_t window_x = m.frame.raster.windows.first_x + window % row_windows,
+                 window_y = m.frame.raster.windows.first_y + window / row_windows,
+                 side = static_cast<uint64_t>(m.config.window);
+  if (m.trace.picture.format != 0) {
+    const uint64_t x = window_x * side + 8 * static_cast<uint64_t>(region_x(m.config, region)),
+                   y = window_y * side + 8 * static_cast<uint64_t>(region_y(m.config, region)) + line;
+    const bool wide = joined(m) && (x | 8) < m.frame.raster.width;
+    return m.memory.ask(port_, ru_raster_line(m.trace.picture, x, y), true, 1, wide ? 2 : 1);
+  }
+  const uint64_t number = window_y * columns + window_x;
   const uint64_t place = number * static_cast<uint64_t>(m.config.regions()) + static_cast<uint64_t>(region);
   m.memory.ask(port_, m.frame.tables.pixels + place * static_cast<uint64_t>(m.config.region_lines()) + line, true);
-  memory_valid_ = true;
 }
 
 // With quads: the words that ru_drain has brought.
 void Ru::drained(Machine& m, Cycle now) {
   if (!drain_.words.valid(now)) return m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
   const Drain::Word word = drain_.words.front();
-  const auto lines = static_cast<uint64_t>(m.config.region_lines()) / 4;  // of a word
-  write(m, word.window, word.region, static_cast<uint64_t>(word.row) * lines + line_);
-  if (++line_ < lines) return;
+  const auto whole = static_cast<uint64_t>(m.trace.picture.format != 0 ? 2 : m.config.region_lines() / 4);  // of a word
+  write(m, word.window, word.region, static_cast<uint64_t>(word.row) * whole + line_);
+  if (++line_ < static_cast<uint64_t>(requests(m, word.window, word.region, 2 * word.row, 2))) return;
   line_ = 0;
   drain_.words.pop(now);
+  if (joined(m)) other(m).drain_.words.pop(now);
 }
 
 void Ru::memory(Machine& m, Cycle now) {
   if (read_at_ == now) return;
   if (m.memory.granted(port_, now)) memory_valid_ = false;
-  if (memory_valid_) return;
+  if (memory_valid_ || (joined(m) && lane_ % 2 != 0)) return;
   if (quads_) return drained(m, now);
-  if (lines_left_ == 0) return;
-  if (now < line_from_) return m.wheel.wake(unit(kRuMemory, lane_), line_from_);
+  if (lines_left_ == 0 || (joined(m) && other(m).lines_left_ == 0)) return;
+  const Cycle from = joined(m) ? std::max(line_from_, other(m).line_from_) : line_from_;
+  if (now < from) return m.wheel.wake(unit(kRuMemory, lane_), from);
+  size_t part = 0;
+  while (regions_left_.mask[part] == 0) ++part;
+  write(m, window_written_, region_number(m.config, part, std::countr_zero(regions_left_.mask[part])), line_);
+  written_line(m, now);
+  if (joined(m)) other(m).written_line(m, now);
+}
+
+// ru_resolve goes on to its next line.
+void Ru::written_line(Machine& m, Cycle now) {
   size_t part = 0;
   while (regions_left_.mask[part] == 0) ++part;
   uint64_t& left = regions_left_.mask[part];
-  write(m, window_written_, region_number(m.config, part, std::countr_zero(left)), line_);
-  if (++line_ == static_cast<uint64_t>(m.config.region_lines())) line_ = 0, left &= left - 1;
+  const int region = region_number(m.config, part, std::countr_zero(left));
+  if (++line_ == static_cast<uint64_t>(requests(m, window_written_, region, 0, 8))) line_ = 0, left &= left - 1;
   if (--lines_left_ == 0) {
     resolved_from_ = now + 1;
     m.wheel.wake(unit(kLanes, lane_), now + 1);

@@ -8,6 +8,7 @@
 //         cycle in which they see it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "cpp_model/config.hpp"
@@ -49,7 +50,8 @@ class Ru {
   size_t window() const { return window_; }  // number in the frame
 
   SramQueue<Splat, 64> queue;
-  Cycle last_window_done() const { return window_done_at_; }
+  // The last cycle in which a window ended or, with quads, a job was inside: those below the picture write nothing.
+  Cycle last_busy() const { return std::max(window_done_at_, last_job_ + Live::kInside - 1); }
   bool written() const { return lines_left_ == 0 && drain_.empty() && !memory_valid_; }
 
  private:
@@ -74,11 +76,26 @@ class Ru {
   void publish_stops(const Machine& m, Cycle now);
   void set_window(const Machine& m, size_t window);
   bool read(Machine& m, Cycle now, uint64_t line);
+  // In raster order rows leave together with those of the RU that shares their lines, which is also at its window's
+  // end then (with quads), and hands over regions in the same order.
+  struct Seen {  // at the beginning of a cycle
+    Cycle at = kLongAgo;
+    bool at_end = false;
+    RegionSet wanted;
+  };
+  static bool joined(const Machine& m);
+  Ru& other(Machine& m) const;
+  const Seen& seen(Cycle now);
+  RegionSet unwritten(const Machine& m) const;  // of the owned regions
+  void written_line(Machine& m, Cycle now);
   void write(Machine& m, size_t window, int region, uint64_t line);
+  int rows_written(const Machine& m, size_t window) const;
+  int requests(const Machine& m, size_t window, int region, int first_row, int rows) const;
   void drained(Machine& m, Cycle now);
   uint64_t live() const { return ends_ == 0 ? rest_ & ~done_.mask[splat_.part] : rest_; }
 
   const int lane_, port_;
+  Seen seen_;
   const bool late_, quads_;
   const int fetch_lines_, parts_;
 
@@ -103,6 +120,7 @@ class Ru {
   Live live_;  // with quads, instead of the above and of ru_lanes
   std::vector<Live::Stop> stops_;
   Drain drain_;
+  Cycle last_job_ = kLongAgo;
 
   // ru_lanes
   Cycle start_ = kNever;  // of the line in the lanes

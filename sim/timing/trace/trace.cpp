@@ -228,6 +228,7 @@ TimingTrace timing_trace(const GoldenInput& input, unsigned threads) {
   TimingTrace trace;
   trace.config = packed.config;
   trace.frame = input.frame;
+  trace.picture = input.picture;
   trace.cells = nodes(packed.cells);
   trace.groups = nodes(packed.groups);
   trace.chunks = nodes(packed.chunks);

@@ -62,6 +62,7 @@ struct TimingWindow {
 struct TimingTrace {
   Config config;
   Frame frame;
+  Picture picture;
   std::vector<TimingNode> cells, groups, chunks;
   std::vector<TimingWalk> walks;  // one for each window; one with lists
   std::vector<TimingChunk> chunks_sent;

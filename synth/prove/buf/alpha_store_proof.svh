@@ -6,6 +6,7 @@
 // Rule    At most one reader is taken, always one if any asks; the answer goes to the reader taken in the cycle before
 //         and to no other; it shows what was written last to that line, the address taken modulo AlphaLines. No reader
 //         that asks waits more than Units - 1 cycles.
+// Assumes No line is read in the cycle in which it is written (the module's own promise).
 // Invariant  What is remembered here stands in the SRAM. The cycles that the reader waits are the grants that pass it,
 //         which arbiter_proof.svh bounds.
 
@@ -50,6 +51,7 @@ end
 
 always_comb begin
   assume ((PortW+1)'(reader) < (PortW+1)'(Units) && reader == \u_arbiter.who );
+  assume (!(read && write_i) || read_address[RingW-1:0] != address_i[RingW-1:0]);
   assert (written_q == \u_lines.u_proof.written_o && (!written_q || bit_q == \u_lines.u_proof.bit_o ));
   if (rst_ni) begin
     assert ((read_ready_o & (read_ready_o - 1'b1)) == '0);

@@ -6,7 +6,8 @@
 //         one.
 // Rule    A read shows from the next cycle on, until the side's next read or a swap, whether the word was written, and
 //         if so what was written last before the read. A write shows to the blender alone until the swap.
-// Assumes No access in the cycle of a swap (the module's own promise).
+// Assumes No access in the cycle of a swap, no read of a word in the cycle in which it is written (the module's own
+//         promises).
 // Invariant  Flags and SRAM of each half agree with the scoreboard.
 
 (* hierconn *) logic [AddrW-1:0] \u_half_0.u_proof.word_o ;
@@ -67,6 +68,7 @@ end
 always_comb begin
   assume (word == \u_half_1.u_proof.word_o && place == \u_half_1.u_proof.place_o );
   assume (!swap_i || (!blend_read_i && !blend_write_i && !resolve_read_i));
+  assume (!(blend_read_i && blend_write_i) || blend_raddr_i != blend_waddr_i);
   if (rst_ni) begin
     assert (!blend_shows_q || blend_fresh_o == !blend_shows_written_q);
     assert (!resolve_shows_q || resolve_fresh_o == !resolve_shows_written_q);

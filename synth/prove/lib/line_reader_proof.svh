@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The end of rtl/lib/line_reader.sv in its proof: no line without its place, and both ports keep the stream contract.
 //
-// Rule    A line is asked for only when its place in the buffer is kept free, so an answer is never refused; the
-//         address asked for stays until the memory takes it, the item shown until it is taken; no item beyond the count
-//         of its job.
+// Rule    Lines are asked for only when their places in the buffer are kept free, so an answer is never refused; they
+//         lie in one aligned group, and belong to the job; address and number of lines stay until the memory takes
+//         them, the item shown until it is taken; no item beyond the count of its job.
 // Assumes The memory answers what was asked for; a job that reads names at least one item (the module's own promise),
 //         at the door and, since the queue of jobs changes nothing (proof `fifo`), at its head.
 // Invariant  Every place is free (a credit), asked for or stored; the ring's ends are apart by the lines stored.
@@ -12,8 +12,8 @@ logic [CreditW-1:0] flight_q;  // lines asked for and not answered
 logic [PtrW-1:0]    ring_end;
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
-proof_hold #(.DataW(pipegs_pkg::AddressW)) u_hold_mem (
-  .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+proof_hold #(.DataW(pipegs_pkg::AddressW + BurstW)) u_hold_mem (
+  .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
 );
 proof_hold #(.DataW(1 + IndexW + TagW)) u_hold_out (
   .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_read_o, out_index_o, out_tag_o})
@@ -24,7 +24,7 @@ proof_hold #(.DataW(ItemW)) u_hold_item (
 
 always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) flight_q <= '0;
-  else flight_q <= flight_q + CreditW'(issue) - CreditW'(rsp_valid_i);
+  else flight_q <= flight_q + (issue ? CreditW'(mem_lines_o) + CreditW'(1) : CreditW'(0)) - CreditW'(rsp_valid_i);
 end
 
 assign ring_end = head_q + stored_q[PtrW-1:0];
@@ -38,6 +38,8 @@ always_comb begin
     assert (lines_left_q <= (CountW+1)'(1) << CountW);
     assert (!(out_valid_o && out_read_o) || item_q < job_count);
     assert (idle_o == !job_valid);
+    assert (!mem_valid_o || (BurstW+1)'(mem_address_o[BurstW-1:0]) + (BurstW+1)'(mem_lines_o) < (BurstW+1)'(2**BurstW));
+    assert (!mem_valid_o || (CountW+1)'(mem_lines_o) < lines_left_q);
     // invariants
     assert (credits_q <= CreditW'(Lines) && stored_q <= CreditW'(Lines) && flight_q <= CreditW'(Lines));
     assert ((CreditW+2)'(credits_q) + (CreditW+2)'(stored_q) + (CreditW+2)'(flight_q) == (CreditW+2)'(Lines));

@@ -3,7 +3,7 @@
 //
 // Idea    Any one window, of the solver's choice, is followed: the records taken of it are counted beside the module.
 //         The SRAM of the counts stands outside: of the window's count it is assumed that a read shows what was written
-//         before.
+//         before, and nothing of a read in the cycle of a write.
 // Rule    The line of a record of the window is the list's beginning plus the records before it in this frame; a line
 //         shown stays until taken; the counts of all windows are cleared before the first record is taken.
 // Assumes The SRAM's rule (proof `sram`). A frame begins when nothing is inside; the numbers of windows are the
@@ -36,7 +36,7 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     else if (takes) taken_q <= taken_q + 1'b1;
     if (restart_i) started_q <= 1'b1;
     if (move) moved_q <= held_here;
-    if (count_read_o) shows_q <= count_number_o == window;
+    if (count_read_o) shows_q <= count_number_o == window && !(count_write_o && count_at_o == window);
   end
 end
 always_ff @(posedge clk_i) begin

@@ -2,18 +2,20 @@
 // The end of rtl/mem/axi_write.sv in its proof: AXI4 on AW, W and B, and every bit of a line in its place.
 //
 // Rule    axi_check. The address is that of the line taken last, computed here without cutting the page off; of the
-//         line one bit of the solver's choice is remembered, and stands in the beat and at the place where it belongs.
+//         line one bit of the solver's choice is remembered, and stands in the beat and at the place where it belongs,
+//         under a strobe if its half of the line is written.
 //         writes_o counts the lines taken and not answered, at most Writes. Nothing is taken over what waits.
 // Assumes A subordinate that keeps its rules; a base that is a multiple of 4096.
 // Invariant  A line that was taken and is not answered waits on AW or was taken there; the same of W.
 
 (* anyconst *) logic [$clog2(pipegs_pkg::MemoryW)-1:0] place;
 localparam int unsigned ProofW = $clog2(Writes + 1) + 1;
-logic              manager, subordinate, bit_q;
+logic              manager, subordinate, bit_q, half_q;
 logic [ProofW-1:0] addresses, lines;
 logic [7:0]        beat;
 logic [AddrW-1:0]  expected_q;
 logic [pipegs_pkg::MemoryW-1:0] moved;  // the line as it would stand if no beat had left
+logic [Grains-1:0] moved_written;       // and what of it is written
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
 axi_check #(
@@ -33,9 +35,11 @@ axi_check #(
 always_ff @(posedge clk_i) if (in_valid_i && in_ready_o) begin
   expected_q <= base_i + (AddrW'(in_line_i) << LineB);
   bit_q      <= in_data_i[place];
+  half_q     <= in_halves_i[place / (pipegs_pkg::MemoryW / 2)];
 end
 
-assign moved = data_q << (beat_q * DataW);
+assign moved         = data_q << (beat_q * DataW);
+assign moved_written = written_q << (beat_q * StepW);
 always_comb begin
   assume (subordinate);
   assume (base_i[11:0] == '0);
@@ -43,6 +47,7 @@ always_comb begin
   if (rst_ni) begin
     assert (!m_axi_awvalid || m_axi_awaddr == expected_q);
     assert (!(m_axi_wvalid && beat == 8'(place / DataW)) || m_axi_wdata[place % DataW] == bit_q);
+    assert (!(m_axi_wvalid && beat == 8'(place / DataW)) || m_axi_wstrb[place % DataW / 8] == half_q);
     assert (!(in_valid_i && in_ready_o) || ((!m_axi_awvalid || m_axi_awready) &&
                                             (!m_axi_wvalid || (m_axi_wready && m_axi_wlast))));
     assert (!error_o || (m_axi_bvalid && m_axi_bready && m_axi_bresp[1]));
@@ -53,5 +58,10 @@ always_comb begin
     assert (beat == (w_valid_q ? 8'(beat_q) : '0));
     assert (8'(beat_q) < (w_valid_q ? 8'(Beats) : 8'd1));
     assert (!w_valid_q || 8'(beat_q) > 8'(place / DataW) || moved[place] == bit_q);
+    assert (!w_valid_q || 8'(beat_q) > 8'(place / DataW) || moved_written[place / GrainW] == half_q);
+    for (int unsigned i = 0; i < Grains; i += 1) begin
+      assert (!w_valid_q || 8'(beat_q) > 8'(i / StepW) ||
+              moved_written[i] == moved_written[i / (Grains/2) * (Grains/2) + Grains/2 - 1]);
+    end
   end
 end

@@ -66,6 +66,8 @@ module axi_check #(
 
   localparam int unsigned Ids       = 1 << IdW;
   localparam int unsigned Beats     = LineW / DataW;
+  localparam int unsigned GrainB    = DataW < LineW / 2 ? DataW / 8 : LineW / 16;  // bytes of a beat and of half a line
+  localparam int unsigned Grains    = DataW / 8 / GrainB;
   localparam logic [2:0]  Size      = 3'($clog2(DataW / 8));
   localparam int unsigned AddressW  = IdW + AddrW + 13;  // of all that stands beside an address
 
@@ -175,7 +177,11 @@ module axi_check #(
   assign aw_legal = !m_axi_awvalid ||
       (m_axi_awburst == 2'b01 && m_axi_awsize == Size && (12'(m_axi_awaddr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
        aw_end <= 14'd4096 && m_axi_awlen == 8'(Beats - 1) && m_axi_awid == '0);
-  assign w_legal  = !m_axi_wvalid || (m_axi_wstrb == {(DataW/8){1'b1}} && m_axi_wlast == (beat_q == 8'(Beats - 1)));
+  logic [Grains-1:0] w_whole;  // strobes of half a line are alike
+  for (genvar i = 0; i < Grains; i += 1) begin : gen_grain
+    assign w_whole[i] = m_axi_wstrb[i*GrainB +: GrainB] == {GrainB{m_axi_wstrb[i*GrainB]}};
+  end
+  assign w_legal  = !m_axi_wvalid || (w_whole == {Grains{1'b1}} && m_axi_wlast == (beat_q == 8'(Beats - 1)));
   assign w_behind = !m_axi_wvalid || addresses_q + WritesW'(m_axi_awvalid) > lines_q;
   assign few      = reads_q + ReadsW'(m_axi_arvalid) <= ReadsW'(Reads) &&
                     addresses_q + WritesW'(m_axi_awvalid) <= WritesW'(Writes);

@@ -28,6 +28,7 @@ module line_reader #(
   output logic                              mem_valid_o,
   input  logic                              mem_ready_i,
   output logic [pipegs_pkg::AddressW-1:0]   mem_address_o,
+  output logic [pipegs_pkg::BurstW-1:0]     mem_lines_o,
   input  logic                              rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]    rsp_data_i,
 
@@ -43,6 +44,7 @@ module line_reader #(
 );
 
   (* anyseq *) logic [pipegs_pkg::AddressW-1:0] address;
+  (* anyseq *) logic [pipegs_pkg::BurstW-1:0] lines;
   (* anyseq *) logic [IndexW-1:0] index;
   (* anyseq *) logic [TagW-1:0]   tag;
   (* anyseq *) logic [ItemW-1:0]  item;
@@ -51,6 +53,7 @@ module line_reader #(
   assign job_ready_o   = ready;
   assign mem_valid_o   = asks;
   assign mem_address_o = address;
+  assign mem_lines_o   = lines;
   assign out_valid_o   = valid;
   assign out_read_o    = read;
   assign out_index_o   = index;
@@ -60,8 +63,8 @@ module line_reader #(
   assign idle_o        = idle;
 
   always_comb assume (!rst_ni || !valid || !idle);
-  proof_hold #(.DataW(pipegs_pkg::AddressW), .Assumed(1'b1)) u_hold_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
+  proof_hold #(.DataW(pipegs_pkg::AddressW + pipegs_pkg::BurstW), .Assumed(1'b1)) u_hold_mem (
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
   );
   proof_hold #(.DataW(1 + IndexW + TagW + ItemW), .Assumed(1'b1)) u_hold_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),

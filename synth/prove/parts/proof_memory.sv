@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // proof_memory: what an SRAM promises, kept for one bit of one word, both of the solver's choice.
 //
-// Rule    A read of the word shows in the next cycle what was written to it last, not what is written in the cycle of
-//         the read; and the output stays until the next read.
+// Rule    A read of the word shows in the next cycle what was written to it last, or anything if it is written in the
+//         cycle of the read; and the output stays until the next read.
 // Use     In `sram` the rule is proven (sram_proof.svh). In free_sram it is assumed, and users of any size are proven
 //         with that one in the SRAM's place; they see the ports here by (* hierconn *) wires of the same hierarchical
 //         name.
@@ -41,7 +41,7 @@ module proof_memory #(
       bit_q     <= wdata_i[place];
     end
     if (read_i) begin
-      shown_q     <= raddr_i == word && written_q;
+      shown_q     <= raddr_i == word && written_q && !(write_i && waddr_i == word);
       shown_bit_q <= bit_q;
     end
     held_q   <= !read_i;

@@ -155,7 +155,7 @@ void compare(const char* what, Pace pace, Pace memory_pace, const ExternalMemory
   Units units(bench, config, pace);
   Checker checker(units, config);
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace, &bench.dut.mem_lines_o);
   bench.reset();
   for (int frame = 0; frame < 6; ++frame) {  // one after another: nothing may be left of the frame before
     const size_t gaussians[] = {3000, 0, 1, 20000, 500, 60};
@@ -184,6 +184,9 @@ TEST(DopuNearest, SendsEveryChunkOnceWithASlowMemory) {
 TEST(DopuNearest, SendsEveryChunkOnceUnderBackPressure) {
   compare("back pressure", Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20});
 }
+TEST(DopuNearest, EqualsItsModelWithLazyUnits) {
+  compare("lazy units", Pace::kLazy, Pace::kLazy, {.latency = 60, .jitter = 20});
+}
 TEST(DopuNearest, SendsEveryChunkOnceByCoin) {
   compare("by coin", Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20});
 }
@@ -199,7 +202,7 @@ TEST(DopuNearest, SendsEveryChunkOnceToSlowUnits) {
   units.rare = 300;
   Checker checker(units, config);
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
   bench.reset();
   const World world(bench.rng, 3000, 4 * config.window, 3 * config.window);
   const Expected expected(world);
@@ -223,7 +226,7 @@ TEST(DopuNearest, SkipsTheRestOfAWindowThatIsDone) {
   Checker checker(units, config);
   checker.whole = false;
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
   Feedback feedback(bench, units, config);
   feedback.next_window = [&] {
     const size_t some[] = {0, 1, bench.rng() % 8, bench.rng() % 60, bench.rng() % 400, 100000};
@@ -266,7 +269,7 @@ TEST(DopuNearest, NeedsNoClockWhenItSaysSo) {
   units.rare = 600;
   Checker checker(units, config);
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
   bench.reset();
   const World world(bench.rng, 300, 3 * config.window, 2 * config.window);
   const Expected expected(world);
@@ -295,7 +298,7 @@ TEST(DopuNearest, KeepsItsTestsBusy) {
   Units units(bench, config, Pace::kAlways);
   Checker checker(units, config);
   Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i);
+              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
   bench.reset();
   const char *scene = std::getenv("PIPEGS_SCENE"), *cameras = std::getenv("PIPEGS_CAMERAS");
   const bool given = scene != nullptr && cameras != nullptr;

@@ -70,7 +70,7 @@ void run(Pace source_pace, Pace sink_pace, Pace memory_pace, const ExternalMemor
   RecordSink<Fetched, decltype(dut.fetched_o)> out(bench, config, dut.fetched_valid_o, dut.fetched_ready_i,
                                                    dut.fetched_o, sink_pace);
   Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i,
-              dut.rsp_data_i, memory_pace);
+              dut.rsp_data_i, memory_pace, &dut.mem_lines_o);
   dut.gaussians_i = world.first;
   bench.reset();
   std::vector<Fetched> expected;
@@ -103,7 +103,7 @@ TEST(PuFetch, KeepsItsPrefetchWithinTheBufferWhileTheSinkStands) {
   const World world(bench.rng, 400, memory);
   RecordSource<Chunk, decltype(dut.chunk_i)> in(bench, world.config, dut.chunk_valid_i, dut.chunk_ready_o, dut.chunk_i);
   Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i,
-              dut.rsp_data_i);
+              dut.rsp_data_i, Pace::kAlways, &dut.mem_lines_o);
   dut.fetched_ready_i = 0;
   bench.reset();
   for (int i = 0; i < 20; ++i) {
@@ -125,7 +125,7 @@ TEST(PuFetch, SendsOneGaussianPerCycleBehindALongLatency) {
   RecordSink<Fetched, decltype(dut.fetched_o)> out(bench, world.config, dut.fetched_valid_o, dut.fetched_ready_i,
                                                    dut.fetched_o);
   Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i,
-              dut.rsp_data_i);
+              dut.rsp_data_i, Pace::kAlways, &dut.mem_lines_o);
   dut.gaussians_i = world.first;
   bench.reset();
   const size_t beats = 20 * static_cast<size_t>(world.config.chunk);

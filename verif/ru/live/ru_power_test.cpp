@@ -56,14 +56,14 @@ class Around : public Endpoint {
     }
     write_port(dut.stopped_i, words.data());
     for (int g = 0; g < kGroups; ++g) ready_ |= static_cast<uint32_t>(goes(out_pace_, bench_.rng)) << g;
-    dut.out_ready_i = ready_;
+    dut.out_room_i = ready_;
   }
   void observe() override {
     auto& dut = bench_.dut;
     if (!dut.busy_o) { EXPECT_TRUE(through()) << "not busy with something inside, cycle " << bench_.cycle; }
     for (; taken_ < in_.taken; ++taken_) given_[taken_].stopped = stopped_of(given_[taken_]);
-    if (dut.out_valid_o) take_half();
-    ready_ &= ~dut.out_valid_o;
+    if (dut.out_push_o) take_half();
+    ready_ &= ~dut.out_push_o;
   }
   void take_half() {
     auto& dut = bench_.dut;
@@ -83,7 +83,7 @@ class Around : public Endpoint {
     uint32_t live = 0;
     for (int g = 0; g < kGroups; ++g) {
       const uint32_t pair = dut.out_live_o >> 2 * g & 3;
-      ASSERT_EQ(dut.out_valid_o >> g & 1, pair != 0) << "group " << g << ", cycle " << bench_.cycle;
+      ASSERT_EQ(dut.out_push_o >> g & 1, pair != 0) << "group " << g << ", cycle " << bench_.cycle;
       for (int j = 0; j < 2; ++j) {
         if (pair >> j & 1) {
           live |= 1u << ru_quad(g, 2 * half + j);
@@ -91,7 +91,7 @@ class Around : public Endpoint {
         }
       }
     }
-    ASSERT_EQ(dut.out_valid_o & ~dut.out_ready_i, 0) << "not all groups take the half";
+    ASSERT_EQ(dut.out_push_o & ~dut.out_room_i, 0) << "not all groups take the half";
     const uint32_t before = ru_live_quads(given.visible, given.stopped) & kHalfOfQuads << 8 * half;
     ASSERT_EQ(live & ~before, 0u) << "a quad that does not live, cycle " << bench_.cycle;
     ASSERT_EQ(still_live(place_, half) & ~live, 0u) << "a quad that lives is missing, cycle " << bench_.cycle;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_window_test: rtl/ru/place/ru_window.sv against ru_inside and ru_pixel_line.
+// ru_window_test: rtl/ru/place/ru_window.sv against ru_inside, ru_pixel_line and ru_raster_line.
 #include "cpp_model/ru/ru.hpp"
 #include "verif/ru/region_ports.hpp"
 #include "verif/support/config.hpp"
@@ -26,6 +26,9 @@ TEST(RuWindow, FollowsTheWindowsOfManyFrames) {
     frame.raster.windows.first_y = bench.rng() % ru_windows_y(kConfig, frame);
     frame.raster.windows.last_y =
         frame.raster.windows.first_y + bench.rng() % (ru_windows_y(kConfig, frame) - frame.raster.windows.first_y);
+    frame.tables.pixels = bench.rng() % 1000000;
+    Picture picture{.format = bench.rng() % 2, .base = frame.tables.pixels, .stride = bench.rng() % 4096};
+    write_port(dut.picture_i, picture_words(kConfig, picture).data());
     dut.width_i = frame.raster.width;
     dut.height_i = frame.raster.height;
     dut.first_x_i = frame.raster.windows.first_x;
@@ -41,8 +44,8 @@ TEST(RuWindow, FollowsTheWindowsOfManyFrames) {
         ASSERT_EQ(dut.y_o, y);
         ASSERT_EQ(dut.columns_o, std::min(window, frame.raster.width - x * window));
         ASSERT_EQ(dut.rows_o, std::min(window, frame.raster.height - y * window));
-        ASSERT_EQ(dut.number_o,
-                  ru_pixel_line(kConfig, frame, x, y, 0, 0) / (kConfig.region_lines() * kConfig.regions()));
+        ASSERT_EQ(dut.line_o, picture.format != 0 ? ru_raster_line(picture, x * window, y * window)
+                                                  : ru_pixel_line(kConfig, frame, x, y, 0, 0));
         RegionSet outside;
         for (int r = 0; r < kConfig.regions(); ++r) outside.add(kConfig, r, !ru_inside(kConfig, frame, x, y, r));
         ASSERT_TRUE(read_regions(kConfig, dut.outside_o) == outside)

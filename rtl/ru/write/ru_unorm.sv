@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_unorm: a colour in 10 bits, as A2B10G10R10 has it.
+// ru_unorm: a colour in 10 bits, as A2B10G10R10 has it, or in 8, as RGBA8.
 //
-// Idea    round(1023 c), half up: 1024 c - c, and half a unit; what is above one is 1023.
+// Idea    round((2^CodeW - 1) c), half up: 2^CodeW c - c, and half a unit; what is above one is the largest code.
 // Stream  color_i, u2.(RgbW-2) -> code_o. Combinational.
 // Model   ru_unorm in cpp_model/ru/ru_resolve.hpp
 
 module ru_unorm #(
-  localparam int unsigned RgbW  = pipegs_pkg::RgbW,
-  localparam int unsigned CodeW = 10
+  parameter int unsigned CodeW = 10,
+  localparam int unsigned RgbW = pipegs_pkg::RgbW
 ) (
   input  logic [RgbW-1:0]  color_i,
   output logic [CodeW-1:0] code_o
