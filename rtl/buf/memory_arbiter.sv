@@ -10,8 +10,9 @@
 //         is registered: a grant is for the next cycle, so no requester's valid reaches a ready in the same one. It
 //         falls on a port other than the one that is served now if there is one, else it stays: one port alone moves a
 //         request each cycle.
-// Stream  ports: valid, ready, write, address, halves, lines, data. out: memory_request_t and the data. answers: tag and data
-//         in, one valid per port out; a requester asks only for what it has room for, so answers are never refused.
+// Stream  ports: valid, ready, write, address, halves, lines, data. out: memory_request_t and the data. answers: tag
+//         and data in, one valid per port out; a requester asks only for what it has room for, so answers are never
+//         refused.
 // Pace    One request and one answer per cycle; three cycles of latency out (two for the port served last), one back.
 // Model   sim/memory/external_memory.hpp applies requests in the order in which this port shows them.
 

@@ -60,7 +60,8 @@ module control_done #(
   end
 
 `ifndef SYNTHESIS
-  // Each that waits for an answer has written a line, and a frame takes more cycles than it takes to tell one.
+  // Each that waits for an answer has written a line, and no frame ends in the cycle behind another one: so there are
+  // at most 2 Writes of them.
   always_ff @(posedge clk_i) if (rst_ni) begin
     assert (!core_done_i || later_q != '1) else $error("control_done: too many frames wait");
   end

@@ -69,8 +69,9 @@ module axi_fence #(
   end
 
 `ifndef SYNTHESIS
+  // A read that passes is taken back when the core is reset.
   stream_check #(.DataW($bits(out_o))) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
+    .clk_i, .rst_ni(rst_ni && (in_valid_i || !passing_q)), .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
   );
 `endif
 

@@ -148,11 +148,13 @@ module axi_manager #(
       else $error("axi_manager: a write of more than one line");
     assert (base_i[11:0] == '0) else $error("axi_manager: the base is not a multiple of 4096");
   end
+  // A core that is reset takes back what it shows; until then it must stay.
   stream_check #(.DataW($bits(mem_request_i))) u_check_read (
-    .clk_i, .rst_ni, .valid_i(read_valid), .ready_i(fence_ready), .beat_i(mem_request_i)
+    .clk_i, .rst_ni(rst_ni && mem_valid_i), .valid_i(read_valid), .ready_i(fence_ready), .beat_i(mem_request_i)
   );
   stream_check #(.DataW($bits({mem_request_i, mem_data_i}))) u_check_write (
-    .clk_i, .rst_ni, .valid_i(write_valid), .ready_i(write_ready), .beat_i({mem_request_i, mem_data_i})
+    .clk_i, .rst_ni(rst_ni && mem_valid_i), .valid_i(write_valid), .ready_i(write_ready),
+    .beat_i({mem_request_i, mem_data_i})
   );
 `endif
 

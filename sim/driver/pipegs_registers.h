@@ -34,7 +34,7 @@
 #define PIPEGS_CONTROL_ABORT_ALL_SHIFT 1
 
 #define PIPEGS_STATUS 0x014u /* what the machine does */
-#define PIPEGS_STATUS_BUSY 0x00000001u /* a frame is being rendered */
+#define PIPEGS_STATUS_BUSY 0x00000001u /* a frame is being rendered, or what one given up wrote is on its way */
 #define PIPEGS_STATUS_QUEUED 0x00000002u /* a frame waits: frame, areas and picture cannot be written */
 #define PIPEGS_STATUS_QUEUED_SHIFT 1
 #define PIPEGS_STATUS_FAILED 0x00000004u /* a bit of ERROR is set */
@@ -61,7 +61,7 @@
 #define PIPEGS_ERROR_FIRST_CAUSE_SHIFT 8
 
 #define PIPEGS_ERROR_ADDRESS_LOW 0x020u /* where the first error happened, low word */
-#define PIPEGS_ERROR_ADDRESS_LOW_ADDRESS 0xffffffffu /* address of the line of memory */
+#define PIPEGS_ERROR_ADDRESS_LOW_ADDRESS 0xffffffffu /* address of the line of memory; of a read 0, it is not kept */
 
 #define PIPEGS_ERROR_ADDRESS_HIGH 0x024u /* where the first error happened, high word */
 #define PIPEGS_ERROR_ADDRESS_HIGH_ADDRESS 0xffffffffu /* its upper bits */

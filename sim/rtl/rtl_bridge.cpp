@@ -272,6 +272,9 @@ void VerilatedMachine::disturb() {
   const RtlDisturbance::Kind kind = options_->disturbances[disturbed_++].kind;
   if (kind == RtlDisturbance::Kind::kAbort) {
     pipegs_abort(&device_, PIPEGS_NO_LIMIT);
+    if (w_.bus != 0 && memory_->bus()->writing()) {
+      throw RtlFault("RTL: not busy after an abort, and a write is on its way to memory");
+    }
   } else {
     ++(kind == RtlDisturbance::Kind::kFailRead ? memory_->bus()->fail_reads : memory_->bus()->fail_writes);
   }

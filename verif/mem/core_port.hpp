@@ -67,6 +67,7 @@ class CorePort : public Endpoint {
   void restart() {
     bench_.dut.epoch_i = !bench_.dut.epoch_i;
     up_.reset();
+    reset_ = true;
     waiting.clear();
     for (auto& due : due_) due.clear();
     reading_.clear();
@@ -74,7 +75,8 @@ class CorePort : public Endpoint {
 
   void drive() override {
     auto& dut = bench_.dut;
-    if (!up_ && !waiting.empty() && goes(pace, bench_.rng) && free(waiting.front())) {
+    const bool shows = !std::exchange(reset_, false);  // in reset it does not
+    if (shows && !up_ && !waiting.empty() && goes(pace, bench_.rng) && free(waiting.front())) {
       up_ = waiting.front();
       waiting.pop_front();
     }
@@ -166,6 +168,7 @@ class CorePort : public Endpoint {
   Bench<Vaxi_manager>& bench_;
   uint64_t first_;  // line 0 in the memory
   std::optional<CoreRequest> up_;
+  bool reset_ = false;
   std::array<std::deque<Due>, 256> due_;
   std::map<uint64_t, int> reading_;  // of each line: reads that are not answered
 };

@@ -48,7 +48,8 @@ class AxiMemory {
   MemoryLine& line(uint64_t address) { return pages_.line(address); }
   std::set<uint64_t> failing;           // lines that answer SLVERR
   int fail_reads = 0, fail_writes = 0;  // so many of those that are taken next answer SLVERR
-  bool quiet() const { return bursts_ == 0 && writes_.empty() && address_.empty() && data_.empty(); }
+  bool writing() const { return !writes_.empty() || !address_.empty() || !data_.empty(); }
+  bool quiet() const { return bursts_ == 0 && !writing(); }
   uint64_t lines_read() const { return lines_read_; }
   uint64_t lines_written() const { return lines_written_; }
   const Dram* dram() const { return timing_.dram(); }
