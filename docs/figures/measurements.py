@@ -73,6 +73,7 @@ class Measurement:
 # fmt: off
 CHARTED = ("own", "terrace")
 FOUR = ("own", "terrace", "statue", "flowers")
+BUSES = (0, 512, 256, 128)  # bits of the bus to memory; 0: the core's own port
 WHAT_IF = {  # of the design point exact: one thing changed
     "chunk32": "--set chunk=32 --set group=16",
     "records1024": "--set records=1024",
@@ -162,6 +163,8 @@ TABLE = [
                   chart=f"sweep_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
     *[Measurement(f"what_if/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
+    *[Measurement(f"bus/{scene}/bits{bits}", f"build/pipegs model {{scene}} --rung fast --set bus_w={bits} --json",
+                  one_model, MODEL, scene, points=("fast",)) for bits in BUSES for scene in FOUR],
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
                   points=(change.split()[1],)) for name, (_, change) in STEPS.items() for scene in FOUR],
     *[Measurement(f"costs/{name}", f"build/pipegs silicon {change} --json", cost, (*RTL, "synth"),
