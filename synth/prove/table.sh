@@ -382,7 +382,6 @@ mutant "a node enters without a place" \
        "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
 mutant "the place of a node that failed stays reserved" \
        "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ - ReservedW'\(missed\[l\]\)//"
-mutant "a chunk that is shown is taken back when its window is done" 's/ \&\& !shown_q;/;/'
 proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4;
        @late=1,order=2 %BucketW=4 Most=16 Lines=64"
 mutant "one bucket too many is opened" 's/!open_q\[Most-1\]/1/'

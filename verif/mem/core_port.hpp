@@ -53,7 +53,7 @@ class CorePort : public Endpoint {
     request.line = (writer ? 0 : kFixed) + bench_.rng() % kShared;
     request.lines = request.write ? 1 : 1 + static_cast<int>(bench_.rng() % (8 - request.line % 8));
     request.data = random_line();
-    if (request.write) request.halves = 1 + static_cast<int>(bench_.rng() % 3);
+    if (request.write) request.halves = 1 + static_cast<int>(request.data[0] % 3);
     return request;
   }
   MemoryLine random_line() {

@@ -2,7 +2,7 @@
 // The end of rtl/dopu/dopu_descend.sv in its proof: every verdict has a place in the queue of its level.
 //
 // Rule    Of each level at most Results nodes are in the test or wait as results, so no queue refuses one; a node that
-//         the readers or the walk show enters once, or is dropped; a chunk that is shown stays until it is taken.
+//         the readers or the walk show enters once, or is dropped.
 // Assumes Of dopu_test what free_test says. A window that is done stays done while something of it is inside.
 // Invariant  A place is reserved for each node in the test and each result that waits.
 
@@ -13,9 +13,6 @@
 logic [7:0] inside [Levels];
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
-proof_hold #(.DataW(BeatW)) u_hold (
-  .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i({chunk_set_o, chunk_kind_o, chunk_o})
-);
 assign inside[0] = \u_test.inside_q[0] ;
 assign inside[1] = \u_test.inside_q[1] ;
 assign inside[2] = \u_test.inside_q[2] ;
