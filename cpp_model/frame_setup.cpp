@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "cpp_model/pu/front/pu_reach.hpp"
 
 namespace pipegs {
@@ -120,9 +121,7 @@ void set_windows(const Config& config, const Setter& set, const std::optional<Wi
   frame.raster.windows.last_x = static_cast<uint64_t>(range.last_x);
   frame.raster.windows.last_y = static_cast<uint64_t>(range.last_y);
   // Pixels of all windows, whole ones, whatever their order; then the overflow areas.
-  const uint64_t pixels = static_cast<uint64_t>(columns) * static_cast<uint64_t>(rows) *
-                          static_cast<uint64_t>(config.window * config.window);
-  const uint64_t lines = pixels / static_cast<uint64_t>(config.memory_w() / config.pixel_w);
+  const uint64_t lines = pixel_area(config, frame.raster.width, frame.raster.height);
   frame.tables.overflow =
       (frame.tables.pixels + lines + kOverflowAlignment - 1) / kOverflowAlignment * kOverflowAlignment;
 }

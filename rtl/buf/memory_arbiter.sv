@@ -26,6 +26,7 @@ module memory_arbiter #(
   input  logic [WritePorts-1:0]                          write_i,
   input  logic [Ports*pipegs_pkg::AddressW-1:0]          address_i,
   input  logic [WritePorts*pipegs_pkg::MemoryW-1:0]      data_i,
+  input  logic                                           stop_i,  // nothing is taken any more
   output logic [Ports-1:0]                               rsp_valid_o,
   output logic [pipegs_pkg::MemoryW-1:0]                 rsp_data_o,
 
@@ -56,7 +57,7 @@ module memory_arbiter #(
   );
 
   assign served  = (grant_q & valid_i) != '0;
-  assign free    = !out_valid_q || mem_ready_i;
+  assign free    = (!out_valid_q || mem_ready_i) && !stop_i;
   assign take    = served && free;
   assign moves   = !served || free;
   assign ready_o = free ? grant_q : '0;

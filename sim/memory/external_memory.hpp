@@ -5,6 +5,8 @@
 //         answers.
 //         Requests take effect in the order in which they are accepted; only the answers come later. Bytes and requests
 //         are counted by tag.
+// Rule    A request behind the last line throws MemoryFault, and so does a write of a line of which a read is not
+//         answered: on a bus nothing says which of them goes first.
 // Units   Cycles of the machine's clock. Paper: Sec. 5.1 (off-chip memory).
 #pragma once
 
@@ -13,12 +15,19 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <unordered_map>
 
 #include "cpp_model/memory_line.hpp"
 #include "sim/memory/memory_pages.hpp"
 #include "sim/memory/memory_timing.hpp"
 
 namespace pipegs {
+
+// What no machine may ask of its memory.
+struct MemoryFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 class ExternalMemory {
  public:
@@ -37,6 +46,10 @@ class ExternalMemory {
   const Answer* answer() const { return shown_ ? &*shown_ : nullptr; }        // the answer shown in this cycle, if any
   void step();                                                                // the next cycle begins
 
+  void set_lines(uint64_t lines) { size_ = lines; }  // of the memory, from line 0 on; without a call it has no end
+
+  void allow_overwrites() { overwrites_ = true; }  // of lines that are being read: they are, behind the read
+
   // Contents, for host access; untouched lines hold zero.
   const MemoryLine& line(uint64_t address) const { return pages_.line(address); }
   MemoryLine& line(uint64_t address) { return pages_.line(address); }
@@ -45,9 +58,17 @@ class ExternalMemory {
   uint64_t busy_line_cycles() const { return lines_; }  // lines that crossed the pins
 
  private:
+  struct Read {
+    uint64_t line;
+    MemoryLine data;
+  };
+
   std::unique_ptr<MemoryTiming> timing_;
   MemoryPages pages_;
-  std::array<std::deque<MemoryLine>, 256> read_;  // of each tag: lines read and not answered yet
+  std::array<std::deque<Read>, 256> read_;             // of each tag: lines read and not answered yet
+  std::unordered_map<uint64_t, uint32_t> unanswered_;  // of each line that is read: how often
+  uint64_t size_ = ~uint64_t{0};
+  bool overwrites_ = false;
   std::array<Traffic, 256> traffic_{};
   uint64_t lines_ = 0;
   std::optional<Answer> shown_;

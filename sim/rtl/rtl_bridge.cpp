@@ -91,6 +91,7 @@ class VerilatedMachine final : public RtlModel {
   void tap(RtlTaps& taps);
   void tap_cycle(RtlTaps& taps);
   RtlResult counters();
+  [[noreturn]] void fail() const;
   std::string position() const { return "cycle " + std::to_string(cycle_); }
 
   const Widths w_;
@@ -207,7 +208,10 @@ RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalM
     top.rst_ni = cycle_ >= kResetCycles;
     if (cycle_ == kResetCycles) context_->assertOn(true);
     top.frame_valid_i = cycle_ >= kResetCycles && taken < frames.size() && (options.queued || !top.busy_o);
-    if (taken < frames.size()) write_port(top.frame_i, frames[taken].data());
+    if (taken < frames.size()) {
+      write_port(top.frame_i, frames[taken].frame.data());
+      write_port(top.areas_i, frames[taken].areas.data());
+    }
     memory.step();
     top.mem_ready_i = memory.ready();
     const ExternalMemory::Answer* answer = memory.answer();
@@ -228,12 +232,15 @@ RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalM
         const bool write = request[0] & 1;
         const int tag = static_cast<int>(get_bits(request, 1 + w_.address, w_.tag));
         const uint64_t line = get_bits(request, 1, w_.address);
-        memory.request(write, line, tag, top.mem_data_o.data());
+        try {
+          memory.request(write, line, tag, top.mem_data_o.data());
+        } catch (const MemoryFault& fault) { throw RtlFault("RTL: " + position() + ": " + fault.what()); }
         if (cycles) taps->on_request(tag, write, line);
         // Without taps what the RUs have written tells how far the frame is.
         if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines / static_cast<uint64_t>(w_.pixel_lines);
         last_request = cycle_;
       }
+      if (top.error_o != 0) fail();
       if (streams) tap(*taps);
       if (top.done_o) {
         ends.push_back(cycle_ - kRestartCycle - 1);  // done_o is one cycle behind
@@ -259,6 +266,14 @@ RtlResult VerilatedMachine::run(const std::vector<FrameWords>& frames, ExternalM
   RtlResult result = counters();
   result.frame_ends = std::move(ends);
   return result;
+}
+
+// The machine has told an error: of two the first bit's.
+void VerilatedMachine::fail() const {
+  const auto cause = (dut_->error_o & 1) != 0 ? MachineError::kAreaFull : MachineError::kBadScene;
+  uint32_t line[3] = {};
+  slice(dut_->error_line_o, cause * w_.address, w_.address, line);
+  throw MachineError(cause, get_bits(line, 0, w_.address), position());
 }
 
 RtlResult VerilatedMachine::counters() {

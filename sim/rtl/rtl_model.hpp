@@ -16,6 +16,7 @@
 #include "cpp_model/config.hpp"
 #include "cpp_model/records.hpp"
 #include "sim/memory/external_memory.hpp"
+#include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
 
@@ -77,11 +78,15 @@ struct RtlResult {
   std::vector<uint64_t> frame_ends;  // cycle in which each frame was complete; 1 is the first one that counts
 };
 
-using FrameWords = std::vector<uint32_t>;  // a packed Frame
+struct FrameWords {  // packed, as they go to the pins
+  std::vector<uint32_t> frame, areas;
+};
 
-inline FrameWords frame_words(const Config& config, const Frame& frame) {
-  FrameWords words(record_words<Frame>(config) + 1);
-  pack(config, frame, words.data());
+inline FrameWords frame_words(const Config& config, const Frame& frame, const Areas& areas) {
+  FrameWords words{.frame = std::vector<uint32_t>(record_words<Frame>(config) + 1),
+                   .areas = std::vector<uint32_t>(record_words<Areas>(config) + 1)};
+  pack(config, frame, words.frame.data());
+  pack(config, areas, words.areas.data());
   return words;
 }
 
@@ -90,9 +95,21 @@ class RtlModel {
   virtual ~RtlModel() = default;
   // Resets the machine and runs these frames, one after the other, on the scenes that lie in `memory`. `progress(cycle,
   // window)` is called every few thousand cycles; returning false stops the run with an exception. Throws
-  // std::runtime_error when an assertion fails or the machine hangs.
+  // std::runtime_error when an assertion fails or the machine hangs, MachineError when it gives a frame up.
   virtual RtlResult run(const std::vector<FrameWords>& frames, ExternalMemory& memory, const RtlOptions& options,
                         RtlTaps* taps, const std::function<bool(uint64_t cycle, uint64_t windows_done)>& progress) = 0;
+};
+
+// The machine has told an error and stopped: what it is, and the line of memory that it concerns.
+struct MachineError : RtlFault {
+  enum Cause { kAreaFull, kBadScene };
+  MachineError(Cause what, uint64_t at, const std::string& where)
+      : RtlFault(std::string("RTL: ") + (what == kAreaFull ? "area_full" : "bad_scene") + " at line " +
+                 std::to_string(at) + " of memory, " + where),
+        cause(what),
+        line(at) {}
+  Cause cause;
+  uint64_t line;
 };
 
 // The RTL of a configuration does not build.

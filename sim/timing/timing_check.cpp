@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <ctime>
 
+#include "cpp_model/areas/frame_areas.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -45,7 +47,9 @@ RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const Exter
   RtlOptions rtl_options;
   rtl_options.seed = seed;
   const double before = thread_seconds();
-  const RtlResult rtl = model->run({frame_words(config, input.frame)}, memory, rtl_options, &taps, {});
+  const Areas areas = frame_areas(config, *input.packed, input.frame);
+  memory.set_lines(input.frame.tables.overflow + areas.overflow);
+  const RtlResult rtl = model->run({frame_words(config, input.frame, areas)}, memory, rtl_options, &taps, {});
   if (lockstep != nullptr) lockstep->finish();
   return {.cycles = rtl.cycles,
           .overflow_lines = rtl.overflow_lines,

@@ -49,6 +49,8 @@ proof  line_reader "line_reader+ fifo+ free_sram" \
 mutant "asks without a credit" 's/ \&\& credits_q != .0//'
 mutant "a credit comes back with the answer" 's/load \&\& !issue\) credits_q/rsp_valid_i \&\& !issue) credits_q/'
 mutant "the address asked for goes on before it is taken" 's/else if \(issue\) line_q/else line_q/'
+mutant "the line behind the table's last one is asked for" "s/MostW'\(lines_end\) >/MostW'(lines_end) > 1 +/"
+mutant "a job behind a bad one is taken" 's/ \&\& !bad_q;/;/'
 mutant "items go on behind the last" 's/item_q \+ 1.b1 == job_count/item_q == job_count/'
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
@@ -66,7 +68,8 @@ mutant "the head is forgotten before it is taken" 's/else if \(out_ready_i\)/els
 proof  memory_arbiter "memory_arbiter+ arbiter+ round_robin first_set" \
        "@units=1 %MemoryW=8; @units=2 %MemoryW=8; @default %MemoryW=8;
        @order=1 %MemoryW=8"
-mutant "a shown request is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
+mutant "a shown request is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
+mutant "takes requests though it is stopped" 's/ \&\& !stop_i//'
 mutant "the shown request changes" 's/if \(take\) request_q <= out/request_q <= out/'
 mutant "the data of a shown write changes" 's/if \(take \&\& out.write\)/if (out.write)/'
 mutant "no class goes first" 's/(assign request = ).*/\1others;/'
@@ -274,6 +277,9 @@ proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8;
        @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8; @default"
 mutant "an end passes a line that waits" 's/(rows_end_valid_o = .*) \&\& free/\1/'
 mutant "a line is taken over one that waits" 's/!ext \|\| free/1/'
+mutant "the line behind the area's last one is written" "s/\(SumW'\(number\) \+ SumW'\(1\)\)/SumW'(number)/"
+mutant "behind a line that has no room others are written" 's/mem_valid_o   = !free \&\& !full_q/mem_valid_o = !free/'
+mutant "the areas of both parities are one" "s/alphas_i.parity \? /1'b0 ? /"
 mutant "a piece goes on before it is taken" 's/next = mem_valid_o \&\& mem_ready_i/next = mem_valid_o/'
 
 proof  pu_join "pu_join+" "@default"
@@ -281,10 +287,13 @@ mutant "an end passes before the lines are written" "s/!is_end \|\| ends_q != '0
 mutant "a splat is counted as an end" 's/is_end \&\& splat_valid_o/splat_valid_o/'
 
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
-proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8"
+proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8 %AddressW=10 %SlotW=5"
 mutant "asks for lines without room" \
        's/Answers = pipegs_pkg::SuAnswers/Answers = 2/; s/read_valid_i \&\& room/read_valid_i/'
 mutant "a line is forgotten when it is answered" 's/if \(used \&\& !asked\)/if (rsp_valid_i \&\& !asked)/'
+mutant "the line behind an area's last one is asked for" \
+       's/\(line\) >= pipegs_pkg::area_lines/(line) > pipegs_pkg::area_lines/'
+mutant "runs lie over the keys" 's/run_area_i \? pipegs_pkg::AreaRuns/run_area_i ? pipegs_pkg::AreaRecords/'
 mutant "the choice moves before it is taken" 's/if \(choice_q == None\) choice_q/if (!taken) choice_q/'
 
 # Narrow keys through the real pipeline and iterations, and the cells at the widths of the machine. RecordW holds a mark
@@ -315,11 +324,13 @@ mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </loca
 mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (external_push \&\& !/'
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
-proof  list_write "list_write+ arbiter round_robin first_set" \
+proof  list_write "list_write+ list_room arbiter round_robin first_set" \
        "@order=1,units=2 %ListEntryW=4 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
 mutant "the count of the record before is not yet in the memory" "s/same_q   *<= move \&\& /same_q <= 0 \&\& /"
 mutant "one count is not cleared" "s/left_q <= windows/left_q <= windows - LeftW'(1)/"
 mutant "a waiting line is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
+mutant "a list runs into the next one" "s/ \|\| entry >> log_o != '0//"
+mutant "the first line of a list that has no room is written" "s/none \|\| entry/entry/"
 
 proof  list_read "list_read+ arbiter+ round_robin first_set free_line_reader sleep" \
        "@order=1,units=2 %WindowW=2 %ListWindowW=4; @order=1"

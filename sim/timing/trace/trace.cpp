@@ -228,6 +228,7 @@ TimingTrace timing_trace(const GoldenInput& input, unsigned threads) {
   TimingTrace trace;
   trace.config = packed.config;
   trace.frame = input.frame;
+  trace.slots = packed.gaussians.size();
   trace.cells = nodes(packed.cells);
   trace.groups = nodes(packed.groups);
   trace.chunks = nodes(packed.chunks);

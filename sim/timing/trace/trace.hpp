@@ -62,6 +62,7 @@ struct TimingWindow {
 struct TimingTrace {
   Config config;
   Frame frame;
+  uint64_t slots = 0;  // of the packed scene
   std::vector<TimingNode> cells, groups, chunks;
   std::vector<TimingWalk> walks;  // one for each window; one with lists
   std::vector<TimingChunk> chunks_sent;

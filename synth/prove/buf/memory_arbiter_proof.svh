@@ -6,7 +6,8 @@
 // Rule    At most one port is ready. A grant is for a port that asked in the cycle before, one of the first class
 //         (those that may write, and the last one) if such a one did, and stays while its port waits. What leaves is
 //         what was taken last, with the port's number as its tag, and stays until the memory takes it; nothing is taken
-//         over a request that waits. An answer goes to the port of its tag in the next cycle, and to no other.
+//         over a request that waits, and nothing at all once it is stopped. An answer goes to the port of its tag in
+//         the next cycle, and to no other.
 // Invariant  The registers hold what was remembered. Fairness inside is that of arbiter_proof.svh, at this size.
 
 localparam int unsigned ProofAddressW = pipegs_pkg::AddressW;
@@ -86,7 +87,8 @@ always_comb begin
     assert (!(any_q && mem_request_o.tag == pipegs_pkg::TagW'(watched)) || waits_q);
     assert (!waits_q || (mem_request_o.write == write_q && mem_request_o.address == address_q));
     assert (!(waits_q && write_q) || mem_data_o[place] == line_bit_q);
-    assert (ready_o == grant_q || (any_q && !mem_ready_i));
+    assert (ready_o == grant_q || (any_q && !mem_ready_i) || stop_i);
+    assert (!stop_i || ready_o == '0);
     assert (rsp_valid_o == (answer_q ? Ports'(1) << answer_tag_q : '0));
     assert (!answer_q || rsp_data_o[place] == answer_bit_q);
   end
