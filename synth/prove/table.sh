@@ -273,8 +273,9 @@ mutant "a third layer begins" \
 mutant "lines given in the cycle in which a layer is freed are not counted" "s/newest_q \+ \(local_lines .*;/newest_q;/"
 
 # Lines of one piece and of two.
-proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8;
-       @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8; @default"
+proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8 %AlphaAddressW=5 %RegionW=2 %AlphasBits=35;
+       @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8 %AlphaAddressW=5 %RegionW=2 %AlphasBits=35;
+       @default %AddressW=9 %AlphaAddressW=6 %RegionW=2 %AlphasBits=36"
 mutant "an end passes a line that waits" 's/(rows_end_valid_o = .*) \&\& free/\1/'
 mutant "a line is taken over one that waits" 's/!ext \|\| free/1/'
 mutant "the line behind the area's last one is written" "s/\(SumW'\(number\) \+ SumW'\(1\)\)/SumW'(number)/"

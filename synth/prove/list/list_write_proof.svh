@@ -80,7 +80,6 @@ always_comb begin
     assert (!clearing || LeftW'(window) < left_q || stored_q == '0);
     assert (!started_q || clearing || stored_q == expected);
     if (held_here) begin
-      assert (taken_q != '0);
       assert (same_q ? kept_q == expected : (shows_q && shown_q == expected));
     end
   end
