@@ -317,9 +317,9 @@ mutant "an end that waits for its output is counted again" 's/(window_end = )emi
 mutant "an end that comes while one is done is lost" 's/if \(window_done_i \&\& !window_end\)/if (window_done_i)/'
 
 # Small queues, lines from memory in one part and in two; then those of the machine.
-proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12;
-       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12;
-  @default %LineW=4 %MemoryW=4"
+proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12 %AddressW=9;
+       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12 %AddressW=9;
+  @default %LineW=4 %MemoryW=4 %AddressW=9"
 mutant "asks the memory without room" "s/ \&\& external_q != FetchW'\(FetchLines\)//"
 mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </local_count </"
 mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (external_push \&\& !/'
