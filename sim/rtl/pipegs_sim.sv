@@ -99,6 +99,8 @@ module pipegs_sim #(
   input  logic                          mem_ready_i,      // BusW = 0, as the following inputs
   output pipegs_pkg::memory_request_t   mem_request_o,
   output logic [MemoryW-1:0]            mem_data_o,
+  output logic                          tap_answer_valid_o, // an answer comes to the core
+  output logic [pipegs_pkg::TagW-1:0]   tap_answer_tag_o,
   input  logic                          mem_rsp_valid_i,
   input  logic [pipegs_pkg::TagW-1:0]   mem_rsp_tag_i,
   input  logic [MemoryW-1:0]            mem_rsp_data_i,
@@ -156,6 +158,8 @@ module pipegs_sim #(
       else reads_q <= reads_q + 32'(mem_valid_o && mem_ready_i && !mem_request_o.write) - 32'(mem_rsp_valid_i);
     end
     assign mem_ready_o = mem_ready_i;
+    assign tap_answer_valid_o = mem_rsp_valid_i;
+    assign tap_answer_tag_o   = mem_rsp_tag_i;
     assign done        = u_host.done;
     assign core_rst_n  = u_host.core_rst_n;
     `PIPEGS_LOOK(u_host.u_core)
@@ -180,6 +184,8 @@ module pipegs_sim #(
     assign mem_ready_o   = u_axi.ready;
     assign mem_request_o = u_axi.request;
     assign mem_data_o    = u_axi.data;
+    assign tap_answer_valid_o = u_axi.rsp_valid;
+    assign tap_answer_tag_o   = u_axi.rsp_tag;
     assign done          = u_axi.u_host.done;
     assign core_rst_n    = u_axi.u_host.core_rst_n;
     `PIPEGS_LOOK(u_axi.u_host.u_core)
