@@ -112,6 +112,7 @@ mutant pu_allocate "the pulse that frees a layer is lost in the cycle that takes
 mutant pu_allocate "the end is lost in the cycle of that pulse" 's/( \+ 2.\(take_end)\)/\1 \&\& !layer_free_i)/'
 mutant pu_spill "the line behind the last one of its area is written" \
        "s/\(SumW'\(number\) \+ SumW'\(1\)\)/SumW'(number)/"
+mutant pu_spill "two lines of memory count as one" "s/(lines_end = .*) \* SumW'\(Pieces\)/\1/" pu_spill_wide
 mutant pu_spill "the last numbers have a place, so that they may wrap" "s/number\[.*\] == '1 \|\|//"
 mutant pu_spill "both parities have one area" "s/alphas_i.parity \? /1'b0 ? /"
 mutant pu_spill "the end leaves before the memory took the last line" 's/(rows_end_valid_o = .*) && free/\1/'
@@ -325,8 +326,6 @@ mutant su_collect "no clock for a record that finds no room: the assertion is ne
        's/(active_o *= take) \|\| lost/\1/' su_lean
 mutant pu_allocate "lines are given although the older layer's lie there" \
        "s/(room *= )SumW'\(oldest_q\) \+/\1/" pu_allocate_lean
-mutant pu_allocate "assertion: two lines of memory count as one" \
-       "s/AreaW'\(pipegs_pkg::AlphaMemoryLines\) \*/AreaW'(1) */" pu_allocate_wide
 mutant pu_allocate "assertion: the Gaussian's own lines are not counted" \
        "s/^( +SumW'\(current\)) \+ SumW'\(count_q\)( <=)/\1\2/" pu_allocate_lean
 mutant pu_spill "assertion: looks at a flag that is 0 where nothing goes to memory" \
