@@ -379,7 +379,8 @@ mutant layer_free "counters of one bit: no drift of two layers" 's/(CountW *= )4
 mutant errors "an error is told in every cycle" 's/found & ~known_q/found/' errors_unit
 mutant errors "what comes second changes the line" 's/found\[1\] && !known_q\[1\]/found[1]/' errors_unit
 mutant errors "the pixels of the last window need no room" "s/NumberW'\(1\);/NumberW'(0);/" errors_unit
-mutant errors "raster order: the pixels need room in an area that they do not lie in" "s/restart_i && by_windows_i/restart_i/" errors_unit
+mutant errors "raster order: the pixels need room in an area that they do not lie in" \
+       "s/restart_i && by_windows_i/restart_i/" errors_unit
 mutant errors "a bad scene stops nothing" "s/(stop_o *= known_q)/\1[0]/; s/stop_o(.*) != '0/stop_o\1/" errors_unit
 mutant scheduler "one complete RU ends the frame" "s/complete == '1 && !back_busy_i/complete != '0 \&\& !back_busy_i/"
 mutant scheduler "a frame ends while pixels are on their way" 's/ && !storing_i;/;/'
