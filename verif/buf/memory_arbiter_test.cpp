@@ -227,7 +227,7 @@ TEST(MemoryArbiter, TakesNothingWhenItIsStopped) {
     Requesters all(bench, Pace::kAlways, memory_pace, {.latency = 10, .bytes_per_cycle = 48, .queue = 8});
     bench.reset();
     for (int p = 0; p < all.ports; ++p)
-      for (int i = 0; i < 50; ++i) all.push(p, false);
+      for (int i = 0; i < 50; ++i) all.push(p, false, 1);
     for (int i = 0; i < 200; ++i) bench.step();
     bench.dut.stop_i = 1;
     size_t waiting = 0, still = 0;
