@@ -11,6 +11,7 @@
 #include <exception>
 #include <map>
 
+#include "cpp_model/areas/areas.hpp"
 #include "cpp_model/config.hpp"
 #include "cpp_model/control/print/print.hpp"
 #include "cpp_model/lib/corners.hpp"
@@ -212,6 +213,42 @@ constexpr const char* kBundles = R"(
   } su_item_t;
 )";
 
+// The division of the overflow area, see areas.hpp: its C++ twin reads the same table.
+void print_areas(const pipegs::Config& c) {
+  using pipegs::Area;
+  static constexpr const char* kNames[] = {"AreaKeys", "AreaRuns", "AreaRecords", "AreaEven", "AreaOdd", "AreaLists"};
+  constexpr const char* kHead =
+      "  function automatic logic [AddressW-1:0] {}(input logic [AddressW-1:0] size, {}input logic [2:0] area);\n";
+  std::printf("\n  // Parts of an overflow area of `size` lines: see cpp_model/areas/areas.hpp.\n");
+  for (const Area area : pipegs::kAllAreas) {
+    std::printf("  localparam logic [2:0] %s = 3'd%d;\n", kNames[static_cast<int>(area)], static_cast<int>(area));
+  }
+  const auto cases = [&](const char* function, const auto& value) {
+    std::printf("%s    case (area)\n", fmt::format(fmt::runtime(kHead), function, "").c_str());
+    for (const Area area : pipegs::kAllAreas) {
+      std::printf("      %s: %s = %s;\n", kNames[static_cast<int>(area)], function, value(area).c_str());
+    }
+    std::printf("      default: %s = '0;\n    endcase\n  endfunction\n", function);
+  };
+  std::printf("  // lines of it\n");
+  cases("area_lines", [&](Area area) { return fmt::format("size >> {}", pipegs::area_plan(c, area).lines_shift); });
+  std::printf("  // its first line, from the first one of its unit's share on\n");
+  cases("area_place", [&](Area area) -> std::string {
+    const pipegs::AreaPlan plan = pipegs::area_plan(c, area);
+    if (plan.times == 0) return "'0";
+    const std::string part = fmt::format("(size >> {})", plan.place_shift);
+    return plan.times == 1   ? part
+           : plan.times == 2 ? fmt::format("{} << 1", part)
+                             : fmt::format("({0} << 1) + {0}", part);
+  });
+  const int share = pipegs::area_share_shift(c);
+  std::printf("  // its first line, from the first one of all on; lists have no unit\n%s",
+              fmt::format(fmt::runtime(kHead), "area_first", "input logic [UnitW-1:0] unit,\n      ").c_str());
+  std::printf("    area_first = %s(unit[0] ? size >> %d : '0) + (unit[1] ? (size >> %d) << 1 : '0) +\n",
+              c.has_lists() ? "(size >> 1) + " : "", share, share);
+  std::printf("                 area_place(size, area);\n    if (area == AreaLists) area_first = '0;\n  endfunction\n");
+}
+
 void print_package(const pipegs::Config& config) {
   std::printf(
       "// SPDX-License-Identifier: Apache-2.0\n"
@@ -241,6 +278,7 @@ void print_package(const pipegs::Config& config) {
   print_weights("ReachWeights", 13, "Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.",
                 pipegs::reach_weight, config);
   for (const Record& record : pipegs::record_table()) printer.print(record);
+  print_areas(config);
   std::printf("%s", kBundles);
   std::printf("%s\nendpackage\n", pipegs::print_package(pipegs::register_map(config)).c_str());
 }

@@ -36,11 +36,13 @@ rtl/dopu/nearest/dopu_depth.sv
 rtl/dopu/nearest/dopu_nearest.sv
 rtl/dopu/nearest/dopu_open.sv
 rtl/dopu/nearest/dopu_rank.sv
+rtl/errors.sv
 rtl/front.sv
 rtl/layer_free.sv
 rtl/lib/arbiter.sv
 rtl/lib/clock_gate.sv
 rtl/lib/fifo.sv
+rtl/lib/first_line.sv
 rtl/lib/line_reader.sv
 rtl/lib/math/bit_length.sv
 rtl/lib/math/exp2.sv
@@ -58,6 +60,7 @@ rtl/lib/sram.sv
 rtl/lib/stream_check.sv
 rtl/lib/window_walk.sv
 rtl/list/list_read.sv
+rtl/list/list_room.sv
 rtl/list/list_write.sv
 rtl/list/lists.sv
 rtl/mem/axi_fence.sv

@@ -40,11 +40,13 @@ read_verilog -sv {
   rtl/dopu/nearest/dopu_nearest.sv
   rtl/dopu/nearest/dopu_open.sv
   rtl/dopu/nearest/dopu_rank.sv
+  rtl/errors.sv
   rtl/front.sv
   rtl/layer_free.sv
   rtl/lib/arbiter.sv
   rtl/lib/clock_gate.sv
   rtl/lib/fifo.sv
+  rtl/lib/first_line.sv
   rtl/lib/line_reader.sv
   rtl/lib/math/bit_length.sv
   rtl/lib/math/exp2.sv
@@ -62,6 +64,7 @@ read_verilog -sv {
   rtl/lib/stream_check.sv
   rtl/lib/window_walk.sv
   rtl/list/list_read.sv
+  rtl/list/list_room.sv
   rtl/list/list_write.sv
   rtl/list/lists.sv
   rtl/mem/axi_fence.sv

@@ -20,6 +20,7 @@ module front #(
   input  logic                             rst_ni,
   input  logic                             test_en_i,
   input  pipegs_pkg::frame_t               frame_i,
+  input  pipegs_pkg::areas_t               areas_i,
   input  logic                             restart_i,
 
   output pipegs_pkg::memory_reads_t        reads_o,
@@ -38,6 +39,10 @@ module front #(
   output logic [Units*NumberW-1:0]         number_o,   // of each splat's window, with lists
 
   output logic [Units*LinesW-1:0]          overflow_o, // lines of alphas that go to memory from this cycle on
+  output logic                             full_o,     // no room for a line of alphas; this and bad_o stay
+  output logic [AddressW-1:0]              full_line_o,
+  output logic                             bad_o,      // the scene names what its tables do not hold
+  output logic [AddressW-1:0]              bad_line_o,
   output logic                             busy_o,
   output logic [(1+Units)*2-1:0]           perf_o,     // DOPU, PUs
   output logic [Units-1:0]                 tap_chunk_valid_o,
@@ -67,6 +72,10 @@ module front #(
   logic [Units*MemoryW-1:0]         spill_data;
   logic [Units*AlphaAddressW-1:0]   store_address;
   logic [Units*LineW-1:0]           store_line;
+  logic                             dopu_bad;
+  logic [Units-1:0]                 pu_full, pu_bad;
+  logic [AddressW-1:0]              dopu_bad_line;
+  logic [Units*AddressW-1:0]        pu_full_line, pu_bad_line;
 
   assign reads_o = {node_lines, (Units*BurstW)'(0), geometry_lines, node_address, color_address, geometry_address,
                     node_valid, color_valid, geometry_valid};
@@ -77,12 +86,12 @@ module front #(
 
   clock_gate u_dopu_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(dopu_active), .clk_o(dopu_clk));
   dopu u_dopu (
-    .clk_i(dopu_clk), .rst_ni, .start_i(restart_i), .frame_i, .busy_o(dopu_busy),
+    .clk_i(dopu_clk), .rst_ni, .start_i(restart_i), .frame_i, .areas_i, .busy_o(dopu_busy),
     .mem_valid_o(node_valid), .mem_ready_i(node_ready), .mem_address_o(node_address), .mem_lines_o(node_lines),
     .rsp_valid_i(node_line), .rsp_data_i(line_i),
     .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
     .chunk_valid_o(chunk_valid), .chunk_ready_i(chunk_ready), .chunk_room_i(chunk_room), .chunk_o(chunk),
-    .active_o(dopu_active), .perf_o(perf_o[1:0])
+    .active_o(dopu_active), .perf_o(perf_o[1:0]), .bad_o(dopu_bad), .bad_line_o(dopu_bad_line)
   );
 
   for (genvar k = 0; k < Units; k += 1) begin : gen_unit
@@ -90,7 +99,7 @@ module front #(
     clock_gate u_pu_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(pu_active[k]), .clk_o(pu_clk));
     pu #(.Front(k < PuFronts)) u_pu (
       .clk_i(pu_clk), .rst_ni, .rotation_i(frame_i.camera.rotation), .quaternion_i(frame_i.camera.quaternion),
-      .lens_i(frame_i.lens), .tables_i(frame_i.tables), .windows_i(frame_i.raster.windows),
+      .lens_i(frame_i.lens), .tables_i(frame_i.tables), .areas_i, .windows_i(frame_i.raster.windows),
       .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
       .chunk_valid_i(chunk_valid[k]), .chunk_ready_o(chunk_ready[k]), .chunk_room_o(chunk_room[k]), .chunk_i(chunk),
       .culled_valid_o(culled_valid[k]), .culled_ready_i(culled_ready[k]),
@@ -109,7 +118,9 @@ module front #(
       .store_line_o(store_line[k*LineW +: LineW]),
       .splat_valid_o(splat_valid_o[k]), .splat_ready_i(splat_ready_i[k]),
       .splat_o(splat_o[k*SplatBits +: SplatBits]), .number_o(number_o[k*NumberW +: NumberW]),
-      .overflowed_o(overflow_o[k*LinesW +: LinesW]), .busy_o(pu_busy[k]), .active_o(pu_active[k]),
+      .overflowed_o(overflow_o[k*LinesW +: LinesW]),
+      .full_o(pu_full[k]), .full_line_o(pu_full_line[k*AddressW +: AddressW]),
+      .bad_o(pu_bad[k]), .bad_line_o(pu_bad_line[k*AddressW +: AddressW]), .busy_o(pu_busy[k]), .active_o(pu_active[k]),
       .perf_o(perf_o[2*(1+k) +: 2])
     );
   end
@@ -119,6 +130,13 @@ module front #(
     .in_i(culled[PuFronts*VisibleBits-1:0]),
     .out_valid_o(dealt_valid), .out_ready_i(dealt_ready), .out_room_i(dealt_room), .out_o(dealt),
     .active_o(deal_active)
+  );
+
+  first_line #(.Ports(Units)) u_full (
+    .valid_i(pu_full), .line_i(pu_full_line), .valid_o(full_o), .line_o(full_line_o)
+  );
+  first_line #(.Ports(1 + Units)) u_bad (
+    .valid_i({pu_bad, dopu_bad}), .line_i({pu_bad_line, dopu_bad_line}), .valid_o(bad_o), .line_o(bad_line_o)
   );
 
   assign busy_o            = dopu_busy || pu_busy != '0 || deal_active;

@@ -64,12 +64,14 @@ module pipegs_host #(
   logic                 abort, give_up, ready, core_rst_n;
   logic                 frame_shown, busy;
   logic [5:0]           errors;
+  logic [1:0]           core_error;       // bad_scene, area_full
+  logic [2*LineW-1:0]   core_error_line;
   logic [PerfW-1:0]     cycles, preprocess_cycles, overflow_lines;
   logic [UnitsW-1:0]    perf;
 
   // Frames that were given up are not inside any more, but what they have written may be on its way.
   assign busy        = core_busy || waiting || mem_writes_i != '0;
-  assign errors      = {2'b00, mem_error_i};
+  assign errors      = {core_error, mem_error_i};
   assign give_up     = abort || errors != '0;
   assign frame_shown = frame_valid && ready;
   assign frame_ready = core_ready && ready;
@@ -80,7 +82,7 @@ module pipegs_host #(
     .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp, .irq_o,
     .frame_valid_o(frame_valid), .frame_ready_i(frame_ready), .frame_o(frame), .areas_o(areas), .picture_o(picture),
     .abort_o(abort), .busy_i(busy), .frame_done_i(done), .error_i(errors),
-    .error_address_i({LineW'(0), LineW'(0), mem_error_line_i, mem_error_line_i, LineW'(0), LineW'(0)}),
+    .error_address_i({core_error_line, mem_error_line_i, mem_error_line_i, LineW'(0), LineW'(0)}),
     .counters_i({perf, overflow_lines, preprocess_cycles, cycles})
   );
 
@@ -96,11 +98,10 @@ module pipegs_host #(
 
   pipegs_top u_core (
     .clk_i, .rst_ni(core_rst_n), .test_en_i,
-    .frame_valid_i(frame_shown), .frame_ready_o(core_ready), .frame_i(frame), .picture_i(picture),
-    .done_o(core_done),
-    .busy_o(core_busy), .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i,
-    .mem_rsp_data_i, .cycles_o(cycles), .preprocess_cycles_o(preprocess_cycles), .overflow_lines_o(overflow_lines),
-    .perf_o(perf)
+    .frame_valid_i(frame_shown), .frame_ready_o(core_ready), .frame_i(frame), .areas_i(areas), .picture_i(picture),
+    .done_o(core_done), .busy_o(core_busy), .error_o(core_error), .error_line_o(core_error_line),
+    .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i,
+    .cycles_o(cycles), .preprocess_cycles_o(preprocess_cycles), .overflow_lines_o(overflow_lines), .perf_o(perf)
   );
 
 `ifndef SYNTHESIS
@@ -109,8 +110,5 @@ module pipegs_host #(
     .clk_i, .rst_ni(ready), .valid_i(frame_shown), .ready_i(core_ready), .beat_i({frame, areas, picture})
   );
 `endif
-
-  logic unused_areas;
-  assign unused_areas = &{1'b0, areas};
 
 endmodule

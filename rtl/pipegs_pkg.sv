@@ -225,12 +225,9 @@ package pipegs_pkg;
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
   // line of the alpha store, or of the overflow area when ext is set; with lists {unit, line} of the area of all alphas
   localparam int unsigned AlphaAddressW  = 24;
-  // the area of all alphas begins 2^AlphaAreaW lines into the overflow area (lists)
-  localparam int unsigned AlphaAreaW     = 29;
-  localparam int unsigned ListAreaW      = 30;  // the lists begin 2^ListAreaW lines into the overflow area
   // number of a window, row by row from the frame's first to its last: at most 2^ListWindowW lists
   localparam int unsigned ListWindowW    = 12;
-  localparam int unsigned ListEntryW     = 20;  // entry of a list, one line each
+  localparam int unsigned ListEntryW     = 20;  // entry of a list, one line each; a list has at most 2^ListEntryW - 1
   localparam int unsigned UnitW          = 2;  // number of a unit
   localparam int unsigned GaussiansPerLine = 2;  // geometry records in a line of memory, at 0 and 256 bits
   localparam int unsigned RegionLines    = 8;  // lines of external memory for the pixels of a region
@@ -413,6 +410,23 @@ package pipegs_pkg;
     logic [AddressW-1:0] cells;  // first line of the cell table
   } tables_t;
   localparam int unsigned TablesBits = 240;
+
+  typedef struct packed {
+    logic [AddressW-1:0] lines;  // how many
+    logic [AddressW-1:0] first;
+  } span_t;
+  localparam int unsigned SpanBits = 68;
+
+  typedef struct packed {
+    logic [AddressW-1:0] overflow;  // any number: area_lines, area_place and area_first divide it
+    logic [AddressW-1:0] pixels;
+    logic [AddressW-1:0] colors;
+    logic [AddressW-1:0] gaussians;
+    logic [AddressW-1:0] chunks;
+    logic [AddressW-1:0] groups;
+    logic [AddressW-1:0] cells;
+  } areas_t;
+  localparam int unsigned AreasBits = 238;
 
   typedef struct packed {
     logic [WindowW-1:0] last_y;  // row of the last
@@ -966,6 +980,45 @@ package pipegs_pkg;
   } memory_request_t;
   localparam int unsigned MemoryRequestBits = 48;
 
+  // Parts of an overflow area of `size` lines: see cpp_model/areas/areas.hpp.
+  localparam logic [2:0] AreaKeys = 3'd0;
+  localparam logic [2:0] AreaRuns = 3'd1;
+  localparam logic [2:0] AreaRecords = 3'd2;
+  localparam logic [2:0] AreaEven = 3'd3;
+  localparam logic [2:0] AreaOdd = 3'd4;
+  localparam logic [2:0] AreaLists = 3'd5;
+  // lines of it
+  function automatic logic [AddressW-1:0] area_lines(input logic [AddressW-1:0] size, input logic [2:0] area);
+    case (area)
+      AreaKeys: area_lines = size >> 5;
+      AreaRuns: area_lines = size >> 5;
+      AreaRecords: area_lines = size >> 4;
+      AreaEven: area_lines = size >> 4;
+      AreaOdd: area_lines = size >> 4;
+      AreaLists: area_lines = size >> 1;
+      default: area_lines = '0;
+    endcase
+  endfunction
+  // its first line, from the first one of its unit's share on
+  function automatic logic [AddressW-1:0] area_place(input logic [AddressW-1:0] size, input logic [2:0] area);
+    case (area)
+      AreaKeys: area_place = '0;
+      AreaRuns: area_place = (size >> 5);
+      AreaRecords: area_place = (size >> 5) << 1;
+      AreaEven: area_place = (size >> 4) << 1;
+      AreaOdd: area_place = ((size >> 4) << 1) + (size >> 4);
+      AreaLists: area_place = '0;
+      default: area_place = '0;
+    endcase
+  endfunction
+  // its first line, from the first one of all on; lists have no unit
+  function automatic logic [AddressW-1:0] area_first(input logic [AddressW-1:0] size, input logic [UnitW-1:0] unit,
+      input logic [2:0] area);
+    area_first = (unit[0] ? size >> 2 : '0) + (unit[1] ? (size >> 2) << 1 : '0) +
+                 area_place(size, area);
+    if (area == AreaLists) area_first = '0;
+  endfunction
+
   // Bundles: wires of all units side by side, the first unit lowest.
   localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
   typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
@@ -1138,16 +1191,6 @@ package pipegs_pkg;
     48'h0000_47504950  // ID
   };
 
-  typedef struct packed {  // sizes of what lies at the addresses of the frame
-    logic [33:0] overflow;
-    logic [33:0] pixels;
-    logic [33:0] colors;
-    logic [33:0] gaussians;
-    logic [33:0] chunks;
-    logic [33:0] groups;
-    logic [33:0] cells;
-  } areas_t;
-  localparam int unsigned AreasBits = 238;
   typedef struct packed {  // the picture in raster order
     logic [11:0] stride;
     logic [33:0] base;

@@ -7,8 +7,10 @@
 //         too.
 //         The front works on the frame in front_q, the back on the one in back_q: the same, or the one before.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
-// Stream  frame_i and picture_i are taken with frame_valid_i and frame_ready_o; scene and pixels lie outside.
-//         done_o: pulse, the oldest frame inside is complete. busy_o: a frame is inside.
+// Stream  frame_i, areas_i and picture_i are taken with frame_valid_i and frame_ready_o; scene and pixels lie outside,
+//         in areas of the sizes areas_i. done_o: pulse, the oldest frame inside is complete. busy_o: a frame is inside.
+//         error_o: pulses, {bad_scene, area_full}: nothing more is asked of memory, all frames inside are given up, and
+//         a reset ends that.
 //         perf_o: cycles busy, starved, blocked, memory of each unit, in the order DOPU, PUs, SUs, RUs.
 // Model   cpp_model/golden.hpp
 
@@ -25,9 +27,12 @@ module pipegs_top #(
   input  logic                                 frame_valid_i,
   output logic                                 frame_ready_o,
   input  pipegs_pkg::frame_t                   frame_i,
+  input  pipegs_pkg::areas_t                   areas_i,
   input  pipegs_pkg::picture_t                 picture_i,  // format 0: pixels by windows, at frame_i.tables.pixels
   output logic                                 done_o,
   output logic                                 busy_o,
+  output logic [1:0]                           error_o,
+  output logic [2*pipegs_pkg::AddressW-1:0]    error_line_o,  // of each the line of memory that it concerns
 
   output logic                                 mem_valid_o,
   input  logic                                 mem_ready_i,
@@ -46,6 +51,8 @@ module pipegs_top #(
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits;
 
   pipegs_pkg::frame_t                       front_q;
+  pipegs_pkg::areas_t                       areas_q;        // of the front's frame
+  pipegs_pkg::span_t                        overflow;
   pipegs_pkg::raster_t                      back_raster_q;
   pipegs_pkg::picture_t                     front_picture_q, back_picture, back_picture_q;
   logic                                     front_take, front_restart, back_take, back_restart, same;
@@ -61,6 +68,8 @@ module pipegs_top #(
   logic                                     layer_free;
   logic [Units-1:0]                         layer_done, window_done, overflow_sort;
   logic [Units*(pipegs_pkg::RegionW+1)-1:0] overflow_alpha;
+  logic                                     alphas_full, sorting_full, scene_bad, stop;
+  logic [pipegs_pkg::AddressW-1:0]          alphas_full_line, sorting_full_line, scene_bad_line;
   logic [PerfUnits*2-1:0]                   perf_state;
 
   pipegs_pkg::memory_reads_t                reads;
@@ -79,7 +88,7 @@ module pipegs_top #(
 
   // --- frames -------------------------------------------------------------------------------------------------------
   always_ff @(posedge clk_i) begin
-    if (front_take) {front_picture_q, front_q} <= {picture_i, frame_i};
+    if (front_take) {front_picture_q, areas_q, front_q} <= {picture_i, areas_i, frame_i};
     if (back_take) {back_picture_q, back_raster_q} <= {back_picture, front_q.raster};
   end
   // One base for the pixels, whatever their format.
@@ -88,8 +97,9 @@ module pipegs_top #(
     if (!front_picture_q.format) back_picture.base = front_q.tables.pixels;
   end
   // The SUs work for both: where they spill and where depths begin must be one.
-  assign same         = frame_i.tables.overflow == front_q.tables.overflow &&
+  assign same         = frame_i.tables.overflow == front_q.tables.overflow && areas_i.overflow == areas_q.overflow &&
                         frame_i.lens.near_plane == front_q.lens.near_plane;
+  assign overflow     = {areas_q.overflow, front_q.tables.overflow};
   assign running      = busy_o && !begins;
   assign sorted_ready = raster_ready && !hold;
   assign sorted_taken = sorted_valid && sorted_ready;
@@ -112,27 +122,29 @@ module pipegs_top #(
   end
 
   front u_front (
-    .clk_i, .rst_ni, .test_en_i, .frame_i(front_q), .restart_i(front_restart),
+    .clk_i, .rst_ni, .test_en_i, .frame_i(front_q), .areas_i(areas_q), .restart_i(front_restart),
     .reads_o(reads), .reads_i(reads_answer), .spill_o(spill), .spill_i(spill_answer), .line_i(line),
     .progress_i(heard), .layer_free_i(layer_free), .store_o(store),
     .splat_valid_o(splat_valid), .splat_ready_i(splat_ready), .splat_o(splat), .number_o(number),
+    .full_o(alphas_full), .full_line_o(alphas_full_line), .bad_o(scene_bad), .bad_line_o(scene_bad_line),
     .overflow_o(overflow_alpha), .busy_o(front_busy), .perf_o(perf_state[0 +: 2*(1+Units)]),
     .tap_chunk_valid_o(tap_chunk_valid), .tap_chunk_kind_o(tap_chunk_kind)
   );
 
   sorting u_sorting (
-    .clk_i, .rst_ni, .test_en_i, .windows_i(front_q.raster.windows), .overflow_i(front_q.tables.overflow),
+    .clk_i, .rst_ni, .test_en_i, .windows_i(front_q.raster.windows), .overflow_i(overflow),
     .near_plane_i(front_q.lens.near_plane), .restart_i(front_restart),
     .made_valid_i(splat_valid), .made_ready_o(splat_ready), .made_i(splat), .number_i(number),
     .sorted_valid_o(sorted_valid), .sorted_ready_i(sorted_ready), .sorted_o(sorted),
     .sort_o(sort), .sort_i(sort_answer), .lists_o(lists), .lists_i(lists_answer), .line_i(line),
+    .full_o(sorting_full), .full_line_o(sorting_full_line),
     .written_o(written), .overflow_o(overflow_sort), .busy_o(sorting_busy), .perf_o(perf_state[2*(1+Units) +: 2*Units]),
     .tap_splat_valid_o(tap_splat_valid), .tap_splat_o(tap_splat)
   );
 
   raster u_raster (
     .clk_i, .rst_ni, .test_en_i, .raster_i(back_raster_q), .picture_i(back_picture_q),
-    .overflow_i(front_q.tables.overflow), .restart_i(back_restart),
+    .overflow_i(overflow), .restart_i(back_restart),
     .sorted_valid_i(sorted_valid && !hold), .sorted_ready_o(raster_ready), .sorted_i(sorted), .store_i(store),
     .memory_o(pixels), .halves_o(halves), .memory_i(pixels_answer), .line_i(line),
     .progress_o(progress), .layer_free_o(layer_free), .layer_done_o(layer_done), .window_done_o(window_done),
@@ -142,8 +154,15 @@ module pipegs_top #(
   memory_ports u_memory (
     .clk_i, .rst_ni, .spill_i(spill), .spill_o(spill_answer), .sort_i(sort), .sort_o(sort_answer),
     .raster_i(pixels), .halves_i(halves), .raster_o(pixels_answer), .lists_i(lists), .lists_o(lists_answer),
-    .reads_i(reads), .reads_o(reads_answer), .line_o(line), .storing_o(storing), .busy_o(memory_busy),
+    .reads_i(reads), .reads_o(reads_answer), .stop_i(stop), .line_o(line), .storing_o(storing), .busy_o(memory_busy),
     .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
+  );
+
+  errors u_errors (
+    .clk_i, .rst_ni, .restart_i(front_restart), .raster_i(front_q.raster), .by_windows_i(!front_picture_q.format),
+    .pixels_i({areas_q.pixels, front_q.tables.pixels}), .full_i({sorting_full, alphas_full}),
+    .full_line_i({sorting_full_line, alphas_full_line}), .bad_i(scene_bad), .bad_line_i(scene_bad_line),
+    .error_o, .error_line_o, .stop_o(stop)
   );
 
   for (genvar i = 0; i < PerfUnits; i += 1) begin : gen_perf

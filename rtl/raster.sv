@@ -18,7 +18,7 @@ module raster #(
   input  logic                             test_en_i,
   input  pipegs_pkg::raster_t              raster_i,
   input  pipegs_pkg::picture_t             picture_i,   // its base is that of the pixels in either format
-  input  logic [AddressW-1:0]              overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t                overflow_i,  // the overflow area
   input  logic                             restart_i,
 
   input  logic                             sorted_valid_i,

@@ -19,7 +19,7 @@ module sorting #(
   input  logic                             rst_ni,
   input  logic                             test_en_i,
   input  pipegs_pkg::windows_t             windows_i,
-  input  logic [AddressW-1:0]              overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t                overflow_i,  // the overflow area
   input  logic [pipegs_pkg::WorldW-1:0]    near_plane_i,
   input  logic                             restart_i,
 
@@ -40,6 +40,8 @@ module sorting #(
 
   output logic                             written_o,   // pulse: the lists are written
   output logic [Units-1:0]                 overflow_o,  // a line was written to external memory
+  output logic                             full_o,      // no room in an area of the overflow; stays
+  output logic [AddressW-1:0]              full_line_o,
   output logic                             busy_o,
   output logic [Units*2-1:0]               perf_o,
   output logic [Units-1:0]                 tap_splat_valid_o,
@@ -52,6 +54,8 @@ module sorting #(
   logic [Units-1:0]           mem_valid, mem_ready, mem_write, mem_line;
   logic [Units*AddressW-1:0]  mem_address;
   logic [Units*MemoryW-1:0]   mem_data;
+  logic [Units:0]             full;  // of each SU, of the lists
+  logic [(Units+1)*AddressW-1:0] full_line;
 
   assign sort_o = {mem_data, mem_address, mem_write, mem_valid};
   assign {mem_line, mem_ready} = sort_i;
@@ -72,7 +76,7 @@ module sorting #(
       .mem_lines_o(list_lines), .mem_data_o(list_data), .rsp_valid_i(list_line), .rsp_data_i(line_i),
       .splat_valid_o(splat_valid), .splat_ready_i(splat_ready),
       .splat_room_i(splat_ready),  // an SU's ready is a register: it waits for no valid
-      .splat_o(listed),
+      .splat_o(listed), .full_o(full[Units]), .full_line_o(full_line[Units*AddressW +: AddressW]),
       .written_o, .busy_o(lists_busy), .active_o(lists_active)
     );
     assign splat = {Units{listed}};
@@ -82,6 +86,8 @@ module sorting #(
     assign splat        = made_i;
     assign written_o    = 1'b0;
     assign lists_busy   = 1'b0;
+    assign full[Units]  = 1'b0;
+    assign full_line[Units*AddressW +: AddressW] = '0;
     assign lists_o      = '0;
     logic unused_lists;
     assign unused_lists = &{1'b0, windows_i, restart_i, number_i, lists_i};
@@ -111,13 +117,18 @@ module sorting #(
       .mem_valid_o(mem_valid[k]), .mem_ready_i(mem_ready[k]), .mem_write_o(mem_write[k]),
       .mem_address_o(mem_address[k*AddressW +: AddressW]), .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
       .rsp_valid_i(mem_line[k]), .rsp_data_i(line_i),
-      .overflow_o(overflow_o[k]), .active_o(su_active[k]), .perf_o(perf_o[2*k +: 2])
+      .full_o(full[k]), .full_line_o(full_line[k*AddressW +: AddressW]), .overflow_o(overflow_o[k]),
+      .active_o(su_active[k]), .perf_o(perf_o[2*k +: 2])
     );
   end
 
   su_merge u_merge (
     .clk_i, .rst_ni, .in_valid_i(in_order_valid), .in_ready_o(in_order_ready), .in_i(in_order),
     .out_valid_o(sorted_valid_o), .out_ready_i(sorted_ready_i), .out_o(sorted_o), .active_o(merge_active)
+  );
+
+  first_line #(.Ports(Units + 1)) u_full (
+    .valid_i(full), .line_i(full_line), .valid_o(full_o), .line_o(full_line_o)
   );
 
   assign busy_o            = su_active != '0 || merge_active || lists_busy;

@@ -12,7 +12,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "cpp_model/records.hpp"
+#include "cpp_model/areas/areas.hpp"
 #include "cpp_model/regions.hpp"
 
 namespace pipegs {
@@ -44,11 +44,16 @@ inline uint64_t ru_line(const Sorted& splat, int region) {
   return splat.address + std::popcount(splat.mask & ((uint64_t{1} << region) - 1));
 }
 
-// First memory line of an alpha line in the overflow area 0 of `unit` and layer parity `parity`; with lists in the
-// one area of all alphas.
-inline uint64_t ru_overflow_line(const Config& c, const Frame& frame, uint64_t unit, uint64_t parity, uint64_t line) {
-  const uint64_t area = c.has_lists() ? uint64_t{1} << c.alpha_area_w() : ((unit << 3) | (parity << 2)) << 24;
-  return frame.tables.overflow + area + line * static_cast<uint64_t>(c.alpha_memory_lines());
+// First memory line of an alpha line in the area of `unit` and layer parity `parity`; with lists the unit stands in the
+// line's number.
+inline uint64_t ru_overflow_line(const Config& c, const Span& overflow, uint64_t unit, uint64_t parity, uint64_t line) {
+  if (c.has_lists()) {
+    const int lines_w = c.alpha_address_w() - c.unit_w();
+    unit = line >> lines_w;
+    line -= unit << lines_w;
+  }
+  return overflow.first + area_first(c, overflow.lines, unit, parity != 0 ? Area::kOdd : Area::kEven) +
+         line * static_cast<uint64_t>(c.alpha_memory_lines());
 }
 
 }  // namespace pipegs

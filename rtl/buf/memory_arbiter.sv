@@ -31,6 +31,7 @@ module memory_arbiter #(
   input  logic [WritePorts*pipegs_pkg::HalvesW-1:0]      halves_i,  // of the line: what a write changes
   input  logic [Ports*pipegs_pkg::BurstW-1:0]            lines_i,      // of a read, less one
   input  logic [WritePorts*pipegs_pkg::MemoryW-1:0]      data_i,
+  input  logic                                           stop_i,  // nothing is taken any more
   output logic [Ports-1:0]                               rsp_valid_o,
   output logic [pipegs_pkg::MemoryW-1:0]                 rsp_data_o,
 
@@ -68,7 +69,7 @@ module memory_arbiter #(
   );
 
   assign served  = (grant_q & valid_i & able) != '0;
-  assign free    = !out_valid_q || mem_ready_i;
+  assign free    = (!out_valid_q || mem_ready_i) && !stop_i;
   assign take    = served && free;
   assign moves   = !served || free;
   assign ready_o = free ? grant_q & able : '0;

@@ -31,6 +31,7 @@ module memory_ports #(
   output pipegs_pkg::memory_lists_answer_t lists_o,
   input  pipegs_pkg::memory_reads_t        reads_i,
   output pipegs_pkg::memory_reads_answer_t reads_o,
+  input  logic                             stop_i,     // no request is taken any more
   output logic [MemoryW-1:0]               line_o,
   output logic                             storing_o,  // a line of pixels waits
   output logic                             busy_o,     // any request waits
@@ -79,7 +80,7 @@ module memory_ports #(
 
   memory_arbiter u_arbiter (
     .clk_i, .rst_ni, .valid_i(valid), .ready_o(ready), .write_i(write), .address_i(address), .halves_i(halves),
-    .lines_i(lines), .data_i(data), .rsp_valid_o(line), .rsp_data_o(line_o),
+    .lines_i(lines), .data_i(data), .stop_i, .rsp_valid_o(line), .rsp_data_o(line_o),
     .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
   );
 

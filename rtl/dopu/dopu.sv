@@ -7,7 +7,7 @@
 //         space, dopu_emit deals them out. Each works ahead of the next; the walk of a window begins while the one
 //         before ends. Only wiring here.
 // Stream  start_i with a constant frame_i; memory reads; chunk_o with one valid per PU. done_*: what the RUs have
-//         finished.
+//         finished. bad_o: the scene names what its tables do not hold; it stays, and the unit stops.
 // Pace    One node test in three cycles; a chunk in ten.
 // Model   cpp_model/dopu/dopu.hpp
 
@@ -17,9 +17,12 @@ module dopu (
 
   input  logic                                             start_i,   // one cycle, while not busy
   input  pipegs_pkg::frame_t                               frame_i,   // constant from start_i until the frame is done
+  input  pipegs_pkg::areas_t                               areas_i,   // as frame_i
   output logic                                             busy_o,    // until the last end is taken
   output logic                                             active_o,  // needs a clock in this cycle
   output logic [1:0]                                       perf_o,    // 0 busy, 1 starved, 2 blocked, 3 memory
+  output logic                                             bad_o,
+  output logic [pipegs_pkg::AddressW-1:0]                  bad_line_o,  // of memory, which it concerns
 
   output logic                                             mem_valid_o,
   input  logic                                             mem_ready_i,
@@ -78,12 +81,15 @@ module dopu (
   logic [2:0]            request, ready, answer;  // of memory: chunks, groups, cells
   logic [3*AddressW-1:0] address;
   logic [3*BurstW-1:0]   lines;
-  logic                  loading, walking, cell_valid, cell_ready, cell_set;
+  logic                  loading, walking, cell_valid, cell_ready, cell_set, cells_bad;
+  logic [1:0]            nodes_bad;     // a cell, a group
+  logic [2*AddressW-1:0] nodes_line;
   logic [KindW-1:0]      cell_kind;
   pipegs_pkg::node_t     cell_node;
 
   dopu_cells u_cells (
-    .clk_i, .rst_ni, .start_i, .cells_i(frame_i.tables.cells), .loading_o(loading), .mem_valid_o(request[2]),
+    .clk_i, .rst_ni, .start_i, .cells_i({areas_i.cells, frame_i.tables.cells}), .bad_o(cells_bad),
+    .loading_o(loading), .mem_valid_o(request[2]),
     .mem_ready_i(ready[2]), .mem_address_o(address[2*AddressW +: AddressW]),
     .mem_lines_o(lines[2*BurstW +: BurstW]), .rsp_valid_i(answer[2]), .rsp_data_i,
     .layer_ready_i(layer_ready), .step_o(step), .inside_i(in_grid), .number_o(number), .cell_i(cell_number),
@@ -100,13 +106,19 @@ module dopu (
 
   dopu_chunks u_chunks (
     .clk_i, .rst_ni, .position_i(frame_i.camera.position), .near_plane_i(frame_i.lens.near_plane),
-    .tables_i(frame_i.tables), .planes_i(planes), .set_done_i(set_done),
+    .groups_i({areas_i.groups, frame_i.tables.groups}), .chunks_i({areas_i.chunks, frame_i.tables.chunks}),
+    .planes_i(planes), .set_done_i(set_done),
     .cell_valid_i(cell_valid), .cell_ready_o(cell_ready), .cell_kind_i(cell_kind), .cell_set_i(cell_set),
     .cell_i(cell_node), .mem_valid_o(request[1:0]), .mem_ready_i(ready[1:0]),
     .mem_address_o(address[0 +: 2*AddressW]), .mem_lines_o(lines[0 +: 2*BurstW]), .rsp_valid_i(answer[1:0]),
     .rsp_data_i,
     .chunk_valid_o(node_valid), .chunk_ready_i(node_ready), .chunk_kind_o(node_kind), .chunk_set_o(node_set),
-    .chunk_o(node), .mark_o(node_mark), .testing_o(testing), .waiting_o(waiting)
+    .chunk_o(node), .mark_o(node_mark), .bad_o(nodes_bad), .bad_line_o(nodes_line), .testing_o(testing),
+    .waiting_o(waiting)
+  );
+
+  first_line #(.Ports(3)) u_bad (
+    .valid_i({cells_bad, nodes_bad}), .line_i({frame_i.tables.cells, nodes_line}), .valid_o(bad_o), .line_o(bad_line_o)
   );
 
   dopu_memory u_memory (
@@ -145,5 +157,8 @@ module dopu (
     .out_room_i(chunk_room_i),
     .busy_o, .active_o, .perf_o
   );
+
+  logic unused_areas;  // what others read
+  assign unused_areas = &{1'b0, areas_i};
 
 endmodule

@@ -4,7 +4,8 @@
 // Paper   Sec. 3.2 (orthogonal grid), Sec. 4.1.
 // Idea    The table is read once per frame, two cells per line, up to eight lines at a time; every window walks it
 //         again from the SRAM. Empty cells cost one cycle. After a slab comes a layer end, after the last slab a window
-//         end. A window that is done has only that. Layered 0: no slab has an end.
+//         end. A window that is done has only that. Layered 0: no slab has an end. A table that has too few lines is
+//         not read (bad_o).
 // Stream  cell out: a cell to test, or an end; with the set of planes that it belongs to.
 // Pace    One cell per cycle.
 // Model   cpp_model/dopu/dopu.hpp (the outer loops)
@@ -16,7 +17,8 @@ module dopu_cells #(
   input  logic                            rst_ni,
 
   input  logic                            start_i,
-  input  logic [pipegs_pkg::AddressW-1:0] cells_i,   // first line of the table
+  input  pipegs_pkg::span_t               cells_i,   // the table
+  output logic                            bad_o,
   output logic                            loading_o, // the answers of the memory belong here
 
   output logic                            mem_valid_o,
@@ -61,11 +63,13 @@ module dopu_cells #(
   logic [BurstW-1:0]               rest;  // lines of the aligned group of eight behind the present one
   logic [pipegs_pkg::AddressW-1:0] address_q;
   logic [TableW-1:0]                write_line_q;
-  logic                            answer;
+  logic                            answer, whole;
 
   assign loading_o     = to_come_q != '0;
   assign answer        = rsp_valid_i && loading_o;
-  assign mem_valid_o   = to_ask_q != '0;
+  assign whole         = cells_i.lines >= pipegs_pkg::AddressW'(TableLines);
+  assign mem_valid_o   = to_ask_q != '0 && whole;
+  assign bad_o         = to_ask_q != '0 && !whole;
   assign mem_address_o = address_q;
   assign rest          = ~address_q[BurstW-1:0];
   assign mem_lines_o   = 32'(to_ask_q) > 32'(rest) ? rest : BurstW'(32'(to_ask_q) - 32'd1);
@@ -84,7 +88,7 @@ module dopu_cells #(
   end
   always_ff @(posedge clk_i) begin
     if (start_i) begin
-      address_q    <= cells_i;
+      address_q    <= cells_i.first;
       write_line_q <= '0;
     end else begin
       if (mem_valid_o && mem_ready_i) address_q <= address_q + pipegs_pkg::AddressW'(mem_lines_o) + 1'b1;

@@ -16,7 +16,8 @@ module dopu_chunks #(
   input  logic                                 rst_ni,
   input  pipegs_pkg::position_t                position_i,
   input  logic [pipegs_pkg::WorldW-1:0]        near_plane_i,
-  input  pipegs_pkg::tables_t                  tables_i,
+  input  pipegs_pkg::span_t                    groups_i,  // the tables
+  input  pipegs_pkg::span_t                    chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0] planes_i,
   input  logic [1:0]                           set_done_i,
 
@@ -40,28 +41,29 @@ module dopu_chunks #(
   output pipegs_pkg::node_t                    chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]        mark_o,     // of a layer's end, with watermarks
 
+  output logic [1:0]                           bad_o,      // a cell, a group: see line_reader
+  output logic [2*AddressW-1:0]                bad_line_o,
   output logic                                 testing_o,
   output logic                                 waiting_o   // for memory
 );
 
   if (pipegs_pkg::HasWatermarks) begin : gen_nearest
     dopu_nearest #(.Lines(pipegs_pkg::NodeLines)) u_nearest (
-      .clk_i, .rst_ni, .position_i, .near_plane_i, .groups_i(tables_i.groups), .chunks_i(tables_i.chunks), .planes_i,
+      .clk_i, .rst_ni, .position_i, .near_plane_i, .groups_i, .chunks_i, .planes_i,
       .set_done_i, .cell_valid_i, .cell_ready_o, .cell_kind_i, .cell_set_i, .cell_i,
       .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
-      .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .mark_o, .testing_o, .waiting_o
+      .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .mark_o, .bad_o, .bad_line_o,
+      .testing_o, .waiting_o
     );
   end else begin : gen_layers
     dopu_descend #(.Lines(pipegs_pkg::NodeLines)) u_descend (
-      .clk_i, .rst_ni, .position_i, .near_plane_i, .groups_i(tables_i.groups), .chunks_i(tables_i.chunks), .planes_i,
+      .clk_i, .rst_ni, .position_i, .near_plane_i, .groups_i, .chunks_i, .planes_i,
       .set_done_i, .cell_valid_i, .cell_ready_o, .cell_kind_i, .cell_set_i, .cell_i,
       .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
-      .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .testing_o, .waiting_o
+      .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .bad_o, .bad_line_o,
+      .testing_o, .waiting_o
     );
     assign mark_o = '0;
   end
-
-  logic unused;  // the other tables
-  assign unused = &{1'b0, tables_i};
 
 endmodule

@@ -21,8 +21,8 @@ module dopu_descend #(
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
-  input  logic [pipegs_pkg::AddressW-1:0]       groups_i,  // first lines of the tables
-  input  logic [pipegs_pkg::AddressW-1:0]       chunks_i,
+  input  pipegs_pkg::span_t                     groups_i,  // the tables
+  input  pipegs_pkg::span_t                     chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [1:0]                            set_done_i,
 
@@ -45,6 +45,8 @@ module dopu_descend #(
   output logic                                  chunk_set_o,
   output pipegs_pkg::node_t                     chunk_o,
 
+  output logic [1:0]                            bad_o,         // a cell, a group: see line_reader
+  output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
   output logic                                  testing_o,     // a node waits for its turn in the test, or is dropped
   output logic                                  waiting_o      // a level waits for the memory
 );
@@ -166,7 +168,7 @@ module dopu_descend #(
 
       line_reader #(.TagW(KindW + 1), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines),
         .Jobs(pipegs_pkg::DescendJobs)) u_reader (
-        .clk_i, .rst_ni, .base_i(l == 0 ? groups_i : chunks_i),
+        .clk_i, .rst_ni, .table_i(l == 0 ? groups_i : chunks_i),
         .job_valid_i(kept_valid[l] && !parent_done), .job_ready_o(job_ready), .job_read_i(parent_data),
         .job_first_i(first[l]), .job_count_i(count[l]), .job_tag_i(kept[l][BeatW-1:NodeBits]),
         .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
@@ -175,6 +177,7 @@ module dopu_descend #(
         .rsp_valid_i(rsp_valid_i[l]), .rsp_data_i,
         .out_valid_o(node_valid[l+1]), .out_ready_i(node_ready[l+1]), .out_read_o(out_read), .out_index_o(out_index),
         .out_tag_o(out_tag), .out_item_o(out_node),
+        .bad_o(bad_o[l]), .bad_line_o(bad_line_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
         .waiting_o(waiting[l]), .idle_o(idle[l])
       );
       assign beat[l+1] = {out_tag, out_node};

@@ -5,10 +5,12 @@
 //         is a line's place in the buffer), so the requests of later jobs overlap the answers of earlier ones. A
 //         request goes on to the end of the job or of the aligned group of eight lines; it waits until eight places are
 //         free, so that a full buffer asks for groups, not for single lines, and a request that shows never changes.
-//         A job without read is a marker: it passes in its turn and needs no memory. Item i lies in line base + i /
-//         ItemsPerLine.
-// Stream  job: first item, count (at least 1), tag. mem: first line and number of lines of a request; rsp: the lines in
-//         the same order, always accepted. out: one beat per item, or per marker, with the job's tag.
+//         A job without read is a marker: it passes in its turn and needs no memory. Item i lies in line i /
+//         ItemsPerLine of the table. A job that names nothing, or what lies behind the table's end, is bad: the lines
+//         of those before it still come, its own are never asked for, and no job is taken any more.
+// Stream  job: first item, count, tag. mem: first line and number of lines of a request; rsp: the lines in the same
+//         order, always accepted. out: one beat per item, or per marker, with the job's tag. bad_o stays, bad_line_o is
+//         the line that the job named first.
 // Pace    One item per cycle while the memory delivers; one request per cycle, one cycle between jobs.
 // Model   A queue of jobs in verif/lib/line_reader_test.cpp.
 
@@ -24,7 +26,7 @@ module line_reader #(
   input  logic                              clk_i,
   input  logic                              rst_ni,
 
-  input  logic [pipegs_pkg::AddressW-1:0]   base_i,
+  input  pipegs_pkg::span_t                 table_i,
 
   input  logic                              job_valid_i,
   output logic                              job_ready_o,
@@ -47,6 +49,8 @@ module line_reader #(
   output logic [TagW-1:0]                   out_tag_o,
   output logic [ItemW-1:0]                  out_item_o,
 
+  output logic                              bad_o,
+  output logic [pipegs_pkg::AddressW-1:0]   bad_line_o,
   output logic                              waiting_o,  // the next beat waits for the memory
   output logic                              idle_o      // no job is inside
 );
@@ -56,17 +60,22 @@ module line_reader #(
   localparam int unsigned CreditW = $clog2(Lines + 1);
   localparam int unsigned HalfW = ItemsPerLine - 1;  // bits of an item's place in its line
   localparam int unsigned JobW = 1 + IndexW + CountW + TagW;
+  localparam int unsigned EndW = (IndexW > CountW ? IndexW : CountW) + 2;
+  localparam int unsigned MostW = EndW > pipegs_pkg::AddressW ? EndW : pipegs_pkg::AddressW;
 
   // --- requests: one group of lines after another of the job taken last ---------------------------------------------
   logic [pipegs_pkg::AddressW-1:0] line_q;
   logic [CountW:0]                 lines_left_q;
   logic [CreditW-1:0]              credits_q;
   logic [CountW:0]                 lines;  // of the job at the door
+  logic [EndW-1:0]                 lines_end;  // of the job, counted from the table's first line on
   logic [BurstW-1:0]               rest;   // lines of the group behind the present one
-  logic                            take, issue, load, jobs_ready;
+  logic                            take, issue, load, jobs_ready, bad, bad_q;
 
   assign lines = ((CountW+1)'(job_count_i) + (CountW+1)'(HalfW) + (CountW+1)'(job_first_i & IndexW'(HalfW))) >> HalfW;
-  assign job_ready_o   = jobs_ready && lines_left_q == '0;
+  assign lines_end     = (EndW'(job_first_i) >> HalfW) + EndW'(lines);
+  assign bad           = job_read_i && (job_count_i == '0 || MostW'(lines_end) > MostW'(table_i.lines));
+  assign job_ready_o   = jobs_ready && lines_left_q == '0 && !bad_q;
   assign take          = job_valid_i && job_ready_o;
   assign rest          = ~line_q[BurstW-1:0];
   assign mem_valid_o   = lines_left_q != '0 && credits_q[CreditW-1:BurstW] != '0;
@@ -75,7 +84,7 @@ module line_reader #(
   assign issue         = mem_valid_o && mem_ready_i;
 
   always_ff @(posedge clk_i) begin
-    if (take) line_q <= base_i + (pipegs_pkg::AddressW'(job_first_i) >> HalfW);
+    if (take) line_q <= table_i.first + (pipegs_pkg::AddressW'(job_first_i) >> HalfW);
     else if (issue) line_q <= {line_q[pipegs_pkg::AddressW-1:BurstW] + 1'b1, BurstW'(0)};  // if lines are left
   end
 
@@ -83,13 +92,18 @@ module line_reader #(
     if (!rst_ni) begin
       lines_left_q <= '0;
       credits_q    <= CreditW'(Lines);
+      bad_q        <= 1'b0;
     end else begin
-      if (take) lines_left_q <= job_read_i ? lines : '0;
+      if (take) lines_left_q <= job_read_i && !bad ? lines : '0;
       else if (issue) lines_left_q <= lines_left_q - (CountW+1)'(mem_lines_o) - 1'b1;
+      if (take && bad) bad_q <= 1'b1;
       if (issue) credits_q <= credits_q - CreditW'(mem_lines_o) - CreditW'(!load);
       else if (load) credits_q <= credits_q + 1'b1;
     end
   end
+
+  assign bad_o      = bad_q;
+  assign bad_line_o = line_q;
 
   // --- answers: a ring of lines, its head read ahead into the memory's output register ------------------------------
   logic [PtrW-1:0]                head_q, tail_q;
@@ -163,7 +177,6 @@ module line_reader #(
   end
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!(take && job_read_i) || job_count_i != '0);
   always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || stored_q != CreditW'(Lines));
   assert property (@(posedge clk_i) disable iff (!rst_ni)
                    mem_valid_o && !mem_ready_i |=> mem_valid_o && $stable({mem_address_o, mem_lines_o}));

@@ -17,12 +17,14 @@ module list_read #(
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits,
   localparam int unsigned NumberW   = pipegs_pkg::ListWindowW,
   localparam int unsigned EntryW    = pipegs_pkg::ListEntryW,
-  localparam int unsigned AddressW  = pipegs_pkg::AddressW
+  localparam int unsigned AddressW  = pipegs_pkg::AddressW,
+  localparam int unsigned LogW      = $clog2(EntryW + 1)
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
   input  pipegs_pkg::windows_t           windows_i,
-  input  logic [pipegs_pkg::AddressW-1:0] overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t              overflow_i,  // constant while a frame is inside
+  input  logic [LogW-1:0]                log_i,         // a list has 2^this lines
   input  logic                           start_i,       // one cycle
 
   output logic                           count_read_o,  // to the SRAM of the counts
@@ -91,7 +93,10 @@ module list_read #(
   end
 
   // --- lines --------------------------------------------------------------------------------------------------------
-  logic                 item_valid, item_ready, item_read, item_tag, waiting, idle;
+  logic                 item_valid, item_ready, item_read, item_tag, waiting, idle, bad;
+  logic [AddressW-1:0]  bad_line;
+  pipegs_pkg::span_t    lists;
+  assign lists = {pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaLists), overflow_i.first};
   logic [FirstW-1:0]    item_index;
   logic [SplatBits-1:0] item;
 
@@ -99,12 +104,12 @@ module list_read #(
     .TagW(1), .ItemW(SplatBits), .ItemsPerLine(1), .Lines(Lines), .Jobs(pipegs_pkg::ListJobs), .IndexW(FirstW),
     .CountW(EntryW)
   ) u_reader (
-    .clk_i, .rst_ni, .base_i(overflow_i + (AddressW'(1) << pipegs_pkg::ListAreaW)),
+    .clk_i, .rst_ni, .table_i(lists),
     .job_valid_i(job_valid), .job_ready_o(job_ready), .job_read_i(state_q == StateLines),
-    .job_first_i({number_q, EntryW'(0)}), .job_count_i(count_i), .job_tag_i(1'b0),
+    .job_first_i(FirstW'(number_q) << log_i), .job_count_i(count_i), .job_tag_i(1'b0),
     .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
     .out_valid_o(item_valid), .out_ready_i(item_ready), .out_read_o(item_read), .out_index_o(item_index),
-    .out_tag_o(item_tag), .out_item_o(item), .waiting_o(waiting), .idle_o(idle)
+    .out_tag_o(item_tag), .out_item_o(item), .bad_o(bad), .bad_line_o(bad_line), .waiting_o(waiting), .idle_o(idle)
   );
 
   // --- dealing ------------------------------------------------------------------------------------------------------
@@ -151,7 +156,7 @@ module list_read #(
   );
 
   logic unused_reader;
-  assign unused_reader = &{1'b0, item_index, item_tag, waiting, target_port};
+  assign unused_reader = &{1'b0, bad, bad_line, item_index, item_tag, waiting, target_port};
 
 `ifndef SYNTHESIS
   stream_check #(.Ports(Units), .Shared(1), .DataW($bits(splat_o)), .Proven(1)) u_check_splat (

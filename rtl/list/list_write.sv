@@ -2,10 +2,11 @@
 // list_write: appends each record to the list of its window in external memory.
 //
 // Paper   the reproduced GSCore of Sec. 5: a global preprocessing writes what rasterization reads later.
-// Idea    One line per record:   address = overflow + 2^ListAreaW + {window, records before it in this list}
+// Idea    One line per record:   address = overflow + (window << list_room) + records before it in this list
 //         The counts lie in an SRAM beside this module: read when a record is taken, written back one higher when its
 //         line goes to the output register. A record of the same window right behind it takes the count from there.
-//         When a frame begins the counts of its windows are cleared, one per cycle.
+//         When a frame begins the counts of its windows are cleared, one per cycle. A record for which its list has no
+//         room is not written, nor is any behind it (full_o).
 // Stream  splats and their windows' numbers in, one stream per PU, in turn; an end is taken at once. Memory writes out.
 //         done_o: the counts are cleared, every PU's end has come and every line was accepted.
 // Pace    One record per cycle while the memory takes it.
@@ -17,12 +18,13 @@ module list_write #(
   localparam int unsigned NumberW   = pipegs_pkg::ListWindowW,
   localparam int unsigned EntryW    = pipegs_pkg::ListEntryW,
   localparam int unsigned AddressW  = pipegs_pkg::AddressW,
-  localparam int unsigned UnitIndexW = Units > 1 ? $clog2(Units) : 1
+  localparam int unsigned UnitIndexW = Units > 1 ? $clog2(Units) : 1,
+  localparam int unsigned LogW       = $clog2(EntryW + 1)
 ) (
   input  logic                           clk_i,
   input  logic                           rst_ni,
   input  pipegs_pkg::windows_t           windows_i,
-  input  logic [pipegs_pkg::AddressW-1:0] overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t              overflow_i,  // constant while a frame is inside
   input  logic                           restart_i,  // a frame begins; nothing is inside
 
   input  logic [Units-1:0]               splat_valid_i,
@@ -42,6 +44,9 @@ module list_write #(
   output logic [AddressW-1:0]            mem_address_o,
   output logic [pipegs_pkg::MemoryW-1:0] mem_data_o,
 
+  output logic [LogW-1:0]                log_o,        // a list has 2^this lines
+  output logic                           full_o,       // stays
+  output logic [AddressW-1:0]            full_line_o,  // that would have been written
   output logic                           done_o,
   output logic                           active_o  // needs a clock
 );
@@ -59,11 +64,18 @@ module list_write #(
   assign windows  = (LeftW'(most_x) + LeftW'(1)) * (LeftW'(most_y) + LeftW'(1));
   assign clearing = left_q != '0;
 
+  logic roomy, none;  // the room is known; there is none
+
+  list_room u_room (
+    .clk_i, .rst_ni, .restart_i, .windows_i(windows),
+    .lines_i(pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaLists)), .done_o(roomy), .none_o(none), .log_o
+  );
+
   // --- one record from all PUs, in turn -----------------------------------------------------------------------------
   logic [Units-1:0]      is_end, data, source, ended_q;
   logic [UnitIndexW-1:0] port;
   logic                  take, move;
-  logic                  held_valid_q, out_valid_q, same_q;
+  logic                  held_valid_q, out_valid_q, same_q, full, full_q;
   logic [SplatBits-1:0]  held_q, out_q;
   logic [NumberW-1:0]    number, held_number_q;
   logic [EntryW-1:0]     entry, kept_q;
@@ -80,23 +92,26 @@ module list_write #(
     .clk_i, .rst_ni, .request_i(data), .advance_i(take), .grant_o(source), .port_o(port)
   );
 
-  assign move          = held_valid_q && (!out_valid_q || mem_ready_i);
-  assign take          = data != '0 && !clearing && (!held_valid_q || move);
+  assign move          = held_valid_q && (!out_valid_q || mem_ready_i) && !full_q;
+  assign take          = data != '0 && !clearing && roomy && (!held_valid_q || move);
   assign splat_ready_o = (take ? source : '0) | is_end;
   assign number        = number_i[port*NumberW +: NumberW];
 
   assign entry          = same_q ? kept_q : count_i;
+  assign full           = none || entry == '1 || entry >> log_o != '0;
   assign count_read_o   = take;
   assign count_number_o = number;
   assign count_write_o  = clearing || move;
   assign count_at_o     = clearing ? NumberW'(left_q - LeftW'(1)) : held_number_q;
   assign count_o        = clearing ? '0 : entry + EntryW'(1);
 
-  assign mem_valid_o   = out_valid_q;
+  assign mem_valid_o   = out_valid_q && !full_q;
   assign mem_address_o = address_q;
   assign mem_data_o    = pipegs_pkg::MemoryW'(out_q);
-  assign done_o        = ended_q == '1 && !clearing && !held_valid_q && !out_valid_q;
-  assign active_o      = restart_i || clearing || splat_valid_i != '0 || held_valid_q || out_valid_q;
+  assign full_o        = full_q;
+  assign full_line_o   = address_q;
+  assign done_o        = ended_q == '1 && !clearing && roomy && !held_valid_q && !out_valid_q;
+  assign active_o      = restart_i || clearing || !roomy || splat_valid_i != '0 || held_valid_q || out_valid_q;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -104,6 +119,7 @@ module list_write #(
       held_valid_q <= 1'b0;
       out_valid_q  <= 1'b0;
       ended_q      <= '0;
+      full_q       <= 1'b0;
     end else begin
       if (restart_i) left_q <= windows;
       else if (clearing) left_q <= left_q - LeftW'(1);
@@ -112,7 +128,8 @@ module list_write #(
       if (take) held_valid_q <= 1'b1;
       else if (move) held_valid_q <= 1'b0;
       if (move) out_valid_q <= 1'b1;
-      else if (mem_ready_i) out_valid_q <= 1'b0;
+      else if (mem_ready_i && !full_q) out_valid_q <= 1'b0;
+      if (move && full) full_q <= 1'b1;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -124,13 +141,11 @@ module list_write #(
     if (move) begin
       out_q     <= held_q;
       kept_q    <= entry + EntryW'(1);
-      address_q <= overflow_i + (AddressW'(1) << pipegs_pkg::ListAreaW) + AddressW'({held_number_q, entry});
+      address_q <= overflow_i.first + (AddressW'(held_number_q) << log_o) + AddressW'(entry);
     end
   end
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!move || entry != '1)
-    else $error("the list of a window is full");
   stream_check #(.DataW($bits({mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
   );

@@ -17,12 +17,13 @@ module lists #(
   localparam int unsigned EntryW    = pipegs_pkg::ListEntryW,
   localparam int unsigned AddressW  = pipegs_pkg::AddressW,
   localparam int unsigned BurstW    = pipegs_pkg::BurstW,
-  localparam int unsigned MemoryW   = pipegs_pkg::MemoryW
+  localparam int unsigned MemoryW   = pipegs_pkg::MemoryW,
+  localparam int unsigned LogW      = $clog2(EntryW + 1)
 ) (
   input  logic                       clk_i,
   input  logic                       rst_ni,
   input  pipegs_pkg::windows_t       windows_i,
-  input  logic [pipegs_pkg::AddressW-1:0] overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t          overflow_i, // constant while a frame is inside
   input  logic                       restart_i,  // a frame begins
 
   input  logic [Units-1:0]           made_valid_i,  // from the PUs
@@ -44,6 +45,8 @@ module lists #(
   input  logic [Units-1:0]           splat_room_i,   // see list_read
   output pipegs_pkg::splat_t         splat_o,
 
+  output logic                       full_o,         // see list_write
+  output logic [AddressW-1:0]        full_line_o,
   output logic                       written_o,
   output logic                       busy_o,         // the second phase is not over
   output logic                       active_o
@@ -55,18 +58,20 @@ module lists #(
   logic [EntryW-1:0]   count, count_new;
   logic [AddressW-1:0] write_address, read_address;
   logic [BurstW-1:0]   read_lines;
+  logic [LogW-1:0]     room_log;
 
   list_write u_write (
     .clk_i, .rst_ni, .windows_i, .overflow_i, .restart_i, .splat_valid_i(made_valid_i), .splat_ready_o(made_ready_o),
     .splat_i(made_i),
     .number_i, .count_read_o(write_count_read), .count_number_o(write_number), .count_i(count),
     .count_write_o(count_write), .count_at_o(count_at), .count_o(count_new),
-    .mem_valid_o(write_valid), .mem_ready_i, .mem_address_o(write_address), .mem_data_o, .done_o(done),
+    .mem_valid_o(write_valid), .mem_ready_i, .mem_address_o(write_address), .mem_data_o, .log_o(room_log),
+    .full_o, .full_line_o, .done_o(done),
     .active_o(write_active)
   );
 
   list_read u_read (
-    .clk_i, .rst_ni, .windows_i, .overflow_i, .start_i(written_o), .count_read_o(read_count_read),
+    .clk_i, .rst_ni, .windows_i, .overflow_i, .log_i(room_log), .start_i(written_o), .count_read_o(read_count_read),
     .count_number_o(read_number),
     .count_i(count), .mem_valid_o(read_valid), .mem_ready_i(mem_ready_i), .mem_address_o(read_address),
     .mem_lines_o(read_lines), .rsp_valid_i, .rsp_data_i, .splat_valid_o, .splat_ready_i, .splat_room_i, .splat_o,

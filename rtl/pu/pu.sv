@@ -23,6 +23,7 @@ module pu #(
   input  pipegs_pkg::quaternion_t              quaternion_i,
   input  pipegs_pkg::lens_t                    lens_i,
   input  pipegs_pkg::tables_t                  tables_i,
+  input  pipegs_pkg::areas_t                   areas_i,     // their sizes
   input  pipegs_pkg::windows_t                 windows_i,
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,      // constant
   input  logic                                 restart_i,   // a frame begins; the PU is empty
@@ -73,6 +74,10 @@ module pu #(
   output logic [pipegs_pkg::ListWindowW-1:0]   number_o,    // of its window, with lists
 
   output logic [pipegs_pkg::RegionW:0]         overflowed_o,
+  output logic                                 full_o,      // the area of its alphas: see pu_spill
+  output logic [AddressW-1:0]                  full_line_o,
+  output logic                                 bad_o,       // see pu_fetch, pu_color_fetch
+  output logic [AddressW-1:0]                  bad_line_o,
   output logic                                 busy_o,      // something is inside
   output logic                                 active_o,    // needs a clock in this cycle
   output logic [1:0]                           perf_o       // 0 busy, 1 starved, 2 blocked, 3 memory
@@ -90,7 +95,8 @@ module pu #(
 
   logic front_moved, front_idle, fetch_waiting, culls, shape_moved, shape_busy, regions_busy, busy;
   logic rows_busy, color_busy, color_waiting, back_moved, back_busy, back_waiting;
-  logic moved, wake, work, asleep;
+  logic moved, wake, work, asleep, geometry_bad, color_bad;
+  logic [AddressW-1:0] geometry_bad_line, color_bad_line;
 
   if (pipegs_pkg::HasWatermarks) begin : gen_marks
     pu_marks u_marks (
@@ -107,11 +113,12 @@ module pu #(
   if (Front) begin : gen_front
     assign chunk_room_o = chunk_ready;
     pu_front u_front (
-      .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i, .gaussians_i(tables_i.gaussians),
+      .clk_i, .rst_ni, .rotation_i, .lens_i, .windows_i, .gaussians_i({areas_i.gaussians, tables_i.gaussians}),
       .chunk_valid_i(chunk_valid), .chunk_ready_o(chunk_ready), .chunk_i,
       .geometry_valid_o, .geometry_ready_i, .geometry_address_o, .geometry_lines_o, .geometry_rsp_valid_i, .rsp_data_i,
       .visible_valid_o(culled_valid_o), .visible_ready_i(culled_ready_i), .visible_o(culled_o),
-      .moved_o(front_moved), .waiting_o(fetch_waiting), .culls_o(culls), .idle_o(front_idle)
+      .bad_o(geometry_bad), .bad_line_o(geometry_bad_line), .moved_o(front_moved),
+      .waiting_o(fetch_waiting), .culls_o(culls), .idle_o(front_idle)
     );
   end else begin : gen_no_front
     logic unused_front;
@@ -121,7 +128,9 @@ module pu #(
     assign chunk_room_o       = 1'b0;
     assign geometry_valid_o   = 1'b0;
     assign geometry_address_o = '0;
-    assign geometry_lines_o = '0;
+    assign geometry_lines_o   = '0;
+    assign geometry_bad       = 1'b0;
+    assign geometry_bad_line  = '0;
     assign culled_valid_o     = 1'b0;
     assign culled_o           = '0;
     assign front_moved        = 1'b0;
@@ -148,15 +157,21 @@ module pu #(
   );
 
   pu_back u_back (
-    .clk_i, .rst_ni, .rotation_i, .tables_i, .windows_i, .unit_i, .restart_i,
+    .clk_i, .rst_ni, .rotation_i, .tables_i, .areas_i, .windows_i, .unit_i, .restart_i,
     .payload_valid_i(payload_valid), .payload_i(payload),
     .conic_valid_i(conic_valid), .conic_ready_o(conic_ready), .conic_i(conic),
     .done_i, .done_x_i, .done_y_i, .layer_free_i,
     .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
     .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .store_write_o, .store_address_o, .store_line_o,
-    .splat_valid_o, .splat_ready_i, .splat_o(splat), .number_o, .overflowed_o, .moved_o(back_moved),
+    .splat_valid_o, .splat_ready_i, .splat_o(splat), .number_o, .overflowed_o,
+    .full_o, .full_line_o, .bad_o(color_bad), .bad_line_o(color_bad_line), .moved_o(back_moved),
     .regions_busy_o(regions_busy), .rows_busy_o(rows_busy), .color_busy_o(color_busy),
     .color_waiting_o(color_waiting), .waiting_o(back_waiting), .busy_o(back_busy)
+  );
+
+  first_line #(.Ports(2)) u_bad (
+    .valid_i({color_bad, geometry_bad}), .line_i({color_bad_line, geometry_bad_line}), .valid_o(bad_o),
+    .line_o(bad_line_o)
   );
 
   // --- what it does, and whether it needs its clock ------------------------------------------------------------------

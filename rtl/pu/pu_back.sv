@@ -20,6 +20,7 @@ module pu_back #(
   input  logic                                 rst_ni,
   input  pipegs_pkg::rotation_t                rotation_i,
   input  pipegs_pkg::tables_t                  tables_i,
+  input  pipegs_pkg::areas_t                   areas_i,     // their sizes
   input  pipegs_pkg::windows_t                 windows_i,
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,      // constant
   input  logic                                 restart_i,   // a frame begins; the PU is empty
@@ -56,6 +57,10 @@ module pu_back #(
   output logic [pipegs_pkg::ListWindowW-1:0]   number_o,    // of its window, with lists
 
   output logic [pipegs_pkg::RegionW:0]         overflowed_o,
+  output logic                                 full_o,           // see pu_spill
+  output logic [AddressW-1:0]                  full_line_o,
+  output logic                                 bad_o,            // see pu_color_fetch
+  output logic [AddressW-1:0]                  bad_line_o,
   output logic                                 moved_o,          // a beat moved
   output logic                                 regions_busy_o,   // a record is in pu_regions
   output logic                                 rows_busy_o,      // a region is being computed
@@ -71,7 +76,10 @@ module pu_back #(
   logic [PayloadW-1:0] beside_in, beside;  // with lists listed_t, else parted_t
   pipegs_pkg::conic_t  placed;
   pipegs_pkg::tiles_t  tiles;
+  pipegs_pkg::span_t   colors, overflow;
 
+  assign colors   = {areas_i.colors, tables_i.colors};
+  assign overflow = {areas_i.overflow, tables_i.overflow};
   assign moved_o = regions_moved || back_moved;
 
   pu_regions #(.PayloadW(PayloadW)) u_regions (
@@ -84,21 +92,21 @@ module pu_back #(
   if (pipegs_pkg::HasLists) begin : gen_list
     logic list_moved, list_busy;
     pu_list u_list (
-      .clk_i, .rst_ni, .rotation_i, .colors_i(tables_i.colors), .sh_degree_i(tables_i.sh_degree), .windows_i,
+      .clk_i, .rst_ni, .rotation_i, .colors_i(colors), .sh_degree_i(tables_i.sh_degree), .windows_i,
       .payload_valid_i, .payload_i, .conic_valid_i, .conic_ready_o, .conic_i,
       .listed_valid_o(beside_valid), .listed_o(beside_in),
       .placed_valid_o(placed_valid), .placed_ready_i(placed_ready), .placed_o(placed),
       .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
-      .moved_o(list_moved), .busy_o(list_busy), .color_busy_o, .color_waiting_o
+      .bad_o, .bad_line_o, .moved_o(list_moved), .busy_o(list_busy), .color_busy_o, .color_waiting_o
     );
     if (pipegs_pkg::CachesAlphas) begin : gen_fill
       logic fill_moved, fill_busy;
       pu_fill u_back (
-        .clk_i, .rst_ni, .overflow_i(tables_i.overflow), .unit_i, .restart_i,
+        .clk_i, .rst_ni, .overflow_i(overflow), .unit_i, .restart_i,
         .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles), .listed_i(beside),
         .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o,
         .splat_valid_o, .splat_ready_i, .splat_o, .number_o,
-        .moved_o(fill_moved), .busy_o(fill_busy), .rows_busy_o
+        .full_o, .full_line_o, .moved_o(fill_moved), .busy_o(fill_busy), .rows_busy_o
       );
       assign back_moved = list_moved || fill_moved;
       assign busy_o     = list_busy || fill_busy;
@@ -135,25 +143,26 @@ module pu_back #(
     assign number_o   = '0;
     if (pipegs_pkg::CachesAlphas) begin : gen_cache
       pu_cache u_back (
-        .clk_i, .rst_ni, .rotation_i, .colors_i(tables_i.colors), .sh_degree_i(tables_i.sh_degree),
-        .overflow_i(tables_i.overflow), .windows_i, .unit_i, .restart_i,
+        .clk_i, .rst_ni, .rotation_i, .colors_i(colors), .sh_degree_i(tables_i.sh_degree),
+        .overflow_i(overflow), .windows_i, .unit_i, .restart_i,
         .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles), .payload_i(beside),
         .done_i, .done_x_i, .done_y_i, .layer_free_i,
         .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
         .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o,
         .store_write_o, .store_address_o, .store_line_o,
         .splat_valid_o, .splat_ready_i, .splat_o,
-        .overflowed_o, .moved_o(window_moved), .busy_o(window_busy), .rows_busy_o, .color_busy_o, .color_waiting_o,
+        .overflowed_o, .full_o, .full_line_o, .bad_o, .bad_line_o, .moved_o(window_moved), .busy_o(window_busy),
+        .rows_busy_o, .color_busy_o, .color_waiting_o,
         .waiting_o
       );
     end else begin : gen_late
       pu_late u_back (
-        .clk_i, .rst_ni, .rotation_i, .colors_i(tables_i.colors), .sh_degree_i(tables_i.sh_degree),
+        .clk_i, .rst_ni, .rotation_i, .colors_i(colors), .sh_degree_i(tables_i.sh_degree),
         .windows_i, .restart_i, .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles),
         .parted_i(beside), .done_i, .done_x_i, .done_y_i,
         .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
         .splat_valid_o, .splat_ready_i, .splat_o,
-        .moved_o(window_moved), .busy_o(window_busy), .color_busy_o, .color_waiting_o
+        .bad_o, .bad_line_o, .moved_o(window_moved), .busy_o(window_busy), .color_busy_o, .color_waiting_o
       );
       assign rows_busy_o = 1'b0;
     end
@@ -170,9 +179,11 @@ module pu_back #(
     assign spill_valid_o   = 1'b0;
     assign spill_address_o = '0;
     assign spill_data_o    = '0;
+    assign full_o          = 1'b0;
+    assign full_line_o     = '0;
   end
 
   logic unused;  // what only some machines look at
-  assign unused = &{1'b0, tables_i, unit_i, restart_i, layer_free_i, spill_ready_i};
+  assign unused = &{1'b0, tables_i, areas_i, overflow, unit_i, restart_i, layer_free_i, spill_ready_i};
 
 endmodule

@@ -21,7 +21,7 @@ module ru #(
   input  logic                                 rst_ni,
   input  pipegs_pkg::raster_t                  raster_i,
   input  pipegs_pkg::picture_t                 picture_i,       // its base is that of the pixels in either format
-  input  logic [pipegs_pkg::AddressW-1:0]      overflow_i,      // first line of the overflow areas
+  input  pipegs_pkg::span_t                    overflow_i,      // constant while a frame is inside
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,          // constant
   input  logic                                 restart_i,       // a frame begins; the RU is idle
 

@@ -15,7 +15,7 @@ module ru_fetch (
   input  logic                                                          clk_i,
   input  logic                                                          rst_ni,
   input  logic                                                          restart_i,   // a frame begins: parity 0
-  input  logic [pipegs_pkg::AddressW-1:0]                               overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t                                             overflow_i,  // constant while a frame is inside
 
   input  logic                                                          in_valid_i,
   output logic                                                          in_ready_o,
@@ -48,12 +48,13 @@ module ru_fetch (
   localparam int unsigned AddressW = pipegs_pkg::AddressW;
   localparam int unsigned UnitIndexW = Units > 1 ? $clog2(Units) : 1;
   localparam int unsigned Parts = pipegs_pkg::AlphaMemoryLines;  // memory lines of a line of alphas, 1 or 2
-  localparam int unsigned AreaShift = 24;                           // log2 of the lines of one overflow area
   localparam int unsigned LocalLines = pipegs_pkg::RuLocalLines;
   localparam int unsigned LocalW = $clog2(LocalLines + 1);
   localparam int unsigned FetchLines = pipegs_pkg::FetchLines;
   localparam int unsigned FetchW = $clog2(FetchLines + 1);
   localparam int unsigned Records = pipegs_pkg::RuRecords;
+  // With lists the number of a line in its unit's area, without the unit.
+  localparam int unsigned NumberW = pipegs_pkg::AlphaAddressW - (pipegs_pkg::HasLists ? pipegs_pkg::UnitW : 0);
   localparam int unsigned RecordsW = $clog2(Records + 1);
 
   // With lists all alphas come from memory.
@@ -128,19 +129,35 @@ module ru_fetch (
     logic                parity_q;    // of the layer
     logic [FetchW-1:0]   external_q;  // external lines asked for and not yet blended
     logic                external_push, external_ready;
+    logic [AddressW-1:0] base_q [Units];  // first lines of the areas of each unit's alphas, in layers of even parity
     logic [AddressW-1:0] area;
+    logic [NumberW-1:0]  number;
+    logic [UnitIndexW-1:0] unit;
     logic [LineW-1:0]    external_in;
     logic [FetchW-1:0]   external_count;
 
-    // The overflow area of this unit and parity, area 0; with lists the area of all alphas. A line of two parts takes
-    // two memory lines.
-    assign area        = overflow_i + (pipegs_pkg::HasLists ? AddressW'(1) << pipegs_pkg::AlphaAreaW
-                                                              : AddressW'({in_i.unit, parity_q, 2'b00}) << AreaShift);
+    // With lists the unit stands in the address, and all its alphas lie in one area.
+    assign number = in_i.address[NumberW-1:0];
+    if (pipegs_pkg::HasLists) begin : gen_listed
+      assign unit = in_i.address[NumberW +: UnitIndexW];
+      assign area = base_q[unit];
+      logic unused_unit;
+      assign unused_unit = &{1'b0, in_i.unit, in_i.address, parity_q};
+    end else begin : gen_layers
+      assign unit = in_i.unit[UnitIndexW-1:0];
+      assign area = base_q[unit] + (parity_q ? pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaOdd) : '0);
+    end
+    for (genvar i = 0; i < Units; i += 1) begin : gen_first
+      always_ff @(posedge clk_i) begin
+        base_q[i] <= overflow_i.first +
+                     pipegs_pkg::area_first(overflow_i.lines, pipegs_pkg::UnitW'(i), pipegs_pkg::AreaEven);
+      end
+    end
     assign external_want = in_valid_i && is_data && ext && record_ready && external_q != FetchW'(FetchLines);
     assign mem_valid_o   = external_want;
     if (Parts == 1) begin : gen_one_part
       assign external_last = 1'b1;
-      assign mem_address_o = area + AddressW'(in_i.address);
+      assign mem_address_o = area + AddressW'(number);
       assign external_push = rsp_valid_i;
       assign external_in   = rsp_data_i[LineW-1:0];
       if (LineW < MemoryW) begin : gen_unused
@@ -151,7 +168,7 @@ module ru_fetch (
       logic               ask_part_q, rsp_part_q;
       logic [MemoryW-1:0] first_q;  // the part that came first
       assign external_last = ask_part_q;
-      assign mem_address_o = area + AddressW'({in_i.address, ask_part_q});
+      assign mem_address_o = area + AddressW'({number, ask_part_q});
       assign external_push = rsp_valid_i && rsp_part_q;
       assign external_in   = {rsp_data_i[LineW-MemoryW-1:0], first_q};
       always_ff @(posedge clk_i or negedge rst_ni) begin

@@ -16,7 +16,7 @@ module ru_source #(
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
-  input  logic [AddressW-1:0]                  overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t                  overflow_i,  // the overflow area
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,
   input  logic                                 restart_i,
   input  logic [Regions-1:0]                   done_i,         // of the window that the lanes are in

@@ -21,7 +21,7 @@ module ru_whole #(
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
-  input  logic [AddressW-1:0]                  overflow_i,   // first line of the overflow areas
+  input  pipegs_pkg::span_t                  overflow_i,   // the overflow area
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,       // constant
   input  logic                                 restart_i,
 

@@ -18,7 +18,7 @@
 module su (
   input  logic                             clk_i,
   input  logic                             rst_ni,
-  input  logic [pipegs_pkg::AddressW-1:0]  overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t                overflow_i,  // constant while a set is inside
   input  logic [pipegs_pkg::UnitW-1:0]     unit_i,
   input  logic [pipegs_pkg::ExpW-1:0]      octave_i,    // in which the buckets of depth begin; constant in a frame
 
@@ -43,6 +43,8 @@ module su (
 
   output logic                             active_o,
   output logic [1:0]                       perf_o,
+  output logic                             full_o,      // an area of the overflow has no room: see su_port
+  output logic [pipegs_pkg::AddressW-1:0]  full_line_o,
   output logic                             overflow_o  // a line was written to external memory
 );
 
@@ -141,7 +143,8 @@ module su (
       .kept_number_i(kept_number), .read_valid_i(read_valid), .read_ready_o(read_ready), .read_line_i(read_line),
       .line_valid_o(line_valid), .line_ready_i(line_ready), .line_o(line),
       .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o, .rsp_valid_i, .rsp_data_i,
-      .written_o(overflow_o), .waits_o(port_waits), .moves_o(overflow_moves), .active_o(port_active)
+      .full_o, .full_line_o, .written_o(overflow_o), .waits_o(port_waits),
+      .moves_o(overflow_moves), .active_o(port_active)
     );
   end else begin : gen_room
     assign {job_valid, divert, spilled, keep, all_sent, spill_ready, kept_ready, back_ready, group_valid} = '0;
@@ -149,6 +152,7 @@ module su (
     assign {read_ready, line_valid, line} = '0;
     assign {mem_valid_o, mem_write_o, mem_address_o, mem_data_o} = '0;
     assign {overflow_o, port_waits, overflow_moves, port_active} = '0;
+    assign {full_o, full_line_o} = '0;
     assign external = '0;
     assign group    = '0;
     logic unused_overflow;

@@ -19,7 +19,7 @@ module su_overflow #(
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
-  input  logic [AddressW-1:0]          overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t            overflow_i,
   input  logic [pipegs_pkg::UnitW-1:0] unit_i,
 
   input  logic                         start_i,    // the present set spills
@@ -68,6 +68,8 @@ module su_overflow #(
   output logic [MemoryW-1:0]           mem_data_o,
   input  logic                         rsp_valid_i,
   input  logic [MemoryW-1:0]           rsp_data_i,
+  output logic                         full_o,     // see su_port
+  output logic [AddressW-1:0]          full_line_o,
   output logic                         written_o,  // a line was written
 
   output logic                         waits_o,   // for memory
@@ -123,7 +125,7 @@ module su_overflow #(
     .line_valid_o(line_shown), .line_ready_i(line_taken), .line_fetch_o(line_fetch), .line_way_o(line_way),
     .line_o(line),
     .mem_valid_o, .mem_ready_i, .mem_write_o, .mem_address_o, .mem_data_o, .rsp_valid_i, .rsp_data_i,
-    .overflow_o(written_o), .waits_o, .active_o
+    .full_o, .full_line_o, .overflow_o(written_o), .waits_o, .active_o
   );
   assign line_valid_o = line_shown && !line_fetch;
   assign line_taken   = line_fetch ? fetched_taken : line_ready_i;
@@ -138,6 +140,9 @@ module su_overflow #(
   stream_check #(.DataW($bits(line))) u_check_fetched (
     .clk_i, .rst_ni, .valid_i(line_shown && line_fetch), .ready_i(fetched_taken), .beat_i(line)
   );
+  // A bus orders no write behind a read: the lines of the set before were all read and used.
+  always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || u_port.flight_q == '0)
+    else $error("su_overflow: a set spills while lines of the one before are being read");
 `else
   logic unused_empty;
   assign unused_empty = empty_i;

@@ -3,8 +3,10 @@
 //
 // Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the
 //         store has room for its answer, counted from the request to the moment the line is used; a queue beside the
-//         store says whose line each one is. At most one overflowed layer lives: address = overflow +
-//         {unit, 0, area} * 2^24 + line. Area 1 has records, area 2 the list of keys, and areas 2 and 3 runs.
+//         store says whose line each one is. At most one overflowed layer lives. Of the unit's share one area has
+//         records, one the list of keys and every other level of runs, one the other runs (area_place). A line that
+//         its area does not hold is not asked for, nor is any behind it (full_o); the last number of all has no place,
+//         so that a count that wraps is seen.
 // Stream  record, keys, run: lines to write. fetch: the number of a line of keys; read: of a record. line: the lines
 //         read, in order; line_fetch_o: it is one of keys, for line_way_o.
 // Pace    One request in two cycles, up to Answers reads in flight.
@@ -15,7 +17,7 @@ module su_port #(
 ) (
   input  logic                              clk_i,
   input  logic                              rst_ni,
-  input  logic [pipegs_pkg::AddressW-1:0]   overflow_i,
+  input  pipegs_pkg::span_t                 overflow_i,  // constant while a set is inside
   input  logic [pipegs_pkg::UnitW-1:0]      unit_i,
 
   input  logic                              record_valid_i,
@@ -29,7 +31,7 @@ module su_port #(
 
   input  logic                              run_valid_i,
   output logic                              run_ready_o,
-  input  logic                              run_area_i,   // 1: area 3, 0: area 2
+  input  logic                              run_area_i,   // 1: AreaRuns, 0: AreaKeys
   input  logic [pipegs_pkg::SlotW-1:0]      run_line_i,
   input  logic [pipegs_pkg::MemoryW-1:0]    run_i,
 
@@ -56,6 +58,8 @@ module su_port #(
   input  logic                              rsp_valid_i,
   input  logic [pipegs_pkg::MemoryW-1:0]    rsp_data_i,
 
+  output logic                              full_o,      // stays
+  output logic [pipegs_pkg::AddressW-1:0]   full_line_o,  // that would have been next
   output logic                              overflow_o,  // a line was written
   output logic                              waits_o,     // reads are in flight, or a request is not yet taken
   output logic                              active_o
@@ -63,17 +67,15 @@ module su_port #(
 
   localparam int unsigned Answers = pipegs_pkg::SuAnswers;
   localparam int unsigned FlightW = $clog2(Answers + 1);
-  localparam int unsigned AreaW = 2;
-  localparam int unsigned OffsetW = pipegs_pkg::UnitW + 1 + AreaW + pipegs_pkg::SlotW;
-  localparam logic [AreaW-1:0] RecordArea = 1;
-  localparam logic [AreaW-1:0] ListArea = 2;  // and of every other level of runs
-  localparam logic [AreaW-1:0] RunArea = 3;
+  localparam int unsigned AddressW = pipegs_pkg::AddressW;
 
   typedef enum logic [2:0] {None, Record, Keys, Run, Fetch, Read} choice_e;
   choice_e choice_q, choice_d;
 
-  logic [pipegs_pkg::AddressW-1:0] address_q;
-  logic [OffsetW-1:0]              offset;
+  logic [AddressW-1:0]             address_q, share_q;  // share_q: the first line of the unit's share
+  logic [2:0]                      area;
+  logic [pipegs_pkg::SlotW-1:0]    line;
+  logic                            full_q;
   logic [FlightW-1:0]              flight_q;  // lines asked for and not yet used
   logic                            taken, asked, used, room;
   logic [FlightW-1:0]              stored;    // of these, the answered ones
@@ -92,15 +94,21 @@ module su_port #(
     else if (fetch_valid_i && room) choice_d = Fetch;
     else if (read_valid_i && room) choice_d = Read;
     unique case (choice_d)
-      Record:  offset = {unit_i, 1'b0, RecordArea, record_line_i};
-      Keys:    offset = {unit_i, 1'b0, ListArea, keys_line_i};
-      Run:     offset = {unit_i, 1'b0, run_area_i ? RunArea : ListArea, run_line_i};
-      Fetch:   offset = {unit_i, 1'b0, fetch_area_i ? RunArea : ListArea, fetch_line_i};
-      default: offset = {unit_i, 1'b0, RecordArea, read_line_i};
+      Record:  line = record_line_i;
+      Keys:    line = keys_line_i;
+      Run:     line = run_line_i;
+      Fetch:   line = fetch_line_i;
+      default: line = read_line_i;
+    endcase
+    unique case (choice_d)
+      Keys:    area = pipegs_pkg::AreaKeys;
+      Run:     area = run_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaKeys;
+      Fetch:   area = fetch_area_i ? pipegs_pkg::AreaRuns : pipegs_pkg::AreaKeys;
+      default: area = pipegs_pkg::AreaRecords;
     endcase
   end
 
-  assign mem_valid_o    = choice_q != None;
+  assign mem_valid_o    = choice_q != None && !full_q;
   assign mem_write_o    = choice_q != Fetch && choice_q != Read;
   assign mem_address_o  = address_q;
   assign mem_data_o     = choice_q == Keys ? keys_i : choice_q == Run ? run_i : pipegs_pkg::MemoryW'(record_i);
@@ -109,6 +117,8 @@ module su_port #(
   assign run_ready_o    = taken && choice_q == Run;
   assign fetch_ready_o  = taken && choice_q == Fetch;
   assign read_ready_o   = taken && choice_q == Read;
+  assign full_o         = full_q;
+  assign full_line_o    = address_q;
   assign asked          = fetch_ready_o || read_ready_o;
   assign overflow_o     = taken && mem_write_o;
   assign waits_o        = mem_valid_o || (flight_q != '0 && !line_valid_o);
@@ -131,7 +141,10 @@ module su_port #(
     if (!rst_ni) begin
       choice_q <= None;
       flight_q <= '0;
+      full_q   <= 1'b0;
     end else begin
+      if (choice_q == None && choice_d != None &&
+          (line == '1 || AddressW'(line) >= pipegs_pkg::area_lines(overflow_i.lines, area))) full_q <= 1'b1;
       if (choice_q == None) choice_q <= choice_d;
       else if (taken) choice_q <= None;
       if (asked && !used) flight_q <= flight_q + 1'b1;
@@ -140,7 +153,10 @@ module su_port #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (choice_q == None && choice_d != None) address_q <= overflow_i + pipegs_pkg::AddressW'(offset);
+    share_q <= overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys);
+    if (choice_q == None && choice_d != None) begin
+      address_q <= share_q + pipegs_pkg::area_place(overflow_i.lines, area) + AddressW'(line);
+    end
   end
 
 `ifndef SYNTHESIS

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "cpp_model/frame_setup.hpp"
+#include "cpp_model/areas/frame_areas.hpp"
 #include "sim/compare/sequence_check.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/host_use.hpp"
@@ -15,17 +15,18 @@
 namespace pipegs {
 namespace {
 
-uint64_t windows_of(const Frame& frame) {
-  const Windows& windows = frame.raster.windows;
-  return (windows.last_x - windows.first_x + 1) * (windows.last_y - windows.first_y + 1);
-}
+// Frames as they lie in memory, with the sizes of their areas.
+struct Placed {
+  std::vector<GoldenInput> inputs;
+  std::vector<Areas> areas;
+};
 
-// Puts the scenes of the frames behind one another and returns the frames as they lie there. All share one place for
-// overflow, behind the last one: only such frames overlap in the machine.
-std::vector<GoldenInput> place(const std::vector<Simulation*>& frames, ExternalMemory& memory) {
-  std::vector<GoldenInput> placed;
+// Puts the scenes of the frames behind one another. All share one place for overflow, behind the last one, as large as
+// any of them needs it: only such frames overlap in the machine. The memory ends with it.
+Placed place(const Config& config, const std::vector<Simulation*>& frames, ExternalMemory& memory) {
+  Placed placed;
   std::map<const PackedScene*, uint64_t> base;
-  uint64_t end = 0;
+  uint64_t end = 0, overflow = 0;
   for (const Simulation* one : frames) {
     GoldenInput input = one->input;
     const auto [found, fresh] = base.emplace(input.packed, end);
@@ -38,9 +39,13 @@ std::vector<GoldenInput> place(const std::vector<Simulation*>& frames, ExternalM
                          &tables.pixels, &tables.overflow, &input.picture.base})
       *at += found->second;
     end = std::max(end, tables.overflow);
-    placed.push_back(input);
+    placed.inputs.push_back(input);
+    placed.areas.push_back(frame_areas(config, *input.packed, input.frame));
+    overflow = std::max(overflow, placed.areas.back().overflow);
   }
-  for (GoldenInput& input : placed) input.frame.tables.overflow = end;
+  for (GoldenInput& input : placed.inputs) input.frame.tables.overflow = end;
+  for (Areas& areas : placed.areas) areas.overflow = overflow;
+  memory.set_lines(end + overflow);
   return placed;
 }
 
@@ -52,14 +57,15 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
     throw ConfigError("configuration: what shows the streams needs taps = 1");
   const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(options.variant, options.rtl));
   ExternalMemory memory(options.memory, config.bus_w);
-  const std::vector<GoldenInput> placed = place(frames, memory);
+  const Placed placed = place(config, frames, memory);
   std::vector<SequenceCheck::Expected> expected;
   std::vector<pipegs_job> jobs;
   uint64_t windows = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
-    expected.push_back({&placed[i], &frames[i]->golden.pixels});
-    jobs.push_back(frame_job(config, placed[i].frame, placed[i].picture));
-    windows += windows_of(placed[i].frame);
+    const GoldenInput& input = placed.inputs[i];
+    expected.push_back({&input, &frames[i]->golden.pixels});
+    jobs.push_back(frame_job(config, input.frame, placed.areas[i], input.picture));
+    windows += frame_windows(input.frame);
   }
   SequenceCheck check(expected, memory, options.taps);
   if (options.watch) check.frame(0).watch((*options.watch)[0], (*options.watch)[1]);

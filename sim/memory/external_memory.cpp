@@ -2,6 +2,8 @@
 // external_memory.cpp: see external_memory.hpp.
 #include "sim/memory/external_memory.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace pipegs {
@@ -15,20 +17,49 @@ ExternalMemory::ExternalMemory(const ExternalMemoryOptions& options, int bus_w) 
   }
 }
 
-void ExternalMemory::count(bool write, int tag, int lines, int halves) {
+void ExternalMemory::accept(bool write, uint64_t address, int tag, int lines, int halves) {
+  const uint64_t end = address + static_cast<uint64_t>(lines);
+  if (end > size_) {
+    throw MemoryFault(fmt::format("external memory: tag {} {} line {}, but there are {} lines", tag,
+                                  write ? "writes" : "reads", end - 1, size_));
+  }
+  if (write && !overwrites_ && unanswered_.contains(address)) {
+    throw MemoryFault(
+        fmt::format("external memory: tag {} writes line {}, and a read of it is not answered", tag, address));
+  }
   Traffic& traffic = traffic_[static_cast<size_t>(tag)];
   if (write) {
     ++traffic.lines_written;
     traffic.halves_written += static_cast<uint64_t>((halves & 1) + (halves >> 1));
-  } else {
-    ++traffic.bursts;
-    traffic.lines_read += static_cast<uint64_t>(lines);
+    return;
+  }
+  ++traffic.bursts;
+  traffic.lines_read += static_cast<uint64_t>(lines);
+  for (uint64_t line = address; line < end; ++line) {
+    asked_[static_cast<size_t>(tag)].push_back(line);
+    ++unanswered_[line];
   }
 }
 
+void ExternalMemory::answered(int tag) {
+  std::deque<uint64_t>& asked = asked_[static_cast<size_t>(tag)];
+  if (const auto count = unanswered_.find(asked.front()); --count->second == 0) unanswered_.erase(count);
+  asked.pop_front();
+}
+
+void ExternalMemory::forget() {
+  for (std::deque<uint64_t>& asked : asked_) asked.clear();
+  unanswered_.clear();
+}
+
+void ExternalMemory::set_lines(uint64_t lines) {
+  size_ = lines;
+  if (bus_) bus_->set_lines(lines);
+}
+
 void ExternalMemory::request(bool write, uint64_t address, int tag, const uint32_t* data, int lines, int halves) {
+  accept(write, address, tag, lines, halves);
   timing_->request(write, address, tag, lines);
-  count(write, tag, lines, halves);
   if (write) {
     for (int half = 0; half < 2; ++half) {
       if ((halves >> half & 1) != 0) std::copy(data + 8 * half, data + 8 * half + 8, line(address).begin() + 8 * half);
@@ -43,6 +74,7 @@ void ExternalMemory::step() {
   shown_.reset();
   if (tag == MemoryTiming::kNoAnswer) return;
   shown_ = Answer{tag, read_[tag].front()};
+  answered(tag);
   read_[tag].pop_front();
 }
 

@@ -3,8 +3,10 @@
 //
 // Idea    Contents behind a MemoryTiming (memory_timing.hpp), which says when the port is ready and when a read
 //         answers. Requests take effect in the order in which they are accepted; only the answers come later. With a
-//         bus an AxiMemory (axi_memory.hpp) stands in the place of the port. Lines and bursts are
-//         counted by the tag of the core. Half a line takes the pins as long as a whole one: the rest is masked.
+//         bus an AxiMemory (axi_memory.hpp) stands in the place of the port. Lines and bursts are counted by the tag of
+//         the core. Half a line takes the pins as long as a whole one: the rest is masked.
+// Rule    A request behind the last line throws MemoryFault, and so does a write of a line of which a read is not
+//         answered: on a bus nothing says which of them goes first.
 // Units   Cycles of the machine's clock. Paper: Sec. 5.1 (off-chip memory).
 #pragma once
 
@@ -13,6 +15,8 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <unordered_map>
 
 #include "cpp_model/memory_line.hpp"
 #include "sim/memory/axi/axi_memory.hpp"
@@ -20,6 +24,11 @@
 #include "sim/memory/memory_timing.hpp"
 
 namespace pipegs {
+
+// What no machine may ask of its memory.
+struct MemoryFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 class ExternalMemory {
  public:
@@ -44,7 +53,15 @@ class ExternalMemory {
   void step();                                                          // the next cycle begins
 
   AxiMemory* bus() { return bus_.get(); }  // what stands in the place of the port, or null
-  void count(bool write, int tag, int lines, int halves);
+  // What the core's port shows, which `request` and `step` tell themselves and the harness of a bus tells: a request
+  // that was accepted, and an answer to one of that tag. `forget`: the core was reset, no answer comes to it any more.
+  void accept(bool write, uint64_t address, int tag, int lines, int halves);
+  void answered(int tag);
+  void forget();
+
+  void set_lines(uint64_t lines);  // of the memory, from line 0 on; without a call it has no end
+
+  void allow_overwrites() { overwrites_ = true; }  // of lines that are being read: they are, behind the read
 
   // Contents, for host access; untouched lines hold zero.
   const MemoryLine& line(uint64_t address) const { return bus_ ? bus_->line(address) : pages_.line(address); }
@@ -56,7 +73,11 @@ class ExternalMemory {
   std::unique_ptr<MemoryTiming> timing_;
   std::unique_ptr<AxiMemory> bus_;
   MemoryPages pages_;
-  std::array<std::deque<MemoryLine>, 256> read_;  // of each tag: lines read and not answered yet
+  std::array<std::deque<MemoryLine>, 256> read_;       // of each tag: lines that the port will answer
+  std::array<std::deque<uint64_t>, 256> asked_;        // of each tag: lines read and not answered yet
+  std::unordered_map<uint64_t, uint32_t> unanswered_;  // of each line that is read: how often
+  uint64_t size_ = ~uint64_t{0};
+  bool overwrites_ = false;
   std::array<Traffic, 256> traffic_{};
   std::optional<Answer> shown_;
 };

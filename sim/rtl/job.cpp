@@ -8,7 +8,7 @@
 
 namespace pipegs {
 
-pipegs_job frame_job(const Config& config, const Frame& frame, const Picture& picture) {
+pipegs_job frame_job(const Config& config, const Frame& frame, const Areas& areas, const Picture& picture) {
   std::vector<uint32_t> bits(record_words<Frame>(config) + 1);
   pack(config, frame, bits.data());
   pipegs_job job{};
@@ -20,7 +20,10 @@ pipegs_job frame_job(const Config& config, const Frame& frame, const Picture& pi
     *slot++ = value << field.shift;
     at += field.width;
   }
-  job.picture = {picture.format, picture.base << 6, picture.stride << 6};  // lines to bytes
+  // Lines to bytes.
+  job.areas = {areas.cells << 6,  areas.groups << 6, areas.chunks << 6,  areas.gaussians << 6,
+               areas.colors << 6, areas.pixels << 6, areas.overflow << 6};
+  job.picture = {picture.format, picture.base << 6, picture.stride << 6};
   return job;
 }
 

@@ -9,7 +9,7 @@
 
 namespace pipegs {
 
-pipegs_job frame_job(const Config& config, const Frame& frame, const Picture& picture = {});
+pipegs_job frame_job(const Config& config, const Frame& frame, const Areas& areas, const Picture& picture = {});
 Frame job_frame(const Config& config, const pipegs_job& job);  // and back
 
 }  // namespace pipegs

@@ -99,6 +99,8 @@ module pipegs_sim #(
   input  logic                          mem_ready_i,      // BusW = 0, as the following inputs
   output pipegs_pkg::memory_request_t   mem_request_o,
   output logic [MemoryW-1:0]            mem_data_o,
+  output logic                          tap_answer_valid_o, // an answer comes to the core
+  output logic [pipegs_pkg::TagW-1:0]   tap_answer_tag_o,
   input  logic                          mem_rsp_valid_i,
   input  logic [pipegs_pkg::TagW-1:0]   mem_rsp_tag_i,
   input  logic [MemoryW-1:0]            mem_rsp_data_i,
@@ -143,7 +145,8 @@ module pipegs_sim #(
 
   if (Bus == 0) begin : gen_port
     // The port orders writes by itself; what a reset core has asked for is counted until it is answered.
-    logic [31:0] reads_q;
+    logic [31:0] asked, reads_q;  // lines
+    assign asked = mem_valid_o && mem_ready_i && !mem_request_o.write ? 32'(mem_request_o.lines) + 32'd1 : '0;
     pipegs_host u_host (
       .clk_i(aclk), .rst_ni(aresetn), .test_en_i(1'b0), .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr,
       .s_axi_wvalid, .s_axi_wready, .s_axi_wdata, .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp,
@@ -154,10 +157,12 @@ module pipegs_sim #(
     );
     always_ff @(posedge aclk or negedge aresetn) begin
       if (!aresetn) reads_q <= '0;
-      else reads_q <= reads_q + 32'(mem_valid_o && mem_ready_i && !mem_request_o.write) - 32'(mem_rsp_valid_i);
+      else reads_q <= reads_q + asked - 32'(mem_rsp_valid_i);
     end
     assign mem_ready_o = mem_ready_i;
     assign left        = u_host.core_done;
+    assign tap_answer_valid_o = mem_rsp_valid_i;
+    assign tap_answer_tag_o   = mem_rsp_tag_i;
     assign done        = u_host.done;
     assign core_rst_n  = u_host.core_rst_n;
     `PIPEGS_LOOK(u_host.u_core)
@@ -183,6 +188,8 @@ module pipegs_sim #(
     assign mem_request_o = u_axi.request;
     assign mem_data_o    = u_axi.data;
     assign left          = u_axi.u_host.core_done;
+    assign tap_answer_valid_o = u_axi.rsp_valid;
+    assign tap_answer_tag_o   = u_axi.rsp_tag;
     assign done          = u_axi.u_host.done;
     assign core_rst_n    = u_axi.u_host.core_rst_n;
     `PIPEGS_LOOK(u_axi.u_host.u_core)

@@ -71,6 +71,8 @@ class VerilatedMachine final : public RtlModel {
   bool due() const;
   void disturb();
   void give_up();
+  void resume();
+  [[noreturn]] void fail(const pipegs_error& error) const;
   std::string position() const { return "cycle " + std::to_string(cycle_); }
 
   const Widths w_;
@@ -196,6 +198,8 @@ void VerilatedMachine::drive_memory() {
 void VerilatedMachine::observe_memory() {
   const Vpipegs_sim& top = *dut_;
   if (w_.bus != 0 && taken_ > 0) memory_->bus()->observe(axi_manager_side(top));
+  if (w_.bus != 0 && top.tap_reset_o) memory_->forget();
+  if (w_.bus != 0 && top.tap_answer_valid_o && !top.tap_reset_o) memory_->answered(top.tap_answer_tag_o);
   if (!top.mem_valid_o || !top.mem_ready_o) return;
   uint32_t request[2];
   slice(top.mem_request_o, 0, w_.request, request);
@@ -204,8 +208,10 @@ void VerilatedMachine::observe_memory() {
   const uint64_t line = get_bits(request, 1, w_.address);
   const int halves = static_cast<int>(get_bits(request, 1 + w_.address + w_.tag, 2));
   const int lines = 1 + static_cast<int>(get_bits(request, 1 + w_.address + w_.tag + 2, w_.burst));
-  if (w_.bus != 0) memory_->count(write, tag, lines, halves);
-  if (w_.bus == 0) memory_->request(write, line, tag, top.mem_data_o.data(), lines, halves);
+  try {
+    if (w_.bus != 0) memory_->accept(write, line, tag, lines, halves);
+    if (w_.bus == 0) memory_->request(write, line, tag, top.mem_data_o.data(), lines, halves);
+  } catch (const MemoryFault& fault) { throw RtlFault("RTL: " + position() + ": " + fault.what()); }
   if (cycles_ && !mute_) taps_->on_request(tag, write, line, lines);
   // Without taps what the RUs have written tells how far the frame is.
   if (!w_.taps && write && tag / w_.units == 2) windows_ = ++pixel_lines_ / window_lines_;
@@ -288,7 +294,24 @@ void VerilatedMachine::give_up() {
   if (mute_) return;
   mute_ = true;
   running_ = false;
+}
+
+// All that is not done begins anew.
+void VerilatedMachine::resume() {
+  mute_ = false;
   if (taps_ != nullptr) taps_->on_give_up();
+}
+
+// An error that is none of the disturbances.
+void VerilatedMachine::fail(const pipegs_error& error) const {
+  const uint64_t line = error.address / 64;
+  if (error.has_address && error.first == PIPEGS_ERROR_AREA_FULL_SHIFT)
+    throw MachineError(MachineError::kAreaFull, line, position());
+  if (error.has_address && error.first == PIPEGS_ERROR_BAD_SCENE_SHIFT)
+    throw MachineError(MachineError::kBadScene, line, position());
+  char text[200];
+  pipegs_error_text(&error, text, sizeof text);
+  throw RtlFault("RTL: " + std::string(text));
 }
 
 void VerilatedMachine::render(const std::vector<pipegs_job>& frames) {
@@ -305,18 +328,14 @@ void VerilatedMachine::render(const std::vector<pipegs_job>& frames) {
     const uint32_t events = pipegs_interrupt(&device_);
     if (events & PIPEGS_IRQ_STATUS_ERROR) {
       const pipegs_error error = pipegs_get_error(&device_);
-      if (disturbed_ == 0) {
-        char text[200];
-        pipegs_error_text(&error, text, sizeof text);
-        throw RtlFault("RTL: " + std::string(text));
-      }
+      if (disturbed_ == 0) fail(error);
       pipegs_abort(&device_, PIPEGS_NO_LIMIT);
       pipegs_clear_error(&device_, error.causes);
     }
     if (mute_) {  // all that is not done is given up and begins anew
       while (dut_->tap_reset_o) cycle();
       next = ends_.size();
-      mute_ = false;
+      resume();
     }
   }
 }

@@ -17,6 +17,7 @@
 #include "cpp_model/records.hpp"
 #include "sim/driver/pipegs.h"
 #include "sim/memory/external_memory.hpp"
+#include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
 
@@ -101,9 +102,21 @@ class RtlModel {
   // Resets the machine and runs these frames, one after the other, on the scenes that lie in `memory`: the driver of
   // sim/driver writes them to its registers. `progress(cycle, window)` is called every few thousand cycles; returning
   // false stops the run with an exception. Throws std::runtime_error when an assertion fails, the machine hangs or
-  // tells of an error that is none of the disturbances.
+  // tells of an error that is none of the disturbances: MachineError when an area is full or the scene is bad.
   virtual RtlResult run(const std::vector<pipegs_job>& frames, ExternalMemory& memory, const RtlOptions& options,
                         RtlTaps* taps, const Progress& progress) = 0;
+};
+
+// The machine has told an error and given its frames up: what it is, and the line of memory that it concerns.
+struct MachineError : RtlFault {
+  enum Cause { kAreaFull, kBadScene };
+  MachineError(Cause what, uint64_t at, const std::string& where)
+      : RtlFault(std::string("RTL: ") + (what == kAreaFull ? "area_full" : "bad_scene") + " at line " +
+                 std::to_string(at) + " of memory, " + where),
+        cause(what),
+        line(at) {}
+  Cause cause;
+  uint64_t line;
 };
 
 // The RTL of a configuration does not build.

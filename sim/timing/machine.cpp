@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "cpp_model/areas/frame_areas.hpp"
+
 namespace pipegs::timing {
 
 static_assert(unit(kUnitEnd) <= 64 * Wheel::kWords);
@@ -15,6 +17,7 @@ Machine::Machine(const TimingTrace& trace, const Config& config, MemoryTiming& m
     : trace(trace),
       config(config),
       frame(trace.frame),
+      overflow{frame.tables.overflow, overflow_area(config, trace.slots, frame_windows(frame))},
       units(config.units),
       memory(memory_timing, config),
       lists(*this),

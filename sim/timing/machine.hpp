@@ -66,6 +66,7 @@ struct Machine {
   const TimingTrace& trace;
   const Config config;
   const Frame& frame;
+  const Span overflow;
   const int units;
   Wheel wheel;
   Memory memory;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "sim/rtl/job.hpp"
 
 namespace pipegs {
@@ -47,7 +48,10 @@ RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const Exter
   RtlOptions rtl_options;
   rtl_options.seed = seed;
   const double before = thread_seconds();
-  const RtlResult rtl = model->run({frame_job(config, input.frame, input.picture)}, memory, rtl_options, &taps, {});
+  const Areas areas = frame_areas(config, *input.packed, input.frame);
+  memory.set_lines(input.frame.tables.overflow + areas.overflow);
+  const RtlResult rtl =
+      model->run({frame_job(config, input.frame, areas, input.picture)}, memory, rtl_options, &taps, {});
   if (lockstep != nullptr) lockstep->finish();
   return {.cycles = rtl.cycles,
           .overflow_lines = rtl.overflow_lines,

@@ -51,6 +51,8 @@ mutant "a credit comes back with the answer" 's/else if \(load\) credits_q/else 
 mutant "the address asked for goes on before it is taken" 's/else if \(issue\) line_q/else line_q/'
 mutant "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
 mutant "a request leaves its group" 's/(assign rest  .*= ).*/\1 BurstW\x27(2**BurstW - 1);/'
+mutant "the line behind the table's last one is asked for" "s/MostW'\(lines_end\) >/MostW'(lines_end) > 1 +/"
+mutant "a job behind a bad one is taken" 's/ \&\& !bad_q;/;/'
 mutant "items go on behind the last" 's/item_q \+ 1.b1 == job_count/item_q == job_count/'
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
@@ -68,7 +70,8 @@ mutant "the head is forgotten before it is taken" 's/else if \(out_ready_i\)/els
 proof  memory_arbiter "memory_arbiter+ arbiter+ round_robin first_set" \
        "@units=1 %MemoryW=8; @units=2 %MemoryW=8; @default %MemoryW=8;
        @order=1 %MemoryW=8"
-mutant "a shown request is overwritten" 's/= !out_valid_q \|\| mem_ready_i/= 1/'
+mutant "a shown request is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
+mutant "takes requests though it is stopped" 's/ \&\& !stop_i//'
 mutant "the shown request changes" 's/if \(take\) request_q <= out/request_q <= out/'
 mutant "the data of a shown write changes" 's/if \(take \&\& out.write\)/if (out.write)/'
 mutant "no class goes first" 's/(assign request = ).*/\1others;/'
@@ -307,10 +310,14 @@ mutant "a third layer begins" \
 mutant "lines given in the cycle in which a layer is freed are not counted" "s/newest_q \+ \(local_lines .*;/newest_q;/"
 
 # Lines of one piece and of two.
-proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8;
-       @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8; @default"
+proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8 %AlphaAddressW=5 %RegionW=2 %AlphasBits=35;
+       @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8 %AlphaAddressW=5 %RegionW=2 %AlphasBits=35;
+       @default %AddressW=9 %AlphaAddressW=6 %RegionW=2 %AlphasBits=36"
 mutant "an end passes a line that waits" 's/(rows_end_valid_o = .*) \&\& free/\1/'
 mutant "a line is taken over one that waits" 's/!ext \|\| free/1/'
+mutant "the line behind the area's last one is written" "s/\(SumW'\(number\) \+ SumW'\(1\)\)/SumW'(number)/"
+mutant "behind a line that has no room others are written" 's/mem_valid_o   = !free \&\& !full_q/mem_valid_o = !free/'
+mutant "the areas of both parities are one" "s/alphas_i.parity \? /1'b0 ? /"
 mutant "a piece goes on before it is taken" 's/next = mem_valid_o \&\& mem_ready_i/next = mem_valid_o/'
 
 proof  pu_join "pu_join+" "@default"
@@ -318,10 +325,13 @@ mutant "an end passes before the lines are written" "s/!is_end \|\| ends_q != '0
 mutant "a splat is counted as an end" 's/is_end \&\& splat_valid_o/splat_valid_o/'
 
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
-proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8"
+proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8 %AddressW=10 %SlotW=5"
 mutant "asks for lines without room" \
        's/Answers = pipegs_pkg::SuAnswers/Answers = 2/; s/read_valid_i \&\& room/read_valid_i/'
 mutant "a line is forgotten when it is answered" 's/if \(used \&\& !asked\)/if (rsp_valid_i \&\& !asked)/'
+mutant "the line behind an area's last one is asked for" \
+       's/\(line\) >= pipegs_pkg::area_lines/(line) > pipegs_pkg::area_lines/'
+mutant "runs lie over the keys" 's/run_area_i \? pipegs_pkg::AreaRuns/run_area_i ? pipegs_pkg::AreaRecords/'
 mutant "the choice moves before it is taken" 's/if \(choice_q == None\) choice_q/if (!taken) choice_q/'
 
 # Narrow keys through the real pipeline and iterations, and the cells at the widths of the machine. RecordW holds a mark
@@ -344,19 +354,21 @@ mutant "an end that waits for its output is counted again" 's/(window_end = )emi
 mutant "an end that comes while one is done is lost" 's/if \(window_done_i \&\& !window_end\)/if (window_done_i)/'
 
 # Small queues, lines from memory in one part and in two; then those of the machine.
-proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12;
-       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12;
-  @default %LineW=4 %MemoryW=4"
+proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12 %AddressW=9;
+       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12 %AddressW=9;
+  @default %LineW=4 %MemoryW=4 %AddressW=9"
 mutant "asks the memory without room" "s/ \&\& external_q != FetchW'\(FetchLines\)//"
 mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </local_count </"
 mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (external_push \&\& !/'
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
-proof  list_write "list_write+ arbiter round_robin first_set" \
+proof  list_write "list_write+ list_room arbiter round_robin first_set" \
        "@order=1,units=2 %ListEntryW=4 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
 mutant "the count of the record before is not yet in the memory" "s/same_q   *<= move \&\& /same_q <= 0 \&\& /"
 mutant "one count is not cleared" "s/left_q <= windows/left_q <= windows - LeftW'(1)/"
 mutant "a waiting line is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
+mutant "a list runs into the next one" "s/ \|\| entry >> log_o != '0//"
+mutant "the first line of a list that has no room is written" "s/none \|\| entry/entry/"
 
 proof  list_read "list_read+ arbiter+ round_robin first_set free_line_reader sleep" \
        "@order=1,units=2 %WindowW=2 %ListWindowW=4; @order=1"

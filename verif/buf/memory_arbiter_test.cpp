@@ -25,7 +25,8 @@ class Requesters : public Endpoint {
  public:
   Requesters(Bench<Vmemory_arbiter>& bench, Pace pace, Pace memory_pace, ExternalMemoryOptions options)
       : pace(pace), memory_pace(memory_pace), memory(options), bench_(bench) {
-    bench.dut.valid_i = 0;
+    memory.allow_overwrites();  // ports write what they read, the order is the arbiter's
+    bench.dut.valid_i = bench.dut.stop_i = 0;
     bench.dut.mem_ready_i = 0;
     bench.dut.mem_rsp_valid_i = 0;
     for (int p = 0; p < ports; ++p) {
@@ -216,6 +217,29 @@ TEST(MemoryArbiter, EveryRequestLeavesOnceAndEveryAnswerComesBackAtEveryPace) {
       EXPECT_EQ(all.answers, reads);
       if (HasFailure()) { FAIL() << "requests " << to_text(pace) << ", memory " << to_text(memory_pace); }
     }
+  }
+}
+
+// What was taken before leaves, answers still come, and nothing else is taken.
+TEST(MemoryArbiter, TakesNothingWhenItIsStopped) {
+  for (const Pace memory_pace : kPaces) {
+    Bench<Vmemory_arbiter> bench;
+    Requesters all(bench, Pace::kAlways, memory_pace, {.latency = 10, .bytes_per_cycle = 48, .queue = 8});
+    bench.reset();
+    for (int p = 0; p < all.ports; ++p)
+      for (int i = 0; i < 50; ++i) all.push(p, false, 1);
+    for (int i = 0; i < 200; ++i) bench.step();
+    bench.dut.stop_i = 1;
+    size_t waiting = 0, still = 0;
+    for (const auto& queue : all.waiting) waiting += queue.size();
+    for (int i = 0; i < 200; ++i) bench.step();
+    for (const auto& queue : all.waiting) still += queue.size();
+    EXPECT_GT(waiting, 0u);
+    EXPECT_EQ(still, waiting);
+    const size_t left = all.order.size();
+    EXPECT_EQ(left, static_cast<size_t>(50 * all.ports) - waiting);
+    EXPECT_EQ(all.answers, left);
+    EXPECT_EQ(bench.dut.mem_valid_o, 0);
   }
 }
 

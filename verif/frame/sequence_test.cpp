@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "sim/rtl/job.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 #include "verif/frame/machines.hpp"
@@ -200,7 +201,9 @@ TEST(Sequence, AnErrorOfTheMemoryIsTold) {
   ExternalMemory memory(options.memory, options.config.bus_w);
   memory.bus()->failing.insert(simulation.input.frame.tables.cells);
   try {
-    model->run({frame_job(options.config, simulation.input.frame)}, memory, {}, nullptr, {});
+    const Frame& frame = simulation.input.frame;
+    const Areas areas = frame_areas(options.config, simulation.packed, frame);
+    model->run({frame_job(options.config, frame, areas)}, memory, {}, nullptr, {});
     FAIL() << "no error";
   } catch (const RtlFault& fault) { EXPECT_THAT(fault.what(), testing::HasSubstr("SLVERR")); }
 }

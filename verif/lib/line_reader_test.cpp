@@ -67,7 +67,7 @@ void run(Pace source, Pace sink, Pace memory_pace, const ExternalMemoryOptions& 
   ExternalMemory memory(options);
   constexpr uint64_t kBase = 77;
   for (uint32_t item = 0; item < 1200; ++item) memory.line(kBase + item / 2)[item % 2 * 8] = item * 7 + 1;
-  dut.base_i = kBase;
+  write_record(test_config(), dut.table_i, Span{kBase, 600});
   Jobs ends(bench, source, sink);
   MemoryEndpoint<QData, VlWide<16>> port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o,
                                          nullptr, dut.rsp_valid_i, dut.rsp_data_i, memory_pace, &dut.mem_lines_o);
@@ -95,6 +95,40 @@ TEST(LineReader, SendsEveryItemInOrderAtEveryPace) {
         run(source, sink, memory, {.latency = 30, .jitter = 20}, 60, 40, false);
         run(source, sink, memory, {.latency = 3}, 60, 3, false);  // odd starts, single items, markers side by side
       }
+    }
+  }
+}
+
+// Jobs before a bad one are complete; it, and what comes behind it, asks for nothing.
+TEST(LineReader, StopsAtAJobThatTheTableDoesNotHold) {
+  constexpr uint64_t kBase = 77, kLines = 20;  // 40 items
+  struct Bad {
+    uint32_t first, count;
+  };
+  for (const Bad bad : {Bad{3, 0}, Bad{40, 1}, Bad{39, 2}, Bad{0, 41}, Bad{0xffffff, 5}, Bad{0xfffffe, 0xfffff}}) {
+    for (const Pace pace : kPaces) {
+      Bench<Vline_reader> bench;
+      auto& dut = bench.dut;
+      ExternalMemory memory({.latency = 10});
+      for (uint32_t item = 0; item < 40; ++item) memory.line(kBase + item / 2)[item % 2 * 8] = item * 7 + 1;
+      memory.set_lines(kBase + kLines);
+      write_record(test_config(), dut.table_i, Span{kBase, kLines});
+      Jobs ends(bench, pace, pace);
+      MemoryEndpoint<QData, VlWide<16>> port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr,
+                                             dut.mem_address_o, nullptr, dut.rsp_valid_i, dut.rsp_data_i, pace,
+                                             &dut.mem_lines_o);
+      bench.reset();
+      ends.push({true, 0, 40, 1});  // all of the table is good
+      ends.push({true, 39, 1, 2});
+      ASSERT_TRUE(bench.run_until([&] { return ends.expected.empty(); }));
+      EXPECT_EQ(dut.bad_o, 0);
+      ends.jobs.push_back({true, bad.first, bad.count, 3});
+      ends.jobs.push_back({true, 0, 4, 4});
+      for (int i = 0; i < 300; ++i) bench.step();
+      ASSERT_EQ(dut.bad_o, 1) << "first " << bad.first << ", count " << bad.count;
+      EXPECT_EQ(dut.bad_line_o, kBase + bad.first / 2);
+      EXPECT_EQ(ends.jobs.size(), 1u) << "a job was taken behind the bad one";
+      EXPECT_EQ(port.requests, 5u);  // four groups of eight lines hold the table, one its last line
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "cpp_model/list/list_write.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 #include "verif/support/gated_bench.hpp"
 
 namespace pipegs {

@@ -27,7 +27,10 @@ struct ReadRun {
     const Frame frame = list_frame(config, bench.rng, columns, rows);
     ListRecords records;
     records.add(config, bench.rng, columns * rows, count);
-    ListWrite model(config, frame);
+    const Span overflow = wide_overflow(frame);
+    ListWrite model(config, overflow, columns * rows);
+    bench.dut.log_i =
+        static_cast<CData>(list_log(config, area_lines(config, overflow.lines, Area::kLists), columns * rows));
     std::vector<std::vector<Splat>> expected(columns * rows);
     for (size_t i = 0; i < count; ++i) {
       MemoryLine& line = memory.line(model(records.numbers[i]));

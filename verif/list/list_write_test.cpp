@@ -72,7 +72,7 @@ struct WriteRun {
     for (int i = 0; i < 20; ++i) bench.gated_step();
     EXPECT_EQ(dut.done_o, 1);
     // Every record once, and each at the next line of its window in the order in which they were written.
-    ListWrite model(config, frame);
+    ListWrite model(config, wide_overflow(frame), columns * rows);
     std::vector<bool> seen(count);
     EXPECT_EQ(writes.lines.size(), count);
     for (const auto& [address, splat] : writes.lines) {
@@ -111,6 +111,38 @@ TEST(ListWrite, EqualsItsModelAtEveryPace) {
       run.frame(7, 5, 1000);
       EXPECT_GT(run.bench.gated, 0u);
       if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+// The last line of a list is written, the record behind it stops everything.
+TEST(ListWrite, StopsWhenAListIsFull) {
+  for (const uint64_t windows : {1, 3, 9}) {
+    for (const uint64_t half : {0, 2, 9, 40, 100}) {
+      WriteRun run;
+      auto& dut = run.bench.dut;
+      const Frame frame = list_frame(run.config, run.bench.rng, windows, 1);
+      Areas areas = wide_areas();
+      areas.overflow = 2 * half;
+      write_frame(run.config, dut, frame, areas);
+      const uint64_t room = windows > half ? 0 : uint64_t{1} << list_log(run.config, half, windows);
+      dut.restart_i = 1;
+      run.bench.gated_step();
+      dut.restart_i = 0;
+      ListRecords records;
+      for (uint64_t i = 0; i < room + 3; ++i) {
+        records.splats.push_back(random_record<Splat>(run.config, run.bench.rng));
+        records.splats.back().kind = kData;
+        records.numbers.push_back(windows - 1);
+      }
+      run.pus.offer(records);
+      for (uint64_t i = 0; i < 300 + 10 * room; ++i) run.bench.gated_step();
+      EXPECT_EQ(dut.full_o, 1);
+      EXPECT_EQ(dut.done_o, 0);
+      EXPECT_EQ(run.writes.lines.size(), room) << windows << " windows, " << half << " lines";
+      if (room != 0) { EXPECT_EQ(dut.full_line_o, frame.tables.overflow + windows * room); }
+      for (const auto& [address, splat] : run.writes.lines)
+        EXPECT_TRUE(address >= frame.tables.overflow && address < frame.tables.overflow + half) << address;
     }
   }
 }

@@ -28,6 +28,9 @@ mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot 
 mutant line_reader "a request leaves its group of eight lines" "s/(assign rest +=) .*/\1 3'd7;/"
 mutant line_reader "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
 mutant line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/'
+mutant line_reader "a job may end one line behind the table" "s/(MostW.\(lines_end\)) > (MostW)/\1 > 1 + \2/"
+mutant line_reader "a job of nothing is taken" "s/job_count_i == '0 \|\| //"
+mutant line_reader "a job behind a bad one is taken" 's/ && !bad_q;/;/'
 
 # --- rtl/dopu, nearest first ------------------------------------------------------------------------------------------
 group nearest "DOPU, nearest chunk first (\`order = 2\`)"
@@ -107,6 +110,11 @@ mutant pu_allocate "the pulse that frees a layer does not wake the clock" \
 mutant pu_allocate "the pulse that frees a layer is lost in the cycle that takes an end" \
        's/( - 2.\(layer_free_i)\)/\1 \&\& !take_end)/'
 mutant pu_allocate "the end is lost in the cycle of that pulse" 's/( \+ 2.\(take_end)\)/\1 \&\& !layer_free_i)/'
+mutant pu_spill "the line behind the last one of its area is written" \
+       "s/\(SumW'\(number\) \+ SumW'\(1\)\)/SumW'(number)/"
+mutant pu_spill "two lines of memory count as one" "s/(lines_end = .*) \* SumW'\(Pieces\)/\1/" pu_spill_wide
+mutant pu_spill "the last numbers have a place, so that they may wrap" "s/number\[.*\] == '1 \|\|//"
+mutant pu_spill "both parities have one area" "s/alphas_i.parity \? /1'b0 ? /"
 mutant pu_spill "the end leaves before the memory took the last line" 's/(rows_end_valid_o = .*) && free/\1/'
 mutant pu_spill "the end is taken while a line waits" \
        's/(alphas_ready_o = )free && rows_end_ready_i/\1rows_end_ready_i/'
@@ -130,6 +138,8 @@ mutant pu_color_normalise "does not wait for its output register" \
        "s/\(step_q != 3'd2 \|\| !unit_valid_q \|\| unit_ready_i\)/1/"
 mutant pu_color_basis "a result lands in an output that was not taken" \
        's/(go *= )!landing \|\| !basis_valid_q \|\| basis_ready_i/\11/'
+mutant pu_color_fetch "a line behind the table is asked for" 's/number < colors_i/number <= colors_i/'
+mutant pu_color_fetch "a job behind a bad one is taken" 's/ && !bad_q;/;/'
 mutant pu_color_fetch "a job is taken while a request is pending" 's/room && !mem_valid_q/room/'
 mutant pu_color_sum "coefficients masked at the wrong degree" "s/degree == 2'd1(\) coefs)/degree == 2'd2\1/"
 mutant pu_color "busy: AND for OR" 's/fetch_busy \|\| sum_busy/fetch_busy \&\& sum_busy/'
@@ -162,6 +172,8 @@ mutant su_ways "a line is asked for without a place" "s/ && held_q\[i\] != HeldW
 mutant su_tree "the nearer one stays" 's/(loser\[.*\]) < (rising)/\1 > \2/' su_tiny
 mutant su_emit "the end of a set that spilled asks the memory for a record" \
        's/spilled_i && !item_end_i/spilled_i/' su_tiny
+mutant su_port "a line behind its area is asked for" 's/\(line\) >= (pipegs_pkg::area_lines)/(line) > \1/' su
+mutant su_port "goes on behind a line that has no room" 's/(choice_q != None) && !full_q/\1/' su
 mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
@@ -241,10 +253,12 @@ mutant pixel_buffer "a write in the other half makes the word valid" \
        's/if \(blend_write_i && half_q\) fresh_1_q/if (blend_write_i) fresh_1_q/'
 mutant slot_pool "the queue loses its head while new slots are left" \
        's/out_ready_i\(slot_ready_i && !fresh\)/out_ready_i(slot_ready_i)/'
+mutant first_line "the highest one's line" 's/i = Ports; i > 0; i -= 1/i = 1; i <= Ports; i += 1/'
 mutant sram_fifo "counts without the head" "s/stored_q \+ CountW'\(out_valid_q\)/stored_q/"
 mutant sram_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
 mutant memory_arbiter "a shown request is overwritten before the memory took it" \
-       's/(free *= )!out_valid_q \|\| mem_ready_i/\11/'
+       's/\(!out_valid_q \|\| mem_ready_i\)/1/'
+mutant memory_arbiter "requests are taken though it is stopped" 's/ && !stop_i//'
 mutant memory_arbiter "the data of a shown write changes" 's/if \(take && out\.write\) data_q/if (out.write) data_q/'
 mutant memory_arbiter "a write changes what another port's write would" \
        's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
@@ -312,8 +326,6 @@ mutant su_collect "no clock for a record that finds no room: the assertion is ne
        's/(active_o *= take) \|\| lost/\1/' su_lean
 mutant pu_allocate "lines are given although the older layer's lie there" \
        "s/(room *= )SumW'\(oldest_q\) \+/\1/" pu_allocate_lean
-mutant pu_allocate "assertion: two lines of memory count as one" \
-       "s/AreaW'\(pipegs_pkg::AlphaMemoryLines\) \*/AreaW'(1) */" pu_allocate_wide
 mutant pu_allocate "assertion: the Gaussian's own lines are not counted" \
        "s/^( +SumW'\(current\)) \+ SumW'\(count_q\)( <=)/\1\2/" pu_allocate_lean
 mutant pu_spill "assertion: looks at a flag that is 0 where nothing goes to memory" \
@@ -362,6 +374,12 @@ mutant perf "counts state 3 also while nothing runs" "s/if \(running_q\)/if (run
 mutant perf "a restart clears three of the four counts" '/if \(restart_q\)/,/end/s/i < 4/i < 3/'
 mutant layer_free "one RU's pulse frees a layer" "s/some == '1/some != '0/"
 mutant layer_free "counters of one bit: no drift of two layers" 's/(CountW *= )4/\11/'
+mutant errors "an error is told in every cycle" 's/found & ~known_q/found/' errors_unit
+mutant errors "what comes second changes the line" 's/found\[1\] && !known_q\[1\]/found[1]/' errors_unit
+mutant errors "the pixels of the last window need no room" "s/NumberW'\(1\);/NumberW'(0);/" errors_unit
+mutant errors "raster order: the pixels need room in an area that they do not lie in" \
+       "s/restart_i && by_windows_i/restart_i/" errors_unit
+mutant errors "a bad scene stops nothing" "s/(stop_o *= known_q)/\1[0]/; s/stop_o(.*) != '0/stop_o\1/" errors_unit
 mutant scheduler "one complete RU ends the frame" "s/complete == '1 && !back_busy_i/complete != '0 \&\& !back_busy_i/"
 mutant scheduler "a frame ends while pixels are on their way" 's/ && !storing_i;/;/'
 mutant scheduler "windows counted in the width of a column" 's/(CountW *= )2 \* WindowW \+ 2/\1WindowW + 1/'
@@ -411,6 +429,10 @@ mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//"
 mutant log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
 mutant pu_lines "an end leaves before the rows have ended" 's/ && \(!is_end \|\| ended_q\)//'
 mutant list_write "the count of the record before is not yet in the memory" 's/(same_q *<= )move && .*;/\10;/'
+mutant list_write "a list runs into the next one" "s/ \|\| entry >> log_o != '0//"
+mutant list_write "where no list has room, each has one line" "s/none \|\| entry/entry/"
+mutant list_write "goes on behind a full list" 's/(out_valid_q) && !full_q/\1/'
+mutant list_room "one window less counts" "s/SpanW'\(windows_i\) << 1/SpanW'(windows_i - 1'b1) << 1/"
 mutant list_write "a waiting line is overwritten" 's/held_valid_q && \(!out_valid_q \|\| mem_ready_i\)/held_valid_q/'
 mutant list_read "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
 mutant list_read "an entry waits until an SU has room" \

@@ -3,6 +3,7 @@
 // or an assertion says so.
 #include "verif/ru/alpha_lines.hpp"
 #include "verif/support/config.hpp"
+#include "verif/support/frame_ports.hpp"
 #include "Vru_fetch.h"
 
 namespace pipegs {
@@ -53,7 +54,7 @@ struct FetchRun {
         port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o,
              static_cast<const LinePort*>(nullptr), bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace) {
     frame.tables.overflow = kOverflow;
-    bench.dut.overflow_i = kOverflow;
+    write_frame(kConfig, bench.dut, frame);
     bench.dut.restart_i = 0;
     bench.reset();
     restart();
@@ -74,7 +75,8 @@ struct FetchRun {
     if (kind != kData) {
       parity ^= 1;
     } else if (ext) {
-      store_line(kConfig, memory, ru_overflow_line(kConfig, frame, fetch.unit, parity, fetch.address), codes);
+      store_line(kConfig, memory, ru_overflow_line(kConfig, wide_overflow(frame), fetch.unit, parity, fetch.address),
+                 codes);
     } else {
       stores.lines[{static_cast<int>(fetch.unit), fetch.address}] = codes;
     }

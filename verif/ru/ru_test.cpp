@@ -145,8 +145,8 @@ class RuBench : public Bench<Vru> {
         stores.lines[{static_cast<int>(splat.unit), line}] = one;
         continue;
       }
-      store_line(kConfig, memory, ru_overflow_line(kConfig, frame, splat.unit, state.parity, line), one);
-      store_line(kConfig, memory, ru_overflow_line(kConfig, frame, splat.unit, state.parity ^ 1, line),
+      store_line(kConfig, memory, ru_overflow_line(kConfig, wide_overflow(frame), splat.unit, state.parity, line), one);
+      store_line(kConfig, memory, ru_overflow_line(kConfig, wide_overflow(frame), splat.unit, state.parity ^ 1, line),
                  random_codes(kConfig, rng, 1));
     }
     in.push(splat);

@@ -2,7 +2,7 @@
 // self_test: the comparison itself: a machine that is fed something else than the golden model must be caught.
 #include <gtest/gtest.h>
 
-#include "cpp_model/frame_setup.hpp"
+#include "cpp_model/areas/frame_areas.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/rtl/job.hpp"
 #include "verif/frame/scenes.hpp"
@@ -16,7 +16,9 @@ uint64_t mismatches(const Simulation& simulation, const MemoryImage& image, std:
   ExternalMemory memory({}, config.bus_w);
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
   StreamCheck check(simulation.input);
-  load_rtl(config)->run({frame_job(config, simulation.input.frame)}, memory, {}, &check, {});
+  const Frame& frame = simulation.input.frame;
+  load_rtl(config)->run({frame_job(config, frame, frame_areas(config, simulation.packed, frame))}, memory, {}, &check,
+                        {});
   check.finish();
   if (check.first()) *first = check.first()->what;
   return check.mismatches();

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "scenes/generate/generate.hpp"
 #include "scenes/own_failure.hpp"
 #include "sim/compare/simulate.hpp"
@@ -53,9 +54,10 @@ void run(Machine& machine, const Simulation& simulation, bool compare) {
   for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
   StreamCheck check(simulation.input);
   const std::unique_ptr<RtlModel> model(machine.create(&config));
+  const Frame& frame = simulation.input.frame;
   const double before = thread_seconds();
-  const RtlResult result =
-      model->run({frame_job(config, simulation.input.frame)}, memory, {}, compare ? &check : nullptr, {});
+  const RtlResult result = model->run({frame_job(config, frame, frame_areas(config, simulation.packed, frame))}, memory,
+                                      {}, compare ? &check : nullptr, {});
   const double seconds = thread_seconds() - before;
   if (compare) check.finish();
   if (check.mismatches() != 0) throw std::runtime_error(machine.library + ": " + check.first()->what);

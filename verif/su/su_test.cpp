@@ -88,12 +88,48 @@ TEST(Su, WritesOverflowToItsOwnAreas) {
   const SuTraffic traffic = su_external_traffic(kConfig, count);
   EXPECT_EQ(bench.overflowed, traffic.written);
   EXPECT_EQ(bench.fetched, traffic.read) << "nothing for ends";
-  const auto base = [](uint64_t area) { return kOverflow + ((2 << 3 | area) << 24); };
+  const auto base = [](Area area) { return kOverflow + area_first(kConfig, kOverflowLines, 2, area); };
+  const uint64_t records = base(Area::kRecords), keys = base(Area::kKeys), sorted = base(Area::kRuns);
   const auto touched = [&](uint64_t address) { return bench.memory.line(address) != MemoryLine{}; };
   const uint64_t runs = su_run_lines(kConfig, pool / 8 * 8) + su_run_lines(kConfig, count - pool / 8 * 8);
-  EXPECT_TRUE(touched(base(1)) && touched(base(1) + count - 1) && touched(base(2)) &&
-              touched(base(2) + (count - 1) / 8) && touched(base(3)) && touched(base(3) + runs - 1));
-  EXPECT_FALSE(touched(base(1) + count) || touched(base(0)) || touched(base(3) + runs) || touched(base(4)));
+  EXPECT_TRUE(touched(records) && touched(records + count - 1) && touched(keys) && touched(keys + (count - 1) / 8) &&
+              touched(sorted) && touched(sorted + runs - 1));
+  EXPECT_FALSE(touched(records + count) || touched(keys - 1) || touched(keys + (count - 1) / 8 + 1) ||
+               touched(sorted + runs));
+}
+
+// A set is sorted, or its areas have no room and the SU says so: in no case a line goes elsewhere.
+TEST(Su, StopsWhenAnAreaIsFull) {
+  int full = 0, sorted = 0;
+  const size_t count = 3 * static_cast<size_t>(kConfig.records) + 5;
+  for (uint64_t lines = 1; lines < 64 * count; lines = 5 * lines / 4 + 1) {
+    SuBench bench(Pace::kAlways, Pace::kAlways, true, {}, 1);
+    Frame frame;
+    frame.tables.overflow = kOverflow;
+    Areas areas = wide_areas();
+    areas.overflow = lines;
+    write_frame(kConfig, bench.dut, frame, areas);
+    const auto first = [&](Area area) { return kOverflow + area_first(kConfig, lines, 1, area); };
+    bench.memory.set_lines(first(Area::kRecords) + area_lines(kConfig, lines, Area::kRecords));
+    bench.layer(Arrangement::kRandom, count, kWindowEnd);
+    for (int i = 0; i < 400000 && bench.out.size() < bench.expected.size() && !bench.dut.full_o; ++i) bench.step();
+    if (bench.dut.full_o) {
+      ++full;
+      EXPECT_EQ(bench.dut.mem_valid_o, 0);
+      const uint64_t line = bench.dut.full_line_o;
+      bool at_end = false;
+      for (const Area area : {Area::kKeys, Area::kRuns, Area::kRecords})
+        at_end |= line == first(area) + area_lines(kConfig, lines, area);
+      EXPECT_TRUE(at_end) << "line " << line << " of " << lines;
+      continue;
+    }
+    ++sorted;
+    ASSERT_EQ(bench.out.size(), bench.expected.size());
+    for (size_t i = 0; i < bench.out.size(); ++i)
+      ASSERT_EQ(first_difference(kConfig, bench.expected[i], bench.out.at(i)), "") << lines << " lines";
+  }
+  EXPECT_GT(full, 5);
+  EXPECT_GT(sorted, 2);
 }
 
 // From one run to as many as need three merges: the traffic is that of the number of records, whatever the keys.

@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // frame_ports: gives a module under test the parts of a frame that it has ports for.
 //
-// Idea    A module takes only what it looks at: the whole frame, one of its records, or a single field. The name of the
-//         port says which.
+// Idea    A module takes only what it looks at: the whole frame, one of its records, a single field, or one of its
+//         areas. The name of the port says which. Unless a test says otherwise, the areas have room for all.
 #pragma once
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "verif/support/bench.hpp"
 
 namespace pipegs {
 
+inline constexpr uint64_t kWideLines = uint64_t{1} << 33, kOverflowLines = uint64_t{1} << 30;
+inline Areas wide_areas() {
+  return {kWideLines, kWideLines, kWideLines, kWideLines, kWideLines, kWideLines, kOverflowLines};
+}
+inline Span wide_overflow(const Frame& frame) { return overflow_span(frame, wide_areas()); }
+
 template <class Dut>
-void write_frame(const Config& config, Dut& dut, const Frame& frame) {
+void write_frame(const Config& config, Dut& dut, const Frame& frame, const Areas& areas = wide_areas()) {
 // clang-format off
 #define RECORD_PORT(port, part) if constexpr (requires { dut.port; }) write_record(config, dut.port, frame.part);
 #define FIELD_PORT(port, part) if constexpr (requires { dut.port; }) dut.port = frame.part;
+#define SPAN_PORT(port, part) \
+  if constexpr (requires { dut.port; }) write_record(config, dut.port, Span{frame.tables.part, areas.part});
   if constexpr (requires { dut.frame_i; }) write_record(config, dut.frame_i, frame);
+  if constexpr (requires { dut.areas_i; }) write_record(config, dut.areas_i, areas);
   RECORD_PORT(camera_i, camera)
   RECORD_PORT(position_i, camera.position)
   RECORD_PORT(rotation_i, camera.rotation)
@@ -27,13 +37,16 @@ void write_frame(const Config& config, Dut& dut, const Frame& frame) {
   FIELD_PORT(focal_x_i, lens.focal_x)
   FIELD_PORT(focal_y_i, lens.focal_y)
   FIELD_PORT(near_plane_i, lens.near_plane)
-  FIELD_PORT(groups_i, tables.groups)
-  FIELD_PORT(chunks_i, tables.chunks)
-  FIELD_PORT(colors_i, tables.colors)
+  SPAN_PORT(cells_i, cells)
+  SPAN_PORT(groups_i, groups)
+  SPAN_PORT(chunks_i, chunks)
+  SPAN_PORT(gaussians_i, gaussians)
+  SPAN_PORT(colors_i, colors)
+  SPAN_PORT(overflow_i, overflow)
   FIELD_PORT(sh_degree_i, tables.sh_degree)
   FIELD_PORT(pixels_i, tables.pixels)
-  FIELD_PORT(overflow_i, tables.overflow)
 #undef RECORD_PORT
+#undef SPAN_PORT
 #undef FIELD_PORT
   // clang-format on
 }

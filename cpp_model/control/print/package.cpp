@@ -80,8 +80,7 @@ std::string print_package(const RegisterMap& map) {
     if (!reg.constant()) text += register_struct(reg);
   }
   text += "\n  // Registers that the configuration fixes: {offset of 16 bits, value of 32}.\n" +
-          table("ControlConstant", 48, constants) + "\n" + block_struct(map.block("areas")) +
-          block_struct(map.block("picture"));
+          table("ControlConstant", 48, constants) + "\n" + block_struct(map.block("picture"));
   int at = 0;
   for (const Slot& slot : map.shadow()) {
     slots.push_back({fmt::format("{:04x}_{:04x}_{:02x}_{:02x}_{:02x}", slot.offset, at, slot.width, slot.shift,

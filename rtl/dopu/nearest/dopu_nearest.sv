@@ -24,8 +24,8 @@ module dopu_nearest #(
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
-  input  logic [pipegs_pkg::AddressW-1:0]       groups_i,  // first lines of the tables
-  input  logic [pipegs_pkg::AddressW-1:0]       chunks_i,
+  input  pipegs_pkg::span_t                     groups_i,  // the tables
+  input  pipegs_pkg::span_t                     chunks_i,
   input  logic [2*5*pipegs_pkg::PlaneBits-1:0]  planes_i,
   input  logic [1:0]                            set_done_i,
 
@@ -49,6 +49,8 @@ module dopu_nearest #(
   output pipegs_pkg::node_t                     chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]         mark_o,        // a layer end's watermark
 
+  output logic [1:0]                            bad_o,         // a cell, a group: see line_reader
+  output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
   output logic                                  testing_o,     // something moves inside
   output logic                                  waiting_o      // a level waits for the memory
 );
@@ -283,7 +285,7 @@ module dopu_nearest #(
       assign open_range[l]  = out_valid ? out_data[PlaceW +: RangeW] : held[l][PlaceW +: RangeW];
 
       dopu_open #(.Most(Most), .Lines(Lines)) u_open (
-        .clk_i, .rst_ni, .base_i(l == 0 ? groups_i : chunks_i),
+        .clk_i, .rst_ni, .table_i(l == 0 ? groups_i : chunks_i),
         .open_valid_i(open_valid[l]), .open_ready_o(open_ready[l]), .open_bucket_i(open_bucket[l]),
         .open_first_i(open_range[l][0 +: SlotW]), .open_count_i(open_range[l][SlotW +: CountW]),
         .mem_valid_o(mem_valid_o[l]), .mem_ready_i(mem_ready_i[l]),
@@ -293,6 +295,7 @@ module dopu_nearest #(
         .child_valid_o(child_valid[l+1]), .child_ready_i(enter[l+1] || drop[l+1]), .child_o(child[l+1]),
         .child_parent_o(child_parent[l+1]), .child_last_o(child_last[l+1]),
         .settled_i(retired[l+1] && held_last[l+1]), .any_o(any_open[l]), .nearest_o(open_nearest[l]),
+        .bad_o(bad_o[l]), .bad_line_o(bad_line_o[l*pipegs_pkg::AddressW +: pipegs_pkg::AddressW]),
         .waiting_o(reading[l])
       );
 `ifndef SYNTHESIS

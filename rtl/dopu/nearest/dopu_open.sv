@@ -21,7 +21,7 @@ module dopu_open #(
 ) (
   input  logic                             clk_i,
   input  logic                             rst_ni,
-  input  logic [pipegs_pkg::AddressW-1:0]  base_i,
+  input  pipegs_pkg::span_t                table_i,         // of the children
 
   input  logic                             open_valid_i,
   output logic                             open_ready_o,  // stays up until a node is opened
@@ -45,6 +45,8 @@ module dopu_open #(
   input  logic                             settled_i,
   output logic                             any_o,
   output logic [BucketW-1:0]               nearest_o,       // smallest bucket open; the largest number when none is
+  output logic                             bad_o,           // names no children of the table: see line_reader
+  output logic [pipegs_pkg::AddressW-1:0]  bad_line_o,
   output logic                             waiting_o
 );
 
@@ -116,13 +118,13 @@ module dopu_open #(
   end
 
   line_reader #(.TagW(CountW + BucketW), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(Most)) u_reader (
-    .clk_i, .rst_ni, .base_i,
+    .clk_i, .rst_ni, .table_i,
     .job_valid_i(job_valid_q), .job_ready_o(job_ready), .job_read_i(1'b1),
     .job_first_i(job_first_q), .job_count_i(job_count_q), .job_tag_i({job_last, job_bucket_q}),
     .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
     .out_valid_o(child_valid_o), .out_ready_i(child_ready_i), .out_read_o(is_read), .out_index_o(index),
     .out_tag_o({last, child_parent_o}), .out_item_o(child_o),
-    .waiting_o, .idle_o(idle)
+    .bad_o, .bad_line_o, .waiting_o, .idle_o(idle)
   );
   assign child_last_o = CountW'(index) == last;
 

@@ -14,7 +14,7 @@ module pu_color #(
   input  logic                               clk_i,
   input  logic                               rst_ni,
   input  pipegs_pkg::rotation_t              rotation_i,
-  input  logic [pipegs_pkg::AddressW-1:0]    colors_i,  // first line of the SH coefficients
+  input  pipegs_pkg::span_t                  colors_i,  // the SH coefficients
   input  logic [pipegs_pkg::KindW-1:0]       sh_degree_i,  // of the scene
 
   // from pu_allocate
@@ -34,6 +34,8 @@ module pu_color #(
   input  logic                               colored_ready_i,
   output pipegs_pkg::colored_t                 colored_o,
 
+  output logic                               bad_o,            // see pu_color_fetch
+  output logic [pipegs_pkg::AddressW-1:0]    bad_line_o,
   output logic                               busy_o,           // any job inside
   output logic                               waiting_memory_o  // the oldest job waits for its line
 );
@@ -87,6 +89,8 @@ module pu_color #(
       .line_valid_o     (line_valid),
       .line_ready_i     (line_ready),
       .line_o           (line),
+      .bad_o,
+      .bad_line_o,
       .busy_o           (fetch_busy)
     );
 
@@ -143,6 +147,8 @@ module pu_color #(
     assign fetch_busy    = count != '0;
     assign mem_valid_o   = 1'b0;
     assign mem_address_o = '0;
+    assign bad_o         = 1'b0;
+    assign bad_line_o    = '0;
     assign line_valid    = 1'b0;
     assign line          = '0;
     assign basis_valid   = 1'b0;

@@ -4,7 +4,7 @@
 // Idea    Three queues of one size: tasks, directions and lines. Every direction and every line (asked for or here)
 //         belongs to a task that is still queued, so a free place for the task is a free place for all three: no
 //         credits, and an answer of the memory always finds room. The directions leave early, and are evaluated
-//         while the line travels.
+//         while the line travels. A line that the table does not hold is not asked for, nor is any behind it (bad_o).
 // Stream  color_job -> color_task; for each data beat of a frame with SH also a view_direction and a 64-byte line.
 //         Degree 1 has four Gaussians in a line, degree 2 and 3 one.
 // Pace    One job per cycle without SH, one in two cycles with (the request register is emptied first).
@@ -15,7 +15,7 @@ module pu_color_fetch #(
 ) (
   input  logic                               clk_i,
   input  logic                               rst_ni,
-  input  logic [pipegs_pkg::AddressW-1:0]    colors_i,  // first line of the SH coefficients
+  input  pipegs_pkg::span_t                  colors_i,  // the SH coefficients
   input  logic [pipegs_pkg::KindW-1:0]       sh_degree_i,  // of the scene
 
   input  logic                               job_valid_i,
@@ -40,6 +40,8 @@ module pu_color_fetch #(
   input  logic                               line_ready_i,
   output logic [pipegs_pkg::MemoryW-1:0]     line_o,
 
+  output logic                               bad_o,  // stays
+  output logic [pipegs_pkg::AddressW-1:0]    bad_line_o,
   output logic                               busy_o  // a job is queued
 );
 
@@ -48,13 +50,16 @@ module pu_color_fetch #(
 
   logic                        room, take, ask;
   logic                        mem_valid_q;
-  logic [AddressW-1:0]         mem_address_q;
+  logic [AddressW-1:0]         mem_address_q, number;  // number: of the line in the table
+  logic                        bad_q;
   logic                        direction_room, line_room;
   logic [CountW-1:0]           task_count, direction_count, line_count;
   pipegs_pkg::color_task_t     head;
   pipegs_pkg::view_direction_t direction;
 
-  assign job_ready_o = room && !mem_valid_q;
+  assign job_ready_o = room && !mem_valid_q && !bad_q;
+  assign number      = sh_degree_i == pipegs_pkg::KindW'(1) ?
+                       AddressW'(job_i.slot[pipegs_pkg::SlotW-1:pipegs_pkg::QuarterW]) : AddressW'(job_i.slot);
   assign take        = job_valid_i && job_ready_o;
   assign ask         = take && job_i.kind == pipegs_pkg::KindData && sh_degree_i != '0;
 
@@ -75,17 +80,18 @@ module pu_color_fetch #(
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) mem_valid_q <= 1'b0;
-    else if (ask) mem_valid_q <= 1'b1;
-    else if (mem_ready_i) mem_valid_q <= 1'b0;
-  end
-  always_ff @(posedge clk_i) begin
-    if (ask) begin
-      mem_address_q <= colors_i +
-                       (sh_degree_i == pipegs_pkg::KindW'(1) ?
-                        AddressW'(job_i.slot[pipegs_pkg::SlotW-1:pipegs_pkg::QuarterW]) : AddressW'(job_i.slot));
+    if (!rst_ni) begin
+      mem_valid_q <= 1'b0;
+      bad_q       <= 1'b0;
+    end else begin
+      if (ask) mem_valid_q <= number < colors_i.lines;
+      else if (mem_ready_i) mem_valid_q <= 1'b0;
+      if (ask && number >= colors_i.lines) bad_q <= 1'b1;
     end
   end
+  always_ff @(posedge clk_i) if (ask) mem_address_q <= colors_i.first + number;
+  assign bad_o         = bad_q;
+  assign bad_line_o    = mem_address_q;
   assign mem_valid_o   = mem_valid_q;
   assign mem_address_o = mem_address_q;
   assign busy_o        = task_count != '0;

@@ -14,7 +14,7 @@ module pu_fetch #(
   input  logic                            clk_i,
   input  logic                            rst_ni,
 
-  input  logic [pipegs_pkg::AddressW-1:0] gaussians_i,  // first line of the geometry, from frame_t
+  input  pipegs_pkg::span_t               gaussians_i,  // the geometry
 
   input  logic                            chunk_valid_i,
   output logic                            chunk_ready_o,
@@ -31,6 +31,8 @@ module pu_fetch #(
   input  logic                            fetched_ready_i,
   output pipegs_pkg::fetched_t            fetched_o,
 
+  output logic                            bad_o,             // a chunk of Gaussians that are not there
+  output logic [pipegs_pkg::AddressW-1:0] bad_line_o,
   output logic                            waiting_memory_o,  // the next Gaussian waits for the memory
   output logic                            idle_o             // holds no chunk
 );
@@ -51,13 +53,13 @@ module pu_fetch #(
     .TagW(HeaderW), .ItemW(pipegs_pkg::GaussianRecordBits), .ItemsPerLine(pipegs_pkg::GaussiansPerLine), .Lines(Lines),
     .Jobs(pipegs_pkg::GeometryJobs)
   ) u_reader (
-    .clk_i, .rst_ni, .base_i(gaussians_i),
+    .clk_i, .rst_ni, .table_i(gaussians_i),
     .job_valid_i(chunk_valid_i), .job_ready_o(chunk_ready_o), .job_read_i(chunk_i.kind == pipegs_pkg::KindData),
     .job_first_i(chunk_i.slot), .job_count_i(chunk_i.count), .job_tag_i(header_in),
     .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
     .out_valid_o(fetched_valid_o), .out_ready_i(fetched_ready_i), .out_read_o(is_data), .out_index_o(slot),
     .out_tag_o(header), .out_item_o(item),
-    .waiting_o(waiting_memory_o), .idle_o
+    .bad_o, .bad_line_o, .waiting_o(waiting_memory_o), .idle_o
   );
 
   logic unused_chunk;

@@ -18,7 +18,7 @@ module pu_front #(
   input  pipegs_pkg::rotation_t    rotation_i,
   input  pipegs_pkg::lens_t        lens_i,
   input  pipegs_pkg::windows_t     windows_i,
-  input  logic [AddressW-1:0]      gaussians_i,  // first line of the geometry, from frame_t
+  input  pipegs_pkg::span_t        gaussians_i,  // the geometry
 
   input  logic                     chunk_valid_i,
   output logic                     chunk_ready_o,
@@ -35,6 +35,8 @@ module pu_front #(
   input  logic                     visible_ready_i,
   output pipegs_pkg::visible_t     visible_o,
 
+  output logic                     bad_o,      // see pu_fetch
+  output logic [AddressW-1:0]      bad_line_o,
   output logic                     moved_o,    // a Gaussian was fetched
   output logic                     waiting_o,  // the next Gaussian waits for the memory
   output logic                     culls_o,    // Gaussians are in the cull
@@ -52,7 +54,7 @@ module pu_front #(
     .mem_lines_o(geometry_lines_o),
     .rsp_valid_i(geometry_rsp_valid_i), .rsp_data_i,
     .fetched_valid_o(fetched_valid), .fetched_ready_i(fetched_ready), .fetched_o(fetched),
-    .waiting_memory_o(waiting_o), .idle_o
+    .bad_o, .bad_line_o, .waiting_memory_o(waiting_o), .idle_o
   );
 
   pu_cull u_cull (

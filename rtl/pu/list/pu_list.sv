@@ -17,7 +17,7 @@ module pu_list #(
   input  logic                         clk_i,
   input  logic                         rst_ni,
   input  pipegs_pkg::rotation_t        rotation_i,
-  input  logic [AddressW-1:0]          colors_i,     // first line of the SH coefficients
+  input  pipegs_pkg::span_t            colors_i,     // the SH coefficients
   input  logic [pipegs_pkg::KindW-1:0] sh_degree_i,  // of the scene
   input  pipegs_pkg::windows_t         windows_i,
 
@@ -39,6 +39,8 @@ module pu_list #(
   input  logic                         color_rsp_valid_i,
   input  logic [MemoryW-1:0]           rsp_data_i,
 
+  output logic                         bad_o,           // see pu_color_fetch
+  output logic [AddressW-1:0]          bad_line_o,
   output logic                         moved_o,         // a beat moved inside
   output logic                         busy_o,          // something is inside
   output logic                         color_busy_o,
@@ -84,7 +86,7 @@ module pu_list #(
     .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
     .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
     .colored_valid_o(colored_valid), .colored_ready_i(colored_ready), .colored_o(colored),
-    .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
+    .bad_o, .bad_line_o, .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
   );
 
   assign moved_o = (color_job_valid && color_job_ready) || (colored_valid && colored_ready) ||

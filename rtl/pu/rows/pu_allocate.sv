@@ -4,8 +4,8 @@
 // Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
 // Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a
 //         row if the lines of their own layer leave room for them, waiting until the older layer's lines are free;
-//         otherwise they take lines of the overflow area in memory (Overflow 0: there is always room). So where a line
-//         lies depends on the stream only, not on timing.
+//         otherwise they take lines of the overflow area in memory (Overflow 0: there is always room), which pu_spill
+//         knows the size of. So where a line lies depends on the stream only, not on timing.
 // Stream  tiles in; row_job and color_job out (each taken by itself), or nothing when no region is left. Ends pass.
 //         At most two layers live: behind an end, beats of the next layer but one wait for layer_free_i.
 // Pace    One Gaussian per four cycles (take, count, decide, offer).
@@ -207,16 +207,10 @@ module pu_allocate #(
   end
 
 `ifndef SYNTHESIS
-  localparam int unsigned AreaW = AlphaAddressW + 3;
   always_ff @(posedge clk_i) if (rst_ni) assert (!layer_free_i || ended_q != '0)
     else $error("a layer was freed that has not ended");
   always_ff @(posedge clk_i) if (rst_ni) assert (!restart_i || (!take && ended_q == '0 && oldest_q == '0))
     else $error("a frame begins in a PU that is not empty");
-  // An area holds 2^AlphaAddressW lines of memory, and alphas of more than eight bits take two each.
-  always_ff @(posedge clk_i) if (rst_ni)
-    assert (!(decided && !fits) || pipegs_pkg::HasLists || AreaW'(pipegs_pkg::AlphaMemoryLines) *
-            (AreaW'(overflow_q) + AreaW'(count_q)) <= AreaW'(1) << AlphaAddressW)
-    else $error("the overflow area of a layer is full");
   always_ff @(posedge clk_i) if (rst_ni)
     assert (!(pipegs_pkg::Overflow == 0 && state_q == StateDecide) ||
             SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))

@@ -18,9 +18,9 @@ module pu_cache #(
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
   input  pipegs_pkg::rotation_t                rotation_i,
-  input  logic [AddressW-1:0]                  colors_i,     // first line of the SH coefficients
+  input  pipegs_pkg::span_t                    colors_i,     // the SH coefficients
   input  logic [pipegs_pkg::KindW-1:0]         sh_degree_i,  // of the scene
-  input  logic [AddressW-1:0]                  overflow_i,   // first line of the overflow areas
+  input  pipegs_pkg::span_t                    overflow_i,
   input  pipegs_pkg::windows_t                 windows_i,
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,      // constant
   input  logic                                 restart_i,   // a frame begins; the PU is empty
@@ -55,6 +55,10 @@ module pu_cache #(
   output pipegs_pkg::splat_t                   splat_o,
 
   output logic [pipegs_pkg::RegionW:0]         overflowed_o,
+  output logic                                 full_o,           // see pu_spill
+  output logic [AddressW-1:0]                  full_line_o,
+  output logic                                 bad_o,            // see pu_color_fetch
+  output logic [AddressW-1:0]                  bad_line_o,
   output logic                                 moved_o,          // a beat moved inside
   output logic                                 busy_o,           // something is inside
   output logic                                 rows_busy_o,      // Row Units compute
@@ -99,7 +103,8 @@ module pu_cache #(
     .line_i(alphas_line), .store_write_o, .store_address_o, .store_line_o,
     .mem_valid_o(spill_valid_o), .mem_ready_i(spill_ready_i), .mem_address_o(spill_address_o),
     .mem_data_o(spill_data_o),
-    .rows_end_valid_o(rows_end_valid), .rows_end_ready_i(rows_end_ready), .rows_end_kind_o(), .active_o(spill_active)
+    .rows_end_valid_o(rows_end_valid), .rows_end_ready_i(rows_end_ready), .rows_end_kind_o(),
+    .full_o, .full_line_o, .active_o(spill_active)
   );
 
   pu_color u_color (
@@ -108,7 +113,7 @@ module pu_cache #(
     .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
     .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
     .colored_valid_o(colored_valid), .colored_ready_i(colored_ready), .colored_o(colored),
-    .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
+    .bad_o, .bad_line_o, .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
   );
 
   pu_join u_join (

@@ -15,7 +15,7 @@ module pu_fill #(
 ) (
   input  logic                         clk_i,
   input  logic                         rst_ni,
-  input  logic [AddressW-1:0]          overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t            overflow_i,
   input  logic [pipegs_pkg::UnitW-1:0] unit_i,      // constant
   input  logic                         restart_i,   // a frame begins; the PU is empty
 
@@ -34,6 +34,8 @@ module pu_fill #(
   output pipegs_pkg::splat_t           splat_o,
   output logic [NumberW-1:0]           number_o,       // of the splat's window
 
+  output logic                         full_o,         // see pu_spill
+  output logic [AddressW-1:0]          full_line_o,
   output logic                         moved_o,        // a beat moved inside
   output logic                         busy_o,         // something is inside
   output logic                         rows_busy_o     // Row Units compute
@@ -71,7 +73,8 @@ module pu_fill #(
     .store_address_o(store_address), .store_line_o(store_line),
     .mem_valid_o(spill_valid_o), .mem_ready_i(spill_ready_i), .mem_address_o(spill_address_o),
     .mem_data_o(spill_data_o),
-    .rows_end_valid_o(rows_end), .rows_end_ready_i(1'b1), .rows_end_kind_o(), .active_o(spill_active)
+    .rows_end_valid_o(rows_end), .rows_end_ready_i(1'b1), .rows_end_kind_o(),
+    .full_o, .full_line_o, .active_o(spill_active)
   );
 
   assign moved_o = (row_job_valid && row_job_ready) || (queued_valid && queued_ready) || (alphas_valid && alphas_ready);

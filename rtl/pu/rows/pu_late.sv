@@ -18,7 +18,7 @@ module pu_late #(
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
   input  pipegs_pkg::rotation_t                rotation_i,
-  input  logic [AddressW-1:0]                  colors_i,     // first line of the SH coefficients
+  input  pipegs_pkg::span_t                    colors_i,     // the SH coefficients
   input  logic [pipegs_pkg::KindW-1:0]         sh_degree_i,  // of the scene
   input  pipegs_pkg::windows_t                 windows_i,
   input  logic                                 restart_i,   // a frame begins; the PU is empty
@@ -42,6 +42,8 @@ module pu_late #(
   input  logic                                 splat_ready_i,
   output pipegs_pkg::splat_t                   splat_o,
 
+  output logic                                 bad_o,            // see pu_color_fetch
+  output logic [AddressW-1:0]                  bad_line_o,
   output logic                                 moved_o,          // a beat moved inside
   output logic                                 busy_o,           // something is inside
   output logic                                 color_busy_o,
@@ -162,7 +164,7 @@ module pu_late #(
     .mem_valid_o(color_valid_o), .mem_ready_i(color_ready_i), .mem_address_o(color_address_o),
     .rsp_valid_i(color_rsp_valid_i), .rsp_data_i,
     .colored_valid_o(colored_valid), .colored_ready_i(colored_ready), .colored_o(colored),
-    .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
+    .bad_o, .bad_line_o, .busy_o(color_busy_o), .waiting_memory_o(color_waiting_o)
   );
 
   always_comb begin

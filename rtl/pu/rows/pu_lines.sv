@@ -4,7 +4,8 @@
 // Paper   TSPP (Sec. 3.1) without layers: all alphas of the frame are cached, so they lie in external memory.
 // Idea    Lines are counted through the frame, and never freed. A splat says where its first one lies:
 //           address = {unit, lines given before}        in the area of all alphas
-//         The frame's end waits until the lines before it are written, so nobody asks for a line that is not there.
+//         pu_spill sees when that area is full. The frame's end waits until the lines before it are written, so nobody
+//         asks for a line that is not there.
 // Stream  tiles in; row_job and splat out, each taken by itself; rows_end: the rows' end has come. Only the frame's end
 //         comes.
 // Pace    One record per three cycles (take, count, offer).
@@ -126,8 +127,6 @@ module pu_lines #(
   assign window_o = listed_q.window;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (lines_q <= ~LinesW'(0) - LinesW'(2 * pipegs_pkg::Regions))
-    else $error("the area of a unit's alphas is full");
   stream_check #(.DataW($bits(row_job_o))) u_check_row_job (
     .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i(row_job_o)
   );

@@ -4,8 +4,9 @@
 // Paper   The paper's cache has no bound; docs/units/rows.md says what happens when ours is full.
 // Idea    A line for the store passes at once. A line for memory goes through a register, in AlphaMemoryLines pieces,
 //         to
-//           frame.overflow + ({unit, parity, area 0} << 24) + address * AlphaMemoryLines + piece
-//         Overflow 0: every line is for the store.
+//           first line of the area of this unit and parity (area_first) + number * AlphaMemoryLines + piece
+//         Overflow 0: every line is for the store. A line that the area does not hold is not written, nor is any
+//         behind it (full_o); the last numbers of all have no place, so that a count that wraps is seen.
 //         An end comes out as rows_end only when no line waits for the memory any more: writes are in order behind it.
 // Stream  alphas + line in; store write (never refused), memory write, rows_end out.
 // Pace    One line per cycle to the store; one per AlphaMemoryLines + 1 cycles to memory.
@@ -20,7 +21,7 @@ module pu_spill #(
 ) (
   input  logic                          clk_i,
   input  logic                          rst_ni,
-  input  logic [pipegs_pkg::AddressW-1:0] overflow_i,  // first line of the overflow areas
+  input  pipegs_pkg::span_t             overflow_i,  // constant while a line is inside
   input  logic [pipegs_pkg::UnitW-1:0]  unit_i,
 
   input  logic                          alphas_valid_i,
@@ -41,14 +42,18 @@ module pu_spill #(
   input  logic                          rows_end_ready_i,
   output logic [KindW-1:0]              rows_end_kind_o,
 
+  output logic                          full_o,       // stays
+  output logic [AddressW-1:0]           full_line_o,  // that would have been written
   output logic                          active_o  // needs a clock
 );
 
   localparam int unsigned Pieces  = pipegs_pkg::AlphaMemoryLines;
   localparam int unsigned HeldW   = Pieces * MemoryW;
   localparam int unsigned LeftW   = $clog2(Pieces + 1);
-  localparam int unsigned AreaW   = 24;  // lines of an overflow area, log2
-  localparam int unsigned AreasW  = 2;   // overflow areas of a unit and parity, log2
+  // With lists all alphas of a unit lie in one area, and the address has the unit in its upper bits.
+  localparam int unsigned NumberW = pipegs_pkg::HasLists ? AlphaAddressW - pipegs_pkg::UnitW : AlphaAddressW;
+  localparam int unsigned SumW    = NumberW + 2;
+  localparam int unsigned MostW   = SumW > AddressW ? SumW : AddressW;
 
   // With lists all alphas go through memory.
   localparam bit Outside = pipegs_pkg::SpillsAlphas;
@@ -75,26 +80,39 @@ module pu_spill #(
   if (Outside) begin : gen_outside
     logic                load, next;
     logic [LeftW-1:0]    left_q;     // pieces that the memory has not accepted
-    logic [AddressW-1:0] address_q, area;
+    logic [AddressW-1:0] address_q, first_q, odd;  // first_q: of the unit's even layers; odd: how far behind it others
     logic [HeldW-1:0]    held_q;
+    logic [NumberW-1:0]  number;
+    logic [SumW-1:0]     lines_end;  // of the line, in its area
+    logic                outside, full_q;
     assign free = left_q == '0;
     assign load = alphas_valid_i && is_data && ext && free;
     assign next = mem_valid_o && mem_ready_i;
-    // With lists all alphas lie in one area, and the address tells the unit.
-    assign area = pipegs_pkg::HasLists ? AddressW'(1) << pipegs_pkg::AlphaAreaW
-                                         : AddressW'({unit_i, alphas_i.parity, AreasW'(0)}) << AreaW;
-    assign mem_valid_o   = !free;
+    assign number  = alphas_i.address[NumberW-1:0];
+    assign odd     = alphas_i.parity ? pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaOdd) : '0;
+    assign lines_end = (SumW'(number) + SumW'(1)) * SumW'(Pieces);
+    assign outside   = number[NumberW-1:pipegs_pkg::RegionW] == '1 ||
+                       MostW'(lines_end) > MostW'(pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaEven));
+    assign mem_valid_o   = !free && !full_q;
     assign mem_address_o = address_q;
     assign mem_data_o    = held_q[MemoryW-1:0];
+    assign full_o        = full_q;
+    assign full_line_o   = address_q;
 
     always_ff @(posedge clk_i or negedge rst_ni) begin
-      if (!rst_ni) left_q <= '0;
-      else if (load) left_q <= LeftW'(Pieces);
-      else if (next) left_q <= left_q - LeftW'(1);
+      if (!rst_ni) begin
+        left_q <= '0;
+        full_q <= 1'b0;
+      end else begin
+        if (load) left_q <= LeftW'(Pieces);
+        else if (next) left_q <= left_q - LeftW'(1);
+        if (load && outside) full_q <= 1'b1;
+      end
     end
     always_ff @(posedge clk_i) begin
+      first_q <= overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaEven);
       if (load) begin
-        address_q <= overflow_i + area + AddressW'(alphas_i.address) * AddressW'(Pieces);
+        address_q <= first_q + odd + AddressW'(number) * AddressW'(Pieces);
         held_q    <= HeldW'(line_i);
       end else if (next && Pieces > 1) begin
         address_q <= address_q + AddressW'(1);
@@ -106,6 +124,8 @@ module pu_spill #(
     assign mem_valid_o   = 1'b0;
     assign mem_address_o = '0;
     assign mem_data_o    = '0;
+    assign full_o        = 1'b0;
+    assign full_line_o   = '0;
     logic unused_memory;
     assign unused_memory = &{1'b0, clk_i, rst_ni, overflow_i, unit_i, mem_ready_i};
 `ifndef SYNTHESIS

@@ -46,6 +46,7 @@ class AxiMemory {
 
   const MemoryLine& line(uint64_t address) const { return pages_.line(address); }  // contents, for host access
   MemoryLine& line(uint64_t address) { return pages_.line(address); }
+  void set_lines(uint64_t lines) { options_.size = lines * 64; }
   std::set<uint64_t> failing;           // lines that answer SLVERR
   int fail_reads = 0, fail_writes = 0;  // so many of those that are taken next answer SLVERR
   bool writing() const { return !writes_.empty() || !address_.empty() || !data_.empty(); }

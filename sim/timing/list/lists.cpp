@@ -11,9 +11,9 @@ Lists::Lists(const Machine& m)
     : units_(m.units),
       port_(m.memory.list_port()),
       windows_(m.trace.windows.size()),
+      log_(list_log(m.config, area_lines(m.config, m.overflow.lines, Area::kLists), windows_)),
       lists_(windows_),
-      reader_(1, m.frame.tables.overflow + (uint64_t{1} << m.config.list_area_w()), Config::list_jobs(),
-              Config::list_lines()) {}
+      reader_(1, m.overflow.first, Config::list_jobs(), Config::list_lines()) {}
 
 void Lists::step(Machine& m, Cycle now) {
   const bool granted = m.memory.granted(port_, now), answered = m.memory.answered(port_);
@@ -50,7 +50,7 @@ void Lists::write(Machine& m, Cycle now, bool granted) {
   source_shown_ = source;
   if (move) {
     const size_t number = m.trace.number[held_.beat];
-    m.memory.ask(port_, list_line(m.config, m.frame, number, lists_[number].size()), true);
+    m.memory.ask(port_, list_line(m.config, m.overflow, windows_, number, lists_[number].size()), true);
     lists_[number].push_back(held_);
     out_valid_ = true;
     held_valid_ = false;
@@ -86,11 +86,7 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
     const bool wanted = state_ == kEnd || count != 0;
     take = wanted && reader_.room_before_job(now);
     leave = take || !wanted;
-    if (take)
-      job = {state_ == kLines,
-             static_cast<uint32_t>(number_ << m.config.list_entry_w()),
-             state_ == kLines ? count : 0,
-             {}};
+    if (take) job = {state_ == kLines, static_cast<uint32_t>(number_ << log_), state_ == kLines ? count : 0, {}};
   }
 
   // Dealing.
@@ -122,7 +118,7 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
     out_.beat = kWindowEndBeat;
     waiting_ = (uint32_t{1} << units_) - 1;
     if (data) {
-      out_ = lists_[reader_.job().first >> m.config.list_entry_w()][reader_.item()];
+      out_ = lists_[reader_.job().first >> log_][reader_.item()];
       waiting_ = uint32_t{1} << target;
     }
     reader_.pop_item(now);

@@ -36,6 +36,7 @@ class Lists {
 
   const int units_, port_;
   const size_t windows_;
+  const int log_;  // a list has 2^this lines
   bool moved_ = false;
 
   // list_write

@@ -213,7 +213,7 @@ void Pu::rows(Machine& m, Cycle now) {
         color.rows_end(m, now);
       } else if (line.ext) {
         pieces_left_ = pieces_;
-        spill_line_ = ru_overflow_line(m.config, m.frame, static_cast<uint64_t>(lane_), line.parity, line.address);
+        spill_line_ = ru_overflow_line(m.config, m.overflow, static_cast<uint64_t>(lane_), line.parity, line.address);
         m.memory.ask(port, spill_line_, true);
       }
       rows_.take(now);

@@ -12,6 +12,7 @@
 #include <deque>
 #include <vector>
 
+#include "cpp_model/areas/areas.hpp"
 #include "cpp_model/config.hpp"
 #include "cpp_model/fixed.hpp"
 #include "cpp_model/su/su.hpp"
@@ -159,7 +160,7 @@ class Su {
                                     : external_.asking;
   }
   const Sorted& item() const { return external_.item() ? external_.rising.item : batches_.front().item; }
-  uint64_t overflow_line(const Machine& m, int area, uint64_t line) const;
+  uint64_t overflow_line(const Machine& m, Area area, uint64_t line) const;
 
   void begin_split(Cycle now, uint64_t min, uint64_t max);
   void begin_group(Cycle origin);

@@ -5,16 +5,10 @@
 #include "sim/timing/su/su_now.hpp"
 
 namespace pipegs::timing {
-namespace {
-
-constexpr int kRecordArea = 1, kListArea = 2, kRunArea = 3;
-
-}  // namespace
-
 // --- su_port ---------------------------------------------------------------------------------------------------------
 
-uint64_t Su::overflow_line(const Machine& m, int area, uint64_t line) const {
-  return m.frame.tables.overflow + (static_cast<uint64_t>(lane_ << 3 | area) << 24) + line;
+uint64_t Su::overflow_line(const Machine& m, Area area, uint64_t line) const {
+  return m.overflow.first + area_first(m.config, m.overflow.lines, static_cast<uint64_t>(lane_), area) + line;
 }
 
 void Su::port(Machine& m, Cycle now) {
@@ -42,22 +36,22 @@ void Su::port(Machine& m, Cycle now) {
   const auto records = static_cast<uint32_t>(records_out_.size());
   if (record_valid_) {
     choice_ = kRecord;
-    m.memory.ask(port_, overflow_line(m, kRecordArea, records - 1), true);
+    m.memory.ask(port_, overflow_line(m, Area::kRecords, records - 1), true);
   } else if (keys_valid_) {
     choice_ = kKeys;
-    m.memory.ask(port_, overflow_line(m, kListArea, (records - 1) / kKeysPerLine), true);
+    m.memory.ask(port_, overflow_line(m, Area::kKeys, (records - 1) / kKeysPerLine), true);
   } else if (e.lines_full) {
     choice_ = kRun;
-    m.memory.ask(port_, overflow_line(m, forms || !e.area ? kRunArea : kListArea, e.lines_number), true);
+    m.memory.ask(port_, overflow_line(m, forms || !e.area ? Area::kRuns : Area::kKeys, e.lines_number), true);
   } else if (flight_ != kAnswers && fetches()) {
     choice_ = kFetch;
     const Way& way = e.ways[static_cast<size_t>(e.asked_way)];
-    const uint64_t line = forms ? overflow_line(m, kListArea, e.first + e.asked)
-                                : overflow_line(m, way.area ? kRunArea : kListArea, way.line);
+    const uint64_t line = forms ? overflow_line(m, Area::kKeys, e.first + e.asked)
+                                : overflow_line(m, way.area ? Area::kRuns : Area::kKeys, way.line);
     m.memory.ask(port_, line);
   } else if (flight_ != kAnswers && ask_) {
     choice_ = kRead;
-    m.memory.ask(port_, overflow_line(m, kRecordArea, ask_line_));
+    m.memory.ask(port_, overflow_line(m, Area::kRecords, ask_line_));
   }
 }
 

@@ -229,6 +229,7 @@ TimingTrace timing_trace(const GoldenInput& input, unsigned threads) {
   trace.config = packed.config;
   trace.frame = input.frame;
   trace.picture = input.picture;
+  trace.slots = packed.gaussians.size();
   trace.cells = nodes(packed.cells);
   trace.groups = nodes(packed.groups);
   trace.chunks = nodes(packed.chunks);

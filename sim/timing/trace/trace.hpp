@@ -63,6 +63,7 @@ struct TimingTrace {
   Config config;
   Frame frame;
   Picture picture;
+  uint64_t slots = 0;  // of the packed scene
   std::vector<TimingNode> cells, groups, chunks;
   std::vector<TimingWalk> walks;  // one for each window; one with lists
   std::vector<TimingChunk> chunks_sent;

@@ -7,8 +7,8 @@
 //         (those that may write, and the last one) if such a one did, else of geometry only if no colour did, and stays
 //         while its port may be served. A burst of geometry of n lines keeps geometry away for n - 1 cycles. What
 //         leaves is what was taken last, with the port's number as its tag, and stays until the memory takes it;
-//         nothing is taken over a request that waits. An answer goes to the port of its tag in the next cycle, and to
-//         no other.
+//         nothing is taken over a request that waits, and nothing at all once it is stopped. An answer goes to the port
+//         of its tag in the next cycle, and to no other.
 // Invariant  The registers hold what was remembered. Fairness inside is that of arbiter_proof.svh, at this size.
 
 localparam int unsigned ProofAddressW = pipegs_pkg::AddressW;
@@ -106,7 +106,8 @@ always_comb begin
     assert (!waits_q || (mem_request_o.write == write_q && mem_request_o.address == address_q &&
             mem_request_o.halves == halves_q && mem_request_o.lines == lines_q));
     assert (!(waits_q && write_q) || mem_data_o[place] == line_bit_q);
-    assert (ready_o == (grant_q & able) || (any_q && !mem_ready_i));
+    assert (ready_o == (grant_q & able) || (any_q && !mem_ready_i) || stop_i);
+    assert (!stop_i || ready_o == '0);
     assert (since_q[BurstW] ? pause_q == '0 : (BurstW+1)'(pause_q) == (since_q < (BurstW+1)'(last_lines_q) ?
             (BurstW+1)'(last_lines_q) - since_q : (BurstW+1)'(0)));
     assert (rsp_valid_o == (answer_q ? Ports'(1) << answer_tag_q : '0));

@@ -5,12 +5,19 @@
 //         The SRAM of the counts stands outside: of the window's count it is assumed that a read shows what was written
 //         before, and nothing of a read in the cycle of a write.
 // Rule    The line of a record of the window is the list's beginning plus the records before it in this frame; a line
-//         shown stays until taken; the counts of all windows are cleared before the first record is taken.
+//         shown stays until taken; the counts of all windows are cleared before the first record is taken. No line is
+//         shown that lies outside the area of the lists or in the list of another window.
 // Assumes The SRAM's rule (proof `sram`). A frame begins when nothing is inside; the numbers of windows are the
-//         frame's; a list has room (the module's own promise: a full one would begin anew).
-// Invariant  The count is in the SRAM, one less than the records taken while the last of them is still held.
+//         frame's; its windows and its area are constant, the area begins at line 0.
+// Invariant  The count is in the SRAM, one less than the records taken while the last of them is still held. As many
+//         lists as there are windows fit the area, or none has room.
 
 (* anyconst *) logic [NumberW-1:0] window;
+(* anyconst *) logic [AddressW-1:0] lines;
+(* anyconst *) logic [LeftW-1:0] all;
+(* hierconn *) logic [NumberW+1+EntryW:0] \u_room.twice_q ;
+logic [AddressW-1:0] area;
+logic [NumberW-1:0]  moved_number_q;  // of the record that moved last
 logic [EntryW-1:0] taken_q, stored_q, shown_q, expected;
 logic              shows_q, takes, held_here, started_q;  // shows_q: the SRAM shows the window's count
 logic [AddressW-1:0] list, at_q;    // at_q: where the record that moved last belongs, if it is of the window
@@ -23,7 +30,8 @@ proof_hold #(.DataW(AddressW)) u_hold (
 
 assign takes     = take && number == window;
 assign held_here = held_valid_q && held_number_q == window;
-assign list      = (AddressW'(1) << pipegs_pkg::ListAreaW) + (AddressW'(window) << EntryW);
+assign list      = AddressW'(window) << log_o;
+assign area      = pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaLists);
 assign expected  = held_here ? taken_q - 1'b1 : taken_q;
 always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) begin
@@ -42,28 +50,36 @@ end
 always_ff @(posedge clk_i) begin
   if (count_write_o && count_at_o == window) stored_q <= count_o;
   if (count_read_o) shown_q <= stored_q;
+  if (move) moved_number_q <= held_number_q;
   if (move) at_q <= list + AddressW'(expected);
 end
 
 always_comb begin
   assume (!shows_q || count_i == shown_q);
-  assume (overflow_i == '0 && windows_i.first_x <= windows_i.last_x && windows_i.first_y <= windows_i.last_y);
+  assume (overflow_i.first == '0 && overflow_i.lines == lines && windows == all);
+  assume (windows_i.first_x <= windows_i.last_x && windows_i.first_y <= windows_i.last_y);
   assume (windows <= LeftW'(1) << NumberW && LeftW'(window) < windows);
   assume (!restart_i || !(clearing || held_valid_q || out_valid_q || take));
   assume (started_q || splat_valid_i == '0);
-  assume (!takes || taken_q != '1);
+  assume (!take || LeftW'(number) < windows);
   if (rst_ni) begin
+    assert (!mem_valid_o || (address_q < area && address_q >> log_o == AddressW'(moved_number_q)));
+    assert (!held_valid_q || LeftW'(held_number_q) < windows);
+    assert (!out_valid_q || LeftW'(moved_number_q) < windows);
+    assert (!started_q || none == (AddressW'(windows) > area));
+    assert (!started_q || none || (AddressW'(windows) << log_o) <= area);
+    assert (!started_q || (\u_room.twice_q == ((NumberW+EntryW+2)'(windows) << log_o) << 1 && 32'(log_o) <= EntryW));
+    assert (!started_q || !none || log_o == '0);
     assert (left_q <= LeftW'(1) << NumberW);
-    assert (!take || !clearing);
+    assert (!take || (!clearing && roomy));
     assert (splat_ready_o == ((take ? source : '0) | is_end));
-    assert (!moved_q || address_q == at_q);
+    assert (!moved_q || full_q || address_q == at_q);
     // invariants
-    assert (!(held_valid_q || out_valid_q) || (started_q && !clearing));
+    assert (!(held_valid_q || out_valid_q) || (started_q && !clearing && roomy));
     assert (!clearing || taken_q == '0);
     assert (!clearing || LeftW'(window) < left_q || stored_q == '0);
     assert (!started_q || clearing || stored_q == expected);
     if (held_here) begin
-      assert (taken_q != '0);
       assert (same_q ? kept_q == expected : (shows_q && shown_q == expected));
     end
   end

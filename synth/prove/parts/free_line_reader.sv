@@ -16,7 +16,7 @@ module line_reader #(
   input  logic                              clk_i,
   input  logic                              rst_ni,
 
-  input  logic [pipegs_pkg::AddressW-1:0]   base_i,
+  input  pipegs_pkg::span_t                 table_i,
 
   input  logic                              job_valid_i,
   output logic                              job_ready_o,
@@ -39,16 +39,18 @@ module line_reader #(
   output logic [TagW-1:0]                   out_tag_o,
   output logic [ItemW-1:0]                  out_item_o,
 
+  output logic                              bad_o,
+  output logic [pipegs_pkg::AddressW-1:0]   bad_line_o,
   output logic                              waiting_o,
   output logic                              idle_o
 );
 
-  (* anyseq *) logic [pipegs_pkg::AddressW-1:0] address;
+  (* anyseq *) logic [pipegs_pkg::AddressW-1:0] address, bad_line;
   (* anyseq *) logic [pipegs_pkg::BurstW-1:0] lines;
   (* anyseq *) logic [IndexW-1:0] index;
   (* anyseq *) logic [TagW-1:0]   tag;
   (* anyseq *) logic [ItemW-1:0]  item;
-  (* anyseq *) logic ready, asks, valid, read, waiting, idle;
+  (* anyseq *) logic ready, asks, valid, read, waiting, idle, bad;
 
   assign job_ready_o   = ready;
   assign mem_valid_o   = asks;
@@ -59,6 +61,8 @@ module line_reader #(
   assign out_index_o   = index;
   assign out_tag_o     = tag;
   assign out_item_o    = item;
+  assign bad_o         = bad;
+  assign bad_line_o    = bad_line;
   assign waiting_o     = waiting;
   assign idle_o        = idle;
 
@@ -73,6 +77,6 @@ module line_reader #(
 
   logic unused;
   assign unused =
-      &{1'b0, base_i, job_valid_i, job_read_i, job_first_i, job_count_i, job_tag_i, rsp_valid_i, rsp_data_i};
+      &{1'b0, table_i, job_valid_i, job_read_i, job_first_i, job_count_i, job_tag_i, rsp_valid_i, rsp_data_i};
 
 endmodule

@@ -4,13 +4,18 @@
 //
 // Idea    One bit of the line taken last for memory is remembered, at a place of the solver's choice.
 // Rule    Every line taken goes to one of the two; pieces are shown one after another, each with its part of the line
-//         and its address, until it is taken; no end passes while a piece waits.
-// Assumes pu_rows holds what it shows.
-// Invariant  The pieces left stand in the low end of the register.
+//         and its address, until it is taken; no end passes while a piece waits. Whatever number a line has, nothing is
+//         shown that lies outside the area of this unit and the line's parity; behind such a line nothing is shown.
+// Assumes pu_rows holds what it shows. The overflow area and the unit are constant.
+// Invariant  The pieces left stand in the low end of the register; its address is the line's, while that has room.
 
 (* anyconst *) logic [$clog2(HeldW)-1:0] place;
 logic [$clog2(Pieces+1)-1:0] shown_q;  // pieces taken by the memory
-logic                        busy_q, bit_q;
+(* anyconst *) logic [2*AddressW-1:0] overflow;
+(* anyconst *) logic [pipegs_pkg::UnitW-1:0] unit;
+logic                        busy_q, bit_q, parity_q;
+logic [NumberW-1:0]          number_q;
+logic [AddressW-1:0]         begins, at;  // of the area; of the piece in it
 logic                        to_memory, mem_bit;
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
@@ -37,12 +42,26 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
     end
   end
 end
+assign begins = overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i,
+                                                         parity_q ? pipegs_pkg::AreaOdd : pipegs_pkg::AreaEven);
+assign at     = mem_address_o - begins;
+always_ff @(posedge clk_i) begin
+  if (to_memory) {number_q, parity_q} <= {gen_outside.number, alphas_i.parity};
+end
 always_ff @(posedge clk_i) if (to_memory) bit_q <= 32'(place) < LineW ? line_i[place] : 1'b0;
 
 always_comb begin
   assume (32'(place) < HeldW);
+  assume (overflow_i == overflow && unit_i == unit);
   if (rst_ni) begin
-    assert (mem_valid_o == busy_q);
+    assert (mem_valid_o == (busy_q && !full_o));
+    assert (!mem_valid_o || at < pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaEven));
+    assert (!full_o || busy_q);
+    assert (!busy_q || full_o || MostW'((MostW'(number_q) + MostW'(1)) * MostW'(Pieces)) <=
+            MostW'(pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaEven)));
+    assert (!busy_q || full_o || at == AddressW'(number_q) * AddressW'(Pieces) + AddressW'(shown_q));
+    assert (gen_outside.first_q == overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i,
+                                                                             pipegs_pkg::AreaEven));
     assert ((store_write_o || to_memory) == (alphas_valid_i && alphas_ready_o && is_data));
     assert (!to_memory || !busy_q);
     assert (!rows_end_valid_o || !busy_q);

@@ -28,9 +28,13 @@ proof_hold #(.DataW(AddressW)) u_hold_mem (
 proof_hold #(.DataW(pipegs_pkg::FetchBits), .Assumed(1'b1)) u_hold_in (
   .clk_i, .rst_ni, .valid_i(in_valid_i), .ready_i(in_ready_o), .beat_i(in_i)
 );
-proof_hold #(.DataW(AddressW), .Assumed(1'b1)) u_hold_overflow (
-  .clk_i, .rst_ni, .valid_i(1'b1), .ready_i(1'b0), .beat_i(overflow_i)
-);
+(* anyconst *) logic [2*AddressW-1:0] overflow;
+for (genvar i = 0; i < Units; i += 1) begin : gen_proof_base
+  always_comb if (rst_ni) begin
+    assert (gen_outside.base_q[i] == overflow_i.first +
+            pipegs_pkg::area_first(overflow_i.lines, pipegs_pkg::UnitW'(i), pipegs_pkg::AreaEven));
+  end
+end
 
 if (Parts == 1) begin : gen_proof_one
   assign {ask_part, rsp_part} = '0;
@@ -44,6 +48,7 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
 end
 
 always_comb begin
+  assume (overflow_i == overflow);
   assume (!rsp_valid_i || parts_q != '0);
   assume ((answer_valid_i != '0) == asked_q);
   assume (!restart_i || !in_valid_i);

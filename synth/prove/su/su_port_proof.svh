@@ -2,14 +2,20 @@
 // The end of rtl/su/su_port.sv in its proof: every line asked for has room when it comes.
 //
 // Rule    Lines asked for and not used are at most Answers, so the store never refuses an answer; what the memory is
-//         shown stays until it is taken; of those who ask, only the one shown is told that it was taken.
+//         shown stays until it is taken; of those who ask, only the one shown is told that it was taken. Whatever lines
+//         are asked for, none is shown that lies outside the area of its kind in the unit's share.
 // Assumes The memory answers what was asked for; each who asks holds its request (proof_hold); with a line its owner is
-//         shown, whose queue is filled before (asserted in simulation).
+//         shown, whose queue is filled before (asserted in simulation). The overflow area and the unit are constant.
 // Invariant  A line in flight was asked for and not answered, or it is in the store.
 
 (* hierconn *) logic [FlightW-1:0] \u_answers.held_q ;
 (* hierconn *) logic [FlightW-1:0] \u_owners.held_q ;
 logic [FlightW-1:0] asked_q;  // reads not answered
+(* anyconst *) logic [2*AddressW-1:0] overflow;
+(* anyconst *) logic [pipegs_pkg::UnitW-1:0] unit;
+logic [2:0]                   area_q;  // of the request shown
+logic [pipegs_pkg::SlotW-1:0] line_q;
+logic [AddressW-1:0]          at;      // its place in that area
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
 proof_hold #(.DataW(1 + pipegs_pkg::AddressW)) u_hold (
@@ -39,10 +45,22 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   else asked_q <= asked_q + FlightW'(asked) - FlightW'(rsp_valid_i);
 end
 
+always_ff @(posedge clk_i) if (choice_q == None) {area_q, line_q} <= {area, line};
+assign at = mem_address_o - overflow_i.first - pipegs_pkg::area_first(overflow_i.lines, unit_i, area_q);
+
 always_comb begin
+  assume (overflow_i == overflow && unit_i == unit);
   assume (!rsp_valid_i || asked_q != '0);
   assume (!line_valid_o || owner_valid);
   if (rst_ni) begin
+    assert (!mem_valid_o || at < pipegs_pkg::area_lines(overflow_i.lines, area_q));
+    assert (!mem_valid_o || (at == AddressW'(line_q) && line_q != '1));
+    assert (choice_q == None || area_q == pipegs_pkg::AreaKeys || area_q == pipegs_pkg::AreaRuns ||
+            area_q == pipegs_pkg::AreaRecords);
+    assert ((choice_q != Record && choice_q != Read) || area_q == pipegs_pkg::AreaRecords);
+    assert (choice_q != Keys || area_q == pipegs_pkg::AreaKeys);
+    assert ((choice_q != Run && choice_q != Fetch) || area_q != pipegs_pkg::AreaRecords);
+    assert (share_q == overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys));
     assert (flight_q <= FlightW'(Answers));
     assert (!rsp_valid_i || unused_queue_ready);
     assert (!asked || unused_owner_ready);

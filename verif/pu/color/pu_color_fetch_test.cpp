@@ -106,6 +106,29 @@ void run(int degree, Pace source_pace, Pace task_pace, Pace other_pace, const Ex
   EXPECT_EQ(fetch.bench.dut.busy_o, 0);
 }
 
+// The last line of the table comes; the job behind it asks for nothing, nor does any later one.
+TEST(PuColorFetch, StopsAtALineThatTheTableDoesNotHold) {
+  for (int degree = 1; degree <= 3; ++degree) {
+    Fetch fetch(degree, Pace::kAlways, Pace::kAlways, Pace::kAlways, {});
+    LinesWithTasks lines(fetch);
+    Areas areas = wide_areas();
+    areas.colors = 50;
+    write_frame(kConfig, fetch.bench.dut, fetch.frame, areas);
+    const uint64_t slots = degree == 1 ? 200 : 50;
+    for (const uint64_t slot : {uint64_t{0}, slots - 1, slots, uint64_t{3}}) {
+      ColorJob job = random_job(fetch.bench.rng);
+      job.kind = kData;
+      job.slot = slot;
+      fetch.in.push(fetch.sent.emplace_back(job));
+    }
+    for (int i = 0; i < 400; ++i) fetch.bench.step();
+    EXPECT_EQ(fetch.port.requests, 2u);
+    EXPECT_EQ(fetch.tasks.size(), 2u);
+    EXPECT_EQ(fetch.bench.dut.bad_o, 1);
+    EXPECT_EQ(fetch.bench.dut.bad_line_o, fetch.frame.tables.colors + 50);
+  }
+}
+
 TEST(PuColorFetch, EqualsItsModelAtEveryPaceAndDegree) {
   for (int degree = 0; degree <= 3; ++degree) {
     for (const Pace source_pace : kPaces) {

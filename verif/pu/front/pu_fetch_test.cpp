@@ -71,7 +71,7 @@ void run(Pace source_pace, Pace sink_pace, Pace memory_pace, const ExternalMemor
                                                    dut.fetched_o, sink_pace);
   Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i,
               dut.rsp_data_i, memory_pace, &dut.mem_lines_o);
-  dut.gaussians_i = world.first;
+  write_record(config, dut.gaussians_i, Span{world.first, 1000});
   bench.reset();
   std::vector<Fetched> expected;
   for (int i = 0; i < chunks; ++i) {
@@ -126,7 +126,7 @@ TEST(PuFetch, SendsOneGaussianPerCycleBehindALongLatency) {
                                                    dut.fetched_o);
   Memory port(bench, memory, dut.mem_valid_o, dut.mem_ready_i, nullptr, dut.mem_address_o, nullptr, dut.rsp_valid_i,
               dut.rsp_data_i, Pace::kAlways, &dut.mem_lines_o);
-  dut.gaussians_i = world.first;
+  write_record(world.config, dut.gaussians_i, Span{world.first, 1000});
   bench.reset();
   const size_t beats = 20 * static_cast<size_t>(world.config.chunk);
   for (int i = 0; i < 20; ++i) {

@@ -264,26 +264,6 @@ TEST(PuAllocate, TakesAGaussianPerFourCycles) {
   EXPECT_EQ(s.rows.cycles.back() - s.rows.cycles.front(), 4 * (s.rows.size() - 1));
 }
 
-// An area holds 2^24 lines of memory: half as many lines of alphas when each takes two.
-TEST(PuAllocate, SaysSoWhenAnAreaIsFull) {
-  AllocateBench s;
-  if (s.config.alpha_memory_lines() == 1) GTEST_SKIP() << "the same with twice as many Gaussians";
-  s.world.done_pace = 0;
-  s.restart();
-  const auto regions = static_cast<uint64_t>(s.config.regions());
-  const uint64_t inside = static_cast<uint64_t>(s.config.alpha_lines) / regions;
-  const uint64_t outside = (uint64_t{1} << 24) / static_cast<uint64_t>(s.config.alpha_memory_lines()) / regions;
-  Tiles tiles = random_record<Tiles>(s.config, s.bench.rng);
-  tiles.kind = kData, tiles.mask = s.world.all();
-  for (uint64_t i = 0; i < inside + outside; ++i) s.in.push(tiles);
-  s.bench.run_until([&] { return s.rows.size() == inside + outside; }, 5 * (inside + outside));
-  ASSERT_FALSE(HasFailure());
-  tiles.mask = 1;  // one line too many
-  s.in.push(tiles);
-  const auto more = [&] { return s.rows.size() > inside + outside; };
-  EXPECT_THROW(s.bench.run_until(more, 100), std::runtime_error);
-}
-
 TEST(PuAllocate, SaysSoWhenALayerDoesNotFit) {
   AllocateBench s;
   if (s.config.overflow) GTEST_SKIP() << "what does not fit goes to memory";

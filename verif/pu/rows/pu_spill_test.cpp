@@ -87,7 +87,7 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
             Words line = line_of(s.config, alphas);
             line.resize(static_cast<size_t>(pieces) * 16);
             for (int piece = 0; piece < pieces; ++piece) {
-              spilled[ru_overflow_line(s.config, s.frame, 3, layer % 2, alphas.address) +
+              spilled[ru_overflow_line(s.config, wide_overflow(s.frame), 3, layer % 2, alphas.address) +
                       static_cast<uint64_t>(piece)] = Words(line.begin() + 16 * piece, line.begin() + 16 * (piece + 1));
             }
           } else {
@@ -109,6 +109,48 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
       if (HasFailure()) { FAIL() << "source " << to_text(source) << ", sink " << to_text(sink); }
     }
   }
+}
+
+// The last line of the area is written, the one behind it is not, nor any that comes later.
+TEST(PuSpill, StopsBeforeItsAreaEnds) {
+  for (const uint64_t parity : {0, 1}) {
+    SpillBench s;
+    if (!s.config.overflow || (s.config.has_lists() && parity != 0)) continue;
+    const auto pieces = static_cast<uint64_t>(s.config.alpha_memory_lines());
+    Areas areas = wide_areas();
+    areas.overflow = 3200;
+    write_frame(s.config, s.bench.dut, s.frame, areas);
+    for (int i = 0; i < 3; ++i) s.bench.step();
+    const uint64_t lines = area_lines(s.config, areas.overflow, Area::kEven) / pieces;
+    const Span overflow = overflow_span(s.frame, areas);
+    for (uint64_t n = 0; n < lines; ++n) s.in.push(Alphas{.address = n, .ext = 1, .parity = parity});
+    ASSERT_TRUE(s.bench.run_until([&] { return s.port.requests == lines * pieces; }));
+    for (int i = 0; i < 10; ++i) s.bench.step();
+    EXPECT_EQ(s.bench.dut.full_o, 0);
+    for (uint64_t n = lines; n < lines + 5; ++n) s.in.push(Alphas{.address = n, .ext = 1, .parity = parity});
+    for (int i = 0; i < 50; ++i) s.bench.step();
+    EXPECT_EQ(s.bench.dut.full_o, 1);
+    EXPECT_EQ(s.bench.dut.full_line_o, ru_overflow_line(s.config, overflow, 3, parity, lines));
+    EXPECT_EQ(s.port.requests, lines * pieces);
+    EXPECT_EQ(s.in.taken, lines + 1);
+  }
+}
+
+// Numbers wrap behind the last one: those near it have no place, however large the area is.
+TEST(PuSpill, StopsBeforeItsNumbersWrap) {
+  SpillBench s;
+  if (!s.config.overflow) GTEST_SKIP() << "no line spills";
+  Areas areas = wide_areas();
+  areas.overflow = uint64_t{1} << 33;
+  write_frame(s.config, s.bench.dut, s.frame, areas);
+  const int bits = s.config.alpha_address_w() - (s.config.has_lists() ? s.config.unit_w() : 0);
+  const uint64_t last = (uint64_t{1} << bits) - 1;
+  s.in.push(Alphas{.address = last - static_cast<uint64_t>(s.config.regions()), .ext = 1});
+  for (int i = 0; i < 20; ++i) s.bench.step();
+  EXPECT_EQ(s.bench.dut.full_o, 0);
+  s.in.push(Alphas{.address = last, .ext = 1});
+  for (int i = 0; i < 20; ++i) s.bench.step();
+  EXPECT_EQ(s.bench.dut.full_o, 1);
 }
 
 TEST(PuSpill, KeepsUpWithTheRowUnitsWhenEveryLineSpills) {

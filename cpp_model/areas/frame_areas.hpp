@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// frame_areas: how large each area is that a frame uses: the tables of its scene, its pixels, and what overflows.
+//
+// RTL     areas_t of rtl/pipegs_pkg.sv, taken with the frame
+// Idea    The overflow area is as large as the frame can need at most: a splat of every Gaussian in each part of a
+//         window, all in one SU; a line of alphas for each region; a list as long as the scene. Where that is too much
+//         it is cut: at 1 GiB of records and keys and 1 GiB of alphas for all units together, and at 2 GiB of lists.
+//         Frames that need more than the cut end with an error, area_full, and the host gives more.
+// Units   Lines of external memory.
+#pragma once
+
+#include "cpp_model/areas/areas.hpp"
+#include "cpp_model/pack/pack.hpp"
+
+namespace pipegs {
+
+// Of the machine `config`, which may differ from the scene's in what does not change the scene.
+Areas frame_areas(const Config& config, const PackedScene& scene, const Frame& frame);
+// The overflow area alone, for a scene of so many slots.
+uint64_t overflow_area(const Config& config, uint64_t slots, uint64_t windows);
+
+// The windows that a frame renders, and the overflow area as one record.
+uint64_t frame_windows(const Frame& frame);
+Span overflow_span(const Frame& frame, const Areas& areas);
+
+// Lines of the pixels of all windows of the picture, whole ones, whatever is rendered of it.
+uint64_t pixel_area(const Config& config, uint64_t width, uint64_t height);
+
+}  // namespace pipegs

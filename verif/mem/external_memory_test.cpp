@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// external_memory_test: what the memory of the harness refuses: lines that it does not have, and a write of a line of
+// which a read is not answered.
+#include <gtest/gtest.h>
+
+#include "sim/memory/external_memory.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr uint32_t kLine[16] = {7};
+
+TEST(ExternalMemory, RefusesWhatLiesBehindItsEnd) {
+  ExternalMemory memory({.latency = 3});
+  memory.set_lines(100);
+  memory.step();
+  EXPECT_NO_THROW(memory.request(true, 99, 1, kLine));
+  EXPECT_THROW(memory.request(true, 100, 1, kLine), MemoryFault);
+  EXPECT_THROW(memory.request(false, 100, 1, nullptr), MemoryFault);
+  EXPECT_THROW(memory.request(false, uint64_t{1} << 33, 1, nullptr), MemoryFault);
+  try {
+    memory.request(true, 123, 5, kLine);
+  } catch (const MemoryFault& fault) {
+    EXPECT_STREQ(fault.what(), "external memory: tag 5 writes line 123, but there are 100 lines");
+  }
+}
+
+TEST(ExternalMemory, RefusesAWriteOfALineThatIsBeingRead) {
+  ExternalMemory memory({.latency = 10});
+  memory.step();
+  memory.request(false, 4, 2, nullptr);
+  memory.request(false, 4, 3, nullptr);
+  int answers = 0;
+  for (int cycle = 0; cycle < 40; ++cycle) {
+    if (answers < 2) {
+      EXPECT_THROW(memory.request(true, 4, 1, kLine), MemoryFault) << "cycle " << cycle;
+    } else {
+      EXPECT_NO_THROW(memory.request(true, 4, 1, kLine)) << "cycle " << cycle;
+    }
+    EXPECT_NO_THROW(memory.request(true, 5, 1, kLine));
+    memory.step();
+    answers += memory.answer() != nullptr;
+  }
+  EXPECT_EQ(answers, 2);
+}
+
+}  // namespace
+}  // namespace pipegs
