@@ -3,8 +3,8 @@
 //
 // A scene of a few Gaussians, large ones and specks, before a camera whose image is one window of the machine with
 // these settings. Into FOLDER go memory.hex (the scene as it lies in external memory; the pixels' lines are not in it,
-// they start X), expected.hex and places.hex (the golden model's lines of pixels, and where they belong), inputs.vh (the
-// ports that are taken with the frame) and sizes.vh (widths of ports, where the fields of a request lie, how many
+// they start X), expected.hex and places.hex (the golden model's lines of pixels, and where they belong), inputs.vh
+// (the ports that are taken with the frame) and sizes.vh (widths of ports, where the fields of a request lie, how many
 // lines). Exit code 2 on bad arguments.
 #include <fmt/format.h>
 #include <fmt/os.h>
@@ -57,7 +57,8 @@ struct Places final : FieldVisitor {
 
 // The connection of an input that is X when no frame is valid.
 std::string input(const char* name, int width, const std::vector<uint32_t>& words) {
-  return fmt::format("    .{}_i(frame_valid ? {}'h{} : {{{}{{1'bx}}}}),\n", name, width, hex(words.data(), width), width);
+  const std::string value = hex(words.data(), width);
+  return fmt::format("    .{}_i(frame_valid ? {}'h{} : {{{}{{1'bx}}}}),\n", name, width, value, width);
 }
 
 template <typename R>
