@@ -11,7 +11,7 @@ TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
-.PHONY: help tools build run test test-long fuzz bench figures lint prove synth \
+.PHONY: help tools build run test test-long fuzz bench figures lint prove synth fpga \
         format style lacks rooms package wave clean
 
 help:  ## this list
@@ -66,6 +66,11 @@ synth: tools $(BUILD)/build.ninja  ## area and longest paths of every module; RU
 	@cmake --build $(BUILD) --target package_sv >/dev/null
 	@synth/synth.py --build $(BUILD) --rung $(RUNG) --set "$(SET)" \
 	  $(if $(LIBERTY),--liberty $(LIBERTY)) $(if $(JOBS),--jobs $(JOBS))
+
+fpga: tools $(BUILD)/build.ninja  ## what it takes of an FPGA, unit by unit; RUNG=, UNITS=1,2,4, FAMILIES=, SET=, JOBS=
+	@cmake --build $(BUILD) --target package_sv >/dev/null
+	@synth/fpga.py --build $(BUILD) --rung $(RUNG) --set "$(SET)" $(if $(UNITS),--units $(UNITS)) \
+	  $(if $(FAMILIES),--families $(FAMILIES)) $(if $(JOBS),--jobs $(JOBS))
 
 format:  ## apply the formats of C++ and Python
 	@$(call INSTALL,$(STYLE))

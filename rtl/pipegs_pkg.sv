@@ -90,6 +90,8 @@ package pipegs_pkg;
   localparam int unsigned LargeGroups    = 1;  // 1: the SU cuts chains of more than 16 keys; 0: no bucket holds more
   // data of the AXI4 bus to memory: 128, 256 or 512; 0: the core's own port of a line, without a bus
   localparam int unsigned BusW           = 512;
+  // 1: a unit's clock stops while it has nothing to do; 0: never, clk_o = clk_i, for FPGAs
+  localparam int unsigned ClockGates     = 1;
   // 1: the streams show at the top level (tap_*), so every one is compared; 0: only pixels are
   localparam int unsigned Taps           = 1;
   localparam bit CachesAlphas            = 1'b1;  // the PUs compute alphas; else coefficients, and the RUs alphas
@@ -1185,7 +1187,7 @@ package pipegs_pkg;
     48'h0088_060c1014,  // CONFIG_GAUSSIAN
     48'h0084_00030800,  // CONFIG_POINT
     48'h0080_10044004,  // CONFIG_COUNTS
-    48'h000c_4c110547,  // CONFIG_HASH
+    48'h000c_5c1ba3bf,  // CONFIG_HASH
     48'h0008_d3dcdf50,  // LAYOUT
     48'h0004_00010000,  // VERSION
     48'h0000_47504950  // ID

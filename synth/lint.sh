@@ -45,7 +45,7 @@ design_point() {  # its settings, from the table
 machines=("" "$(design_point fast)")
 [ -z "$rest" ] || machines=()
 machines+=("antialias=1" "tight_cull=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1"
-  "late=1 order=2" "late=1 order=2 quads=1" "bus_w=128"
+  "late=1 order=2" "late=1 order=2 quads=1" "bus_w=128 clock_gates=0"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 simulated=("" "bus_w=0")

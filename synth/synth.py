@@ -344,6 +344,8 @@ def main():
     printed = subprocess.run([f"{options.build}/cpp_model/package_sv", *settings], capture_output=True, text=True)
     if printed.returncode != 0:
         raise Failed(printed.stderr.strip())
+    if re.search(r"\bClockGates += 0;", printed.stdout):
+        raise Failed("clock_gates=0 is an FPGA's machine (make fpga): its clock_gate cannot stand for enables")
     configuration = re.search(r"Configuration: (\S+)\.", printed.stdout)[1]  # as the RTL's folders are named
     name = os.path.basename(options.liberty).split(".")[0].replace("_stdcells", "")
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), max(1, options.jobs))

@@ -242,6 +242,12 @@ def silicon(found):
     return silicon_rows(row)
 
 
+def fpga(found):
+    """Of `synth/fpga.py` for one machine and family: by unit, and the total."""
+    (entry,) = found
+    return entry["rows"]
+
+
 def energy(found):
     """By design point: clock, area, frames for area and energy, and what each unit takes."""
     result = {}

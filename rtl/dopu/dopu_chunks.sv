@@ -14,6 +14,7 @@ module dopu_chunks #(
 ) (
   input  logic                                 clk_i,
   input  logic                                 rst_ni,
+  input  logic                                 awake_i,    // the DOPU's clock does not stand, or would not
   input  pipegs_pkg::position_t                position_i,
   input  logic [pipegs_pkg::WorldW-1:0]        near_plane_i,
   input  pipegs_pkg::span_t                    groups_i,  // the tables
@@ -49,7 +50,7 @@ module dopu_chunks #(
 
   if (pipegs_pkg::HasWatermarks) begin : gen_nearest
     dopu_nearest #(.Lines(pipegs_pkg::NodeLines)) u_nearest (
-      .clk_i, .rst_ni, .position_i, .near_plane_i, .groups_i, .chunks_i, .planes_i,
+      .clk_i, .rst_ni, .awake_i, .position_i, .near_plane_i, .groups_i, .chunks_i, .planes_i,
       .set_done_i, .cell_valid_i, .cell_ready_o, .cell_kind_i, .cell_set_i, .cell_i,
       .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
       .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .mark_o, .bad_o, .bad_line_o,
@@ -57,7 +58,7 @@ module dopu_chunks #(
     );
   end else begin : gen_layers
     dopu_descend #(.Lines(pipegs_pkg::NodeLines)) u_descend (
-      .clk_i, .rst_ni, .position_i, .near_plane_i, .groups_i, .chunks_i, .planes_i,
+      .clk_i, .rst_ni, .awake_i, .position_i, .near_plane_i, .groups_i, .chunks_i, .planes_i,
       .set_done_i, .cell_valid_i, .cell_ready_o, .cell_kind_i, .cell_set_i, .cell_i,
       .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
       .chunk_valid_o, .chunk_ready_i, .chunk_kind_o, .chunk_set_o, .chunk_o, .bad_o, .bad_line_o,

@@ -18,6 +18,7 @@ module dopu_descend #(
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
+  input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
@@ -104,7 +105,7 @@ module dopu_descend #(
   pipegs_pkg::node_t result_node;
 
   dopu_test #(.TagW(TagW)) u_test (
-    .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i,
+    .clk_i, .rst_ni, .awake_i, .position_i, .near_plane_i, .planes_i,
     .node_valid_i(test_valid), .node_ready_o(test_ready), .node_i(test_beat[0 +: NodeBits]), .set_i(test_beat[BeatW-1]),
     .tight_i(1'b0), .scale_i('0), .tag_i({test_level, test_beat[BeatW-1:NodeBits]}),
     .result_valid_o(result_valid), .result_pass_o(result_pass), .result_node_o(result_node), .result_tag_o(result_tag),

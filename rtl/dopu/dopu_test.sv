@@ -10,7 +10,8 @@
 //         nearest (with watermarks, else 0): in units of 2^(exponent - 18) world units no Gaussian of the node is
 //         nearer: there the nearest corner takes the place beside the fifth plane.
 // Pace    One node in three cycles (two planes per cycle, eight TestW-bit multipliers), result 14 cycles later. A node
-//         is taken in every third cycle; Phase shifts which.
+//         is taken in every third cycle; Phase shifts which. While the DOPU sleeps the phase
+//         stands, whether its clock does or not.
 // slot 0: corners, one axis per cycle | 1: exponent, shift x, y | 2: shift z, near+left, right+top | 3: bottom, sum
 // Model   cpp_model/dopu/dopu_test.hpp, cpp_model/dopu/nearest/dopu_depth.hpp (nearest)
 
@@ -21,6 +22,7 @@ module dopu_test #(
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
+  input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
@@ -69,7 +71,7 @@ module dopu_test #(
       phase_q <= 2'(Phase);
       valid_q <= '0;
     end else begin
-      phase_q <= last_phase ? '0 : phase_q + 1'b1;
+      if (awake_i) phase_q <= last_phase ? '0 : phase_q + 1'b1;
       if (last_phase) valid_q[3:0] <= {valid_q[2:0], node_valid_i};
       valid_q[4] <= valid_q[3] && phase_q == 2'd1;
     end

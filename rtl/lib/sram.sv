@@ -27,6 +27,7 @@ module sram #(
   output logic [DataW-1:0] rdata_o
 );
 
+  (* no_rw_check *)  // so Yosys builds nothing around a block RAM for the collision of which nothing is promised
   logic [DataW-1:0] words_q [Depth];
 `ifndef SYNTHESIS
   // A linear congruential generator, which moves with each collision: nothing is computed in other cycles.

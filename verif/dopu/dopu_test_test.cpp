@@ -152,6 +152,7 @@ void compare(Pace pace) {
       nearest.push_back(static_cast<int64_t>(d.result_nearest_o << (64 - kNearestW)) >> (64 - kNearestW));
     }
   } probe(bench);
+  dut.awake_i = 1;
   bench.reset();
   uint64_t passed = 0, tight = 0;
   for (int round = 0; round < 30; ++round) {

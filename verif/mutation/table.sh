@@ -13,6 +13,7 @@ mutant dopu_axis "of two equal components the second one is taken" 's/x >= y && 
 mutant dopu_layer "the walk goes c, c - 1, c + 1 instead of c, c + 1, c - 1" \
        's/(camera_slab) \+ (distance : camera_slab) -/\1 - \2 +/'
 mutant dopu_planes "the margin moves an edge inwards" 's/\(far \? margin : -margin\)/(far ? -margin : margin)/'
+mutant dopu_test "the phase runs on while the unit sleeps" 's/if \(awake_i\) phase_q/phase_q/' dopu_free
 mutant dopu_test "slack for the cut bits halved" 's/( Slack *= .*\(TestW \+ )2/\11/'
 mutant dopu_origin "no block exponent where it is needed first" 's/(longest > LengthW.\(ViewW - )2/\11/'
 mutant dopu_emit "the end of an empty layer is sent" 's/ && !had_chunk_q//' dopu
@@ -407,6 +408,7 @@ mutant window_walk "a row of windows starts at 0 instead of the first one" \
        "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru_window
 mutant clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'
 mutant clock_gate "the latch is open all the time" 's/if \(!clk_i\) enable_q/enable_q/'
+mutant clock_gate "a clock that never stops stops in reset" 's/clk_o = clk_i;/clk_o = clk_i \& rst_ni;/' clock_gate_free
 mutant reset_sync "the reset comes with the clock" 's/ or negedge rst_ni//'
 mutant reset_sync "one flip-flop" "s/\{release_q\[0\], 1'b1\}/2'b11/"
 mutant reset_sync "in the scan test the flip-flops stay in the way" 's/test_en_i \? rst_ni : //'

@@ -21,6 +21,7 @@ module dopu_nearest #(
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
+  input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
@@ -153,7 +154,7 @@ module dopu_nearest #(
   logic [RangeW-1:0]  result_range;
 
   dopu_rank #(.TagW(3)) u_rank (
-    .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i, .near_step_i(near_step),
+    .clk_i, .rst_ni, .awake_i, .position_i, .near_plane_i, .planes_i, .near_step_i(near_step),
     .node_valid_i(want != '0), .node_ready_o(rank_ready), .node_i(child[level]), .set_i(set_q[level]),
     .parent_i(child_parent[level]), .tight_i(tight[level]), .scale_i(scale[level]), .tag_i({child_last[level], level}),
     .result_valid_o(result_valid), .result_pass_o(result_pass), .result_tag_o({result_last, result_level}),

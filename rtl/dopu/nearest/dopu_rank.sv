@@ -20,6 +20,7 @@ module dopu_rank #(
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
+  input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
@@ -58,7 +59,7 @@ module dopu_rank #(
   generate
     for (genvar t = 0; t < Tests; t += 1) begin : gen_tests
       dopu_test #(.TagW(TagW + BucketW), .Phase(t)) u_test (
-        .clk_i, .rst_ni, .position_i, .near_plane_i, .planes_i,
+        .clk_i, .rst_ni, .awake_i, .position_i, .near_plane_i, .planes_i,
         .node_valid_i, .node_ready_o(ready[t]), .node_i, .set_i, .tight_i, .scale_i, .tag_i({tag_i, parent_i}),
         .result_valid_o(valid[t]), .result_pass_o(pass[t]), .result_node_o(node[t]), .result_tag_o(tag[t]),
         .result_nearest_o(nearest[t]), .result_exponent_o(exponent[t])

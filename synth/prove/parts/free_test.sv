@@ -11,6 +11,7 @@ module dopu_test #(
 ) (
   input  logic                                  clk_i,
   input  logic                                  rst_ni,
+  input  logic                                  awake_i,  // the unit's clock does not stand, or would not
 
   input  pipegs_pkg::position_t                 position_i,
   input  logic [pipegs_pkg::WorldW-1:0]         near_plane_i,
