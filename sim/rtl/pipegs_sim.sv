@@ -143,7 +143,8 @@ module pipegs_sim #(
 
   if (Bus == 0) begin : gen_port
     // The port orders writes by itself; what a reset core has asked for is counted until it is answered.
-    logic [31:0] reads_q;
+    logic [31:0] asked, reads_q;  // lines
+    assign asked = mem_valid_o && mem_ready_i && !mem_request_o.write ? 32'(mem_request_o.lines) + 32'd1 : '0;
     pipegs_host u_host (
       .clk_i(aclk), .rst_ni(aresetn), .test_en_i(1'b0), .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr,
       .s_axi_wvalid, .s_axi_wready, .s_axi_wdata, .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp,
@@ -154,7 +155,7 @@ module pipegs_sim #(
     );
     always_ff @(posedge aclk or negedge aresetn) begin
       if (!aresetn) reads_q <= '0;
-      else reads_q <= reads_q + 32'(mem_valid_o && mem_ready_i && !mem_request_o.write) - 32'(mem_rsp_valid_i);
+      else reads_q <= reads_q + asked - 32'(mem_rsp_valid_i);
     end
     assign mem_ready_o = mem_ready_i;
     assign left        = u_host.core_done;
