@@ -61,7 +61,7 @@ class SequenceCheck final : public RtlTaps {
   const ExternalMemory& memory_;
   RtlTaps* second_;
   std::vector<One> frames_;
-  std::vector<size_t> splat_frame_;  // of each unit
+  std::vector<size_t> splat_frame_;                // of each unit
   size_t sorted_frame_ = 0, left_ = 0, back_ = 0;  // left_: those of which the RUs show nothing any more
 };
 
