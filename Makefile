@@ -69,7 +69,7 @@ synth: tools $(BUILD)/build.ninja  ## area and longest paths of every module; RU
 
 fpga: tools $(BUILD)/build.ninja  ## what it takes of an FPGA, unit by unit; RUNG=, UNITS=1,2,4, FAMILIES=, SET=, JOBS=
 	@cmake --build $(BUILD) --target package_sv >/dev/null
-	@synth/fpga.py --build $(BUILD) --rung $(RUNG) --set "$(SET)" $(if $(UNITS),--units $(UNITS)) \
+	@synth/fpga/fpga.py --build $(BUILD) --rung $(RUNG) --set "$(SET)" $(if $(UNITS),--units $(UNITS)) \
 	  $(if $(FAMILIES),--families $(FAMILIES)) $(if $(JOBS),--jobs $(JOBS))
 
 format:  ## apply the formats of C++ and Python

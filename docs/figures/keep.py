@@ -243,7 +243,7 @@ def silicon(found):
 
 
 def fpga(found):
-    """Of `synth/fpga.py` for one machine and family: by unit, and the total."""
+    """Of `synth/fpga/fpga.py` for one machine and family: by unit, and the total."""
     (entry,) = found
     return entry["rows"]
 

@@ -20,7 +20,7 @@ GROUPS = {  # name of a group: the folders or files that make it
     "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
     "synth": ["synth/synth.py", "synth/gating.py"],
-    "fpga": ["synth/fpga.py"],
+    "fpga": ["synth/fpga/fpga.py"],
     "proofs": ["synth/prove", "synth/prove.sh"],
 }
 SCENES = {  # scene: its file or folder in the folder of scenes

@@ -19,10 +19,11 @@ import signal
 import subprocess
 import sys
 
-import rtlil
-import synth
-from jobs import Failed, Jobs
-from report import UNITS
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))  # synth/
+import rtlil  # noqa: E402
+import synth  # noqa: E402
+from jobs import Failed, Jobs  # noqa: E402
+from report import UNITS  # noqa: E402
 
 TOP = "pipegs_axi"
 HARMLESS = re.compile(synth.HARMLESS.pattern + r"|Resizing cell port \S+ from \d+ bits to \d+ bits")

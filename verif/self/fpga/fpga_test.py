@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""fpga_test.py BUILD: synth/fpga.py on small modules: memories become block RAM or distributed RAM, nothing a latch."""
+"""fpga_test.py BUILD: synth/fpga/fpga.py on small modules: memories become block RAM or distributed RAM, nothing a latch."""
 import os
 import subprocess
 import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../synth"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../synth/fpga"))
 import fpga  # noqa: E402
 import synth  # noqa: E402
 from jobs import Failed, Jobs  # noqa: E402
@@ -31,7 +31,8 @@ class Fpga(unittest.TestCase):
         """What a memory of this size takes, alone."""
         last = (depth - 1).bit_length() - 1
         text = f"module memory (input c, w, r, input [{last}:0] a, b, input [{width - 1}:0] d,\n"
-        text += f"  output [{width - 1}:0] q);\n  sram #(.DataW({width}), .Depth({depth})) u_sram (.clk_i(c), .write_i(w),\n"
+        text += f"  output [{width - 1}:0] q);\n"
+        text += f"  sram #(.DataW({width}), .Depth({depth})) u_sram (.clk_i(c), .write_i(w),\n"
         text += "    .waddr_i(a), .wdata_i(d), .read_i(r), .raddr_i(b), .rdata_o(q));\nendmodule\n"
         package = fpga.package(BUILD, ["clock_gates=0"]) + text
         modules = synth.elaborate(self.jobs, package, "memory")
