@@ -85,8 +85,10 @@ module control_shadow #(
   end
 
 `ifndef SYNTHESIS
+  // A frame that is dropped is taken back.
   stream_check #(.DataW($bits({frame_o, areas_o, picture_o}))) u_check_frame (
-    .clk_i, .rst_ni, .valid_i(frame_valid_o), .ready_i(frame_ready_i), .beat_i({frame_o, areas_o, picture_o})
+    .clk_i, .rst_ni(rst_ni && !drop_i), .valid_i(frame_valid_o), .ready_i(frame_ready_i),
+    .beat_i({frame_o, areas_o, picture_o})
   );
 `endif
 

@@ -72,7 +72,7 @@ module dopu_cells #(
   assign bad_o         = to_ask_q != '0 && !whole;
   assign mem_address_o = address_q;
   assign rest          = ~address_q[BurstW-1:0];
-  assign mem_lines_o   = 32'(to_ask_q) > 32'(rest) ? rest : BurstW'(to_ask_q - 1'b1);
+  assign mem_lines_o   = 32'(to_ask_q) > 32'(rest) ? rest : BurstW'(32'(to_ask_q) - 32'd1);
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin

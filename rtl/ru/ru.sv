@@ -190,4 +190,10 @@ module ru #(
                 : memory || store_valid || mem_valid_o ? pipegs_pkg::PerfMemory
                 : waits ? pipegs_pkg::PerfBlocked : pipegs_pkg::PerfStarved;
 
+`ifndef SYNTHESIS
+  stream_check #(.DataW($bits({store_address, write_halves, write_data}))) u_check_write (
+    .clk_i, .rst_ni, .valid_i(write_valid), .ready_i(write_ready), .beat_i({store_address, write_halves, write_data})
+  );
+`endif
+
 endmodule

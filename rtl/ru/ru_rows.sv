@@ -139,9 +139,6 @@ module ru_rows #(
   stream_check #(.DataW($bits({out_o, out_line_o}))) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_o, out_line_o})
   );
-  stream_check #(.DataW($bits(job))) u_check_job (
-    .clk_i, .rst_ni, .valid_i(job_valid), .ready_i(job_ready), .beat_i(job)
-  );
 `endif
 
 endmodule

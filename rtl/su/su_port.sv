@@ -164,7 +164,8 @@ module su_port #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!asked || unused_owner_ready);
   always_ff @(posedge clk_i) if (rst_ni) assert (!line_valid_o || owner_valid);
   stream_check #(.DataW($bits({mem_write_o, mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
-    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_write_o, mem_address_o, mem_data_o})
+    .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i),
+    .beat_i({mem_write_o, mem_address_o, mem_write_o ? mem_data_o : '0})  // a read has no data
   );
 `endif
 

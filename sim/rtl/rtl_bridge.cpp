@@ -94,6 +94,7 @@ class VerilatedMachine final : public RtlModel {
   uint64_t taken_ = 0;         // frames
   uint64_t taken_cycle_ = 0;   // of the latest of them
   size_t disturbed_ = 0;       // disturbances that have come
+  bool reset_ = false;         // the core was in reset in the cycle before
   bool mute_ = false;          // what the machine shows is of frames that are given up
   bool running_ = false;       // the machine was busy in the cycle before; its first cycle restarts the counters
   uint64_t counted_ = 0;       // cycles that they have counted
@@ -164,7 +165,7 @@ void VerilatedMachine::begin() {
   waves_ = std::make_unique<WaveFile<Vpipegs_sim>>(*dut_, *options_);
   control_ = {};
   cycle_ = windows_ = pixel_lines_ = last_request_ = taken_ = taken_cycle_ = disturbed_ = counted_ = 0;
-  running_ = mute_ = false;
+  running_ = reset_ = mute_ = false;
   ends_.clear();
   // Before the reset everything is noise: it falls once, and assertions count from its end on.
   context_->assertOn(false);
@@ -231,11 +232,13 @@ void VerilatedMachine::cycle() {
     if (cycles_ && !mute_) tap_cycle(*taps_);
     observe_memory();
     if (streams_ && !mute_) tap(*taps_);
+    if (top.tap_left_o && !mute_ && taps_ != nullptr) taps_->on_frame_left();
     if (top.tap_done_o && !mute_) {
       ends_.push_back(static_cast<uint64_t>(static_cast<int64_t>(cycle_) - origin_ - 2));  // so far behind the pixel
       if (taps_ != nullptr) taps_->on_frame_done();
     }
-    if (top.tap_reset_o && taken_ > 0) give_up();
+    if (top.tap_reset_o && !reset_ && taken_ > 0) give_up();
+    reset_ = top.tap_reset_o;
     if (top.tap_take_o) {
       if (taken_ == 0) {
         origin_ = static_cast<int64_t>(cycle_) + 1;
@@ -330,6 +333,7 @@ void VerilatedMachine::render(const std::vector<pipegs_job>& frames) {
       pipegs_clear_error(&device_, error.causes);
     }
     if (mute_) {  // all that is not done is given up and begins anew
+      while (dut_->tap_reset_o) cycle();
       next = ends_.size();
       resume();
     }

@@ -263,6 +263,12 @@ TEST(MemoryArbiter, MovesOneRequestPerCycleAndServesWritersAndTheDopuFirst) {
   for (int number = 0; number < 3; ++number) {
     const int begin = i;
     for (; i < begin + kEach * sizes[number]; ++i) {
+      if (units == 1 && number > 0) {  // a port is not served twice while another one asks
+        if (i + 1 < static_cast<int>(all.order.size())) {
+          ASSERT_NE(all.order[i], all.order[i + 1]) << "request " << i;
+        }
+        continue;
+      }
       ASSERT_EQ(class_of(all.order[i]), number) << "request " << i;
       const int turn = sizes[number];
       if (i >= begin + turn + (number == 0 ? 0 : turn)) ASSERT_EQ(all.order[i], all.order[i - turn]) << "request " << i;

@@ -200,7 +200,7 @@ TEST(Golden, AWindowHasTheChunksOfTheWalkThatTheMachineMakes) {
     const SimulateOptions options = with_tight_boxes();
     Simulation simulation;
     simulate_golden(scene, test_camera(260, 200, 300), options, simulation);
-    const auto& [packed, frame, lists] = simulation.input;
+    const auto& [packed, frame, picture, lists] = simulation.input;
     for (int y = 0; y < 4; ++y) {
       for (int x = 0; x < 5; ++x) {
         uint64_t sent = 0;

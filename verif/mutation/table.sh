@@ -367,8 +367,6 @@ mutant axi_manager "a write that nothing answers is told as one that failed" \
        's/write_error && !write_decode/write_error/' axi_manager_512
 mutant axi_manager "the line shown with an error is that of now" 's/(error_line_o = )error_line_q/\1write_line/' \
        axi_manager_512
-mutant axi_manager "an answer counts before it is taken" 's/(answered_o *= m_axi_bvalid) && m_axi_bready/\1/' \
-       axi_manager_small
 
 # --- rtl: control at the top ------------------------------------------------------------------------------------------
 group top "Control at the top"

@@ -186,7 +186,7 @@ TEST(Timing, WhereTheyPartIsNamed) {
   const RtlTiming rtl = frame.rtl(lockstep);
   ASSERT_TRUE(lockstep.first());
   EXPECT_GE(lockstep.first()->cycle, 100);
-  EXPECT_LT(lockstep.first()->cycle, 1000);
+  EXPECT_LT(lockstep.first()->cycle, 4000);  // the table of cells is asked for at once, and the planes take longer
   EXPECT_EQ(lockstep.first()->model, "nothing");
   const std::vector<std::string> lines = timing_differences(timing_run(frame.trace, options.config, slower), rtl);
   ASSERT_FALSE(lines.empty());

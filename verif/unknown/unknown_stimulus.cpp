@@ -3,14 +3,16 @@
 //
 // A scene of a few Gaussians, large ones and specks, before a camera whose image is one window of the machine with
 // these settings. Into FOLDER go memory.hex (the scene as it lies in external memory; the pixels' lines are not in it,
-// they start X), expected.hex and places.hex (the golden model's lines of pixels, and where they belong) and sizes.vh
-// (widths of ports, where the fields of a request lie, the frame, how many lines). Exit code 2 on bad arguments.
+// they start X), expected.hex and places.hex (the golden model's lines of pixels, and where they belong), inputs.vh
+// (the ports that are taken with the frame) and sizes.vh (widths of ports, where the fields of a request lie, how many
+// lines). Exit code 2 on bad arguments.
 #include <fmt/format.h>
 #include <fmt/os.h>
 
 #include <map>
 
 #include "cpp_model/frame_setup.hpp"
+#include "cpp_model/ru/ru_raster.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
 #include "sim/compare/simulate.hpp"
 #include "verif/frame/scenes.hpp"
@@ -53,6 +55,19 @@ struct Places final : FieldVisitor {
   int at = 0;
 };
 
+// The connection of an input that is X when no frame is valid.
+std::string input(const char* name, int width, const std::vector<uint32_t>& words) {
+  return fmt::format("    .{}_i(frame_valid ? {}'h{} : {{{}{{1'bx}}}}),\n", name, width, hex(words.data(), width),
+                     width);
+}
+
+template <typename R>
+std::string input(const char* name, const Config& config, const R& record) {
+  std::vector<uint32_t> words(static_cast<size_t>(record_words<R>(config)) + 1);
+  pack(config, record, words.data());
+  return input(name, record_width<R>(config), words);
+}
+
 void write_stimulus(const std::string& folder, const Config& config) {
   SimulateOptions options;
   options.config = config;
@@ -75,11 +90,11 @@ void write_stimulus(const std::string& folder, const Config& config) {
   MemoryRequest request;
   visit_fields(config, request, fields);
   const Frame& frame = simulation.input.frame;
-  const FrameWords words = frame_words(config, frame);
+  auto inputs = fmt::output_file(folder + "/inputs.vh");
+  inputs.print("{}", input("frame", config, frame));
+  inputs.print("{}", input("picture", 1 + config.address_w() + config.stride_w(), picture_words(config, {})));
   auto sizes = fmt::output_file(folder + "/sizes.vh");
-  sizes.print("{}`define REQUEST_W {}\n`define FRAME_W {}\n`define FRAME {}'h{}\n`define COUNTER_W {}\n", fields.text,
-              fields.at, record_width<Frame>(config), record_width<Frame>(config),
-              hex(words.data(), record_width<Frame>(config)), config.perf_w());
+  sizes.print("{}`define REQUEST_W {}\n`define COUNTER_W {}\n", fields.text, fields.at, config.perf_w());
   sizes.print("`define PERF_UNITS {}\n`define SCENE_LINES {}\n`define LINES {}\n`define PIXEL_LINES {}\n",
               1 + 3 * config.units, image.lines.size(), frame.tables.overflow, lines.size());
 }

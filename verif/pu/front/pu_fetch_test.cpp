@@ -112,8 +112,8 @@ TEST(PuFetch, KeepsItsPrefetchWithinTheBufferWhileTheSinkStands) {
     in.push(chunk);
   }
   for (int i = 0; i < 500; ++i) bench.step();
-  EXPECT_LE(port.requests, 65u);  // 64 lines in the buffer, one in its output register
-  EXPECT_GE(port.requests, 64u);
+  EXPECT_LE(port.requested, 65u);  // 64 lines in the buffer, one in its output register
+  EXPECT_GE(port.requested, 64u);
 }
 
 TEST(PuFetch, SendsOneGaussianPerCycleBehindALongLatency) {
