@@ -33,13 +33,18 @@ void SequenceCheck::on_sorted(const uint32_t* sorted) {
 
 void SequenceCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                               const uint32_t* line) {
-  at(back_).on_alphas(lane, window_x, window_y, index, region, quarter, line);
+  at(left_).on_alphas(lane, window_x, window_y, index, region, quarter, line);
   if (second_ != nullptr) second_->on_alphas(lane, window_x, window_y, index, region, quarter, line);
 }
 
 void SequenceCheck::on_pixels(int lane, int region, int quarter, const uint32_t* word) {
-  at(back_).on_pixels(lane, region, quarter, word);
+  at(left_).on_pixels(lane, region, quarter, word);
   if (second_ != nullptr) second_->on_pixels(lane, region, quarter, word);
+}
+
+void SequenceCheck::on_frame_left() {
+  ++left_;
+  if (second_ != nullptr) second_->on_frame_left();
 }
 
 void SequenceCheck::on_frame_done() {
@@ -56,7 +61,7 @@ void SequenceCheck::on_give_up() {
   for (size_t i = back_; i < frames_.size(); ++i)
     frames_[i].streams = std::make_unique<StreamCheck>(*frames_[i].expected.input);
   std::fill(splat_frame_.begin(), splat_frame_.end(), back_);
-  sorted_frame_ = back_;
+  sorted_frame_ = left_ = back_;
   if (second_ != nullptr) second_->on_give_up();
 }
 

@@ -2,8 +2,8 @@
 // sequence_check.hpp: holds a sequence of frames in one machine against the golden model: every stream, every pixel.
 //
 // Idea    Frames overlap: the front of the machine shows splats of a frame while its RUs blend the one before. Ends of
-//         windows tell for each stream in which frame it is; what the RUs show is of the oldest frame that is not
-//         complete. When that one is, its pixels in memory are compared, before the next one may overwrite them.
+//         windows tell for each stream in which frame it is; what the RUs show is of the oldest frame whose last pixel
+//         has not left them. When all pixels of a frame are in memory, they are compared.
 // Result  Mismatches of each frame, see StreamCheck.
 #pragma once
 
@@ -31,6 +31,7 @@ class SequenceCheck final : public RtlTaps {
   void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                  const uint32_t* line) override;
   void on_pixels(int lane, int region, int quarter, const uint32_t* word) override;
+  void on_frame_left() override;
   void on_frame_done() override;
   void on_give_up() override;  // what is not complete begins anew
   // Only the second one looks at cycles.
@@ -60,8 +61,8 @@ class SequenceCheck final : public RtlTaps {
   const ExternalMemory& memory_;
   RtlTaps* second_;
   std::vector<One> frames_;
-  std::vector<size_t> splat_frame_;  // of each unit
-  size_t sorted_frame_ = 0, back_ = 0;
+  std::vector<size_t> splat_frame_;                // of each unit
+  size_t sorted_frame_ = 0, left_ = 0, back_ = 0;  // left_: those of which the RUs show nothing any more
 };
 
 }  // namespace pipegs

@@ -105,6 +105,7 @@ module pipegs_sim #(
 
   output logic                          tap_take_o,         // the core takes a frame
   output logic                          tap_busy_o,         // a frame is in the core
+  output logic                          tap_left_o,         // pulse: its last pixel has left the core
   output logic                          tap_done_o,         // pulse: a frame is complete in memory
   output logic                          tap_reset_o,        // the core is in reset
   output logic [Units-1:0]              tap_splat_valid_o,
@@ -131,7 +132,7 @@ module pipegs_sim #(
 
   localparam int unsigned SplatBits = pipegs_pkg::SplatBits;
 
-  logic                             core_busy, core_take, sorted_taken, done, core_rst_n;
+  logic                             core_busy, core_take, sorted_taken, left, done, core_rst_n;
   pipegs_pkg::sorted_t              sorted;
   pipegs_pkg::raster_taps_t         taps;
   logic [Units*pipegs_pkg::WindowW-1:0] window_x, window_y;
@@ -142,7 +143,8 @@ module pipegs_sim #(
 
   if (Bus == 0) begin : gen_port
     // The port orders writes by itself; what a reset core has asked for is counted until it is answered.
-    logic [31:0] reads_q;
+    logic [31:0] asked, reads_q;  // lines
+    assign asked = mem_valid_o && mem_ready_i && !mem_request_o.write ? 32'(mem_request_o.lines) + 32'd1 : '0;
     pipegs_host u_host (
       .clk_i(aclk), .rst_ni(aresetn), .test_en_i(1'b0), .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr,
       .s_axi_wvalid, .s_axi_wready, .s_axi_wdata, .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp,
@@ -153,9 +155,10 @@ module pipegs_sim #(
     );
     always_ff @(posedge aclk or negedge aresetn) begin
       if (!aresetn) reads_q <= '0;
-      else reads_q <= reads_q + 32'(mem_valid_o && mem_ready_i && !mem_request_o.write) - 32'(mem_rsp_valid_i);
+      else reads_q <= reads_q + asked - 32'(mem_rsp_valid_i);
     end
     assign mem_ready_o = mem_ready_i;
+    assign left        = u_host.core_done;
     assign done        = u_host.done;
     assign core_rst_n  = u_host.core_rst_n;
     `PIPEGS_LOOK(u_host.u_core)
@@ -180,6 +183,7 @@ module pipegs_sim #(
     assign mem_ready_o   = u_axi.ready;
     assign mem_request_o = u_axi.request;
     assign mem_data_o    = u_axi.data;
+    assign left          = u_axi.u_host.core_done;
     assign done          = u_axi.u_host.done;
     assign core_rst_n    = u_axi.u_host.core_rst_n;
     `PIPEGS_LOOK(u_axi.u_host.u_core)
@@ -190,6 +194,7 @@ module pipegs_sim #(
   localparam bit Shown = pipegs_pkg::Taps != 0;
   assign tap_take_o           = core_take;
   assign tap_busy_o           = core_busy;
+  assign tap_left_o           = left;
   assign tap_done_o           = done;
   assign tap_reset_o          = !core_rst_n;
   assign tap_splat_valid_o    = Shown ? splat_valid : '0;

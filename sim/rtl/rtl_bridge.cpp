@@ -226,6 +226,7 @@ void VerilatedMachine::cycle() {
     if (cycles_ && !mute_) tap_cycle(*taps_);
     observe_memory();
     if (streams_ && !mute_) tap(*taps_);
+    if (top.tap_left_o && !mute_ && taps_ != nullptr) taps_->on_frame_left();
     if (top.tap_done_o && !mute_) {
       ends_.push_back(static_cast<uint64_t>(static_cast<int64_t>(cycle_) - origin_ - 2));  // so far behind the pixel
       if (taps_ != nullptr) taps_->on_frame_done();

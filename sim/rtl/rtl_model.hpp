@@ -31,6 +31,7 @@ class RtlTaps {
   virtual void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                          const uint32_t* line) = 0;
   virtual void on_pixels(int lane, int region, int quarter, const uint32_t* word) = 0;  // T and RGB, written back
+  virtual void on_frame_left() {}  // the RUs have given away its last pixel: what they show now is of the next frame
   virtual void on_frame_done() {}  // the last pixel of the oldest frame inside is in memory; without taps too
   virtual void on_give_up() {}     // no frame inside counts any more: those that are not done begin anew
   int64_t cycle = 0;               // of what is shown: counted as RtlResult::cycles, 1 is the first one that counts

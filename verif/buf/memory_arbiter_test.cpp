@@ -240,7 +240,9 @@ TEST(MemoryArbiter, MovesOneRequestPerCycleAndServesWritersAndTheDopuFirst) {
     const int begin = i;
     for (; i < begin + kEach * sizes[number]; ++i) {
       if (units == 1 && number > 0) {  // a port is not served twice while another one asks
-        if (i + 1 < static_cast<int>(all.order.size())) { ASSERT_NE(all.order[i], all.order[i + 1]) << "request " << i; }
+        if (i + 1 < static_cast<int>(all.order.size())) {
+          ASSERT_NE(all.order[i], all.order[i + 1]) << "request " << i;
+        }
         continue;
       }
       ASSERT_EQ(class_of(all.order[i]), number) << "request " << i;

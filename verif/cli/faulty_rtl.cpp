@@ -47,6 +47,8 @@ class FaultyTaps final : public RtlTaps {
   }
   void on_layer_done(int unit, bool window_done) override { now().on_layer_done(unit, window_done); }
   void on_request(int tag, bool write, uint64_t line, int lines) override { now().on_request(tag, write, line, lines); }
+  void on_frame_left() override { now().on_frame_left(); }
+  void on_give_up() override { now().on_give_up(); }
   void on_frame_done() override {
     before_done_();
     now().on_frame_done();

@@ -82,7 +82,10 @@ TEST(Sequence, FramesOfOtherSizesCamerasAndScenesFollowWithoutAReset) {
     sequence.expect_equal();
     if (HasFatalFailure()) return;
     const Config config = machine(i).config;
-    if (!config.has_lists() && !config.has_stores()) { EXPECT_LT(sequence.queued_cycles, sequence.single_cycles); }
+    // Where the bus is what all wait for, frames that overlap win nothing.
+    if (!config.has_lists() && !config.has_stores() && config.bus_w != 128) {
+      EXPECT_LT(sequence.queued_cycles, sequence.single_cycles);
+    }
   }
 }
 

@@ -58,8 +58,8 @@ struct Places final : FieldVisitor {
 
 // The connection of an input that is X when no frame is valid.
 std::string input(const char* name, int width, const std::vector<uint32_t>& words) {
-  const std::string value = hex(words.data(), width);
-  return fmt::format("    .{}_i(frame_valid ? {}'h{} : {{{}{{1'bx}}}}),\n", name, width, value, width);
+  return fmt::format("    .{}_i(frame_valid ? {}'h{} : {{{}{{1'bx}}}}),\n", name, width, hex(words.data(), width),
+                     width);
 }
 
 template <typename R>
