@@ -28,6 +28,7 @@ module unknown_bench;
   reg  [`TAG_W-1:0]        rsp_tag;
   reg  [511:0]             rsp_data;
   wire                     frame_ready, done, busy, mem_valid;
+  wire [1:0]               error;
   wire [`REQUEST_W-1:0]    request;
   wire [511:0]             data;
   wire [`COUNTER_W-1:0]    cycles, preprocess_cycles, overflow_lines;
@@ -37,6 +38,7 @@ module unknown_bench;
   pipegs_top dut (
     .clk_i(clk), .rst_ni(core_rst_n), .test_en_i(1'b0),
     .frame_valid_i(frame_valid), .frame_ready_o(frame_ready), .done_o(done), .busy_o(busy),
+    .error_o(error), .error_line_o(),
 `include "inputs.vh"
     .mem_valid_o(mem_valid), .mem_ready_i(mem_ready), .mem_request_o(request), .mem_data_o(data),
     .mem_rsp_valid_i(rsp_valid), .mem_rsp_tag_i(rsp_tag), .mem_rsp_data_i(rsp_data),
@@ -95,6 +97,8 @@ module unknown_bench;
       known("frame_ready_o", frame_ready);
       known("done_o", done);
       known("busy_o", busy);
+      known("error_o", ^error);
+      if (error != 0) fault("an error of the frame");
       known("mem_valid_o", mem_valid);
       known("a counter", ^{cycles, preprocess_cycles, overflow_lines, perf});
       watch;

@@ -11,6 +11,7 @@
 
 #include <map>
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/ru/ru_raster.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
@@ -57,8 +58,8 @@ struct Places final : FieldVisitor {
 
 // The connection of an input that is X when no frame is valid.
 std::string input(const char* name, int width, const std::vector<uint32_t>& words) {
-  const std::string value = hex(words.data(), width);
-  return fmt::format("    .{}_i(frame_valid ? {}'h{} : {{{}{{1'bx}}}}),\n", name, width, value, width);
+  return fmt::format("    .{}_i(frame_valid ? {}'h{} : {{{}{{1'bx}}}}),\n", name, width, hex(words.data(), width),
+                     width);
 }
 
 template <typename R>
@@ -92,6 +93,7 @@ void write_stimulus(const std::string& folder, const Config& config) {
   const Frame& frame = simulation.input.frame;
   auto inputs = fmt::output_file(folder + "/inputs.vh");
   inputs.print("{}", input("frame", config, frame));
+  inputs.print("{}", input("areas", config, frame_areas(config, simulation.packed, frame)));
   inputs.print("{}", input("picture", 1 + config.address_w() + config.stride_w(), picture_words(config, {})));
   auto sizes = fmt::output_file(folder + "/sizes.vh");
   sizes.print("{}`define REQUEST_W {}\n`define COUNTER_W {}\n", fields.text, fields.at, config.perf_w());
