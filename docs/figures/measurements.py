@@ -209,8 +209,8 @@ TABLE = [
                   "terrace", points=("dop",)) for lines in (4096, 8192)],
     *[Measurement(f"silicon/{name}", f"build/pipegs silicon {options}--no-energy --json", silicon, ("rtl", "synth"),
                   points=(options.split()[1],)) for name, options in SYNTHESISED.items()],
-    *[Measurement(f"fpga/{point}_{family}_{units}", f"synth/fpga/fpga.py --build build/. --rung {point} --units {units} "
-                  f"--families {family} --json", fpga, ("rtl", "fpga"), points=(point,))
+    *[Measurement(f"fpga/{point}_{family}_{units}", f"synth/fpga/fpga.py --build build/. --rung {point} "
+                  f"--units {units} --families {family} --json", fpga, ("rtl", "fpga"), points=(point,))
       for point in ("dop", "fast") for family in ("xcup", "ecp5") for units in (1, 2, 4)],
     Measurement("shapes/own", "build/pipegs shapes --rung exact --json", shapes, MODEL, points=("exact",),
                 chart="shapes_own.svg"),

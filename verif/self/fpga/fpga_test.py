@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""fpga_test.py BUILD: synth/fpga/fpga.py on small modules: memories become block RAM or distributed RAM, nothing a latch."""
+"""fpga_test.py BUILD: synth/fpga/fpga.py on small modules: memories become RAM blocks or cells, nothing a latch."""
 import os
 import subprocess
 import sys

@@ -6,7 +6,7 @@ from data import data
 from formats import fixed, group, percent, table
 from sources import ROOT
 
-sys.path.insert(0, str(ROOT / "synth"))
+sys.path.insert(0, str(ROOT / "synth/fpga"))
 import fpga  # noqa: E402
 
 MEASURED = ["fpga/*"]
