@@ -201,7 +201,8 @@ void Ru::source(Machine& m, Cycle now) {
   }
   if (external_out_ + (external_pop_ == now ? 1 : 0) >= fetch_lines_) return;
   const uint64_t line =
-      ru_overflow_line(m.config, m.overflow, fetch.unit, parity_, fetch.address) + (ask_part_ ? 1 : 0);
+      ru_overflow_line(m.config, m.overflow, fetch.unit, m.config.has_lists() ? 0 : parity_, fetch.address) +
+      (ask_part_ ? 1 : 0);
   if (!read(m, now, line)) return;
   if (parts_ == 1 || ask_part_) fire(m, now);
   if (parts_ == 2) ask_part_ = !ask_part_;

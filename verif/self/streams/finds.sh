@@ -21,8 +21,8 @@ try "a giver without a checker" dopu/dopu_origin.sv '/stream_check/,/\);/d' \
   "dopu_origin: chunk_valid_o has no stream_check" verif/self/streams/checkers.py
 try "one of two givers without a checker" pu/rows/pu_allocate.sv '/ u_check_row_job /,/\);/d' \
   "pu_allocate: row_job_valid_o has no stream_check" verif/self/streams/checkers.py
-try "logic that feeds a stream" ru/ru_rows.sv 's/row_job_valid_i\(job_valid\)/row_job_valid_i(job_valid \&\& !drop)/' \
-  "ru_rows: row_job_valid_i of pu_rows is fed by job_valid && !drop" verif/self/streams/checkers.py
+try "logic that feeds a stream" ru/ru.sv 's/write_valid_i\(write_valid\)/write_valid_i(write_valid \&\& !idle_o)/' \
+  "ru: write_valid_i of ru_memory is fed by write_valid && !idle_o" verif/self/streams/checkers.py
 try "a valid that waits for ready" dopu/dopu_origin.sv 's/(chunk_valid_o = )/\1chunk_ready_i \&\& /' \
   "dopu_origin: chunk_valid_o depends on chunk_ready_i" on_one_machine
 exit $status
