@@ -56,10 +56,11 @@ TEST_F(Cli, ViewsFollowInOneMachine) {
   EXPECT_EQ(queued, report["cycles_queued"]);
   EXPECT_EQ(alone, report["cycles_alone"]);
   EXPECT_LT(queued, alone);
-  // A frame that is alone takes as long as in a machine of its own, and the cycles in which it is taken.
+  // A frame that is alone takes as long as in a machine of its own, and until its last pixel is in memory.
   ASSERT_EQ(run("sim scene.ply --cameras cameras.json --view 1 --no-truth --out single").code, 0);
   const auto single = nlohmann::json::parse(text("single/report.json"));
-  EXPECT_EQ(report["views"][0]["cycles_alone"], single["cycles"]);
+  EXPECT_GE(report["views"][0]["cycles_alone"], single["cycles"]);
+  EXPECT_LE(report["views"][0]["cycles_alone"], single["cycles"].get<uint64_t>() + 100);
 }
 
 TEST_F(Cli, ViewsThatAreNotThereOrNotMeantAreRefused) {

@@ -34,7 +34,9 @@ TEST_F(Commands, LadderComparesDesignPointsAndWritesTheirFigures) {
     const Json report = Json::parse(text("rungs/" + design_point["name"].get<std::string>() + "/report.json"));
     EXPECT_EQ(design_point["mismatches"], 0);
     EXPECT_EQ(design_point["cycles"], report["cycles"]);
-    EXPECT_EQ(design_point["bytes_by_stream"], report["memory"]["by_stream"]);
+    Json streams = report["memory"]["by_stream"];
+    for (Json& stream : streams) stream.erase("bursts");
+    EXPECT_EQ(design_point["bytes_by_stream"], streams);
     EXPECT_EQ(design_point["psnr_order_db"], report["psnr_order_db"]);
     EXPECT_EQ(design_point["psnr_numeric_db"], report["psnr_numeric_db"]);
     EXPECT_DOUBLE_EQ(design_point["fps"].get<double>(), 1e9 / report["cycles"].get<double>());
