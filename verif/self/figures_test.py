@@ -86,7 +86,7 @@ def lint_finds():
 
 def copy_into(folder):
     shutil.copytree(ROOT / "docs", Path(folder) / "docs", ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copytree(ROOT / "synth/data", Path(folder) / "synth/data")
+    shutil.copytree(ROOT / "synth", Path(folder) / "synth", ignore=shutil.ignore_patterns("__pycache__"))
     points = Path(folder) / "sim/design"  # whose settings data carry a hash of
     points.mkdir(parents=True)
     shutil.copy(ROOT / "sim/design/design_points.def", points)
