@@ -6,21 +6,10 @@
 
 #include <cmath>
 
-#include "cpp_model/control/registers.hpp"
+#include "cpp_model/control/job.hpp"
 
 namespace pipegs {
 namespace {
-
-// Of the machine that was asked about last, so that its next frame does not make the table anew.
-const RegisterMap& registers_of(const Config& config) {
-  thread_local Config known;
-  thread_local RegisterMap map = register_map(known);
-  if (!(known == config)) {
-    map = register_map(config);
-    known = config;
-  }
-  return map;
-}
 
 // A double without rounding; one that is no number becomes one that fits nowhere.
 pipegs_number number(double value) {
@@ -114,22 +103,6 @@ struct Refusal {
   }
 };
 
-// The words of the slots as the fields of a record.
-class SlotReader final : public FieldVisitor {
- public:
-  SlotReader(const std::vector<Slot>& slots, const uint64_t* words) : slots_(slots), words_(words) {}
-  void visit(const FieldName&, uint64_t& value, int, bool is_signed) override {
-    const int shift = slots_[at_].shift;
-    value = is_signed ? static_cast<uint64_t>(static_cast<int64_t>(words_[at_]) >> shift) : words_[at_] >> shift;
-    ++at_;
-  }
-
- private:
-  const std::vector<Slot>& slots_;
-  const uint64_t* words_;
-  size_t at_ = 0;
-};
-
 }  // namespace
 
 pipegs_configuration driver_configuration(const Config& config) {
@@ -202,11 +175,7 @@ pipegs_job frame_job(const Config& config, const PackedScene& scene, const Camer
 
 Frame frame_setup(const Config& config, const PackedScene& scene, const Camera& camera,
                   const std::optional<WindowRange>& windows, double near_plane) {
-  const pipegs_job job = frame_job(config, scene, camera, windows, near_plane);
-  SlotReader reader(registers_of(config).block("frame").slots, reinterpret_cast<const uint64_t*>(&job.frame));
-  Frame frame;
-  visit_fields(config, frame, reader);
-  return frame;
+  return job_frame(config, frame_job(config, scene, camera, windows, near_plane));
 }
 
 }  // namespace pipegs

@@ -34,6 +34,12 @@ uint64_t overflow_area(const Config& c, uint64_t slots, uint64_t windows) {
   return 2 * std::max(units * share, windows * list);
 }
 
+void move_tables(Tables& tables, uint64_t lines) {
+  for (uint64_t* at : {&tables.cells, &tables.groups, &tables.chunks, &tables.gaussians, &tables.colors, &tables.pixels,
+                       &tables.overflow})
+    *at += lines;
+}
+
 uint64_t frame_windows(const Frame& frame) {
   const Windows& w = frame.raster.windows;
   return (w.last_x - w.first_x + 1) * (w.last_y - w.first_y + 1);

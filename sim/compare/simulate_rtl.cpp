@@ -6,11 +6,11 @@
 #include <map>
 
 #include "cpp_model/areas/frame_areas.hpp"
+#include "cpp_model/control/job.hpp"
 #include "sim/compare/sequence_check.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/host_use.hpp"
 #include "sim/progress.hpp"
-#include "sim/rtl/job.hpp"
 
 namespace pipegs {
 namespace {
@@ -30,15 +30,10 @@ Placed place(const Config& config, const std::vector<Simulation*>& frames, Exter
   for (const Simulation* one : frames) {
     GoldenInput input = one->input;
     const auto [found, fresh] = base.emplace(input.packed, end);
-    if (fresh) {
-      const MemoryImage image = memory_image(*input.packed);
-      for (size_t i = 0; i < image.lines.size(); ++i) memory.line(end + i) = image.lines[i];
-    }
-    Tables& tables = input.frame.tables;
-    for (uint64_t* at : {&tables.cells, &tables.groups, &tables.chunks, &tables.gaussians, &tables.colors,
-                         &tables.pixels, &tables.overflow, &input.picture.base})
-      *at += found->second;
-    end = std::max(end, tables.overflow);
+    if (fresh) memory.load(memory_image(*input.packed).lines, end);
+    move_tables(input.frame.tables, found->second);
+    input.picture.base += found->second;
+    end = std::max(end, input.frame.tables.overflow);
     placed.inputs.push_back(input);
     placed.areas.push_back(frame_areas(config, *input.packed, input.frame));
     overflow = std::max(overflow, placed.areas.back().overflow);

@@ -16,6 +16,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "cpp_model/golden.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "sim/rtl/rtl_model.hpp"
@@ -41,8 +42,10 @@ class StreamCheck final : public RtlTaps {
   void finish();
 
   // A stream has shown the frame's last window.
-  bool splats_over(int unit) const { return splat_place_[static_cast<size_t>(unit)].window == windows(); }
-  bool sorted_over() const { return sorted_place_.window == windows(); }
+  bool splats_over(int unit) const {
+    return splat_place_[static_cast<size_t>(unit)].window == frame_windows(input_.frame);
+  }
+  bool sorted_over() const { return sorted_place_.window == frame_windows(input_.frame); }
   void fail_pixel(uint64_t window_x, uint64_t window_y, std::string what);  // found where no stream shows it
 
   uint64_t mismatches() const { return mismatches_; }
@@ -78,9 +81,6 @@ class StreamCheck final : public RtlTaps {
     int words;  // to come
   };
 
-  uint64_t windows() const {
-    return windows_x_ * (input_.frame.raster.windows.last_y - input_.frame.raster.windows.first_y + 1);
-  }
   Window& window(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.

@@ -52,6 +52,10 @@ void ExternalMemory::forget() {
   unanswered_.clear();
 }
 
+void ExternalMemory::load(const std::vector<MemoryLine>& lines, uint64_t first) {
+  for (const MemoryLine& one : lines) line(first++) = one;
+}
+
 void ExternalMemory::set_lines(uint64_t lines) {
   size_ = lines;
   if (bus_) bus_->set_lines(lines);

@@ -15,6 +15,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <vector>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -59,6 +60,7 @@ class ExternalMemory {
   void answered(int tag);
   void forget();
 
+  void load(const std::vector<MemoryLine>& lines, uint64_t first = 0);  // by the host
   void set_lines(uint64_t lines);  // of the memory, from line 0 on; without a call it has no end
 
   void allow_overwrites() { overwrites_ = true; }  // of lines that are being read: they are, behind the read

@@ -8,7 +8,7 @@
 #include <ctime>
 
 #include "cpp_model/areas/frame_areas.hpp"
-#include "sim/rtl/job.hpp"
+#include "cpp_model/control/job.hpp"
 
 namespace pipegs {
 namespace {
@@ -41,8 +41,7 @@ RtlTiming rtl_timing(const GoldenInput& input, const Config& config, const Exter
                      uint64_t seed, Lockstep* lockstep) {
   const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant());
   ExternalMemory memory(options, config.bus_w);
-  const MemoryImage image = memory_image(*input.packed);
-  for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+  memory.load(memory_image(*input.packed).lines);
   WindowTaps windows(config);
   RtlTaps& taps = lockstep != nullptr ? static_cast<RtlTaps&>(*lockstep) : windows;
   RtlOptions rtl_options;

@@ -16,9 +16,9 @@
 #include <optional>
 #include <string_view>
 
+#include "cpp_model/control/job.hpp"
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
-#include "sim/rtl/job.hpp"
 #include "sim/rtl/rtl_model.hpp"
 
 namespace pipegs {

@@ -132,10 +132,7 @@ struct World {
     if (part) windows = WindowRange{1, 0, 1, 1};
     frame = frame_setup(config, packed, camera, windows);
   }
-  void load(ExternalMemory& memory) const {
-    const MemoryImage image = memory_image(packed);
-    for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
-  }
+  void load(ExternalMemory& memory) const { memory.load(memory_image(packed).lines); }
 };
 
 using Memory = MemoryEndpoint<QData, VlWide<16>>;

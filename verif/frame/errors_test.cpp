@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "cpp_model/areas/frame_areas.hpp"
+#include "cpp_model/control/job.hpp"
 #include "sim/compare/sequence_check.hpp"
-#include "sim/rtl/job.hpp"
 #include "verif/frame/machines.hpp"
 #include "verif/frame/scenes.hpp"
 
@@ -43,7 +43,7 @@ class ErrorFrame : public RtlTaps {
   // are those of the golden model, unless the scene in memory is another one.
   std::optional<MachineError> run() {
     ExternalMemory memory(options_.memory, config().bus_w);
-    for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+    memory.load(image.lines);
     memory.set_lines(frame.tables.overflow + areas.overflow);
     SequenceCheck check({{&simulation_.input, &simulation_.golden.pixels}}, memory, this);
     RtlTaps& taps = compares ? static_cast<RtlTaps&>(check) : *this;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "cpp_model/areas/frame_areas.hpp"
 #include "scenes/generate/generate.hpp"
 #include "sim/compare/sequence_check.hpp"
 #include "sim/compare/simulate.hpp"
@@ -27,11 +28,7 @@ TEST(ExampleFrame, TheExampleRendersAFrame) {
   Simulation simulation;
   simulate_golden(generate_scene(1), generated_cameras()[0], options, simulation);
   GoldenInput input = simulation.input;
-  Tables& tables = input.frame.tables;
-  for (uint64_t* at : {&tables.cells, &tables.groups, &tables.chunks, &tables.gaussians, &tables.colors, &tables.pixels,
-                       &tables.overflow}) {
-    *at += kImage / 64;
-  }
+  move_tables(input.frame.tables, kImage / 64);
 
   ExternalMemory memory(options.memory, options.config.bus_w);
   std::ifstream file(PIPEGS_PACKED "/image.bin", std::ios::binary);

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cpp_model/areas/frame_areas.hpp"
-#include "sim/rtl/job.hpp"
+#include "cpp_model/control/job.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 #include "verif/frame/machines.hpp"
 #include "verif/frame/scenes.hpp"

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "cpp_model/areas/frame_areas.hpp"
+#include "cpp_model/control/job.hpp"
 #include "sim/compare/simulate.hpp"
-#include "sim/rtl/job.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -14,7 +14,7 @@ namespace {
 uint64_t mismatches(const Simulation& simulation, const MemoryImage& image, std::string* first) {
   const Config& config = simulation.packed.config;
   ExternalMemory memory({}, config.bus_w);
-  for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+  memory.load(image.lines);
   StreamCheck check(simulation.input);
   const Frame& frame = simulation.input.frame;
   load_rtl(config)->run({frame_job(config, frame, frame_areas(config, simulation.packed, frame))}, memory, {}, &check,

@@ -18,12 +18,12 @@
 #include <vector>
 
 #include "cpp_model/areas/frame_areas.hpp"
+#include "cpp_model/control/job.hpp"
 #include "scenes/generate/generate.hpp"
 #include "scenes/own_failure.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/design/config_file.hpp"
 #include "sim/design/design_point.hpp"
-#include "sim/rtl/job.hpp"
 #include "sim/timing/timing_check.hpp"
 
 namespace pipegs {
@@ -50,8 +50,7 @@ Machine load(const std::string& library) {
 void run(Machine& machine, const Simulation& simulation, bool compare) {
   const Config& config = simulation.packed.config;
   ExternalMemory memory({.dram = "lpddr5-6400x4"}, config.bus_w);
-  const MemoryImage image = memory_image(simulation.packed);
-  for (size_t i = 0; i < image.lines.size(); ++i) memory.line(i) = image.lines[i];
+  memory.load(memory_image(simulation.packed).lines);
   StreamCheck check(simulation.input);
   const std::unique_ptr<RtlModel> model(machine.create(&config));
   const Frame& frame = simulation.input.frame;

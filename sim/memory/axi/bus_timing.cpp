@@ -20,10 +20,17 @@ int BusTiming::step() {
   read_ends_ = line_ != kNoAnswer && axi_.beat_line().last;
   if (ar_valid_ && ar_ready_) axi_.read(ar_.line, ar_.lines, static_cast<uint32_t>(ar_.tag));
   if (aw_valid_ && aw_ready_) addresses_.push_back(aw_line_);
-  if (w_valid_ && w_ready_ && w_beat_ + 1 == beats_) ++data_;
+  if (w_valid_ && w_ready_ && last_beat()) ++data_;
   for (; data_ > 0 && !addresses_.empty(); --data_, addresses_.pop_front()) axi_.write(addresses_.front(), 0);
   axi_.end(true, writes_.valid);
   return answer;
+}
+
+bool BusTiming::due() const {
+  if (!waiting_.valid || passing_) return false;
+  // Writes accepted since it came, as a stamp counts them.
+  const uint64_t since = (stamp_ - fenced_.front().stamp) % (4 * 2 * Config::bus_writes());
+  return leaving_ || since >= static_cast<uint64_t>(writes_.count());
 }
 
 bool BusTiming::offer(bool write, uint64_t line, int tag, int lines) {
@@ -31,43 +38,36 @@ bool BusTiming::offer(bool write, uint64_t line, int tag, int lines) {
   offered_write_ = write;
   offer_ = {.line = line, .tag = tag, .lines = lines, .stamp = stamp_};
   if (write) {
-    accepted_ = writes_.count() < Config::bus_writes() && (!aw_valid_ || aw_ready_) &&
-                (!w_valid_ || (w_ready_ && w_beat_ + 1 == beats_));
+    accepted_ = writes_.count() < Config::bus_writes() && address_free() && data_free();
     return accepted_;
   }
-  const bool passes = tag >= write_ports_ || (waiting_.count() == 0 && writes_.count() == 0);
-  const bool due = waiting_.valid && !passing_ && (leaving_ || since() >= static_cast<uint64_t>(writes_.count()));
-  accepted_ = reads_ < Config::bus_reads() &&
-              (passes ? (!ar_valid_ || ar_ready_) && !due : waiting_.count() < Config::bus_fenced());
+  accepted_ =
+      reads_ < Config::bus_reads() && (passes(tag) ? read_free() && !due() : waiting_.count() < Config::bus_fenced());
   return accepted_;
 }
 
 void BusTiming::clock() {
-  const bool free = !ar_valid_ || ar_ready_;
-  const bool due = waiting_.valid && !passing_ && (leaving_ || since() >= static_cast<uint64_t>(writes_.count()));
+  const bool free = read_free(), leaves = due();
   const bool reads = offered_ && !offered_write_ && reads_ < Config::bus_reads();
-  const bool passes = offer_.tag >= write_ports_ || (waiting_.count() == 0 && writes_.count() == 0);
-  const bool passing = reads && passes && !due;
+  const bool passing = reads && passes(offer_.tag) && !leaves;
   const bool write = offered_ && offered_write_ && accepted_;
-  const bool waits = reads && !passes && accepted_;
+  const bool waits = reads && !passes(offer_.tag) && accepted_;
 
   // Reads.
   reads_ += (offered_ && !offered_write_ && accepted_) - read_ends_;
-  const bool shows = due || passing;
   if (free) {
-    ar_valid_ = shows;
-    if (shows) ar_ = due ? fenced_.front() : offer_;
-    if (due) fenced_.pop_front();
+    ar_valid_ = leaves || passing;
+    if (ar_valid_) ar_ = leaves ? fenced_.front() : offer_;
+    if (leaves) fenced_.pop_front();
   }
   if (waits) fenced_.push_back(offer_);
-  waiting_.clock(waits, free && due);
+  waiting_.clock(waits, free && leaves);
   passing_ = passing && !free;
-  leaving_ = due && !free;
+  leaving_ = leaves && !free;
 
   // Writes.
-  const bool last = w_beat_ + 1 == beats_;
-  if (!aw_valid_ || aw_ready_) aw_valid_ = write;
-  if (!w_valid_ || (w_ready_ && last)) {
+  if (address_free()) aw_valid_ = write;
+  if (data_free()) {
     w_valid_ = write;
     w_beat_ = 0;
   } else if (w_ready_) {

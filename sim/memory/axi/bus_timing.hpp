@@ -44,8 +44,13 @@ class BusTiming final : public MemoryTiming {
   };
 
   void clock();  // the edge at the end of the cycle before
-  // Writes accepted since the first read in the fence came, as a stamp counts them.
-  uint64_t since() const { return (stamp_ - fenced_.front().stamp) % (4 * 2 * Config::bus_writes()); }
+  // What the registers say in the present cycle.
+  bool address_free() const { return !aw_valid_ || aw_ready_; }
+  bool last_beat() const { return w_beat_ + 1 == beats_; }
+  bool data_free() const { return !w_valid_ || (w_ready_ && last_beat()); }
+  bool read_free() const { return !ar_valid_ || ar_ready_; }
+  bool passes(int tag) const { return tag >= write_ports_ || (waiting_.count() == 0 && writes_.count() == 0); }
+  bool due() const;  // the first read in the fence may go
 
   AxiTiming axi_;
   int write_ports_, beats_;
