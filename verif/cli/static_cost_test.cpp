@@ -25,7 +25,7 @@ constexpr size_t kAdderWidth = 14;  // narrower sums and indices are not counted
 
 // Products of addresses and of numbers of windows, which are not counted: how many in one module.
 int address_products(const std::string& module) {
-  static const std::set<std::string> kModules = {"ru_window", "ru_offset",  "scheduler",
+  static const std::set<std::string> kModules = {"ru_window", "ru_offset",  "scheduler", "errors",
                                                  "list_read", "list_write", "pu_expand"};
   return kModules.contains(module) ? 1 : 0;
 }

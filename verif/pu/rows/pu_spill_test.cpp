@@ -20,6 +20,11 @@ Words line_of(const Config& config, const Alphas& alphas) {
   return words;
 }
 
+// The number of line n of unit 3, as pu_allocate gives it: with lists the unit stands in its upper bits.
+uint64_t numbered(const Config& config, uint64_t n) {
+  return config.has_lists() ? uint64_t{3} << (config.alpha_address_w() - config.unit_w()) | n : n;
+}
+
 struct LineSource : Endpoint {
   LineSource(BenchBase& bench, Vpu_spill& dut, const Config& config) : dut(dut), config(config) { bench.add(*this); }
   void drive() override {
@@ -83,7 +88,7 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
           alphas.parity = layer % 2;
           alphas.ext &= static_cast<uint64_t>(s.config.overflow);
           if (alphas.ext) {
-            alphas.address = lines++;
+            alphas.address = numbered(s.config, lines++);
             Words line = line_of(s.config, alphas);
             line.resize(static_cast<size_t>(pieces) * 16);
             for (int piece = 0; piece < pieces; ++piece) {
@@ -123,14 +128,16 @@ TEST(PuSpill, StopsBeforeItsAreaEnds) {
     for (int i = 0; i < 3; ++i) s.bench.step();
     const uint64_t lines = area_lines(s.config, areas.overflow, Area::kEven) / pieces;
     const Span overflow = overflow_span(s.frame, areas);
-    for (uint64_t n = 0; n < lines; ++n) s.in.push(Alphas{.address = n, .ext = 1, .parity = parity});
+    for (uint64_t n = 0; n < lines; ++n)
+      s.in.push(Alphas{.address = numbered(s.config, n), .ext = 1, .parity = parity});
     ASSERT_TRUE(s.bench.run_until([&] { return s.port.requests == lines * pieces; }));
     for (int i = 0; i < 10; ++i) s.bench.step();
     EXPECT_EQ(s.bench.dut.full_o, 0);
-    for (uint64_t n = lines; n < lines + 5; ++n) s.in.push(Alphas{.address = n, .ext = 1, .parity = parity});
+    for (uint64_t n = lines; n < lines + 5; ++n)
+      s.in.push(Alphas{.address = numbered(s.config, n), .ext = 1, .parity = parity});
     for (int i = 0; i < 50; ++i) s.bench.step();
     EXPECT_EQ(s.bench.dut.full_o, 1);
-    EXPECT_EQ(s.bench.dut.full_line_o, ru_overflow_line(s.config, overflow, 3, parity, lines));
+    EXPECT_EQ(s.bench.dut.full_line_o, ru_overflow_line(s.config, overflow, 3, parity, numbered(s.config, lines)));
     EXPECT_EQ(s.port.requests, lines * pieces);
     EXPECT_EQ(s.in.taken, lines + 1);
   }
