@@ -30,8 +30,6 @@ struct SuBench : Bench<Vsu> {
         out(*this, kConfig, dut.out_valid_o, dut.out_ready_i, dut.out_o, sink),
         port(*this, memory, dut.mem_valid_o, dut.mem_ready_i, &dut.mem_write_o, dut.mem_address_o, &dut.mem_data_o,
              dut.rsp_valid_i, dut.rsp_data_i, source) {
-    // With stores of a few records a set may spill over a line whose last read is on its way (docs/units/top.md).
-    memory.allow_overwrites();
     Frame frame;
     frame.tables.overflow = kOverflow;
     write_frame(kConfig, dut, frame);

@@ -29,7 +29,6 @@ struct Lane {
     write_frame(kConfig, dut, frame);
     dut.unit_i = number;
     dut.octave_i = kOctave;
-    memory.allow_overwrites();  // see su_bench.hpp
     dut.in_valid_i = dut.out_ready_i = dut.spill_i = dut.mem_ready_i = dut.rsp_valid_i = 0;
   }
   Vsu dut;

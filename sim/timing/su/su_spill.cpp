@@ -13,7 +13,13 @@ uint64_t Su::overflow_line(const Machine& m, Area area, uint64_t line) const {
 
 void Su::port(Machine& m, Cycle now) {
   record_taken_ = keys_taken_ = run_taken_ = fetch_taken_ = read_taken_ = false;
-  if (m.memory.answered(port_)) answers_.push(now, 0), moved_ = true;
+  const bool writes = behind_ == 0;
+  if (m.memory.answered(port_)) {
+    answers_.push(now, 0);
+    --awaited_;
+    if (behind_ > 0) --behind_;
+    moved_ = true;
+  }
   const External& e = external_;
   const bool forms = e.level == kForm;
   if (m.memory.granted(port_, now)) {
@@ -24,6 +30,8 @@ void Su::port(Machine& m, Cycle now) {
     read_taken_ = choice_ == kRead;
     if (fetch_taken_ || read_taken_) {
       ++flight_;
+      ++awaited_;
+      if (read_taken_) behind_ = awaited_;
       owners_.push_back(read_taken_ ? kRecordLine : forms ? 0 : e.asked_way);
     } else {
       ++m.overflow_lines;
@@ -34,13 +42,13 @@ void Su::port(Machine& m, Cycle now) {
   }
   if (choice_ != kNothing) return;
   const auto records = static_cast<uint32_t>(records_out_.size());
-  if (record_valid_) {
+  if (record_valid_ && writes) {
     choice_ = kRecord;
     m.memory.ask(port_, overflow_line(m, Area::kRecords, records - 1), true);
-  } else if (keys_valid_) {
+  } else if (keys_valid_ && writes) {
     choice_ = kKeys;
     m.memory.ask(port_, overflow_line(m, Area::kKeys, (records - 1) / kKeysPerLine), true);
-  } else if (e.lines_full) {
+  } else if (e.lines_full && writes) {
     choice_ = kRun;
     m.memory.ask(port_, overflow_line(m, forms || !e.area ? Area::kRuns : Area::kKeys, e.lines_number), true);
   } else if (flight_ != kAnswers && fetches()) {
