@@ -98,7 +98,9 @@ class VerilatedMachine final : public RtlModel {
   bool mute_ = false;          // what the machine shows is of frames that are given up
   bool running_ = false;       // the machine was busy in the cycle before; its first cycle restarts the counters
   uint64_t counted_ = 0;       // cycles that they have counted
-  std::vector<uint64_t> ends_;
+  uint64_t sorted_cycle_ = 0;  // of the latest beat that the RUs took
+  bool left_ = false;          // the next one is of another frame
+  std::vector<uint64_t> ends_, gaps_;
 };
 
 void VerilatedMachine::tap(RtlTaps& taps) {
@@ -113,6 +115,9 @@ void VerilatedMachine::tap(RtlTaps& taps) {
   if (top.tap_sorted_valid_o) {
     slice(top.tap_sorted_o, 0, w_.sorted, words);
     taps.on_sorted(words);
+    if (left_) gaps_.push_back(cycle_ - sorted_cycle_);
+    left_ = false;
+    sorted_cycle_ = cycle_;
     if (get_bits(words, 0, w_.kind) == kWindowEnd) ++windows_;
   }
   for (int lane = 0; lane < w_.units * w_.tap_lanes; ++lane) {
@@ -165,8 +170,9 @@ void VerilatedMachine::begin() {
   waves_ = std::make_unique<WaveFile<Vpipegs_sim>>(*dut_, *options_);
   control_ = {};
   cycle_ = windows_ = pixel_lines_ = last_request_ = taken_ = taken_cycle_ = disturbed_ = counted_ = 0;
-  running_ = reset_ = mute_ = false;
+  running_ = reset_ = mute_ = left_ = false;
   ends_.clear();
+  gaps_.clear();
   // Before the reset everything is noise: it falls once, and assertions count from its end on.
   context_->assertOn(false);
   dut_->aclk = 0;
@@ -232,7 +238,10 @@ void VerilatedMachine::cycle() {
     if (cycles_ && !mute_) tap_cycle(*taps_);
     observe_memory();
     if (streams_ && !mute_) tap(*taps_);
-    if (top.tap_left_o && !mute_ && taps_ != nullptr) taps_->on_frame_left();
+    if (top.tap_left_o && !mute_ && taps_ != nullptr) {
+      left_ = true;
+      taps_->on_frame_left();
+    }
     if (top.tap_done_o && !mute_) {
       ends_.push_back(static_cast<uint64_t>(static_cast<int64_t>(cycle_) - origin_ - 2));  // so far behind the pixel
       if (taps_ != nullptr) taps_->on_frame_done();
@@ -299,6 +308,8 @@ void VerilatedMachine::give_up() {
 // All that is not done begins anew.
 void VerilatedMachine::resume() {
   mute_ = false;
+  left_ = !ends_.empty();
+  gaps_.resize(std::min(gaps_.size(), left_ ? ends_.size() - 1 : 0));
   if (taps_ != nullptr) taps_->on_give_up();
 }
 
@@ -381,6 +392,7 @@ RtlResult VerilatedMachine::drive(const std::function<void(const pipegs_bus&)>& 
     unit += 4 * most;
   }
   result.frame_ends = ends_;
+  result.frame_gaps = gaps_;
   return result;
 }
 

@@ -88,6 +88,9 @@ struct RtlResult {
   std::vector<UnitCycles> dopu, pu, su, ru;
   uint64_t overflow_lines = 0;       // lines of alphas, records and keys that went to external memory
   std::vector<uint64_t> frame_ends;  // cycle in which each frame was complete; 1 is the first one that counts
+  // Of each frame behind another: cycles from the last splat or end of the one before that the RUs take to its own
+  // first one. Without taps none.
+  std::vector<uint64_t> frame_gaps;
 };
 
 class RtlModel {

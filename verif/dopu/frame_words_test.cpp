@@ -11,6 +11,7 @@
 #include "scenes/generate/generate.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/dopu/frame_reference.hpp"
+#include "verif/support/shared.hpp"
 
 namespace pipegs {
 namespace {
@@ -57,10 +58,7 @@ TEST(FrameWords, AreThoseOfOurOwnViews) {
 }
 
 TEST(FrameWords, AreThoseOfEverySharedView) {
-  const char* set = std::getenv("PIPEGS_SHARED");
-  const auto folder =
-      (set != nullptr ? std::filesystem::path(set) : std::filesystem::path(PIPEGS_SOURCE_DIR) / ".." / "shared") /
-      "scenes";
+  const auto folder = shared_folder() / "scenes";
   std::mt19937_64 rng(frame_seed());
   int files = 0;
   size_t views = 0;

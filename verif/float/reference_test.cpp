@@ -6,18 +6,12 @@
 //         skipped with a message when it is not there. Nothing of it is part of the repository.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "cpp_model/float/truth.hpp"
 #include "scenes/ply/ply.hpp"
+#include "verif/support/shared.hpp"
 
 namespace pipegs {
 namespace {
-
-std::filesystem::path shared_folder() {
-  const char* set = std::getenv("PIPEGS_SHARED");
-  return set != nullptr ? std::filesystem::path(set) : std::filesystem::path(PIPEGS_SOURCE_DIR) / ".." / "shared";
-}
 
 TEST(Reference, PlushdogEqualsTheNumpyRenderer) {
   const auto folder = shared_folder() / "scenes" / "plushdog";

@@ -24,14 +24,22 @@ std::vector<uint64_t> cycles_of(const RtlResult& rtl) {
   return cycles;
 }
 
+// The gap in front of a frame; the first one has none.
+std::string gap_of(const Json& one, const char* run) {
+  return one.contains(run) ? fmt::to_string(one[run].get<uint64_t>()) : "";
+}
+
 std::string text_of(const Json& report) {
-  std::string text = fmt::format("{:>6}  {:<20} {:>12} {:>12}\n", "view", "camera", "queued", "alone");
+  std::string text =
+      fmt::format("{:>6}  {:<20} {:>12} {:>12} {:>12} {:>12}\n", "view", "camera", "queued", "gap", "alone", "gap");
   for (const Json& one : report["views"]) {
-    text += fmt::format("{:>6}  {:<20.20} {:>12} {:>12}\n", one["view"].get<int>(), one["camera"].get<std::string>(),
-                        one["cycles_queued"].get<uint64_t>(), one["cycles_alone"].get<uint64_t>());
+    text += fmt::format("{:>6}  {:<20.20} {:>12} {:>12} {:>12} {:>12}\n", one["view"].get<int>(),
+                        one["camera"].get<std::string>(), one["cycles_queued"].get<uint64_t>(),
+                        gap_of(one, "gap_queued"), one["cycles_alone"].get<uint64_t>(), gap_of(one, "gap_alone"));
   }
   const auto queued = report["cycles_queued"].get<uint64_t>(), alone = report["cycles_alone"].get<uint64_t>();
-  return text + fmt::format("{:>6}  {:<20} {:>12} {:>12}  cycles; queued saves {:.1f} %\n", "all", "", queued, alone,
+  return text + fmt::format("{:>6}  {:<20} {:>12} {:>12} {:>12} {:>12}  cycles; queued saves {:.1f} %\n", "all", "",
+                            queued, "", alone, "",
                             100 - 100 * static_cast<double>(queued) / static_cast<double>(alone));
 }
 
@@ -80,6 +88,7 @@ int simulate_views(const ViewArguments& view, const ViewsArguments& views, const
     for (size_t i = 0; i < frames.size(); ++i) {
       Json& one = report["views"][i];
       one[queued ? "cycles_queued" : "cycles_alone"] = cycles[i];
+      if (i > 0 && run.config.taps) one[queued ? "gap_queued" : "gap_alone"] = sequence.rtl.frame_gaps.at(i - 1);
       one["mismatches"] = one["mismatches"].get<uint64_t>() + frames[i]->mismatches;
       if (!wrong.empty() || frames[i]->mismatches == 0) continue;
       wrong = fmt::format("first mismatch, view {}, window {},{}: {}\nreplay with waves: {}\n",
