@@ -325,7 +325,9 @@ mutant "an end passes before the lines are written" "s/!is_end \|\| ends_q != '0
 mutant "a splat is counted as an end" 's/is_end \&\& splat_valid_o/splat_valid_o/'
 
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
-proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8 %AddressW=10 %SlotW=5"
+# Areas of a few lines, then of some hundred.
+proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8 %AddressW=7 %SlotW=3;
+       @default %MemoryW=8 %SplatBits=8 %AddressW=10 %SlotW=5"
 mutant "asks for lines without room" \
        's/Answers = pipegs_pkg::SuAnswers/Answers = 2/; s/read_valid_i \&\& room/read_valid_i/'
 mutant "a line is forgotten when it is answered" 's/if \(used \&\& !asked\)/if (rsp_valid_i \&\& !asked)/'
@@ -356,8 +358,8 @@ mutant "an end that waits for its output is counted again" 's/(window_end = )emi
 mutant "an end that comes while one is done is lost" 's/if \(window_done_i \&\& !window_end\)/if (window_done_i)/'
 
 # Small queues, lines from memory in one part and in two; then those of the machine.
-proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12 %AddressW=9;
-       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12 %AddressW=9;
+proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12 %AddressW=7;
+       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12 %AddressW=7;
   @default %LineW=4 %MemoryW=4 %AddressW=9"
 mutant "asks the memory without room" "s/ \&\& external_q != FetchW'\(FetchLines\)//"
 mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </local_count </"
