@@ -10,8 +10,8 @@
 #         in its step only, an error, or a command that changes nothing does not count.
 # Reading Any warning of Yosys (but that a small array becomes registers), a latch, an undriven or doubly driven signal,
 #         or no assertion at all, is a failure.
-# Output  One line per proof and per mutant, with the processor's seconds; $BUILD/prove/NAME.log. Exits 1 when a proof
-#         fails or a mutant is proved.
+# Output  One line per proof and per mutant, with the processor's seconds, of which a call of Yosys has at most 600;
+#         $BUILD/prove/NAME.log. Exits 1 when a proof fails or a mutant is proved.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 build=${BUILD:-build} here=synth/prove wanted=" $* " proofs=0 mutants=0 failed=0
@@ -74,11 +74,11 @@ run() {
     fi
     sources+=("$folder/$name.sv")
   done
-  timeout 600 yosys -ql "$log" -p "read_verilog -sv -defer -formal -DSYNTHESIS -I$here ${sources[*]} \
+  (ulimit -t 600; exec yosys -ql "$log" -p "read_verilog -sv -defer -formal -DSYNTHESIS -I$here ${sources[*]} \
       $here/parts/proof_*.sv
     hierarchy -check -top $top$chparam; proc; flatten; opt_clean; check -assert
     select -assert-none t:\$*latch*; memory -nomap; memory_map; async2sync; opt_clean
-    select -assert-min 1 t:\$assert; sat -prove-asserts -set-assumes $3" > /dev/null 2>&1
+    select -assert-min 1 t:\$assert; sat -prove-asserts -set-assumes $3") > /dev/null 2>&1
   local status=$?
   if name=$(grep -iE 'warning|implicitly|unsupported|ignoring' "$log" |
       grep -vEm1 '^Warnings: |Replacing memory .* with list of registers'); then echo "misread: $name"

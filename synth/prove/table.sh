@@ -325,7 +325,9 @@ mutant "an end passes before the lines are written" "s/!is_end \|\| ends_q != '0
 mutant "a splat is counted as an end" 's/is_end \&\& splat_valid_o/splat_valid_o/'
 
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
-proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8 %AddressW=10 %SlotW=5"
+# Areas of a few lines, then of some hundred.
+proof  su_port "su_port+ free_sram_fifo" "@default %MemoryW=8 %SplatBits=8 %AddressW=7 %SlotW=3;
+       @default %MemoryW=8 %SplatBits=8 %AddressW=10 %SlotW=5"
 mutant "asks for lines without room" \
        's/Answers = pipegs_pkg::SuAnswers/Answers = 2/; s/read_valid_i \&\& room/read_valid_i/'
 mutant "a line is forgotten when it is answered" 's/if \(used \&\& !asked\)/if (rsp_valid_i \&\& !asked)/'
@@ -356,8 +358,8 @@ mutant "an end that waits for its output is counted again" 's/(window_end = )emi
 mutant "an end that comes while one is done is lost" 's/if \(window_done_i \&\& !window_end\)/if (window_done_i)/'
 
 # Small queues, lines from memory in one part and in two; then those of the machine.
-proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12 %AddressW=9;
-       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12 %AddressW=9;
+proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12 %AddressW=7;
+       @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12 %AddressW=7;
   @default %LineW=4 %MemoryW=4 %AddressW=9"
 mutant "asks the memory without room" "s/ \&\& external_q != FetchW'\(FetchLines\)//"
 mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </local_count </"
@@ -390,12 +392,17 @@ mutant "a release clears the set filled next instead of the oldest" 's/valid_q\[
 mutant "a set is called done for the window that it held before" 's/set_done_o = done_q \& valid_q/set_done_o = done_q/'
 mutant "a row has one window less" "s/(last_x_i\(raster_i.windows.last_x)\)/\1 - 1'b1)/"
 
-# Places for results are reserved: three levels, a test and readers of which only the promises are known.
-proof  dopu_descend "dopu_descend+ fifo free_test free_line_reader" "@default %PlaneBits=1"
+# Places for results are reserved: three levels, a test and readers of which only the promises are known. A node has
+# one bit in each field: every bit of it travels by itself.
+proof  dopu_descend "dopu_descend+ fifo+ free_test free_line_reader" \
+       "@default %PlaneBits=1 %MemoryW=1 %WorldW=1 %HalfW=1 %ExpW=1 %ScaleW=1 %SlotW=1 %CountW=1 %NodeBits=11"
 mutant "a node enters without a place" \
        "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
 mutant "the place of a node that failed stays reserved" \
        "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ - ReservedW'\(missed\[l\]\)//"
+mutant "a chunk that is shown is taken back when its window is done" 's/ \&\& !shown_q;/;/'
+mutant "a chunk counts as shown when it is taken" 's/(shown_q <= chunk_valid_o \&\& )!/\1/'
+mutant "an end is dropped with its window" 's/(chunk_done    = )chunk_kind_o == pipegs_pkg::KindData \&\& /\1/'
 proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW=4 Most=4 Lines=4;
        @late=1,order=2 %BucketW=4 Most=16 Lines=64"
 mutant "one bucket too many is opened" 's/!open_q\[Most-1\]/1/'
