@@ -227,7 +227,7 @@ TEST(FrameLimits, AreThoseOfTheOverflowArea) {
           << config_difference(config) << ", " << slots << " slots, " << windows << " windows";
     };
     for (const uint64_t slots :
-         {0ull, 1ull, 63ull, 64ull, (1ull << 20) - 1, 1ull << 20, 1ull << 33, ~0ull >> 1, ~0ull}) {
+         {0ull, 1ull, 63ull, 64ull, (1ull << 20) - 1, 1ull << 20, 1ull << 33, 1ull << 58, 1ull << 62, ~0ull}) {
       for (const uint64_t windows : {0ull, 1ull, 2040ull, 4095ull, 4096ull, 4097ull, ~0ull}) {
         expect_same(slots, windows);
       }
