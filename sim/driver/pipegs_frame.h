@@ -57,7 +57,7 @@ struct pipegs_scene {
 struct pipegs_memory {
   uint64_t scene;    /* the image */
   uint64_t pixels;   /* the frame by windows, pipegs_pixels_size bytes */
-  uint64_t overflow; /* the overflow areas, a multiple of PIPEGS_OVERFLOW_ALIGNMENT */
+  uint64_t overflow;      /* the overflow areas, a multiple of PIPEGS_OVERFLOW_ALIGNMENT */
   uint64_t overflow_size; /* a multiple of a line; area_full says that it was too small */
 };
 #define PIPEGS_OVERFLOW_ALIGNMENT UINT64_C(0x40000)
@@ -95,9 +95,9 @@ enum pipegs_setup {
 /* Bytes of a frame's pixels by windows, whole windows. */
 uint64_t pipegs_pixels_size(const struct pipegs_configuration *config, const struct pipegs_camera *camera);
 
-/* Bytes of the overflow areas of a frame of so many windows of a scene of so many slots, as many as it can need at most:
- * a splat of every Gaussian in each part of a window, all in one SU; a line of alphas for each region; a list as long
- * as the scene. Where that is too much it is cut: at 1 GiB of records and keys and 1 GiB of alphas for all units
+/* Bytes of the overflow areas of a frame of so many windows of a scene of so many slots, as many as it can need at
+ * most: a splat of every Gaussian in each part of a window, all in one SU; a line of alphas for each region; a list as
+ * long as the scene. Where that is too much it is cut: at 1 GiB of records and keys and 1 GiB of alphas for all units
  * together, and at 2 GiB of lists. A frame that needs more ends with the error area_full. */
 uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_t slots, uint64_t windows);
 
