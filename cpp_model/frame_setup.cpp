@@ -136,6 +136,7 @@ pipegs_scene driver_scene(const PackedScene& scene) {
   packed.gaussians = scene.layout.gaussians * line;
   packed.colors = scene.layout.colors * line;
   packed.size = scene.layout.pixels * line;
+  packed.slots = scene.gaussians.size();
   return packed;
 }
 
@@ -155,7 +156,7 @@ pipegs_camera driver_camera(const Camera& camera, double near_plane) {
 }
 
 pipegs_job frame_job(const Config& config, const PackedScene& scene, const Camera& camera,
-                     const std::optional<WindowRange>& windows, double near_plane, uint64_t overflow_size) {
+                     const std::optional<WindowRange>& windows, double near_plane) {
   const Refusal refusal{config, scene, camera, windows, near_plane};
   if (!(scene.config == config)) refusal.tell(PIPEGS_SETUP_SCENE);
   const pipegs_scene packed = driver_scene(scene);
@@ -165,7 +166,7 @@ pipegs_job frame_job(const Config& config, const PackedScene& scene, const Camer
     range = {static_cast<uint32_t>(windows->first_x), static_cast<uint32_t>(windows->first_y),
              static_cast<uint32_t>(windows->last_x), static_cast<uint32_t>(windows->last_y)};
   }
-  const pipegs_memory memory = pipegs_place(&packed.packed_for, &packed, &taken, 0, overflow_size);
+  const pipegs_memory memory = pipegs_place(&packed.packed_for, &packed, &taken, 0);
   pipegs_job job = {};
   const pipegs_setup setup =
       pipegs_setup_job(&packed.packed_for, &packed, &taken, windows ? &range : nullptr, &memory, &job);

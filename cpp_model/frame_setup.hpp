@@ -35,10 +35,9 @@ Frame frame_setup(const Config& config, const PackedScene& scene, const Camera& 
                   const std::optional<WindowRange>& windows = {}, double near_plane = kNearPlane);
 
 // The same with the sizes of the areas, as the driver queues it: the image at address 0, behind it the pixels, then the
-// overflow areas, which have this many bytes.
+// overflow areas, as large as a frame of all windows can need.
 pipegs_job frame_job(const Config& config, const PackedScene& scene, const Camera& camera,
-                     const std::optional<WindowRange>& windows = {}, double near_plane = kNearPlane,
-                     uint64_t overflow_size = 0);
+                     const std::optional<WindowRange>& windows = {}, double near_plane = kNearPlane);
 
 // What the driver takes.
 pipegs_configuration driver_configuration(const Config& config);  // as the machine's registers say it

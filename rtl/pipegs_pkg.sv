@@ -1176,8 +1176,9 @@ package pipegs_pkg;
   } control_frames_done_t;
 
   // Registers that the configuration fixes: {offset of 16 bits, value of 32}.
-  localparam int unsigned ControlConstants = 13;
+  localparam int unsigned ControlConstants = 14;
   localparam logic [ControlConstants*48-1:0] ControlConstantTable = {
+    48'h00a4_00110040,  // CONFIG_OVERFLOW
     48'h00a0_00ff4022,  // CONFIG_MEMORY
     48'h009c_0f002016,  // CONFIG_LENS
     48'h0098_1c1c141a,  // CONFIG_CAMERA
@@ -1188,8 +1189,8 @@ package pipegs_pkg;
     48'h0084_00030800,  // CONFIG_POINT
     48'h0080_10044004,  // CONFIG_COUNTS
     48'h000c_5c1ba3bf,  // CONFIG_HASH
-    48'h0008_d3dcdf50,  // LAYOUT
-    48'h0004_00010000,  // VERSION
+    48'h0008_8b93182f,  // LAYOUT
+    48'h0004_00010001,  // VERSION
     48'h0000_47504950  // ID
   };
 

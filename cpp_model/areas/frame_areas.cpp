@@ -2,36 +2,13 @@
 // frame_areas.cpp: see frame_areas.hpp.
 #include "cpp_model/areas/frame_areas.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
+#include "cpp_model/frame_setup.hpp"
 
 namespace pipegs {
-namespace {
 
-constexpr uint64_t kGibibyte = uint64_t{1} << 24;  // lines
-
-}  // namespace
-
-uint64_t overflow_area(const Config& c, uint64_t slots, uint64_t windows) {
-  const auto units = static_cast<uint64_t>(c.units), regions = static_cast<uint64_t>(c.regions());
-  uint64_t share = 0;  // of a unit
-  if (c.overflow) {
-    const uint64_t records =
-        std::clamp<uint64_t>(slots * static_cast<uint64_t>(c.parts()), 64, kGibibyte / (2 * units));
-    share = 2 * records;
-  }
-  if (has_alpha_areas(c)) {
-    const uint64_t layers = c.has_lists() ? 1 : 2;
-    const uint64_t lines =
-        slots * regions * (c.has_lists() ? windows : 1) * static_cast<uint64_t>(c.alpha_memory_lines());
-    share = 2 * std::max(share, layers * std::clamp<uint64_t>(lines, 64, kGibibyte / (layers * units)));
-  }
-  share = (share + 15) / 16 * 16;  // every part is exact
-  if (!c.has_lists()) return units * share;
-  uint64_t list = std::bit_ceil(std::clamp<uint64_t>(slots + 1, 64, uint64_t{1} << c.list_entry_w()));
-  while (list > 1 && windows * list > 2 * kGibibyte) list /= 2;
-  return 2 * std::max(units * share, windows * list);
+uint64_t overflow_area(const Config& config, uint64_t slots, uint64_t windows) {
+  const pipegs_configuration machine = driver_configuration(config);
+  return pipegs_overflow_size(&machine, slots, windows) / machine.line;
 }
 
 void move_tables(Tables& tables, uint64_t lines) {

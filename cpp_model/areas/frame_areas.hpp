@@ -2,10 +2,8 @@
 // frame_areas: how large each area is that a frame uses: the tables of its scene, its pixels, and what overflows.
 //
 // RTL     areas_t of rtl/pipegs_pkg.sv, taken with the frame
-// Idea    The overflow area is as large as the frame can need at most: a splat of every Gaussian in each part of a
-//         window, all in one SU; a line of alphas for each region; a list as long as the scene. Where that is too much
-//         it is cut: at 1 GiB of records and keys and 1 GiB of alphas for all units together, and at 2 GiB of lists.
-//         Frames that need more than the cut end with an error, area_full, and the host gives more.
+// Idea    The overflow area is as large as the frame can need at most: the driver says how large that is
+//         (pipegs_overflow_size of sim/driver/pipegs_frame.h), to a user's program and to the model.
 // Units   Lines of external memory.
 #pragma once
 

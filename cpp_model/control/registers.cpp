@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "cpp_model/areas/areas.hpp"
 #include "cpp_model/lib/record_table.hpp"
 
 namespace pipegs {

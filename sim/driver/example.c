@@ -29,8 +29,7 @@ int main(void) {
   uint32_t ticket;
 
   if (pipegs_identify(&device, &bus) != PIPEGS_OK) return fail("no PipeGS with the registers of this driver");
-  memory = pipegs_place(&device.config, &pipegs_packed_scene, &pipegs_packed_camera, pipegs_platform_image(),
-                        pipegs_platform_overflow_size());
+  memory = pipegs_place(&device.config, &pipegs_packed_scene, &pipegs_packed_camera, pipegs_platform_image());
   if (pipegs_setup_job(&device.config, &pipegs_packed_scene, &pipegs_packed_camera, 0, &memory, &job) !=
       PIPEGS_SETUP_OK) {
     return fail("this machine cannot render this scene from this camera");

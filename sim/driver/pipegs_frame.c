@@ -10,6 +10,8 @@
 /* Integer bits of the fields, the sign included; the rest of a width is fraction. */
 enum { ROTATION_BITS = 2, FOCAL_BITS = 14, CENTER_BITS = 16, GUARD_BITS = 4, SPREAD_MANTISSA = 8 };
 enum { WINDOW_W = 10, LIST_WINDOW_W = 12 };
+/* Of the overflow area, in lines of 64 bytes: the least that a part of it is made for, and 1 GiB. */
+enum { AREA_LEAST = 64, GIBIBYTE = 1 << 24 };
 enum { ROTATION_F = 60 }; /* fraction of what the quaternion is computed from */
 
 /* number * 2^fraction, to the nearest, a tie away from 0; false when it has more than 62 bits. */
@@ -228,14 +230,40 @@ uint64_t pipegs_pixels_size(const struct pipegs_configuration *config, const str
          config->window * (config->pixel_w / 8);
 }
 
+/* a * b lines, not below AREA_LEAST, cut at `most`. */
+static uint64_t area(uint64_t a, uint64_t b, uint64_t most) {
+  const struct pipegs_wide lines = pipegs_wide_multiply(a, b);
+  if (lines.high != 0 || lines.low > most) return most;
+  return lines.low < AREA_LEAST ? AREA_LEAST : lines.low;
+}
+
+uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_t slots, uint64_t windows) {
+  const bool lists = config->list_entry_w != 0;
+  const uint64_t units = config->units, layers = lists ? 1 : 2, most_lists = UINT64_C(1) << LIST_WINDOW_W;
+  uint64_t share = 0, list = AREA_LEAST; /* lines of a unit, and of a list */
+  uint32_t list_w = 6;
+  if (windows > most_lists) windows = most_lists; /* a frame with more lists is refused */
+  if (config->overflow) share = 2 * area(slots, config->parts, GIBIBYTE / (2 * units)); /* as much for keys */
+  if (config->alpha_memory_lines != 0) {
+    const uint64_t of_slot = (uint64_t)config->regions * config->alpha_memory_lines * (lists ? windows : 1);
+    const uint64_t alphas = layers * area(slots, of_slot, GIBIBYTE / (layers * units));
+    share = 2 * (alphas > share ? alphas : share); /* the SU has the other half */
+  }
+  share = (share + 15) / 16 * 16; /* every part of it is exact */
+  if (!lists) return units * share * config->line;
+  for (; list <= slots && list_w < config->list_entry_w && windows * list <= GIBIBYTE; ++list_w) list *= 2;
+  return 2 * (units * share > windows * list ? units * share : windows * list) * config->line;
+}
+
 struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
-                                  const struct pipegs_camera *camera, uint64_t image, uint64_t overflow_size) {
+                                  const struct pipegs_camera *camera, uint64_t image) {
+  const uint64_t windows = (uint64_t)windows_along(config, camera->width) * windows_along(config, camera->height);
   struct pipegs_memory memory;
   memory.scene = image;
   memory.pixels = image + scene->size;
   memory.overflow = (memory.pixels + pipegs_pixels_size(config, camera) + PIPEGS_OVERFLOW_ALIGNMENT - 1) /
                     PIPEGS_OVERFLOW_ALIGNMENT * PIPEGS_OVERFLOW_ALIGNMENT;
-  memory.overflow_size = overflow_size;
+  memory.overflow_size = pipegs_overflow_size(config, scene->slots, windows);
   return memory;
 }
 

@@ -50,14 +50,15 @@ struct pipegs_scene {
   int64_t grid_low[3];    /* world units */
   uint64_t grid_scale[3]; /* cells per world unit * 2^world_w */
   uint64_t cells, groups, chunks, gaussians, colors, size;
+  uint64_t slots; /* of Gaussians, empty ones among them */
 };
 
 /* Where things lie in the machine's memory: byte addresses, multiples of a line. */
 struct pipegs_memory {
   uint64_t scene;    /* the image */
   uint64_t pixels;   /* the frame by windows, pipegs_pixels_size bytes */
-  uint64_t overflow; /* the overflow areas, a multiple of PIPEGS_OVERFLOW_ALIGNMENT */
-  uint64_t overflow_size;
+  uint64_t overflow;      /* the overflow areas, a multiple of PIPEGS_OVERFLOW_ALIGNMENT */
+  uint64_t overflow_size; /* a multiple of a line; area_full says that it was too small */
 };
 #define PIPEGS_OVERFLOW_ALIGNMENT UINT64_C(0x40000)
 
@@ -94,9 +95,16 @@ enum pipegs_setup {
 /* Bytes of a frame's pixels by windows, whole windows. */
 uint64_t pipegs_pixels_size(const struct pipegs_configuration *config, const struct pipegs_camera *camera);
 
-/* The pixels behind the image, the overflow areas behind them: what one frame at a time needs. */
+/* Bytes of the overflow areas of a frame of so many windows of a scene of so many slots, as many as it can need at
+ * most: a splat of every Gaussian in each part of a window, all in one SU; a line of alphas for each region; a list as
+ * long as the scene. Where that is too much it is cut: at 1 GiB of records and keys and 1 GiB of alphas for all units
+ * together, and at 2 GiB of lists. A frame that needs more ends with the error area_full. */
+uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_t slots, uint64_t windows);
+
+/* The pixels behind the image, the overflow areas behind them, as large as a frame of all windows can need: what one
+ * frame at a time takes. A caller with less memory makes overflow_size smaller. */
 struct pipegs_memory pipegs_place(const struct pipegs_configuration *config, const struct pipegs_scene *scene,
-                                  const struct pipegs_camera *camera, uint64_t image, uint64_t overflow_size);
+                                  const struct pipegs_camera *camera, uint64_t image);
 
 /* Fills frame and areas of `job`; the picture in raster order is the caller's. `windows` 0: all. */
 enum pipegs_setup pipegs_setup_job(const struct pipegs_configuration *config, const struct pipegs_scene *scene,

@@ -17,10 +17,9 @@ void pipegs_platform_write(void *context, uint32_t offset, uint32_t value);
 /* Returns at the latest when the machine's interrupt is high; at once is right, too: then the program polls. */
 void pipegs_platform_wait(void *context);
 
-/* Where image.bin of `pipegs pack` lies, as the machine addresses its memory, and how many bytes the overflow areas may
- * have that lie behind the frame. */
+/* Where image.bin of `pipegs pack` lies, as the machine addresses its memory. The frame and its overflow areas come
+ * behind it: `pipegs pack` says how much memory all of it takes. */
 uint64_t pipegs_platform_image(void);
-uint64_t pipegs_platform_overflow_size(void);
 
 /* A line for a person, without its end. */
 void pipegs_platform_print(const char *text);

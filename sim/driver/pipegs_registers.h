@@ -18,11 +18,11 @@
 #define PIPEGS_VERSION_MINOR 0x0000ffffu /* goes up when something is added */
 #define PIPEGS_VERSION_MAJOR 0xffff0000u /* goes up when a driver has to change */
 #define PIPEGS_VERSION_MAJOR_SHIFT 16
-#define PIPEGS_VERSION_VALUE 0x00010000u
+#define PIPEGS_VERSION_VALUE 0x00010001u
 
 #define PIPEGS_LAYOUT 0x008u /* which table of registers this is */
 #define PIPEGS_LAYOUT_HASH 0xffffffffu /* FNV-1a of all names and places: the driver has the same */
-#define PIPEGS_LAYOUT_VALUE 0xd3dcdf50u
+#define PIPEGS_LAYOUT_VALUE 0x8b93182fu
 
 #define PIPEGS_CONFIG_HASH 0x00cu /* which machine this is */
 #define PIPEGS_CONFIG_HASH_HASH 0xffffffffu /* FNV-1a of name=value; of every choice in config.def */
@@ -175,6 +175,15 @@
 #define PIPEGS_CONFIG_MEMORY_LINE_SHIFT 8
 #define PIPEGS_CONFIG_MEMORY_ALPHA_CUT 0xffff0000u /* a pixel counts iff alpha >= 1/alpha_cut */
 #define PIPEGS_CONFIG_MEMORY_ALPHA_CUT_SHIFT 16
+
+#define PIPEGS_CONFIG_OVERFLOW 0x0a4u /* what the size of the overflow area follows from */
+#define PIPEGS_CONFIG_OVERFLOW_REGIONS 0x0000ffffu /* in a window */
+#define PIPEGS_CONFIG_OVERFLOW_PARTS 0x000f0000u /* of a window, each with splats of its own */
+#define PIPEGS_CONFIG_OVERFLOW_PARTS_SHIFT 16
+#define PIPEGS_CONFIG_OVERFLOW_ALPHA_MEMORY_LINES 0x00f00000u /* of memory for a region's alphas, 0: none lie there */
+#define PIPEGS_CONFIG_OVERFLOW_ALPHA_MEMORY_LINES_SHIFT 20
+#define PIPEGS_CONFIG_OVERFLOW_LIST_ENTRY_W 0xff000000u /* entry of a list of a window, 0: no lists */
+#define PIPEGS_CONFIG_OVERFLOW_LIST_ENTRY_W_SHIFT 24
 
 #define PIPEGS_FRAME 0x200u /* parameters of the frame, each field of frame_t */
 #define PIPEGS_FRAME_SLOTS 48
@@ -486,6 +495,10 @@ struct pipegs_configuration {
   uint32_t address_w; /* number of a line */
   uint32_t line; /* a line */
   uint32_t alpha_cut; /* a pixel counts iff alpha >= 1/alpha_cut */
+  uint32_t regions; /* in a window */
+  uint32_t parts; /* of a window, each with splats of its own */
+  uint32_t alpha_memory_lines; /* of memory for a region's alphas, 0: none lie there */
+  uint32_t list_entry_w; /* entry of a list of a window, 0: no lists */
 };
 
 /* FIELD(name, offset, lowest bit, width) for each field of struct pipegs_configuration. */
@@ -530,6 +543,10 @@ struct pipegs_configuration {
   FIELD(size_w, PIPEGS_CONFIG_LENS, 24, 8) \
   FIELD(address_w, PIPEGS_CONFIG_MEMORY, 0, 8) \
   FIELD(line, PIPEGS_CONFIG_MEMORY, 8, 8) \
-  FIELD(alpha_cut, PIPEGS_CONFIG_MEMORY, 16, 16)
+  FIELD(alpha_cut, PIPEGS_CONFIG_MEMORY, 16, 16) \
+  FIELD(regions, PIPEGS_CONFIG_OVERFLOW, 0, 16) \
+  FIELD(parts, PIPEGS_CONFIG_OVERFLOW, 16, 4) \
+  FIELD(alpha_memory_lines, PIPEGS_CONFIG_OVERFLOW, 20, 4) \
+  FIELD(list_entry_w, PIPEGS_CONFIG_OVERFLOW, 24, 8)
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * platform_mapped.c: the platform of example.c where the registers lie in the processor's memory. The three numbers are
+ * platform_mapped.c: the platform of example.c where the registers lie in the processor's memory. The two numbers are
  * those of the system: -DPIPEGS_REGISTERS_ADDRESS=0x43c00000 and so on. It polls, and shows no text. */
 #include "pipegs_platform.h"
 
@@ -10,9 +10,6 @@
 #endif
 #ifndef PIPEGS_IMAGE_ADDRESS
 #define PIPEGS_IMAGE_ADDRESS 0x10000000
-#endif
-#ifndef PIPEGS_OVERFLOW_SIZE
-#define PIPEGS_OVERFLOW_SIZE 0x10000000
 #endif
 
 static struct pipegs_bus registers(void) {
@@ -37,10 +34,6 @@ void pipegs_platform_wait(void *context) {
 
 uint64_t pipegs_platform_image(void) {
   return PIPEGS_IMAGE_ADDRESS;
-}
-
-uint64_t pipegs_platform_overflow_size(void) {
-  return PIPEGS_OVERFLOW_SIZE;
 }
 
 void pipegs_platform_print(const char *text) {

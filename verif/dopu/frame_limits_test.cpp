@@ -7,6 +7,7 @@
 #include <functional>
 #include <tuple>
 
+#include "cpp_model/lib/corners.hpp"
 #include "sim/driver/pipegs_wide.h"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/dopu/frame_reference.hpp"
@@ -66,7 +67,7 @@ TEST(FrameLimits, AreTheSameForEveryFormOfANumber) {
     }
     for (pipegs_number* pair : {other.focal, other.center}) change(pair[0]), change(pair[1]);
     change(other.near_plane);
-    const pipegs_memory memory = pipegs_place(&machine, &packed, &taken, 0, 0);
+    const pipegs_memory memory = pipegs_place(&machine, &packed, &taken, 0);
     pipegs_job wanted = {}, found = {};
     const pipegs_setup setup = pipegs_setup_job(&machine, &packed, &taken, nullptr, &memory, &wanted);
     ASSERT_EQ(pipegs_setup_job(&machine, &packed, &other, nullptr, &memory, &found), setup);
@@ -88,7 +89,7 @@ TEST(FrameLimits, AreThoseOfTheFields) {
   const auto setup = [&](const std::function<void(pipegs_camera&)>& change) {
     pipegs_camera taken = good;
     change(taken);
-    const pipegs_memory memory = pipegs_place(&machine, &packed, &taken, 0, 0);
+    const pipegs_memory memory = pipegs_place(&machine, &packed, &taken, 0);
     return pipegs_setup_job(&machine, &packed, &taken, nullptr, &memory, &job);
   };
   const auto position = [&](int64_t mantissa, int exponent) {
@@ -212,6 +213,33 @@ TEST(FrameLimits, OfTheSpreadHoldForEveryFocalLength) {
   }
 }
 
+// The driver's formula, from what the registers say, beside the same from the configuration: on the design points, on
+// random corners of config.def, for scenes of every size, and for numbers that no scene has.
+TEST(FrameLimits, AreThoseOfTheOverflowArea) {
+  std::mt19937_64 rng(frame_seed());
+  std::vector<Config> configs = machines();
+  for (uint64_t i = 0; i < 300; ++i) configs.push_back(config_corner(1000 * frame_seed() + i));
+  int with_lists = 0, with_alphas = 0, with_parts = 0, without = 0;
+  for (const Config& config : configs) {
+    const pipegs_configuration machine = driver_configuration(config);
+    const auto expect_same = [&](uint64_t slots, uint64_t windows) {
+      ASSERT_EQ(pipegs_overflow_size(&machine, slots, windows), 64 * reference_overflow(config, slots, windows))
+          << config_difference(config) << ", " << slots << " slots, " << windows << " windows";
+    };
+    for (const uint64_t slots :
+         {0ull, 1ull, 63ull, 64ull, (1ull << 20) - 1, 1ull << 20, 1ull << 33, 1ull << 58, 1ull << 62, ~0ull}) {
+      for (const uint64_t windows : {0ull, 1ull, 2040ull, 4095ull, 4096ull, 4097ull, ~0ull}) {
+        expect_same(slots, windows);
+      }
+    }
+    for (int i = 0; i < 200; ++i) expect_same(rng() >> (rng() % 64), rng() >> (rng() % 64));
+    for (int i = 0; i < 200; ++i) expect_same(rng() % (1 << 24), 1 + rng() % 4096);
+    with_lists += config.has_lists(), with_alphas += machine.alpha_memory_lines != 0;
+    with_parts += machine.parts > 1, without += pipegs_overflow_size(&machine, ~uint64_t{0}, 4096) == 0;
+  }
+  EXPECT_TRUE(with_lists > 9 && with_alphas > 9 && with_parts > 9 && without > 0);
+}
+
 // Where the scene, pixels and overflow areas lie, in bytes, and how large they are.
 TEST(FrameLimits, GiveTheAreasTheirSizes) {
   std::mt19937_64 rng(frame_seed());
@@ -219,10 +247,15 @@ TEST(FrameLimits, GiveTheAreasTheirSizes) {
     const PackedScene scene = bare_scene(config, -25, rng);
     Camera camera = random_camera(rng, 700, 300);
     camera.position = {1, 2, 3};
-    const pipegs_scene packed = driver_scene(scene);
+    pipegs_scene packed = driver_scene(scene);
+    packed.slots = rng() >> (40 + rng() % 20);
     const pipegs_camera taken = driver_camera(camera, kNearPlane);
     const pipegs_configuration machine = driver_configuration(config);
-    pipegs_memory memory = pipegs_place(&machine, &packed, &taken, 0x12340000, 0x100000);
+    const uint64_t side = static_cast<uint64_t>(config.window),
+                   windows = ((700 + side - 1) / side) * ((300 + side - 1) / side);
+    pipegs_memory memory = pipegs_place(&machine, &packed, &taken, 0x12340000);
+    EXPECT_EQ(memory.overflow_size, 64 * reference_overflow(config, packed.slots, windows))
+        << config_difference(config);
     pipegs_job job = {};
     ASSERT_EQ(pipegs_setup_job(&machine, &packed, &taken, nullptr, &memory, &job), PIPEGS_SETUP_OK);
     const uint64_t base = 0x12340000;
@@ -233,10 +266,11 @@ TEST(FrameLimits, GiveTheAreasTheirSizes) {
     EXPECT_EQ(job.frame.tables_chunks + job.areas.chunks, job.frame.tables_gaussians);
     EXPECT_EQ(job.frame.tables_gaussians + job.areas.gaussians, job.frame.tables_colors);
     EXPECT_EQ(job.frame.tables_colors + job.areas.colors, job.frame.tables_pixels);
-    const uint64_t side = static_cast<uint64_t>(config.window),
-                   windows = ((700 + side - 1) / side) * ((300 + side - 1) / side);
     EXPECT_EQ(job.areas.pixels, windows * side * side * static_cast<uint64_t>(config.pixel_w) / 8);
     EXPECT_GE(job.frame.tables_overflow, job.frame.tables_pixels + job.areas.pixels);
+    EXPECT_EQ(job.areas.overflow, memory.overflow_size);
+    memory.overflow_size = 0x100000;  // what a caller with less memory gives
+    ASSERT_EQ(pipegs_setup_job(&machine, &packed, &taken, nullptr, &memory, &job), PIPEGS_SETUP_OK);
     EXPECT_EQ(job.areas.overflow, 0x100000u);
     const pipegs_memory good = memory;
     const auto refused = [&] {

@@ -181,6 +181,30 @@ inline Frame reference_frame(const Config& config, const PackedScene& scene, con
   return frame;
 }
 
+// Lines of the overflow area, in numbers that never wrap: of all units together 1 GiB of records and keys and 1 GiB of
+// alphas at most, and 2 GiB of lists.
+inline uint64_t reference_overflow(const Config& c, uint64_t slots, uint64_t windows) {
+  using Lines = unsigned __int128;
+  const Lines gibibyte = Lines{1} << 24, units = static_cast<Lines>(c.units);
+  const Lines splats = static_cast<Lines>(c.parts()) * slots;
+  const Lines frames_windows = std::min<uint64_t>(windows, uint64_t{1} << c.list_window_w());
+  Lines sorting = 0, share = 0;
+  if (c.overflow) sorting = share = 2 * std::clamp<Lines>(splats, 64, gibibyte / 2 / units);
+  if (!c.late && (c.overflow || c.order == 1)) {
+    const Lines of_gaussian = static_cast<Lines>(c.window / 8 * (c.window / 8)) * (c.alpha_w > 8 ? 2 : 1);
+    // A frame's alphas with lists, else those of a layer, twice.
+    const Lines alphas = c.order == 1 ? std::clamp<Lines>(slots * of_gaussian * frames_windows, 64, gibibyte / units)
+                                      : 2 * std::clamp<Lines>(slots * of_gaussian, 64, gibibyte / 2 / units);
+    share = 2 * std::max(sorting, alphas);
+  }
+  while (share % 16 != 0) ++share;
+  if (c.order != 1) return static_cast<uint64_t>(units * share);
+  Lines list = 1;
+  while (list < 64 || (list <= slots && list < Lines{1} << c.list_entry_w())) list *= 2;
+  while (frames_windows * list > 2 * gibibyte) list /= 2;
+  return static_cast<uint64_t>(2 * std::max(units * share, frames_windows * list));
+}
+
 // --- what is tried ---
 
 inline uint64_t frame_seed() {

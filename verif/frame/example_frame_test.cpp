@@ -63,6 +63,5 @@ void pipegs_platform_write(void*, uint32_t offset, uint32_t value) {
 }
 void pipegs_platform_wait(void*) { pipegs::bus->idle(pipegs::bus->context); }
 uint64_t pipegs_platform_image() { return pipegs::kImage; }
-uint64_t pipegs_platform_overflow_size() { return uint64_t{1} << 36; }
 void pipegs_platform_print(const char* text) { pipegs::said = text; }
 }

@@ -63,7 +63,8 @@ std::string scene_header(const pipegs_scene& scene, const pipegs_camera& camera)
                                     {"chunks", scene.chunks},
                                     {"gaussians", scene.gaussians},
                                     {"colors", scene.colors},
-                                    {"size", scene.size}}) {
+                                    {"size", scene.size},
+                                    {"slots", scene.slots}}) {
     text += fmt::format("  .{} = UINT64_C({}),\n", name, value);
   }
   text += fmt::format("}};\n\nstatic const struct pipegs_camera pipegs_packed_camera = {{\n  .position = {},\n",
@@ -82,14 +83,18 @@ int pack(const PackArguments& arguments) {
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
   const PackedScene packed = pack_views(loaded.scene, {loaded.camera}, options);
-  frame_setup(options.config, packed, loaded.camera, {}, options.near_plane);  // refuses what the driver would refuse
+  // Refuses what the driver would refuse.
+  const pipegs_job job = frame_job(options.config, packed, loaded.camera, {}, options.near_plane);
   const MemoryImage image = memory_image(packed);
   make_folder_of(arguments.out + "/image.bin");
   write_image(arguments.out + "/image.bin", image);
   write_text(arguments.out + "/scene.h",
              scene_header(driver_scene(packed), driver_camera(loaded.camera, options.near_plane)));
-  fmt::print("{0}/image.bin: {1} bytes, {2} Gaussians; {0}/scene.h: its tables and view {3}\n", arguments.out,
-             image.lines.size() * sizeof(MemoryLine), packed.counts.packed, loaded.camera.name);
+  fmt::print(
+      "{0}/image.bin: {1} bytes, {2} Gaussians; {0}/scene.h: its tables and view {3}\n"
+      "memory for image, frame and overflow areas: at most {4} bytes\n",
+      arguments.out, image.lines.size() * sizeof(MemoryLine), packed.counts.packed, loaded.camera.name,
+      job.frame.tables_overflow + job.areas.overflow + PIPEGS_OVERFLOW_ALIGNMENT - 64);
   return kExitOk;
 }
 
