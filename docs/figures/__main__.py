@@ -25,7 +25,8 @@ def command_line(one, scene, build):
     """The words of a measurement's command as they are run."""
     words = []
     for word in shlex.split(one.command):
-        words += [*scene, *(["--view", str(one.view)] if scene else [])] if word == "{scene}" else [word]
+        view = ["--view", str(one.view)] if scene and one.view is not None else []
+        words += [*scene, *view] if word == "{scene}" else [word]
     words = [str(reference(one.scene, one.view)) if word == "{reference}" else word for word in words]
     words = [str(build / word.removeprefix("build/")) if word.startswith("build/") else word for word in words]
     words = [str(ROOT / word) if (ROOT / word).is_file() else word for word in words]

@@ -199,6 +199,17 @@ def one_model(found):
     return {"cycles": row["cycles"], "bytes": total_bytes(row["bytes"])}
 
 
+def views(found):
+    """Frames in one machine: cycles of a frame on average, and the largest gap between two, queued and alone."""
+    rows = found["views"]
+    if any(row["mismatches"] for row in rows):
+        raise ValueError("a frame differs")
+    runs = ("queued", "alone")
+    figures = {f"cycles_{run}": round(found[f"cycles_{run}"] / len(rows)) for run in runs}
+    figures |= {f"gap_{run}": max(row[f"gap_{run}"] for row in rows[1:]) for run in runs}
+    return {"frames": len(rows)} | figures
+
+
 def host(found):
     """Of `pipegs sim --no-rtl`: what the scene is, what it asks for, and what it takes of the computer."""
     seconds = found["host"]["cpu_seconds"]

@@ -39,6 +39,7 @@ from keep import (
     sweep,
     tables,
     tradeoff,
+    views,
 )
 from scenes import SIZES, VIEWS_OF_SIZE
 
@@ -59,13 +60,14 @@ class Measurement:
     keep: Callable  # of what the command prints (JSON, or else text): the figures
     by: tuple  # groups of sources.py that measure it
     scene: str = "own"
-    view: int = 0
+    view: int | None = 0  # None: the command names its views
     points: tuple = ()  # design points
     chart: str = ""  # docs/images/CHART is drawn, too
     exit_codes: tuple = (0,)  # of a run that counts; 1 where what differs is the figure
 
     def shown(self):
-        scene = f"{self.scene}.ply --cameras {self.scene}/cameras.json --view {self.view} "
+        scene = f"{self.scene}.ply --cameras {self.scene}/cameras.json "
+        scene += f"--view {self.view} " if self.view is not None else ""
         shown = self.command.replace("{scene} ", "" if self.scene == "own" else scene)
         return shown.replace("{reference}", "reference.png")
 
@@ -166,6 +168,8 @@ TABLE = [
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
     *[Measurement(f"bus/{scene}/bits{bits}", f"build/pipegs model {{scene}} --rung fast --set bus_w={bits} --json",
                   one_model, MODEL, scene, points=("fast",)) for bits in BUSES for scene in FOUR],
+    *[Measurement(f"views/{scene}", "build/pipegs sim {scene} --rung fast --views 0-2 --json", views, RTL, scene, None,
+                  ("fast",)) for scene in CHARTED],
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
                   points=(change.split()[1],)) for name, (_, change) in STEPS.items() for scene in FOUR],
     *[Measurement(f"costs/{name}", f"build/pipegs silicon {change} --json", cost, (*RTL, "synth"),
