@@ -3,9 +3,9 @@
 # The table of proofs, read by synth/prove.sh. The comment above a proof says what its parameters mean.
 #
 # proof  NAME MODULES PARAMETERS     MODULES: the first is the top; `a+b` is module a with the checker b_proof.svh at
-#        its end, `a+` with its own; free_a stands for module a. PARAMETERS: sets of Name=value, with @settings where a
-#        package is read (@default: the machine as it is) and %Name=value for a constant changed in it; or `machine`,
-#        see prove.sh
+#        its end, `a+` with its own (named without the prefix pipegs_); free_a stands for module a. PARAMETERS: sets of
+#        Name=value, with @settings where a package is read (@default: the machine as it is) and %Name=value for a
+#        constant changed in it; or `machine`, see prove.sh
 # mutant WHAT CHANGE [PARAMETERS]    of the top of the proof above; a trace of at most 16 cycles refutes it. CHANGE: of
 #        sed -E;
 #        PARAMETERS: else the first set

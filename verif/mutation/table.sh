@@ -4,8 +4,9 @@
 #
 # group  NAME TITLE                      those that follow: one test of ctest, mutation_NAME, and one table of the page
 # mutant MODULE WHAT CHANGE [TEST]       CHANGE: of sed -E, in exactly one line of the module (a path: of that file of
-#        cpp_model/); TEST: the test that fails, in verif/*/CMakeLists.txt; else the module's own. An expression is
-#        matched, not its line, and as little of it as tells it from others.
+#        cpp_model/); TEST: the test that fails, in verif/*/CMakeLists.txt; else the module's own, named as the module
+#        without the prefix pipegs_. An expression is matched, not its line, and as little of it as tells it from
+#        others.
 
 # --- rtl/dopu ---------------------------------------------------------------------------------------------------------
 group dopu "DOPU"

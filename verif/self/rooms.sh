@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# rooms.sh: the layout's rule, checked: rtl/<room>/<name>.sv = cpp_model/<room>/<name>.hpp =
-# verif/<room>/<name>_test.cpp = a heading or a row in docs/units. A room is a unit, or a part of it as pu/color.
+# rooms.sh: the layout's rule, checked: rtl/<room>/<module>.sv = cpp_model/<room>/<name>.hpp =
+# verif/<room>/<name>_test.cpp = a heading or a row in docs/units. A room is a unit, or a part of it as pu/color; a name
+# is that of the module without the prefix pipegs_.
 #
 # Plumbing (rtl/lib queues and memories, rtl/buf) has no bit-accurate model but a test. A module that lacks its test or
 # its bit-accurate model needs a line in covered_by.txt with the test that covers it, and no line may be stale: its
@@ -30,7 +31,7 @@ room_of() { local room; room=$(dirname "${1#rtl/}"); echo "${room/#./rtl}"; }
 mapfile -t files < <(find rtl -name "*.sv" | sort)
 for file in "${files[@]}"; do
   room=$(room_of "$file") name=$(basename "$file" .sv)
-  own_test=verif/$room/${name}_test.cpp model=cpp_model/$room/$name.hpp
+  own_test=verif/$room/${name#pipegs_}_test.cpp model=cpp_model/$room/${name#pipegs_}.hpp
   covering=$(covering_test "$name" "$room")
   [ -e "$own_test" ] || [ -e "${covering:-none}" ] || complain "$file: no $own_test and no valid line in $list"
   case $room in
