@@ -26,8 +26,8 @@ namespace {
 using Field = pipegs::RecordField;
 using Record = pipegs::RecordEntry;
 
-// The table of rtl/lib/math/exp2.sv: entry i is {0, delta, value}, entry 0 in the low bits. An entry fills a machine
-// word, so that a simulator reads it with one load; synthesis drops the zeros.
+// The table of rtl/lib/math/pipegs_exp2.sv: entry i is {0, delta, value}, entry 0 in the low bits. An entry fills a
+// machine word, so that a simulator reads it with one load; synthesis drops the zeros.
 void print_exp2_table(const pipegs::Config& config) {
   const pipegs::Exp2 table(config);
   const int last = (1 << config.exp_index_w) - 1, width = config.exp_delta_w() + config.exp_value_w() > 32 ? 64 : 32;
@@ -266,7 +266,7 @@ void print_package(const pipegs::Config& config) {
       "\n  // What a beat of a stream is.\n"
       "  localparam logic [1:0] KindData = 2'd0;\n  localparam logic [1:0] KindLayerEnd = 2'd1;\n"
       "  localparam logic [1:0] KindWindowEnd = 2'd2;\n"
-      "\n  // What a unit does in a cycle, see perf: starved has nothing to do, blocked waits for who takes its "
+      "\n  // What a unit does in a cycle, see pipegs_perf: starved has nothing to do, blocked waits for who takes its "
       "output.\n"
       "  localparam logic [1:0] PerfBusy = 2'd0;\n  localparam logic [1:0] PerfStarved = 2'd1;\n"
       "  localparam logic [1:0] PerfBlocked = 2'd2;\n  localparam logic [1:0] PerfMemory = 2'd3;\n");

@@ -2,11 +2,12 @@
 // pipegs_axi: PipeGS as a block of a system: an AXI4-Lite subordinate for its registers, an AXI4 manager to memory.
 //
 // Idea    Flat ports with the names of AXI, which tools for systems on a chip find by themselves. Everything else is
-//         below: pipegs_host is the machine with its registers, axi_manager its way to memory. Only wiring here.
+//         below: pipegs_host is the machine with its registers, pipegs_axi_manager its way to memory. Only wiring here.
 // Stream  s_axi_*: registers, docs/units/registers.md. m_axi_*: memory, docs/units/mem.md. No path leads from an input
 //         to an output without a register.
-// Reset   aresetn falls and rises at any time (reset_sync). Until it has been let go inside, registers are not ready.
-// Pace    axi_manager's.
+// Reset   aresetn falls and rises at any time (pipegs_reset_sync). Until it has been let go inside, registers are not
+//         ready.
+// Pace    pipegs_axi_manager's.
 // Model   cpp_model/golden.hpp; the harness runs whole frames through these ports.
 
 module pipegs_axi #(
@@ -89,7 +90,7 @@ module pipegs_axi #(
   logic [3:0]                   error;
   logic [LineW-1:0]             error_line;
 
-  reset_sync u_reset (.clk_i(aclk), .rst_ni(aresetn), .test_en_i(test_en), .rst_no(rst_n));
+  pipegs_reset_sync u_reset (.clk_i(aclk), .rst_ni(aresetn), .test_en_i(test_en), .rst_no(rst_n));
   assign s_axi_awready = aw_ready && rst_n;
   assign s_axi_wready  = w_ready && rst_n;
   assign s_axi_arready = ar_ready && rst_n;
@@ -104,7 +105,7 @@ module pipegs_axi #(
     .mem_error_line_i(error_line)
   );
 
-  axi_manager #(.DataW(DataW), .AddrW(AddrW)) u_manager (
+  pipegs_axi_manager #(.DataW(DataW), .AddrW(AddrW)) u_manager (
     .clk_i(aclk), .rst_ni(rst_n), .base_i(Base), .epoch_i(epoch), .drained_o(drained), .pending_o(),
     .mem_valid_i(valid), .mem_ready_o(ready), .mem_request_i(request), .mem_data_i(data),
     .rsp_valid_o(rsp_valid), .rsp_tag_o(rsp_tag), .rsp_data_o(rsp_data),

@@ -2,11 +2,11 @@
 // pipegs_host: the core with the registers on which its host stands, behind one port to memory.
 //
 // Idea    The registers give frames to the core, its counters and errors to the host. Between them stand only what ends
-//         a frame: control_done holds its end back until its pixels are in memory, control_restart resets the core when
-//         a frame was aborted or has met an error. Then every frame inside is given up; the queued one is begun behind
-//         it, unless it was an abort, which drops that one too. Only wiring here.
-// Stream  s_axi_*: AXI4-Lite, see control_bus. mem_*: see memory_arbiter; a read belongs to the epoch that shows with
-//         it.
+//         a frame: pipegs_control_done holds its end back until its pixels are in memory, pipegs_control_restart resets
+//         the core when a frame was aborted or has met an error. Then every frame inside is given up; the queued one is
+//         begun behind it, unless it was an abort, which drops that one too. Only wiring here.
+// Stream  s_axi_*: AXI4-Lite, see pipegs_control_bus. mem_*: see pipegs_memory_arbiter; a read belongs to the epoch
+//         that shows with it.
 // Pace    A frame begins four cycles after the bus has taken the write of CONTROL.start.
 // Model   The harness drives it as software does: sim/driver, sim/rtl/rtl_bridge.cpp.
 
@@ -76,7 +76,7 @@ module pipegs_host #(
   assign frame_shown = frame_valid && ready;
   assign frame_ready = core_ready && ready;
 
-  control_registers u_registers (
+  pipegs_control_registers u_registers (
     .clk_i, .rst_ni, .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr, .s_axi_wvalid, .s_axi_wready, .s_axi_wdata,
     .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp, .s_axi_arvalid, .s_axi_arready, .s_axi_araddr,
     .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp, .irq_o,
@@ -86,12 +86,12 @@ module pipegs_host #(
     .counters_i({perf, overflow_lines, preprocess_cycles, cycles})
   );
 
-  control_restart u_restart (
+  pipegs_control_restart u_restart (
     .clk_i, .rst_ni, .give_up_i(give_up), .drained_i(mem_drained_i), .epoch_o(mem_epoch_o), .core_rst_no(core_rst_n),
     .ready_o(ready)
   );
 
-  control_done u_done (
+  pipegs_control_done u_done (
     .clk_i, .rst_ni, .core_done_i(core_done), .give_up_i(give_up), .writes_i(mem_writes_i),
     .answered_i(mem_answered_i), .done_o(done), .waiting_o(waiting)
   );
@@ -106,7 +106,7 @@ module pipegs_host #(
 
 `ifndef SYNTHESIS
   // What is given up is taken back: the core is in reset in the next cycle.
-  stream_check #(.DataW($bits({frame, areas, picture}))) u_check_frame (
+  pipegs_stream_check #(.DataW($bits({frame, areas, picture}))) u_check_frame (
     .clk_i, .rst_ni(ready), .valid_i(frame_shown), .ready_i(core_ready), .beat_i({frame, areas, picture})
   );
 `endif

@@ -302,7 +302,7 @@ package pipegs_pkg;
   localparam logic [1:0] KindLayerEnd = 2'd1;
   localparam logic [1:0] KindWindowEnd = 2'd2;
 
-  // What a unit does in a cycle, see perf: starved has nothing to do, blocked waits for who takes its output.
+  // What a unit does in a cycle, see pipegs_perf: starved has nothing to do, blocked waits for who takes its output.
   localparam logic [1:0] PerfBusy = 2'd0;
   localparam logic [1:0] PerfStarved = 2'd1;
   localparam logic [1:0] PerfBlocked = 2'd2;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// pipegs_top: the whole machine: front, sorting and raster behind one port to external memory.
+// pipegs_top: the whole machine: pipegs_front, pipegs_sorting and pipegs_raster behind one port to external memory.
 //
 // Paper   Fig. 7, Table 2.
-// Idea    scene -> front (DOPU, PUs) -> splats -> sorting (SUs, merge) -> sorted -> raster (RUs) -> pixels.
-//         While the RUs blend layer i, the SUs sort behind them and the PUs already work on layer i + 1, across windows
-//         too.
+// Idea    scene -> pipegs_front (DOPU, PUs) -> splats -> pipegs_sorting (SUs, merge) -> sorted -> pipegs_raster (RUs)
+//         -> pixels. While the RUs blend layer i, the SUs sort behind them and the PUs already work on layer i + 1,
+//         across windows too.
 //         The front works on the frame in front_q, the back on the one in back_q: the same, or the one before.
 //         Every unit has a clock of its own that stops while it has nothing to do. Only wiring here.
 // Stream  frame_i, areas_i and picture_i are taken with frame_valid_i and frame_ready_o; scene and pixels lie outside,
@@ -104,7 +104,7 @@ module pipegs_top #(
   assign sorted_ready = raster_ready && !hold;
   assign sorted_taken = sorted_valid && sorted_ready;
 
-  scheduler u_scheduler (
+  pipegs_scheduler u_scheduler (
     .clk_i, .rst_ni, .frame_valid_i, .frame_ready_o, .same_i(same), .windows_i(front_q.raster.windows),
     .front_busy_i(front_busy), .back_busy_i(raster_busy), .storing_i(storing),
     .idle_i(!front_busy && !sorting_busy && !raster_busy && !memory_busy),
@@ -121,7 +121,7 @@ module pipegs_top #(
     heard.done = listen ? progress.done : '0;
   end
 
-  front u_front (
+  pipegs_front u_front (
     .clk_i, .rst_ni, .test_en_i, .frame_i(front_q), .areas_i(areas_q), .restart_i(front_restart),
     .reads_o(reads), .reads_i(reads_answer), .spill_o(spill), .spill_i(spill_answer), .line_i(line),
     .progress_i(heard), .layer_free_i(layer_free), .store_o(store),
@@ -131,7 +131,7 @@ module pipegs_top #(
     .tap_chunk_valid_o(tap_chunk_valid), .tap_chunk_kind_o(tap_chunk_kind)
   );
 
-  sorting u_sorting (
+  pipegs_sorting u_sorting (
     .clk_i, .rst_ni, .test_en_i, .windows_i(front_q.raster.windows), .overflow_i(overflow),
     .near_plane_i(front_q.lens.near_plane), .restart_i(front_restart),
     .made_valid_i(splat_valid), .made_ready_o(splat_ready), .made_i(splat), .number_i(number),
@@ -142,7 +142,7 @@ module pipegs_top #(
     .tap_splat_valid_o(tap_splat_valid), .tap_splat_o(tap_splat)
   );
 
-  raster u_raster (
+  pipegs_raster u_raster (
     .clk_i, .rst_ni, .test_en_i, .raster_i(back_raster_q), .picture_i(back_picture_q),
     .overflow_i(overflow), .restart_i(back_restart),
     .sorted_valid_i(sorted_valid && !hold), .sorted_ready_o(raster_ready), .sorted_i(sorted), .store_i(store),
@@ -151,14 +151,14 @@ module pipegs_top #(
     .busy_o(raster_busy), .perf_o(perf_state[2*(1+2*Units) +: 2*Units]), .taps_o(taps)
   );
 
-  memory_ports u_memory (
+  pipegs_memory_ports u_memory (
     .clk_i, .rst_ni, .spill_i(spill), .spill_o(spill_answer), .sort_i(sort), .sort_o(sort_answer),
     .raster_i(pixels), .halves_i(halves), .raster_o(pixels_answer), .lists_i(lists), .lists_o(lists_answer),
     .reads_i(reads), .reads_o(reads_answer), .stop_i(stop), .line_o(line), .storing_o(storing), .busy_o(memory_busy),
     .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i, .mem_rsp_data_i
   );
 
-  errors u_errors (
+  pipegs_errors u_errors (
     .clk_i, .rst_ni, .restart_i(front_restart), .raster_i(front_q.raster), .by_windows_i(!front_picture_q.format),
     .pixels_i({areas_q.pixels, front_q.tables.pixels}), .full_i({sorting_full, alphas_full}),
     .full_line_i({sorting_full_line, alphas_full_line}), .bad_i(scene_bad), .bad_line_i(scene_bad_line),
@@ -166,7 +166,7 @@ module pipegs_top #(
   );
 
   for (genvar i = 0; i < PerfUnits; i += 1) begin : gen_perf
-    perf u_perf (
+    pipegs_perf u_perf (
       .clk_i, .rst_ni, .restart_i(begins), .running_i(running), .state_i(perf_state[2*i +: 2]),
       .counts_o(perf_o[i*4*PerfW +: 4*PerfW])
     );
@@ -177,7 +177,7 @@ module pipegs_top #(
   assign unused_taps = &{1'b0, tap_splat_valid, tap_splat, tap_chunk_valid, tap_chunk_kind, taps, layer_done};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(sorted))) u_check_sorted (
+  pipegs_stream_check #(.DataW($bits(sorted))) u_check_sorted (
     .clk_i, .rst_ni, .valid_i(sorted_valid && !hold), .ready_i(raster_ready), .beat_i(sorted)
   );
 `endif

@@ -5,7 +5,7 @@ Idea    Each gate is an expression, the library's own function of it, and no ins
         with their ports. Gates that only flip-flops look at stand in the process that clocks these, in order, so that
         they are computed once for each edge: Verilator would order the others and write each of them three times.
 Rule    Flip-flops and latches do what the `ff` and `latch` groups of the library say, clear and preset included; what
-        they hold at the beginning is up to the simulator. A memory stays rtl/lib/sram.sv.
+        they hold at the beginning is up to the simulator. A memory stays rtl/lib/pipegs_sram.sv.
         A flip-flop behind the clock gate of an enable looks at its data at the edges of the gate's clock at which the
         enable was high: that is what latch and gate do, and no edge comes later than another. A unit's gate stays one.
         What is not understood raises ValueError.

@@ -2,8 +2,8 @@
 """gating.py: flip-flops that share an enable get one gated clock, as a commercial flow does.
 
 Idea    Yosys finds what holds a flip-flop (opt_dff) and leaves an enable where MIN_GROUP flip-flops or more share it;
-        the others get a multiplexer. Here each enable becomes an instance of rtl/lib/clock_gate.sv before the library's
-        gates are chosen, so that the gates behind an enable are mapped, timed and counted like all others.
+        the others get a multiplexer. Here each enable becomes an instance of rtl/lib/pipegs_clock_gate.sv before the
+        library's gates are chosen, so that those behind an enable are mapped, timed and counted like all others.
         A gate drives at most MAX_GROUP flip-flops; the next ones of the same enable get a gate of their own.
 Rule    How often an enable is high is measured in the RTL's waves: a Program says each enable as a function of signals
         that have a name there. It stops at the first name on the way back from the enable. An enable that it cannot

@@ -53,7 +53,7 @@ simulated=("" "bus_w=0")
 declare -A machine_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows]="late=1"
   [pu_power]="late=1 quadratic=1" [pu_expand]="late=1 order=1" [pu_list]="late=1 order=1" [pu_record]="late=1 order=1"
   [pu_lines]="order=1" [pu_fill]="order=1" [pu_marks]="late=1 order=2"
-  [lists]="late=1 order=1" [list_write]="late=1 order=1" [list_read]="late=1 order=1"
+  [pipegs_lists]="late=1 order=1" [pipegs_list_write]="late=1 order=1" [pipegs_list_read]="late=1 order=1"
   [dopu_depth]="late=1 order=2" [dopu_bucket]="late=1 order=2" [dopu_rank]="late=1 order=2" [dopu_open]="late=1 order=2"
   [ru_live]="late=1 order=2 quads=1" [ru_regions]="late=1 order=2 quads=1" [ru_power]="late=1 order=2 quads=1"
   [ru_quads]="late=1 order=2 quads=1" [pu_parts]="late=1 order=2 quads=1 window=128"

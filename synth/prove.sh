@@ -69,7 +69,7 @@ run() {
     [ -e "$folder/$name.sv" ] || cp "$(source_of "$name")" "$folder/$name.sv" || { echo "no $name"; return; }
     if [ "$name" != "$token" ]; then
       grep -q '^endmodule' "$folder/$name.sv" || { echo "no end of $name"; return; }
-      checker=$(find "$here" -name "${checker:-$name}_proof.svh")
+      checker=$(find "$here" -name "${checker:-${name#pipegs_}}_proof.svh")
       sed -i "/^endmodule/i \`include \"${checker#"$here/"}\"" "$folder/$name.sv"
     fi
     sources+=("$folder/$name.sv")

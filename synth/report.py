@@ -22,7 +22,14 @@ import time
 import rtlil
 import timing
 
-UNITS = {"dopu": "dopu", "pu": "pu", "su": "su", "ru": "ru", "lists": "list", "alpha_store": "buf"}
+UNITS = {
+    "pipegs_dopu": "dopu",
+    "pipegs_pu": "pu",
+    "pipegs_su": "su",
+    "pipegs_ru": "ru",
+    "pipegs_lists": "list",
+    "pipegs_alpha_store": "buf",
+}
 now = time.time
 
 

@@ -9,8 +9,8 @@ Rule    Modules of the same name and parameters are one. A module is named NAME,
 """
 import re
 
-MEMORY = "sram"  # the only module that stands for a memory macro (rtl/lib/sram.sv)
-GATE = "clock_gate"  # the only one that may hold a latch
+MEMORY = "pipegs_sram"  # the only module that stands for a memory macro (rtl/lib/pipegs_sram.sv)
+GATE = "pipegs_clock_gate"  # the only one that may hold a latch
 
 
 class Module:

@@ -6,9 +6,9 @@ Idea    Yosys elaborates the design once; each module (each of its parameterisat
         its own with its submodules as black boxes. Modules are put together again for OpenSTA only.
         rtlil.py cuts the design, jobs.py runs and keeps, liberty.py knows the library, gating.py gates the clocks of
         flip-flops with enables, netlist.py buffers what crosses modules, timing.py asks OpenSTA, report.py prints.
-Rule    Memories (rtl/lib/sram.sv) have no area here and a stated access time. Whatever Yosys warns of ends the run, but
-        for arrays that become registers: some constructs it reads wrong with no more than a warning, others with none
-        (synth/misread.sh looks for these). A latch is an error outside clock_gate.
+Rule    Memories (rtl/lib/pipegs_sram.sv) have no area here and a stated access time. Whatever Yosys warns of ends the
+        run, but for arrays that become registers: some constructs it reads wrong with no more than a warning, others
+        with none (synth/misread.sh looks for these). A latch is an error outside pipegs_clock_gate.
 """
 import argparse
 import functools
@@ -48,7 +48,7 @@ opt_clean -purge
 write_json {folder}/mapped.json
 """
 # Small functions are mapped as a part of who uses them: a path through one is no longer than if it stood there.
-FUNCTIONS = "*saturate* *first_set* *bit_length*"
+FUNCTIONS = "*pipegs_saturate* *pipegs_first_set* *pipegs_bit_length*"
 ELABORATE = """read_verilog -sv -defer -DSYNTHESIS {folder}/pipegs_pkg.sv {files}
 hierarchy -check -top {name}
 proc
@@ -345,7 +345,7 @@ def main():
     if printed.returncode != 0:
         raise Failed(printed.stderr.strip())
     if re.search(r"\bClockGates += 0;", printed.stdout):
-        raise Failed("clock_gates=0 is an FPGA's machine (make fpga): its clock_gate cannot stand for enables")
+        raise Failed("clock_gates=0 is an FPGA's machine (make fpga): its pipegs_clock_gate cannot stand for enables")
     configuration = re.search(r"Configuration: (\S+)\.", printed.stdout)[1]  # as the RTL's folders are named
     name = os.path.basename(options.liberty).split(".")[0].replace("_stdcells", "")
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), max(1, options.jobs))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_done.hpp: bit- and cycle-accurate model of rtl/control/control_done.sv.
+// control_done.hpp: bit- and cycle-accurate model of rtl/control/pipegs_control_done.sv.
 //
 // Idea    Frames that wait stand in two groups. The older group waits for the writes of its youngest and takes nobody
 //         in; the younger one takes in every frame that ends, and becomes the older one when that has been told.
-// RTL     rtl/control/control_done.sv
+// RTL     rtl/control/pipegs_control_done.sv
 #pragma once
 
 namespace pipegs {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_registers.hpp: bit- and cycle-accurate model of rtl/control/control_registers.sv.
+// control_registers.hpp: bit- and cycle-accurate model of rtl/control/pipegs_control_registers.sv.
 //
 // Idea    What a register does follows from the access of its fields in the table (registers.def), not from its name;
 //         names stand here only where the machine sets a bit. A step is one clock edge: what the bus asks for is
 //         answered from the state before it, then events are added.
-// RTL     rtl/control/control_registers.sv and its parts
+// RTL     rtl/control/pipegs_control_registers.sv and its parts
 #pragma once
 
 #include <array>

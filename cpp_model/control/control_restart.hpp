@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_restart.hpp: bit- and cycle-accurate model of rtl/control/control_restart.sv.
+// control_restart.hpp: bit- and cycle-accurate model of rtl/control/pipegs_control_restart.sv.
 //
 // Idea    The core is in reset from the cycle after a give-up until the epoch has turned, and one cycle more. A reset
 //         of the whole machine ends in the same way, but the epoch has nothing to turn from.
-// RTL     rtl/control/control_restart.sv
+// RTL     rtl/control/pipegs_control_restart.sv
 #pragma once
 
 namespace pipegs {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // job.hpp: a frame of the model as the driver queues it, the slots of the registers, and back.
 //
-// RTL     rtl/control/control_shadow.sv
+// RTL     rtl/control/pipegs_control_shadow.sv
 // Idea    A slot has 64 bits. A field of the frame stands in it from bit `shift` on, its sign above it. The members of
 //         a job are the slots in their order, which is that of the fields.
 #pragma once

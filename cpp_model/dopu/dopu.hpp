@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // dopu: walks the scene for one window: which chunks go to the PUs, in which layer, in which order.
 //
-// Paper   Sec. 3.2, Sec. 4.1 (Dynamic Orthogonal Partitioning Unit).        RTL  rtl/dopu/dopu.sv
+// Paper   Sec. 3.2, Sec. 4.1 (Dynamic Orthogonal Partitioning Unit).        RTL  rtl/dopu/pipegs_dopu.sv
 // Idea    Slabs of the grid outward from the camera's own; in each slab every cell that passes the window test; in each
 //         such cell every group, in each such group every chunk that passes it.
 // Rule    This is the walk without the feedback "all regions are done", which only ever cuts its tail off.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // list_write: where the records of a frame lie in external memory: one list for each window.
 //
-// Paper   the reproduced GSCore of Sec. 5.        RTL  rtl/list/list_write.sv, list_read.sv
+// Paper   the reproduced GSCore of Sec. 5.        RTL  rtl/list/pipegs_list_write.sv, pipegs_list_read.sv
 // Idea    Entry n of the list of window w is one line, at overflow + (w << list_log) + n (areas.hpp).
 // Rule    The order inside a list depends on timing and means nothing: a list is sorted before it is blended.
 #pragma once

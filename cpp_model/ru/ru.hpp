@@ -5,7 +5,7 @@
 // Idea    The owned regions of one window at a time; a layer end only turns the parity of the overflow area, a window
 //         end hands the pixels out and starts the next window, row by row from first to last.
 // Stream  sorted_t in; where lines of alphas come from and where lines of pixels go is the caller's (two functions).
-// RTL     rtl/ru/ru.sv; the window's coordinates: rtl/ru/place/ru_window.sv
+// RTL     rtl/ru/pipegs_ru.sv; the window's coordinates: rtl/ru/place/ru_window.sv
 #pragma once
 
 #include <bit>

@@ -4,7 +4,7 @@
 // Idea    The key {depth, index, part} is unique, so the order is total and does not depend on how the splats arrived.
 //         What an end releases is sent before it: everything, or, when order is 2 and the end is a layer's, what lies
 //         in nearer buckets than its depth.
-// Paper   Sec. 4.2.2.        RTL  rtl/su/su.sv
+// Paper   Sec. 4.2.2.        RTL  rtl/su/pipegs_su.sv
 #pragma once
 
 #include <algorithm>

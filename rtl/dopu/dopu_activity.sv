@@ -3,7 +3,7 @@
 //
 // Idea    The frame is done when the end of its last window has been taken by every PU. Nothing inside lasts 127 cycles
 //         without a move, so after as many without one the unit waits for its surroundings, and needs a clock only when
-//         these move (sleep).
+//         these move (pipegs_sleep).
 // Stream  Pulses of the unit in; busy_o, active_o, perf_o.
 // Pace    Combinational, but for busy_o.
 // Model   None: the streams are the same with and without it.
@@ -49,7 +49,7 @@ module dopu_activity #(
   assign blocked = chunk_valid_i || out_valid_i != '0;
   assign woken   = start_i || memory_i || news_i ||
                    (out_valid_i != '0 ? out_ready_i != '0 : chunk_valid_i && out_room_i != '0);
-  sleep #(.Patience(127)) u_sleep (.clk_i, .rst_ni, .moved_i, .wake_i(woken), .asleep_o(asleep));
+  pipegs_sleep #(.Patience(127)) u_sleep (.clk_i, .rst_ni, .moved_i, .wake_i(woken), .asleep_o(asleep));
 
   assign busy_o   = busy_q;
   assign active_o = start_i || (busy_q && (moved_i || !asleep));

@@ -42,7 +42,7 @@ module dopu_chunks #(
   output pipegs_pkg::node_t                    chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]        mark_o,     // of a layer's end, with watermarks
 
-  output logic [1:0]                           bad_o,      // a cell, a group: see line_reader
+  output logic [1:0]                           bad_o,      // a cell, a group: see pipegs_line_reader
   output logic [2*AddressW-1:0]                bad_line_o,
   output logic                                 testing_o,
   output logic                                 waiting_o   // for memory

@@ -3,11 +3,11 @@
 //
 // Paper   Sec. 4.1.
 // Idea    Three levels, cell, group, chunk, share one box test. A cell that passes sends for its groups, a group that
-//         passes for its chunks (line_reader: several lines in flight). Upper levels go first as long as their results
-//         have room, so that the memory always has work; a node enters the test only when a place for its result is
-//         reserved. Order is kept within each level, hence the chunks leave in the order of the nested loops. Ends pass
-//         through all levels in their turn. What belongs to a done window is dropped wherever it stands, but for
-//         a chunk that is shown already.
+//         passes for its chunks (pipegs_line_reader: several lines in flight). Upper levels go first as long as their
+//         results have room, so that the memory always has work; a node enters the test only when a place for its
+//         result is reserved. Order is kept within each level, hence the chunks leave in the order of the nested loops.
+//         Ends pass through all levels in their turn. What belongs to a done window is dropped wherever it stands, but
+//         for a chunk that is shown already.
 // Stream  cell in; chunk out: a chunk's node that passed, or an end, with its set of planes.
 // Pace    One test in three cycles.
 // Model   cpp_model/dopu/dopu.hpp (the inner loops)
@@ -46,7 +46,7 @@ module dopu_descend #(
   output logic                                  chunk_set_o,
   output pipegs_pkg::node_t                     chunk_o,
 
-  output logic [1:0]                            bad_o,         // a cell, a group: see line_reader
+  output logic [1:0]                            bad_o,         // a cell, a group: see pipegs_line_reader
   output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
   output logic                                  testing_o,     // a node waits for its turn in the test, or is dropped
   output logic                                  waiting_o      // a level waits for the memory
@@ -125,7 +125,7 @@ module dopu_descend #(
       assign missed[l] = result_valid && result_level == 2'(l) && !result_kept;
       assign popped[l] = kept_valid[l] && kept_ready[l];
 
-      fifo #(.DataW(BeatW), .Depth(Results)) u_queue (
+      pipegs_fifo #(.DataW(BeatW), .Depth(Results)) u_queue (
         .clk_i, .rst_ni,
         .in_valid_i(push[l]), .in_ready_o(queue_ready[l]), .in_i({result_set, result_kind, result_node}),
         .out_valid_o(kept_valid[l]), .out_ready_i(kept_ready[l]), .out_o(kept[l]), .count_o(held)
@@ -167,7 +167,7 @@ module dopu_descend #(
       assign parent_done = parent_data && set_done_i[kept[l][BeatW-1]];
       assign kept_ready[l] = job_ready || parent_done;
 
-      line_reader #(.TagW(KindW + 1), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines),
+      pipegs_line_reader #(.TagW(KindW + 1), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines),
         .Jobs(pipegs_pkg::DescendJobs)) u_reader (
         .clk_i, .rst_ni, .table_i(l == 0 ? groups_i : chunks_i),
         .job_valid_i(kept_valid[l] && !parent_done), .job_ready_o(job_ready), .job_read_i(parent_data),
@@ -207,7 +207,7 @@ module dopu_descend #(
   assign unused = &{1'b0, idle, parent_cell, parent_group};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits({chunk_kind_o, chunk_set_o, chunk_o}))) u_check_chunk (
+  pipegs_stream_check #(.DataW($bits({chunk_kind_o, chunk_set_o, chunk_o}))) u_check_chunk (
     .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i({chunk_kind_o, chunk_set_o, chunk_o})
   );
 `endif

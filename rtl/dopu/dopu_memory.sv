@@ -36,7 +36,7 @@ module dopu_memory #(
   logic [BurstW-1:0] lines, come_q;  // of the oldest request: its lines, less one, and how many have come
   logic       group, asked_valid, asked_ready, answer;
 
-  arbiter #(.Ports(3)) u_arbiter (
+  pipegs_arbiter #(.Ports(3)) u_arbiter (
     .clk_i, .rst_ni, .request_i, .advance_i(mem_ready_i && asked_ready), .grant_o(grant), .port_o(granted)
   );
   assign mem_valid_o   = grant != '0 && asked_ready;
@@ -48,7 +48,7 @@ module dopu_memory #(
 
   assign answer        = rsp_valid_i && !loading_i;
 
-  fifo #(.DataW(1 + BurstW), .Depth(Asked)) u_asked (
+  pipegs_fifo #(.DataW(1 + BurstW), .Depth(Asked)) u_asked (
     .clk_i, .rst_ni, .in_valid_i(ready_o[1:0] != '0), .in_ready_o(asked_ready), .in_i({granted[0], mem_lines_o}),
     .out_valid_o(asked_valid), .out_ready_i(answer && come_q == lines), .out_o({group, lines}), .count_o()
   );
@@ -60,7 +60,7 @@ module dopu_memory #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!answer || asked_valid);
-  stream_check #(.DataW($bits({mem_address_o, mem_lines_o}))) u_check_mem (
+  pipegs_stream_check #(.DataW($bits({mem_address_o, mem_lines_o}))) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_lines_o})
   );
 `else

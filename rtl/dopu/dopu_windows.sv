@@ -54,7 +54,7 @@ module dopu_windows (
   assign planes_ready = !valid_q[fill_q];
   assign last         = Whole || (row_ends && y == raster_i.windows.last_y);
 
-  window_walk u_walk (
+  pipegs_window_walk u_walk (
     .clk_i, .rst_ni, .first_x_i(raster_i.windows.first_x), .first_y_i(raster_i.windows.first_y),
     .last_x_i(raster_i.windows.last_x), .start_i, .advance_i(planes_valid && planes_ready),
     .x_o(x), .y_o(y), .next_x_o(), .next_y_o(), .row_ends_o(row_ends)
@@ -133,7 +133,7 @@ module dopu_windows (
   assign set_done_o = done_q & valid_q;
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits({x, y}))) u_check_window (
+  pipegs_stream_check #(.DataW($bits({x, y}))) u_check_window (
     .clk_i, .rst_ni, .valid_i(window_valid), .ready_i(window_ready), .beat_i({x, y})
   );
 `endif

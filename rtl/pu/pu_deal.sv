@@ -50,12 +50,12 @@ module pu_deal #(
   assign data = in_valid_i & ~is_end;
   assign free = (waiting_q & ~out_ready_i) == '0;
 
-  arbiter #(.Ports(Fronts)) u_source (
+  pipegs_arbiter #(.Ports(Fronts)) u_source (
     .clk_i, .rst_ni, .request_i(data), .advance_i(take_data), .grant_o(source), .port_o(source_port)
   );
   // A PU that takes the present record in this cycle may have filled its queue with it.
   assign room = out_room_i & ~waiting_q;
-  round_robin #(.Ports(Units)) u_target (.mask_i(room), .last_i(last_q), .choice_o(target_port));
+  pipegs_round_robin #(.Ports(Units)) u_target (.mask_i(room), .last_i(last_q), .choice_o(target_port));
   always_comb begin
     target              = '0;
     target[target_port] = room[target_port];
@@ -86,7 +86,7 @@ module pu_deal #(
   assign active_o    = in_valid_i != '0 || waiting_q != '0;
 
 `ifndef SYNTHESIS
-  stream_check #(.Ports(Units), .Shared(1), .DataW($bits(out_o))) u_check_out (
+  pipegs_stream_check #(.Ports(Units), .Shared(1), .DataW($bits(out_o))) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
   );
 `endif

@@ -44,7 +44,7 @@ module pu_join (
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (ends_q != '1);
-  stream_check #(.DataW($bits(splat_o)), .Proven(1)) u_check_splat (
+  pipegs_stream_check #(.DataW($bits(splat_o)), .Proven(1)) u_check_splat (
     .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i(splat_o)
   );
 `endif

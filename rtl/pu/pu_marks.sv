@@ -35,7 +35,7 @@ module pu_marks (
   assign chunk_valid_o = chunk_valid_i && (room || !chunk_is_end);
   assign chunk_ready_o = chunk_ready_i && (room || !chunk_is_end || !chunk_valid_i);
 
-  fifo #(.DataW(DepthW), .Depth(Marks)) u_marks (
+  pipegs_fifo #(.DataW(DepthW), .Depth(Marks)) u_marks (
     .clk_i, .rst_ni,
     .in_valid_i(chunk_valid_i && chunk_ready_i && chunk_is_end), .in_ready_o(room), .in_i(chunk_i.watermark),
     .out_valid_o(held), .out_ready_i(splat_taken_i && splat_is_end), .out_o(mark), .count_o(count)
@@ -52,7 +52,7 @@ module pu_marks (
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!(splat_taken_i && splat_is_end) || held)
     else $error("a layer's end has no watermark");
-  stream_check u_check_chunk (
+  pipegs_stream_check u_check_chunk (
     .clk_i, .rst_ni, .valid_i(chunk_valid_o), .ready_i(chunk_ready_i), .beat_i(1'b0)
   );
 `endif

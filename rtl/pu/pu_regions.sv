@@ -52,7 +52,7 @@ module pu_regions #(
     .coeff_valid_o(coeff_valid), .coeff_ready_i(coeff_ready), .coeff_o(coeff), .busy_o(coeff_busy)
   );
 
-  sram_fifo #(.DataW(pipegs_pkg::CoeffBits), .Depth(WalkDepth)) u_walks (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::CoeffBits), .Depth(WalkDepth)) u_walks (
     .clk_i, .rst_ni, .in_valid_i(coeff_valid), .in_ready_o(coeff_ready), .in_i(coeff),
     .out_valid_o(walk_valid), .out_ready_i(walk_ready), .out_o(walk), .count_o(walk_count)
   );
@@ -63,7 +63,7 @@ module pu_regions #(
     .drop_o(drop), .walk_o(go), .leave_o(leave), .busy_o(intersect_busy)
   );
 
-  sram_fifo #(.DataW(PayloadW), .Depth(Waiting)) u_waiting (
+  pipegs_sram_fifo #(.DataW(PayloadW), .Depth(Waiting)) u_waiting (
     .clk_i, .rst_ni, .in_valid_i(payload_valid_i), .in_ready_o(waiting_room), .in_i(payload_i),
     .out_valid_o(waiting_held), .out_ready_i(drop || go), .out_o(waiting), .count_o(waiting_count)
   );

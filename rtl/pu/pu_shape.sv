@@ -69,7 +69,7 @@ module pu_shape (
     .center_valid_o(center_valid), .center_o(center_in), .payload_valid_o, .payload_o, .busy_o(busy[Project])
   );
 
-  sram_fifo #(.DataW(pipegs_pkg::CenterBits), .Depth(CenterDepth)) u_centers (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::CenterBits), .Depth(CenterDepth)) u_centers (
     .clk_i, .rst_ni, .in_valid_i(center_valid), .in_ready_o(center_room), .in_i(center_in),
     .out_valid_o(center_held), .out_ready_i(center_take), .out_o(center), .count_o(center_count)
   );
@@ -135,7 +135,7 @@ module pu_shape (
     else $error("more Gaussians than places for their centres");
   always_ff @(posedge clk_i) if (rst_ni) assert (!center_take || center_held)
     else $error("a centre is not there in time");
-  stream_check #(.DataW($bits(conic_o))) u_check_conic (
+  pipegs_stream_check #(.DataW($bits(conic_o))) u_check_conic (
     .clk_i, .rst_ni, .valid_i(conic_valid_o), .ready_i(conic_ready_i), .beat_i(conic_o)
   );
 `endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu_state: what a Preprocessing Unit does in this cycle, in one of four words.
 //
-// Paper   Fig. 8 (bubbles); the counters behind it are rtl/perf.sv.
+// Paper   Fig. 8 (bubbles); the counters behind it are rtl/pipegs_perf.sv.
 // Idea    The Row Units are the PU's largest part: while they compute it is busy. Otherwise a full buffer or a stalled
 //         output explains the cycle, then work inside the front end, then external memory; else there is nothing to do.
 // Stream  conditions in, state_o out, a pipegs_pkg::Perf* word.

@@ -52,7 +52,7 @@ module ru_dispatch (
   end
 
 `ifndef SYNTHESIS
-  stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(out_o))) u_check_out (
+  pipegs_stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(out_o))) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
   );
 `endif

@@ -114,12 +114,12 @@ module ru_fetch (
     end
   end
 
-  sram_fifo #(.DataW(pipegs_pkg::BlendBits), .Depth(Records)) u_records (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::BlendBits), .Depth(Records)) u_records (
     .clk_i, .rst_ni, .in_valid_i(fire), .in_ready_o(record_ready), .in_i(record),
     .out_valid_o(record_valid), .out_ready_i(out_valid_o && out_ready_i), .out_o(head), .count_o(record_count)
   );
 
-  fifo #(.DataW(LineW), .Depth(LocalLines)) u_local (
+  pipegs_fifo #(.DataW(LineW), .Depth(LocalLines)) u_local (
     .clk_i, .rst_ni, .in_valid_i(answer_valid_i != '0), .in_ready_o(local_ready), .in_i(local_in),
     .out_valid_o(local_valid), .out_ready_i(pop && !head_ext), .out_o(local_line), .count_o(local_count)
   );
@@ -197,7 +197,7 @@ module ru_fetch (
       end
     end
 
-    sram_fifo #(.DataW(LineW), .Depth(FetchLines)) u_external (
+    pipegs_sram_fifo #(.DataW(LineW), .Depth(FetchLines)) u_external (
       .clk_i, .rst_ni, .in_valid_i(external_push), .in_ready_o(external_ready), .in_i(external_in),
       .out_valid_o(external_valid), .out_ready_i(pop && head_ext), .out_o(external_line), .count_o(external_count)
     );
@@ -229,14 +229,14 @@ module ru_fetch (
     else $error("ru_fetch: a line that was not asked for");
   always_ff @(posedge clk_i) if (rst_ni) assert (!asked_q || answer_valid_i != '0)
     else $error("ru_fetch: an alpha store did not answer in the next cycle");
-  stream_check #(.DataW($bits(mem_address_o)), .Proven(1)) u_check_mem (
+  pipegs_stream_check #(.DataW($bits(mem_address_o)), .Proven(1)) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
   );
-  stream_check #(.DataW($bits({out_o, out_line_o})), .Proven(1)) u_check_out (
+  pipegs_stream_check #(.DataW($bits({out_o, out_line_o})), .Proven(1)) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
     .beat_i({out_o, out_o.kind == pipegs_pkg::KindData ? out_line_o : '0})  // an end has no line
   );
-  stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(read_address_o))) u_check_read (
+  pipegs_stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(read_address_o))) u_check_read (
     .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i(read_address_o)
   );
 `endif

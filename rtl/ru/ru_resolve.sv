@@ -64,7 +64,7 @@ module ru_resolve #(
   logic               word_free, ends;     // ends: the word read is the last one of its region
 
   ru_own u_own (.unit_i, .own_o(own));
-  first_set #(.DataW(Regions)) u_lowest (.mask_i(todo_q), .one_hot_o(lowest), .number_o(next_region));
+  pipegs_first_set #(.DataW(Regions)) u_lowest (.mask_i(todo_q), .one_hot_o(lowest), .number_o(next_region));
   ru_slot u_slot (.region_i(next_region), .slot_o(slot));
 
   ru_offset u_offset (
@@ -116,7 +116,7 @@ module ru_resolve #(
     else $error("ru_resolve: a window came before the last one was written");
   always_ff @(posedge clk_i) if (rst_ni) assert (!read_o || shown)
     else $error("ru_resolve: a word below the picture is read");
-  stream_check #(.DataW($bits({mem_address_o, mem_halves_o, mem_data_o}))) u_check_mem (
+  pipegs_stream_check #(.DataW($bits({mem_address_o, mem_halves_o, mem_data_o}))) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_halves_o, mem_data_o})
   );
 `endif

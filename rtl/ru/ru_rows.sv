@@ -94,7 +94,7 @@ module ru_rows #(
     job.index   = splat_q.index;
   end
 
-  fifo #(.DataW(TagW), .Depth(TagDepth)) u_tags (
+  pipegs_fifo #(.DataW(TagW), .Depth(TagDepth)) u_tags (
     .clk_i, .rst_ni, .in_valid_i(offer && job_ready && is_data), .in_ready_o(tag_room),
     .in_i({splat_q.blue, splat_q.green, splat_q.red, live}),
     .out_valid_o(tag_valid), .out_ready_i(tag_pop), .out_o({tag_color, tag_mask}), .count_o(tag_count)
@@ -106,7 +106,7 @@ module ru_rows #(
     .active_o(rows_active)
   );
 
-  fifo #(.DataW(pipegs_pkg::AlphasBits + LineW), .Depth(LinesDepth)) u_lines (
+  pipegs_fifo #(.DataW(pipegs_pkg::AlphasBits + LineW), .Depth(LinesDepth)) u_lines (
     .clk_i, .rst_ni, .in_valid_i(made_valid), .in_ready_o(made_ready), .in_i({made, made_line}),
     .out_valid_o(lines_valid), .out_ready_i(out_ready_i), .out_o({alphas, out_line_o}), .count_o(lines_count)
   );
@@ -136,7 +136,7 @@ module ru_rows #(
     else $error("ru_rows: a line without its colour");
   always_ff @(posedge clk_i) if (rst_ni) assert (!window_done_i || ends_q != '0)
     else $error("ru_rows: a window ended that never came");
-  stream_check #(.DataW($bits({out_o, out_line_o}))) u_check_out (
+  pipegs_stream_check #(.DataW($bits({out_o, out_line_o}))) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_o, out_line_o})
   );
 `endif

@@ -48,7 +48,7 @@ module ru_walk #(
   logic [RegionW:0]    below_count;
 
   ru_own u_own (.unit_i, .own_o(own));
-  first_set #(.DataW(Regions)) u_lowest (.mask_i(live), .one_hot_o(lowest), .number_o(lowest_number));
+  pipegs_first_set #(.DataW(Regions)) u_lowest (.mask_i(live), .one_hot_o(lowest), .number_o(lowest_number));
   ru_count u_count (.mask_i(below_q), .count_o(below_count));
 
   assign live       = ends_q == '0 ? rest_q & ~done_i : rest_q;
@@ -113,7 +113,7 @@ module ru_walk #(
     else $error("ru_walk: a beat changed before it was taken");
   always_ff @(posedge clk_i) if (rst_ni) assert (!window_done_i || ends_q != '0)
     else $error("ru_walk: a window ended that never came");
-  stream_check #(.DataW($bits(out_o)), .Proven(1)) u_check_out (
+  pipegs_stream_check #(.DataW($bits(out_o)), .Proven(1)) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
   );
 `endif

@@ -2,8 +2,8 @@
 // ru_whole: blends whole regions: lines of 64 alphas, sixteen lanes, the pixel buffer.
 //
 // Paper   Fig. 7, Table 2, Sec. 4.2.3.
-// Idea    ru_source (lines of alphas) -> ru_lanes (blend) <-> pixel_buffer. Only wiring here. With Quads ru_live stands
-//         in its place.
+// Idea    ru_source (lines of alphas) -> ru_lanes (blend) <-> pipegs_pixel_buffer. Only wiring here. With Quads ru_live
+//         stands in its place.
 // Stream  sorted_t in; alpha stores and external memory beside it; an end is taken when all before it is blended.
 // Pace    Four cycles per region of alphas.
 // Model   cpp_model/ru/ru.hpp
@@ -95,7 +95,7 @@ module ru_whole #(
     .tap_region_o(tap_word_region_o), .tap_quarter_o(tap_word_quarter_o)
   );
 
-  pixel_buffer #(.DataW(WordW), .Words(Words)) u_pixels (
+  pipegs_pixel_buffer #(.DataW(WordW), .Words(Words)) u_pixels (
     .clk_i, .rst_ni, .swap_i(window_done_o),
     .blend_read_i(blend_read), .blend_raddr_i(blend_raddr), .blend_rdata_o(blend_rdata), .blend_fresh_o(blend_fresh),
     .blend_write_i(blend_write), .blend_waddr_i(blend_waddr), .blend_wdata_i(blend_wdata),

@@ -2,8 +2,8 @@
 // su_gather: a splat gets a slot and goes into its bucket of depth; an end turns the buckets before it into chains.
 //
 // Paper   Sec. 4.1 (layer i + 1 is collected while layer i is sorted), Sec. 4.2.2.
-// Idea    skid -> su_collect (slots from slot_pool) -> su_release. Whether there is room hangs on most of the unit: the
-//         register in front keeps the PU from waiting for that within the cycle. Only wiring here.
+// Idea    pipegs_skid -> su_collect (slots from pipegs_slot_pool) -> su_release. Whether there is room hangs on most of
+//         the unit: the register in front keeps the PU from waiting for that within the cycle. Only wiring here.
 // Stream  in: splats and ends. write: the record to store. chain: to the splitter. mark: the end in front of the queue,
 //         which su_output takes out where it is of a set that spilled.
 // Pace    One splat per two cycles.
@@ -63,12 +63,12 @@ module su_gather #(
   logic               insert_valid, insert_ready, set, mark_push, mark_room, mark_all, mark_spills;
   logic               released, released_set;
 
-  skid #(.DataW(pipegs_pkg::SplatBits)) u_in (
+  pipegs_skid #(.DataW(pipegs_pkg::SplatBits)) u_in (
     .clk_i, .rst_ni, .in_valid_i, .in_ready_o, .in_i, .out_valid_o(valid), .out_ready_i(ready), .out_o(record_o)
   );
   su_bucket u_bucket (.octave_i, .depth_i(record_o.depth), .bucket_o(bucket));
 
-  slot_pool #(.Slots(pipegs_pkg::Records)) u_slots (
+  pipegs_slot_pool #(.Slots(pipegs_pkg::Records)) u_slots (
     .clk_i, .rst_ni, .slot_valid_o(slot_valid), .slot_ready_i(write_o), .slot_o, .free_i, .free_slot_i,
     .used_o(used), .active_o(pool_active)
   );

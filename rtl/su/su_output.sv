@@ -92,13 +92,13 @@ module su_output #(
   assign unused = &{1'b0, external_i, merged_key_i};
 
 `ifndef SYNTHESIS
-  stream_check u_check_back (
+  pipegs_stream_check u_check_back (
     .clk_i, .rst_ni, .valid_i(back_valid_o), .ready_i(back_ready_i), .beat_i(1'b0)
   );
-  stream_check #(.DataW($bits(out_o))) u_check_out (
+  pipegs_stream_check #(.DataW($bits(out_o))) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
   );
-  stream_check u_check_item (
+  pipegs_stream_check u_check_item (
     .clk_i, .rst_ni, .valid_i(emit_valid), .ready_i(emit_ready), .beat_i(1'b0)
   );
 `endif

@@ -134,10 +134,10 @@ module su_overflow #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!group_valid_o || empty_i);
-  stream_check #(.DataW($bits(line_o))) u_check_line (
+  pipegs_stream_check #(.DataW($bits(line_o))) u_check_line (
     .clk_i, .rst_ni, .valid_i(line_valid_o), .ready_i(line_ready_i), .beat_i(line_o)
   );
-  stream_check #(.DataW($bits(line))) u_check_fetched (
+  pipegs_stream_check #(.DataW($bits(line))) u_check_fetched (
     .clk_i, .rst_ni, .valid_i(line_shown && line_fetch), .ready_i(fetched_taken), .beat_i(line)
   );
 `else

@@ -129,13 +129,13 @@ module su_port #(
   assign active_o       = mem_valid_o || choice_d != None || rsp_valid_i || used || (stored != '0 && !line_valid_o) ||
                           (owners != '0 && !owner_valid);
 
-  sram_fifo #(.DataW(pipegs_pkg::MemoryW), .Depth(Answers)) u_answers (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::MemoryW), .Depth(Answers)) u_answers (
     .clk_i, .rst_ni,
     .in_valid_i(rsp_valid_i), .in_ready_o(unused_queue_ready), .in_i(rsp_data_i),
     .out_valid_o(line_valid_o), .out_ready_i(line_ready_i), .out_o(line_o),
     .count_o(stored)
   );
-  sram_fifo #(.DataW(1 + WayW), .Depth(Answers)) u_owners (
+  pipegs_sram_fifo #(.DataW(1 + WayW), .Depth(Answers)) u_owners (
     .clk_i, .rst_ni,
     .in_valid_i(asked), .in_ready_o(unused_owner_ready), .in_i({fetch_ready_o, fetch_way_i}),
     .out_valid_o(owner_valid), .out_ready_i(used), .out_o({line_fetch_o, line_way_o}), .count_o(owners)
@@ -172,7 +172,7 @@ module su_port #(
   always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || (unused_queue_ready && await_q != '0));
   always_ff @(posedge clk_i) if (rst_ni) assert (!asked || unused_owner_ready);
   always_ff @(posedge clk_i) if (rst_ni) assert (!line_valid_o || owner_valid);
-  stream_check #(.DataW($bits({mem_write_o, mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
+  pipegs_stream_check #(.DataW($bits({mem_write_o, mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i),
     .beat_i({mem_write_o, mem_address_o, mem_write_o ? mem_data_o : '0})  // a read has no data
   );

@@ -63,7 +63,7 @@ module su_release #(
   logic [$clog2(Marks+1)-1:0]  marks;
   logic [$clog2(Chains+1)-1:0] chains;
 
-  sram_fifo #(.DataW(3 + KindW + BucketW), .Depth(Marks)) u_marks (
+  pipegs_sram_fifo #(.DataW(3 + KindW + BucketW), .Depth(Marks)) u_marks (
     .clk_i, .rst_ni, .in_valid_i(mark_valid_i), .in_ready_o(mark_ready_o),
     .in_i({set_i, mark_all_i, mark_spills_i, mark_kind_i, bucket_i}),
     .out_valid_o(head_valid_o), .out_ready_i(head_first_i ? head_ready_i : job_done_o && !spill_job_i),
@@ -84,7 +84,7 @@ module su_release #(
     .link_write_o(link_o), .link_ready_i, .link_slot_o, .link_o(link_to_o), .active_o(buckets_active)
   );
 
-  sram_fifo #(.DataW(KindW + BucketW + RecordW + RecordW + 1), .Depth(Chains)) u_chains (
+  pipegs_sram_fifo #(.DataW(KindW + BucketW + RecordW + RecordW + 1), .Depth(Chains)) u_chains (
     .clk_i, .rst_ni, .in_valid_i(released), .in_ready_o(released_room),
     .in_i({released_kind, released_bucket, released_head, released_count}),
     .out_valid_o(chain_valid_o), .out_ready_i(chain_ready_i),

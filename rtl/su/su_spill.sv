@@ -149,10 +149,10 @@ module su_spill (
   always_ff @(posedge clk_i) if (rst_ni) assert (!record_ready_i || record_valid_q);
   always_ff @(posedge clk_i) if (rst_ni) assert (!keys_ready_i || keys_valid_q);
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || state_q == Idle);
-  stream_check #(.DataW($bits({keys_line_o, keys_o}))) u_check_keys (
+  pipegs_stream_check #(.DataW($bits({keys_line_o, keys_o}))) u_check_keys (
     .clk_i, .rst_ni, .valid_i(keys_valid_o), .ready_i(keys_ready_i), .beat_i({keys_line_o, keys_o})
   );
-  stream_check #(.DataW($bits({record_line_o, record_o}))) u_check_record (
+  pipegs_stream_check #(.DataW($bits({record_line_o, record_o}))) u_check_record (
     .clk_i, .rst_ni, .valid_i(record_valid_o), .ready_i(record_ready_i), .beat_i({record_line_o, record_o})
   );
 `endif

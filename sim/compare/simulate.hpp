@@ -92,8 +92,8 @@ struct SequenceRun {
 // simulate_golden of each.
 SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<Simulation*>& frames);
 
-// The streams of external memory, in the order of the ports of rtl/buf/memory_arbiter.sv, and that of one port (a
-// request's tag).
+// The streams of external memory, in the order of the ports of rtl/buf/pipegs_memory_arbiter.sv, and that of one port
+// (a request's tag).
 std::vector<std::string> memory_streams(const Config& config);
 size_t memory_stream(const Config& config, int port);
 // The bytes that each stream moved.

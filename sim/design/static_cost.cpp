@@ -38,7 +38,7 @@ void add_live_power(const Config& c, StaticCost& cost) {
   add("ru_power", c.units, 0, adders * c.units, constant * c.units);
   add_row_inits(c, cost);
   const int chords = c.exp_linear ? kLanes * c.units : 0;
-  add("exp2", kLanes * c.units, chords, chords);
+  add("pipegs_exp2", kLanes * c.units, chords, chords);
 }
 
 // The Row Units, wherever they stand.
@@ -65,7 +65,7 @@ void add_power(const Config& c, StaticCost& cost) {
     add("pu_row_unit", rows, 0, rows * (pixels == 1 ? 2 : 4));
   }
   const int chords = c.exp_linear ? rows * pixels : 0;
-  add("exp2", rows * pixels, chords, chords);
+  add("pipegs_exp2", rows * pixels, chords, chords);
 }
 
 void add_arithmetic(const Config& c, StaticCost& cost) {
@@ -103,12 +103,12 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   add("pu_covariance", "projection", "pu", 1, 1, 1);
   if (c.antialias) {
     add("pu_compensate", "projection", "pu", 1, 0, 3);
-    add("log2", "projection", "pu", 2, 1, 1);
+    add("pipegs_log2", "projection", "pu", 2, 1, 1);
   }
   add("pu_conic", "projection", "pu", 1, 1, 0);
   add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
   add("pu_root", "projection", "pu", 2, 0, 2);
-  add("recip", "projection", "pu", 2, 3, 1);
+  add("pipegs_recip", "projection", "pu", 2, 3, 1);
   if (c.has_lists() || c.parts() > 1) add("pu_span", "projection", "pu", 2, 0, 2);
   add("pu_coeff", "projection", "pu", 1, 2, 6);
   add("pu_intersect", "projection", "pu", 1, 6, 12 + 5 * (c.tests - 1));
@@ -117,7 +117,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   if (c.sh_degree > 0) {
     add("pu_color_rotate", "color", "pu", 1, 2, 2);
     add("pu_color_normalise", "color", "pu", 1, 1, 0);
-    add("rsqrt", "color", "pu", 1, 1, 1);
+    add("pipegs_rsqrt", "color", "pu", 1, 1, 1);
     add("pu_color_basis", "color", "pu", 1, 4, 4);
     add("pu_color_sum", "color", "pu", 1, 6, c.base_w < kAdderBits ? 6 : 9);  // three add the base
   }

@@ -35,7 +35,7 @@ for argument in "$@"; do
   case $argument in
     +waves) options+=(--trace-fst) waves=1 shared=0 ;;
     +noasserts) options+=(--no-assert) ;;
-    +netlist) units=(dopu pu su ru) shared=0 ;;
+    +netlist) units=(pipegs_dopu pipegs_pu pipegs_su pipegs_ru) shared=0 ;;
     +apart) shared=0 ;;
     +verilator=*) IFS=, read -ra more <<< "${argument#*=}"; options+=("${more[@]}") ;;
     +cxx=*) IFS=, read -ra more <<< "${argument#*=}"; tuning+=("${more[@]}") ;;

@@ -127,7 +127,7 @@ module pipegs_sim #(
   output logic [TapsN*pipegs_pkg::TapWordW-1:0] tap_pixels_o,
   output logic [Units-1:0]              tap_chunk_valid_o,  // DOPU -> PU
   output logic [pipegs_pkg::KindW-1:0]  tap_chunk_kind_o,
-  output logic [PerfUnits*2-1:0]        tap_state_o,        // of each unit in the order of perf_o, see perf
+  output logic [PerfUnits*2-1:0]        tap_state_o,        // of each unit in the order of perf_o, see pipegs_perf
   output logic [Units-1:0]              tap_layer_done_o,   // pulse: the RU has blended a layer
   output logic [Units-1:0]              tap_window_done_o   // pulse: with it, the window is complete
 );

@@ -81,9 +81,9 @@ class Queue {
 };
 
 template <class T, int Capacity>
-using SramQueue = Queue<T, Capacity, 2>;  // rtl/buf/sram_fifo.sv
+using SramQueue = Queue<T, Capacity, 2>;  // rtl/buf/pipegs_sram_fifo.sv
 template <class T, int Capacity>
-using FallQueue = Queue<T, Capacity, 1>;  // rtl/lib/fifo.sv
+using FallQueue = Queue<T, Capacity, 1>;  // rtl/lib/pipegs_fifo.sv
 
 // Who acts when: one bit per unit in each of the next cycles. Waking a unit for nothing does no harm.
 class Wheel {

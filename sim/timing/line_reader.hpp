@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // line_reader.hpp: ranges of items in external memory as a stream of items, in the timing model.
 //
-// RTL     rtl/lib/line_reader.sv. The taker of items comes before the reader in a cycle, and the job comes last.
+// RTL     rtl/lib/pipegs_line_reader.sv. The taker of items comes before the reader in a cycle, and the job comes last.
 #pragma once
 
 #include <algorithm>

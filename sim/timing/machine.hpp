@@ -31,7 +31,7 @@ enum Unit : int {
   kLanes,     // ru_lanes
   kSource,    // ru_fetch, or ru_rows when late
   kRuMemory,  // ru_memory, ru_resolve
-  kStore,     // alpha_store
+  kStore,     // pipegs_alpha_store
   kWalk,      // ru_walk
   kOrder,     // lane 0: ru_dispatch, 1: su_merge
   kSu,

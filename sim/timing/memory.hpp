@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // memory.hpp: the arbiter to external memory in the timing model.
 //
-// RTL     rtl/buf/memory_arbiter.sv: round robin among those that go first, then among the colours, then among the
-//         bursts of geometry, for the cycle after; a register on the way out and one on the way back.
+// RTL     rtl/buf/pipegs_memory_arbiter.sv: round robin among those that go first, then among the colours, then among
+//         the bursts of geometry, for the cycle after; a register on the way out and one on the way back.
 // Idea    A unit asks by setting its port's bit, which counts from the next cycle on and is cleared by the grant. The
 //         unit is woken in the cycle of its grant and in the cycle of its answer.
 #pragma once

@@ -5,7 +5,7 @@
 Idea    Yosys elaborates the machine once, with clock_gates=0 and taps=0; each module (each of its parameterisations
         that occurs) is then mapped by itself with its submodules as black boxes, and kept under the hash of its own
         text. What a machine shares with one of fewer units, or with another design point, is mapped once.
-        Elaboration and cache are those of synth.py; memories (rtl/lib/sram.sv) are modules like all others here.
+        Elaboration and cache are those of synth.py; memories (rtl/lib/pipegs_sram.sv) are modules like all others here.
 Rule    A latch is an error, and so is whatever Yosys warns of but for arrays that become registers and the unused high
         address bits of a block RAM. Counts are cells of the netlist: nothing is placed, routed or timed.
 """
@@ -56,7 +56,7 @@ PARTS = {
     "ZU7EV": {"luts": 230400, "flipflops": 460800, "multipliers": 1728, "blocks": 624},
     "ZU9EG": {"luts": 274080, "flipflops": 548160, "multipliers": 2520, "blocks": 1824},
 }
-NAMES = UNITS | {"axi_manager": "bus", "control_registers": "control"}
+NAMES = UNITS | {"pipegs_axi_manager": "bus", "pipegs_control_registers": "control"}
 ORDER = ("dopu", "pu", "su", "ru", "buf", "list", "bus", "control", "rest")
 
 

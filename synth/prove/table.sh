@@ -3,46 +3,48 @@
 # The table of proofs, read by synth/prove.sh. The comment above a proof says what its parameters mean.
 #
 # proof  NAME MODULES PARAMETERS     MODULES: the first is the top; `a+b` is module a with the checker b_proof.svh at
-#        its end, `a+` with its own; free_a stands for module a. PARAMETERS: sets of Name=value, with @settings where a
-#        package is read (@default: the machine as it is) and %Name=value for a constant changed in it; or `machine`,
-#        see prove.sh
+#        its end, `a+` with its own (named without the prefix pipegs_); free_a stands for module a. PARAMETERS: sets of
+#        Name=value, with @settings where a package is read (@default: the machine as it is) and %Name=value for a
+#        constant changed in it; or `machine`, see prove.sh
 # mutant WHAT CHANGE [PARAMETERS]    of the top of the proof above; a trace of at most 16 cycles refutes it. CHANGE: of
 #        sed -E;
 #        PARAMETERS: else the first set
 
 # --- rtl/lib ----------------------------------------------------------------------------------------------------------
 # Every bit of a word travels by itself, so a few bits stand for all widths.
-proof  skid "skid+" "DataW=1; DataW=8; DataW=64"
+proof  skid "pipegs_skid+" "DataW=1; DataW=8; DataW=64"
 mutant "the spare register is overwritten" 's/in_ready_o && in_valid_i\) spare_q/in_valid_i) spare_q/'
 mutant "the spare register is never emptied" 's/(spare_valid_q <= )!out_free \&\& /\1/'
 mutant "the spare beat is lost" 's/spare_valid_q \? spare_q : in_i/in_i/'
 
 # Small rings of every kind: one word, powers of two, others; then every depth of the machine.
-proof  fifo "fifo+" "DataW=2 Depth=2; DataW=2 Depth=1; DataW=2 Depth=3; DataW=2 Depth=5; DataW=2 Depth=8;
+proof  fifo "pipegs_fifo+" "DataW=2 Depth=2; DataW=2 Depth=1; DataW=2 Depth=3; DataW=2 Depth=5; DataW=2 Depth=8;
        DataW=2 Depth=13"
 mutant "accepts a word when full" 's/in_valid_i \&\& in_ready_o/in_valid_i/'
 mutant "gives a word when empty" 's/out_valid_o \&\& out_ready_i/out_ready_i/'
 mutant "counts upwards when a word leaves" 's/(if \(pop \&\& !push\) count_q <= count_q) - /\1 + /'
 mutant "the tail turns one place early" 's/(tail_q == PtrW.\(Depth) - 1/\1 - 2/' "DataW=1 Depth=3"
-proof  fifo_machine "fifo+" "machine DataW=2"
+proof  fifo_machine "pipegs_fifo+" "machine DataW=2"
 mutant "shows the word at the tail" 's/words_q\[head_q\]/words_q[tail_q]/' "DataW=512 Depth=4"
 
 # Memory: a word and a bit of the solver's choice; sizes up to 64 words of 8 bits, and 1024 of one.
-proof  sram "sram+" "DataW=1 Depth=2; DataW=3 Depth=5; DataW=8 Depth=64; DataW=1 Depth=1024"
+proof  sram "pipegs_sram+" "DataW=1 Depth=2; DataW=3 Depth=5; DataW=8 Depth=64; DataW=1 Depth=1024"
 mutant "the output changes without a read" 's/if \(read_i\) //'
 mutant "a word that is written shows whatever is read" \
        's/words_q\[raddr_i\]/write_i ? wdata_i : words_q[raddr_i]/'
 
-proof  arbiter "arbiter+ round_robin first_set" "Ports=3; Ports=1; Ports=2; Ports=4; Ports=5; Ports=6; Ports=7; Ports=8"
+proof  arbiter \
+       "pipegs_arbiter+ pipegs_round_robin pipegs_first_set" \
+       "Ports=3; Ports=1; Ports=2; Ports=4; Ports=5; Ports=6; Ports=7; Ports=8"
 mutant "the port granted last comes first" "s/last_i\(last_q\)/last_i(last_q - 1'b1)/"
 mutant "a shown grant moves" 's/locked_q \&\& request_i\[shown_q\]/0/'
 mutant "all are granted" 's/grant_o\[port\] = request_i\[port\]/grant_o = request_i/'
 mutant "the turn goes on from the wrong port" 's/last_q <= port/last_q <= shown_q/'
-proof  arbiter_machine "arbiter+ round_robin first_set" "machine"
+proof  arbiter_machine "pipegs_arbiter+ pipegs_round_robin pipegs_first_set" "machine"
 mutant "the lowest port always comes first" "s/last_i\(last_q\)/last_i({PortW{1'b1}})/" "Ports=21"
 
 # Jobs for lines with one item and with two, in a small buffer.
-proof  line_reader "line_reader+ fifo+ free_sram" \
+proof  line_reader "pipegs_line_reader+ pipegs_fifo+ free_sram" \
        "@default %MemoryW=4 %AddressW=6 %BurstW=1 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=4 %AddressW=6 %BurstW=2 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=8 %AddressW=6 TagW=2 ItemW=4 ItemsPerLine=2 Lines=64 Jobs=8 IndexW=6 CountW=5"
@@ -57,17 +59,17 @@ mutant "items go on behind the last" 's/item_q \+ 1.b1 == job_count/item_q == jo
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 # Small rings on the real SRAM, then every depth of the machine on free_sram.
-proof  sram_fifo "sram_fifo+ sram+" "DataW=2 Depth=2; DataW=2 Depth=3; DataW=2 Depth=5; DataW=2 Depth=8;
+proof  sram_fifo "pipegs_sram_fifo+ pipegs_sram+" "DataW=2 Depth=2; DataW=2 Depth=3; DataW=2 Depth=5; DataW=2 Depth=8;
        DataW=2 Depth=13"
 mutant "accepts a word when full" 's/in_valid_i \&\& in_ready_o/in_valid_i/'
 mutant "counts without the head" 's/stored_q \+ CountW.\(out_valid_q\)/stored_q/'
 mutant "fetches over a head that was not taken" 's/\(!out_valid_q \|\| out_ready_i\)/1/'
 mutant "writes at the head" 's/\.waddr_i\(tail_q\)/.waddr_i(head_q)/'
-proof  sram_fifo_machine "sram_fifo+ free_sram" "machine DataW=2"
+proof  sram_fifo_machine "pipegs_sram_fifo+ free_sram" "machine DataW=2"
 mutant "the head is forgotten before it is taken" 's/else if \(out_ready_i\)/else/' "DataW=512 Depth=32"
 
 # The ports of the default machine, of the one with lists, and of smaller ones.
-proof  memory_arbiter "memory_arbiter+ arbiter+ round_robin first_set" \
+proof  memory_arbiter "pipegs_memory_arbiter+ pipegs_arbiter+ pipegs_round_robin pipegs_first_set" \
        "@units=1 %MemoryW=8; @units=2 %MemoryW=8; @default %MemoryW=8;
        @order=1 %MemoryW=8"
 mutant "a shown request is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
@@ -84,26 +86,30 @@ mutant "the tag names another port" 's/(TagW.\(port_q)\)/\1 ^ 1)/'
 mutant "the halves are those of all ports" 's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
 
 # A small store on the real SRAM, then the default machine's store and those of two units and one on free_sram.
-proof  alpha_store "alpha_store+ arbiter+ round_robin first_set sram+" "@units=2,alpha_lines=64 %LineW=4 %AlphaLines=8;
+proof  alpha_store \
+       "pipegs_alpha_store+ pipegs_arbiter+ pipegs_round_robin pipegs_first_set pipegs_sram+" \
+       "@units=2,alpha_lines=64 %LineW=4 %AlphaLines=8;
   @units=1,alpha_lines=64 %LineW=4 %AlphaLines=8"
 mutant "the answer goes to all who ask" 's/(answer_valid_q <= )grant/\1read_valid_i/'
 mutant "reads at the address that is written" 's/read_address\[RingW-1:0\]/address_i[RingW-1:0]/'
-proof  alpha_store_machine "alpha_store+ arbiter+ round_robin first_set free_sram" "@default; @units=2; @units=1"
+proof  alpha_store_machine \
+       "pipegs_alpha_store+ pipegs_arbiter+ pipegs_round_robin pipegs_first_set free_sram" \
+       "@default; @units=2; @units=1"
 mutant "the turn goes on only with a write" 's/\.advance_i\(1.b1\)/.advance_i(write_i)/' "@units=2"
 
 # The double buffer of Fig. 7: small on the real SRAM, then every buffer of the machine on free_sram, of each word eight
 # bits.
-proof  pixel_buffer "pixel_buffer+ sram+" "DataW=2 Words=2; DataW=2 Words=8"
+proof  pixel_buffer "pipegs_pixel_buffer+ pipegs_sram+" "DataW=2 Words=2; DataW=2 Words=8"
 mutant "the wrong half becomes fresh" 's/if \(half_q\) fresh_0_q/if (!half_q) fresh_0_q/'
 mutant "both halves are written" 's/(write_i\(blend_write_i) \&\& !half_q/\1/'
 mutant "a write makes the word of the other half valid" 's/(if \(blend_write_i) \&\& half_q\) fresh_1_q/\1) fresh_1_q/'
 mutant "the resolver sees the blender's half" \
        's/resolve_rdata_o = half_q \? rdata_0 : rdata_1/resolve_rdata_o = half_q ? rdata_1 : rdata_0/'
-proof  pixel_buffer_machine "pixel_buffer+ free_sram" "machine DataW=8"
+proof  pixel_buffer_machine "pipegs_pixel_buffer+ free_sram" "machine DataW=8"
 mutant "the halves do not change roles" 's/half_q <= !half_q/half_q <= half_q/'
 
 # The pool of the default machine, and small ones.
-proof  slot_pool "slot_pool+ free_sram_fifo" "Slots=8; Slots=2; Slots=1024"
+proof  slot_pool "pipegs_slot_pool+ free_sram_fifo" "Slots=8; Slots=2; Slots=1024"
 mutant "a slot never used is not counted" 's/if \(take \&\& fresh\) fresh_q/if (take \&\& fresh \&\& !free_i) fresh_q/'
 mutant "the queue loses its head while new slots are left" \
        's/out_ready_i\(slot_ready_i \&\& !fresh\)/out_ready_i(slot_ready_i)/'
@@ -111,7 +117,7 @@ mutant "a slot that comes back stays counted as used" 's/(if \(free_i) \&\& !tak
 
 # --- rtl/mem ----------------------------------------------------------------------------------------------------------
 # Small queues, then that of the machine.
-proof  axi_fence "axi_fence+ free_queue" "DataW=2 Fenced=3 Writes=3; DataW=2 Fenced=3 Writes=1;
+proof  axi_fence "pipegs_axi_fence+ free_queue" "DataW=2 Fenced=3 Writes=3; DataW=2 Fenced=3 Writes=1;
        DataW=4 Fenced=8 Writes=13; DataW=47 Fenced=64 Writes=64"
 mutant "what waits leaves as soon as it shows" "s/since >= StampW'\(writes_i\)/1/"
 mutant "one write too few is waited for" "s/since >= StampW'\(writes_i\)/since + StampW'(1) >= StampW'(writes_i)/"
@@ -121,7 +127,7 @@ mutant "the head is withdrawn when its stamp is too old" 's/leaving_q \|\| //' "
 mutant "a read that is shown is replaced by one that is due" 's/ \&\& !passing_q;/;/'
 
 # A line of one beat, of two and of four, with short words and addresses of a few pages.
-proof  axi_write "axi_write+ free_sram_fifo axi_check" \
+proof  axi_write "pipegs_axi_write+ free_sram_fifo axi_check" \
        "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=16 AddrW=16 Writes=3;
   @default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3;
   @default %MemoryW=32 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3;
@@ -145,7 +151,7 @@ mutant "a line is taken without room" 's/in_ready_o   = room \&\& /in_ready_o = 
 mutant "the page of the base is not added" 's/base_i\[AddrW-1:12\] \+ //'
 
 # Short words, then lines of the machine at each width of the bus.
-proof  axi_gather "axi_gather+ free_sram" "@default %MemoryW=4 %MemoryPorts=3 %TagW=2 DataW=4;
+proof  axi_gather "pipegs_axi_gather+ free_sram" "@default %MemoryW=4 %MemoryPorts=3 %TagW=2 DataW=4;
        @default %MemoryW=4 %MemoryPorts=3 %TagW=2 DataW=2; @default %MemoryW=8 %MemoryPorts=3 %TagW=2 DataW=2;
        @default DataW=512; @default DataW=256; @default DataW=128"
 mutant "one counter for all tags" 's/port = beat_tag_i\[PortW-1:0\]/port = 0/' \
@@ -156,7 +162,7 @@ mutant "a line of the old epoch shows" 's/line_valid_q \&\& !turn_i/line_valid_q
 mutant "the last beat goes to the lowest place" 's/line_o = \{last_q, parts\}/line_o = {parts, last_q}/' \
        "@default %MemoryW=8 %MemoryPorts=3 %TagW=2 DataW=2"
 
-proof  axi_read "axi_read+ axi_gather free_sram axi_check" \
+proof  axi_read "pipegs_axi_read+ pipegs_axi_gather free_sram axi_check" \
        "@default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=16 AddrW=16 Reads=3;
   @default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=8 AddrW=16 Reads=3;
   @default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=8 AddrW=16 Reads=3"
@@ -171,7 +177,8 @@ mutant "drained in the cycle of the turn" "s/turn \? reads_q == '0 : old_q == '0
 mutant "errors of the old core are told" 's/error_o        = now \&\& /error_o = m_axi_rvalid \&\& /'
 
 proof  axi_manager \
-       "axi_manager+ axi_fence axi_read axi_write axi_gather free_sram free_sram_fifo axi_check" \
+       "pipegs_axi_manager+ pipegs_axi_fence pipegs_axi_read pipegs_axi_write pipegs_axi_gather
+  free_sram free_sram_fifo axi_check" \
        "@default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=16 AddrW=16 Reads=3
   Writes=3 Fenced=2;
   @default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=8 AddrW=16 Reads=3
@@ -194,7 +201,7 @@ mutant "errors are told in reset" "s/if \(!rst_ni\) error_q <= '0;/if (!rst_ni) 
 mutant "an answer counts before it is taken" 's/(answered_o *= m_axi_bvalid) \&\& m_axi_bready/\1/'
 
 # --- rtl/control ------------------------------------------------------------------------------------------------------
-proof  control_bus "control_bus+" "@default"
+proof  control_bus "pipegs_control_bus+" "@default"
 mutant "an answer that was not taken is overwritten" 's/(!ar_ready_q \&\& )\(!r_valid_q \|\| s_axi_rready\)/\11/'
 mutant "a write is done without its data" 's/(!aw_ready_q) \&\& !w_ready_q/\1/'
 mutant "an address is taken over one that waits" 's/if \(aw_ready_q \&\& (s_axi_awvalid\) aw_word_q)/if (\1/'
@@ -203,7 +210,7 @@ mutant "a read is not answered before the next one comes" 's/(read_o *= !ar_read
 mutant "the data of a read changes while it waits" 's/if \(read_o\) begin/if (!ar_ready_q) begin/'
 
 # A signed value over both words, addresses, and values that fill one word or two.
-proof  control_slot "control_slot+" "Word=128 Width=40 Signed=1; Word=130 Width=34 Shift=6; Width=32; Width=1;
+proof  control_slot "pipegs_control_slot+" "Word=128 Width=40 Signed=1; Word=130 Width=34 Shift=6; Width=32; Width=1;
        Width=28 Signed=1; Width=64; Width=12 Shift=6; Width=58 Shift=6 Signed=1"
 mutant "strobes are not looked at" 's/(next .*write_data_i, write_data_i\}) \& mask/\1/'
 mutant "a signed value reads without its sign" 's/64\{Signed \&\& /64{!Signed \&\& /'
@@ -211,13 +218,13 @@ mutant "addresses are kept in bytes" 's/next\[Shift \+: Width\]/next[0 +: Width]
 mutant "a write of the low word reaches the high one" "s/(\{write_mask_i, )32'd0\}/\1write_mask_i}/"
 mutant "a write beside the slot reaches it" 's/write_i \&\& write_hit/write_i/'
 
-proof  control_shadow "control_shadow+ control_slot" "@units=1,antialias=1,tight_cull=1,world_w=32"
+proof  control_shadow "pipegs_control_shadow+ pipegs_control_slot" "@units=1,antialias=1,tight_cull=1,world_w=32"
 mutant "a queued frame can be written" 's/(write *= write_i) \&\& !queued_q/\1/'
 mutant "a frame that was taken stays when a start comes" \
        's/else if \(frame_ready_i\)/else if (frame_ready_i \&\& !start_i)/'
 mutant "a dropped frame is shown" 's/else if \(drop_i\)/else if (drop_i \&\& !queued_q)/'
 
-proof  control_events "control_events+" "@default %AddressW=6"
+proof  control_events "pipegs_control_events+" "@default %AddressW=6"
 mutant "a clear wins over an event" \
        's/(error_next *= )\(error_q \& (~clear_error_i\[Causes:0\])\)( \| .*);/\1(error_q\3) \& \2;/'
 mutant "a later error replaces the first address" "s/(error_i != '0) \&\& kept == '0/\1/"
@@ -226,12 +233,14 @@ mutant "of several causes the highest is shown" \
 mutant "the interrupt does not look at the mask" 's/irq_q \& enable_i\[2:0\]/irq_q/'
 mutant "a start while full raises no interrupt" "s/start_full_i \|\| error_i/error_i/"
 
-proof  control_counters "control_counters+" "@default %PerfW=36; @units=1 %PerfW=34"
+proof  control_counters "pipegs_control_counters+" "@default %PerfW=36; @units=1 %PerfW=34"
 mutant "the high word is that of now" 's/32.\(high_q\)/32'"'"'(count[PerfW-1:32])/'
 mutant "a read of the high word keeps another one" 's/ \&\& !read_word_i\[0\]//'
 mutant "reads beside the counters keep a word" 's/read_i \&\& read_hit_o/read_i/'
 
-proof  control_registers "control_registers+ control_bus control_shadow control_slot control_counters control_events" \
+proof  control_registers \
+       "pipegs_control_registers+ pipegs_control_bus pipegs_control_shadow pipegs_control_slot
+  pipegs_control_counters pipegs_control_events" \
        "@units=1 %PerfW=33"
 mutant "a start with an abort is an error" 's/(start_full_i\(control.start) \&\& !control.abort_all/\1/'
 mutant "a write to a queued frame is not refused" 's/(!shadow_write_hit) \|\| queued/\1/'
@@ -240,7 +249,7 @@ mutant "a start while a frame is queued is no error" \
 mutant "the strobes of CONTROL are not looked at" 's/write_data \& write_mask \& \{32/write_data \& {32/'
 mutant "an abort does not drop the queue" "s/drop_i\(control.abort_all\)/drop_i(1'b0)/"
 
-proof  control_restart "control_restart+" ""
+proof  control_restart "pipegs_control_restart+" ""
 mutant "the epoch turns while old reads are out" "s/(StateStop: if \()drained_i/\11'b1/"
 mutant "the epoch does not turn" 's/epoch_q <= !epoch_q/epoch_q <= epoch_q/'
 mutant "a frame is taken in the cycle of a give-up" 's/(state_q == StateRun) \&\& !give_up_i;/\1;/'
@@ -251,7 +260,7 @@ mutant "the core leaves reset as the epoch turns" \
 mutant "a give-up is lost" 's/StateRun: if \(give_up_i\)/StateRun: if (give_up_i \&\& drained_i)/'
 
 # Few writes, then as many as the machine has.
-proof  control_done "control_done+" "@default %BusWrites=3; @default %BusWrites=1; @default"
+proof  control_done "pipegs_control_done+" "@default %BusWrites=3; @default %BusWrites=1; @default"
 mutant "a frame is told before its writes are answered" "s/(done_o *= .*) \&\& left_q == '0/\1/"
 mutant "a frame that was given up is told" 's/(done_o *= .*) \&\& !give_up_i/\1/'
 mutant "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
@@ -261,7 +270,7 @@ mutant "those behind it wait for its writes alone" 's/( left_q *<= )later_left;/
 mutant "a frame is told twice" "s/(frames_q *<= frames_q) - FramesW.\(done_o\)/\1/"
 
 # --- rtl --------------------------------------------------------------------------------------------------------------
-proof  scheduler "scheduler+" "@late=1,order=2 %WindowW=3 %PerfW=8; @default %WindowW=3; @units=1 %WindowW=4"
+proof  scheduler "pipegs_scheduler+" "@late=1,order=2 %WindowW=3 %PerfW=8; @default %WindowW=3; @units=1 %WindowW=4"
 mutant "the frame ends before all RUs have completed it" 's/complete == .1/complete != 0/'
 mutant "the windows of a row are one too few" 's/(windows_i.first_x\)) \+ 1.b1/\1/'
 mutant "a frame ends while pixels are on their way" 's/ \&\& !storing_i;/;/'
@@ -271,7 +280,7 @@ mutant "a frame is taken before the one in the front has gone to the back" \
 mutant "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
 mutant "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q \&\& /\1/'
 
-proof  layer_free "layer_free+" "@default; @units=2; @units=1"
+proof  layer_free "pipegs_layer_free+" "@default; @units=2; @units=1"
 mutant "frees when one RU has finished" "s/some == '1/some != 0/"
 mutant "a layer that is finished while one is freed is forgotten" \
        "s/CountW'\(done_i\[i\]\) - /(free_o ? 0 : CountW'(done_i[i])) - /"
@@ -296,12 +305,12 @@ mutant "the tail stays when one leaves" 's/(if \(walk_i)\) tail_q/\1 \&\& !leave
 proof  pu_payload_machine "pu_payload+" "machine DataW=2"
 mutant "writes where the next is read" 's/words_q\[tail_q\]/words_q[head_q]/'
 
-proof  sleep "sleep+" "Patience=7; Patience=127; Patience=5"
+proof  sleep "pipegs_sleep+" "Patience=7; Patience=127; Patience=5"
 mutant "sleeps while something comes" 's/ \&\& !wake_i//'
 mutant "the counter goes on behind its end" "s/else if \(quiet_q != CountW'\(Patience\)\)/else/" "Patience=5"
 
 # The ring of lines of a layer pair: the default machine's, and one in which a layer is often too big.
-proof  pu_allocate "pu_allocate+ pu_done window_walk ru_own" \
+proof  pu_allocate "pu_allocate+ pu_done pipegs_window_walk ru_own" \
        "@default %AlphaLines=16 %Regions=16 %RegionW=4 %MaskW=16 %PartRegionsX=4; @default"
 mutant "lines are given before the older layer is free" \
        's/decided     = state_q == StateDecide \&\& \(room \|\| !fits\)/decided     = state_q == StateDecide/'
@@ -353,12 +362,13 @@ mutant "a bit of the slot stays behind" 's/ItemW\] += swap \? b : a/ItemW] = swa
 mutant "direction of the last merge" 's/ \&\& !size_q\[DistanceW\]//'
 
 # --- rtl/ru -----------------------------------------------------------------------------------------------------------
-proof  ru_walk "ru_walk+ ru_own first_set ru_count" "@default EndsMax=48"
+proof  ru_walk "ru_walk+ ru_own pipegs_first_set ru_count" "@default EndsMax=48"
 mutant "an end that waits for its output is counted again" 's/(window_end = )emit/\1splat_valid_q/'
 mutant "an end that comes while one is done is lost" 's/if \(window_done_i \&\& !window_end\)/if (window_done_i)/'
 
 # Small queues, lines from memory in one part and in two; then those of the machine.
-proof  ru_fetch "ru_fetch+ fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12 %AddressW=7;
+proof  ru_fetch \
+       "ru_fetch+ pipegs_fifo+ free_sram_fifo" "@default %LineW=4 %MemoryW=4 %FetchLines=4 %RuRecords=12 %AddressW=7;
        @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12 %AddressW=7;
   @default %LineW=4 %MemoryW=4 %AddressW=9"
 mutant "asks the memory without room" "s/ \&\& external_q != FetchW'\(FetchLines\)//"
@@ -366,7 +376,7 @@ mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </loca
 mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (external_push \&\& !/'
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
-proof  list_write "list_write+ list_room arbiter round_robin first_set" \
+proof  list_write "pipegs_list_write+ pipegs_list_room pipegs_arbiter pipegs_round_robin pipegs_first_set" \
        "@order=1,units=2 %ListEntryW=4 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
 mutant "the count of the record before is not yet in the memory" "s/same_q   *<= move \&\& /same_q <= 0 \&\& /"
 mutant "one count is not cleared" "s/left_q <= windows/left_q <= windows - LeftW'(1)/"
@@ -374,7 +384,7 @@ mutant "a waiting line is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'
 mutant "a list runs into the next one" "s/ \|\| entry >> log_o != '0//"
 mutant "the first line of a list that has no room is written" "s/none \|\| entry/entry/"
 
-proof  list_read "list_read+ arbiter+ round_robin first_set free_line_reader sleep" \
+proof  list_read "pipegs_list_read+ pipegs_arbiter+ pipegs_round_robin pipegs_first_set free_line_reader pipegs_sleep" \
        "@order=1,units=2 %WindowW=2 %ListWindowW=4; @order=1"
 mutant "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
 mutant "an SU that has not taken the record loses it" "s/assign free       = .*/assign free = 1;/"
@@ -382,9 +392,9 @@ mutant "one window too many" "s/left_q   <= windows - LeftW'\(1\)/left_q <= wind
 
 # --- rtl/dopu ---------------------------------------------------------------------------------------------------------
 # Two sets of planes take turns, on the machine that walks windows and the one that walks the whole frame.
-proof  dopu_planes "dopu_planes+ bit_length" "@default"
+proof  dopu_planes "dopu_planes+ pipegs_bit_length" "@default"
 mutant "a window is taken while one is inside" 's/window_ready_o = !busy_q/window_ready_o = 1/'
-proof  dopu_windows "dopu_windows+ free_planes window_walk" \
+proof  dopu_windows "dopu_windows+ free_planes pipegs_window_walk" \
        "@default %Regions=4 %RegionW=2 %PlaneBits=1 %WindowW=3;
   @order=1 %Regions=8 %RegionW=3; @default %Regions=8 %RegionW=3"
 mutant "a set is overwritten before it is released" 's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/'
@@ -394,7 +404,7 @@ mutant "a row has one window less" "s/(last_x_i\(raster_i.windows.last_x)\)/\1 -
 
 # Places for results are reserved: three levels, a test and readers of which only the promises are known. A node has
 # one bit in each field: every bit of it travels by itself.
-proof  dopu_descend "dopu_descend+ fifo+ free_test free_line_reader" \
+proof  dopu_descend "dopu_descend+ pipegs_fifo+ free_test free_line_reader" \
        "@default %PlaneBits=1 %MemoryW=1 %WorldW=1 %HalfW=1 %ExpW=1 %ScaleW=1 %SlotW=1 %CountW=1 %NodeBits=11"
 mutant "a node enters without a place" \
        "s/Results = pipegs_pkg::DescendResults/Results = 2/; s/ \&\& reserved_q\[l\] != ReservedW'\(Results\)//"
@@ -408,7 +418,7 @@ proof  dopu_open "dopu_open+ free_line_reader" "@late=1,order=2 %SlotW=6 %CountW
 mutant "one bucket too many is opened" 's/!open_q\[Most-1\]/1/'
 mutant "a bucket opened while one is settled is lost" 's/\(take \? open_q : fewer\)/fewer/'
 mutant "the nearest bucket stays when it is settled" 's/settled_i \? goes : stays/stays/'
-proof  dopu_bucket "dopu_bucket+ slot_pool first_set free_sram free_sram_fifo" \
+proof  dopu_bucket "dopu_bucket+ pipegs_slot_pool pipegs_first_set free_sram free_sram_fifo" \
        "@late=1,order=2 %BucketW=5 Lists=2 DataW=2 Nodes=4"
 mutant "another place than the node's comes back" 's/free_slot_i\(place_q\)/free_slot_i(free_place)/'
 mutant "a full queue takes another node" 's/ \&\& !full_o//'

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// alpha_store_test: rtl/buf/alpha_store.sv against an array.
+// alpha_store_test: rtl/buf/pipegs_alpha_store.sv against an array.
 #include "verif/support/config.hpp"
 #include "verif/support/gated_bench.hpp"
-#include "Valpha_store.h"
+#include "Vpipegs_alpha_store.h"
 
 namespace pipegs {
 namespace {
 
 // All ports of the store: one writer, and one reader per unit that holds its request until it is granted.
 struct Traffic : Endpoint {
-  Traffic(BenchBase& bench, Valpha_store& dut, const Config& config)
+  Traffic(BenchBase& bench, Vpipegs_alpha_store& dut, const Config& config)
       : bench(bench),
         dut(dut),
         config(config),
@@ -65,7 +65,7 @@ struct Traffic : Endpoint {
   }
 
   BenchBase& bench;
-  Valpha_store& dut;
+  Vpipegs_alpha_store& dut;
   Config config;
   Pace read_pace = Pace::kAlways, write_pace = Pace::kCoin;
   std::vector<Words> model;
@@ -80,7 +80,7 @@ TEST(AlphaStore, AnswersEachReaderWithWhatWasWritten) {
   for (Pace read : kPaces) {
     for (Pace write : kPaces) {
       const Config config = test_config();
-      GatedBench<Valpha_store> bench;
+      GatedBench<Vpipegs_alpha_store> bench;
       Traffic traffic(bench, bench.dut, config);
       traffic.read_pace = read, traffic.write_pace = write;
       bench.reset();
@@ -92,7 +92,7 @@ TEST(AlphaStore, AnswersEachReaderWithWhatWasWritten) {
 
 TEST(AlphaStore, ReadsOneLinePerCycleAndServesEveryReaderEqually) {
   const Config config = test_config();
-  Bench<Valpha_store> bench;
+  Bench<Vpipegs_alpha_store> bench;
   Traffic traffic(bench, bench.dut, config);
   bench.reset();
   bench.run_until([&] { return traffic.reads > 0; });

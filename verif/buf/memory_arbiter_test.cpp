@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// memory_arbiter_test: rtl/buf/memory_arbiter.sv with random requests on all ports and sim/memory/external_memory
-// behind it.
+// memory_arbiter_test: rtl/buf/pipegs_memory_arbiter.sv with random requests on all ports and
+// sim/memory/external_memory behind it.
 //
 // Each port has 16 lines of its own in memory, so the address alone tells whose request it is; answers of different
 // ports overtake each other.
@@ -8,7 +8,7 @@
 
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
-#include "Vmemory_arbiter.h"
+#include "Vpipegs_memory_arbiter.h"
 
 namespace pipegs {
 namespace {
@@ -23,7 +23,7 @@ struct Request {
 
 class Requesters : public Endpoint {
  public:
-  Requesters(Bench<Vmemory_arbiter>& bench, Pace pace, Pace memory_pace, ExternalMemoryOptions options)
+  Requesters(Bench<Vpipegs_memory_arbiter>& bench, Pace pace, Pace memory_pace, ExternalMemoryOptions options)
       : pace(pace), memory_pace(memory_pace), memory(options), bench_(bench) {
     memory.allow_overwrites();  // ports write what they read, the order is the arbiter's
     bench.dut.valid_i = bench.dut.stop_i = 0;
@@ -184,7 +184,7 @@ class Requesters : public Endpoint {
     }
   }
 
-  Bench<Vmemory_arbiter>& bench_;
+  Bench<Vpipegs_memory_arbiter>& bench_;
   std::map<uint64_t, int> owner_;  // of the sixteen lines at an address / 16
   std::map<uint64_t, MemoryLine> lines_;
   std::vector<uint64_t> bases_;
@@ -199,7 +199,7 @@ class Requesters : public Endpoint {
 TEST(MemoryArbiter, EveryRequestLeavesOnceAndEveryAnswerComesBackAtEveryPace) {
   for (const Pace pace : kPaces) {
     for (const Pace memory_pace : kPaces) {
-      Bench<Vmemory_arbiter> bench;
+      Bench<Vpipegs_memory_arbiter> bench;
       Requesters all(bench, pace, memory_pace, {.latency = 10, .bytes_per_cycle = 48, .jitter = 60, .queue = 8});
       bench.reset();
       uint64_t reads = 0, requests = 0;
@@ -223,7 +223,7 @@ TEST(MemoryArbiter, EveryRequestLeavesOnceAndEveryAnswerComesBackAtEveryPace) {
 // What was taken before leaves, answers still come, and nothing else is taken.
 TEST(MemoryArbiter, TakesNothingWhenItIsStopped) {
   for (const Pace memory_pace : kPaces) {
-    Bench<Vmemory_arbiter> bench;
+    Bench<Vpipegs_memory_arbiter> bench;
     Requesters all(bench, Pace::kAlways, memory_pace, {.latency = 10, .bytes_per_cycle = 48, .queue = 8});
     bench.reset();
     for (int p = 0; p < all.ports; ++p)
@@ -244,7 +244,7 @@ TEST(MemoryArbiter, TakesNothingWhenItIsStopped) {
 }
 
 TEST(MemoryArbiter, MovesOneRequestPerCycleAndServesWritersAndTheDopuFirst) {
-  Bench<Vmemory_arbiter> bench;
+  Bench<Vpipegs_memory_arbiter> bench;
   Requesters all(bench, Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64, .queue = 64});
   bench.reset();
   constexpr int kEach = 20;
@@ -279,7 +279,7 @@ TEST(MemoryArbiter, MovesOneRequestPerCycleAndServesWritersAndTheDopuFirst) {
 // A burst of geometry of n lines takes n turns: of geometry, not of what others ask for meanwhile.
 TEST(MemoryArbiter, BurstsOfGeometryTakeAsManyTurnsAsTheyHaveLines) {
   for (const bool others : {false, true}) {
-    Bench<Vmemory_arbiter> bench;
+    Bench<Vpipegs_memory_arbiter> bench;
     Requesters all(bench, Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64, .queue = 1000});
     bench.reset();
     const int units = all.config.units, color = all.writers + units;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// pixel_buffer_test: rtl/buf/pixel_buffer.sv against two arrays with fresh flags.
+// pixel_buffer_test: rtl/buf/pipegs_pixel_buffer.sv against two arrays with fresh flags.
 #include <array>
 #include <optional>
 
 #include "verif/support/bench.hpp"
-#include "Vpixel_buffer.h"
+#include "Vpipegs_pixel_buffer.h"
 
 namespace pipegs {
 namespace {
@@ -14,7 +14,7 @@ constexpr int kWords = 64;  // the module's default
 using Half = std::array<std::optional<uint64_t>, kWords>;  // nothing: fresh
 
 TEST(PixelBuffer, BothSidesSeeTheirHalfAndASwapMakesTheNextOneFresh) {
-  Bench<Vpixel_buffer> bench;
+  Bench<Vpipegs_pixel_buffer> bench;
   auto& dut = bench.dut;
   dut.swap_i = dut.blend_read_i = dut.blend_write_i = dut.resolve_read_i = 0;
   bench.reset();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// slot_pool_test: rtl/buf/slot_pool.sv against the set of slots in use.
+// slot_pool_test: rtl/buf/pipegs_slot_pool.sv against the set of slots in use.
 #include <set>
 
 #include "verif/support/bench.hpp"
-#include "Vslot_pool.h"
+#include "Vpipegs_slot_pool.h"
 
 namespace pipegs {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr size_t kSlots = 16;  // the module's default
 
 // One slot out and one back in a cycle, each with some probability in quarters.
-void takes_and_gives_back(Bench<Vslot_pool>& bench, std::set<uint32_t>& used, int take, int give, int cycles) {
+void takes_and_gives_back(Bench<Vpipegs_slot_pool>& bench, std::set<uint32_t>& used, int take, int give, int cycles) {
   for (int i = 0; i < cycles; ++i) {
     bench.dut.slot_ready_i = static_cast<int>(bench.rng() % 4) < take;
     bench.dut.free_i = !used.empty() && static_cast<int>(bench.rng() % 4) < give;
@@ -33,7 +33,7 @@ void takes_and_gives_back(Bench<Vslot_pool>& bench, std::set<uint32_t>& used, in
 }
 
 TEST(SlotPool, HandsEverySlotOutOnceAndAgainWhenItCameBack) {
-  Bench<Vslot_pool> bench;
+  Bench<Vpipegs_slot_pool> bench;
   bench.dut.slot_ready_i = 0;
   bench.dut.free_i = 0;
   bench.reset();
@@ -48,7 +48,7 @@ TEST(SlotPool, HandsEverySlotOutOnceAndAgainWhenItCameBack) {
 }
 
 TEST(SlotPool, ASlotIsFreeAgainTwoCyclesAfterItCameBack) {
-  Bench<Vslot_pool> bench;
+  Bench<Vpipegs_slot_pool> bench;
   bench.dut.slot_ready_i = 1;
   bench.dut.free_i = 0;
   bench.reset();

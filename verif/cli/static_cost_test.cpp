@@ -25,8 +25,9 @@ constexpr size_t kAdderWidth = 14;  // narrower sums and indices are not counted
 
 // Products of addresses and of numbers of windows, which are not counted: how many in one module.
 int address_products(const std::string& module) {
-  static const std::set<std::string> kModules = {"ru_window", "ru_offset",  "scheduler", "errors",
-                                                 "list_read", "list_write", "pu_expand"};
+  static const std::set<std::string> kModules = {"ru_window",     "ru_offset",        "pipegs_scheduler",
+                                                 "pipegs_errors", "pipegs_list_read", "pipegs_list_write",
+                                                 "pu_expand"};
   return kModules.contains(module) ? 1 : 0;
 }
 
@@ -80,7 +81,7 @@ class Netlist {
     const Json& module = modules_[name];
     Found& found = result.modules[plain(name)];
     found.instances += times;
-    if (plain(name) == "sram") {
+    if (plain(name) == "pipegs_sram") {
       uint64_t words = 0;
       for (const auto& [cell, body] : module["memories"].items()) words += body["size"].get<uint64_t>();
       result.sram_bits += uint64_t(times) * words * module["ports"]["wdata_i"]["bits"].size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_bench.hpp: control_registers beside its model, which is compared in every cycle, and a bus manager.
+// control_bench.hpp: pipegs_control_registers beside its model, which is compared in every cycle, and a bus manager.
 //
 // The manager takes writes and reads from two queues; address, data, and the acceptance of answers each come at a pace
 // of their own. Everything else at the ports is set by the test, or random.
@@ -8,7 +8,7 @@
 #include "cpp_model/control/control_registers.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
-#include "Vcontrol_registers.h"
+#include "Vpipegs_control_registers.h"
 
 namespace pipegs {
 
@@ -142,7 +142,7 @@ class ControlBench : public Endpoint {
   }
 
   Config config = test_config();
-  Bench<Vcontrol_registers> bench;
+  Bench<Vpipegs_control_registers> bench;
   ControlRegisters model;
   ControlInputs in;
   Pace pace = Pace::kAlways, answer_pace = Pace::kAlways;

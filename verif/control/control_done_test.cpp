@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_done_test: rtl/control/control_done.sv against its model in every cycle, and against a queue of writes.
+// control_done_test: rtl/control/pipegs_control_done.sv against its model in every cycle, and against a queue of
+// writes.
 //
 // A core writes lines and ends frames at random; a memory answers the writes in their order. Each write in the queue
 // bears the number of its frame: a frame must not be told while one of its writes, or one of those before it, is in the
 // queue; each is told once, and only a give-up makes that it is not told at all.
-#include "Vcontrol_done.h"
+#include "Vpipegs_control_done.h"
 #include "cpp_model/control/control_done.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
@@ -64,7 +65,7 @@ class Done : public testing::Test, protected Endpoint {
     model.step(dut.core_done_i, give_up, dut.writes_i, dut.answered_i);
   }
 
-  Bench<Vcontrol_done> bench;
+  Bench<Vpipegs_control_done> bench;
   ControlDone model;
   std::deque<uint64_t> writes;                 // the frame of each that is not answered
   uint64_t ended = 0, told = 0, given_up = 0;  // frames

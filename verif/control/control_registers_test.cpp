@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_registers_test: rtl/control/control_registers.sv over the bus: every field of the table, starts, events,
-// counters, and what must be refused. In every cycle each output equals that of the bit-accurate model.
+// control_registers_test: rtl/control/pipegs_control_registers.sv over the bus: every field of the table, starts,
+// events, counters, and what must be refused. In every cycle each output equals that of the bit-accurate model.
 #include "verif/control/control_bench.hpp"
 
 namespace pipegs {

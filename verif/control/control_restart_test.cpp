@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_restart_test: rtl/control/control_restart.sv against its model in every cycle, and what it promises.
+// control_restart_test: rtl/control/pipegs_control_restart.sv against its model in every cycle, and what it promises.
 //
 // The memory side is played as far as it counts here: reads of each epoch that are unanswered. A core that is not in
 // reset asks for more at random, so the epoch may turn only while it is.
-#include "Vcontrol_restart.h"
+#include "Vpipegs_control_restart.h"
 #include "cpp_model/control/control_restart.hpp"
 #include "verif/support/bench.hpp"
 
@@ -58,7 +58,7 @@ class Restart : public testing::Test, protected Endpoint {
     turned_ = given_up_ = drained_ = false;
   }
 
-  Bench<Vcontrol_restart> bench;
+  Bench<Vpipegs_control_restart> bench;
   ControlRestart model;
   int give_up_percent = 0, answer_percent = 100, longest = 0;
   uint64_t turns = 0;

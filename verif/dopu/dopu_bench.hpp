@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "Vdopu.h"
+#include "Vpipegs_dopu.h"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/config.hpp"
@@ -20,7 +20,7 @@ namespace pipegs {
 // that is ready has room; lazy ones say that they have room, and are ready only for what was shown.
 class Units : public Endpoint {
  public:
-  Units(Bench<Vdopu>& bench, const Config& config, Pace pace)
+  Units(Bench<Vpipegs_dopu>& bench, const Config& config, Pace pace)
       : pace(pace), ends(static_cast<size_t>(config.units)), bench_(bench), config_(config) {
     bench.add(*this);
   }
@@ -74,7 +74,7 @@ class Units : public Endpoint {
   uint64_t count[4] = {};
 
  private:
-  Bench<Vdopu>& bench_;
+  Bench<Vpipegs_dopu>& bench_;
   Config config_;
   uint64_t ready_ = 0, shown_ = 0;
   Chunk last_;
@@ -82,13 +82,13 @@ class Units : public Endpoint {
 
 // The RUs: all of them finish a window once it has sent `after` chunks, and move on with its end.
 struct Feedback : Endpoint {
-  Bench<Vdopu>& bench;
+  Bench<Vpipegs_dopu>& bench;
   Units& units;
   const Config& config;
   const Frame* frame = nullptr;
   size_t after = 10, window = 0, ends = 0, seen = 0;
   std::function<void()> next_window = [] {};
-  Feedback(Bench<Vdopu>& b, Units& u, const Config& c) : bench(b), units(u), config(c) {
+  Feedback(Bench<Vpipegs_dopu>& b, Units& u, const Config& c) : bench(b), units(u), config(c) {
     b.add(*this);
     u.window_end = [this] { ++ends; };
   }
@@ -137,14 +137,14 @@ struct World {
 
 using Memory = MemoryEndpoint<QData, VlWide<16>>;
 
-inline void start(Bench<Vdopu>& bench, const World& world) {
+inline void start(Bench<Vpipegs_dopu>& bench, const World& world) {
   write_frame(world.config, bench.dut, world.frame);
   bench.dut.start_i = 1;
   bench.step();
   bench.dut.start_i = 0;
 }
 
-inline void no_feedback(Bench<Vdopu>& bench) {
+inline void no_feedback(Bench<Vpipegs_dopu>& bench) {
   std::memset(&bench.dut.done_i, 0, sizeof(bench.dut.done_i));
   std::memset(&bench.dut.done_x_i, 0, sizeof(bench.dut.done_x_i));
   std::memset(&bench.dut.done_y_i, 0, sizeof(bench.dut.done_y_i));

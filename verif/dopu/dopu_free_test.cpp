@@ -15,17 +15,17 @@ struct Sent {
 };
 
 struct Requests : Endpoint {
-  explicit Requests(Bench<Vdopu>& b) : bench(b) { b.add(*this); }
+  explicit Requests(Bench<Vpipegs_dopu>& b) : bench(b) { b.add(*this); }
   void drive() override {}
   void observe() override {
     if (bench.dut.mem_valid_o && bench.dut.mem_ready_i) cycles.push_back(bench.cycle);
   }
-  Bench<Vdopu>& bench;
+  Bench<Vpipegs_dopu>& bench;
   std::vector<uint64_t> cycles;
 };
 
 Sent run(bool gated) {
-  GatedBench<Vdopu> bench;
+  GatedBench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu_test: rtl/dopu/dopu.sv whole, on random packed scenes, against the walk of its bit-accurate model.
+// dopu_test: rtl/dopu/pipegs_dopu.sv whole, on random packed scenes, against the walk of its bit-accurate model.
 #include "cpp_model/dopu/dopu.hpp"
 #include "verif/dopu/dopu_bench.hpp"
 #include "verif/support/frame_ports.hpp"
@@ -34,7 +34,7 @@ void expect(const World& world, std::vector<Chunk>& chunks, std::vector<std::pai
 }
 
 void compare(Pace pace, Pace memory_pace, const ExternalMemoryOptions& options) {
-  Bench<Vdopu> bench;
+  Bench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);
@@ -79,7 +79,7 @@ TEST(Dopu, EqualsItsModelByCoin) { compare(Pace::kCoin, Pace::kQuarter, {.latenc
 // The RUs report a window done after it got some chunks: what comes after is a subset in order, and every end still
 // comes.
 TEST(Dopu, SkipsTheRestOfAWindowThatIsDone) {
-  Bench<Vdopu> bench;
+  Bench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);
@@ -115,7 +115,7 @@ TEST(Dopu, SkipsTheRestOfAWindowThatIsDone) {
 
 // Without a clock whenever active_o is low, with units that take a chunk every few hundred cycles: the same frame.
 TEST(Dopu, NeedsNoClockWhenItSaysSo) {
-  GatedBench<Vdopu> bench;
+  GatedBench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);
@@ -143,7 +143,7 @@ TEST(Dopu, NeedsNoClockWhenItSaysSo) {
 
 // The node tests of a frame in three cycles each, or its chunks in ten, whichever is more; the rest hides behind it.
 TEST(Dopu, KeepsItsTestBusy) {
-  Bench<Vdopu> bench;
+  Bench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// arbiter_test: rtl/lib/arbiter.sv against the round-robin rule, for random requests.
+// arbiter_test: rtl/lib/pipegs_arbiter.sv against the round-robin rule, for random requests.
 #include "verif/support/bench.hpp"
-#include "Varbiter.h"
+#include "Vpipegs_arbiter.h"
 
 namespace pipegs {
 namespace {
@@ -10,7 +10,7 @@ constexpr int kPorts = 4;  // the module's default
 
 // A request stays until it is granted and used, or may be withdrawn before.
 void grants_by_the_rule(bool withdrawn) {
-  Bench<Varbiter> bench;
+  Bench<Vpipegs_arbiter> bench;
   bench.dut.request_i = 0;
   bench.dut.advance_i = 0;
   bench.reset();
@@ -46,7 +46,7 @@ TEST(Arbiter, GrantsTheNextRequestAfterTheLastUsedOneAndKeepsAnUnusedGrant) { gr
 TEST(Arbiter, AWithdrawnRequestGivesItsGrantAway) { grants_by_the_rule(true); }
 
 TEST(Arbiter, NoRequestWaitsForMoreThanTheOtherPorts) {
-  Bench<Varbiter> bench;
+  Bench<Vpipegs_arbiter> bench;
   bench.dut.request_i = 0xf;
   bench.dut.advance_i = 1;
   bench.reset();

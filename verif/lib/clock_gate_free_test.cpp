@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// clock_gate_free_test: rtl/lib/clock_gate.sv with ClockGates = 0: the clock passes as it is, whatever else there is.
-#include "Vclock_gate.h"
+// clock_gate_free_test: rtl/lib/pipegs_clock_gate.sv with ClockGates = 0: the clock passes as it is, whatever else
+// there is.
+#include "Vpipegs_clock_gate.h"
 #include "verif/support/bench.hpp"
 
 namespace pipegs {
 namespace {
 
 TEST(ClockGateFree, PassesTheClockAsItIs) {
-  Bench<Vclock_gate> bench;
+  Bench<Vpipegs_clock_gate> bench;
   for (int i = 0; i < 1000; ++i) {
     const uint64_t inputs = bench.rng();
     bench.dut.rst_ni = inputs & 1;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// clock_gate_test: rtl/lib/clock_gate.sv: an enable of the low phase passes the next edge, whole and without glitches.
+// clock_gate_test: rtl/lib/pipegs_clock_gate.sv: an enable of the low phase passes the next edge, whole and without
+// glitches.
 #include "verif/support/bench.hpp"
-#include "Vclock_gate.h"
+#include "Vpipegs_clock_gate.h"
 
 namespace pipegs {
 namespace {
 
 TEST(ClockGate, PassesExactlyTheEdgesWhoseLowPhaseWasEnabled) {
-  Bench<Vclock_gate> bench;
+  Bench<Vpipegs_clock_gate> bench;
   bench.dut.rst_ni = 1;
   bench.dut.test_en_i = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -26,7 +27,7 @@ TEST(ClockGate, PassesExactlyTheEdgesWhoseLowPhaseWasEnabled) {
 }
 
 void expect_every_edge(bool reset, bool test) {
-  Bench<Vclock_gate> bench;
+  Bench<Vpipegs_clock_gate> bench;
   bench.dut.rst_ni = !reset;
   bench.dut.test_en_i = test;
   bench.dut.enable_i = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// fifo_test: rtl/lib/fifo.sv and rtl/buf/sram_fifo.sv against std::queue. PIPEGS_SRAM says which one.
+// fifo_test: rtl/lib/pipegs_fifo.sv and rtl/buf/pipegs_sram_fifo.sv against std::queue. PIPEGS_SRAM says which one.
 #include "verif/support/bench.hpp"
 #ifdef PIPEGS_SRAM
-#include "Vsram_fifo.h"
+#include "Vpipegs_sram_fifo.h"
 #else
-#include "Vfifo.h"
+#include "Vpipegs_fifo.h"
 #endif
 
 namespace pipegs {
@@ -12,11 +12,11 @@ namespace {
 
 // What tells them apart: the module's default depth, and when a word put in shows.
 #ifdef PIPEGS_SRAM
-using Queue = Vsram_fifo;
+using Queue = Vpipegs_sram_fifo;
 constexpr uint32_t kDepth = 16;
 constexpr uint64_t kLatency = 2;
 #else
-using Queue = Vfifo;
+using Queue = Vpipegs_fifo;
 constexpr uint32_t kDepth = 4;
 constexpr uint64_t kLatency = 1;
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// first_line_test: rtl/lib/first_line.sv against a loop.
-#include "Vfirst_line.h"
+// first_line_test: rtl/lib/pipegs_first_line.sv against a loop.
+#include "Vpipegs_first_line.h"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 TEST(FirstLine, GivesTheLineOfTheLowestValidPort) {
   constexpr int kPorts = 5;
   const int width = test_config().address_w();
-  Vfirst_line dut;
+  Vpipegs_first_line dut;
   std::mt19937_64 rng(test_seed());
   for (int round = 0; round < 2000; ++round) {
     Words words(port_words<decltype(dut.line_i)>() + 2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// line_reader_test: rtl/lib/line_reader.sv against a queue of jobs. (pu_fetch_test and dopu_test drive it, too.)
-#include "Vline_reader.h"
+// line_reader_test: rtl/lib/pipegs_line_reader.sv against a queue of jobs. (pu_fetch_test and dopu_test drive it, too.)
+#include "Vpipegs_line_reader.h"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 
@@ -13,7 +13,7 @@ struct Jobs : Endpoint {
     bool read;
     uint32_t first, count, tag;
   };
-  Bench<Vline_reader>& bench;
+  Bench<Vpipegs_line_reader>& bench;
   Pace source, sink;
   std::deque<Job> jobs;
   std::deque<std::array<uint32_t, 3>> expected;  // tag, item, is an item
@@ -21,7 +21,7 @@ struct Jobs : Endpoint {
   size_t items = 0;
   std::vector<uint64_t> cycles;
 
-  Jobs(Bench<Vline_reader>& b, Pace source, Pace sink) : bench(b), source(source), sink(sink) { b.add(*this); }
+  Jobs(Bench<Vpipegs_line_reader>& b, Pace source, Pace sink) : bench(b), source(source), sink(sink) { b.add(*this); }
   void push(const Job& job) {
     jobs.push_back(job);
     if (!job.read) expected.push_back({job.tag, 0, 0});
@@ -62,7 +62,7 @@ struct Jobs : Endpoint {
 
 void run(Pace source, Pace sink, Pace memory_pace, const ExternalMemoryOptions& options, int jobs, uint32_t largest,
          bool full_rate) {
-  Bench<Vline_reader> bench;
+  Bench<Vpipegs_line_reader> bench;
   auto& dut = bench.dut;
   ExternalMemory memory(options);
   constexpr uint64_t kBase = 77;
@@ -107,7 +107,7 @@ TEST(LineReader, StopsAtAJobThatTheTableDoesNotHold) {
   };
   for (const Bad bad : {Bad{3, 0}, Bad{40, 1}, Bad{39, 2}, Bad{0, 41}, Bad{0xffffff, 5}, Bad{0xfffffe, 0xfffff}}) {
     for (const Pace pace : kPaces) {
-      Bench<Vline_reader> bench;
+      Bench<Vpipegs_line_reader> bench;
       auto& dut = bench.dut;
       ExternalMemory memory({.latency = 10});
       for (uint32_t item = 0; item < 40; ++item) memory.line(kBase + item / 2)[item % 2 * 8] = item * 7 + 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// reset_sync_test: rtl/lib/reset_sync.sv: the reset comes without a clock and goes with the second edge.
+// reset_sync_test: rtl/lib/pipegs_reset_sync.sv: the reset comes without a clock and goes with the second edge.
 #include "verif/support/bench.hpp"
-#include "Vreset_sync.h"
+#include "Vpipegs_reset_sync.h"
 
 namespace pipegs {
 namespace {
@@ -24,7 +24,7 @@ struct Reset {
   }
   bool released() const { return bench.dut.rst_no; }
 
-  Bench<Vreset_sync> bench;
+  Bench<Vpipegs_reset_sync> bench;
   int edges = 0;
 };
 
@@ -64,7 +64,7 @@ TEST(ResetSync, KeepsAPulseInWhichNoEdgeComes) {
 
 TEST(ResetSync, IsInResetFromPowerUpOnWithoutAFallingEdge) {
   for (uint64_t seed = 1; seed <= 8; ++seed) {  // the flip-flops start from noise
-    Bench<Vreset_sync> bench(seed);
+    Bench<Vpipegs_reset_sync> bench(seed);
     bench.dut.clk_i = 0, bench.dut.rst_ni = 0, bench.dut.test_en_i = 0;
     bench.dut.eval();
     bench.dut.clk_i = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// skid_test: rtl/lib/skid.sv against std::queue.
+// skid_test: rtl/lib/pipegs_skid.sv against std::queue.
 #include "verif/support/bench.hpp"
-#include "Vskid.h"
+#include "Vpipegs_skid.h"
 
 namespace pipegs {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 TEST(Skid, KeepsEveryWordInOrderAtEveryPace) {
   for (const Pace source_pace : kPaces) {
     for (const Pace sink_pace : kPaces) {
-      Bench<Vskid> bench;
+      Bench<Vpipegs_skid> bench;
       WordSource in(bench, bench.dut.in_valid_i, bench.dut.in_ready_o, bench.dut.in_i, source_pace);
       WordSink out(bench, bench.dut.out_valid_o, bench.dut.out_ready_i, bench.dut.out_o, sink_pace);
       bench.reset();
@@ -21,7 +21,7 @@ TEST(Skid, KeepsEveryWordInOrderAtEveryPace) {
 }
 
 TEST(Skid, MovesOneWordPerCycleWithOneCycleOfLatency) {
-  Bench<Vskid> bench;
+  Bench<Vpipegs_skid> bench;
   WordSource in(bench, bench.dut.in_valid_i, bench.dut.in_ready_o, bench.dut.in_i);
   WordSink out(bench, bench.dut.out_valid_o, bench.dut.out_ready_i, bench.dut.out_o);
   bench.reset();

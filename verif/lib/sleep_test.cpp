@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// sleep_test: rtl/lib/sleep.sv against a count of quiet cycles.
-#include "Vsleep.h"
+// sleep_test: rtl/lib/pipegs_sleep.sv against a count of quiet cycles.
+#include "Vpipegs_sleep.h"
 #include "verif/support/bench.hpp"
 
 namespace pipegs {
@@ -9,7 +9,7 @@ namespace {
 constexpr int kPatience = 127;  // the module's default
 
 TEST(Sleep, FallsAsleepAfterItsPatienceAndWakesAtOnce) {
-  Bench<Vsleep> bench;
+  Bench<Vpipegs_sleep> bench;
   bench.dut.moved_i = bench.dut.wake_i = 0;
   bench.reset();
   int quiet = 0, asleep = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// sram_test: rtl/lib/sram.sv against an array that knows which words it promises.
+// sram_test: rtl/lib/pipegs_sram.sv against an array that knows which words it promises.
 #include <optional>
 #include <set>
 
 #include "verif/support/bench.hpp"
-#include "Vsram.h"
+#include "Vpipegs_sram.h"
 
 namespace pipegs {
 namespace {
@@ -16,7 +16,7 @@ struct Memory {
   explicit Memory(uint64_t seed = test_seed()) : bench(seed) { bench.dut.write_i = bench.dut.read_i = 0; }
 
   void step() {
-    Vsram& dut = bench.dut;
+    Vpipegs_sram& dut = bench.dut;
     dut.clk_i = 0, dut.eval(), dut.clk_i = 1, dut.eval();
     const bool collides = dut.read_i && dut.write_i && dut.raddr_i == dut.waddr_i;
     if (dut.read_i) shown = collides ? std::nullopt : words[dut.raddr_i];
@@ -29,7 +29,7 @@ struct Memory {
     if (dut.write_i) words[dut.waddr_i] = dut.wdata_i;
   }
   void access() {
-    Vsram& dut = bench.dut;
+    Vpipegs_sram& dut = bench.dut;
     dut.write_i = bench.rng() % 2;
     dut.read_i = bench.rng() % 2;
     dut.waddr_i = bench.rng() % kDepth;
@@ -38,7 +38,7 @@ struct Memory {
     step();
   }
 
-  Bench<Vsram> bench;
+  Bench<Vpipegs_sram> bench;
   std::vector<std::optional<uint32_t>> words = std::vector<std::optional<uint32_t>>(kDepth);  // that were written
   std::optional<uint32_t> shown;
   std::vector<uint32_t> collisions;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// stream_check_test: rtl/lib/stream_check.sv: three streams side by side; it speaks when one breaks the contract, and
-// only then.
-#include "Vstream_check.h"
+// stream_check_test: rtl/lib/pipegs_stream_check.sv: three streams side by side; it speaks when one breaks the
+// contract, and only then.
+#include "Vpipegs_stream_check.h"
 #include "verif/support/bench.hpp"
 
 namespace pipegs {
@@ -38,7 +38,7 @@ struct Streams {
     waits = valid & ~ready;
     bench.step();
   }
-  Bench<Vstream_check> bench;
+  Bench<Vpipegs_stream_check> bench;
   uint32_t waits = 0, shown = 0;
 };
 

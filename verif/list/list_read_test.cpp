@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// list_read_test: rtl/list/list_read.sv: every entry of a list comes to one SU, in its window, and every window ends.
-#include "Vlist_read.h"
+// list_read_test: rtl/list/pipegs_list_read.sv: every entry of a list comes to one SU, in its window, and every window
+// ends.
+#include "Vpipegs_list_read.h"
 #include "verif/list/list_bench.hpp"
 #include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
 
-using LinePort = std::remove_reference_t<decltype(Vlist_read::rsp_data_i)>;
+using LinePort = std::remove_reference_t<decltype(Vpipegs_list_read::rsp_data_i)>;
 
 struct ReadRun {
-  using Dut = Vlist_read;
+  using Dut = Vpipegs_list_read;
   explicit ReadRun(const ExternalMemoryOptions& options)
       : memory(options),
         counts(bench, config, bench.dut),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// list_room_test: rtl/list/list_room.sv against list_log of cpp_model/areas/areas.hpp.
-#include "Vlist_room.h"
+// list_room_test: rtl/list/pipegs_list_room.sv against list_log of cpp_model/areas/areas.hpp.
+#include "Vpipegs_list_room.h"
 #include "cpp_model/areas/areas.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 TEST(ListRoom, IsTheLargestPowerOfTwoThatFitsEveryWindow) {
   const Config config = test_config();
-  Bench<Vlist_room> bench;
+  Bench<Vpipegs_list_room> bench;
   auto& dut = bench.dut;
   dut.restart_i = 0;
   bench.reset();

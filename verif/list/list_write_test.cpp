@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// list_write_test: rtl/list/list_write.sv against its bit-accurate model, with the SRAM of the counts in the test.
-#include "Vlist_write.h"
+// list_write_test: rtl/list/pipegs_list_write.sv against its bit-accurate model, with the SRAM of the counts in the
+// test.
+#include "Vpipegs_list_write.h"
 #include "verif/list/list_bench.hpp"
 #include "verif/support/frame_ports.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 // The memory's port: takes writes at a pace, in order.
 class Writes : public Endpoint {
  public:
-  explicit Writes(GatedBench<Vlist_write>& bench, const Config& config) : bench_(bench), config_(config) {
+  explicit Writes(GatedBench<Vpipegs_list_write>& bench, const Config& config) : bench_(bench), config_(config) {
     bench.dut.mem_ready_i = 0;
     bench.add(*this);
   }
@@ -33,7 +34,7 @@ class Writes : public Endpoint {
   std::vector<std::pair<uint64_t, Splat>> lines;
 
  private:
-  GatedBench<Vlist_write>& bench_;
+  GatedBench<Vpipegs_list_write>& bench_;
   Config config_;
   bool shown_ = false;
   uint64_t last_ = 0;
@@ -41,7 +42,7 @@ class Writes : public Endpoint {
 };
 
 struct WriteRun {
-  using Dut = Vlist_write;
+  using Dut = Vpipegs_list_write;
   WriteRun()
       : pus(bench, config, bench.dut.splat_valid_i, bench.dut.splat_ready_o, bench.dut.splat_i, bench.dut.number_i),
         writes(bench, config),

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// lists_test: rtl/list/lists.sv whole, before a memory: what the PUs give comes to the SUs, window by window, not
-// before all is written.
-#include "Vlists.h"
+// lists_test: rtl/list/pipegs_lists.sv whole, before a memory: what the PUs give comes to the SUs, window by window,
+// not before all is written.
+#include "Vpipegs_lists.h"
 #include "verif/list/list_bench.hpp"
 #include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
 
-using LinePort = std::remove_reference_t<decltype(Vlists::rsp_data_i)>;
+using LinePort = std::remove_reference_t<decltype(Vpipegs_lists::rsp_data_i)>;
 
 struct ListsRun {
-  using Dut = Vlists;
+  using Dut = Vpipegs_lists;
   explicit ListsRun(const ExternalMemoryOptions& options)
       : memory(options),
         pus(bench, config, bench.dut.made_valid_i, bench.dut.made_ready_o, bench.dut.made_i, bench.dut.number_i),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_check_bind: puts the checker of the proofs (synth/prove/parts/axi_check.sv) into axi_manager.
+// axi_check_bind: puts the checker of the proofs (synth/prove/parts/axi_check.sv) into pipegs_axi_manager.
 
-bind axi_manager axi_check #(
+bind pipegs_axi_manager axi_check #(
   .DataW(DataW), .AddrW(AddrW), .IdW(IdW), .Reads(Reads), .Writes(Writes)
 ) u_check (
   .clk_i, .rst_ni, .pick_i(1'b1),

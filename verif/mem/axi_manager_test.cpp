@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_manager_test: rtl/mem/axi_manager.sv between a core of random requests and an AXI4 memory.
+// axi_manager_test: rtl/mem/pipegs_axi_manager.sv between a core of random requests and an AXI4 memory.
 //
 // Every line that is read is compared with an array (core_port.hpp); the memory checks the rules of AXI4, and so does
 // synth/prove/parts/axi_check.sv, bound to the module.
@@ -28,10 +28,10 @@ struct Machine {
     bench.run_until([&] { return core.finished(); }, 1000000);
   }
 
-  Bench<Vaxi_manager> bench;
+  Bench<Vpipegs_axi_manager> bench;
   AxiMemoryOptions memory_options;
   AxiMemory memory;
-  AxiPort<Vaxi_manager> port;
+  AxiPort<Vpipegs_axi_manager> port;
   CorePort core;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_timing_test: sim/memory/axi/bus_timing beside rtl/mem/axi_manager.sv and an AXI4 memory behind it, in each cycle.
+// axi_timing_test: sim/memory/axi/bus_timing beside rtl/mem/pipegs_axi_manager.sv and an AXI4 memory behind it, in each
+// cycle.
 //
 // Both see the same random requests; the memory of both is the same AxiTiming. In every cycle the one must accept what
 // the other accepts and answer the tag that the other answers. So the timing model has the machine's cycles behind a
@@ -7,7 +8,7 @@
 #include <deque>
 #include <map>
 
-#include "Vaxi_manager.h"
+#include "Vpipegs_axi_manager.h"
 #include "sim/memory/axi/bus_timing.hpp"
 #include "verif/support/axi_port.hpp"
 #include "verif/support/config.hpp"
@@ -91,9 +92,9 @@ class Pair : public Endpoint {
   }
 
   const Config config = bus_config();
-  Bench<Vaxi_manager> bench;
+  Bench<Vpipegs_axi_manager> bench;
   AxiMemory memory;
-  AxiPort<Vaxi_manager> port;
+  AxiPort<Vpipegs_axi_manager> port;
   BusTiming model;
   Mix mix = {};
   int left = 0, open = 0, most_open = 0, most_writes = 0;  // requests to come; reads unanswered

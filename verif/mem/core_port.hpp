@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// core_port.hpp: a core at the memory port of axi_manager: random requests, and what each of them must see.
+// core_port.hpp: a core at the memory port of pipegs_axi_manager: random requests, and what each of them must see.
 //
 // Idea    The model is an array to which a write goes in the cycle in which it is accepted. A read of a tag that may
 //         write must show the array as it was when the read was accepted; other tags read lines that nobody writes. No
@@ -13,7 +13,7 @@
 
 #include "verif/support/axi_port.hpp"
 #include "verif/support/config.hpp"
-#include "Vaxi_manager.h"
+#include "Vpipegs_axi_manager.h"
 
 namespace pipegs {
 
@@ -31,7 +31,7 @@ class CorePort : public Endpoint {
   static constexpr uint64_t kShared = 64;   // lines that all tags that may write write and read
   static constexpr uint64_t kFixed = 4096;  // first of as many lines that the others read
 
-  CorePort(Bench<Vaxi_manager>& bench, AxiMemory& memory, uint64_t base)
+  CorePort(Bench<Vpipegs_axi_manager>& bench, AxiMemory& memory, uint64_t base)
       : memory(memory), bench_(bench), first_(base / 64) {
     auto& dut = bench.dut;
     dut.mem_valid_i = 0;
@@ -165,7 +165,7 @@ class CorePort : public Endpoint {
     answers.push_back(bench_.cycle);
   }
 
-  Bench<Vaxi_manager>& bench_;
+  Bench<Vpipegs_axi_manager>& bench_;
   uint64_t first_;  // line 0 in the memory
   std::optional<CoreRequest> up_;
   bool reset_ = false;

@@ -86,7 +86,7 @@ group() {  # NAME TITLE
 }
 
 mutant() {  # MODULE WHAT CHANGE [TEST]
-  local module=$1 what=$2 test=${4:-$1} source begin result
+  local module=$1 what=$2 test=${4:-${1#pipegs_}} source begin result
   [[ $wanted = "  " || $wanted = *" $module "* || $wanted = *" $group "* ]] || return 0
   mutants=$((mutants + 1)) source=$(source_of "$module")
   # shellcheck disable=SC2016 # backticks of Markdown
@@ -107,7 +107,7 @@ mutant() {  # MODULE WHAT CHANGE [TEST]
   esac
   seconds
   awk -v name="$module" -v from="$begin" -v to="$now" -v what="$what: $result" \
-    'BEGIN {printf "%-20s %6.1f s  %s\n", name, to - from, what}'
+    'BEGIN {printf "%-24s %6.1f s  %s\n", name, to - from, what}'
 }
 
 : > "$work/page"

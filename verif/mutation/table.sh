@@ -4,8 +4,9 @@
 #
 # group  NAME TITLE                      those that follow: one test of ctest, mutation_NAME, and one table of the page
 # mutant MODULE WHAT CHANGE [TEST]       CHANGE: of sed -E, in exactly one line of the module (a path: of that file of
-#        cpp_model/); TEST: the test that fails, in verif/*/CMakeLists.txt; else the module's own. An expression is
-#        matched, not its line, and as little of it as tells it from others.
+#        cpp_model/); TEST: the test that fails, in verif/*/CMakeLists.txt; else the module's own, named as the module
+#        without the prefix pipegs_. An expression is matched, not its line, and as little of it as tells it from
+#        others.
 
 # --- rtl/dopu ---------------------------------------------------------------------------------------------------------
 group dopu "DOPU"
@@ -19,19 +20,20 @@ mutant dopu_origin "no block exponent where it is needed first" 's/(longest > Le
 mutant dopu_emit "the end of an empty layer is sent" 's/ && !had_chunk_q//' dopu
 mutant dopu_emit "a chunk waits for a PU's ready" "s/(is_data \|\| chunk_)room(_i != '0)/\1ready\2/" dopu
 mutant dopu_emit "a chunk goes to a PU without room" 's/mask_i\(chunk_room_i\)/mask_i(~chunk_room_i)/' dopu
-mutant dopu "the clock does not come back for an answer of the memory" 's/(memory_i\()rsp_valid_i \|\| /\1/'
+mutant pipegs_dopu "the clock does not come back for an answer of the memory" 's/(memory_i\()rsp_valid_i \|\| /\1/'
 mutant dopu_windows "a set of planes is overwritten before it is released" \
        's/planes_ready = !valid_q\[fill_q\]/planes_ready = 1/' dopu
 mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
 mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
 mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
-mutant line_reader "a request leaves its group of eight lines" "s/(assign rest +=) .*/\1 3'd7;/"
-mutant line_reader "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
-mutant line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/'
-mutant line_reader "a job may end one line behind the table" "s/(MostW.\(lines_end\)) > (MostW)/\1 > 1 + \2/"
-mutant line_reader "a job of nothing is taken" "s/job_count_i == '0 \|\| //"
-mutant line_reader "a job behind a bad one is taken" 's/ && !bad_q;/;/'
+mutant pipegs_line_reader "a request leaves its group of eight lines" "s/(assign rest +=) .*/\1 3'd7;/"
+mutant pipegs_line_reader "one credit for all lines of a request" \
+       "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
+mutant pipegs_line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/'
+mutant pipegs_line_reader "a job may end one line behind the table" "s/(MostW.\(lines_end\)) > (MostW)/\1 > 1 + \2/"
+mutant pipegs_line_reader "a job of nothing is taken" "s/job_count_i == '0 \|\| //"
+mutant pipegs_line_reader "a job behind a bad one is taken" 's/ && !bad_q;/;/'
 
 # --- rtl/dopu, nearest first ------------------------------------------------------------------------------------------
 group nearest "DOPU, nearest chunk first (\`order = 2\`)"
@@ -60,8 +62,8 @@ mutant dopu/nearest/dopu_depth.hpp "the model's slack for the cut bits left out"
 
 # --- rtl/pu: projection -----------------------------------------------------------------------------------------------
 group projection "PU: projection"
-mutant recip "one unit in one entry of the table" "s/18'd204596/18'd204597/"
-mutant recip "the result is cut instead of rounded" 's/ \+ \(\(OutF \+ 1\).\(1\) << \(Cut - 1\)\)//'
+mutant pipegs_recip "one unit in one entry of the table" "s/18'd204596/18'd204597/"
+mutant pipegs_recip "the result is cut instead of rounded" 's/ \+ \(\(OutF \+ 1\).\(1\) << \(Cut - 1\)\)//'
 mutant pu_phases "a new record is let into an output that was not taken" \
        's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/'
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
@@ -96,7 +98,7 @@ mutant pu_edge "the gradient is not rounded up" 's/(gradient_2_q <= .*) \+ Gradi
 mutant pu_intersect "a Gaussian with a box is dropped when the box is found" \
        's/(drop *= state_q == StateStart) && none_q/\1/'
 mutant pu_intersect "the walk goes on while the test waits" 's/(step *= walk_valid_q) && !hold/\1/'
-mutant exp2 "shift by one" 's/product >> \(RestW - 1\)/product >> RestW/'
+mutant pipegs_exp2 "shift by one" 's/product >> \(RestW - 1\)/product >> RestW/'
 mutant pu_clamp "the cut: < becomes <=" 's/(PowerW.\(~power_i\)) < /\1 <= /' pu_alpha
 mutant pu_code "the half is not added" "s/CodeW'\(halves\[0\]\)/CodeW'(0)/" pu_alpha
 mutant pu_row_init "dy^2 becomes dy^2 - 1" 's/Dy \* Dy\)/Dy * Dy - 1)/'
@@ -128,12 +130,12 @@ mutant pu_deal "the turn goes on while nothing is dealt" \
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/drop \|\| go\), \.out_o/go), .out_o/'
 mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/"
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic
-mutant sleep "asleep although something came from outside" 's/(asleep_o = .*) && !wake_i/\1/'
-mutant sleep "a beat that moves does not keep it awake" 's/moved_i \|\| wake_i\) quiet_q/wake_i) quiet_q/'
+mutant pipegs_sleep "asleep although something came from outside" 's/(asleep_o = .*) && !wake_i/\1/'
+mutant pipegs_sleep "a beat that moves does not keep it awake" 's/moved_i \|\| wake_i\) quiet_q/wake_i) quiet_q/'
 
 # --- rtl/pu: colour ---------------------------------------------------------------------------------------------------
 group color "PU: colour"
-mutant rsqrt "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
+mutant pipegs_rsqrt "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
 mutant pu_color_rotate "w12 for w21" 's/(row_b = [a-z_.]*)w21/\1w12/'
 mutant pu_color_normalise "does not wait for its output register" \
        "s/\(step_q != 3'd2 \|\| !unit_valid_q \|\| unit_ready_i\)/1/"
@@ -249,74 +251,81 @@ mutant ru_live "done of the window before is shown in the next one" 's/ && !clea
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 group buf "Buffers"
-mutant alpha_store "the answer goes to all who ask" 's/answer_valid_q <= grant/answer_valid_q <= read_valid_i/'
-mutant pixel_buffer "fresh flags set on the wrong half" 's/if \(half_q\) fresh_0_q/if (!half_q) fresh_0_q/'
-mutant pixel_buffer "a write in the other half makes the word valid" \
+mutant pipegs_alpha_store "the answer goes to all who ask" 's/answer_valid_q <= grant/answer_valid_q <= read_valid_i/'
+mutant pipegs_pixel_buffer "fresh flags set on the wrong half" 's/if \(half_q\) fresh_0_q/if (!half_q) fresh_0_q/'
+mutant pipegs_pixel_buffer "a write in the other half makes the word valid" \
        's/if \(blend_write_i && half_q\) fresh_1_q/if (blend_write_i) fresh_1_q/'
-mutant slot_pool "the queue loses its head while new slots are left" \
+mutant pipegs_slot_pool "the queue loses its head while new slots are left" \
        's/out_ready_i\(slot_ready_i && !fresh\)/out_ready_i(slot_ready_i)/'
-mutant first_line "the highest one's line" 's/i = Ports; i > 0; i -= 1/i = 1; i <= Ports; i += 1/'
-mutant sram_fifo "counts without the head" "s/stored_q \+ CountW'\(out_valid_q\)/stored_q/"
-mutant sram_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
-mutant memory_arbiter "a shown request is overwritten before the memory took it" \
+mutant pipegs_first_line "the highest one's line" 's/i = Ports; i > 0; i -= 1/i = 1; i <= Ports; i += 1/'
+mutant pipegs_sram_fifo "counts without the head" "s/stored_q \+ CountW'\(out_valid_q\)/stored_q/"
+mutant pipegs_sram_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
+mutant pipegs_memory_arbiter "a shown request is overwritten before the memory took it" \
        's/\(!out_valid_q \|\| mem_ready_i\)/1/'
-mutant memory_arbiter "requests are taken though it is stopped" 's/ && !stop_i//'
-mutant memory_arbiter "the data of a shown write changes" 's/if \(take && out\.write\) data_q/if (out.write) data_q/'
-mutant memory_arbiter "a write changes what another port's write would" \
+mutant pipegs_memory_arbiter "requests are taken though it is stopped" 's/ && !stop_i//'
+mutant pipegs_memory_arbiter "the data of a shown write changes" \
+       's/if \(take && out\.write\) data_q/if (out.write) data_q/'
+mutant pipegs_memory_arbiter "a write changes what another port's write would" \
        's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
-mutant memory_arbiter "bursts of geometry follow each other at once" "s/(able +=) .*/\1 '1;/"
-mutant memory_arbiter "geometry goes before the colours" 's/(second +=) .*/\1 others;/'
-mutant memory_arbiter "an answer goes to two ports: the lowest bit of the tag is ignored" \
+mutant pipegs_memory_arbiter "bursts of geometry follow each other at once" "s/(able +=) .*/\1 '1;/"
+mutant pipegs_memory_arbiter "geometry goes before the colours" 's/(second +=) .*/\1 others;/'
+mutant pipegs_memory_arbiter "an answer goes to two ports: the lowest bit of the tag is ignored" \
        's/(mem_rsp_tag_i) == ([a-z_:]*TagW.\(i\))/\1 >> 1 == \2 >> 1/'
 
 # --- rtl/control ------------------------------------------------------------------------------------------------------
 group control "Control: registers"
-mutant control_bus "an answer that was not taken is overwritten" \
+mutant pipegs_control_bus "an answer that was not taken is overwritten" \
        's/(read_o *= !ar_ready_q) && \(!r_valid_q \|\| s_axi_rready\)/\1/' control_registers
-mutant control_bus "the answer to a write is never an error" "s/(b_error_q <= )write_error_i/\11'b0/" control_registers
-mutant control_bus "the strobe of the second byte is that of the first" \
+mutant pipegs_control_bus "the answer to a write is never an error" \
+       "s/(b_error_q <= )write_error_i/\11'b0/" control_registers
+mutant pipegs_control_bus "the strobe of the second byte is that of the first" \
        's/\{8\{w_strobe_q\[1\]\}\}/{8{w_strobe_q[0]}}/' \
        control_registers
-mutant control_slot "a signed value reads without its sign" 's/64\{Signed && /64{!Signed \&\& /' control_registers
-mutant control_slot "addresses are kept in bytes" 's/next\[Shift \+: Width\]/next[0 +: Width]/' control_registers
-mutant control_slot "a write of the low word reaches the high one" "s/(\{write_mask_i, )32'd0\}/\1write_mask_i}/" \
+mutant pipegs_control_slot "a signed value reads without its sign" \
+       's/64\{Signed && /64{!Signed \&\& /' control_registers
+mutant pipegs_control_slot "addresses are kept in bytes" 's/next\[Shift \+: Width\]/next[0 +: Width]/' control_registers
+mutant pipegs_control_slot "a write of the low word reaches the high one" \
+       "s/(\{write_mask_i, )32'd0\}/\1write_mask_i}/" \
        control_registers
-mutant control_shadow "a queued frame can be written" 's/(write *= write_i) && !queued_q/\1/' control_registers
-mutant control_shadow "an abort does not drop what is queued" 's/else if \(drop_i\)/else if (drop_i \&\& !queued_q)/' \
+mutant pipegs_control_shadow "a queued frame can be written" 's/(write *= write_i) && !queued_q/\1/' control_registers
+mutant pipegs_control_shadow "an abort does not drop what is queued" \
+       's/else if \(drop_i\)/else if (drop_i \&\& !queued_q)/' \
        control_registers
-mutant control_shadow "a value that does not exist is outside the table" \
+mutant pipegs_control_shadow "a value that does not exist is outside the table" \
        's/(read_hits\[i\] *= )/\1Width != 0 \&\& /' control_registers
-mutant control_events "a later error replaces the first address" "s/(error_i != '0) && kept == '0/\1/" control_registers
-mutant control_events "a clear wins over an event" \
+mutant pipegs_control_events "a later error replaces the first address" \
+       "s/(error_i != '0) && kept == '0/\1/" control_registers
+mutant pipegs_control_events "a clear wins over an event" \
        's/(error_next *= )\(error_q & (~clear_error_i\[Causes:0\])\)( \| .*);/\1(error_q\3) \& \2;/' control_registers
-mutant control_events "frames started are counted when they are queued" \
+mutant pipegs_control_events "frames started are counted when they are queued" \
        "s/32'\(taken_i\)/32'(freed_i)/" control_registers
-mutant control_counters "the high word is that of now" "s/32'\(high_q\)/32'(count[PerfW-1:32])/" control_registers
-mutant control_counters "the read of a high word keeps another one" 's/ && !read_word_i\[0\]//' control_registers
-mutant control_counters "the last counter's place is outside" \
+mutant pipegs_control_counters "the high word is that of now" \
+       "s/32'\(high_q\)/32'(count[PerfW-1:32])/" control_registers
+mutant pipegs_control_counters "the read of a high word keeps another one" 's/ && !read_word_i\[0\]//' control_registers
+mutant pipegs_control_counters "the last counter's place is outside" \
        's/read_word_i < End/read_word_i < End - 2/' control_registers
-mutant control_registers "a write to what can only be read is not refused" \
+mutant pipegs_control_registers "a write to what can only be read is not refused" \
        "s/(write_error *= )!live_writable/\1!(live_writable || write_word < 16)/"
-mutant control_registers "a start with an abort is an error" \
+mutant pipegs_control_registers "a start with an abort is an error" \
        's/(start_full_i\(control.start) && !control.abort_all/\1/'
-mutant control_registers "the enables are written without strobes" \
+mutant pipegs_control_registers "the enables are written without strobes" \
        's/irq_enable_q\[2:0\] & ~write_mask\[2:0\]/3'"'"'d0/'
-mutant control_registers "the abort lasts" 's/(abort_q <= control.abort_all)/\1 || abort_q/'
-mutant control_restart "the epoch turns while old reads are out" "s/(StateStop: if \()drained_i/\11'b1/"
-mutant control_restart "the epoch does not turn" 's/epoch_q <= !epoch_q/epoch_q <= epoch_q/'
-mutant control_restart "a frame is taken in the cycle of a give-up" 's/(state_q == StateRun) && !give_up_i;/\1;/'
-mutant control_restart "the core is not in reset before the epoch turns" \
+mutant pipegs_control_registers "the abort lasts" 's/(abort_q <= control.abort_all)/\1 || abort_q/'
+mutant pipegs_control_restart "the epoch turns while old reads are out" "s/(StateStop: if \()drained_i/\11'b1/"
+mutant pipegs_control_restart "the epoch does not turn" 's/epoch_q <= !epoch_q/epoch_q <= epoch_q/'
+mutant pipegs_control_restart "a frame is taken in the cycle of a give-up" 's/(state_q == StateRun) && !give_up_i;/\1;/'
+mutant pipegs_control_restart "the core is not in reset before the epoch turns" \
        "/StateRun: if/,/end/s/core_rst_nq <= 1'b0/core_rst_nq <= 1'b1/"
-mutant control_restart "the core leaves reset as the epoch turns" \
+mutant pipegs_control_restart "the core leaves reset as the epoch turns" \
        "/StateStop: if/,/end/s/(epoch_q <= !epoch_q;)/\1 core_rst_nq <= 1'b1;/"
-mutant control_done "a frame is told before its writes are answered" "s/(done_o *= .*) && left_q == '0/\1/"
-mutant control_done "a frame that was given up is told" 's/(done_o *= .*) && !give_up_i/\1/'
-mutant control_done "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
-mutant control_done "an answer in the cycle of the end is waited for" \
+mutant pipegs_control_done "a frame is told before its writes are answered" "s/(done_o *= .*) && left_q == '0/\1/"
+mutant pipegs_control_done "a frame that was given up is told" 's/(done_o *= .*) && !give_up_i/\1/'
+mutant pipegs_control_done "those that wait survive a give-up" "s/(end else if \()give_up_i/\11'b0/"
+mutant pipegs_control_done "an answer in the cycle of the end is waited for" \
        "s/(later_left = writes_i) - WritesW'\(answered_i\)/\1/"
-mutant control_done "those behind the oldest frame are forgotten" 's/(later_q *<= )later;/\1later_q;/'
-mutant control_done "those behind it wait for its writes alone" 's/( left_q *<= )later_left;/\1left_q;/'
-mutant control_registers "an address is shown in lines" 's/(30.d0, error_line\} << )6/\10/'
+mutant pipegs_control_done "those behind the oldest frame are forgotten" 's/(later_q *<= )later;/\1later_q;/'
+mutant pipegs_control_done "those behind it wait for its writes alone" 's/( left_q *<= )later_left;/\1left_q;/'
+mutant pipegs_control_registers "an address is shown in lines" 's/(30.d0, error_line\} << )6/\10/'
 
 # --- parts left out ---------------------------------------------------------------------------------------------------
 group lean "Machines without index ties and without overflow (\`index_ties = 0\`, \`overflow = 0\`)"
@@ -340,82 +349,90 @@ mutant ru_fetch "a line of memory is always wanted" \
 
 # --- rtl/mem ----------------------------------------------------------------------------------------------------------
 group mem "AXI4 manager"
-mutant axi_fence "no read waits for writes" "s/(passes *= ).*/\11'b1;/" axi_manager_512
-mutant axi_fence "a read that waits leaves as soon as it shows" "s/since >= StampW'\(writes_i\)/1'b1/" axi_manager_512
-mutant axi_fence "a read passes others of its tag that wait" "s/waiting == '0 && //" axi_manager_512
-mutant axi_fence "one write too few is waited for" "s/since >= StampW/since + 1'b1 >= StampW/" axi_manager_512
-mutant axi_manager "the last tag that may write is not fenced" \
+mutant pipegs_axi_fence "no read waits for writes" "s/(passes *= ).*/\11'b1;/" axi_manager_512
+mutant pipegs_axi_fence "a read that waits leaves as soon as it shows" \
+       "s/since >= StampW'\(writes_i\)/1'b1/" axi_manager_512
+mutant pipegs_axi_fence "a read passes others of its tag that wait" "s/waiting == '0 && //" axi_manager_512
+mutant pipegs_axi_fence "one write too few is waited for" "s/since >= StampW/since + 1'b1 >= StampW/" axi_manager_512
+mutant pipegs_axi_manager "the last tag that may write is not fenced" \
        "s/TagW'\(pipegs_pkg::WritePorts\)/TagW'(pipegs_pkg::WritePorts - 1)/" axi_manager_512
-mutant axi_manager "nothing is pending when only writes are unanswered" \
+mutant pipegs_axi_manager "nothing is pending when only writes are unanswered" \
        "s/writes != '0 \|\| reads_pending/reads_pending/" axi_manager_512
-mutant axi_read "answers to the old core are shown" 's/ && m_axi_rid\[IdW-1\] == epoch_i//' axi_manager_512
-mutant axi_read "more reads than Reads" "s/(room_o *= ).*/\11'b1;/" axi_manager_512
-mutant axi_read "drained as soon as the epoch turns" 's/(if \(turn\) old_q <= ).*/\1'"'0;/" axi_manager_512
-mutant axi_read "one beat too few" "s/ - 8'd1;/ - 8'd2;/" axi_manager_128
-mutant axi_read "the base does not count" 's/base_i\[AddrW-1:12\] \+ //' axi_manager_256
-mutant axi_gather "one counter for all tags" "s/port = beat_tag_i\[PortW-1:0\]/port = '0/" axi_manager_128
-mutant axi_gather "half a line of the old core is completed for the new one" "s/else if \(turn_i\) beats_q <= '0;//" \
+mutant pipegs_axi_read "answers to the old core are shown" 's/ && m_axi_rid\[IdW-1\] == epoch_i//' axi_manager_512
+mutant pipegs_axi_read "more reads than Reads" "s/(room_o *= ).*/\11'b1;/" axi_manager_512
+mutant pipegs_axi_read "drained as soon as the epoch turns" 's/(if \(turn\) old_q <= ).*/\1'"'0;/" axi_manager_512
+mutant pipegs_axi_read "one beat too few" "s/ - 8'd1;/ - 8'd2;/" axi_manager_128
+mutant pipegs_axi_read "the base does not count" 's/base_i\[AddrW-1:12\] \+ //' axi_manager_256
+mutant pipegs_axi_gather "one counter for all tags" "s/port = beat_tag_i\[PortW-1:0\]/port = '0/" axi_manager_128
+mutant pipegs_axi_gather "half a line of the old core is completed for the new one" \
+       "s/else if \(turn_i\) beats_q <= '0;//" \
        axi_manager_128
-mutant axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last_q}/' axi_manager_256
-mutant axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
-mutant axi_write "data changes while it waits" 's/else if \(m_axi_wready\) data_q/else data_q/' axi_manager_256
-mutant axi_write "the strobes of the first beat are those of all" 's/written_q >> StepW/written_q/' axi_manager_256
-mutant axi_write "a half of a line is written whole" "s/in_halves_i\[1\]/1'b1/" axi_manager_512
-mutant axi_write "errors of the old core's writes are told" 's/ && done_epoch == epoch_i//' axi_manager_512
-mutant axi_read "errors of the old core's reads are told" 's/(error_o *= )now && /\1m_axi_rvalid \&\& /' axi_manager_512
-mutant axi_manager "of two errors in a cycle the read's is lost" \
+mutant pipegs_axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last_q}/' axi_manager_256
+mutant pipegs_axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
+mutant pipegs_axi_write "data changes while it waits" 's/else if \(m_axi_wready\) data_q/else data_q/' axi_manager_256
+mutant pipegs_axi_write "the strobes of the first beat are those of all" \
+       's/written_q >> StepW/written_q/' axi_manager_256
+mutant pipegs_axi_write "a half of a line is written whole" "s/in_halves_i\[1\]/1'b1/" axi_manager_512
+mutant pipegs_axi_write "errors of the old core's writes are told" 's/ && done_epoch == epoch_i//' axi_manager_512
+mutant pipegs_axi_read "errors of the old core's reads are told" \
+       's/(error_o *= )now && /\1m_axi_rvalid \&\& /' axi_manager_512
+mutant pipegs_axi_manager "of two errors in a cycle the read's is lost" \
        's/read_error && read_decode/!write_error \&\& &/' axi_manager_512
-mutant axi_manager "a write that nothing answers is told as one that failed" \
+mutant pipegs_axi_manager "a write that nothing answers is told as one that failed" \
        's/write_error && !write_decode/write_error/' axi_manager_512
-mutant axi_manager "the line shown with an error is that of now" 's/(error_line_o = )error_line_q/\1write_line/' \
+mutant pipegs_axi_manager "the line shown with an error is that of now" \
+       's/(error_line_o = )error_line_q/\1write_line/' \
        axi_manager_512
 
 # --- rtl: control at the top ------------------------------------------------------------------------------------------
 group top "Control at the top"
-mutant perf "counts state 3 also while nothing runs" "s/if \(running_q\)/if (running_q || state_q == 2'd3)/"
-mutant perf "a restart clears three of the four counts" '/if \(restart_q\)/,/end/s/i < 4/i < 3/'
-mutant layer_free "one RU's pulse frees a layer" "s/some == '1/some != '0/"
-mutant layer_free "counters of one bit: no drift of two layers" 's/(CountW *= )4/\11/'
-mutant errors "an error is told in every cycle" 's/found & ~known_q/found/' errors_unit
-mutant errors "what comes second changes the line" 's/found\[1\] && !known_q\[1\]/found[1]/' errors_unit
-mutant errors "the pixels of the last window need no room" "s/NumberW'\(1\);/NumberW'(0);/" errors_unit
-mutant errors "raster order: the pixels need room in an area that they do not lie in" \
+mutant pipegs_perf "counts state 3 also while nothing runs" "s/if \(running_q\)/if (running_q || state_q == 2'd3)/"
+mutant pipegs_perf "a restart clears three of the four counts" '/if \(restart_q\)/,/end/s/i < 4/i < 3/'
+mutant pipegs_layer_free "one RU's pulse frees a layer" "s/some == '1/some != '0/"
+mutant pipegs_layer_free "counters of one bit: no drift of two layers" 's/(CountW *= )4/\11/'
+mutant pipegs_errors "an error is told in every cycle" 's/found & ~known_q/found/' errors_unit
+mutant pipegs_errors "what comes second changes the line" 's/found\[1\] && !known_q\[1\]/found[1]/' errors_unit
+mutant pipegs_errors "the pixels of the last window need no room" "s/NumberW'\(1\);/NumberW'(0);/" errors_unit
+mutant pipegs_errors "raster order: the pixels need room in an area that they do not lie in" \
        "s/restart_i && by_windows_i/restart_i/" errors_unit
-mutant errors "a bad scene stops nothing" "s/(stop_o *= known_q)/\1[0]/; s/stop_o(.*) != '0/stop_o\1/" errors_unit
-mutant scheduler "one complete RU ends the frame" "s/complete == '1 && !back_busy_i/complete != '0 \&\& !back_busy_i/"
-mutant scheduler "a frame ends while pixels are on their way" 's/ && !storing_i;/;/'
-mutant scheduler "windows counted in the width of a column" 's/(CountW *= )2 \* WindowW \+ 2/\1WindowW + 1/'
-mutant scheduler "a frame is taken before the back has begun the one in the front" \
+mutant pipegs_errors "a bad scene stops nothing" \
+       "s/(stop_o *= known_q)/\1[0]/; s/stop_o(.*) != '0/stop_o\1/" errors_unit
+mutant pipegs_scheduler "one complete RU ends the frame" \
+       "s/complete == '1 && !back_busy_i/complete != '0 \&\& !back_busy_i/"
+mutant pipegs_scheduler "a frame ends while pixels are on their way" 's/ && !storing_i;/;/'
+mutant pipegs_scheduler "windows counted in the width of a column" 's/(CountW *= )2 \* WindowW \+ 2/\1WindowW + 1/'
+mutant pipegs_scheduler "a frame is taken before the back has begun the one in the front" \
        's/!front_q && !ahead_q && \(\(/!front_q \&\& ((/' scheduler_late
-mutant scheduler "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
-mutant scheduler "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q && /\1/'
+mutant pipegs_scheduler "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
+mutant pipegs_scheduler "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q && /\1/'
 
 # --- rtl/lib ----------------------------------------------------------------------------------------------------------
 group lib "Library"
-mutant fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
-mutant saturate "beyond the range the sign is kept twice" 's/\{!in_i\[InW-1\]\}/{in_i[InW-1]}/'
-mutant stream_check "what was taken must stay, too" 's/(waits_q <= valid_i) & ~ready_i/\1/'
-mutant stream_check "of several valids any one may fall" \
+mutant pipegs_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
+mutant pipegs_saturate "beyond the range the sign is kept twice" 's/\{!in_i\[InW-1\]\}/{in_i[InW-1]}/'
+mutant pipegs_stream_check "what was taken must stay, too" 's/(waits_q <= valid_i) & ~ready_i/\1/'
+mutant pipegs_stream_check "of several valids any one may fall" \
        "s/(gone = )\(waits_q & ~valid_i\) != '0/\1(waits_q \& ~valid_i) == '1/"
-mutant stream_check "a beat that some wait for is compared for the first one only" \
+mutant pipegs_stream_check "a beat that some wait for is compared for the first one only" \
        "s/Beats'\(waits_q != '0\)/waits_q[0]/" stream_check_shared
-mutant skid "the spare register is overwritten" 's/in_ready_o && in_valid_i\) spare_q/in_valid_i) spare_q/'
-mutant normalize "the largest shift is one less" 's/( < DataW)\)/\1 - 1)/'
-mutant first_set "lowest bit: negation for two's complement" "s/~mask_i \+ 1'b1/~mask_i/"
-mutant bit_length "the place of the bit, counted from 0" "s/LengthW'\(i \+ 1\)/LengthW'(i)/"
-mutant round_robin "the port granted last comes first" 's/> last_i/>= last_i/' arbiter
-mutant arbiter "an unused grant moves" 's/locked_q && request_i\[shown_q\]/0/'
-mutant window_walk "a row of windows starts at 0 instead of the first one" \
+mutant pipegs_skid "the spare register is overwritten" 's/in_ready_o && in_valid_i\) spare_q/in_valid_i) spare_q/'
+mutant pipegs_normalize "the largest shift is one less" 's/( < DataW)\)/\1 - 1)/'
+mutant pipegs_first_set "lowest bit: negation for two's complement" "s/~mask_i \+ 1'b1/~mask_i/"
+mutant pipegs_bit_length "the place of the bit, counted from 0" "s/LengthW'\(i \+ 1\)/LengthW'(i)/"
+mutant pipegs_round_robin "the port granted last comes first" 's/> last_i/>= last_i/' arbiter
+mutant pipegs_arbiter "an unused grant moves" 's/locked_q && request_i\[shown_q\]/0/'
+mutant pipegs_window_walk "a row of windows starts at 0 instead of the first one" \
        "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru_window
-mutant clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'
-mutant clock_gate "the latch is open all the time" 's/if \(!clk_i\) enable_q/enable_q/'
-mutant clock_gate "a clock that never stops stops in reset" 's/clk_o = clk_i;/clk_o = clk_i \& rst_ni;/' clock_gate_free
-mutant reset_sync "the reset comes with the clock" 's/ or negedge rst_ni//'
-mutant reset_sync "one flip-flop" "s/\{release_q\[0\], 1'b1\}/2'b11/"
-mutant reset_sync "in the scan test the flip-flops stay in the way" 's/test_en_i \? rst_ni : //'
-mutant sram "the output changes without a read" 's/if \(read_i\) rdata_o/rdata_o/'
-mutant sram "a read of the word that is written shows the new one" 's/(rdata_o <= )DataW.*;/\1wdata_i;/'
-mutant sram "such a read shows the same each time" 's/(noise_q <= )noise_q .*;/\1noise_q;/'
+mutant pipegs_clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'
+mutant pipegs_clock_gate "the latch is open all the time" 's/if \(!clk_i\) enable_q/enable_q/'
+mutant pipegs_clock_gate "a clock that never stops stops in reset" \
+       's/clk_o = clk_i;/clk_o = clk_i \& rst_ni;/' clock_gate_free
+mutant pipegs_reset_sync "the reset comes with the clock" 's/ or negedge rst_ni//'
+mutant pipegs_reset_sync "one flip-flop" "s/\{release_q\[0\], 1'b1\}/2'b11/"
+mutant pipegs_reset_sync "in the scan test the flip-flops stay in the way" 's/test_en_i \? rst_ni : //'
+mutant pipegs_sram "the output changes without a read" 's/if \(read_i\) rdata_o/rdata_o/'
+mutant pipegs_sram "a read of the word that is written shows the new one" 's/(rdata_o <= )DataW.*;/\1wdata_i;/'
+mutant pipegs_sram "such a read shows the same each time" 's/(noise_q <= )noise_q .*;/\1noise_q;/'
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
 group list "Lists (\`order = 1\`), parts (\`window = 128\`)"
@@ -429,15 +446,16 @@ mutant pu_parts "the payload of a Gaussian without a part stays" \
 mutant ru_place "column and row of a part change places" 's/part_row, part_column, row/part_column, part_row, row/' \
        ru_place_parts
 mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//"
-mutant log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
+mutant pipegs_log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
 mutant pu_lines "an end leaves before the rows have ended" 's/ && \(!is_end \|\| ended_q\)//'
-mutant list_write "the count of the record before is not yet in the memory" 's/(same_q *<= )move && .*;/\10;/'
-mutant list_write "a list runs into the next one" "s/ \|\| entry >> log_o != '0//"
-mutant list_write "where no list has room, each has one line" "s/none \|\| entry/entry/"
-mutant list_write "goes on behind a full list" 's/(out_valid_q) && !full_q/\1/'
-mutant list_room "one window less counts" "s/SpanW'\(windows_i\) << 1/SpanW'(windows_i - 1'b1) << 1/"
-mutant list_write "a waiting line is overwritten" 's/held_valid_q && \(!out_valid_q \|\| mem_ready_i\)/held_valid_q/'
-mutant list_read "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
-mutant list_read "an entry waits until an SU has room" \
+mutant pipegs_list_write "the count of the record before is not yet in the memory" 's/(same_q *<= )move && .*;/\10;/'
+mutant pipegs_list_write "a list runs into the next one" "s/ \|\| entry >> log_o != '0//"
+mutant pipegs_list_write "where no list has room, each has one line" "s/none \|\| entry/entry/"
+mutant pipegs_list_write "goes on behind a full list" 's/(out_valid_q) && !full_q/\1/'
+mutant pipegs_list_room "one window less counts" "s/SpanW'\(windows_i\) << 1/SpanW'(windows_i - 1'b1) << 1/"
+mutant pipegs_list_write "a waiting line is overwritten" \
+       's/held_valid_q && \(!out_valid_q \|\| mem_ready_i\)/held_valid_q/'
+mutant pipegs_list_read "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
+mutant pipegs_list_read "an entry waits until an SU has room" \
        "s/(request    = )able == '0 && none_q == '1 \? '1 : able/\1able/"
-mutant list_read "one window too many" "s/windows - LeftW'\(1\)/windows/"
+mutant pipegs_list_read "one window too many" "s/windows - LeftW'\(1\)/windows/"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ru_test: rtl/ru/ru.sv, whole frames, against cpp_model/ru/ru.hpp; its clock only ticks when the RU asks for it.
+// ru_test: rtl/ru/pipegs_ru.sv, whole frames, against cpp_model/ru/ru.hpp; its clock only ticks when the RU asks for
+// it.
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/ru/ru.hpp"
 #include "verif/ru/alpha_lines.hpp"
@@ -8,7 +9,7 @@
 #include "verif/ru/written_pixels.hpp"
 #include "verif/ru/live/random_splat.hpp"
 #include "verif/support/config.hpp"
-#include "Vru.h"
+#include "Vpipegs_ru.h"
 #include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
@@ -18,7 +19,7 @@ const Config kConfig = test_config();
 const BlendConstants kBlend(kConfig);
 const PuRows kRows(kConfig);
 const bool kLate = !kConfig.caches_alphas();
-using LinePort = std::remove_reference_t<decltype(Vru::rsp_data_i)>;
+using LinePort = std::remove_reference_t<decltype(Vpipegs_ru::rsp_data_i)>;
 
 struct Paces {
   Pace in = Pace::kAlways, stores = Pace::kAlways, memory = Pace::kAlways;
@@ -28,7 +29,7 @@ struct Paces {
 // The other RU of the pair, in raster order: its rows come, or it takes ours, at some pace.
 class OtherRu : public Endpoint {
  public:
-  OtherRu(Bench<Vru>& bench, Pace pace) : bench_(bench), pace_(pace) {
+  OtherRu(Bench<Vpipegs_ru>& bench, Pace pace) : bench_(bench), pace_(pace) {
     auto& dut = bench.dut;
     dut.pair_valid_i = dut.pair_taken_i = dut.pair_at_end_i = 0;
     bench.add(*this);
@@ -73,13 +74,13 @@ class OtherRu : public Endpoint {
  private:
   bool odd() const { return bench_.dut.unit_i % 2 != 0; }
 
-  Bench<Vru>& bench_;
+  Bench<Vpipegs_ru>& bench_;
   Pace pace_;
   bool waits_ = false;
   std::array<uint32_t, 8> row_;
 };
 
-class RuBench : public Bench<Vru> {
+class RuBench : public Bench<Vpipegs_ru> {
  public:
   explicit RuBench(const Paces& paces, int unit, uint64_t seed = test_seed())
       : Bench(seed),
@@ -298,7 +299,7 @@ class RuBench : public Bench<Vru> {
   RuState state, tapped;  // after all beats sent; after the lines that the module consumed
   ExternalMemory memory;
   RecordSource<Sorted, decltype(dut.in_i)> in;
-  AlphaStores<Vru> stores;
+  AlphaStores<Vpipegs_ru> stores;
   MemoryEndpoint<QData, LinePort> port;
   OtherRu other;
   std::map<std::pair<uint64_t, int>, Codes> codes;

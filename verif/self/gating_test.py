@@ -92,7 +92,7 @@ class Gating(unittest.TestCase):
         self.assertEqual(clocks(module), {"gate_0": 8})
         self.expect_enables(program, [lambda a, b, c: a or (b and c)])
 
-    def test_shared_multiplexer_hides_no_enable(self):  # as in rtl/lib/skid.sv
+    def test_shared_multiplexer_hides_no_enable(self):  # as in rtl/lib/pipegs_skid.sv
         module, program = gated(
             "always_ff @(posedge clk_i) begin if (!a) r_q <= d[7:0]; if (b) q_q[7:0] <= a ? r_q : d[7:0]; end"
             " assign q_q[99:8] = '0;"

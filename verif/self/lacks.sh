@@ -12,7 +12,7 @@ name=${1:-} since=${2:-HEAD} status=0
 file=$(find rtl -name "$name.sv")
 [ -n "$name" ] && [ -n "$file" ] || { echo "lacks.sh: there is no module '$name' in rtl/" >&2; exit 2; }
 git rev-parse --quiet --verify "$since^{commit}" > /dev/null || { echo "lacks.sh: no commit $since" >&2; exit 2; }
-unit=${file#rtl/} unit=${unit%%/*}
+unit=${file#rtl/} unit=${unit%%/*} short=${name#pipegs_}
 changed() { ! git diff --quiet "$since" -- "$1" || [ -n "$(git ls-files --others --exclude-standard -- "$1")" ]; }
 row() {  # WHAT FILES...
   local what=$1 path state; shift
@@ -31,15 +31,15 @@ row "module" "$file"
 covering=$(awk -v name="$name" '$1 == name {print $2}' verif/self/covered_by.txt)
 complaint=$(verif/self/rooms.sh | grep -wE -- "$name" || true)
 
-mapfile -t found < <(find cpp_model -name "$name.hpp" -o -name "$name.cpp" | sort)
+mapfile -t found < <(find cpp_model -name "$short.hpp" -o -name "$short.cpp" | sort)
 row "bit-accurate model" "${found[@]}"
-mapfile -t found < <(find verif -name "${name}_test.cpp" -o -name "${covering##*/}_test.cpp" | sort)
+mapfile -t found < <(find verif -name "${short}_test.cpp" -o -name "${covering##*/}_test.cpp" | sort)
 row "test" "${found[@]}"
 mapfile -t found < <(named "mutant +$name" verif/mutation/table.sh)
 row "mutation tests" "${found[@]}"
 mapfile -t found < <(grep -rlwE -- "$name" sim/timing)
 row "timing model" "${found[@]}"
-mapfile -t found < <(find synth/prove -name "${name}_proof.svh"; named "proof +$name" synth/prove/table.sh)
+mapfile -t found < <(find synth/prove -name "${short}_proof.svh"; named "proof +$short" synth/prove/table.sh)
 row "proof" "${found[@]}"
 mapfile -t found < <(named "$name" docs/units/*.md)
 row "page" "${found[@]}"

@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# rooms.sh: the layout's rule, checked: rtl/<room>/<name>.sv = cpp_model/<room>/<name>.hpp =
-# verif/<room>/<name>_test.cpp = a heading or a row in docs/units. A room is a unit, or a part of it as pu/color.
+# rooms.sh: the layout's rule, checked: rtl/<room>/<module>.sv = cpp_model/<room>/<name>.hpp =
+# verif/<room>/<name>_test.cpp = a heading or a row in docs/units. A room is a unit, or a part of it as pu/color; a name
+# is that of the module without the prefix pipegs_, which keeps it apart from modules of others in one system. So every
+# module has it, but those whose name begins with their unit: dopu_, pu_, su_, ru_.
 #
 # Plumbing (rtl/lib queues and memories, rtl/buf) has no bit-accurate model but a test. A module that lacks its test or
 # its bit-accurate model needs a line in covered_by.txt with the test that covers it, and no line may be stale: its
@@ -30,9 +32,14 @@ room_of() { local room; room=$(dirname "${1#rtl/}"); echo "${room/#./rtl}"; }
 mapfile -t files < <(find rtl -name "*.sv" | sort)
 for file in "${files[@]}"; do
   room=$(room_of "$file") name=$(basename "$file" .sv)
-  own_test=verif/$room/${name}_test.cpp model=cpp_model/$room/$name.hpp
+  own_test=verif/$room/${name#pipegs_}_test.cpp model=cpp_model/$room/${name#pipegs_}.hpp
   covering=$(covering_test "$name" "$room")
   [ -e "$own_test" ] || [ -e "${covering:-none}" ] || complain "$file: no $own_test and no valid line in $list"
+  case ${room%%/*}:$name in
+    *:pipegs_* | dopu:dopu_* | pu:pu_* | su:su_* | ru:ru_*) ;;
+    *) complain "$file: a module is named pipegs_NAME, or UNIT_NAME in its unit's room" ;;
+  esac
+  grep -qE "^(module|package) $name\b" "$file" || complain "$file: no module of this name"
   case $room in
     lib | lib/math | buf) needs_model= ;;
     *) needs_model=1; [ -e "$model" ] || [ -n "$covering" ] || complain "$file: no $model and no line in $list" ;;
@@ -54,9 +61,10 @@ while read -r name test; do
 done < <(grep -v '^#' "$list")
 
 # A page may name modules, tests and functions of the models, but none that is gone.
-for name in $(grep -ohE '`(dopu|pu|su|ru)_[a-z0-9_]+`' docs/*.md docs/*/*.md | tr -d '`' | sort -u); do
+for name in $(grep -ohE '`(pipegs|dopu|pu|su|ru)_[a-z0-9_]+`' docs/*.md docs/*/*.md | tr -d '`' | sort -u); do
   [ -n "$(find rtl verif -name "$name.sv" -o -name "$name.cpp")" ] ||
-    grep -rqw --include={*.sv,*.?pp,*.def,CMakeLists.txt,table.sh} -- "$name" rtl cpp_model verif synth/prove ||
+    grep -rqw --include={*.sv,*.?pp,*.[ch],*.def,CMakeLists.txt,table.sh} -- "$name" \
+      rtl cpp_model verif synth/prove sim/driver ||
     complain "docs: there is no $name"
 done
 exit $status

@@ -24,14 +24,14 @@ AreaPoint by_hand(int coeff_f, int late = 0) {
   point.config.coeff_f = coeff_f, point.config.late = late;
   const double bits = coeff_f - 28;
   point.nand2["pu_coeff"]["pu"] = 1000 + 10 * bits + 2 * bits * bits + 300 * late;
-  point.nand2["perf"]["top"] = 200;
+  point.nand2["pipegs_perf"]["top"] = 200;
   point.nand2["pu_row_unit"][late ? "ru" : "pu"] = 50;
   return point;
 }
 
 TEST(AreaModel, FindsLinesSquaresAndDesignPoints) {
   const AreaModel model({by_hand(28), by_hand(20), by_hand(24), by_hand(30), by_hand(28, 1)},
-                        {{"pu_coeff", {"coeff_f"}}, {"perf", {}}, {"pu_row_unit", {}}});
+                        {{"pu_coeff", {"coeff_f"}}, {"pipegs_perf", {}}, {"pu_row_unit", {}}});
   const auto told = [&](int coeff_f, int late) { return model.nand2(by_hand(coeff_f, late).config); };
   for (const int coeff_f : {22, 26, 29}) {
     EXPECT_NEAR(told(coeff_f, 0).at("pu"), by_hand(coeff_f).by_unit().at("pu"), 3) << coeff_f;
@@ -44,7 +44,7 @@ TEST(AreaModel, FindsLinesSquaresAndDesignPoints) {
 
 TEST(AreaModel, KnowsItsBounds) {
   const AreaModel model({by_hand(28), by_hand(24), by_hand(28, 1)},
-                        {{"pu_coeff", {"coeff_f"}}, {"perf", {}}, {"pu_row_unit", {}}});
+                        {{"pu_coeff", {"coeff_f"}}, {"pipegs_perf", {}}, {"pu_row_unit", {}}});
   EXPECT_TRUE(model.inside(by_hand(26).config));
   EXPECT_TRUE(model.inside(by_hand(26, 1).config));
   EXPECT_FALSE(model.inside(by_hand(23).config));
@@ -57,7 +57,7 @@ TEST(AreaModel, KnowsItsBounds) {
 }
 
 TEST(AreaModel, KnowsKindsThatAPointHas) {
-  const Dependences depends = {{"pu_coeff", {"coeff_f"}}, {"perf", {}}, {"pu_row_unit", {}}};
+  const Dependences depends = {{"pu_coeff", {"coeff_f"}}, {"pipegs_perf", {}}, {"pu_row_unit", {}}};
   Config config = by_hand(28, 1).config;
   config.quads = 1;
   const std::vector<AreaPoint> points = {by_hand(28), by_hand(24), by_hand(28, 1)};
@@ -81,15 +81,16 @@ AreaPoint of_shape(int units, int fronts, int coeff_f = 28) {
     point.nand2[block][unit] = instances * each;
     point.instances[block] = instances;
   };
-  add("su", "su", 2 * units, 100 + 10 * (coeff_f - 28));
+  add("pipegs_su", "su", 2 * units, 100 + 10 * (coeff_f - 28));
   add("pu_cull", "pu", 2 * point.config.pu_fronts(), 700);
-  add("dopu", "dopu", 4, 50);
-  add("perf", "top", units + 1, 20);
+  add("pipegs_dopu", "dopu", 4, 50);
+  add("pipegs_perf", "top", units + 1, 20);
   return point;
 }
 
 TEST(AreaModel, MultipliesWhatStandsInEachUnit) {
-  const Dependences depends = {{"su", {"coeff_f"}}, {"pu_cull", {}}, {"dopu", {}}, {"perf", {"units"}}};
+  const Dependences depends = {
+      {"pipegs_su", {"coeff_f"}}, {"pu_cull", {}}, {"pipegs_dopu", {}}, {"pipegs_perf", {"units"}}};
   const std::vector<AreaPoint> points = {of_shape(4, 4), of_shape(4, 2), of_shape(2, 2), of_shape(4, 4, 24)};
   const AreaModel model(points, depends);
   for (const auto& [units, fronts] : {std::pair{4, 4}, {4, 2}, {4, 1}, {2, 1}, {2, 4}, {1, 1}}) {
@@ -104,7 +105,7 @@ TEST(AreaModel, MultipliesWhatStandsInEachUnit) {
 // A table in which all machines have four units: what is a multiple of four stands in each.
 TEST(AreaModel, TakesAMultipleOfTheUnitsForOneOfEach) {
   const AreaModel model({of_shape(4, 4), of_shape(4, 4, 24)},
-                        {{"su", {"coeff_f"}}, {"pu_cull", {}}, {"dopu", {}}, {"perf", {}}});
+                        {{"pipegs_su", {"coeff_f"}}, {"pu_cull", {}}, {"pipegs_dopu", {}}, {"pipegs_perf", {}}});
   EXPECT_NEAR(model.nand2(of_shape(2, 2).config).at("su"), 400, 2);
   EXPECT_NEAR(model.nand2(of_shape(2, 2).config).at("top"), 100, 0.1) << "five are no multiple of four";
 }
@@ -112,7 +113,7 @@ TEST(AreaModel, TakesAMultipleOfTheUnitsForOneOfEach) {
 // A block whose knobs nobody has told is not taken for one that has none.
 TEST(AreaModel, RefusesABlockWithoutItsKnobs) {
   try {
-    const AreaModel model({by_hand(28), by_hand(24)}, {{"pu_coeff", {"coeff_f"}}, {"perf", {}}});
+    const AreaModel model({by_hand(28), by_hand(24)}, {{"pu_coeff", {"coeff_f"}}, {"pipegs_perf", {}}});
     FAIL() << "pu_row_unit has no row";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("block pu_row_unit: missing"), std::string::npos) << error.what();

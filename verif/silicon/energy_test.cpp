@@ -38,9 +38,11 @@ Enables enables() {
   su.always_joules = 20 * kLibrary;
   top.always_flipflops = 5;
   top.always_joules = 30 * kLibrary;
-  enables.modules = {{"pu", pu}, {"su", su}, {"pipegs_top", top}};
-  enables.instances = {
-      {"", "pipegs_top"}, {"gen_unit[0].u_pu", "pu"}, {"gen_unit[1].u_pu", "pu"}, {"gen_unit[0].u_su", "su"}};
+  enables.modules = {{"pipegs_pu", pu}, {"pipegs_su", su}, {"pipegs_top", top}};
+  enables.instances = {{"", "pipegs_top"},
+                       {"gen_unit[0].u_pu", "pipegs_pu"},
+                       {"gen_unit[1].u_pu", "pipegs_pu"},
+                       {"gen_unit[0].u_su", "pipegs_su"}};
   return enables;
 }
 
@@ -51,7 +53,8 @@ FrameActivity frame() {
   half.groups = {{"pu", {200, 400}}, {"su", {50, 25}}, {"top", {100, 300}}};
   half.clocks = {{"pu", 60}, {"su", 0}};
   half.srams = {{"u_pu.u_words", {128, 30, 10}}};
-  half.enabled = {{"pu", {{"pu", {60, {15, 30}}}}}, {"su", {{"su", {0, {}}}}}, {"top", {{"pipegs_top", {50, {}}}}}};
+  half.enabled = {
+      {"pu", {{"pipegs_pu", {60, {15, 30}}}}}, {"su", {{"pipegs_su", {0, {}}}}}, {"top", {{"pipegs_top", {50, {}}}}}};
   half.unseen = {{"pu", 4}};
   return {1000, 64, {half, half}};
 }
@@ -96,7 +99,7 @@ TEST(Energy, FollowsClockedCyclesTogglesAccessesAndBytes) {
   EXPECT_EQ(row(rows, "Total").flipflops, 30u);
   const std::vector<ModuleClocks> modules = module_clocks(synth(), enables(), frame());
   ASSERT_EQ(modules.size(), 3u);
-  EXPECT_EQ(modules[0].module, "pu") << "the dearest first";
+  EXPECT_EQ(modules[0].module, "pipegs_pu") << "the dearest first";
   EXPECT_NEAR(modules[0].all_j(), row(rows, "PU").clocks_j, 1e-18);
   double sum = 0, leakage = 0;
   for (const EnergyRow& one : rows) {
@@ -110,7 +113,7 @@ TEST(Energy, FollowsClockedCyclesTogglesAccessesAndBytes) {
 
 TEST(Energy, TellsHowFarTheHalvesLieApart) {
   FrameActivity activity = frame();
-  activity.halves[0].enabled["pu"]["pu"].passed = {55, 30};  // 40 more edges of 20
+  activity.halves[0].enabled["pu"]["pipegs_pu"].passed = {55, 30};  // 40 more edges of 20
   const std::vector<EnergyRow> rows = energy_rows(Config{}, synth(), enables(), SramLaw(kTable), activity);
   constexpr double kHalf = 60 * (16 + 4) + 15 * 20 + 30 * 10 + 4 * 700;
   EXPECT_NEAR(row(rows, "PU").halves_differ, 2 * 800 / (2 * kHalf + 800), 1e-9);
@@ -127,7 +130,7 @@ TEST(Energy, RefusesSynthOfOtherRtl) {
     EXPECT_NE(std::string(error.what()).find("no u_su.u_new"), std::string::npos) << error.what();
   }
   activity = frame();
-  activity.halves[0].enabled["pu"]["pu"].passed.push_back(1);
+  activity.halves[0].enabled["pu"]["pipegs_pu"].passed.push_back(1);
   EXPECT_THROW(energy_rows(Config{}, synth(), enables(), SramLaw(kTable), activity), InputError);
 }
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "Vsu.h"
+#include "Vpipegs_su.h"
 #include "cpp_model/su/su.hpp"
 #include "cpp_model/su/su_external.hpp"
 #include "verif/su/su_keys.hpp"
@@ -22,7 +22,7 @@ inline constexpr uint64_t kOverflow = 0x12345;  // first line of the overflow ar
 // In which the buckets of depth begin; random depths lie before, in and behind its 16 octaves.
 inline const int kOctave = kConfig.has_watermarks() ? static_cast<int>(test_seed() % 40) : 0;
 
-struct SuBench : Bench<Vsu> {
+struct SuBench : Bench<Vpipegs_su> {
   SuBench(Pace source, Pace sink, bool gated, const ExternalMemoryOptions& options = {}, int unit = 1)
       : gated(gated),
         memory(options),

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "Vsu.h"
+#include "Vpipegs_su.h"
 #include "cpp_model/su/su.hpp"
 #include "verif/su/su_windows.hpp"
 #include "verif/support/bench.hpp"
@@ -31,7 +31,7 @@ struct Lane {
     dut.octave_i = kOctave;
     dut.in_valid_i = dut.out_ready_i = dut.spill_i = dut.mem_ready_i = dut.rsp_valid_i = 0;
   }
-  Vsu dut;
+  Vpipegs_su dut;
   ExternalMemory memory;
   std::deque<Splat> queue;
   bool up = false;
@@ -83,7 +83,7 @@ struct LanesBench : BenchBase {
     deal();
     unsigned spilling = 0;
     for (const auto& lane : lanes) {
-      Vsu& dut = lane->dut;
+      Vpipegs_su& dut = lane->dut;
       dut.clk_i = 0;
       if (!lane->up && !lane->queue.empty() && goes(source, rng)) lane->up = true;
       dut.in_valid_i = lane->up;
@@ -100,7 +100,7 @@ struct LanesBench : BenchBase {
     merge(goes(sink, rng));
     for (size_t k = 0; k < lanes.size(); ++k) {
       Lane& lane = *lanes[k];
-      Vsu& dut = lane.dut;
+      Vpipegs_su& dut = lane.dut;
       dut.spill_i = (spilling & ~(1u << (lanes.size() - 1 - k))) != 0;
       dut.eval();
       if (lane.up && dut.in_ready_o) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// su_lean_test: rtl/su/su.sv without what a scene may not call for: ties by index, overflow to memory, chains of more
-// than sixteen keys. Against cpp_model/su/su.hpp; where something is called for all the same, an assertion says so.
+// su_lean_test: rtl/su/pipegs_su.sv without what a scene may not call for: ties by index, overflow to memory, chains of
+// more than sixteen keys. Against cpp_model/su/su.hpp; where something is called for all the same, an assertion says
+// so.
 #include <map>
 #include <set>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// su_marks_test: rtl/su/su.sv against cpp_model/su/su.hpp when a layer's end is a watermark (order=2).
+// su_marks_test: rtl/su/pipegs_su.sv against cpp_model/su/su.hpp when a layer's end is a watermark (order=2).
 #include "verif/su/su_bench.hpp"
 #include "verif/su/su_windows.hpp"
 

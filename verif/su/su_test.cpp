@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// su_test: rtl/su/su.sv with all it wires together against cpp_model/su/su.hpp, where every end releases everything.
+// su_test: rtl/su/pipegs_su.sv with all it wires together against cpp_model/su/su.hpp, where every end releases
+// everything.
 #include "verif/su/su_bench.hpp"
 
 namespace pipegs {

@@ -5,7 +5,8 @@
 // the module settles, every endpoint looks at the handshakes, and the clock rises. Registers start from random values.
 //   PIPEGS_SEED=n       another seed (printed with every failure)
 //   PIPEGS_WAVES=f.fst  waves of the run (NAME_waves_test)
-// Example: Bench<Vfifo> bench;  RecordSource<Chunk> in(bench, config, bench.dut.in_valid_i, ...);  bench.reset(); ...
+// Example: Bench<Vpipegs_fifo> bench;  RecordSource<Chunk> in(bench, config, bench.dut.in_valid_i, ...);
+// bench.reset(); ...
 #pragma once
 
 #include <gtest/gtest.h>

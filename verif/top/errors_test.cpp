@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// errors_test: rtl/errors.sv: each cause is told once, with the line that came first, and what it stops stays stopped.
-#include "Verrors.h"
+// errors_test: rtl/pipegs_errors.sv: each cause is told once, with the line that came first, and what it stops stays
+// stopped.
+#include "Vpipegs_errors.h"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 
 namespace pipegs {
 namespace {
 
-struct ErrorsBench : Bench<Verrors> {
+struct ErrorsBench : Bench<Vpipegs_errors> {
   ErrorsBench() {
     dut.restart_i = dut.full_i = dut.bad_i = dut.by_windows_i = 0;
     reset();

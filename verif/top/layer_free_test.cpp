@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// layer_free_test: rtl/layer_free.sv against counts: one pulse per layer, as soon as all RUs have finished it.
+// layer_free_test: rtl/pipegs_layer_free.sv against counts: one pulse per layer, as soon as all RUs have finished it.
 #include <algorithm>
 
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
-#include "Vlayer_free.h"
+#include "Vpipegs_layer_free.h"
 
 namespace pipegs {
 namespace {
@@ -13,7 +13,7 @@ TEST(LayerFree, FreesEachLayerOnceWhenEveryRuHasFinishedIt) {
   const Config config = test_config();
   const size_t units = static_cast<size_t>(config.units);
   for (const Pace pace : kPaces) {
-    Bench<Vlayer_free> bench;
+    Bench<Vpipegs_layer_free> bench;
     auto& dut = bench.dut;
     dut.done_i = 0;
     bench.reset();

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// perf_test: rtl/perf.sv against four numbers: they sum to the running cycles and a restart clears them.
+// perf_test: rtl/pipegs_perf.sv against four numbers: they sum to the running cycles and a restart clears them.
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
-#include "Vperf.h"
+#include "Vpipegs_perf.h"
 
 namespace pipegs {
 namespace {
 
 TEST(Perf, CountsEachStateWhileRunningAndARestartClears) {
   const Config config = test_config();
-  Bench<Vperf> bench;
+  Bench<Vpipegs_perf> bench;
   auto& dut = bench.dut;
   dut.restart_i = dut.running_i = dut.state_i = 0;
   bench.reset();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// scheduler_test: rtl/scheduler.sv through many frames: who works on which, what it counts, and what ends a frame.
+// scheduler_test: rtl/pipegs_scheduler.sv through many frames: who works on which, what it counts, and what ends a
+// frame.
 //
 // Idea    The test plays the machine: a front that works for some cycles, a back into which window ends go while it is
 //         not held and whose RUs complete windows at a pace. It keeps which frame each has, and expects each output.
@@ -8,7 +9,7 @@
 
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
-#include "Vscheduler.h"
+#include "Vpipegs_scheduler.h"
 #include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
@@ -146,7 +147,7 @@ class Schedule {
   }
 
   const Config config_ = test_config();
-  Bench<Vscheduler> bench_;
+  Bench<Vpipegs_scheduler> bench_;
   Pace pace_ = Pace::kAlways;
   std::deque<Job> jobs_;
   Job front_{};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// sram_unknown: rtl/lib/sram.sv for a simulator of four states: what is not promised is X.
+// sram_unknown: rtl/lib/pipegs_sram.sv for a simulator of four states: what is not promised is X.
 //
 // Idea    A read of the word that is written in the same cycle shows X, a read whose enable or address is X as well; a
 //         write whose enable or address is X leaves no word known. Everything starts X. unknown_bench, in which it
 //         stands, is told of an enable, or an address in use, that is X behind the reset.
 
-module sram #(
+module pipegs_sram #(
   parameter DataW = 32,
   parameter Depth = 64,
   parameter AddrW = Depth > 1 ? $clog2(Depth) : 1

@@ -4,10 +4,10 @@
 #   unknown.sh [-c MODULE CHANGE] [key=value ...]     CHANGE: of sed -E, made in a copy of this module of rtl/
 #
 # Idea    Yosys writes pipegs_top of these settings as plain Verilog with operators on words, memories as instances of
-#         sram, everything else flat. An enable becomes a multiplexer and a small array registers, so that an X spreads
-#         where Verilog's `if` and its write to an unknown address would hide it. Icarus runs it in unknown_bench.v, on
-#         what $BUILD/verif/unknown/unknown_stimulus writes. Comparisons become bits (compare_unknown.v): Verilog's own
-#         are X where gates are not.
+#         pipegs_sram, everything else flat. An enable becomes a multiplexer and a small array registers, so that an X
+#         spreads where Verilog's `if` and its write to an unknown address would hide it. Icarus runs it in
+#         unknown_bench.v, on what $BUILD/verif/unknown/unknown_stimulus writes. Comparisons become bits
+#         (compare_unknown.v): Verilog's own are X where gates are not.
 # Watched By name every valid, the ready of each valid while that is 1, every enable of a clock; every register that has
 #         a reset; the memories' ports (sram_unknown.v). Not the taps, which are not built.
 # Output  One line; exits 1 when an X shows or a pixel differs, 77 (skipped) when Icarus is not installed.
@@ -21,7 +21,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$build/cpp_model/package_sv" taps=0 "$@" > "$work/pipegs_pkg.sv"
 "$build/verif/unknown/unknown_stimulus" "$work" taps=0 "$@"
-mapfile -t files < <(find rtl -name '*.sv' ! -name pipegs_pkg.sv ! -name sram.sv | sort)
+mapfile -t files < <(find rtl -name '*.sv' ! -name pipegs_pkg.sv ! -name pipegs_sram.sv | sort)
 if [ -n "$module" ]; then
   for i in "${!files[@]}"; do
     if [[ ${files[$i]} != */"$module".sv ]]; then continue; fi
@@ -32,10 +32,10 @@ if [ -n "$module" ]; then
 fi
 passes="proc -noopt; flatten; opt_clean; memory -nomap; memory_map; pmuxtree; dffunmap -ce-only
   chtype -set \$eq t:\$eqx; techmap -map $here/compare_unknown.v; opt_clean"
-yosys -q -p "read_verilog -sv -lib rtl/lib/sram.sv
+yosys -q -p "read_verilog -sv -lib rtl/lib/pipegs_sram.sv
   read_verilog -sv -defer -DSYNTHESIS $work/pipegs_pkg.sv ${files[*]}
   hierarchy -check -top pipegs_top; $passes; write_verilog -noattr $work/top.v
-  design -reset; read_verilog -sv rtl/lib/reset_sync.sv; $passes; write_verilog -noattr $work/reset.v" \
+  design -reset; read_verilog -sv rtl/lib/pipegs_reset_sync.sv; $passes; write_verilog -noattr $work/reset.v" \
   > "$work/log" 2>&1 || { tail -n 5 "$work/log"; exit 1; }
 
 # shellcheck disable=SC2016 # Verilog's own $signed

@@ -3,8 +3,8 @@
 //
 // Idea    Every register and memory starts X, and every input but clock and reset is X until the reset has gone; then
 //         what is taken with the frame, an answer's tag and its data are X whenever they are not valid. The reset comes
-//         through reset_sync as in pipegs_axi, released between two edges. The memory answers in order, line by line,
-//         Latency cycles later, and is ready in three cycles of four; a half line that was never written is X.
+//         through pipegs_reset_sync as in pipegs_axi, released between two edges. The memory answers in order, line by
+//         line, Latency cycles later, and is ready in three cycles of four; a half line that was never written is X.
 // Rule    From the first cycle behind the reset on, in each cycle just before the edge: no X in what the core says that
 //         it is valid, ready, done, busy, in its counters, in any signal of watched.vh (every valid, ready, enable of a
 //         clock, enable or address of a memory in it), in a request, in the halves that a write changes. A request lies
@@ -34,7 +34,7 @@ module unknown_bench;
   wire [`COUNTER_W-1:0]    cycles, preprocess_cycles, overflow_lines;
   wire [`PERF_UNITS*4*`COUNTER_W-1:0] perf;
 
-  reset_sync u_reset (.clk_i(clk), .rst_ni(rst_n), .test_en_i(1'b0), .rst_no(core_rst_n));
+  pipegs_reset_sync u_reset (.clk_i(clk), .rst_ni(rst_n), .test_en_i(1'b0), .rst_no(core_rst_n));
   pipegs_top dut (
     .clk_i(clk), .rst_ni(core_rst_n), .test_en_i(1'b0),
     .frame_valid_i(frame_valid), .frame_ready_o(frame_ready), .done_o(done), .busy_o(busy),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // exp2: 2^f for a fraction f, by a table of 2^ExpIndexW chords, or without chords (ExpLinear = 0).
 //
-// Paper   "applying exponential function to the power" (Sec. 4.2.1).   RTL  rtl/lib/math/exp2.sv
+// Paper   "applying exponential function to the power" (Sec. 4.2.1).   RTL  rtl/lib/math/pipegs_exp2.sv
 // Idea    f = (i + r / 2^R) / 2^ExpIndexW:   2^f ~ value[i] + delta[i] * r / 2^R.   The table is the flat localparam
 //         Exp2Table of pipegs_pkg, printed from this file, so RTL and bit-accurate model cannot differ.
 //         Without chords delta is 0 and value is that of the middle of its interval, so the error is centred.

@@ -5,7 +5,7 @@
 //         holds it raised by half of its largest error, so that the error swings evenly between + and -.
 // Stream  m u1.15 with its leading one, so in [1, 2) -> log2(m) u0.16, rounded to nearest.
 // Error   at most 3.1e-5 (measured by the test for every input).
-// RTL     rtl/lib/math/log2.sv
+// RTL     rtl/lib/math/pipegs_log2.sv
 #pragma once
 
 #include <array>

@@ -3,7 +3,7 @@
 //
 // Idea    Count the copies of the sign below it (leading zeros of x ^ (x >> 1)), then shift in powers of two.
 // Numbers Any sI.F of `width` bits: out = in 2^shift, shift 0 to width - 1. Zero stays zero, with the largest shift.
-// RTL     rtl/lib/math/normalize.sv
+// RTL     rtl/lib/math/pipegs_normalize.sv
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 // Numbers x is u1.(W-1) with its leading one, v = x 2^-(W-1) in [1, 2). y is u0.W with its leading one: 1/v = y 2^-W.
 //         So 1/x = y 2^-(2W-1). v = 1 saturates to the largest y, 1 - 2^-W: y is always normalised, no exponent moves.
 // Error   |y - 2^W / v| <= 0.5 (rounding) + 2^(W-29.6) (e^2) + 2^(W-31.5) (cuts) units in the last place, 1 at v = 1.
-// RTL     rtl/lib/math/recip.sv
+// RTL     rtl/lib/math/pipegs_recip.sv
 #pragma once
 
 #include <cstdint>

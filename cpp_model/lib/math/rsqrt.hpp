@@ -6,7 +6,7 @@
 //         The line is the chord, lowered by half of its largest error: the error then swings evenly between + and -.
 // Stream  u2.18 in [1, 4) -> u0.18 in (1/2, 1).
 // Error   |r sqrt(u) - 1| <= 2^-16.1, all 3 * 2^18 inputs (measured by the test).
-// RTL     rtl/lib/math/rsqrt.sv
+// RTL     rtl/lib/math/pipegs_rsqrt.sv
 #pragma once
 
 #include <array>

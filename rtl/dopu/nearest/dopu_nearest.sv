@@ -50,7 +50,7 @@ module dopu_nearest #(
   output pipegs_pkg::node_t                     chunk_o,
   output logic [pipegs_pkg::DepthW-1:0]         mark_o,        // a layer end's watermark
 
-  output logic [1:0]                            bad_o,         // a cell, a group: see line_reader
+  output logic [1:0]                            bad_o,         // a cell, a group: see pipegs_line_reader
   output logic [2*pipegs_pkg::AddressW-1:0]     bad_line_o,
   output logic                                  testing_o,     // something moves inside
   output logic                                  waiting_o      // a level waits for the memory
@@ -183,7 +183,7 @@ module dopu_nearest #(
         assign held[l]     = {held_data, {PlaceW{1'b0}}};
       end
 
-      fifo #(.DataW(2 + BucketW + HeldW), .Depth(Results)) u_queue (
+      pipegs_fifo #(.DataW(2 + BucketW + HeldW), .Depth(Results)) u_queue (
         .clk_i, .rst_ni,
         .in_valid_i(push[l]), .in_ready_o(queue_ready[l]),
         .in_i({result_last, result_pass, result_bucket, result_data}),

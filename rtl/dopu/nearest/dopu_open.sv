@@ -2,10 +2,10 @@
 // dopu_open: opens nodes: reads their children, and knows the nearest bucket of what is being opened.
 //
 // Paper   None.
-// Idea    A node opened is a job of line_reader; its bucket goes along with each child. It counts as being opened until
-//         its last child is settled (waits in its own turn, was sent, or dropped). Children are settled in the order in
-//         which nodes were opened, so a short queue of buckets knows all that are open. The nearest of them is found a
-//         cycle ahead, with and without the oldest, by a tree of comparisons, and stands in a register.
+// Idea    A node opened is a job of pipegs_line_reader; its bucket goes along with each child. It counts as being
+//         opened until its last child is settled (waits in its own turn, was sent, or dropped). Children are settled in
+//         the order in which nodes were opened, so a short queue of buckets knows all that are open. The nearest of
+//         them is found a cycle ahead, with and without the oldest, by a tree of comparisons, and stands in a register.
 // Stream  open: a node's range and bucket. child: its children, the last one marked; settled_i: a last child is
 //         settled.
 // Pace    One child per cycle while the memory delivers; Most nodes at a time.
@@ -45,7 +45,7 @@ module dopu_open #(
   input  logic                             settled_i,
   output logic                             any_o,
   output logic [BucketW-1:0]               nearest_o,       // smallest bucket open; the largest number when none is
-  output logic                             bad_o,           // names no children of the table: see line_reader
+  output logic                             bad_o,           // names no children of the table: see pipegs_line_reader
   output logic [pipegs_pkg::AddressW-1:0]  bad_line_o,
   output logic                             waiting_o
 );
@@ -117,7 +117,8 @@ module dopu_open #(
     end
   end
 
-  line_reader #(.TagW(CountW + BucketW), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(Most)) u_reader (
+  pipegs_line_reader #(.TagW(CountW + BucketW), .ItemW(NodeBits), .ItemsPerLine(2), .Lines(Lines), .Jobs(Most))
+    u_reader (
     .clk_i, .rst_ni, .table_i,
     .job_valid_i(job_valid_q), .job_ready_o(job_ready), .job_read_i(1'b1),
     .job_first_i(job_first_q), .job_count_i(job_count_q), .job_tag_i({job_last, job_bucket_q}),
@@ -133,7 +134,7 @@ module dopu_open #(
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!settled_i || any_o);
-  stream_check #(.DataW($bits({job_last, job_bucket_q, job_first_q, job_count_q}))) u_check_job (
+  pipegs_stream_check #(.DataW($bits({job_last, job_bucket_q, job_first_q, job_count_q}))) u_check_job (
     .clk_i, .rst_ni, .valid_i(job_valid_q), .ready_i(job_ready),
     .beat_i({job_last, job_bucket_q, job_first_q, job_count_q})
   );

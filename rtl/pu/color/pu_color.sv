@@ -132,7 +132,7 @@ module pu_color #(
   end else begin : gen_flat
     logic [1:0] count;
 
-    fifo #(.DataW(pipegs_pkg::ColorTaskBits), .Depth(2)) u_tasks (
+    pipegs_fifo #(.DataW(pipegs_pkg::ColorTaskBits), .Depth(2)) u_tasks (
       .clk_i,
       .rst_ni,
       .in_valid_i (job_valid_i),

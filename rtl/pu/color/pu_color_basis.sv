@@ -206,7 +206,7 @@ module pu_color_basis (
   wire unused_bits = &{1'b0, product0_q, product1_q, product2_q, product3_q, cross9, cross15};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(basis_o))) u_check_basis (
+  pipegs_stream_check #(.DataW($bits(basis_o))) u_check_basis (
     .clk_i, .rst_ni, .valid_i(basis_valid_o), .ready_i(basis_ready_i), .beat_i(basis_o)
   );
 `endif

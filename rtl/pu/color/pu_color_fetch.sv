@@ -96,7 +96,7 @@ module pu_color_fetch #(
   assign mem_address_o = mem_address_q;
   assign busy_o        = task_count != '0;
 
-  sram_fifo #(.DataW(pipegs_pkg::ColorTaskBits), .Depth(Depth)) u_tasks (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::ColorTaskBits), .Depth(Depth)) u_tasks (
     .clk_i,
     .rst_ni,
     .in_valid_i (take),
@@ -108,7 +108,7 @@ module pu_color_fetch #(
     .count_o    (task_count)
   );
 
-  sram_fifo #(.DataW(pipegs_pkg::ViewDirectionBits), .Depth(Depth)) u_directions (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::ViewDirectionBits), .Depth(Depth)) u_directions (
     .clk_i,
     .rst_ni,
     .in_valid_i (ask),
@@ -120,7 +120,7 @@ module pu_color_fetch #(
     .count_o    (direction_count)
   );
 
-  sram_fifo #(.DataW(pipegs_pkg::MemoryW), .Depth(Depth)) u_lines (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::MemoryW), .Depth(Depth)) u_lines (
     .clk_i,
     .rst_ni,
     .in_valid_i (rsp_valid_i),
@@ -139,7 +139,7 @@ module pu_color_fetch #(
     else $error("no room for a direction");
   always_ff @(posedge clk_i) if (rst_ni) assert (!rsp_valid_i || line_room)
     else $error("a line came that nobody waits for");
-  stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
+  pipegs_stream_check #(.DataW($bits(mem_address_o))) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
   );
 `endif

@@ -62,7 +62,7 @@ module pu_color_normalise (
     normal = world_i.length2 << {HalfW'(LengthW / 2 - 1) - half, 1'b0};
   end
 
-  rsqrt u_rsqrt (
+  pipegs_rsqrt u_rsqrt (
     .clk_i,
     .u_i(u_q),
     .r_o(root)
@@ -77,7 +77,7 @@ module pu_color_normalise (
     cut    = product_q >>> ((HalfW + 1)'(product_half_q) + (HalfW + 1)'(ShiftLow));
     near   = (cut >>> 1) + ProductW'($signed({1'b0, cut[0]}));
   end
-  saturate #(.InW(ProductW), .OutW(UnitW)) u_unit (.in_i(near), .out_o(unit_d));
+  pipegs_saturate #(.InW(ProductW), .OutW(UnitW)) u_unit (.in_i(near), .out_o(unit_d));
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -124,7 +124,7 @@ module pu_color_normalise (
   wire unused_bits = &{1'b0, normal[LengthW-InW-1:0]};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(unit_o))) u_check_unit (
+  pipegs_stream_check #(.DataW($bits(unit_o))) u_check_unit (
     .clk_i, .rst_ni, .valid_i(unit_valid_o), .ready_i(unit_ready_i), .beat_i(unit_o)
   );
 `endif

@@ -243,7 +243,7 @@ module pu_color_sum (
   wire unused_fields = &{1'b0, slot};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(colored_o))) u_check_colored (
+  pipegs_stream_check #(.DataW($bits(colored_o))) u_check_colored (
     .clk_i, .rst_ni, .valid_i(colored_valid_o), .ready_i(colored_ready_i), .beat_i(colored_o)
   );
 `endif

@@ -88,7 +88,9 @@ module pu_coeff (
   assign mean_p = conic_i.swap ? conic_i.mean_y : conic_i.mean_x;
   assign wide   = phase[0] ? WideW'(mean_q) : w_q;
 
-  bit_length #(.DataW(WideW - 1)) u_length (.in_i(wide[WideW-2:0] ^ {(WideW - 1){wide[WideW-1]}}), .length_o(length));
+  pipegs_bit_length #(.DataW(WideW - 1)) u_length (
+    .in_i(wide[WideW-2:0] ^ {(WideW - 1){wide[WideW-1]}}), .length_o(length)
+  );
   assign spare  = LengthW'(WideW - 1) - length;
   assign raised = NormalW'($signed(wide <<< spare) >>> (WideW - NormalW));
 

@@ -90,7 +90,7 @@ module pu_conic (
   assign recip_in_valid = fresh && data && (phase[0] || phase[1]);
   assign recip_in       = phase[0] ? larger_m : covariance_i.det_m;
 
-  recip #(.DataW(MantissaW)) u_recip (
+  pipegs_recip #(.DataW(MantissaW)) u_recip (
     .clk_i, .rst_ni,
     .in_valid_i(recip_in_valid), .in_i(recip_in),
     .out_valid_o(recip_valid), .out_o(recip)

@@ -52,7 +52,7 @@ module pu_extent #(
   assign budget = Budget > opacity_i ? Budget - opacity_i : '0;
   assign scaled = (OpacityW + MarginW)'(budget) * (OpacityW + MarginW)'(Margin);
 
-  bit_length #(.DataW(OpacityW)) u_length (.in_i(t_q), .length_o(t_length));
+  pipegs_bit_length #(.DataW(OpacityW)) u_length (.in_i(t_q), .length_o(t_length));
   assign lead = FloatEW'(OpacityW) - FloatEW'(t_length);
   assign t_o  = t_left_q;
   always_ff @(posedge clk_i) begin

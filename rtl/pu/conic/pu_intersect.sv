@@ -255,7 +255,7 @@ module pu_intersect (
   assign unused_walk = ^walk_q;
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(tiles_o))) u_check_tiles (
+  pipegs_stream_check #(.DataW($bits(tiles_o))) u_check_tiles (
     .clk_i, .rst_ni, .valid_i(tiles_valid_o), .ready_i(tiles_ready_i), .beat_i(tiles_o)
   );
 `endif

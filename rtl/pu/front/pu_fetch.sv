@@ -2,8 +2,8 @@
 // pu_fetch: reads the Gaussians of each chunk from external memory and lays the chunk's header beside each of them.
 //
 // Paper   Sec. 4.2, Fig. 7: the double buffer for Gaussian parameters before the PU.
-// Idea    A chunk's geometry is a run of lines. line_reader asks for the lines of the next chunks while the present one
-//         is sent, so the latency of the memory is hidden behind Lines lines of prefetch.
+// Idea    A chunk's geometry is a run of lines. pipegs_line_reader asks for the lines of the next chunks while the
+//         present one is sent, so the latency of the memory is hidden behind Lines lines of prefetch.
 // Stream  chunk: one beat per chunk, or an end beat. fetched: one beat per Gaussian, or the end beat in its turn.
 // Pace    One Gaussian per cycle while the memory delivers.
 // Model   None: a queue in verif/pu/pu_fetch_test.cpp.
@@ -37,7 +37,7 @@ module pu_fetch #(
   output logic                            idle_o             // holds no chunk
 );
 
-  // The header travels beside the job; slot and count are the job itself; pu keeps the watermark.
+  // The header travels beside the job; slot and count are the job itself; pipegs_pu keeps the watermark.
   localparam int unsigned HeaderW = pipegs_pkg::ChunkBits - pipegs_pkg::SlotW - pipegs_pkg::CountW - pipegs_pkg::MarkW;
 
   logic [HeaderW-1:0]                  header_in, header;
@@ -49,7 +49,7 @@ module pu_fetch #(
   assign header_in = {chunk_i.offset_exp, chunk_i.view_exp, chunk_i.origin_z, chunk_i.origin_y, chunk_i.origin_x,
                       chunk_i.window_y, chunk_i.window_x, chunk_i.kind};
 
-  line_reader #(
+  pipegs_line_reader #(
     .TagW(HeaderW), .ItemW(pipegs_pkg::GaussianRecordBits), .ItemsPerLine(pipegs_pkg::GaussiansPerLine), .Lines(Lines),
     .Jobs(pipegs_pkg::GeometryJobs)
   ) u_reader (

@@ -119,7 +119,7 @@ module pu_expand #(
   logic signed [MeanW-1:0]    mean_x, mean_y;
   logic [WindowW-1:0]         from_x, to_x, from_y, to_y;
 
-  sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
+  pipegs_sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
     .clk_i, .rst_ni, .in_valid_i(give && data), .in_ready_o(room),
     .in_i({conic_i.extent_x, conic_i.extent_y, conic_i.swap, conic_i.slope_m, conic_i.narrow_m, conic_i.narrow_e,
            conic_i.wide_m, conic_i.wide_e, conic_i.opacity,
@@ -152,8 +152,8 @@ module pu_expand #(
   assign busy_o          = box_q != BoxFind || count != '0 || walking_q || out_valid_q;
 
   logic signed [PlacedW-1:0] placed_x, placed_y;
-  saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_x (.in_i(x_q), .out_o(placed_x));
-  saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_y (.in_i(y_q), .out_o(placed_y));
+  pipegs_saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_x (.in_i(x_q), .out_o(placed_x));
+  pipegs_saturate #(.InW(MovedW), .OutW(PlacedW)) u_placed_y (.in_i(y_q), .out_o(placed_y));
   always_comb begin
     placed = '0;
     placed.kind = colored_i.kind;
@@ -213,10 +213,10 @@ module pu_expand #(
   assign unused_in = &{1'b0, colored_i};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(color_job_o))) u_check_color_job (
+  pipegs_stream_check #(.DataW($bits(color_job_o))) u_check_color_job (
     .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(color_job_o)
   );
-  stream_check #(.DataW($bits(placed_o))) u_check_placed (
+  pipegs_stream_check #(.DataW($bits(placed_o))) u_check_placed (
     .clk_i, .rst_ni, .valid_i(placed_valid_o), .ready_i(placed_ready_i), .beat_i(placed_o)
   );
 `endif

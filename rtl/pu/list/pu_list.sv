@@ -57,7 +57,7 @@ module pu_list #(
   logic [$clog2(Places+1)-1:0] payload_count;
   pipegs_pkg::payload_t        payload;
 
-  sram_fifo #(.DataW(pipegs_pkg::PayloadBits), .Depth(Places)) u_payload (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::PayloadBits), .Depth(Places)) u_payload (
     .clk_i, .rst_ni, .in_valid_i(payload_valid_i), .in_ready_o(payload_room), .in_i(payload_i),
     .out_valid_o(payload_held), .out_ready_i(payload_take), .out_o(payload), .count_o(payload_count)
   );

@@ -43,7 +43,7 @@ module pu_parts (
   logic [$clog2(Places+1)-1:0] payload_count;
   pipegs_pkg::payload_t        payload;
 
-  sram_fifo #(.DataW(pipegs_pkg::PayloadBits), .Depth(Places)) u_payload (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::PayloadBits), .Depth(Places)) u_payload (
     .clk_i, .rst_ni, .in_valid_i(payload_valid_i), .in_ready_o(payload_room), .in_i(payload_i),
     .out_valid_o(payload_held), .out_ready_i(payload_take), .out_o(payload), .count_o(payload_count)
   );
@@ -106,8 +106,8 @@ module pu_parts (
                    $signed((MeanW + 1)'({column_q, {(SideF + pipegs_pkg::MeanF){1'b0}}}));
   assign moved_y = (MeanW + 1)'(conic_i.mean_y) -
                    $signed((MeanW + 1)'({row_q, {(SideF + pipegs_pkg::MeanF){1'b0}}}));
-  saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_x (.in_i(moved_x), .out_o(placed_x));
-  saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_y (.in_i(moved_y), .out_o(placed_y));
+  pipegs_saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_x (.in_i(moved_x), .out_o(placed_x));
+  pipegs_saturate #(.InW(MeanW + 1), .OutW(PlacedW)) u_placed_y (.in_i(moved_y), .out_o(placed_y));
   always_comb begin
     placed = conic_i;
     if (data) begin
@@ -131,7 +131,7 @@ module pu_parts (
     else $error("more Gaussians than places for their payloads");
   always_ff @(posedge clk_i) if (rst_ni) assert (!start || payload_held)
     else $error("a payload is not there in time");
-  stream_check #(.DataW($bits(placed_o))) u_check_placed (
+  pipegs_stream_check #(.DataW($bits(placed_o))) u_check_placed (
     .clk_i, .rst_ni, .valid_i(placed_valid_o), .ready_i(placed_ready_i), .beat_i(placed_o)
   );
 `endif

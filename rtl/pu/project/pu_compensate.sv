@@ -69,8 +69,8 @@ module pu_compensate (
   logic [FallW-1:0]         fall, halves;
   logic [SumW-1:0]          sum;
 
-  log2 u_det   (.clk_i, .enable_i(in_valid_q), .m_i(in_q.det_m[MantissaW-1 -: SharpW]), .log2_o(log_det));
-  log2 u_sharp (.clk_i, .enable_i(in_valid_q), .m_i(in_q.sharp_m), .log2_o(log_sharp));
+  pipegs_log2 u_det   (.clk_i, .enable_i(in_valid_q), .m_i(in_q.det_m[MantissaW-1 -: SharpW]), .log2_o(log_det));
+  pipegs_log2 u_sharp (.clk_i, .enable_i(in_valid_q), .m_i(in_q.sharp_m), .log2_o(log_sharp));
 
   assign apart = $signed({ApartW'(in_q.det_e) - ApartW'(in_q.sharp_e)}) * $signed(ApartW'(1) << LogF) +
                  $signed({{(ApartW - LogF){1'b0}}, log_det}) - $signed({{(ApartW - LogF){1'b0}}, log_sharp});
@@ -94,7 +94,7 @@ module pu_compensate (
   wire unused_bits = &{1'b0, halves[0]};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(compensated_o))) u_check_compensated (
+  pipegs_stream_check #(.DataW($bits(compensated_o))) u_check_compensated (
     .clk_i, .rst_ni, .valid_i(compensated_valid_o), .ready_i(compensated_ready_i), .beat_i(compensated_o)
   );
 `endif

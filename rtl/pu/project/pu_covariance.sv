@@ -131,10 +131,10 @@ module pu_covariance (
   end
 
   logic signed [FloatEW-1:0] a_e, b_e, c_e, det_e;
-  saturate #(.InW(ExponentW), .OutW(FloatEW)) u_a_e (.in_i(a_e_q), .out_o(a_e));
-  saturate #(.InW(ExponentW), .OutW(FloatEW)) u_b_e (.in_i(b_e_q), .out_o(b_e));
-  saturate #(.InW(ExponentW), .OutW(FloatEW)) u_c_e (.in_i(c_e_q), .out_o(c_e));
-  saturate #(.InW(ExponentW), .OutW(FloatEW)) u_det_e (.in_i(sum_e), .out_o(det_e));
+  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_a_e (.in_i(a_e_q), .out_o(a_e));
+  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_b_e (.in_i(b_e_q), .out_o(b_e));
+  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_c_e (.in_i(c_e_q), .out_o(c_e));
+  pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_det_e (.in_i(sum_e), .out_o(det_e));
 
   always_ff @(posedge clk_i) begin
     if (take) in_q <= squares_i;
@@ -183,7 +183,7 @@ module pu_covariance (
     localparam int unsigned SharpW = pipegs_pkg::SharpW;
     logic        [SharpW-1:0]  sharp_m_q;
     logic signed [FloatEW-1:0] d0_e, sharp_e_q;
-    saturate #(.InW(ExponentW), .OutW(FloatEW)) u_d0_e (.in_i(d0_e_q), .out_o(d0_e));
+    pipegs_saturate #(.InW(ExponentW), .OutW(FloatEW)) u_d0_e (.in_i(d0_e_q), .out_o(d0_e));
     always_ff @(posedge clk_i) begin
       if (claim) begin
         sharp_m_q <= in_q.kind == pipegs_pkg::KindData ? d0_m_q[MantissaW-1 -: SharpW] : '0;

@@ -106,8 +106,8 @@ module pu_jacobian (
   logic        [ShiftW-1:0]    shift0, shift1;
   logic signed [FactorW-1:0]   m0, m1;
   logic signed [ExponentW-1:0] base, e0, e1, gain_e_q;
-  normalize #(.DataW(SumW)) u_normalize0 (.in_i(sum0_q), .out_o(normal0), .shift_o(shift0));
-  normalize #(.DataW(SumW)) u_normalize1 (.in_i(sum1_q), .out_o(normal1), .shift_o(shift1));
+  pipegs_normalize #(.DataW(SumW)) u_normalize0 (.in_i(sum0_q), .out_o(normal0), .shift_o(shift0));
+  pipegs_normalize #(.DataW(SumW)) u_normalize1 (.in_i(sum1_q), .out_o(normal1), .shift_o(shift1));
   assign m0 = normal0[SumW-1-:FactorW];
   assign m1 = normal1[SumW-1-:FactorW];
   assign base = last == 3'd7 ? gain_e_q : ExponentW'(Cut) - ExponentW'(RotationW - 2 + TanF);

@@ -114,7 +114,7 @@ module pu_orient (
   endfunction
 
   logic signed [RotationW-1:0] component;
-  saturate #(.InW(SumW), .OutW(RotationW)) u_component (.in_i(round(hamilton, QuatW - 1)), .out_o(component));
+  pipegs_saturate #(.InW(SumW), .OutW(RotationW)) u_component (.in_i(round(hamilton, QuatW - 1)), .out_o(component));
 
   // --- R': phase 5 gives the diagonal, 6 and 7 the pairs around it -------------------------------------------------
   localparam logic signed [SumW-1:0] One = SumW'(1) <<< (2 * RotationF);
@@ -132,7 +132,7 @@ module pu_orient (
     end
   end
   for (genvar i = 0; i < 4; i += 1) begin : gen_entry
-    saturate #(.InW(SumW), .OutW(RotationW)) u_entry (.in_i(round(twice[i], RotationF)), .out_o(entry[i]));
+    pipegs_saturate #(.InW(SumW), .OutW(RotationW)) u_entry (.in_i(round(twice[i], RotationF)), .out_o(entry[i]));
   end
 
   always_ff @(posedge clk_i) begin

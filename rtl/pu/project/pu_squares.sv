@@ -73,7 +73,7 @@ module pu_squares (
   logic signed [FactorW-1:0]   m_q;
   logic signed [ExponentW-1:0] less_q;
   assign ready = sum == 3'd3 || sum == 3'd6 ? sum0_q : spare_q;
-  normalize #(.DataW(SumW)) u_normalize (.in_i(ready), .out_o(normal), .shift_o(shift));
+  pipegs_normalize #(.DataW(SumW)) u_normalize (.in_i(ready), .out_o(normal), .shift_o(shift));
 
   logic signed [SumW-1:0] wide0, wide1;
   assign wide0 = SumW'(product0_q);

@@ -41,7 +41,7 @@ module pu_allocate #(
   input  logic                     layer_free_i,  // all RUs have finished the oldest layer
 
   output logic [CountW-1:0]        overflowed_o,  // lines sent to the overflow area in this cycle
-  output logic                     waiting_o,     // for the older layer (perf: blocked)
+  output logic                     waiting_o,     // for the older layer (pipegs_perf: blocked)
   output logic                     active_o       // needs a clock
 );
 
@@ -215,10 +215,10 @@ module pu_allocate #(
     assert (!(pipegs_pkg::Overflow == 0 && state_q == StateDecide) ||
             SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
     else $error("pu_allocate: the alphas of a layer do not fit, and Overflow is 0");
-  stream_check #(.DataW($bits(color_job_o)), .Proven(1)) u_check_color_job (
+  pipegs_stream_check #(.DataW($bits(color_job_o)), .Proven(1)) u_check_color_job (
     .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(color_job_o)
   );
-  stream_check #(.DataW($bits(row_job_o)), .Proven(1)) u_check_row_job (
+  pipegs_stream_check #(.DataW($bits(row_job_o)), .Proven(1)) u_check_row_job (
     .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i(row_job_o)
   );
 `endif

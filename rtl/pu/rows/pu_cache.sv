@@ -86,7 +86,7 @@ module pu_cache #(
     .overflowed_o, .waiting_o, .active_o(allocate_active)
   );
 
-  sram_fifo #(.DataW(pipegs_pkg::RowJobBits), .Depth(pipegs_pkg::RowJobs)) u_jobs (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::RowJobBits), .Depth(pipegs_pkg::RowJobs)) u_jobs (
     .clk_i, .rst_ni, .in_valid_i(row_job_valid), .in_ready_o(row_job_ready), .in_i(row_job),
     .out_valid_o(queued_valid), .out_ready_i(queued_ready), .out_o(queued), .count_o(job_count)
   );

@@ -2,8 +2,8 @@
 // pu_code: the alpha code of a pixel from its clamped power.
 //
 // Paper   Eq. 1 and Sec. 4.2.1; the cap at 0.99 is that of the reference renderer.
-// Idea    alpha = 2^power, opacity included. The whole part of the power is a shift, the fraction goes through exp2,
-//         behind which stands a register.
+// Idea    alpha = 2^power, opacity included. The whole part of the power is a shift, the fraction goes through
+//         pipegs_exp2, behind which stands a register.
 // Stream  exponent_i when enable_i; its code from the next cycle on. Rounded to nearest, 1 .. round(0.99 * 2^AlphaW),
 //         0 where the pixel is not visible.
 // Model   cpp_model/pu/rows/pu_alpha.hpp
@@ -26,7 +26,7 @@ module pu_code (
   logic [CodeW-1:0]              halves, rounded;
   logic [AlphaW-1:0]             capped;
 
-  exp2 u_exp2 (.fraction_i(exponent_i.fraction), .exponential_o(exponential));
+  pipegs_exp2 u_exp2 (.fraction_i(exponent_i.fraction), .exponential_o(exponential));
 
   always_ff @(posedge clk_i) begin
     if (enable_i) begin

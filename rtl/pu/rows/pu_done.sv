@@ -28,7 +28,7 @@ module pu_done #(
 );
 
   logic [WindowW-1:0] window_x, window_y;
-  window_walk u_walk (
+  pipegs_window_walk u_walk (
     .clk_i, .rst_ni, .first_x_i(windows_i.first_x), .first_y_i(windows_i.first_y), .last_x_i(windows_i.last_x),
     .start_i(restart_i), .advance_i, .x_o(window_x), .y_o(window_y), .next_x_o(), .next_y_o(), .row_ends_o()
   );

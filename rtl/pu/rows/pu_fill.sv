@@ -56,7 +56,7 @@ module pu_fill #(
     .splat_valid_o, .splat_ready_i, .splat_o, .window_o(number_o), .busy_o(lines_busy)
   );
 
-  sram_fifo #(.DataW(pipegs_pkg::RowJobBits), .Depth(JobDepth)) u_jobs (
+  pipegs_sram_fifo #(.DataW(pipegs_pkg::RowJobBits), .Depth(JobDepth)) u_jobs (
     .clk_i, .rst_ni, .in_valid_i(row_job_valid), .in_ready_o(row_job_ready), .in_i(row_job),
     .out_valid_o(queued_valid), .out_ready_i(queued_ready), .out_o(queued), .count_o(job_count)
   );

@@ -153,7 +153,7 @@ module pu_late #(
     assign splat_o       = sent;
   end
 
-  sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_coeffs (
+  pipegs_sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_coeffs (
     .clk_i, .rst_ni, .in_valid_i(leave && !drop), .in_ready_o(queued_room), .in_i(queued_in),
     .out_valid_o(queued_valid), .out_ready_i(splat_valid_o && splat_ready_i), .out_o(queued), .count_o(count)
   );
@@ -185,10 +185,10 @@ module pu_late #(
   assign unused_in = &{1'b0, shown, queued, count};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(splat_o))) u_check_splat (
+  pipegs_stream_check #(.DataW($bits(splat_o))) u_check_splat (
     .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i(splat_o)
   );
-  stream_check #(.DataW($bits(job))) u_check_job (
+  pipegs_stream_check #(.DataW($bits(job))) u_check_job (
     .clk_i, .rst_ni, .valid_i(job_valid), .ready_i(job_ready), .beat_i(job)
   );
 `endif

@@ -127,10 +127,10 @@ module pu_lines #(
   assign window_o = listed_q.window;
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(row_job_o))) u_check_row_job (
+  pipegs_stream_check #(.DataW($bits(row_job_o))) u_check_row_job (
     .clk_i, .rst_ni, .valid_i(row_job_valid_o), .ready_i(row_job_ready_i), .beat_i(row_job_o)
   );
-  stream_check #(.DataW($bits({splat_o, window_o}))) u_check_splat (
+  pipegs_stream_check #(.DataW($bits({splat_o, window_o}))) u_check_splat (
     .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i({splat_o, window_o})
   );
 `endif

@@ -139,7 +139,7 @@ module pu_rows (
   end
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits({alphas_o, line_o}))) u_check_alphas (
+  pipegs_stream_check #(.DataW($bits({alphas_o, line_o}))) u_check_alphas (
     .clk_i, .rst_ni, .valid_i(alphas_valid_o), .ready_i(alphas_ready_i), .beat_i({alphas_o, line_o})
   );
 `endif

@@ -138,10 +138,10 @@ module pu_spill #(
   assign unused_fields = &{1'b0, alphas_i};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits({mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
+  pipegs_stream_check #(.DataW($bits({mem_address_o, mem_data_o})), .Proven(1)) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
   );
-  stream_check #(.DataW($bits(rows_end_kind_o))) u_check_rows_end (
+  pipegs_stream_check #(.DataW($bits(rows_end_kind_o))) u_check_rows_end (
     .clk_i, .rst_ni, .valid_i(rows_end_valid_o), .ready_i(rows_end_ready_i), .beat_i(rows_end_kind_o)
   );
 `endif

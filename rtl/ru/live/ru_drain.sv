@@ -64,7 +64,9 @@ module ru_drain #(
 
   assign left  = held_q & ~chosen_q;
   assign first = left & wanted_i;
-  first_set #(.DataW(Slots)) u_next (.mask_i(first != '0 ? first : left), .one_hot_o(next), .number_o(next_slot));
+  pipegs_first_set #(.DataW(Slots)) u_next (
+    .mask_i(first != '0 ? first : left), .one_hot_o(next), .number_o(next_slot)
+  );
   assign job_o         = chosen_q != '0 && (quiet_q || room);
   assign job_address_o = AddrW'({slot_q, row_q});
   assign last          = job_o && row_q == 2'd3;
@@ -129,13 +131,13 @@ module ru_drain #(
     else flying_q <= {flying_q[1:0], job_o && !quiet_q && shown};
   end
   assign room = tags + {1'b0, flying_q[0]} != ($clog2(Depth + 1))'(Depth);
-  fifo #(.DataW(AddressW + 3), .Depth(Depth)) u_tags (
+  pipegs_fifo #(.DataW(AddressW + 3), .Depth(Depth)) u_tags (
     .clk_i, .rst_ni, .in_valid_i(flying_q[0]), .in_ready_o(tag_ready),
     .in_i({line_q + AddressW'(offset_q), half_q, wide_q, two_q}),
     .out_valid_o(tag_valid), .out_ready_i(pop), .out_o({place, place_half, mem_wide_o, place_two}), .count_o(tags)
   );
   ru_pixels u_pixels (.word_i, .raster_i, .lines_o(lines));
-  fifo #(.DataW(LinesW), .Depth(Depth)) u_words (
+  pipegs_fifo #(.DataW(LinesW), .Depth(Depth)) u_words (
     .clk_i, .rst_ni, .in_valid_i(flying_q[2]), .in_ready_o(word_ready), .in_i(lines),
     .out_valid_o(word_valid), .out_ready_i(pop), .out_o(word), .count_o(words)
   );
@@ -160,7 +162,7 @@ module ru_drain #(
     else $error("ru_drain: a word came for which there is no place");
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || ready_o)
     else $error("ru_drain: a window came before the last one was handed over");
-  stream_check #(.DataW($bits({mem_address_o, mem_data_o}))) u_check_mem (
+  pipegs_stream_check #(.DataW($bits({mem_address_o, mem_data_o}))) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i({mem_address_o, mem_data_o})
   );
 `endif

@@ -208,7 +208,7 @@ module ru_live #(
     );
     assign tap_word_o[g*BankW +: BankW] = wdata;
 
-    sram #(.DataW(BankW), .Depth(Words)) u_pixels (
+    pipegs_sram #(.DataW(BankW), .Depth(Words)) u_pixels (
       .clk_i, .write_i(write), .waddr_i(waddr), .wdata_i(wdata), .read_i(read), .raddr_i(raddr), .rdata_o(rdata)
     );
     assign banks[g*BankW +: BankW] = rdata;

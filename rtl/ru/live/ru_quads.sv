@@ -89,7 +89,7 @@ module ru_quads #(
   logic [AddrW-1:0]           address;
   logic                       conflict;
 
-  fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
+  pipegs_fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
     .clk_i, .rst_ni, .in_valid_i, .in_ready_o,
     .in_i({in_live_i, in_i, in_half_i, in_region_i, in_color_i, in_index_i}),
     .out_valid_o(half_valid), .out_ready_i(pop), .out_o({live, pair, half, region, color, index}), .count_o(count)

@@ -71,7 +71,7 @@ module ru_regions #(
   logic [IndexW-1:0]   index;
   logic [RegionW-1:0]  region;
 
-  first_set #(.DataW(MaskW)) u_lowest (.mask_i(free), .one_hot_o(lowest), .number_o(index));
+  pipegs_first_set #(.DataW(MaskW)) u_lowest (.mask_i(free), .one_hot_o(lowest), .number_o(index));
   if (pipegs_pkg::Parts > 1) begin : gen_part
     assign region    = {splat_q.part, index};
     assign part_open = open_i[splat_q.part*MaskW +: MaskW];
@@ -225,10 +225,10 @@ module ru_regions #(
   assign unused_in = &{1'b0, splat_q};
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits(end_kind_o))) u_check_end (
+  pipegs_stream_check #(.DataW($bits(end_kind_o))) u_check_end (
     .clk_i, .rst_ni, .valid_i(end_valid_o), .ready_i(end_ready_i), .beat_i(end_kind_o)
   );
-  stream_check #(.DataW($bits({region_o, color_o}))) u_check_region (
+  pipegs_stream_check #(.DataW($bits({region_o, color_o}))) u_check_region (
     .clk_i, .rst_ni, .valid_i(region_valid_o), .ready_i(region_ready_i), .beat_i({region_o, color_o})
   );
 `endif

@@ -57,7 +57,7 @@ module ru_window (
 
   assign windows_x = WindowW'((SideW'(width_i) + SideW'(pipegs_pkg::Window - 1)) >> Shift);
 
-  window_walk u_walk (
+  pipegs_window_walk u_walk (
     .clk_i, .rst_ni, .first_x_i, .first_y_i, .last_x_i, .start_i(restart_i), .advance_i,
     .x_o, .y_o, .next_x_o(x_d), .next_y_o(y_d), .row_ends_o(row_ends)
   );

@@ -132,14 +132,14 @@ module su_external #(
   assign active_o     = form_active || levels_active || ways_active || tree_active || lines_active;
 
 `ifndef SYNTHESIS
-  stream_check #(.DataW($bits({read_list_o, read_area_o, read_line_o, read_way_o}))) u_check_read (
+  pipegs_stream_check #(.DataW($bits({read_list_o, read_area_o, read_line_o, read_way_o}))) u_check_read (
     .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i),
     .beat_i({read_list_o, read_area_o, read_line_o, read_way_o})
   );
-  stream_check #(.DataW($bits(line_i))) u_check_runs (
+  pipegs_stream_check #(.DataW($bits(line_i))) u_check_runs (
     .clk_i, .rst_ni, .valid_i(forms && line_valid_i), .ready_i(form_ready), .beat_i(line_i)
   );
-  stream_check #(.DataW($bits(line_i))) u_check_ways (
+  pipegs_stream_check #(.DataW($bits(line_i))) u_check_ways (
     .clk_i, .rst_ni, .valid_i(!forms && line_valid_i), .ready_i(ways_ready), .beat_i(line_i)
   );
 `endif

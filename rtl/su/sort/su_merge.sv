@@ -110,7 +110,7 @@ module su_merge (
     always_ff @(posedge clk_i) if (rst_ni) assert (!(go && before_q && ends != '1) || key > key_q)
       else $error("su_merge: two splats of one depth, and IndexTies is 0");
   end
-  stream_check #(.DataW($bits(out_o))) u_check_out (
+  pipegs_stream_check #(.DataW($bits(out_o))) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i(out_o)
   );
 `endif

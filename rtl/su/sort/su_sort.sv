@@ -76,7 +76,7 @@ module su_sort #(
   assign moves_o = start || (end_go && batch_ready) || split_active || bitonic_active;
 
 `ifndef SYNTHESIS
-  stream_check u_check_batch (
+  pipegs_stream_check u_check_batch (
     .clk_i, .rst_ni, .valid_i(batch_valid || end_go), .ready_i(batch_ready), .beat_i(1'b0)
   );
 `endif

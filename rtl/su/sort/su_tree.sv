@@ -83,7 +83,7 @@ module su_tree #(
   assign item_key_o   = key_q;
   assign item_slot_o  = RecordW'({way_q, head_q});
 
-  sram #(.DataW(SlotW), .Depth(Ways)) u_left (
+  pipegs_sram #(.DataW(SlotW), .Depth(Ways)) u_left (
     .clk_i, .write_i(setup_i || take), .waddr_i(setup_i ? setup_way_i : way_q),
     .wdata_i(setup_i ? setup_keys_i : left - 1'b1), .read_i(state_q == Look), .raddr_i(way_q), .rdata_o(left)
   );
@@ -103,7 +103,7 @@ module su_tree #(
   assign done   = state_q == Compare && (!filled || node_q == WayW'(1));
   assign won    = done && filled;
 
-  sram #(.DataW(NodeW), .Depth(Ways)) u_nodes (
+  pipegs_sram #(.DataW(NodeW), .Depth(Ways)) u_nodes (
     .clk_i, .write_i(state_q == Compare && (!filled || swap)), .waddr_i(node_q), .wdata_i(rising),
     .read_i(leaves || state_q == Compare), .raddr_i(leaves ? leaf : node_q >> 1), .rdata_o(loser)
   );
@@ -159,7 +159,7 @@ module su_tree #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || (idle_o && levels_i != '0));
   always_ff @(posedge clk_i) if (rst_ni) assert (!(state_q == Look && item_valid_o) || !item_ready_i);
-  stream_check #(.DataW($bits({item_key_o, item_slot_o}))) u_check_item (
+  pipegs_stream_check #(.DataW($bits({item_key_o, item_slot_o}))) u_check_item (
     .clk_i, .rst_ni, .valid_i(item_valid_o), .ready_i(item_ready_i), .beat_i({item_key_o, item_slot_o})
   );
 `endif

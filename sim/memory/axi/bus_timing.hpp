@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // bus_timing.hpp: the AXI4 manager and the memory behind it as the core's port sees them, without contents.
 //
-// RTL     rtl/mem/axi_manager.sv: the fence, one register before each of AR, AW and W, the queue of writes that are not
-//         answered, one register behind R.
+// RTL     rtl/mem/pipegs_axi_manager.sv: the fence, one register before each of AR, AW and W, the queue of writes that
+//         are not answered, one register behind R.
 // Idea    A MemoryTiming like the others, so the timing model runs with or without a bus. What shows on the bus are
 //         registers only, so a cycle of the bus is played when it begins, and what the core offers counts in the next.
 // Units   Cycles of the machine's clock.
@@ -26,7 +26,7 @@ class BusTiming final : public MemoryTiming {
   const Dram* dram() const override { return axi_.dram(); }
 
  private:
-  // rtl/buf/sram_fifo.sv: a word is seen two cycles after it came.
+  // rtl/buf/pipegs_sram_fifo.sv: a word is seen two cycles after it came.
   struct Queue {
     int stored = 0;  // in the memory and not fetched
     bool valid = false;

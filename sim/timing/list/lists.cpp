@@ -26,7 +26,7 @@ void Lists::step(Machine& m, Cycle now) {
   if (moved_) m.wheel.wake(unit(kLists), now + 1);
 }
 
-// --- list_write ------------------------------------------------------------------------------------------------------
+// --- pipegs_list_write -----------------------------------------------------------------------------------------------
 
 void Lists::write(Machine& m, Cycle now, bool granted) {
   const bool clearing = now <= static_cast<Cycle>(windows_);  // the counts, one per cycle from the first on
@@ -70,7 +70,7 @@ void Lists::write(Machine& m, Cycle now, bool granted) {
   if (clearing) m.wheel.wake(unit(kLists), static_cast<Cycle>(windows_) + 1);
 }
 
-// --- list_read -------------------------------------------------------------------------------------------------------
+// --- pipegs_list_read ------------------------------------------------------------------------------------------------
 
 void Lists::taken(Machine& m, int lane) {
   taken_ |= uint32_t{1} << lane;

@@ -2,7 +2,7 @@
 // lists.hpp: the lists of the windows in the timing model: written while the frame is preprocessed, then read window
 // by window.
 //
-// RTL     rtl/list/list_write.sv, list_read.sv, lists.sv.
+// RTL     rtl/list/pipegs_list_write.sv, pipegs_list_read.sv, pipegs_lists.sv.
 // Idea    A record costs a line of memory on its way in and on its way out. What stands in a list is kept here.
 #pragma once
 
@@ -39,14 +39,14 @@ class Lists {
   const int log_;  // a list has 2^this lines
   bool moved_ = false;
 
-  // list_write
+  // pipegs_list_write
   std::vector<std::vector<Splat>> lists_;
   uint32_t ended_ = 0;
   int source_last_ = 0, source_shown_ = 0;
   bool source_locked_ = false, held_valid_ = false, out_valid_ = false, written_ = false;
   Splat held_;
 
-  // list_read
+  // pipegs_list_read
   Read state_ = kIdle;
   size_t number_ = 0;
   LineReader<Tag, Config::list_jobs()> reader_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu.hpp: a Preprocessing Unit in the timing model.
 //
-// RTL     rtl/pu/pu.sv: fetch, cull | (deal.hpp) | project .. coeff, intersect, then pu_cache or pu_late.
+// RTL     rtl/pu/pipegs_pu.sv: fetch, cull | (deal.hpp) | project .. coeff, intersect, then pu_cache or pu_late.
 // Idea    A stage acts when it takes a record and when it gives one; its phases in between are arithmetic.
 #pragma once
 

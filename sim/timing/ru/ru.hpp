@@ -2,7 +2,7 @@
 // ru.hpp: a Rasterization Unit in the timing model, and the alpha stores.
 //
 // RTL     rtl/ru/: ru_walk, ru_fetch or ru_rows, ru_lanes ru_resolve (with quads ru_live, ru_drain), ru_memory;
-//         rtl/buf/alpha_store.sv, rtl/layer_free.sv.
+//         rtl/buf/pipegs_alpha_store.sv, rtl/pipegs_layer_free.sv.
 // Idea    A line of alphas keeps the lanes for four cycles; the trace says with which line a region becomes opaque.
 //         What a unit reports to others (done regions, finished windows and layers) is kept back until publish() of the
 //         cycle in which they see it.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // su.hpp: a Sorting Unit in the timing model.
 //
-// RTL     rtl/su/: su_collect, slot_pool, su_buckets, su_split, su_bitonic, su_emit; su_spill, su_external, su_port.
+// RTL     rtl/su/: su_collect, pipegs_slot_pool, su_buckets, su_split, su_bitonic, su_emit; su_spill, su_external,
+//         su_port.
 // Idea    The splitter's passes depend on the keys alone, so su_groups() plays them when a chain begins: after how many
 //         cycles which group goes to the sorter, and when the links are written. All else are registers, played cycle
 //         by cycle while something moves: first what every part says in this cycle, then what it becomes.
@@ -187,11 +188,11 @@ class Su {
   const bool marks_cut_;  // a layer's end is a watermark (order 2)
   const bool lists_;
 
-  FallQueue<Arrived, 2> in_;  // rtl/lib/skid.sv
+  FallQueue<Arrived, 2> in_;  // rtl/lib/pipegs_skid.sv
   bool ready_ = true;         // as the cycle began in which it was stepped last
   Cycle ready_at_ = kLongAgo;
 
-  // slot_pool, and what lies in them
+  // pipegs_slot_pool, and what lies in them
   std::vector<Sorted> pool_;
   std::vector<uint32_t> next_slot_, free_slots_;
   int fresh_ = 0, used_ = 0, back_ = 0;  // back_: slots that came back

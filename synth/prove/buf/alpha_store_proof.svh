@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/buf/alpha_store.sv in its proof: every reader gets what was written, once, one cycle after it was
-// taken.
+// The end of rtl/buf/pipegs_alpha_store.sv in its proof: every reader gets what was written, once, one cycle after it
+// was taken.
 //
 // Idea    Scoreboard of one line: the word of the SRAM that proof_memory watches is any word, the reader is any reader.
 // Rule    At most one reader is taken, always one if any asks; the answer goes to the reader taken in the cycle before

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/buf/memory_arbiter.sv in its proof: each request leaves once, unchanged, in the order of the grants.
+// The end of rtl/buf/pipegs_memory_arbiter.sv in its proof: each request leaves once, unchanged, in the order of the
+// grants.
 //
 // Idea    The request taken last and whether the memory still owes its acceptance are the whole state: one beat fits
 //         inside.

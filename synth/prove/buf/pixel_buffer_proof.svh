@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/buf/pixel_buffer.sv in its proofs: two halves that change roles, each side sees its own.
+// The end of rtl/buf/pipegs_pixel_buffer.sv in its proofs: two halves that change roles, each side sees its own.
 //
 // Idea    Scoreboard of one word, any word, of which both sides have one: what the blender wrote to its own since the
 //         last swap, and what it had written to the other one before. A swap hands the first over and makes a fresh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/buf/slot_pool.sv in its proof: a slot is handed out again only after it came back.
+// The end of rtl/buf/pipegs_slot_pool.sv in its proof: a slot is handed out again only after it came back.
 //
 // Idea    Any one slot, of the solver's choice, is followed: never used, in use, or waiting in the queue.
 // Rule    A slot in use is not handed out; used_o tells the number of slots in use; the queue takes every slot back;

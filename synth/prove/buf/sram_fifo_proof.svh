@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/buf/sram_fifo.sv in its proofs: a queue of Depth words in an SRAM, visible two cycles later.
+// The end of rtl/buf/pipegs_sram_fifo.sv in its proofs: a queue of Depth words in an SRAM, visible two cycles later.
 //
 // Rule    proof_stream; ready exactly while fewer than Depth words are held, count_o is their number; a word that is
 //         held shows in this cycle or the next.

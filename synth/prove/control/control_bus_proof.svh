@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/control/control_bus.sv in its proof: AXI4-Lite outside, one strobe for each request inside.
+// The end of rtl/control/pipegs_control_bus.sv in its proof: AXI4-Lite outside, one strobe for each request inside.
 //
 // Rule    proof_axi_lite. A write strobe has the address and data of the oldest write, is one for each, and its error
 //         is the answer; likewise for a read with its data. An answer comes within two cycles.

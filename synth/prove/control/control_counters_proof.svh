@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/control/control_counters.sv in its proof: both words of a counter are of one moment.
+// The end of rtl/control/pipegs_control_counters.sv in its proof: both words of a counter are of one moment.
 //
 // Rule    The low word of any counter of the table is its own; the high word is that which the counter had when its low
 //         word was read, if no other low word was read since. What is not hit, or not there, reads 0.

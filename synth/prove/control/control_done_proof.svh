@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/control/control_done.sv in its proof: each frame is told once, behind the answers to its writes.
+// The end of rtl/control/pipegs_control_done.sv in its proof: each frame is told once, behind the answers to its
+// writes.
 //
 // Rule    A frame of the solver's choice is not told before all writes that were unanswered at its end are answered.
 //         The frames told and those that wait are those that ended since the last give-up: none is lost, none is told

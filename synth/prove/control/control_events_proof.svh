@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/control/control_events.sv in its proof: no event is lost, and the first address stays.
+// The end of rtl/control/pipegs_control_events.sv in its proof: no event is lost, and the first address stays.
 //
 // Rule    A bit is set by its event, whatever is cleared with it, and falls only where a 1 was written. While an error
 //         with an address is held, the address and cause shown are those of the first, of several in one cycle of the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/control/control_registers.sv in its proof: what the bus may do to the core, and what it is told.
+// The end of rtl/control/pipegs_control_registers.sv in its proof: what the bus may do to the core, and what it is
+// told.
 //
 // Rule    A frame is shown only after a start was written, stays until it is taken or an abort comes, and is not shown
 //         with an abort. A write to a slot while a frame is shown is refused; a refused write changes nothing; what is

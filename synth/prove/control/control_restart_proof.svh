@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/control/control_restart.sv in its proof: what a reset of the core alone promises.
+// The end of rtl/control/pipegs_control_restart.sv in its proof: what a reset of the core alone promises.
 //
 // Rule    A give-up while the core runs resets it in the next cycle. The reset ends only behind a turn of the epoch, or
 //         behind a reset of the machine. The epoch turns only in the cycle behind one in which drained_i was up, and

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/control/control_shadow.sv in its proof: the queued frame stays until it is taken or dropped.
+// The end of rtl/control/pipegs_control_shadow.sv in its proof: the queued frame stays until it is taken or dropped.
 //
 // Rule    What is shown as a frame is constant until it is taken or dropped, and it is shown exactly from a start until
-//         then. What is not hit reads 0. What a slot does with a write is the proof of control_slot.
+//         then. What is not hit reads 0. What a slot does with a write is the proof of pipegs_control_slot.
 
 logic [Bits-1:0] was_q;
 logic            was_queued_q, was_taken_q, was_start_q, was_drop_q, was_write_q, past_q;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/control/control_slot.sv in its proof: any bit of it reads as it was written.
+// The end of rtl/control/pipegs_control_slot.sv in its proof: any bit of it reads as it was written.
 //
 // Rule    A bit of the value becomes the bit that is written at its place, else it stays; it is read there. Above it
 //         reads the sign or 0, below 0, and beside the slot 0.

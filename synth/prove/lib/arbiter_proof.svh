@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/lib/arbiter.sv in its proof: one grant at most, to a request; a shown grant stays; and fairness.
+// The end of rtl/lib/pipegs_arbiter.sv in its proof: one grant at most, to a request; a shown grant stays; and
+// fairness.
 //
 // Rule    While port `who` asks, no other port is granted (and uses it) twice, so at most Ports - 1 others go first.
 //         Both ports are the solver's choice. A request may also be withdrawn; a shown grant stays while it is not.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/lib/fifo.sv in its proof: a queue of Depth words, visible in the next cycle.
+// The end of rtl/lib/pipegs_fifo.sv in its proof: a queue of Depth words, visible in the next cycle.
 //
 // Rule    proof_stream; ready exactly while a place is free, valid exactly while a word is held, count_o is their
 //         number.

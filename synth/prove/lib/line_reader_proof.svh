@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/lib/line_reader.sv in its proof: no line without its place, and both ports keep the stream contract.
+// The end of rtl/lib/pipegs_line_reader.sv in its proof: no line without its place, and both ports keep the stream
+// contract.
 //
 // Rule    Lines are asked for only when their places in the buffer are kept free, so an answer is never refused; they
 //         lie in one aligned group, and belong to the job; address and number of lines stay until the memory takes

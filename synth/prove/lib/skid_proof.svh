@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/lib/skid.sv in its proof: a queue of two that is never refused while a place is free.
+// The end of rtl/lib/pipegs_skid.sv in its proof: a queue of two that is never refused while a place is free.
 //
 // Rule    proof_stream; ready exactly while fewer than two beats are inside, valid exactly while one is.
 // Invariant  The beat ahead is in out_q, the other one in spare_q.

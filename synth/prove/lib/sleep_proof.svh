@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/lib/sleep.sv in its proof: asleep after Patience quiet cycles, awake with the first event.
+// The end of rtl/lib/pipegs_sleep.sv in its proof: asleep after Patience quiet cycles, awake with the first event.
 //
 // Rule    The counter stops at Patience; asleep only if nothing happened in the last Patience cycles nor in this one.
 

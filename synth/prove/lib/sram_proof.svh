@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/lib/sram.sv in its proof: the rule of proof_memory holds.
+// The end of rtl/lib/pipegs_sram.sv in its proof: the rule of proof_memory holds.
 //
 // Invariant  Once the remembered word is written, the memory holds its bit.
 

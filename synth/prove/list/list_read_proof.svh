@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/list/list_read.sv in its proof: every window's list is read once, and each record goes to one SU, an
-// end to all.
+// The end of rtl/list/pipegs_list_read.sv in its proof: every window's list is read once, and each record goes to one
+// SU, an end to all.
 //
-// Idea    line_reader shows what it likes (free_line_reader); any one SU is watched.
+// Idea    pipegs_line_reader shows what it likes (free_line_reader); any one SU is watched.
 // Rule    The windows are counted from 0 to the frame's last, and no count leaves that range; a record goes to one SU,
 //         an end to every one; nobody sees a record twice, and what is shown stays until taken.
 // Assumes A frame has at least one window and at most 2^ListWindowW; it starts when nothing is inside.

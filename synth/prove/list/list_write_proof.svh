@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/list/list_write.sv in its proof: the records of a window lie one behind another, none over another.
+// The end of rtl/list/pipegs_list_write.sv in its proof: the records of a window lie one behind another, none over
+// another.
 //
 // Idea    Any one window, of the solver's choice, is followed: the records taken of it are counted beside the module.
 //         The SRAM of the counts stands outside: of the window's count it is assumed that a read shows what was written

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/mem/axi_fence.sv in its proof: no read leaves before the writes that it must see are answered.
+// The end of rtl/mem/pipegs_axi_fence.sv in its proof: no read leaves before the writes that it must see are answered.
 //
 // Rule    Of the read that the queue remembers the writes are counted that were unanswered when it was accepted; it
 //         leaves when all of these are answered, unchanged. A read that passes must see none, or none is unanswered and

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/mem/axi_gather.sv in its proof: every bit of a line stands where its beat and its place in it say.
+// The end of rtl/mem/pipegs_axi_gather.sv in its proof: every bit of a line stands where its beat and its place in it
+// say.
 //
 // Rule    Of the beats of one tag and one bit of a line, both of the solver's choice, that bit is remembered when its
 //         beat comes; in the cycle after the last beat of the line the line shows, with the tag and the bit. No line

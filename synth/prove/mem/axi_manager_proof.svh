@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/mem/axi_manager.sv in its proof: the rules of AXI4 on all channels, and what is out.
+// The end of rtl/mem/pipegs_axi_manager.sv in its proof: the rules of AXI4 on all channels, and what is out.
 //
 // Rule    axi_check. pending_o is up while anything is out. What `axi_fence` assumes: it sees the number of writes that
 //         were accepted and not answered, no write is accepted in the cycle of a read, and a read of a tag that may

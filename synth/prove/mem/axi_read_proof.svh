@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/mem/axi_read.sv in its proof: AXI4 on AR and R, and what is known of reads that are out.
+// The end of rtl/mem/pipegs_axi_read.sv in its proof: AXI4 on AR and R, and what is known of reads that are out.
 //
 // Rule    axi_check. AR shows the read taken last: its ID, all beats of its lines, its address computed here without
 //         cutting the page off. reads_q counts the reads accepted and not answered, at most Reads; drained_o is up

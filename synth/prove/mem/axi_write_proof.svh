@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/mem/axi_write.sv in its proof: AXI4 on AW, W and B, and every bit of a line in its place.
+// The end of rtl/mem/pipegs_axi_write.sv in its proof: AXI4 on AW, W and B, and every bit of a line in its place.
 //
 // Rule    axi_check. The address is that of the line taken last, computed here without cutting the page off; of the
 //         line one bit of the solver's choice is remembered, and stands in the beat and at the place where it belongs,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_check: the rules of AXI4 between axi_manager and a subordinate, in immediate assertions, for tests and proofs.
+// axi_check: the rules of AXI4 between pipegs_axi_manager and a subordinate, in immediate assertions, for tests and
+// proofs.
 //
 // Rule    Manager: nothing valid in reset; what is shown stays until taken; bursts of INCR in beats of the bus,
 //         aligned, of one to eight whole lines within 4 KB; writes of one line with ID 0, all strobes set, WLAST at the

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// free_line_reader: stands for rtl/lib/line_reader.sv in proofs of its users: any item at any time.
+// free_line_reader: stands for rtl/lib/pipegs_line_reader.sv in proofs of its users: any item at any time.
 //
 // Idea    Of the real one the proof `line_reader` says: what is shown stays until taken, at both ports; idle says
 //         whether a job is inside. Nothing else is known here, so jobs are taken and items shown as the solver likes.
 
-module line_reader #(
+module pipegs_line_reader #(
   parameter int unsigned TagW = 8,
   parameter int unsigned ItemW = 256,
   parameter int unsigned ItemsPerLine = 2,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// free_queue: stands for rtl/buf/sram_fifo.sv in proofs of its users that need to know a word and its place.
+// free_queue: stands for rtl/buf/pipegs_sram_fifo.sv in proofs of its users that need to know a word and its place.
 //
 // Idea    Of the real one the proof `sram_fifo` says: as many words inside as came and did not leave, at most Depth;
 //         ready exactly while there is room; a word leaves behind exactly those that were ahead of it, unchanged; what
 //         is shown stays until taken. One word of the solver's choice is remembered, with the words ahead of it; its
 //         user sees it by (* hierconn *) wires. Other words show as anything.
 
-module sram_fifo #(
+module pipegs_sram_fifo #(
   parameter int unsigned DataW = 8,
   parameter int unsigned Depth = 4,
   localparam int unsigned CountW = $clog2(Depth + 1)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// free_sram: stands for rtl/lib/sram.sv in proofs of its users: any output that the rule of proof_memory allows.
+// free_sram: stands for rtl/lib/pipegs_sram.sv in proofs of its users: any output that the rule of proof_memory allows.
 //
 // Idea    Nothing is stored but what proof_memory remembers, so a proof costs the same for any size. All that a real
 //         SRAM does is allowed here (proof `sram`), so what holds with this module holds with that one.
 
-module sram #(
+module pipegs_sram #(
   parameter int unsigned DataW = 32,
   parameter int unsigned Depth = 64,
   localparam int unsigned AddrW = Depth > 1 ? $clog2(Depth) : 1

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// free_sram_fifo: stands for rtl/buf/sram_fifo.sv in proofs of its users: any words that a queue may show.
+// free_sram_fifo: stands for rtl/buf/pipegs_sram_fifo.sv in proofs of its users: any words that a queue may show.
 //
 // Idea    Of the real one the proof `sram_fifo` says: as many words inside as came and did not leave, at most Depth;
 //         ready exactly while there is room; what is shown came before and stays until taken. Of the words inside only
 //         those are counted that have one value, of the solver's choice; their order is left out.
 
-module sram_fifo #(
+module pipegs_sram_fifo #(
   parameter int unsigned DataW = 8,
   parameter int unsigned Depth = 4,
   localparam int unsigned CountW = $clog2(Depth + 1)

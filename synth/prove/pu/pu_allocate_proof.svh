@@ -5,8 +5,8 @@
 //         free.
 // Rule    At most two layers live, and no beat of a third comes in; the lines of both fit into the ring; a line that
 //         lives is not given to another beat; both outputs keep what they show.
-// Assumes Of layer_free (its proof): a layer is freed only while one lives. Of scheduler: a frame begins in an empty
-//         PU, when no layer lives.
+// Assumes Of pipegs_layer_free (its proof): a layer is freed only while one lives. Of scheduler: a frame begins in an
+//         empty PU, when no layer lives.
 // Invariant  A line that lives lies behind the head, nearer than all lines of its layer and of the layer after it.
 // Not said  overflow_q counts the lines of a layer in memory: that an area has room for them depends on the scene, see
 //           the module's own assertion.

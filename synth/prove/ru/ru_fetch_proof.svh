@@ -3,8 +3,8 @@
 //
 // Rule    Lines from the memory in flight or waiting are at most FetchLines, local ones at most LocalLines; no queue
 //         refuses a line; a record shown stays, with its line.
-// Assumes The memory answers what was asked for, alpha_store in the next cycle (its proof); ru_walk holds what it shows
-//         (its proof).
+// Assumes The memory answers what was asked for, pipegs_alpha_store in the next cycle (its proof); ru_walk holds what
+//         it shows (its proof).
 // Invariant  An external line is asked for and not answered, or in its queue; of a line in two parts the first is asked
 //         for and answered first.
 

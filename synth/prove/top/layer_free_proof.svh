@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/layer_free.sv in its proof: a layer is freed once, when every RU has finished it.
+// The end of rtl/pipegs_layer_free.sv in its proof: a layer is freed once, when every RU has finished it.
 //
 // Rule    No counter leaves 0 to 2; a layer is freed only while one lives; each RU has finished it.
 // Assumes Of pu_allocate (its proof): at most two layers have ended and are not free. Of the RUs: none finishes a layer

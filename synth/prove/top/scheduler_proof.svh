@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The end of rtl/scheduler.sv in its proof: no frame is lost, none begins in the back before the one before it has
-// ended, and it ends when every RU has completed all its windows, and not before.
+// The end of rtl/pipegs_scheduler.sv in its proof: no frame is lost, none begins in the back before the one before it
+// has ended, and it ends when every RU has completed all its windows, and not before.
 //
 // Idea    Windows that went into the back and windows completed are counted beside the module, the latter for any RU.
 // Rule    No count of windows left goes below zero or above the frame's windows; no splat goes into the back unless it

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// dopu_nearest_test: rtl/dopu/dopu.sv whole with order = 2, on random packed scenes: every chunk of every window once,
-// and every watermark right, against cpp_model/dopu/nearest/dopu_nearest.hpp.
+// dopu_nearest_test: rtl/dopu/pipegs_dopu.sv whole with order = 2, on random packed scenes: every chunk of every window
+// once, and every watermark right, against cpp_model/dopu/nearest/dopu_nearest.hpp.
 #include <cstdlib>
 #include <map>
 
@@ -147,7 +147,7 @@ struct Checker {
 };
 
 void compare(const char* what, Pace pace, Pace memory_pace, const ExternalMemoryOptions& options) {
-  Bench<Vdopu> bench;
+  Bench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);
@@ -193,7 +193,7 @@ TEST(DopuNearest, SendsEveryChunkOnceByCoin) {
 
 // PUs that take a chunk every few hundred cycles: the queue fills up, two windows stand in it.
 TEST(DopuNearest, SendsEveryChunkOnceToSlowUnits) {
-  Bench<Vdopu> bench;
+  Bench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);
@@ -217,7 +217,7 @@ TEST(DopuNearest, SendsEveryChunkOnceToSlowUnits) {
 
 // The RUs report windows done at any moment: what is still sent is right, watermarks too, and every end comes.
 TEST(DopuNearest, SkipsTheRestOfAWindowThatIsDone) {
-  Bench<Vdopu> bench;
+  Bench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);
@@ -260,7 +260,7 @@ TEST(DopuNearest, SkipsTheRestOfAWindowThatIsDone) {
 
 // Without a clock whenever active_o is low, with units that take a chunk every few hundred cycles: the same frame.
 TEST(DopuNearest, NeedsNoClockWhenItSaysSo) {
-  GatedBench<Vdopu> bench;
+  GatedBench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);
@@ -289,7 +289,7 @@ TEST(DopuNearest, NeedsNoClockWhenItSaysSo) {
 // behind it, as far as windows are alike. PIPEGS_LATENCY=cycles: of the memory. PIPEGS_SCENE=file.ply
 // PIPEGS_CAMERAS=cameras.json: that scene's first view instead of a random cloud.
 TEST(DopuNearest, KeepsItsTestsBusy) {
-  Bench<Vdopu> bench;
+  Bench<Vpipegs_dopu> bench;
   const Config config = test_config();
   bench.dut.start_i = 0;
   no_feedback(bench);

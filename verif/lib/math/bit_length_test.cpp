@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// bit_length_test: rtl/lib/math/bit_length.sv against std::bit_width.
+// bit_length_test: rtl/lib/math/pipegs_bit_length.sv against std::bit_width.
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <random>
 
-#include "Vbit_length.h"
+#include "Vpipegs_bit_length.h"
 
 namespace pipegs {
 namespace {
 
 TEST(BitLength, CountsTheBitsUpToTheHighest) {
   std::mt19937 rng(1);
-  Vbit_length dut;
+  Vpipegs_bit_length dut;
   for (int i = 0; i < 20000; ++i) {
     const auto in = i == 0 ? 0u : static_cast<uint32_t>(rng()) >> rng() % 32;
     dut.in_i = in;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// exp2_test: rtl/lib/math/exp2.sv against its bit-accurate model for every fraction, and the model against
+// exp2_test: rtl/lib/math/pipegs_exp2.sv against its bit-accurate model for every fraction, and the model against
 // double.
 #include "cpp_model/lib/math/exp2.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
-#include "Vexp2.h"
+#include "Vpipegs_exp2.h"
 
 namespace pipegs {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 TEST(Exp2, EqualsItsModelForEveryFraction) {
   const Config config = test_config();
   const Exp2 model(config);
-  Vexp2 dut;
+  Vpipegs_exp2 dut;
   for (uint32_t fraction = 0; fraction < (uint32_t{1} << config.exp_f()); ++fraction) {
     dut.fraction_i = fraction;
     dut.eval();

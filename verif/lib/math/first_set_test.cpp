@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// first_set_test: rtl/lib/math/first_set.sv against std::countr_zero.
+// first_set_test: rtl/lib/math/pipegs_first_set.sv against std::countr_zero.
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <random>
 
-#include "Vfirst_set.h"
+#include "Vpipegs_first_set.h"
 
 namespace pipegs {
 namespace {
 
 TEST(FirstSet, FindsTheLowestBit) {
   std::mt19937_64 rng(1);
-  Vfirst_set dut;
+  Vpipegs_first_set dut;
   for (int i = 0; i < 20000; ++i) {
     const uint64_t mask = i == 0 ? 0 : rng() & (i % 2 ? rng() << rng() % 64 : ~uint64_t{0});
     dut.mask_i = mask;

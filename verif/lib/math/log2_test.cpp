@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// log2_test: rtl/lib/math/log2.sv against its bit-accurate model for every input, and the model against double
+// log2_test: rtl/lib/math/pipegs_log2.sv against its bit-accurate model for every input, and the model against double
 // precision.
 #include "cpp_model/lib/math/log2.hpp"
 
@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-#include "Vlog2.h"
+#include "Vpipegs_log2.h"
 
 namespace pipegs {
 namespace {
@@ -29,7 +29,7 @@ TEST(Log2, ModelIsWithinItsStatedErrorForEveryInput) {
 TEST(Log2, EqualsItsModelForEveryInputTwoCyclesLaterAndStandsStillWhenItIsNotEnabled) {
   VerilatedContext context;
   context.randReset(2);
-  Vlog2 dut(&context);
+  Vpipegs_log2 dut(&context);
   const auto step = [&](uint64_t m, bool enable) {
     dut.clk_i = 0;
     dut.m_i = static_cast<uint32_t>(m & (kHigh - 1));

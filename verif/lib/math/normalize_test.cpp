@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// normalize_test: rtl/lib/math/normalize.sv against its bit-accurate model, and the model against its
+// normalize_test: rtl/lib/math/pipegs_normalize.sv against its bit-accurate model, and the model against its
 // definition.
 #include "cpp_model/lib/math/normalize.hpp"
 
-#include "Vnormalize.h"
+#include "Vpipegs_normalize.h"
 #include "verif/support/bench.hpp"
 
 namespace pipegs {
@@ -36,7 +36,7 @@ TEST(Normalize, ModelShiftsUntilTheTwoTopBitsDiffer) {
 
 TEST(Normalize, EqualsItsModel) {
   VerilatedContext context;
-  Vnormalize dut(&context);
+  Vpipegs_normalize dut(&context);
   std::mt19937_64 rng(test_seed());
   for (int i = 0; i < 100000; ++i) {
     const int64_t x = i == 0 ? 0 : i == 1 ? -1 : i == 2 ? -kHigh : i == 3 ? kHigh - 1 : random_value(rng);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// recip_test: rtl/lib/math/recip.sv against its bit-accurate model, and the model against double precision.
+// recip_test: rtl/lib/math/pipegs_recip.sv against its bit-accurate model, and the model against double precision.
 #include "cpp_model/lib/math/recip.hpp"
 
 #include <cmath>
 
-#include "Vrecip.h"
+#include "Vpipegs_recip.h"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 
@@ -36,7 +36,7 @@ TEST(Recip, ModelIsWithinOneUnitOfDoubleAndNormalised) {
 
 TEST(Recip, EqualsItsModelOneResultPerCycleFourCyclesLater) {
   const int width = test_config().mantissa_w;
-  Bench<Vrecip> bench;
+  Bench<Vpipegs_recip> bench;
   bench.dut.in_valid_i = 0;
   bench.reset();
   std::deque<std::pair<bool, uint64_t>> expected(4, {false, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rsqrt_test: rtl/lib/math/rsqrt.sv against its bit-accurate model for every input, and the model against
+// rsqrt_test: rtl/lib/math/pipegs_rsqrt.sv against its bit-accurate model for every input, and the model against
 // double precision.
 #include "cpp_model/lib/math/rsqrt.hpp"
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "Vrsqrt.h"
+#include "Vpipegs_rsqrt.h"
 
 namespace pipegs {
 namespace {
@@ -30,7 +30,7 @@ TEST(Rsqrt, ModelIsWithinItsStatedErrorForEveryInput) {
 TEST(Rsqrt, EqualsItsModelForEveryInputOneResultPerCycleTwoCyclesLater) {
   VerilatedContext context;
   context.randReset(2);
-  Vrsqrt dut(&context);
+  Vpipegs_rsqrt dut(&context);
   for (int64_t u = kLow; u <= kHigh; ++u) {
     dut.clk_i = 0;
     dut.u_i = static_cast<uint32_t>(u & (kHigh - 1));

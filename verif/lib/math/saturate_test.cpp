@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// saturate_test: rtl/lib/math/saturate.sv against the model's function: random numbers of every size and all ends.
-#include "Vsaturate.h"
+// saturate_test: rtl/lib/math/pipegs_saturate.sv against the model's function: random numbers of every size and all
+// ends.
+#include "Vpipegs_saturate.h"
 #include "cpp_model/fixed.hpp"
 #include "verif/support/bench.hpp"
 
@@ -8,7 +9,7 @@ namespace pipegs {
 namespace {
 
 TEST(Saturate, EqualsTheModel) {
-  Bench<Vsaturate> bench;
+  Bench<Vpipegs_saturate> bench;
   constexpr int kIn = 32, kOut = 16;  // the module's defaults
   int held = 0;
   const auto check = [&](int64_t value) {

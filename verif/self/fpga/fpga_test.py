@@ -32,7 +32,7 @@ class Fpga(unittest.TestCase):
         last = (depth - 1).bit_length() - 1
         text = f"module memory (input c, w, r, input [{last}:0] a, b, input [{width - 1}:0] d,\n"
         text += f"  output [{width - 1}:0] q);\n"
-        text += f"  sram #(.DataW({width}), .Depth({depth})) u_sram (.clk_i(c), .write_i(w),\n"
+        text += f"  pipegs_sram #(.DataW({width}), .Depth({depth})) u_sram (.clk_i(c), .write_i(w),\n"
         text += "    .waddr_i(a), .wdata_i(d), .read_i(r), .raddr_i(b), .rdata_o(q));\nendmodule\n"
         package = fpga.package(BUILD, ["clock_gates=0"]) + text
         modules = synth.elaborate(self.jobs, package, "memory")
@@ -52,11 +52,11 @@ class Fpga(unittest.TestCase):
             self.assertGreater(found["distributed"], 0, family)
 
     def test_a_clock_that_never_stops_is_a_wire(self):
-        self.assertEqual(set(mapped(self.jobs, "clock_gate", "xcup").values()), {0, 1})  # its own count
+        self.assertEqual(set(mapped(self.jobs, "pipegs_clock_gate", "xcup").values()), {0, 1})  # its own count
 
     def test_a_gate_is_refused(self):
         with self.assertRaisesRegex(Failed, "latch"):
-            mapped(self.jobs, "clock_gate", "xcup", ["clock_gates=1"])
+            mapped(self.jobs, "pipegs_clock_gate", "xcup", ["clock_gates=1"])
 
     def test_what_cells_take(self):
         found = fpga.counts_of({"LUT6": 3, "RAM32M16": 1, "FDRE": 5, "RAMB36E2": 1, "RAMB18E2": 1, "DSP48E2": 2})
@@ -72,7 +72,7 @@ class Fpga(unittest.TestCase):
 
     def test_an_unknown_family_is_named(self):
         run = subprocess.run(
-            [fpga.__file__, "--families", "ice40", "clock_gate"], capture_output=True, text=True, check=False
+            [fpga.__file__, "--families", "ice40", "pipegs_clock_gate"], capture_output=True, text=True, check=False
         )
         self.assertEqual(run.returncode, 1)
         self.assertIn("unknown family 'ice40'", run.stderr)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""checkers.py [ROOT]: every stream of ROOT/rtl has a stream_check (docs/streams.md).
+"""checkers.py [ROOT]: every stream of ROOT/rtl has a pipegs_stream_check (docs/streams.md).
 
-Giver   a module with the ports X_valid_o and X_ready_i. It has a stream_check of X_valid_o, unless it only hands on
-        what an instance in it gives.
+Giver   a module with the ports X_valid_o and X_ready_i. It has a pipegs_stream_check of X_valid_o, unless it only
+        hands on what an instance in it gives.
 Taker   an instance with the ports X_valid_i and X_ready_o. What is connected to X_valid_i comes from a giver beside it
-        or from the ports of the module in which it stands; else that is logic, and a stream_check looks at just that,
-        or no_streams.txt names the port.
+        or from the ports of the module in which it stands; else that is logic, and a pipegs_stream_check looks at just
+        that, or no_streams.txt names the port.
 Prints what lacks one and what the list names in vain; exits 1 when there is anything, or hardly any stream is found.
 """
 import re
@@ -57,17 +57,17 @@ def unsliced(wire):
 
 
 def check(module, listed, used):
-    """Yields what lacks a stream_check."""
-    watched = {c.get("valid_i") for kind, c in module.instances if kind.name == "stream_check"}
+    """Yields what lacks a pipegs_stream_check."""
+    watched = {c.get("valid_i") for kind, c in module.instances if kind.name == "pipegs_stream_check"}
     given = set()
     for kind, connected in filter(lambda instance: instance[0].clocked(), module.instances):
         given |= {unsliced(connected.get(x + "valid_o", "")) for x in kind.pairs("valid_o", "ready_i")}
     for x in module.pairs("valid_o", "ready_i") if module.clocked() else ():
         if x + "valid_o" not in given | watched:
-            yield f"{module.name}: {x}valid_o has no stream_check"
+            yield f"{module.name}: {x}valid_o has no pipegs_stream_check"
     passed = {x + "valid_i" for x in module.pairs("valid_i", "ready_o")}
     for kind, connected in module.instances:
-        if kind.name == "stream_check":
+        if kind.name == "pipegs_stream_check":
             continue
         for x in kind.pairs("valid_i", "ready_o"):
             wire = connected.get(x + "valid_i", "")
@@ -77,7 +77,7 @@ def check(module, listed, used):
             hits = [name for name in names if name in listed]
             used.update(hits)
             if not hits:
-                yield f"{module.name}: {x}valid_i of {kind.name} is fed by {wire}, which has no stream_check"
+                yield f"{module.name}: {x}valid_i of {kind.name} is fed by {wire}, which has no pipegs_stream_check"
 
 
 def main():
@@ -91,7 +91,7 @@ def main():
     used = set()
     wrong = [line for name in sorted(modules) for line in check(modules[name], listed, used)]
     wrong += [f"no_streams.txt: {' '.join(line)} names nothing" for line in sorted(listed - used)]
-    checks = sum(kind.name == "stream_check" for module in modules.values() for kind, _ in module.instances)
+    checks = sum(kind.name == "pipegs_stream_check" for module in modules.values() for kind, _ in module.instances)
     print(*wrong, f"{len(modules)} modules, {checks} checkers", sep="\n")
     return 1 if wrong or checks < 80 else 0
 

@@ -17,12 +17,13 @@ try() {  # WHAT FILE SED WANTED COMMAND...: after the edit the command fails and
 }
 # shellcheck disable=SC2317  # try calls it
 on_one_machine() { verif/self/streams/ready.py "$build" "$1" units=1; }
-try "a giver without a checker" dopu/dopu_origin.sv '/stream_check/,/\);/d' \
-  "dopu_origin: chunk_valid_o has no stream_check" verif/self/streams/checkers.py
+try "a giver without a checker" dopu/dopu_origin.sv '/pipegs_stream_check/,/\);/d' \
+  "dopu_origin: chunk_valid_o has no pipegs_stream_check" verif/self/streams/checkers.py
 try "one of two givers without a checker" pu/rows/pu_allocate.sv '/ u_check_row_job /,/\);/d' \
-  "pu_allocate: row_job_valid_o has no stream_check" verif/self/streams/checkers.py
-try "logic that feeds a stream" ru/ru.sv 's/write_valid_i\(write_valid\)/write_valid_i(write_valid \&\& !idle_o)/' \
-  "ru: write_valid_i of ru_memory is fed by write_valid && !idle_o" verif/self/streams/checkers.py
+  "pu_allocate: row_job_valid_o has no pipegs_stream_check" verif/self/streams/checkers.py
+try "logic that feeds a stream" ru/pipegs_ru.sv \
+  's/write_valid_i\(write_valid\)/write_valid_i(write_valid \&\& !idle_o)/' \
+  "pipegs_ru: write_valid_i of ru_memory is fed by write_valid && !idle_o" verif/self/streams/checkers.py
 try "a valid that waits for ready" dopu/dopu_origin.sv 's/(chunk_valid_o = )/\1chunk_ready_i \&\& /' \
   "dopu_origin: chunk_valid_o depends on chunk_ready_i" on_one_machine
 exit $status

@@ -19,8 +19,8 @@ MACHINES = [
     ("pipegs_top", "units=2 order=1"),
     ("pipegs_top", "units=2 late=1 order=1"),
     ("pipegs_top", "units=1 late=1 order=2 quads=1 tight_cull=1 window=32"),
-    ("axi_manager", ""),
-    ("control_registers", ""),
+    ("pipegs_axi_manager", ""),
+    ("pipegs_control_registers", ""),
 ]
 REGISTERS = re.compile(r"\$(a|s|al)?dff|\$(a|d)?latch|\$mem")
 

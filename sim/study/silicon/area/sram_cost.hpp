@@ -4,8 +4,8 @@
 // Idea    synth/data/sram.csv holds CACTI 7 results for banks of 1 to 64 KB and words of 32 to 256 bits. Of each kind
 //         of cell a power law in capacity, width and ports is fitted to each figure; the test
 //         `silicon` prints how well it meets the rows. Below 1 KB the law is extrapolated.
-// Rule    Every SRAM of the machine has a read and a write port (rtl/lib/sram.sv), so the law is asked for 1R1W. Words
-//         wider than 256 bits are columns of equal width, each a macro of its own.
+// Rule    Every SRAM of the machine has a read and a write port (rtl/lib/pipegs_sram.sv), so the law is asked for 1R1W.
+//         Words wider than 256 bits are columns of equal width, each a macro of its own.
 // Units   mm2, ns, pJ for one access of the whole word, mW at 350 K.
 // Errors  InputError: the table is missing or a row is not what it should be.
 #pragma once

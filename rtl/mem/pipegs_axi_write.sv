@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipegs_axi_write: lines of the core as AXI4 write bursts.
+//
+// Idea    A line is one burst of INCR with ID 0; of half a line the strobes of the other half are 0. Address and data
+//         go into their registers in the same cycle, so data never shows before its address does, and neither waits for
+//         the other to be taken. The lines that are not answered stand in a queue: their number is the limit of
+//         outstanding writes and what the fence waits for, and an answer that tells of an error names the line at its
+//         head.
+// Stream  in: the number of a line and its 512 bits. out: AW and W; B is taken when the queue shows its line, which is
+//         before the answer can come. An error of an epoch that is over is not told.
+// Pace    A line in MemoryW / DataW cycles; its address shows one cycle after it was taken.
+// Model   sim/memory/axi/axi_memory.hpp has the other side.
+
+module pipegs_axi_write #(
+  parameter int unsigned DataW  = 512,
+  parameter int unsigned AddrW  = 40,
+  parameter int unsigned Writes = 64,
+  localparam int unsigned LineW   = pipegs_pkg::AddressW,
+  localparam int unsigned IdW     = pipegs_pkg::TagW + 1,
+  localparam int unsigned WritesW = $clog2(Writes + 1)
+) (
+  input  logic                           clk_i,
+  input  logic                           rst_ni,
+
+  input  logic [AddrW-1:0]               base_i,       // byte address of line 0, a multiple of 4096
+  input  logic                           epoch_i,
+  input  logic                           in_valid_i,
+  output logic                           in_ready_o,
+  input  logic [LineW-1:0]               in_line_i,
+  input  logic [pipegs_pkg::HalvesW-1:0] in_halves_i,  // of the line, what is written
+  input  logic [pipegs_pkg::MemoryW-1:0] in_data_i,
+  output logic [WritesW-1:0]             writes_o,     // accepted and not answered
+
+  output logic                           error_o,      // a write of this epoch failed
+  output logic                           error_decode_o,  // nothing is at that address
+  output logic [LineW-1:0]               error_line_o,
+
+  output logic [IdW-1:0]                 m_axi_awid,
+  output logic [AddrW-1:0]               m_axi_awaddr,
+  output logic [7:0]                     m_axi_awlen,
+  output logic [2:0]                     m_axi_awsize,
+  output logic [1:0]                     m_axi_awburst,
+  output logic                           m_axi_awvalid,
+  input  logic                           m_axi_awready,
+  output logic [DataW-1:0]               m_axi_wdata,
+  output logic [DataW/8-1:0]             m_axi_wstrb,
+  output logic                           m_axi_wlast,
+  output logic                           m_axi_wvalid,
+  input  logic                           m_axi_wready,
+  input  logic [IdW-1:0]                 m_axi_bid,
+  input  logic [1:0]                     m_axi_bresp,
+  input  logic                           m_axi_bvalid,
+  output logic                           m_axi_bready
+);
+
+  localparam int unsigned LineB = $clog2(pipegs_pkg::MemoryW / 8);
+  localparam int unsigned PageB = 12 - LineB;  // bits of a line's number within 4 KB
+  localparam int unsigned Beats = pipegs_pkg::MemoryW / DataW;
+  localparam int unsigned BeatW = Beats > 1 ? $clog2(Beats) : 1;
+  // A grain lies in one beat and in one half of the line.
+  localparam int unsigned GrainW = DataW < pipegs_pkg::MemoryW / 2 ? DataW : pipegs_pkg::MemoryW / 2;
+  localparam int unsigned Grains = pipegs_pkg::MemoryW / GrainW;
+  localparam int unsigned StepW  = DataW / GrainW;  // in a beat
+
+  logic                           aw_valid_q, w_valid_q, take, room, address_free, data_free, data_last, done;
+  logic [AddrW-1:0]               address_q;
+  logic [pipegs_pkg::MemoryW-1:0] data_q;
+  logic [Grains-1:0]              written_q;   // those of the beat that is shown lowest
+  logic [BeatW-1:0]               beat_q;
+  logic                           done_epoch;  // of the write that is answered next
+
+  assign data_last    = beat_q == BeatW'(Beats - 1);
+  assign address_free = !aw_valid_q || m_axi_awready;
+  assign data_free    = !w_valid_q || (m_axi_wready && data_last);
+  assign in_ready_o   = room && address_free && data_free;
+  assign take         = in_valid_i && in_ready_o;
+  assign done         = m_axi_bvalid && m_axi_bready;
+
+  pipegs_sram_fifo #(.DataW(1 + LineW), .Depth(Writes)) u_writes (
+    .clk_i, .rst_ni, .in_valid_i(take), .in_ready_o(room), .in_i({epoch_i, in_line_i}),
+    .out_valid_o(m_axi_bready), .out_ready_i(m_axi_bvalid), .out_o({done_epoch, error_line_o}), .count_o(writes_o)
+  );
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      aw_valid_q <= 1'b0;
+      w_valid_q  <= 1'b0;
+      beat_q     <= '0;
+    end else begin
+      if (address_free) aw_valid_q <= take;
+      if (data_free) w_valid_q <= take;
+      if (data_free) beat_q <= '0;
+      else if (m_axi_wready) beat_q <= beat_q + 1'b1;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (take) address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(in_line_i >> PageB), in_line_i[PageB-1:0], LineB'(0)};
+    if (take) data_q <= in_data_i;
+    else if (m_axi_wready) data_q <= data_q >> DataW;
+    if (take) written_q <= {{(Grains/2){in_halves_i[1]}}, {(Grains/2){in_halves_i[0]}}};
+    else if (m_axi_wready) written_q <= written_q >> StepW;
+  end
+
+  assign m_axi_awid     = '0;
+  assign m_axi_awaddr   = address_q;
+  assign m_axi_awlen    = 8'(Beats - 1);
+  assign m_axi_awsize   = 3'($clog2(DataW / 8));
+  assign m_axi_awburst  = 2'b01;
+  assign m_axi_awvalid  = aw_valid_q;
+  assign m_axi_wdata    = data_q[DataW-1:0];
+  for (genvar i = 0; i < StepW; i += 1) begin : gen_strobes
+    assign m_axi_wstrb[GrainW/8*i +: GrainW/8] = {(GrainW/8){written_q[i]}};
+  end
+  assign m_axi_wlast    = data_last;
+  assign m_axi_wvalid   = w_valid_q;
+  assign error_o        = done && m_axi_bresp[1] && done_epoch == epoch_i;
+  assign error_decode_o = m_axi_bresp[0];
+
+  logic unused;
+  assign unused = &{1'b0, base_i[11:0], m_axi_bid};
+
+endmodule

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipegs_errors: what a part of the machine found wrong in the memory of a frame: told once, then the machine stops.
+//
+// Idea    A part that finds something wrong stops and says so until it is reset. What is said first of either cause is
+//         told with its line, and from then on no request goes to memory: the frame is given up, and with it all that
+//         are inside. Whether the pixels of a frame have room is known when it begins, and is looked at here.
+// Stream  restart_i: a frame begins, with its parameters. error_o: pulses, {bad_scene, area_full}; error_line_o: of
+//         each the line of memory that it concerns, area_full's lowest. stop_o stays until the reset.
+// Pace    Registered: two cycles behind what was found.
+// Model   A register for each cause in the test.
+
+module pipegs_errors #(
+  localparam int unsigned AddressW = pipegs_pkg::AddressW
+) (
+  input  logic                  clk_i,
+  input  logic                  rst_ni,
+  input  logic                  restart_i,
+  input  pipegs_pkg::raster_t   raster_i,
+  input  logic                  by_windows_i,  // the pixels lie in pixels_i; else where the picture says
+  input  pipegs_pkg::span_t     pixels_i,
+
+  input  logic [1:0]            full_i,  // levels
+  input  logic [2*AddressW-1:0] full_line_i,
+  input  logic                  bad_i,
+  input  logic [AddressW-1:0]   bad_line_i,
+
+  output logic [1:0]            error_o,
+  output logic [2*AddressW-1:0] error_line_o,
+  output logic                  stop_o
+);
+
+  logic unused_raster;  // how high the picture is, and where the frame begins
+  assign unused_raster = &{1'b0, raster_i};
+
+  localparam int unsigned WindowW = pipegs_pkg::WindowW;
+  localparam int unsigned Shift   = $clog2(pipegs_pkg::Window);
+  localparam int unsigned NumberW = 2 * WindowW + 1;
+  localparam int unsigned LinesW  = $clog2(pipegs_pkg::RegionLines * pipegs_pkg::Regions);  // of a window, log2
+  localparam int unsigned NeedW   = NumberW + LinesW;
+  localparam int unsigned MostW   = NeedW > AddressW ? NeedW : AddressW;
+
+  // --- pixels: all windows up to the last one of the frame ----------------------------------------------------------
+  logic [WindowW:0]   columns;  // windows in a row of the picture
+  logic [NumberW-1:0] windows_q;
+  logic               begun_q, no_room;
+
+  assign columns = (WindowW+1)'(((pipegs_pkg::SizeW+1)'(raster_i.width) +
+                                 (pipegs_pkg::SizeW+1)'(pipegs_pkg::Window - 1)) >> Shift);
+  assign no_room   = begun_q && (MostW'(windows_q) << LinesW) > MostW'(pixels_i.lines);
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begun_q <= 1'b0;
+    else begun_q <= restart_i && by_windows_i;
+  end
+  always_ff @(posedge clk_i) begin
+    if (restart_i) begin
+      windows_q <= NumberW'(raster_i.windows.last_y) * NumberW'(columns) + NumberW'(raster_i.windows.last_x) +
+                   NumberW'(1);
+    end
+  end
+
+  // --- causes -------------------------------------------------------------------------------------------------------
+  logic                  full;
+  logic [AddressW-1:0]   full_line;
+  logic [1:0]            found, known_q, error_q;
+  logic [2*AddressW-1:0] line_q;
+
+  pipegs_first_line #(.Ports(3)) u_full (
+    .valid_i({full_i, no_room}), .line_i({full_line_i, pixels_i.first + pixels_i.lines}), .valid_o(full),
+    .line_o(full_line)
+  );
+  assign found = {bad_i, full};
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      known_q <= '0;
+      error_q <= '0;
+    end else begin
+      known_q <= known_q | found;
+      error_q <= found & ~known_q;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (found[0] && !known_q[0]) line_q[0 +: AddressW] <= full_line;
+    if (found[1] && !known_q[1]) line_q[AddressW +: AddressW] <= bad_line_i;
+  end
+
+  assign error_o      = error_q;
+  assign error_line_o = line_q;
+  assign stop_o       = known_q != '0;
+
+endmodule

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipegs_raster: from sorted splats to pixels: dispatch, RUs, and the alpha stores that the PUs fill and the RUs read.
+//
+// Paper   Fig. 7 (right), Sec. 4.2.3, Table 2.
+// Idea    sorted -> ru_dispatch -> RU[j]; alpha store k lies between PU k and all RUs. Where the RUs compute alphas, or
+//         lists keep them in memory, there is none. layer_free_o tells the PUs that all RUs have finished the oldest
+//         layer. A clock gate per unit. Only wiring here.
+// Stream  sorted splats in, nearest first; pixels to external memory; progress_o to the front.
+// Model   cpp_model/ru/ru.hpp
+
+module pipegs_raster #(
+  localparam int unsigned Units    = pipegs_pkg::Units,
+  localparam int unsigned AddressW = pipegs_pkg::AddressW,
+  localparam int unsigned MemoryW  = pipegs_pkg::MemoryW
+) (
+  input  logic                             clk_i,
+  input  logic                             rst_ni,
+  input  logic                             test_en_i,
+  input  pipegs_pkg::raster_t              raster_i,
+  input  pipegs_pkg::picture_t             picture_i,   // its base is that of the pixels in either format
+  input  pipegs_pkg::span_t                overflow_i,  // the overflow area
+  input  logic                             restart_i,
+
+  input  logic                             sorted_valid_i,
+  output logic                             sorted_ready_o,
+  input  pipegs_pkg::sorted_t              sorted_i,
+  input  pipegs_pkg::store_writes_t        store_i,
+
+  output pipegs_pkg::memory_lanes_t        memory_o,
+  output logic [Units*pipegs_pkg::HalvesW-1:0] halves_o,  // of the line of each: what a write changes
+  input  pipegs_pkg::memory_lanes_answer_t memory_i,
+  input  logic [MemoryW-1:0]               line_i,      // of the memory's answers
+
+  output pipegs_pkg::progress_t            progress_o,
+  output logic                             layer_free_o,
+  output logic [Units-1:0]                 layer_done_o,   // pulse: the RU has blended a layer
+  output logic [Units-1:0]                 window_done_o,  // pulse: with it, the window is complete
+  output logic                             busy_o,
+  output logic [Units*2-1:0]               perf_o,
+  output pipegs_pkg::raster_taps_t         taps_o
+);
+
+  localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
+  localparam int unsigned LineW         = pipegs_pkg::LineW;
+  localparam int unsigned Regions       = pipegs_pkg::Regions;
+  localparam int unsigned WindowW       = pipegs_pkg::WindowW;
+  localparam int unsigned RegionW       = pipegs_pkg::RegionW;
+  localparam int unsigned TapIndexW     = pipegs_pkg::TapIndexW;
+  localparam int unsigned TapLanes      = pipegs_pkg::TapLanes;
+  localparam int unsigned TapLineW      = pipegs_pkg::TapLineW;
+  localparam int unsigned TapWordW      = pipegs_pkg::TapWordW;
+  localparam int unsigned TapsN         = Units * TapLanes;
+
+  logic                            dispatch_active;
+  logic [Units-1:0]                ru_active, splat_valid, splat_ready;
+  pipegs_pkg::sorted_t             splat;
+  logic [Units*Regions-1:0]        done;
+  logic [Units*WindowW-1:0]        done_x, done_y;
+
+  logic [Units-1:0]                mem_valid, mem_ready, mem_write, mem_line;
+  logic [Units*AddressW-1:0]       mem_address;
+  logic [Units*MemoryW-1:0]        mem_data;
+
+  localparam int unsigned HalfW = MemoryW / 2;
+  localparam int unsigned Slots = Regions / Units;
+  logic [Units-1:0]                pair_valid, pair_taken, pair_at_end;  // of each RU, to the one that shares its lines
+  logic [Units*HalfW-1:0]          pair_row;
+  logic [Units*Slots-1:0]          pair_wanted;
+
+  logic [Units*Units-1:0]          read_valid, read_ready, answer_valid;  // [RU * Units + store]
+  logic [Units*AlphaAddressW-1:0]  read_address;                          // of each RU
+  logic [Units*LineW-1:0]          answer;                                // of each store
+
+  logic [TapsN-1:0]                alphas_valid, pixels_valid;
+  logic [TapsN*TapIndexW-1:0]      alphas_index;
+  logic [TapsN*RegionW-1:0]        alphas_region, pixels_region;
+  logic [TapsN*TapLineW-1:0]       alphas;
+  logic [TapsN*2-1:0]              alphas_quarter, pixels_quarter;
+  logic [TapsN*TapWordW-1:0]       pixels;
+
+  assign memory_o   = {mem_data, mem_address, mem_write, mem_valid};
+  assign {mem_line, mem_ready} = memory_i;
+  assign progress_o = {done_y, done_x, done};
+  assign taps_o     = {pixels, pixels_quarter, pixels_region, pixels_valid,
+                       alphas, alphas_quarter, alphas_region, alphas_index, alphas_valid};
+
+  ru_dispatch u_dispatch (
+    .clk_i, .rst_ni, .in_valid_i(sorted_valid_i), .in_ready_o(sorted_ready_o), .in_i(sorted_i),
+    .out_valid_o(splat_valid), .out_ready_i(splat_ready), .out_o(splat), .active_o(dispatch_active)
+  );
+
+  for (genvar k = 0; k < Units; k += 1) begin : gen_unit
+    // The RU with which this one shares lines, if there is another one.
+    localparam int unsigned Other = Units > 1 ? (k % 2 == 0 ? k + 1 : k - 1) : 0;
+    logic             other_valid, other_taken, other_at_end;
+    logic [HalfW-1:0] other_row;
+    logic [Slots-1:0] other_wanted;
+    if (Units > 1) begin : gen_pair
+      assign {other_valid, other_taken, other_at_end} = {pair_valid[Other], pair_taken[Other], pair_at_end[Other]};
+      assign other_row    = pair_row[Other*HalfW +: HalfW];
+      assign other_wanted = pair_wanted[Other*Slots +: Slots];
+    end else begin : gen_alone
+      assign {other_valid, other_taken, other_at_end, other_row, other_wanted} = '0;
+      logic unused_pair;
+      assign unused_pair = &{1'b0, pair_valid, pair_taken, pair_at_end, pair_row, pair_wanted};
+    end
+
+    logic ru_clk;
+    pipegs_clock_gate u_ru_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(ru_active[k]), .clk_o(ru_clk));
+    pipegs_ru u_ru (
+      .clk_i(ru_clk), .rst_ni, .raster_i, .picture_i, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
+      .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat),
+      .read_valid_o(read_valid[k*Units +: Units]), .read_ready_i(read_ready[k*Units +: Units]),
+      .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]),
+      .answer_valid_i(answer_valid[k*Units +: Units]), .answer_i(answer),
+      .mem_valid_o(mem_valid[k]), .mem_ready_i(mem_ready[k]), .mem_write_o(mem_write[k]),
+      .mem_address_o(mem_address[k*AddressW +: AddressW]),
+      .mem_halves_o(halves_o[k*pipegs_pkg::HalvesW +: pipegs_pkg::HalvesW]),
+      .mem_data_o(mem_data[k*MemoryW +: MemoryW]),
+      .rsp_valid_i(mem_line[k]), .rsp_data_i(line_i),
+      .pair_valid_o(pair_valid[k]), .pair_taken_o(pair_taken[k]), .pair_row_o(pair_row[k*HalfW +: HalfW]),
+      .pair_at_end_o(pair_at_end[k]), .pair_wanted_o(pair_wanted[k*Slots +: Slots]),
+      .pair_valid_i(other_valid), .pair_taken_i(other_taken), .pair_row_i(other_row), .pair_at_end_i(other_at_end),
+      .pair_wanted_i(other_wanted),
+      .done_o(done[k*Regions +: Regions]), .done_x_o(done_x[k*WindowW +: WindowW]),
+      .done_y_o(done_y[k*WindowW +: WindowW]),
+      .layer_done_o(layer_done_o[k]), .window_done_o(window_done_o[k]), .idle_o(),
+      .active_o(ru_active[k]), .perf_o(perf_o[2*k +: 2]),
+      .tap_line_valid_o(alphas_valid[k*TapLanes +: TapLanes]),
+      .tap_line_index_o(alphas_index[k*TapLanes*TapIndexW +: TapLanes*TapIndexW]),
+      .tap_line_region_o(alphas_region[k*TapLanes*RegionW +: TapLanes*RegionW]),
+      .tap_line_quarter_o(alphas_quarter[k*TapLanes*2 +: TapLanes*2]),
+      .tap_line_o(alphas[k*TapLanes*TapLineW +: TapLanes*TapLineW]),
+      .tap_word_valid_o(pixels_valid[k*TapLanes +: TapLanes]),
+      .tap_word_region_o(pixels_region[k*TapLanes*RegionW +: TapLanes*RegionW]),
+      .tap_word_quarter_o(pixels_quarter[k*TapLanes*2 +: TapLanes*2]),
+      .tap_word_o(pixels[k*TapLanes*TapWordW +: TapLanes*TapWordW])
+    );
+
+    if (pipegs_pkg::HasStores) begin : gen_store
+      logic             store_clk, store_active;
+      logic [Units-1:0] store_read_valid, store_read_ready, store_answer_valid;
+      for (genvar j = 0; j < Units; j += 1) begin : gen_reader
+        assign store_read_valid[j]     = read_valid[j*Units+k];
+        assign read_ready[j*Units+k]   = store_read_ready[j];
+        assign answer_valid[j*Units+k] = store_answer_valid[j];
+      end
+      pipegs_clock_gate u_store_gate (.clk_i, .rst_ni, .test_en_i, .enable_i(store_active), .clk_o(store_clk));
+      pipegs_alpha_store u_store (
+        .clk_i(store_clk), .rst_ni, .write_i(store_i.write[k]),
+        .address_i(store_i.address[k*AlphaAddressW +: AlphaAddressW]), .line_i(store_i.line[k*LineW +: LineW]),
+        .read_valid_i(store_read_valid), .read_ready_o(store_read_ready), .read_address_i(read_address),
+        .answer_valid_o(store_answer_valid), .answer_o(answer[k*LineW +: LineW]), .active_o(store_active)
+      );
+    end
+  end
+  if (!pipegs_pkg::HasStores) begin : gen_no_stores
+    assign read_ready   = '0;
+    assign answer_valid = '0;
+    assign answer       = '0;
+    logic unused_stores;
+    assign unused_stores = &{1'b0, store_i, read_valid, read_address};
+  end
+
+  pipegs_layer_free u_layer_free (.clk_i, .rst_ni, .done_i(layer_done_o), .free_o(layer_free_o));
+
+  assign busy_o = ru_active != '0 || dispatch_active;
+
+endmodule
