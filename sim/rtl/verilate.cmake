@@ -47,7 +47,7 @@ endfunction()
 
 # pipegs_verilated(NAME MODULE [WAVES] [SET key=value ...] [OPTIONS option ...]): a static library with the Verilated
 # module, built when a target needs it; with WAVES its waves can be written. OPTIONS go to Verilator. In it
-# stream_check compares beats.
+# pipegs_stream_check compares beats.
 function(pipegs_verilated name module)
   cmake_parse_arguments(ARG "WAVES" "" "SET;OPTIONS" ${ARGN})
   pipegs_package(package ${ARG_SET})
