@@ -4,7 +4,7 @@
 
 Each is printed from what lies in rtl/: the package first, then every module, one in a file of its name. `make package`
 writes them, the test `package` compares. The machine is that of rtl/pipegs_pkg.sv; another one is a package printed by
-`package_sv key=value ...` in its place.
+`package_sv key=value ...` in its place (machine.py).
 """
 
 import pathlib
@@ -81,10 +81,11 @@ def vivado():
         f"# {PRINTED}",
         "#",
         "# vivado -mode batch -source package/vivado.tcl, from the root of the project: packs the core as an IP in",
-        "# build/ip. Vivado finds the AXI interfaces by the names of the ports.",
+        "# build/ip. Vivado finds the AXI interfaces by the names of the ports. Another list of files, of",
+        "# package/machine.py: -tclargs FOLDER/pipegs.f.",
         "create_project -in_memory",
-        "set list [open package/pipegs.f]",
-        "read_verilog -sv [regexp -all -inline -line {^rtl/.*$} [read $list]]",
+        "set list [open [expr {$argc > 0 ? [lindex $argv 0] : {package/pipegs.f}}]]",
+        "read_verilog -sv [regexp -all -inline -line {^.*[.]sv$} [read $list]]",
         "close $list",
         f"set_property top {TOP} [current_fileset]",
         "ipx::package_project -root_dir build/ip -vendor pipegs -library core -taxonomy /Video -import_files -force",

@@ -2,10 +2,11 @@
 # Printed by package/files.py (`make package`): change that, never this file.
 #
 # vivado -mode batch -source package/vivado.tcl, from the root of the project: packs the core as an IP in
-# build/ip. Vivado finds the AXI interfaces by the names of the ports.
+# build/ip. Vivado finds the AXI interfaces by the names of the ports. Another list of files, of
+# package/machine.py: -tclargs FOLDER/pipegs.f.
 create_project -in_memory
-set list [open package/pipegs.f]
-read_verilog -sv [regexp -all -inline -line {^rtl/.*$} [read $list]]
+set list [open [expr {$argc > 0 ? [lindex $argv 0] : {package/pipegs.f}}]]
+read_verilog -sv [regexp -all -inline -line {^.*[.]sv$} [read $list]]
 close $list
 set_property top pipegs_axi [current_fileset]
 ipx::package_project -root_dir build/ip -vendor pipegs -library core -taxonomy /Video -import_files -force

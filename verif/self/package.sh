@@ -22,6 +22,15 @@ printed package/pipegs_registers.rdl "$registers" rdl
 printed package/pipegs_registers.xml "$registers" ipxact
 for file in pipegs.core Bender.yml; do printed $file python3 -B package/files.py $file; done
 for file in pipegs.f vivado.tcl; do printed package/$file python3 -B package/files.py $file; done
+# machine.py makes the committed machine of its design point, with all files; it refuses what no machine is made of.
+machine=$(mktemp -d); trap 'rm -rf "$machine"' EXIT
+of_point() { python3 -B package/machine.py --package-sv "$package_sv" "$@"; }
+of_point --rung dop "$machine" taps=1 && diff rtl/pipegs_pkg.sv "$machine/pipegs_pkg.sv" &&
+  diff <(grep '^rtl/' package/pipegs.f | sed "s|^|$PWD/|; s|^$PWD/rtl/pipegs_pkg.sv|$machine/pipegs_pkg.sv|") \
+       "$machine/pipegs.f" || { echo "package/machine.py makes another machine than the committed one"; status=1; }
+of_point "$machine" && [ "$(grep -cE ' (Taps += 0|Window += 128|BusW += 512);' "$machine/pipegs_pkg.sv")" = 3 ] ||
+  { echo "package/machine.py does not make fast without taps"; status=1; }
+if of_point "$machine" bus_w=64 2>/dev/null; then echo "package/machine.py takes a bus of 64 bits"; status=1; fi
 # One driver for every machine: no configuration changes its header.
 diff "$registers_header" <("$registers" header units=1 antialias=1 world_w=32 late=1 order=2) ||
   { echo "$registers_header depends on the configuration"; status=1; }

@@ -3,8 +3,8 @@
 // proofs.
 //
 // Rule    Manager: nothing valid in reset; what is shown stays until taken; bursts of INCR in beats of the bus,
-//         aligned, of one to eight whole lines within 4 KB; writes of one line with ID 0, all strobes set, WLAST at the
-//         last beat, data never before its address shows; at most Reads and Writes bursts unanswered.
+//         aligned, of one to eight whole lines within 4 KB; writes of one line with ID 0, strobes of whole halves of
+//         it, WLAST at the last beat, data never before its address shows; at most Reads and Writes bursts unanswered.
 //         Subordinate: the same of valid and stay; R only with an ID that waits, RLAST exactly at the last beat of its
 //         burst, in order within an ID; B with ID 0 only after address and last beat of a write; no EXOKAY.
 // Idea    Counters know what is out, by ID for reads. RLAST is checked for one burst at a time, chosen by pick_i when

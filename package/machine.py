@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""machine.py [--rung NAME] FOLDER [key=value ...]: another machine for a system: its package and its list of files.
+
+Writes FOLDER/pipegs_pkg.sv and FOLDER/pipegs.f, the list of files with that package and with whole paths. Settings are
+those of the design point, then taps=0 (taps are for the harness alone), then those given, entries of
+cpp_model/config.def. The driver and its header are the same for every machine.
+"""
+import argparse
+import os
+import subprocess
+import sys
+
+from files import ROOT, sources
+
+sys.path.insert(0, str(ROOT / "synth"))
+import synth  # noqa: E402
+from jobs import Failed  # noqa: E402
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--rung", default="fast", help="a design point (sim/design/design_points.def)")
+    parser.add_argument("--package-sv", default=str(ROOT / "build/cpp_model/package_sv"), help="what prints packages")
+    parser.add_argument("folder")
+    parser.add_argument("settings", nargs="*", metavar="key=value")
+    options = parser.parse_args()
+    point = [f"{key}={value}" for key, value in synth.design_point_settings(options.rung)]
+    try:
+        printed = subprocess.run(
+            [options.package_sv, *point, "taps=0", *options.settings], capture_output=True, text=True
+        )
+    except FileNotFoundError:
+        raise Failed(f"{options.package_sv} is missing: cmake --build build --target package_sv")
+    if printed.returncode != 0:
+        raise Failed(printed.stderr.strip())
+    folder = os.path.abspath(options.folder)
+    os.makedirs(folder, exist_ok=True)
+    synth.write(f"{folder}/pipegs_pkg.sv", printed.stdout)
+    rest = [f"{ROOT}/{file}" for file in sources()[1:]]
+    synth.write(f"{folder}/pipegs.f", "\n".join([f"{folder}/pipegs_pkg.sv", *rest]) + "\n")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Failed as failed:
+        print(f"machine.py: {failed}", file=sys.stderr)
+        sys.exit(2)
