@@ -71,12 +71,13 @@ Cost cost(const std::string& name, size_t count) {
 }
 
 // A PU takes a splat every eight cycles, so four PUs need two. A record is 64 bytes: to memory and back it and its key
-// take at most three times as many.
+// take at most three times as many. Memory moves some 50 bytes in a cycle at best, and half of that here: the ways of a
+// merge lie in rows of their own, so that banks change rows for nearly every line.
 void expect_one_pace(size_t count) {
   std::string line;
   for (const auto& [name, depth] : depths()) {
     const Cost found = cost(name, count);
-    EXPECT_LE(found.cycles, 7.5) << name;
+    EXPECT_LE(found.cycles, 9.5) << name;
     EXPECT_LE(found.sorting, 3 * 64) << name;
     if (count > 10000) EXPECT_GT(found.sorting, 64) << name << ": its set fits";
     line += fmt::format("; {} {:.2f}, {:.1f}", name, found.cycles, found.sorting);
