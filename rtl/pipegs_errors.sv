@@ -5,7 +5,7 @@
 //         told with its line, and from then on no request goes to memory: the frame is given up, and with it all that
 //         are inside. Whether the pixels of a frame have room is known when it begins, and is looked at here.
 // Stream  restart_i: a frame begins, with its parameters. error_o: pulses, {bad_scene, area_full}; error_line_o: of
-//         each the line of memory that it concerns, area_full's lowest. stop_o stays until the reset.
+//         each the line of memory that it concerns, area_full's lowest. Lines and stop_o stay until the reset.
 // Pace    Registered: two cycles behind what was found.
 // Model   A register for each cause in the test.
 

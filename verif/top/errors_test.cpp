@@ -61,6 +61,7 @@ TEST(Errors, EachCauseIsToldOnceWithTheLineThatCameFirst) {
     for (int cause = 0; cause < 2; ++cause) {
       ASSERT_EQ(times[cause], known[cause] ? 1u : 0u) << "cause " << cause << ", seed " << bench.seed;
       ASSERT_EQ(last[cause], first[cause]) << "cause " << cause << ", seed " << bench.seed;
+      if (known[cause]) { ASSERT_EQ(bench.told(cause), first[cause]) << "its line stays, seed " << bench.seed; }
     }
   }
 }
