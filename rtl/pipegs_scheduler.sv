@@ -58,10 +58,11 @@ module pipegs_scheduler #(
   // --- where frames are ---------------------------------------------------------------------------------------------
   logic       front_q, ahead_q, back_q;  // the front works; its frame is not the back's yet; the back works
   logic       front_restart_q, back_restart_q, begin_q, done_q;
+  logic       idle_q;                    // of the cycle before: nothing comes in while no frame is taken
   logic [1:0] settled_q;                 // what the RUs tell is of their new frame
   logic       finish;
 
-  assign frame_ready_o = !front_q && !ahead_q && ((!back_q && idle_i) || (Overlaps && same_i));
+  assign frame_ready_o = !front_q && !ahead_q && ((!back_q && idle_q) || (Overlaps && same_i));
   assign front_take_o  = frame_valid_i && frame_ready_o;
   assign back_take_o   = ahead_q && !back_q;
   assign busy_o        = front_q || ahead_q || back_q;
@@ -71,7 +72,9 @@ module pipegs_scheduler #(
       {front_q, ahead_q, back_q}                         <= '0;
       {front_restart_q, back_restart_q, begin_q, done_q} <= '0;
       settled_q                                          <= '1;
+      idle_q                                             <= 1'b0;
     end else begin
+      idle_q          <= idle_i;
       front_restart_q <= front_take_o;
       back_restart_q  <= back_take_o;
       begin_q         <= front_take_o && !busy_o;

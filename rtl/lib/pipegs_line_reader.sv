@@ -61,6 +61,7 @@ module pipegs_line_reader #(
   localparam int unsigned HalfW = ItemsPerLine - 1;  // bits of an item's place in its line
   localparam int unsigned JobW = 1 + IndexW + CountW + TagW;
   localparam int unsigned EndW = (IndexW > CountW ? IndexW : CountW) + 2;
+  localparam int unsigned Group = 2 ** BurstW;  // lines
   localparam int unsigned MostW = EndW > pipegs_pkg::AddressW ? EndW : pipegs_pkg::AddressW;
 
   // --- requests: one group of lines after another of the job taken last ---------------------------------------------
@@ -71,6 +72,8 @@ module pipegs_line_reader #(
   logic [EndW-1:0]                 lines_end;  // of the job, counted from the table's first line on
   logic [BurstW-1:0]               rest;   // lines of the group behind the present one
   logic                            take, issue, load, jobs_ready, bad, bad_q;
+  logic                            asks_q;  // lines are left, and eight places are free
+  logic                            left, places, free_kept, free_load, free_issue, free_both;
 
   assign lines = ((CountW+1)'(job_count_i) + (CountW+1)'(HalfW) + (CountW+1)'(job_first_i & IndexW'(HalfW))) >> HalfW;
   assign lines_end     = (EndW'(job_first_i) >> HalfW) + EndW'(lines);
@@ -78,10 +81,23 @@ module pipegs_line_reader #(
   assign job_ready_o   = jobs_ready && lines_left_q == '0 && !bad_q;
   assign take          = job_valid_i && job_ready_o;
   assign rest          = ~line_q[BurstW-1:0];
-  assign mem_valid_o   = lines_left_q != '0 && credits_q[CreditW-1:BurstW] != '0;
+  assign mem_valid_o   = asks_q;
   assign mem_address_o = line_q;
   assign mem_lines_o   = lines_left_q > (CountW+1)'(rest) ? rest : lines_left_q[BurstW-1:0] - 1'b1;
   assign issue         = mem_valid_o && mem_ready_i;
+
+  // What asks_q will be: chosen at last by what comes late, the readies of both sides.
+  assign free_kept  = credits_q >= CreditW'(Group);
+  assign free_load  = credits_q >= CreditW'(Group - 1);
+  assign free_issue = (CreditW+1)'(credits_q) > (CreditW+1)'(Group) + (CreditW+1)'(mem_lines_o);
+  assign free_both  = (CreditW+1)'(credits_q) >= (CreditW+1)'(Group) + (CreditW+1)'(mem_lines_o);
+  always_comb begin
+    if (take) left = job_read_i && !bad;
+    else if (issue) left = lines_left_q > (CountW+1)'(rest) + 1'b1;
+    else left = lines_left_q != '0;
+    if (issue) places = load ? free_both : free_issue;
+    else places = load ? free_load : free_kept;
+  end
 
   always_ff @(posedge clk_i) begin
     if (take) line_q <= table_i.first + (pipegs_pkg::AddressW'(job_first_i) >> HalfW);
@@ -92,8 +108,10 @@ module pipegs_line_reader #(
     if (!rst_ni) begin
       lines_left_q <= '0;
       credits_q    <= CreditW'(Lines);
+      asks_q       <= 1'b0;
       bad_q        <= 1'b0;
     end else begin
+      asks_q <= left && places;
       if (take) lines_left_q <= job_read_i && !bad ? lines : '0;
       else if (issue) lines_left_q <= lines_left_q - (CountW+1)'(mem_lines_o) - 1'b1;
       if (take && bad) bad_q <= 1'b1;

@@ -48,7 +48,8 @@ proof  line_reader "pipegs_line_reader+ pipegs_fifo+ free_sram" \
        "@default %MemoryW=4 %AddressW=6 %BurstW=1 TagW=1 ItemW=2 ItemsPerLine=2 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=4 %AddressW=6 %BurstW=2 TagW=1 ItemW=2 ItemsPerLine=1 Lines=4 Jobs=2 IndexW=4 CountW=3;
   @default %MemoryW=8 %AddressW=6 TagW=2 ItemW=4 ItemsPerLine=2 Lines=64 Jobs=8 IndexW=6 CountW=5"
-mutant "asks without credits" 's/ \&\& credits_q\[.*\] != .0//'
+mutant "asks without credits" 's/(asks_q <= left) \&\& places/\1/'
+mutant "an answer that is used frees no place at once" 's/load \? free_both : free_issue/free_issue/'
 mutant "a credit comes back with the answer" 's/else if \(load\) credits_q/else if (rsp_valid_i) credits_q/'
 mutant "the address asked for goes on before it is taken" 's/else if \(issue\) line_q/else line_q/'
 mutant "one credit for all lines of a request" "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"

@@ -95,7 +95,7 @@ class Schedule {
     dut.clk_i = 0;
     dut.eval();
 
-    const bool ready = !front_works_ && !ahead_ && ((!back_works_ && dut.idle_i) || (may_overlap() && dut.same_i));
+    const bool ready = !front_works_ && !ahead_ && ((!back_works_ && was_idle_) || (may_overlap() && dut.same_i));
     ASSERT_EQ(dut.frame_ready_o, ready) << at;
     ASSERT_EQ(dut.busy_o, busy()) << at;
     ASSERT_EQ(dut.front_restart_o, front_restart_) << at;
@@ -135,6 +135,7 @@ class Schedule {
       enter_ -= dut.end_i;
       for (size_t i = 0; i < units; ++i) left_[i] -= dut.window_done_i >> i & 1;
     }
+    was_idle_ = dut.idle_i;
     if (finish) back_works_ = false;
     if (hand) back_works_ = true;
     if (take) {
@@ -151,7 +152,7 @@ class Schedule {
   Pace pace_ = Pace::kAlways;
   std::deque<Job> jobs_;
   Job front_{};
-  bool front_works_ = false, ahead_ = false, back_works_ = false;
+  bool front_works_ = false, ahead_ = false, back_works_ = false, was_idle_ = false;
   bool front_restart_ = false, back_restart_ = false, begin_ = false, finished_ = false;
   uint64_t front_left_ = 0;  // cycles
   uint64_t enter_ = 0, since_restart_ = 3;

@@ -52,6 +52,7 @@ always_comb begin
     assert (!mem_valid_o || (BurstW+1)'(mem_address_o[BurstW-1:0]) + (BurstW+1)'(mem_lines_o) < (BurstW+1)'(2**BurstW));
     assert (!mem_valid_o || (CountW+1)'(mem_lines_o) < lines_left_q);
     // invariants
+    assert (asks_q == (lines_left_q != '0 && credits_q >= CreditW'(Group)));
     assert (credits_q <= CreditW'(Lines) && stored_q <= CreditW'(Lines) && flight_q <= CreditW'(Lines));
     assert ((CreditW+2)'(credits_q) + (CreditW+2)'(stored_q) + (CreditW+2)'(flight_q) == (CreditW+2)'(Lines));
     assert (tail_q == ring_end);
