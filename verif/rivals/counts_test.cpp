@@ -30,6 +30,7 @@ TEST(RivalCounts, AreThoseOfEveryPixelTileAndRay) {
   for (const Case& one : {Case{1, 70, 50, {}},
                           {2, 37, 41, {.voxel = 0.7, .group = 32}},
                           {3, 16, 16, {.near_plane = 1, .voxel = 5}},
+                          {5, 50, 40, {.near_plane = 0.55, .voxel = 0.3}},
                           {4, 131, 20, {.voxel = 1.1, .group = 48}}}) {
     SCOPED_TRACE(one.seed);
     Scene scene = random_scene(one.seed, 60, 0);
