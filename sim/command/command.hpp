@@ -97,5 +97,6 @@ void add_budget(CLI::App& app, Run& run);
 void add_effects(CLI::App& app, Run& run);
 void add_silicon(CLI::App& app, Run& run);
 void add_shapes(CLI::App& app, Run& run);
+void add_rivals(CLI::App& app, Run& run);
 
 }  // namespace pipegs

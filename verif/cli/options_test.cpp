@@ -32,6 +32,7 @@ TEST_F(Options, IntegersAreReadWhole) {
   expect_no("accuracy" + view_, "--points", kNoInteger);
   expect_no("tradeoff" + view_, "--together", kNoInteger);
   expect_no("shapes" + view_, "--runs", kNoInteger);
+  expect_no("rivals" + view_, "--group", kNoInteger);
   expect_no("effects" + view_ + "--measure ", "--rounds", kNoInteger);
 }
 
@@ -40,6 +41,7 @@ TEST_F(Options, RealNumbersAreReadWhole) {
   for (const std::string option : {"--near", "--bandwidth"}) expect_no(sim, option, kNoReal);
   expect_no("tradeoff" + view_, "--ghz", kNoReal);
   expect_no("shapes" + view_, "--area", kNoReal);
+  expect_no("rivals" + view_, "--voxel", kNoReal);
   expect_refused(sim + "--near 0", "--near: found '0', expected a number above 0");
   expect_no("sweep" + view_ + "--memory ideal ", "--bandwidth", {"1.5abc", "abc", " 1", "nan", "inf", "-1", "1,abc"});
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// walk.hpp: the lists of 16-px tiles walked in depth order, with the pixels that each Gaussian finds alive.
+#pragma once
+
+#include <vector>
+
+#include "sim/study/rivals/count/lists.hpp"
+
+namespace pipegs {
+
+// Counts tiles, their sum and the blended Gaussians. Returns of each tile the depth at which its last pixel stops,
+// infinity when one never does.
+std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, const Camera& camera,
+                                const CountOptions& options, FrameCounts& counts);
+
+}  // namespace pipegs
