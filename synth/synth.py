@@ -179,7 +179,8 @@ class Machine:
             for used in ("enables", "gated", "mapped"):
                 os.remove(f"{folder}/{used}.json")
 
-        made_from = [gating.PREPARE, str(gating.MAX_GROUP), MAP, ABC, text, self.library.text, self.library.latch_map()]
+        made_from = [gating.PREPARE, str(gating.MAX_GROUP), rtlil.GATE, MAP, ABC, text]
+        made_from += [self.library.text, self.library.latch_map()]
         return self.jobs.result(module.name, made_from, make)
 
     def netlists(self, modules, tops):
