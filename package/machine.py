@@ -8,7 +8,6 @@ cpp_model/config.def. The driver and its header are the same for every machine.
 """
 import argparse
 import os
-import subprocess
 import sys
 
 from files import ROOT, sources
@@ -25,18 +24,14 @@ def main():
     parser.add_argument("folder")
     parser.add_argument("settings", nargs="*", metavar="key=value")
     options = parser.parse_args()
-    point = [f"{key}={value}" for key, value in synth.design_point_settings(options.rung)]
+    settings = [*synth.design_point_settings(options.rung), "taps=0", *options.settings]
     try:
-        printed = subprocess.run(
-            [options.package_sv, *point, "taps=0", *options.settings], capture_output=True, text=True
-        )
+        package = synth.package_of(options.package_sv, settings)
     except FileNotFoundError:
         raise Failed(f"{options.package_sv} is missing: cmake --build build --target package_sv")
-    if printed.returncode != 0:
-        raise Failed(printed.stderr.strip())
     folder = os.path.abspath(options.folder)
     os.makedirs(folder, exist_ok=True)
-    synth.write(f"{folder}/pipegs_pkg.sv", printed.stdout)
+    synth.write(f"{folder}/pipegs_pkg.sv", package)
     rest = [f"{ROOT}/{file}" for file in sources()[1:]]
     synth.write(f"{folder}/pipegs.f", "\n".join([f"{folder}/pipegs_pkg.sv", *rest]) + "\n")
 

@@ -17,7 +17,6 @@ import glob
 import os
 import re
 import signal
-import subprocess
 import sys
 
 import liberty
@@ -33,12 +32,6 @@ from sources import csv_line  # noqa: E402  (what tables are measured with)
 HEAD = "configuration,unit,block,instances,nand2,flipflops"
 PATHS_HEAD = "configuration,unit,path_fo4"
 TIMED = {base: unit for base, unit in report.UNITS.items() if unit in ("dopu", "pu", "su", "ru")} | {synth.TOP: "top"}
-
-
-def settings(text):
-    """["key=value", ...] of "dop key=value ...": a design point and what is changed in it."""
-    design_point, *rest = text.split()
-    return [f"{key}={value}" for key, value in synth.design_point_settings(design_point)] + rest
 
 
 def instances(modules):
@@ -59,11 +52,13 @@ def instances(modules):
 
 
 def package(build, text):
-    """The package of a configuration; Failed when it is none."""
-    printed = subprocess.run([f"{build}/cpp_model/package_sv", *settings(text)], capture_output=True, text=True)
-    if printed.returncode != 0:
-        raise Failed(f"{text}: {printed.stderr.strip()}")
-    return printed.stdout
+    """The package of "dop key=value ...", a design point and what is changed in it; Failed when it is none."""
+    design_point, *changes = text.split()
+    settings = [*synth.design_point_settings(design_point), *changes]
+    try:
+        return synth.package_of(f"{build}/cpp_model/package_sv", settings)
+    except Failed as failed:
+        raise Failed(f"{text}: {failed}") from None
 
 
 def elaborated(jobs, printed):

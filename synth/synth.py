@@ -62,13 +62,22 @@ write_rtlil {folder}/design.il
 
 
 def design_point_settings(name):
-    """The settings of a design point, from the table sim/design/design_points.def."""
+    """["key=value", ...] of a design point, from the table sim/design/design_points.def."""
     with open(f"{ROOT}/sim/design/design_points.def", encoding="utf-8") as file:
         points = re.findall(r"^PIPEGS_POINT\((\w+), (.*?)^PIPEGS_END\(", file.read(), re.DOTALL | re.MULTILINE)
     design_points = dict(points)
     if name not in design_points:
         raise Failed(f"unknown design point '{name}'; known: {', '.join(design_points)}")
-    return re.findall(r"^PIPEGS_(?:SETTING|PICTURE)\((\w+), (\d+)\)", design_points[name], re.MULTILINE)
+    settings = re.findall(r"^PIPEGS_(?:SETTING|PICTURE)\((\w+), (\d+)\)", design_points[name], re.MULTILINE)
+    return [f"{key}={value}" for key, value in settings]
+
+
+def package_of(package_sv, settings):
+    """The package of a configuration, as the program prints it; Failed when it is none."""
+    printed = subprocess.run([package_sv, *settings], capture_output=True, text=True)
+    if printed.returncode != 0:
+        raise Failed(printed.stderr.strip())
+    return printed.stdout
 
 
 def check_log(log):
@@ -339,22 +348,20 @@ def main():
     if bool(options.netlist) != bool(options.modules):
         parser.error("--netlist FOLDER and the modules go together")
     begin = report.now()
-    settings = [f"{key}={value}" for key, value in design_point_settings(options.rung)] + options.settings.split()
     if not os.path.exists(options.liberty):
         raise Failed(f"no library {options.liberty}")
-    printed = subprocess.run([f"{options.build}/cpp_model/package_sv", *settings], capture_output=True, text=True)
-    if printed.returncode != 0:
-        raise Failed(printed.stderr.strip())
-    if re.search(r"\bClockGates += 0;", printed.stdout):
+    settings = [*design_point_settings(options.rung), *options.settings.split()]
+    package = package_of(f"{options.build}/cpp_model/package_sv", settings)
+    if re.search(r"\bClockGates += 0;", package):
         raise Failed("clock_gates=0 is an FPGA's machine (make fpga): its pipegs_clock_gate cannot stand for enables")
-    configuration = re.search(r"Configuration: (\S+)\.", printed.stdout)[1]  # as the RTL's folders are named
+    configuration = re.search(r"Configuration: (\S+)\.", package)[1]  # as the RTL's folders are named
     name = os.path.basename(options.liberty).split(".")[0].replace("_stdcells", "")
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), max(1, options.jobs))
     machine = Machine(jobs, liberty.Library(options.liberty), options.sram_fo4)
     if options.netlist:
-        write_netlists(jobs, machine, printed.stdout, options.netlist, options.modules)
+        write_netlists(jobs, machine, package, options.netlist, options.modules)
         return
-    modules = jobs.each("elaborate", [(TOP, 1, functools.partial(elaborate, jobs, printed.stdout))])[TOP]
+    modules = jobs.each("elaborate", [(TOP, 1, functools.partial(elaborate, jobs, package))])[TOP]
     machine.build(modules)
     report.write(machine, modules, configuration, name, f"{options.build}/synth/{configuration}/{name}", begin)
 

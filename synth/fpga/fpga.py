@@ -16,7 +16,6 @@ import json
 import os
 import re
 import signal
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))  # synth/
@@ -130,13 +129,6 @@ def measure(jobs, modules, top, family):
     return rows | {"total": {"count": 1} | {kind: sum(row[kind] for row in rows.values()) for kind in KINDS}}
 
 
-def package(build, settings):
-    printed = subprocess.run([f"{build}/cpp_model/package_sv", *settings], capture_output=True, text=True)
-    if printed.returncode != 0:
-        raise Failed(printed.stderr.strip())
-    return printed.stdout
-
-
 def fits(total):
     """{part: share of its scarcest resource that the machine takes}"""
     return {name: max(total[kind] / has for kind, has in part.items()) for name, part in PARTS.items()}
@@ -175,9 +167,8 @@ def main():
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/fpga"), max(1, options.jobs))
     result = []
     for units in options.units.split(","):
-        settings = [f"{key}={value}" for key, value in synth.design_point_settings(options.rung)]
-        settings += [f"units={units}", *options.settings.split(), "clock_gates=0", "taps=0"]
-        text = package(options.build, settings)
+        settings = [*synth.design_point_settings(options.rung), f"units={units}", *options.settings.split()]
+        text = synth.package_of(f"{options.build}/cpp_model/package_sv", [*settings, "clock_gates=0", "taps=0"])
         for top in options.modules or [TOP]:
             modules = jobs.each("elaborate", [(top, 1, functools.partial(synth.elaborate, jobs, text, top))])[top]
             for family in families:

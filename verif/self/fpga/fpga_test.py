@@ -13,11 +13,12 @@ import synth  # noqa: E402
 from jobs import Failed, Jobs  # noqa: E402
 
 BUILD = os.path.abspath(sys.argv.pop(1))
+PACKAGE_SV = f"{BUILD}/cpp_model/package_sv"
 
 
 def mapped(jobs, module, family, settings=("clock_gates=0",)):
     """{kind of resource: how many} of a module with all below it."""
-    modules = synth.elaborate(jobs, fpga.package(BUILD, settings), module)
+    modules = synth.elaborate(jobs, synth.package_of(PACKAGE_SV, settings), module)
     return fpga.measure(jobs, modules, module, family)["total"]
 
 
@@ -34,7 +35,7 @@ class Fpga(unittest.TestCase):
         text += f"  output [{width - 1}:0] q);\n"
         text += f"  pipegs_sram #(.DataW({width}), .Depth({depth})) u_sram (.clk_i(c), .write_i(w),\n"
         text += "    .waddr_i(a), .wdata_i(d), .read_i(r), .raddr_i(b), .rdata_o(q));\nendmodule\n"
-        package = fpga.package(BUILD, ["clock_gates=0"]) + text
+        package = synth.package_of(PACKAGE_SV, ["clock_gates=0"]) + text
         modules = synth.elaborate(self.jobs, package, "memory")
         return fpga.measure(self.jobs, modules, "memory", family)["total"]
 
