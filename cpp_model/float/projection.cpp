@@ -46,8 +46,7 @@ PixelRect clipped(const PixelRect& r, const Camera& camera) {
 }
 
 PixelRect inria_footprint(const TruthProjection& p, const Camera& camera) {
-  const double mid = 0.5 * (p.a + p.c);
-  const double radius = std::ceil(3 * std::sqrt(mid + std::sqrt(std::max(0.1, mid * mid - p.det))));
+  const double radius = inria_radius(p);
   const auto tile = [](double edge, int size) {
     const int grid = (size + kTile - 1) / kTile;
     return std::clamp(to_pixel(edge / kTile), 0, grid) * kTile;  // to_pixel truncates toward 0 as (int) does
@@ -151,6 +150,11 @@ TruthProjection project_truth(const ActivatedGaussian& gaussian, const glm::vec3
   out.rgb = sh_color(sh_dc, sh_rest, std::min(sh_degree, options.sh_degree), direction);
   out.visible = true;
   return out;
+}
+
+double inria_radius(const TruthProjection& p) {
+  const double mid = 0.5 * (p.a + p.c);
+  return std::ceil(3 * std::sqrt(mid + std::sqrt(std::max(0.1, mid * mid - p.det))));
 }
 
 PixelRect footprint(const TruthProjection& projected, const Camera& camera, Semantics semantics) {

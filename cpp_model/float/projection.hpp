@@ -60,6 +60,9 @@ struct PixelRect {
 };
 PixelRect footprint(const TruthProjection& projected, const Camera& camera, Semantics semantics);
 
+// INRIA's radius of the square around a mean, pixels: 3 sigma of the longer axis, rounded up.
+double inria_radius(const TruthProjection& projected);
+
 // log(alpha) without opacity at offset (dx, dy) = mean - pixel centre.
 inline double power_at(const glm::dvec3& conic, double dx, double dy) {
   return -0.5 * (conic.x * dx * dx + conic.z * dy * dy) - conic.y * dx * dy;

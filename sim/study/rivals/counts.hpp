@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <vector>
 
 #include "scenes/camera.hpp"
@@ -30,7 +31,8 @@ enum class Cover {
   kOriented,  // GSCore: of those of the square, the ones that the box of 3 sigma along both eigenvectors touches
   kExact,     // alpha >= 1/255 at a pixel of the tile; up to 3.33 sigma, so not always among those of the square
 };
-inline constexpr int kCovers = 4;
+inline constexpr Cover kAllCovers[] = {Cover::kSquare, Cover::kAxis, Cover::kOriented, Cover::kExact};
+inline constexpr int kCovers = static_cast<int>(std::size(kAllCovers));
 
 template <class T>
 struct ByCover {

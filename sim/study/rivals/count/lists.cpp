@@ -17,7 +17,6 @@ namespace {
 
 constexpr size_t kBlock = 2048;                                 // Gaussians that a thread takes at a time
 constexpr size_t kMostGaussians = size_t{1} << (32 - kCovers);  // that an Entry can name
-constexpr Cover kAllCovers[] = {Cover::kSquare, Cover::kAxis, Cover::kOriented, Cover::kExact};
 
 struct Item {
   uint32_t tile;

@@ -26,8 +26,7 @@ SeenGaussian seen_of(const TruthProjection& p, const Camera& camera) {
   s.variance_x = p.a, s.variance_y = p.c;
   s.opacity = p.opacity, s.depth = p.depth;
   s.least_power = -std::log(255 * p.opacity) - 1e-9;
-  const double middle = 0.5 * (p.a + p.c);
-  s.radius = std::ceil(3 * std::sqrt(middle + std::sqrt(std::max(0.1, middle * middle - p.det))));
+  s.radius = inria_radius(p);
   const double longer = longer_variance(p.a, p.b, p.c);
   s.half_long = 3 * std::sqrt(longer), s.half_short = 3 * std::sqrt(p.det / longer);
   const glm::dvec2 direction = p.a >= p.c ? glm::dvec2(longer - p.c, p.b) : glm::dvec2(p.b, longer - p.a);

@@ -20,7 +20,6 @@ namespace pipegs {
 namespace {
 
 constexpr int kPart = 8;  // side of the parts that GSCore's bitmap names
-constexpr Cover kAllCovers[] = {Cover::kSquare, Cover::kAxis, Cover::kOriented, Cover::kExact};
 
 using Bits = std::array<uint16_t, kTileSide>;  // a word for each row of the tile, a bit for each pixel
 
