@@ -82,6 +82,10 @@ TEST(TermsReport, WaterfallEndsInThePapersTerms) {
   }
   Terms alone = our_terms();
   rows[2].assumption->take(alone, paper_terms());
+  Terms without = paper_terms();
+  rows[2].assumption->take(without, our_terms());
+  EXPECT_EQ(rows[2].without[Rung::kDop].cycles,
+            TermsModel(view, {0.1, 0.2, 0.1, 0.5, 0.25, 0.125}).ladder(without)[Rung::kDop].cycles);
   EXPECT_EQ(rows[2].alone[Rung::kHgr].cycles,
             TermsModel(view, {0.1, 0.2, 0.1, 0.5, 0.25, 0.125}).ladder(alone)[Rung::kHgr].cycles);
 }

@@ -23,7 +23,8 @@ struct LeadRow {
 struct WaterfallRow {
   const Assumption* assumption = nullptr;  // none: our terms as they are
   std::string value;
-  TermsLadder alone, together;
+  TermsLadder alone, together;  // of ours this one switched; all up to this one
+  TermsLadder without;          // of the paper's this one as ours
 };
 
 struct TermsReport {

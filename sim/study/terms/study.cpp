@@ -35,13 +35,15 @@ std::vector<WaterfallRow> waterfall(TermsModel& model) {
   std::vector<WaterfallRow> rows(1);
   rows[0].value = "as our RTL";
   rows[0].alone = rows[0].together = model.ladder(ours);
+  rows[0].without = model.ladder(paper);
   for (const Assumption& one : assumptions()) {
     const Terms before = together;
     one.take(together, paper);
     if (together == before) continue;
-    Terms alone = ours;
+    Terms alone = ours, without = paper;
     one.take(alone, paper);
-    rows.push_back({&one, one.value(paper), model.ladder(alone), model.ladder(together)});
+    one.take(without, ours);
+    rows.push_back({&one, one.value(paper), model.ladder(alone), model.ladder(together), model.ladder(without)});
   }
   return rows;
 }
