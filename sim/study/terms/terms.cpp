@@ -131,14 +131,14 @@ const std::vector<Assumption>& assumptions() {
        [](const Terms& t) { return std::string(!t.dram    ? "any"
                                                : t.packed ? "packed"
                                                           : "FP32"); }, TAKE(packed)},
-      {"pre", "cycles of a Gaussian in a PU",
-       "silent; Sec. 2.2: \"complete traversal of all Gaussians in the view "
-       "frustum\"",
-       pre_name, [](Terms& to, const Terms& from) { to.pre = from.pre, to.all = from.all, to.turns = from.turns; }},
       {"layers", "of the whole frame or list by list",
        "Sec. 4.1: \"while the PU preprocesses layer i + 1, the SU and "
        "RU concurrently sort and rasterize layer i\"",
        [](const Terms& t) { return std::string(t.by_window ? "list by list" : "of the frame"); }, TAKE(by_window)},
+      {"pre", "cycles of a Gaussian in a PU",
+       "silent; Sec. 2.2: \"complete traversal of all Gaussians in the view "
+       "frustum\"",
+       pre_name, [](Terms& to, const Terms& from) { to.pre = from.pre, to.all = from.all, to.turns = from.turns; }},
       {"grid", "cells along an axis", "Sec. 5.1: 4 outdoors, 8 indoors",
        [](const Terms& t) { return std::to_string(t.grid); }, TAKE(grid)},
   };
