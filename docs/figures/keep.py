@@ -189,6 +189,22 @@ def golden(text):
     return {bits: float(value) for bits, value in re.findall(r'psnr_alpha_(\d+)"?(?: value)?="([\d.]+)"', text)}
 
 
+def profile(found):
+    """Of `pipegs profile`: where the RTL's time goes, and how often Gaussians and coefficients could be used again."""
+    if found["mismatches"] != 0:
+        raise ValueError("the RTL differs")
+    costs, counts = found["coefficient_cost"], found["gaussians"]
+    return {
+        "stages": {stage: one["share"] for stage, one in found["stages"].items()},
+        "in_two": counts["share_in_two_or_more"],
+        "mean_tiles": counts["mean_tiles"],
+        "coefficients": costs["once_per_gaussian"],
+        "coefficients_window": costs["once_per_gaussian_and_window"],
+        "arithmetic": found["arithmetic_per_pixel"]["dpc"],
+        "direct": found["arithmetic_per_pixel"]["direct"],
+    }
+
+
 def fetched(found):
     """Of `pipegs profile --no-rtl`: Gaussians that the DOPU sends to the PUs."""
     return {"fetched": round(found["stages"]["preprocess"]["cycles"])}

@@ -30,6 +30,7 @@ from keep import (
     netlist,
     one_model,
     printed,
+    profile,
     proofs,
     shapes,
     shown,
@@ -200,6 +201,8 @@ TABLE = [
     *[Measurement(f"profile/{scene}_chunk32", "build/pipegs profile {scene} --rung dop --no-rtl --set chunk=32 "
                   "--set group=16 --json", fetched, ("models",), scene, points=("dop",))
       for scene in ("terrace", "statue")],
+    *[Measurement(f"printed/{scene}", "build/pipegs profile {scene} --json", profile, RTL, scene, points=("baseline",))
+      for scene in FOUR],
     *[Measurement(f"prints/{room.split('/')[0]}/{test}", f"build/verif/{room}/{test}_test", printed(*what),
                   ("rtl", "models"))
       for test, (room, *what) in PRINTS.items()],

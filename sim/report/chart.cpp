@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "sim/report/svg.hpp"
 
 namespace pipegs {
 namespace {
@@ -16,23 +17,6 @@ constexpr double kWidth = 480, kHeight = 320;  // of one chart
 constexpr double kLeft = 62, kRight = 14, kBottom = 46;
 constexpr double kCharacter = 6.2;  // mean width of one at 11 pixels
 constexpr double kLegendLine = 16;
-// Hues that stand out on white and on black.
-constexpr std::array<const char*, 8> kColors = {"#4c8fd6", "#e0873a", "#45a173", "#c05fb4",
-                                                "#b39a2d", "#8a8f98", "#d65c5c", "#3fa9b5"};
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return result;
-}
 
 // "12k", "3.4M", "0.25", "102.4": three digits or four.
 std::string short_number(double value) {
@@ -71,7 +55,7 @@ class Drawing {
   void histogram_bars();
   double largest() const;
   double smallest() const;
-  std::string color(size_t series) const { return kColors[series % kColors.size()]; }
+  std::string color(size_t series) const { return svg_color(series); }
   std::string paint(size_t series) const;
   void box(double x, double y0, double y1, double width, size_t series, const std::string& what);
 
@@ -108,8 +92,7 @@ void Drawing::check() const {
 }
 
 void Drawing::text(double x, double y, const std::string& anchor, const std::string& words, const std::string& more) {
-  out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"currentColor\"{}>{}</text>\n", x, y,
-                      anchor, more, escaped(words));
+  out_ += svg_text(x, y, anchor, words, more);
 }
 
 std::string Drawing::paint(size_t series) const {
@@ -243,7 +226,7 @@ void Drawing::axes() {
 void Drawing::box(double x, double y0, double y1, double width, size_t series, const std::string& what) {
   out_ +=
       fmt::format("<rect x=\"{:.1f}\" y=\"{:.2f}\" width=\"{:.1f}\" height=\"{:.2f}\" {}><title>{}</title></rect>\n", x,
-                  y1, width, std::max(0.0, y0 - y1), paint(series), escaped(what));
+                  y1, width, std::max(0.0, y0 - y1), paint(series), svg_escaped(what));
 }
 
 void Drawing::bars() {
@@ -295,9 +278,9 @@ void Drawing::lines() {
       joined = true;
       out_ += fmt::format(
           "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"><title>{}</title></circle>\n", x, y, color(k),
-          escaped(fmt::format("{}, {}: {}", chart_.series[k].name,
-                              chart_.categories.empty() ? short_number(chart_.x[i]) : chart_.categories[i],
-                              short_number(value))));
+          svg_escaped(fmt::format("{}, {}: {}", chart_.series[k].name,
+                                  chart_.categories.empty() ? short_number(chart_.x[i]) : chart_.categories[i],
+                                  short_number(value))));
     }
     if (path.empty()) continue;
     out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{}/>\n", path, color(k),
@@ -316,8 +299,8 @@ void Drawing::points() {
       path += fmt::format("{}{:.1f} {:.1f} ", path.empty() ? 'M' : 'L', x, y);
       out_ +=
           fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" {}><title>{}</title></circle>\n", x, y, paint(k),
-                      escaped(fmt::format("{}, {}: {}, {}", series.name, series.labels[i], short_number(series.x[i]),
-                                          short_number(series.values[i]))));
+                      svg_escaped(fmt::format("{}, {}: {}, {}", series.name, series.labels[i],
+                                              short_number(series.x[i]), short_number(series.values[i]))));
       if (!series.named || (std::abs(x - last_x) < 8 && std::abs(y - last_y) < 8)) continue;  // never over each other
       text(x - 5, y - 5, "end", series.labels[i], " font-size=\"10\"");
       last_x = x, last_y = y;
@@ -410,14 +393,7 @@ Chart histogram(const std::string& title, const std::string& x_label, const std:
 std::string charts_svg(const std::vector<Chart>& charts, int columns) {
   const int count = static_cast<int>(charts.size()), wide = std::max(1, std::min(columns, count)),
             high = (count + wide - 1) / wide;
-  std::string svg = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"pipegs-chart\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-      "height=\"{1}\" "
-      "font-family=\"system-ui, sans-serif\" font-size=\"11\">\n"
-      "<style>.pipegs-chart {{ color: #1b1f24; }} @media (prefers-color-scheme: dark) {{ .pipegs-chart {{ color: "
-      "#e6e9ee; }} }}</style>\n",
-      wide * kWidth, std::max(1, high) * kHeight);
+  std::string svg = svg_head(wide * kWidth, std::max(1, high) * kHeight);
   for (int i = 0; i < count; ++i) svg += Drawing(charts[i], kWidth * (i % wide), kHeight * (i / wide)).draw();
   return svg + "</svg>\n";
 }

@@ -14,7 +14,7 @@ namespace pipegs {
 namespace {
 
 constexpr const char* kPathsHeader = "configuration,unit,path_fo4";
-constexpr double kLineRidge = 1e-3;  // beside a largest path of 1; a knob's whole range is 2
+constexpr double kPathRidge = 1e-3;  // beside a largest path of 1; a knob's whole range is 2
 const std::set<std::string> kTimedUnits = {"dopu", "pu", "su", "ru", "top"};
 
 double longest_of(const std::map<std::string, double>& fo4) {
@@ -67,7 +67,7 @@ PathModel::PathModel(std::vector<PathPoint> points, UnitKnobs knobs)
     const double largest = *std::max_element(paths.begin(), paths.end());
     for (double& path : paths) path /= largest;
     std::vector<double> ridges = kind_ridges();
-    ridges.resize(x[unit].front().size(), kLineRidge);
+    ridges.resize(x[unit].front().size(), kPathRidge);
     coefficients_[unit] = least_squares(x[unit], paths, ridges);
     for (double& coefficient : coefficients_[unit]) coefficient *= largest;
   }

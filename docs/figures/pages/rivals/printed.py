@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The table of docs/rivals/printed.md: every figure that the paper prints, beside ours."""
+from data import data
+from formats import fixed, group, percent, table, times
+from measurements import FOUR
+
+MEASURED = ["printed/*", "terms/*", "ladder/*", "equal_area/*", "energy/*", "silicon/dop"]
+TABLE2 = {  # mm2, W
+    "DOPU": (0.001, 0.004),
+    "PU": (1.695, 0.466),
+    "SU": (0.065, 0.068),
+    "RU": (0.472, 0.171),
+    "Buffers": (1.038, 0.236),
+    "Total": (3.283, 0.948),
+}
+HEAD = ["paper", "what", "printed", "its terms", "RTL, equal lanes", "equal area", "why they differ", "command"]
+TERMS, LADDER = "`pipegs ladder --terms paper`", "`pipegs ladder`"
+PROFILE, SILICON = "`pipegs profile`", "`pipegs silicon --rung dop`"
+
+
+def spanned(form, values, *rest):
+    """The least to the most of the scenes."""
+    low, high = form(min(values), *rest), form(max(values), *rest)
+    return low if low == high else f"{low} to {high}"
+
+
+def terms(key, form, *rest):
+    return spanned(form, [data.terms[scene].paper.figures[key].here for scene in FOUR], *rest)
+
+
+def rtl(value, form, *rest):
+    """Of each scene's ladder."""
+    return spanned(form, [value(data.ladder[scene]) for scene in FOUR], *rest)
+
+
+def equal(slow, fast):
+    at = data.equal_area
+    return spanned(times, [at[scene][slow].us / at[scene][fast].us for scene in FOUR])
+
+
+def profiled(value, form, *rest):
+    return spanned(form, [value(data.printed[scene]) for scene in FOUR], *rest)
+
+
+def speedup(what, slow, fast, paper, key, why):
+    ours = rtl(lambda one: one[slow].cycles / one[fast].cycles, times)
+    return ["Fig. 9", what, f"up to {paper}x", terms(key, times), ours, equal(slow, fast), why, TERMS + ", " + LADDER]
+
+
+def ratio(what, point, paper, key, why):
+    ours = rtl(lambda one: one[point].raster_over_sort, fixed, 2)
+    return ["Fig. 8a", what, paper, terms(key, fixed, 2), ours, "as equal lanes", why, TERMS + ", " + LADDER]
+
+
+def pipeline():
+    """Fig. 3, 8 and 9: where time goes, and what the ideas are worth."""
+    shares = [lambda one, stage=stage: one.stages[stage] for stage in ("preprocess", "sort", "raster")]
+    hidden = rtl(
+        lambda one: one.dop.exposed_share * one.dop.cycles / (one.tspp.exposed_share * one.tspp.cycles), percent, 1
+    )
+    rows = [
+        ["Fig. 3a", "rasterization, share of the time", "about 70 %", terms("raster_share", percent),
+         profiled(shares[2], percent), "as equal lanes", "theirs is a GPU's", TERMS + ", " + PROFILE],
+        ["Fig. 3a", "preprocessing before all else, share of the frame", "about 15 %", terms("front_share", percent),
+         rtl(lambda one: one.baseline.exposed_share, percent), "as equal lanes",
+         "a GPU's memory and cores; here four PUs read every Gaussian first", TERMS + ", " + LADDER],
+        ["Fig. 3a", "bubbles", "69 %", terms("idle", percent), rtl(lambda one: one.baseline.bubbles, percent),
+         "as equal lanes", "the RTL's are the RUs' alone", TERMS + ", " + LADDER],
+        ["Fig. 3c", "preprocessing longer by HGR", "up to +20 %", terms("pre", lambda value: percent(value - 1)), "-",
+         "-", "the RTL computes alphas beside the projection, not behind it", TERMS],
+        ratio("raster / sort, Baseline", "baseline", "7.48", "ratio_baseline", "a pixel costs its operations there, a cycle here"),
+        ratio("raster / sort, DPC", "dpc", "5.71", "ratio_dpc", "the same"),
+        ratio("raster / sort, DPC + TSPP", "tspp", "1.83", "ratio_hgr", "the RUs wait for alphas from memory"),
+        ["Fig. 8a", "bubbles fewer by HGR", "76.2 %", spanned(percent, [1 - data.terms[scene].paper.figures.gap_left.here for scene in FOUR]),
+         rtl(lambda one: 1 - one.tspp.bubbles / one.baseline.bubbles, percent), "-",
+         "alphas through memory add bubbles", TERMS + ", " + LADDER],
+        ["Fig. 8b", "preprocessing that DOP leaves exposed", "37 %", terms("delay", percent), hidden, "-",
+         "windows begin with the nearest layer alone; the abstract's 63 % are the same figure", TERMS + ", " + LADDER],
+        speedup("DPC + TSPP over Baseline", "baseline", "tspp", "2.33", "hgr", "alphas do not fit the chip"),
+        speedup("DOP over that", "tspp", "dop", "1.22", "dop_over_hgr", "it also saves trips of alphas to memory"),
+        speedup("DOP over Baseline", "baseline", "dop", "2.85", "dop", "both"),
+    ]  # fmt: skip
+    return table(HEAD, rows)
+
+
+def order_db():
+    """What layers cost scenes that were not trained for them."""
+    return rtl(lambda one: one.dop.psnr_order_db, fixed, 0)
+
+
+def reuse():
+    """Fig. 3b, 4 and 5b: how much can be used again. Counts: no lanes and no area are in them."""
+    tiles = {one.tile: one for one in data.printed.own.arithmetic}
+    direct = data.printed.own.direct
+    saved = 1 - tiles[16].multiplications / direct.multiplications
+    all_saved = 1 - (tiles[16].multiplications + tiles[16].additions) / (direct.multiplications + direct.additions)
+    costs = [f"{fixed(one.multiplications, 2)} x, {fixed(one.additions, 2)} +" for one in tiles.values()]
+    scenes = "other scenes; a tile counts here only if a pixel of it has alpha >= 1/255"
+    rows = [
+        ["Fig. 3b", "Gaussians in two tiles of 16 px or more", "over 70 %", profiled(lambda one: one.in_two, percent),
+         scenes, PROFILE],
+        ["Fig. 4a", "multiplications fewer by DPC", "96.2 %", percent(saved, 1), "-", PROFILE],
+        ["Fig. 4a", "operations fewer by DPC", "76.9 %", percent(all_saved, 1), "-", PROFILE],
+        ["Fig. 4b", "operations of a pixel, tiles of 8, 16, 32, 64 px", "a chart without numbers", "; ".join(costs),
+         "-", PROFILE],
+        ["Fig. 5b", "tiles of a Gaussian", "2.6 to 6.7", profiled(lambda one: one.mean_tiles, fixed, 1), scenes,
+         PROFILE],
+        ["Fig. 5b", "coefficients' cost with HGR", "0.15 to 0.52", profiled(lambda one: one.coefficients, fixed, 2),
+         "once per Gaussian; once per Gaussian and window it is "
+         + profiled(lambda one: one.coefficients_window, fixed, 2), PROFILE],
+    ]  # fmt: skip
+    return table(["paper", "what", "printed", "ours", "why they differ", "command"], rows)
+
+
+def silicon():
+    """Table 2 beside `dop`: mid of the ranges; power at full speed."""
+    area, power = data.silicon.dop, [data.energy[scene].dop.rows for scene in FOUR]
+    rows = [
+        [unit, fixed(mm2, 3), fixed(area[unit].area_mm2.mid, 3), fixed(watts, 3),
+         spanned(fixed, [one[unit].w_full.mid for one in power], 3)]
+        for unit, (mm2, watts) in TABLE2.items()
+    ]  # fmt: skip
+    return table(["unit", "paper, mm2", "ours, mm2", "paper, W", "ours, W"], rows)
