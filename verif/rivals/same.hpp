@@ -28,6 +28,15 @@ inline void expect_same(const FrameCounts& found, const FrameCounts& wanted) {
     for (const Cover cover : {Cover::kSquare, Cover::kAxis, Cover::kOriented, Cover::kExact})
       EXPECT_EQ(lists.lengths[cover], other.lengths[cover]) << static_cast<int>(cover);
   }
+  EXPECT_EQ(found.voxels.edge, wanted.voxels.edge);
+  ASSERT_EQ(found.voxels.groups.size(), wanted.voxels.groups.size());
+  for (size_t g = 0; g < found.voxels.groups.size(); ++g) {
+    const GroupCounts &group = found.voxels.groups[g], &other = wanted.voxels.groups[g];
+    EXPECT_EQ(group.voxels, other.voxels) << g;
+    EXPECT_EQ(group.filtered.fetched, other.filtered.fetched) << g;
+    EXPECT_EQ(group.filtered.coarse, other.filtered.coarse) << g;
+    EXPECT_EQ(group.filtered.fine, other.filtered.fine) << g;
+  }
   ASSERT_EQ(found.tiles.size(), wanted.tiles.size());
   for (size_t t = 0; t < found.tiles.size(); ++t) {
     SCOPED_TRACE(t);
