@@ -46,7 +46,8 @@ TEST(RivalModels, GscoreByHand) {
 TEST(RivalModels, GscoresBytesByHand) {
   const MachineFrame frame = ideal_frame(gscore());
   EXPECT_EQ(frame.bytes.at("records"), 3688 * 64);
-  EXPECT_EQ(frame.bytes.at("features"), (50 + 20) * 64);
+  EXPECT_EQ(frame.bytes.at("features"), 50 * 64);
+  EXPECT_EQ(frame.bytes.at("fetches"), 20 * 64);
   EXPECT_EQ(frame.bytes.at("keys"), 5 * 64);
   EXPECT_EQ(frame.bytes.at("sort"), (6 + 4) * 3 * 64);
   EXPECT_EQ(frame.bytes.at("pixels"), 32 * 16 * 4);
@@ -113,7 +114,8 @@ TEST(RivalModels, NeoByHand) {
   const MachineFrame frame = ideal_frame(neo());
   EXPECT_EQ(frame.cycles, 45 * 2 + 72);
   EXPECT_EQ(frame.bytes.at("records"), 94 * 64 + 100 * 128);  // 6000 B, and two lines of 100
-  EXPECT_EQ(frame.bytes.at("features"), (100 + 45) * 64);
+  EXPECT_EQ(frame.bytes.at("features"), 100 * 64);
+  EXPECT_EQ(frame.bytes.at("fetches"), 45 * 64);
   EXPECT_EQ(frame.bytes.at("keys"), 14 * 64);         // 4.5 keys of three lines
   EXPECT_EQ(frame.bytes.at("sort"), 4 * 2 * 5 * 64);  // 297 B in runs of 270 B, four times
 }

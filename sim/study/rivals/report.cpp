@@ -148,6 +148,12 @@ Json counts_json(const FrameCounts& counts, const CountOptions& options) {
     json["definitions"][row.section][row.key] = fmt::format("{}: {}", row.unit, row.what);
   }
   for (const ListCounts& lists : counts.lists) json["lists"].push_back(list_json(lists));
+  for (const VoxelCounts& voxels : counts.other_voxels)
+    json["other_voxels"].push_back({{"voxel", voxels.edge},
+                                    {"open_pairs", voxels.open_pairs},
+                                    {"open_fetched", voxels.open.fetched},
+                                    {"open_coarse", voxels.open.coarse},
+                                    {"open_fine", voxels.open.fine}});
   for (const auto& [key, what] : kListColumns) json["definitions"]["lists"][key] = what;
   for (const NamedCover& named : kNamed) json["definitions"]["lists"][named.key] = named.what;
   return json;

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char *kMachines = "  {:<16}{:<10}{:>5}{:>12}{:>9}{:>9}{:>8}{:>7}{:>22}{:>24}{:>22}  {}\n",
-                     *kAgainst = "  {:<13}{:>9}{:>9}  {}\n", *kChecks = "  {:<12}{:<56}{:>10}{:>9}{:>7}  {:<5} {}\n",
+                     *kAgainst = "  {:<13}{:>9}{:>9}  {}\n", *kChecks = "  {:<12}{:<72}{:>10}{:>9}{:>7}  {:<5} {}\n",
                      *kParameters = "  {:<14}{:>8}{:>8}{:>8} {:<16}{} {:>9}{:>10}  {}\n";
 
 std::string number(double value, int digits) {
@@ -90,9 +90,15 @@ std::string checks_text(const Comparison& comparison) {
   for (const Check& check : comparison.checks)
     text += fmt::format(kChecks, check.rival, check.figure,
                         fmt::format("{}{} {}", check.at_most ? "<=" : "", number(check.published, 3), check.unit),
-                        number(check.ours, 3), number(check.ratio(), 2), check.passes() ? "yes" : "no", check.why);
-  return text + fmt::format("  an efficiency of {:.2f} would close Lego; it is applied to no frame\n",
-                            comparison.lego_cycles / kLegoCycles);
+                        number(check.ours, 3), number(check.ratio(), 2),
+                        check.chosen     ? "set"
+                        : check.passes() ? "yes"
+                                         : "no",
+                        check.why);
+  return text + fmt::format(
+                    "  set: a parameter is from this figure\n  an efficiency of {:.2f} would close Lego; it is applied "
+                    "to no frame\n",
+                    comparison.lego_cycles / kLegoCycles);
 }
 
 std::string parameters_text(const Comparison& comparison) {
@@ -245,6 +251,7 @@ Json comparison_json(const Comparison& comparison) {
                               {"unit", check.unit},
                               {"published", check.published},
                               {"at_most", check.at_most},
+                              {"chosen", check.chosen},
                               {"ours", check.ours},
                               {"ratio", check.ratio()},
                               {"passes", check.passes()},

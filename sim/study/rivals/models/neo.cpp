@@ -57,7 +57,7 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
       written};
   back.flows = {read,
                 written,
-                {.kind = "features", .bytes = pairs * fetch, .run = kLineOfMemory, .table = table},
+                {.kind = "fetches", .bytes = pairs * fetch, .run = kLineOfMemory, .table = table},
                 {.kind = "pixels", .write = true, .bytes = pixels, .run = kLineOfMemory, .table = pixels}};
   return run_phases({front, back}, 1, value(values, "watts"), memory);
 }

@@ -62,12 +62,13 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
   const std::vector<double> pixels = pixels_of_groups(counts, voxels.groups.size());
   UnitStage coarse{"coarse filter", 1, {}}, fine{"fine filter", 1, {}}, sort{"sorter", 1, {}}, raster{"VRU", 1, {}};
   Phase groups{"groups", {}, {}, {}};
+  const double written = kPixelBytes * counts.width * counts.height;
   double fetched = 0, passed = 0, met = 0;
   for (size_t g = 0; g < voxels.groups.size(); ++g) {
     const FilterCounts& f = voxels.groups[g].filtered;
     const double all = static_cast<double>(f.fetched), through = filters ? static_cast<double>(f.coarse) : all;
     groups.shares.push_back(all * value(values, "coarse_bytes") + through * value(values, "index_bytes") +
-                            kPixelBytes * pixels[g] / kPartPixels);
+                            written / static_cast<double>(pixels.size()));
     coarse.cycles.push_back(filters ? all / value(values, "coarse_rate") : 0);
     fine.cycles.push_back(through / value(values, "fine_rate"));
     sort.cycles.push_back(ceil_div(static_cast<double>(f.fine), 16) / value(values, "chunk_rate"));
@@ -81,11 +82,7 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
   groups.flows = {
       {.kind = "means", .bytes = means, .run = run(means), .table = scene * value(values, "coarse_bytes")},
       {.kind = "indices", .bytes = indices, .run = run(indices), .table = scene * value(values, "index_bytes")},
-      {.kind = "pixels",
-       .write = true,
-       .bytes = kPixelBytes * counts.width * counts.height,
-       .run = kLineOfMemory,
-       .table = kPixelBytes * counts.width * counts.height}};
+      {.kind = "pixels", .write = true, .bytes = written, .run = kLineOfMemory, .table = written}};
   return run_phases({groups}, 1, value(values, "watts"), memory);
 }
 

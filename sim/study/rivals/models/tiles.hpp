@@ -36,7 +36,7 @@ inline std::vector<Flow> sort_and_fetch(const FrameCounts& counts, const Values&
   const double run = lists > 0 ? std::max(bytes / lists, 1.0) : kLineOfMemory;
   return {{.kind = "sort", .bytes = bytes * (passes + 1), .run = run, .table = bytes},
           {.kind = "sort", .write = true, .bytes = bytes * passes, .run = run, .table = bytes},
-          {.kind = "features",
+          {.kind = "fetches",
            .bytes = fetches * value(values, "fetch_bytes"),
            .run = kLineOfMemory,
            .table = visible * value(values, "feature_bytes")},
