@@ -408,6 +408,8 @@ class Brute {
       members[{number(0), number(1), number(2)}].push_back(i);
     }
     VoxelCounts& v = out_.voxels;
+    v.edge = options_.voxel;
+    v.groups.resize(static_cast<size_t>(columns(options_.group)) * static_cast<size_t>(rows(options_.group)));
     std::set<size_t> fetched, passed, fine;
     for (const auto& [key, inside] : members) {
       ++v.occupied;
@@ -428,6 +430,7 @@ class Brute {
           const bool open = nearest <= group_stop(x, y);
           ++v.pairs;
           v.open_pairs += open;
+          group(x, y).voxels += open;
           for (const size_t i : inside) pass(i, x, y, open, fetched, passed, fine);
         }
       }
@@ -453,17 +456,23 @@ class Brute {
     return stop;
   }
 
+  GroupCounts& group(int x, int y) {
+    return out_.voxels
+        .groups[static_cast<size_t>(y) * static_cast<size_t>(columns(options_.group)) + static_cast<size_t>(x)];
+  }
+
   void pass(size_t i, int x, int y, bool open, std::set<size_t>& fetched, std::set<size_t>& passed,
             std::set<size_t>& fine) {
     VoxelCounts& v = out_.voxels;
-    ++v.all.fetched, v.open.fetched += open, fetched.insert(i);
+    FilterCounts& own = group(x, y).filtered;
+    ++v.all.fetched, v.open.fetched += open, own.fetched += open, fetched.insert(i);
     ActivatedGaussian gaussian;
     activate(scene_, i, gaussian);
     if (!coarse(gaussian, x, y)) return;
-    ++v.all.coarse, v.open.coarse += open, passed.insert(i);
+    ++v.all.coarse, v.open.coarse += open, own.coarse += open, passed.insert(i);
     const auto shape = std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.index == i; });
     if (shape == shapes_.end() || !covers(*shape, Cover::kExact, options_.group, x, y)) return;
-    ++v.all.fine, v.open.fine += open, fine.insert(i);
+    ++v.all.fine, v.open.fine += open, own.fine += open, fine.insert(i);
   }
 
   const Scene& scene_;

@@ -172,10 +172,21 @@ TEST(RivalCounts, OfAnEmptyPictureAreNone) {
   }
 }
 
+TEST(RivalCounts, OtherVoxelsAreThoseOfTheirEdge) {
+  const Scene scene = random_scene(6, 80, 0);
+  const FrameCounts both = count_frame(scene, test_camera(70, 50), {.voxel = 2, .other_voxels = {0.5}, .group = 32});
+  ASSERT_EQ(both.other_voxels.size(), 1u);
+  FrameCounts found = both;
+  found.voxels = both.other_voxels.front();
+  expect_same(found, count_frame(scene, test_camera(70, 50), {.voxel = 0.5, .group = 32}));
+  EXPECT_NE(both.voxels.occupied, both.other_voxels.front().occupied);
+}
+
 TEST(RivalCounts, RefuseParametersWithoutMeaning) {
   const Scene scene = scene_of({gaussian_at({0, 0, 3})});
   for (const double voxel : {0.0, -1.0, std::nan("")})
-    EXPECT_THROW(count_frame(scene, test_camera(16, 16), {.voxel = voxel}), std::invalid_argument);
+    for (const CountOptions& options : {CountOptions{.voxel = voxel}, CountOptions{.other_voxels = {1, voxel}}})
+      EXPECT_THROW(count_frame(scene, test_camera(16, 16), options), std::invalid_argument);
   for (const int group : {0, -16, 8, 24})
     EXPECT_THROW(count_frame(scene, test_camera(16, 16), {.group = group}), std::invalid_argument);
   for (const int cells : {0, -1, kMostCells + 1})

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "sim/memory/dram_memory.hpp"
@@ -81,7 +83,14 @@ TEST(RivalsTraffic, ScatteredLinesAreSlowerThanATableAndLongRunsAreNot) {
 
 TEST(RivalsTraffic, RunsMoveWholeLines) {
   EXPECT_EQ(play_traffic({{.kind = "record", .bytes = 236 * 1000, .run = 236}}, kDram, 1.0).bytes, 256 * 1000);
+  EXPECT_EQ(pin_bytes({.kind = "record", .bytes = 236 * 1000, .run = 236}), 256 * 1000);
   EXPECT_EQ(play_traffic({{.kind = "none"}}, kDram, 1.0).cycles, 0);
+}
+
+TEST(RivalsTraffic, AnIdealMemoryTakesNoTime) {
+  const Traffic traffic = play_traffic({{.kind = "scene", .bytes = 640}}, "ideal", 1.0);
+  EXPECT_EQ(traffic.cycles, 0);
+  EXPECT_EQ(traffic.bytes, 640);
 }
 
 TEST(RivalsTraffic, LongPhasesScaleByTheirBytes) {
@@ -92,7 +101,8 @@ TEST(RivalsTraffic, LongPhasesScaleByTheirBytes) {
 }
 
 TEST(RivalsTraffic, BadInput) {
-  EXPECT_THROW(play_traffic({{.kind = "a", .bytes = -1}}, kDram, 1.0), std::invalid_argument);
+  for (const double bad : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(play_traffic({{.kind = "a", .bytes = bad}}, kDram, 1.0), std::invalid_argument);
   EXPECT_THROW(play_traffic({}, "none such", 1.0), std::invalid_argument);
 }
 

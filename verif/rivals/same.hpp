@@ -54,6 +54,15 @@ inline void expect_same(const FrameCounts& found, const FrameCounts& wanted) {
   EXPECT_EQ(found.height, wanted.height);
   expect_same_rows(found, wanted);
   for (size_t i = 0; i < kListSides.size(); ++i) expect_same_lists(found.lists[i], wanted.lists[i]);
+  EXPECT_EQ(found.voxels.edge, wanted.voxels.edge);
+  ASSERT_EQ(found.voxels.groups.size(), wanted.voxels.groups.size());
+  for (size_t g = 0; g < found.voxels.groups.size(); ++g) {
+    const GroupCounts &group = found.voxels.groups[g], &other = wanted.voxels.groups[g];
+    EXPECT_EQ(group.voxels, other.voxels) << g;
+    EXPECT_EQ(group.filtered.fetched, other.filtered.fetched) << g;
+    EXPECT_EQ(group.filtered.coarse, other.filtered.coarse) << g;
+    EXPECT_EQ(group.filtered.fine, other.filtered.fine) << g;
+  }
   expect_same_tiles(found.tiles, wanted.tiles);
   ASSERT_EQ(found.grids.size(), wanted.grids.size());
   for (size_t g = 0; g < found.grids.size(); ++g) {

@@ -60,7 +60,7 @@ TEST(Resample, ASmallerCameraSeesTheSameRectangle) {
   camera.cx += 3.25, camera.cy -= 1.5, camera.fy = 95;
   for (const double scale : {1.0, 0.75, 0.5, 0.001}) {
     SCOPED_TRACE(scale);
-    const Camera small = smaller_camera(camera, scale);
+    const Camera small = scaled_camera(camera, scale);
     EXPECT_EQ(small.width, std::max(1L, std::lround(scale * 123)));
     EXPECT_EQ(small.height, std::max(1L, std::lround(scale * 77)));
     for (const double edge : {0.0, 1.0}) {  // the left and right, the upper and lower one
@@ -77,7 +77,7 @@ TEST(Resample, WhatASmallerCameraShowsLiesWhereItWas) {
   const Camera camera = test_camera(160, 120);
   const Image whole = render_truth(scene, camera, {});
   for (const double scale : {0.75, 0.5}) {
-    const Image small = render_truth(scene, smaller_camera(camera, scale), {});
+    const Image small = render_truth(scene, scaled_camera(camera, scale), {});
     EXPECT_LT(max_abs_error(resampled(small, 160, 120), whole), 0.005) << scale;
   }
 }

@@ -1,40 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
-// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, in counts.
+// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, and models of other accelerators on it beside
+// two machines of our own.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
 #include "sim/progress.hpp"
+#include "sim/study/rivals/compare/report.hpp"
 #include "sim/study/rivals/report.hpp"
+#include "sim/study/tradeoff/resample.hpp"
 
 namespace pipegs {
 namespace {
 
 struct RivalsArguments {
   ViewArguments view;
-  CountOptions counts;
-  bool json = false;
+  MemoryArguments memory;
+  CountOptions counts{.group = 64};
+  std::string svg;
+  double scale = 1;
+  bool json = false, only_counts = false;
 };
+
+constexpr double kFinestVoxel = 1.0 / 16;  // of --voxel, by halves: the edges between which STREAMINGGS is modelled
+constexpr std::string_view kPaperMachine = "dop";
+
+std::vector<double> finer_voxels(double voxel) {
+  std::vector<double> edges;
+  for (double part = 0.5; part >= kFinestVoxel; part /= 2) edges.push_back(voxel * part);
+  return edges;
+}
+
+std::vector<OwnMachine> own_machines(const LoadedView& loaded, const RivalsArguments& arguments) {
+  ViewArguments paper = arguments.view;
+  paper.design_point = kPaperMachine, paper.config.clear(), paper.settings.clear();
+  std::vector<SimulateOptions> machines = {paper.options(), arguments.view.options()};
+  if (machines[0].config == machines[1].config) machines.pop_back();
+  const FrameModel model = read_frame_model();
+  std::vector<OwnMachine> own;
+  for (SimulateOptions& one : machines) {
+    arguments.memory.apply(one);
+    follow_scene(loaded.scene, one);
+    const CycleEngine engine = model_engine(loaded.scene, loaded.camera, one);
+    const std::string point = design_point_name(one.config);
+    const bool whole = !point.empty() && find_design_point(point).config == one.config;
+    own.push_back(
+        own_machine(whole ? point : config_difference(one.config), one.config, engine(one.config, one.memory), model));
+  }
+  return own;
+}
 
 int run_rivals(RivalsArguments& arguments) {
   const SimulateOptions options = arguments.view.options();
   if (options.window) throw ConfigError("--window: the whole view is counted, expected none");
   if (arguments.counts.group % kTileSide != 0)
     throw ConfigError(fmt::format("--group: found {}, expected a multiple of {}", arguments.counts.group, kTileSide));
-  const LoadedView loaded = load_view(arguments.view);
+  try_file("--svg", arguments.svg);
+  if (arguments.only_counts && !arguments.svg.empty())
+    throw ConfigError("--svg: charts are of machines, expected none with --counts");
+  LoadedView loaded = load_view(arguments.view);
+  loaded.camera = scaled_camera(loaded.camera, arguments.scale);
+  if (std::max(loaded.camera.width, loaded.camera.height) > kMaxImageSide)
+    throw ConfigError(fmt::format("--scale: found '{}', which makes {}x{} pixels, expected sides up to {}",
+                                  arguments.scale, loaded.camera.width, loaded.camera.height, kMaxImageSide));
   check_picture_memory(loaded.camera, options, kCountPixels);
   Progress progress("counting");
   arguments.counts.near_plane = arguments.view.near_plane;
   arguments.counts.progress = [&](double share) { progress.update(share); };
+  if (!arguments.only_counts) arguments.counts.other_voxels = finer_voxels(arguments.counts.voxel);
   const FrameCounts counts = count_frame(loaded.scene, loaded.camera, arguments.counts);
+  std::optional<Comparison> comparison;
+  if (!arguments.only_counts) {
+    PlayedMemory memory(arguments.memory.external.dram);
+    comparison = compare(counts, memory, own_machines(loaded, arguments));
+    write_charts(arguments.svg, comparison_charts(*comparison));
+  }
   if (arguments.json) {
     nlohmann::ordered_json json = {{"scene", loaded.scene.name},
                                    {"camera", loaded.camera.name},
                                    {"width", counts.width},
                                    {"height", counts.height}};
+    if (comparison) json["memory"] = arguments.memory.external.dram;
     json.update(counts_json(counts, arguments.counts));
+    if (comparison) json.update(comparison_json(*comparison));
     fmt::print("{}\n", json.dump(2));
+  } else if (comparison) {
+    fmt::print("{}: view {} ({}x{}), memory {}\n\n{}", loaded.scene.name, loaded.camera.name, counts.width,
+               counts.height, arguments.memory.external.dram, comparison_text(*comparison));
   } else {
     fmt::print("{}: view {} ({}x{}), float64, depth order\n\n{}", loaded.scene.name, loaded.camera.name, counts.width,
                counts.height, counts_text(counts, arguments.counts));
@@ -46,21 +99,26 @@ int run_rivals(RivalsArguments& arguments) {
 
 void add_rivals(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
-      "rivals", "what a view asks of any renderer by tiles: Gaussians, pairs, keys, pixels, rows, voxels, counted");
+      "rivals", "other accelerators on this view, modelled from what it asks of any renderer by tiles, beside ours");
   command->footer(footer(
-      "pipegs rivals garden.ply --cameras cameras.json --view 0", "counted", "",
-      "By the float64 projection and blending, all of the picture. Gaussians in the frustum and visible; (Gaussian, "
-      "tile)\npairs by 3-sigma square, axis box, oriented box and alpha >= 1/255, tiles of 16 to 128 pixels; those "
-      "before a tile\nis opaque; parts of 8x8 and 4x4, rows, pixels; lengths of lists as sorters need them; 64-px "
-      "groups with masks;\ntiles that neighbours in depth share; voxels that groups of pixels meet, and what their "
-      "filters leave. Each line\nof the table says what it counts. The machine (--rung, --set) does not change it."));
+      "pipegs rivals garden.ply --cameras cameras.json --view 0 --svg rivals.svg", "done", "",
+      "GSCore, GS-TG, STREAMINGGS, GSAcc, Neo and FLICKER as their papers describe them, driven by counts of the "
+      "float64\nprojection and blending, with the same memory; what is not published is a parameter with a range, and "
+      "every figure\ncomes as low..mid..high. Beside them `dop` and the machine of --rung and --set, by timing model "
+      "and frame model.\n--counts prints the counts alone. docs/rivals/rivals.md says what each model stands on."));
   static RivalsArguments arguments;
   arguments.view.add(*command);
+  arguments.memory.add(*command, false);
   add_real(*command, "--voxel", arguments.counts.voxel, "edge of a voxel, scene units", {.low = 0.001, .high = 1e6})
       ->capture_default_str();
   add_integer(*command, "--group", arguments.counts.group,
               "side of a group of pixels that streams voxels, a multiple of 16", 16, 4096)
       ->capture_default_str();
+  add_real(*command, "--scale", arguments.scale, "sides of the picture over those of the camera",
+           {.low = 0.01, .high = 100})
+      ->capture_default_str();
+  command->add_flag("--counts", arguments.only_counts, "the counts alone, without machines");
+  command->add_option("--svg", arguments.svg, "charts");
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_rivals(arguments); }; });
 }

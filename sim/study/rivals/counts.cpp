@@ -58,7 +58,10 @@ ListSums list_sums(const std::vector<uint32_t>& lengths, uint64_t chunk, uint64_
 }
 
 FrameCounts count_frame(const Scene& scene, const Camera& camera, const CountOptions& options) {
-  if (!(options.voxel > 0)) throw std::invalid_argument("counts: a voxel's edge is above 0");
+  std::vector<double> edges = options.other_voxels;
+  edges.push_back(options.voxel);
+  if (!std::all_of(edges.begin(), edges.end(), [](double edge) { return edge > 0; }))
+    throw std::invalid_argument("counts: a voxel's edge is above 0");
   if (options.group <= 0 || options.group % kTileSide != 0)
     throw std::invalid_argument("counts: a group's side is a multiple of 16");
   for (const int cells : options.grids) {
@@ -75,6 +78,11 @@ FrameCounts count_frame(const Scene& scene, const Camera& camera, const CountOpt
   for (const int cells : options.grids)
     counts.grids.push_back(count_layers(scene, seen, lists, cells, camera, options));
   counts.voxels = count_voxels(scene, seen, stop_depth, camera, options);
+  for (const double edge : options.other_voxels) {
+    CountOptions other = options;
+    other.voxel = edge;
+    counts.other_voxels.push_back(count_voxels(scene, seen, stop_depth, camera, other));
+  }
   return counts;
 }
 

@@ -50,10 +50,17 @@ inline constexpr int kLists16 = 0, kLists64 = 2;                     // places o
 
 struct CountOptions {
   double near_plane = 0.2;
+<<<<<<< HEAD
   double voxel = 2;             // edge of a voxel, scene units
   int group = 16;               // side of a group of pixels that streams voxels, a multiple of kTileSide
   std::vector<int> grids = {};  // cells of an orthogonal grid along an axis, 1 to kMostCells: a walk by layers for each
   unsigned threads = 0;         // 0: as many as the machine has
+=======
+  double voxel = 2;                       // edge of a voxel, scene units
+  std::vector<double> other_voxels = {};  // edges of voxels that are counted as well
+  int group = 16;                         // side of a group of pixels that streams voxels, a multiple of kTileSide
+  unsigned threads = 0;                   // 0: as many as the machine has
+>>>>>>> rivals
   std::function<void(double)> progress = {};
 };
 
@@ -161,12 +168,19 @@ struct GridCounts {
 // A voxel is met by a group when the ray through the centre of one of its pixels passes through it beyond the near
 // plane. `pairs`, `all`, `open`: over (group, voxel). Open: the voxel's nearest corner lies before the depth at which
 // the last pixel of the group stops, so that no order of voxels fetches less.
+struct GroupCounts {
+  uint64_t voxels = 0;         // open ones that it meets
+  FilterCounts filtered = {};  // of these
+};
+
 struct VoxelCounts {
-  uint64_t occupied = 0, largest = 0;  // voxels with a Gaussian's mean in them; most Gaussians in one
-  uint64_t met = 0;                    // of those, met by a group
-  uint64_t pairs = 0, open_pairs = 0;  // (group, occupied voxel) that meet
-  FilterCounts all = {}, open = {};    // (Gaussian, group)
-  FilterCounts distinct = {};          // Gaussians, each once
+  double edge = 0;                       // scene units
+  uint64_t occupied = 0, largest = 0;    // voxels with a Gaussian's mean in them; most Gaussians in one
+  uint64_t met = 0;                      // of those, met by a group
+  uint64_t pairs = 0, open_pairs = 0;    // (group, occupied voxel) that meet
+  FilterCounts all = {}, open = {};      // (Gaussian, group)
+  FilterCounts distinct = {};            // Gaussians, each once
+  std::vector<GroupCounts> groups = {};  // row by row; their sums are open_pairs and open
 };
 
 struct FrameCounts {
@@ -178,7 +192,11 @@ struct FrameCounts {
   MaskCounts masks = {};
   NeighbourCounts neighbours = {};
   VoxelCounts voxels = {};
+<<<<<<< HEAD
   std::vector<GridCounts> grids = {};  // as the options name them
+=======
+  std::vector<VoxelCounts> other_voxels = {};  // of the edges of CountOptions::other_voxels
+>>>>>>> rivals
 };
 
 // Throws std::invalid_argument for a voxel that is not above 0, a group that is no multiple of kTileSide above 0 or a

@@ -21,8 +21,8 @@ constexpr NamedCover kNamed[] = {
     {Cover::kOriented, "oriented_box", "box of 3 sigma along the eigenvectors, as GSCore"},
     {Cover::kExact, "exact", "alpha >= 1/255 at a pixel"},
 };
-constexpr const char *kPairs = "(Gaussian, tile)", *kParts = "(Gaussian, part)", *kPixels = "(Gaussian, pixel)",
-                     *kFetches = "(Gaussian, group)";
+constexpr const char *kPairUnit = "(Gaussian, tile)", *kPartUnit = "(Gaussian, part)",
+                     *kPixelUnit = "(Gaussian, pixel)", *kFetchUnit = "(Gaussian, group)";
 
 class Rows {
  public:
@@ -31,10 +31,10 @@ class Rows {
     rows_.push_back({section_, key, value, unit, what});
   }
   void parts(const std::string& key, const PartCounts& parts, const std::string& what) {
-    add(key, parts.all, kParts, what);
-    add(key + "_tile_open", parts.tile_open, kParts, "of those, before the tile is opaque");
-    add(key + "_open", parts.open, kParts, "of those, before the part is opaque");
-    add(key + "_live", parts.live, kParts, "of those, with alpha >= 1/255 at a pixel that has not stopped");
+    add(key, parts.all, kPartUnit, what);
+    add(key + "_tile_open", parts.tile_open, kPartUnit, "of those, before the tile is opaque");
+    add(key + "_open", parts.open, kPartUnit, "of those, before the part is opaque");
+    add(key + "_live", parts.live, kPartUnit, "of those, with alpha >= 1/255 at a pixel that has not stopped");
   }
   void filters(const std::string& key, const FilterCounts& filters, const std::string& unit, const std::string& what) {
     add(key + "fetched", filters.fetched, unit, "in voxels that are met" + what);
@@ -95,17 +95,17 @@ std::vector<CountRow> count_rows(const FrameCounts& counts, const CountOptions& 
   rows.section("pairs_before_opaque");
   for (const NamedCover& named : kNamed) {
     const WalkCounts& walk = counts.total.walk[named.cover];
-    rows.add(named.key, walk.open, kPairs, fmt::format("16-px tiles by {}, before the tile is opaque", named.what));
+    rows.add(named.key, walk.open, kPairUnit, fmt::format("16-px tiles by {}, before the tile is opaque", named.what));
   }
   rows.section("pixels");
   for (const NamedCover& named : kNamed) {
     const WalkCounts& walk = counts.total.walk[named.cover];
-    rows.add(fmt::format("evaluated_{}", named.key), kTileSide * kTileSide * walk.open, kPixels,
+    rows.add(fmt::format("evaluated_{}", named.key), kTileSide * kTileSide * walk.open, kPixelUnit,
              "all 256 for each of these pairs");
-    rows.add(fmt::format("alive_{}", named.key), walk.alive, kPixels, "of those, pixels that have not stopped");
+    rows.add(fmt::format("alive_{}", named.key), walk.alive, kPixelUnit, "of those, pixels that have not stopped");
   }
-  rows.add("reached", counts.total.reached, kPixels, "alpha >= 1/255, stopped or not");
-  rows.add("blends", counts.total.blends, kPixels, "of those, that add to the pixel");
+  rows.add("reached", counts.total.reached, kPixelUnit, "alpha >= 1/255, stopped or not");
+  rows.add("blends", counts.total.blends, kPixelUnit, "of those, that add to the pixel");
   rows.add("stops", counts.total.stops, "pixels", "that stop");
 
   rows.section("parts");
@@ -118,14 +118,14 @@ std::vector<CountRow> count_rows(const FrameCounts& counts, const CountOptions& 
   rows.add("footprint", g.rows, "(Gaussian, row)", "rows of the whole image with alpha >= 1/255 at a pixel");
 
   rows.section("masks");
-  rows.add("in_axis_groups", counts.masks.axis, kPairs,
+  rows.add("in_axis_groups", counts.masks.axis, kPairUnit,
            "exact, 16-px tiles, in 64-px groups that the axis box touches");
-  rows.add("in_oriented_groups", counts.masks.oriented, kPairs, "the same, of groups that the oriented box touches");
+  rows.add("in_oriented_groups", counts.masks.oriented, kPairUnit, "the same, of groups that the oriented box touches");
 
   rows.section("neighbours");
   rows.add("pairs", counts.neighbours.pairs, "Gaussians", "with an oriented box in a 16-px tile and one before them");
-  rows.add("tiles", counts.neighbours.tiles, kPairs, "16-px tiles of their oriented boxes");
-  rows.add("shared", counts.neighbours.shared, kPairs, "of those, tiles of the one before in depth order too");
+  rows.add("tiles", counts.neighbours.tiles, kPairUnit, "16-px tiles of their oriented boxes");
+  rows.add("shared", counts.neighbours.shared, kPairUnit, "of those, tiles of the one before in depth order too");
 
   const VoxelCounts& v = counts.voxels;
   rows.section("voxels");
@@ -134,8 +134,8 @@ std::vector<CountRow> count_rows(const FrameCounts& counts, const CountOptions& 
   rows.add("met", v.met, "voxels", "that a pixel's ray meets beyond the near plane");
   rows.add("pairs", v.pairs, "(voxel, group)", fmt::format("that meet, groups of {0}x{0} pixels", options.group));
   rows.add("open_pairs", v.open_pairs, "(voxel, group)", "of those, nearer than where the group is opaque");
-  rows.filters("", v.all, kFetches, "");
-  rows.filters("open_", v.open, kFetches, " nearer than where the group is opaque");
+  rows.filters("", v.all, kFetchUnit, "");
+  rows.filters("open_", v.open, kFetchUnit, " nearer than where the group is opaque");
   rows.filters("distinct_", v.distinct, "Gaussians", ", each Gaussian once");
   return rows.take();
 }
@@ -148,6 +148,12 @@ Json counts_json(const FrameCounts& counts, const CountOptions& options) {
     json["definitions"][row.section][row.key] = fmt::format("{}: {}", row.unit, row.what);
   }
   for (const ListCounts& lists : counts.lists) json["lists"].push_back(list_json(lists));
+  for (const VoxelCounts& voxels : counts.other_voxels)
+    json["other_voxels"].push_back({{"voxel", voxels.edge},
+                                    {"open_pairs", voxels.open_pairs},
+                                    {"open_fetched", voxels.open.fetched},
+                                    {"open_coarse", voxels.open.coarse},
+                                    {"open_fine", voxels.open.fine}});
   for (const auto& [key, what] : kListColumns) json["definitions"]["lists"][key] = what;
   for (const NamedCover& named : kNamed) json["definitions"]["lists"][named.key] = named.what;
   return json;

@@ -17,7 +17,8 @@ struct CountRow {
 };
 std::vector<CountRow> count_rows(const FrameCounts& counts, const CountOptions& options);
 
-// {"counts": {SECTION: {KEY: VALUE}}, "lists": [...], "definitions": {SECTION: {KEY: "UNIT: WHAT"}}}
+// {"counts": {SECTION: {KEY: VALUE}}, "lists": [...], "definitions": {SECTION: {KEY: "UNIT: WHAT"}}}, and where voxels
+// of other edges were counted "other_voxels": [...], with keys of the section voxels.
 nlohmann::ordered_json counts_json(const FrameCounts& counts, const CountOptions& options);
 std::string counts_text(const FrameCounts& counts, const CountOptions& options);
 

@@ -14,7 +14,7 @@
 
 namespace pipegs {
 
-Camera smaller_camera(const Camera& camera, double scale) {
+Camera scaled_camera(const Camera& camera, double scale) {
   Camera small = camera;
   const auto side = [scale](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
   small.width = side(camera.width);

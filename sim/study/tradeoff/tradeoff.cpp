@@ -32,7 +32,7 @@ class Study {
       : view_(view), store_(view.keep, view.scene, view.camera, view.options, {{"cameras", poses(view.cameras)}}) {}
 
   TradeoffPoint point(const Way& way) {
-    const Camera camera = way.scale < 1 ? smaller_camera(view_.camera, way.scale) : view_.camera;
+    const Camera camera = way.scale < 1 ? scaled_camera(view_.camera, way.scale) : view_.camera;
     const size_t count = view_.scene.gaussians.size();
     TradeoffPoint point{.way = way,
                         .config = config_of(view_.options.config, way),

@@ -10,6 +10,7 @@
 #include "sim/study/rivals/count/voxels.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -56,8 +57,10 @@ std::vector<std::span<const Member>> voxels_of(const std::vector<Member>& member
 class Streamer {
  public:
   Streamer(const Scene& scene, const SeenScene& seen, const std::vector<double>& group_stop,
-           const std::vector<uint32_t>& places, const Camera& camera, const CountOptions& options)
-      : scene_(scene),
+           const std::vector<uint32_t>& places, const Camera& camera, const CountOptions& options,
+           std::vector<GroupCounts>& groups)
+      : groups_(groups),
+        scene_(scene),
         seen_(seen),
         group_stop_(group_stop),
         places_(places),
@@ -76,11 +79,18 @@ class Streamer {
     counts.distinct.fetched = members.size();
     counts.all.fetched = counts.pairs * members.size();
     counts.open.fetched = counts.open_pairs * members.size();
+    met_.for_each([&](int x, int y) {
+      if (!open(x, y)) return;
+      add(group(x, y).voxels, 1);
+      add(group(x, y).filtered.fetched, members.size());
+    });
     for (const Member& member : members) filter(member.index, counts);
     return counts;
   }
 
  private:
+  GroupCounts& group(int x, int y) const { return groups_[grid_.at(x, y)]; }
+  static void add(uint64_t& count, uint64_t more) { std::atomic_ref(count).fetch_add(more, std::memory_order_relaxed); }
   bool open(int x, int y) const { return nearest_ <= group_stop_[grid_.at(x, y)]; }
 
   // Fills met_; returns the least depth of the voxel.
@@ -180,14 +190,17 @@ class Streamer {
       if (!(glm::dot(apart, apart) <= radius * radius)) return;
       ++coarse;
       counts.open.coarse += open(x, y);
+      if (open(x, y)) add(group(x, y).filtered.coarse, 1);
       if (!exact_.has(x, y)) return;
       ++fine;
       counts.open.fine += open(x, y);
+      if (open(x, y)) add(group(x, y).filtered.fine, 1);
     });
     counts.all.coarse += coarse, counts.all.fine += fine;
     counts.distinct.coarse += coarse > 0, counts.distinct.fine += fine > 0;
   }
 
+  std::vector<GroupCounts>& groups_;  // of all threads
   const Scene& scene_;
   const SeenScene& seen_;
   const std::vector<double>& group_stop_;
@@ -227,11 +240,12 @@ VoxelCounts count_voxels(const Scene& scene, const SeenScene& seen, const std::v
   for (size_t place = 0; place < seen.gaussians.size(); ++place)
     places[seen.gaussians[place].index] = static_cast<uint32_t>(place);
   std::vector<VoxelCounts> each(voxels.size());
+  std::vector<GroupCounts> groups(group_stop.size());
   parallel_for(voxels.size(), options.threads, [&](size_t v) {
     if (interrupted()) throw std::runtime_error("interrupted");
-    each[v] = Streamer(scene, seen, group_stop, places, camera, options).run(voxels[v]);
+    each[v] = Streamer(scene, seen, group_stop, places, camera, options, groups).run(voxels[v]);
   });
-  VoxelCounts sum;
+  VoxelCounts sum{.edge = options.voxel, .groups = std::move(groups)};
   for (const VoxelCounts& one : each) {
     sum.occupied += one.occupied, sum.met += one.met;
     sum.largest = std::max(sum.largest, one.largest);

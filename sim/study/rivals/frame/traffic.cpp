@@ -23,8 +23,10 @@ uint64_t spread(uint64_t i) { return (i * 0x9E3779B97F4A7C15ULL) >> 24; }
 class Lines {
  public:
   Lines(const Flow& flow, uint64_t number) : write_(flow.write), base_(number * (kAreaLines + kAreaSkew)) {
-    if (!(flow.bytes >= 0) || !(flow.run >= 0) || !(flow.table >= 0))
-      throw std::invalid_argument("traffic: flow " + flow.kind + " has a negative size");
+    for (const double size : {flow.bytes, flow.run, flow.table}) {
+      if (!(size >= 0) || !std::isfinite(size))
+        throw std::invalid_argument("traffic: flow " + flow.kind + " has a size that is negative or not finite");
+    }
     const double runs = flow.run > 0 ? std::ceil(flow.bytes / flow.run) : 1;
     const double longest = flow.run > 0 ? flow.run : flow.bytes;
     run_ = static_cast<uint64_t>(std::ceil(longest / kLineBytes));
@@ -50,6 +52,8 @@ class Lines {
 
 }  // namespace
 
+double pin_bytes(const Flow& flow) { return static_cast<double>(Lines(flow, 0).count()) * kLineBytes; }
+
 Traffic play_traffic(const std::vector<Flow>& flows, const std::string& dram_name, double clock_ghz) {
   std::vector<Lines> lines;
   uint64_t all = 0;
@@ -57,9 +61,9 @@ Traffic play_traffic(const std::vector<Flow>& flows, const std::string& dram_nam
     lines.emplace_back(flow, lines.size());
     all += lines.back().count();
   }
-  Traffic traffic;
+  Traffic traffic{.bytes = static_cast<double>(all) * kLineBytes};
+  if (dram_name == "ideal") return traffic;
   Dram dram(dram_memory_timing(dram_name), clock_ghz);
-  traffic.bytes = static_cast<double>(all) * kLineBytes;
   if (all == 0) return traffic;
   const uint64_t played = std::min(all, kPlayedLines);
   std::vector<double> credit(lines.size(), 0);

@@ -30,11 +30,12 @@ struct Traffic {
   double row_hits = 0;  // share of the bursts
 };
 
-inline constexpr uint64_t kPlayedLines = 1'000'000;
+inline constexpr uint64_t kPlayedLines = 200'000;
 
-// Runs begin at lines, and one that is no multiple of a line moves the rest of its last one: `bytes` of the result are
-// those over the
-// pins. `dram` as of `pipegs sim --memory`. Throws std::invalid_argument for an unknown one.
+// Runs begin at lines, and one that is no multiple of a line moves the rest of its last one: the bytes of a flow over
+// the pins, and so `bytes` of what is played. `dram` as of `pipegs sim --memory`; "ideal" takes no time. Throws
+// std::invalid_argument for an unknown one and for a size that is negative or not finite.
+double pin_bytes(const Flow& flow);
 Traffic play_traffic(const std::vector<Flow>& flows, const std::string& dram, double clock_ghz);
 
 }  // namespace pipegs
