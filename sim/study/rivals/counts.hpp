@@ -50,17 +50,11 @@ inline constexpr int kLists16 = 0, kLists64 = 2;                     // places o
 
 struct CountOptions {
   double near_plane = 0.2;
-<<<<<<< HEAD
-  double voxel = 2;             // edge of a voxel, scene units
-  int group = 16;               // side of a group of pixels that streams voxels, a multiple of kTileSide
-  std::vector<int> grids = {};  // cells of an orthogonal grid along an axis, 1 to kMostCells: a walk by layers for each
-  unsigned threads = 0;         // 0: as many as the machine has
-=======
   double voxel = 2;                       // edge of a voxel, scene units
   std::vector<double> other_voxels = {};  // edges of voxels that are counted as well
   int group = 16;                         // side of a group of pixels that streams voxels, a multiple of kTileSide
-  unsigned threads = 0;                   // 0: as many as the machine has
->>>>>>> rivals
+  std::vector<int> grids = {};  // cells of an orthogonal grid along an axis, 1 to kMostCells: a walk by layers for each
+  unsigned threads = 0;         // 0: as many as the machine has
   std::function<void(double)> progress = {};
 };
 
@@ -192,11 +186,8 @@ struct FrameCounts {
   MaskCounts masks = {};
   NeighbourCounts neighbours = {};
   VoxelCounts voxels = {};
-<<<<<<< HEAD
-  std::vector<GridCounts> grids = {};  // as the options name them
-=======
   std::vector<VoxelCounts> other_voxels = {};  // of the edges of CountOptions::other_voxels
->>>>>>> rivals
+  std::vector<GridCounts> grids = {};          // as the options name them
 };
 
 // Throws std::invalid_argument for a voxel that is not above 0, a group that is no multiple of kTileSide above 0 or a
