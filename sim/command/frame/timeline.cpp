@@ -8,6 +8,7 @@
 #include "scenes/atomic_file.hpp"
 #include "scenes/own_failure.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/frame/pipelines.hpp"
 #include "sim/report/timeline.hpp"
 
 namespace pipegs {
@@ -18,10 +19,11 @@ struct TimelineArguments {
   MemoryArguments memory;
   TimelineOptions timeline;
   int windows = 0;
-  std::string out;
+  std::string out, pipelines;
 };
 
 int timeline(TimelineArguments arguments) {
+  if (!arguments.pipelines.empty()) return draw_pipelines(arguments.view, arguments.memory, arguments.pipelines);
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   if (arguments.windows > 0) {
@@ -72,7 +74,13 @@ void add_timeline(CLI::App& app, Run& run) {
   static TimelineArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
-  command->add_option("--out", arguments.out, "the trace")->required();
+  auto* what = command->add_option_group("what", "one of them");
+  what->add_option("--out", arguments.out, "the trace");
+  what->add_option(
+      "--pipelines", arguments.pipelines,
+      "the paper's Fig. 1 from this view, as SVG: a GPU's order of work, GSCore and GSAcc by their models, "
+      "dop and the machine of --rung by the RTL");
+  what->require_option(1);
   add_integer(*command, "--windows", arguments.windows, "so many windows side by side, from --window or the first", 1,
               1024);
   add_integer(*command, "--grain", arguments.timeline.grain, "cycles of a piece of the state tracks", 1, 1000000)

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// pipelines.hpp: `pipegs timeline --pipelines`: the paper's Fig. 1 from one view.
+#pragma once
+
+#include <string>
+
+#include "sim/command/command.hpp"
+
+namespace pipegs {
+
+// Models of other machines, then `dop` and the machine of --rung and --set through the RTL. Returns the exit code.
+int draw_pipelines(const ViewArguments& view, const MemoryArguments& memory, const std::string& svg);
+
+}  // namespace pipegs
