@@ -21,6 +21,7 @@ GROUPS = {  # name of a group: the folders or files that make it
     "cost": ["sim/design"],
     "synth": ["synth/synth.py", "synth/gating.py"],
     "fpga": ["synth/fpga/fpga.py"],
+    "rivals": ["sim/study/rivals"],
     "proofs": ["synth/prove", "synth/prove.sh"],
 }
 SCENES = {  # scene: its file or folder in the folder of scenes
