@@ -32,6 +32,8 @@ from keep import (
     printed,
     profile,
     proofs,
+    rivals,
+    rivals_and_parameters,
     shapes,
     shown,
     silicon,
@@ -263,6 +265,12 @@ TABLE = [
       for name, settings in MEMORIES.items()],
     Measurement("numbers/golden", "build/verif/frame/golden_test --gtest_output=xml:/dev/stdout", golden, ("models",)),
     Measurement("stability/cases", "ctest --test-dir build/. -R ^stability_ -LE long -V", stability, RTL),
+    *[Measurement(f"rivals/{scene}", "build/pipegs rivals {scene} --json",
+                  rivals_and_parameters if scene == "terrace" else rivals, (*MODEL, "rivals"), scene,
+                  points=("dop", "fast"), chart="rivals/terrace.svg" if scene == "terrace" else "")
+      for scene in ("own", "terrace", "statue", "flowers", "plushdog")],
+    Measurement("rivals/terrace_qhd", "build/pipegs rivals {scene} --scale 2.0712 --json", rivals,
+                (*MODEL, "rivals"), "terrace", points=("dop", "fast")),
     Measurement("budget/random", "build/pipegs budget --rung dop --count 1000000 --json", budget, ("models",),
                 chart="error_budget.svg"),
 ]

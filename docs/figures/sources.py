@@ -22,6 +22,7 @@ GROUPS = {  # name of a group: the folders or files that make it
     "terms": ["sim/study/terms", "sim/study/rivals/count", "sim/study/rivals/counts.cpp", "sim/study/rivals/frame"],
     "synth": ["synth/synth.py", "synth/gating.py"],
     "fpga": ["synth/fpga/fpga.py"],
+    "rivals": ["sim/study/rivals"],
     "proofs": ["synth/prove", "synth/prove.sh"],
 }
 SCENES = {  # scene: its file or folder in the folder of scenes
