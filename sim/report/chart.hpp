@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // chart.hpp: charts as SVG: bars side by side or stacked, lines with markers, histograms, clouds of points.
 //
-// Idea    A Chart is data and labels; `charts_svg` lays charts out in a grid and draws axes, ticks, legend and values (svg.hpp).
+// Idea    A Chart is data and labels; `charts_svg` lays charts out in a grid and draws axes, ticks, legend and values.
+//         What all SVG files share is in svg.hpp.
 // Rule    Nothing is drawn that is not in the data: a value that is not finite leaves a gap. On a logarithmic axis the
 //         same holds for values that are not positive.
 #pragma once

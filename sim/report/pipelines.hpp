@@ -2,8 +2,8 @@
 // pipelines.hpp: the pipelines of several machines beneath each other on one axis of time, as the paper's Fig. 1 has
 // them, from frames and not from a drawing.
 //
-// Idea    A machine has a row for each kind of unit. A row has bars: from when to when, and how high, which is the share
-//         of its units that work. So a stage that waits for another one is an empty row, and a stage beside another one
+// Idea    A machine has a row for each kind of unit. A row has bars: from when to when, and how high: the share of its
+//         units that work. So a stage that waits for another one is an empty row, and a stage beside another one
 //         is two filled rows.
 // Units   Microseconds.
 #pragma once

@@ -215,6 +215,21 @@ TEST_F(Commands, TimelineOfSomeWindowsOnAnotherDesignPoint) {
   expect_whole_trace(Json::parse(text("trace.json")), true);
 }
 
+TEST_F(Commands, PipelinesOfModelsAndOfTheMachine) {
+  const Outcome outcome = run("timeline" + view_ + "--rung dop --pipelines --svg pipelines.svg --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  ASSERT_EQ(json.size(), 4u);  // dop once
+  for (const char* machine : {"GPU", "GSCore", "GSAcc", "dop"}) {
+    EXPECT_GT(json[machine]["us"].get<double>(), 0) << machine;
+    for (const auto& [unit, share] : json[machine]["busy"].items()) {
+      EXPECT_GE(share.get<double>(), 0) << machine << " " << unit;
+      EXPECT_LE(share.get<double>(), 1 + 1e-9) << machine << " " << unit;
+    }
+  }
+  EXPECT_EQ(xml_fault(text("pipelines.svg")), "");
+}
+
 TEST_F(Commands, TimelineOfTheDefaultMachine) {
   const Outcome outcome = run("timeline" + view_ + "--out trace.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -292,11 +307,14 @@ TEST_F(Commands, BadInputIsRefusedInOneLine) {
   expect_refused("profile missing.ply --cameras cameras.json --no-rtl", "missing.ply");
   expect_refused("timeline" + view_ + "--window 9,9 --out t.json", "--window");
   expect_refused("timeline" + view_ + "--out scene.ply/t.json", "'scene.ply' is a file, expected a folder");
+  expect_refused("timeline" + view_ + "--pipelines --window 0,0", "--window");
+  expect_refused("timeline" + view_ + "--pipelines --svg scene.ply/p.svg", "'scene.ply' is a file, expected a folder");
+  expect_refused("timeline" + view_ + "--out t.json --json", "--json requires --pipelines");
   expect_refused("sweep" + view_ + "--bandwidth 0", "--bandwidth");
   expect_refused("sweep" + view_ + "--rungs nonsense", "nonsense");
   expect_refused("sweep" + view_ + "--bandwidth 13", "--memory ideal");
   expect_refused("model" + view_ + "--rungs nonsense", "nonsense");
-  EXPECT_EQ(run("timeline" + view_).code, 2) << "--out is needed";
+  EXPECT_EQ(run("timeline" + view_).code, 2) << "--out or --pipelines is needed";
   EXPECT_EQ(left_behind(), std::vector<std::string>{});
 }
 

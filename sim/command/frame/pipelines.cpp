@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "sim/progress.hpp"
 #include "sim/study/rivals/pipelines.hpp"
 
@@ -11,7 +13,7 @@ namespace pipegs {
 namespace {
 
 constexpr std::string_view kPaperMachine = "dop";
-constexpr int kGroup = 64;       // of GSAcc's neighbours nothing depends on it; voxels are counted fastest so
+constexpr int kGroup = 64;       // of voxels, which none of these machines has: counted fastest so
 constexpr uint64_t kBars = 300;  // of a unit of ours
 constexpr double kMachineGhz = 1;
 
@@ -32,28 +34,42 @@ MachinePipeline own_pipeline(const LoadedView& loaded, const SimulateOptions& wa
   return {name, "RTL, every bit compared with the golden model", us, pieces.rows(kBars, kMachineGhz)};
 }
 
-void print(const std::vector<MachinePipeline>& machines) {
-  fmt::print("{:<10}{:>10}  share of the frame in which units work\n", "machine", "us");
+// Of the frame, in which the row's units work.
+double busy_share(const PipelineRow& row, double end) {
+  double busy = 0;
+  for (const PipelineBar& bar : row.bars) busy += bar.share * (bar.end - bar.begin);
+  return busy / end;
+}
+
+std::string text_of(const std::vector<MachinePipeline>& machines) {
+  std::string text = fmt::format("{:<10}{:>10}  share of the frame in which units work\n", "machine", "us");
   for (const MachinePipeline& machine : machines) {
-    fmt::print("{:<10}{:>10.0f}", machine.machine, machine.end);
-    for (const PipelineRow& row : machine.rows) {
-      double busy = 0;
-      for (const PipelineBar& bar : row.bars) busy += bar.share * (bar.end - bar.begin);
-      fmt::print("  {} {:.0f} %", row.unit, 100 * busy / machine.end);
-    }
-    fmt::print("\n");
+    text += fmt::format("{:<10}{:>10.0f}", machine.machine, machine.end);
+    for (const PipelineRow& row : machine.rows)
+      text += fmt::format("  {} {:.0f} %", row.unit, 100 * busy_share(row, machine.end));
+    text += "\n";
   }
+  return text;
+}
+
+std::string json_of(const std::vector<MachinePipeline>& machines) {
+  nlohmann::ordered_json json;
+  for (const MachinePipeline& machine : machines) {
+    json[machine.machine]["us"] = machine.end;
+    for (const PipelineRow& row : machine.rows) json[machine.machine]["busy"][row.unit] = busy_share(row, machine.end);
+  }
+  return json.dump(2) + "\n";
 }
 
 }  // namespace
 
-int draw_pipelines(const ViewArguments& view, const MemoryArguments& memory, const std::string& svg) {
+int draw_pipelines(const ViewArguments& view, const MemoryArguments& memory, const std::string& svg, bool json) {
   ViewArguments paper = view;
   paper.design_point = kPaperMachine, paper.config.clear(), paper.settings.clear();
   std::vector<SimulateOptions> machines = {paper.options(), view.options()};
   if (machines[0].config == machines[1].config) machines.pop_back();
   if (machines.front().window) throw ConfigError("--window: frames are drawn whole, expected none with --pipelines");
-  try_file("--pipelines", svg);
+  try_file("--svg", svg);
   const LoadedView loaded = load_view(view);
   for (SimulateOptions& one : machines) {
     memory.apply(one);
@@ -76,10 +92,12 @@ int draw_pipelines(const ViewArguments& view, const MemoryArguments& memory, con
     const bool whole = !point.empty() && find_design_point(point).config == one.config;
     pipelines.push_back(own_pipeline(loaded, one, whole ? point : config_difference(one.config), exit_code));
   }
-  write_text(svg, pipelines_svg(fmt::format("{}, view {} ({}x{})", loaded.scene.name, loaded.camera.name,
-                                            loaded.camera.width, loaded.camera.height),
-                                pipelines));
-  print(pipelines);
+  if (!svg.empty()) {
+    write_text(svg, pipelines_svg(fmt::format("{}, view {} ({}x{})", loaded.scene.name, loaded.camera.name,
+                                              loaded.camera.width, loaded.camera.height),
+                                  pipelines));
+  }
+  fmt::print("{}", json ? json_of(pipelines) : text_of(pipelines));
   return exit_code;
 }
 

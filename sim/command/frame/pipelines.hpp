@@ -8,7 +8,8 @@
 
 namespace pipegs {
 
-// Models of other machines, then `dop` and the machine of --rung and --set through the RTL. Returns the exit code.
-int draw_pipelines(const ViewArguments& view, const MemoryArguments& memory, const std::string& svg);
+// Models of other machines, then `dop` and the machine of --rung and --set through the RTL. No picture when `svg` is
+// empty. Returns the exit code.
+int draw_pipelines(const ViewArguments& view, const MemoryArguments& memory, const std::string& svg, bool json);
 
 }  // namespace pipegs

@@ -19,11 +19,12 @@ struct TimelineArguments {
   MemoryArguments memory;
   TimelineOptions timeline;
   int windows = 0;
-  std::string out, pipelines;
+  std::string out, svg;
+  bool pipelines = false, json = false;
 };
 
 int timeline(TimelineArguments arguments) {
-  if (!arguments.pipelines.empty()) return draw_pipelines(arguments.view, arguments.memory, arguments.pipelines);
+  if (arguments.pipelines) return draw_pipelines(arguments.view, arguments.memory, arguments.svg, arguments.json);
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   if (arguments.windows > 0) {
@@ -76,11 +77,12 @@ void add_timeline(CLI::App& app, Run& run) {
   arguments.memory.add(*command);
   auto* what = command->add_option_group("what", "one of them");
   what->add_option("--out", arguments.out, "the trace");
-  what->add_option(
-      "--pipelines", arguments.pipelines,
-      "the paper's Fig. 1 from this view, as SVG: a GPU's order of work, GSCore and GSAcc by their models, "
-      "dop and the machine of --rung by the RTL");
+  auto* pipelines = what->add_flag("--pipelines", arguments.pipelines,
+                                   "the paper's Fig. 1 from this view: a GPU's order of work, GSCore and GSAcc by "
+                                   "their models, dop and the machine of --rung by the RTL");
   what->require_option(1);
+  command->add_option("--svg", arguments.svg, "with --pipelines: the picture")->needs(pipelines);
+  command->add_flag("--json", arguments.json, "with --pipelines: as JSON")->needs(pipelines);
   add_integer(*command, "--windows", arguments.windows, "so many windows side by side, from --window or the first", 1,
               1024);
   add_integer(*command, "--grain", arguments.timeline.grain, "cycles of a piece of the state tracks", 1, 1000000)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// pipelines.hpp: the pipelines of the paper's Fig. 1 that have no RTL here: a GPU's order of work, GSCore and GSAcc, from
-// their models on the counts of a view.
+// pipelines.hpp: the pipelines of the paper's Fig. 1 that have no RTL here: a GPU's order of work, GSCore and GSAcc,
+// from their models on the counts of a view.
 //
 // Idea    A bar is a unit in a phase; its height is the share of the phase's time in which the unit works.
 //         A GPU is another machine altogether. What Fig. 1a compares is its order of work: all Gaussians, then all

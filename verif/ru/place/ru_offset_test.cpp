@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // ru_offset_test: rtl/ru/place/ru_offset.sv against ru_pixel_line and ru_raster_line, for every word of a window.
+#include <gtest/gtest.h>
+
+#include <random>
+
 #include "cpp_model/ru/ru.hpp"
 #include "verif/support/config.hpp"
 #include "Vru_offset.h"

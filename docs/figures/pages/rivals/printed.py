@@ -52,6 +52,10 @@ def ratio(what, point, paper, key, why):
     return ["Fig. 8a", what, paper, terms(key, fixed, 2), ours, "as equal lanes", why, TERMS + ", " + LADDER]
 
 
+def bubbles_fewer():
+    return spanned(percent, [1 - data.terms[scene].paper.figures.gap_left.here for scene in FOUR])
+
+
 def pipeline():
     """Fig. 3, 8 and 9: where time goes, and what the ideas are worth."""
     shares = [lambda one, stage=stage: one.stages[stage] for stage in ("preprocess", "sort", "raster")]
@@ -68,10 +72,11 @@ def pipeline():
          "as equal lanes", "the RTL's are the RUs' alone", TERMS + ", " + LADDER],
         ["Fig. 3c", "preprocessing longer by HGR", "up to +20 %", terms("pre", lambda value: percent(value - 1)), "-",
          "-", "the RTL computes alphas beside the projection, not behind it", TERMS],
-        ratio("raster / sort, Baseline", "baseline", "7.48", "ratio_baseline", "a pixel costs its operations there, a cycle here"),
+        ratio("raster / sort, Baseline", "baseline", "7.48", "ratio_baseline",
+              "a pixel costs its operations there, a cycle here"),
         ratio("raster / sort, DPC", "dpc", "5.71", "ratio_dpc", "the same"),
         ratio("raster / sort, DPC + TSPP", "tspp", "1.83", "ratio_hgr", "the RUs wait for alphas from memory"),
-        ["Fig. 8a", "bubbles fewer by HGR", "76.2 %", spanned(percent, [1 - data.terms[scene].paper.figures.gap_left.here for scene in FOUR]),
+        ["Fig. 8a", "bubbles fewer by HGR", "76.2 %", bubbles_fewer(),
          rtl(lambda one: 1 - one.tspp.bubbles / one.baseline.bubbles, percent), "-",
          "alphas through memory add bubbles", TERMS + ", " + LADDER],
         ["Fig. 8b", "preprocessing that DOP leaves exposed", "37 %", terms("delay", percent), hidden, "-",

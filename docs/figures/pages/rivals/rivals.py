@@ -3,7 +3,7 @@
 from data import data
 from formats import fixed, group, percent, table, times
 
-MEASURED = ["rivals/*"]
+MEASURED = ["rivals/*", "pipelines/*"]
 SCENES = ("terrace", "statue", "flowers", "plushdog", "own")
 TITLES = {"own": "our own"}
 RIVALS = data.rivals.terrace.rivals
@@ -153,3 +153,12 @@ def kinds(scene):
     for one in found.values():
         rows.append([one.name, *[three(one.bytes_by_kind.get(kind, 0) / 1e6) for kind in names]])
     return table(["MB", *names], rows)
+
+
+def pipelines(scene):
+    """Of the paper's Fig. 1: the time of a frame, and how much of it each kind of unit works."""
+    rows = [
+        [machine, group(one.us), ", ".join(f"{unit} {percent(share)}" for unit, share in one.busy.items())]
+        for machine, one in data.pipelines[scene].items()
+    ]
+    return table(["machine", "us", "share of the frame in which units work"], rows)
