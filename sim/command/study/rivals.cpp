@@ -1,43 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
-// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, in counts.
+// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, in counts; what other orders do to its pixels.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
 #include "sim/progress.hpp"
+#include "sim/study/rivals/pixels_report.hpp"
 #include "sim/study/rivals/report.hpp"
 
 namespace pipegs {
 namespace {
 
+struct PixelArguments {
+  bool wanted = false;
+  PixelOptions options;
+
+  void add(CLI::App& app) {
+    CLI::Option* flag = app.add_flag("--pixels", wanted, "render the orders of STREAMINGGS, GSAcc and Neo, too");
+    const RealRange lengths{.low = 0.001, .high = 1e6};
+    add_reals(app, "--voxels", options.voxels, "edges of voxels to render, scene units", lengths)->needs(flag);
+    add_integers(app, "--groups", options.groups, "sides of groups to render, multiples of 16", 16, 4096)->needs(flag);
+    add_reals(app, "--speeds", options.speeds, "speeds of the camera, times the step", {.low = 0.01, .high = 1000})
+        ->needs(flag);
+    add_real(app, "--step", options.step, "degrees of the path from a frame to the next at 1x",
+             {.low = 1e-6, .high = 90})
+        ->needs(flag);
+    add_integer(app, "--path-frames", options.frames, "frames of the path to render", 1, 10000)->needs(flag);
+    add_real(app, "--index-bytes", options.index_bytes, "of what STREAMINGGS fetches behind its coarse filter",
+             {.low = 0, .high = 1000})
+        ->needs(flag);
+    for (const char* name : {"--voxels", "--groups", "--speeds", "--step", "--path-frames", "--index-bytes"})
+      app.get_option(name)->capture_default_str();
+  }
+  void check() const {
+    for (const int side : options.groups) {
+      if (side % kTileSide != 0)
+        throw ConfigError(fmt::format("--groups: found {}, expected multiples of {}", side, kTileSide));
+    }
+  }
+  PixelStudy run(const LoadedView& view, double near_plane) {
+    Progress progress("rendering");
+    options.near_plane = near_plane;
+    options.progress = [&](double share) { progress.update(share); };
+    return study_pixels(view.scene, view.camera, view.cameras, options);
+  }
+};
+
 struct RivalsArguments {
   ViewArguments view;
   CountOptions counts;
+  PixelArguments pixels;
   bool json = false;
 };
+
+FrameCounts count(RivalsArguments& arguments, const LoadedView& view) {
+  Progress progress("counting");
+  arguments.counts.near_plane = arguments.view.near_plane;
+  arguments.counts.progress = [&](double share) { progress.update(share); };
+  return count_frame(view.scene, view.camera, arguments.counts);
+}
 
 int run_rivals(RivalsArguments& arguments) {
   const SimulateOptions options = arguments.view.options();
   if (options.window) throw ConfigError("--window: the whole view is counted, expected none");
   if (arguments.counts.group % kTileSide != 0)
     throw ConfigError(fmt::format("--group: found {}, expected a multiple of {}", arguments.counts.group, kTileSide));
+  arguments.pixels.check();
   const LoadedView loaded = load_view(arguments.view);
-  check_picture_memory(loaded.camera, options, kCountPixels);
-  Progress progress("counting");
-  arguments.counts.near_plane = arguments.view.near_plane;
-  arguments.counts.progress = [&](double share) { progress.update(share); };
-  const FrameCounts counts = count_frame(loaded.scene, loaded.camera, arguments.counts);
+  check_picture_memory(loaded.camera, options, arguments.pixels.wanted ? kOrderPixels : kCountPixels);
+  const FrameCounts counts = count(arguments, loaded);
+  PixelStudy pixels;
+  if (arguments.pixels.wanted) pixels = arguments.pixels.run(loaded, arguments.view.near_plane);
   if (arguments.json) {
     nlohmann::ordered_json json = {{"scene", loaded.scene.name},
                                    {"camera", loaded.camera.name},
                                    {"width", counts.width},
                                    {"height", counts.height}};
     json.update(counts_json(counts, arguments.counts));
+    if (arguments.pixels.wanted) json["pixels"] = pixels_json(pixels, arguments.pixels.options);
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}: view {} ({}x{}), float64, depth order\n\n{}", loaded.scene.name, loaded.camera.name, counts.width,
                counts.height, counts_text(counts, arguments.counts));
+    if (arguments.pixels.wanted) fmt::print("\n{}", pixels_text(pixels, arguments.pixels.options));
   }
   return kExitOk;
 }
@@ -53,7 +99,10 @@ void add_rivals(CLI::App& app, Run& run) {
       "tile)\npairs by 3-sigma square, axis box, oriented box and alpha >= 1/255, tiles of 16 to 128 pixels; those "
       "before a tile\nis opaque; parts of 8x8 and 4x4, rows, pixels; lengths of lists as sorters need them; 64-px "
       "groups with masks;\ntiles that neighbours in depth share; voxels that groups of pixels meet, and what their "
-      "filters leave. Each line\nof the table says what it counts. The machine (--rung, --set) does not change it."));
+      "filters leave. Each line\nof the table says what it counts. The machine (--rung, --set) does not change "
+      "it.\n--pixels: pictures of the view "
+      "in STREAMINGGS' order, and of a camera that moves through all views of the file\nin the orders that GSAcc and "
+      "Neo have from the frame before, against exact order."));
   static RivalsArguments arguments;
   arguments.view.add(*command);
   add_real(*command, "--voxel", arguments.counts.voxel, "edge of a voxel, scene units", {.low = 0.001, .high = 1e6})
@@ -61,6 +110,7 @@ void add_rivals(CLI::App& app, Run& run) {
   add_integer(*command, "--group", arguments.counts.group,
               "side of a group of pixels that streams voxels, a multiple of 16", 16, 4096)
       ->capture_default_str();
+  arguments.pixels.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_rivals(arguments); }; });
 }
