@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, in counts; what other orders do to its pixels.
+// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, in counts; what other orders do to pixels.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -99,10 +99,9 @@ void add_rivals(CLI::App& app, Run& run) {
       "tile)\npairs by 3-sigma square, axis box, oriented box and alpha >= 1/255, tiles of 16 to 128 pixels; those "
       "before a tile\nis opaque; parts of 8x8 and 4x4, rows, pixels; lengths of lists as sorters need them; 64-px "
       "groups with masks;\ntiles that neighbours in depth share; voxels that groups of pixels meet, and what their "
-      "filters leave. Each line\nof the table says what it counts. The machine (--rung, --set) does not change "
-      "it.\n--pixels: pictures of the view "
-      "in STREAMINGGS' order, and of a camera that moves through all views of the file\nin the orders that GSAcc and "
-      "Neo have from the frame before, against exact order."));
+      "filters leave. Each line\nof the table says what it counts. The machine (--rung, --set) does not change it.\n"
+      "--pixels: pictures of the view in the order of STREAMINGGS, and of a camera that moves through all views of the "
+      "file\nthat was given in the orders which GSAcc and Neo have from the frame before, against exact order."));
   static RivalsArguments arguments;
   arguments.view.add(*command);
   add_real(*command, "--voxel", arguments.counts.voxel, "edge of a voxel, scene units", {.low = 0.001, .high = 1e6})

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // frames.hpp: orders that come from the frame before: GSAcc's depth speculation, Neo's reuse-and-update sorting.
 //
-// GSAcc   DAC'25, doi 10.1109/DAC63849.2025.11133032: the sort of a frame uses the depths of the frame before, so that it
-//         runs beside the preprocessing. The paper's text is not public; notes on it say no more. What a Gaussian does
-//         that was not in the last frame is not known, so both ends are measured: `all`, it has its depth in the last
-//         camera, as if every Gaussian's had been computed; `seen`, it comes behind all others, in its own depth order.
+// GSAcc   DAC'25, doi 10.1109/DAC63849.2025.11133032: a frame is sorted by the depths of the frame before, so that the
+//         sort runs beside the preprocessing. What a Gaussian does that was not in that frame was not found, so both
+//         ends are measured: `all`, it has its depth in the last camera; `seen`, it comes behind all others, in its own
+//         depth order.
 // Neo     arXiv 2511.12930, Algorithm 1: each tile of 64 pixels keeps its sorted table. Chunks of 256 are sorted by the
-//         depths of the frame before, every second frame the first chunk is half as long; Gaussians that enter the tile
-//         are sorted by their present depths and merged in; those that have left go. Here tables hold a Gaussian by
-//         alpha >= 1/255, and one leaves its table in the frame in which it leaves the tile, not in the next.
+//         depths of the frame before, every second frame the first one is half as long; Gaussians that enter the tile
+//         are sorted by their present depths and merged in. Here tables hold a Gaussian by alpha >= 1/255, and it
+//         leaves its table in the frame in which it leaves the tile; theirs keep it for one frame more.
 #pragma once
 
 #include <vector>

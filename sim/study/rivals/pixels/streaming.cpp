@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // streaming.cpp: see streaming.hpp.
 //
-// Idea    Of a group, the Gaussians that its pixels see are known in depth order; sorted by the turn of their voxel, and
-//         there still by depth, they are what the machine blends. How far it came says which voxels it fetched.
+// Idea    Of a group, the Gaussians that its pixels see are known in depth order; sorted by the turn of their voxel,
+//         and there still by depth, they are what the machine blends. How far it came says which voxels it fetched.
 #include "sim/study/rivals/pixels/streaming.hpp"
 
 #include <algorithm>

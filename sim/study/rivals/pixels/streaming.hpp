@@ -2,7 +2,7 @@
 // streaming.hpp: the picture of STREAMINGGS: each group of pixels takes voxel by voxel, and sorts within a voxel only.
 //
 // Paper   arXiv 2506.09070: voxels in topological order (voxel_order.hpp); of each one the Gaussians whose mean lies in
-//         it, through a coarse filter (mean, largest scale) and a fine one, sorted by depth and blended before the next.
+//         it, through a coarse and a fine filter, sorted by depth and blended before those of the next.
 // Rule    Coarse: the circle of 3 times the largest scale touches the group. Fine: alpha >= 1/255 at a pixel of it.
 //         Voxels are fetched whole, until the group's last pixel has stopped: 16 bytes for each of their Gaussians, and
 //         an index for each that passes the coarse filter, whose bytes the paper does not say.
