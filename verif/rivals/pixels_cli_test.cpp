@@ -25,7 +25,7 @@ TEST_F(PixelsCli, TableAndJsonTellTheSameAndDefineAllOfIt) {
   EXPECT_EQ(found["counts"], json(view_)["counts"]);
   EXPECT_FALSE(json(view_).contains("pixels"));
   EXPECT_EQ(pixels["streaminggs"].size(), 7u * 3);
-  EXPECT_EQ(pixels["frames"].size(), 4u * 3);
+  EXPECT_EQ(pixels["frames"].size(), 4u * 4);
   EXPECT_TRUE(pixels["path"]["arc"]);
   for (const char* section : {"streaminggs", "frames"}) {
     for (const Json& row : pixels[section]) {
@@ -50,9 +50,9 @@ TEST_F(PixelsCli, OptionsCount) {
   EXPECT_EQ(found["streaminggs"][3]["group"], 32);
   const Json& row = found["streaminggs"][0];
   EXPECT_EQ(row["bytes"], 16 * row["fetched"].get<double>() + 4 * row["passed"].get<double>());
-  ASSERT_EQ(found["frames"].size(), 6u);
-  EXPECT_EQ(found["frames"][5]["speed"], 3.0);
-  EXPECT_EQ(found["frames"][5]["machine"], "neo");
+  ASSERT_EQ(found["frames"].size(), 8u);
+  EXPECT_EQ(found["frames"][7]["speed"], 3.0);
+  EXPECT_EQ(found["frames"][7]["machine"], "neo_whole");
   EXPECT_EQ(found["path"]["turn"], 2.0);
   EXPECT_EQ(found["parameters"]["near"], 0.5);
   write_cameras(folder_ / "two.json", {test_camera(70, 50), [] {

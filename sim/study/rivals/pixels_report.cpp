@@ -37,7 +37,8 @@ constexpr Column kStreams[] = {
     {"bytes", "MB", 1, 1e-6, "16 for each fetched, an index for each that passed; pixels not counted"},
 };
 constexpr Column kFrames[] = {
-    {"machine", "order", -1, 1, "gsacc_all, gsacc_seen: last frame's depths; neo: last frame's tables, sorted in part"},
+    {"machine", "order", -1, 1,
+     "gsacc_all, _seen: last frame's depths; neo, _whole: last frame's tables, sorted in chunks or in whole"},
     {"speed", "speed", 2, 1, "times the step"},
     {"psnr_db", "PSNR", 2, 1, "of the mean squared error of all frames, against exact order"},
     {"worst_db", "worst", 2, 1, "PSNR of the worst frame"},

@@ -47,7 +47,7 @@ struct StreamRow {
 };
 
 struct PathRow {
-  std::string machine;  // gsacc_all, gsacc_seen, neo
+  std::string machine;  // gsacc_all, gsacc_seen, neo, neo_whole (its tables sorted in whole)
   double speed = 0;
   Difference mean = {};
   double worst_db = 0;   // of a frame
