@@ -67,13 +67,14 @@ TEST(RivalFrames, AnOrderIsThatOfTheLastCamera) {
 
 class Tables {
  public:
-  explicit Tables(size_t chunk) : tables_(chunk) {}
+  explicit Tables(size_t chunk) : tables_(empty_, Ages::kMixed, chunk) {}
   Order next(const Scene& scene) {
     const PixelView view = view_of(scene);
     return indices(view, tables_.next(view, exact_sequences(view, kTableSide, 0), 0).places.at(0));
   }
 
  private:
+  const Scene empty_ = {};
   SortedTables tables_;
 };
 
@@ -104,9 +105,28 @@ TEST(RivalFrames, TablesOfOneChunkHaveTheOrderOfTheFrameBefore) {
   EXPECT_EQ(tables.next(row_of({1, 2, 3, 4, 5})), (Order{3, 4, 1, 2, 0}));
 }
 
+// The camera goes forward: 0 stays in the picture, 1 enters it, and lies before 0 in both frames. Its depth of now is
+// less than 0's of the frame before in any case; 2 lies behind 0, but its depth of now is less than 0's of before.
+TEST(RivalFrames, TablesCompareAnOldDepthWithAPresentOne) {
+  const Scene scene =
+      scene_of({gaussian_at({0, 0, 4}, 0.2f), gaussian_at({3, 0, 3.5f}, 0.2f), gaussian_at({4, 0, 4.5f}, 0.2f)});
+  Camera first = test_camera(64, 64, 20), second = first;
+  first.position = {-4, 0, 0};
+  second.position = {1, 0, 1};
+  const PixelView before = view_of(scene, first), now = view_of(scene, second);
+  for (const Ages ages : {Ages::kMixed, Ages::kEven}) {
+    SortedTables tables(scene, ages);
+    tables.next(before, exact_sequences(before, kTableSide, 0), 0);
+    const Order found = indices(now, tables.next(now, exact_sequences(now, kTableSide, 0), 0).places.at(0));
+    EXPECT_EQ(found, ages == Ages::kEven ? (Order{1, 0, 2}) : (Order{1, 2, 0}));
+  }
+  EXPECT_EQ(indices(now, depth_order(now)), (Order{1, 0, 2}));
+}
+
 TEST(RivalFrames, TablesWantTheirOwnTiles) {
   const PixelView view = view_of(row_of({1}));
-  SortedTables tables;
+  const Scene scene = row_of({1});
+  SortedTables tables(scene);
   EXPECT_THROW(tables.next(view, exact_sequences(view, 16, 0), 0), std::invalid_argument);
 }
 

@@ -52,7 +52,7 @@ TEST_F(PixelsCli, OptionsCount) {
   EXPECT_EQ(row["bytes"], 16 * row["fetched"].get<double>() + 4 * row["passed"].get<double>());
   ASSERT_EQ(found["frames"].size(), 8u);
   EXPECT_EQ(found["frames"][7]["speed"], 3.0);
-  EXPECT_EQ(found["frames"][7]["machine"], "neo_whole");
+  EXPECT_EQ(found["frames"][7]["machine"], "neo_even");
   EXPECT_EQ(found["path"]["turn"], 2.0);
   EXPECT_EQ(found["parameters"]["near"], 0.5);
   write_cameras(folder_ / "two.json", {test_camera(70, 50), [] {

@@ -38,7 +38,7 @@ constexpr Column kStreams[] = {
 };
 constexpr Column kFrames[] = {
     {"machine", "order", -1, 1,
-     "gsacc_all, _seen: last frame's depths; neo, _whole: last frame's tables, sorted in chunks or in whole"},
+     "gsacc_all, _seen: last frame's depths; neo: last frame's tables; neo_even: newcomers by last depths too"},
     {"speed", "speed", 2, 1, "times the step"},
     {"psnr_db", "PSNR", 2, 1, "of the mean squared error of all frames, against exact order"},
     {"worst_db", "worst", 2, 1, "PSNR of the worst frame"},

@@ -17,6 +17,10 @@ std::vector<uint8_t> seen_in(const PixelView& view, size_t gaussians) {
   return seen;
 }
 
+double depth_in(const Camera& camera, const Scene& scene, uint32_t index) {
+  return (camera.world_to_camera * (glm::dvec3(scene.gaussians[index].mean) - camera.position)).z;
+}
+
 }  // namespace
 
 std::vector<uint32_t> stale_order(const Scene& scene, const PixelView& now, const PixelView& last, Newcomers rule) {
@@ -29,10 +33,8 @@ std::vector<uint32_t> stale_order(const Scene& scene, const PixelView& now, cons
   std::vector<Turn> turns;
   for (uint32_t place = 0; place < now.seen.gaussians.size(); ++place) {
     const SeenGaussian& s = now.seen.gaussians[place];
-    const glm::dvec3 mean(scene.gaussians[s.index].mean);
     const bool behind = rule == Newcomers::kSeen && seen[s.index] == 0;
-    const double stale = (last.camera.world_to_camera * (mean - last.camera.position)).z;
-    turns.push_back({behind, behind ? s.depth : stale, s.index, place});
+    turns.push_back({behind, behind ? s.depth : depth_in(last.camera, scene, s.index), s.index, place});
   }
   std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
     return std::tie(a.behind, a.depth, a.index) < std::tie(b.behind, b.depth, b.index);
@@ -61,6 +63,7 @@ Sequences SortedTables::next(const PixelView& view, const Sequences& exact, unsi
   parallel_for(tables_.size(), threads,
                [&](size_t t) { sequences.places[t] = update(view, exact.places[t], tables_[t]); });
   ++frame_;
+  last_ = view.camera;
   return sequences;
 }
 
@@ -86,10 +89,13 @@ std::vector<uint32_t> SortedTables::update(const PixelView& view, const std::vec
     std::sort(at(begin), at(end), by_depth);
   }
   std::vector<Entry> incoming, merged;
-  for (const uint32_t place : exact) {  // in depth order
+  for (const uint32_t place : exact) {
     const SeenGaussian& s = view.seen.gaussians[place];
-    if (!std::binary_search(known.begin(), known.end(), s.index)) incoming.push_back({s.index, s.depth});
+    if (std::binary_search(known.begin(), known.end(), s.index)) continue;
+    const bool old = ages_ == Ages::kEven && frame_ > 0;
+    incoming.push_back({s.index, old ? depth_in(last_, scene_, s.index) : s.depth});
   }
+  std::sort(incoming.begin(), incoming.end(), by_depth);
   // Two heads are compared, whether or not the table behind its head is in order.
   auto next = incoming.begin();
   for (const Entry& entry : table) {

@@ -6,7 +6,6 @@
 #include "sim/study/rivals/pixels/pixels.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 #include "sim/study/rivals/pixels/frames.hpp"
@@ -118,19 +117,19 @@ class Study {
   // One frame, in the order that each machine has at this speed.
   void speed(const CameraPath& path, double at, double step, const PixelView& now, const Image& exact,
              std::vector<Frame>& found) const {
-    SortedTables chunks, whole(std::numeric_limits<size_t>::max() / 2);
+    SortedTables mixed(scene_), even(scene_, Ages::kEven);
     PixelView last;
     for (int back = kWarmFrames; back > 0; --back) {
       last = pixel_view(scene_, path.at(at - back * step), options_.near_plane, options_.threads);
       const Sequences exact_last = exact_sequences(last, kTableSide, options_.threads);
-      chunks.next(last, exact_last, options_.threads);
-      whole.next(last, exact_last, options_.threads);
+      mixed.next(last, exact_last, options_.threads);
+      even.next(last, exact_last, options_.threads);
     }
     const Sequences exact_now = exact_sequences(now, kTableSide, options_.threads);
     const Sequences sequences[] = {sequences_of(now, stale_order(scene_, now, last, Newcomers::kAll), kTableSide),
                                    sequences_of(now, stale_order(scene_, now, last, Newcomers::kSeen), kTableSide),
-                                   chunks.next(now, exact_now, options_.threads),
-                                   whole.next(now, exact_now, options_.threads)};
+                                   mixed.next(now, exact_now, options_.threads),
+                                   even.next(now, exact_now, options_.threads)};
     const double fresh = newcomers(now, last, scene_.gaussians.size());
     for (size_t m = 0; m < std::size(kMachines); ++m) {
       const OrderedPicture result = blend(now, sequences[m], options_.threads);
@@ -140,7 +139,7 @@ class Study {
     }
   }
 
-  static constexpr const char* kMachines[] = {"gsacc_all", "gsacc_seen", "neo", "neo_whole"};
+  static constexpr const char* kMachines[] = {"gsacc_all", "gsacc_seen", "neo", "neo_even"};
   const Scene& scene_;
   const Camera& camera_;
   const std::vector<Camera>& cameras_;

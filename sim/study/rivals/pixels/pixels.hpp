@@ -47,7 +47,7 @@ struct StreamRow {
 };
 
 struct PathRow {
-  std::string machine;  // gsacc_all, gsacc_seen, neo, neo_whole (its tables sorted in whole)
+  std::string machine;  // gsacc_all, gsacc_seen, neo, neo_even (newcomers merged by last frame's depths)
   double speed = 0;
   Difference mean = {};
   double worst_db = 0;   // of a frame
