@@ -109,7 +109,7 @@ TEST(RivalFrames, TablesOfOneChunkHaveTheOrderOfTheFrameBefore) {
 // less than 0's of the frame before in any case; 2 lies behind 0, but its depth of now is less than 0's of before.
 TEST(RivalFrames, TablesCompareAnOldDepthWithAPresentOne) {
   const Scene scene =
-      scene_of({gaussian_at({0, 0, 4}, 0.2f), gaussian_at({3, 0, 3.5f}, 0.2f), gaussian_at({4, 0, 4.5f}, 0.2f)});
+      scene_of({gaussian_at({0, 0, 4}, 0.2f), gaussian_at({3, 0, 3.5f}, 0.2f), gaussian_at({5, 0, 4.5f}, 0.2f)});
   Camera first = test_camera(64, 64, 20), second = first;
   first.position = {-4, 0, 0};
   second.position = {1, 0, 1};
