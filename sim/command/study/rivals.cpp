@@ -5,47 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
+#include "sim/command/study/pixel_arguments.hpp"
 #include "sim/progress.hpp"
 #include "sim/study/rivals/pixels_report.hpp"
 #include "sim/study/rivals/report.hpp"
 
 namespace pipegs {
 namespace {
-
-struct PixelArguments {
-  bool wanted = false;
-  PixelOptions options;
-
-  void add(CLI::App& app) {
-    CLI::Option* flag = app.add_flag("--pixels", wanted, "render the orders of STREAMINGGS, GSAcc and Neo, too");
-    const RealRange lengths{.low = 0.001, .high = 1e6};
-    add_reals(app, "--voxels", options.voxels, "edges of voxels to render, scene units", lengths)->needs(flag);
-    add_integers(app, "--groups", options.groups, "sides of groups to render, multiples of 16", 16, 4096)->needs(flag);
-    add_reals(app, "--speeds", options.speeds, "speeds of the camera, times the step", {.low = 0.01, .high = 1000})
-        ->needs(flag);
-    add_real(app, "--step", options.step, "degrees of the path from a frame to the next at 1x",
-             {.low = 1e-6, .high = 90})
-        ->needs(flag);
-    add_integer(app, "--path-frames", options.frames, "frames of the path to render", 1, 10000)->needs(flag);
-    add_real(app, "--index-bytes", options.index_bytes, "of what STREAMINGGS fetches behind its coarse filter",
-             {.low = 0, .high = 1000})
-        ->needs(flag);
-    for (const char* name : {"--voxels", "--groups", "--speeds", "--step", "--path-frames", "--index-bytes"})
-      app.get_option(name)->capture_default_str();
-  }
-  void check() const {
-    for (const int side : options.groups) {
-      if (side % kTileSide != 0)
-        throw ConfigError(fmt::format("--groups: found {}, expected multiples of {}", side, kTileSide));
-    }
-  }
-  PixelStudy run(const LoadedView& view, double near_plane) {
-    Progress progress("rendering");
-    options.near_plane = near_plane;
-    options.progress = [&](double share) { progress.update(share); };
-    return study_pixels(view.scene, view.camera, view.cameras, options);
-  }
-};
 
 struct RivalsArguments {
   ViewArguments view;
