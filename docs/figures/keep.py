@@ -73,6 +73,13 @@ def ladder(found):
     return rows
 
 
+def terms(found):
+    """Closed form, lead, waterfall, our terms and the paper's, and what the search found; no list of its matches."""
+    search = {key: value for key, value in found["search"].items() if key != "best"}
+    keep = pick("closed", "lead", "waterfall", "ours", "paper", "assumptions")
+    return keep(found) | {"search": search}
+
+
 def frame(found):
     """Of one run of `pipegs sim`: counts of the work, bounds, bytes by stream, errors, states of the units."""
     streams = found["memory"]["by_stream"]

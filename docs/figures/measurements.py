@@ -39,6 +39,7 @@ from keep import (
     stability,
     sweep,
     tables,
+    terms,
     tradeoff,
     views,
 )
@@ -162,6 +163,8 @@ PRINTS = {  # a test that prints what it measures: its room, the line, names of 
 TABLE = [
     *[Measurement(f"ladder/{scene}", "build/pipegs ladder {scene} --json", ladder, RTL, scene, points=POINTS,
                   chart=f"ladder_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
+    *[Measurement(f"terms/{scene}", "build/pipegs ladder {scene} --terms paper --json", terms,
+                  ("models", "memory", "terms"), scene) for scene in (*FOUR, "plushdog")],
     *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --rungs baseline,dop,exact,fast --json", sweep, MODEL,
                   scene, points=("baseline", "dop", "exact", "fast"),
                   chart=f"sweep_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],

@@ -23,6 +23,7 @@ GROUPS = {  # name of a group: the folders or files that make it
     "memory": ["sim/memory"],
     "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
+    "terms": ["sim/study/terms", "sim/study/rivals/count", "sim/study/rivals/counts.cpp", "sim/study/rivals/frame"],
     "synth": ["synth/synth.py", "synth/gating.py"],
     "fpga": ["synth/fpga/fpga.py"],
     "proofs": ["synth/prove", "synth/prove.sh"],

@@ -4,10 +4,12 @@
 // Idea    What was released before leaves first; then everything that the set has in the pool is released too, and what
 //         comes out of su_emit goes to memory instead of to the merge, which frees the slots. Records that come in
 //         meanwhile go to memory as well and first. Record n is line n of the area of records, its key part n % 8 of
-//         line n / 8 of the list of keys, which su_external sorts from the moment on at which the pool is empty.
+//         line n / 8 of the list of keys, which su_external sorts from the moment on at which the pool is empty. No
+//         record is kept here: it waits where it comes from until the port has it. The last key of a line comes from
+//         the record itself, which goes behind the line.
 // Stream  in: records as they come; back: records out of the pool; record and keys: lines to write; count_o with the
 //         number of records and the range of their keys so far.
-// Pace    One record in two cycles, as the port.
+// Pace    The port's: one record in two cycles, and one line of keys.
 // Model   Plumbing; the whole SU is tested against cpp_model/su/su.hpp.
 
 module su_spill (
@@ -64,49 +66,52 @@ module su_spill (
   } state_e;
   state_e state_q;
 
-  logic             record_valid_q, keys_valid_q, closing_q, free, take, last_part;
-  logic [SlotW-1:0] number_q, listed_q, record_line_q, keys_line_q;
-  logic [pipegs_pkg::SplatBits-1:0] record_q, record;
-  logic [pipegs_pkg::MemoryW-1:0]   keys_q;
-  logic [KeyW-1:0]  key;
-  logic             close, all_written;
+  logic             from_in, from_back, back_q, shown, last_part, close, all_written;
+  logic             keys_sent_q;  // the line that the shown record completes, or the last line, is written
+  logic [SlotW-1:0] number_q;     // of records that are written
+  logic [PartW-1:0] part;
+  logic [KeyW-1:0]  key, keys_q [KeysPerLine-1];
 
-  assign free         = (!record_valid_q || record_ready_i) && !keys_valid_q;
-  assign in_ready_o   = free;
-  assign back_ready_o = free && !in_valid_i && divert_o;
-  assign take         = free && (in_valid_i || (back_valid_i && divert_o));
-  assign record       = in_valid_i ? in_i : back_i;
-  assign last_part    = number_q[PartW-1:0] == PartW'(KeysPerLine - 1);
+  // The record that is shown; back_q: it was in the cycle before, and a record that comes in has to wait.
+  assign from_in      = in_valid_i && !back_q;
+  assign from_back    = back_valid_i && divert_o && !from_in;
+  assign shown        = from_in || from_back;
+  assign in_ready_o   = record_ready_i && from_in;
+  assign back_ready_o = record_ready_i && from_back;
+  assign part         = number_q[PartW-1:0];
+  assign last_part    = part == PartW'(KeysPerLine - 1);
 
-  su_key u_key (.splat_i(record), .key_o(key));
-  su_minmax u_minmax (.clk_i, .rst_ni, .clear_i(start_i), .valid_i(take), .key_i(key), .min_o, .max_o);
+  su_key u_key (.splat_i(record_o), .key_o(key));
+  su_minmax u_minmax (.clk_i, .rst_ni, .clear_i(start_i), .valid_i(record_ready_i), .key_i(key), .min_o, .max_o);
 
   assign job_valid_o    = state_q == Release;
   assign divert_o       = state_q == Release || state_q == Drain;
   assign open_o         = state_q == Close || state_q == Send;
-  assign listed_o       = listed_q;
+  assign listed_o       = number_q >> PartW;
   assign closed_o       = state_q == Send;
-  assign close          = state_q == Close && ended_i && !record_valid_q && !keys_valid_q;
-  assign all_written    = close && (closing_q || number_q[PartW-1:0] == '0);
+  assign close          = state_q == Close && ended_i;
+  assign all_written    = close && (keys_sent_q || part == '0);
   assign count_o        = number_q;
-  assign record_valid_o = record_valid_q;
-  assign record_line_o  = record_line_q;
-  assign record_o       = record_q;
-  assign keys_valid_o   = keys_valid_q;
-  assign keys_line_o    = keys_line_q;
-  assign keys_o         = keys_q;
-  assign active_o       = start_i || take || record_ready_i || keys_ready_i || (state_q == Wait && drained_i) ||
-                          job_done_i ||
-                          (state_q == Drain && drained_i) || close || done_i;
+  assign record_valid_o = shown && (!last_part || keys_sent_q);
+  assign record_line_o  = number_q;
+  assign record_o       = from_in ? in_i : back_i;
+  assign keys_valid_o   = !keys_sent_q && ((shown && last_part) || (close && part != '0));
+  assign keys_line_o    = number_q >> PartW;
+  always_comb begin
+    keys_o = '0;
+    for (int unsigned i = 0; i < KeysPerLine - 1; i += 1) keys_o[i*KeyPartW +: KeyW] = keys_q[i];
+    if (shown) keys_o[(KeysPerLine-1)*KeyPartW +: KeyW] = key;
+  end
+  assign active_o       = start_i || (from_back && !back_q) || record_ready_i || keys_ready_i ||
+                          (state_q == Wait && drained_i) || job_done_i || (state_q == Drain && drained_i) ||
+                          all_written || done_i;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      state_q        <= Idle;
-      number_q       <= '0;
-      listed_q       <= '0;
-      closing_q      <= 1'b0;
-      record_valid_q <= 1'b0;
-      keys_valid_q   <= 1'b0;
+      state_q     <= Idle;
+      number_q    <= '0;
+      back_q      <= 1'b0;
+      keys_sent_q <= 1'b0;
     end else begin
       unique case (state_q)
         Idle:    if (start_i) state_q <= Wait;
@@ -116,38 +121,21 @@ module su_spill (
         Close:   if (all_written) state_q <= Send;
         default: if (done_i) state_q <= Idle;
       endcase
-      if (record_ready_i) record_valid_q <= 1'b0;
-      if (keys_ready_i && !closing_q) listed_q <= listed_q + 1'b1;
-      if (keys_ready_i) keys_valid_q <= 1'b0;
-      if (take) begin
-        record_valid_q <= 1'b1;
-        if (last_part) keys_valid_q <= 1'b1;
-        number_q <= number_q + 1'b1;
-      end
-      if (close && !all_written) begin
-        keys_valid_q <= 1'b1;
-        closing_q    <= 1'b1;
-      end
-      if (start_i) begin
-        number_q  <= '0;
-        listed_q  <= '0;
-        closing_q <= 1'b0;
-      end
+      back_q <= from_back && !record_ready_i;
+      if (keys_ready_i) keys_sent_q <= 1'b1;
+      if (start_i || record_ready_i) keys_sent_q <= 1'b0;
+      if (start_i) number_q <= '0;
+      else if (record_ready_i) number_q <= number_q + 1'b1;
     end
   end
 
-  always_ff @(posedge clk_i) begin
-    if (take) begin
-      record_q      <= record;
-      record_line_q <= number_q;
-      keys_q[number_q[PartW-1:0]*KeyPartW +: KeyPartW] <= KeyPartW'(key);
-      keys_line_q   <= number_q >> PartW;
-    end
-  end
+  always_ff @(posedge clk_i) if (record_ready_i && !last_part) keys_q[part] <= key;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (!record_ready_i || record_valid_q);
-  always_ff @(posedge clk_i) if (rst_ni) assert (!keys_ready_i || keys_valid_q);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!record_ready_i || record_valid_o);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!keys_ready_i || keys_valid_o);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!back_q || from_back);
+  always_ff @(posedge clk_i) if (rst_ni) assert (!close || !shown);
   always_ff @(posedge clk_i) if (rst_ni) assert (!start_i || state_q == Idle);
   pipegs_stream_check #(.DataW($bits({keys_line_o, keys_o}))) u_check_keys (
     .clk_i, .rst_ni, .valid_i(keys_valid_o), .ready_i(keys_ready_i), .beat_i({keys_line_o, keys_o})

@@ -166,7 +166,10 @@ mutant su_output "a splat is shown to the spill too while it goes to the merge" 
 mutant su_merge "a comparison is not inverted for the other lane" 's/(beats\[j\*Units\+i\] = )!/\1/'
 mutant su_key "index sorted downwards" 's/\{splat_i\.depth, splat_i\.index\}/{splat_i.depth, ~splat_i.index}/' su_merge
 mutant su_spill "the lines of keys begin one too far" \
-       's/(keys_line_q *<= )number_q >> PartW/\1(number_q >> PartW) + 1/' su_tiny
+       's/(keys_line_o *= )number_q >> PartW/\1(number_q >> PartW) + 1/' su_tiny
+mutant su_spill "a record that comes in takes the place of one that is shown" 's/(in_valid_i) && !back_q/\1/' su
+mutant su_spill "the last key of a line is not that of its record" 's/if \(shown\) (keys_o)/if (!shown) \1/' su_tiny
+mutant su_spill "the last line of keys is not written" 's/ \|\| \(close && part != .0\)//' su_tiny
 mutant su_runs "a run begins one line before the whole of it is in memory" \
        's/listed_i >= first_q \+ SlotW.\(RunLines\)/listed_i + 1 >= first_q + SlotW\x27(RunLines)/' su_tiny
 mutant su_lines "the last line of a run is not written before it is full" 's/ \|\| left_q == SlotW.\(1\)//' su_tiny

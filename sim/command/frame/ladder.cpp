@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "sim/command/command.hpp"
+#include "sim/command/frame/terms.hpp"
 #include "sim/study/ladder.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/report.hpp"
@@ -17,7 +18,7 @@ namespace {
 struct LadderArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string out = "ladder", svg;
+  std::string out = "ladder", svg, terms;
   bool json = false, no_truth = false;
 };
 
@@ -71,6 +72,7 @@ PixelBytes memory_of(const LadderArguments& arguments) {
 }
 
 int ladder(const LadderArguments& arguments) {
+  if (!arguments.terms.empty()) return ladder_terms(arguments.view, arguments.memory, arguments.json);
   const std::vector<const DesignPoint*> chosen = find_design_points(arguments.view.design_points);
   const std::vector<SimulateOptions> options = arguments.view.options(chosen);
   std::vector<LadderRow> rows;
@@ -138,6 +140,10 @@ void add_ladder(CLI::App& app, Run& run) {
                    "folder for ladder.json and, for each design point, report.json and the picture")
       ->capture_default_str();
   command->add_option("--svg", arguments.svg, "charts");
+  command
+      ->add_option("--terms", arguments.terms,
+                   "paper: no RTL; from counts of the view, under which assumptions the paper's figures come out")
+      ->check(CLI::IsMember({"paper"}));
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--json", arguments.json, "print ladder.json instead of the tables");
   command->callback([&run] { run = [] { return ladder(arguments); }; });

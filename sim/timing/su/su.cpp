@@ -179,13 +179,12 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.insert = is.next == kInsert;
 
   // Collect.
-  is.record = is.data && collect_ == kSpill;
+  is.record = shown_record(now);
   is.spill_start =
       is.data && is.open && used_ == records_ && (is.drained || (marks_cut_ && m.other_spills(lane_, now)));
   is.write = is.insert;
   is.mark_push = is.in != nullptr && !is.data && (is.open || collect_ == kSpill) && marks_.room(now);
-  const bool spill_free = (!record_valid_ || record_taken_) && !keys_valid_;
-  is.taken = is.write || is.mark_push || (is.record && spill_free);
+  is.taken = is.write || is.mark_push || (is.record == kFromIn && record_taken_);
   return is;
 }
 

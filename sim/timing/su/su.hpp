@@ -99,6 +99,7 @@ class Su {
   enum Collect { kCollect, kSpill, kSort };
   enum Operation { kNone, kInsert, kWord, kEntry };
   enum Spill { kSpillIdle, kWait, kRelease, kDrain, kClose, kSend };
+  enum Source { kNoRecord, kFromIn, kFromBack };
   enum Choice { kNothing, kRecord, kKeys, kRun, kFetch, kRead };
   enum Form { kFormIdle, kLoad, kGroupGoes, kSortRun };
   enum Level { kForm, kSize, kSetup, kStart, kMerge, kSent };
@@ -156,6 +157,9 @@ class Su {
     return static_cast<uint32_t>(su_bucket(config_, key >> (config_.key_w() - config_.depth_w), octave_));
   }
   bool open() const { return spill_ == kClose || spill_ == kSend; }  // the pool is empty
+  bool closes() const { return spill_ == kClose && collect_ == kSort; }
+  Source shown_record(Cycle now) const;
+  bool keys_listed(bool shown) const;
   bool fetches() const {
     return external_.level == kForm ? external_.form == kLoad && external_.asked * kKeysPerLine < external_.size
                                     : external_.asking;
@@ -248,10 +252,9 @@ class Su {
   // su_spill
   Spill spill_ = kSpillIdle;
   std::vector<Sorted> records_out_;  // records of the set in memory
-  uint32_t listed_ = 0;              // whole lines of its list of keys
   uint64_t min_ = 0, max_ = 0;       // keys
-  bool record_valid_ = false, keys_valid_ = false, closing_ = false;
-  bool diverted_ = false;  // in this cycle
+  bool back_held_ = false;           // the record shown is one out of the pool, and was in the cycle before
+  bool keys_sent_ = false;           // the line of keys that the shown record completes, or the last one, is written
   Sorted diverted_record_;
 
   // su_external

@@ -67,7 +67,7 @@ void Su::form_runs(Cycle now, bool line, bool written) {
   External& e = external_;
   const auto count = static_cast<uint32_t>(records_out_.size());
   const auto run_lines = static_cast<uint32_t>(records_ / kKeysPerLine);
-  const bool whole = listed_ >= e.first + run_lines;
+  const bool whole = count / kKeysPerLine >= e.first + run_lines;
   switch (e.form) {
     case kFormIdle:
       if (!open() || !(whole || (spill_ == kSend && e.first * kKeysPerLine < count))) break;

@@ -21,7 +21,8 @@ struct Su::Now {
   Operation next;
   // collect
   const Splat* in;
-  bool data, open, taken, write, spill_start, record, mark_push;
+  Source record;
+  bool data, open, taken, write, spill_start, mark_push;
 };
 
 }  // namespace pipegs::timing

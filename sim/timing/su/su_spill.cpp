@@ -12,6 +12,7 @@ uint64_t Su::overflow_line(const Machine& m, Area area, uint64_t line) const {
 }
 
 void Su::port(Machine& m, Cycle now) {
+  const bool shown = shown_record(now) != kNoRecord, listed = keys_listed(shown);
   record_taken_ = keys_taken_ = run_taken_ = fetch_taken_ = read_taken_ = false;
   const bool writes = behind_ == 0;
   if (m.memory.answered(port_)) {
@@ -42,12 +43,12 @@ void Su::port(Machine& m, Cycle now) {
   }
   if (choice_ != kNothing) return;
   const auto records = static_cast<uint32_t>(records_out_.size());
-  if (record_valid_ && writes) {
+  if (shown && !listed && writes) {
     choice_ = kRecord;
-    m.memory.ask(port_, overflow_line(m, Area::kRecords, records - 1), true);
-  } else if (keys_valid_ && writes) {
+    m.memory.ask(port_, overflow_line(m, Area::kRecords, records), true);
+  } else if (listed && writes) {
     choice_ = kKeys;
-    m.memory.ask(port_, overflow_line(m, Area::kKeys, (records - 1) / kKeysPerLine), true);
+    m.memory.ask(port_, overflow_line(m, Area::kKeys, records / kKeysPerLine), true);
   } else if (e.lines_full && writes) {
     choice_ = kRun;
     m.memory.ask(port_, overflow_line(m, forms || !e.area ? Area::kRuns : Area::kKeys, e.lines_number), true);
@@ -65,43 +66,44 @@ void Su::port(Machine& m, Cycle now) {
 
 // --- su_spill --------------------------------------------------------------------------------------------------------
 
+// The record that waits for memory: one that was shown in the cycle before goes first.
+Su::Source Su::shown_record(Cycle now) const {
+  if (!back_held_ && collect_ == kSpill && in_.valid(now) && !is_end(in_.front().splat.beat)) return kFromIn;
+  return diverts() && out_.shown(now) ? kFromBack : kNoRecord;
+}
+
+// A line of keys waits for memory: the one that the shown record completes, or the last one.
+bool Su::keys_listed(bool shown) const {
+  const size_t part = records_out_.size() % kKeysPerLine;
+  return !keys_sent_ && (shown ? part == kKeysPerLine - 1 : closes() && part != 0);
+}
+
 // What stands at the output goes to memory: before the output takes the next one in the same cycle.
 void Su::divert(Cycle now, const Now& is) {
-  diverted_ = is.diverts && out_.shown(now) && !is.record && (!record_valid_ || record_taken_) && !keys_valid_;
-  if (!diverted_) return;
+  if (is.record != kFromBack || !record_taken_) return;
   diverted_record_ = out_.value;
   out_.valid = false;
   out_taken_at_ = now;
-  moved_ = true;
 }
 
 void Su::spill(const Machine& m, const Now& is) {
-  const bool record_was = record_valid_, keys_were = keys_valid_;
-  const bool free = (!record_was || record_taken_) && !keys_were;
-  const bool close = spill_ == kClose && collect_ == kSort && !record_was && !keys_were;
-  const bool written = close && (closing_ || records_out_.size() % kKeysPerLine == 0);
-  const bool take = free && (is.record || diverted_);
-  if (record_taken_) record_valid_ = false;
-  if (keys_taken_) keys_valid_ = false;
-  if (keys_taken_ && !closing_) ++listed_;
-  if (take) {
-    Sorted record;
-    if (is.record) {
+  const bool written = closes() && (keys_sent_ || records_out_.size() % kKeysPerLine == 0);
+  const bool back_held = is.record == kFromBack && !record_taken_;
+  if (back_held != back_held_ || record_taken_ || keys_taken_) moved_ = true;
+  back_held_ = back_held;
+  if (keys_taken_) keys_sent_ = true;
+  if (record_taken_) {
+    Sorted record = diverted_record_;
+    if (is.record == kFromIn) {
       record.splat = *is.in;
       record.key = m.trace.key[is.in->beat];
-    } else {
-      record = diverted_record_;
     }
     record.number = static_cast<uint32_t>(records_out_.size());
     min_ = records_out_.empty() ? record.key : std::min(min_, record.key);
     max_ = records_out_.empty() ? record.key : std::max(max_, record.key);
     records_out_.push_back(record);
-    record_valid_ = true;
-    if (records_out_.size() % kKeysPerLine == 0) keys_valid_ = true;
-    moved_ = true;
+    keys_sent_ = false;
   }
-  if (close && !written) keys_valid_ = closing_ = true;
-  if (close || record_taken_ || keys_taken_) moved_ = true;
   const Spill before = spill_;
   switch (spill_) {
     case kSpillIdle:
@@ -126,8 +128,7 @@ void Su::spill(const Machine& m, const Now& is) {
   if (spill_ != before) moved_ = true;
   if (is.spill_start) {
     records_out_.clear();
-    listed_ = 0;
-    closing_ = false;
+    keys_sent_ = false;
   }
 }
 

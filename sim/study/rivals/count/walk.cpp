@@ -56,7 +56,7 @@ void count_parts(const Bits& touched, const Bits& alive, const Bits& live, bool 
 
 class Walker {
  public:
-  Walker(const PixelRect& area, TileCounts& counts) : area_(area), counts_(counts) {
+  explicit Walker(const PixelRect& area) : area_(area) {
     for (int y = 0; y < area.y1 - area.y0; ++y) inside_[static_cast<size_t>(y)] = ones(0, area.x1 - area.x0);
     alive_ = inside_;
     alive_pixels_ = number(alive_);
@@ -66,24 +66,24 @@ class Walker {
   bool open() const { return alive_pixels_ > 0; }
 
   // Returns whether the Gaussian adds to a pixel.
-  bool take(const SeenGaussian& s, const Entry& entry) {
+  bool take(const SeenGaussian& s, const Entry& entry, TileCounts& counts) {
     const Bits reached = entry.by(Cover::kExact) ? reach(s) : Bits{};
     const Bits live = reached & alive_;
     for (const Cover cover : kAllCovers) {
       if (!entry.by(cover) || !open()) continue;
-      ++counts_.walk[cover].open;
-      counts_.walk[cover].alive += alive_pixels_;
+      ++counts.walk[cover].open;
+      counts.walk[cover].alive += alive_pixels_;
     }
     if (entry.by(Cover::kOriented)) {
-      count_parts<kPart, kPart>(touched(s), alive_, live, open(), counts_.oriented_8x8);
+      count_parts<kPart, kPart>(touched(s), alive_, live, open(), counts.oriented_8x8);
     }
     if (!entry.by(Cover::kExact)) return false;
-    count_parts<8, 8>(reached, alive_, live, open(), counts_.exact_8x8);
-    count_parts<4, 4>(reached, alive_, live, open(), counts_.exact_4x4);
-    count_parts<16, 1>(reached, alive_, live, open(), counts_.exact_16x1);
-    count_parts<8, 1>(reached, alive_, live, open(), counts_.exact_8x1);
-    counts_.reached += number(reached);
-    return blend(s, live);
+    count_parts<8, 8>(reached, alive_, live, open(), counts.exact_8x8);
+    count_parts<4, 4>(reached, alive_, live, open(), counts.exact_4x4);
+    count_parts<16, 1>(reached, alive_, live, open(), counts.exact_16x1);
+    count_parts<8, 1>(reached, alive_, live, open(), counts.exact_8x1);
+    counts.reached += number(reached);
+    return blend(s, live, counts);
   }
 
  private:
@@ -110,8 +110,8 @@ class Walker {
     return bits & inside_;
   }
 
-  bool blend(const SeenGaussian& s, const Bits& live) {
-    const uint64_t before = counts_.blends;
+  bool blend(const SeenGaussian& s, const Bits& live, TileCounts& counts) {
+    const uint64_t before = counts.blends;
     for (size_t y = 0; y < kTileSide; ++y) {
       for (unsigned rest = live[y]; rest != 0; rest &= rest - 1) {
         const int x = std::countr_zero(rest);
@@ -120,22 +120,28 @@ class Walker {
         if (next < kMinTransmittance) {
           alive_[y] &= static_cast<uint16_t>(~(1u << x));
           --alive_pixels_;
-          ++counts_.stops;
+          ++counts.stops;
         } else {
           transmittance = next;
-          ++counts_.blends;
+          ++counts.blends;
         }
       }
     }
-    return counts_.blends > before;
+    return counts.blends > before;
   }
 
   PixelRect area_;  // of the image
-  TileCounts& counts_;
   Bits inside_{}, alive_{};
   uint64_t alive_pixels_ = 0;
   std::array<double, kTileSide * kTileSide> transmittance_;
 };
+
+// Pixels of the image in a 16-px tile.
+PixelRect tile_area(const Grid& grid, size_t tile, const Camera& camera) {
+  const int x = static_cast<int>(tile % static_cast<size_t>(grid.columns)) * kTileSide,
+            y = static_cast<int>(tile / static_cast<size_t>(grid.columns)) * kTileSide;
+  return {x, y, std::min(x + kTileSide, camera.width), std::min(y + kTileSide, camera.height)};
+}
 
 }  // namespace
 
@@ -149,14 +155,12 @@ std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, c
   size_t done = 0;
   parallel_for(grid.count(), options.threads, [&](size_t t) {
     if (interrupted()) throw std::runtime_error("interrupted");
-    const int x = static_cast<int>(t % static_cast<size_t>(grid.columns)) * kTileSide,
-              y = static_cast<int>(t / static_cast<size_t>(grid.columns)) * kTileSide;
-    Walker walker({x, y, std::min(x + kTileSide, camera.width), std::min(y + kTileSide, camera.height)},
-                  counts.tiles[t]);
+    Walker walker(tile_area(grid, t, camera));
     for (const Entry& entry : lists.of(t)) {
       const SeenGaussian& s = seen.gaussians[entry.place()];
       const bool was_open = walker.open();
-      if (walker.take(s, entry)) std::atomic_ref(blended[entry.place()]).store(1, std::memory_order_relaxed);
+      if (walker.take(s, entry, counts.tiles[t]))
+        std::atomic_ref(blended[entry.place()]).store(1, std::memory_order_relaxed);
       if (was_open && !walker.open()) stop_depth[t] = s.depth;
     }
     if (!options.progress) return;
@@ -166,6 +170,21 @@ std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, c
   for (const TileCounts& tile : counts.tiles) counts.total += tile;
   counts.gaussians.blended = static_cast<uint64_t>(std::count(blended.begin(), blended.end(), 1));
   return stop_depth;
+}
+
+void count_layer_walks(const SeenScene& seen, const TileLists& lists, const std::vector<uint8_t>& layer,
+                       const Camera& camera, const CountOptions& options, std::vector<LayerCounts>& layers) {
+  const Grid grid(camera, kTileSide);
+  for (LayerCounts& counts : layers) counts.tiles.assign(grid.count(), {});
+  parallel_for(grid.count(), options.threads, [&](size_t t) {
+    if (interrupted()) throw std::runtime_error("interrupted");
+    std::vector<Entry> entries(lists.of(t).begin(), lists.of(t).end());
+    std::stable_sort(entries.begin(), entries.end(),
+                     [&](const Entry& a, const Entry& b) { return layer[a.place()] < layer[b.place()]; });
+    Walker walker(tile_area(grid, t, camera));
+    for (const Entry& entry : entries)
+      walker.take(seen.gaussians[entry.place()], entry, layers[layer[entry.place()]].tiles[t]);
+  });
 }
 
 }  // namespace pipegs
