@@ -15,6 +15,10 @@ SHARED = Path(os.environ.get("PIPEGS_SHARED", ROOT.parent / "shared"))
 GROUPS = {  # name of a group: the folders or files that make it
     "rtl": ["rtl"],
     "models": ["cpp_model", "sim/driver/pipegs_frame.c", "sim/driver/pipegs_wide.h", "scenes/generate"],
+    "orders": [
+        "sim/study/rivals/pixels",
+        *(f"sim/study/rivals/count/{name}.{end}" for name in ("cover", "meet", "seen") for end in ("cpp", "hpp")),
+    ],
     "timing": ["sim/timing"],
     "memory": ["sim/memory"],
     "simulator": ["sim/rtl"],

@@ -68,6 +68,19 @@ inline CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vecto
       [&values] { return list_option_detail::joined(values); });
 }
 
+inline CLI::Option* add_integers(CLI::App& app, const std::string& name, std::vector<int>& values,
+                                 const std::string& what, int low, int high) {
+  return number_option_detail::add<std::vector<int>>(
+      app, name, what, "INTS", values,
+      [name, low, high](const std::string& list) {
+        std::vector<int> found;
+        for (const std::string& element : list_option_detail::elements_of(name, list))
+          found.push_back(parse_integer<int>(element, low, high));
+        return found;
+      },
+      [&values] { return list_option_detail::joined(values); });
+}
+
 // Column and row; nothing is set without the option.
 inline CLI::Option* add_place(CLI::App& app, const std::string& name, std::vector<int>& place,
                               const std::string& what) {

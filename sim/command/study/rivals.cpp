@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, and models of other accelerators on it beside
-// two machines of our own.
+// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, models of other accelerators on it beside two
+// machines of our own, and what other orders do to pixels.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
+#include "sim/command/study/pixel_arguments.hpp"
 #include "sim/progress.hpp"
 #include "sim/study/rivals/compare/report.hpp"
+#include "sim/study/rivals/pixels_report.hpp"
 #include "sim/study/rivals/report.hpp"
 #include "sim/study/tradeoff/resample.hpp"
 
@@ -20,6 +22,7 @@ struct RivalsArguments {
   CountOptions counts{.group = 64};
   std::string svg;
   double scale = 1;
+  PixelArguments pixels;
   bool json = false, only_counts = false;
 };
 
@@ -30,6 +33,14 @@ std::vector<double> finer_voxels(double voxel) {
   std::vector<double> edges;
   for (double part = 0.5; part >= kFinestVoxel; part /= 2) edges.push_back(voxel * part);
   return edges;
+}
+
+FrameCounts count(RivalsArguments& arguments, const LoadedView& view) {
+  Progress progress("counting");
+  arguments.counts.near_plane = arguments.view.near_plane;
+  arguments.counts.progress = [&](double share) { progress.update(share); };
+  if (!arguments.only_counts) arguments.counts.other_voxels = finer_voxels(arguments.counts.voxel);
+  return count_frame(view.scene, view.camera, arguments.counts);
 }
 
 std::vector<OwnMachine> own_machines(const LoadedView& loaded, const RivalsArguments& arguments) {
@@ -59,23 +70,24 @@ int run_rivals(RivalsArguments& arguments) {
   try_file("--svg", arguments.svg);
   if (arguments.only_counts && !arguments.svg.empty())
     throw ConfigError("--svg: charts are of machines, expected none with --counts");
+  arguments.pixels.check();
+  if (arguments.pixels.wanted && arguments.scale != 1)
+    throw ConfigError("--scale: pictures are of the cameras' sizes, expected none with --pixels");
   LoadedView loaded = load_view(arguments.view);
   loaded.camera = scaled_camera(loaded.camera, arguments.scale);
   if (std::max(loaded.camera.width, loaded.camera.height) > kMaxImageSide)
     throw ConfigError(fmt::format("--scale: found '{}', which makes {}x{} pixels, expected sides up to {}",
                                   arguments.scale, loaded.camera.width, loaded.camera.height, kMaxImageSide));
-  check_picture_memory(loaded.camera, options, kCountPixels);
-  Progress progress("counting");
-  arguments.counts.near_plane = arguments.view.near_plane;
-  arguments.counts.progress = [&](double share) { progress.update(share); };
-  if (!arguments.only_counts) arguments.counts.other_voxels = finer_voxels(arguments.counts.voxel);
-  const FrameCounts counts = count_frame(loaded.scene, loaded.camera, arguments.counts);
+  check_picture_memory(loaded.camera, options, arguments.pixels.wanted ? kOrderPixels : kCountPixels);
+  const FrameCounts counts = count(arguments, loaded);
   std::optional<Comparison> comparison;
   if (!arguments.only_counts) {
     PlayedMemory memory(arguments.memory.external.dram);
     comparison = compare(counts, memory, own_machines(loaded, arguments));
     write_charts(arguments.svg, comparison_charts(*comparison));
   }
+  PixelStudy pixels;
+  if (arguments.pixels.wanted) pixels = arguments.pixels.run(loaded, arguments.view.near_plane);
   if (arguments.json) {
     nlohmann::ordered_json json = {{"scene", loaded.scene.name},
                                    {"camera", loaded.camera.name},
@@ -84,6 +96,7 @@ int run_rivals(RivalsArguments& arguments) {
     if (comparison) json["memory"] = arguments.memory.external.dram;
     json.update(counts_json(counts, arguments.counts));
     if (comparison) json.update(comparison_json(*comparison));
+    if (arguments.pixels.wanted) json["pixels"] = pixels_json(pixels, arguments.pixels.options);
     fmt::print("{}\n", json.dump(2));
   } else if (comparison) {
     fmt::print("{}: view {} ({}x{}), memory {}\n\n{}", loaded.scene.name, loaded.camera.name, counts.width,
@@ -92,6 +105,7 @@ int run_rivals(RivalsArguments& arguments) {
     fmt::print("{}: view {} ({}x{}), float64, depth order\n\n{}", loaded.scene.name, loaded.camera.name, counts.width,
                counts.height, counts_text(counts, arguments.counts));
   }
+  if (arguments.pixels.wanted && !arguments.json) fmt::print("\n{}", pixels_text(pixels, arguments.pixels.options));
   return kExitOk;
 }
 
@@ -105,7 +119,9 @@ void add_rivals(CLI::App& app, Run& run) {
       "GSCore, GS-TG, STREAMINGGS, GSAcc, Neo and FLICKER as their papers describe them, driven by counts of the "
       "float64\nprojection and blending, with the same memory; what is not published is a parameter with a range, and "
       "every figure\ncomes as low..mid..high. Beside them `dop` and the machine of --rung and --set, by timing model "
-      "and frame model.\n--counts prints the counts alone. docs/rivals/rivals.md says what each model stands on."));
+      "and frame model.\n--counts prints the counts alone. docs/rivals/rivals.md says what each model stands on.\n"
+      "--pixels: pictures of the view in the order of STREAMINGGS, and of a camera that moves through all views of the "
+      "file\nthat was given in the orders which GSAcc and Neo have from the frame before, against exact order."));
   static RivalsArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command, false);
@@ -119,6 +135,7 @@ void add_rivals(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_flag("--counts", arguments.only_counts, "the counts alone, without machines");
   command->add_option("--svg", arguments.svg, "charts");
+  arguments.pixels.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_rivals(arguments); }; });
 }
