@@ -37,7 +37,7 @@ TEST(RivalsPipelines, ARowForEachUnitAndABarForEachPhase) {
 
 FrameCounts corner() { return count_frame(scene_of({gaussian_at({0, 0, 1}, 0.01f, 0.8)}), test_camera(64, 64), {}); }
 
-// One Gaussian in four tiles: without lists by subtiles all 4 x 256 pixels are rasterized, 64 in a cycle over the cores.
+// One Gaussian in four tiles: without subtiles all 4 x 256 pixels are rasterized, 64 in a cycle over the cores.
 TEST(RivalsPipelines, AGpuDoesOneThingAfterTheOther) {
   const FrameCounts counts = corner();
   PlayedMemory memory("ideal");
