@@ -172,7 +172,7 @@ class Literal {
           project_truth(gaussian, scene.gaussians[i].sh_dc, sh_rest_of(scene, i), scene.sh_degree, camera,
                         {Semantics::kExact, kNear, scene.antialiased, kMaxShDegree});
     }
-    const Grid grid(camera, side);
+    const TileGrid grid(camera, side);
     for (int y = 0; y < grid.rows; ++y) {
       for (int x = 0; x < grid.columns; ++x) group(grid, x, y);
     }
@@ -237,7 +237,7 @@ class Literal {
     return order;
   }
 
-  void group(const Grid& grid, int gx, int gy) {
+  void group(const TileGrid& grid, int gx, int gy) {
     std::vector<Pixel> pixels;
     for (int y = gy * side_; y < std::min((gy + 1) * side_, camera_.height); ++y) {
       for (int x = gx * side_; x < std::min((gx + 1) * side_, camera_.width); ++x) pixels.push_back({x, y});

@@ -40,7 +40,7 @@ double alpha_at(const SeenGaussian& s, int x, int y) {
   return alpha < kMinAlpha ? 0 : alpha;
 }
 
-Span reached_span(const SeenGaussian& s, int y, const Span& limits) {
+PixelSpan reached_span(const SeenGaussian& s, int y, const PixelSpan& limits) {
   const double dy = s.mean.y - y;
   const double left = -2 * s.least_power + kMargin - dy * dy / s.variance_y;
   if (!(left >= 0)) return {};
@@ -50,7 +50,7 @@ Span reached_span(const SeenGaussian& s, int y, const Span& limits) {
     return static_cast<int>(std::clamp(x, static_cast<double>(limits.x0), static_cast<double>(limits.x1)));
   };
   const auto reached = [&](int x) { return alpha_at(s, x, y) > 0; };
-  Span span{pixel(std::ceil(middle - half)), pixel(std::floor(middle + half) + 1)};
+  PixelSpan span{pixel(std::ceil(middle - half)), pixel(std::floor(middle + half) + 1)};
   while (!span.empty() && !reached(span.x0)) ++span.x0;
   while (!span.empty() && !reached(span.x1 - 1)) --span.x1;
   if (span.empty()) return {};
@@ -59,12 +59,12 @@ Span reached_span(const SeenGaussian& s, int y, const Span& limits) {
   return span;
 }
 
-void reached_spans(const SeenGaussian& s, std::vector<Span>& spans) {
+void reached_spans(const SeenGaussian& s, std::vector<PixelSpan>& spans) {
   spans.clear();
   for (int y = s.reach.y0; y < s.reach.y1; ++y) spans.push_back(reached_span(s, y, {s.reach.x0, s.reach.x1}));
 }
 
-PixelRect square_tiles(const SeenGaussian& s, const Grid& grid) {
+PixelRect square_tiles(const SeenGaussian& s, const TileGrid& grid) {
   const int side = grid.side;
   return {tile_number(s.mean.x - s.radius, side, grid.columns), tile_number(s.mean.y - s.radius, side, grid.rows),
           tile_number(s.mean.x + s.radius + side - 1, side, grid.columns),
@@ -81,7 +81,8 @@ bool box_touches(const SeenGaussian& s, const glm::dvec2& middle, double half) {
          std::abs(glm::dot(d, v)) <= h + tile;
 }
 
-void covered(const SeenGaussian& s, const std::vector<Span>& spans, const Grid& grid, Cover cover, TileSet& set) {
+void covered(const SeenGaussian& s, const std::vector<PixelSpan>& spans, const TileGrid& grid, Cover cover,
+             TileSet& set) {
   const int side = grid.side;
   if (cover == Cover::kExact) {
     const PixelRect& r = s.reach;

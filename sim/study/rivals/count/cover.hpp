@@ -10,9 +10,9 @@
 namespace pipegs {
 
 // The tiles of one side.
-struct Grid {
+struct TileGrid {
   int side, columns, rows;
-  Grid(const Camera& camera, int tile_side)
+  TileGrid(const Camera& camera, int tile_side)
       : side(tile_side),
         columns((camera.width + tile_side - 1) / tile_side),
         rows((camera.height + tile_side - 1) / tile_side) {}
@@ -51,20 +51,20 @@ class TileSet {
 };
 
 // Pixels [x0, x1) of a row; none if x0 >= x1.
-struct Span {
+struct PixelSpan {
   int x0 = 0, x1 = 0;
   bool empty() const { return x0 >= x1; }
 };
 
 // Where alpha >= 1/255 in row y, within `limits`. Power is concave along a row, so these pixels stand together.
-Span reached_span(const SeenGaussian& s, int y, const Span& limits);
+PixelSpan reached_span(const SeenGaussian& s, int y, const PixelSpan& limits);
 // alpha at a pixel, 0 below 1/255.
 double alpha_at(const SeenGaussian& s, int x, int y);
 // Of each row of s.reach.
-void reached_spans(const SeenGaussian& s, std::vector<Span>& spans);
+void reached_spans(const SeenGaussian& s, std::vector<PixelSpan>& spans);
 
 // Tiles [x0, x1) x [y0, y1) of INRIA's square.
-PixelRect square_tiles(const SeenGaussian& s, const Grid& grid);
+PixelRect square_tiles(const SeenGaussian& s, const TileGrid& grid);
 // Whether the oriented box, edges included, touches the square area around `middle`.
 bool box_touches(const SeenGaussian& s, const glm::dvec2& middle, double half);
 // A tile's area is the square of its pixels' centres.
@@ -72,6 +72,7 @@ inline double half_of(int side) { return 0.5 * (side - 1); }
 inline glm::dvec2 middle_of(int side, int x, int y) { return {side * x + half_of(side), side * y + half_of(side)}; }
 
 // `spans` are those of reached_spans.
-void covered(const SeenGaussian& s, const std::vector<Span>& spans, const Grid& grid, Cover cover, TileSet& set);
+void covered(const SeenGaussian& s, const std::vector<PixelSpan>& spans, const TileGrid& grid, Cover cover,
+             TileSet& set);
 
 }  // namespace pipegs

@@ -63,14 +63,14 @@ std::vector<uint8_t> walk_places(int own, int cells) {
 }
 
 ListCounts empty_lists(const Camera& camera, int side) {
-  const Grid grid(camera, side);
+  const TileGrid grid(camera, side);
   ListCounts lists{.side = side, .columns = grid.columns, .rows = grid.rows};
   for (const Cover cover : kAllCovers) lists.lengths[cover].assign(grid.count(), 0);
   return lists;
 }
 
 // The windows that a Gaussian's box of alpha >= 1/255 touches. Called side by side.
-void count_windows(const SeenGaussian& s, const Grid& grid, std::vector<WindowCounts>& windows) {
+void count_windows(const SeenGaussian& s, const TileGrid& grid, std::vector<WindowCounts>& windows) {
   if (s.reach.empty()) return;
   const int in_window = grid.side / kRegion;
   const PixelRect box = {s.reach.x0 / kRegion, s.reach.y0 / kRegion, (s.reach.x1 - 1) / kRegion + 1,
@@ -90,21 +90,21 @@ void count_windows(const SeenGaussian& s, const Grid& grid, std::vector<WindowCo
 
 void count_lists_of(const SeenScene& seen, const std::vector<uint8_t>& layer, const Camera& camera,
                     const CountOptions& options, std::vector<LayerCounts>& layers) {
-  const Grid windows(camera, kLayerSides[1]);
+  const TileGrid windows(camera, kLayerSides[1]);
   for (LayerCounts& counts : layers) {
     for (size_t i = 0; i < kLayerSides.size(); ++i) counts.lists[i] = empty_lists(camera, kLayerSides[i]);
     counts.windows.assign(windows.count(), {});
   }
   const size_t count = seen.gaussians.size();
   parallel_for((count + kBlock - 1) / kBlock, options.threads, [&](size_t b) {
-    std::vector<Span> spans;
+    std::vector<PixelSpan> spans;
     TileSet set;
     for (size_t place = b * kBlock; place < std::min(count, (b + 1) * kBlock); ++place) {
       const SeenGaussian& s = seen.gaussians[place];
       LayerCounts& counts = layers[layer[place]];
       reached_spans(s, spans);
       for (ListCounts& lists : counts.lists) {
-        const Grid grid(camera, lists.side);
+        const TileGrid grid(camera, lists.side);
         for (const Cover cover : kAllCovers) {
           covered(s, spans, grid, cover, set);
           set.for_each([&](int x, int y) {

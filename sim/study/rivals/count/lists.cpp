@@ -42,7 +42,7 @@ class Lister {
       reached_spans(s, spans_);
       for (size_t side = 0; side < kListSides.size(); ++side) {
         for (const Cover cover : kAllCovers) {
-          covered(s, spans_, Grid(camera_, kListSides[side]), cover, sets_[side][cover]);
+          covered(s, spans_, TileGrid(camera_, kListSides[side]), cover, sets_[side][cover]);
           count_lengths(counts_.lists[side], sets_[side][cover], cover);
         }
       }
@@ -55,7 +55,7 @@ class Lister {
   // The oriented tiles of the last Gaussian before `place` that has any.
   void find_before(size_t place) {
     while (place-- > 0) {
-      covered(seen_[place], spans_, Grid(camera_, kTileSide), Cover::kOriented, before_);
+      covered(seen_[place], spans_, TileGrid(camera_, kTileSide), Cover::kOriented, before_);
       if (before_.count() > 0) return;
     }
     before_.clear({});
@@ -72,7 +72,7 @@ class Lister {
     const ByCover<TileSet>&tiles = sets_[kLists16], &groups = sets_[kLists64];
     for (const Cover cover : kAllCovers) block.gaussians.listed[cover] += tiles[cover].count() > 0;
     block.gaussians.in_two += tiles.exact.count() >= 2;
-    for (const Span& span : spans_) block.gaussians.rows += !span.empty();
+    for (const PixelSpan& span : spans_) block.gaussians.rows += !span.empty();
     constexpr int kTiles = kListSides[kLists64] / kTileSide;
     tiles.exact.for_each([&](int x, int y) {
       block.masks.axis += groups.axis.has(x / kTiles, y / kTiles);
@@ -90,7 +90,7 @@ class Lister {
 
   void list_tiles(uint32_t place, Block& block) const {
     const ByCover<TileSet>& tiles = sets_[kLists16];
-    const Grid grid(camera_, kTileSide);
+    const TileGrid grid(camera_, kTileSide);
     const auto list = [&](int x, int y) {
       uint32_t covers = 0;
       for (const Cover cover : kAllCovers)
@@ -106,7 +106,7 @@ class Lister {
   const std::vector<SeenGaussian>& seen_;
   const Camera& camera_;
   FrameCounts& counts_;
-  std::vector<Span> spans_;
+  std::vector<PixelSpan> spans_;
   std::array<ByCover<TileSet>, kListSides.size()> sets_;
   TileSet before_;
 };
@@ -132,7 +132,7 @@ TileLists count_lists(const SeenScene& seen, const Camera& camera, const CountOp
   const size_t count = seen.gaussians.size();
   if (count > kMostGaussians) throw std::runtime_error("counting: too many Gaussians in the view");
   for (size_t side = 0; side < kListSides.size(); ++side) {
-    const Grid grid(camera, kListSides[side]);
+    const TileGrid grid(camera, kListSides[side]);
     ListCounts& lists = counts.lists[side];
     lists.side = grid.side, lists.columns = grid.columns, lists.rows = grid.rows;
     for (const Cover cover : kAllCovers) lists.lengths[cover].assign(grid.count(), 0);
@@ -151,7 +151,7 @@ TileLists count_lists(const SeenScene& seen, const Camera& camera, const CountOp
     counts.neighbours.tiles += block.neighbours.tiles;
     counts.neighbours.shared += block.neighbours.shared;
   }
-  return gather(blocks, Grid(camera, kTileSide).count());
+  return gather(blocks, TileGrid(camera, kTileSide).count());
 }
 
 }  // namespace pipegs

@@ -56,7 +56,7 @@ double Meeting::nearest(const glm::dvec3& low) const {
 }
 
 // The rectangle around its corners, and where its edges pass through the near plane.
-PixelRect Meeting::around(const glm::dvec3& low_corner, const Grid& grid) const {
+PixelRect Meeting::around(const glm::dvec3& low_corner, const TileGrid& grid) const {
   const Corners corners = corners_of(low_corner, edge_, camera_);
   glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
   const auto add = [&](const glm::dvec3& p) {

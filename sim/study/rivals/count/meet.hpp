@@ -32,7 +32,7 @@ class Meeting {
 
   // Of the voxel with this lowest corner: its least depth, and the tiles around the part beyond the near plane.
   double nearest(const glm::dvec3& low) const;
-  PixelRect around(const glm::dvec3& low, const Grid& grid) const;
+  PixelRect around(const glm::dvec3& low, const TileGrid& grid) const;
 
   // A ray's parameter is its view depth.
   glm::dvec3 ray(int x, int y) const {
@@ -49,7 +49,7 @@ class Meeting {
 struct Circle {
   glm::dvec2 mean{0};
   double radius = -1;
-  bool touches(const Grid& grid, int x, int y) const {
+  bool touches(const TileGrid& grid, int x, int y) const {
     const glm::dvec2 apart = glm::max(glm::abs(mean - middle_of(grid.side, x, y)) - half_of(grid.side), 0.0);
     return radius >= 0 && glm::dot(apart, apart) <= radius * radius;
   }

@@ -40,7 +40,7 @@ SeenGaussian seen_of(const TruthProjection& p, const Camera& camera) {
 bool in_any_tile(const SeenGaussian& s, const Camera& camera) {
   if (!s.reach.empty()) return true;
   return std::any_of(kListSides.begin(), kListSides.end(),
-                     [&](int side) { return !square_tiles(s, Grid(camera, side)).empty(); });
+                     [&](int side) { return !square_tiles(s, TileGrid(camera, side)).empty(); });
 }
 
 }  // namespace

@@ -116,15 +116,15 @@ class Streamer {
   const std::vector<uint32_t>& places_;
   const Camera& camera_;
   double near_, edge_, nearest_ = 0;
-  Grid grid_;
+  TileGrid grid_;
   Meeting meeting_;
   TileSet met_, exact_;
-  std::vector<Span> spans_;
+  std::vector<PixelSpan> spans_;
 };
 
 // The largest of its tiles.
 std::vector<double> stop_of_groups(const std::vector<double>& stop_depth, const Camera& camera, int side) {
-  const Grid tiles(camera, kTileSide), groups(camera, side);
+  const TileGrid tiles(camera, kTileSide), groups(camera, side);
   std::vector<double> stop(groups.count(), 0);
   for (int y = 0; y < tiles.rows; ++y) {
     for (int x = 0; x < tiles.columns; ++x) {

@@ -89,9 +89,9 @@ class Walker {
  private:
   Bits reach(const SeenGaussian& s) const {
     Bits bits{};
-    const Span limits{std::max(area_.x0, s.reach.x0), std::min(area_.x1, s.reach.x1)};
+    const PixelSpan limits{std::max(area_.x0, s.reach.x0), std::min(area_.x1, s.reach.x1)};
     for (int y = std::max(area_.y0, s.reach.y0); y < std::min(area_.y1, s.reach.y1); ++y) {
-      const Span span = reached_span(s, y, limits);
+      const PixelSpan span = reached_span(s, y, limits);
       if (!span.empty()) bits[static_cast<size_t>(y - area_.y0)] = ones(span.x0 - area_.x0, span.x1 - area_.x0);
     }
     return bits;
@@ -137,7 +137,7 @@ class Walker {
 };
 
 // Pixels of the image in a 16-px tile.
-PixelRect tile_area(const Grid& grid, size_t tile, const Camera& camera) {
+PixelRect tile_area(const TileGrid& grid, size_t tile, const Camera& camera) {
   const int x = static_cast<int>(tile % static_cast<size_t>(grid.columns)) * kTileSide,
             y = static_cast<int>(tile / static_cast<size_t>(grid.columns)) * kTileSide;
   return {x, y, std::min(x + kTileSide, camera.width), std::min(y + kTileSide, camera.height)};
@@ -147,7 +147,7 @@ PixelRect tile_area(const Grid& grid, size_t tile, const Camera& camera) {
 
 std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, const Camera& camera,
                                 const CountOptions& options, FrameCounts& counts) {
-  const Grid grid(camera, kTileSide);
+  const TileGrid grid(camera, kTileSide);
   counts.tiles.assign(grid.count(), {});
   std::vector<double> stop_depth(grid.count(), std::numeric_limits<double>::infinity());
   std::vector<uint8_t> blended(seen.gaussians.size(), 0);
@@ -174,7 +174,7 @@ std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, c
 
 void count_layer_walks(const SeenScene& seen, const TileLists& lists, const std::vector<uint8_t>& layer,
                        const Camera& camera, const CountOptions& options, std::vector<LayerCounts>& layers) {
-  const Grid grid(camera, kTileSide);
+  const TileGrid grid(camera, kTileSide);
   for (LayerCounts& counts : layers) counts.tiles.assign(grid.count(), {});
   parallel_for(grid.count(), options.threads, [&](size_t t) {
     if (interrupted()) throw std::runtime_error("interrupted");

@@ -28,7 +28,7 @@ struct Group {
 
 class Streamer {
  public:
-  Streamer(const PixelView& view, const VoxelScene& voxels, const std::vector<Circle>& circles, const Grid& grid)
+  Streamer(const PixelView& view, const VoxelScene& voxels, const std::vector<Circle>& circles, const TileGrid& grid)
       : view_(view), voxels_(voxels), circles_(circles), grid_(grid) {}
 
   Group sort(size_t g, const std::vector<uint32_t>& exact) const {
@@ -78,7 +78,7 @@ class Streamer {
   const PixelView& view_;
   const VoxelScene& voxels_;
   const std::vector<Circle>& circles_;
-  Grid grid_;
+  TileGrid grid_;
 };
 
 }  // namespace
@@ -106,7 +106,7 @@ std::vector<Circle> coarse_circles(const Scene& scene, const Camera& camera, dou
 
 StreamPicture stream(const PixelView& view, const VoxelScene& voxels, const std::vector<Circle>& circles,
                      const Sequences& exact, unsigned threads) {
-  const Grid grid(view.camera, exact.side);
+  const TileGrid grid(view.camera, exact.side);
   const Streamer streamer(view, voxels, circles, grid);
   std::vector<Group> groups(grid.count());
   StreamPicture picture{.sequences = {exact.side, {}}, .blend = {}, .counts = {}};

@@ -110,7 +110,7 @@ std::vector<uint32_t> depth_order(const PixelView& view) {
 }
 
 Sequences sequences_of(const PixelView& view, const std::vector<uint32_t>& order, int side) {
-  const Grid grid(view.camera, side);
+  const TileGrid grid(view.camera, side);
   Sequences sequences{side, {}};
   sequences.places.resize(grid.count());
   for (const uint32_t place : order) {
@@ -124,7 +124,7 @@ Sequences sequences_of(const PixelView& view, const std::vector<uint32_t>& order
 }
 
 Sequences exact_sequences(const PixelView& view, int side, unsigned threads) {
-  const Grid grid(view.camera, side);
+  const TileGrid grid(view.camera, side);
   struct Item {
     size_t group;
     uint32_t place;
@@ -132,7 +132,7 @@ Sequences exact_sequences(const PixelView& view, int side, unsigned threads) {
   const size_t count = view.seen.gaussians.size();
   std::vector<std::vector<Item>> blocks((count + kBlock - 1) / kBlock);
   parallel_for(blocks.size(), threads, [&](size_t b) {
-    std::vector<Span> spans;
+    std::vector<PixelSpan> spans;
     TileSet groups;
     for (size_t place = b * kBlock; place < std::min(count, (b + 1) * kBlock); ++place) {
       reached_spans(view.seen.gaussians[place], spans);
@@ -152,7 +152,7 @@ OrderedPicture blend(const PixelView& view, const Sequences& sequences, unsigned
   const Camera& camera = view.camera;
   if (sequences.side <= 0 || sequences.side % kTileSide != 0)
     throw std::invalid_argument("blend: a group's side is a multiple of 16");
-  const Grid grid(camera, sequences.side);
+  const TileGrid grid(camera, sequences.side);
   if (sequences.places.size() != grid.count()) throw std::invalid_argument("blend: sequences of another grid");
   OrderedPicture result{.image = Image(camera.width, camera.height)};
   result.stops.assign(grid.count(), 0);

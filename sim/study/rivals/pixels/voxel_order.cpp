@@ -83,7 +83,7 @@ void VoxelOrder::trace(const Camera& camera, const Meeting& meeting, const std::
   sort_unique(graph.edges);
 }
 
-std::vector<uint32_t> VoxelOrder::of_group(const Grid& groups, int x, int y) const {
+std::vector<uint32_t> VoxelOrder::of_group(const TileGrid& groups, int x, int y) const {
   const int span = groups.side / kTileSide;
   std::vector<uint32_t> nodes;
   std::vector<uint64_t> edges;

@@ -24,7 +24,7 @@ class VoxelOrder {
              unsigned threads);
 
   // Numbers of the voxels that this group meets, in the order in which it takes them.
-  std::vector<uint32_t> of_group(const Grid& groups, int x, int y) const;
+  std::vector<uint32_t> of_group(const TileGrid& groups, int x, int y) const;
 
  private:
   struct Tile {                   // of kTileSide pixels; voxels by their rank, which rises with their steps
@@ -33,7 +33,7 @@ class VoxelOrder {
   };
   void trace(const Camera& camera, const Meeting& meeting, const std::vector<uint32_t>& candidates, size_t tile);
 
-  Grid tiles_;
+  TileGrid tiles_;
   std::vector<uint32_t> numbers_;    // by rank
   std::vector<glm::dvec3> corners_;  // the lowest ones, by rank
   std::vector<Tile> traced_;
