@@ -62,7 +62,6 @@ void config_check(const Config& config) {
                                     {"fronts", config.fronts},
                                     {"window", config.window},
                                     {"pixel_w", config.pixel_w},
-                                    {"alpha_lines", config.alpha_lines},
                                     {"chunk", config.chunk},
                                     {"grid", config.grid},
                                     {"nearest_nodes", config.nearest_nodes}}) {

@@ -30,6 +30,7 @@ module pipegs_front #(
   input  logic [MemoryW-1:0]               line_i,     // of the memory's answers
 
   input  pipegs_pkg::progress_t            progress_i,
+  input  logic [Units-1:0]                 line_free_i,
   input  logic                             layer_free_i,
   output pipegs_pkg::store_writes_t        store_o,
 
@@ -106,7 +107,8 @@ module pipegs_front #(
       .culled_o(culled[k*VisibleBits +: VisibleBits]),
       .visible_valid_i(dealt_valid[k]), .visible_ready_o(dealt_ready[k]), .visible_room_o(dealt_room[k]),
       .visible_i(dealt),
-      .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y), .layer_free_i,
+      .done_i(progress_i.done), .done_x_i(progress_i.x), .done_y_i(progress_i.y),
+      .line_free_i(line_free_i[k]), .layer_free_i,
       .geometry_valid_o(geometry_valid[k]), .geometry_ready_i(geometry_ready[k]),
       .geometry_address_o(geometry_address[k*AddressW +: AddressW]),
       .geometry_lines_o(geometry_lines[k*BurstW +: BurstW]), .geometry_rsp_valid_i(geometry_line[k]),

@@ -16,7 +16,7 @@ module pipegs_layer_free (
   output logic                         free_o
 );
 
-  localparam int unsigned CountW = 4;  // at most two layers live, see pu_allocate
+  localparam int unsigned CountW = $clog2(pipegs_pkg::AlphaLayers + 1);  // as many live, see pu_allocate
 
   logic [CountW-1:0]            count_q [pipegs_pkg::Units];
   logic [pipegs_pkg::Units-1:0] some;

@@ -68,6 +68,9 @@ package pipegs_pkg;
   // round(1023 c)
   localparam int unsigned PixelW         = 64;
   localparam int unsigned AlphaLines     = 1024;  // alpha store of one unit: lines of one region's 64 alphas
+  // layers that live in an alpha store at a time: with more than a window has, the PUs fill a heavy one while the RUs
+  // blend that of the window before
+  localparam int unsigned AlphaLayers    = 8;
   localparam int unsigned Records        = 1024;  // record store of one SU, a pool of slots
   // mantissa bits of the depth key that choose a bucket of depth: 2^n buckets an octave, in the SUs and in the DOPU
   // (order = 2)
@@ -225,8 +228,12 @@ package pipegs_pkg;
   localparam int unsigned TapIndexW      = 24;
   localparam int unsigned TapDepthW      = 24;  // depth key where only the taps read it; one bit is left without them
   localparam int unsigned LineW          = 512;  // alphas of one region, row by row, first pixel in the low bits
-  // line of the alpha store, or of the overflow area when ext is set; with lists {unit, line} of the area of all alphas
+  // address of a line in the alpha store, or when ext is set {area, line} of the unit's overflow areas; with lists
+  // {unit, line} of the area of all alphas
   localparam int unsigned AlphaAddressW  = 24;
+  // addresses of an alpha store: a ring, freed a layer at a time, of which AlphaLines have a slot
+  localparam int unsigned AlphaAddresses = 2048;
+  localparam int unsigned AlphaSlotW     = 10;  // slot of a line in its alpha store
   // number of a window, row by row from the frame's first to its last: at most 2^ListWindowW lists
   localparam int unsigned ListWindowW    = 12;
   localparam int unsigned ListEntryW     = 20;  // entry of a list, one line each; a list has at most 2^ListEntryW - 1
@@ -789,9 +796,8 @@ package pipegs_pkg;
 
   typedef struct packed {
     logic [TapIndexW-1:0] index;
-    logic parity;  // of the layer: which overflow area
-    logic ext;  // the lines lie in the overflow area
-    logic [AlphaAddressW-1:0] address;  // line of the mask's first region; the others follow
+    logic ext;  // the lines lie in an overflow area
+    logic [AlphaAddressW-1:0] address;  // of the line of the mask's first region; the others follow
     logic [MaskW-1:0] mask;
     logic signed [DefW-1:0] f;
     logic signed [DefW-1:0] e;
@@ -801,12 +807,11 @@ package pipegs_pkg;
     logic signed [AW-1:0] a;
     logic [KindW-1:0] kind;
   } row_job_t;
-  localparam int unsigned RowJobBits = 339;
+  localparam int unsigned RowJobBits = 338;
 
   typedef struct packed {
     logic [RegionW-1:0] region;
     logic [TapIndexW-1:0] index;
-    logic parity;
     logic ext;
     logic [AlphaAddressW-1:0] address;
     logic signed [CurveW-1:0] twist;  // F
@@ -817,7 +822,7 @@ package pipegs_pkg;
     logic signed [PowerW-1:0] power;  // power at the region's first pixel
     logic [KindW-1:0] kind;
   } region_t;
-  localparam int unsigned RegionBits = 242;
+  localparam int unsigned RegionBits = 241;
 
   typedef struct packed {
     logic visible;  // power >= -PowerCut
@@ -829,12 +834,11 @@ package pipegs_pkg;
   typedef struct packed {
     logic [RegionW-1:0] region;
     logic [TapIndexW-1:0] index;
-    logic parity;
     logic ext;
     logic [AlphaAddressW-1:0] address;
     logic [KindW-1:0] kind;
   } alphas_t;
-  localparam int unsigned AlphasBits = 58;
+  localparam int unsigned AlphasBits = 57;
 
   typedef struct packed {
     logic signed [BaseW-1:0] base_b;
@@ -954,12 +958,13 @@ package pipegs_pkg;
     logic [ColorW-1:0] green;
     logic [ColorW-1:0] red;
     logic [UnitW-1:0] unit;
+    logic skip;  // the region is done: its line in the alpha store is freed and not read
     logic ext;
-    logic [AlphaAddressW-1:0] address;  // line of this region's alphas
+    logic [AlphaAddressW-1:0] address;  // of the line of this region's alphas
     logic [RegionW-1:0] region;
     logic [KindW-1:0] kind;
   } fetch_t;
-  localparam int unsigned FetchBits = 95;
+  localparam int unsigned FetchBits = 96;
 
   typedef struct packed {
     logic [TapIndexW-1:0] index;
@@ -1188,7 +1193,7 @@ package pipegs_pkg;
     48'h0088_060c1014,  // CONFIG_GAUSSIAN
     48'h0084_00030800,  // CONFIG_POINT
     48'h0080_10044004,  // CONFIG_COUNTS
-    48'h000c_5c1ba3bf,  // CONFIG_HASH
+    48'h000c_957c6da2,  // CONFIG_HASH
     48'h0008_8b93182f,  // LAYOUT
     48'h0004_00010001,  // VERSION
     48'h0000_47504950  // ID

@@ -3,8 +3,8 @@
 //
 // Paper   Fig. 7 (right), Sec. 4.2.3, Table 2.
 // Idea    sorted -> ru_dispatch -> RU[j]; alpha store k lies between PU k and all RUs. Where the RUs compute alphas, or
-//         lists keep them in memory, there is none. layer_free_o tells the PUs that all RUs have finished the oldest
-//         layer. A clock gate per unit. Only wiring here.
+//         lists keep them in memory, there is none. line_free_o tells PU k that a line of its store is free,
+//         layer_free_o all PUs that all RUs have finished the oldest layer. A clock gate per unit. Only wiring here.
 // Stream  sorted splats in, nearest first; pixels to external memory; progress_o to the front.
 // Model   cpp_model/ru/ru.hpp
 
@@ -32,6 +32,7 @@ module pipegs_raster #(
   input  logic [MemoryW-1:0]               line_i,      // of the memory's answers
 
   output pipegs_pkg::progress_t            progress_o,
+  output logic [Units-1:0]                 line_free_o,
   output logic                             layer_free_o,
   output logic [Units-1:0]                 layer_done_o,   // pulse: the RU has blended a layer
   output logic [Units-1:0]                 window_done_o,  // pulse: with it, the window is complete
@@ -69,6 +70,7 @@ module pipegs_raster #(
 
   logic [Units*Units-1:0]          read_valid, read_ready, answer_valid;  // [RU * Units + store]
   logic [Units*AlphaAddressW-1:0]  read_address;                          // of each RU
+  logic [Units-1:0]                read_skip;
   logic [Units*LineW-1:0]          answer;                                // of each store
 
   logic [TapsN-1:0]                alphas_valid, pixels_valid;
@@ -111,7 +113,7 @@ module pipegs_raster #(
       .clk_i(ru_clk), .rst_ni, .raster_i, .picture_i, .overflow_i, .unit_i(pipegs_pkg::UnitW'(k)), .restart_i,
       .in_valid_i(splat_valid[k]), .in_ready_o(splat_ready[k]), .in_i(splat),
       .read_valid_o(read_valid[k*Units +: Units]), .read_ready_i(read_ready[k*Units +: Units]),
-      .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]),
+      .read_address_o(read_address[k*AlphaAddressW +: AlphaAddressW]), .read_skip_o(read_skip[k]),
       .answer_valid_i(answer_valid[k*Units +: Units]), .answer_i(answer),
       .mem_valid_o(mem_valid[k]), .mem_ready_i(mem_ready[k]), .mem_write_o(mem_write[k]),
       .mem_address_o(mem_address[k*AddressW +: AddressW]),
@@ -150,7 +152,8 @@ module pipegs_raster #(
         .clk_i(store_clk), .rst_ni, .write_i(store_i.write[k]),
         .address_i(store_i.address[k*AlphaAddressW +: AlphaAddressW]), .line_i(store_i.line[k*LineW +: LineW]),
         .read_valid_i(store_read_valid), .read_ready_o(store_read_ready), .read_address_i(read_address),
-        .answer_valid_o(store_answer_valid), .answer_o(answer[k*LineW +: LineW]), .active_o(store_active)
+        .read_skip_i(read_skip), .answer_valid_o(store_answer_valid), .answer_o(answer[k*LineW +: LineW]),
+        .free_o(line_free_o[k]), .active_o(store_active)
       );
     end
   end
@@ -158,8 +161,9 @@ module pipegs_raster #(
     assign read_ready   = '0;
     assign answer_valid = '0;
     assign answer       = '0;
+    assign line_free_o  = '0;
     logic unused_stores;
-    assign unused_stores = &{1'b0, store_i, read_valid, read_address};
+    assign unused_stores = &{1'b0, store_i, read_valid, read_address, read_skip};
   end
 
   pipegs_layer_free u_layer_free (.clk_i, .rst_ni, .done_i(layer_done_o), .free_o(layer_free_o));

@@ -66,6 +66,7 @@ module pipegs_top #(
   pipegs_pkg::store_writes_t                store;
   pipegs_pkg::progress_t                    progress, heard;
   logic                                     layer_free;
+  logic [Units-1:0]                         line_free;
   logic [Units-1:0]                         layer_done, window_done, overflow_sort;
   logic [Units*(pipegs_pkg::RegionW+1)-1:0] overflow_alpha;
   logic                                     alphas_full, sorting_full, scene_bad, stop;
@@ -124,7 +125,7 @@ module pipegs_top #(
   pipegs_front u_front (
     .clk_i, .rst_ni, .test_en_i, .frame_i(front_q), .areas_i(areas_q), .restart_i(front_restart),
     .reads_o(reads), .reads_i(reads_answer), .spill_o(spill), .spill_i(spill_answer), .line_i(line),
-    .progress_i(heard), .layer_free_i(layer_free), .store_o(store),
+    .progress_i(heard), .line_free_i(line_free), .layer_free_i(layer_free), .store_o(store),
     .splat_valid_o(splat_valid), .splat_ready_i(splat_ready), .splat_o(splat), .number_o(number),
     .full_o(alphas_full), .full_line_o(alphas_full_line), .bad_o(scene_bad), .bad_line_o(scene_bad_line),
     .overflow_o(overflow_alpha), .busy_o(front_busy), .perf_o(perf_state[0 +: 2*(1+Units)]),
@@ -147,7 +148,8 @@ module pipegs_top #(
     .overflow_i(overflow), .restart_i(back_restart),
     .sorted_valid_i(sorted_valid && !hold), .sorted_ready_o(raster_ready), .sorted_i(sorted), .store_i(store),
     .memory_o(pixels), .halves_o(halves), .memory_i(pixels_answer), .line_i(line),
-    .progress_o(progress), .layer_free_o(layer_free), .layer_done_o(layer_done), .window_done_o(window_done),
+    .progress_o(progress), .line_free_o(line_free), .layer_free_o(layer_free), .layer_done_o(layer_done),
+    .window_done_o(window_done),
     .busy_o(raster_busy), .perf_o(perf_state[2*(1+2*Units) +: 2*Units]), .taps_o(taps)
   );
 

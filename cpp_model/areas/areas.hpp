@@ -6,7 +6,7 @@
 //         With lists the lower half is theirs. The rest is shared out to the units, and a share to what a unit keeps
 //         there: in its lower half the SU's (all of the share when no alphas go to memory), in its upper half alphas.
 //           SU       keys, 1/4 | runs, 1/4 | records, 1/2
-//           alphas   of layers of even parity, 1/2 | of odd parity, 1/2; with lists all alphas of the frame
+//           alphas   of the layers that overflow, in turn even, 1/2 | odd, 1/2; with lists all alphas of the frame
 //         A list has 2^n lines, the largest power of two of which the half has one for each window.
 // Units   Lines of external memory.
 #pragma once

@@ -2,8 +2,8 @@
 // ru: a whole RU over a frame: sorted splats in, finished windows out.
 //
 // Paper   Fig. 7 (RU with its T and RGB buffers), Eq. 2.
-// Idea    The owned regions of one window at a time; a layer end only turns the parity of the overflow area, a window
-//         end hands the pixels out and starts the next window, row by row from first to last.
+// Idea    The owned regions of one window at a time; the end of a layer changes nothing, that of a window hands the
+//         pixels out and starts the next window, row by row from first to last.
 // Stream  sorted_t in; where lines of alphas come from and where lines of pixels go is the caller's (two functions).
 // RTL     rtl/ru/pipegs_ru.sv; the window's coordinates: rtl/ru/place/ru_window.sv
 #pragma once
@@ -23,7 +23,6 @@ struct RuState {
   int unit = 0;
   uint64_t own = 0;                     // the regions of this RU in a part, as a mask
   uint64_t window_x = 0, window_y = 0;  // the window that is being blended
-  uint64_t parity = 0;                  // of the layer
   std::vector<RegionState> regions;     // by slot
   RegionSet done;                       // owned regions that are done
   BlendCounts counts;
@@ -83,7 +82,7 @@ void ru_write(const Config& c, const Frame& frame, const Picture& picture, const
   }
 }
 
-// Takes one beat. codes(splat, region, parity) gives the 64 alpha codes of a region, `const uint16_t*`;
+// Takes one beat. codes(splat, region) gives the 64 alpha codes of a region, `const uint16_t*`;
 // pixels(line address, halves, const MemoryLine&) takes a line of the finished window, or half of one.
 template <class Codes, class Pixels>
 void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, const Picture& picture, RuState& state,
@@ -93,14 +92,12 @@ void ru_take(const Config& c, const BlendConstants& k, const Frame& frame, const
                                static_cast<uint32_t>(splat.blue)};
     for (uint64_t rest = splat.mask & state.own & ~state.done.mask[splat.part]; rest != 0; rest &= rest - 1) {
       const int region = region_number(c, splat.part, std::countr_zero(rest));
-      if (ru_blend_region(k, state.regions[ru_slot(c, region)], codes(splat, region, state.parity), color,
-                          &state.counts)) {
+      if (ru_blend_region(k, state.regions[ru_slot(c, region)], codes(splat, region), color, &state.counts)) {
         state.done.add(c, region);
       }
     }
     return;
   }
-  state.parity ^= 1;
   if (splat.kind != kWindowEnd) return;
   for (int slot = 0; slot < c.regions() / c.units; ++slot) {
     const int region = ru_region(c, state.unit, slot);

@@ -5,7 +5,8 @@
 // Idea    Two RUs own the colours of a chess board; four own every fourth region of a row, each row starting two
 //         further: a splat that covers 2x2 regions, or four in a row, keeps all of them busy. A splat's lines lie one
 //         behind the other, lowest region of its mask first.
-// Stream  sorted_t in, one job per owned region of its mask out: region and line.
+// Stream  sorted_t in, one job per owned region of its mask out: region and line. A region that is done has none, but
+//         where its line lies in an alpha store: then it is freed (skip).
 // RTL     rtl/ru/ru_dispatch.sv (owners), rtl/ru/ru_walk.sv (lines), rtl/ru/ru_fetch.sv (memory addresses)
 #pragma once
 
@@ -44,16 +45,16 @@ inline uint64_t ru_line(const Sorted& splat, int region) {
   return splat.address + std::popcount(splat.mask & ((uint64_t{1} << region) - 1));
 }
 
-// First memory line of an alpha line in the area of `unit` and layer parity `parity`; with lists the unit stands in the
-// line's number.
-inline uint64_t ru_overflow_line(const Config& c, const Span& overflow, uint64_t unit, uint64_t parity, uint64_t line) {
-  if (c.has_lists()) {
-    const int lines_w = c.alpha_address_w() - c.unit_w();
-    unit = line >> lines_w;
-    line -= unit << lines_w;
-  }
-  return overflow.first + area_first(c, overflow.lines, unit, parity != 0 ? Area::kOdd : Area::kEven) +
-         line * static_cast<uint64_t>(c.alpha_memory_lines());
+// Bits of the number of an alpha line in its overflow area. Above it stands which of the unit's two areas; with lists
+// the unit.
+inline int ru_number_w(const Config& c) { return c.alpha_address_w() - (c.has_lists() ? c.unit_w() : 1); }
+
+// First memory line of an alpha line of `unit` with this address.
+inline uint64_t ru_overflow_line(const Config& c, const Span& overflow, uint64_t unit, uint64_t address) {
+  const uint64_t above = address >> ru_number_w(c), number = address - (above << ru_number_w(c));
+  const Area area = !c.has_lists() && above != 0 ? Area::kOdd : Area::kEven;
+  return overflow.first + area_first(c, overflow.lines, c.has_lists() ? above : unit, area) +
+         number * static_cast<uint64_t>(c.alpha_memory_lines());
 }
 
 }  // namespace pipegs

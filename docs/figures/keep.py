@@ -222,6 +222,12 @@ def one_model(found):
     return {"cycles": row["cycles"], "bytes": total_bytes(row["bytes"])}
 
 
+def one_store(found):
+    """Of one configuration: cycles, bytes of all streams, lines of alphas that found no place in a store."""
+    (row,) = found["rungs"]
+    return one_model(found) | {"overflow_lines": row["overflow_lines"]}
+
+
 def views(found):
     """Frames in one machine: cycles of a frame on average, and the largest gap between two, queued and alone."""
     rows = found["views"]

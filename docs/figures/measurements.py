@@ -29,6 +29,7 @@ from keep import (
     models,
     netlist,
     one_model,
+    one_store,
     pick,
     printed,
     profile,
@@ -90,6 +91,18 @@ WHAT_IF = {  # of the design point exact: one thing changed
     "quads": "--set quads=1",
     "quads_bandwidth102": "--set quads=1 --memory lpddr5-6400x8",
 }
+STORES = {  # of the design point dop: lines of an alpha store, and layers that live in it
+    "lines1024_layers2": "--set alpha_layers=2",
+    "lines1024_layers4": "--set alpha_layers=4",
+    "lines1024": "",
+    "paper": "--set alpha_lines=840 --set records=512",  # all memories together as large as the paper's 428 KB
+    "lines2048": "--set alpha_lines=2048",
+    "lines4096": "--set alpha_lines=4096",
+    "lines8192_layers2": "--set alpha_lines=8192 --set alpha_layers=2",
+    "lines8192_layers4": "--set alpha_lines=8192 --set alpha_layers=4",
+    "lines8192": "--set alpha_lines=8192",
+}
+STORES = {name: f"--rung dop {change}".rstrip() for name, change in STORES.items()} | {"baseline": "--rung baseline"}
 ADDED = {  # from exact towards fast: what each step adds to the one before
     "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", "--config sim/fine.cfg --set quads=1"),
     "window128": ("windows of four parts", "--set window=128"),
@@ -219,9 +232,8 @@ TABLE = [
     Measurement("proofs/all", "synth/prove.sh", proofs, ("rtl", "proofs")),
     Measurement("dram/check", "build/pipegs dram", tables("runs"), ("memory",)),
     Measurement("dram/worth", "build/pipegs dram --mappings", tables("mappings", "steps"), ("memory",)),
-    *[Measurement(f"what_if/terrace/alpha_lines{lines}",
-                  f"build/pipegs model {{scene}} --rung dop --set alpha_lines={lines} --json", one_model, MODEL,
-                  "terrace", points=("dop",)) for lines in (4096, 8192)],
+    *[Measurement(f"stores/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_store, MODEL, scene,
+                  points=(change.split()[1],)) for name, change in STORES.items() for scene in FOUR],
     *[Measurement(f"silicon/{name}", f"build/pipegs silicon {options}--no-energy --json", silicon, ("rtl", "synth"),
                   points=(options.split()[1],)) for name, options in SYNTHESISED.items()],
     *[Measurement(f"fpga/{point}_{family}_{units}", f"synth/fpga/fpga.py --build build/. --rung {point} "

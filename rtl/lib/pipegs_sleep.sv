@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipegs_sleep: lets a unit's clock stop while everything in it waits for somebody else.
 //
-// Paper   Sec. 4.1 (a layer's results are double-buffered: a PU that is two layers ahead has to wait).
+// Paper   Sec. 4.1 (a layer's results are double-buffered: a PU that is too far ahead has to wait).
 // Idea    A unit full of work that cannot move, because nobody takes what it makes, need not be clocked. None of its
 //         stages works for more than Patience cycles without a beat moving on some stream, so after that many quiet
 //         cycles nothing inside can change before something comes from outside: asleep_o stops the clock, wake_i starts

@@ -44,6 +44,7 @@ module pipegs_pu #(
   input  logic [Units*pipegs_pkg::Regions-1:0] done_i,      // from the RUs
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_y_i,
+  input  logic                                 line_free_i,
   input  logic                                 layer_free_i,
 
   output logic                                 geometry_valid_o,
@@ -160,7 +161,7 @@ module pipegs_pu #(
     .clk_i, .rst_ni, .rotation_i, .tables_i, .areas_i, .windows_i, .unit_i, .restart_i,
     .payload_valid_i(payload_valid), .payload_i(payload),
     .conic_valid_i(conic_valid), .conic_ready_o(conic_ready), .conic_i(conic),
-    .done_i, .done_x_i, .done_y_i, .layer_free_i,
+    .done_i, .done_x_i, .done_y_i, .line_free_i, .layer_free_i,
     .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
     .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o, .store_write_o, .store_address_o, .store_line_o,
     .splat_valid_o, .splat_ready_i, .splat_o(splat), .number_o, .overflowed_o,
@@ -180,7 +181,7 @@ module pipegs_pu #(
   // What may come from outside.
   assign wake  = (chunk_valid_i && chunk_ready_o) || (culled_valid_o && culled_ready_i) ||
                  (visible_valid_i && visible_ready_o) || (splat_valid_o && splat_ready_i) ||
-                 layer_free_i || restart_i || geometry_valid_o || color_valid_o || spill_valid_o ||
+                 line_free_i || layer_free_i || restart_i || geometry_valid_o || color_valid_o || spill_valid_o ||
                  geometry_rsp_valid_i || color_rsp_valid_i;
   assign work  = chunk_valid_i || visible_valid_i || !front_idle || busy || back_busy;
   assign busy_o   = work;

@@ -34,6 +34,7 @@ module pu_back #(
   input  logic [Units*pipegs_pkg::Regions-1:0] done_i,      // from the RUs
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_y_i,
+  input  logic                                 line_free_i,
   input  logic                                 layer_free_i,
 
   output logic                                 color_valid_o,
@@ -146,7 +147,7 @@ module pu_back #(
         .clk_i, .rst_ni, .rotation_i, .colors_i(colors), .sh_degree_i(tables_i.sh_degree),
         .overflow_i(overflow), .windows_i, .unit_i, .restart_i,
         .tiles_valid_i(tiles_valid), .tiles_ready_o(tiles_ready), .tiles_i(tiles), .payload_i(beside),
-        .done_i, .done_x_i, .done_y_i, .layer_free_i,
+        .done_i, .done_x_i, .done_y_i, .line_free_i, .layer_free_i,
         .color_valid_o, .color_ready_i, .color_address_o, .color_rsp_valid_i, .rsp_data_i,
         .spill_valid_o, .spill_ready_i, .spill_address_o, .spill_data_o,
         .store_write_o, .store_address_o, .store_line_o,
@@ -184,6 +185,6 @@ module pu_back #(
   end
 
   logic unused;  // what only some machines look at
-  assign unused = &{1'b0, tables_i, areas_i, overflow, unit_i, restart_i, layer_free_i, spill_ready_i};
+  assign unused = &{1'b0, tables_i, areas_i, overflow, unit_i, restart_i, line_free_i, layer_free_i, spill_ready_i};
 
 endmodule

@@ -5,7 +5,7 @@
 // Idea    Two paths leave pu_allocate: colours (then splats) and rows (then lines). A splat passes at once. The ends of
 //         the rows' path are counted, so that the rows never wait for the colours; an end beat of the splats passes
 //         when one has been counted. So nobody can ask for a line that is not there yet.
-// Stream  colored in, rows_end in (never refused: at most two layers live); splat out.
+// Stream  colored in, rows_end in (never refused: at most AlphaLayers live); splat out.
 // Pace    One splat per cycle, no latency.
 // Model   The identity.
 
@@ -25,7 +25,7 @@ module pu_join (
   output pipegs_pkg::splat_t           splat_o
 );
 
-  localparam int unsigned CountW = 2;
+  localparam int unsigned CountW = $clog2(pipegs_pkg::AlphaLayers + 1);
 
   logic [CountW-1:0] ends_q;  // layers whose lines are all written and whose end has not passed
   logic              is_end, pass;
@@ -34,7 +34,7 @@ module pu_join (
   assign pass             = !is_end || ends_q != '0;
   assign splat_o          = colored_i;  // without coefficients the two records are the same
   assign splat_valid_o    = colored_valid_i && pass;
-  assign colored_ready_o    = splat_ready_i && pass;
+  assign colored_ready_o  = splat_ready_i && pass;
   assign rows_end_ready_o = 1'b1;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -43,7 +43,7 @@ module pu_join (
   end
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (ends_q != '1);
+  always_ff @(posedge clk_i) if (rst_ni) assert (ends_q <= CountW'(pipegs_pkg::AlphaLayers));
   pipegs_stream_check #(.DataW($bits(splat_o)), .Proven(1)) u_check_splat (
     .clk_i, .rst_ni, .valid_i(splat_valid_o), .ready_i(splat_ready_i), .beat_i(splat_o)
   );

@@ -32,6 +32,7 @@ module pipegs_ru #(
   output logic [Units-1:0]                     read_valid_o,    // to the alpha store of each unit
   input  logic [Units-1:0]                     read_ready_i,
   output logic [pipegs_pkg::AlphaAddressW-1:0] read_address_o,
+  output logic                                 read_skip_o,     // the line is freed, not read
   input  logic [Units-1:0]                     answer_valid_i,  // one cycle after the request was taken
   input  logic [Units*LineW-1:0]               answer_i,
 
@@ -125,7 +126,7 @@ module pipegs_ru #(
     ru_whole u_blend (
       .clk_i, .rst_ni, .overflow_i, .unit_i, .restart_i,
       .in_valid_i(splat_valid), .in_ready_o(splat_ready), .in_i(splat),
-      .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
+      .read_valid_o, .read_ready_i, .read_address_o, .read_skip_o, .answer_valid_i, .answer_i,
       .load_valid_o(load_valid), .load_ready_i(load_ready), .load_address_o(load_address), .rsp_valid_i, .rsp_data_i,
       .own_i(own), .outside_i(outside), .columns_i(columns), .rows_i(rows), .done_o,
       .resolve_ready_i(resolve_ready), .resolve_read_i(resolve_read), .resolve_raddr_i(resolve_raddr),
@@ -159,7 +160,7 @@ module pipegs_ru #(
       .tap_line_valid_o, .tap_line_index_o, .tap_line_region_o, .tap_line_quarter_o, .tap_line_o,
       .tap_word_valid_o, .tap_word_region_o, .tap_word_quarter_o, .tap_word_o
     );
-    assign {read_valid_o, read_address_o, load_valid, load_address, memory, waits} = '0;
+    assign {read_valid_o, read_address_o, read_skip_o, load_valid, load_address, memory, waits} = '0;
     logic unused_lines;
     assign unused_lines = &{1'b0, overflow_i, read_ready_i, answer_valid_i, answer_i, load_ready, rsp_valid_i,
                             rsp_data_i};

@@ -3,18 +3,17 @@
 //
 // Paper   Sec. 4, "precompute and cache the alphas"; the overflow area is what makes a full cache cost time, not
 //         pixels.
-// Idea    Lines are asked for in order as long as there is room for the answers: local lines come one cycle after the
+// Idea    Lines are asked for in order as long as there is room for the answers: local lines come two cycles after the
 //         store took the request, external ones after any time, up to FetchLines in flight (Overflow 0: there are
 //         none). A queue of records remembers where each next line comes from, so lines leave in the order of the
-//         records.
-// Stream  fetch_t in; blend_t with its line beside it out. End beats pass in order; each toggles the layer's parity.
+//         records. A line that is skipped is only told to its store.
+// Stream  fetch_t in; blend_t with its line beside it out, none for a skipped line. End beats pass in order.
 // Pace    One region per cycle while lines come as fast.
 // Model   ru_overflow_line in cpp_model/ru/ru_walk.hpp, and a queue in the test.
 
 module ru_fetch (
   input  logic                                                          clk_i,
   input  logic                                                          rst_ni,
-  input  logic                                                          restart_i,   // a frame begins: parity 0
   input  pipegs_pkg::span_t                                             overflow_i,  // constant while a frame is inside
 
   input  logic                                                          in_valid_i,
@@ -24,6 +23,7 @@ module ru_fetch (
   output logic [pipegs_pkg::Units-1:0]                                  read_valid_o,
   input  logic [pipegs_pkg::Units-1:0]                                  read_ready_i,
   output logic [pipegs_pkg::AlphaAddressW-1:0]                          read_address_o,
+  output logic                                                          read_skip_o,  // the line is freed, not read
   input  logic [pipegs_pkg::Units-1:0]                                  answer_valid_i,
   input  logic [pipegs_pkg::Units*pipegs_pkg::LineW-1:0]                answer_i,
 
@@ -53,15 +53,15 @@ module ru_fetch (
   localparam int unsigned FetchLines = pipegs_pkg::FetchLines;
   localparam int unsigned FetchW = $clog2(FetchLines + 1);
   localparam int unsigned Records = pipegs_pkg::RuRecords;
-  // With lists the number of a line in its unit's area, without the unit.
-  localparam int unsigned NumberW = pipegs_pkg::AlphaAddressW - (pipegs_pkg::HasLists ? pipegs_pkg::UnitW : 0);
+  // Above the number of a line in its area stands which of the unit's two areas; with lists the unit.
+  localparam int unsigned NumberW = pipegs_pkg::AlphaAddressW - (pipegs_pkg::HasLists ? pipegs_pkg::UnitW : 1);
   localparam int unsigned RecordsW = $clog2(Records + 1);
 
   // With lists all alphas come from memory.
   localparam bit Outside = pipegs_pkg::SpillsAlphas;
 
-  logic                 asked_q;          // a local line was asked for in the cycle before
-  logic                 is_data, ext, local_want, external_want, external_last, fire;
+  logic [1:0]           asked_q;          // a local line was asked for in the cycle before, in the one before that
+  logic                 is_data, ext, skip, local_room, local_want, external_want, external_last, fire;
   logic                 record_ready, record_valid, pop;
   logic [LocalW-1:0]    local_count;
   logic                 local_valid, external_valid, line_valid, head_ext;
@@ -73,8 +73,9 @@ module ru_fetch (
   assign is_data       = in_i.kind == pipegs_pkg::KindData;
   assign ext           = Outside && in_i.ext;
   assign head_ext      = Outside && head.ext;
-  assign local_want    = in_valid_i && is_data && !ext && record_ready &&
-                         local_count + LocalW'(asked_q) < LocalW'(LocalLines);
+  assign skip          = pipegs_pkg::HasStores && is_data && in_i.skip;
+  assign local_room    = local_count + LocalW'(asked_q[0]) + LocalW'(asked_q[1]) < LocalW'(LocalLines);
+  assign local_want    = in_valid_i && is_data && !ext && (skip || (record_ready && local_room));
   assign fire          = (local_want && read_ready_i[in_i.unit[UnitIndexW-1:0]]) ||
                          (external_want && mem_ready_i && external_last) || (in_valid_i && !is_data && record_ready);
   assign in_ready_o    = fire;
@@ -84,6 +85,7 @@ module ru_fetch (
     read_valid_o[in_i.unit[UnitIndexW-1:0]] = local_want;
   end
   assign read_address_o = in_i.address;
+  assign read_skip_o    = skip;
 
   // Lines and records wait for each other.
   always_comb begin
@@ -108,14 +110,14 @@ module ru_fetch (
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      asked_q <= 1'b0;
+      asked_q <= '0;
     end else begin
-      asked_q <= fire && is_data && !ext;
+      asked_q <= {asked_q[0], fire && is_data && !ext && !skip};
     end
   end
 
   pipegs_sram_fifo #(.DataW(pipegs_pkg::BlendBits), .Depth(Records)) u_records (
-    .clk_i, .rst_ni, .in_valid_i(fire), .in_ready_o(record_ready), .in_i(record),
+    .clk_i, .rst_ni, .in_valid_i(fire && !skip), .in_ready_o(record_ready), .in_i(record),
     .out_valid_o(record_valid), .out_ready_i(out_valid_o && out_ready_i), .out_o(head), .count_o(record_count)
   );
 
@@ -126,26 +128,25 @@ module ru_fetch (
 
   // --- lines from memory --------------------------------------------------------------------------------------------
   if (Outside) begin : gen_outside
-    logic                parity_q;    // of the layer
     logic [FetchW-1:0]   external_q;  // external lines asked for and not yet blended
     logic                external_push, external_ready;
-    logic [AddressW-1:0] base_q [Units];  // first lines of the areas of each unit's alphas, in layers of even parity
+    logic [AddressW-1:0] base_q [Units];  // first lines of the even areas of each unit's alphas
     logic [AddressW-1:0] area;
     logic [NumberW-1:0]  number;
     logic [UnitIndexW-1:0] unit;
     logic [LineW-1:0]    external_in;
     logic [FetchW-1:0]   external_count;
 
-    // With lists the unit stands in the address, and all its alphas lie in one area.
     assign number = in_i.address[NumberW-1:0];
     if (pipegs_pkg::HasLists) begin : gen_listed
       assign unit = in_i.address[NumberW +: UnitIndexW];
       assign area = base_q[unit];
       logic unused_unit;
-      assign unused_unit = &{1'b0, in_i.unit, in_i.address, parity_q};
+      assign unused_unit = &{1'b0, in_i.unit, in_i.address};
     end else begin : gen_layers
       assign unit = in_i.unit[UnitIndexW-1:0];
-      assign area = base_q[unit] + (parity_q ? pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaOdd) : '0);
+      assign area = base_q[unit] +
+                    (in_i.address[NumberW] ? pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaOdd) : '0);
     end
     for (genvar i = 0; i < Units; i += 1) begin : gen_first
       always_ff @(posedge clk_i) begin
@@ -187,11 +188,8 @@ module ru_fetch (
 
     always_ff @(posedge clk_i or negedge rst_ni) begin
       if (!rst_ni) begin
-        parity_q   <= 1'b0;
         external_q <= '0;
       end else begin
-        if (restart_i) parity_q <= 1'b0;
-        else if (fire && !is_data) parity_q <= !parity_q;
         if (fire && is_data && ext && !(pop && head_ext)) external_q <= external_q + 1'b1;
         if (pop && head_ext && !(fire && is_data && ext)) external_q <= external_q - 1'b1;
       end
@@ -214,7 +212,7 @@ module ru_fetch (
     assign external_line = '0;
     assign mem_address_o = '0;
     logic unused_memory;
-    assign unused_memory = &{1'b0, restart_i, overflow_i, rsp_valid_i, rsp_data_i};
+    assign unused_memory = &{1'b0, overflow_i, rsp_valid_i, rsp_data_i};
 `ifndef SYNTHESIS
     always_ff @(posedge clk_i) if (rst_ni) assert (!(in_valid_i && is_data) || !in_i.ext)
       else $error("ru_fetch: a line in memory, and Overflow is 0");
@@ -225,10 +223,10 @@ module ru_fetch (
   assign unused_ready = local_ready;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) if (rst_ni) assert (answer_valid_i == '0 || (local_ready && asked_q))
+  always_ff @(posedge clk_i) if (rst_ni) assert (answer_valid_i == '0 || (local_ready && asked_q[1]))
     else $error("ru_fetch: a line that was not asked for");
-  always_ff @(posedge clk_i) if (rst_ni) assert (!asked_q || answer_valid_i != '0)
-    else $error("ru_fetch: an alpha store did not answer in the next cycle");
+  always_ff @(posedge clk_i) if (rst_ni) assert (!asked_q[1] || answer_valid_i != '0)
+    else $error("ru_fetch: an alpha store did not answer in the second cycle");
   pipegs_stream_check #(.DataW($bits(mem_address_o)), .Proven(1)) u_check_mem (
     .clk_i, .rst_ni, .valid_i(mem_valid_o), .ready_i(mem_ready_i), .beat_i(mem_address_o)
   );
@@ -236,8 +234,10 @@ module ru_fetch (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
     .beat_i({out_o, out_o.kind == pipegs_pkg::KindData ? out_line_o : '0})  // an end has no line
   );
-  pipegs_stream_check #(.Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits(read_address_o))) u_check_read (
-    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i(read_address_o)
+  pipegs_stream_check #(
+    .Ports(pipegs_pkg::Units), .Shared(1), .DataW($bits({read_skip_o, read_address_o}))
+  ) u_check_read (
+    .clk_i, .rst_ni, .valid_i(read_valid_o), .ready_i(read_ready_i), .beat_i({read_skip_o, read_address_o})
   );
 `endif
 

@@ -90,7 +90,6 @@ module ru_rows #(
     job.mask    = live;
     job.address = '0;
     job.ext     = 1'b0;
-    job.parity  = 1'b0;
     job.index   = splat_q.index;
   end
 
@@ -129,7 +128,7 @@ module ru_rows #(
   assign idle_o = !splat_valid_q && !rows_active && lines_count == '0;
 
   logic unused_fields;
-  assign unused_fields = &{1'b0, splat_q.depth, alphas.address, alphas.ext, alphas.parity, tag_valid, tag_count};
+  assign unused_fields = &{1'b0, splat_q.depth, alphas.address, alphas.ext, tag_valid, tag_count};
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!(out_valid_o && alphas.kind == pipegs_pkg::KindData) || tag_valid)

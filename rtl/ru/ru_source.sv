@@ -18,7 +18,6 @@ module ru_source #(
   input  logic                                 rst_ni,
   input  pipegs_pkg::span_t                  overflow_i,  // the overflow area
   input  logic [pipegs_pkg::UnitW-1:0]         unit_i,
-  input  logic                                 restart_i,
   input  logic [Regions-1:0]                   done_i,         // of the window that the lanes are in
   input  logic                                 window_done_i,
 
@@ -29,6 +28,7 @@ module ru_source #(
   output logic [Units-1:0]                     read_valid_o,   // to the alpha store of each unit
   input  logic [Units-1:0]                     read_ready_i,
   output logic [pipegs_pkg::AlphaAddressW-1:0] read_address_o,
+  output logic                                 read_skip_o,    // the line is freed, not read
   input  logic [Units-1:0]                     answer_valid_i,
   input  logic [Units*LineW-1:0]               answer_i,
 
@@ -58,9 +58,9 @@ module ru_source #(
     );
 
     ru_fetch u_fetch (
-      .clk_i, .rst_ni, .restart_i, .overflow_i,
+      .clk_i, .rst_ni, .overflow_i,
       .in_valid_i(fetch_valid), .in_ready_o(fetch_ready), .in_i(fetch),
-      .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
+      .read_valid_o, .read_ready_i, .read_address_o, .read_skip_o, .answer_valid_i, .answer_i,
       .mem_valid_o, .mem_ready_i, .mem_address_o, .rsp_valid_i, .rsp_data_i,
       .out_valid_o, .out_ready_i, .out_o, .out_line_o, .memory_o, .idle_o(fetch_idle)
     );
@@ -71,9 +71,9 @@ module ru_source #(
       .clk_i, .rst_ni, .unit_i, .done_i, .window_done_i, .in_valid_i, .in_ready_o, .in_i,
       .out_valid_o, .out_ready_i, .out_o, .out_line_o, .idle_o
     );
-    assign {read_valid_o, read_address_o, mem_valid_o, mem_address_o, memory_o, waits_o} = '0;
+    assign {read_valid_o, read_address_o, read_skip_o, mem_valid_o, mem_address_o, memory_o, waits_o} = '0;
     logic unused_memory;
-    assign unused_memory = &{1'b0, overflow_i, restart_i, read_ready_i, answer_valid_i, answer_i, mem_ready_i,
+    assign unused_memory = &{1'b0, overflow_i, read_ready_i, answer_valid_i, answer_i, mem_ready_i,
                              rsp_valid_i, rsp_data_i};
   end
 

@@ -4,9 +4,10 @@
 // Paper   Sec. 4: Gaussians are blended in sorted order, region by region of a tile's bitmap.
 // Idea    The lowest bit of the remaining mask is the next region, x & -x; its line is the splat's first line plus the
 //         number of lower bits in the whole mask. Regions that are done need no line: skipping them saves work and
-//         never changes a pixel. The done mask is not looked at while an earlier window is still being blended.
+//         never changes a pixel. Where their lines lie in an alpha store these are free then (skip). The done mask is
+//         not looked at while an earlier window is still being blended.
 // Stream  sorted_t in, one fetch_t for each region; end beats pass in order.
-// Pace    One region per cycle; a splat without a live region takes one cycle. Latency three cycles.
+// Pace    One region per cycle; a splat with nothing to fetch or to free takes one cycle. Latency three cycles.
 // Model   cpp_model/ru/ru_walk.hpp
 
 module ru_walk #(
@@ -35,7 +36,7 @@ module ru_walk #(
   localparam int unsigned RegionW = pipegs_pkg::RegionW;
   localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
 
-  logic [Regions-1:0]  own, live, lowest, others;
+  logic [Regions-1:0]  own, live, walked, lowest, others;
   logic                splat_valid_q, pick_valid_q, out_valid_q;
   pipegs_pkg::sorted_t splat_q;
   logic [Regions-1:0]  rest_q;      // owned regions of the splat that were not walked yet
@@ -48,16 +49,17 @@ module ru_walk #(
   logic [RegionW:0]    below_count;
 
   ru_own u_own (.unit_i, .own_o(own));
-  pipegs_first_set #(.DataW(Regions)) u_lowest (.mask_i(live), .one_hot_o(lowest), .number_o(lowest_number));
+  pipegs_first_set #(.DataW(Regions)) u_lowest (.mask_i(walked), .one_hot_o(lowest), .number_o(lowest_number));
   ru_count u_count (.mask_i(below_q), .count_o(below_count));
 
   assign live       = ends_q == '0 ? rest_q & ~done_i : rest_q;
-  assign others     = live & ~lowest;
+  assign walked     = pipegs_pkg::HasStores && !splat_q.ext ? rest_q : live;
+  assign others     = walked & ~lowest;
   assign is_data    = splat_q.kind == pipegs_pkg::KindData;
   assign out_free   = !out_valid_q || out_ready_i;
   assign pick_free  = !pick_valid_q || out_free;
-  assign emit       = splat_valid_q && (!is_data || live != '0) && pick_free;
-  assign leave      = splat_valid_q && (is_data ? live == '0 || (others == '0 && pick_free) : pick_free);
+  assign emit       = splat_valid_q && (!is_data || walked != '0) && pick_free;
+  assign leave      = splat_valid_q && (is_data ? walked == '0 || (others == '0 && pick_free) : pick_free);
   assign window_end = emit && splat_q.kind == pipegs_pkg::KindWindowEnd;
 
   assign in_ready_o  = !splat_valid_q || leave;
@@ -93,6 +95,7 @@ module ru_walk #(
       pick_q.region  <= lowest_number;
       pick_q.address <= splat_q.address;
       pick_q.ext     <= splat_q.ext;
+      pick_q.skip    <= is_data && (lowest & live) == '0;
       pick_q.unit    <= splat_q.unit;
       pick_q.red     <= splat_q.red;
       pick_q.green   <= splat_q.green;

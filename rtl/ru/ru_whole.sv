@@ -32,6 +32,7 @@ module ru_whole #(
   output logic [Units-1:0]                     read_valid_o,    // to the alpha store of each unit
   input  logic [Units-1:0]                     read_ready_i,
   output logic [pipegs_pkg::AlphaAddressW-1:0] read_address_o,
+  output logic                                 read_skip_o,     // the line is freed, not read
   input  logic [Units-1:0]                     answer_valid_i,  // one cycle after the request was taken
   input  logic [Units*LineW-1:0]               answer_i,
 
@@ -79,8 +80,9 @@ module ru_whole #(
   logic [WordW-1:0]   blend_rdata, blend_wdata;
 
   ru_source u_source (
-    .clk_i, .rst_ni, .overflow_i, .unit_i, .restart_i, .done_i(done_o), .window_done_i(window_done_o),
-    .in_valid_i, .in_ready_o, .in_i, .read_valid_o, .read_ready_i, .read_address_o, .answer_valid_i, .answer_i,
+    .clk_i, .rst_ni, .overflow_i, .unit_i, .done_i(done_o), .window_done_i(window_done_o),
+    .in_valid_i, .in_ready_o, .in_i,
+    .read_valid_o, .read_ready_i, .read_address_o, .read_skip_o, .answer_valid_i, .answer_i,
     .mem_valid_o(load_valid_o), .mem_ready_i(load_ready_i), .mem_address_o(load_address_o), .rsp_valid_i, .rsp_data_i,
     .out_valid_o(blend_valid), .out_ready_i(blend_ready), .out_o(blend), .out_line_o(line),
     .memory_o, .waits_o, .idle_o(source_idle)

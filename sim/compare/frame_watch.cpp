@@ -21,10 +21,7 @@ FrameWatch::FrameWatch(const Config& config)
       chunk_ends_(config.units),
       splat_ends_(config.units),
       ru_first_(config.units, kNever),
-      layers_blended_(config.units, 0),
-      alphas_(config.units) {
-  for (Alphas& store : alphas_) store.layers.push_back(0);
-}
+      alpha_lines_(config.units) {}
 
 void FrameWatch::Stream::end(bool window_end, uint64_t cycle) {
   next = cycle + 1;
@@ -58,15 +55,12 @@ void FrameWatch::on_splat(int unit, const uint32_t* words) {
     if (!config_.has_lists()) layer(UnitKind::kPu, unit, pu_[unit].place, pu_[unit].next, cycle_);
     pu_[unit].end(splat.kind == kWindowEnd, cycle_);
     splat_ends_[unit].push_back({splat.kind, cycle_});
-    alphas_[unit].layers.push_back(0);
     return;
   }
   peak_records_ = std::max(peak_records_, ++records_);
   if (!has_alpha_stores() || splat.ext != 0) return;
-  const auto lines = static_cast<uint64_t>(std::popcount(splat.mask));
-  alphas_[unit].layers.back() += lines;
-  alphas_[unit].lines += lines;
-  peak_alpha_lines_ = std::max(peak_alpha_lines_, alphas_[unit].lines);
+  alpha_lines_[unit] += static_cast<uint64_t>(std::popcount(splat.mask));
+  peak_alpha_lines_ = std::max(peak_alpha_lines_, alpha_lines_[unit]);
 }
 
 void FrameWatch::on_sorted(const uint32_t* words) {
@@ -98,15 +92,6 @@ void FrameWatch::on_layer_done(int unit, bool window_done) {
   layer(UnitKind::kRu, unit, ru.place, std::min(ru_first_[unit], cycle_), cycle_);
   ru.end(window_done, cycle_);
   ru_first_[unit] = kNever;
-  ++layers_blended_[unit];
-  const uint64_t freed = *std::min_element(layers_blended_.begin(), layers_blended_.end());
-  for (; layers_freed_ < freed; ++layers_freed_) {
-    for (Alphas& store : alphas_) {
-      if (store.layers.size() < 2) continue;
-      store.lines -= store.layers.front();
-      store.layers.pop_front();
-    }
-  }
 }
 
 }  // namespace pipegs

@@ -44,6 +44,7 @@ class FrameWatch : public RtlTaps {
   void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                  const uint32_t* line) final;
   void on_pixels(int, int, int, const uint32_t*) final {}
+  void on_line_free(int unit) final { --alpha_lines_[unit]; }
   void on_layer_done(int unit, bool window_done) final;
 
   // First cycle in which a line of alphas is blended; ~0 when none was.
@@ -52,8 +53,8 @@ class FrameWatch : public RtlTaps {
   uint64_t records() const { return records_; }
   uint64_t peak_records() const { return peak_records_; }
   bool has_alpha_stores() const { return config_.has_stores(); }
-  // Lines of one alpha store that belong to splats that have left their PU and to layers that are not yet blended.
-  uint64_t alpha_lines(int unit) const { return alphas_[unit].lines; }
+  // Lines of one alpha store that belong to splats that have left their PU, and are needed.
+  uint64_t alpha_lines(int unit) const { return alpha_lines_[unit]; }
   uint64_t peak_alpha_lines() const { return peak_alpha_lines_; }  // of the fullest store
 
  protected:
@@ -76,11 +77,6 @@ class FrameWatch : public RtlTaps {
     uint64_t next = 0;  // first cycle after the last end
     void end(bool window_end, uint64_t cycle);
   };
-  struct Alphas {                 // one alpha store
-    std::deque<uint64_t> layers;  // lines of each layer that is not yet blended; the last one is being filled
-    uint64_t lines = 0;
-  };
-
   const Config config_;
   bool listed_ = false;  // Order 1: the lists are being read
   uint64_t cycle_ = 0, first_line_ = ~uint64_t{0};
@@ -92,9 +88,7 @@ class FrameWatch : public RtlTaps {
   };
   std::vector<std::deque<End>> splat_ends_;  // of each SU: end beats that came in
   std::vector<uint64_t> ru_first_;           // of each RU: cycle of the layer's first line, ~0 before
-  std::vector<uint64_t> layers_blended_;     // of each RU
-  uint64_t layers_freed_ = 0;
-  std::vector<Alphas> alphas_;
+  std::vector<uint64_t> alpha_lines_;        // of each store
   uint64_t records_ = 0, peak_records_ = 0, peak_alpha_lines_ = 0;
 };
 

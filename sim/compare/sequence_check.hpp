@@ -38,6 +38,7 @@ class SequenceCheck final : public RtlTaps {
   bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }
   void on_cycle(uint64_t cycle, const uint8_t* states) override { second_->on_cycle(cycle, states); }
   void on_chunk(int unit, int kind) override { second_->on_chunk(unit, kind); }
+  void on_line_free(int unit) override { second_->on_line_free(unit); }
   void on_layer_done(int unit, bool window_done) override { second_->on_layer_done(unit, window_done); }
   void on_request(int tag, bool write, uint64_t line, int lines) override {
     second_->on_request(tag, write, line, lines);

@@ -132,7 +132,11 @@ void add_buffers(const Config& c, StaticCost& cost) {
     cost.buffers.push_back({buffer, purpose, width, depth, count});
   };
   const int units = c.units, splat = record_width<Splat>(c), memory = c.memory_w();
-  if (c.has_stores()) add("alpha store u_lines", "alphas", c.line_w(), c.alpha_lines, units);
+  if (c.has_stores()) {
+    add("alpha store u_lines", "alphas", c.line_w(), c.alpha_lines, units);
+    add("alpha store u_slots", "alphas", c.alpha_slot_w(), c.alpha_addresses(), units);
+    add("alpha store u_pool.u_back", "alphas", c.alpha_slot_w(), c.alpha_lines, units);
+  }
   const int halves = c.quads ? 1 : 2;  // of the pixels: lanes of living quads hand them over region by region
   add("RU u_pixels", "pixels", c.tap_word_w(), c.regions() / units * 4, halves * units * c.tap_lanes());
 

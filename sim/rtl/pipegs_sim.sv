@@ -23,6 +23,7 @@
   assign chunk_kind           = CORE.tap_chunk_kind; \
   assign state                = CORE.perf_state; \
   assign layer_done           = CORE.layer_done; \
+  assign line_free            = CORE.line_free; \
   assign window_done          = CORE.window_done;
 
 module pipegs_sim #(
@@ -128,6 +129,7 @@ module pipegs_sim #(
   output logic [Units-1:0]              tap_chunk_valid_o,  // DOPU -> PU
   output logic [pipegs_pkg::KindW-1:0]  tap_chunk_kind_o,
   output logic [PerfUnits*2-1:0]        tap_state_o,        // of each unit in the order of perf_o, see pipegs_perf
+  output logic [Units-1:0]              tap_line_free_o,    // pulse: a line has left the alpha store
   output logic [Units-1:0]              tap_layer_done_o,   // pulse: the RU has blended a layer
   output logic [Units-1:0]              tap_window_done_o   // pulse: with it, the window is complete
 );
@@ -138,7 +140,7 @@ module pipegs_sim #(
   pipegs_pkg::sorted_t              sorted;
   pipegs_pkg::raster_taps_t         taps;
   logic [Units*pipegs_pkg::WindowW-1:0] window_x, window_y;
-  logic [Units-1:0]                 splat_valid, chunk_valid, layer_done, window_done;
+  logic [Units-1:0]                 splat_valid, chunk_valid, line_free, layer_done, window_done;
   logic [Units*SplatBits-1:0]       splat;
   logic [pipegs_pkg::KindW-1:0]     chunk_kind;
   logic [PerfUnits*2-1:0]           state;
@@ -221,6 +223,7 @@ module pipegs_sim #(
   assign tap_chunk_valid_o    = Shown ? chunk_valid : '0;
   assign tap_chunk_kind_o     = Shown ? chunk_kind : '0;
   assign tap_state_o          = Shown ? state : '0;
+  assign tap_line_free_o      = Shown ? line_free : '0;
   assign tap_layer_done_o     = Shown ? layer_done : '0;
   assign tap_window_done_o    = Shown ? window_done : '0;
 

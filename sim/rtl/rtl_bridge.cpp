@@ -154,6 +154,7 @@ void VerilatedMachine::tap_cycle(RtlTaps& taps) {
   running_ = top.tap_busy_o;
   for (int unit = 0; unit < w_.units; ++unit) {
     if (top.tap_chunk_valid_o >> unit & 1) taps.on_chunk(unit, static_cast<int>(top.tap_chunk_kind_o));
+    if (top.tap_line_free_o >> unit & 1) taps.on_line_free(unit);
     if (top.tap_layer_done_o >> unit & 1) taps.on_layer_done(unit, top.tap_window_done_o >> unit & 1);
   }
 }

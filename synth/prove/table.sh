@@ -86,17 +86,22 @@ mutant "an answer goes to the port beside it" 's/mem_rsp_tag_i == /(mem_rsp_tag_
 mutant "the tag names another port" 's/(TagW.\(port_q)\)/\1 ^ 1)/'
 mutant "the halves are those of all ports" 's/ \| \{pipegs_pkg::HalvesW\{!grant_q\[i\]\}\}//'
 
-# A small store on the real SRAM, then the default machine's store and those of two units and one on free_sram.
+# The ports of the machine's stores; then the lines in small ones, with slots in and out of order.
 proof  alpha_store \
-       "pipegs_alpha_store+ pipegs_arbiter+ pipegs_round_robin pipegs_first_set pipegs_sram+" \
-       "@units=2,alpha_lines=64 %LineW=4 %AlphaLines=8;
-  @units=1,alpha_lines=64 %LineW=4 %AlphaLines=8"
-mutant "the answer goes to all who ask" 's/(answer_valid_q <= )grant/\1read_valid_i/'
-mutant "reads at the address that is written" 's/read_address\[RingW-1:0\]/address_i[RingW-1:0]/'
-proof  alpha_store_machine \
-       "pipegs_alpha_store+ pipegs_arbiter+ pipegs_round_robin pipegs_first_set free_sram" \
+       "pipegs_alpha_store+ pipegs_arbiter+ pipegs_round_robin pipegs_first_set pipegs_slot_pool free_sram_fifo
+  free_sram" \
        "@default; @units=2; @units=1"
+mutant "the answer goes to all who ask" 's/(asked_q +<= )grant/\1read_valid_i/'
+mutant "a line that is skipped is answered" 's/(asked_q +<= grant).*;/\1;/'
+mutant "a line that is skipped keeps its slot" "s/(free_q +<= )read;/\1(grant \& ~read_skip_i) != 0;/"
 mutant "the turn goes on only with a write" 's/\.advance_i\(1.b1\)/.advance_i(write_i)/' "@units=2"
+proof  alpha_slots \
+       "pipegs_alpha_store+alpha_slots pipegs_arbiter pipegs_round_robin pipegs_first_set free_slot_pool open_sram" \
+       "@units=2,alpha_lines=64 %LineW=2 %AlphaLines=4 %AlphaSlotW=2 %AlphaAddresses=8;
+  @units=1,alpha_lines=64 %LineW=2 %AlphaLines=3 %AlphaSlotW=2 %AlphaAddresses=8"
+mutant "reads at the address that is written" 's/raddr_i\(read_address\[RingW-1:0\]\)/raddr_i(address_i[RingW-1:0])/'
+mutant "the slot that is free is the one that is written" 's/free_slot_i\(read_slot\)/free_slot_i(write_slot)/'
+mutant "a line lies at its address" "s/waddr_i\(write_slot\)/waddr_i(SlotW'(address_i))/"
 
 # The double buffer of Fig. 7: small on the real SRAM, then every buffer of the machine on free_sram, of each word eight
 # bits.
@@ -310,27 +315,29 @@ proof  sleep "pipegs_sleep+" "Patience=7; Patience=127; Patience=5"
 mutant "sleeps while something comes" 's/ \&\& !wake_i//'
 mutant "the counter goes on behind its end" "s/else if \(quiet_q != CountW'\(Patience\)\)/else/" "Patience=5"
 
-# The ring of lines of a layer pair: the default machine's, and one in which a layer is often too big.
+# Slots, addresses and areas of three layers in a small store, in which a layer is often too big; of two in one of 64.
 proof  pu_allocate "pu_allocate+ pu_done pipegs_window_walk ru_own" \
-       "@default %AlphaLines=16 %Regions=16 %RegionW=4 %MaskW=16 %PartRegionsX=4; @default"
-mutant "lines are given before the older layer is free" \
-       's/decided     = state_q == StateDecide \&\& \(room \|\| !fits\)/decided     = state_q == StateDecide/'
-mutant "a third layer begins" \
-       's/tiles_ready_o = state_q == StateTake \&\& !ended_q\[1\]/tiles_ready_o = state_q == StateTake/'
-mutant "lines given in the cycle in which a layer is freed are not counted" "s/newest_q \+ \(local_lines .*;/newest_q;/"
+       "@alpha_layers=3 %AlphaLines=16 %AlphaAddresses=32 %Regions=16 %RegionW=4 %MaskW=16 %PartRegionsX=4;
+  @alpha_layers=2,units=1,window=32,alpha_lines=64"
+mutant "lines are given before slots are free" 's/(decided     = state_q == StateDecide) \&\& room/\1/'
+mutant "a layer too many begins" \
+       's/(tiles_ready_o = state_q == StateTake) \&\& .*;/\1;/'
+mutant "addresses given in the cycle in which a layer is freed are not counted" \
+       "s/held_q \+ \(local_lines \?/held_q + (local_lines \&\& !layer_free_i ?/"
+mutant "the area stays when the layer ends" 's/area_q \^ own_spilled_q/area_q/'
 
 # Lines of one piece and of two.
-proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8 %AlphaAddressW=5 %RegionW=2 %AlphasBits=35;
-       @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8 %AlphaAddressW=5 %RegionW=2 %AlphasBits=35;
-       @default %AddressW=9 %AlphaAddressW=6 %RegionW=2 %AlphasBits=36"
+proof  pu_spill "pu_spill+" "@default %MemoryW=4 %LineW=4 %AddressW=8 %AlphaAddressW=6 %RegionW=2 %AlphasBits=35;
+       @default %MemoryW=4 %LineW=8 %AlphaMemoryLines=2 %AddressW=8 %AlphaAddressW=6 %RegionW=2 %AlphasBits=35;
+       @default %AddressW=9 %AlphaAddressW=7 %RegionW=2 %AlphasBits=36"
 mutant "an end passes a line that waits" 's/(rows_end_valid_o = .*) \&\& free/\1/'
 mutant "a line is taken over one that waits" 's/!ext \|\| free/1/'
 mutant "the line behind the area's last one is written" "s/\(SumW'\(number\) \+ SumW'\(1\)\)/SumW'(number)/"
 mutant "behind a line that has no room others are written" 's/mem_valid_o   = !free \&\& !full_q/mem_valid_o = !free/'
-mutant "the areas of both parities are one" "s/alphas_i.parity \? /1'b0 ? /"
+mutant "both areas are one" "s/!pipegs_pkg::HasLists \&\& alphas_i/1'b0 \&\& alphas_i/"
 mutant "a piece goes on before it is taken" 's/next = mem_valid_o \&\& mem_ready_i/next = mem_valid_o/'
 
-proof  pu_join "pu_join+" "@default"
+proof  pu_join "pu_join+" "@default; @alpha_layers=2"
 mutant "an end passes before the lines are written" "s/!is_end \|\| ends_q != '0/1/"
 mutant "a splat is counted as an end" 's/is_end \&\& splat_valid_o/splat_valid_o/'
 
@@ -373,7 +380,7 @@ proof  ru_fetch \
        @default %LineW=7 %MemoryW=4 %AlphaMemoryLines=2 %FetchLines=4 %RuRecords=12 %AddressW=7;
   @default %LineW=4 %MemoryW=4 %AddressW=9"
 mutant "asks the memory without room" "s/ \&\& external_q != FetchW'\(FetchLines\)//"
-mutant "asks the store without room" "s/local_count \+ LocalW'\(asked_q\) </local_count </"
+mutant "asks the store without room" "s/ \+ LocalW'\(asked_q\[1\]\) </ </"
 mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (external_push \&\& !/'
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------

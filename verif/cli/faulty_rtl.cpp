@@ -45,6 +45,7 @@ class FaultyTaps final : public RtlTaps {
     if (shown_) now().on_chunk(unit, kind);
     shown_ = true;
   }
+  void on_line_free(int unit) override { now().on_line_free(unit); }
   void on_layer_done(int unit, bool window_done) override { now().on_layer_done(unit, window_done); }
   void on_request(int tag, bool write, uint64_t line, int lines) override { now().on_request(tag, write, line, lines); }
   void on_frame_left() override { now().on_frame_left(); }

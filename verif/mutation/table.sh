@@ -105,23 +105,30 @@ mutant pu_row_init "dy^2 becomes dy^2 - 1" 's/Dy \* Dy\)/Dy * Dy - 1)/'
 mutant pu_row_unit "4 curve becomes 2 curve" 's/curve_i\) <<< 2/curve_i) <<< 1/'
 mutant pu_region "16 D rx becomes 8 D rx" 's/d_rx_q\) <<< 4/d_rx_q) <<< 3/'
 mutant pu_rows "the Row Units load although they still walk" 's/move && \(!row_valid_q \|\| row_last\)/move/'
-mutant pu_allocate "a third layer is let in" 's/(tiles_ready_o = state_q == StateTake) && !ended_q\[1\]/\1/'
+mutant pu_allocate "one layer too many is let in" 's/(tiles_ready_o = state_q == StateTake) && .*;/\1;/'
 mutant pu_allocate "the pulse that frees a layer is lost while a Gaussian is in work" \
-       's/( - 2.\(layer_free_i)\)/\1 \&\& state_q == StateTake)/'
+       's/(ended_q <= .* - EndedW.\(layer_free_i)\)/\1 \&\& state_q == StateTake)/'
 mutant pu_allocate "the pulse that frees a layer does not wake the clock" \
-       's/if \(layer_free_i \|\| restart_i\)/if (restart_i)/'
+       's/if \((line_free_i) \|\| layer_free_i \|\| (restart_i)\)/if (\1 || \2)/'
+mutant pu_allocate "the pulse that frees a line does not wake the clock" \
+       's/if \(line_free_i \|\| (layer_free_i \|\| restart_i)\)/if (\1)/'
 mutant pu_allocate "the pulse that frees a layer is lost in the cycle that takes an end" \
-       's/( - 2.\(layer_free_i)\)/\1 \&\& !take_end)/'
-mutant pu_allocate "the end is lost in the cycle of that pulse" 's/( \+ 2.\(take_end)\)/\1 \&\& !layer_free_i)/'
+       's/(ended_q <= .* - EndedW.\(layer_free_i)\)/\1 \&\& !take_end)/'
+mutant pu_allocate "the end is lost in the cycle of that pulse" \
+       's/(ended_q <= .* \+ EndedW.\(take_end)\)/\1 \&\& !layer_free_i)/'
+mutant pu_allocate "addresses are given again before their layer is free" \
+       "s/SumW'\(held_q\) \+ SumW'\(count_q\) <= /SumW'(count_q) <= /"
+mutant pu_allocate "a third layer takes an overflow area" "s/areas_q != 2'd2/1'b1/"
 mutant pu_spill "the line behind the last one of its area is written" \
        "s/\(SumW'\(number\) \+ SumW'\(1\)\)/SumW'(number)/"
 mutant pu_spill "two lines of memory count as one" "s/(lines_end = .*) \* SumW'\(Pieces\)/\1/" pu_spill_wide
 mutant pu_spill "the last numbers have a place, so that they may wrap" "s/number\[.*\] == '1 \|\|//"
-mutant pu_spill "both parities have one area" "s/alphas_i.parity \? /1'b0 ? /"
+mutant pu_spill "both areas are one" "s/!pipegs_pkg::HasLists && alphas_i/1'b0 \&\& alphas_i/"
 mutant pu_spill "the end leaves before the memory took the last line" 's/(rows_end_valid_o = .*) && free/\1/'
 mutant pu_spill "the end is taken while a line waits" \
        's/(alphas_ready_o = )free && rows_end_ready_i/\1rows_end_ready_i/'
 mutant pu_join "an end passes before its lines are written" "s/!is_end \|\| ends_q != '0/1/"
+mutant pu_join "no more than three ends are counted" 's/(CountW *= ).*;/\12;/'
 mutant pu_deal "an end passes when one cull has reached it" "s/is_end == '1/is_end != '0/"
 mutant pu_deal "a Gaussian waits for a PU's ready" 's/out_room_i & ~waiting_q/out_ready_i \& ~waiting_q/'
 mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1/\11/"
@@ -193,9 +200,11 @@ mutant ru_count "sum becomes OR" 's/\(fields & Low\) \+/(fields \& Low) |/'
 mutant ru_dispatch "the end of a layer only to the RUs whose regions it covers" \
        's/kind != ([a-z_:]*)KindData( \|\| \(in_i)/kind == \1KindWindowEnd\2/'
 mutant ru_walk "done of the window before is used" "s/ends_q == '0 \? (rest_q & ~done_i) : rest_q/\1/"
-mutant ru_fetch "parity turns at the window's end only" \
-       's/(if \(fire && )!is_data(\) parity_q)/\1in_i.kind == pipegs_pkg::KindWindowEnd\2/'
-mutant ru_fetch "parity is not reset when a frame starts" 's/if \(restart_i\) parity_q/if (0) parity_q/'
+mutant ru_walk "the line of a done region stays in its store" 's/(walked *= ).*;/\1live;/'
+mutant ru_walk "the line of a done region is read" "s/is_data && \(lowest & live\) == '0/1'b0/"
+mutant ru_fetch "both areas are one" "s/in_i\.address\[NumberW\] \?/1'b0 ?/"
+mutant ru_fetch "a skipped line waits for room" 's/\(skip \|\| (\(record_ready && local_room\))\)/\1/'
+mutant ru_fetch "a skipped line is waited for" 's/in_valid_i\(fire && !skip\)/in_valid_i(fire)/'
 mutant ru_window "regions below the image: <= becomes <" 's/rows_d <= \(Shift/rows_d < (Shift/'
 mutant ru_lanes "second row of a quarter inside the image by mistake" \
        "s/rows_i <= top \+ SideW'\(1\) \? 8'hff : columns_out/columns_out/"
@@ -254,7 +263,8 @@ mutant ru_live "done of the window before is shown in the next one" 's/ && !clea
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 group buf "Buffers"
-mutant pipegs_alpha_store "the answer goes to all who ask" 's/answer_valid_q <= grant/answer_valid_q <= read_valid_i/'
+mutant pipegs_alpha_store "the answer goes to all who ask" 's/(asked_q +<= )grant/\1read_valid_i/'
+mutant pipegs_alpha_store "a skipped line keeps its slot" "s/(free_q +<= )read;/\1(grant \& ~read_skip_i) != '0;/"
 mutant pipegs_pixel_buffer "fresh flags set on the wrong half" 's/if \(half_q\) fresh_0_q/if (!half_q) fresh_0_q/'
 mutant pipegs_pixel_buffer "a write in the other half makes the word valid" \
        's/if \(blend_write_i && half_q\) fresh_1_q/if (blend_write_i) fresh_1_q/'
@@ -338,10 +348,9 @@ mutant su_merge "assertion: the end of a layer is forgotten when the beat before
        's/\(go && !mark\) before_q/(go \&\& !out_valid_q) before_q/' su_merge_lean
 mutant su_collect "no clock for a record that finds no room: the assertion is never looked at" \
        's/(active_o *= take) \|\| lost/\1/' su_lean
-mutant pu_allocate "lines are given although the older layer's lie there" \
-       "s/(room *= )SumW'\(oldest_q\) \+/\1/" pu_allocate_lean
+mutant pu_allocate "lines are given although older ones lie there" "s/SumW'\(used_q\) \+ //" pu_allocate_lean
 mutant pu_allocate "assertion: the Gaussian's own lines are not counted" \
-       "s/^( +SumW'\(current\)) \+ SumW'\(count_q\)( <=)/\1\2/" pu_allocate_lean
+       "s/^( +SumW'\(own_q\)) \+ SumW'\(count_q\)( <=)/\1\2/" pu_allocate_lean
 mutant pu_spill "assertion: looks at a flag that is 0 where nothing goes to memory" \
        's/\|\| !alphas_i\.ext/|| !ext/' pu_spill_lean
 mutant pu_spill "an end waits for a memory that nobody writes to" "s/(free *= 1')b1/\1b0/" pu_spill_lean
@@ -392,7 +401,7 @@ group top "Control at the top"
 mutant pipegs_perf "counts state 3 also while nothing runs" "s/if \(running_q\)/if (running_q || state_q == 2'd3)/"
 mutant pipegs_perf "a restart clears three of the four counts" '/if \(restart_q\)/,/end/s/i < 4/i < 3/'
 mutant pipegs_layer_free "one RU's pulse frees a layer" "s/some == '1/some != '0/"
-mutant pipegs_layer_free "counters of one bit: no drift of two layers" 's/(CountW *= )4/\11/'
+mutant pipegs_layer_free "counters of one bit: no drift of two layers" 's/(CountW *= ).*;/\11;/'
 mutant pipegs_errors "an error is told in every cycle" 's/found & ~known_q/found/' errors_unit
 mutant pipegs_errors "what comes second changes the line" 's/found\[1\] && !known_q\[1\]/found[1]/' errors_unit
 mutant pipegs_errors "the pixels of the last window need no room" "s/NumberW'\(1\);/NumberW'(0);/" errors_unit

@@ -26,16 +26,21 @@ TEST(PuJoin, PassesEverySplatInOrderAndAnEndOnlyBehindTheRowsEnd) {
         ends_sent += sent.back().kind != kData;
         in.push(sent.back());
       }
-      size_t rows_ends = 0, ends_out = 0, looked = 0;
+      size_t rows_ends = 0, ends_out = 0, looked = 0, most = 0;
+      const auto ahead = static_cast<size_t>(config.alpha_layers);
+      const uint64_t rows_one_in = sink_pace == Pace::kQuarter ? 1 : 20;
       const bool complete = bench.run_until([&] {
         while (looked < out.size()) ends_out += out.at(looked++).kind != kData;
         EXPECT_LE(ends_out, rows_ends);
-        // The rows end at their own time, at most two layers ahead of the colours.
-        bench.dut.rows_end_valid_i = rows_ends < ends_sent && rows_ends < ends_out + 1 && bench.rng() % 20 == 0;
+        // The rows end at their own time, at most as many layers ahead of the colours as live.
+        bench.dut.rows_end_valid_i =
+            rows_ends < ends_sent && rows_ends < ends_out + ahead && bench.rng() % rows_one_in == 0;
         rows_ends += bench.dut.rows_end_valid_i;
+        most = std::max(most, rows_ends - ends_out);
         return out.size() == sent.size();
       });
       ASSERT_TRUE(complete);
+      if (rows_one_in == 1) EXPECT_EQ(most, ahead);
       for (size_t i = 0; i < sent.size(); ++i) ASSERT_EQ(out.at(i), sent[i]) << "beat " << i;
     }
   }

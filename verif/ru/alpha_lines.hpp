@@ -41,7 +41,7 @@ inline void store_line(const Config& config, ExternalMemory& memory, uint64_t ad
   }
 }
 
-// The alpha stores of all units: each answers one cycle after it took a request.
+// The alpha stores of all units: each answers two cycles after it took a request, and a line is read or skipped once.
 template <class Dut>
 class AlphaStores : public Endpoint {
  public:
@@ -54,37 +54,44 @@ class AlphaStores : public Endpoint {
     auto& dut = bench_.dut;
     dut.read_ready_i = 0;
     for (int i = 0; i < config_.units; ++i) dut.read_ready_i |= goes(pace, bench_.rng) << i;
-    dut.answer_valid_i = asked_ ? 1 << unit_ : 0;
+    dut.answer_valid_i = now_.asked ? 1 << now_.unit : 0;
     Words words(port_words<decltype(dut.answer_i)>() + 32);
     for (uint32_t& word : words) word = static_cast<uint32_t>(bench_.rng());
-    if (asked_) {
-      const auto codes = lines.find({unit_, address_});
-      EXPECT_NE(codes, lines.end()) << "unit " << unit_ << " has no line " << address_ << ", cycle " << bench_.cycle;
-      if (codes != lines.end()) {
-        for (int i = 0; i < kRegionPixels; ++i) {
-          put_bits(words.data(), unit_ * config_.line_w() + i * config_.alpha_w, config_.alpha_w, codes->second[i]);
-        }
-      }
-    }
+    for (int i = 0; now_.asked && i < kRegionPixels; ++i)
+      put_bits(words.data(), now_.unit * config_.line_w() + i * config_.alpha_w, config_.alpha_w, now_.codes[i]);
     write_port(dut.answer_i, words.data());
   }
   void observe() override {
     auto& dut = bench_.dut;
     EXPECT_EQ(dut.read_valid_o & (dut.read_valid_o - 1), 0) << "two stores asked at once";
-    asked_ = (dut.read_valid_o & dut.read_ready_i) != 0;
-    unit_ = std::countr_zero(static_cast<unsigned>(dut.read_valid_o) | 0x100u);
-    address_ = dut.read_address_o;
+    now_ = next_;
+    next_ = {};
+    if ((dut.read_valid_o & dut.read_ready_i) == 0) return;
+    next_.unit = std::countr_zero(static_cast<unsigned>(dut.read_valid_o));
+    const auto codes = lines.find({next_.unit, dut.read_address_o});
+    if (codes == lines.end()) {
+      ADD_FAILURE() << "unit " << next_.unit << " has no line " << dut.read_address_o << ", cycle " << bench_.cycle;
+      return;
+    }
+    next_.asked = !dut.read_skip_o;
+    skipped += dut.read_skip_o;
+    next_.codes = codes->second;
+    lines.erase(codes);
   }
 
   std::map<std::pair<int, uint64_t>, Codes> lines;
   Pace pace;
+  uint64_t skipped = 0;
 
  private:
+  struct Read {
+    bool asked = false;
+    int unit = 0;
+    Codes codes{};
+  };
   Bench<Dut>& bench_;
   Config config_;
-  bool asked_ = false;
-  int unit_ = 0;
-  uint64_t address_ = 0;
+  Read now_, next_;  // what is answered in this cycle, and in the next one
 };
 
 }  // namespace pipegs

@@ -26,7 +26,7 @@ struct PuLines {
     const uint64_t address = base + lines;
     if (t.kind == kData) lines += static_cast<uint64_t>(std::popcount(t.mask));
     Out out;
-    out.row_job = {t.kind, t.a, t.b, t.c, t.d, t.e, t.f, t.mask, address, 1, 0, listed.index};
+    out.row_job = {t.kind, t.a, t.b, t.c, t.d, t.e, t.f, t.mask, address, 1, listed.index};
     out.splat.kind = t.kind, out.splat.depth = listed.depth, out.splat.index = listed.index, out.splat.mask = t.mask;
     out.splat.address = address, out.splat.ext = 1;
     out.splat.red = listed.red, out.splat.green = listed.green, out.splat.blue = listed.blue;

@@ -31,7 +31,6 @@ inline Region pu_region(const Config& config, const RowJob& job, int bit) {
   const uint64_t address = job.address + static_cast<uint64_t>(std::popcount(before));
   r.address = address & ((uint64_t{1} << config.alpha_address_w()) - 1);
   r.ext = job.ext;
-  r.parity = job.parity;
   r.index = job.index;
   r.region = static_cast<uint64_t>(bit);
   return r;

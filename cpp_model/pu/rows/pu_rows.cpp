@@ -25,7 +25,6 @@ Alphas pu_rows(const Config& config, const RowJob& job, int bit) {
   alphas.kind = start.kind;
   alphas.address = start.address;
   alphas.ext = start.ext;
-  alphas.parity = start.parity;
   alphas.index = start.index;
   alphas.region = start.region;
   return alphas;

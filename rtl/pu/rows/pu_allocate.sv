@@ -2,12 +2,13 @@
 // pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
 //
 // Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
-// Idea    The lane's alpha store is a ring, filled in order and freed a layer at a time. n regions take n lines in a
-//         row if the lines of their own layer leave room for them, waiting until the older layer's lines are free;
-//         otherwise they take lines of the overflow area in memory (Overflow 0: there is always room), which pu_spill
-//         knows the size of. So where a line lies depends on the stream only, not on timing.
+// Idea    n regions take n slots of the lane's alpha store, and n addresses in a row, if the lines of their own layer
+//         leave room for them, waiting until older ones have left it: a slot is free when its line was read
+//         (line_free_i), addresses are a layer at a time. Otherwise they take lines in memory (Overflow 0: there is
+//         always room), in one of two areas that the layers with lines there use in turn; pu_spill knows their size. So
+//         where a line lies depends on the stream only, not on timing.
 // Stream  tiles in; row_job and color_job out (each taken by itself), or nothing when no region is left. Ends pass.
-//         At most two layers live: behind an end, beats of the next layer but one wait for layer_free_i.
+//         At most AlphaLayers live: behind the end of that many, beats wait for layer_free_i.
 // Pace    One Gaussian per four cycles (take, count, decide, offer).
 // Model   cpp_model/pu/rows/pu_allocate.hpp
 
@@ -38,22 +39,25 @@ module pu_allocate #(
   input  logic [Units*Regions-1:0] done_i,    // RU j: its opaque regions of window done_x, done_y
   input  logic [Units*WindowW-1:0] done_x_i,
   input  logic [Units*WindowW-1:0] done_y_i,
+  input  logic                     line_free_i,   // a line of the store was read, or nobody needs it any more
   input  logic                     layer_free_i,  // all RUs have finished the oldest layer
 
   output logic [CountW-1:0]        overflowed_o,  // lines sent to the overflow area in this cycle
-  output logic                     waiting_o,     // for the older layer (pipegs_perf: blocked)
+  output logic                     waiting_o,     // for older layers (pipegs_perf: blocked)
   output logic                     active_o       // needs a clock
 );
 
   localparam int unsigned AlphaAddressW = pipegs_pkg::AlphaAddressW;
   localparam int unsigned LinesW   = $clog2(pipegs_pkg::AlphaLines + 1);
-  localparam int unsigned HeadW    = $clog2(pipegs_pkg::AlphaLines);
-  localparam int unsigned SumW     = (LinesW > CountW ? LinesW : CountW) + 1;
+  localparam int unsigned HeadW    = $clog2(pipegs_pkg::AlphaAddresses);
+  localparam int unsigned SumW     = (HeadW > CountW ? HeadW : CountW) + 2;
+  localparam int unsigned Layers   = pipegs_pkg::AlphaLayers;
+  localparam int unsigned EndedW   = $clog2(Layers + 1);
 
   typedef enum logic [1:0] {
-    StateTake,    // waits for a beat (and for a free pulse while two layers live)
+    StateTake,    // waits for a beat (and for a free pulse while AlphaLayers have ended)
     StateCount,   // regions left
-    StateDecide,  // ring or overflow; waits for lines of the older layer
+    StateDecide,  // store or overflow; waits for older layers
     StateOffer    // waits until both outputs have taken it
   } state_e;
 
@@ -65,35 +69,40 @@ module pu_allocate #(
   logic                       ext_q;
   logic                       row_valid_q, color_valid_q;
 
-  logic                       parity_q, next_parity_q;
   logic [Regions-1:0]         done;
 
-  logic [1:0]                 ended_q;   // layers that ended here and are not free yet
-  logic [LinesW-1:0]          oldest_q;  // lines of the oldest layer that lives
-  logic [LinesW-1:0]          newest_q;  // lines of the one after it
+  logic [EndedW-1:0]          ended_q;           // layers that ended here and are not free yet
+  logic [LinesW-1:0]          lines_q [Layers];  // of each the lines that it had in the store, the oldest one's first
+  logic [Layers-1:0]          spilled_q;         // of each whether it has an overflow area
+  logic [LinesW-1:0]          own_q;             // lines of the present layer in the store
+  logic                       own_spilled_q;
+  logic [LinesW-1:0]          used_q;            // slots that are not free
+  logic [HeadW:0]             held_q;            // addresses that are not
   logic [HeadW-1:0]           head_q;
-  logic [AlphaAddressW-1:0]   overflow_q;
-  logic                       take, take_end, fits, room, decided, local_lines;
-  logic [LinesW-1:0]          current;
+  logic [1:0]                 areas_q;           // overflow areas that are not
+  logic                       area_q;            // of the present layer
+  logic [AlphaAddressW-2:0]   overflow_q;        // its lines there
+  logic                       take, take_end, fits, room, decided, local_lines, spills;
 
   pu_done u_done (
     .clk_i, .rst_ni, .windows_i, .restart_i, .advance_i(take_end && tiles_i.kind == pipegs_pkg::KindWindowEnd),
     .done_i, .done_x_i, .done_y_i, .done_o(done)
   );
 
-  assign tiles_ready_o = state_q == StateTake && !ended_q[1];
+  assign tiles_ready_o = state_q == StateTake && ended_q != EndedW'(Layers);
   assign take          = tiles_valid_i && tiles_ready_o;
   assign take_end      = take && tiles_i.kind != pipegs_pkg::KindData;
 
-  // A data beat in StateDecide implies that at most one layer has ended.
-  assign current     = ended_q == '0 ? oldest_q : newest_q;
-  assign fits        = pipegs_pkg::Overflow == 0 || SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
-  assign room        = SumW'(oldest_q) + SumW'(newest_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
-  assign decided     = state_q == StateDecide && (room || !fits);
+  assign fits        = pipegs_pkg::Overflow == 0 || SumW'(own_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines);
+  assign room        = fits ? SumW'(used_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines) &&
+                              SumW'(held_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaAddresses)
+                            : own_spilled_q || areas_q != 2'd2;
+  assign decided     = state_q == StateDecide && room;
   assign local_lines = decided && fits;
+  assign spills      = decided && !fits;
 
-  assign overflowed_o = decided && !fits ? count_q : '0;
-  assign waiting_o    = (state_q == StateDecide && !decided) || (tiles_valid_i && ended_q[1]);
+  assign overflowed_o = spills ? count_q : '0;
+  assign waiting_o    = (state_q == StateDecide && !decided) || (tiles_valid_i && ended_q == EndedW'(Layers));
 
   always_comb begin
     unique case (state_q)
@@ -102,7 +111,7 @@ module pu_allocate #(
       StateDecide: active_o = decided;
       default:     active_o = (row_valid_q && row_job_ready_i) || (color_valid_q && color_job_ready_i);
     endcase
-    if (layer_free_i || restart_i) active_o = 1'b1;
+    if (line_free_i || layer_free_i || restart_i) active_o = 1'b1;
   end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -132,31 +141,47 @@ module pu_allocate #(
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       ended_q       <= '0;
-      oldest_q      <= '0;
-      newest_q      <= '0;
+      own_q         <= '0;
+      own_spilled_q <= 1'b0;
+      used_q        <= '0;
+      held_q        <= '0;
       head_q        <= '0;
+      areas_q       <= '0;
+      area_q        <= 1'b0;
       overflow_q    <= '0;
-      parity_q      <= 1'b0;
-      next_parity_q <= 1'b0;
     end else begin
-      ended_q <= ended_q + 2'(take_end) - 2'(layer_free_i);
-      if (layer_free_i) begin
-        oldest_q <= newest_q + (local_lines ? LinesW'(count_q) : '0);
-        newest_q <= '0;
-      end else if (local_lines) begin
-        if (ended_q == '0) oldest_q <= current + LinesW'(count_q);
-        else newest_q <= current + LinesW'(count_q);
+      ended_q <= ended_q + EndedW'(take_end) - EndedW'(layer_free_i);
+      used_q  <= used_q + (local_lines ? LinesW'(count_q) : '0) - LinesW'(line_free_i);
+      held_q  <= held_q + (local_lines ? (HeadW+1)'(count_q) : '0) - (layer_free_i ? (HeadW+1)'(lines_q[0]) : '0);
+      areas_q <= areas_q + 2'(spills && !own_spilled_q) - 2'(layer_free_i && spilled_q[0]);
+      if (local_lines) begin
+        own_q  <= own_q + LinesW'(count_q);
+        head_q <= head_q + HeadW'(count_q);
       end
-      if (local_lines) head_q <= head_q + HeadW'(count_q);
-      if (decided && !fits) overflow_q <= overflow_q + AlphaAddressW'(count_q);
-      if (take) parity_q <= next_parity_q;
+      if (spills) begin
+        own_spilled_q <= 1'b1;
+        overflow_q    <= overflow_q + (AlphaAddressW-1)'(count_q);
+      end
       if (take_end) begin
+        own_q         <= '0;
+        own_spilled_q <= 1'b0;
         overflow_q    <= '0;
-        next_parity_q <= !next_parity_q;
+        area_q        <= area_q ^ own_spilled_q;
       end
       if (restart_i) begin  // a frame's lines lie where they would lie behind a reset
-        head_q        <= '0;
-        next_parity_q <= 1'b0;
+        head_q <= '0;
+        area_q <= 1'b0;
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    for (int unsigned i = 0; i < Layers; i += 1) begin
+      if (take_end && EndedW'(i) == ended_q - EndedW'(layer_free_i)) begin
+        lines_q[i]   <= own_q;
+        spilled_q[i] <= own_spilled_q;
+      end else if (layer_free_i) begin
+        lines_q[i]   <= lines_q[(i+1)%Layers];
+        spilled_q[i] <= spilled_q[(i+1)%Layers];
       end
     end
   end
@@ -170,7 +195,7 @@ module pu_allocate #(
     end
     if (state_q == StateCount) count_q <= CountW'($countones(tiles_q.mask));
     if (decided) begin
-      address_q <= fits ? AlphaAddressW'(head_q) : overflow_q;
+      address_q <= fits ? AlphaAddressW'(head_q) : {area_q, overflow_q};
       ext_q     <= !fits;
     end
   end
@@ -189,7 +214,6 @@ module pu_allocate #(
     row_job_o.mask    = tiles_q.mask;
     row_job_o.address = address_q;
     row_job_o.ext     = ext_q;
-    row_job_o.parity  = parity_q;
     row_job_o.index   = pipegs_pkg::TapIndexW'(payload_q.index);
     color_job_o.kind    = tiles_q.kind;
     color_job_o.depth   = payload_q.depth;
@@ -209,11 +233,13 @@ module pu_allocate #(
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) assert (!layer_free_i || ended_q != '0)
     else $error("a layer was freed that has not ended");
-  always_ff @(posedge clk_i) if (rst_ni) assert (!restart_i || (!take && ended_q == '0 && oldest_q == '0))
+  always_ff @(posedge clk_i) if (rst_ni) assert (!line_free_i || used_q != '0)
+    else $error("a line was freed that is in no slot");
+  always_ff @(posedge clk_i) if (rst_ni) assert (!restart_i || (!take && {ended_q, held_q, areas_q, used_q} == '0))
     else $error("a frame begins in a PU that is not empty");
   always_ff @(posedge clk_i) if (rst_ni)
     assert (!(pipegs_pkg::Overflow == 0 && state_q == StateDecide) ||
-            SumW'(current) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
+            SumW'(own_q) + SumW'(count_q) <= SumW'(pipegs_pkg::AlphaLines))
     else $error("pu_allocate: the alphas of a layer do not fit, and Overflow is 0");
   pipegs_stream_check #(.DataW($bits(color_job_o)), .Proven(1)) u_check_color_job (
     .clk_i, .rst_ni, .valid_i(color_job_valid_o), .ready_i(color_job_ready_i), .beat_i(color_job_o)

@@ -33,6 +33,7 @@ module pu_cache #(
   input  logic [Units*pipegs_pkg::Regions-1:0] done_i,      // from the RUs
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_x_i,
   input  logic [Units*pipegs_pkg::WindowW-1:0] done_y_i,
+  input  logic                                 line_free_i,
   input  logic                                 layer_free_i,
 
   output logic                                 color_valid_o,  // SH coefficients
@@ -82,7 +83,7 @@ module pu_cache #(
     .clk_i, .rst_ni, .windows_i, .restart_i, .tiles_valid_i, .tiles_ready_o, .tiles_i, .payload_i,
     .row_job_valid_o(row_job_valid), .row_job_ready_i(row_job_ready), .row_job_o(row_job),
     .color_job_valid_o(color_job_valid), .color_job_ready_i(color_job_ready), .color_job_o(color_job),
-    .done_i, .done_x_i, .done_y_i, .layer_free_i,
+    .done_i, .done_x_i, .done_y_i, .line_free_i, .layer_free_i,
     .overflowed_o, .waiting_o, .active_o(allocate_active)
   );
 

@@ -112,7 +112,6 @@ module pu_lines #(
     row_job_o.mask    = tiles_q.mask;
     row_job_o.address = {unit_i, lines_q};
     row_job_o.ext     = 1'b1;
-    row_job_o.parity  = 1'b0;
     row_job_o.index   = pipegs_pkg::TapIndexW'(listed_q.index);
     splat_o.kind      = tiles_q.kind;
     splat_o.depth     = listed_q.depth;

@@ -117,7 +117,6 @@ module pu_region (
     out.twist   = CurveW'(twist >>> Shift);
     out.address = job_q.address;
     out.ext     = job_q.ext;
-    out.parity  = job_q.parity;
     out.index   = job_q.index;
     out.region  = region_q;
   end

@@ -81,7 +81,6 @@ module pu_rows (
       row_q.kind    <= region.kind;
       row_q.address <= region.address;
       row_q.ext     <= region.ext;
-      row_q.parity  <= region.parity;
       row_q.index   <= region.index;
       row_q.region  <= region.region;
     end else if (move) begin

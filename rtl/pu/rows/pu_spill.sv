@@ -4,7 +4,8 @@
 // Paper   The paper's cache has no bound; docs/units/rows.md says what happens when ours is full.
 // Idea    A line for the store passes at once. A line for memory goes through a register, in AlphaMemoryLines pieces,
 //         to
-//           first line of the area of this unit and parity (area_first) + number * AlphaMemoryLines + piece
+//           first line of the area of this unit (area_first) + number * AlphaMemoryLines + piece
+//         The address holds the number, and above it which of the unit's two areas; with lists the unit.
 //         Overflow 0: every line is for the store. A line that the area does not hold is not written, nor is any
 //         behind it (full_o); the last numbers of all have no place, so that a count that wraps is seen.
 //         An end comes out as rows_end only when no line waits for the memory any more: writes are in order behind it.
@@ -50,8 +51,7 @@ module pu_spill #(
   localparam int unsigned Pieces  = pipegs_pkg::AlphaMemoryLines;
   localparam int unsigned HeldW   = Pieces * MemoryW;
   localparam int unsigned LeftW   = $clog2(Pieces + 1);
-  // With lists all alphas of a unit lie in one area, and the address has the unit in its upper bits.
-  localparam int unsigned NumberW = pipegs_pkg::HasLists ? AlphaAddressW - pipegs_pkg::UnitW : AlphaAddressW;
+  localparam int unsigned NumberW = AlphaAddressW - (pipegs_pkg::HasLists ? pipegs_pkg::UnitW : 1);
   localparam int unsigned SumW    = NumberW + 2;
   localparam int unsigned MostW   = SumW > AddressW ? SumW : AddressW;
 
@@ -80,7 +80,7 @@ module pu_spill #(
   if (Outside) begin : gen_outside
     logic                load, next;
     logic [LeftW-1:0]    left_q;     // pieces that the memory has not accepted
-    logic [AddressW-1:0] address_q, first_q, odd;  // first_q: of the unit's even layers; odd: how far behind it others
+    logic [AddressW-1:0] address_q, first_q, odd;  // first_q: of the unit's even area; odd: how far behind it the other
     logic [HeldW-1:0]    held_q;
     logic [NumberW-1:0]  number;
     logic [SumW-1:0]     lines_end;  // of the line, in its area
@@ -89,7 +89,8 @@ module pu_spill #(
     assign load = alphas_valid_i && is_data && ext && free;
     assign next = mem_valid_o && mem_ready_i;
     assign number  = alphas_i.address[NumberW-1:0];
-    assign odd     = alphas_i.parity ? pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaOdd) : '0;
+    assign odd     = !pipegs_pkg::HasLists && alphas_i.address[AlphaAddressW-1]
+                   ? pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaOdd) : '0;
     assign lines_end = (SumW'(number) + SumW'(1)) * SumW'(Pieces);
     assign outside   = number[NumberW-1:pipegs_pkg::RegionW] == '1 ||
                        MostW'(lines_end) > MostW'(pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaEven));

@@ -44,6 +44,7 @@ class Pu {
   void back(Machine& m, Cycle now);
   void rows(Machine& m, Cycle now);
 
+  void line_free(Machine& m, Cycle now);   // a line of the alpha store leaves it
   void layer_free(Machine& m, Cycle now);  // all RUs have finished the oldest layer
   bool front() const { return front_; }    // it fetches and culls
   bool chunk_room(Cycle now) const { return reader_.job_room(now); }
@@ -117,9 +118,17 @@ class Pu {
   Cycle allocate_at_ = kLongAgo;
   Splat splat_;
   int lines_ = 0;
-  bool row_valid_ = false, color_valid_ = false, parity_ = false, next_parity_ = false;
-  int ended_ = 0, oldest_ = 0, newest_ = 0;
-  const int alpha_lines_;
+  bool row_valid_ = false, color_valid_ = false;
+  struct Layer {
+    int lines = 0;         // in the store
+    bool spilled = false;  // it has an overflow area
+  };
+  Layer own_;                                              // the present layer
+  FallQueue<Layer, 16> ended_;                             // layers that are not free
+  int used_ = 0, held_ = 0, areas_ = 0;                    // slots, addresses, overflow areas that are not
+  std::array<Cycle, 2> line_free_at_{kLongAgo, kLongAgo};  // the latest two
+  bool area_ = false;                                      // of the present layer
+  const int alpha_lines_, alpha_addresses_;
   uint32_t overflow_ = 0;
   Cycle layer_free_at_ = kLongAgo;
   struct Queued {

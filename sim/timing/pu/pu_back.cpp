@@ -16,6 +16,13 @@ uint64_t Pu::done_regions(const Machine& m, uint64_t part) const {
   return done;
 }
 
+// pu_allocate hears of it in the next cycle, and has the slot in the one after that.
+void Pu::line_free(Machine& m, Cycle now) {
+  --used_;
+  line_free_at_ = {now, line_free_at_[0]};
+  m.wheel.wake(unit(kBack, lane_), now + 2);
+}
+
 void Pu::layer_free(Machine& m, Cycle now) {
   if (late_) return;
   layer_free_at_ = now;
@@ -51,15 +58,15 @@ void Pu::allocate(Machine& m, Cycle now) {
   if (now >= allocate_at_) {
     switch (allocate_) {
       case kTake:
-        if (ended_ >= 2 || !take_tiles(m, now)) break;
-        parity_ = next_parity_;
+        if (!ended_.room(now) || !take_tiles(m, now)) break;
         if (is_end(splat_.beat)) {
           allocate_ = kOffer;
           allocate_at_ = now + 1;
           row_valid_ = color_valid_ = true;
-          ++ended_;
+          ended_.push(now, own_);
+          area_ ^= own_.spilled;
+          own_ = {};
           overflow_ = 0;
-          next_parity_ = !next_parity_;
         } else {
           lines_ = std::popcount(splat_.mask);
           if (lines_ != 0) allocate_ = kDecide;
@@ -68,14 +75,21 @@ void Pu::allocate(Machine& m, Cycle now) {
         m.wheel.wake(self, allocate_at_);
         break;
       case kDecide: {
-        const bool fits = (ended_ == 0 ? oldest_ : newest_) + lines_ <= alpha_lines_;
-        if (fits && oldest_ + newest_ + lines_ > alpha_lines_) break;  // a free layer wakes us
+        const bool fits = own_.lines + lines_ <= alpha_lines_;
+        const int used = used_ + (line_free_at_[0] > now - 2) + (line_free_at_[1] > now - 2);
+        const bool room =
+            fits ? used + lines_ <= alpha_lines_ && held_ + lines_ <= alpha_addresses_ : own_.spilled || areas_ < 2;
+        if (!room) break;  // a free line or layer wakes us
         if (fits) {
-          (ended_ == 0 ? oldest_ : newest_) += lines_;
-          m.peak_lines = std::max(m.peak_lines, static_cast<uint64_t>(oldest_ + newest_));
+          own_.lines += lines_;
+          used_ += lines_;
+          held_ += lines_;
+          m.peak_lines = std::max(m.peak_lines, static_cast<uint64_t>(used_));
         } else {
           splat_.ext = true;
-          splat_.address = overflow_;
+          splat_.address = static_cast<uint32_t>(area_) << ru_number_w(m.config) | overflow_;
+          areas_ += own_.spilled ? 0 : 1;
+          own_.spilled = true;
           overflow_ += static_cast<uint32_t>(lines_);
           m.overflow_lines += static_cast<uint64_t>(lines_);
         }
@@ -87,7 +101,7 @@ void Pu::allocate(Machine& m, Cycle now) {
       }
       case kOffer:
         if (row_valid_ && jobs_.room(now)) {
-          jobs_.push(now, {splat_.beat, splat_.mask, splat_.address, splat_.ext, parity_});
+          jobs_.push(now, {splat_.beat, splat_.mask, splat_.address, splat_.ext});
           m.wheel.wake(unit(kRows, lane_), jobs_.head_from());
           row_valid_ = false;
         }
@@ -103,9 +117,9 @@ void Pu::allocate(Machine& m, Cycle now) {
     }
   }
   if (layer_free_at_ == now) {
-    --ended_;
-    oldest_ = newest_;
-    newest_ = 0;
+    held_ -= ended_.front().lines;
+    areas_ -= ended_.front().spilled ? 1 : 0;
+    ended_.pop(now);
     m.wheel.wake(self, now + 1);
   }
 }
@@ -168,7 +182,7 @@ void Pu::lines(Machine& m, Cycle now) {
       break;
     case kOffer:
       if (row_valid_ && jobs_.room(now)) {
-        jobs_.push(now, {splat_.beat, splat_.mask, splat_.address, true, false});
+        jobs_.push(now, {splat_.beat, splat_.mask, splat_.address, true});
         m.wheel.wake(unit(kRows, lane_), jobs_.head_from());
         row_valid_ = false;
       }
@@ -213,7 +227,7 @@ void Pu::rows(Machine& m, Cycle now) {
         color.rows_end(m, now);
       } else if (line.ext) {
         pieces_left_ = pieces_;
-        spill_line_ = ru_overflow_line(m.config, m.overflow, static_cast<uint64_t>(lane_), line.parity, line.address);
+        spill_line_ = ru_overflow_line(m.config, m.overflow, static_cast<uint64_t>(lane_), line.address);
         m.memory.ask(port, spill_line_, true);
       }
       rows_.take(now);

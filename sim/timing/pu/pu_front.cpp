@@ -19,7 +19,9 @@ Pu::Pu(const Machine& m, int lane)
       phases_(m.config.antialias != 0),
       expand_(lane),
       parts_(lane),
+      ended_(m.config.alpha_layers),
       alpha_lines_(m.config.alpha_lines),
+      alpha_addresses_(m.config.alpha_addresses()),
       rows_(m.config.pixels_per_row),
       pieces_(m.config.alpha_memory_lines()) {
   pipe_.fill(kBubble);

@@ -19,13 +19,13 @@ namespace pipegs::timing {
 struct RowJob {
   Beat beat = 0;
   uint64_t mask = 0;
-  uint32_t address = 0;  // line of the overflow area of its first region
-  bool ext = false, parity = false;
+  uint32_t address = 0;  // in external memory, of the line of its first region
+  bool ext = false;
 };
 
 struct RowLine {
   Beat beat = 0;  // of an end; the data's is not kept
-  bool end = false, ext = false, parity = false;
+  bool end = false, ext = false;
   uint8_t region = 0;
   uint32_t address = 0;
 };
@@ -65,7 +65,7 @@ class Rows {
       }
     }
     if (working_ || job == nullptr) return false;
-    line_ = {job->beat, is_end(job->beat), job->ext, job->parity, 0, job->address};
+    line_ = {job->beat, is_end(job->beat), job->ext, 0, job->address};
     working_ = true;
     rest_ = job->mask;
     if (line_.end) {

@@ -18,6 +18,7 @@ Ru::Ru(const Machine& m, int lane)
       port_(m.memory.raster_port(lane)),
       late_(!m.config.caches_alphas()),
       quads_(m.config.quads != 0),
+      stores_(m.config.has_stores()),
       fetch_lines_(m.config.fetch_lines),
       parts_(m.config.alpha_memory_lines()),
       records_(m.config.ru_records()),
@@ -98,7 +99,7 @@ void Ru::lanes(Machine& m, Cycle now) {
       if (from >= kNever) return;
       const Record& head = records_.front();
       beat = head.beat;
-      if (head.ext && !is_end(beat)) from = std::max(from, external_.head_from());
+      if (!is_end(beat)) from = std::max(from, head.ext ? external_.head_from() : local_.head_from());
       if (from >= kNever) return;
     }
     if (!is_end(beat)) {
@@ -133,6 +134,7 @@ void Ru::consume(Machine& m, Cycle now) {
       --external_out_;
       external_pop_ = now;
     } else {
+      local_.pop(now);
       --local_out_;
       local_pop_ = now;
     }
@@ -192,17 +194,17 @@ void Ru::source(Machine& m, Cycle now) {
       m.wheel.wake(unit(kLanes, lane_), external_.head_from());
     }
   }
-  if (!out_.shown(now) || !records_.room(now)) return;
+  if (!out_.shown(now)) return;
   const Fetch& fetch = out_.value;
+  if (fetch.skip) return m.stores.want(m, fetch.unit, lane_);
+  if (!records_.room(now)) return;
   if (is_end(fetch.beat)) return fire(m, now);
   if (!fetch.ext) {
     if (local_out_ + (local_pop_ == now ? 1 : 0) < Config::ru_local_lines()) m.stores.want(m, fetch.unit, lane_);
     return;
   }
   if (external_out_ + (external_pop_ == now ? 1 : 0) >= fetch_lines_) return;
-  const uint64_t line =
-      ru_overflow_line(m.config, m.overflow, fetch.unit, m.config.has_lists() ? 0 : parity_, fetch.address) +
-      (ask_part_ ? 1 : 0);
+  const uint64_t line = ru_overflow_line(m.config, m.overflow, fetch.unit, fetch.address) + (ask_part_ ? 1 : 0);
   if (!read(m, now, line)) return;
   if (parts_ == 1 || ask_part_) fire(m, now);
   if (parts_ == 2) ask_part_ = !ask_part_;
@@ -210,12 +212,13 @@ void Ru::source(Machine& m, Cycle now) {
 
 void Ru::fire(Machine& m, Cycle now) {
   const Fetch& fetch = out_.value;
-  records_.push(now, {fetch.beat, fetch.region, fetch.ext && !is_end(fetch.beat)});
-  if (records_.count() == 1) queued(m, records_.head_from(), !fetch.ext && !is_end(fetch.beat));
-  if (is_end(fetch.beat)) {
-    parity_ = !parity_;
-  } else {
-    ++(fetch.ext ? external_out_ : local_out_);
+  const bool data = !is_end(fetch.beat), local = data && !fetch.ext;
+  if (local) m.pu[fetch.unit].line_free(m, now);
+  if (!fetch.skip) {
+    records_.push(now, {fetch.beat, fetch.region, data && fetch.ext});
+    if (data) ++(fetch.ext ? external_out_ : local_out_);
+    if (local) local_.push(now, 0);
+    if (records_.count() == 1) queued(m, std::max(records_.head_from(), local ? local_.head_from() : 0), local);
   }
   out_.valid = false;
   m.wheel.wake_now(unit(kWalk, lane_));
@@ -398,7 +401,7 @@ void Ru::written_line(Machine& m, Cycle now) {
 
 void Ru::walk(Machine& m, Cycle now) {
   const bool out_free = !out_.valid, pick_free = !pick_valid_ || out_free, data = !is_end(splat_.beat);
-  const uint64_t regions = live(), others = regions & (regions - 1);
+  const uint64_t regions = walked(), others = regions & (regions - 1);
   const bool emit = splat_valid_ && (!data || regions != 0) && pick_free;
   const bool leave = splat_valid_ && (data ? regions == 0 || (others == 0 && pick_free) : pick_free);
   if (out_free && pick_valid_) {
@@ -408,14 +411,18 @@ void Ru::walk(Machine& m, Cycle now) {
   if (pick_free) pick_valid_ = emit;
   if (emit) {
     const int region = data ? std::countr_zero(regions) : 0;
-    pick_ = {splat_.beat, static_cast<uint8_t>(region), splat_.unit, splat_.ext,
+    pick_ = {splat_.beat,
+             static_cast<uint8_t>(region),
+             splat_.unit,
+             splat_.ext,
+             data && (live() >> region & 1) == 0,
              splat_.address + static_cast<uint32_t>(std::popcount(splat_.mask & ((uint64_t{1} << region) - 1)))};
     rest_ = others;
     if (splat_.beat == kWindowEndBeat) ++ends_;
   }
   if (window_done_at_ == now) --ends_;
   if (!splat_valid_ || leave) next_splat(m, now);
-  if ((pick_valid_ && !out_.valid) || (splat_valid_ && (!pick_valid_ || (!is_end(splat_.beat) && live() == 0)))) {
+  if ((pick_valid_ && !out_.valid) || (splat_valid_ && (!pick_valid_ || (!is_end(splat_.beat) && walked() == 0)))) {
     m.wheel.wake(unit(kWalk, lane_), now + 1);
   } else if (!splat_valid_) {
     m.wheel.wake(unit(kWalk, lane_), queue.head_from());

@@ -25,7 +25,7 @@ struct Machine;
 // A splat on its way from a PU to the RUs.
 struct Splat {
   Beat beat = 0;
-  uint32_t address = 0;  // first line in the overflow area, when ext
+  uint32_t address = 0;  // in external memory, of its first line, when ext
   uint64_t mask = 0;
   uint8_t unit = 0;  // whose PU made it
   bool ext = false;
@@ -58,7 +58,7 @@ class Ru {
   struct Fetch {
     Beat beat;
     uint8_t region, unit;
-    bool ext;
+    bool ext, skip;
     uint32_t address;
   };
   struct Record {
@@ -93,10 +93,11 @@ class Ru {
   int requests(const Machine& m, size_t window, int region, int first_row, int rows) const;
   void drained(Machine& m, Cycle now);
   uint64_t live() const { return ends_ == 0 ? rest_ & ~done_.mask[splat_.part] : rest_; }
+  uint64_t walked() const { return stores_ && !splat_.ext ? rest_ : live(); }
 
   const int lane_, port_;
   Seen seen_;
-  const bool late_, quads_;
+  const bool late_, quads_, stores_;
   const int fetch_lines_, parts_;
 
   // ru_walk; splat, rest and ends also of ru_rows
@@ -110,9 +111,10 @@ class Ru {
   // ru_fetch
   SramQueue<Record, 256> records_;
   SramQueue<uint8_t, 128> external_;
-  int local_out_ = 0, external_out_ = 0;  // lines asked for and not blended yet
+  Queue<uint8_t, Config::ru_local_lines(), 3> local_;  // from the cycle on that asks the store
+  int local_out_ = 0, external_out_ = 0;               // lines asked for and not blended yet
   Cycle local_pop_ = kLongAgo, external_pop_ = kLongAgo;
-  bool ask_part_ = false, answer_part_ = false, parity_ = false;
+  bool ask_part_ = false, answer_part_ = false;
 
   Rows rows_;  // when late
   FallQueue<RowLine, Config::ru_row_lines()> row_lines_;

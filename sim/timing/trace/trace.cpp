@@ -212,6 +212,7 @@ Config timing_config(Config config) {
   config.units = standard.units;
   config.pixels_per_row = standard.pixels_per_row;
   config.alpha_lines = standard.alpha_lines;
+  config.alpha_layers = standard.alpha_layers;
   config.records = standard.records;
   config.fetch_lines = standard.fetch_lines;
   if (!config.has_watermarks()) config.bucket_bits = standard.bucket_bits;

@@ -5,7 +5,7 @@
 // Idea    One bit of the line taken last for memory is remembered, at a place of the solver's choice.
 // Rule    Every line taken goes to one of the two; pieces are shown one after another, each with its part of the line
 //         and its address, until it is taken; no end passes while a piece waits. Whatever number a line has, nothing is
-//         shown that lies outside the area of this unit and the line's parity; behind such a line nothing is shown.
+//         shown that lies outside the area that it is for; behind such a line nothing is shown.
 // Assumes pu_rows holds what it shows. The overflow area and the unit are constant.
 // Invariant  The pieces left stand in the low end of the register; its address is the line's, while that has room.
 
@@ -13,7 +13,7 @@
 logic [$clog2(Pieces+1)-1:0] shown_q;  // pieces taken by the memory
 (* anyconst *) logic [2*AddressW-1:0] overflow;
 (* anyconst *) logic [pipegs_pkg::UnitW-1:0] unit;
-logic                        busy_q, bit_q, parity_q;
+logic                        busy_q, bit_q, odd_q;
 logic [NumberW-1:0]          number_q;
 logic [AddressW-1:0]         begins, at;  // of the area; of the piece in it
 logic                        to_memory, mem_bit;
@@ -43,10 +43,10 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   end
 end
 assign begins = overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i,
-                                                         parity_q ? pipegs_pkg::AreaOdd : pipegs_pkg::AreaEven);
+                                                         odd_q ? pipegs_pkg::AreaOdd : pipegs_pkg::AreaEven);
 assign at     = mem_address_o - begins;
 always_ff @(posedge clk_i) begin
-  if (to_memory) {number_q, parity_q} <= {gen_outside.number, alphas_i.parity};
+  if (to_memory) {number_q, odd_q} <= {gen_outside.number, alphas_i.address[AlphaAddressW-1]};
 end
 always_ff @(posedge clk_i) if (to_memory) bit_q <= 32'(place) < LineW ? line_i[place] : 1'b0;
 

@@ -3,8 +3,8 @@
 //
 // Rule    Lines from the memory in flight or waiting are at most FetchLines, local ones at most LocalLines; no queue
 //         refuses a line; a record shown stays, with its line.
-// Assumes The memory answers what was asked for, pipegs_alpha_store in the next cycle (its proof); ru_walk holds what
-//         it shows (its proof).
+// Assumes The memory answers what was asked for, pipegs_alpha_store in the second cycle (its proof), a line that is
+//         skipped not at all; ru_walk holds what it shows (its proof), and skips lines of stores only.
 // Invariant  An external line is asked for and not answered, or in its queue; of a line in two parts the first is asked
 //         for and answered first.
 
@@ -50,16 +50,16 @@ end
 always_comb begin
   assume (overflow_i == overflow);
   assume (!rsp_valid_i || parts_q != '0);
-  assume ((answer_valid_i != '0) == asked_q);
-  assume (!restart_i || !in_valid_i);
+  assume ((answer_valid_i != '0) == asked_q[1]);
+  assume (!in_i.skip || !in_i.ext);
   if (rst_ni) begin
     assert (gen_outside.external_q <= FetchW'(FetchLines));
     assert (!gen_outside.external_push || gen_outside.external_ready);
     assert (answer_valid_i == '0 || local_ready);
     assert (local_count <= LocalW'(LocalLines));
-    assert (!fire || record_ready);
+    assert (!fire || skip || record_ready);
     // invariants
-    assert (local_count + LocalW'(asked_q) <= LocalW'(LocalLines));
+    assert (local_count + LocalW'(asked_q[0]) + LocalW'(asked_q[1]) <= LocalW'(LocalLines));
     assert (PartW'(parts_q) + PartW'(Parts) * PartW'(\gen_outside.u_external.held_q ) + PartW'(rsp_part) ==
             PartW'(Parts) * PartW'(gen_outside.external_q) + PartW'(ask_part));
     assert (32'(parts_q) <= Parts * FetchLines);

@@ -12,8 +12,9 @@ logic [EndsW-1:0] behind_q, here;  // ends that have left and are not done; ends
 logic             leaves;
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
-proof_hold #(.DataW(pipegs_pkg::KindW + RegionW + AlphaAddressW)) u_hold (
-  .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_o.kind, out_o.region, out_o.address})
+proof_hold #(.DataW(pipegs_pkg::KindW + RegionW + AlphaAddressW + 1)) u_hold (
+  .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+  .beat_i({out_o.kind, out_o.region, out_o.address, out_o.skip})
 );
 
 assign leaves = out_valid_o && out_ready_i && out_o.kind == pipegs_pkg::KindWindowEnd;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu_allocate_test: rtl/pu/rows/pu_allocate.sv against its bit-accurate model, with done bits and layers that change
 // while it runs. Without Overflow every layer fits its store, or an assertion says so.
-#include <set>
+#include <map>
 
 #include "cpp_model/pu/rows/pu_allocate.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
@@ -13,7 +13,8 @@
 namespace pipegs {
 namespace {
 
-// The RUs: they show random done bits of the right or of a wrong window, and free a layer some time after its end.
+// The RUs: they show random done bits of the right or of a wrong window, and some time after the end of a layer they
+// free its lines, one by one in any order of layers, and then the layer.
 struct World : Endpoint {
   World(BenchBase& bench, Vpu_allocate& dut, const Config& config, const Frame& frame)
       : bench(bench),
@@ -45,12 +46,24 @@ struct World : Endpoint {
     write_port(dut.done_i, done.data());
     write_port(dut.done_x_i, done_x.data());
     write_port(dut.done_y_i, done_y.data());
+    const uint64_t ended = std::min(row_ends(), color_ends());
+    dut.line_free_i = 0;
+    if (bench.rng() % line_one_in == 0) {
+      std::vector<uint64_t> of;  // layers with lines in the store that may be read
+      for (uint64_t one = freed; one < ended; ++one)
+        if (in_store[one] != 0) of.push_back(one);
+      if (!of.empty()) {
+        dut.line_free_i = 1;
+        --in_store[meetings < 0 ? of[bench.rng() % of.size()] : of.front()];
+        --used;
+      }
+    }
     bool now = bench.rng() % free_one_in == 0;
     if (meetings >= 0) {
       now = meetings > 0 && dut.tiles_valid_i && dut.tiles_ready_o &&
             read_record<Tiles>(config, dut.tiles_i).kind != kData;
     }
-    dut.layer_free_i = now && freed < std::min(row_ends(), color_ends());
+    dut.layer_free_i = now && freed < ended && in_store[freed] == 0;
     if (meetings > 0 && dut.layer_free_i) --meetings;
   }
   void observe() override {
@@ -58,7 +71,8 @@ struct World : Endpoint {
     waited += dut.waiting_o;
     if (dut.tiles_valid_i && dut.tiles_ready_o) {
       const Tiles tiles = read_record<Tiles>(config, dut.tiles_i);
-      ASSERT_LE(layer - freed, 1u) << "a third layer lives, cycle " << bench.cycle;
+      ASSERT_LT(layer - freed, static_cast<uint64_t>(config.alpha_layers))
+          << "too many layers live, cycle " << bench.cycle;
       const auto out = model(tiles, payload, live);
       payload = random_record<Payload>(config, bench.rng);  // of the next one
       if (out) {
@@ -70,21 +84,27 @@ struct World : Endpoint {
         if (x++ == frame.raster.windows.last_x) x = frame.raster.windows.first_x, ++y;
       }
     }
-    // Lines are reused only after their layer was freed.
+    // Addresses and areas are used again only after their layer was freed, and no more lines live than have a slot.
     if (dut.row_job_valid_o && !shown) {
       shown = true;
       const RowJob job = read_record<RowJob>(config, dut.row_job_o);
       if (job.kind == kData && !job.ext) {
         for (int i = 0; i < std::popcount(job.mask); ++i) {
-          const uint64_t line = (job.address + static_cast<uint64_t>(i)) % static_cast<uint64_t>(config.alpha_lines);
-          ASSERT_TRUE(held.insert({line, layer}).second && held.count({line, layer - 1}) == 0)
-              << "line " << line << " is given twice, cycle " << bench.cycle;
+          const uint64_t line =
+              (job.address + static_cast<uint64_t>(i)) % static_cast<uint64_t>(config.alpha_addresses());
+          ASSERT_TRUE(held.emplace(line, layer).second) << "line " << line << " is given twice, cycle " << bench.cycle;
+          ++in_store[layer], ++used;
         }
+        ASSERT_LE(used, config.alpha_lines) << "cycle " << bench.cycle;
+      } else if (job.kind == kData) {
+        const auto [area, fresh] = areas.emplace(job.address >> ru_number_w(config), layer);
+        ASSERT_EQ(area->second, layer) << "an area is given twice, cycle " << bench.cycle;
       }
     }
     if (dut.row_job_valid_o && dut.row_job_ready_i) shown = false;
     if (dut.layer_free_i) {
       std::erase_if(held, [&](const auto& line) { return line.second == freed; });
+      std::erase_if(areas, [&](const auto& area) { return area.second == freed; });
       ++freed;
     }
   }
@@ -98,9 +118,11 @@ struct World : Endpoint {
   PuAllocate model;
   std::function<uint64_t()> row_ends, color_ends;
   std::vector<PuAllocate::Out> expected;
-  std::set<std::pair<uint64_t, uint64_t>> held;  // line, layer
+  std::map<uint64_t, uint64_t> held, areas;  // layers of addresses, of overflow areas
+  std::map<uint64_t, uint64_t> in_store;     // lines of layers that have a slot
+  int used = 0;                              // of all layers
   uint64_t x, y, live = 0, layer = 0, freed = 0, overflowed = 0, expected_overflowed = 0, waited = 0;
-  uint64_t done_pace = 1, free_one_in = 20;
+  uint64_t done_pace = 1, free_one_in = 20, line_one_in = 2;
   int meetings = -1;  // layers that are still freed, in the very cycle that takes an end; -1: freed at random
   bool shown = false, restart = false;
 };
@@ -165,7 +187,6 @@ struct AllocateBench {
       const PuAllocate::Out& out = world.expected[i];
       ASSERT_EQ(rows.at(i).kind, out.row_job.kind) << "job " << i;
       ASSERT_EQ(colors.at(i).kind, out.row_job.kind) << "job " << i;
-      ASSERT_EQ(rows.at(i).parity, out.row_job.parity) << "job " << i;
       if (out.row_job.kind != kData) continue;
       ASSERT_EQ(first_difference(config, out.row_job, rows.at(i)), "")
           << "row job " << i << ", cycle " << rows.cycles[i];
@@ -185,6 +206,7 @@ TEST(PuAllocate, EqualsItsModelAtEveryPairOfPaces) {
       s.in.pace = source, s.rows.pace = sink, s.colors.pace = Pace::kCoin;
       s.world.free_one_in =
           sink == Pace::kAlways || !s.config.overflow ? 1000 : 20;  // also slow RUs: layers wait for each other
+      s.world.line_one_in = sink == Pace::kAlways ? 8 : 2;
       for (int frames = 0; frames < 3; ++frames) {
         s.push_frame(8 * static_cast<uint64_t>(s.config.alpha_lines / s.config.regions()));  // some layers overflow
         s.run_and_compare(true);
@@ -209,40 +231,37 @@ TEST(PuAllocate, DropsGaussiansOfOpaqueRegions) {
   EXPECT_LT(s.rows.size(), pushed);
 }
 
-// Four layers of half a store: the first one is freed in the very cycle that takes the end of the second one. Then one
-// layer is live, so the third one comes in without another pulse, and the fourth one waits.
+// Small layers: the first one is freed in the very cycle that takes the end of a later one. So one more than
+// AlphaLayers comes in without another pulse, and the one behind it waits.
 TEST(PuAllocate, FreesALayerInTheCycleThatTakesAnEnd) {
   for (const bool gated : {false, true}) {
     for (int layers_before = 0; layers_before < 3; ++layers_before) {  // also meetings in a row
       AllocateBench s;
       s.world.done_pace = 0;
       s.restart();
-      const int lines = std::min(s.config.regions(), s.config.alpha_lines / 2),
-                count = s.config.alpha_lines / 2 / lines;
-      const int layers = 4 + layers_before;
+      const int live = s.config.alpha_layers, layers = 2 + live + layers_before;
       for (int layer = 0; layer < layers; ++layer) {
-        for (int i = 0; i < count; ++i) {
-          Tiles tiles = random_record<Tiles>(s.config, s.bench.rng);
-          tiles.kind = kData;
-          tiles.mask = lines == 64 ? ~uint64_t{0} : (uint64_t{1} << lines) - 1;
-          s.in.push(tiles);
-        }
+        Tiles tiles = random_record<Tiles>(s.config, s.bench.rng);
+        tiles.kind = kData;
+        tiles.mask = 0xf;
+        s.in.push(tiles);
         Tiles end = random_record<Tiles>(s.config, s.bench.rng);
         end.kind = layer == layers - 1 ? kWindowEnd : kLayerEnd;
         s.in.push(end);
       }
       const uint64_t meetings = 1 + static_cast<uint64_t>(layers_before);
-      const uint64_t beats = static_cast<uint64_t>(count + 1), before_last = (meetings + 2) * beats;
+      const uint64_t before_last = (meetings + static_cast<uint64_t>(live)) * 2;
+      s.world.line_one_in = 1;
       s.world.meetings = static_cast<int>(meetings);
       const auto reached = [&] { return HasFatalFailure() || s.in.taken >= before_last; };
-      if (gated) s.bench.run_gated_until(reached, 2000);
-      else s.bench.run_until(reached, 2000);
+      if (gated) s.bench.run_gated_until(reached, 4000);
+      else s.bench.run_until(reached, 4000);
       ASSERT_EQ(s.world.freed, meetings) << "the pulses did not meet the ends";
       for (int i = 0; i < 50; ++i) {
         if (gated) s.bench.gated_step();
         else s.bench.step();
       }
-      ASSERT_EQ(s.in.taken, before_last) << "a third layer is let in";
+      ASSERT_EQ(s.in.taken, before_last) << "one layer too many is let in";
       s.world.meetings = -1;
       s.run_and_compare(gated);
       EXPECT_EQ(s.world.overflowed, 0u);

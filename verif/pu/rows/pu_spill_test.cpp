@@ -20,9 +20,9 @@ Words line_of(const Config& config, const Alphas& alphas) {
   return words;
 }
 
-// The number of line n of unit 3, as pu_allocate gives it: with lists the unit stands in its upper bits.
-uint64_t numbered(const Config& config, uint64_t n) {
-  return config.has_lists() ? uint64_t{3} << (config.alpha_address_w() - config.unit_w()) | n : n;
+// The address of line n of unit 3, as pu_allocate gives it: above the number stands the area, with lists the unit.
+uint64_t numbered(const Config& config, uint64_t n, uint64_t area = 0) {
+  return (config.has_lists() ? 3 : area) << ru_number_w(config) | n;
 }
 
 struct LineSource : Endpoint {
@@ -85,14 +85,13 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
         for (uint64_t n = 0; n < 20; ++n) {
           Alphas alphas = random_record<Alphas>(s.config, s.bench.rng);
           alphas.kind = kData;
-          alphas.parity = layer % 2;
           alphas.ext &= static_cast<uint64_t>(s.config.overflow);
           if (alphas.ext) {
-            alphas.address = numbered(s.config, lines++);
+            alphas.address = numbered(s.config, lines++, layer % 2);
             Words line = line_of(s.config, alphas);
             line.resize(static_cast<size_t>(pieces) * 16);
             for (int piece = 0; piece < pieces; ++piece) {
-              spilled[ru_overflow_line(s.config, wide_overflow(s.frame), 3, layer % 2, alphas.address) +
+              spilled[ru_overflow_line(s.config, wide_overflow(s.frame), 3, alphas.address) +
                       static_cast<uint64_t>(piece)] = Words(line.begin() + 16 * piece, line.begin() + 16 * (piece + 1));
             }
           } else {
@@ -100,7 +99,7 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
           }
           s.in.push(alphas);
         }
-        s.in.push(Alphas{.kind = layer % 3 == 2 ? kWindowEnd : kLayerEnd, .parity = layer % 2});
+        s.in.push(Alphas{.kind = layer % 3 == 2 ? kWindowEnd : kLayerEnd});
         ASSERT_TRUE(s.bench.run_gated_until([&] { return s.ends.beats.size() == layer + 1; }));
         EXPECT_EQ(s.ends.beats.back()[0], layer % 3 == 2 ? kWindowEnd : kLayerEnd);
         for (const auto& [address, line] : spilled) {
@@ -118,9 +117,9 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
 
 // The last line of the area is written, the one behind it is not, nor any that comes later.
 TEST(PuSpill, StopsBeforeItsAreaEnds) {
-  for (const uint64_t parity : {0, 1}) {
+  for (const uint64_t area : {0, 1}) {
     SpillBench s;
-    if (!s.config.overflow || (s.config.has_lists() && parity != 0)) continue;
+    if (!s.config.overflow || (s.config.has_lists() && area != 0)) continue;
     const auto pieces = static_cast<uint64_t>(s.config.alpha_memory_lines());
     Areas areas = wide_areas();
     areas.overflow = 3200;
@@ -128,16 +127,14 @@ TEST(PuSpill, StopsBeforeItsAreaEnds) {
     for (int i = 0; i < 3; ++i) s.bench.step();
     const uint64_t lines = area_lines(s.config, areas.overflow, Area::kEven) / pieces;
     const Span overflow = overflow_span(s.frame, areas);
-    for (uint64_t n = 0; n < lines; ++n)
-      s.in.push(Alphas{.address = numbered(s.config, n), .ext = 1, .parity = parity});
+    for (uint64_t n = 0; n < lines; ++n) s.in.push(Alphas{.address = numbered(s.config, n, area), .ext = 1});
     ASSERT_TRUE(s.bench.run_until([&] { return s.port.requests == lines * pieces; }));
     for (int i = 0; i < 10; ++i) s.bench.step();
     EXPECT_EQ(s.bench.dut.full_o, 0);
-    for (uint64_t n = lines; n < lines + 5; ++n)
-      s.in.push(Alphas{.address = numbered(s.config, n), .ext = 1, .parity = parity});
+    for (uint64_t n = lines; n < lines + 5; ++n) s.in.push(Alphas{.address = numbered(s.config, n, area), .ext = 1});
     for (int i = 0; i < 50; ++i) s.bench.step();
     EXPECT_EQ(s.bench.dut.full_o, 1);
-    EXPECT_EQ(s.bench.dut.full_line_o, ru_overflow_line(s.config, overflow, 3, parity, numbered(s.config, lines)));
+    EXPECT_EQ(s.bench.dut.full_line_o, ru_overflow_line(s.config, overflow, 3, numbered(s.config, lines, area)));
     EXPECT_EQ(s.port.requests, lines * pieces);
     EXPECT_EQ(s.in.taken, lines + 1);
   }
@@ -150,8 +147,7 @@ TEST(PuSpill, StopsBeforeItsNumbersWrap) {
   Areas areas = wide_areas();
   areas.overflow = uint64_t{1} << 33;
   write_frame(s.config, s.bench.dut, s.frame, areas);
-  const int bits = s.config.alpha_address_w() - (s.config.has_lists() ? s.config.unit_w() : 0);
-  const uint64_t last = (uint64_t{1} << bits) - 1;
+  const uint64_t last = (uint64_t{1} << ru_number_w(s.config)) - 1;
   s.in.push(Alphas{.address = last - static_cast<uint64_t>(s.config.regions()), .ext = 1});
   for (int i = 0; i < 20; ++i) s.bench.step();
   EXPECT_EQ(s.bench.dut.full_o, 0);

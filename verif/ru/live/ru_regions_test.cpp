@@ -100,7 +100,7 @@ class Around : public Endpoint {
     ASSERT_GT(closed_[region], taken) << "region " << region << " was closed before its splat came";
     left_ &= ~(before | uint64_t{1} << bit);
     Region expected = pu_region(kConfig, job_of(splat), bit);
-    expected.address = expected.ext = expected.parity = 0;
+    expected.address = expected.ext = 0;
     expected.region = found.region;
     ASSERT_EQ(first_difference(kConfig, expected, found), "") << "cycle " << bench_.cycle;
     ASSERT_EQ(bench_.dut.color_o, color_of(splat)) << "cycle " << bench_.cycle;

@@ -11,7 +11,7 @@ MEASURED = [
     "lanes/*",
     "sweep/*",
     "results/terrace_0",
-    "what_if/terrace/alpha_lines*",
+    "stores/*",
 ]
 PAPER = {"baseline": ("1.00", "7.48"), "dpc": ("-", "5.71"), "tspp": ("2.33", "1.83"), "dop": ("2.85", "-")}
 FOR = ("fps_per_mm2", "frames_per_joule", "frames_per_joule_with_dram")
@@ -60,6 +60,43 @@ def ladder(scene):
         ],
         rows,
     )
+
+
+STORES = {  # of dop: name of the measurement, lines, layers
+    "lines1024_layers2": ("1024", 2),
+    "lines1024_layers4": ("1024", 4),
+    "lines1024": ("1024, `dop`", 8),
+    "paper": ("840, 512 records in an SU", 8),
+    "lines2048": ("2048", 8),
+    "lines4096": ("4096", 8),
+    "lines8192_layers2": ("8192", 2),
+    "lines8192_layers4": ("8192", 4),
+    "lines8192": ("8192", 8),
+}
+
+
+def stores():
+    """What the alpha stores of dop are worth: cycles, over baseline, MB, scene by scene."""
+    rows = []
+    for name, (lines, layers) in STORES.items():
+        cells = [data.stores[scene][name] for scene in FOUR]
+        over = [store_over(scene, name) for scene in FOUR]
+        rows.append(
+            [lines, layers]
+            + [f"{group(one.cycles)} ({times(gain)})" for one, gain in zip(cells, over)]
+            + [" / ".join(group(one.bytes / 1e6) for one in cells)]
+        )
+    return table(["lines of a store", "layers", *[f"{scene}: cycles" for scene in FOUR], "MB of the four"], rows)
+
+
+def store_over(scene, name):
+    """Over baseline, by the same timing model."""
+    return data.stores[scene].baseline.cycles / data.stores[scene][name].cycles
+
+
+def store_spans(name):
+    """The span of that over the scenes."""
+    return span(fixed, [store_over(scene, name) for scene in FOUR], 2)
 
 
 def fair(scene):

@@ -3,7 +3,7 @@
 from data import data
 from formats import fixed, group, millions, percent, table, thousands
 
-MEASURED = ["results/*", "truth/*", "ladder/own", "ladder/terrace", "what_if/terrace/alpha_lines*"]
+MEASURED = ["results/*", "truth/*", "ladder/own", "ladder/terrace", "stores/terrace/*"]
 VIEWS = [(scene, view) for scene in ("terrace", "statue", "plushdog") for view in (0, 1, 2)]
 PIXELS = {"terrace": "1236x822", "statue": "960x1280", "plushdog": "1500x1000"}
 

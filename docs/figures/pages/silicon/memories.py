@@ -9,7 +9,9 @@ from measurements import points_of
 MEASURED = ["memories/*"]
 PAPER_KB = 428
 WHERE = [  # unit, place without generate blocks and the SU's wiring, what it holds, purpose
-    ("alpha store", "u_store.u_lines", "lines of 64 alphas, a ring", "alphas"),
+    ("alpha store", "u_store.u_lines", "lines of 64 alphas", "alphas"),
+    ("alpha store", "u_store.u_slots", "slot of the line of each address", "alphas"),
+    ("alpha store", "u_store.u_pool.u_back", "free slots", "alphas"),
     ("RU", "u_pixels.u_half_[01]", "T, RGB, done of a window's regions, twice", "pixels"),
     ("SU", "u_su.u_records", "splats without their keys, a pool of slots", "records, keys"),
     ("SU", "u_su.u_keys", "{depth, index} of each slot", "records, keys"),
