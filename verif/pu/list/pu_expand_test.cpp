@@ -66,6 +66,7 @@ struct Expected {
   std::vector<ColorJob> jobs;
   std::vector<Conic> placed;
   std::vector<Listed> listed;
+  size_t passed = 0;  // windows without a beat
   void add(const Config& config, const Frame& frame, const Conic& conic, const Payload& payload) {
     if (conic.kind == kLayerEnd) return;
     const std::optional<PuExpandBox> box = conic.kind == kData ? pu_expand_box(config, frame, conic) : std::nullopt;
@@ -78,6 +79,10 @@ struct Expected {
     }
     for (int64_t y = box->first_y; y <= box->last_y; ++y) {
       for (int64_t x = box->first_x; x <= box->last_x; ++x) {
+        if (!pu_expand_keeps(config, conic, *box, x, y)) {
+          ++passed;
+          continue;
+        }
         placed.push_back(pu_expand(config, conic, x, y));
         listed.push_back(pu_expand_listed(frame, Colors::color(config, jobs.back()), x, y));
       }
@@ -109,7 +114,7 @@ struct ExpandRun {
 
 TEST(PuExpand, EqualsItsModelAtEveryPace) {
   const Config config = test_config();
-  size_t dropped = 0, several = 0, saturated = 0;
+  size_t dropped = 0, several = 0, saturated = 0, passed = 0;
   for (const Pace source : kPaces) {
     for (const Pace color : kPaces) {
       for (const Pace sink : kPaces) {
@@ -133,7 +138,7 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
         }
         ASSERT_TRUE(
             run.bench.run_until([&] { return run.out.size() >= expected.placed.size() && run.in.empty(); }, 400000));
-        for (int i = 0; i < 20; ++i) run.bench.step();
+        for (size_t i = 0; i < 20 + expected.passed; ++i) run.bench.step();  // windows without a beat may be the last
         ASSERT_EQ(run.out.size(), expected.placed.size());
         ASSERT_EQ(run.colors.jobs.size(), expected.jobs.size());
         EXPECT_EQ(run.bench.dut.busy_o, 0);
@@ -147,6 +152,7 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
               << "\n"
               << to_text(config, frame);
         }
+        passed += expected.passed;
         ASSERT_EQ(run.listed.size(), expected.listed.size());
         for (size_t i = 0, beat = 0; i < expected.listed.size(); ++i, ++beat) {
           ASSERT_EQ(first_difference(config, expected.listed[i], run.listed.at(i)), "")
@@ -159,7 +165,8 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
   }
   EXPECT_GT(dropped, 500u);
   EXPECT_GT(several, 500u);
-  EXPECT_GT(saturated, 50u);
+  if (!config.oriented()) { EXPECT_GT(saturated, 50u); }  // the box does not touch windows so far away
+  if (config.oriented()) { EXPECT_GT(passed, 5000u); }
 }
 
 TEST(PuExpand, GivesAWindowEveryCycleAndAGaussianEveryTwo) {
@@ -177,6 +184,7 @@ TEST(PuExpand, GivesAWindowEveryCycleAndAGaussianEveryTwo) {
       conic.kind = kData;
       conic.mean_x = conic.mean_y = int64_t{5} << config.mean_f;
       conic.extent_x = conic.extent_y = uint64_t{11} * static_cast<uint64_t>(config.window) * 16;
+      conic.side_u = conic.side_v = (uint64_t{1} << config.side_w()) - 1;
       run.push(conic, {});
     }
     ASSERT_TRUE(run.bench.run_until([&] { return run.out.size() == kGaussians * windows; }));
