@@ -453,6 +453,10 @@ mutant pipegs_sram "such a read shows the same each time" 's/(noise_q <= )noise_
 group list "Lists (\`order = 1\`), parts (\`window = 128\`)"
 mutant pu_span "an endless Gaussian does not reach the last window" \
        's/endless \|\| last > limit/last > limit/' pu_expand
+mutant pu_expand "the PU may fall asleep while windows are passed over" \
+       's/(passes_o *= )move && !touches/\1 1'"'"'b0/' pu_expand_oriented
+mutant pu_expand "a window that is passed over waits for the taker" 's/out_free \|\| !touches/out_free/' \
+       pu_expand_oriented
 mutant pu_parts "a mean keeps its place in the second row of parts" \
        's/(moved_y = .*) -$/\1 + 0 */' pu_parts
 mutant pu_parts "the second row begins with its second part" 's/last_column \? from_x_q : /last_column ? to_x_q : /'

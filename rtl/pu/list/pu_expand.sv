@@ -42,7 +42,8 @@ module pu_expand #(
   output logic                    listed_valid_o,  // placed_o shows this Gaussian from the next cycle on
   output pipegs_pkg::listed_t     listed_o,
 
-  output logic                    busy_o  // a Gaussian is inside
+  output logic                    passes_o,  // it passes over a window: it works, though no beat moves
+  output logic                    busy_o     // a Gaussian is inside
 );
 
   localparam int unsigned MeanW    = pipegs_pkg::MeanW;
@@ -154,6 +155,7 @@ module pu_expand #(
   assign y_start     = MovedW'(mean_y) - ($signed(MovedW'(from_y)) <<< (SideF + MeanF));
   assign colored_ready_o = done || pass;
   assign placed_valid_o  = out_valid_q;
+  assign passes_o        = move && !touches;
   assign busy_o          = box_q != BoxFind || count != '0 || walking_q || out_valid_q;
 
   logic signed [PlacedW-1:0] placed_x, placed_y;

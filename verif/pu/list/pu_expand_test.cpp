@@ -30,6 +30,18 @@ Conic random_conic(PuRandom& random, const Frame& frame) {
                     random.config.window);
 }
 
+// Cycles in which the module says that it passes over a window: the PU must not fall asleep meanwhile.
+class Passes : public Endpoint {
+ public:
+  explicit Passes(Bench<Vpu_expand>& bench) : bench_(bench) { bench.add(*this); }
+  void drive() override {}
+  void observe() override { count += bench_.dut.passes_o; }
+  size_t count = 0;
+
+ private:
+  Bench<Vpu_expand>& bench_;
+};
+
 // pu_color for the test: gives any colour for each job, in order.
 class Colors : public Endpoint {
  public:
@@ -96,7 +108,8 @@ struct ExpandRun {
         payloads(bench, config, payload_valid, bench.dut.payload_take_o, bench.dut.payload_i),
         colors(bench, config, color),
         out(bench, config, bench.dut.placed_valid_o, bench.dut.placed_ready_i, bench.dut.placed_o, sink),
-        listed(bench, config, bench.dut.listed_valid_o, listed_ready, bench.dut.listed_o) {
+        listed(bench, config, bench.dut.listed_valid_o, listed_ready, bench.dut.listed_o),
+        passes(bench) {
     bench.reset();
   }
   void push(const Conic& conic, const Payload& payload) {
@@ -110,6 +123,7 @@ struct ExpandRun {
   Colors colors;
   RecordSink<Conic, std::remove_reference_t<decltype(Vpu_expand::placed_o)>> out;
   RecordSink<Listed, std::remove_reference_t<decltype(Vpu_expand::listed_o)>> listed;
+  Passes passes;
 };
 
 TEST(PuExpand, EqualsItsModelAtEveryPace) {
@@ -153,6 +167,7 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
               << to_text(config, frame);
         }
         passed += expected.passed;
+        ASSERT_EQ(run.passes.count, expected.passed);
         ASSERT_EQ(run.listed.size(), expected.listed.size());
         for (size_t i = 0, beat = 0; i < expected.listed.size(); ++i, ++beat) {
           ASSERT_EQ(first_difference(config, expected.listed[i], run.listed.at(i)), "")
