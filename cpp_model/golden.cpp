@@ -11,6 +11,8 @@
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "cpp_model/float/parallel.hpp"
+#include "cpp_model/pu/box/pu_axes.hpp"
+#include "cpp_model/pu/box/pu_box.hpp"
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/color/pu_color.hpp"
 #include "cpp_model/pu/project/pu_compensate.hpp"
@@ -219,7 +221,8 @@ Called& Called::operator+=(const Called& o) {
 GoldenConic golden_conic(const Config& config, const Frame& frame, const Visible& visible, ProjectCounts* counts) {
   const auto [projected, center, payload] = pu_project(config, frame, visible, counts);
   const Factors factors = pu_factors(config, frame, pu_jacobian(config, frame, pu_orient(config, frame, projected)));
-  const Covariance covariance = pu_covariance(config, frame, pu_squares(config, frame, factors), center);
+  Covariance covariance = pu_covariance(config, frame, pu_squares(config, frame, factors), center);
+  if (config.oriented()) covariance = pu_box(config, frame, pu_axes(config, frame, covariance));
   return {pu_conic(config, frame, config.antialias ? pu_compensate(config, frame, covariance) : covariance), payload};
 }
 
@@ -286,6 +289,7 @@ const GoldenLists& golden_lists(const GoldenInput& input, unsigned threads) {
       const PuExpandBox box = *pu_expand_box(packed.config, frame, entry.conic);
       for (int64_t y = box.first_y; y <= box.last_y; ++y) {
         for (int64_t x = box.first_x; x <= box.last_x; ++x) {
+          if (!pu_expand_keeps(packed.config, entry.conic, box, x, y)) continue;
           lists->windows[pu_expand_number(frame, x, y)].push_back(static_cast<uint32_t>(lists->gaussians.size()));
         }
       }

@@ -75,6 +75,9 @@ rtl/pipegs_raster.sv
 rtl/pipegs_scheduler.sv
 rtl/pipegs_sorting.sv
 rtl/pipegs_top.sv
+rtl/pu/box/pu_axes.sv
+rtl/pu/box/pu_box.sv
+rtl/pu/box/pu_touch.sv
 rtl/pu/color/pu_color.sv
 rtl/pu/color/pu_color_basis.sv
 rtl/pu/color/pu_color_fetch.sv

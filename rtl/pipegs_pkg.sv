@@ -47,7 +47,8 @@ package pipegs_pkg;
   localparam int unsigned CoeffF         = 28;  // fraction of the power coefficients A to F, log2 units
   localparam int unsigned PowerF         = 20;  // fraction of the Row Units' accumulators, log2 units
   localparam int unsigned AlphaCut       = 255;  // a pixel counts iff alpha >= 1/AlphaCut
-  // 1: the regions of a Gaussian's box that hold a pixel that counts; 0: all regions of the box
+  // 1: the regions of a Gaussian's box that hold a pixel that counts; 0: all regions of the box; 2: those that the
+  // oriented box of three standard deviations touches, which loses what lies beyond (GSCore)
   localparam int unsigned TileTest       = 1;
   // 1: a Gaussian is also dropped when its own ellipse ends before the window; 0: only when its largest scale does (1
   // needs order 0 or 2)
@@ -102,6 +103,7 @@ package pipegs_pkg;
   localparam bit HasLists                = 1'b0;  // the frame is preprocessed into lists of its windows in memory
   localparam bit HasWatermarks           = 1'b0;  // chunks come nearest first, watermarks release what is sorted
   localparam bit HasStores               = 1'b1;  // alpha stores lie between the PUs and the RUs
+  localparam bit Oriented                = 1'b0;  // regions are those that the oriented box touches
   localparam bit SpillsAlphas            = 1'b1;  // lines of alphas may lie in external memory
   localparam int unsigned PuFronts       = 4;  // PUs that fetch and cull
   localparam int unsigned GeometryJobs   = 8;  // chunks whose lines such a PU has asked for
@@ -193,6 +195,14 @@ package pipegs_pkg;
   // slope of the conditional mean, s1.25, magnitude at most 1 after the swap
   localparam int unsigned SlopeW         = 27;
   localparam int unsigned ExtentW        = 22;  // half extent of a splat in the image, u18.4 pixel
+  // slope of the oriented box's axis that is nearer to x, s1.16, magnitude at most 1; absent unless tile_test is 2
+  localparam int unsigned TiltW          = 0;
+  // half length of the oriented box along an axis (1, tilt) that is not normalised, u20.8
+  localparam int unsigned SideW          = 0;
+  localparam int unsigned BoxExtentW     = 0;  // half extent of the oriented box along x or y, u18.4 pixel
+  localparam int unsigned AxisMW         = 0;  // normalised mantissas of pu_axes and pu_box
+  localparam int unsigned ShareW         = 0;  // share of a length, u1.18, 1/2 to 1
+  localparam int unsigned AxisEW         = 0;  // exponent of such a mantissa, signed
   localparam int unsigned AW             = 45;  // coefficient A, s16.CoeffF
   localparam int unsigned BcW            = 41;  // coefficients B and C, s12.CoeffF
   localparam int unsigned DefW           = 32;  // coefficients D, E and F, s3.CoeffF
@@ -739,6 +749,23 @@ package pipegs_pkg;
   localparam int unsigned CovarianceBits = 221;
 
   typedef struct packed {
+    logic swap;  // 1 when a > c: the longer axis is the one nearer to x
+    logic [OpacityW-1:0] opacity;
+    logic signed [FloatEW-1:0] det_e;
+    logic [MantissaW-1:0] det_m;
+    logic signed [FloatEW-1:0] c_e;
+    logic [MantissaW-1:0] c_m;
+    logic signed [FloatEW-1:0] b_e;
+    logic signed [SlopeW-1:0] b_m;
+    logic signed [FloatEW-1:0] a_e;
+    logic [MantissaW-1:0] a_m;  // the covariance as it came
+    logic signed [MeanW-1:0] mean_y;
+    logic signed [MeanW-1:0] mean_x;
+    logic [KindW-1:0] kind;
+  } axes_t;
+  localparam int unsigned AxesBits = 222;
+
+  typedef struct packed {
     logic [OpacityW-1:0] opacity;
     logic signed [FloatEW-1:0] wide_e;
     logic [MantissaW-1:0] wide_m;  // k / variance along the wide axis: k/c (k/a when swapped) = m * 2^e
@@ -748,7 +775,8 @@ package pipegs_pkg;
     logic signed [SlopeW-1:0] slope_m;  // slope of the conditional mean: b/c (b/a when swapped) = m * 2^-25
     logic swap;  // 1 when a > c: the roles of x and y are exchanged below
     logic [ExtentW-1:0] extent_y;  // half height
-    logic [ExtentW-1:0] extent_x;  // half width of the box outside which alpha < 1/AlphaCut, rounded up, u18.4 pixel
+    // half width of the box outside which alpha < 1/AlphaCut, or of the oriented box, rounded up, u18.4 pixel
+    logic [ExtentW-1:0] extent_x;
     logic signed [MeanW-1:0] mean_y;
     logic signed [MeanW-1:0] mean_x;
     logic [KindW-1:0] kind;

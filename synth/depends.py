@@ -48,6 +48,7 @@ KNOBS = [
     "sh_degree=2",
     "sh_degree=0",
     "tile_test=0",
+    "tile_test=2",
     "grid=2",
     "records=512",
     "units=2",

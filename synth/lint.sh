@@ -45,7 +45,7 @@ design_point() {  # its settings, from the table
 machines=("" "$(design_point fast)")
 [ -z "$rest" ] || machines=()
 machines+=("antialias=1" "tight_cull=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1"
-  "late=1 order=2" "late=1 order=2 quads=1" "bus_w=128 clock_gates=0"
+  "window=16 late=1 order=1 quadratic=1 tile_test=2" "late=1 order=2" "late=1 order=2 quads=1" "bus_w=128 clock_gates=0"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 simulated=("" "bus_w=0")
@@ -57,7 +57,7 @@ declare -A machine_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows
   [dopu_depth]="late=1 order=2" [dopu_bucket]="late=1 order=2" [dopu_rank]="late=1 order=2" [dopu_open]="late=1 order=2"
   [ru_live]="late=1 order=2 quads=1" [ru_regions]="late=1 order=2 quads=1" [ru_power]="late=1 order=2 quads=1"
   [ru_quads]="late=1 order=2 quads=1" [pu_parts]="late=1 order=2 quads=1 window=128"
-  [pu_reach]="tight_cull=1"
+  [pu_reach]="tight_cull=1" [pu_axes]="tile_test=2" [pu_box]="tile_test=2" [pu_touch]="tile_test=2"
   [dopu_send]="late=1 order=2" [dopu_nearest]="late=1 order=2")
 package() {  # the path of the package with these settings
   local folder; folder=$scratch/$(cksum <<< "$1" | tr ' ' _)

@@ -51,7 +51,7 @@ from scenes import SIZES, VIEWS_OF_SIZE
 
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory")
-POINTS = ("baseline", "dpc", "tspp", "dop", "late", "exact", "fast")
+POINTS = ("gscore", "baseline", "dpc", "tspp", "dop", "late", "exact", "fast")
 
 
 def points_of(*figures):
@@ -134,7 +134,8 @@ SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the sam
     "exact_records1024": "--rung exact --set records=1024 ", "dop_sky130": "--rung dop --library sky130hd_tt ",
 }
 MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
-    "dop": "", "baseline": "late=1 order=1 quadratic=1 records=2048", "dpc": "late=1 order=1 records=2048",
+    "dop": "", "gscore": "window=16 late=1 order=1 quadratic=1 tile_test=2 records=2048",
+    "baseline": "late=1 order=1 quadratic=1 records=2048", "dpc": "late=1 order=1 records=2048",
     "tspp": "order=1", "late": "late=1 records=2048", "exact": "late=1 order=2 records=2048 bucket_bits=5",
 }
 PRINTS = {  # a test that prints what it measures: its room, the line, names of the line's numbers
@@ -153,6 +154,9 @@ PRINTS = {  # a test that prints what it measures: its room, the line, names of 
     "pu_orient": ("pu/project", r"worst entry differs by (\S+) from", "worst"),
     "pu_covariance": ("pu/project", r"error of a 2\^([-\d.]+), c 2\^([-\d.]+), det 2\^([-\d.]+), .* 2\^([-\d.]+)",
                       "a", "c", "det", "b"),
+    "pu_axes": ("pu/box", r"error of tilt (\S+); relative, of stretch (\S+), of shrink (\S+), of the eigenvalue (\S+)",
+                "tilt", "stretch", "shrink", "larger"),
+    "pu_box": ("pu/box", r"3/256 px and (\S+), extents by 3/32 px and (\S+) of", "side", "extent"),
     "pu_compensate": ("pu/project", r"pu_compensate: error (\S+) of", "worst"),
     "pu_conic": ("pu/conic", r"narrow (\S+), of wide (\S+), error of slope ([^;\s]+); .* 1/4 px and ([\d.]+) %",
                  "narrow", "wide", "slope", "percent"),

@@ -3,7 +3,8 @@
 //         them.
 //
 // Paper   Sec. 4.2.1, Eq. 1.
-// Idea    project -> orient -> jacobian -> factors -> squares -> covariance -> (compensate, with Antialias ->) conic.
+// Idea    project -> orient -> jacobian -> factors -> squares -> covariance -> (axes, box, with the oriented box ->)
+//         (compensate, with Antialias ->) conic.
 //         The centre (mean and opacity) waits in a queue from pu_project to pu_covariance; the payload (depth,
 //         direction, base colour, index, slot) leaves at once. Only wiring here.
 // Stream  visible in, conic out, in order; ends pass. payload: one for each Gaussian, in order, before its conic; not
@@ -42,9 +43,11 @@ module pu_shape (
   localparam int unsigned Factors    = 3;
   localparam int unsigned Squares    = 4;
   localparam int unsigned Covariance = 5;
-  localparam int unsigned Compensate = 6;
-  localparam int unsigned Conic      = 7;
-  localparam int unsigned Stages     = 8;
+  localparam int unsigned Axes       = 6;
+  localparam int unsigned Box        = 7;
+  localparam int unsigned Compensate = 8;
+  localparam int unsigned Conic      = 9;
+  localparam int unsigned Stages     = 10;
 
   logic [Stages-1:0]       valid /* verilator split_var */, ready /* verilator split_var */, busy;
   pipegs_pkg::projected_t  projected;
@@ -52,7 +55,7 @@ module pu_shape (
   pipegs_pkg::jacobian_t   jacobian;
   pipegs_pkg::factors_t    factors;
   pipegs_pkg::squares_t    squares;
-  pipegs_pkg::covariance_t covariance, compensated;
+  pipegs_pkg::covariance_t covariance, boxed, compensated;
 
   logic                             center_valid, center_room, center_held, center_take;
   pipegs_pkg::center_t              center_in, center;
@@ -107,17 +110,37 @@ module pu_shape (
     .busy_o(busy[Covariance])
   );
 
+  if (pipegs_pkg::Oriented) begin : gen_oriented
+    pipegs_pkg::axes_t axes;
+    pu_axes u_axes (
+      .clk_i, .rst_ni,
+      .covariance_valid_i(valid[Covariance]), .covariance_ready_o(ready[Covariance]), .covariance_i(covariance),
+      .axes_valid_o(valid[Axes]), .axes_ready_i(ready[Axes]), .axes_o(axes), .busy_o(busy[Axes])
+    );
+    pu_box u_box (
+      .clk_i, .rst_ni,
+      .axes_valid_i(valid[Axes]), .axes_ready_o(ready[Axes]), .axes_i(axes),
+      .covariance_valid_o(valid[Box]), .covariance_ready_i(ready[Box]), .covariance_o(boxed), .busy_o(busy[Box])
+    );
+  end else begin : gen_reached
+    assign valid[Box:Axes]   = {2{valid[Covariance]}};
+    assign ready[Axes]       = ready[Box];
+    assign ready[Covariance] = ready[Box];
+    assign boxed             = covariance;
+    assign busy[Box:Axes]    = '0;
+  end
+
   if (pipegs_pkg::Antialias == 1) begin : gen_compensate
     pu_compensate u_compensate (
       .clk_i, .rst_ni, .antialias_i(tables_i.antialias),
-      .covariance_valid_i(valid[Covariance]), .covariance_ready_o(ready[Covariance]), .covariance_i(covariance),
+      .covariance_valid_i(valid[Box]), .covariance_ready_o(ready[Box]), .covariance_i(boxed),
       .compensated_valid_o(valid[Compensate]), .compensated_ready_i(ready[Compensate]), .compensated_o(compensated),
       .busy_o(busy[Compensate])
     );
   end else begin : gen_sharp
-    assign valid[Compensate] = valid[Covariance];
-    assign ready[Covariance] = ready[Compensate];
-    assign compensated       = covariance;
+    assign valid[Compensate] = valid[Box];
+    assign ready[Box]        = ready[Compensate];
+    assign compensated       = boxed;
     assign busy[Compensate]  = 1'b0;
   end
 

@@ -19,7 +19,8 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
   app.add_option("SCENE", scene, "scene as .ply (INRIA layout); without it our own scene");
   app.add_option("--cameras", cameras, "cameras.json (INRIA layout); needed with SCENE");
   add_integer(app, "--view", view, "which camera of the file, counted from 0", 0)->capture_default_str();
-  add_place(app, "--window", window, "only this window (128x128 pixels of `fast`, 64x64 of the other design points)");
+  add_place(app, "--window", window,
+            "only this window (pixels of `fast` 128x128, of gscore 16x16, of the others 64x64)");
   if (which != DesignPoints::kSeveral)
     app.add_option("--rung", design_point, fmt::format("design point: {} (--set comes after it)", design_point_names()))
         ->capture_default_str();

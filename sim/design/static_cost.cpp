@@ -106,14 +106,21 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
     add("pipegs_log2", "projection", "pu", 2, 1, 1);
   }
   add("pu_conic", "projection", "pu", 1, 1, 0);
-  add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
-  add("pu_root", "projection", "pu", 2, 0, 2);
-  add("pipegs_recip", "projection", "pu", 2, 3, 1);
+  if (c.oriented()) {
+    add("pu_axes", "projection", "pu", 1, 2, 5);
+    add("pu_box", "projection", "pu", 1, 2, 6);
+    add("pu_touch", "projection", "pu", c.tests, 2, 8);
+    add("pipegs_rsqrt", "projection", "pu", 2, 1, 1);
+  } else {
+    add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
+    add("pu_root", "projection", "pu", 2, 0, 2);
+  }
+  add("pipegs_recip", "projection", "pu", 2 + c.oriented(), 3, 1);
   if (c.has_lists() || c.parts() > 1) add("pu_span", "projection", "pu", 2, 0, 2);
   add("pu_coeff", "projection", "pu", 1, 2, 6);
   add("pu_intersect", "projection", "pu", 1, 6, 12 + 5 * (c.tests - 1));
   add("pu_step", "projection", "pu", c.tests, 0, 4);
-  if (c.tile_test) add("pu_edge", "projection", "pu", c.tests, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
+  if (c.tile_test == 1) add("pu_edge", "projection", "pu", c.tests, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
   if (c.sh_degree > 0) {
     add("pu_color_rotate", "color", "pu", 1, 2, 2);
     add("pu_color_normalise", "color", "pu", 1, 1, 0);
@@ -179,7 +186,8 @@ void add_buffers(const Config& c, StaticCost& cost) {
     add("PU u_color..u_directions", "parameters", record_width<ViewDirection>(c), c.color_depth(), units);
   }
   if (c.has_lists()) {
-    const int shape = 2 * c.extent_w() + 1 + c.slope_w() + 2 * (c.mantissa_w + c.float_e_w()) + c.opacity_w();
+    const int shape = 2 * c.extent_w() + 1 + c.slope_w() + 2 * (c.mantissa_w + c.float_e_w()) + c.opacity_w() +
+                      c.tilt_w() + 2 * c.side_w();
     add("PU u_expand.u_queue", "parameters", shape + 2 * c.mean_w() + 4 * c.window_w(), c.expand_depth(), units);
     add("lists u_counts", "lists", c.list_entry_w(), 1 << c.list_window_w(), 1);
     add("lists u_read.u_reader.u_lines", "lists", memory, c.list_lines(), 1);

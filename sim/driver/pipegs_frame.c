@@ -9,7 +9,7 @@
 
 /* Integer bits of the fields, the sign included; the rest of a width is fraction. */
 enum { ROTATION_BITS = 2, FOCAL_BITS = 14, CENTER_BITS = 16, GUARD_BITS = 4, SPREAD_MANTISSA = 8 };
-enum { WINDOW_W = 10, LIST_WINDOW_W = 12 };
+enum { WINDOW_W = 10, LIST_WINDOW_W = 12, TILE_LIST_WINDOW_W = 14, TILE = 16 };
 /* Of the overflow area, in lines of 64 bytes: the least that a part of it is made for, and 1 GiB. */
 enum { AREA_LEAST = 64, GIBIBYTE = 1 << 24 };
 enum { ROTATION_F = 60 }; /* fraction of what the quaternion is computed from */
@@ -194,6 +194,11 @@ static enum pipegs_setup set_lens(const struct pipegs_configuration *config, con
   return PIPEGS_SETUP_OK;
 }
 
+/* Most lists of a frame: those of 16 pixels are small, and many. */
+static uint32_t most_lists(const struct pipegs_configuration *config) {
+  return UINT32_C(1) << (config->window == TILE ? TILE_LIST_WINDOW_W : LIST_WINDOW_W);
+}
+
 static uint32_t windows_along(const struct pipegs_configuration *config, uint32_t pixels) {
   return (pixels + config->window - 1) / config->window;
 }
@@ -213,7 +218,7 @@ static enum pipegs_setup set_windows(const struct pipegs_configuration *config, 
     return PIPEGS_SETUP_WINDOWS;
   }
   if (config->order == 1 &&
-      (range.last_x - range.first_x + 1) * (range.last_y - range.first_y + 1) > UINT32_C(1) << LIST_WINDOW_W) {
+      (range.last_x - range.first_x + 1) * (range.last_y - range.first_y + 1) > most_lists(config)) {
     return PIPEGS_SETUP_LISTS;
   }
   frame->raster_width = camera->width;
@@ -239,10 +244,10 @@ static uint64_t area(uint64_t a, uint64_t b, uint64_t most) {
 
 uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_t slots, uint64_t windows) {
   const bool lists = config->list_entry_w != 0;
-  const uint64_t units = config->units, layers = lists ? 1 : 2, most_lists = UINT64_C(1) << LIST_WINDOW_W;
+  const uint64_t units = config->units, layers = lists ? 1 : 2;
   uint64_t share = 0, list = AREA_LEAST; /* lines of a unit, and of a list */
   uint32_t list_w = 6;
-  if (windows > most_lists) windows = most_lists; /* a frame with more lists is refused */
+  if (windows > most_lists(config)) windows = most_lists(config); /* a frame with more lists is refused */
   if (config->overflow) share = 2 * area(slots, config->parts, GIBIBYTE / (2 * units)); /* as much for keys */
   if (config->alpha_memory_lines != 0) {
     const uint64_t of_slot = (uint64_t)config->regions * config->alpha_memory_lines * (lists ? windows : 1);

@@ -193,7 +193,8 @@ TEST_F(Cli, BadInputIsRefusedInOneLine) {
   expect_refused("sim scene.ply --cameras cameras.json --set alpha_w=99", "alpha_w");
   expect_refused("sim scene.ply --cameras cameras.json --set alpha_w", "key=value");
   expect_refused("sim scene.ply --cameras cameras.json --set bus_w=64", "bus_w = 64, expected 0, 128, 256 or 512");
-  expect_refused("sim scene.ply --cameras cameras.json --rung nonsense", "baseline, dpc, tspp, dop, late, exact, fast");
+  expect_refused("sim scene.ply --cameras cameras.json --rung nonsense",
+                 "gscore, baseline, dpc, tspp, dop, late, exact, fast");
   expect_refused("sim scene.ply --cameras cameras.json --rung ''", "unknown design point ''");
   expect_refused("explain scene.ply --cameras cameras.json --pixel 900,2", "--pixel");
 }

@@ -95,7 +95,8 @@ TEST(DesignPoints, OnlyWhatChangesPixelsMakesAnotherPicture) {
   };
   for (const auto& [one, other] : {std::pair{"dop", "late"}, {"baseline", "dpc"}, {"dpc", "tspp"}})
     EXPECT_TRUE(same(one, other)) << one << ", " << other;
-  for (const auto& [one, other] : {std::pair{"dop", "tspp"}, {"exact", "late"}, {"fast", "exact"}})
+  for (const auto& [one, other] :
+       {std::pair{"dop", "tspp"}, {"exact", "late"}, {"fast", "exact"}, {"gscore", "baseline"}})
     EXPECT_FALSE(same(one, other)) << one << ", " << other;
 }
 

@@ -228,7 +228,8 @@ TEST(FrameLimits, AreThoseOfTheOverflowArea) {
     };
     for (const uint64_t slots :
          {0ull, 1ull, 63ull, 64ull, (1ull << 20) - 1, 1ull << 20, 1ull << 33, 1ull << 58, 1ull << 62, ~0ull}) {
-      for (const uint64_t windows : {0ull, 1ull, 2040ull, 4095ull, 4096ull, 4097ull, ~0ull}) {
+      for (const uint64_t windows :
+           {0ull, 1ull, 2040ull, 4095ull, 4096ull, 4097ull, 16383ull, 16384ull, 16385ull, ~0ull}) {
         expect_same(slots, windows);
       }
     }

@@ -91,6 +91,13 @@ TEST_F(FrameSetup, RefusesWithOneLineWhatDoesNotFit) {
   packed = pack_scene(config, random_scene(rng, 100), 30);
   EXPECT_NE(error(large).find("4160 windows, but order = 1 has 4096 lists at most"), std::string::npos) << error(large);
   EXPECT_EQ(error(large, WindowRange{0, 0, 63, 63}), "");
+  config.window = 16;  // a tile each: 2^14 lists
+  packed = pack_scene(config, random_scene(rng, 100), 30);
+  large.width = 128 * config.window, large.height = 128 * config.window;
+  EXPECT_EQ(error(large), "");
+  large.width += 1;
+  EXPECT_NE(error(large).find("16512 windows, but order = 1 has 16384 lists at most"), std::string::npos)
+      << error(large);
   config.units = 1;
   EXPECT_NE(error(good).find("another configuration"), std::string::npos);
 }

@@ -28,6 +28,7 @@ inline const std::vector<Machine> kMachines = {
     {"tspp"},
     {"dpc"},
     {"baseline"},
+    {"gscore"},
     {"exact"},
     {"exact", {"units=2", "records=16", "bucket_bits=3", "bus_w=128", "clock_gates=0"}},
     {"exact", {"quads=1", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24", "alpha_w=10"}},

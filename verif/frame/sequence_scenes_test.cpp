@@ -60,7 +60,7 @@ TEST_P(SequenceScenes, SurviveWhateverABusDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(DesignPoints, SequenceScenes,
-                         testing::Values("dop", "late", "tspp", "dpc", "baseline", "exact", "fast"),
+                         testing::Values("dop", "late", "tspp", "dpc", "baseline", "gscore", "exact", "fast"),
                          [](const auto& point) { return std::string(point.param); });
 
 }  // namespace

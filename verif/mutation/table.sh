@@ -86,6 +86,21 @@ mutant pu_factors "the first component sets the exponent even when it is zero" '
 mutant pu_squares "the shift of |u1|^2 added instead of subtracted" 's/(out_q\.c_e <= .*) - less_q/\1 + less_q/'
 mutant pu_covariance "the adder does not know zero" "s/x_m == '0 \|\| \(y_m != '0 && y_e > x_e\)/y_e > x_e/"
 
+# --- rtl/pu/box -------------------------------------------------------------------------------------------------------
+group box "PU: the oriented box (\`tile_test = 2\`)"
+mutant pu_axes "the longer axis turns the other way" 's/(b_m\[SlopeW-1\]) == out_q\.swap/\1 != out_q.swap/'
+mutant pu_axes "a round covariance has axes" "s/round     = length <= LengthW.\(RoundW\)/round     = length == '0/"
+mutant pu_axes "|b| in place of 2|b|" 's/(assign b_apart .*in_q\.b_e\))/\1 + 1/'
+mutant pu_axes "the slope may exceed 1" 's/nearest = near > most \? most : near/nearest = near/'
+mutant pu_box "the sides do not grow" "s/(growth *= .*) \+ SideW.\(1\)/\1/"
+mutant pu_box "the exponent of an odd root" 's/assign odd     = e\[0\]/assign odd     = 1/'
+mutant pu_box "the box around lies crosswise" 's/if \(swap_q\) out_q\.box_y/if (!swap_q) out_q.box_y/'
+mutant pu_box "a side too long for its field wraps" "s/length = raised\[.*\] != '0 \? '1 : /length = /"
+mutant pu_touch "a step down turns the other way" 's/u_from - tilt_side/u_from + tilt_side/'
+mutant pu_touch "the square counts without its tilt" "s/Half \+ \(LimitW.\(half_tilt\).*;/Half;/"
+mutant pu_touch "what touches is apart" 's/u_size\) <= /u_size) < /'
+mutant pu_intersect "the oriented box from the first region's corner" 's/(Middle = WayW.\()7/\10/' pu_intersect_oriented
+
 # --- rtl/pu: coefficients, regions, rows ------------------------------------------------------------------------------
 group rows "PU: coefficients, regions, rows"
 mutant pu_root ">= becomes >" 's/rest >= trial\}/rest > trial}/'
@@ -450,6 +465,10 @@ mutant pipegs_sram "such a read shows the same each time" 's/(noise_q <= )noise_
 group list "Lists (\`order = 1\`), parts (\`window = 128\`)"
 mutant pu_span "an endless Gaussian does not reach the last window" \
        's/endless \|\| last > limit/last > limit/' pu_expand
+mutant pu_expand "the PU may fall asleep while windows are passed over" \
+       's/(passes_o *= )move && !touches/\1 1'"'"'b0/' pu_expand_oriented
+mutant pu_expand "a window that is passed over waits for the taker" 's/out_free \|\| !touches/out_free/' \
+       pu_expand_oriented
 mutant pu_parts "a mean keeps its place in the second row of parts" \
        's/(moved_y = .*) -$/\1 + 0 */' pu_parts
 mutant pu_parts "the second row begins with its second part" 's/last_column \? from_x_q : /last_column ? to_x_q : /'

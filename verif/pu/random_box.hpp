@@ -34,6 +34,11 @@ inline Conic random_box(PuRandom& random, uint64_t columns, uint64_t rows, int s
   };
   axis(columns, c.mean_x, c.extent_x);
   axis(rows, c.mean_y, c.extent_y);
+  if (config.oriented()) {  // of any shape within the box around it
+    c.tilt = random.integer(-(1 << 16), 1 << 16);
+    c.side_u = static_cast<uint64_t>(random.uniform(0, 1) * 16 * static_cast<double>(c.extent_x));
+    c.side_v = static_cast<uint64_t>(random.uniform(0, 1) * 16 * static_cast<double>(c.extent_y));
+  }
   return c;
 }
 

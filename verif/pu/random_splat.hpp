@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "cpp_model/pu/box/pu_axes.hpp"
+#include "cpp_model/pu/box/pu_box.hpp"
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/conic/pu_conic.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
@@ -70,6 +72,14 @@ RandomSplat random_splat(const Config& config, Rng& rng, double longest) {
   r.opacity = static_cast<uint64_t>(std::ldexp(opacity, config.opacity_f));
   s.opacity = std::ldexp(static_cast<double>(r.opacity), -config.opacity_f);
   return s;
+}
+
+// The coefficients of a covariance, by all stages behind it.
+inline Coeff coeff_of(const Config& config, const Covariance& covariance) {
+  const Frame frame;
+  return pu_coeff(config, frame,
+                  pu_conic(config, frame,
+                           config.oriented() ? pu_box(config, frame, pu_axes(config, frame, covariance)) : covariance));
 }
 
 // One in sixteen beats is an end.

@@ -166,7 +166,7 @@ TEST(Timing, FramesOfLittleWork) {
                                    {random_scene(3, 400, 1), test_camera(130, 9, 60)},
                                    {random_scene(9, 300, 0), test_camera(128, 96)}};
   for (const View& view : views) {
-    for (const char* name : {"dop", "dpc", "exact"}) expect_exact(TimedFrame(view, design_point(name)));
+    for (const char* name : {"dop", "dpc", "gscore", "exact"}) expect_exact(TimedFrame(view, design_point(name)));
   }
 }
 

@@ -70,6 +70,7 @@ Coeff pu_coeff(const Config& config, const Frame&, const Conic& in) {
   out.mean_y = in.mean_y;
   out.extent_x = in.extent_x;
   out.extent_y = in.extent_y;
+  out.tilt = in.tilt, out.side_u = in.side_u, out.side_v = in.side_v;
   if (!out.dead) {
     out.a = A;
     out.b = in.swap ? C : b;

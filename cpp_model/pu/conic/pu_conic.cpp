@@ -53,9 +53,10 @@ Conic pu_conic(const Config& config, const Frame&, const Covariance& in) {
 
   out.mean_x = in.mean_x;
   out.mean_y = in.mean_y;
-  const PuExtent box = pu_extent(config, in);
+  const PuExtent box = config.oriented() ? PuExtent{in.box_x, in.box_y} : pu_extent(config, in);
   out.extent_x = box.x;
   out.extent_y = box.y;
+  out.tilt = in.tilt, out.side_u = in.side_u, out.side_v = in.side_v;
   out.swap = swap;
   out.slope_m = slope;
   out.narrow_m = narrow.m;

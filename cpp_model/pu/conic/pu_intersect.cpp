@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cpp_model/pu/box/pu_touch.hpp"
 #include "cpp_model/pu/conic/pu_edge.hpp"
 
 // Why nothing is lost. Let R be the power that a Row Unit computes, P the polynomial with the coefficients A to F, Q
@@ -56,8 +57,10 @@ Tiles pu_intersect(const Config& config, const Frame&, const Coeff& in) {
     PuEdgeStart p{a - low + y0 * (c + e * y0) + x0 * (b + f * y0 + d * x0), b + f * y0 + 2 * d * x0,
                   c + f * x0 + 2 * e * y0};
     for (int64_t rx = x_first; rx <= x_last; ++rx) {
-      if (!config.tile_test || pu_edge(config, in, rx, ry, p))
-        out.mask |= uint64_t{1} << (ry * config.part_regions_x() + rx);
+      const bool kept = config.oriented()       ? pu_touch(config, in, x0, 8 * (ys.first >> 3), 8 * rx, 8 * ry, 8)
+                        : config.tile_test != 0 ? pu_edge(config, in, rx, ry, p)
+                                                : true;
+      if (kept) out.mask |= uint64_t{1} << (ry * config.part_regions_x() + rx);
       p.power += 8 * p.gx + 64 * d;
       p.gx += 16 * d;
       p.gy += 8 * f;

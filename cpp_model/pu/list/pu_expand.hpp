@@ -5,12 +5,15 @@
 // Idea    The box mean +- extent holds pixels of columns x_low .. x_high; divided by Window these are columns of
 //         windows. For each of them the mean is moved to the window's first pixel, exactly, and saturated as pu_project
 //         does it: the beat is bit for bit what the machine that walks window by window has there.
+//         With the oriented box (tile_test = 2) windows that it does not touch are passed over: GSCore's test of a
+//         tile, before that of its subtiles.
 // RTL     rtl/pu/list/pu_expand.sv
 #pragma once
 
 #include <optional>
 
 #include "cpp_model/fixed.hpp"
+#include "cpp_model/pu/box/pu_touch.hpp"
 #include "cpp_model/pu/pu_span.hpp"
 #include "cpp_model/records.hpp"
 
@@ -31,6 +34,12 @@ inline std::optional<PuExpandBox> pu_expand_box(const Config& c, const Frame& fr
                                           static_cast<int64_t>(windows.last_y - windows.first_y));
   if (!x || !y) return std::nullopt;
   return PuExpandBox{x->first, x->last, y->first, y->last};
+}
+
+// Whether window (x, y) of that box gets a beat.
+inline bool pu_expand_keeps(const Config& c, const Conic& conic, const PuExpandBox& box, int64_t x, int64_t y) {
+  return !c.oriented() ||
+         pu_touch(c, conic, box.first_x * c.window, box.first_y * c.window, x * c.window, y * c.window, c.window);
 }
 
 // The colour job of a Gaussian: once, whatever the number of its windows.

@@ -10,6 +10,7 @@ from pages.cycles.utilisation import fast_mean
 
 MEASURED = ["ladder/*", "shown/sim", "loops/*"]
 TITLES = {
+    "gscore": "GSCore",
     "baseline": "baseline",
     "dpc": "DPC",
     "tspp": "+ TSPP",

@@ -67,8 +67,6 @@ module pu_coeff (
   pipegs_pkg::conic_t  front_q;
   pipegs_pkg::coeff_t  coeff, coeff_q;
 
-  assign coeff_o = coeff_q;
-
   pu_turns #(.Out(OutPhase)) u_turns (
     .clk_i, .rst_ni,
     .in_valid_i(conic_valid_i), .in_ready_o(conic_ready_o), .in_data_i(conic_i.kind == pipegs_pkg::KindData),
@@ -275,6 +273,25 @@ module pu_coeff (
   always_ff @(posedge clk_i) begin
     if (leave) coeff_q <= coeff;
     if (move) front_q <= conic_i;
+  end
+
+  if (pipegs_pkg::Oriented) begin : gen_oriented
+    localparam int unsigned BoxBits = pipegs_pkg::TiltW + 2 * pipegs_pkg::SideW;
+    logic [BoxBits-1:0]           box_q;
+    logic [pipegs_pkg::TiltW-1:0] tilt;
+    logic [pipegs_pkg::SideW-1:0] side_u, side_v;
+    assign {tilt, side_u, side_v} = box_q;
+    always_ff @(posedge clk_i) begin
+      if (leave) box_q <= front_q.kind == pipegs_pkg::KindData ? {front_q.tilt, front_q.side_u, front_q.side_v} : '0;
+    end
+    always_comb begin
+      coeff_o        = coeff_q;
+      coeff_o.tilt   = tilt;
+      coeff_o.side_u = side_u;
+      coeff_o.side_v = side_v;
+    end
+  end else begin : gen_reached
+    assign coeff_o = coeff_q;
   end
 
   wire unused_bits = &{1'b0, front_q.wide_e};  // looked at while the record is still in front of the stage

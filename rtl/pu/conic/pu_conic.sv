@@ -65,8 +65,7 @@ module pu_conic (
   front_t              front, front_q;
   pipegs_pkg::conic_t  conic, conic_q;
 
-  assign data    = covariance_i.kind == pipegs_pkg::KindData;
-  assign conic_o = conic_q;
+  assign data = covariance_i.kind == pipegs_pkg::KindData;
 
   pu_turns #(.Out(5)) u_turns (
     .clk_i, .rst_ni,
@@ -187,14 +186,37 @@ module pu_conic (
     end
   end
 
-  // --- the box -----------------------------------------------------------------------------------------------------
+  // --- the box: that of alpha >= 1/AlphaCut, or around the oriented one, which came with the covariance -----------
   logic [ExtentW-1:0] extent_x, extent_y;
-  pu_extent u_extent (
-    .clk_i, .phase_i(phase), .advance_i(advance),
-    .opacity_i(covariance_i.opacity), .a_e_i(covariance_i.a_e), .c_e_i(covariance_i.c_e),
-    .t_o(t), .product_i(product_q[MantissaW+OpacityW-1:0]),
-    .extent_x_o(extent_x), .extent_y_o(extent_y)
-  );
+  if (pipegs_pkg::Oriented) begin : gen_oriented
+    localparam int unsigned BoxBits = pipegs_pkg::TiltW + 2 * pipegs_pkg::SideW;
+    logic [BoxBits-1:0]           front_box_q, box_q;
+    logic [pipegs_pkg::TiltW-1:0] tilt;
+    logic [pipegs_pkg::SideW-1:0] side_u, side_v;
+    assign t = '0;
+    assign {tilt, side_u, side_v} = box_q;
+    always_ff @(posedge clk_i) begin
+      if (move) begin
+        {extent_x, extent_y} <= {covariance_i.box_x, covariance_i.box_y};
+        front_box_q <= {covariance_i.tilt, covariance_i.side_u, covariance_i.side_v};
+      end
+      if (leave) box_q <= front_q.kind == pipegs_pkg::KindData ? front_box_q : '0;
+    end
+    always_comb begin
+      conic_o        = conic_q;
+      conic_o.tilt   = tilt;
+      conic_o.side_u = side_u;
+      conic_o.side_v = side_v;
+    end
+  end else begin : gen_reached
+    assign conic_o = conic_q;
+    pu_extent u_extent (
+      .clk_i, .phase_i(phase), .advance_i(advance),
+      .opacity_i(covariance_i.opacity), .a_e_i(covariance_i.a_e), .c_e_i(covariance_i.c_e),
+      .t_o(t), .product_i(product_q[MantissaW+OpacityW-1:0]),
+      .extent_x_o(extent_x), .extent_y_o(extent_y)
+    );
+  end
 
   // --- what is kept, what leaves -----------------------------------------------------------------------------------
   always_comb begin
@@ -234,6 +256,6 @@ module pu_conic (
     if (move) front_q <= front;
   end
 
-  wire unused_sharp = &{1'b0, covariance_i};  // with Antialias it has served already
+  wire unused_sharp = &{1'b0, advance, phase, covariance_i};  // with Antialias it has served already
 
 endmodule

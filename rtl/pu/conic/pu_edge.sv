@@ -7,7 +7,7 @@
 //           on a facing edge the gradient g is > 0 at the first end, < 0 at the other, and  P + g^2 / (4 |curve|) >= 0
 //         where the last is tested as g^2 >= 4 |curve| (-P), with g rounded up and -P rounded down.
 //         By concavity at most one facing edge rises where two meet; both (by rounding) keep the region.
-//         TileTest 0: yes, at the same pace.
+//         TileTest 0: yes, at the same pace; 2: what pu_touch says of the oriented box.
 // Stream  P and its gradients at the region's first pixel in; three cycles later the verdict. hold_i stops all.
 // Pace    One region per cycle, latency 3: differences | corners, edge | products | compare.
 // Model   cpp_model/pu/conic/pu_edge.hpp
@@ -39,13 +39,15 @@ module pu_edge #(
   input  logic signed [GradW-1:0]  gx_i,       // gradients there
   input  logic signed [GradW-1:0]  gy_i,
 
+  input  logic                     touches_i,  // by the oriented box
+
   output logic                     keep_o,
   output logic [RegionW-1:0]       region_o,
   output logic                     last_o
 );
 
   logic verdict;  // on the region of three cycles ago
-  if (pipegs_pkg::TileTest != 0) begin : gen_test
+  if (pipegs_pkg::TileTest == 1) begin : gen_test
     localparam int unsigned MeanF     = pipegs_pkg::MeanF;
     localparam int unsigned CoeffF    = pipegs_pkg::CoeffF;
     localparam int unsigned EightW    = 3;                           // log2 of a region's side
@@ -141,8 +143,18 @@ module pu_edge #(
       end
     end
     assign verdict = sure_3_q || (maybe_3_q && CompareW'(square_3_q) >= CompareW'(need_3_q));
+    logic unused_touches;
+    assign unused_touches = touches_i;
   end else begin : gen_box
-    assign verdict = 1'b1;
+    if (pipegs_pkg::Oriented) begin : gen_oriented
+      logic [2:0] touches_q;
+      always_ff @(posedge clk_i) if (!hold_i) touches_q <= {touches_q[1:0], touches_i};
+      assign verdict = touches_q[2];
+    end else begin : gen_all
+      assign verdict = 1'b1;
+      logic unused_touches;
+      assign unused_touches = touches_i;
+    end
     logic unused_test;
     assign unused_test = &{1'b0, mean_x_i, mean_y_i, d_i, e_i, f_i, power_i, gx_i, gy_i};
   end

@@ -6,7 +6,7 @@
 //         P = power - cut goes from region to region by additions (pu_step). Keep a region if it holds the mean, if
 //         P >= 0 at a corner, or if along an edge that faces the mean P rises, then falls, and its peak
 //         P + g^2 / (4 |E|) >= 0:   g^2 >= 4 |E| (-P)   (pu_edge).
-//         TileTest 0: every region of the box, at the same pace.
+//         TileTest 0: every region of the box, at the same pace; 2: those that the oriented box touches (pu_touch).
 //         Three records are inside at once: one is set up, one walks, the regions of one are being tested.
 // Stream  coeff in, tiles out, in order; a Gaussian without a region is not emitted. An end beat passes through. For
 //         the payloads (pu_regions): drop_o, one has no box and is gone, whatever walks before it; walk_o, one begins
@@ -152,7 +152,25 @@ module pu_intersect (
 
   logic [Tests-1:0]         keep, last;
   logic [Tests*RegionW-1:0] region;
+  // With the oriented box: from the middle of the box's first region to the mean, twice.
+  localparam int unsigned WayW = MeanW + 2;
+  localparam logic signed [WayW-1:0] Middle = WayW'(7) <<< MeanF;
+  logic signed [WayW-1:0] way_x_q, way_y_q;
+  always_ff @(posedge clk_i) if (state_q == StateStart) begin
+    way_x_q <= (WayW'(coeff_i.mean_x) <<< 1) - $signed(WayW'({column, {(EightW + MeanF + 1){1'b0}}})) - Middle;
+    way_y_q <= (WayW'(coeff_i.mean_y) <<< 1) - $signed(WayW'({row, {(EightW + MeanF + 1){1'b0}}})) - Middle;
+  end
+
   for (genvar k = 0; k < Tests; k += 1) begin : gen_test
+    logic                     touches;
+    if (pipegs_pkg::Oriented) begin : gen_oriented
+      pu_touch #(.Stride(Tests), .Ahead(k)) u_touch (
+        .clk_i, .load_i(load), .dx_i(way_x_q), .dy_i(way_y_q), .tilt_i(coeff_i.tilt), .side_u_i(coeff_i.side_u),
+        .side_v_i(coeff_i.side_v), .step_i(step), .down_i(last_column), .touches_o(touches)
+      );
+    end else begin : gen_reached
+      assign touches = 1'b0;
+    end
     logic signed [PowerW-1:0] start, power;
     logic signed [GradW-1:0]  start_gx, start_gy, gx, gy;
     logic                     in_box;
@@ -177,7 +195,7 @@ module pu_intersect (
     pu_edge u_edge (
       .clk_i, .rst_ni, .hold_i(hold), .valid_i(step && in_box), .last_i(last_region),
       .column_i(column_q + AxisW'(k)), .row_i(row_q), .mean_x_i(walk_q.mean_x), .mean_y_i(walk_q.mean_y),
-      .d_i(walk_q.d), .e_i(walk_q.e), .f_i(walk_q.f), .power_i(power), .gx_i(gx), .gy_i(gy),
+      .d_i(walk_q.d), .e_i(walk_q.e), .f_i(walk_q.f), .power_i(power), .gx_i(gx), .gy_i(gy), .touches_i(touches),
       .keep_o(keep[k]), .region_o(region[k*RegionW +: RegionW]), .last_o(last[k])
     );
   end
@@ -252,7 +270,7 @@ module pu_intersect (
   end
 
   logic unused_walk;
-  assign unused_walk = ^walk_q;
+  assign unused_walk = ^walk_q ^ ^way_x_q ^ ^way_y_q;
 
 `ifndef SYNTHESIS
   pipegs_stream_check #(.DataW($bits(tiles_o))) u_check_tiles (

@@ -7,10 +7,11 @@
 //         pixel of each by subtractions and saturated as pu_project does it. A nearly endless extent counts as endless.
 //             conic -> box -> color_job        colored -> walk -> placed
 //                         +-> queue ----------------------^
+//         With the oriented box (TileTest 2) windows that it does not touch are passed over.
 // Stream  conic and beside it the Gaussian's payload in; color_job out and colored back, in order; one conic beat per
 //         window out, and one cycle before it shows what it stands for in the window's list. Ends of layers vanish, the
 //         window's end passes behind all before it.
-// Pace    One Gaussian per two cycles into the queue; one window per cycle out, and one cycle between Gaussians.
+// Pace    One Gaussian per two cycles into the queue; one window per cycle, and one cycle between Gaussians.
 // Model   cpp_model/pu/list/pu_expand.hpp
 
 module pu_expand #(
@@ -41,7 +42,8 @@ module pu_expand #(
   output logic                    listed_valid_o,  // placed_o shows this Gaussian from the next cycle on
   output pipegs_pkg::listed_t     listed_o,
 
-  output logic                    busy_o  // a Gaussian is inside
+  output logic                    passes_o,  // it passes over a window: it works, though no beat moves
+  output logic                    busy_o     // a Gaussian is inside
 );
 
   localparam int unsigned MeanW    = pipegs_pkg::MeanW;
@@ -53,7 +55,8 @@ module pu_expand #(
   localparam int unsigned SideF    = $clog2(pipegs_pkg::Window);
   localparam int unsigned ShapeW   = 2 * ExtentW + 1 + pipegs_pkg::SlopeW +
                                      2 * (pipegs_pkg::MantissaW + pipegs_pkg::FloatEW) + pipegs_pkg::OpacityW;
-  localparam int unsigned QueuedW  = ShapeW + 2 * MeanW + 4 * WindowW;
+  localparam int unsigned OrientedW = pipegs_pkg::TiltW + 2 * pipegs_pkg::SideW;
+  localparam int unsigned QueuedW  = ShapeW + 2 * MeanW + 4 * WindowW + OrientedW;
   localparam int unsigned MovedW   = MeanW + 1;                // of a mean that has been moved, exact
 
   // --- the box, in columns and rows of windows from the frame's first one --------------------------------------------
@@ -119,17 +122,20 @@ module pu_expand #(
   logic signed [MeanW-1:0]    mean_x, mean_y;
   logic [WindowW-1:0]         from_x, to_x, from_y, to_y;
 
+  localparam int unsigned PlainW = QueuedW - OrientedW;
+  logic [QueuedW-1:0] queueing;
+  assign queueing[PlainW-1:0] =
+    {conic_i.extent_x, conic_i.extent_y, conic_i.swap, conic_i.slope_m, conic_i.narrow_m, conic_i.narrow_e,
+     conic_i.wide_m, conic_i.wide_e, conic_i.opacity,
+     conic_i.mean_x, conic_i.mean_y, first_x_q, last_x_q, first_y_q, last_y_q};
   pipegs_sram_fifo #(.DataW(QueuedW), .Depth(Depth)) u_queue (
-    .clk_i, .rst_ni, .in_valid_i(give && data), .in_ready_o(room),
-    .in_i({conic_i.extent_x, conic_i.extent_y, conic_i.swap, conic_i.slope_m, conic_i.narrow_m, conic_i.narrow_e,
-           conic_i.wide_m, conic_i.wide_e, conic_i.opacity,
-           conic_i.mean_x, conic_i.mean_y, first_x_q, last_x_q, first_y_q, last_y_q}),
+    .clk_i, .rst_ni, .in_valid_i(give && data), .in_ready_o(room), .in_i(queueing),
     .out_valid_o(queued_valid), .out_ready_i(done), .out_o(queued), .count_o(count)
   );
-  assign {shape, mean_x, mean_y, from_x, to_x, from_y, to_y} = queued;
+  assign {shape, mean_x, mean_y, from_x, to_x, from_y, to_y} = queued[PlainW-1:0];
 
   // --- the walk ------------------------------------------------------------------------------------------------------
-  logic                     walking_q, start, step, last_column, out_free, is_end, pass, out_valid_q;
+  logic                     walking_q, start, move, touches, step, last_column, out_free, is_end, pass, out_valid_q;
   logic [WindowW-1:0]       column_q, row_q;
   logic [NumberW-1:0]       number_q, number_row_q, columns;
   logic signed [MovedW-1:0] x_q, x_row_q, y_q, x_start, y_start;  // the mean in the window that is next
@@ -140,15 +146,16 @@ module pu_expand #(
   assign out_free    = !out_valid_q || placed_ready_i;
   assign start       = !walking_q && colored_valid_i && !is_end && queued_valid;
   assign pass        = !walking_q && colored_valid_i && is_end && out_free;
-  assign step        = walking_q && out_free;
+  assign move        = walking_q && (out_free || !touches);
+  assign step        = move && touches;
   assign last_column = column_q == to_x;
-  assign done        = step && last_column && row_q == to_y;
+  assign done        = move && last_column && row_q == to_y;
   assign columns     = NumberW'(most_x) + NumberW'(1);
   assign x_start     = MovedW'(mean_x) - ($signed(MovedW'(from_x)) <<< (SideF + MeanF));
   assign y_start     = MovedW'(mean_y) - ($signed(MovedW'(from_y)) <<< (SideF + MeanF));
   assign colored_ready_o = done || pass;
   assign placed_valid_o  = out_valid_q;
-  assign placed_o        = placed_q;
+  assign passes_o        = move && !touches;
   assign busy_o          = box_q != BoxFind || count != '0 || walking_q || out_valid_q;
 
   logic signed [PlacedW-1:0] placed_x, placed_y;
@@ -163,6 +170,34 @@ module pu_expand #(
       placed.mean_x = MeanW'(placed_x);
       placed.mean_y = MeanW'(placed_y);
     end
+  end
+
+  if (pipegs_pkg::Oriented) begin : gen_oriented
+    logic [OrientedW-1:0]         oriented_q;
+    logic [pipegs_pkg::TiltW-1:0] tilt;
+    logic [pipegs_pkg::SideW-1:0] side_u, side_v;
+    localparam int unsigned WayW = MovedW + 2;
+    localparam logic signed [WayW-1:0] Middle = (WayW'(pipegs_pkg::Window) - WayW'(1)) <<< MeanF;
+    logic [pipegs_pkg::TiltW-1:0] from_tilt;
+    logic [pipegs_pkg::SideW-1:0] from_u, from_v;
+    assign {from_tilt, from_u, from_v} = queued[QueuedW-1:PlainW];
+    pu_touch #(.Side(pipegs_pkg::Window), .DataW(WayW)) u_touch (
+      .clk_i, .load_i(start), .dx_i((WayW'(x_start) <<< 1) - Middle), .dy_i((WayW'(y_start) <<< 1) - Middle),
+      .tilt_i(from_tilt), .side_u_i(from_u), .side_v_i(from_v), .step_i(move), .down_i(last_column),
+      .touches_o(touches)
+    );
+    assign queueing[QueuedW-1:PlainW] = {conic_i.tilt, conic_i.side_u, conic_i.side_v};
+    assign {tilt, side_u, side_v} = oriented_q;
+    always_ff @(posedge clk_i) if (step || pass) oriented_q <= is_end ? '0 : queued[QueuedW-1:PlainW];
+    always_comb begin
+      placed_o        = placed_q;
+      placed_o.tilt   = tilt;
+      placed_o.side_u = side_u;
+      placed_o.side_v = side_v;
+    end
+  end else begin : gen_reached
+    assign touches  = 1'b1;
+    assign placed_o = placed_q;
   end
 
   assign listed_valid_o = step;
@@ -195,14 +230,14 @@ module pu_expand #(
       y_q          <= y_start;
       number_q     <= NumberW'(from_y) * columns + NumberW'(from_x);
       number_row_q <= NumberW'(from_y) * columns + NumberW'(from_x);
-    end else if (step && last_column) begin
+    end else if (move && last_column) begin
       column_q     <= from_x;
       row_q        <= row_q + WindowW'(1);
       x_q          <= x_row_q;
       y_q          <= y_q - Side;
       number_q     <= number_row_q + columns;
       number_row_q <= number_row_q + columns;
-    end else if (step) begin
+    end else if (move) begin
       column_q     <= column_q + WindowW'(1);
       x_q          <= x_q - Side;
       number_q     <= number_q + NumberW'(1);

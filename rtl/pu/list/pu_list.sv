@@ -41,13 +41,13 @@ module pu_list #(
 
   output logic                         bad_o,           // see pu_color_fetch
   output logic [AddressW-1:0]          bad_line_o,
-  output logic                         moved_o,         // a beat moved inside
+  output logic                         moved_o,         // a beat moved inside, or a window was passed over
   output logic                         busy_o,          // something is inside
   output logic                         color_busy_o,
   output logic                         color_waiting_o  // a colour waits for its coefficients
 );
 
-  logic                   color_job_valid, color_job_ready, colored_valid, colored_ready, expand_busy;
+  logic                   color_job_valid, color_job_ready, colored_valid, colored_ready, expand_passes, expand_busy;
   pipegs_pkg::color_job_t color_job;
   pipegs_pkg::colored_t   colored;
 
@@ -77,7 +77,8 @@ module pu_list #(
     .payload_take_o(payload_take),
     .color_job_valid_o(color_job_valid), .color_job_ready_i(color_job_ready), .color_job_o(color_job),
     .colored_valid_i(colored_valid), .colored_ready_o(colored_ready), .colored_i(colored),
-    .placed_valid_o, .placed_ready_i, .placed_o, .listed_valid_o, .listed_o, .busy_o(expand_busy)
+    .placed_valid_o, .placed_ready_i, .placed_o, .listed_valid_o, .listed_o, .passes_o(expand_passes),
+    .busy_o(expand_busy)
   );
 
   pu_color u_color (
@@ -90,7 +91,7 @@ module pu_list #(
   );
 
   assign moved_o = (color_job_valid && color_job_ready) || (colored_valid && colored_ready) ||
-                   (placed_valid_o && placed_ready_i);
+                   (placed_valid_o && placed_ready_i) || expand_passes;
   assign busy_o  = expand_busy || color_busy_o;
 
 endmodule

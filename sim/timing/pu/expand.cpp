@@ -18,9 +18,11 @@ void Expand::step(Machine& m, Cycle now, Output<Beat>& conic) {
     m.wheel.wake(self, now + 1);
   };
   if (walking_) {
-    if (out_free) {
-      emit(next_++);
-      if (next_ == end_) {
+    const bool passed = m.trace.passed[next_] != 0;
+    if (out_free || passed) {
+      if (passed) m.wheel.wake(self, now + 1);
+      else emit(next_);
+      if (++next_ == end_) {
         walking_ = false;
         queue_.pop(now);
         color.taken(m, now);

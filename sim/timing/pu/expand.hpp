@@ -4,7 +4,7 @@
 //
 // RTL     rtl/pu/list/pu_expand.sv.
 // Idea    Beats before it are survivors of the cull, beats behind it pairs (trace.hpp). A Gaussian waits in a queue for
-//         its colour, then its pairs leave one per cycle.
+//         its colour, then its pairs leave one per cycle; those whose window is passed over take one, too.
 #pragma once
 
 #include "cpp_model/config.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // phases.hpp: the stages of a PU that keep a record for eight cycles, one behind the other, in the timing model.
 //
-// RTL     rtl/pu/pu_phases.sv: project, orient, jacobian, factors, squares, covariance; and
-//         rtl/pu/project/pu_compensate.sv, which is there only with antialias, and shorter.
+// RTL     rtl/pu/pu_phases.sv: project, orient, jacobian, factors, squares, covariance; axes and box with the oriented
+//         box; and rtl/pu/project/pu_compensate.sv, which is there only with antialias, and shorter.
 // Idea    What a stage does follows from when it got its record and when its former result was taken:
 //           take  = max(ready, the record is there)
 //           claim = max(take + begin, former result taken)        begin  = 1 + Claim
@@ -26,38 +26,43 @@ constexpr StageTimes eight_cycles(int depth, int claim) { return {1 + claim, 7 -
 
 class Phases {
  public:
-  explicit Phases(bool compensate) : last_(compensate ? 0 : 1) {}
+  Phases(bool compensate, bool oriented) {
+    const auto add = [&](StageTimes times) { stages_[static_cast<size_t>(count_++)].times = times; };
+    if (compensate) add({3, 0, 1});
+    if (oriented) {
+      add(eight_cycles(5, 7));  // box
+      add(eight_cycles(7, 7));  // axes
+    }
+    add(eight_cycles(1, 7));  // covariance
+    add(eight_cycles(2, 3));  // squares
+    add(eight_cycles(2, 2));  // factors
+    add(eight_cycles(2, 2));  // jacobian
+    add(eight_cycles(1, 5));  // orient
+    add(eight_cycles(4, 4));  // project
+  }
 
   // The last result: conic takes it, then says so.
   Output<Beat> out;
   bool taken(Cycle now) {  // tells whether there is another result
-    stages_[static_cast<size_t>(last_)].result = false;
-    stages_[static_cast<size_t>(last_)].freed = now;
-    resolve(1u << last_);
+    stages_[0].result = false;
+    stages_[0].freed = now;
+    resolve(1);
     return out.valid;
   }
 
   // The first stage: may it take a record, and when.
-  bool can_take() const { return !stages_[kStages - 1].holding; }
-  Cycle ready() const { return stages_[kStages - 1].ready; }
+  bool can_take() const { return !first().holding; }
+  Cycle ready() const { return first().ready; }
   bool take(Cycle now, Beat beat) {  // tells whether there is a new result
     const bool before = out.valid;
-    hold(kStages - 1, now, beat);
-    resolve(1u << (kStages - 1));
+    hold(count_ - 1, now, beat);
+    resolve(1u << (count_ - 1));
     return out.valid && !before;
   }
 
  private:
-  static constexpr int kStages = 7;
-  // compensate, then covariance, squares, factors, jacobian, orient, project with their Depth and Claim.
-  static constexpr std::array<StageTimes, kStages> kParameters = {{{3, 0, 1},
-                                                                   eight_cycles(1, 7),
-                                                                   eight_cycles(2, 3),
-                                                                   eight_cycles(2, 2),
-                                                                   eight_cycles(2, 2),
-                                                                   eight_cycles(1, 5),
-                                                                   eight_cycles(4, 4)}};
   struct Stage {
+    StageTimes times = {};
     bool holding = false, result = false;  // a record that has not claimed the output; an output that is not taken
     Beat beat = 0, result_beat = 0;
     Cycle claim = 0, ready = kLongAgo, freed = kLongAgo, result_from = 0;
@@ -67,7 +72,7 @@ class Phases {
     Stage& stage = stages_[static_cast<size_t>(s)];
     stage.holding = true;
     stage.beat = beat;
-    stage.claim = take + kParameters[static_cast<size_t>(s)].begin;
+    stage.claim = take + stage.times.begin;
   }
 
   void resolve(uint32_t stages) {
@@ -75,7 +80,7 @@ class Phases {
       const int s = std::countr_zero(stages);
       stages &= stages - 1;
       Stage& stage = stages_[static_cast<size_t>(s)];
-      const auto [begin, free, result] = kParameters[static_cast<size_t>(s)];
+      const auto [begin, free, result] = stage.times;
       if (stage.holding && !stage.result) {
         const Cycle when = std::max(stage.claim, stage.freed);
         stage.holding = false;
@@ -83,13 +88,13 @@ class Phases {
         stage.ready = when + free;
         stage.result_from = when + result;
         stage.result_beat = stage.beat;
-        if (s == last_) {
+        if (s == 0) {
           out.set(stage.result_from, stage.result_beat);
         } else {
           stages |= 1u << (s - 1);
         }
       }
-      if (s + 1 == kStages || stage.holding) continue;
+      if (s + 1 == count_ || stage.holding) continue;
       Stage& giver = stages_[static_cast<size_t>(s) + 1];
       if (!giver.result) continue;
       giver.result = false;
@@ -99,8 +104,11 @@ class Phases {
     }
   }
 
-  const int last_;  // the stage whose result others see
-  std::array<Stage, kStages> stages_;
+  const Stage& first() const { return stages_[static_cast<size_t>(count_) - 1]; }
+
+  static constexpr size_t kMostStages = 9;
+  int count_ = 0;
+  std::array<Stage, kMostStages> stages_;  // the last one, whose result others see, is 0
 };
 
 }  // namespace pipegs::timing

@@ -76,6 +76,7 @@ struct TimingTrace {
   std::vector<uint64_t> mask, key;  // regions of the part; sort key
   std::vector<uint8_t> boxes;       // cycles in which pu_intersect walks its box; 0: it has none
   std::vector<uint16_t> number;     // lists: of its window; parts: of its part
+  std::vector<uint8_t> passed;      // lists: pu_expand passes over its window
   std::vector<uint32_t> survivor;   // parts
   // With quads: which are visible in each region of the pair's mask; where the pair's first one lies.
   std::vector<uint16_t> quads;

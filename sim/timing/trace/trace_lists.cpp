@@ -16,6 +16,7 @@ struct Part {
   std::vector<uint32_t> slot, pairs;  // by survivor; pairs: how many
   std::vector<TracePair> pair;
   std::vector<uint16_t> number;
+  std::vector<uint8_t> passed;
   std::vector<uint16_t> quads;
   std::vector<uint32_t> quads_first;  // by pair
 };
@@ -50,7 +51,9 @@ void gaussian(const GoldenInput& input, const PuRows& rows, const GoldenConic& f
   if (!box) return;
   for (int64_t y = box->first_y; y <= box->last_y; ++y) {
     for (int64_t x = box->first_x; x <= box->last_x; ++x) {
-      part.pair.push_back(trace_pair(input, pu_expand(config, conic, x, y), payload, 0));
+      const bool passed = !pu_expand_keeps(config, conic, *box, x, y);
+      part.passed.push_back(passed);
+      part.pair.push_back(passed ? TracePair{} : trace_pair(input, pu_expand(config, conic, x, y), payload, 0));
       part.number.push_back(static_cast<uint16_t>(pu_expand_number(input.frame, x, y)));
       trace_quads(rows, part.pair.back().splat, part.quads, part.quads_first);
       ++part.pairs.back();
@@ -98,6 +101,7 @@ void trace_lists(const GoldenInput& input, unsigned threads, TimingTrace& trace)
     for (const uint32_t count : part.pairs) trace.pairs.push_back(first), first += count;
     trace.slot.insert(trace.slot.end(), part.slot.begin(), part.slot.end());
     trace.number.insert(trace.number.end(), part.number.begin(), part.number.end());
+    trace.passed.insert(trace.passed.end(), part.passed.begin(), part.passed.end());
     for (const uint32_t at : part.quads_first)
       trace.quads_first.push_back(static_cast<uint32_t>(trace.quads.size()) + at);
     trace.quads.insert(trace.quads.end(), part.quads.begin(), part.quads.end());

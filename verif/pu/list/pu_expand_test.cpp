@@ -30,6 +30,18 @@ Conic random_conic(PuRandom& random, const Frame& frame) {
                     random.config.window);
 }
 
+// Cycles in which the module says that it passes over a window: the PU must not fall asleep meanwhile.
+class Passes : public Endpoint {
+ public:
+  explicit Passes(Bench<Vpu_expand>& bench) : bench_(bench) { bench.add(*this); }
+  void drive() override {}
+  void observe() override { count += bench_.dut.passes_o; }
+  size_t count = 0;
+
+ private:
+  Bench<Vpu_expand>& bench_;
+};
+
 // pu_color for the test: gives any colour for each job, in order.
 class Colors : public Endpoint {
  public:
@@ -66,6 +78,7 @@ struct Expected {
   std::vector<ColorJob> jobs;
   std::vector<Conic> placed;
   std::vector<Listed> listed;
+  size_t passed = 0;  // windows without a beat
   void add(const Config& config, const Frame& frame, const Conic& conic, const Payload& payload) {
     if (conic.kind == kLayerEnd) return;
     const std::optional<PuExpandBox> box = conic.kind == kData ? pu_expand_box(config, frame, conic) : std::nullopt;
@@ -78,6 +91,10 @@ struct Expected {
     }
     for (int64_t y = box->first_y; y <= box->last_y; ++y) {
       for (int64_t x = box->first_x; x <= box->last_x; ++x) {
+        if (!pu_expand_keeps(config, conic, *box, x, y)) {
+          ++passed;
+          continue;
+        }
         placed.push_back(pu_expand(config, conic, x, y));
         listed.push_back(pu_expand_listed(frame, Colors::color(config, jobs.back()), x, y));
       }
@@ -91,7 +108,8 @@ struct ExpandRun {
         payloads(bench, config, payload_valid, bench.dut.payload_take_o, bench.dut.payload_i),
         colors(bench, config, color),
         out(bench, config, bench.dut.placed_valid_o, bench.dut.placed_ready_i, bench.dut.placed_o, sink),
-        listed(bench, config, bench.dut.listed_valid_o, listed_ready, bench.dut.listed_o) {
+        listed(bench, config, bench.dut.listed_valid_o, listed_ready, bench.dut.listed_o),
+        passes(bench) {
     bench.reset();
   }
   void push(const Conic& conic, const Payload& payload) {
@@ -105,11 +123,12 @@ struct ExpandRun {
   Colors colors;
   RecordSink<Conic, std::remove_reference_t<decltype(Vpu_expand::placed_o)>> out;
   RecordSink<Listed, std::remove_reference_t<decltype(Vpu_expand::listed_o)>> listed;
+  Passes passes;
 };
 
 TEST(PuExpand, EqualsItsModelAtEveryPace) {
   const Config config = test_config();
-  size_t dropped = 0, several = 0, saturated = 0;
+  size_t dropped = 0, several = 0, saturated = 0, passed = 0;
   for (const Pace source : kPaces) {
     for (const Pace color : kPaces) {
       for (const Pace sink : kPaces) {
@@ -133,7 +152,7 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
         }
         ASSERT_TRUE(
             run.bench.run_until([&] { return run.out.size() >= expected.placed.size() && run.in.empty(); }, 400000));
-        for (int i = 0; i < 20; ++i) run.bench.step();
+        for (size_t i = 0; i < 20 + expected.passed; ++i) run.bench.step();  // windows without a beat may be the last
         ASSERT_EQ(run.out.size(), expected.placed.size());
         ASSERT_EQ(run.colors.jobs.size(), expected.jobs.size());
         EXPECT_EQ(run.bench.dut.busy_o, 0);
@@ -147,6 +166,8 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
               << "\n"
               << to_text(config, frame);
         }
+        passed += expected.passed;
+        ASSERT_EQ(run.passes.count, expected.passed);
         ASSERT_EQ(run.listed.size(), expected.listed.size());
         for (size_t i = 0, beat = 0; i < expected.listed.size(); ++i, ++beat) {
           ASSERT_EQ(first_difference(config, expected.listed[i], run.listed.at(i)), "")
@@ -159,7 +180,8 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
   }
   EXPECT_GT(dropped, 500u);
   EXPECT_GT(several, 500u);
-  EXPECT_GT(saturated, 50u);
+  if (!config.oriented()) { EXPECT_GT(saturated, 50u); }  // the box does not touch windows so far away
+  if (config.oriented()) { EXPECT_GT(passed, 5000u); }
 }
 
 TEST(PuExpand, GivesAWindowEveryCycleAndAGaussianEveryTwo) {
@@ -177,6 +199,7 @@ TEST(PuExpand, GivesAWindowEveryCycleAndAGaussianEveryTwo) {
       conic.kind = kData;
       conic.mean_x = conic.mean_y = int64_t{5} << config.mean_f;
       conic.extent_x = conic.extent_y = uint64_t{11} * static_cast<uint64_t>(config.window) * 16;
+      conic.side_u = conic.side_v = (uint64_t{1} << config.side_w()) - 1;
       run.push(conic, {});
     }
     ASSERT_TRUE(run.bench.run_until([&] { return run.out.size() == kGaussians * windows; }));
