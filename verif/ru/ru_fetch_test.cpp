@@ -68,7 +68,7 @@ struct FetchRun {
     fetch.address = next++;
     if (ext) fetch.address |= bench.rng() % 2 << ru_number_w(kConfig);
     const Codes codes = random_codes(kConfig, bench.rng, 1);
-    if (kind == kData && ext) {
+    if (kind == kData && ext && kConfig.overflow) {
       store_line(kConfig, memory, ru_overflow_line(kConfig, wide_overflow(frame), fetch.unit, fetch.address), codes);
     } else if (kind == kData) {
       stores.lines[{static_cast<int>(fetch.unit), fetch.address}] = codes;
