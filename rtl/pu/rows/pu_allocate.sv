@@ -174,9 +174,11 @@ module pu_allocate #(
       end
     end
   end
+  logic [EndedW-1:0] behind;  // where the layer that ends will stand among those that ended
+  assign behind = ended_q - EndedW'(layer_free_i);
   always_ff @(posedge clk_i) begin
     for (int unsigned i = 0; i < Layers; i += 1) begin
-      if (take_end && EndedW'(i) == ended_q - EndedW'(layer_free_i)) begin
+      if (take_end && EndedW'(i) == behind) begin
         lines_q[i]   <= own_q;
         spilled_q[i] <= own_spilled_q;
       end else if (layer_free_i) begin
