@@ -40,8 +40,8 @@ void expect_equal_on_all_machines(const Scene& scene, const Camera& camera) {
   for (size_t i = 0; i < kMachines.size(); ++i) {
     const SimulateOptions options = machine(i);
     const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
-    // The grid changes the layers and so the order, the cuts, widths and the oriented box the picture; units, pixels per
-    // row and stores must not change a bit.
+    // The grid changes the layers and so the order; cuts, widths and the oriented box change the picture. Units, pixels
+    // per row and stores must not change a bit.
     if (options.config.grid != Config{}.grid || options.config.alpha_cut != Config{}.alpha_cut ||
         options.config.alpha_w != Config{}.alpha_w || options.config.oriented())
       continue;
