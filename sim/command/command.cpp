@@ -65,6 +65,14 @@ SimulateOptions ViewArguments::options() const {
   return options;
 }
 
+std::vector<SimulateOptions> ViewArguments::paper_and_own() const {
+  ViewArguments paper = *this;
+  paper.design_point = "dop", paper.config.clear(), paper.settings.clear();
+  std::vector<SimulateOptions> both = {paper.options(), options()};
+  if (both[0].config == both[1].config) both.pop_back();
+  return both;
+}
+
 std::vector<SimulateOptions> ViewArguments::each() const {
   return design_points.empty() ? std::vector{options()} : options(find_design_points(design_points));
 }

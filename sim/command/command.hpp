@@ -52,6 +52,8 @@ struct ViewArguments {
   // Of several; with --window their windows must be of one size.
   std::vector<SimulateOptions> options(const std::vector<const DesignPoint*>& several) const;
   std::vector<SimulateOptions> each() const;  // of --rungs, or the one of --rung
+  // The paper's machine, `dop` as it is, and behind it that of --rung, --config and --set where it is another one.
+  std::vector<SimulateOptions> paper_and_own() const;
 };
 
 // External memory and seed, for the subcommands that run the RTL.

@@ -79,4 +79,10 @@ std::string design_point_name(const Config& config) {
   return nearest == nullptr ? "" : std::string(nearest->name);
 }
 
+std::string machine_name(const Config& config) {
+  const std::string design_point = design_point_name(config);
+  if (!design_point.empty() && find_design_point(design_point).config == config) return design_point;
+  return config_difference(config);
+}
+
 }  // namespace pipegs

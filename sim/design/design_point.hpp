@@ -42,5 +42,7 @@ std::vector<const DesignPoint*> find_design_points(
 // The design point to which a configuration belongs: of those with its `late`, `order` and `quadratic` the one from
 // which it differs in the fewest entries, the first of equals; "" when there is none.
 std::string design_point_name(const Config& config);
+// How a table calls a machine: the design point when it is that and nothing else, or all that is set.
+std::string machine_name(const Config& config);
 
 }  // namespace pipegs

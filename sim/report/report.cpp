@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/host_use.hpp"
+#include "sim/report/finite.hpp"
 
 namespace pipegs {
 namespace {
@@ -17,8 +17,8 @@ using Json = nlohmann::ordered_json;
 // A figure of what was run; null when it was not.
 Json of(bool run, Json value) { return run ? std::move(value) : Json(nullptr); }
 
-// JSON has no infinity: equal images have no finite PSNR, which null says as well.
-Json decibels(bool run, double value) { return of(run && std::isfinite(value), value); }
+// Null says of equal images as well that their PSNR is no number.
+Json decibels(bool run, double value) { return of(run, finite_json(value)); }
 
 Json units_json(const std::vector<UnitCycles>& units) {
   Json array = Json::array();

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "sim/report/finite.hpp"
 #include "sim/report/report.hpp"
 
 namespace pipegs {
@@ -20,7 +21,6 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClock = 1e9;  // Hz, Sec. 5.4
 
 double ratio(double a, double b) { return b > 0 ? a / b : kNone; }
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 const LadderRow* row_of(const std::vector<LadderRow>& rows, std::string_view name) {
   for (const LadderRow& row : rows) {
@@ -184,25 +184,25 @@ Json ladder_json(const std::vector<LadderRow>& rows) {
       continue;
     }
     json["cycles"] = row.cycles;
-    json["fps"] = finite(fps(row));
-    json["speedup"] = finite(speedup(rows, row));
+    json["fps"] = finite_json(fps(row));
+    json["speedup"] = finite_json(speedup(rows, row));
     json["paper_speedup"] = row.design_point->paper_speedup > 0 ? Json(row.design_point->paper_speedup) : Json(nullptr);
-    json["raster_over_sort"] = finite(row.raster_over_sort);
-    json["raster_over_sort_per_window"] = finite(row.raster_over_sort_window);
+    json["raster_over_sort"] = finite_json(row.raster_over_sort);
+    json["raster_over_sort_per_window"] = finite_json(row.raster_over_sort_window);
     json["paper_raster_over_sort"] =
         row.design_point->paper_ratio > 0 ? Json(row.design_point->paper_ratio) : Json(nullptr);
-    json["bubbles"] = finite(row.bubbles);
-    json["exposed_cycles"] = finite(row.exposed);
-    json["exposed_share"] = finite(ratio(row.exposed, static_cast<double>(row.cycles)));
+    json["bubbles"] = finite_json(row.bubbles);
+    json["exposed_cycles"] = finite_json(row.exposed);
+    json["exposed_share"] = finite_json(ratio(row.exposed, static_cast<double>(row.cycles)));
     for (const MemoryTraffic& traffic : row.traffic) {
       json["bytes_by_stream"][traffic.stream] = {{"read", traffic.bytes_read}, {"written", traffic.bytes_written}};
     }
     json["peak_alpha_lines"] = row.has_alpha_stores ? Json(row.peak_alpha_lines) : Json(nullptr);
     json["peak_records"] = row.peak_records;
     json["ran"] = {{"truth", row.with_truth}, {"rtl", true}};
-    json["psnr_order_db"] = row.with_truth ? finite(row.psnr_order) : Json(nullptr);
-    json["psnr_numeric_db"] = row.with_truth ? finite(row.psnr_numeric) : Json(nullptr);
-    json["cycles_over_largest_bound"] = finite(row.over_bound);
+    json["psnr_order_db"] = row.with_truth ? finite_json(row.psnr_order) : Json(nullptr);
+    json["psnr_numeric_db"] = row.with_truth ? finite_json(row.psnr_numeric) : Json(nullptr);
+    json["cycles_over_largest_bound"] = finite_json(row.over_bound);
     json["largest_bound"] = row.bound;
     json["mismatches"] = row.mismatches;
     json["same_pixels_as"] = row.same_pixels.empty() ? Json(nullptr) : Json(row.same_pixels);

@@ -11,6 +11,7 @@
 
 #include "cpp_model/float/parallel.hpp"
 #include "sim/progress.hpp"
+#include "sim/report/finite.hpp"
 
 namespace pipegs {
 namespace {
@@ -19,8 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kTile = 16;  // pixels, Sec. 2.1
 constexpr int kTileSizes[] = {8, 16, 32, 64};
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 // Tiles of the image that a splat of a window touches.
 int tiles_of(const Config& config, const Frame& frame, uint64_t window_x, uint64_t window_y, const Splat& splat) {
@@ -125,29 +124,30 @@ Json profile_json(const ViewProfile& profile) {
   const double all = profile.preprocess + profile.sort + profile.raster;
   Json json;
   json["source"] = profile.measured ? "rtl" : "counts at full rate";
-  json["stages"] = {{"preprocess", {{"cycles", profile.preprocess}, {"share", finite(share(profile.preprocess, all))}}},
-                    {"sort", {{"cycles", profile.sort}, {"share", finite(share(profile.sort, all))}}},
-                    {"raster", {{"cycles", profile.raster}, {"share", finite(share(profile.raster, all))}}}};
+  json["stages"] = {
+      {"preprocess", {{"cycles", profile.preprocess}, {"share", finite_json(share(profile.preprocess, all))}}},
+      {"sort", {{"cycles", profile.sort}, {"share", finite_json(share(profile.sort, all))}}},
+      {"raster", {{"cycles", profile.raster}, {"share", finite_json(share(profile.raster, all))}}}};
   if (profile.measured) {
     json["cycles"] = profile.cycles;
-    json["bubbles"] = finite(profile.bubbles);
-    json["exposed_share"] = finite(profile.exposed);
+    json["bubbles"] = finite_json(profile.bubbles);
+    json["exposed_share"] = finite_json(profile.exposed);
   }
-  json["raster_over_sort"] = finite(share(profile.raster, profile.sort));
+  json["raster_over_sort"] = finite_json(share(profile.raster, profile.sort));
   json["raster_over_sort_per_window"] = {{"windows", profile.ratios.size()},
-                                         {"mean", finite(mean(profile.ratios))},
-                                         {"p10", finite(percentile(profile.ratios, 10))},
-                                         {"median", finite(percentile(profile.ratios, 50))},
-                                         {"p90", finite(percentile(profile.ratios, 90))}};
+                                         {"mean", finite_json(mean(profile.ratios))},
+                                         {"p10", finite_json(percentile(profile.ratios, 10))},
+                                         {"median", finite_json(percentile(profile.ratios, 50))},
+                                         {"p90", finite_json(percentile(profile.ratios, 90))}};
   const auto visible = static_cast<double>(profile.visible), pairs = static_cast<double>(profile.tile_pairs);
   json["gaussians"] = {{"visible", profile.visible},
                        {"tile_pairs", profile.tile_pairs},
                        {"window_pairs", profile.window_pairs},
-                       {"mean_tiles", finite(share(pairs, visible))},
-                       {"share_in_two_or_more", finite(share(static_cast<double>(profile.in_two), visible))}};
+                       {"mean_tiles", finite_json(share(pairs, visible))},
+                       {"share_in_two_or_more", finite_json(share(static_cast<double>(profile.in_two), visible))}};
   json["coefficient_cost"] = {
-      {"once_per_gaussian", finite(share(visible, pairs))},
-      {"once_per_gaussian_and_window", finite(share(static_cast<double>(profile.window_pairs), pairs))},
+      {"once_per_gaussian", finite_json(share(visible, pairs))},
+      {"once_per_gaussian_and_window", finite_json(share(static_cast<double>(profile.window_pairs), pairs))},
       {"mean_of_inverse_tiles", profile.inverse_tiles}};
   for (const int tile : kTileSizes) {
     const PixelArithmetic cost = dpc_arithmetic(tile);

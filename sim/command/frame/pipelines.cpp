@@ -12,15 +12,13 @@
 namespace pipegs {
 namespace {
 
-constexpr std::string_view kPaperMachine = "dop";
 constexpr int kGroup = 64;       // of voxels, which none of these machines has: counted fastest so
 constexpr uint64_t kBars = 300;  // of a unit of ours
 constexpr double kMachineGhz = 1;
 
 // One of our machines through the RTL; `exit_code` becomes kExitDiffers when a bit differs.
-MachinePipeline own_pipeline(const LoadedView& loaded, const SimulateOptions& wanted, const std::string& name,
-                             int& exit_code) {
-  SimulateOptions options = wanted;
+MachinePipeline own_pipeline(const LoadedView& loaded, SimulateOptions options, int& exit_code) {
+  const std::string name = machine_name(options.config);
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
   BusyPieces pieces(options.config);
@@ -64,10 +62,7 @@ std::string json_of(const std::vector<MachinePipeline>& machines) {
 }  // namespace
 
 int draw_pipelines(const ViewArguments& view, const MemoryArguments& memory, const std::string& svg, bool json) {
-  ViewArguments paper = view;
-  paper.design_point = kPaperMachine, paper.config.clear(), paper.settings.clear();
-  std::vector<SimulateOptions> machines = {paper.options(), view.options()};
-  if (machines[0].config == machines[1].config) machines.pop_back();
+  std::vector<SimulateOptions> machines = view.paper_and_own();
   if (machines.front().window) throw ConfigError("--window: frames are drawn whole, expected none with --pipelines");
   try_file("--svg", svg);
   const LoadedView loaded = load_view(view);
@@ -87,11 +82,7 @@ int draw_pipelines(const ViewArguments& view, const MemoryArguments& memory, con
     pipelines = rival_pipelines(counts, played);
   }
   int exit_code = kExitOk;
-  for (const SimulateOptions& one : machines) {
-    const std::string point = design_point_name(one.config);
-    const bool whole = !point.empty() && find_design_point(point).config == one.config;
-    pipelines.push_back(own_pipeline(loaded, one, whole ? point : config_difference(one.config), exit_code));
-  }
+  for (const SimulateOptions& one : machines) pipelines.push_back(own_pipeline(loaded, one, exit_code));
   if (!svg.empty()) {
     write_text(svg, pipelines_svg(fmt::format("{}, view {} ({}x{})", loaded.scene.name, loaded.camera.name,
                                               loaded.camera.width, loaded.camera.height),

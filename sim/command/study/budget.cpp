@@ -13,6 +13,7 @@
 #include "sim/study/budget/sample.hpp"
 #include "sim/command/command.hpp"
 #include "sim/progress.hpp"
+#include "sim/report/finite.hpp"
 
 namespace pipegs {
 namespace {
@@ -121,8 +122,7 @@ int budget(const BudgetArguments& arguments) {
                      [&](const BudgetSample& s) { return s.*row.field; });
       const double value = percentile(values, at);
       line += fmt::format("{:>11.3g}", value);
-      out[row.what][fmt::format("{:g}", 100 * at)] =
-          std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+      out[row.what][fmt::format("{:g}", 100 * at)] = finite_json(value);
     }
     if (!arguments.json) fmt::print("{}\n", line);
   }

@@ -33,15 +33,8 @@ struct ModelRow {
   double speed() const { return 1e3 * mega_cycles() / rtl_khz(); }
 };
 
-// The design point alone, or all that is set.
-std::string name(const Config& config) {
-  const std::string design_point = design_point_name(config);
-  if (!design_point.empty() && find_design_point(design_point).config == config) return design_point;
-  return config_difference(config);
-}
-
 ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, bool check) {
-  ModelRow row{.name = name(options.config)};
+  ModelRow row{.name = machine_name(options.config)};
   Simulation simulation;
   simulate_pack(loaded.scene, loaded.camera, options, simulation);
   const Stopwatch watch;

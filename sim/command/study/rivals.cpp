@@ -27,7 +27,6 @@ struct RivalsArguments {
 };
 
 constexpr double kFinestVoxel = 1.0 / 16;  // of --voxel, by halves: the edges between which STREAMINGGS is modelled
-constexpr std::string_view kPaperMachine = "dop";
 
 std::vector<double> finer_voxels(double voxel) {
   std::vector<double> edges;
@@ -44,20 +43,13 @@ FrameCounts count(RivalsArguments& arguments, const LoadedView& view) {
 }
 
 std::vector<OwnMachine> own_machines(const LoadedView& loaded, const RivalsArguments& arguments) {
-  ViewArguments paper = arguments.view;
-  paper.design_point = kPaperMachine, paper.config.clear(), paper.settings.clear();
-  std::vector<SimulateOptions> machines = {paper.options(), arguments.view.options()};
-  if (machines[0].config == machines[1].config) machines.pop_back();
   const FrameModel model = read_frame_model();
   std::vector<OwnMachine> own;
-  for (SimulateOptions& one : machines) {
+  for (SimulateOptions one : arguments.view.paper_and_own()) {
     arguments.memory.apply(one);
     follow_scene(loaded.scene, one);
     const CycleEngine engine = model_engine(loaded.scene, loaded.camera, one);
-    const std::string point = design_point_name(one.config);
-    const bool whole = !point.empty() && find_design_point(point).config == one.config;
-    own.push_back(
-        own_machine(whole ? point : config_difference(one.config), one.config, engine(one.config, one.memory), model));
+    own.push_back(own_machine(machine_name(one.config), one.config, engine(one.config, one.memory), model));
   }
   return own;
 }

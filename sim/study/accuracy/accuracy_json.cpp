@@ -2,27 +2,23 @@
 // accuracy_json.cpp: see accuracy_json.hpp.
 #include "sim/study/accuracy/accuracy_json.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include "scenes/text/json.hpp"
+#include "sim/report/finite.hpp"
 
 namespace pipegs {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity: equal images have a PSNR of null.
-Json psnr_json(double psnr) { return std::isfinite(psnr) ? Json(psnr) : Json(nullptr); }
+// Equal images have a PSNR of null.
 double psnr_from(const Json& json) {
   return json.is_null() ? std::numeric_limits<double>::infinity() : json_real(json);
 }
 
 Json to_json(const ErrorFigures& e) {
-  return {{"psnr_db", psnr_json(e.psnr)},
-          {"ssim", std::isfinite(e.ssim) ? Json(e.ssim) : Json(nullptr)},
-          {"max", e.max},
-          {"p999", e.p999}};
+  return {{"psnr_db", finite_json(e.psnr)}, {"ssim", finite_json(e.ssim)}, {"max", e.max}, {"p999", e.p999}};
 }
 
 ErrorFigures errors_from(const Json& json) {

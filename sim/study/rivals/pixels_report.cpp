@@ -6,8 +6,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <span>
+
+#include "sim/report/finite.hpp"
 
 namespace pipegs {
 namespace {
@@ -48,8 +49,6 @@ constexpr Column kFrames[] = {
     {"newcomers", "newcomers%", 2, 100, "share of the Gaussians that touch no tile of the frame before"},
 };
 
-Json decibels(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 double share(uint64_t part, uint64_t all) {
   return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
 }
@@ -59,9 +58,9 @@ Json row_of(const StreamRow& row) {
   return {{"voxel", row.edge},
           {"part", row.part},
           {"group", row.side},
-          {"psnr_db", decibels(row.whole.psnr_db)},
-          {"order_db", decibels(row.order.psnr_db)},
-          {"lost_db", decibels(row.lost.psnr_db)},
+          {"psnr_db", finite_json(row.whole.psnr_db)},
+          {"order_db", finite_json(row.order.psnr_db)},
+          {"lost_db", finite_json(row.lost.psnr_db)},
           {"largest", row.whole.largest},
           {"visible", row.whole.visible},
           {"late", share(row.blends.late, row.blends.blends)},
@@ -80,8 +79,8 @@ Json row_of(const StreamRow& row) {
 Json row_of(const PathRow& row) {
   return {{"machine", row.machine},
           {"speed", row.speed},
-          {"psnr_db", decibels(row.mean.psnr_db)},
-          {"worst_db", decibels(row.worst_db)},
+          {"psnr_db", finite_json(row.mean.psnr_db)},
+          {"worst_db", finite_json(row.worst_db)},
           {"largest", row.mean.largest},
           {"visible", row.mean.visible},
           {"late", row.late},

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "sim/report/finite.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -14,7 +16,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char *kLaneKeys[] = {"pixel", "area", "serial"},
                      *kSortKeys[] = {"wide", "splitter", "compare", "network", "exchange"};
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 std::string cell(double value, int digits = 2) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : std::string("-");
 }
@@ -40,7 +41,7 @@ std::string ladder_line(const TermsLadder& l) {
 Json ladder_json(const TermsLadder& l) {
   Json json;
   const std::array<double, 7> cells = ladder_cells(l);
-  for (size_t i = 0; i < cells.size(); ++i) json[kLadderKeys[i]] = number(cells[i]);
+  for (size_t i = 0; i < cells.size(); ++i) json[kLadderKeys[i]] = finite_json(cells[i]);
   return json;
 }
 
@@ -54,8 +55,8 @@ Json rungs_json(const TermsLadder& l) {
                              {"raster", times.raster},
                              {"front", times.front},
                              {"stall", times.stall},
-                             {"raster_over_sort", number(times.ratio)},
-                             {"idle", number(times.idle())},
+                             {"raster_over_sort", finite_json(times.ratio)},
+                             {"idle", finite_json(times.idle())},
                              {"alpha_bytes", times.alpha_bytes},
                              {"bytes", times.bytes}};
   }
@@ -72,7 +73,7 @@ Json figures_json(const TermsLadder& l) {
   Json json;
   for (const auto* figures : {&speed_figures(), &other_figures()}) {
     for (const PaperFigure& one : *figures)
-      json[one.key] = {{"what", one.what}, {"paper", one.paper}, {"here", number(one.value(l))}};
+      json[one.key] = {{"what", one.what}, {"paper", one.paper}, {"here", finite_json(one.value(l))}};
   }
   return json;
 }
@@ -80,7 +81,7 @@ Json figures_json(const TermsLadder& l) {
 Json set_json(const TermsSet& set) {
   return {{"terms", terms_of(set.terms)},
           {"ladder", ladder_json(set.ladder)},
-          {"worst_miss", number(set.worst)},
+          {"worst_miss", finite_json(set.worst)},
           {"others_within", set.others},
           {"figures", figures_json(set.ladder)}};
 }
@@ -217,7 +218,7 @@ Json terms_json(const TermsReport& report) {
   for (const TermsSet& set : search.best) json["search"]["best"].push_back(set_json(set));
   json["search"]["nearest"] = set_json(search.nearest);
   json["search"]["together"] = set_json(search.together);
-  json["search"]["together_worst_miss"] = number(search.together_worst);
+  json["search"]["together_worst_miss"] = finite_json(search.together_worst);
   const Terms ours = our_terms(), paper = paper_terms();
   for (const Assumption& one : assumptions())
     json["assumptions"].push_back({{"key", one.key},

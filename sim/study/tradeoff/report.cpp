@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/report/finite.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -34,7 +36,6 @@ std::vector<Leg> price(const std::vector<TradeoffPoint>& points, double ghz) {
 
 nlohmann::ordered_json to_json(const std::vector<TradeoffPoint>& points, double ghz) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  const auto finite = [](double value) { return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr; };
   for (const TradeoffPoint& point : points) {
     list.push_back({{"knob", point.way.knob},
                     {"label", point.way.label},
@@ -45,8 +46,8 @@ nlohmann::ordered_json to_json(const std::vector<TradeoffPoint>& points, double 
                     {"cycles", point.cycles},
                     {"us", us(point, ghz)},
                     {"bytes", point.bytes},
-                    {"psnr_db", finite(point.psnr)},
-                    {"ssim", finite(point.ssim)},
+                    {"psnr_db", finite_json(point.psnr)},
+                    {"ssim", finite_json(point.ssim)},
                     {"front", point.front > 0 ? nlohmann::ordered_json(point.front) : nullptr}});
   }
   return list;

@@ -2,7 +2,6 @@
 // tradeoff.cpp: see tradeoff.hpp.
 #include "sim/study/tradeoff/tradeoff.hpp"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "cpp_model/float/truth.hpp"
 #include "scenes/text/json.hpp"
 #include "sim/progress.hpp"
+#include "sim/report/finite.hpp"
 #include "sim/study/measurement_store.hpp"
 #include "sim/study/tradeoff/contribution.hpp"
 #include "sim/study/tradeoff/resample.hpp"
@@ -78,8 +78,10 @@ std::string Study::poses(const std::vector<Camera>& cameras) {
 
 // JSON has neither infinity, the PSNR of equal pictures, nor the SSIM of pictures below 11 pixels.
 Json Study::figures(const TradeoffPoint& point) {
-  const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-  return {{"cycles", point.cycles}, {"bytes", point.bytes}, {"psnr", finite(point.psnr)}, {"ssim", finite(point.ssim)}};
+  return {{"cycles", point.cycles},
+          {"bytes", point.bytes},
+          {"psnr", finite_json(point.psnr)},
+          {"ssim", finite_json(point.ssim)}};
 }
 
 TradeoffPoint Study::with_figures(TradeoffPoint point, const Json& json) {

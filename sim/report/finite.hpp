@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// finite.hpp: a number as JSON, which has neither infinity (the PSNR of equal pictures) nor NaN: null stands for them.
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace pipegs {
+
+inline nlohmann::ordered_json finite_json(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace pipegs
