@@ -43,6 +43,15 @@ def thousands(value, digits=0):
     return f"{group(value / 1e3) if digits == 0 else fixed(value / 1e3, digits)} k"
 
 
+def span(form, values, *digits):
+    """From the least to the largest of some values: 1.9 to 2.8."""
+    values = list(values)
+    low, high = form(min(values), *digits), form(max(values), *digits)
+    unit = low.split(" ")[-1] if low.endswith((" %", " M", " k")) else ""
+    low = low.removesuffix(" " + unit) if unit else low
+    return high if low == high.removesuffix(" " + unit) else f"{low} to {high}"
+
+
 def mean(values):
     values = list(values)
     return sum(values) / len(values)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/cycles/ladder.md."""
 from data import data
-from formats import fixed, group, mean, percent, table, times
+from formats import fixed, group, mean, percent, span, table, times
 from measurements import FOUR, points_of
 
 MEASURED = [
@@ -239,15 +239,6 @@ def alphas(scene, point):
 def over(scene, faster, slower):
     """How many times as fast one design point is as another."""
     return data.ladder[scene][slower].cycles / data.ladder[scene][faster].cycles
-
-
-def span(form, values, *digits):
-    """From the least to the largest of some values: 1.9 to 2.8."""
-    values = list(values)
-    low, high = form(min(values), *digits), form(max(values), *digits)
-    unit = low.split(" ")[-1] if low.endswith((" %", " M", " k")) else ""
-    low = low.removesuffix(" " + unit) if unit else low
-    return high if low == high.removesuffix(" " + unit) else f"{low} to {high}"
 
 
 def faster(point, than):

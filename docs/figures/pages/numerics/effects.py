@@ -3,7 +3,7 @@
 import re
 
 from data import data
-from formats import fixed, group, percent, table, times
+from formats import fixed, group, percent, span, table, times
 
 MEASURED = ["effects/*", "effects_gain/*"]
 SCENES = {
@@ -75,9 +75,8 @@ def gain(scene, point):
     return found["all"].total_s / found.auto.total_s
 
 
-def span():
-    found = [gain(*one) for one in GAINED]
-    return f"{times(min(found))} to {times(max(found))}"
+def gain_span():
+    return span(times, [gain(*one) for one in GAINED])
 
 
 def moved(scene):

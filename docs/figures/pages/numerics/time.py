@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/numerics/time.md."""
 from data import data
-from formats import fixed, group, percent, table
+from formats import fixed, group, percent, span, table
 
 MEASURED = ["tradeoff/*"]
 TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
@@ -61,12 +61,6 @@ def alone():
     return table(["with less: time, dB", *TITLES.values()], rows)
 
 
-def span(values, digits=1):
-    """3.95, 7.2 -> 4.0 to 7.2"""
-    low, high = fixed(min(values), digits), fixed(max(values), digits)
-    return low if low == high else f"{low} to {high}"
-
-
 def legs(level):
     """Of each scene that has it the leg that ends at this level of decibels."""
     found = {}
@@ -79,13 +73,13 @@ def legs(level):
 
 def price(level):
     """Microseconds a decibel on the way to a level, over the scenes."""
-    return f"{span([leg.us_per_db for leg in legs(level).values()])} us"
+    return f"{span(fixed, [leg.us_per_db for leg in legs(level).values()], 1)} us"
 
 
 def price_share(level):
     """The same as shares of the frame's time."""
     found = [100 * leg.us_per_db / base(scene).us for scene, leg in legs(level).items()]
-    return f"{span(found)} %"
+    return f"{span(fixed, found, 1)} %"
 
 
 def reached(level):
@@ -94,7 +88,7 @@ def reached(level):
     for scene, leg in legs(level).items():
         (row,) = [row for row in points(scene) if row.front == leg.to]
         found.append(100 * row.cycles / base(scene).cycles)
-    return f"{span(found, 0)} %"
+    return f"{span(fixed, found, 0)} %"
 
 
 def prices():
@@ -118,7 +112,7 @@ def saved(knob, label):
     """Per cent of the time that one thing alone saves, over the scenes."""
     found = [single(scene, knob, label) for scene in TITLES]
     shares = [100 * (1 - one.cycles / base(scene).cycles) for scene, one in zip(TITLES, found) if one]
-    return f"{span(shares)} %"
+    return f"{span(fixed, shares, 1)} %"
 
 
 def mb(scene, knob, label):
@@ -135,7 +129,7 @@ def of_all(scene, knob, label):
 
 def left(knob, label):
     """Decibels that are left, over the scenes."""
-    return f"{span([one.psnr_db for one in (single(scene, knob, label) for scene in TITLES) if one])} dB"
+    return f"{span(fixed, [one.psnr_db for one in (single(scene, knob, label) for scene in TITLES) if one], 1)} dB"
 
 
 def slowest_order():
@@ -143,7 +137,7 @@ def slowest_order():
     shares = [
         100 * (row.cycles / base(scene).cycles - 1) for scene in TITLES for row in points(scene) if row.knob == "order"
     ]
-    return f"{span(shares)} %"
+    return f"{span(fixed, shares, 1)} %"
 
 
 def measured():

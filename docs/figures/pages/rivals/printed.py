@@ -1,45 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of docs/rivals/printed.md: every figure that the paper prints, beside ours."""
 from data import data
-from formats import fixed, group, percent, table, times
+from formats import fixed, group, percent, span, table, times
 from measurements import FOUR
+from pages.silicon import energy, silicon as chip
 
 MEASURED = ["printed/*", "terms/*", "ladder/*", "equal_area/*", "energy/*", "silicon/dop"]
-TABLE2 = {  # mm2, W
-    "DOPU": (0.001, 0.004),
-    "PU": (1.695, 0.466),
-    "SU": (0.065, 0.068),
-    "RU": (0.472, 0.171),
-    "Buffers": (1.038, 0.236),
-    "Total": (3.283, 0.948),
-}
 HEAD = ["paper", "what", "printed", "its terms", "RTL, equal lanes", "equal area", "why they differ", "command"]
 TERMS, LADDER = "`pipegs ladder --terms paper`", "`pipegs ladder`"
 PROFILE, SILICON = "`pipegs profile`", "`pipegs silicon --rung dop`"
 
 
-def spanned(form, values, *rest):
-    """The least to the most of the scenes."""
-    low, high = form(min(values), *rest), form(max(values), *rest)
-    return low if low == high else f"{low} to {high}"
-
-
 def terms(key, form, *rest):
-    return spanned(form, [data.terms[scene].paper.figures[key].here for scene in FOUR], *rest)
+    return span(form, [data.terms[scene].paper.figures[key].here for scene in FOUR], *rest)
 
 
 def rtl(value, form, *rest):
     """Of each scene's ladder."""
-    return spanned(form, [value(data.ladder[scene]) for scene in FOUR], *rest)
+    return span(form, [value(data.ladder[scene]) for scene in FOUR], *rest)
 
 
 def equal(slow, fast):
     at = data.equal_area
-    return spanned(times, [at[scene][slow].us / at[scene][fast].us for scene in FOUR])
+    return span(times, [at[scene][slow].us / at[scene][fast].us for scene in FOUR])
 
 
 def profiled(value, form, *rest):
-    return spanned(form, [value(data.printed[scene]) for scene in FOUR], *rest)
+    return span(form, [value(data.printed[scene]) for scene in FOUR], *rest)
 
 
 def speedup(what, slow, fast, paper, key, why):
@@ -53,7 +40,7 @@ def ratio(what, point, paper, key, why):
 
 
 def bubbles_fewer():
-    return spanned(percent, [1 - data.terms[scene].paper.figures.gap_left.here for scene in FOUR])
+    return span(percent, [1 - data.terms[scene].paper.figures.gap_left.here for scene in FOUR])
 
 
 def pipeline():
@@ -121,8 +108,8 @@ def silicon():
     """Table 2 beside `dop`: mid of the ranges; power at full speed."""
     area, power = data.silicon.dop, [data.energy[scene].dop.rows for scene in FOUR]
     rows = [
-        [unit, fixed(mm2, 3), fixed(area[unit].area_mm2.mid, 3), fixed(watts, 3),
-         spanned(fixed, [one[unit].w_full.mid for one in power], 3)]
-        for unit, (mm2, watts) in TABLE2.items()
+        [unit, fixed(mm2, 3), fixed(area[unit].area_mm2.mid, 3), fixed(energy.PAPER[unit], 3),
+         span(fixed, [one[unit].w_full.mid for one in power], 3)]
+        for unit, mm2 in chip.PAPER.items()
     ]  # fmt: skip
     return table(["unit", "paper, mm2", "ours, mm2", "paper, W", "ours, W"], rows)

@@ -26,41 +26,29 @@ def spread(range_):
     return f"{three(range_.mid)} ({three(range_.low)} to {three(range_.high)})"
 
 
+def frame_of(one, ms):
+    """Of a machine on a view: what rivals and ours have alike."""
+    return [
+        group(round(one.cycles)),
+        fixed(ms, 2),
+        three(one.fps.mid),
+        three(one.bytes / 1e6),
+        three(one.mm2.mid),
+        spread(one.fps_per_mm2),
+        spread(one.frames_per_joule),
+        spread(one.frames_per_joule_with_dram),
+    ]
+
+
 def machines(scene):
     """All machines on one view."""
     found, rows = data.rivals[scene], []
     for one in found.rivals.values():
-        rows.append(
-            [
-                one.name,
-                group(round(one.cycles)),
-                fixed(one.seconds * 1e3, 2),
-                three(one.fps.mid),
-                three(one.bytes / 1e6),
-                three(one.mm2.mid),
-                spread(one.fps_per_mm2),
-                spread(one.frames_per_joule),
-                spread(one.frames_per_joule_with_dram),
-                f"{one.bound_by}, {percent(one.bound_share)}",
-            ]
-        )
+        rows.append([one.name, *frame_of(one, one.seconds * 1e3), f"{one.bound_by}, {percent(one.bound_share)}"])
     printed = found.printed
     rows.append(["PipeGS, printed", "", "", "", "", fixed(printed.mm2, 3), "", "", "", ""])
     for name, one in found.ours.items():
-        rows.append(
-            [
-                f"`{name}`",
-                group(round(one.cycles)),
-                fixed(1e3 / one.fps.mid, 2),
-                three(one.fps.mid),
-                three(one.bytes / 1e6),
-                three(one.mm2.mid),
-                spread(one.fps_per_mm2),
-                spread(one.frames_per_joule),
-                spread(one.frames_per_joule_with_dram),
-                "",
-            ]
-        )
+        rows.append([f"`{name}`", *frame_of(one, 1e3 / one.fps.mid), ""])
     header = ["machine", "cycles", "ms", "frames/s", "MB", "mm2", "frames/s/mm2", "frames/J, chip", "with DRAM"]
     return table([*header, "bound by"], rows)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/rivals/terms.md."""
 from data import data
-from formats import change, fixed, percent, table, times
+from formats import change, fixed, percent, span, table, times
 from measurements import FOUR
 
 MEASURED = ["terms/*", "ladder/*"]
@@ -81,7 +81,7 @@ def ours():
 def error(name, point):
     """The span of the model's errors over the scenes."""
     found = [data.terms[scene].ours[name].cycles / data.ladder[scene][point].cycles - 1 for scene in FOUR]
-    return f"{100 * min(found):.0f} to {100 * max(found):.0f} %"
+    return span(percent, found)
 
 
 def waterfall(scene):
@@ -146,18 +146,18 @@ def figures():
 def slower(rung):
     """How many times as long as our baseline a rung takes under the paper's terms."""
     found = [data.terms[scene].paper.rungs[rung].cycles / data.ladder[scene].baseline.cycles for scene in FOUR]
-    return f"{min(found):.0f} to {max(found):.0f}"
+    return span(fixed, found, 0)
 
 
 def alphas(key):
     found = [data.terms[scene].paper[key] for scene in FIVE]
-    return f"{min(found):.0f} to {max(found):.0f} MB"
+    return f"{span(fixed, found, 0)} MB"
 
 
 def bubbles():
     """How many fewer bubbles of the SUs HGR leaves, over the views."""
     found = [1 - data.terms[scene].paper.figures.gap_left.here for scene in FIVE]
-    return f"{100 * min(found):.0f} to {100 * max(found):.0f} %"
+    return span(percent, found)
 
 
 def assumptions():

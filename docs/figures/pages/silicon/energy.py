@@ -3,7 +3,7 @@
 from itertools import product
 
 from data import data
-from formats import fixed, group, percent, table, times
+from formats import fixed, group, percent, span, table, times
 from measurements import CHARTED, points_of
 from pages.cycles.utilisation import TITLES
 from pages.silicon.silicon import either, ranged
@@ -131,29 +131,23 @@ def watts(scene, unit):
     return data.energy[scene].dop.rows[unit].w_full.mid
 
 
-def spread(form, values, *digits):
-    values = list(values)
-    low, high = form(min(values), *digits), form(max(values), *digits)
-    return low if low == high else f"{low} to {high}"
-
-
 def of_paper(unit, digits=1):
     """The unit's power at full speed over the paper's, both scenes."""
-    return spread(times, (watts(scene, unit) / PAPER[unit] for scene in CHARTED), digits)
+    return span(times, (watts(scene, unit) / PAPER[unit] for scene in CHARTED), digits)
 
 
 def awake(unit):
-    return spread(percent, (data.energy[scene].dop.rows[unit].awake for scene in CHARTED))
+    return span(percent, (data.energy[scene].dop.rows[unit].awake for scene in CHARTED))
 
 
 def clocks(unit):
-    return spread(percent, (data.energy[scene].dop.rows[unit].clocks for scene in CHARTED))
+    return span(percent, (data.energy[scene].dop.rows[unit].clocks for scene in CHARTED))
 
 
 def leaks(unit):
     """Leakage as a share of the unit's power at full speed, both scenes."""
     rows = [data.energy[scene].dop.rows[unit] for scene in CHARTED]
-    return spread(percent, (row.leakage_mw.mid / 1e3 / row.w_full.mid for row in rows))
+    return span(percent, (row.leakage_mw.mid / 1e3 / row.w_full.mid for row in rows))
 
 
 def sky(scene):
