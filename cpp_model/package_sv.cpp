@@ -247,6 +247,11 @@ void print_areas(const pipegs::Config& c) {
   std::printf("    area_first = %s(unit[0] ? size >> %d : '0) + (unit[1] ? (size >> %d) << 1 : '0) +\n",
               c.has_lists() ? "(size >> 1) + " : "", share, share);
   std::printf("                 area_place(size, area);\n    if (area == AreaLists) area_first = '0;\n  endfunction\n");
+  std::printf(
+      "  // the first line of a window's list, from the first one of all on, where each has 2^log lines\n"
+      "  function automatic logic [AddressW-1:0] list_first(input logic [ListWindowW-1:0] window,\n"
+      "      input logic [$clog2(ListEntryW+1)-1:0] log);\n"
+      "    list_first = (AddressW'(window) << log) + AddressW'(window) * AddressW'(ListGap);\n  endfunction\n");
 }
 
 void print_package(const pipegs::Config& config) {

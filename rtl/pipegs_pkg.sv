@@ -298,6 +298,8 @@ package pipegs_pkg;
   localparam int unsigned RowJobs        = 4;
   localparam int unsigned ListJobs       = 8;  // lists whose lines are asked for
   localparam int unsigned ListLines      = 64;  // lines of lists in flight or waiting
+  // lines behind each list that nobody uses: else all lists would begin in the same bank of a DRAM
+  localparam int unsigned ListGap        = 132;
   localparam int unsigned SuChains       = 64;  // released chains and ends that wait for an SU's splitter
   localparam int unsigned SuWaiting      = 32;  // sorted keys in an SU that wait for their records
   localparam int unsigned SuAnswers      = 32;  // lines that an SU has asked for
@@ -1052,6 +1054,11 @@ package pipegs_pkg;
     area_first = (unit[0] ? size >> 2 : '0) + (unit[1] ? (size >> 2) << 1 : '0) +
                  area_place(size, area);
     if (area == AreaLists) area_first = '0;
+  endfunction
+  // the first line of a window's list, from the first one of all on, where each has 2^log lines
+  function automatic logic [AddressW-1:0] list_first(input logic [ListWindowW-1:0] window,
+      input logic [$clog2(ListEntryW+1)-1:0] log);
+    list_first = (AddressW'(window) << log) + AddressW'(window) * AddressW'(ListGap);
   endfunction
 
   // Bundles: wires of all units side by side, the first unit lowest.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // areas.hpp: how the overflow area is divided: one table, from which rtl/pipegs_pkg.sv gets its functions.
 //
-// Paper   None: its buffers hold everything.     RTL  area_lines, area_place, area_first of rtl/pipegs_pkg.sv
+// Paper   None: its buffers hold everything.     RTL  area_lines, area_place, area_first, list_first of rtl/pipegs_pkg.sv
 // Idea    The host gives an area of any size; every part of it is the size shifted, so the machine divides by nothing.
 //         With lists the lower half is theirs. The rest is shared out to the units, and a share to what a unit keeps
 //         there: in its lower half the SU's (all of the share when no alphas go to memory), in its upper half alphas.
 //           SU       keys, 1/4 | runs, 1/4 | records, 1/2
 //           alphas   of the layers that overflow, in turn even, 1/2 | odd, 1/2; with lists all alphas of the frame
-//         A list has 2^n lines, the largest power of two of which the half has one for each window.
+//         A list has 2^n lines, the largest power of two of which the half has one for each window, and ListGap lines
+//         stand empty behind it: lists a power of two apart would all begin in the same bank of a DRAM.
 // Units   Lines of external memory.
 #pragma once
 
@@ -56,10 +57,16 @@ inline uint64_t area_first(const Config& c, uint64_t size, uint64_t unit, Area a
   return (c.has_lists() ? size >> 1 : 0) + unit * (size >> area_share_shift(c)) + area_place(c, size, area);
 }
 
+// The first line of a window's list, from the first one of all on, where each has 2^log lines.
+inline uint64_t list_first(uint64_t window, int log) {
+  return (window << log) + window * static_cast<uint64_t>(Config::list_gap());
+}
+// There is a line for each window.
+inline bool lists_fit(uint64_t lines, uint64_t windows) { return list_first(windows, 0) <= lines; }
 // The lines of each list are 2^this, where `lines` are those of all lists.
 inline int list_log(const Config& c, uint64_t lines, uint64_t windows) {
   int log = 0;
-  while (log < c.list_entry_w() && windows << (log + 1) <= lines) ++log;
+  while (log < c.list_entry_w() && list_first(windows, log + 1) <= lines) ++log;
   return log;
 }
 

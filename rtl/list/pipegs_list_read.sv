@@ -49,7 +49,6 @@ module pipegs_list_read #(
 
   localparam int unsigned WindowW = pipegs_pkg::WindowW;
   localparam int unsigned LeftW   = NumberW + 1;
-  localparam int unsigned FirstW  = NumberW + EntryW;
   localparam int unsigned PortW   = Units > 1 ? $clog2(Units) : 1;
 
   // --- jobs ---------------------------------------------------------------------------------------------------------
@@ -97,16 +96,16 @@ module pipegs_list_read #(
   logic [AddressW-1:0]  bad_line;
   pipegs_pkg::span_t    lists;
   assign lists = {pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaLists), overflow_i.first};
-  logic [FirstW-1:0]    item_index;
+  logic [AddressW-1:0]  item_index;
   logic [SplatBits-1:0] item;
 
   pipegs_line_reader #(
-    .TagW(1), .ItemW(SplatBits), .ItemsPerLine(1), .Lines(Lines), .Jobs(pipegs_pkg::ListJobs), .IndexW(FirstW),
+    .TagW(1), .ItemW(SplatBits), .ItemsPerLine(1), .Lines(Lines), .Jobs(pipegs_pkg::ListJobs), .IndexW(AddressW),
     .CountW(EntryW)
   ) u_reader (
     .clk_i, .rst_ni, .table_i(lists),
     .job_valid_i(job_valid), .job_ready_o(job_ready), .job_read_i(state_q == StateLines),
-    .job_first_i(FirstW'(number_q) << log_i), .job_count_i(count_i), .job_tag_i(1'b0),
+    .job_first_i(pipegs_pkg::list_first(number_q, log_i)), .job_count_i(count_i), .job_tag_i(1'b0),
     .mem_valid_o, .mem_ready_i, .mem_address_o, .mem_lines_o, .rsp_valid_i, .rsp_data_i,
     .out_valid_o(item_valid), .out_ready_i(item_ready), .out_read_o(item_read), .out_index_o(item_index),
     .out_tag_o(item_tag), .out_item_o(item), .bad_o(bad), .bad_line_o(bad_line), .waiting_o(waiting), .idle_o(idle)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipegs_list_room: how many lines each window's list may have: the largest power of two for which the area has room.
 //
-// Idea    Doubled, one step a cycle, while a list of twice the lines for every window still fits. That is done long
+// Idea    Doubled, one step a cycle, while a list of twice the lines for every window still fits, each with ListGap
+//         empty lines behind it (pipegs_pkg::list_first). That is done long
 //         before the first record comes, which pipegs_list_write waits for anyway while it clears its counts.
 // Stream  restart_i with the windows of a frame and the lines of all lists; done_o with log2 of the room, until the
 //         next restart_i. none_o: there is not even a line for each window.
@@ -26,13 +27,16 @@ module pipegs_list_room #(
 );
 
   localparam int unsigned SpanW = NumberW + 1 + EntryW + 1;
-  localparam int unsigned MostW = SpanW > AddressW ? SpanW : AddressW;
+  localparam int unsigned MostW = (SpanW > AddressW ? SpanW : AddressW) + 1;
 
-  logic [SpanW-1:0] twice_q;  // lines of all windows with twice the room
+  localparam int unsigned Least = pipegs_pkg::ListGap + 1;  // lines of a list of one line
+
+  logic [SpanW-1:0] twice_q;  // lines of all lists with twice the room
+  logic [MostW-1:0] gaps_q;   // lines between them
   logic [LogW-1:0]  log_q;
   logic             more_q, none_q, grows;
 
-  assign grows  = MostW'(twice_q) <= MostW'(lines_i) && log_q != LogW'(EntryW);
+  assign grows  = MostW'(twice_q) + gaps_q <= MostW'(lines_i) && log_q != LogW'(EntryW);
   assign done_o = !more_q;
   assign none_o = none_q;
   assign log_o  = log_q;
@@ -44,7 +48,8 @@ module pipegs_list_room #(
   always_ff @(posedge clk_i) begin
     if (restart_i) begin
       log_q   <= '0;
-      none_q  <= MostW'(windows_i) > MostW'(lines_i);
+      none_q  <= MostW'(windows_i) * MostW'(Least) > MostW'(lines_i);
+      gaps_q  <= MostW'(windows_i) * MostW'(pipegs_pkg::ListGap);
       twice_q <= SpanW'(windows_i) << 1;
     end else if (more_q && grows) begin
       log_q   <= log_q + 1'b1;

@@ -2,7 +2,7 @@
 // pipegs_list_write: appends each record to the list of its window in external memory.
 //
 // Paper   the reproduced GSCore of Sec. 5: a global preprocessing writes what rasterization reads later.
-// Idea    One line per record:   address = overflow + (window << pipegs_list_room) + records before it in this list
+// Idea    One line per record:   address = overflow + list_first(window) + records before it in this list
 //         The counts lie in an SRAM beside this module: read when a record is taken, written back one higher when its
 //         line goes to the output register. A record of the same window right behind it takes the count from there.
 //         When a frame begins the counts of its windows are cleared, one per cycle. A record for which its list has no
@@ -141,7 +141,7 @@ module pipegs_list_write #(
     if (move) begin
       out_q     <= held_q;
       kept_q    <= entry + EntryW'(1);
-      address_q <= overflow_i.first + (AddressW'(held_number_q) << log_o) + AddressW'(entry);
+      address_q <= overflow_i.first + pipegs_pkg::list_first(held_number_q, log_o) + AddressW'(entry);
     end
   end
 

@@ -135,8 +135,11 @@ module ru_rows #(
     else $error("ru_rows: a line without its colour");
   always_ff @(posedge clk_i) if (rst_ni) assert (!window_done_i || ends_q != '0)
     else $error("ru_rows: a window ended that never came");
-  pipegs_stream_check #(.DataW($bits({out_o, out_line_o}))) u_check_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .beat_i({out_o, out_line_o})
+  // An end has no colour and no line: what stands there is that of the splat behind it, as soon as it comes.
+  localparam int unsigned BeatW = $bits({out_o, out_line_o});
+  pipegs_stream_check #(.DataW($bits(out_o.kind) + BeatW)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i),
+    .beat_i({out_o.kind, out_o.kind == pipegs_pkg::KindData ? {out_o, out_line_o} : BeatW'(0)})
   );
 `endif
 

@@ -9,7 +9,7 @@
 
 /* Integer bits of the fields, the sign included; the rest of a width is fraction. */
 enum { ROTATION_BITS = 2, FOCAL_BITS = 14, CENTER_BITS = 16, GUARD_BITS = 4, SPREAD_MANTISSA = 8 };
-enum { WINDOW_W = 10, LIST_WINDOW_W = 12, TILE_LIST_WINDOW_W = 14, TILE = 16 };
+enum { WINDOW_W = 10, LIST_WINDOW_W = 12, TILE_LIST_WINDOW_W = 14, LIST_GAP = 132, TILE = 16 };
 /* Of the overflow area, in lines of 64 bytes: the least that a part of it is made for, and 1 GiB. */
 enum { AREA_LEAST = 64, GIBIBYTE = 1 << 24 };
 enum { ROTATION_F = 60 }; /* fraction of what the quaternion is computed from */
@@ -257,6 +257,7 @@ uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_
   share = (share + 15) / 16 * 16; /* every part of it is exact */
   if (!lists) return units * share * config->line;
   for (; list <= slots && list_w < config->list_entry_w && windows * list <= GIBIBYTE; ++list_w) list *= 2;
+  list += LIST_GAP;
   return 2 * (units * share > windows * list ? units * share : windows * list) * config->line;
 }
 

@@ -385,7 +385,7 @@ mutant "a line is forgotten when it comes" 's/if \(pop \&\& head_ext \&\& !/if (
 
 # --- rtl/list ---------------------------------------------------------------------------------------------------------
 proof  list_write "pipegs_list_write+ pipegs_list_room pipegs_arbiter pipegs_round_robin pipegs_first_set" \
-       "@order=1,units=2 %ListEntryW=4 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
+       "@order=1,units=2 %ListEntryW=4 %ListGap=5 %SplatBits=6 %WindowW=2 %ListWindowW=4 %AddressW=34"
 mutant "the count of the record before is not yet in the memory" "s/same_q   *<= move \&\& /same_q <= 0 \&\& /"
 mutant "one count is not cleared" "s/left_q <= windows/left_q <= windows - LeftW'(1)/"
 mutant "a waiting line is overwritten" 's/\(!out_valid_q \|\| mem_ready_i\)/1/'

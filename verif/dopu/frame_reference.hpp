@@ -202,6 +202,7 @@ inline uint64_t reference_overflow(const Config& c, uint64_t slots, uint64_t win
   Lines list = 1;
   while (list < 64 || (list <= slots && list < Lines{1} << c.list_entry_w())) list *= 2;
   while (frames_windows * list > 2 * gibibyte) list /= 2;
+  list += static_cast<Lines>(Config::list_gap());
   return static_cast<uint64_t>(2 * std::max(units * share, frames_windows * list));
 }
 

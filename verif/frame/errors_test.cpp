@@ -84,14 +84,14 @@ class ErrorFrame : public RtlTaps {
   int frames_ = 0;
 };
 
-// Machines whose stores overflow, of layers, lists with and without alphas, and nearest first; the default; and one
-// without a bus.
-constexpr size_t kTiny = 2, kTspp = 4, kDpc = 5, kTinyExact = 8, kFast = 10, kPort = 11;
-constexpr size_t kErrorMachines[] = {kTiny, kTspp, kDpc, kTinyExact, kFast, kPort};
+// Machines whose stores overflow, of layers, lists with and without alphas, and nearest first.
+constexpr size_t kOverflowMachines[] = {kTiny, kTspp, kDpc, kGscore, kTinyExact};
+// The default, too, and one without a bus.
+constexpr size_t kErrorMachines[] = {kTiny, kTspp, kDpc, kGscore, kTinyExact, kFast, kOdd};
 
 TEST(Errors, EverySizeOfTheOverflowAreaGivesThePictureOrAnError) {
   const Scene scene = random_scene(71, 1200, 1);
-  for (const size_t number : {kTiny, kTspp, kDpc, kTinyExact}) {
+  for (const size_t number : kOverflowMachines) {
     ErrorFrame one(number, scene, test_camera(128, 64));
     int errors = 0, pictures = 0;
     const uint64_t enough = one.areas.overflow;

@@ -37,6 +37,23 @@ inline const std::vector<Machine> kMachines = {
      {"antialias=1", "alpha_cut=128", "tile_test=0", "exp_linear=0", "t_cut=1000", "guard_band=0", "early_stop=0",
       "bus_w=0", "taps=0"}}};
 
+// Their numbers.
+enum Numbered : size_t {
+  kDop,
+  kHalf,
+  kTiny,
+  kLate,
+  kTspp,
+  kDpc,
+  kBaseline,
+  kGscore,
+  kExact,
+  kTinyExact,
+  kFine,
+  kFast,
+  kOdd
+};
+
 inline SimulateOptions machine(size_t number) {
   SimulateOptions options;
   options.config = find_design_point(kMachines[number].design_point).config;

@@ -150,7 +150,7 @@ TEST(Sequence, WhatIsGivenUpInTheMiddleLeavesNothingBehind) {
 
 // An error that nobody foresaw ends the run in words.
 TEST(Sequence, AnErrorOfTheMemoryIsTold) {
-  SimulateOptions options = machine(10);
+  SimulateOptions options = machine(kFast);
   Simulation simulation;
   simulate_golden(random_scene(69, 300, 1), test_camera(64, 64), options, simulation);
   const std::unique_ptr<RtlModel> model = load_rtl(options.config);

@@ -133,7 +133,7 @@ mutant pu_allocate "the end is lost in the cycle of that pulse" \
        's/(ended_q <= .* \+ EndedW.\(take_end)\)/\1 \&\& !layer_free_i)/'
 mutant pu_allocate "addresses are given again before their layer is free" \
        "s/SumW'\(held_q\) \+ SumW'\(count_q\) <= /SumW'(count_q) <= /"
-mutant pu_allocate "a third layer takes an overflow area" "s/areas_q != 2'd2/1'b1/"
+mutant pu_allocate "a third layer takes an overflow area" "s/areas_q != 2'd2/1'b1/" pu_allocate_small
 mutant pu_spill "the line behind the last one of its area is written" \
        "s/\(SumW'\(number\) \+ SumW'\(1\)\)/SumW'(number)/"
 mutant pu_spill "two lines of memory count as one" "s/(lines_end = .*) \* SumW'\(Pieces\)/\1/" pu_spill_wide

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
+#include <numbers>
 #include <numeric>
 #include <unordered_map>
 
@@ -165,6 +167,9 @@ void Walk::splat(const Entry& entry, const Jobs& jobs, const GoldenWindow& windo
                  BudgetReport& report) const {
   const TruthProjection& truth = entry.budget.truth;
   const double cut = -std::log2(255.0), one = std::ldexp(1.0, config_.alpha_w);
+  // The oriented box (tile_test = 2) ends at three standard deviations: a pixel beyond them may lie in no region.
+  const double boxed = config_.oriented() ? std::log2(truth.opacity) - 4.5 * std::numbers::log2e + entry.error
+                                          : -std::numeric_limits<double>::infinity();
   const double rgb[3] = {truth.rgb.x, truth.rgb.y, truth.rgb.z};
   const Image& image = simulation_.golden.image;
   bool drawn = false;
@@ -179,7 +184,7 @@ void Walk::splat(const Entry& entry, const Jobs& jobs, const GoldenWindow& windo
       if (x >= image.width || y >= image.height) continue;
       const double power = budget_power(truth, x, y);
       Interval alpha = alpha_interval(config_, power, entry.error);
-      if (!entry.budget.certain) alpha.low = 0;
+      if (!entry.budget.certain || power < boxed) alpha.low = 0;
       if (alpha.high == 0 && codes[i] == 0) continue;
       Pixel& pixel = pixels[static_cast<size_t>(region) * kRegionPixels + i];
       const double exact = power >= cut && truth.depth > near_ ? std::min(kMaxAlpha, std::exp2(power)) : 0;

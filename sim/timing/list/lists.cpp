@@ -86,7 +86,8 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
     const bool wanted = state_ == kEnd || count != 0;
     take = wanted && reader_.room_before_job(now);
     leave = take || !wanted;
-    if (take) job = {state_ == kLines, static_cast<uint32_t>(number_ << log_), state_ == kLines ? count : 0, {}};
+    const auto first = static_cast<uint32_t>(list_first(number_, log_));
+    if (take) job = {state_ == kLines, first, state_ == kLines ? count : 0, {number_}};
   }
 
   // Dealing.
@@ -118,7 +119,7 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
     out_.beat = kWindowEndBeat;
     waiting_ = (uint32_t{1} << units_) - 1;
     if (data) {
-      out_ = lists_[reader_.job().first >> log_][reader_.item()];
+      out_ = lists_[reader_.job().tag.window][reader_.item()];
       waiting_ = uint32_t{1} << target;
     }
     reader_.pop_item(now);

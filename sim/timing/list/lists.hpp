@@ -29,7 +29,9 @@ class Lists {
 
  private:
   enum Read { kIdle, kCount, kLines, kEnd };
-  struct Tag {};
+  struct Tag {
+    size_t window = 0;
+  };
 
   void write(Machine& m, Cycle now, bool granted);
   void read(Machine& m, Cycle now, bool granted, bool answered);

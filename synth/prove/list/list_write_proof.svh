@@ -17,7 +17,8 @@
 (* anyconst *) logic [AddressW-1:0] lines;
 (* anyconst *) logic [LeftW-1:0] all;
 (* hierconn *) logic [NumberW+1+EntryW:0] \u_room.twice_q ;
-logic [AddressW-1:0] area;
+(* hierconn *) logic [AddressW:0] \u_room.gaps_q ;
+logic [AddressW-1:0] area, gaps, begins;  // gaps: lines between all lists; begins: the list of the line shown
 logic [NumberW-1:0]  moved_number_q;  // of the record that moved last
 logic [EntryW-1:0] taken_q, stored_q, shown_q, expected;
 logic              shows_q, takes, held_here, started_q;  // shows_q: the SRAM shows the window's count
@@ -31,7 +32,9 @@ proof_hold #(.DataW(AddressW)) u_hold (
 
 assign takes     = take && number == window;
 assign held_here = held_valid_q && held_number_q == window;
-assign list      = AddressW'(window) << log_o;
+assign list      = pipegs_pkg::list_first(window, log_o);
+assign gaps      = AddressW'(windows) * AddressW'(pipegs_pkg::ListGap);
+assign begins    = pipegs_pkg::list_first(moved_number_q, log_o);
 assign area      = pipegs_pkg::area_lines(overflow_i.lines, pipegs_pkg::AreaLists);
 assign expected  = held_here ? taken_q - 1'b1 : taken_q;
 always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -64,11 +67,12 @@ always_comb begin
   assume (started_q || splat_valid_i == '0);
   assume (!take || LeftW'(number) < windows);
   if (rst_ni) begin
-    assert (!mem_valid_o || (address_q < area && address_q >> log_o == AddressW'(moved_number_q)));
+    assert (!mem_valid_o || (address_q < area && address_q >= begins && (address_q - begins) >> log_o == '0));
     assert (!held_valid_q || LeftW'(held_number_q) < windows);
     assert (!out_valid_q || LeftW'(moved_number_q) < windows);
-    assert (!started_q || none == (AddressW'(windows) > area));
-    assert (!started_q || none || (AddressW'(windows) << log_o) <= area);
+    assert (!started_q || \u_room.gaps_q == (AddressW+1)'(gaps));
+    assert (!started_q || none == (AddressW'(windows) + gaps > area));
+    assert (!started_q || none || (AddressW'(windows) << log_o) + gaps <= area);
     assert (!started_q || (\u_room.twice_q == ((NumberW+EntryW+2)'(windows) << log_o) << 1 && 32'(log_o) <= EntryW));
     assert (!started_q || !none || log_o == '0);
     assert (left_q <= LeftW'(1) << NumberW);

@@ -283,6 +283,30 @@ TEST(PuAllocate, TakesAGaussianPerFourCycles) {
   EXPECT_EQ(s.rows.cycles.back() - s.rows.cycles.front(), 4 * (s.rows.size() - 1));
 }
 
+// Of two Gaussians that do not both fit the store, the second one of each layer goes to memory.
+TEST(PuAllocate, AThirdLayerWaitsForAnOverflowArea) {
+  AllocateBench s;
+  const int lines = s.config.alpha_lines * 5 / 8;
+  if (!s.config.overflow || s.config.alpha_layers < 3 || lines > s.config.regions()) {
+    GTEST_SKIP() << "three live layers of one Gaussian each would need more addresses than there are";
+  }
+  s.world.done_pace = 0, s.world.line_one_in = 1, s.world.free_one_in = UINT64_MAX;
+  s.restart();
+  for (int layer = 0; layer < 3; ++layer) {
+    for (const uint64_t kind : {kData, kData, layer == 2 ? kWindowEnd : kLayerEnd}) {
+      Tiles tiles = random_record<Tiles>(s.config, s.bench.rng);
+      tiles.kind = kind, tiles.mask = (uint64_t{1} << lines) - 1;
+      s.in.push(tiles);
+    }
+  }
+  for (int i = 0; i < 400; ++i) s.bench.gated_step();
+  EXPECT_EQ(s.in.taken, 8u) << "the third layer's second Gaussian waits";
+  EXPECT_EQ(s.rows.size(), 7u);
+  s.world.free_one_in = 1;
+  s.run_and_compare(true);
+  EXPECT_EQ(s.world.overflowed, 3 * static_cast<uint64_t>(lines));
+}
+
 TEST(PuAllocate, SaysSoWhenALayerDoesNotFit) {
   AllocateBench s;
   if (s.config.overflow) GTEST_SKIP() << "what does not fit goes to memory";
