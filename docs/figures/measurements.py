@@ -4,49 +4,32 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import accumulate
 
-from keep import (
-    accuracy,
-    accuracy_rtl,
-    budget,
-    compared,
-    cost,
-    difference,
+from keep.frames import (
     effects,
     effects_gain,
-    energy,
-    equal_area,
     fetched,
     fidelity,
-    fpga,
     frame,
-    golden,
     host,
     host_model,
     ladder,
     lanes,
     large_model,
-    leave_one_out,
     models,
-    netlist,
     one_model,
     one_store,
-    pick,
-    printed,
     profile,
-    proofs,
-    rivals,
-    rivals_and_parameters,
     shapes,
-    shown,
-    silicon,
     speed,
-    stability,
     sweep,
-    tables,
-    terms,
     tradeoff,
     views,
 )
+from keep.numerics import accuracy, accuracy_rtl, budget, errors, golden, stability
+from keep.parts import pick
+from keep.rivals import rivals, rivals_and_parameters, terms
+from keep.silicon import compared, cost, energy, equal_area, fpga, leave_one_out, netlist, silicon
+from keep.texts import difference, printed, proofs, shown, tables
 from scenes import SIZES, VIEWS_OF_SIZE
 
 RTL = ("rtl", "models", "memory")
@@ -103,6 +86,7 @@ STORES = {  # of the design point dop: lines of an alpha store, and layers that 
     "lines8192": "--set alpha_lines=8192",
 }
 STORES = {name: f"--rung dop {change}".rstrip() for name, change in STORES.items()} | {"baseline": "--rung baseline"}
+POSITIONS = {"plain": "", "finer": " --set pos_w=18 --set base_w=14"}  # of dop: a record has as many bytes
 ADDED = {  # from exact towards fast: what each step adds to the one before
     "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", "--config sim/fine.cfg --set quads=1"),
     "window128": ("windows of four parts", "--set window=128"),
@@ -238,6 +222,8 @@ TABLE = [
     Measurement("dram/worth", "build/pipegs dram --mappings", tables("mappings", "steps"), ("memory",)),
     *[Measurement(f"stores/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_store, MODEL, scene,
                   points=(change.split()[1],)) for name, change in STORES.items() for scene in FOUR],
+    *[Measurement(f"positions/{scene}/{name}", f"build/pipegs sim {{scene}} --rung dop{change} --no-rtl --json", errors,
+                  ("models",), scene, points=("dop",)) for name, change in POSITIONS.items() for scene in FOUR],
     *[Measurement(f"silicon/{name}", f"build/pipegs silicon {options}--no-energy --json", silicon, ("rtl", "synth"),
                   points=(options.split()[1],)) for name, options in SYNTHESISED.items()],
     *[Measurement(f"fpga/{point}_{family}_{units}", f"synth/fpga/fpga.py --build build/. --rung {point} "

@@ -12,6 +12,7 @@ MEASURED = [
     "sweep/*",
     "results/terrace_0",
     "stores/*",
+    "positions/*",
 ]
 PAPER = {"baseline": ("1.00", "7.48"), "dpc": ("-", "5.71"), "tspp": ("2.33", "1.83"), "dop": ("2.85", "-")}
 FOR = ("fps_per_mm2", "frames_per_joule", "frames_per_joule_with_dram")
@@ -87,6 +88,19 @@ def stores():
             + [" / ".join(group(one.bytes / 1e6) for one in cells)]
         )
     return table(["lines of a store", "layers", *[f"{scene}: cycles" for scene in FOUR], "MB of the four"], rows)
+
+
+def positions():
+    """What finer positions and shorter colours do to the picture of dop, dB."""
+    rows = []
+    for scene in FOUR:
+        plain, finer = data.positions[scene].plain, data.positions[scene].finer
+        rows.append(
+            [scene, fixed(plain.psnr_order_db, 1)]
+            + [fixed(one.psnr_numeric_db, 2) for one in (plain, finer)]
+            + [fixed(one.psnr_total_db, 2) for one in (plain, finer)]
+        )
+    return table(["scene", "order, dB", "numeric, dB", "finer", "total, dB", "finer"], rows)
 
 
 def store_over(scene, name):
