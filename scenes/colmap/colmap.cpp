@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// colmap: lenses and poses become cameras, and the folder is looked through; see colmap.hpp.
+//
+// Rule    Every pose names a lens that is there and a photograph that is there, each id and each name once; at least
+//         two photographs, because one is held out; at least one camera has a point before it.
+#include "scenes/colmap/colmap.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "scenes/input_error.hpp"
+#include "scenes/text/text_file.hpp"
+
+namespace pipegs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 32;
+
+glm::dmat3 rotation_of(const glm::dvec4& quaternion) {
+  const glm::dvec4 q = quaternion / glm::length(quaternion);
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  return {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+}
+
+void check_pose(const std::string& file, const std::string& where, const ColmapPose& pose) {
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(pose.translation[i]) <= kFarthestPoint))
+      throw InputError(file, where + ", translation",
+                       fmt::format("found {}, expected a number of at most {:g}", pose.translation[i], kFarthestPoint));
+  }
+  const double length = glm::length(pose.rotation);
+  if (!(std::abs(length - 1) <= 1e-3))
+    throw InputError(file, where + ", rotation",
+                     fmt::format("found a quaternion of length {:.6g}, expected 1 to within 0.001", length));
+  const fs::path name(pose.name);
+  const bool inside =
+      !pose.name.empty() && name.is_relative() && std::find(name.begin(), name.end(), fs::path("..")) == name.end();
+  if (!inside)
+    throw InputError(file, where + ", name",
+                     fmt::format("found {}, expected the name of a file in the folder images", quote(pose.name)));
+}
+
+// The file `name` of the model, .bin before .txt as COLMAP itself reads them.
+fs::path model_file(const fs::path& model, const std::string& name) {
+  const fs::path binary = model / (name + ".bin"), text = model / (name + ".txt");
+  if (fs::exists(binary)) return binary;
+  if (fs::exists(text)) return text;
+  throw InputError(model.string(), "", fmt::format("found neither {0}.bin nor {0}.txt, expected COLMAP's model", name));
+}
+
+std::string read_file(const fs::path& path) { return read_text_file(path, "a file of COLMAP's model", kMostBytes); }
+
+void check_something_seen(const fs::path& file, const ColmapFolder& folder) {
+  for (const Camera& camera : folder.cameras) {
+    for (const ScenePoint& point : folder.points) {
+      if ((camera.world_to_camera * (point.position - camera.position)).z > 0) return;
+    }
+  }
+  throw InputError(file.string(), "", "all points lie behind all cameras, expected some before one");
+}
+
+}  // namespace
+
+std::vector<Camera> colmap_cameras(const std::string& file, const std::vector<ColmapLens>& lenses,
+                                   const std::vector<ColmapPose>& poses) {
+  std::map<std::uint32_t, const ColmapLens*> by_id;
+  for (const ColmapLens& lens : lenses) by_id[lens.id] = &lens;
+  std::set<std::string> names;
+  std::vector<Camera> cameras;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const ColmapPose& pose = poses[i];
+    const std::string where = fmt::format("image {}", i);
+    check_pose(file, where, pose);
+    const auto lens = by_id.find(pose.lens);
+    if (lens == by_id.end())
+      throw InputError(file, where + ", camera id", fmt::format("found {}, expected one of cameras", pose.lens));
+    if (!names.insert(pose.name).second)
+      throw InputError(file, where + ", name", fmt::format("found a second {}, expected one", quote(pose.name)));
+    const ColmapLens& of = *lens->second;
+    Camera camera;
+    camera.name = pose.name;
+    camera.width = of.width;
+    camera.height = of.height;
+    camera.world_to_camera = rotation_of(pose.rotation);
+    camera.position = -(glm::transpose(camera.world_to_camera) * pose.translation);
+    camera.fx = of.fx;
+    camera.fy = of.fy;
+    camera.cx = of.cx - 0.5;
+    camera.cy = of.cy - 0.5;
+    cameras.push_back(camera);
+  }
+  std::sort(cameras.begin(), cameras.end(), [](const Camera& a, const Camera& b) { return a.name < b.name; });
+  for (std::size_t i = 0; i < cameras.size(); ++i) cameras[i].id = static_cast<int>(i);
+  return cameras;
+}
+
+ColmapFolder read_colmap(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::path sparse = folder / "sparse", model = fs::is_directory(sparse / "0", ignored) ? sparse / "0" : sparse;
+  if (!fs::is_directory(model, ignored))
+    throw InputError(folder.string(), "", "found no folder sparse/0, expected COLMAP's model there");
+  const fs::path lens_file = model_file(model, "cameras"), pose_file = model_file(model, "images"),
+                 point_file = model_file(model, "points3D");
+  ColmapFolder found;
+  found.images = folder / "images";
+  if (!fs::is_directory(found.images, ignored))
+    throw InputError(folder.string(), "", "found no folder images, expected the photographs there");
+  const std::vector<ColmapLens> lenses = parse_colmap_lenses(lens_file.string(), read_file(lens_file));
+  const std::vector<ColmapPose> poses = parse_colmap_poses(pose_file.string(), read_file(pose_file));
+  std::set<std::uint32_t> ids;
+  for (const ColmapLens& lens : lenses) {
+    if (!ids.insert(lens.id).second)
+      throw InputError(lens_file.string(), "", fmt::format("found camera id {} twice, expected it once", lens.id));
+  }
+  found.cameras = colmap_cameras(pose_file.string(), lenses, poses);
+  if (found.cameras.size() < 2) {
+    throw InputError(pose_file.string(), "",
+                     fmt::format("found {} photographs, expected at least two", found.cameras.size()));
+  }
+  for (const Camera& camera : found.cameras) {
+    if (!fs::is_regular_file(found.images / camera.name, ignored))
+      throw InputError(pose_file.string(), fmt::format("image {}", quote(camera.name)),
+                       fmt::format("found no photograph of this name in {}", quote(found.images.string())));
+  }
+  found.points = parse_colmap_points(point_file.string(), read_file(point_file));
+  if (found.points.size() < kFewestPoints)
+    throw InputError(point_file.string(), "",
+                     fmt::format("found {} points, expected at least {}", found.points.size(), kFewestPoints));
+  check_something_seen(point_file, found);
+  return found;
+}
+
+}  // namespace pipegs
