@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// camera: pinhole cameras and INRIA's cameras.json.
+// camera: pinhole cameras, and the files that hold them.
 //
 // Idea    camera_space = world_to_camera * (p - position);  pixel = f * xy / z + c
 //         Axes x right, y down, z forward. Pixel i has its centre at coordinate i, hence the
 //         principal point of a centred camera is (width - 1) / 2.
-// Layout  cameras.json: "rotation" holds the rows of the camera-to-world matrix, which are the
-//         columns of world_to_camera. "cx", "cy" are ours, and optional: a principal point off the centre.
-// Rule    A rotation within 1e-4 of orthonormal is accepted and made orthonormal in double;
-//         anything else is an InputError naming the camera's index and the field. Numbers and nesting: json.hpp.
+// Reads   INRIA's cameras.json, COLMAP's model, transforms.json of nerfstudio, instant-ngp and Blender, cameras of
+//         PlayCanvas and SuperSplat: told by what is in them (scenes/cameras/). Ours is cameras.json.
+// Errors  InputError naming the camera's index and the field. Numbers and nesting: json.hpp.
 #pragma once
 
 #include <filesystem>
@@ -29,10 +28,19 @@ struct Camera {
   double fx = 0, fy = 0, cx = 0, cy = 0;
 };
 
-std::vector<Camera> read_cameras(const std::filesystem::path& path);
-// The same of a text; `file` is its name in errors.
-std::vector<Camera> parse_cameras(const std::string& file, std::string_view text);
+// What a file of cameras does not say.
+struct CameraReading {
+  int width = 0, height = 0;  // all views get this size; 0: the file's, and there must be one
+  bool ignore_distortion = false;
+};
+
+std::vector<Camera> read_cameras(const std::filesystem::path& path, const CameraReading& reading = {});
+// The same of a text that is JSON; `file` is its name in errors.
+std::vector<Camera> parse_cameras(const std::string& file, std::string_view text, const CameraReading& reading = {});
 void write_cameras(const std::filesystem::path& path, const std::vector<Camera>& cameras);
+
+// The same view with another number of pixels: as wide, and as high as the pixels make it.
+Camera resized(Camera camera, int width, int height);
 
 // A camera at `position` that looks at `target`, with world up = -y and square pixels.
 Camera look_at(const std::string& name, int id, int width, int height, const glm::dvec3& position,

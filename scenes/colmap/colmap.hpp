@@ -5,7 +5,8 @@
 //         photographs by the names that `images` gives them.
 // Idea    COLMAP's q, t: camera_space = R(q) p + t, so the camera stands at -R^T t. Its pixel i has its centre at
 //         i + 0.5, ours at i: both principal points are half a pixel less here.
-// Rule    PINHOLE and SIMPLE_PINHOLE only: a lens that bends rays is taken out before (colmap image_undistorter).
+// Rule    PINHOLE and SIMPLE_PINHOLE only: a lens that bends rays is taken out before (colmap image_undistorter). Where
+//         that is to be ignored, SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV are pinholes with their focal lengths.
 //         Cameras come in the order of their photographs' names, whatever order the file has.
 // Errors  InputError with file, element and field; whether the photographs are there is seen here, what is in them not.
 #pragma once
@@ -26,7 +27,7 @@ struct ScenePoint {
   glm::u8vec3 color;
 };
 
-// A lens: PINHOLE or SIMPLE_PINHOLE, in COLMAP's pixels.
+// A lens as a pinhole, in COLMAP's pixels.
 struct ColmapLens {
   std::uint32_t id = 0;
   int width = 0, height = 0;
@@ -52,7 +53,8 @@ inline constexpr double kFarthestPoint = 1e9;    // of a coordinate: its square 
 ColmapFolder read_colmap(const std::filesystem::path& folder);
 
 // The parts, of a file's bytes; `file` is their name in errors and says by its ending, .txt or .bin, what they are.
-std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes);
+std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes,
+                                            bool ignore_distortion = false);
 std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes);
 std::vector<ScenePoint> parse_colmap_points(const std::string& file, std::string_view bytes);
 // Cameras of lenses and poses; `file` is that of the poses.

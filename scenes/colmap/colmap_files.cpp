@@ -36,18 +36,32 @@ constexpr std::string_view kModels[] = {"SIMPLE_PINHOLE",
 
 bool is_text(const std::string& file) { return file.ends_with(".txt"); }
 
-// How many parameters a model has here; InputError for one that bends rays.
-std::size_t parameters_of(const std::string& file, const std::string& where, std::string_view model) {
-  if (model == kModels[0]) return 3;
-  if (model == kModels[1]) return 4;
+// How many focal lengths and how many other parameters a model has; the principal point stands between them.
+struct Parameters {
+  std::size_t focal, bent;
+  std::size_t all() const { return focal + 2 + bent; }
+};
+
+// InputError for a model that bends rays, unless that can be ignored.
+Parameters parameters_of(const std::string& file, const std::string& where, std::string_view model, bool ignore) {
+  if (model == kModels[0]) return {1, 0};
+  if (model == kModels[1]) return {2, 0};
   const bool known = std::find(std::begin(kModels), std::end(kModels), model) != std::end(kModels);
+  const std::size_t focal = model.starts_with("SIMPLE_RADIAL") || model == "RADIAL" ? 1 : 2,
+                    bent = model == "SIMPLE_RADIAL" ? 1
+                           : model == "RADIAL"      ? 2
+                           : model == "OPENCV"      ? 4
+                           : model == "FULL_OPENCV" ? 8
+                                                    : 0;
+  if (ignore && bent > 0) return {focal, bent};
   throw InputError(file, where + ", model",
-                   fmt::format("found {}, expected PINHOLE or SIMPLE_PINHOLE{}", quote(model),
-                               known ? "; take the distortion out with colmap image_undistorter" : ""));
+                   fmt::format("found {}, expected PINHOLE or SIMPLE_PINHOLE{}{}", quote(model),
+                               known ? "; take the distortion out with colmap image_undistorter" : "",
+                               bent > 0 ? ", or --ignore-distortion" : ""));
 }
 
 ColmapLens lens_of(const std::string& file, const std::string& where, std::uint32_t id, std::uint64_t width,
-                   std::uint64_t height, std::span<const double> p) {
+                   std::uint64_t height, std::span<const double> p, std::size_t axes) {
   const auto side = [&](const char* field, std::uint64_t pixels) {
     if (pixels >= 1 && pixels <= kMaxImageSide) return static_cast<int>(pixels);
     throw InputError(file, fmt::format("{}, {}", where, field),
@@ -58,7 +72,6 @@ ColmapLens lens_of(const std::string& file, const std::string& where, std::uint3
     throw InputError(file, fmt::format("{}, {}", where, field),
                      fmt::format("found {}, expected {}", value, range.text()));
   };
-  const std::size_t axes = p.size() - 2;
   return {id,
           side("width", width),
           side("height", height),
@@ -86,18 +99,19 @@ void check_end(const Bytes& bytes) {
                      fmt::format("found {} bytes behind the last record, expected none", bytes.remaining()));
 }
 
-std::vector<ColmapLens> lenses_of_text(const std::string& file, std::string_view text) {
+std::vector<ColmapLens> lenses_of_text(const std::string& file, std::string_view text, bool ignore_distortion) {
   std::vector<ColmapLens> lenses;
   for_each_line(text, [&](int number, std::string_view line) {
     const std::string where = fmt::format("line {}", number);
     Words words(file, where, line);
     const auto id = words.integer<std::uint32_t>("camera id");
-    std::vector<double> parameters(parameters_of(file, where, words.word("model")));
+    const Parameters kind = parameters_of(file, where, words.word("model"), ignore_distortion);
+    std::vector<double> parameters(kind.all());
     const auto width = words.integer<std::uint64_t>("width"), height = words.integer<std::uint64_t>("height");
     for (double& parameter : parameters) parameter = words.real("parameters");
     if (!words.empty())
       words.fail("parameters", fmt::format("found more than {}, expected no more", parameters.size()));
-    lenses.push_back(lens_of(file, where, id, width, height, parameters));
+    lenses.push_back(lens_of(file, where, id, width, height, parameters, kind.focal));
   });
   return lenses;
 }
@@ -139,7 +153,7 @@ std::vector<ScenePoint> points_of_text(const std::string& file, std::string_view
   return points;
 }
 
-std::vector<ColmapLens> lenses_of_bytes(const std::string& file, std::string_view data) {
+std::vector<ColmapLens> lenses_of_bytes(const std::string& file, std::string_view data, bool ignore_distortion) {
   Bytes bytes(file, data);
   std::vector<ColmapLens> lenses;
   const std::uint64_t count = bytes.count(24 + 3 * 8, "number of cameras");
@@ -149,10 +163,11 @@ std::vector<ColmapLens> lenses_of_bytes(const std::string& file, std::string_vie
     const auto model = bytes.take<std::int32_t>(where);
     const auto width = bytes.take<std::uint64_t>(where), height = bytes.take<std::uint64_t>(where);
     const bool known = model >= 0 && static_cast<std::size_t>(model) < std::size(kModels);
-    std::vector<double> parameters(
-        parameters_of(file, where, known ? std::string(kModels[model]) : fmt::format("model {}", model)));
+    const Parameters kind = parameters_of(
+        file, where, known ? std::string(kModels[model]) : fmt::format("model {}", model), ignore_distortion);
+    std::vector<double> parameters(kind.all());
     for (double& parameter : parameters) parameter = bytes.take<double>(where);
-    lenses.push_back(lens_of(file, where, id, width, height, parameters));
+    lenses.push_back(lens_of(file, where, id, width, height, parameters, kind.focal));
   }
   check_end(bytes);
   return lenses;
@@ -195,8 +210,9 @@ std::vector<ScenePoint> points_of_bytes(const std::string& file, std::string_vie
 
 }  // namespace
 
-std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes) {
-  return is_text(file) ? lenses_of_text(file, bytes) : lenses_of_bytes(file, bytes);
+std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes, bool ignore_distortion) {
+  return is_text(file) ? lenses_of_text(file, bytes, ignore_distortion)
+                       : lenses_of_bytes(file, bytes, ignore_distortion);
 }
 
 std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes) {

@@ -170,7 +170,7 @@ TEST(Camera, OnlyARegularFileOfSomeSizeIsRead) {
     } catch (const InputError& error) { return error.what(); }
     return "accepted";
   };
-  EXPECT_NE(refused(scratch / "").find("found a folder, expected a cameras.json"), std::string::npos);
+  EXPECT_NE(refused(scratch / "").find("found a folder without cameras.bin and cameras.txt"), std::string::npos);
   EXPECT_NE(refused("/dev/zero").find("found a device"), std::string::npos);
   ASSERT_EQ(mkfifo((scratch / "pipe").c_str(), 0600), 0);
   EXPECT_NE(refused(scratch / "pipe").find("found a pipe"), std::string::npos);

@@ -22,19 +22,6 @@ struct SplitArguments {
   std::vector<std::string> sizes;
 };
 
-// The same view with another number of pixels: as wide, and as high as the pixels make it.
-Camera resized(Camera camera, const PictureSize& size) {
-  const double by = static_cast<double>(size.width) / camera.width;
-  camera.name += fmt::format("_{}x{}", size.width, size.height);
-  camera.cx = (camera.cx + 0.5) * by - 0.5;
-  camera.cy = (camera.cy + 0.5 - camera.height / 2.0) * by + size.height / 2.0 - 0.5;
-  camera.fx *= by;
-  camera.fy *= by;
-  camera.width = size.width;
-  camera.height = size.height;
-  return camera;
-}
-
 // All views at the first size, then all at the second; without sizes as they are.
 std::vector<Camera> cameras_of(const SplitArguments& arguments) {
   const auto cameras = arguments.cameras.empty() ? generated_cameras() : read_cameras(arguments.cameras);
@@ -42,7 +29,9 @@ std::vector<Camera> cameras_of(const SplitArguments& arguments) {
   std::vector<Camera> all;
   for (const std::string& size : arguments.sizes) {
     for (const Camera& camera : cameras) {
-      all.push_back(resized(camera, picture_size("--sizes", size)));
+      const PictureSize wanted = picture_size("--sizes", size);
+      all.push_back(resized(camera, wanted.width, wanted.height));
+      all.back().name += fmt::format("_{}x{}", wanted.width, wanted.height);
       all.back().id = static_cast<int>(all.size()) - 1;
     }
   }
@@ -81,7 +70,7 @@ void add_split(CLI::App& app, Run& run) {
                          "Gaussian are\ndrawn from it, and cover the area that it covers."));
   static SplitArguments arguments;
   command->add_option("SCENE", arguments.scene, "scene as .ply; without it our own scene");
-  command->add_option("--cameras", arguments.cameras, "cameras.json (INRIA layout); needed with SCENE");
+  command->add_option("--cameras", arguments.cameras, "cameras in any format that says its size; needed with SCENE");
   add_integer(*command, "--gaussians", arguments.gaussians, "how many the new scene has", std::size_t{1},
               kMostGaussians)
       ->capture_default_str();
