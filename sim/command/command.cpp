@@ -17,8 +17,9 @@ namespace pipegs {
 
 void ViewArguments::add(CLI::App& app, DesignPoints which) {
   app.add_option("SCENE", scene, "scene as .ply (INRIA layout); without it our own scene");
-  app.add_option("--cameras", cameras, "cameras.json (INRIA layout); needed with SCENE");
-  add_integer(app, "--view", view, "which camera of the file, counted from 0", 0)->capture_default_str();
+  cameras.add(app);
+  add_integer(app, "--view", view, "which camera of the file or of the orbit, counted from 0", 0)
+      ->capture_default_str();
   add_place(app, "--window", window,
             "only this window (pixels of `fast` 128x128, of gscore 16x16, of the others 64x64)");
   if (which != DesignPoints::kSeveral)
@@ -118,15 +119,9 @@ void MemoryArguments::apply(SimulateOptions& options) const {
 LoadedView load_view(const ViewArguments& arguments) {
   LoadedView loaded;
   std::vector<Camera>& cameras = loaded.cameras;
-  if (arguments.scene.empty()) {
-    loaded.scene = generate_scene(1);
-    cameras = arguments.cameras.empty() ? generated_cameras() : read_cameras(arguments.cameras);
-  } else {
-    if (arguments.cameras.empty())
-      throw ConfigError(fmt::format("{}: --cameras FILE is needed with a scene", arguments.scene));
-    cameras = read_cameras(arguments.cameras);
-    loaded.scene = read_ply(arguments.scene);
-  }
+  const std::optional<std::vector<Camera>> given = arguments.cameras.read();
+  loaded.scene = arguments.scene.empty() ? generate_scene(1) : read_ply(arguments.scene);
+  cameras = given ? *given : arguments.cameras.frame(loaded.scene, arguments.scene.empty());
   if (arguments.view < 0 || arguments.view >= static_cast<int>(cameras.size())) {
     throw ConfigError(
         fmt::format("--view: found {}, expected 0 to {}", arguments.view, static_cast<int>(cameras.size()) - 1));

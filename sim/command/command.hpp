@@ -13,6 +13,7 @@
 
 #include "scenes/camera.hpp"
 #include "scenes/scene.hpp"
+#include "sim/command/camera_arguments.hpp"
 #include "sim/command/list_option.hpp"
 #include "sim/command/number_option.hpp"
 #include "sim/command/outputs.hpp"
@@ -37,7 +38,8 @@ enum class DesignPoints { kOne, kSeveral, kOneOrSeveral };
 
 // What every subcommand that renders a view takes.
 struct ViewArguments {
-  std::string scene, cameras, design_point{kDefaultDesignPoint}, config;
+  std::string scene, design_point{kDefaultDesignPoint}, config;
+  CameraArguments cameras;
   int view = 0;
   std::vector<int> window;
   std::vector<std::string> settings, design_points;
@@ -69,7 +71,7 @@ struct MemoryArguments {
 struct LoadedView {
   Scene scene;
   Camera camera;
-  std::vector<Camera> cameras;  // all of the file
+  std::vector<Camera> cameras;  // all of the file or the framing
 };
 LoadedView load_view(const ViewArguments& arguments);
 

@@ -95,6 +95,21 @@ inline CLI::Option* add_place(CLI::App& app, const std::string& name, std::vecto
       [] { return ""; });
 }
 
+// Three numbers, X,Y,Z; nothing is set without the option.
+inline CLI::Option* add_vector(CLI::App& app, const std::string& name, std::vector<double>& values,
+                               const std::string& what, const RealRange& range) {
+  return number_option_detail::add<std::vector<double>>(
+      app, name, what, "X,Y,Z", values,
+      [name, range](const std::string& list) {
+        std::vector<double> found;
+        for (const std::string& element : list_option_detail::elements_of(name, list))
+          found.push_back(parse_real(element, range));
+        if (found.size() != 3) throw CLI::ValidationError(name, fmt::format("found {}, expected X,Y,Z", quote(list)));
+        return found;
+      },
+      [] { return ""; });
+}
+
 // First and last, as 0-9; nothing is set without the option.
 inline CLI::Option* add_span(CLI::App& app, const std::string& name, std::vector<int>& span, const std::string& what) {
   return number_option_detail::add<std::vector<int>>(

@@ -123,6 +123,38 @@ TEST_F(Cli, RenderWritesEveryModel) {
   }
 }
 
+TEST_F(Cli, ASceneWithoutCamerasIsFramed) {
+  const auto rendered = [&](const std::string& options) {
+    const Outcome outcome = run("render scene.ply " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return text("out/frame.png");
+  };
+  const std::string plain = rendered("--size 96x64"), turned = rendered("--size 96x64 --orbit 4 --view 1");
+  EXPECT_NE(plain, turned);
+  EXPECT_EQ(plain, rendered("--size 96x64 --orbit 4 --view 0"));
+  EXPECT_NE(plain, rendered("--size 96x64 --from 0,0,-1 --look-at 0,0,4 --fov 80 --up 0,-1,0"));
+  const std::string framed = "render scene.ply ";
+  expect_refused(framed + "--view 1", "--view: found 1, expected 0 to 0");
+  expect_refused(framed + "--orbit 4 --view 4", "--view: found 4, expected 0 to 3");
+  expect_refused(framed + "--cameras cameras.json --orbit 4", "expected a file or a framing");
+  expect_refused(framed + "--ignore-distortion", "--ignore-distortion: found no --cameras");
+  expect_refused(framed + "--up 0,0,0", "--up: found '0,0,0'");
+  expect_refused(framed + "--from 1,1,1 --look-at 1,1,1", "or nowhere");
+  expect_refused(framed + "--size 96", "--size: found '96', expected WxH");
+  for (const char* place : {"1,2", "1,2,3,4", "1,,2", "a,b,c", "nan,0,0", "1e300,0,0"})
+    expect_refused(framed + "--from " + place, "--from: found '");
+  for (const char* fov : {"0", "-1", "171", "wide"}) expect_refused(framed + "--fov " + fov, "--fov: found '");
+  expect_refused(framed + "--orbit 0", "--orbit: found '0'");
+}
+
+TEST_F(Cli, CamerasComeInOtherFormats) {
+  write("t.json", R"({"camera_angle_x": 1, "frames": [{"transform_matrix":
+    [[1,0,0,0],[0,-1,0,0],[0,0,-1,0],[0,0,0,1]]}]})");
+  EXPECT_EQ(run("render scene.ply --cameras t.json --size 70x50").code, 0);
+  expect_refused("render scene.ply --cameras t.json", "t.json: frame 0, size: the file has none, expected --size WxH");
+  expect_refused("render scene.ply --cameras .", "cameras.bin and cameras.txt");
+}
+
 TEST_F(Cli, InfoCounts) {
   const Outcome outcome = run("info scene.ply --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -164,7 +196,6 @@ TEST_F(Cli, PackWritesTheImageAndItsHeader) {
   write_cameras(folder_ / "narrow.json", {narrow});
   expect_refused("pack scene.ply --cameras narrow.json --out no", "the focal length fx is 20000");
   EXPECT_FALSE(fs::exists(folder_ / "no"));
-  expect_refused("pack scene.ply --out no", "--cameras FILE is needed");
   expect_refused("pack scene.ply --cameras cameras.json --window 0,0 --out no", "--window: found one");
 }
 
@@ -186,7 +217,6 @@ TEST_F(Cli, ExplainShowsTheSameAlphaInGoldenAndRtl) {
 TEST_F(Cli, BadInputIsRefusedInOneLine) {
   expect_refused("sim missing.ply --cameras cameras.json", "missing.ply");
   expect_refused("sim scene.ply --cameras missing.json", "missing.json");
-  expect_refused("sim scene.ply", "--cameras");
   expect_refused("sim scene.ply --cameras cameras.json --view 7", "--view");
   expect_refused("sim scene.ply --cameras cameras.json --window 9,9", "--window");
   expect_refused("sim scene.ply --cameras cameras.json --set nonsense=3", "nonsense");

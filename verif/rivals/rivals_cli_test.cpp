@@ -124,7 +124,6 @@ TEST_F(RivalsCli, BadInputIsOneLine) {
   expect_refused(machines_ + "--set units=99", "units");
   expect_refused(view_ + "--window 0,0", "--window: the whole view is counted, expected none");
   expect_refused(view_ + "--view 1", "--view: found 1, expected 0 to 0");
-  expect_refused("rivals scene.ply", "--cameras FILE is needed with a scene");
   expect_refused("rivals missing.ply --cameras cameras.json", "missing.ply");
 }
 

@@ -118,7 +118,6 @@ TEST_F(TradeoffCli, BadInputIsOneLine) {
   expect_refused(view_ + "--window 0,0", "--window: pictures of other sizes are compared as a whole");
   expect_refused(view_ + "--keep scene.ply", "cannot be written: 'scene.ply' is a file, expected a folder");
   expect_refused(view_ + "--svg /proc/chart.svg", "cannot be written: nothing can be made in");
-  expect_refused("tradeoff scene.ply", "--cameras FILE is needed with a scene");
   expect_refused(view_ + "--view 1", "--view: found 1, expected 0 to 0");
   expect_refused(view_ + "--set t_cut=7", "t_cut: found '7'");
   EXPECT_EQ(left_behind(), std::vector<std::string>{});

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// camera_arguments.cpp: see camera_arguments.hpp.
+#include "sim/command/camera_arguments.hpp"
+
+#include "scenes/cameras/framing.hpp"
+#include "scenes/generate/generate.hpp"
+#include "sim/command/list_option.hpp"
+#include "sim/command/picture_size.hpp"
+
+namespace pipegs {
+namespace {
+
+std::optional<glm::dvec3> vector_of(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  return glm::dvec3(values[0], values[1], values[2]);
+}
+
+}  // namespace
+
+void CameraArguments::add(CLI::App& app) {
+  app.add_option(
+      "--cameras", file,
+      "cameras: INRIA's cameras.json, a folder or file of COLMAP, transforms.json of nerfstudio, instant-ngp "
+      "or Blender, SuperSplat's; without it the scene is framed");
+  app.add_option("--size", size, "pixels of the picture, WxH; a framed scene has 1280x720 without it");
+  app.add_flag("--ignore-distortion", ignore_distortion, "take a lens that bends rays for one that does not");
+  add_integer(app, "--orbit", orbit, "without --cameras: so many views on a circle round the scene", 1, 100000);
+  constexpr RealRange kFar{.low = -1e9, .high = 1e9};
+  add_vector(app, "--from", from, "without --cameras: where the camera stands", kFar);
+  add_vector(app, "--look-at", look_at, "without --cameras: what it looks at", kFar);
+  add_vector(app, "--up", up, "without --cameras: which way is up", kFar);
+  add_real(app, "--fov", fov, "without --cameras: degrees from left to right (60)",
+           {.low = 0, .high = 170, .above = true});
+}
+
+CameraReading CameraArguments::reading() const {
+  CameraReading reading;
+  reading.ignore_distortion = ignore_distortion;
+  if (size.empty()) return reading;
+  const PictureSize pixels = picture_size("--size", size);
+  reading.width = pixels.width;
+  reading.height = pixels.height;
+  return reading;
+}
+
+std::optional<std::vector<Camera>> CameraArguments::read() const {
+  if (up == std::vector<double>{0, 0, 0}) throw ConfigError("--up: found '0,0,0', expected a direction");
+  const CameraReading how = reading();
+  if (file.empty()) {
+    if (ignore_distortion) throw ConfigError("--ignore-distortion: found no --cameras, expected a file of them");
+    return std::nullopt;
+  }
+  if (frames())
+    throw ConfigError("--cameras: found --orbit, --from, --look-at, --up or --fov too, expected a file or a framing");
+  return read_cameras(file, how);
+}
+
+std::vector<Camera> CameraArguments::frame(const Scene& scene, bool own) const {
+  const CameraReading how = reading();
+  if (own && !frames()) {
+    std::vector<Camera> cameras = generated_cameras();
+    for (Camera& camera : cameras) {
+      if (how.width > 0) camera = resized(camera, how.width, how.height);
+    }
+    return cameras;
+  }
+  Framing framing;
+  if (how.width > 0) framing.width = how.width, framing.height = how.height;
+  if (orbit > 0) framing.views = orbit;
+  if (fov > 0) framing.fov = fov;
+  framing.from = vector_of(from);
+  framing.look_at = vector_of(look_at);
+  framing.up = vector_of(up);
+  return framed_cameras(scene, framing);
+}
+
+}  // namespace pipegs

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// camera_arguments.hpp: where the views of a scene come from: a file, or a framing of the scene.
+//
+// Rule    --cameras excludes what frames a scene (--orbit, --from, --look-at, --up, --fov). Without any of them a scene
+//         is framed as scenes/cameras/framing.hpp says, and our own scene has its generated cameras.
+// Errors  ConfigError of an option, InputError of a file.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/camera.hpp"
+#include "scenes/scene.hpp"
+
+namespace pipegs {
+
+struct CameraArguments {
+  std::string file, size;
+  bool ignore_distortion = false;
+  int orbit = 0;
+  double fov = 0;
+  std::vector<double> from, look_at, up;
+
+  void add(CLI::App& app);
+  // The views of the file; nothing without one.
+  std::optional<std::vector<Camera>> read() const;
+  // The views without a file, of a scene that is our own or not.
+  std::vector<Camera> frame(const Scene& scene, bool own) const;
+
+ private:
+  CameraReading reading() const;
+  bool frames() const { return orbit > 0 || fov > 0 || !from.empty() || !look_at.empty() || !up.empty(); }
+};
+
+}  // namespace pipegs
