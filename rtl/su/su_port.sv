@@ -4,7 +4,7 @@
 // Idea    One request is chosen at a time and stays until the memory takes it. A read is only asked for when the
 //         store has room for its answer, counted from the request to the moment the line is used; a queue beside the
 //         store says whose line each one is. At most one overflowed layer lives. Of the unit's share one area has
-//         records, one the list of keys and every other level of runs, one the other runs (area_place). A line that
+//         records, one the list of keys and every other level of runs, one the other runs (area_first). A line that
 //         its area does not hold is not asked for, nor is any behind it (full_o); the last number of all has no place,
 //         so that a count that wraps is seen. No line is written while a read of a record is unanswered: a set that
 //         begins to spill writes where the one before it is still read, and memory keeps no order between the two.
@@ -73,7 +73,8 @@ module su_port #(
   typedef enum logic [2:0] {None, Record, Keys, Run, Fetch, Read} choice_e;
   choice_e choice_q, choice_d;
 
-  logic [AddressW-1:0]             address_q, share_q;  // share_q: the first line of the unit's share
+  logic [AddressW-1:0]             address_q;
+  logic [AddressW-1:0]             first_keys_q, first_runs_q, first_records_q;  // lines with which its areas begin
   logic [2:0]                      area;
   logic [pipegs_pkg::SlotW-1:0]    line;
   logic                            full_q;
@@ -162,9 +163,12 @@ module su_port #(
   end
 
   always_ff @(posedge clk_i) begin
-    share_q <= overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys);
+    first_keys_q    <= overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys);
+    first_runs_q    <= overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaRuns);
+    first_records_q <= overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaRecords);
     if (choice_q == None && choice_d != None) begin
-      address_q <= share_q + pipegs_pkg::area_place(overflow_i.lines, area) + AddressW'(line);
+      address_q <= AddressW'(line) + (area == pipegs_pkg::AreaKeys ? first_keys_q :
+                                      area == pipegs_pkg::AreaRuns ? first_runs_q : first_records_q);
     end
   end
 

@@ -65,7 +65,10 @@ always_comb begin
     assert ((choice_q != Record && choice_q != Read) || area_q == pipegs_pkg::AreaRecords);
     assert (choice_q != Keys || area_q == pipegs_pkg::AreaKeys);
     assert ((choice_q != Run && choice_q != Fetch) || area_q != pipegs_pkg::AreaRecords);
-    assert (share_q == overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys));
+    assert (first_keys_q == overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys));
+    assert (first_runs_q == overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaRuns));
+    assert (first_records_q ==
+            overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaRecords));
     assert (!mem_valid_o || !mem_write_o || records_q == '0);
     assert (flight_q <= FlightW'(Answers));
     assert (!rsp_valid_i || unused_queue_ready);
