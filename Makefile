@@ -4,6 +4,7 @@
 BUILD ?= build
 RUNG ?= fast
 PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm-dev libpng-dev zlib1g-dev \
+            libwebp-dev libzstd-dev libminizip-dev pkg-config \
             libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
 STYLE := clang-format black shellcheck codespell
 GATES := opensta qflow-tech-osu018
