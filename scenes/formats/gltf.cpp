@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 #include <set>
 
 #include "scenes/formats/axes.hpp"
