@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltf: .gltf and .glb with KHR_gaussian_splatting, also with .spz inside; every node of the default scene that has one.
+// gltf: .gltf and .glb with KHR_gaussian_splatting, also with .spz inside; every node of the default scene.
 //
 // Idea    The nodes are walked from the roots, each with its matrix; a primitive becomes a Scene in its own axes, is
 //         moved by the matrix, and joins the others. What is in the bytes is found by gltf_data.hpp.

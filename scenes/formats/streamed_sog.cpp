@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // streamed_sog: lod-meta.json of PlayCanvas: a tree of boxes, each with rows of SOG files for several levels of detail.
 //
-// Idea    One level of the whole tree is a scene: the rows that its boxes name, file by file. An "environment" (the sky)
-//         is a SOG of its own that belongs to every level.
+// Idea    One level of the whole tree is a scene: the rows that its boxes name, file by file. An "environment" (the
+//         sky) is a SOG of its own that belongs to every level.
 // Rule    Files and their rows are named once, so a small tree cannot name a large scene many times.
 // Errors  InputError with the node of the tree; --lod beyond the levels.
 #include <fmt/format.h>

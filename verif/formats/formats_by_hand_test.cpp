@@ -166,15 +166,16 @@ std::string gltf(const std::string& node, const std::string& uri, const std::str
   return fmt::format(
       R"({{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
       "nodes": [{{"children": [1], "scale": [2, 2, 2]}}, {{"mesh": 0 {}}}],
-      "meshes": [{{"primitives": [{{"mode": 0}}, {{"mode": 0, "extensions": {{"KHR_gaussian_splatting": {{}}}}, "attributes":
-        {{"POSITION": 0, "KHR_gaussian_splatting:ROTATION": 1, "KHR_gaussian_splatting:SCALE": 2,
+      "meshes": [{{"primitives": [{{"mode": 0}}, {{"mode": 0,
+        "extensions": {{"KHR_gaussian_splatting": {{}}}}, "attributes": {{"POSITION": 0, "KHR_gaussian_splatting:ROTATION": 1, "KHR_gaussian_splatting:SCALE": 2,
          "KHR_gaussian_splatting:OPACITY": 3, "KHR_gaussian_splatting:SH_DEGREE_0_COEF_0": 0}}}}]}}],
       "buffers": [{{"byteLength": 36 {}}}], "bufferViews": [{{"buffer": 0, "byteLength": 28, "byteStride": 16}},
         {{"buffer": 0, "byteOffset": 28, "byteLength": 8}}],
       "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 2, "type": "VEC3"}},
         {{"bufferView": 1, "byteOffset": 0, "componentType": 5120, "normalized": true, "count": 2, "type": "VEC4"}},
         {{"bufferView": 1, "byteOffset": 0, "componentType": 5121, "count": 2, "type": "VEC3"}},
-        {{"bufferView": 1, "byteOffset": 1, "componentType": 5121, "normalized": true, "count": 2, "type": "SCALAR"}}] {}}})",
+        {{"bufferView": 1, "byteOffset": 1, "componentType": 5121, "normalized": true, "count": 2,
+          "type": "SCALAR"}}] {}}})",
       node, uri, more);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // scene_fuzz: any bytes as a scene, whose content says the format: a scene that holds together, or an InputError.
 //
-// Idea    What stands behind kBeside lies beside the file, under every name that it asks for. The payload of an .spz may
-//         come as it is: it is packed here, since a fuzzer does not find a gzip whose checksum is right.
+// Idea    What stands behind kBeside lies beside the file, under every name that it asks for. The payload of an .spz
+//         may come as it is: it is packed here, since a fuzzer does not find a gzip whose checksum is right.
 #include <zlib.h>
 
 #include <cstdlib>
