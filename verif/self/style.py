@@ -39,7 +39,7 @@ SOURCES = (
     "CMakeLists.txt",
 )
 WIDE = (".md", ".csv", ".json", ".jsonl", ".svg", ".xml")
-BINARY = (".png", ".ply", ".sog", ".pfm", ".exr", ".webp", ".bin", ".fst")
+BINARY = (".png", ".ply", ".splat", ".ksplat", ".spz", ".glb", ".sog", ".pfm", ".exr", ".webp", ".bin", ".fst")
 
 finds = []
 
