@@ -116,6 +116,12 @@ std::string to_text(const SceneInfo& info) {
   line("opacity", info.opacity);
   line("anisotropy", info.anisotropy);
   out += fmt::format("  opacity below 1/255: {:.2f} %\n", 100 * info.faint_share);
+  if (!info.format.name.empty()) {
+    out += fmt::format("  {:<14}{}; axes {}\n", "format", info.format.name,
+                       info.format.axes.empty() ? "not said" : info.format.axes);
+    for (const auto& [field, bits] : info.format.fields) out += fmt::format("    {:<12}{}\n", field, bits);
+    for (const std::string& note : info.format.notes) out += fmt::format("  note: {}\n", note);
+  }
   for (const Finding& f : info.findings)
     out += fmt::format("  note: {}: {}, first at index {}\n", f.what, f.count, f.first);
   return out;
@@ -134,7 +140,17 @@ std::string to_json(const SceneInfo& info) {
   };
   Json findings = Json::array();
   for (const Finding& f : info.findings) findings.push_back({{"what", f.what}, {"count", f.count}, {"first", f.first}});
+  Json format = nullptr;
+  if (!info.format.name.empty()) {
+    Json fields = Json::object();
+    for (const auto& [field, bits] : info.format.fields) fields[field] = bits;
+    format = {{"name", info.format.name},
+              {"axes", info.format.axes.empty() ? Json(nullptr) : Json(info.format.axes)},
+              {"fields", fields},
+              {"notes", info.format.notes}};
+  }
   const Json out = {{"name", info.name},
+                    {"format", format},
                     {"gaussians", info.gaussians},
                     {"usable", info.usable},
                     {"sh_degree", info.sh_degree},

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/formats/format.hpp"
 #include "scenes/scene.hpp"
 
 namespace pipegs {
@@ -29,6 +30,7 @@ struct Finding {
 
 struct SceneInfo {
   std::string name;
+  SceneFormat format;  // of the file; without a name when there is none
   std::size_t gaussians = 0, usable = 0;
   int sh_degree = 0;
   bool antialiased = false;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // areas.hpp: how the overflow area is divided: one table, from which rtl/pipegs_pkg.sv gets its functions.
 //
-// Paper   None: its buffers hold everything.     RTL  area_lines, area_place, area_first, list_first of rtl/pipegs_pkg.sv
+// Paper   None: its buffers hold everything.
+// RTL     area_lines, area_place, area_first, list_first of rtl/pipegs_pkg.sv
 // Idea    The host gives an area of any size; every part of it is the size shifted, so the machine divides by nothing.
 //         With lists the lower half is theirs. The rest is shared out to the units, and a share to what a unit keeps
 //         there: in its lower half the SU's (all of the share when no alphas go to memory), in its upper half alphas.

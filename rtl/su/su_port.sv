@@ -73,10 +73,9 @@ module su_port #(
   typedef enum logic [2:0] {None, Record, Keys, Run, Fetch, Read} choice_e;
   choice_e choice_q, choice_d;
 
-  logic [AddressW-1:0]             address_q, share_q;  // share_q: the first line of the unit's share
-  logic [2:0]                      area;
-  logic [pipegs_pkg::SlotW-1:0]    line;
-  logic                            full_q;
+  logic [AddressW-1:0]             share_q;       // the first line of the unit's share
+  logic [2:0]                      area, area_q;
+  logic [pipegs_pkg::SlotW-1:0]    line, line_q;
   logic [FlightW-1:0]              flight_q;  // lines asked for and not yet used
   logic [FlightW-1:0]              await_q;   // of these, the unanswered ones
   logic [FlightW-1:0]              behind_q;  // answers until that to the last read of a record
@@ -112,17 +111,19 @@ module su_port #(
     endcase
   end
 
-  assign mem_valid_o    = choice_q != None && !full_q;
+  // The place of a line is counted once it is chosen: to choose it takes most of a cycle.
+  assign full_o         = choice_q != None &&
+                          (line_q == '1 || AddressW'(line_q) >= pipegs_pkg::area_lines(overflow_i.lines, area_q));
+  assign full_line_o    = mem_address_o;
+  assign mem_valid_o    = choice_q != None && !full_o;
   assign mem_write_o    = choice_q != Fetch && choice_q != Read;
-  assign mem_address_o  = address_q;
+  assign mem_address_o  = share_q + pipegs_pkg::area_place(overflow_i.lines, area_q) + AddressW'(line_q);
   assign mem_data_o     = choice_q == Keys ? keys_i : choice_q == Run ? run_i : pipegs_pkg::MemoryW'(record_i);
   assign record_ready_o = taken && choice_q == Record;
   assign keys_ready_o   = taken && choice_q == Keys;
   assign run_ready_o    = taken && choice_q == Run;
   assign fetch_ready_o  = taken && choice_q == Fetch;
   assign read_ready_o   = taken && choice_q == Read;
-  assign full_o         = full_q;
-  assign full_line_o    = address_q;
   assign asked          = fetch_ready_o || read_ready_o;
   assign overflow_o     = taken && mem_write_o;
   assign waits_o        = mem_valid_o || (flight_q != '0 && !line_valid_o);
@@ -147,10 +148,7 @@ module su_port #(
       flight_q <= '0;
       await_q  <= '0;
       behind_q <= '0;
-      full_q   <= 1'b0;
     end else begin
-      if (choice_q == None && choice_d != None &&
-          (line == '1 || AddressW'(line) >= pipegs_pkg::area_lines(overflow_i.lines, area))) full_q <= 1'b1;
       if (choice_q == None) choice_q <= choice_d;
       else if (taken) choice_q <= None;
       if (asked && !used) flight_q <= flight_q + 1'b1;
@@ -163,9 +161,7 @@ module su_port #(
 
   always_ff @(posedge clk_i) begin
     share_q <= overflow_i.first + pipegs_pkg::area_first(overflow_i.lines, unit_i, pipegs_pkg::AreaKeys);
-    if (choice_q == None && choice_d != None) begin
-      address_q <= share_q + pipegs_pkg::area_place(overflow_i.lines, area) + AddressW'(line);
-    end
+    if (choice_q == None) {area_q, line_q} <= {area, line};
   end
 
 `ifndef SYNTHESIS

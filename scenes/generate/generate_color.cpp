@@ -9,33 +9,12 @@
 #include <vector>
 
 #include "scenes/generate/generate_random.hpp"
+#include "scenes/sh_basis.hpp"
 
 namespace pipegs::generate {
 namespace {
 
-constexpr int kBasis = 16;
-constexpr double kConstant = 0.28209479177387814, kLinear = 0.4886025119029199;
-
-std::array<double, kBasis> basis(const glm::dvec3& d) {
-  const double x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;
-  return {kConstant,
-          -kLinear * y,
-          kLinear * z,
-          -kLinear * x,
-          1.0925484305920792 * x * y,
-          -1.0925484305920792 * y * z,
-          0.31539156525252005 * (2 * zz - xx - yy),
-          -1.0925484305920792 * x * z,
-          0.5462742152960396 * (xx - yy),
-          -0.5900435899266435 * y * (3 * xx - yy),
-          2.890611442640554 * x * y * z,
-          -0.4570457994644658 * y * (4 * zz - xx - yy),
-          0.3731763325901154 * z * (2 * zz - 3 * xx - 3 * yy),
-          -0.4570457994644658 * x * (4 * zz - xx - yy),
-          1.445305721320277 * z * (xx - yy),
-          -0.5900435899266435 * x * (xx - 3 * yy)};
-}
-
+constexpr int kBasis = static_cast<int>(kShBasis);
 // Where the imagined photographs were taken: rings at three heights, denser in front.
 const std::vector<glm::dvec3>& photographers() {
   static const std::vector<glm::dvec3> all = [] {
@@ -63,7 +42,7 @@ ShColor fit_color(const glm::dvec3& point, const glm::dvec3& normal,
     const glm::dvec3 view = glm::normalize(camera - point);
     const double weight = all_round ? 1 : smoothstep(-0.05, 0.25, glm::dot(view, normal));
     if (weight <= 0) continue;
-    const auto y = basis(-view);
+    const auto y = sh_basis(-view);
     const glm::dvec3 target = seen(view) - 0.5;
     for (int i = 0; i < kBasis; ++i) {
       for (int j = 0; j <= i; ++j) a[i][j] += weight * y[static_cast<std::size_t>(i)] * y[static_cast<std::size_t>(j)];
@@ -93,14 +72,14 @@ ShColor fit_color(const glm::dvec3& point, const glm::dvec3& normal,
 
 ShColor plain_color(const glm::dvec3& color) {
   ShColor out{};
-  out[0] = (color - 0.5) / kConstant;
+  out[0] = (color - 0.5) / kShConstant;
   return out;
 }
 
 void add_gradient(ShColor& color, const glm::dvec3& axis, const glm::dvec3& amount) {
-  color[1] -= axis.y / kLinear * amount;
-  color[2] += axis.z / kLinear * amount;
-  color[3] -= axis.x / kLinear * amount;
+  color[1] -= axis.y / kShLinear * amount;
+  color[2] += axis.z / kShLinear * amount;
+  color[3] -= axis.x / kShLinear * amount;
 }
 
 }  // namespace pipegs::generate

@@ -82,25 +82,11 @@ std::vector<int> slots_of(const std::string& file, const PlyElement& vertex, int
   }
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (present[i] || i == kThirdScale) continue;
-    const bool packed = std::any_of(vertex.properties.begin(), vertex.properties.end(),
-                                    [](const auto& p) { return p.name == "packed_position"; });
-    throw InputError(file, fmt::format("line {}, element vertex", vertex.line),
-                     fmt::format("property {} is missing, expected the properties of INRIA's point_cloud.ply{}",
-                                 kNames[i], packed ? "; this is a compressed .ply, unpack it first" : ""));
+    throw InputError(
+        file, fmt::format("line {}, element vertex", vertex.line),
+        fmt::format("property {} is missing, expected the properties of INRIA's point_cloud.ply", kNames[i]));
   }
   return slots;
-}
-
-bool says_antialiased(const std::vector<std::string>& comments) {
-  bool antialiased = false;
-  for (const std::string& comment : comments) {
-    std::istringstream words(comment);
-    std::string key, value;
-    words >> key >> value;
-    if (key == "antialiased") antialiased = value == "1" || value == "true";
-    if (key == "SplatRenderMode:") antialiased = value == "mip";
-  }
-  return antialiased;
 }
 
 void read_vertices(PlySource& source, PlyFormat format, const PlyElement& vertex, Scene& scene) {
@@ -127,10 +113,21 @@ void read_vertices(PlySource& source, PlyFormat format, const PlyElement& vertex
 
 }  // namespace
 
-Scene read_ply(PlySource& source) {
-  const PlyHeader header = read_ply_header(source);
+bool says_antialiased(const PlyHeader& header) {
+  bool antialiased = false;
+  for (const std::string& comment : header.comments) {
+    std::istringstream words(comment);
+    std::string key, value;
+    words >> key >> value;
+    if (key == "antialiased") antialiased = value == "1" || value == "true";
+    if (key == "SplatRenderMode:") antialiased = value == "mip";
+  }
+  return antialiased;
+}
+
+Scene read_ply(PlySource& source, const PlyHeader& header) {
   Scene scene;
-  scene.antialiased = says_antialiased(header.comments);
+  scene.antialiased = says_antialiased(header);
   bool has_vertices = false;
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
@@ -147,6 +144,8 @@ Scene read_ply(PlySource& source) {
   check_end(source, header);
   return scene;
 }
+
+Scene read_ply(PlySource& source) { return read_ply(source, read_ply_header(source)); }
 
 Scene read_ply(const std::filesystem::path& path) {
   PlySource source(path);

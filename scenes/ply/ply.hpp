@@ -14,13 +14,15 @@
 
 #include <filesystem>
 
-#include "scenes/ply/ply_source.hpp"
+#include "scenes/ply/ply_header.hpp"
 #include "scenes/scene.hpp"
 
 namespace pipegs {
 
 Scene read_ply(const std::filesystem::path& path);
 Scene read_ply(PlySource& source);  // without a name
+Scene read_ply(PlySource& source, const PlyHeader& header);
+bool says_antialiased(const PlyHeader& header);
 void write_ply(const std::filesystem::path& path, const Scene& scene);
 
 }  // namespace pipegs

@@ -3,8 +3,6 @@
 //
 // Idea    Three paths, by rising generality: rows of fixed size in blocks, rows with lists property
 //         by property, ASCII word by word, a line for each row.
-// Rule    A double beyond float's range becomes an infinity (and the Gaussian is culled later); the
-//         conversion itself would be undefined behaviour.
 #include "scenes/ply/ply_body.hpp"
 
 #include <fmt/format.h>
@@ -13,9 +11,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "scenes/input_error.hpp"
+#include "scenes/narrow.hpp"
 #include "scenes/text/number.hpp"
 
 namespace pipegs {
@@ -33,13 +31,6 @@ T load(const std::uint8_t* bytes, bool swap) {
   T value;
   std::memcpy(&value, copy, sizeof(T));
   return value;
-}
-
-float narrow(double value) {
-  if (std::abs(value) > std::numeric_limits<float>::max() && std::isfinite(value)) {
-    return std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(std::copysign(1.0, value)));
-  }
-  return static_cast<float>(value);
 }
 
 double load_scalar(const std::uint8_t* bytes, PlyType type, bool swap) {

@@ -17,7 +17,6 @@
 namespace pipegs {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 24;
 constexpr std::size_t kLongestMessage = 200;  // it quotes the text that it read last, which may be a megabyte
 
 // Where the parser is: a level for each open bracket.
@@ -98,7 +97,7 @@ std::string valid_utf8(const std::string& text) {
 
 template <typename Json>
 Json read_json(const std::filesystem::path& path, std::string_view expected) {
-  return parse_json<Json>(path.string(), read_text_file(path, expected, kMostBytes));
+  return parse_json<Json>(path.string(), read_text_file(path, expected, kMostJsonBytes));
 }
 
 template nlohmann::json parse_json(const std::string&, std::string_view);

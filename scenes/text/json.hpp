@@ -10,6 +10,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,11 +22,12 @@
 namespace pipegs {
 
 inline constexpr int kMostNested = 64;
+inline constexpr std::uint64_t kMostJsonBytes = std::uint64_t{1} << 24;
 
 // Json is nlohmann::json or nlohmann::ordered_json.
 template <typename Json>
 Json parse_json(const std::string& file, std::string_view text);
-// At most 16 MB: a file of one holds a thousand cameras.
+// At most kMostJsonBytes: a file of one holds a thousand cameras.
 template <typename Json>
 Json read_json(const std::filesystem::path& path, std::string_view expected);
 

@@ -7,16 +7,38 @@
 
 #include <set>
 
+#include "scenes/formats/axes.hpp"
+#include "scenes/formats/read_scene.hpp"
 #include "scenes/generate/generate.hpp"
 #include "scenes/input_error.hpp"
-#include "scenes/ply/ply.hpp"
 #include "sim/design/config_file.hpp"
 #include "sim/memory/dram_memory.hpp"
 
 namespace pipegs {
 
+void SceneArguments::add(CLI::App& app) {
+  app.add_option("SCENE", file,
+                 "scene: .ply, .splat, .ksplat, .spz, .sog, meta.json, lod-meta.json, .glb, .gltf; without it our own");
+  add_integer(app, "--lod", read.lod, "level of detail of a streamed SOG; 0 is the finest", 0, 63)
+      ->capture_default_str();
+  app.add_option("--axes", read.axes,
+                 "axes of the scene, where x, y, z point, such as RUB (right, up, back); otherwise as the file or its "
+                 "format says")
+      ->check(CLI::Validator(
+          [](const std::string& axes) {
+            return are_axes(axes)
+                       ? std::string()
+                       : fmt::format("found {}, expected R or L, U or D, F or B, such as RDF or RUB", quote(axes));
+          },
+          ""));
+}
+
+Scene SceneArguments::load(SceneFormat* format) const {
+  return file.empty() ? generate_scene(1) : read_scene(file, read, format);
+}
+
 void ViewArguments::add(CLI::App& app, DesignPoints which) {
-  app.add_option("SCENE", scene, "scene as .ply (INRIA layout); without it our own scene");
+  scene.add(app);
   cameras.add(app);
   add_integer(app, "--view", view, "which camera of the file or of the orbit, counted from 0", 0)
       ->capture_default_str();
@@ -120,8 +142,8 @@ LoadedView load_view(const ViewArguments& arguments) {
   LoadedView loaded;
   std::vector<Camera>& cameras = loaded.cameras;
   const std::optional<std::vector<Camera>> given = arguments.cameras.read();
-  loaded.scene = arguments.scene.empty() ? generate_scene(1) : read_ply(arguments.scene);
-  cameras = given ? *given : arguments.cameras.frame(loaded.scene, arguments.scene.empty());
+  loaded.scene = arguments.scene.load();
+  cameras = given ? *given : arguments.cameras.frame(loaded.scene, arguments.scene.file.empty());
   if (arguments.view < 0 || arguments.view >= static_cast<int>(cameras.size())) {
     throw ConfigError(
         fmt::format("--view: found {}, expected 0 to {}", arguments.view, static_cast<int>(cameras.size()) - 1));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scenes/camera.hpp"
+#include "scenes/formats/format.hpp"
 #include "scenes/scene.hpp"
 #include "sim/command/camera_arguments.hpp"
 #include "sim/command/list_option.hpp"
@@ -36,10 +37,21 @@ std::string footer(const std::string& example, const std::string& agrees, const 
 // Which design points a subcommand runs: --rung, --rungs (all of them without it), or either.
 enum class DesignPoints { kOne, kSeveral, kOneOrSeveral };
 
+// A scene of a file, and how it is read.
+struct SceneArguments {
+  std::string file;
+  ReadOptions read;
+
+  void add(CLI::App& app);
+  // Our own without a file. Throws InputError. `format` says what the file was.
+  Scene load(SceneFormat* format = nullptr) const;
+};
+
 // What every subcommand that renders a view takes.
 struct ViewArguments {
-  std::string scene, design_point{kDefaultDesignPoint}, config;
+  SceneArguments scene;
   CameraArguments cameras;
+  std::string design_point{kDefaultDesignPoint}, config;
   int view = 0;
   std::vector<int> window;
   std::vector<std::string> settings, design_points;
@@ -82,6 +94,7 @@ void follow_scene(const Scene& scene, SimulateOptions& options);
 void need_taps(const SimulateOptions& options);
 
 void add_info(CLI::App& app, Run& run);
+void add_convert(CLI::App& app, Run& run);
 void add_split(CLI::App& app, Run& run);
 void add_pack(CLI::App& app, Run& run);
 void add_sim(CLI::App& app, Run& run);

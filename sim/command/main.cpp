@@ -93,6 +93,7 @@ int main(int argc, char** argv) {
   add_shapes(app, run);
   add_rivals(app, run);
   add_info(app, run);
+  add_convert(app, run);
   add_split(app, run);
   add_pack(app, run);
   try {

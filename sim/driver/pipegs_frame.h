@@ -98,7 +98,8 @@ uint64_t pipegs_pixels_size(const struct pipegs_configuration *config, const str
 /* Bytes of the overflow areas of a frame of so many windows of a scene of so many slots, as many as it can need at
  * most: a splat of every Gaussian in each part of a window, all in one SU; a line of alphas for each region; a list as
  * long as the scene. Where that is too much it is cut: at 1 GiB of records and keys and 1 GiB of alphas for all units
- * together, and at 2 GiB of lists (beside the gaps between them). A frame that needs more ends with the error area_full. */
+ * together, and at 2 GiB of lists, beside the gaps between them. A frame that needs more ends with the error
+ * area_full. */
 uint64_t pipegs_overflow_size(const struct pipegs_configuration *config, uint64_t slots, uint64_t windows);
 
 /* The pixels behind the image, the overflow areas behind them, as large as a frame of all windows can need: what one

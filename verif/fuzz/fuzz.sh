@@ -14,12 +14,13 @@ if ! [[ $seconds =~ ^[1-9][0-9]*$ ]]; then
   exit 2
 fi
 targets=("$@")
-[ $# -gt 0 ] || targets=(ply_header ply_body cameras config points csv trace)
+[ $# -gt 0 ] || targets=(ply_header ply_body scene cameras config points csv trace)
 status=0
 for target in "${targets[@]}"; do
   mkdir -p "$folder/corpus/$target"
   log=$folder/$target.log
-  if "$folder/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -max_len=4096 \
+  longest=$([ "$target" = scene ] && echo 8192 || echo 4096)  # a .ksplat has a header of 5120
+  if "$folder/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -max_len="$longest" \
       -dict="$here/dictionary/$target.dict" -print_final_stats=1 -artifact_prefix="$folder/$target-" \
       "$folder/corpus/$target" "$here/corpus/$target" > "$log" 2>&1; then
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")

@@ -16,7 +16,7 @@ if ! "$program" "$seeds"/* > "$work/log" 2>&1; then
 fi
 TIMEFORMAT=%U
 hunt() {
-  "$program" -seed="$1" -max_len=4096 -dict="$here/dictionary/$target.dict" -artifact_prefix="$work/" "$work/new" \
+  "$program" -seed="$1" -max_len=8192 -dict="$here/dictionary/$target.dict" -artifact_prefix="$work/" "$work/new" \
     "$seeds" > "$work/log" 2>&1
 }
 for seed in 1 2 3; do

@@ -200,8 +200,8 @@ mutant su_ways "a line is asked for without a place" "s/ && held_q\[i\] != HeldW
 mutant su_tree "the nearer one stays" 's/(loser\[.*\]) < (rising)/\1 > \2/' su_tiny
 mutant su_emit "the end of a set that spilled asks the memory for a record" \
        's/spilled_i && !item_end_i/spilled_i/' su_tiny
-mutant su_port "a line behind its area is asked for" 's/\(line\) >= (pipegs_pkg::area_lines)/(line) > \1/' su
-mutant su_port "goes on behind a line that has no room" 's/(choice_q != None) && !full_q/\1/' su
+mutant su_port "a line behind its area is asked for" 's/\(line_q\) >= (pipegs_pkg::area_lines)/(line_q) > \1/' su
+mutant su_port "goes on behind a line that has no room" 's/(choice_q != None) && !full_o/\1/' su
 mutant su_port "asks for lines without room" 's/read_valid_i && room/read_valid_i/' su
 mutant su_port "a line is written while a record is being read" "s/(writes = )behind_q == '0/\11'b1/" su_marks_tiny
 

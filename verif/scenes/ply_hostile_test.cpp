@@ -96,7 +96,7 @@ TEST(PlyHostile, RefusesNonsenseHeaders) {
   expect_refused(replaced(good, "ply\n", "ply\nnonsense here\n"), {"line 2", "nonsense"});
   expect_refused(
       "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uint packed_position\nend_header\n1234",
-      {"compressed"});
+      {"property x is missing"});
 }
 
 TEST(PlyHostile, PointsIntoTheBody) {

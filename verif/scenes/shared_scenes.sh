@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 read=0 status=0
 for cameras in "$scenes"/*/cameras.json; do
   for file in "$(dirname "$cameras")"/*.ply "$(dirname "$cameras")"/*.ply.xz; do
-    case $file in *'*'* | *.compressed.ply) continue ;; esac
+    case $file in *'*'*) continue ;; esac
     ply=$file
     if [[ $file == *.xz ]]; then
       command -v xz > /dev/null || { echo "skipped: $file (no xz)"; continue; }

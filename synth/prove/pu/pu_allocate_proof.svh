@@ -19,7 +19,7 @@ localparam int unsigned BeatW = pipegs_pkg::KindW + Regions + AlphaAddressW + 1;
 logic              lives_q, area_lives_q, followed_q;
 logic [EndedW-1:0] age_q, area_age_q;  // layers before the address's layer, before the followed one
 logic              given, first;
-logic [HeadW-1:0]  ahead, behind;
+logic [HeadW-1:0]  ahead, past;
 logic [31:0]       from [Layers+1];  // lines of the layers from this place on, the present one's too
 logic [1:0]        later;            // layers with an area behind the followed one
 logic [31:0]       spilled;
@@ -35,7 +35,7 @@ proof_hold #(.DataW(BeatW)) u_hold_color (
 
 assign beat   = {tiles_q.kind, tiles_q.mask, address_q, ext_q};
 assign ahead  = line - head_q;
-assign behind = head_q - 1'b1 - line;
+assign past   = head_q - 1'b1 - line;
 assign given  = local_lines && SumW'(ahead) < SumW'(count_q);
 assign first  = spills && !own_spilled_q;
 always_comb begin
@@ -95,8 +95,8 @@ always_comb begin
     assert (32'(areas_q) == spilled && areas_q <= 2'd2);
     if (lives_q) begin
       assert (age_q <= ended_q);
-      assert (32'(behind) < from[age_q]);
-      assert (age_q == ended_q || 32'(behind) >= from[age_q+1'b1]);
+      assert (32'(past) < from[age_q]);
+      assert (age_q == ended_q || 32'(past) >= from[age_q+1'b1]);
     end
     if (area_lives_q) begin
       assert (area_age_q <= ended_q);

@@ -14,9 +14,7 @@
 logic [Answers-1:0] records_q, records;  // bit i: answer i from now is that to a read of a record
 (* anyconst *) logic [2*AddressW-1:0] overflow;
 (* anyconst *) logic [pipegs_pkg::UnitW-1:0] unit;
-logic [2:0]                   area_q;  // of the request shown
-logic [pipegs_pkg::SlotW-1:0] line_q;
-logic [AddressW-1:0]          at;      // its place in that area
+logic [AddressW-1:0]          at;      // of the line shown, in its area
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
 proof_hold #(.DataW(1 + pipegs_pkg::AddressW)) u_hold (
@@ -50,7 +48,6 @@ always_ff @(posedge clk_i or negedge rst_ni) begin
   else records_q <= records;
 end
 
-always_ff @(posedge clk_i) if (choice_q == None) {area_q, line_q} <= {area, line};
 assign at = mem_address_o - overflow_i.first - pipegs_pkg::area_first(overflow_i.lines, unit_i, area_q);
 
 always_comb begin

@@ -22,6 +22,20 @@ Covariance boxed(const Config& config, std::mt19937_64& rng, FloatBox* exact = n
   return pu_box(config, Frame{}, pu_axes(config, Frame{}, in));
 }
 
+// A straight box whose edge falls on the last pixels of the square that begins at (x, y): they touch.
+void end_at_edge(const Config& config, std::mt19937_64& rng, int64_t x, int64_t y, Covariance& k) {
+  const double half = (kSquare - 1) / 2.0;
+  const auto away = static_cast<int64_t>(rng() % 512) - 256;  // of its mean from their middle, sixteenths of a pixel
+  const auto at = [&](int64_t first) { return static_cast<int64_t>(std::ldexp(first + half, config.mean_f)); };
+  const bool across = rng() % 2 != 0;
+  const auto side = static_cast<uint64_t>(std::ldexp(std::max(0.0, std::abs(away) / 16.0 - half), kSideF));
+  const uint64_t wide = uint64_t{1} << (config.side_w() - 1);
+  k.tilt = 0;
+  k.mean_x = at(x) + (across ? 0 : away * (int64_t{1} << (config.mean_f - 4)));
+  k.mean_y = at(y) + (across ? away * (int64_t{1} << (config.mean_f - 4)) : 0);
+  k.side_u = across ? wide : side, k.side_v = across ? side : wide;
+}
+
 TEST(PuTouch, EqualsItsModelSquareBySquare) {
   const Config config = test_config();
   Bench<Vpu_touch> bench;
@@ -41,6 +55,7 @@ TEST(PuTouch, EqualsItsModelSquareBySquare) {
       k.side_u = rng() % (uint64_t{1} << config.side_w()), k.side_v = rng() % (uint64_t{1} << config.side_w());
     }
     const int64_t from_x = 8 * static_cast<int64_t>(rng() % 8), from_y = 8 * static_cast<int64_t>(rng() % 8);
+    if (rng() % 8 == 0) end_at_edge(config, rng, from_x, from_y, k);
     const auto columns = static_cast<int64_t>(1 + rng() % 4), rows = static_cast<int64_t>(1 + rng() % 4);
     dut.load_i = 1, dut.step_i = 0, dut.down_i = static_cast<CData>(rng() % 2);
     dut.dx_i = field(2 * k.mean_x - ((2 * from_x + kSquare - 1) << config.mean_f), way_w);

@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kMostGaussians = std::size_t{1} << 24;  // of the machine's index
 
 struct SplitArguments {
-  std::string scene, cameras, out = "split";
+  SceneArguments scene;
+  std::string cameras, out = "split";
   std::size_t gaussians = 1000000;
   int sh_degree = kMaxShDegree;
   uint64_t seed = 1;
@@ -39,11 +40,11 @@ std::vector<Camera> cameras_of(const SplitArguments& arguments) {
 }
 
 int split(const SplitArguments& arguments) {
-  if (arguments.scene.empty() != arguments.cameras.empty())
+  if (arguments.scene.file.empty() != arguments.cameras.empty())
     throw ConfigError("SCENE, --cameras: expected both, or neither for our own scene");
   try_folder("--out", arguments.out, {"scene.ply", "cameras.json"});
   const std::vector<Camera> cameras = cameras_of(arguments);
-  const Scene whole = arguments.scene.empty() ? generate_scene(1) : read_ply(arguments.scene);
+  const Scene whole = arguments.scene.load();
   if (whole.gaussians.empty() || arguments.gaussians < whole.gaussians.size()) {
     throw ConfigError(
         fmt::format("--gaussians: found {}, expected at least the {} of scene '{}', which must not be "
@@ -69,7 +70,7 @@ void add_split(CLI::App& app, Run& run) {
                          "What a scene of millions of Gaussians takes can be measured without one: the parts of a "
                          "Gaussian are\ndrawn from it, and cover the area that it covers."));
   static SplitArguments arguments;
-  command->add_option("SCENE", arguments.scene, "scene as .ply; without it our own scene");
+  arguments.scene.add(*command);
   command->add_option("--cameras", arguments.cameras, "cameras in any format that says its size; needed with SCENE");
   add_integer(*command, "--gaussians", arguments.gaussians, "how many the new scene has", std::size_t{1},
               kMostGaussians)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// info.cpp: `pipegs info SCENE`: what is in a scene and what in it looks wrong.
+// info.cpp: `pipegs info SCENE`: what is in a scene, what its format has lost and what in it looks wrong.
 #include <fmt/format.h>
 
-#include "scenes/generate/generate.hpp"
 #include "scenes/info.hpp"
 #include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
@@ -10,18 +9,21 @@
 namespace pipegs {
 
 void add_info(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("info", "counts, SH degree, bounds and suspicious values of a scene");
+  CLI::App* command = app.add_subcommand("info", "counts, SH degree, bounds, format and suspicious values of a scene");
   command->footer(footer("pipegs info garden.ply --json", "done"));
-  static std::string scene, save;
+  static SceneArguments scene;
+  static std::string save;
   static bool json = false;
-  command->add_option("SCENE", scene, "scene as .ply; without it our own scene");
+  scene.add(*command);
   command->add_option("--save", save, "write the scene as a .ply (our own scene for other viewers)");
   command->add_flag("--json", json, "as JSON");
   command->callback([&run] {
     run = [] {
       try_file("--save", save);
-      const Scene loaded = scene.empty() ? generate_scene(1) : read_ply(scene);
-      const SceneInfo info = inspect(loaded);
+      SceneFormat format;
+      const Scene loaded = scene.load(&format);
+      SceneInfo info = inspect(loaded);
+      info.format = format;
       fmt::print("{}\n", json ? to_json(info) : to_text(info));
       if (save.empty()) return kExitOk;
       make_folder_of(save);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// format: what the readers of scene files share: options, what they say about a file, and the values of a Scene.
+//
+// Idea    Every format is another packing of INRIA's values, so a reader ends in the same five: mean, log of the scale,
+//         quaternion w x y z, logit of the opacity, SH coefficients. What a packing has cost stands in SceneFormat, as
+//         the file itself shows it, for `pipegs info`.
+// Rule    A byte for the opacity may be 0 or 255, a linear scale may be 0. Their logit and log are kept finite, so that
+//         a .ply made of them holds no infinity: at these bounds float32 activates to exactly 1, below 1/255, and flat.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scenes/narrow.hpp"
+#include "scenes/packed/input_file.hpp"
+#include "scenes/scene.hpp"
+#include "scenes/sh_basis.hpp"
+
+namespace pipegs {
+
+struct ReadOptions {
+  int lod = 0;       // of a streamed SOG; 0 is the finest level
+  std::string axes;  // in which the file is, such as RUB (axes.hpp); empty: as the format or the file says
+};
+
+struct SceneFormat {
+  std::string name;                                         // "spz version 3"
+  std::string axes;                                         // in which the file is; empty: nothing says it
+  std::vector<std::pair<std::string, std::string>> fields;  // "position", "24 bits, steps of 1/4096"
+  std::vector<std::string> notes;                           // what a user should know
+  int levels = 1;                                           // of detail
+};
+
+// Each told by its content before, reads the whole file.
+Scene read_compressed_ply(class PlySource& source, const struct PlyHeader& header, SceneFormat& format);
+Scene read_splat(const InputFile& file, SceneFormat& format);
+Scene read_ksplat(const InputFile& file, SceneFormat& format);
+Scene read_spz(const InputFile& file, SceneFormat& format);
+Scene read_sog(const InputFile& meta, SceneFormat& format);
+Scene read_streamed_sog(const InputFile& meta, int lod, SceneFormat& format);
+Scene read_gltf(const InputFile& file, SceneFormat& format);
+
+// Signatures of the two that have none: whether all that can be checked of the file is as theirs.
+bool looks_like_splat(const InputFile& file);
+bool looks_like_ksplat(const InputFile& file);
+
+inline constexpr double kLargestLogit = 20;
+
+inline float logit_of(double alpha) {
+  return static_cast<float>(std::clamp(std::log(alpha / (1 - alpha)), -kLargestLogit, kLargestLogit));
+}
+inline float log_of(double scale) {
+  return narrow(std::log(scale == 0 ? std::numeric_limits<float>::min() : scale));  // NaN below 0: culled
+}
+// The constant coefficient of a colour from 0 to 1.
+inline float dc_of(double color) { return static_cast<float>((color - 0.5) / kShConstant); }
+
+inline Scene scene_of_size(std::size_t count, int sh_degree) {
+  Scene scene;
+  scene.sh_degree = sh_degree;
+  scene.gaussians.resize(count);
+  scene.sh_rest.resize(count * 3 * static_cast<std::size_t>(sh_rest_count(sh_degree)));
+  return scene;
+}
+
+}  // namespace pipegs

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// gltf: .gltf and .glb with KHR_gaussian_splatting, also with .spz inside; every node of the default scene.
+//
+// Idea    The nodes are walked from the roots, each with its matrix; a primitive becomes a Scene in its own axes, is
+//         moved by the matrix, and joins the others. What is in the bytes is found by gltf_data.hpp.
+// Rule    glTF has y up: LUF, as splat-transform turns a .ply by 180 degrees about z, and back. An .spz inside is RUB
+//         as its specification says, unless it names its own. A matrix is a rotation, a shift and one scale: others
+//         make other ellipsoids, and are refused.
+//         A node is met once (so a circle ends), and meshes that are used again are held against the size of the file.
+// Errors  InputError with the place in the JSON, such as meshes[0].primitives[0].
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+#include <set>
+
+#include "scenes/formats/axes.hpp"
+#include "scenes/formats/format.hpp"
+#include "scenes/formats/gltf_data.hpp"
+#include "scenes/input_error.hpp"
+#include "scenes/packed/unpack.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr const char* kSplats = "KHR_gaussian_splatting";
+constexpr const char* kSpzNames[] = {"KHR_gaussian_splatting_compression_spz_2",
+                                     "KHR_gaussian_splatting_compression_spz", "KHR_spz_gaussian_splats_compression"};
+constexpr std::uint64_t kLeastBytes = 24;  // of a Gaussian
+constexpr double kSquare = 1e-4;           // how far a matrix of a file may be from a rotation
+
+glm::dmat4 matrix_of(const JsonNode& node) {
+  glm::dmat4 matrix(1.0);
+  if (node.has("matrix")) {
+    const std::vector<double> v = node["matrix"].reals(16);
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = v[static_cast<std::size_t>(i)];
+    return matrix;
+  }
+  if (node.has("rotation")) {
+    const std::vector<double> q = node["rotation"].reals(4);
+    matrix = glm::dmat4(glm::mat3_cast(glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]))));
+  }
+  if (node.has("scale")) {
+    const std::vector<double> s = node["scale"].reals(3);
+    for (int i = 0; i < 3; ++i) matrix[i] *= s[static_cast<std::size_t>(i)];
+  }
+  if (node.has("translation")) {
+    const std::vector<double> t = node["translation"].reals(3);
+    matrix[3] = {t[0], t[1], t[2], 1};
+  }
+  return matrix;
+}
+
+class Reader {
+ public:
+  Reader(const InputFile& file, SceneFormat& format) : data_(file), file_(file), format_(format) {}
+
+  Scene read() {
+    data_.check_required({kSplats, kSpzNames[0], kSpzNames[1], kSpzNames[2], "KHR_mesh_quantization"});
+    const JsonNode& json = data_.json();
+    const JsonNode scenes = json["scenes"];
+    const JsonNode roots = scenes[json.has("scene") ? json["scene"].integer(0, scenes.size() - 1) : 0]["nodes"];
+    std::vector<std::pair<std::uint64_t, glm::dmat4>> open;
+    for (std::size_t i = roots.size(); i-- > 0;) open.emplace_back(roots[i].integer(0, UINT32_MAX), glm::dmat4(1.0));
+    std::set<std::uint64_t> met;
+    while (!open.empty()) {
+      const auto [index, above] = open.back();
+      open.pop_back();
+      const JsonNode node = json["nodes"][static_cast<std::size_t>(index)];
+      if (!met.insert(index).second) node.refuse("a node with one parent");
+      const glm::dmat4 matrix = above * matrix_of(node);
+      if (node.has("mesh")) read_mesh(json["meshes"][node["mesh"].integer(0, UINT32_MAX)], node, matrix);
+      if (!node.has("children")) continue;
+      const JsonNode children = node["children"];
+      for (std::size_t i = children.size(); i-- > 0;) open.emplace_back(children[i].integer(0, UINT32_MAX), matrix);
+    }
+    if (parts_.empty())
+      throw InputError(file_.name(), "", fmt::format("found glTF without a primitive of {}", kSplats));
+    format_.name = fmt::format("glTF with {}{}", kSplats, spz_ ? ", " + format_.name + " inside" : "");
+    if (format_.axes.empty()) format_.axes = spz_ ? "RUB" : "LUF";
+    return joined();
+  }
+
+ private:
+  void read_mesh(const JsonNode& mesh, const JsonNode& node, const glm::dmat4& matrix) {
+    const JsonNode primitives = mesh["primitives"];
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const JsonNode primitive = primitives[i];
+      if (!primitive.has("extensions")) continue;
+      const JsonNode extensions = primitive["extensions"];
+      const bool splats = extensions.has(kSplats);
+      const std::optional<JsonNode> spz = spz_of(extensions);
+      if (!splats && !spz) continue;
+      Scene part = spz ? read_spz(data_.view((*spz)["bufferView"]), format_) : read_attributes(primitive["attributes"]);
+      spz_ = spz_ || spz.has_value();
+      if (splats && extensions[kSplats].has("colorSpace") &&
+          extensions[kSplats]["colorSpace"].text().starts_with("lin_"))
+        format_.notes = {"its colours are linear, and are blended here as they are"};
+      move(part, node, matrix);
+      count_ += part.gaussians.size();
+      check_unpacked(file_.name(), node.where(), data_.bytes(), count_ * kLeastBytes);
+      parts_.push_back(std::move(part));
+    }
+  }
+
+  static std::optional<JsonNode> spz_of(const JsonNode& extensions) {
+    for (const char* name : kSpzNames) {
+      if (extensions.has(name)) return extensions[name];
+      if (!extensions.has(kSplats) || !extensions[kSplats].has("extensions")) continue;
+      if (extensions[kSplats]["extensions"].has(name)) return extensions[kSplats]["extensions"][name];
+    }
+    return std::nullopt;
+  }
+
+  void move(Scene& part, const JsonNode& node, const glm::dmat4& matrix) const {
+    const glm::dmat3 linear(matrix);
+    const double scale = std::cbrt(std::abs(glm::determinant(linear)));
+    const glm::dmat3 turn = linear / scale;
+    const glm::dmat3 rest = glm::transpose(turn) * turn - glm::dmat3(1.0);
+    for (int i = 0; i < 9; ++i) {
+      if (!(std::abs(rest[i / 3][i % 3]) < kSquare) || !(scale > 0))
+        throw InputError(file_.name(), node.where(), "its matrix is no rotation with one scale, which is what is read");
+    }
+    transform(part, turn, scale, glm::dvec3(matrix[3]));
+  }
+
+  Scene read_attributes(const JsonNode& attributes) {
+    const auto accessor = [&](const std::string& name, std::uint64_t width) {
+      return data_.accessor(attributes[name.c_str()], width);
+    };
+    const std::string prefix = std::string(kSplats) + ":";
+    const GltfAccessor position = accessor("POSITION", 3), rotation = accessor(prefix + "ROTATION", 4);
+    const GltfAccessor scale = accessor(prefix + "SCALE", 3), opacity = accessor(prefix + "OPACITY", 1);
+    std::vector<GltfAccessor> sh;
+    int degree = -1;
+    for (int l = 0; l <= kMaxShDegree; ++l) {
+      if (!attributes.has(fmt::format("{}SH_DEGREE_{}_COEF_0", prefix, l).c_str()) && l > 0) break;
+      for (int n = 0; n <= 2 * l; ++n) sh.push_back(accessor(fmt::format("{}SH_DEGREE_{}_COEF_{}", prefix, l, n), 3));
+      degree = l;
+    }
+    for (const GltfAccessor* other : {&rotation, &scale, &opacity}) check_count(attributes, *other, position.count);
+    for (const GltfAccessor& other : sh) check_count(attributes, other, position.count);
+    Scene scene = scene_of_size(static_cast<std::size_t>(position.count), degree);
+    const std::size_t rest = sh.size() - 1;
+    for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
+      Gaussian& g = scene.gaussians[i];
+      for (int k = 0; k < 3; ++k) {
+        g.mean[k] = narrow(position.value(i, k));
+        g.log_scale[k] = log_of(scale.value(i, k));
+        g.sh_dc[k] = narrow(sh[0].value(i, k));
+        for (std::size_t n = 0; n < rest; ++n)
+          scene.sh_rest[3 * (rest * i + n) + static_cast<std::size_t>(k)] = narrow(sh[n + 1].value(i, k));
+      }
+      g.opacity_logit = logit_of(opacity.value(i, 0));
+      for (int k = 0; k < 4; ++k) g.rotation[k] = narrow(rotation.value(i, (k + 3) % 4));  // x y z w
+    }
+    format_.fields = {{"position", position.type()}, {"scale", scale.type() + ", linear"},
+                      {"rotation", rotation.type()}, {"opacity", opacity.type()},
+                      {"colour", sh[0].type()},      {"SH", rest > 0 ? sh[1].type() : "none"}};
+    return scene;
+  }
+
+  void check_count(const JsonNode& attributes, const GltfAccessor& accessor, std::uint64_t count) const {
+    if (accessor.count == count) return;
+    throw InputError(file_.name(), attributes.where(),
+                     fmt::format("found accessors of {} and of {} elements, expected as many", count, accessor.count));
+  }
+
+  Scene joined() {
+    if (parts_.size() == 1) return std::move(parts_[0]);
+    int degree = 0;
+    for (const Scene& part : parts_) degree = std::max(degree, part.sh_degree);
+    Scene scene = scene_of_size(static_cast<std::size_t>(count_), degree);
+    const auto wide = static_cast<std::size_t>(3 * sh_rest_count(degree));
+    std::size_t at = 0;
+    for (const Scene& part : parts_) {
+      scene.antialiased |= part.antialiased;
+      const auto own = static_cast<std::size_t>(3 * sh_rest_count(part.sh_degree));
+      for (std::size_t i = 0; i < part.gaussians.size(); ++i, ++at) {
+        scene.gaussians[at] = part.gaussians[i];
+        for (std::size_t k = 0; k < own; ++k) scene.sh_rest[wide * at + k] = part.sh_rest[own * i + k];
+      }
+    }
+    return scene;
+  }
+
+  GltfData data_;
+  const InputFile& file_;
+  SceneFormat& format_;
+  bool spz_ = false;
+  std::uint64_t count_ = 0;
+  std::vector<Scene> parts_;
+};
+
+}  // namespace
+
+Scene read_gltf(const InputFile& file, SceneFormat& format) { return Reader(file, format).read(); }
+
+}  // namespace pipegs

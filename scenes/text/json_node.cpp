@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// json_node: see json_node.hpp.
+#include "scenes/text/json_node.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "scenes/input_error.hpp"
+#include "scenes/text/json.hpp"
+
+namespace pipegs {
+
+JsonNode::JsonNode(std::shared_ptr<const nlohmann::json> json, std::string file, std::string where)
+    : json_(std::move(json)), file_(std::move(file)), where_(std::move(where)) {}
+
+JsonNode JsonNode::parse(const std::string& file, std::string_view text) {
+  if (text.size() > kMostJsonBytes)
+    throw InputError(file, "", fmt::format("found {} bytes, expected JSON of at most {}", text.size(), kMostJsonBytes));
+  JsonNode node(std::make_shared<const nlohmann::json>(parse_json<nlohmann::json>(file, text)), file, "");
+  if (!node.json_->is_object()) node.refuse("an object");
+  return node;
+}
+
+JsonNode JsonNode::inner(const nlohmann::json& json, const std::string& where) const {
+  return {std::shared_ptr<const nlohmann::json>(json_, &json), file_, where};
+}
+
+void JsonNode::refuse(const std::string& expected) const {
+  throw InputError(file_, where_, fmt::format("found {}, expected {}", quote(json_text(*json_)), expected));
+}
+
+bool JsonNode::has(const char* key) const { return json_->is_object() && json_->contains(key); }
+
+bool JsonNode::is_null() const { return json_->is_null(); }
+
+JsonNode JsonNode::operator[](const char* key) const {
+  if (!json_->is_object()) refuse("an object");
+  const auto found = json_->find(key);
+  if (found == json_->end()) throw InputError(file_, where_, fmt::format("{} is missing", quote(key)));
+  return inner(*found, where_.empty() ? key : fmt::format("{}.{}", where_, key));
+}
+
+JsonNode JsonNode::operator[](std::size_t index) const {
+  if (index >= size())
+    throw InputError(file_, where_, fmt::format("found {} elements, expected more than {}", size(), index));
+  return inner((*json_)[index], fmt::format("{}[{}]", where_, index));
+}
+
+std::size_t JsonNode::size() const {
+  if (!json_->is_array()) refuse("an array");
+  return json_->size();
+}
+
+std::vector<std::string> JsonNode::keys() const {
+  if (!json_->is_object()) refuse("an object");
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json_->items()) keys.push_back(key);
+  return keys;
+}
+
+std::uint64_t JsonNode::integer(std::uint64_t low, std::uint64_t high) const {
+  try {
+    return json_integer<std::uint64_t>(*json_, low, high);
+  } catch (const NumberError& error) { throw InputError(file_, where_, error.what()); }
+}
+
+double JsonNode::real() const {
+  try {
+    return json_real(*json_);
+  } catch (const NumberError& error) { throw InputError(file_, where_, error.what()); }
+}
+
+std::string JsonNode::text() const {
+  if (!json_->is_string()) refuse("a text");
+  return json_->get<std::string>();
+}
+
+bool JsonNode::boolean() const {
+  if (!json_->is_boolean()) refuse("true or false");
+  return json_->get<bool>();
+}
+
+std::vector<double> JsonNode::reals(std::size_t count) const {
+  if (size() != count) throw InputError(file_, where_, fmt::format("found {} numbers, expected {}", size(), count));
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) values.push_back((*this)[i].real());
+  return values;
+}
+
+}  // namespace pipegs

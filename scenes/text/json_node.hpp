@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// json_node: a place in a JSON text that is read field by field, and knows its name for errors.
+//
+// Idea    Who reads a format of nested objects asks for a key, an index, a number in a range; a node knows the file and
+//         the way to itself, so every error says "file: meshes[0].primitives[0].mode: found ..., expected ...".
+// Use     const JsonNode meta = JsonNode::parse(file, text);  meta["means"]["mins"].reals(3)
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pipegs {
+
+class JsonNode {
+ public:
+  // InputError unless the text is JSON of at most 16 MB, an object.
+  static JsonNode parse(const std::string& file, std::string_view text);
+
+  bool has(const char* key) const;  // false for what is no object
+  bool is_null() const;
+  JsonNode operator[](const char* key) const;
+  JsonNode operator[](std::size_t index) const;
+  std::size_t size() const;               // of an array
+  std::vector<std::string> keys() const;  // of an object
+  const std::string& where() const { return where_; }
+
+  std::uint64_t integer(std::uint64_t low, std::uint64_t high) const;
+  double real() const;
+  std::string text() const;
+  bool boolean() const;
+  std::vector<double> reals(std::size_t count) const;
+
+  // InputError of this place: "found (this value), expected ...".
+  [[noreturn]] void refuse(const std::string& expected) const;
+
+ private:
+  JsonNode(std::shared_ptr<const nlohmann::json> json, std::string file, std::string where);
+  JsonNode inner(const nlohmann::json& json, const std::string& where) const;
+
+  std::shared_ptr<const nlohmann::json> json_;  // shares the whole text
+  std::string file_, where_;
+};
+
+}  // namespace pipegs

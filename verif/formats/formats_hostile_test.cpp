@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// Against scenes/formats: what is cut, changed or made to harm is refused in one line or read, within the memory that
+// such a file may take.
+//
+// Idea    Every file of own/ is cut at all lengths at which something else is missing, and changed at random; then come
+//         files that claim what they do not hold. The whole test may have little more memory than the program itself.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <fstream>
+#include <random>
+#include <set>
+
+#include "scenes/input_error.hpp"
+#include "verif/formats/compare.hpp"
+#include "verif/formats/packed_bytes.hpp"
+#include "verif/scenes/scratch_folder.hpp"
+
+namespace pipegs {
+namespace {
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr bool kLimited = false;  // its shadow takes terabytes of addresses
+#else
+constexpr bool kLimited = true;
+#endif
+#else
+constexpr bool kLimited = true;
+#endif
+
+class FormatsHostile : public testing::Test {
+ protected:
+  void SetUp() override {
+    constexpr rlim_t kBytes = rlim_t{1} << 30;
+    getrlimit(RLIMIT_AS, &before_);
+    const rlimit limit{std::min(kBytes, before_.rlim_max), before_.rlim_max};
+    if (kLimited) setrlimit(RLIMIT_AS, &limit);
+  }
+  void TearDown() override { setrlimit(RLIMIT_AS, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+std::string content(const std::string& name) {
+  std::ifstream file(own_formats() / name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The message, one short line; "read" when the file was accepted.
+std::string outcome(const std::string& bytes, const std::filesystem::path& folder = {}) {
+  try {
+    SceneFormat format;
+    const InputFile file(
+        "bad", bytes,
+        folder.empty() ? InputFile::Beside{} : [&](const std::string& name) { return InputFile(folder / name); });
+    const Scene scene = read_scene(file, {}, format);
+    check_consistent(scene);
+    ActivatedGaussian activated;
+    for (std::size_t i = 0; i < scene.gaussians.size(); ++i) activate(scene, i, activated);
+    return "read";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_LT(message.size(), 500u) << message;
+    return message;
+  }
+}
+
+void expect_refused(const std::string& bytes, const std::vector<std::string>& words,
+                    const std::filesystem::path& folder = {}) {
+  const std::string message = outcome(bytes, folder);
+  for (const std::string& word : words) EXPECT_NE(message.find(word), std::string::npos) << word << " in: " << message;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+template <typename T>
+std::string with(std::string bytes, std::size_t at, T value) {
+  std::memcpy(bytes.data() + at, &value, sizeof value);
+  return bytes;
+}
+
+// A .glb with another JSON, whose lengths agree.
+std::string changed_glb(const std::string& name, const std::string& from, const std::string& to) {
+  const std::string glb = content(name);
+  const std::size_t length = load<std::uint32_t>(reinterpret_cast<const std::uint8_t*>(&glb[12]));
+  const std::string json = replaced(glb.substr(20, length), from, to), rest = glb.substr(20 + length);
+  std::string out = glb.substr(0, 8);
+  put(out, static_cast<std::uint32_t>(20 + json.size() + rest.size()));
+  put(out, static_cast<std::uint32_t>(json.size()));
+  return out + glb.substr(16, 4) + json + rest;
+}
+
+const std::vector<std::string> kFiles = {"scene.compressed.ply",
+                                         "scene.splat",
+                                         "ksplat/scene.level0.sh0.ksplat",
+                                         "ksplat/scene.level1.sh2.ksplat",
+                                         "ksplat/scene.level2.sh2.ksplat",
+                                         "spz/scene.v2.raw.spz",
+                                         "spz/scene.v3.rub.spz",
+                                         "spz/scene.v4.st.spz",
+                                         "sog/scene.sh0.sog",
+                                         "sog/scene.sog",
+                                         "gltf/scene.sh1.glb",
+                                         "gltf/scene.spz2.glb"};
+
+TEST_F(FormatsHostile, EveryCut) {
+  for (const std::string& name : kFiles) {
+    SCOPED_TRACE(name);
+    const std::string good = content(name);
+    ASSERT_EQ(outcome(good), "read");
+    std::set<std::size_t> cuts;
+    for (std::size_t n = 0; n <= 64; ++n) cuts.insert(n), cuts.insert(good.size() - 1 - n);
+    for (std::size_t n = 64; n < good.size(); n += good.size() / 100 + 1) cuts.insert(n);
+    for (const std::size_t n : {1024, 4095, 4096, 4097, 5119, 5120, 5121}) cuts.insert(std::min(n, good.size() - 1));
+    for (const std::size_t n : cuts) {
+      const std::string message = outcome(good.substr(0, n));
+      // A .splat is whole at each 32 bytes; of the end of a zip nothing is needed but its place.
+      const bool whole = name.ends_with(".splat") && n % 32 == 0 && n > 0;
+      if (name.ends_with(".sog") && n + 4 > good.size()) continue;
+      EXPECT_EQ(message == "read", whole) << n << " bytes: " << message;
+    }
+  }
+}
+
+TEST_F(FormatsHostile, RandomDamage) {
+  std::mt19937 random(7);
+  for (const std::string& name : kFiles) {
+    SCOPED_TRACE(name);
+    const std::string good = content(name);
+    for (int round = 0; round < 60; ++round) {
+      std::string bad = good;
+      const std::size_t reach = round % 2 == 0 ? bad.size() : std::min<std::size_t>(bad.size(), 200);
+      for (int change = 0; change < 1 + round % 5; ++change) bad[random() % reach] = static_cast<char>(random());
+      outcome(bad);
+    }
+  }
+  for (const std::string folder : {"sog/sog_dir", "sog/streamed"}) {
+    const std::string good = content(folder + (folder == "sog/sog_dir" ? "/meta.json" : "/lod-meta.json"));
+    for (int round = 0; round < 100; ++round) {
+      std::string bad = good;
+      bad[random() % std::min<std::size_t>(bad.size(), 400)] = static_cast<char>(random());
+      outcome(bad, own_formats() / folder);
+    }
+  }
+}
+
+TEST_F(FormatsHostile, CountsBeyondTheFile) {
+  for (const char* count : {"1425", "2147483648", "9223372036854775808", "18446744073709551615"}) {
+    const std::string ply = content("scene.compressed.ply");
+    expect_refused(replaced(ply, "vertex 1424", std::string("vertex ") + count), {});
+    EXPECT_NE(outcome(replaced(ply, "vertex 1424", std::string("vertex ") + count)), "read");
+    EXPECT_NE(outcome(replaced(ply, "chunk 6", std::string("chunk ") + count)), "read");
+    const std::string meta = content("sog/sog_dir/meta.json"), lod = content("sog/streamed/lod-meta.json");
+    const std::string sog = replaced(meta, "\"count\":1424", std::string("\"count\":") + count);
+    if (std::string(count) != "1425") expect_refused(sog, {"count"}, own_formats() / "sog/sog_dir");
+    const auto rows = [&](const char* key, const char* value) {
+      return replaced(lod, value, std::string("\"") + key + "\":" + count);
+    };
+    EXPECT_NE(outcome(rows("offset", "\"offset\":0"), own_formats() / "sog/streamed"), "read");
+    EXPECT_NE(outcome(rows("count", "\"count\":1424}"), own_formats() / "sog/streamed"), "read");
+    expect_refused(changed_glb("gltf/scene.sh1.glb", "\"count\":1424", std::string("\"count\":") + count),
+                   {"accessors"});
+  }
+  for (const std::uint32_t count : {1425u, 1u << 31, 0xffffffffu}) {
+    const std::string v4 = content("spz/scene.v4.st.spz");
+    expect_refused(with(v4, 8, count), {"bad: "});
+    for (std::size_t stream = 0; stream < 6; ++stream) {
+      for (const std::uint64_t size : {std::uint64_t{count}, std::uint64_t{1} << 63, UINT64_MAX}) {
+        EXPECT_NE(outcome(with(v4, 32 + 16 * stream, size)), "read");
+        EXPECT_NE(outcome(with(v4, 40 + 16 * stream, size)), "read");
+      }
+    }
+    std::string v3;
+    for (const std::uint32_t word : {0x5053474eu, 3u, count, 12u << 8}) put(v3, word);
+    expect_refused(gzip(v3 + std::string(1000, '\0')), {"positions", "truncated"});
+    const std::string ksplat = content("ksplat/scene.level1.sh2.ksplat");
+    for (const std::size_t at : {4096, 4100, 4104, 4108, 4120, 4128, 4132}) outcome(with(ksplat, at, count));
+    expect_refused(with(with(ksplat, 4096, count), 4100, count), {"Gaussians"});
+    EXPECT_NE(outcome(with(ksplat, 4132, count)), "read");
+  }
+}
+
+// A hundred million zeros in a few bytes.
+TEST_F(FormatsHostile, Bombs) {
+  const std::string zeros(100'000'000, '\0');
+  expect_refused(gzip(zeros), {"packed in", "at most 32 times"});
+  expect_refused(zip({{"meta.json", zeros}}, true), {"meta.json", "at most 32 times"});
+  std::string v4;  // 2^30 Gaussians in streams of nothing
+  for (const std::uint32_t word : {0x5053474eu, 4u, 1u << 30, 0x05000c00u, 32u, 0u, 0u, 0u}) put(v4, word);
+  for (const std::uint64_t stride : {9, 1, 3, 3, 4}) put<std::uint64_t>(v4, 20), put(v4, stride << 30);
+  expect_refused(v4 + std::string(100, '\0'), {"at most 32 times"});
+  // Textures: far larger than the Gaussians need; as large as a count that the files cannot hold.
+  const ScratchFolder folder;
+  std::filesystem::copy(own_formats() / "sog/sog_dir", folder / "", std::filesystem::copy_options::recursive);
+  folder.write("quats.webp", webp(2000, 1000, std::vector<std::uint8_t>(8'000'000, 255)));
+  const std::string meta = content("sog/sog_dir/meta.json");
+  expect_refused(meta, {"quats.webp", "2000 x 1000 texels"}, folder / "");
+  expect_refused(replaced(meta, "\"count\":1424", "\"count\":2000000"), {"count", "at most 32 times"}, folder / "");
+}
+
+TEST_F(FormatsHostile, WhatIsNoScene) {
+  expect_refused("", {"0 bytes", "expected a scene"});
+  expect_refused("PNG and more", {"'PNG and '", "expected a scene"});
+  expect_refused("ply", {"header"});
+  expect_refused("{}", {"means", "expected a scene"});
+  expect_refused("{\"means\": {}", {"not JSON"});
+  expect_refused(gzip("no"), {"truncated"});
+  expect_refused(gzip(std::string(100, 'x')), {"signature"});
+  expect_refused("\x1f\x8bzzzz", {"gzip", "damaged"});
+  expect_refused("PK\x03\x04 no archive", {"zip archive"});
+  expect_refused(zip({{"other.json", "{}"}}), {"found no 'meta.json'"});
+  expect_refused("glTF", {"header"});
+  expect_refused(std::string(4096, '\0'), {"expected a scene"});
+  expect_refused(std::string(64, '\xff'), {"expected a scene"});
+  expect_refused(content("spz/scene.v4.st.spz") + "x", {"behind the last Gaussian", "1 bytes"});
+  expect_refused(with(content("spz/scene.v4.st.spz"), 4, 5u), {"version 5"});
+  expect_refused(with(content("gltf/scene.glb"), 4, 1u), {"glTF version 1"});
+}
+
+// Only files below the folder of the one that names them.
+TEST_F(FormatsHostile, NamesOfOtherFiles) {
+  const std::string meta = content("sog/sog_dir/meta.json");
+  for (const char* name : {"../sog_dir/quats.webp", "/etc/passwd", "a/../../b", "http://a/b", "", "a:b"})
+    expect_refused(replaced(meta, "quats.webp", name), {"below the same folder"}, own_formats() / "sog/sog_dir");
+  expect_refused(replaced(meta, "quats.webp", "nothing.webp"), {"no file"}, own_formats() / "sog/sog_dir");
+  expect_refused(replaced(meta, "quats.webp", "."), {"a folder"}, own_formats() / "sog/sog_dir");
+  expect_refused(meta, {"does not lie beside it"});
+  const std::string lod = content("sog/streamed/lod-meta.json");
+  expect_refused(replaced(lod, "1_0/meta.json", "./0_0//meta.json"), {"filenames", "each file once"},
+                 own_formats() / "sog/streamed");
+  const std::string once = R"("lods":{"0":{"file":1,"offset":0,"count":1424},"1":{"file":0,"offset":0,"count":1060}}})";
+  expect_refused(replaced(lod, once, R"("children":[{"lods":{"0":{"file":1,"offset":0,"count":9}}},
+                                                    {"lods":{"0":{"file":1,"offset":8,"count":9}}}]})"),
+                 {"named once"}, own_formats() / "sog/streamed");
+}
+
+TEST_F(FormatsHostile, GltfThatGoesInCircles) {
+  const auto changed = [](const std::string& from, const std::string& to) {
+    return changed_glb("gltf/scene.spz2.glb", from, to);
+  };
+  ASSERT_EQ(outcome(changed("\"nodes\":[{", "\"nodes\":[{ ")), "read");
+  expect_refused(changed("{\"mesh\":0}", "{\"mesh\":0,\"children\":[0]}"), {"nodes[0]", "one parent"});
+  expect_refused(changed("{\"mesh\":0}", "{\"mesh\":7}"), {"meshes"});
+  expect_refused(changed("{\"mesh\":0}", "{\"mesh\":0,\"scale\":[1,2,1]}"), {"nodes[0]", "rotation"});
+  expect_refused(changed("{\"mesh\":0}", "{}"), {"without a primitive"});
+  expect_refused(changed("\"extensionsRequired\":[", "\"extensionsRequired\":[\"EXT_meshopt_compression\","),
+                 {"extensionsRequired[0]", "EXT_meshopt_compression"});
+  expect_refused(changed("\"byteOffset\":0", "\"byteOffset\":9000000000000000000"), {"bufferViews[0]", "truncated"});
+  // A mesh that is used a thousand times.
+  std::string nodes = "\"nodes\":[{\"children\":[1";
+  for (int i = 2; i < 1000; ++i) nodes += "," + std::to_string(i);
+  nodes += "]}";
+  for (int i = 1; i < 1000; ++i) nodes += ",{\"mesh\":0}";
+  expect_refused(changed("\"nodes\":[{\"mesh\":0}", nodes), {"at most 32 times"});
+}
+
+}  // namespace
+}  // namespace pipegs
