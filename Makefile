@@ -4,7 +4,8 @@
 BUILD ?= build
 RUNG ?= fast
 PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm-dev libpng-dev zlib1g-dev \
-            libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
+            libjpeg62-turbo-dev libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libeigen3-dev libstb-dev \
+            libclang-rt-14-dev
 STYLE := clang-format black shellcheck codespell
 GATES := opensta qflow-tech-osu018
 TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog
