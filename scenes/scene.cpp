@@ -24,7 +24,10 @@ void check_consistent(const Scene& scene) {
 }
 
 Cull activate(const Scene& scene, std::size_t i, ActivatedGaussian& out) {
-  const Gaussian& g = scene.gaussians[i];
+  return activate(scene.gaussians[i], sh_rest_of(scene, i), 3 * sh_rest_count(scene.sh_degree), out);
+}
+
+Cull activate(const Gaussian& g, const float* sh_rest, int rest, ActivatedGaussian& out) {
   for (int axis = 0; axis < 3; ++axis) {
     if (!std::isfinite(g.mean[axis]) || !std::isfinite(g.sh_dc[axis])) return Cull::kNonFinite;
     out.mean[axis] = g.mean[axis];
@@ -32,10 +35,8 @@ Cull activate(const Scene& scene, std::size_t i, ActivatedGaussian& out) {
     if (!(out.scale[axis] <= std::numeric_limits<float>::max())) return Cull::kNonFinite;
   }
   if (std::isnan(g.opacity_logit)) return Cull::kNonFinite;
-  const int rest = 3 * sh_rest_count(scene.sh_degree);
-  const float* sh = sh_rest_of(scene, i);
   for (int k = 0; k < rest; ++k) {
-    if (!std::isfinite(sh[k])) return Cull::kNonFinite;
+    if (!std::isfinite(sh_rest[k])) return Cull::kNonFinite;
   }
   double norm2 = 0;
   for (int k = 0; k < 4; ++k) {

@@ -60,6 +60,8 @@ inline const float* sh_rest_of(const Scene& scene, std::size_t i) {
 void check_consistent(const Scene& scene);
 
 Cull activate(const Scene& scene, std::size_t i, ActivatedGaussian& out);
+// The same of one Gaussian alone; sh_rest holds `rest` floats.
+Cull activate(const Gaussian& gaussian, const float* sh_rest, int rest, ActivatedGaussian& out);
 const char* cull_name(Cull cull);
 
 }  // namespace pipegs

@@ -18,13 +18,6 @@ constexpr double kGsplatFar = 1e10;
 constexpr double kGsplatExtent = 3.33;  // sigmas
 constexpr int kTile = 16;
 
-glm::dmat3 rotation_matrix(const glm::dvec4& q) {
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  return {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
-}
-
 struct Limits {
   double lowest, highest;
 };
@@ -77,6 +70,13 @@ PixelRect exact_footprint(const TruthProjection& p, const Camera& camera) {
 }
 
 }  // namespace
+
+glm::dmat3 rotation_matrix(const glm::dvec4& q) {
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  return {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+}
 
 void sh_basis(const glm::dvec3& d, double basis[15]) {
   const double x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;

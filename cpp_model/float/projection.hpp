@@ -46,6 +46,9 @@ struct ProjectionOptions {
 TruthProjection project_truth(const ActivatedGaussian& gaussian, const glm::vec3& sh_dc, const float* sh_rest,
                               int sh_degree, const Camera& camera, const ProjectionOptions& options);
 
+// The rotation of a unit quaternion w, x, y, z.
+glm::dmat3 rotation_matrix(const glm::dvec4& unit);
+
 // Colour seen along `direction` (unit, from the camera to the Gaussian): +0.5, negative to 0.
 glm::dvec3 sh_color(const glm::vec3& sh_dc, const float* sh_rest, int sh_degree, const glm::dvec3& direction);
 

@@ -20,8 +20,8 @@ COLUMNS = 120
 FILES = 15
 # From the bottom up. progress.hpp lies in sim/ itself, for all its rooms.
 LAYERS = (
-    "sim/driver scenes cpp_model/float cpp_model sim sim/memory sim/rtl sim/compare sim/timing sim/design sim/report "
-    "sim/study sim/command verif"
+    "sim/driver scenes cpp_model/float cpp_model sim sim/train/gradient sim/memory sim/rtl sim/compare sim/timing "
+    "sim/design sim/report sim/train sim/study sim/command verif"
 ).split()
 SOURCES = (
     ".cpp",
