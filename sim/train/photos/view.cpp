@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "cpp_model/float/truth.hpp"
-#include "sim/study/tradeoff/resample.hpp"
 #include "sim/train/photos/photograph.hpp"
 
 namespace pipegs {
