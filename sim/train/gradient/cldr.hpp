@@ -7,7 +7,8 @@
 // Idea    Printed so, the loss has the square of a length as its unit: in scene units it is nothing beside the
 //         photographs' loss for a Gaussian of a hundredth (`relative` = false). With `relative` both lengths are in
 //         units of d: max(0, sigma/d - gamma)^2, the same Gaussians, a number that does not depend on the unit.
-//         There d is at least kLeastDistance of a cell, below which d stands still: a mean on a boundary has a loss.
+//         There d is at least kLeastDistance of a cell: a mean on a boundary has a finite loss, and is left alone once
+//         it is smaller than that.
 // Axes    The principal axis of a camera, or the mean of the losses of all three.
 // Rule    Means through d, log scales and rotations have a gradient. What cannot be drawn has no loss, and counts in N.
 #pragma once

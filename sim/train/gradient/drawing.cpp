@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // drawing: see drawing.hpp.
 //
-// Idea    Forward: splats and their lists (splats.hpp), then the tiles. Backward: the tiles from the end of their lists
-//         (tile.hpp), each pair into its own place; then every splat sums its pairs and is taken back to its Gaussian
-//         (back_project.hpp). So no two threads ever add to one number.
+// Idea    Forward: splats and their lists (raster/splats.hpp), then the tiles. Backward: the tiles from the end of their lists
+//         (raster/tile.hpp), each pair into its own place; then every splat sums its pairs and is taken back to its Gaussian
+//         (raster/back_project.hpp). So no two threads ever add to one number.
 #include "sim/train/gradient/drawing.hpp"
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 #include <string>
 
 #include "cpp_model/float/parallel.hpp"
-#include "sim/train/gradient/back_project.hpp"
-#include "sim/train/gradient/splats.hpp"
-#include "sim/train/gradient/tile.hpp"
+#include "sim/train/gradient/raster/back_project.hpp"
+#include "sim/train/gradient/raster/splats.hpp"
+#include "sim/train/gradient/raster/tile.hpp"
 
 namespace pipegs {
 namespace {

@@ -2,11 +2,11 @@
 // photo_loss: how far a picture is from a photograph, and its derivative by every pixel.
 //
 // Paper   L_origin of Eq. 6: the loss of 3D Gaussian splatting, (1 - w) L1 + w (1 - SSIM), w = 0.2.
-// Idea    As INRIA computes it: SSIM in windows of 11x11 pixels weighted by a Gaussian of sigma 1.5, beyond the edge all
-//         is 0, the mean over all pixels and channels. That is another measure than ssim() of cpp_model/float/metrics,
-//         which takes only windows that lie inside and clamps.
-//         SSIM depends on the picture through three blurred planes (p, p^2, p q), so its derivative is three blurs more.
-// Rule    Planes are Scalar, sums over pixels are double in the order of the pixels; double is for the tests.
+// Idea    As INRIA computes it: SSIM in windows of 11x11 pixels weighted by a Gaussian of sigma 1.5, beyond the edge
+//         all is 0, the mean over all pixels and channels. That is another measure than ssim() of metrics.hpp, which
+//         takes only windows that lie inside, and clamps.
+//         SSIM depends on the picture through three blurred planes, p, p^2 and p q, so its derivative is three blurs.
+// Rule    Planes are float, or double for the tests; sums over pixels are double in the order of the pixels.
 #pragma once
 
 #include <glm/glm.hpp>

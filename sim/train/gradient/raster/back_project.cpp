@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // back_project: see back_project.hpp.
-#include "sim/train/gradient/back_project.hpp"
+#include "sim/train/gradient/raster/back_project.hpp"
 
 #include <algorithm>
 #include <cmath>

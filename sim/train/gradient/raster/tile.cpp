@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // tile: see tile.hpp.
-#include "sim/train/gradient/tile.hpp"
+#include "sim/train/gradient/raster/tile.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // splats: see splats.hpp.
-#include "sim/train/gradient/splats.hpp"
+#include "sim/train/gradient/raster/splats.hpp"
 
 #include <algorithm>
 #include <cmath>

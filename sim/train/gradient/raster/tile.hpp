@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
-#include "sim/train/gradient/lanes.hpp"
-#include "sim/train/gradient/splats.hpp"
+#include "sim/train/gradient/raster/lanes.hpp"
+#include "sim/train/gradient/raster/splats.hpp"
 
 namespace pipegs {
 
