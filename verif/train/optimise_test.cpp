@@ -73,7 +73,7 @@ TEST(Adam, ThreadsChangeNoBit) {
     for (int k = 0; k < 45; ++k) p.sh_rest.push_back(std::sin(x + static_cast<float>(k)));
   }
   Parameters one = p, four = p;
-  Moments moments_one{p, p}, moments_four{p, p};
+  Moments moments_one{zero_gradient(p), zero_gradient(p)}, moments_four = moments_one;
   const Rates rates = Schedule{}.rates(1, 2);
   adam_step(one, moments_one, p, rates, 1, 1);
   adam_step(four, moments_four, p, rates, 1, 4);

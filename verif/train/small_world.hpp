@@ -52,7 +52,7 @@ inline Scene knocked(Scene scene, double by) {
 inline std::vector<Camera> small_cameras(int count, int width = 64, int height = 48) {
   std::vector<Camera> cameras;
   for (int i = 0; i < count; ++i) {
-    const double turn = 6.28318530717958648 * i / count * 2;
+    const double turn = 0.6 + 6.28318530717958648 * i / count * 2;
     const double above = i % 2 == 0 ? -1.2 : 0.9;
     cameras.push_back(look_at("view" + std::to_string(100 + i), i, width, height,
                               {3.2 * std::sin(turn), above, -3.2 * std::cos(turn)}, {0, 0, 0}, 45));

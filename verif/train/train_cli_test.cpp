@@ -11,6 +11,8 @@
 namespace pipegs {
 namespace {
 
+using Json = nlohmann::json;
+
 class TrainCli : public Cli {
  protected:
   // photos: nine photographs of a small scene as COLMAP would leave them. scene.ply, cameras.json: the scene itself.
@@ -38,7 +40,6 @@ class TrainCli : public Cli {
   }
 
   Json report(const std::string& out) { return Json::parse(text(out + "/train.json")); }
-  using Json = nlohmann::json;
 };
 
 TEST_F(TrainCli, PhotographsBecomeASceneAndItsCameras) {
