@@ -115,7 +115,7 @@ TEST(Schedule, SharesOfAShorterRun) {
   EXPECT_FALSE(fine.counts_gradients(100));
   EXPECT_EQ(fine.sh_degree(1, 3), 3);
   EXPECT_NEAR(fine.rates(1000, 1).mean, 1.6e-7, 1e-12);
-  EXPECT_NEAR(fine.rates(1000, 1).opacity, 0.005, 1e-9);
+  EXPECT_NEAR(fine.rates(1000, 1).opacity, 0.0005, 1e-9);
 }
 
 }  // namespace

