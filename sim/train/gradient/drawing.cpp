@@ -35,7 +35,7 @@ struct BasicDrawing<Scalar>::State {
   const Parameters& parameters;
   Camera camera;
   DrawOptions options;
-  Splats<Scalar> splats;
+  DrawnSplats<Scalar> splats;
   std::vector<TileState<Scalar>> tiles;
   std::vector<Color> picture;
 
@@ -73,7 +73,7 @@ struct BasicDrawing<Scalar>::State {
     unblend_tile<Scalar>(area(tile), splats.splats, splats.list(tile), tiles[tile], gradient, options.background, sums);
   }
 
-  void take_back(const Splat<Scalar>& splat, const PairSums<Scalar>* sums, Gradient& gradient, Seen* seen) const {
+  void take_back(const DrawnSplat<Scalar>& splat, const PairSums<Scalar>* sums, Gradient& gradient, Seen* seen) const {
     SplatSums total;
     for (std::uint32_t n = splat.pair; n < splat.pair + splat.pairs(); ++n) {
       for (int k = 0; k < 6; ++k) total.power[k] += sums[n].power[k];

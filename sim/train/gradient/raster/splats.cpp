@@ -33,8 +33,8 @@ struct Layers {
 };
 
 template <class Scalar>
-std::optional<Splat<Scalar>> splat_of(const Parameters& parameters, std::size_t i, const Camera& camera,
-                                      const ProjectionOptions& options, const Layers& layers) {
+std::optional<DrawnSplat<Scalar>> splat_of(const Parameters& parameters, std::size_t i, const Camera& camera,
+                                           const ProjectionOptions& options, const Layers& layers) {
   ActivatedGaussian gaussian;
   if (activate(parameters, i, gaussian) != Cull::kNone) return std::nullopt;
   const TruthProjection p =
@@ -42,7 +42,7 @@ std::optional<Splat<Scalar>> splat_of(const Parameters& parameters, std::size_t 
   const PixelRect rect = footprint(p, camera, Semantics::kExact);
   if (rect.empty()) return std::nullopt;
   const auto tile = [](int pixel) { return static_cast<std::uint16_t>(pixel / kTile); };
-  Splat<Scalar> splat;
+  DrawnSplat<Scalar> splat;
   splat.mean = p.mean;
   splat.depth = p.depth;
   splat.slope = static_cast<Scalar>(p.b / p.c);
@@ -60,9 +60,9 @@ std::optional<Splat<Scalar>> splat_of(const Parameters& parameters, std::size_t 
 
 // Gives each splat its pairs; how many there are.
 template <class Scalar>
-std::uint32_t number_pairs(std::vector<Splat<Scalar>>& splats) {
+std::uint32_t number_pairs(std::vector<DrawnSplat<Scalar>>& splats) {
   std::uint64_t pairs = 0;
-  for (Splat<Scalar>& splat : splats) {
+  for (DrawnSplat<Scalar>& splat : splats) {
     splat.pair = static_cast<std::uint32_t>(pairs);
     pairs += splat.pairs();
     if (pairs > std::numeric_limits<std::uint32_t>::max()) {
@@ -74,7 +74,7 @@ std::uint32_t number_pairs(std::vector<Splat<Scalar>>& splats) {
 
 // Places of the splats by layer, depth and index.
 template <class Scalar>
-std::vector<std::uint32_t> sorted(const std::vector<Splat<Scalar>>& splats) {
+std::vector<std::uint32_t> sorted(const std::vector<DrawnSplat<Scalar>>& splats) {
   struct Turn {
     double depth;
     std::uint32_t layer, place;
@@ -94,7 +94,7 @@ std::vector<std::uint32_t> sorted(const std::vector<Splat<Scalar>>& splats) {
 
 // Calls action(tile, number of the pair) for the tiles of a splat, in the order of its pairs.
 template <class Scalar, class Action>
-void for_each_tile(const Splat<Scalar>& splat, int columns, Action&& action) {
+void for_each_tile(const DrawnSplat<Scalar>& splat, int columns, Action&& action) {
   std::uint32_t pair = splat.pair;
   for (int y = splat.y0; y < splat.y1; ++y) {
     for (int x = splat.x0; x < splat.x1; ++x) action(static_cast<std::size_t>(y * columns + x), pair++);
@@ -102,11 +102,11 @@ void for_each_tile(const Splat<Scalar>& splat, int columns, Action&& action) {
 }
 
 template <class Scalar>
-void fill_lists(Splats<Scalar>& all) {
+void fill_lists(DrawnSplats<Scalar>& all) {
   const std::uint32_t pairs = number_pairs(all.splats);
   const std::vector<std::uint32_t> order = sorted(all.splats);
   all.first.assign(static_cast<std::size_t>(all.columns) * static_cast<std::size_t>(all.rows) + 1, 0);
-  for (const Splat<Scalar>& splat : all.splats) {
+  for (const DrawnSplat<Scalar>& splat : all.splats) {
     for_each_tile(splat, all.columns, [&](std::size_t tile, std::uint32_t) { ++all.first[tile + 1]; });
   }
   for (std::size_t tile = 1; tile < all.first.size(); ++tile) all.first[tile] += all.first[tile - 1];
@@ -122,18 +122,18 @@ void fill_lists(Splats<Scalar>& all) {
 }  // namespace
 
 template <class Scalar>
-Splats<Scalar> splats_of(const Parameters& parameters, const Camera& camera, const DrawOptions& options) {
+DrawnSplats<Scalar> splats_of(const Parameters& parameters, const Camera& camera, const DrawOptions& options) {
   const ProjectionOptions projection{Semantics::kExact, options.near_plane, false, options.sh_degree};
   const Layers layers(options.layers, camera);
   const std::size_t count = parameters.size();
-  std::vector<std::vector<Splat<Scalar>>> blocks((count + kBlock - 1) / kBlock);
+  std::vector<std::vector<DrawnSplat<Scalar>>> blocks((count + kBlock - 1) / kBlock);
   parallel_for(blocks.size(), options.threads, [&](std::size_t b) {
     blocks[b].reserve(kBlock);
     for (std::size_t i = b * kBlock; i < std::min(count, (b + 1) * kBlock); ++i) {
       if (const auto splat = splat_of<Scalar>(parameters, i, camera, projection, layers)) blocks[b].push_back(*splat);
     }
   });
-  Splats<Scalar> all;
+  DrawnSplats<Scalar> all;
   all.columns = (camera.width + kTile - 1) / kTile;
   all.rows = (camera.height + kTile - 1) / kTile;
   for (const auto& block : blocks) all.splats.insert(all.splats.end(), block.begin(), block.end());
@@ -141,7 +141,7 @@ Splats<Scalar> splats_of(const Parameters& parameters, const Camera& camera, con
   return all;
 }
 
-template Splats<float> splats_of<float>(const Parameters&, const Camera&, const DrawOptions&);
-template Splats<double> splats_of<double>(const Parameters&, const Camera&, const DrawOptions&);
+template DrawnSplats<float> splats_of<float>(const Parameters&, const Camera&, const DrawOptions&);
+template DrawnSplats<double> splats_of<double>(const Parameters&, const Camera&, const DrawOptions&);
 
 }  // namespace pipegs

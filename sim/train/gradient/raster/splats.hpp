@@ -21,7 +21,7 @@ namespace pipegs {
 inline constexpr int kTile = 16;
 
 template <class Scalar>
-struct Splat {
+struct DrawnSplat {
   glm::dvec2 mean;  // pixels
   double depth;     // view z
   Scalar slope;     // rho
@@ -37,25 +37,25 @@ struct Splat {
 };
 
 // A splat in a tile.
-struct Pair {
+struct TilePair {
   std::uint32_t splat, number;
 };
 
 template <class Scalar>
-struct Splats {
-  int columns = 0, rows = 0;          // of tiles
-  std::vector<Splat<Scalar>> splats;  // by rising index
-  std::vector<std::size_t> first;     // of a tile's list; one more at the end: how many pairs there are
-  std::vector<Pair> lists;
-  std::span<const Pair> list(std::size_t tile) const {
+struct DrawnSplats {
+  int columns = 0, rows = 0;               // of tiles
+  std::vector<DrawnSplat<Scalar>> splats;  // by rising index
+  std::vector<std::size_t> first;          // of a tile's list; one more at the end: how many pairs there are
+  std::vector<TilePair> lists;
+  std::span<const TilePair> list(std::size_t tile) const {
     return std::span(lists).subspan(first[tile], first[tile + 1] - first[tile]);
   }
 };
 
 template <class Scalar>
-Splats<Scalar> splats_of(const Parameters& parameters, const Camera& camera, const DrawOptions& options);
+DrawnSplats<Scalar> splats_of(const Parameters& parameters, const Camera& camera, const DrawOptions& options);
 
-extern template Splats<float> splats_of<float>(const Parameters&, const Camera&, const DrawOptions&);
-extern template Splats<double> splats_of<double>(const Parameters&, const Camera&, const DrawOptions&);
+extern template DrawnSplats<float> splats_of<float>(const Parameters&, const Camera&, const DrawOptions&);
+extern template DrawnSplats<double> splats_of<double>(const Parameters&, const Camera&, const DrawOptions&);
 
 }  // namespace pipegs

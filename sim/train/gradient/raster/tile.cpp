@@ -21,7 +21,7 @@ struct TileRows {
   Scalar highest[kTile];  // power where u = 0, opacity included
   Scalar reach[kTile];    // below 0: no pixel of the row reaches 1/255
 
-  PIPEGS_INLINED TileRows(const Splat<Scalar>& splat, const TileArea& area) {
+  PIPEGS_INLINED TileRows(const DrawnSplat<Scalar>& splat, const TileArea& area) {
     Lanes<Scalar> row;
     count_lanes<Scalar>(row);
     const auto mean_x = static_cast<Scalar>(splat.mean.x - area.x), mean_y = static_cast<Scalar>(splat.mean.y - area.y);
@@ -39,8 +39,8 @@ struct TileRows {
 };
 
 template <class Scalar>
-PIPEGS_INLINED void blend(const TileArea& area, std::span<const Splat<Scalar>> splats, std::span<const Pair> list,
-                          TileState<Scalar>& state, TileColors<Scalar>& colors) {
+PIPEGS_INLINED void blend(const TileArea& area, std::span<const DrawnSplat<Scalar>> splats,
+                          std::span<const TilePair> list, TileState<Scalar>& state, TileColors<Scalar>& colors) {
   constexpr auto kCap = static_cast<Scalar>(kMaxAlpha), kCut = static_cast<Scalar>(kMinAlpha),
                  kStop = static_cast<Scalar>(kMinTransmittance);
   using L = Lanes<Scalar>;
@@ -57,7 +57,7 @@ PIPEGS_INLINED void blend(const TileArea& area, std::span<const Splat<Scalar>> s
     for (auto& channel : colors.rgb) channel[y] = L{};
   }
   for (std::size_t n = 0; n < list.size(); ++n) {
-    const Splat<Scalar>& splat = splats[list[n].splat];
+    const DrawnSplat<Scalar>& splat = splats[list[n].splat];
     const TileRows<Scalar> rows(splat, area);
     const L step = splat.steep * lane;
     for (int y = 0; y < kTile; ++y) {
@@ -82,9 +82,9 @@ PIPEGS_INLINED void blend(const TileArea& area, std::span<const Splat<Scalar>> s
 }
 
 template <class Scalar>
-PIPEGS_INLINED void unblend(const TileArea& area, std::span<const Splat<Scalar>> splats, std::span<const Pair> list,
-                            const TileState<Scalar>& state, const TileColors<Scalar>& gradient,
-                            const glm::vec3& background, PairSums<Scalar>* sums) {
+PIPEGS_INLINED void unblend(const TileArea& area, std::span<const DrawnSplat<Scalar>> splats,
+                            std::span<const TilePair> list, const TileState<Scalar>& state,
+                            const TileColors<Scalar>& gradient, const glm::vec3& background, PairSums<Scalar>* sums) {
   constexpr auto kCap = static_cast<Scalar>(kMaxAlpha), kCut = static_cast<Scalar>(kMinAlpha);
   using Integer = typename LanesOf<Scalar>::Integer;
   using L = Lanes<Scalar>;
@@ -103,11 +103,11 @@ PIPEGS_INLINED void unblend(const TileArea& area, std::span<const Splat<Scalar>>
     last = std::max(last, row_last[y]);
   }
   for (auto n = static_cast<Integer>(list.size()); n > 0; --n) {
-    const Pair& pair = list[static_cast<std::size_t>(n - 1)];
+    const TilePair& pair = list[static_cast<std::size_t>(n - 1)];
     PairSums<Scalar>& out = sums[pair.number];
     out = {};
     if (n > last) continue;
-    const Splat<Scalar>& splat = splats[pair.splat];
+    const DrawnSplat<Scalar>& splat = splats[pair.splat];
     const TileRows<Scalar> rows(splat, area);
     const L step = splat.steep * lane;
     L power[6] = {}, color[3] = {};
@@ -148,13 +148,13 @@ PIPEGS_INLINED void unblend(const TileArea& area, std::span<const Splat<Scalar>>
 }
 
 // Specialisations cannot be compiled for several levels, plain functions can.
-PIPEGS_LEVELS void blend_floats(const TileArea& area, std::span<const Splat<float>> splats, std::span<const Pair> list,
-                                TileState<float>& state, TileColors<float>& colors) {
+PIPEGS_LEVELS void blend_floats(const TileArea& area, std::span<const DrawnSplat<float>> splats,
+                                std::span<const TilePair> list, TileState<float>& state, TileColors<float>& colors) {
   blend<float>(area, splats, list, state, colors);
 }
 
-PIPEGS_LEVELS void unblend_floats(const TileArea& area, std::span<const Splat<float>> splats,
-                                  std::span<const Pair> list, const TileState<float>& state,
+PIPEGS_LEVELS void unblend_floats(const TileArea& area, std::span<const DrawnSplat<float>> splats,
+                                  std::span<const TilePair> list, const TileState<float>& state,
                                   const TileColors<float>& gradient, const glm::vec3& background,
                                   PairSums<float>* sums) {
   unblend<float>(area, splats, list, state, gradient, background, sums);
@@ -163,27 +163,27 @@ PIPEGS_LEVELS void unblend_floats(const TileArea& area, std::span<const Splat<fl
 }  // namespace
 
 template <class Scalar>
-void blend_tile(const TileArea& area, std::span<const Splat<Scalar>> splats, std::span<const Pair> list,
+void blend_tile(const TileArea& area, std::span<const DrawnSplat<Scalar>> splats, std::span<const TilePair> list,
                 TileState<Scalar>& state, TileColors<Scalar>& colors) {
   if constexpr (sizeof(Scalar) == 4) blend_floats(area, splats, list, state, colors);
   else blend<Scalar>(area, splats, list, state, colors);
 }
 
 template <class Scalar>
-void unblend_tile(const TileArea& area, std::span<const Splat<Scalar>> splats, std::span<const Pair> list,
+void unblend_tile(const TileArea& area, std::span<const DrawnSplat<Scalar>> splats, std::span<const TilePair> list,
                   const TileState<Scalar>& state, const TileColors<Scalar>& gradient, const glm::vec3& background,
                   PairSums<Scalar>* sums) {
   if constexpr (sizeof(Scalar) == 4) unblend_floats(area, splats, list, state, gradient, background, sums);
   else unblend<Scalar>(area, splats, list, state, gradient, background, sums);
 }
 
-template void blend_tile(const TileArea&, std::span<const Splat<float>>, std::span<const Pair>, TileState<float>&,
-                         TileColors<float>&);
-template void blend_tile(const TileArea&, std::span<const Splat<double>>, std::span<const Pair>, TileState<double>&,
-                         TileColors<double>&);
-template void unblend_tile(const TileArea&, std::span<const Splat<float>>, std::span<const Pair>,
+template void blend_tile(const TileArea&, std::span<const DrawnSplat<float>>, std::span<const TilePair>,
+                         TileState<float>&, TileColors<float>&);
+template void blend_tile(const TileArea&, std::span<const DrawnSplat<double>>, std::span<const TilePair>,
+                         TileState<double>&, TileColors<double>&);
+template void unblend_tile(const TileArea&, std::span<const DrawnSplat<float>>, std::span<const TilePair>,
                            const TileState<float>&, const TileColors<float>&, const glm::vec3&, PairSums<float>*);
-template void unblend_tile(const TileArea&, std::span<const Splat<double>>, std::span<const Pair>,
+template void unblend_tile(const TileArea&, std::span<const DrawnSplat<double>>, std::span<const TilePair>,
                            const TileState<double>&, const TileColors<double>&, const glm::vec3&, PairSums<double>*);
 
 }  // namespace pipegs

@@ -48,12 +48,12 @@ struct TileArea {
 
 // `colors` without background.
 template <class Scalar>
-void blend_tile(const TileArea& area, std::span<const Splat<Scalar>> splats, std::span<const Pair> list,
+void blend_tile(const TileArea& area, std::span<const DrawnSplat<Scalar>> splats, std::span<const TilePair> list,
                 TileState<Scalar>& state, TileColors<Scalar>& colors);
 
 // Writes the sums of all pairs of the list.
 template <class Scalar>
-void unblend_tile(const TileArea& area, std::span<const Splat<Scalar>> splats, std::span<const Pair> list,
+void unblend_tile(const TileArea& area, std::span<const DrawnSplat<Scalar>> splats, std::span<const TilePair> list,
                   const TileState<Scalar>& state, const TileColors<Scalar>& gradient, const glm::vec3& background,
                   PairSums<Scalar>* sums);
 
