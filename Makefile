@@ -45,9 +45,9 @@ test-long: build  ## the long tests too, those of the netlists among them
 	cmake --build $(BUILD)
 	$(CTEST)
 
-fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, seven targets of SECONDS / 7 each (60 s without it)
+fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, eight targets of SECONDS / 8 each (60 s without it)
 	cmake --build $(BUILD) --target fuzz
-	verif/fuzz/fuzz.sh $(BUILD)/verif/fuzz $$((($(if $(SECONDS),$(SECONDS),60) + 6) / 7))
+	verif/fuzz/fuzz.sh $(BUILD)/verif/fuzz $$((($(if $(SECONDS),$(SECONDS),60) + 7) / 8))
 
 bench: build  ## speed of golden model and RTL on our own scene, apart from the tests
 	$(BUILD)/pipegs sim --no-truth --out $(BUILD)/bench --json | grep -A 5 wall_seconds

@@ -38,7 +38,7 @@ void write_cameras(const std::filesystem::path& path, const std::vector<Camera>&
 Camera look_at(const std::string& name, int id, int width, int height, const glm::dvec3& position,
                const glm::dvec3& target, double horizontal_fov_degrees);
 
-// The same view with sides times `scale`, above 0, to whole pixels, at least one: both pictures cover the same rectangle.
+// Sides times `scale`, above 0, to whole pixels, at least one: both pictures cover the same rectangle.
 Camera scaled_camera(const Camera& camera, double scale);
 
 }  // namespace pipegs

@@ -3,8 +3,8 @@
 //
 // Layout  Binary, little-endian, each file a count and then its records:
 //           cameras   id u32, model i32, width u64, height u64, parameters f64
-//           images    id u32, q f64 x 4 (w first), t f64 x 3, camera u32, name to a 0, count, (x, y, point) 24 bytes each
-//           points3D  id u64, position f64 x 3, colour u8 x 3, error f64, count, (image, index) 8 bytes each
+//           images    id u32, q f64 x 4 (w first), t f64 x 3, camera u32, name to a 0, count, points of 24 bytes
+//           points3D  id u64, position f64 x 3, colour u8 x 3, error f64, count, a track of 8 bytes for each
 //         Text: the same by words, # begins a comment; an image takes two lines, the second of its 2D points, which may
 //         be empty. What the points were seen in is skipped.
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Against sim/train/run/checkpoint: a run that goes on from any of its checkpoints ends in the same bits; a file that is
-// cut, changed, of another run or holds what is no number is refused, and one that cannot be written leaves the one
-// before.
+// Against sim/train/run/checkpoint: a run that goes on from any of its checkpoints ends in the same bits.
+//
+// Idea    A file that is cut, changed, of another run or holds what is no number is refused; one that cannot be written
+//         leaves the one before.
 #include "sim/train/run/checkpoint.hpp"
 
 #include <gtest/gtest.h>

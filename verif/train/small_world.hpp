@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// small_world: 200 Gaussians in a ball, cameras round them, and what the truth draws: all that a test of training needs.
+// small_world: 200 Gaussians in a ball and cameras round them, all that a test of training needs.
 #pragma once
 
 #include <cmath>

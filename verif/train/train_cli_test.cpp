@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// train_cli_test: `pipegs train` as a person meets it: what it writes, what it refuses, what is left after an interrupt,
-// a kill and a full disk.
+// train_cli_test: `pipegs train` as a person meets it: what it writes, what it refuses, and what is left after an
+// interrupt, a kill and a full disk.
 #include <glm/gtc/quaternion.hpp>
 
 #include "cpp_model/float/truth.hpp"

@@ -62,8 +62,8 @@ TEST(Trainer, BeginsWithPointsAndGrows) {
   EXPECT_EQ(state.parameters.sh_degree, 1);
 }
 
-// The scene itself, fine-tuned on its pictures in exact order for a machine that draws in layers: drawn in that order it
-// is better than before. The loss that keeps Gaussians inside their layer costs likeness, and makes the order matter
+// The scene itself, fine-tuned on its pictures in exact order for a machine that draws in layers: drawn in that order
+// it is better than before. The loss that keeps Gaussians inside their layer costs likeness, and makes the order matter
 // less.
 TEST(Trainer, FineTuningIsForThePictureInLayers) {
   Scene scene = small_scene();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // densify: Gaussians where the picture asks for more, fewer where nothing is left to see.
 //
-// Paper   INRIA, Sec. 5.2: where the mean |d loss / d mean2d| of the views that saw a Gaussian is at least 2e-4, a small
-//         one (largest scale at most 0.01 of the extent) is cloned, a larger one split in two drawn from it, with
+// Paper   INRIA, Sec. 5.2: where the mean |d loss / d mean2d| of the views that saw a Gaussian is at least 2e-4, a
+//         small one (largest scale at most 0.01 of the extent) is cloned, a larger one split in two drawn from it, with
 //         scales / 1.6. Opacity below 0.005, or a scale above a tenth of the extent once opacities were reset, is the
-//         end of one. Its rule of the radius in pixels never fires in INRIA's code, and is left out.
+//         end of one. INRIA's rule of the radius in pixels never fires in its code, and is left out.
 // Idea    Where there is no room for all, the largest gradients get it, ties to the lowest index: the result depends on
 //         nothing but its inputs and the seed.
 // Layout  Those that stay in their order, then clones, then the halves of those that were split.

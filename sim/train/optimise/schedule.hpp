@@ -5,8 +5,8 @@
 //         position's rate (1.6e-4 to 1.6e-6 of the extent, exponentially), the SH degree (one more each 30th), growing
 //         (from a 60th to the half). What lets Adam settle is a number of steps and stays one: growing each 100,
 //         opacities reset each 3000, both while it grows.
-// Idea    Fine-tuning begins with a scene that is good: the position's last rate, a tenth of the others, all of which fall
-//         to a tenth, so that it comes to rest. All degrees take part, and nothing grows.
+// Idea    Fine-tuning begins with a scene that is good: the position's last rate, a tenth of the others, all of which
+//         fall to a tenth, so that it comes to rest. All degrees take part, and nothing grows.
 #pragma once
 
 namespace pipegs {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // jpeg: a photograph in JPEG, by libjpeg.
 //
-// Rule    The size in the header is held against the caller's before memory is taken. A picture that ends early or holds
-//         codes that are none is refused; libjpeg would fill it with grey.
+// Rule    The size in the header is held against the caller's before memory is taken. A picture that ends early or
+//         holds codes that are none is refused; libjpeg would fill it with grey.
 // Errors  InputError with libjpeg's own words.
 #pragma once
 

@@ -2,9 +2,9 @@
 // trainer: INRIA's training of a scene of 3D Gaussians, step by step, on a CPU.
 //
 // Paper   Eq. 6: the loss of the photographs, and of layers if there are any (Eq. 5, in cldr.hpp).
-// Idea    A step takes one view: draw, loss, gradient, Adam; from time to time Gaussians are added and removed. All that
-//         one step hands to the next is a TrainState. Which view a step takes and what is drawn by chance follow from
-//         the seed and the step's number, so that a run that goes on from a state is the run that never stopped.
+// Idea    A step takes one view: draw, loss, gradient, Adam; from time to time Gaussians are added and removed. All
+//         that one step hands to the next is a TrainState. Which view a step takes and what is drawn by chance follow
+//         from the seed and the step's number, so that a run that goes on from a state is the run that never stopped.
 // Order   With layers a picture is drawn in the machine's order of layers, so that what is trained is what it draws.
 // Rule    No bit depends on the number of threads.
 #pragma once
