@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // cldr: see cldr.hpp.
 //
-// Idea    For a world axis n, row n of R: sigma^2 = sum_k (R_nk s_k)^2. So with e = sigma - gamma d, or sigma/d - gamma,
+// Idea    For a world axis n, and row n of R: sigma^2 = sum_k (R_nk s_k)^2. Of both forms of the excess follow
 //           d sigma / d log s_k = (R_nk s_k)^2 / sigma      d sigma / d R_nk = R_nk s_k^2 / sigma
 #include "sim/train/gradient/cldr.hpp"
 
