@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // drawing: see drawing.hpp.
 //
-// Idea    Forward: splats and their lists (raster/splats.hpp), then the tiles. Backward: the tiles from the end of their
-//         lists (raster/tile.hpp), each pair into its own place; then every splat sums its pairs and is taken back to
-//         its Gaussian (raster/back_project.hpp). So no two threads ever add to one number.
+// Idea    Forward: splats and their lists (raster/splats.hpp), then the tiles. Backward: the tiles from the end of
+//         their lists (raster/tile.hpp), each pair into its own place; then every splat sums its pairs and is taken
+//         back to its Gaussian (raster/back_project.hpp). So no two threads ever add to one number.
 #include "sim/train/gradient/drawing.hpp"
 
 #include <algorithm>

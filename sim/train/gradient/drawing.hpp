@@ -3,8 +3,8 @@
 //
 // Paper   Eq. 1 and 2, in the order of Sec. 3.2 if there are layers.
 // Idea    The truth (kExact of cpp_model/float/truth.hpp) with its cuts, so that what is trained is what the machine
-//         draws. Gaussians are projected and their gradients taken back in double: that is a tenth of the time. Pixels
-//         are float32 in lanes of 16: a weight of a pixel is used once and summed, so its rounding averages out.
+//         draws. Gaussians are projected and their gradients taken back in double, once each. Pixels are float32 in
+//         lanes of 16: a weight of a pixel is used once and summed, so its rounding averages out.
 //         Scalar = double compiles the same code for the tests.
 // Order   Ascending view depth, ties by index; with a grid first by layer, as the golden model with order = 0.
 // Rule    Nothing depends on the number of threads: tiles share nothing, and what they add to a Gaussian is summed in

@@ -49,13 +49,12 @@ PIPEGS_INLINED void blur_rows(const Scalar* in, const Size& size, const Scalar* 
   for (std::size_t y = 0; y < size.height; ++y) {
     Scalar* const row = padded + kReach;
     for (std::size_t x = 0; x < size.width; ++x) row[x] = weights[0] * in[y * size.width + x];
+    const auto add = [&](std::size_t from, Scalar weight) {
+      for (std::size_t x = 0; x < size.width; ++x) row[x] += weight * in[from * size.width + x];
+    };
     for (std::size_t i = 1; i <= kReach; ++i) {
-      const Scalar weight = weights[i];
-      const Scalar *above = in + (y - i) * size.width, *below = in + (y + i) * size.width;
-      if (y >= i)
-        for (std::size_t x = 0; x < size.width; ++x) row[x] += weight * above[x];
-      if (y + i < size.height)
-        for (std::size_t x = 0; x < size.width; ++x) row[x] += weight * below[x];
+      if (y >= i) add(y - i, weights[i]);
+      if (y + i < size.height) add(y + i, weights[i]);
     }
     Scalar* const result = out + y * size.width;
     for (std::size_t x = 0; x < size.width; ++x) {

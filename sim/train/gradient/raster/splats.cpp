@@ -15,7 +15,7 @@
 namespace pipegs {
 namespace {
 
-constexpr std::size_t kBlock = 2048;  // Gaussians that a thread projects at a time
+constexpr std::size_t kBlock = 512;  // Gaussians that a thread projects at a time: few, so that the heap reuses memory
 
 // The layer of each Gaussian along the camera's principal axis.
 struct Layers {
@@ -35,6 +35,9 @@ struct Layers {
 template <class Scalar>
 std::optional<DrawnSplat<Scalar>> splat_of(const Parameters& parameters, std::size_t i, const Camera& camera,
                                            const ProjectionOptions& options, const Layers& layers) {
+  // The truth's own test of the near plane, before all that costs time.
+  const glm::dvec3 offset = glm::dvec3(parameters.mean[i]) - camera.position;
+  if (!((camera.world_to_camera * offset).z > options.near_plane)) return std::nullopt;
   ActivatedGaussian gaussian;
   if (activate(parameters, i, gaussian) != Cull::kNone) return std::nullopt;
   const TruthProjection p =
@@ -136,6 +139,9 @@ DrawnSplats<Scalar> splats_of(const Parameters& parameters, const Camera& camera
   DrawnSplats<Scalar> all;
   all.columns = (camera.width + kTile - 1) / kTile;
   all.rows = (camera.height + kTile - 1) / kTile;
+  std::size_t seen = 0;
+  for (const auto& block : blocks) seen += block.size();
+  all.splats.reserve(seen);
   for (const auto& block : blocks) all.splats.insert(all.splats.end(), block.begin(), block.end());
   fill_lists(all);
   return all;
