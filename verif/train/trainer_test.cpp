@@ -61,8 +61,8 @@ TEST(Trainer, BeginsWithPointsAndGrows) {
   EXPECT_EQ(state.parameters.sh_degree, 1);
 }
 
-// The scene itself, fine-tuned on its pictures in exact order for a machine that draws in layers: the order matters less
-// than before, and with the loss that keeps Gaussians inside their layer, which costs likeness here, hardly at all.
+// The scene itself, fine-tuned on its pictures in exact order for a machine that draws in layers: the order matters
+// less than before, and with the loss that keeps Gaussians inside their layer, which costs likeness here, hardly at all.
 TEST(Trainer, FineTuningMakesTheOrderMatterLess) {
   const Scene scene = small_scene();
   const TrainingViews views = views_of_scene(scene, small_cameras(17), 1, 0, nothing);

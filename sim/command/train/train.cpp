@@ -131,7 +131,8 @@ TrainQuality quality_of(const Parameters& parameters, const TrainingViews& views
 TrainState train(const TrainArguments& arguments, const TrainOptions& options, const TrainInput& input) {
   const fs::path path = fs::path(arguments.out) / "checkpoint.bin";
   const uint64_t mark = run_mark(options, input.views, input.start);
-  const bool goes_on = arguments.resume && fs::exists(path);
+  std::error_code ignored;
+  const bool goes_on = arguments.resume && fs::exists(path, ignored);
   Trainer trainer(options, input.views, goes_on ? read_checkpoint(path, mark) : Trainer::begin(input.start));
   make_folder_of(path);
   const int first = trainer.state().step;
@@ -164,7 +165,8 @@ std::vector<Camera> cameras_of(const std::vector<TrainingView>& views) {
 }
 
 int run_train(const TrainArguments& arguments) {
-  const bool fine_tuning = !fs::is_directory(arguments.input);
+  std::error_code ignored;
+  const bool fine_tuning = !fs::is_directory(arguments.input, ignored);
   const TrainOptions options = options_of(arguments, fine_tuning);
   if (options.layers != 0 && options.layers != 2 && options.layers != 4 && options.layers != 8)
     throw ConfigError(fmt::format("--layers: found {}, expected 0 for none, or 2, 4 or 8", options.layers));
