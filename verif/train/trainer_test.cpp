@@ -62,7 +62,7 @@ TEST(Trainer, BeginsWithPointsAndGrows) {
 }
 
 // The scene itself, fine-tuned on its pictures in exact order for a machine that draws in layers: the order matters
-// less than before, and with the loss that keeps Gaussians inside their layer, which costs likeness here, hardly at all.
+// less than before, and hardly at all with the loss that keeps Gaussians inside their layer, which costs likeness here.
 TEST(Trainer, FineTuningMakesTheOrderMatterLess) {
   const Scene scene = small_scene();
   const TrainingViews views = views_of_scene(scene, small_cameras(17), 1, 0, nothing);
