@@ -4,8 +4,8 @@
 BUILD ?= build
 RUNG ?= fast
 PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm-dev libpng-dev zlib1g-dev \
-            libwebp-dev libzstd-dev libminizip-dev pkg-config \
-            libcli11-dev nlohmann-json3-dev libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
+            libwebp-dev libzstd-dev libminizip-dev libjpeg62-turbo-dev pkg-config libcli11-dev nlohmann-json3-dev \
+            libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
 STYLE := clang-format black shellcheck codespell
 GATES := opensta qflow-tech-osu018
 TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog
@@ -45,9 +45,9 @@ test-long: build  ## the long tests too, those of the netlists among them
 	cmake --build $(BUILD)
 	$(CTEST)
 
-fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, eight targets of SECONDS / 8 each (60 s without it)
+fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, nine targets of SECONDS / 9 each (60 s without it)
 	cmake --build $(BUILD) --target fuzz
-	verif/fuzz/fuzz.sh $(BUILD)/verif/fuzz $$((($(if $(SECONDS),$(SECONDS),60) + 7) / 8))
+	verif/fuzz/fuzz.sh $(BUILD)/verif/fuzz $$((($(if $(SECONDS),$(SECONDS),60) + 8) / 9))
 
 bench: build  ## speed of golden model and RTL on our own scene, apart from the tests
 	$(BUILD)/pipegs sim --no-truth --out $(BUILD)/bench --json | grep -A 5 wall_seconds

@@ -2,6 +2,7 @@
 // camera: what is made of a camera, and cameras.json as it is written; see camera.hpp.
 #include "scenes/camera.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -65,6 +66,20 @@ Camera look_at(const std::string& name, int id, int width, int height, const glm
   camera.cx = (width - 1) / 2.0;
   camera.cy = (height - 1) / 2.0;
   return camera;
+}
+
+Camera scaled_camera(const Camera& camera, double scale) {
+  Camera small = camera;
+  const auto side = [scale](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
+  small.width = side(camera.width);
+  small.height = side(camera.height);
+  const double x = static_cast<double>(small.width) / camera.width,
+               y = static_cast<double>(small.height) / camera.height;
+  small.fx = camera.fx * x;
+  small.fy = camera.fy * y;
+  small.cx = (camera.cx + 0.5) * x - 0.5;  // a pixel's centre is its number, its edges half a pixel away
+  small.cy = (camera.cy + 0.5) * y - 0.5;
+  return small;
 }
 
 }  // namespace pipegs

@@ -46,4 +46,7 @@ Camera resized(Camera camera, int width, int height);
 Camera look_at(const std::string& name, int id, int width, int height, const glm::dvec3& position,
                const glm::dvec3& target, double horizontal_fov_degrees);
 
+// Sides times `scale`, above 0, to whole pixels, at least one: both pictures cover the same rectangle.
+Camera scaled_camera(const Camera& camera, double scale);
+
 }  // namespace pipegs

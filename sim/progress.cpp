@@ -16,10 +16,12 @@ volatile std::sig_atomic_t g_interrupted = 0;
 }  // namespace
 
 void watch_interrupts() {
-  std::signal(SIGINT, [](int) {
-    if (g_interrupted) std::_Exit(130);  // the second one does not wait
-    g_interrupted = 1;
-  });
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::signal(signal, [](int) {
+      if (g_interrupted) std::_Exit(130);  // the second one does not wait
+      g_interrupted = 1;
+    });
+  }
 }
 
 bool interrupted() { return g_interrupted != 0; }

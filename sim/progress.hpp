@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // progress.hpp: one line on the terminal that says how far a long stage is: stage, percent, rate, time left.
 //
-// Quiet when standard error is not a terminal. SIGINT is noticed between updates: `interrupted()` turns true and the
-// stages stop in an orderly way, so nothing half-written is left behind.
+// Quiet when standard error is not a terminal. SIGINT and SIGTERM are noticed between updates: `interrupted()` turns
+// true and the stages stop in an orderly way, so nothing half-written is left behind.
 #pragma once
 
 #include <chrono>
@@ -27,7 +27,7 @@ class Progress {
   std::mutex mutex_;
 };
 
-// Installs the SIGINT handler; call once at start.
+// Installs the handler of SIGINT and SIGTERM; call once at start.
 void watch_interrupts();
 bool interrupted();
 

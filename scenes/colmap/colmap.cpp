@@ -51,8 +51,9 @@ void check_pose(const std::string& file, const std::string& where, const ColmapP
 // The file `name` of the model, .bin before .txt as COLMAP itself reads them.
 fs::path model_file(const fs::path& model, const std::string& name) {
   const fs::path binary = model / (name + ".bin"), text = model / (name + ".txt");
-  if (fs::exists(binary)) return binary;
-  if (fs::exists(text)) return text;
+  std::error_code ignored;
+  if (fs::exists(binary, ignored)) return binary;
+  if (fs::exists(text, ignored)) return text;
   throw InputError(model.string(), "", fmt::format("found neither {0}.bin nor {0}.txt, expected COLMAP's model", name));
 }
 

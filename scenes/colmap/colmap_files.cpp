@@ -3,23 +3,22 @@
 //
 // Layout  Binary, little-endian, each file a count and then its records:
 //           cameras   id u32, model i32, width u64, height u64, parameters f64
-//           images    id u32, q f64 x 4 (w first), t f64 x 3, camera u32, name to a 0, count, (x, y, point) 24 bytes each
-//           points3D  id u64, position f64 x 3, colour u8 x 3, error f64, count, (image, index) 8 bytes each
+//           images    id u32, q f64 x 4 (w first), t f64 x 3, camera u32, name to a 0, count, points of 24 bytes
+//           points3D  id u64, position f64 x 3, colour u8 x 3, error f64, count, a track of 8 bytes for each
 //         Text: the same by words, # begins a comment; an image takes two lines, the second of its 2D points, which may
 //         be empty. What the points were seen in is skipped.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
+#include "scenes/byte_reader.hpp"
 #include "scenes/colmap/colmap.hpp"
-#include "scenes/colmap/colmap_records.hpp"
+#include "scenes/colmap/colmap_words.hpp"
 #include "scenes/text/text_file.hpp"
 
 namespace pipegs {
 namespace {
-
-using colmap::Bytes;
-using colmap::Words;
 
 constexpr std::string_view kModels[] = {"SIMPLE_PINHOLE",
                                         "PINHOLE",
@@ -93,7 +92,7 @@ void for_each_line(std::string_view text, Visit&& visit) {
   }
 }
 
-void check_end(const Bytes& bytes) {
+void check_end(const ByteReader& bytes) {
   if (bytes.remaining() > 0)
     throw InputError(bytes.file(), "end",
                      fmt::format("found {} bytes behind the last record, expected none", bytes.remaining()));
@@ -103,7 +102,7 @@ std::vector<ColmapLens> lenses_of_text(const std::string& file, std::string_view
   std::vector<ColmapLens> lenses;
   for_each_line(text, [&](int number, std::string_view line) {
     const std::string where = fmt::format("line {}", number);
-    Words words(file, where, line);
+    ColmapWords words(file, where, line);
     const auto id = words.integer<std::uint32_t>("camera id");
     const Parameters kind = parameters_of(file, where, words.word("model"), ignore_distortion);
     std::vector<double> parameters(kind.all());
@@ -129,7 +128,7 @@ std::vector<ColmapPose> poses_of_text(const std::string& file, std::string_view 
     }
     const std::size_t first = line.find_first_not_of(" \t");
     if (first == std::string_view::npos || line[first] == '#') continue;
-    Words words(file, fmt::format("line {}", number), line);
+    ColmapWords words(file, fmt::format("line {}", number), line);
     ColmapPose& pose = poses.emplace_back();
     pose.id = words.integer<std::uint32_t>("image id");
     for (int i = 0; i < 4; ++i) pose.rotation[i] = words.real("rotation");
@@ -144,7 +143,7 @@ std::vector<ColmapPose> poses_of_text(const std::string& file, std::string_view 
 std::vector<ScenePoint> points_of_text(const std::string& file, std::string_view text) {
   std::vector<ScenePoint> points;
   for_each_line(text, [&](int number, std::string_view line) {
-    Words words(file, fmt::format("line {}", number), line);
+    ColmapWords words(file, fmt::format("line {}", number), line);
     words.word("point id");
     ScenePoint& point = points.emplace_back();
     for (int i = 0; i < 3; ++i) point.position[i] = words.real("position");
@@ -154,7 +153,7 @@ std::vector<ScenePoint> points_of_text(const std::string& file, std::string_view
 }
 
 std::vector<ColmapLens> lenses_of_bytes(const std::string& file, std::string_view data, bool ignore_distortion) {
-  Bytes bytes(file, data);
+  ByteReader bytes(file, data);
   std::vector<ColmapLens> lenses;
   const std::uint64_t count = bytes.count(24 + 3 * 8, "number of cameras");
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -174,7 +173,7 @@ std::vector<ColmapLens> lenses_of_bytes(const std::string& file, std::string_vie
 }
 
 std::vector<ColmapPose> poses_of_bytes(const std::string& file, std::string_view data) {
-  Bytes bytes(file, data);
+  ByteReader bytes(file, data);
   std::vector<ColmapPose> poses;
   const std::uint64_t count = bytes.count(4 + 7 * 8 + 4 + 1 + 8, "number of images");
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -192,7 +191,7 @@ std::vector<ColmapPose> poses_of_bytes(const std::string& file, std::string_view
 }
 
 std::vector<ScenePoint> points_of_bytes(const std::string& file, std::string_view data) {
-  Bytes bytes(file, data);
+  ByteReader bytes(file, data);
   std::vector<ScenePoint> points;
   const std::uint64_t count = bytes.count(8 + 3 * 8 + 3 + 8 + 8, "number of points");
   for (std::uint64_t i = 0; i < count; ++i) {

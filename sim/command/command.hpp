@@ -115,5 +115,6 @@ void add_effects(CLI::App& app, Run& run);
 void add_silicon(CLI::App& app, Run& run);
 void add_shapes(CLI::App& app, Run& run);
 void add_rivals(CLI::App& app, Run& run);
+void add_train(CLI::App& app, Run& run);
 
 }  // namespace pipegs

@@ -92,6 +92,7 @@ int main(int argc, char** argv) {
   add_silicon(app, run);
   add_shapes(app, run);
   add_rivals(app, run);
+  add_train(app, run);
   add_info(app, run);
   add_convert(app, run);
   add_split(app, run);

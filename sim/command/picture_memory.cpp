@@ -49,12 +49,14 @@ uint64_t free_in_process() {
 
 }  // namespace
 
+uint64_t free_memory() { return std::min({free_in_computer(), free_in_container(), free_in_process()}); }
+
 void check_picture_memory(const Camera& camera, const SimulateOptions& options, const PixelBytes& bytes) {
   const auto width = static_cast<uint64_t>(camera.width), height = static_cast<uint64_t>(camera.height);
   const auto side = static_cast<uint64_t>(options.config.window), windows = static_cast<uint64_t>(options.windows);
   const uint64_t asked = options.window ? std::min(width, windows * side) * std::min(height, side) : width * height;
   const uint64_t needed = width * height * bytes.frame + asked * bytes.asked;
-  const uint64_t free = std::min({free_in_computer(), free_in_container(), free_in_process()});
+  const uint64_t free = free_memory();
   if (needed <= free) return;
   throw InputError(fmt::format("camera {}: {}x{} pixels would take {} bytes ({:.1f} GB) of memory, {:.1f} GB are free",
                                quote(camera.name), camera.width, camera.height, needed,

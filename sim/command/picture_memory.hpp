@@ -28,6 +28,9 @@ inline constexpr PixelBytes kCountPixels{.frame = 2};           // the counts of
 inline constexpr PixelBytes kOrderPixels{.frame = 3 * 44 + 8};  // three images, and the graph of a tile
 inline constexpr PixelBytes kImagePixels{.asked = 44};
 
+// Bytes: the least of what computer, container and process have.
+uint64_t free_memory();
+
 void check_picture_memory(const Camera& camera, const SimulateOptions& options, const PixelBytes& bytes);
 
 }  // namespace pipegs

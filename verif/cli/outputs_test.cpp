@@ -16,11 +16,11 @@ class Outputs : public Cli {
   const std::string none_ = " missing.ply --cameras cameras.json ";
 
   // Every option that names what is written: a folder or a file.
-  const std::vector<std::string> folders_ = {"sim" + none_ + "--out ",      "render" + none_ + "--out ",
-                                             "ladder" + none_ + "--out ",   "accuracy" + none_ + "--out ",
-                                             "silicon" + none_ + "--keep ", "tradeoff" + none_ + "--keep ",
-                                             "shapes" + none_ + "--keep ",  "stress --count 1 --no-rtl --out ",
-                                             "split" + none_ + "--out ",    "pack" + none_ + "--out "};
+  const std::vector<std::string> folders_ = {
+      "sim" + none_ + "--out ",      "render" + none_ + "--out ",        "ladder" + none_ + "--out ",
+      "accuracy" + none_ + "--out ", "silicon" + none_ + "--keep ",      "tradeoff" + none_ + "--keep ",
+      "shapes" + none_ + "--keep ",  "stress --count 1 --no-rtl --out ", "split" + none_ + "--out ",
+      "pack" + none_ + "--out ",     "train" + none_ + "--out "};
   const std::vector<std::string> files_ = {
       "sim" + none_ + "--waves ",     "ladder" + none_ + "--svg ", "profile" + none_ + "--svg ",
       "timeline" + none_ + "--out ",  "sweep" + none_ + "--svg ",  "silicon" + none_ + "--svg ",

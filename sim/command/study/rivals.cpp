@@ -11,7 +11,6 @@
 #include "sim/study/rivals/compare/report.hpp"
 #include "sim/study/rivals/pixels_report.hpp"
 #include "sim/study/rivals/report.hpp"
-#include "sim/study/tradeoff/resample.hpp"
 
 namespace pipegs {
 namespace {

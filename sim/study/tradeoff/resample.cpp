@@ -6,27 +6,11 @@
 #define STB_IMAGE_RESIZE_IMPLEMENTATION
 #include <stb/stb_image_resize.h>
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "scenes/own_failure.hpp"
 
 namespace pipegs {
-
-Camera scaled_camera(const Camera& camera, double scale) {
-  Camera small = camera;
-  const auto side = [scale](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
-  small.width = side(camera.width);
-  small.height = side(camera.height);
-  const double x = static_cast<double>(small.width) / camera.width,
-               y = static_cast<double>(small.height) / camera.height;
-  small.fx = camera.fx * x;
-  small.fy = camera.fy * y;
-  small.cx = (camera.cx + 0.5) * x - 0.5;  // a pixel's centre is its number, its edges half a pixel away
-  small.cy = (camera.cy + 0.5) * y - 0.5;
-  return small;
-}
 
 Image resampled(const Image& image, int width, int height) {
   std::vector<float> in(3 * image.rgb.size());

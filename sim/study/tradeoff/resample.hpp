@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// resample.hpp: a camera that sees the same with other pixels, and its picture brought back to full size.
+// resample.hpp: a picture of a camera with other pixels (scaled_camera), brought back to full size.
 //
 // Idea    Both pictures cover the same rectangle: pixel i of n reaches from i / n to (i + 1) / n of it. Back to full
 //         size by Catmull-Rom splines (libstb), in float, what lies outside the picture as its nearest pixel; the
@@ -7,12 +7,8 @@
 #pragma once
 
 #include "cpp_model/float/image.hpp"
-#include "scenes/camera.hpp"
 
 namespace pipegs {
-
-// Sides times `scale`, above 0, to whole pixels, at least one.
-Camera scaled_camera(const Camera& camera, double scale);
 
 // The picture's colours at another size. OwnFailure when there is no memory for it.
 Image resampled(const Image& image, int width, int height);
