@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "scenes/byte_reader.hpp"
+#include "scenes/packed/byte_reader.hpp"
 #include "scenes/colmap/colmap.hpp"
 #include "scenes/colmap/colmap_words.hpp"
 #include "scenes/text/text_file.hpp"

@@ -14,7 +14,7 @@
 #include <type_traits>
 
 #include "scenes/atomic_file.hpp"
-#include "scenes/byte_reader.hpp"
+#include "scenes/packed/byte_reader.hpp"
 #include "scenes/generate/generate_random.hpp"
 #include "scenes/own_failure.hpp"
 #include "scenes/text/text_file.hpp"
