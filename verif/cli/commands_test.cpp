@@ -298,7 +298,6 @@ TEST_F(Commands, BadInputIsRefusedInOneLine) {
   expect_refused("ladder" + view_ + "--rungs dop,nonsense", "nonsense");
   expect_refused("ladder" + view_ + "--rungs dop,dop", "found a second 'dop'");
   expect_refused("ladder" + view_ + "--set late=1", "the design points set late");
-  expect_refused("ladder scene.ply", "--cameras");
   for (const char* command : {"ladder", "sweep", "model", "silicon"}) {
     expect_refused(command + view_ + "--rungs dop,fast --window 0,0",
                    "--window: found design points with windows of 64 and 128 pixels, expected one size");
