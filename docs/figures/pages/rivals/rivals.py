@@ -8,6 +8,8 @@ SCENES = ("terrace", "statue", "flowers", "plushdog", "own")
 TITLES = {"own": "our own"}
 RIVALS = data.rivals.terrace.rivals
 OURS = ("dop", "fast")
+MARKS = {"fps_per_mm2": 3.34, "frames_per_joule": 2.77}  # the paper's, Figs. 10 and 11
+NAMES = {"fps_per_mm2": "frames/s/mm2, 3.34x", "frames_per_joule": "frames/J of the chip, 2.77x"}
 
 
 def three(value):
@@ -69,6 +71,24 @@ def scenes(own, figure):
     for key, rival in RIVALS.items():
         rows.append([rival.name, *[three(data.rivals[scene].against.over[key][own][figure].mid) for scene in SCENES]])
     return table([f"`{own}` over", *[TITLES.get(scene, scene) for scene in SCENES]], rows)
+
+
+def marks(own="fast"):
+    """The most that the paper prints: over which rivals and on how many scenes one of ours reaches it; what lacks."""
+    rows = []
+    for key, rival in RIVALS.items():
+        row = [rival.name]
+        for figure, mark in MARKS.items():
+            over = [data.rivals[scene].against.over[key][own][figure] for scene in SCENES]
+            least = min(one.mid for one in over)
+            row += [
+                f"{sum(one.mid >= mark for one in over)} of {len(over)}",
+                f"{sum(one.high >= mark for one in over)} of {len(over)}",
+                times(mark / least) if least < mark else "",
+            ]
+        rows.append(row)
+    head = [part for name in NAMES.values() for part in (f"{name}: scenes at mid", "scenes at best", "lacks")]
+    return table([f"`{own}` over", *head], rows)
 
 
 def checks(name="terrace"):
