@@ -109,7 +109,7 @@ void add_arithmetic(const Config& c, StaticCost& cost) {
   if (c.oriented()) {
     add("pu_axes", "projection", "pu", 1, 2, 5);
     add("pu_box", "projection", "pu", 1, 2, 6);
-    add("pu_touch", "projection", "pu", c.tests, 2, 8);
+    add("pu_touch", "projection", "pu", c.tests + c.has_lists(), 2, 6, times({7}));  // 15 takes one adder, too
     add("pipegs_rsqrt", "projection", "pu", 2, 1, 1);
   } else {
     add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
