@@ -11,6 +11,7 @@
 #include "scenes/text/json.hpp"
 
 namespace pipegs {
+
 void write_cameras(const std::filesystem::path& path, const std::vector<Camera>& cameras) {
   using Json = nlohmann::json;
   Json json = Json::array();

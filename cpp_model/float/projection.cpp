@@ -8,7 +8,10 @@
 #include "cpp_model/float/projection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "scenes/sh_basis.hpp"
 
 namespace pipegs {
 namespace {
@@ -79,23 +82,8 @@ glm::dmat3 rotation_matrix(const glm::dvec4& q) {
 }
 
 void sh_basis(const glm::dvec3& d, double basis[15]) {
-  const double x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;
-  constexpr double kSh1 = 0.4886025119029199;
-  basis[0] = -kSh1 * y;
-  basis[1] = kSh1 * z;
-  basis[2] = -kSh1 * x;
-  basis[3] = 1.0925484305920792 * x * y;
-  basis[4] = -1.0925484305920792 * y * z;
-  basis[5] = 0.31539156525252005 * (2 * zz - xx - yy);
-  basis[6] = -1.0925484305920792 * x * z;
-  basis[7] = 0.5462742152960396 * (xx - yy);
-  basis[8] = -0.5900435899266435 * y * (3 * xx - yy);
-  basis[9] = 2.890611442640554 * x * y * z;
-  basis[10] = -0.4570457994644658 * y * (4 * zz - xx - yy);
-  basis[11] = 0.3731763325901154 * z * (2 * zz - 3 * xx - 3 * yy);
-  basis[12] = -0.4570457994644658 * x * (4 * zz - xx - yy);
-  basis[13] = 1.445305721320277 * z * (xx - yy);
-  basis[14] = -0.5900435899266435 * x * (xx - 3 * yy);
+  const std::array<double, kShBasis> all = sh_basis(d);
+  std::copy(all.begin() + 1, all.end(), basis);
 }
 
 glm::dvec3 sh_color(const glm::vec3& sh_dc, const float* sh_rest, int sh_degree, const glm::dvec3& direction) {
