@@ -21,10 +21,10 @@ void put(std::string& out, T value) {
   out.append(bytes, sizeof(T));
 }
 
-// Compressed by zlib: 31 is gzip, -15 the bare stream that a zip holds.
-inline std::string deflated(const std::string& bytes, int window) {
+// Compressed by zlib at a level of 0 to 9: a window of 31 is gzip, -15 the bare stream that a zip holds.
+inline std::string deflated(const std::string& bytes, int window, int level = 6) {
   z_stream stream{};
-  deflateInit2(&stream, 6, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
+  deflateInit2(&stream, level, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY);
   std::string out(deflateBound(&stream, bytes.size()) + 32, '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());
