@@ -65,7 +65,7 @@ class EnabledWaves : public testing::Test {
     const auto var = [&](const char* name, uint32_t bits) {
       return fstWriterCreateVar(file, FST_VT_VCD_WIRE, FST_VD_IMPLICIT, bits, name, 0);
     };
-    for (const char* scope : {"TOP", "machine", "u_part", "u_stage"})
+    for (const char* scope : {"TOP", "u_core", "u_part", "u_stage"})
       fstWriterSetScope(file, FST_ST_VCD_MODULE, scope, nullptr);
     const fstHandle clock = var("clk_i", 1), load = var("load", 1), data = var("data_q", 1);
     fstWriterSetScope(file, FST_ST_VCD_MODULE, "gen_part[0]", nullptr);

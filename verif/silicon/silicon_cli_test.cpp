@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // silicon_cli_test: `pipegs silicon` on a synth.json and an activity that are written by hand; RTL runs only to differ.
+#include "sim/design/design_point.hpp"
 #include "sim/study/measurement_store.hpp"
 #include "sim/study/silicon/energy/energy.hpp"
+#include "sim/study/silicon/energy/frame_activity.hpp"
 #include "verif/cli/cli.hpp"
 #include "verif/cli/well_formed.hpp"
 
@@ -170,6 +172,34 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
     EXPECT_NE(table.out.find(part), std::string::npos) << part << " in\n" << table.out;
   EXPECT_DOUBLE_EQ(design_point["frames_per_joule"], 1e5 / rows[6].watts(1e5).mid);
   EXPECT_DOUBLE_EQ(design_point["frames_per_joule_with_dram"], 1e5 / (rows[6].watts(1e5).mid + rows[7].watts(1e5).mid));
+}
+
+// What switches is seen in the waves of a machine that runs, inside of the border that stands around its core.
+TEST_F(SiliconCli, SeesWhatSwitchesInAMachineThatRuns) {
+  SimulateOptions options;
+  options.config = find_design_point("dop").config;
+  for (const char* setting : {"units=1", "alpha_lines=64", "records=16"}) config_set(options.config, setting);
+  Enables enables;
+  const auto add = [&](const char* instance, const char* module, const char* leaf) {
+    GatedModule& gated = enables.modules[module];
+    gated.leaves = {{leaf, 0}};
+    gated.gates = {{2, GatedModule::kUnknown, 4, 1e-12}};
+    enables.instances[instance] = module;
+  };
+  add("", "pipegs_top", "frame_valid_i");
+  add("u_front.gen_unit[0].u_pu", "pipegs_pu", "chunk_valid_i");
+  const Activity seen = measure_activity(read_ply(folder_ / "scene.ply"), read_cameras(folder_ / "cameras.json").at(0),
+                                         options, enables, kSamples * kSampleCycles, folder_)
+                            .sum();
+  EXPECT_TRUE(seen.unseen.empty());
+  for (const auto& [unit, module] : {std::pair{"top", "pipegs_top"}, {"pu", "pipegs_pu"}}) {
+    const Enabled& enabled = seen.enabled.at(unit).at(module);
+    EXPECT_GT(enabled.passed.at(0), 0u) << module;
+    EXPECT_LT(enabled.passed.at(0), enabled.edges) << module;
+    EXPECT_GT(seen.groups.at(unit).toggles, 0u);
+  }
+  for (const auto& [name, accesses] : seen.srams) EXPECT_TRUE(name.starts_with("u_") && !name.starts_with("u_core"));
+  EXPECT_EQ(seen.clocks.count("pu"), 1u);
 }
 
 // A machine that differs, that hangs, that does not build: none of its figures is kept or shown.

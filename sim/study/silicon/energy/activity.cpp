@@ -2,10 +2,12 @@
 // activity.cpp: see activity.hpp.
 #include "sim/study/silicon/energy/activity.hpp"
 
+#include <fmt/format.h>
 #include <gtkwave/fstapi.h>
 
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scenes/input_error.hpp"
@@ -13,8 +15,9 @@
 namespace pipegs {
 namespace {
 
-constexpr uint64_t kCycle = 10;         // units of time
-constexpr uint32_t kWidest = 1u << 20;  // bits of a signal; more is a broken file
+constexpr uint64_t kCycle = 10;               // units of time
+constexpr uint32_t kWidest = 1u << 20;        // bits of a signal; more is a broken file
+constexpr std::string_view kCore = "u_core";  // the instance of rtl/pipegs_top.sv
 
 struct Signal {
   Switching* sum = nullptr;  // of its group; null when it is left out
@@ -22,6 +25,7 @@ struct Signal {
   std::string before;        // what it was before the time of the latest change; kept when an enable depends on it
   uint64_t changed = 0;
   bool kept = false;
+  bool placed = false;  // it has appeared in the core
   const std::string& sampled(uint64_t time) const { return changed == time ? before : value; }
 };
 
@@ -37,16 +41,17 @@ struct Sram {
   SramAccesses* accesses = nullptr;
 };
 
-// A name without that of the machine, which is the outermost scope.
+// A name without that of the core, which is the outermost scope.
 std::string below_top(const std::string& name) { return name.substr(name.find('.') + 1); }
 
 class Reader {
  public:
-  Reader(void* file, const std::function<std::string(const std::string&)>& group, const Enables& enables,
-         const std::function<void(const Activity&)>& on_sample)
+  Reader(void* file, const std::filesystem::path& path, const std::function<std::string(const std::string&)>& group,
+         const Enables& enables, const std::function<void(const Activity&)>& on_sample)
       : file_(file), on_sample_(on_sample), enables_(enables, group, activity_.enabled) {
     signals_.resize(fstReaderGetMaxHandle(file) + 1);
-    read_names(group);
+    if (!read_names(group))
+      throw InputError(path.string(), "", fmt::format("expected waves of a machine with the scope {}", kCore));
     for (const uint32_t clock : enables_.clocks()) lines_[clock];
     activity_.unseen = enables_.unseen();
   }
@@ -109,19 +114,21 @@ class Reader {
     rising_.clear();
   }
 
-  void read_names(const std::function<std::string(const std::string&)>& group) {
+  // Whether the core is among the scopes. What stands around it, border and harness, is left out.
+  bool read_names(const std::function<std::string(const std::string&)>& group) {
     struct Scope {
       std::string path;
       Switching* sum;
       std::map<std::string, std::pair<fstHandle, uint32_t>, std::less<>> ports;
       std::vector<std::pair<fstHandle, uint32_t>> own;  // signals that appear here first
     };
-    std::vector<Scope> scopes;
+    std::vector<Scope> scopes;  // from the core down to the one that is read
+    bool found = false;
     const auto leave = [&] {
       Scope& scope = scopes.back();
       const auto port = [&](const char* name) {
-        const auto found = scope.ports.find(name);
-        return found == scope.ports.end() ? fstHandle{0} : found->second.first;
+        const auto at = scope.ports.find(name);
+        return at == scope.ports.end() ? fstHandle{0} : at->second.first;
       };
       if (const fstHandle clock = port("clk_o"); clock != 0) {
         lines_[clock];
@@ -144,7 +151,9 @@ class Reader {
     while (const fstHier* item = fstReaderIterateHier(file_)) {
       if (item->htyp == FST_HT_SCOPE) {
         const std::string name = item->u.scope.name;
-        const std::string path = scopes.empty() || scopes.back().path == "TOP" ? name : scopes.back().path + "." + name;
+        if (scopes.empty() && name != kCore) continue;
+        found = true;
+        const std::string path = scopes.empty() ? name : scopes.back().path + "." + name;
         const std::string to = group(path);
         scopes.push_back({path, to.empty() ? nullptr : &activity_.groups[to], {}, {}});
       } else if (item->htyp == FST_HT_UPSCOPE && !scopes.empty()) {
@@ -157,13 +166,14 @@ class Reader {
         scopes.back().ports[name] = {var.handle, var.length};
         Signal& signal = signals_[var.handle];
         if (enables_.declare(below_top(scopes.back().path + "." + name), var.handle, var.length)) signal.kept = true;
-        if (var.is_alias || signal.sum != nullptr || scopes.back().sum == nullptr) continue;
+        if (std::exchange(signal.placed, true) || scopes.back().sum == nullptr) continue;
         signal.sum = scopes.back().sum;
         signal.sum->bits += var.length;
         scopes.back().own.emplace_back(var.handle, var.length);
       }
     }
     while (!scopes.empty()) leave();
+    return found;
   }
 
   void* file_;
@@ -224,7 +234,7 @@ void read_samples(const std::filesystem::path& fst, const std::function<std::str
     if (f != nullptr) fstReaderClose(f);
   });
   if (!file) throw InputError(fst.string() + ": expected waves (.fst)");
-  Reader reader(file.get(), group, enables, on_sample);
+  Reader reader(file.get(), fst, group, enables, on_sample);
   fstReaderSetFacProcessMaskAll(file.get());
   if (fstReaderIterBlocks2(file.get(), changed_short, changed, &reader, nullptr) == 0)
     throw InputError(fst.string() + ": the waves are cut off");

@@ -2,7 +2,8 @@
 // activity.hpp: what switches in waves of the RTL: bits that toggle, edges of the clocks, accesses of the SRAMs.
 //
 // Idea    Waves hold every value of every signal, so each signal's Hamming distances are its toggles. A signal that
-//         has a name in several modules (a port) counts once, where it appears first on the way down.
+//         has a name in several modules (a port) counts once, where it appears first on the way down from the core
+//         (rtl/pipegs_top.sv); what stands around that, border and harness, is left out.
 //         An SRAM is known by its ports: read_i and write_i at a rising edge of its clk_i are accesses; its words are
 //         left out.
 // Sample  Waves with gaps (RtlOptions::sample_period) are samples: of each, its first time is what the others are held
@@ -11,7 +12,7 @@
 // Group   Signals are summed by the name that `group` gives to the scope they stand in, "" leaves them out.
 // Units   Bits, toggles of one bit, edges, accesses. The waves are those of sim/rtl/rtl_bridge.cpp: ten units of time
 //         a cycle.
-// Errors  InputError when the file is none or is cut off.
+// Errors  InputError when the file is none, is cut off, or has no core.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +48,7 @@ struct Activity {
 };
 
 // All samples, one after the other; and their sum.
-// Scopes are written with dots, as in pipegs_top.gen_unit[0].u_pu.u_fetch.
+// Scopes are written with dots, as in u_core.u_front.gen_unit[0].u_pu.u_fetch.
 void read_samples(const std::filesystem::path& fst, const std::function<std::string(const std::string& scope)>& group,
                   const Enables& enables, const std::function<void(const Activity&)>& on_sample);
 Activity read_activity(const std::filesystem::path& fst,
