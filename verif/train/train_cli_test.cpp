@@ -64,7 +64,7 @@ TEST_F(TrainCli, PhotographsBecomeASceneAndItsCameras) {
   EXPECT_EQ(json["steps"], 220);
   EXPECT_EQ(json["gaussians"], scene.gaussians.size());
   EXPECT_EQ(json["options"]["order"], "layered");
-  EXPECT_EQ(json["options"]["cldr"], "relative");
+  EXPECT_EQ(json["options"]["cldr"], "logarithm");
   EXPECT_EQ(json["measured_layers"], 4);
   EXPECT_EQ(json["views"], Json({{"trained", 7}, {"held_out", 2}}));
   EXPECT_GT(json["held_out"]["exact"]["psnr_db"], 17);
@@ -142,6 +142,8 @@ TEST_F(TrainCli, BadUseIsToldInOneLine) {
   expect_refused("train photos --layers 3", "--layers: found 3, expected 0 for none, or 2, 4 or 8");
   expect_refused("train photos --steps 0", "--steps: found '0'");
   expect_refused("train photos --gamma nan", "--gamma: found 'nan'");
+  expect_refused("train photos --gamma 0 --layers 4", "--gamma: found 0");
+  expect_refused("train photos --layers-begin 1.5", "--layers-begin: found '1.5'");
   expect_refused("train photos --cldr-weight -1", "--cldr-weight: found '-1'");
   expect_refused("train photos --out scene.ply", "--out 'scene.ply': cannot be written");
   expect_refused("train", "INPUT");

@@ -94,6 +94,23 @@ TEST(Trainer, FineTuningMakesTheOrderMatterLess) {
   }
 }
 
+// Until they begin a run with layers is the run without them, to the bit.
+TEST(Trainer, LayersBeginWhereTheyAreTold) {
+  const Scene scene = small_scene();
+  const TrainingViews views = views_of_scene(scene, small_cameras(9), 1, 0, nothing);
+  TrainOptions plain, layered;
+  plain.schedule = layered.schedule = {20, true};
+  layered.layers = 4;
+  layered.layers_begin = 0.5;
+  Trainer one(plain, views, Trainer::begin(start_of_scene("", scene, 1)));
+  Trainer other(layered, views, Trainer::begin(start_of_scene("", scene, 1)));
+  for (int step = 1; step <= 11; ++step) {
+    one.step();
+    other.step();
+    EXPECT_EQ(one.state().parameters.mean == other.state().parameters.mean, step <= 10) << step;
+  }
+}
+
 // The rank is by layer, then by depth: pictures of the truth in it are those of the drawing that is trained.
 TEST(Trainer, TheTruthDrawsLayersAsTheTrainingDoes) {
   const Scene scene = small_scene();

@@ -5,8 +5,47 @@
 #include "scenes/info.hpp"
 #include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
+#include "scenes/text/json.hpp"
+#include "sim/report/finite.hpp"
+#include "sim/study/margin.hpp"
 
 namespace pipegs {
+namespace {
+
+// None of a scene of which nothing can be drawn.
+std::vector<Margin> margins_of(const Scene& scene, const SceneInfo& info) {
+  std::vector<Margin> margins;
+  for (const int grid : kMarginGrids)
+    if (info.usable > 0) margins.push_back(margin(scene, layer_grid(scene, grid)));
+  return margins;
+}
+
+nlohmann::ordered_json json_of(const std::vector<Margin>& margins) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Margin& m : margins) {
+    auto expected = nlohmann::ordered_json::array();
+    for (const double share : m.share) expected.push_back(finite_json(expected_order_db(share)));
+    json.push_back({{"grid", m.grid},
+                    {"violators_share", m.share},
+                    {"expected_order_db", expected},
+                    {"expected_order_db_error", kOrderDbError}});
+  }
+  return json;
+}
+
+std::string text_of(const std::vector<Margin>& margins) {
+  std::string out;
+  for (const Margin& m : margins) {
+    out += fmt::format("  {} layers: reach over a plane along x, y, z:", m.grid);
+    for (const double share : m.share) out += fmt::format(" {:.2f} %", 100 * share);
+    out += "; order PSNR to expect:";
+    for (const double share : m.share) out += fmt::format(" {:.0f}", expected_order_db(share));
+    out += fmt::format(" dB, each +- {:.0f}\n", kOrderDbError);
+  }
+  return out;
+}
+
+}  // namespace
 
 void add_info(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("info", "counts, SH degree, bounds, format and suspicious values of a scene");
@@ -24,7 +63,14 @@ void add_info(CLI::App& app, Run& run) {
       const Scene loaded = scene.load(&format);
       SceneInfo info = inspect(loaded);
       info.format = format;
-      fmt::print("{}\n", json ? to_json(info) : to_text(info));
+      const std::vector<Margin> margins = margins_of(loaded, info);
+      if (json) {
+        auto all = nlohmann::ordered_json::parse(to_json(info));
+        all["layers"] = json_of(margins);
+        fmt::print("{}\n", json_text(all, 1));
+      } else {
+        fmt::print("{}{}\n", to_text(info), text_of(margins));
+      }
       if (save.empty()) return kExitOk;
       make_folder_of(save);
       write_ply(save, loaded);

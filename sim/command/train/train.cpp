@@ -25,13 +25,13 @@ namespace {
 namespace fs = std::filesystem;
 
 struct TrainArguments {
-  std::string input, cameras, out = "trained", order = "layered", cldr = "relative", axes = "all";
+  std::string input, cameras, out = "trained", order = "layered", cldr = "logarithm", axes = "all";
   int steps = 3000, downscale = 1, sh_degree = kMaxShDegree, layers = 0, checkpoint_every = 500;
   std::size_t most_gaussians = 200000;
   uint64_t seed = 1;
   unsigned threads = 0;
-  double weight = 0, gamma = 0.9;
-  bool weight_given = false, resume = false;
+  double weight = 0, gamma = 0.9, layers_begin = 0.5;
+  bool weight_given = false, begin_given = false, resume = false;
 };
 
 // Bytes that a pixel of a view takes: its codes; computed colours.
@@ -95,6 +95,13 @@ TrainInput of_scene(const TrainArguments& arguments) {
   return input;
 }
 
+// What is right beside the photographs' loss depends on whether the picture is drawn in layers, too.
+double default_weight(const TrainOptions& options) {
+  if (options.cldr.form == CldrForm::kPrinted) return 0.05;
+  if (options.cldr.form == CldrForm::kLogarithm) return 0.03;
+  return options.draws_layered ? 1 : 10;
+}
+
 TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
   TrainOptions options;
   options.schedule = {arguments.steps, fine_tuning};
@@ -103,14 +110,14 @@ TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
   options.layers = arguments.layers;
   options.draws_layered = arguments.order == "layered";
   options.regularised = arguments.cldr != "none";
-  options.cldr.relative = arguments.cldr == "relative";
+  options.cldr.form = arguments.cldr == "printed"    ? CldrForm::kPrinted
+                      : arguments.cldr == "relative" ? CldrForm::kRelative
+                                                     : CldrForm::kLogarithm;
+  options.layers_begin = arguments.begin_given ? arguments.layers_begin : fine_tuning ? 0 : 0.5;
   options.cldr.gamma = arguments.gamma;
   options.cldr.all_axes = arguments.axes == "all";
   // What is right beside the photographs' loss depends on whether the picture is drawn in layers, too.
-  options.cldr.weight = arguments.weight_given   ? arguments.weight
-                        : !options.cldr.relative ? 0.05
-                        : options.draws_layered  ? 1
-                                                 : 10;
+  options.cldr.weight = arguments.weight_given ? arguments.weight : default_weight(options);
   options.threads = arguments.threads;
   return options;
 }
@@ -171,6 +178,8 @@ int run_train(const TrainArguments& arguments) {
   const TrainOptions options = options_of(arguments, fine_tuning);
   if (options.layers != 0 && options.layers != 2 && options.layers != 4 && options.layers != 8)
     throw ConfigError(fmt::format("--layers: found {}, expected 0 for none, or 2, 4 or 8", options.layers));
+  if (options.cldr.form == CldrForm::kLogarithm && !(options.cldr.gamma > 0))
+    throw ConfigError("--gamma: found 0, expected more with --cldr logarithm, whose unit is gamma d");
   const fs::path out = arguments.out;
   try_folder("--out", out, {"scene.ply", "cameras.json", "held_out.json", "train.json", "checkpoint.bin"});
   const TrainInput input = fine_tuning ? of_scene(arguments) : of_photographs(arguments);
@@ -231,10 +240,15 @@ void add_train(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"layered", "exact"}));
   command->add_option("--cldr", arguments.cldr, "with --layers: the loss that keeps Gaussians inside their layer")
       ->capture_default_str()
-      ->check(CLI::IsMember({"relative", "printed", "none"}));
+      ->check(CLI::IsMember({"logarithm", "relative", "printed", "none"}));
   add_real(*command, "--cldr-weight", arguments.weight,
-           "its weight; without it 1 for relative, 10 for relative in exact order, 0.05 for printed", kNotNegative)
+           "its weight; without it 0.03 for logarithm, 0.05 for printed, 1 for relative and 10 in exact order",
+           kNotNegative)
       ->each([](const std::string&) { arguments.weight_given = true; });
+  add_real(*command, "--layers-begin", arguments.layers_begin,
+           "share of the steps before layers count; without it 0.5 of photographs, 0 of a scene",
+           RealRange{.low = 0, .high = 1})
+      ->each([](const std::string&) { arguments.begin_given = true; });
   add_real(*command, "--gamma", arguments.gamma, "how much of the way to a plane one standard deviation may take",
            kNotNegative)
       ->capture_default_str();

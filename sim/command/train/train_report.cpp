@@ -11,6 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const char* name_of(CldrForm form) {
+  return form == CldrForm::kPrinted ? "printed" : form == CldrForm::kRelative ? "relative" : "logarithm";
+}
+
 Json json_of(const Likeness& likeness) {
   return {{"psnr_db", finite_json(likeness.psnr)}, {"ssim", finite_json(likeness.ssim)}};
 }
@@ -44,8 +48,9 @@ nlohmann::ordered_json train_json(const TrainOptions& options, const TrainState&
                {"measured_layers", report.layers}};
   const bool regularised = options.layers > 0 && options.regularised;
   Json& given = json["options"];
-  given["cldr"] = !regularised ? "none" : options.cldr.relative ? "relative" : "printed";
+  given["cldr"] = !regularised ? "none" : name_of(options.cldr.form);
   given["cldr_weight"] = regularised ? Json(options.cldr.weight) : Json(nullptr);
+  given["layers_begin"] = options.layers > 0 ? Json(options.layers_begin) : Json(nullptr);
   given["gamma"] = regularised ? Json(options.cldr.gamma) : Json(nullptr);
   given["cldr_axes"] = regularised ? Json(options.cldr.all_axes ? "all" : "camera") : Json(nullptr);
   if (report.before) json["held_out_before"] = json_of(*report.before);

@@ -31,17 +31,19 @@ struct Excess {
 
 Excess excess(double sigma, const LayerGrid::Distance& distance, double least, const CldrOptions& options) {
   if (!(sigma > options.gamma * distance.length)) return {};
-  if (!options.relative) return {sigma - options.gamma * distance.length, 1, -options.gamma * distance.slope};
+  if (options.form == CldrForm::kPrinted)
+    return {sigma - options.gamma * distance.length, 1, -options.gamma * distance.slope};
   const double d = std::max(distance.length, least), slope = distance.length > least ? distance.slope : 0;
   if (!(sigma > options.gamma * d)) return {};
-  return {sigma / d - options.gamma, 1 / d, -sigma / (d * d) * slope};
+  if (options.form == CldrForm::kRelative) return {sigma / d - options.gamma, 1 / d, -sigma / (d * d) * slope};
+  return {std::log(sigma / (options.gamma * d)), 1 / sigma, -slope / d};
 }
 
-struct Axes {
+struct AxisRange {
   int first, last;
 };
 
-Axes axes_of(const Camera* camera, const CldrOptions& options) {
+AxisRange axes_of(const Camera* camera, const CldrOptions& options) {
   if (options.all_axes) return {0, 2};
   if (camera == nullptr) throw std::invalid_argument("cldr: one axis needs a camera whose principal axis it is");
   const int axis = principal_axis(*camera);
@@ -49,7 +51,7 @@ Axes axes_of(const Camera* camera, const CldrOptions& options) {
 }
 
 // One Gaussian's part of the loss; adds to `sum`, if it is not null. `share` is the weight of one Gaussian and axis.
-double loss_of(const Parameters& parameters, std::size_t i, const LayerGrid& grid, const Axes& axes, double share,
+double loss_of(const Parameters& parameters, std::size_t i, const LayerGrid& grid, const AxisRange& axes, double share,
                const CldrOptions& options, Gradient* sum) {
   ActivatedGaussian gaussian;
   if (activate(parameters, i, gaussian) != Cull::kNone) return 0;
@@ -80,7 +82,7 @@ double loss_of(const Parameters& parameters, std::size_t i, const LayerGrid& gri
 double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const Camera* camera, const CldrOptions& options,
                  Gradient* sum) {
   if (sum != nullptr) check_same_shape(parameters, *sum);
-  const Axes axes = axes_of(camera, options);
+  const AxisRange axes = axes_of(camera, options);
   // Of one Gaussian and axis in the loss: 1/N, and the mean over the axes.
   const double share = options.weight / (static_cast<double>(std::max<std::size_t>(parameters.size(), 1)) *
                                          (axes.last - axes.first + 1));
@@ -93,11 +95,16 @@ double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const Came
   return std::accumulate(losses.begin(), losses.end(), 0.0);
 }
 
-std::array<std::size_t, 3> violators(const Parameters& parameters, const LayerGrid& grid, double gamma) {
+namespace {
+
+// Of parameters or of a scene.
+template <class Gaussians>
+std::array<std::size_t, 3> count_violators(const Gaussians& gaussians, std::size_t size, const LayerGrid& grid,
+                                           double gamma) {
   std::array<std::size_t, 3> count{};
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     ActivatedGaussian gaussian;
-    if (activate(parameters, i, gaussian) != Cull::kNone) continue;
+    if (activate(gaussians, i, gaussian) != Cull::kNone) continue;
     const glm::dmat3 rotation = rotation_matrix(gaussian.rotation);
     for (int axis = 0; axis < 3; ++axis) {
       const double sigma = glm::length(extent(rotation, gaussian.scale, axis));
@@ -105,6 +112,16 @@ std::array<std::size_t, 3> violators(const Parameters& parameters, const LayerGr
     }
   }
   return count;
+}
+
+}  // namespace
+
+std::array<std::size_t, 3> violators(const Parameters& parameters, const LayerGrid& grid, double gamma) {
+  return count_violators(parameters, parameters.size(), grid, gamma);
+}
+
+std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid, double gamma) {
+  return count_violators(scene, scene.gaussians.size(), grid, gamma);
 }
 
 }  // namespace pipegs

@@ -9,6 +9,8 @@
 //         units of d: max(0, sigma/d - gamma)^2, the same Gaussians, a number that does not depend on the unit.
 //         There d is at least kLeastDistance of a cell: a mean on a boundary has a finite loss, and is left alone once
 //         it is smaller than that.
+//         kLogarithm is max(0, log(sigma / gamma d))^2, the relative one without its steepness: a mean that is a
+//         hundredth of sigma from a boundary pulls five times as much as one at a half, and not fifty times.
 // Axes    The principal axis of a camera, or the mean of the losses of all three.
 // Rule    Means through d, log scales and rotations have a gradient. What cannot be drawn has no loss, and counts in N.
 #pragma once
@@ -24,8 +26,10 @@ namespace pipegs {
 
 inline constexpr double kLeastDistance = 1e-3;
 
+enum class CldrForm { kPrinted, kRelative, kLogarithm };
+
 struct CldrOptions {
-  bool relative = true;
+  CldrForm form = CldrForm::kRelative;
   double gamma = 0.9, weight = 0.05;
   bool all_axes = true;
 };
@@ -36,5 +40,6 @@ double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const Came
 
 // By axis: how many Gaussians have sigma > gamma d.
 std::array<std::size_t, 3> violators(const Parameters& parameters, const LayerGrid& grid, double gamma);
+std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid, double gamma);
 
 }  // namespace pipegs

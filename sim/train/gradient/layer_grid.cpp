@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "cpp_model/dopu/dopu_layer.hpp"
-#include "cpp_model/pack/pack.hpp"
 
 namespace pipegs {
 namespace {
@@ -15,6 +14,7 @@ namespace {
 Config config_of(int cells) {
   Config config;
   config_set(config, "grid=" + std::to_string(cells));
+  config_set(config, "sh_degree=0");  // colours have no part in it
   config_check(config);
   return config;
 }
@@ -33,16 +33,18 @@ LayerGrid::Distance LayerGrid::distance(int axis, double coordinate) const {
   return {std::abs(away), away < 0 ? -1.0 : 1.0};
 }
 
-LayerGrid layer_grid(const Parameters& parameters, int cells) {
-  const Config config = config_of(cells);
-  const PackedScene packed = pack_scene(config, scene_of(parameters, ""), 0);
+LayerGrid layer_grid(const Parameters& parameters, int cells) { return layer_grid(scene_of(parameters, ""), cells); }
+
+LayerGrid layer_grid(const Scene& scene, int cells) { return layer_grid(pack_scene(config_of(cells), scene, 0)); }
+
+LayerGrid layer_grid(const PackedScene& packed) {
   LayerGrid grid;
-  grid.cells = cells;
+  grid.cells = packed.config.grid;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     grid.low[axis] = std::ldexp(static_cast<double>(packed.grid.low[a]), packed.scene_exponent);
     grid.cell_size[axis] =
-        std::ldexp(1 / static_cast<double>(packed.grid.scale[a]), config.world_w + packed.scene_exponent);
+        std::ldexp(1 / static_cast<double>(packed.grid.scale[a]), packed.config.world_w + packed.scene_exponent);
   }
   return grid;
 }

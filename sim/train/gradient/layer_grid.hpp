@@ -12,6 +12,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "cpp_model/pack/pack.hpp"
 #include "scenes/camera.hpp"
 #include "sim/train/gradient/parameters.hpp"
 
@@ -34,6 +35,8 @@ struct LayerGrid {
 
 // ConfigError for a number of cells that no machine has (1, 2, 4 or 8 are legal).
 LayerGrid layer_grid(const Parameters& parameters, int cells);
+LayerGrid layer_grid(const Scene& scene, int cells);
+LayerGrid layer_grid(const PackedScene& packed);
 
 // The axis along which the camera looks most; ties go to the lowest (dopu_axis).
 int principal_axis(const Camera& camera);

@@ -148,7 +148,8 @@ std::uint64_t run_mark(const TrainOptions& options, const TrainingViews& views, 
   marker.field("", options.layers);
   marker.field("", options.draws_layered);
   marker.field("", options.regularised);
-  marker.field("", options.cldr.relative);
+  marker.field("", options.cldr.form);
+  marker.field("", options.layers_begin);
   marker.field("", options.cldr.gamma);
   marker.field("", options.cldr.weight);
   marker.field("", options.cldr.all_axes);

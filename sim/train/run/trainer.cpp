@@ -46,8 +46,14 @@ const TrainingView& Trainer::view_of(int step) {
   return views_.trained[order_[static_cast<std::size_t>((step - 1) % count)]];
 }
 
+bool Trainer::in_layers(int step) const {
+  return options_.layers > 0 && step > options_.layers_begin * options_.schedule.steps;
+}
+
+// At the first step in layers, too.
 void Trainer::update_grid(int step) {
-  if (options_.layers > 0 && (step - 1) % kGridEvery == 0) state_.grid = layer_grid(state_.parameters, options_.layers);
+  if (in_layers(step) && ((step - 1) % kGridEvery == 0 || !in_layers(step - 1)))
+    state_.grid = layer_grid(state_.parameters, options_.layers);
 }
 
 double Trainer::step() {
@@ -58,7 +64,7 @@ double Trainer::step() {
   update_grid(step);
 
   DrawOptions draw;
-  if (options_.layers > 0 && options_.draws_layered) draw.layers = &state_.grid;
+  if (in_layers(step) && options_.draws_layered) draw.layers = &state_.grid;
   draw.sh_degree = schedule.sh_degree(step, parameters.sh_degree);
   draw.threads = options_.threads;
   gradient_ = zero_gradient(parameters);
@@ -70,7 +76,7 @@ double Trainer::step() {
         photo_loss(drawing.picture(), view.picture(), view.camera.width, view.camera.height, kDssimWeight, &d_picture_);
     drawing.backward(d_picture_, gradient_, schedule.counts_gradients(step) ? &seen : nullptr);
   }
-  if (options_.layers > 0 && options_.regularised)
+  if (in_layers(step) && options_.regularised)
     loss += cldr_loss(parameters, state_.grid, &view.camera, options_.cldr, &gradient_);
   adam_step(parameters, state_.moments, gradient_, schedule.rates(step, views_.extent), step, options_.threads);
   if (schedule.counts_gradients(step)) state_.demand.add(seen);

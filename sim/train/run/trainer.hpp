@@ -26,6 +26,7 @@ struct TrainOptions {
   std::uint64_t seed = 1;
   std::size_t most_gaussians = 200000;
   int layers = 0;             // cells per axis; 0: exact order, no layers
+  double layers_begin = 0;    // share of the run before the first step that knows of layers
   bool draws_layered = true;  // with layers: the picture is drawn in their order
   bool regularised = true;    // with layers: cldr_loss is part of the loss
   CldrOptions cldr{.weight = 1};
@@ -55,6 +56,7 @@ class Trainer {
 
  private:
   const TrainingView& view_of(int step);
+  bool in_layers(int step) const;
   void update_grid(int step);
 
   TrainOptions options_;

@@ -44,7 +44,7 @@ TEST(Cldr, IsEquationFiveOnABall) {
   add_gaussian(p, {0.5, 0.5, 2.5}, glm::dvec3(0.25), {1, 0, 0, 0}, 0, glm::dvec3(0.5));
   const Camera camera = along(0);
   const double over = kSigma - 0.9 / 8, ratio = kSigma * 8 - 0.9;
-  CldrOptions options{.relative = false, .gamma = 0.9, .weight = 0.05, .all_axes = false};
+  CldrOptions options{.form = CldrForm::kPrinted, .gamma = 0.9, .weight = 0.05, .all_axes = false};
   Gradient gradient = zero_gradient(p);
   EXPECT_NEAR(cldr_loss(p, kGrid, &camera, options, &gradient), 0.05 / 2 * over * over, 1e-12);
   EXPECT_NEAR(gradient.mean[0].x, 0.05 / 2 * 2 * over * -0.9, 1e-9);  // away from the boundary
@@ -52,8 +52,15 @@ TEST(Cldr, IsEquationFiveOnABall) {
   EXPECT_EQ(gradient.log_scale[0].y, 0);
   EXPECT_EQ(gradient.mean[1], glm::vec3(0));
   EXPECT_EQ(gradient.log_scale[1], glm::vec3(0));
-  options.relative = true;
+  options.form = CldrForm::kRelative;
   EXPECT_NEAR(cldr_loss(p, kGrid, &camera, options, nullptr), 0.05 / 2 * ratio * ratio, 1e-12);
+  options.form = CldrForm::kLogarithm;
+  const double log = std::log(kSigma / (0.9 / 8));
+  gradient = zero_gradient(p);
+  EXPECT_NEAR(cldr_loss(p, kGrid, &camera, options, &gradient), 0.05 / 2 * log * log, 1e-12);
+  EXPECT_NEAR(gradient.log_scale[0].x, 0.05 / 2 * 2 * log, 1e-9);  // of the logarithm of sigma: no unit, no d
+  EXPECT_NEAR(gradient.mean[0].x, 0.05 / 2 * 2 * log * -8, 1e-7);
+  options.form = CldrForm::kRelative;
   options.all_axes = true;  // the mean of three, of which two are 0
   EXPECT_NEAR(cldr_loss(p, kGrid, nullptr, options, nullptr), 0.05 / 6 * ratio * ratio, 1e-12);
   EXPECT_EQ(violators(p, kGrid, 0.9), (std::array<std::size_t, 3>{1, 0, 0}));
@@ -67,7 +74,7 @@ TEST(Cldr, SigmaIsThatOfTheTurnedEllipsoid) {
   add_gaussian(p, {1.125, 0.5, 0.5}, {0.5, 0.125, 0.25}, {2 * std::cos(M_PI / 8), 0, 0, 2 * std::sin(M_PI / 8)}, 0,
                glm::dvec3(0.5));
   const Camera camera = along(0);
-  const CldrOptions options{.relative = false, .gamma = 0, .weight = 1, .all_axes = false};
+  const CldrOptions options{.form = CldrForm::kPrinted, .gamma = 0, .weight = 1, .all_axes = false};
   EXPECT_NEAR(cldr_loss(p, kGrid, &camera, options, nullptr), (0.25 + 1.0 / 64) / 2, 1e-4);
 }
 
@@ -99,10 +106,10 @@ TEST(Cldr, SlopesAreThoseOfDifferences) {
       mean[axis] = on_grid(grid.low[axis] + (std::floor(place) + kept) * grid.cell_size[axis]);
     }
   }
-  for (const bool relative : {false, true}) {
+  for (const CldrForm form : {CldrForm::kPrinted, CldrForm::kRelative, CldrForm::kLogarithm}) {
     for (const bool all_axes : {false, true}) {
       const Camera camera = askance_camera(8, 8);
-      const CldrOptions options{.relative = relative, .gamma = 0.9, .weight = 40, .all_axes = all_axes};
+      const CldrOptions options{.form = form, .gamma = 0.9, .weight = 40, .all_axes = all_axes};
       Gradient gradient = zero_gradient(p);
       cldr_loss(p, grid, &camera, options, &gradient);
       std::size_t moved = 0;
@@ -111,7 +118,8 @@ TEST(Cldr, SlopesAreThoseOfDifferences) {
         const auto expect = [&](float found, float& value) {
           const double wanted =
               central_difference(value, [&](int) { return cldr_loss(p, grid, &camera, options, nullptr); });
-          EXPECT_NEAR(found, wanted, 1e-4 * (std::abs(wanted) + scale) + 1e-6) << i << (relative ? " relative" : "");
+          EXPECT_NEAR(found, wanted, 1e-4 * (std::abs(wanted) + scale) + 1e-6)
+              << i << " of form " << static_cast<int>(form);
           moved += std::abs(wanted) > 1e-3;
         };
         for (int k = 0; k < 3; ++k) expect(gradient.mean[i][k], p.mean[i][k]);
