@@ -178,7 +178,8 @@ int run_train(const TrainArguments& arguments) {
   const TrainOptions options = options_of(arguments, fine_tuning);
   if (options.layers != 0 && options.layers != 2 && options.layers != 4 && options.layers != 8)
     throw ConfigError(fmt::format("--layers: found {}, expected 0 for none, or 2, 4 or 8", options.layers));
-  if (options.cldr.form == CldrForm::kLogarithm && !(options.cldr.gamma > 0))
+  if (options.layers > 0 && options.regularised && options.cldr.form == CldrForm::kLogarithm &&
+      !(options.cldr.gamma > 0))
     throw ConfigError("--gamma: found 0, expected more with --cldr logarithm, whose unit is gamma d");
   const fs::path out = arguments.out;
   try_folder("--out", out, {"scene.ply", "cameras.json", "held_out.json", "train.json", "checkpoint.bin"});
