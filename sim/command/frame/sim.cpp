@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "sim/command/command.hpp"
+#include "sim/command/frame/picture_arguments.hpp"
 #include "sim/command/frame/views.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/report/report.hpp"
@@ -18,6 +19,7 @@ namespace {
 struct SimArguments {
   ViewArguments view;
   MemoryArguments memory;
+  PictureArguments picture_of;
   std::string out = "out", waves;
   std::vector<std::string> effects = {"all"};
   std::vector<int> views;
@@ -34,7 +36,7 @@ std::string replay(const SimArguments& arguments, const CLI::App& command, const
   std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves"};
   std::string more = " --no-truth --out replay";
   if (!window.empty()) {
-    other.insert("--window");
+    other.insert({"--window", "--crop"});
     more += " --window " + window;
   }
   if (!arguments.netlist) more += " --waves replay/window.fst";  // gates write none
@@ -81,6 +83,7 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
   options.raster = arguments.picture == "raster";
+  arguments.picture_of.apply(arguments.view, true, options);
   options.variant.netlist = arguments.netlist;
   if (arguments.no_rtl && !arguments.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
   built_variant(options.variant, options.rtl);  // refuses waves of gates
@@ -117,7 +120,8 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   report["effects"] = arguments.no_rtl
                           ? nlohmann::ordered_json(nullptr)
                           : nlohmann::ordered_json{{"simulated", plan.simulated}, {"left_out", plan.left_out}};
-  write_images(arguments.out, crop_window(simulation.golden.image, options), simulation.picture);
+  write_images(arguments.out, crop_window(simulation.golden.image, options),
+               arguments.picture_of.picture(simulation, options));
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
   if (arguments.json) {
     fmt::print("{}\n", report.dump(2));
@@ -145,6 +149,7 @@ void add_sim(CLI::App& app, Run& run) {
   static SimArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
+  arguments.picture_of.add(*command);
   add_span(*command, "--views", arguments.views,
            "instead of --view: these views in one machine without a reset, without truth");
   command
