@@ -7,8 +7,8 @@
 
 #include "sim/command/command.hpp"
 #include "sim/command/frame/picture_arguments.hpp"
-#include "sim/command/frame/views.hpp"
 #include "sim/command/replay.hpp"
+#include "sim/command/sequence/sequence.hpp"
 #include "sim/report/report.hpp"
 #include "sim/study/effects/run.hpp"
 #include "sim/rtl/rtl_fault.hpp"
@@ -20,9 +20,9 @@ struct SimArguments {
   ViewArguments view;
   MemoryArguments memory;
   PictureArguments picture_of;
+  SequenceArguments sequence;
   std::string out = "out", waves;
   std::vector<std::string> effects = {"all"};
-  std::vector<int> views;
   std::string picture = "windows";
   bool netlist = false, json = false, no_truth = false, no_rtl = false;
 };
@@ -33,7 +33,7 @@ bool are_named(const std::vector<std::string>& effects) { return effects != kAll
 
 // The command that runs the same again with waves: of one window, or of what was asked for.
 std::string replay(const SimArguments& arguments, const CLI::App& command, const std::string& window) {
-  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves"};
+  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves", "--video"};
   std::string more = " --no-truth --out replay";
   if (!window.empty()) {
     other.insert({"--window", "--crop"});
@@ -68,14 +68,10 @@ std::string run_rtl(const SimArguments& arguments, const CLI::App& command, cons
   }
 }
 
-void check_outputs(const SimArguments& arguments) {
-  if (!arguments.views.empty()) {
-    try_folder("--out", arguments.out, {"sequence.json"});
-    try_folder("--out", fmt::format("{}/view_{}", arguments.out, arguments.views[0]), {"frame.exr", "frame.png"});
-    return try_file("--waves", arguments.waves);
-  }
-  try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
+void check_outputs(const SimArguments& arguments, const CLI::App& command) {
   try_file("--waves", arguments.waves);
+  arguments.sequence.check(command, arguments.out);
+  if (!arguments.sequence.wanted()) try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
 }
 
 int simulate(const SimArguments& arguments, const CLI::App& command) {
@@ -87,18 +83,14 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   options.variant.netlist = arguments.netlist;
   if (arguments.no_rtl && !arguments.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
   built_variant(options.variant, options.rtl);  // refuses waves of gates
-  check_outputs(arguments);
-  if (!arguments.views.empty()) {
-    if (arguments.no_rtl || arguments.effects != kAll || command.count("--view") > 0)
-      throw ConfigError("--views: found with --no-rtl, --effects or --view, expected without");
+  check_outputs(arguments, command);
+  if (arguments.sequence.wanted()) {
     make_folder_of(arguments.waves);
-    return simulate_views(arguments.view,
-                          {.first = arguments.views[0],
-                           .last = arguments.views[1],
-                           .out = arguments.out,
-                           .json = arguments.json,
-                           .replay = replay(arguments, command, "")},
-                          options);
+    return run_sequence(arguments.view, arguments.sequence, arguments.picture_of, options,
+                        {.out = arguments.out,
+                         .rtl = !arguments.no_rtl,
+                         .json = arguments.json,
+                         .replay = replay(arguments, command, "")});
   }
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
@@ -150,8 +142,7 @@ void add_sim(CLI::App& app, Run& run) {
   arguments.view.add(*command);
   arguments.memory.add(*command);
   arguments.picture_of.add(*command);
-  add_span(*command, "--views", arguments.views,
-           "instead of --view: these views in one machine without a reset, without truth");
+  arguments.sequence.add(*command);
   command
       ->add_option("--picture", arguments.picture,
                    "pixels in memory: windows, as --set pixel_w says; raster, rows of RGBA8, and frame.png is these")
