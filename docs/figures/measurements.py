@@ -24,6 +24,8 @@ from keep.frames import (
     sweep,
     tradeoff,
     views,
+    walk,
+    walk_frames,
 )
 from keep.numerics import accuracy, accuracy_rtl, budget, errors, golden, stability
 from keep.parts import pick
@@ -178,6 +180,14 @@ TABLE = [
                   one_model, MODEL, scene, points=("fast",)) for bits in BUSES for scene in FOUR],
     *[Measurement(f"views/{scene}", "build/pipegs sim {scene} --rung fast --views 0-2 --json", views, RTL, scene, None,
                   ("fast",)) for scene in CHARTED],
+    *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --rung fast --path 120 --no-rtl --frames none "
+                  f"--out paths/{scene} --json", walk, (*MODEL, "path", "synth"), scene, None, ("fast",))
+      for scene in CHARTED],
+    Measurement("walks/orbit", "build/pipegs sim --rung fast --orbit 120 --views all --no-rtl --frames none --out "
+                "paths/orbit --json", walk, (*MODEL, "path", "synth"), "own", None, ("fast",)),
+    *[Measurement(f"walks/{name}", f"build/pipegs sim --rung fast --path 5 --scale 0.25 {option}--frames none "
+                  f"--out paths/{name} --json", walk_frames, (*RTL, "timing", "path"), "own", None, ("fast",))
+      for name, option in (("rtl", ""), ("model", "--no-rtl "))],
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
                   points=(change.split()[1],)) for name, (_, change) in STEPS.items() for scene in FOUR],
     *[Measurement(f"costs/{name}", f"build/pipegs silicon {change} --json", cost, (*RTL, "synth"),

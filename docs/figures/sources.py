@@ -21,6 +21,7 @@ GROUPS = {  # name of a group: the folders or files that make it
     ],
     "timing": ["sim/timing"],
     "memory": ["sim/memory"],
+    "path": ["scenes/cameras/path.cpp"],
     "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
     "terms": ["sim/study/terms", "sim/study/rivals/count", "sim/study/rivals/counts.cpp", "sim/study/rivals/frame"],
