@@ -183,8 +183,6 @@ TABLE = [
     *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --rung fast --path 120 --no-rtl --frames none "
                   f"--out paths/{scene} --json", walk, (*MODEL, "path", "synth"), scene, None, ("fast",))
       for scene in CHARTED],
-    Measurement("walks/orbit", "build/pipegs sim --rung fast --orbit 120 --views all --no-rtl --frames none --out "
-                "paths/orbit --json", walk, (*MODEL, "path", "synth"), "own", None, ("fast",)),
     *[Measurement(f"walks/{name}", f"build/pipegs sim --rung fast --path 5 --scale 0.25 {option}--frames none "
                   f"--out paths/{name} --json", walk_frames, (*RTL, "timing", "path"), "own", None, ("fast",))
       for name, option in (("rtl", ""), ("model", "--no-rtl "))],
