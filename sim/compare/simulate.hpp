@@ -16,6 +16,9 @@
 
 namespace pipegs {
 
+// The external memory of whoever is not told another.
+inline constexpr const char* kDefaultDram = "lpddr5-6400x4";
+
 struct SimulateOptions {
   Config config;
   ExternalMemoryOptions memory;
