@@ -53,6 +53,8 @@ TEST(ReadOptions, TakesWhatIsMeant) {
   EXPECT_EQ(values.real, 1e-3);
   EXPECT_EQ(values.place, (std::vector<int>{3, 4}));
   EXPECT_EQ(values.span, (std::vector<int>{0, 9}));
+  ASSERT_EQ(parse({"--span", "all"}, values), "");
+  EXPECT_EQ(values.span, (std::vector<int>{0, -1}));
   EXPECT_EQ(values.reals, std::vector<double>{0.5});
   EXPECT_EQ(values.names, (std::vector<std::string>{"b", "a"}));
 }
@@ -63,7 +65,7 @@ TEST(ReadOptions, SaysWhatItWants) {
   EXPECT_EQ(refused({"--real", "0"}), "--real: found '0', expected a number above 0");
   EXPECT_EQ(refused({"--place", "3"}), "--place: found '3', expected COLUMN,ROW");
   EXPECT_EQ(refused({"--place", "3,-1"}), "--place: found '-1', expected an integer from 0 to 2147483647");
-  EXPECT_EQ(refused({"--span", "3"}), "--span: found '3', expected FIRST-LAST");
+  EXPECT_EQ(refused({"--span", "3"}), "--span: found '3', expected FIRST-LAST or all");
   EXPECT_EQ(refused({"--span", "3-2"}), "--span: found '2', expected an integer from 3 to 2147483647");
   EXPECT_EQ(refused({"--span", "-1-2"}), "--span: found '', expected an integer from 0 to 2147483647");
   EXPECT_EQ(refused({"--reals", "1,,2"}), "--reals: found '1,,2', expected elements by commas, none of them empty");
