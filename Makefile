@@ -8,7 +8,7 @@ PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm
             libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
 STYLE := clang-format black shellcheck codespell
 GATES := opensta qflow-tech-osu018
-TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog
+TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog parallel
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
