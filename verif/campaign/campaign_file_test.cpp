@@ -58,6 +58,15 @@ TEST_F(CampaignFile, LinesAreTheProductInTheOrderOfTheFile) {
   EXPECT_EQ(text("out/lines.txt"), lines) << "what is kept changes no line";
 }
 
+TEST_F(CampaignFile, TheExampleOfThePageIsOne) {
+  std::ifstream file(PIPEGS_SOURCE_DIR "/docs/campaign.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}}, fence = "```json\n";
+  const size_t begin = page.find(fence) + fence.size();
+  const Outcome outcome = run_file(Json::parse(page.substr(begin, page.find("```", begin) - begin)));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("18 points, 0 of them kept"), std::string::npos) << outcome.out;
+}
+
 TEST_F(CampaignFile, WhatIsWrongIsOneLine) {
   const auto with = [](const std::string& place, const Json& value) {
     Json file = good();
