@@ -11,6 +11,23 @@
 #include "scenes/text/json.hpp"
 
 namespace pipegs {
+namespace {
+
+// Another number of pixels, each of the old ones `x` of the new ones wide and `y` high; what lies in the middle stays
+// there. A pixel's centre is its number, its edges half a pixel away.
+Camera with_pixels(Camera camera, int width, int height, double x, double y) {
+  camera.cx = (camera.cx + 0.5 - camera.width / 2.0) * x + width / 2.0 - 0.5;
+  camera.cy = (camera.cy + 0.5 - camera.height / 2.0) * y + height / 2.0 - 0.5;
+  camera.fx *= x;
+  camera.fy *= y;
+  camera.width = width;
+  camera.height = height;
+  return camera;
+}
+
+double share(int part, int whole) { return static_cast<double>(part) / whole; }
+
+}  // namespace
 
 void write_cameras(const std::filesystem::path& path, const std::vector<Camera>& cameras) {
   using Json = nlohmann::json;
@@ -41,14 +58,8 @@ void write_cameras(const std::filesystem::path& path, const std::vector<Camera>&
 }
 
 Camera resized(Camera camera, int width, int height) {
-  const double by = static_cast<double>(width) / camera.width;
-  camera.cx = (camera.cx + 0.5) * by - 0.5;
-  camera.cy = (camera.cy + 0.5 - camera.height / 2.0) * by + height / 2.0 - 0.5;
-  camera.fx *= by;
-  camera.fy *= by;
-  camera.width = width;
-  camera.height = height;
-  return camera;
+  const double by = share(width, camera.width);
+  return with_pixels(camera, width, height, by, by);
 }
 
 Camera look_at(const std::string& name, int id, int width, int height, const glm::dvec3& position,
@@ -70,17 +81,9 @@ Camera look_at(const std::string& name, int id, int width, int height, const glm
 }
 
 Camera scaled_camera(const Camera& camera, double scale) {
-  Camera small = camera;
   const auto side = [scale](int pixels) { return std::max(1, static_cast<int>(std::lround(scale * pixels))); };
-  small.width = side(camera.width);
-  small.height = side(camera.height);
-  const double x = static_cast<double>(small.width) / camera.width,
-               y = static_cast<double>(small.height) / camera.height;
-  small.fx = camera.fx * x;
-  small.fy = camera.fy * y;
-  small.cx = (camera.cx + 0.5) * x - 0.5;  // a pixel's centre is its number, its edges half a pixel away
-  small.cy = (camera.cy + 0.5) * y - 0.5;
-  return small;
+  const int width = side(camera.width), height = side(camera.height);
+  return with_pixels(camera, width, height, share(width, camera.width), share(height, camera.height));
 }
 
 }  // namespace pipegs

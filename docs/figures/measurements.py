@@ -24,13 +24,16 @@ from keep.frames import (
     sweep,
     tradeoff,
     views,
+    walk,
+    walk_frames,
 )
-from keep.numerics import accuracy, accuracy_rtl, budget, errors, golden, stability
+from keep.numerics import accuracy, accuracy_rtl, budget, errors, golden, stability, trained
 from keep.parts import pick
 from keep.rivals import rivals, rivals_and_parameters, terms
 from keep.silicon import compared, cost, energy, equal_area, fpga, leave_one_out, netlist, silicon
 from keep.texts import difference, printed, proofs, shown, tables
 from scenes import SIZES, VIEWS_OF_SIZE
+from sources import PHOTOGRAPHS
 
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory")
@@ -56,6 +59,8 @@ class Measurement:
 
     def shown(self):
         scene = f"{self.scene}.ply --cameras {self.scene}/cameras.json "
+        if self.scene in PHOTOGRAPHS:
+            scene = f"photos/{self.scene} "
         scene += f"--view {self.view} " if self.view is not None else ""
         shown = self.command.replace("{scene} ", "" if self.scene == "own" else scene)
         return shown.replace("{reference}", "reference.png")
@@ -122,6 +127,11 @@ MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
     "baseline": "late=1 order=1 quadratic=1 records=2048", "dpc": "late=1 order=1 records=2048",
     "tspp": "order=1", "late": "late=1 records=2048", "exact": "late=1 order=2 records=2048 bucket_bits=5",
 }
+TRAINED = {  # docs/data/trained/plush/NAME.json: how a scene of photographs is trained for layers
+    "none": "--order exact --cldr none", "printed": "--order exact --cldr printed",
+    "relative": "--order exact --cldr relative", "order": "--cldr none", "order_relative": "--cldr relative",
+    "order_logarithm": "",
+}
 PRINTS = {  # a test that prints what it measures: its room, the line, names of the line's numbers
     "recip": ("lib/math", r"recip, (\d+) bits: worst error ([\d.]+)", "bits", "units"),
     "exp2": ("lib/math", r"exp2: error ([-\d.]+) \.\. ([-\d.]+) .*chord ([\d.]+), step ([\d.]+)",
@@ -178,6 +188,12 @@ TABLE = [
                   one_model, MODEL, scene, points=("fast",)) for bits in BUSES for scene in FOUR],
     *[Measurement(f"views/{scene}", "build/pipegs sim {scene} --rung fast --views 0-2 --json", views, RTL, scene, None,
                   ("fast",)) for scene in CHARTED],
+    *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --rung fast --path 120 --no-rtl --frames none "
+                  f"--out paths/{scene} --json", walk, (*MODEL, "path", "synth"), scene, None, ("fast",))
+      for scene in CHARTED],
+    *[Measurement(f"walks/{name}", f"build/pipegs sim --rung fast --path 5 --scale 0.25 {option}--frames none "
+                  f"--out paths/{name} --json", walk_frames, (*RTL, "timing", "path"), "own", None, ("fast",))
+      for name, option in (("rtl", ""), ("model", "--no-rtl "))],
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
                   points=(change.split()[1],)) for name, (_, change) in STEPS.items() for scene in FOUR],
     *[Measurement(f"costs/{name}", f"build/pipegs silicon {change} --json", cost, (*RTL, "synth"),
@@ -279,6 +295,9 @@ TABLE = [
       for scene in ("own", "terrace", "statue", "flowers", "plushdog")],
     Measurement("rivals/terrace_qhd", "build/pipegs rivals {scene} --scale 2.0712 --json", rivals,
                 (*MODEL, "rivals"), "terrace", points=("dop", "fast")),
+    *[Measurement(f"trained/plush/{name}", f"build/pipegs train {{scene}} --steps 3000 --layers 8 {options} "
+                  f"--out trained/{name} --json", trained, (*MODEL, "train"), "plush", None, ("dop", "fast"))
+      for name, options in TRAINED.items()],
     Measurement("budget/random", "build/pipegs budget --rung dop --count 1000000 --json", budget, ("models",),
                 chart="error_budget.svg"),
 ]

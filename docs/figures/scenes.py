@@ -4,7 +4,7 @@ import lzma
 import shutil
 import subprocess
 
-from sources import SCENES, SHARED
+from sources import PHOTOGRAPHS, SHARED, place_of
 
 LEVEL = {"showroom": "1"}  # of detail, of a scene that comes in several
 SPLIT = {f"own_{millions}m": 1000000 * millions for millions in (1, 2, 4, 8, 16)}  # our own, each Gaussian in parts
@@ -27,9 +27,11 @@ def prepared(scene, build):
         return []
     if scene in SPLIT:
         return split(scene, build)
-    source = SHARED / "scenes" / SCENES[scene]
+    source = place_of(scene)
     if not source.exists():
         return None
+    if scene in PHOTOGRAPHS:
+        return [str(source)]
     ply, cameras = build / "figures" / (scene + ".ply"), source.parent / "cameras.json"
     if not ply.exists():
         ply.parent.mkdir(parents=True, exist_ok=True)

@@ -21,8 +21,10 @@ GROUPS = {  # name of a group: the folders or files that make it
     ],
     "timing": ["sim/timing"],
     "memory": ["sim/memory"],
+    "path": ["scenes/cameras/path.cpp"],
     "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
+    "train": ["sim/train"],
     "terms": ["sim/study/terms", "sim/study/rivals/count", "sim/study/rivals/counts.cpp", "sim/study/rivals/frame"],
     "synth": ["synth/synth.py", "synth/gating.py"],
     "fpga": ["synth/fpga/fpga.py"],
@@ -36,6 +38,7 @@ SCENES = {  # scene: its file or folder in the folder of scenes
     "flowers": "flowers/flowers",
     "showroom": "showroom/lacadiere",
 }
+PHOTOGRAPHS = {"plush"}  # folders of photographs, beside the scenes
 POINT = "point "  # before the name of a design point whose settings measure too
 CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby"}
 IGNORED = re.compile(rb"^[ \t]*[#`]include[^\n]*|/\*.*?\*/|//[^\n]*|\s+", re.DOTALL | re.MULTILINE)
@@ -55,10 +58,14 @@ def group_hash(group):
     return digest(hashlib.sha256(IGNORED.sub(b"", f.read_bytes())).digest() for f in found)
 
 
+def place_of(scene):
+    return SHARED / "photos" / scene if scene in PHOTOGRAPHS else SHARED / "scenes" / SCENES[scene]
+
+
 @functools.cache
 def scene_hash(scene):
-    """None when the folder of scenes is not here. Our own and its parts are generated: the group models has them."""
-    place = SHARED / "scenes" / SCENES[scene]
+    """None when the scene's folder is not here. Our own and its parts are generated: the group models has them."""
+    place = place_of(scene)
     return digest(hashlib.sha256(f.read_bytes()).digest() for f in files_of(place)) if place.exists() else None
 
 
@@ -80,7 +87,11 @@ def hash_of(name, scene):
 
 
 def measured_by(groups, scene, points):
-    names = [*groups, *(POINT + point for point in points), *(["scene"] if scene in SCENES else [])]
+    names = [
+        *groups,
+        *(POINT + point for point in points),
+        *(["scene"] if scene in SCENES or scene in PHOTOGRAPHS else []),
+    ]
     return {name: hash_of(name, scene) for name in names}
 
 

@@ -2,6 +2,10 @@
 // camera_arguments.cpp: see camera_arguments.hpp.
 #include "sim/command/camera_arguments.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "scenes/cameras/framing.hpp"
 #include "scenes/generate/generate.hpp"
 #include "sim/command/list_option.hpp"
@@ -23,6 +27,8 @@ void CameraArguments::add(CLI::App& app) {
       "cameras: INRIA's cameras.json, a folder or file of COLMAP, transforms.json of nerfstudio, instant-ngp "
       "or Blender, SuperSplat's; without it the scene is framed");
   app.add_option("--size", size, "pixels of the picture, WxH; a framed scene has 1280x720 without it");
+  add_real(app, "--scale", scale, "sides of the picture over those of the camera", {.low = 0.01, .high = 100})
+      ->capture_default_str();
   app.add_flag("--ignore-distortion", ignore_distortion, "take a lens that bends rays for one that does not");
   add_integer(app, "--orbit", orbit, "without --cameras: so many views on a circle round the scene", 1, 100000);
   constexpr RealRange kFar{.low = -1e9, .high = 1e9};
@@ -43,6 +49,17 @@ CameraReading CameraArguments::reading() const {
   return reading;
 }
 
+std::vector<Camera> CameraArguments::scaled(std::vector<Camera> cameras) const {
+  if (scale == 1) return cameras;
+  for (Camera& camera : cameras) {
+    camera = scaled_camera(camera, scale);
+    if (std::max(camera.width, camera.height) > kMaxImageSide)
+      throw ConfigError(fmt::format("--scale: found '{}', which makes {}x{} pixels, expected sides up to {}", scale,
+                                    camera.width, camera.height, kMaxImageSide));
+  }
+  return cameras;
+}
+
 std::optional<std::vector<Camera>> CameraArguments::read() const {
   if (up == std::vector<double>{0, 0, 0}) throw ConfigError("--up: found '0,0,0', expected a direction");
   const CameraReading how = reading();
@@ -52,7 +69,7 @@ std::optional<std::vector<Camera>> CameraArguments::read() const {
   }
   if (frames())
     throw ConfigError("--cameras: found --orbit, --from, --look-at, --up or --fov too, expected a file or a framing");
-  return read_cameras(file, how);
+  return scaled(read_cameras(file, how));
 }
 
 std::vector<Camera> CameraArguments::frame(const Scene& scene, bool own) const {
@@ -62,7 +79,7 @@ std::vector<Camera> CameraArguments::frame(const Scene& scene, bool own) const {
     for (Camera& camera : cameras) {
       if (how.width > 0) camera = resized(camera, how.width, how.height);
     }
-    return cameras;
+    return scaled(std::move(cameras));
   }
   Framing framing;
   if (how.width > 0) framing.width = how.width, framing.height = how.height;
@@ -71,7 +88,7 @@ std::vector<Camera> CameraArguments::frame(const Scene& scene, bool own) const {
   framing.from = vector_of(from);
   framing.look_at = vector_of(look_at);
   framing.up = vector_of(up);
-  return framed_cameras(scene, framing);
+  return scaled(framed_cameras(scene, framing));
 }
 
 }  // namespace pipegs

@@ -2,7 +2,7 @@
 // camera_arguments.hpp: where the views of a scene come from: a file, or a framing of the scene.
 //
 // Rule    --cameras excludes what frames a scene (--orbit, --from, --look-at, --up, --fov). Without any of them a scene
-//         is framed as scenes/cameras/framing.hpp says, and our own scene has its generated cameras.
+//         is framed as scenes/cameras/framing.hpp says, and our own scene has its generated cameras. --scale is last.
 // Errors  ConfigError of an option, InputError of a file.
 #pragma once
 
@@ -20,7 +20,7 @@ struct CameraArguments {
   std::string file, size;
   bool ignore_distortion = false;
   int orbit = 0;
-  double fov = 0;
+  double fov = 0, scale = 1;
   std::vector<double> from, look_at, up;
 
   void add(CLI::App& app);
@@ -31,6 +31,7 @@ struct CameraArguments {
 
  private:
   CameraReading reading() const;
+  std::vector<Camera> scaled(std::vector<Camera> cameras) const;
   bool frames() const { return orbit > 0 || fov > 0 || !from.empty() || !look_at.empty() || !up.empty(); }
 };
 

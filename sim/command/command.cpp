@@ -114,7 +114,7 @@ std::vector<SimulateOptions> ViewArguments::options(const std::vector<const Desi
 }
 
 void MemoryArguments::add(CLI::App& app, bool with_bandwidth) {
-  external.dram = "lpddr5-6400x4";
+  external.dram = kDefaultDram;
   external.jitter = 20;
   std::vector<std::string> names = dram_memory_names();
   names.push_back("ideal");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// list_option.hpp: options whose value is a list in one word, its elements by commas: names, numbers, a place; a span.
+// list_option.hpp: options whose value is a list in one word, its elements by commas: names, numbers, a place, a
+// colour; a span.
 //
 // Why     The parser of the command line would leave out empty elements: a,,b would be a,b. And it would take the words
 //         behind the list for more of it, the scene among them.
@@ -110,14 +111,51 @@ inline CLI::Option* add_vector(CLI::App& app, const std::string& name, std::vect
       [] { return ""; });
 }
 
-// First and last, as 0-9; nothing is set without the option.
+// A rectangle of pixels, X,Y,W,H; nothing is set without the option.
+inline CLI::Option* add_rectangle(CLI::App& app, const std::string& name, std::vector<int>& rectangle,
+                                  const std::string& what, int most) {
+  return number_option_detail::add<std::vector<int>>(
+      app, name, what, "X,Y,W,H", rectangle,
+      [name, most](const std::string& list) {
+        const std::vector<std::string> found = list_option_detail::elements_of(name, list);
+        if (found.size() != 4) throw CLI::ValidationError(name, fmt::format("found {}, expected X,Y,W,H", quote(list)));
+        std::vector<int> rectangle;
+        for (size_t i = 0; i < 4; ++i) rectangle.push_back(parse_integer<int>(found[i], i < 2 ? 0 : 1, most));
+        return rectangle;
+      },
+      [] { return ""; });
+}
+
+// Red, green and blue of 8 bits, R,G,B or #rrggbb; nothing is set without the option.
+inline CLI::Option* add_color(CLI::App& app, const std::string& name, std::vector<int>& color,
+                              const std::string& what) {
+  return number_option_detail::add<std::vector<int>>(
+      app, name, what, "COLOUR", color,
+      [name](const std::string& text) {
+        std::vector<int> color;
+        if (text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos) {
+          for (const size_t at : {1, 3, 5}) color.push_back(std::stoi(text.substr(at, 2), nullptr, 16));
+          return color;
+        }
+        const std::vector<std::string> found = list_option_detail::elements_of(name, text);
+        if (found.size() != 3)
+          throw CLI::ValidationError(name,
+                                     fmt::format("found {}, expected R,G,B of 0 to 255, or #rrggbb", quote(text)));
+        for (const std::string& element : found) color.push_back(parse_integer<int>(element, 0, 255));
+        return color;
+      },
+      [] { return ""; });
+}
+
+// First and last, as 0-9, or all, whose last is -1; nothing is set without the option.
 inline CLI::Option* add_span(CLI::App& app, const std::string& name, std::vector<int>& span, const std::string& what) {
   return number_option_detail::add<std::vector<int>>(
       app, name, what, "FIRST-LAST", span,
       [name](const std::string& text) {
+        if (text == "all") return std::vector<int>{0, -1};
         const size_t dash = text.find('-');
         if (dash == std::string::npos)
-          throw CLI::ValidationError(name, fmt::format("found {}, expected FIRST-LAST", quote(text)));
+          throw CLI::ValidationError(name, fmt::format("found {}, expected FIRST-LAST or all", quote(text)));
         const int first = parse_integer<int>(text.substr(0, dash), 0);
         return std::vector<int>{first, parse_integer<int>(text.substr(dash + 1), first)};
       },

@@ -53,8 +53,8 @@ uint64_t free_memory() { return std::min({free_in_computer(), free_in_container(
 
 void check_picture_memory(const Camera& camera, const SimulateOptions& options, const PixelBytes& bytes) {
   const auto width = static_cast<uint64_t>(camera.width), height = static_cast<uint64_t>(camera.height);
-  const auto side = static_cast<uint64_t>(options.config.window), windows = static_cast<uint64_t>(options.windows);
-  const uint64_t asked = options.window ? std::min(width, windows * side) * std::min(height, side) : width * height;
+  const PixelRect r = asked_pixels(camera.width, camera.height, options);
+  const uint64_t asked = static_cast<uint64_t>(r.x1 - r.x0) * static_cast<uint64_t>(r.y1 - r.y0);
   const uint64_t needed = width * height * bytes.frame + asked * bytes.asked;
   const uint64_t free = free_memory();
   if (needed <= free) return;

@@ -52,6 +52,8 @@ void SequenceCheck::on_frame_done() {
     One& one = frames_[back_];
     if (one.expected.input->packed->config.taps) one.streams->finish();
     compare_pixels(one);
+    for (const MemoryTraffic& traffic : memory_traffic(one.expected.input->packed->config, memory_))
+      one.moved = {one.moved.read + traffic.bytes_read, one.moved.written + traffic.bytes_written};
   }
   ++back_;
   if (second_ != nullptr) second_->on_frame_done();

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cpp_model/golden.hpp"
+#include "sim/compare/simulate.hpp"
 #include "sim/compare/stream_check.hpp"
 
 namespace pipegs {
@@ -48,12 +49,15 @@ class SequenceCheck final : public RtlTaps {
   size_t complete() const { return back_; }  // frames that are
   // Of a frame that is complete, with pixels in raster order: what memory held of its windows.
   const std::optional<Rgb8>& picture(size_t number) const { return frames_[number].picture; }
+  // Of a frame that is complete: what memory has moved since the start.
+  const MemoryBytes& moved(size_t number) const { return frames_[number].moved; }
 
  private:
   struct One {
     Expected expected;
     std::unique_ptr<StreamCheck> streams;
     std::optional<Rgb8> picture = {};
+    MemoryBytes moved = {};
   };
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
   void compare_pixels(One& one);

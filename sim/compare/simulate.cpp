@@ -16,12 +16,18 @@
 namespace pipegs {
 namespace {
 
-struct Rectangle {
-  int x0, y0, x1, y1;
-};
+// Ports of the lists of windows, which stand behind the others that write.
+int list_ports(const Config& config) { return config.memory_ports() - 5 * config.units - 1; }
 
-// The pixels that were asked for. Throws ConfigError when the window lies outside the image.
-Rectangle asked(int width, int height, const SimulateOptions& options) {
+}  // namespace
+
+PixelRect asked_pixels(int width, int height, const SimulateOptions& options) {
+  if (options.crop) {
+    const PixelRect crop = *options.crop;
+    if (!crop.empty() && crop.x0 >= 0 && crop.y0 >= 0 && crop.x1 <= width && crop.y1 <= height) return crop;
+    throw ConfigError(fmt::format("--crop {},{},{},{}: expected a rectangle of {}x{} pixels", crop.x0, crop.y0,
+                                  crop.x1 - crop.x0, crop.y1 - crop.y0, width, height));
+  }
   if (!options.window) return {0, 0, width, height};
   const int side = options.config.window;
   const auto [column, row] = *options.window;
@@ -31,11 +37,6 @@ Rectangle asked(int width, int height, const SimulateOptions& options) {
   const int x = column * side, y = row * side;
   return {x, y, std::min(x + options.windows * side, width), std::min(y + side, height)};
 }
-
-// Ports of the lists of windows, which stand behind the others that write.
-int list_ports(const Config& config) { return config.memory_ports() - 5 * config.units - 1; }
-
-}  // namespace
 
 std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMemory& memory) {
   std::vector<MemoryTraffic> result;
@@ -63,7 +64,7 @@ size_t memory_stream(const Config& config, int port) {
 }
 
 Image crop_window(const Image& image, const SimulateOptions& options) {
-  const Rectangle r = asked(image.width, image.height, options);
+  const PixelRect r = asked_pixels(image.width, image.height, options);
   Image part(r.x1 - r.x0, r.y1 - r.y0);
   for (int y = r.y0; y < r.y1; ++y) {
     for (int x = r.x0; x < r.x1; ++x) {
@@ -91,13 +92,10 @@ void simulate_frame(const PackedScene& packed, const Camera& camera, const Simul
   result.input = {.packed = &packed, .frame = frame_setup(options.config, packed, camera, {}, options.near_plane)};
   if (options.raster)
     result.input.picture = raster_picture(result.input.frame.tables.pixels, result.input.frame.raster.width);
-  if (!options.window) return;
-  asked(camera.width, camera.height, options);  // refuses a window outside the image
-  const auto [x, y] = *options.window;
-  auto& windows = result.input.frame.raster.windows;
-  windows.first_x = static_cast<uint64_t>(x);
-  windows.last_x = std::min(windows.last_x, static_cast<uint64_t>(x + options.windows - 1));
-  windows.first_y = windows.last_y = static_cast<uint64_t>(y);
+  const PixelRect r = asked_pixels(camera.width, camera.height, options);
+  const auto number = [&](int pixel) { return static_cast<uint64_t>(pixel / options.config.window); };
+  result.input.frame.raster.windows = {
+      .first_x = number(r.x0), .first_y = number(r.y0), .last_x = number(r.x1 - 1), .last_y = number(r.y1 - 1)};
 }
 
 void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
@@ -128,7 +126,7 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
                     const Simulation* known) {
   const Stopwatch watch;
   const double before = process_seconds();
-  const Rectangle r = asked(camera.width, camera.height, options);
+  const PixelRect r = asked_pixels(camera.width, camera.height, options);
   const auto render = [&](const char* name, Semantics semantics, const std::vector<uint32_t>* rank) {
     Progress progress(name);
     TruthOptions truth;
@@ -136,7 +134,7 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
     truth.rank = rank;
     truth.near_plane = options.near_plane;
     truth.sh_degree = std::min(scene.sh_degree, options.config.sh_degree);
-    truth.clip_window = options.window.has_value();
+    truth.clip_window = options.window || options.crop;
     truth.x0 = r.x0, truth.y0 = r.y0, truth.x1 = r.x1, truth.y1 = r.y1;
     truth.progress = [&](double share) {
       if (interrupted()) throw std::runtime_error("interrupted");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "cpp_model/float/projection.hpp"
 #include "cpp_model/golden.hpp"
 #include "scenes/camera.hpp"
 #include "scenes/scene.hpp"
@@ -15,6 +16,9 @@
 
 namespace pipegs {
 
+// The external memory of whoever is not told another.
+inline constexpr const char* kDefaultDram = "lpddr5-6400x4";
+
 struct SimulateOptions {
   Config config;
   ExternalMemoryOptions memory;
@@ -22,6 +26,7 @@ struct SimulateOptions {
   RtlVariant variant;                        // may be simulated less than this: see built_variant in rtl_model.hpp
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
   int windows = 1;                           // with `window`: so many side by side, up to the end of the row
+  std::optional<PixelRect> crop;             // instead of `window`: only the windows of these pixels, and of them these
   double near_plane = 0.2;                   // scene units
   bool raster = false;                       // pixels in raster order, RGBA8; else by windows
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
@@ -79,10 +84,16 @@ void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOpti
 // Runs the RTL and compares every stream and every pixel; needs simulate_golden.
 void simulate_rtl(const SimulateOptions& options, Simulation& result);
 
+// Over the pins of external memory.
+struct MemoryBytes {
+  uint64_t read = 0, written = 0;
+};
+
 // What one machine says of frames that it ran one after the other.
 struct SequenceRun {
   RtlResult rtl;  // counters since the machine was last empty
   std::vector<MemoryTraffic> traffic;
+  std::vector<MemoryBytes> frame_bytes;  // of each: from the end of the frame before, or the start, to its own
   std::optional<MemoryFigures> dram;
   double wall = 0;  // seconds
 };
@@ -99,7 +110,11 @@ size_t memory_stream(const Config& config, int port);
 // The bytes that each stream moved.
 std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMemory& memory);
 
-// The part of an image that was asked for: all of it, or some windows.
+// The pixels that were asked for, of a picture of this size: all, some windows, or a crop. Throws ConfigError when they
+// are not all inside.
+PixelRect asked_pixels(int width, int height, const SimulateOptions& options);
+
+// The part of an image that was asked for.
 Image crop_window(const Image& image, const SimulateOptions& options);
 
 }  // namespace pipegs

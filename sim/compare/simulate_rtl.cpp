@@ -44,6 +44,21 @@ Placed place(const Config& config, const std::vector<Simulation*>& frames, Exter
   return placed;
 }
 
+// Of a picture of whole windows the pixels that were asked for.
+std::optional<Rgb8> asked_part(const std::optional<Rgb8>& windows, const Frame& frame, const SimulateOptions& options) {
+  if (!windows || !options.crop) return windows;
+  const PixelRect r = *options.crop;
+  const auto side = static_cast<uint64_t>(options.config.window);
+  const int x0 = r.x0 - static_cast<int>(frame.raster.windows.first_x * side),
+            y0 = r.y0 - static_cast<int>(frame.raster.windows.first_y * side);
+  Rgb8 part{r.x1 - r.x0, r.y1 - r.y0, {}};
+  for (int y = y0; y < y0 + part.height; ++y) {
+    const auto row = windows->data.begin() + 3 * (static_cast<ptrdiff_t>(y) * windows->width + x0);
+    part.data.insert(part.data.end(), row, row + 3 * static_cast<ptrdiff_t>(part.width));
+  }
+  return part;
+}
+
 }  // namespace
 
 SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<Simulation*>& frames) {
@@ -79,9 +94,13 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   run.traffic = memory_traffic(config, memory);
   if (const Dram* dram = memory.dram())
     run.dram = {dram->statistics(), dram->achieved_gbps(), dram->timing().peak_gbps()};
+  MemoryBytes before;
   for (size_t i = 0; i < frames.size(); ++i) {
     const StreamCheck& one = check.frame(i);
-    frames[i]->picture = check.picture(i);
+    const MemoryBytes moved = check.moved(i);
+    run.frame_bytes.push_back({moved.read - before.read, moved.written - before.written});
+    before = moved;
+    frames[i]->picture = asked_part(check.picture(i), placed.inputs[i].frame, options);
     frames[i]->seen = one.seen();
     frames[i]->beats = one.beats();
     frames[i]->mismatches = one.mismatches();

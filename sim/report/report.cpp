@@ -81,6 +81,10 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
   report["camera"] = {{"name", camera.name},     {"id", camera.id}, {"width", camera.width},
                       {"height", camera.height}, {"fx", camera.fx}, {"fy", camera.fy}};
   if (options.window) report["window"] = {(*options.window)[0], (*options.window)[1]};
+  if (options.crop) {
+    const PixelRect& crop = *options.crop;
+    report["crop"] = {crop.x0, crop.y0, crop.x1 - crop.x0, crop.y1 - crop.y0};
+  }
   Json config;
   for (const ConfigEntry& entry : config_entries(options.config)) config[std::string(entry.name)] = entry.value;
   config["memory"] = options.memory.dram;

@@ -39,27 +39,32 @@ std::string contents(const Scene& scene) {
   return hash.text();
 }
 
-}  // namespace
-
-MeasurementStore::MeasurementStore(std::filesystem::path folder, const Scene& scene, const Camera& camera,
-                                   const SimulateOptions& options, const Json& more)
-    : folder_(std::move(folder)) {
+std::vector<double> pose_of(const Camera& camera) {
   std::vector<double> pose = {camera.position.x, camera.position.y, camera.position.z, camera.fx,
                               camera.fy,         camera.cx,         camera.cy};
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) pose.push_back(camera.world_to_camera[i][k]);
   }
+  return pose;
+}
+
+}  // namespace
+
+MeasurementStore::MeasurementStore(std::filesystem::path folder, const Scene& scene, const Camera& camera,
+                                   const SimulateOptions& options, const Json& more)
+    : folder_(std::move(folder)) {
   const ExternalMemoryOptions& m = options.memory;
   view_ = {{"measured_by", kMeasuredBy},
            {"scene", valid_utf8(scene.name)},
            {"gaussians", scene.gaussians.size()},
            {"contents", contents(scene)},
            {"camera", {camera.width, camera.height}},
-           {"pose", pose},
+           {"pose", pose_of(camera)},
            {"near", options.near_plane},
            {"memory", m.dram}};
   if (m.dram == "ideal") view_["ideal"] = {m.latency, m.bytes_per_cycle, m.jitter, m.seed};
   if (options.window) view_["window"] = {(*options.window)[0], (*options.window)[1], options.windows};
+  if (options.crop) view_["crop"] = {options.crop->x0, options.crop->y0, options.crop->x1, options.crop->y1};
   view_.update(more);
   if (!folder_.empty()) std::filesystem::create_directories(folder_);
 }
@@ -68,6 +73,10 @@ MeasurementStore MeasurementStore::with(const Json& more) const {
   MeasurementStore result = *this;
   result.view_.update(more);
   return result;
+}
+
+MeasurementStore MeasurementStore::of(const Camera& camera) const {
+  return with({{"camera", {camera.width, camera.height}}, {"pose", pose_of(camera)}});
 }
 
 Json MeasurementStore::key(const Config& config) const {

@@ -29,6 +29,8 @@ class MeasurementStore {
 
   // The same folder and view; `more` joins the key, too.
   MeasurementStore with(const nlohmann::ordered_json& more) const;
+  // The same folder and scene, seen by another camera.
+  MeasurementStore of(const Camera& camera) const;
 
   // What `read` makes of the JSON that was saved.
   template <typename Read>

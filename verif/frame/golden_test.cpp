@@ -2,6 +2,7 @@
 // golden_test: the whole golden model against the float64 truth, and what it must not depend on.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "cpp_model/dopu/dopu.hpp"
@@ -9,7 +10,9 @@
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
+#include "sim/compare/background.hpp"
 #include "sim/compare/simulate.hpp"
+#include "sim/design/design_point.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -88,6 +91,69 @@ TEST(Golden, OneWindowIsTheCropOfTheFrame) {
     EXPECT_EQ(max_abs_error(crop_window(all.golden.image, options), crop_window(one.golden.image, options)), 0)
         << "order " << order;
   }
+}
+
+// A crop is pixels of the whole frame, whatever it cuts through, and only the windows that hold it are rendered.
+TEST(Golden, ACropIsPixelsOfTheFrame) {
+  const Scene scene = random_scene(4, 2000, 1);
+  const Camera camera = test_camera(300, 211);
+  for (const char* design_point : {"dop", "baseline", "fast"}) {
+    SCOPED_TRACE(design_point);
+    SimulateOptions options;
+    options.config = find_design_point(design_point).config;
+    Simulation all;
+    simulate_golden(scene, camera, options, all);
+    for (const PixelRect& crop :
+         {PixelRect{0, 0, 300, 211}, {299, 210, 300, 211}, {127, 1, 130, 128}, {5, 64, 70, 66}}) {
+      options.crop = crop;
+      Simulation part;
+      simulate_golden(scene, camera, options, part);
+      const int side = options.config.window;
+      EXPECT_EQ(part.golden.work.windows,
+                ((crop.x1 - 1) / side - crop.x0 / side + 1ull) * ((crop.y1 - 1) / side - crop.y0 / side + 1ull));
+      size_t unlike = 0;
+      for (int y = crop.y0; y < crop.y1; ++y) {
+        for (int x = crop.x0; x < crop.x1; ++x) {
+          const size_t at = all.golden.image.at(x, y);
+          unlike += part.golden.pixels[at] != all.golden.pixels[at];
+        }
+      }
+      EXPECT_EQ(unlike, 0u) << crop.x0 << "," << crop.y0;
+      const Image image = crop_window(part.golden.image, options);
+      EXPECT_EQ(image.width, crop.x1 - crop.x0);
+      EXPECT_EQ(max_abs_error(image, crop_window(all.golden.image, options)), 0);
+    }
+  }
+  for (const PixelRect& crop : {PixelRect{-1, 0, 5, 5}, {0, 0, 301, 5}, {0, 0, 5, 212}, {7, 7, 7, 9}, {9, 9, 8, 10}}) {
+    SimulateOptions options;
+    options.crop = crop;
+    EXPECT_THROW(asked_pixels(300, 211, options), ConfigError);
+  }
+}
+
+// The host adds what lies behind by the T of each pixel: over black it is the 8-bit picture, over any colour what real
+// numbers give.
+TEST(Golden, AFrameOverABackground) {
+  SimulateOptions options;
+  Simulation result;
+  simulate_golden(random_scene(6, 2000, 0), test_camera(150, 90), options, result);
+  const PixelRect all{0, 0, 150, 90};
+  EXPECT_EQ(over_background(result.golden.pixels, 150, all, {0, 0, 0}).data,
+            to_rgb8(result.golden.image, glm::dvec3(0)).data);
+  const Background orange = {255, 128, 3};
+  const Rgb8 picture = over_background(result.golden.pixels, 150, all, orange);
+  size_t lit = 0;
+  for (size_t i = 0; i < picture.data.size(); ++i) {
+    const uint64_t pixel = result.golden.pixels[i / 3], t = pixel >> 48, color = pixel >> 16 * (i % 3) & 0xffff;
+    const double exact =
+        255 * std::ldexp(static_cast<double>(color), -14) + orange[i % 3] * std::ldexp(static_cast<double>(t), -15);
+    EXPECT_EQ(picture.data[i], std::min(std::floor(exact + 0.5), 255.0)) << i;
+    lit += t > 0 && t < 0x8000;
+  }
+  EXPECT_GT(lit, 1000u) << "nothing to see";
+  const Rgb8 part = over_background(result.golden.pixels, 150, {7, 9, 8, 10}, orange);
+  EXPECT_EQ(part.data,
+            (std::vector<uint8_t>(picture.data.begin() + 3 * (9 * 150 + 7), picture.data.begin() + 3 * (9 * 150 + 8))));
 }
 
 // Lists and watermarks give every window the one global order, so they give the same pixels, whatever is cached.

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <tuple>
+
 #include "scenes/input_error.hpp"
 #include "verif/scenes/camera/refused.hpp"
 #include "verif/scenes/scratch_folder.hpp"
@@ -169,6 +171,25 @@ TEST(Camera, OnlyARegularFileOfSomeSizeIsRead) {
   scratch.write("large.json", "[]");
   std::filesystem::resize_file(scratch / "large.json", std::uintmax_t{1} << 40);  // sparse
   EXPECT_NE(refused(scratch / "large.json").find("found 1099511627776 bytes"), std::string::npos);
+}
+
+// Two ways to more pixels: as wide and as high as they make it, and the same rectangle. At equal sides they are one, to
+// the bit.
+TEST(Camera, OtherPixelsOfTheSameView) {
+  Camera camera = look_at("view", 1, 123, 77, {0, 0, -2}, {0.3, 0.1, 0}, 60);
+  camera.cx += 3.25, camera.cy -= 1.5;
+  const Camera large = resized(camera, 246, 154), twice = scaled_camera(camera, 2);
+  EXPECT_EQ(std::tie(large.width, large.height, large.fx, large.fy, large.cx, large.cy),
+            std::tie(twice.width, twice.height, twice.fx, twice.fy, twice.cx, twice.cy));
+  EXPECT_EQ(twice.cx, (camera.cx + 0.5) * 2 - 0.5);
+  EXPECT_EQ(twice.cy, (camera.cy + 0.5) * 2 - 0.5);
+  // What lies in the middle stays there when only the height changes.
+  const Camera low = resized(camera, 123, 11);
+  EXPECT_EQ(low.fy, camera.fy);
+  EXPECT_EQ(low.cy - 5, camera.cy - 38);
+  const Camera tiny = scaled_camera(camera, 0.001);
+  EXPECT_EQ(tiny.width, 1);
+  EXPECT_EQ(tiny.height, 1);
 }
 
 // What is no UTF-8 is refused in a file; a name that is none can still be written.

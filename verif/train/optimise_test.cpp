@@ -49,6 +49,19 @@ TEST(Adam, EachFieldHasItsRateAndNoGradientNoStep) {
   EXPECT_EQ(p.opacity_logit[0], 0);
 }
 
+// Two numbers with the gradients 4 and 3e-3: the root of their mean square is 2.83 at the first step.
+TEST(Adam, DampedWhatHasLessThanTheUsualGradientMovesByLess) {
+  Parameters p = one_gaussian();
+  p.opacity_logit = {0, 0};
+  Moments moments{p, p};
+  Gradient gradient = p;
+  gradient.opacity_logit = {4, -3e-3f};
+  adam_step(p, moments, gradient, {.opacity = 0.1, .damping = 1}, 1, 1);
+  const double usual = std::sqrt((16 + 9e-6) / 2);
+  EXPECT_NEAR(p.opacity_logit[0], -0.1 * 4 / (4 + usual), 1e-6);
+  EXPECT_NEAR(p.opacity_logit[1], 0.1 * 3e-3 / (3e-3 + usual), 1e-8);
+}
+
 TEST(Adam, WhatIsNoNumberMovesNothingAndHugeOnesStayFinite) {
   for (const float gradient_value : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
                                      -std::numeric_limits<float>::max()}) {

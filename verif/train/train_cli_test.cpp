@@ -69,6 +69,19 @@ TEST_F(TrainCli, PhotographsBecomeASceneAndItsCameras) {
   EXPECT_EQ(json["views"], Json({{"trained", 7}, {"held_out", 2}}));
   EXPECT_GT(json["held_out"]["exact"]["psnr_db"], 17);
   EXPECT_LT(json["held_out"]["layered"]["ssim"], 1);
+  // The machines draw what the truth draws, dop in layers and fast in exact order, up to their numbers.
+  const Json& machines = json["held_out"]["machines"];
+  for (const auto& [machine, order] : {std::pair{"dop", "layered"}, {"fast", "exact"}}) {
+    const double truth = json["held_out"][order]["psnr_db"];
+    EXPECT_NEAR(machines[machine]["psnr_db"].get<double>(), truth, 0.05) << machine;
+    EXPECT_GT(machines[machine]["cycles"], 100) << machine;
+  }
+  ASSERT_EQ(json["held_out"]["views"].size(), 2u);
+  EXPECT_EQ(json["held_out"]["views"][1]["camera"], "view108.png");
+  const double views = json["held_out"]["views"][0]["dop"]["psnr_db"].get<double>() +
+                       json["held_out"]["views"][1]["dop"]["psnr_db"].get<double>();
+  EXPECT_NEAR(views / 2, machines["dop"]["psnr_db"].get<double>(), 1e-9);
+  EXPECT_EQ(json["held_out"]["violators"].size(), 3u);
   EXPECT_FALSE(json.contains("held_out_before"));
   EXPECT_NE(outcome.out.find("exact order "), std::string::npos) << outcome.out;
   // What was trained can be drawn.
@@ -82,9 +95,31 @@ TEST_F(TrainCli, ASceneIsFineTuned) {
   EXPECT_EQ(read_cameras(folder_ / "fine/cameras.json")[0].width, 20);
   const Json json = report("fine");
   EXPECT_EQ(json["fine_tuning"], true);
+  EXPECT_EQ(json["options"]["cldr"], "none");
   EXPECT_GT(json["held_out"]["layered"]["psnr_db"], 25);
   EXPECT_LT(json["held_out_before"]["layered"]["psnr_db"], json["held_out_before"]["exact"]["psnr_db"]);
   EXPECT_GT(json["held_out_before"]["exact"]["psnr_db"], 60) << "its pictures are its own";
+}
+
+TEST_F(TrainCli, ViewsAreThoseOfAnOrbitOrAPath) {
+  const Outcome orbit = run("train scene.ply --orbit 9 --size 40x30 --steps 2 --json --out orbit");
+  ASSERT_EQ(orbit.code, 0) << orbit.err;
+  EXPECT_EQ(Json::parse(orbit.out), report("orbit"));
+  EXPECT_EQ(report("orbit")["views"], Json({{"trained", 7}, {"held_out", 2}}));
+  const Outcome path = run("train scene.ply --cameras cameras.json --path 17 --steps 2 --out path");
+  ASSERT_EQ(path.code, 0) << path.err;
+  EXPECT_EQ(report("path")["views"], Json({{"trained", 14}, {"held_out", 3}}));
+  const Outcome around = run("train scene.ply --size 40x30 --around 9 --steps 2 --out around");
+  ASSERT_EQ(around.code, 0) << around.err;
+  EXPECT_EQ(report("around")["views"], Json({{"trained", 8}, {"held_out", 2}}));
+  const Json measured = report("around")["held_out"]["views"];  // those held out, and the view that was framed
+  ASSERT_EQ(measured.size(), 3u);
+  EXPECT_EQ(measured[0]["camera"].get<std::string>().rfind("around_", 0), 0u);
+  EXPECT_EQ(measured[1]["held_out"], true);
+  EXPECT_EQ(measured[2]["held_out"], false);
+  const std::vector<Camera> views = read_cameras(folder_ / "path/cameras.json");
+  ASSERT_EQ(views.size(), 17u);
+  EXPECT_LT(glm::length(views[16].position - read_cameras(folder_ / "cameras.json")[8].position), 1e-9);
 }
 
 TEST_F(TrainCli, KilledAndResumedItIsTheSameScene) {
@@ -135,10 +170,11 @@ TEST_F(TrainCli, AFullDiskLeavesTheCheckpointBefore) {
 }
 
 TEST_F(TrainCli, BadUseIsToldInOneLine) {
-  expect_refused("train nowhere", "--cameras FILE is needed with a scene");
   expect_refused("train nowhere --cameras cameras.json", "nowhere: cannot open: found no file");
-  expect_refused("train scene.ply", "--cameras FILE is needed with a scene");
-  expect_refused("train photos --cameras cameras.json", "--cameras: found one with a folder of photographs");
+  expect_refused("train scene.ply", "found one view, expected at least two, of which one is held out: --cameras, ");
+  expect_refused("train scene.ply --path 9", "--path: found 1 view, expected two or more");
+  for (const char* views : {"--cameras cameras.json", "--orbit 9", "--path 9", "--around 1"})
+    expect_refused(std::string("train photos ") + views, "found one with a folder of photographs, expected none");
   expect_refused("train photos --layers 3", "--layers: found 3, expected 0 for none, or 2, 4 or 8");
   expect_refused("train photos --steps 0", "--steps: found '0'");
   expect_refused("train photos --gamma nan", "--gamma: found 'nan'");
@@ -146,7 +182,6 @@ TEST_F(TrainCli, BadUseIsToldInOneLine) {
   expect_refused("train photos --layers-begin 1.5", "--layers-begin: found '1.5'");
   expect_refused("train photos --cldr-weight -1", "--cldr-weight: found '-1'");
   expect_refused("train photos --out scene.ply", "--out 'scene.ply': cannot be written");
-  expect_refused("train", "INPUT");
   fs::create_directory(folder_ / "empty");
   expect_refused("train empty", "empty: found no folder sparse/0");
   EXPECT_FALSE(fs::exists(folder_ / "trained")) << "something was left behind";
@@ -154,7 +189,7 @@ TEST_F(TrainCli, BadUseIsToldInOneLine) {
 
 TEST_F(TrainCli, BadInputIsToldInOneLine) {
   write_cameras(folder_ / "one.json", small_cameras(1));
-  expect_refused("train scene.ply --cameras one.json", "one.json: found one camera, expected at least two");
+  expect_refused("train scene.ply --cameras one.json", "one.json: found one view, expected at least two");
   Scene scene = small_scene(5);
   scene.antialiased = true;
   write_ply(folder_ / "soft.ply", scene);

@@ -138,6 +138,27 @@ def views(found):
     return {"frames": len(rows)} | figures
 
 
+def walk(found):
+    """A path of frames: percentiles of what a frame takes, each with the frame that has it."""
+    return {
+        "frames": len(found["views"]),
+        "mean_cycles": round(found["cycles_alone"] / len(found["views"])),
+        "least_cycles": min(row["cycles_alone"] for row in found["views"]),
+        "percentiles": found["percentiles"],
+        "energy_extrapolated": found["energy_extrapolated"],
+    }
+
+
+def walk_frames(found):
+    """A path of few frames: cycles and bytes of each."""
+    if any(row.get("mismatches", 0) for row in found["views"]):
+        raise ValueError("a frame differs")
+    return {
+        "cycles": [row["cycles_alone"] for row in found["views"]],
+        "bytes": [row["bytes_read"] + row["bytes_written"] for row in found["views"]],
+    }
+
+
 def host(found):
     """Of `pipegs sim --no-rtl`: what the scene is, what it asks for, and what it takes of the computer."""
     seconds = found["host"]["cpu_seconds"]

@@ -132,3 +132,13 @@ def stability(text):
             bits: float(value) for bits, value in re.findall(r"T20 depth_w (\d+): order error ([\d.]+)", text)
         },
     }
+
+
+def trained(found):
+    """Of `pipegs train`: the views held out, before and after, by truth and machines; the first of them alone."""
+    kept = pick("gaussians", "minutes", "steps", "measured_layers", "options", "views")(found)
+    for key in ("held_out", "held_out_before"):
+        if key in found:
+            kept[key] = {name: value for name, value in found[key].items() if name != "views"}
+            kept[key]["first"] = found[key]["views"][0]
+    return kept

@@ -10,6 +10,7 @@
 #include "cpp_model/float/truth.hpp"
 #include "scenes/input_error.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/frame/picture_arguments.hpp"
 #include "sim/progress.hpp"
 
 namespace pipegs {
@@ -17,6 +18,7 @@ namespace {
 
 struct RenderArguments {
   ViewArguments view;
+  PictureArguments picture;
   std::string model = "golden", semantics = "exact", out = "out", compare;
 };
 
@@ -24,18 +26,15 @@ struct RenderArguments {
 std::optional<Rgb8> read_other(const std::string& path, const Camera& camera, const SimulateOptions& options) {
   if (path.empty()) return std::nullopt;
   Rgb8 other = read_png8(path);
-  const int side = options.config.window;
-  const auto [column, row] = options.window.value_or(std::array{0, 0});
-  const int width = options.window ? std::min(side, camera.width - column * side) : camera.width,
-            height = options.window ? std::min(side, camera.height - row * side) : camera.height;
+  const PixelRect r = asked_pixels(camera.width, camera.height, options);
+  const int width = r.x1 - r.x0, height = r.y1 - r.y0;
   if (other.width == width && other.height == height) return other;
   throw InputError(path, "",
                    fmt::format("found {}x{} pixels, expected {}x{}", other.width, other.height, width, height));
 }
 
 // Prints how the written picture differs from another one, in 8-bit codes; whether it does.
-bool differs(const Image& image, const Rgb8& other, const std::string& path) {
-  const Rgb8 mine = to_rgb8(image, glm::dvec3(0));
+bool differs(const Rgb8& mine, const Rgb8& other, const std::string& path) {
   int largest = 0;
   size_t differing = 0;
   for (size_t i = 0; i < mine.data.size(); i += 3) {
@@ -51,6 +50,7 @@ bool differs(const Image& image, const Rgb8& other, const std::string& path) {
 
 int render(const RenderArguments& arguments) {
   SimulateOptions options = arguments.view.options();
+  arguments.picture.apply(arguments.view, arguments.model == "golden", options);
   try_folder("--out", arguments.out, {"frame.exr", "frame.png"});
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
@@ -61,7 +61,9 @@ int render(const RenderArguments& arguments) {
   Simulation simulation;
   if (arguments.model != "truth") simulate_golden(loaded.scene, loaded.camera, options, simulation);
   Image image;
+  Rgb8 picture;
   if (arguments.model == "golden") {
+    picture = arguments.picture.picture(simulation, options);
     image = crop_window(simulation.golden.image, options);
   } else {
     TruthOptions truth;
@@ -76,10 +78,12 @@ int render(const RenderArguments& arguments) {
       progress.update(share);
     };
     image = crop_window(render_truth(loaded.scene, loaded.camera, truth), options);
+    const Background& behind = arguments.picture.color();
+    picture = to_rgb8(image, glm::dvec3(behind[0], behind[1], behind[2]) / 255.0);
   }
-  write_images(arguments.out, image);
+  write_images(arguments.out, image, picture);
   fmt::print("picture {}/frame.png, {}/frame.exr\n", arguments.out, arguments.out);
-  return other && differs(image, *other, arguments.compare) ? kExitDiffers : kExitOk;
+  return other && differs(picture, *other, arguments.compare) ? kExitDiffers : kExitOk;
 }
 
 }  // namespace
@@ -90,6 +94,7 @@ void add_render(CLI::App& app, Run& run) {
                          "written", "with --compare: a pixel differs"));
   static RenderArguments arguments;
   arguments.view.add(*command);
+  arguments.picture.add(*command);
   command
       ->add_option(
           "--model", arguments.model,

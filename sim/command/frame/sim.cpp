@@ -6,8 +6,9 @@
 #include <algorithm>
 
 #include "sim/command/command.hpp"
-#include "sim/command/frame/views.hpp"
+#include "sim/command/frame/picture_arguments.hpp"
 #include "sim/command/replay.hpp"
+#include "sim/command/sequence/sequence.hpp"
 #include "sim/report/report.hpp"
 #include "sim/study/effects/run.hpp"
 #include "sim/rtl/rtl_fault.hpp"
@@ -18,9 +19,10 @@ namespace {
 struct SimArguments {
   ViewArguments view;
   MemoryArguments memory;
+  PictureArguments picture_of;
+  SequenceArguments sequence;
   std::string out = "out", waves;
   std::vector<std::string> effects = {"all"};
-  std::vector<int> views;
   std::string picture = "windows";
   bool netlist = false, json = false, no_truth = false, no_rtl = false;
 };
@@ -31,10 +33,10 @@ bool are_named(const std::vector<std::string>& effects) { return effects != kAll
 
 // The command that runs the same again with waves: of one window, or of what was asked for.
 std::string replay(const SimArguments& arguments, const CLI::App& command, const std::string& window) {
-  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves"};
+  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves", "--video"};
   std::string more = " --no-truth --out replay";
   if (!window.empty()) {
-    other.insert("--window");
+    other.insert({"--window", "--crop"});
     more += " --window " + window;
   }
   if (!arguments.netlist) more += " --waves replay/window.fst";  // gates write none
@@ -66,14 +68,10 @@ std::string run_rtl(const SimArguments& arguments, const CLI::App& command, cons
   }
 }
 
-void check_outputs(const SimArguments& arguments) {
-  if (!arguments.views.empty()) {
-    try_folder("--out", arguments.out, {"sequence.json"});
-    try_folder("--out", fmt::format("{}/view_{}", arguments.out, arguments.views[0]), {"frame.exr", "frame.png"});
-    return try_file("--waves", arguments.waves);
-  }
-  try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
+void check_outputs(const SimArguments& arguments, const CLI::App& command) {
   try_file("--waves", arguments.waves);
+  arguments.sequence.check(command, arguments.out);
+  if (!arguments.sequence.wanted()) try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
 }
 
 int simulate(const SimArguments& arguments, const CLI::App& command) {
@@ -81,21 +79,18 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   arguments.memory.apply(options);
   options.rtl.waves = arguments.waves;
   options.raster = arguments.picture == "raster";
+  arguments.picture_of.apply(arguments.view, true, options);
   options.variant.netlist = arguments.netlist;
   if (arguments.no_rtl && !arguments.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
   built_variant(options.variant, options.rtl);  // refuses waves of gates
-  check_outputs(arguments);
-  if (!arguments.views.empty()) {
-    if (arguments.no_rtl || arguments.effects != kAll || command.count("--view") > 0)
-      throw ConfigError("--views: found with --no-rtl, --effects or --view, expected without");
+  check_outputs(arguments, command);
+  if (arguments.sequence.wanted()) {
     make_folder_of(arguments.waves);
-    return simulate_views(arguments.view,
-                          {.first = arguments.views[0],
-                           .last = arguments.views[1],
-                           .out = arguments.out,
-                           .json = arguments.json,
-                           .replay = replay(arguments, command, "")},
-                          options);
+    return run_sequence(arguments.view, arguments.sequence, arguments.picture_of, options,
+                        {.out = arguments.out,
+                         .rtl = !arguments.no_rtl,
+                         .json = arguments.json,
+                         .replay = replay(arguments, command, "")});
   }
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
@@ -117,7 +112,8 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   report["effects"] = arguments.no_rtl
                           ? nlohmann::ordered_json(nullptr)
                           : nlohmann::ordered_json{{"simulated", plan.simulated}, {"left_out", plan.left_out}};
-  write_images(arguments.out, crop_window(simulation.golden.image, options), simulation.picture);
+  write_images(arguments.out, crop_window(simulation.golden.image, options),
+               arguments.picture_of.picture(simulation, options));
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
   if (arguments.json) {
     fmt::print("{}\n", report.dump(2));
@@ -145,8 +141,8 @@ void add_sim(CLI::App& app, Run& run) {
   static SimArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
-  add_span(*command, "--views", arguments.views,
-           "instead of --view: these views in one machine without a reset, without truth");
+  arguments.picture_of.add(*command);
+  arguments.sequence.add(*command);
   command
       ->add_option("--picture", arguments.picture,
                    "pixels in memory: windows, as --set pixel_w says; raster, rows of RGBA8, and frame.png is these")

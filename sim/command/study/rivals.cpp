@@ -20,7 +20,6 @@ struct RivalsArguments {
   MemoryArguments memory;
   CountOptions counts{.group = 64};
   std::string svg;
-  double scale = 1;
   PixelArguments pixels;
   bool json = false, only_counts = false;
 };
@@ -62,13 +61,9 @@ int run_rivals(RivalsArguments& arguments) {
   if (arguments.only_counts && !arguments.svg.empty())
     throw ConfigError("--svg: charts are of machines, expected none with --counts");
   arguments.pixels.check();
-  if (arguments.pixels.wanted && arguments.scale != 1)
+  if (arguments.pixels.wanted && arguments.view.cameras.scale != 1)
     throw ConfigError("--scale: pictures are of the cameras' sizes, expected none with --pixels");
-  LoadedView loaded = load_view(arguments.view);
-  loaded.camera = scaled_camera(loaded.camera, arguments.scale);
-  if (std::max(loaded.camera.width, loaded.camera.height) > kMaxImageSide)
-    throw ConfigError(fmt::format("--scale: found '{}', which makes {}x{} pixels, expected sides up to {}",
-                                  arguments.scale, loaded.camera.width, loaded.camera.height, kMaxImageSide));
+  const LoadedView loaded = load_view(arguments.view);
   check_picture_memory(loaded.camera, options, arguments.pixels.wanted ? kOrderPixels : kCountPixels);
   const FrameCounts counts = count(arguments, loaded);
   std::optional<Comparison> comparison;
@@ -120,9 +115,6 @@ void add_rivals(CLI::App& app, Run& run) {
       ->capture_default_str();
   add_integer(*command, "--group", arguments.counts.group,
               "side of a group of pixels that streams voxels, a multiple of 16", 16, 4096)
-      ->capture_default_str();
-  add_real(*command, "--scale", arguments.scale, "sides of the picture over those of the camera",
-           {.low = 0.01, .high = 100})
       ->capture_default_str();
   command->add_flag("--counts", arguments.only_counts, "the counts alone, without machines");
   command->add_option("--svg", arguments.svg, "charts");

@@ -7,9 +7,11 @@
 
 #include <filesystem>
 #include <limits>
+#include <set>
 
+#include "scenes/cameras/around.hpp"
+#include "scenes/cameras/path.hpp"
 #include "scenes/colmap/colmap.hpp"
-#include "scenes/formats/read_scene.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/own_failure.hpp"
 #include "scenes/ply/ply.hpp"
@@ -25,13 +27,15 @@ namespace {
 namespace fs = std::filesystem;
 
 struct TrainArguments {
-  std::string input, cameras, out = "trained", order = "layered", cldr = "logarithm", axes = "all";
-  int steps = 3000, downscale = 1, sh_degree = kMaxShDegree, layers = 0, checkpoint_every = 500;
+  SceneArguments scene;  // or the folder of photographs
+  CameraArguments cameras;
+  std::string out = "trained", order = "layered", cldr, axes = "all";
+  int path = 0, around = 0, steps = 3000, downscale = 1, sh_degree = kMaxShDegree, layers = 0, checkpoint_every = 500;
   std::size_t most_gaussians = 200000;
   uint64_t seed = 1;
   unsigned threads = 0;
   double weight = 0, gamma = 0.9, layers_begin = 0.5;
-  bool weight_given = false, begin_given = false, resume = false;
+  bool weight_given = false, begin_given = false, resume = false, json = false;
 };
 
 // Bytes that a pixel of a view takes: its codes; computed colours.
@@ -39,6 +43,7 @@ constexpr uint64_t kPhotoBytes = 3, kComputedBytes = 12;
 
 struct TrainInput {
   TrainingViews views;
+  std::vector<TrainingView> given;  // of the trained ones, those that more were made about: they are measured, too
   Parameters start;
 };
 
@@ -68,9 +73,11 @@ void check_memory(const std::vector<Camera>& cameras, int downscale, uint64_t by
 }
 
 TrainInput of_photographs(const TrainArguments& arguments) {
-  if (!arguments.cameras.empty())
-    throw ConfigError("--cameras: found one with a folder of photographs, expected none: COLMAP's model has them");
-  const ColmapFolder folder = read_colmap(arguments.input);
+  if (!arguments.cameras.file.empty() || arguments.cameras.orbit > 0 || arguments.path > 0 || arguments.around > 0)
+    throw ConfigError(
+        "--cameras, --orbit, --path, --around: found one with a folder of photographs, expected none: COLMAP's model "
+        "has them");
+  const ColmapFolder folder = read_colmap(arguments.scene.file);
   check_memory(folder.cameras, arguments.downscale, kPhotoBytes);
   Progress progress("photographs");
   TrainInput input;
@@ -80,18 +87,29 @@ TrainInput of_photographs(const TrainArguments& arguments) {
 }
 
 TrainInput of_scene(const TrainArguments& arguments) {
-  if (arguments.cameras.empty())
-    throw ConfigError(fmt::format("{}: --cameras FILE is needed with a scene", arguments.input));
-  const std::vector<Camera> cameras = read_cameras(arguments.cameras);
+  const std::optional<std::vector<Camera>> given = arguments.cameras.read();
+  const bool own = arguments.scene.file.empty();
+  const Scene scene = arguments.scene.load();
+  std::vector<Camera> cameras = given ? *given : arguments.cameras.frame(scene, own);
+  if (arguments.path > 0) cameras = camera_path(cameras, arguments.path);
+  std::set<std::string> given_names;
+  if (arguments.around > 0) {
+    for (const Camera& camera : cameras) given_names.insert(camera.name);
+    cameras = cameras_around(cameras, arguments.around, arguments.seed);
+  }
   if (cameras.size() < 2)
-    throw InputError(arguments.cameras, "", "found one camera, expected at least two: one is held out");
-  const Scene scene = read_scene(arguments.input, {});
+    throw InputError(
+        arguments.cameras.file, "",
+        "found one view, expected at least two, of which one is held out: --cameras, --orbit, --path or --around");
   check_memory(cameras, arguments.downscale, kComputedBytes);
-  start_of_scene(arguments.input, scene, 1);  // refused before it is drawn
+  start_of_scene(arguments.scene.file, scene, 1);  // refused before it is drawn
   Progress progress("targets");
   TrainInput input;
   input.views = views_of_scene(scene, cameras, arguments.downscale, arguments.threads, shown_in(progress));
-  input.start = start_of_scene(arguments.input, scene, input.views.extent);
+  for (const TrainingView& view : input.views.trained) {
+    if (given_names.contains(view.camera.name)) input.given.push_back(view);
+  }
+  input.start = start_of_scene(arguments.scene.file, scene, input.views.extent);
   return input;
 }
 
@@ -109,7 +127,8 @@ TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
   options.most_gaussians = arguments.most_gaussians;
   options.layers = arguments.layers;
   options.draws_layered = arguments.order == "layered";
-  options.regularised = arguments.cldr != "none";
+  // Where the picture can be met, nothing needs to be asked for beside it.
+  options.regularised = arguments.cldr.empty() ? !fine_tuning : arguments.cldr != "none";
   options.cldr.form = arguments.cldr == "printed"    ? CldrForm::kPrinted
                       : arguments.cldr == "relative" ? CldrForm::kRelative
                                                      : CldrForm::kLogarithm;
@@ -122,17 +141,21 @@ TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
   return options;
 }
 
-TrainQuality quality_of(const Parameters& parameters, const TrainingViews& views, int layers, unsigned threads) {
+TrainQuality quality_of(const Parameters& parameters, const std::vector<TrainingView>& views, int layers,
+                        unsigned threads) {
   const LayerGrid grid = layer_grid(parameters, layers);
+  const Scene scene = scene_of(parameters, "");
   Progress progress("held out");
-  const auto half = [&](double from) {
-    return [&progress, from](double share) {
+  const auto quarter = [&](int number) {
+    return [&progress, number](double share) {
       stop_if_interrupted();
-      progress.update(from + share / 2);
+      progress.update((number + share) / 4);
     };
   };
-  return {likeness(parameters, views.held_out, nullptr, threads, half(0)),
-          likeness(parameters, views.held_out, &grid, threads, half(0.5))};
+  const auto half = [&](double share) { quarter(2)(2 * share); };
+  return {likeness(parameters, views, nullptr, threads, quarter(0)),
+          likeness(parameters, views, &grid, threads, quarter(1)), both_machines(scene, views, layers, half),
+          margin(scene, grid)};
 }
 
 // Takes the steps that are left; checkpoints on the way, at the end and at an interrupt.
@@ -174,7 +197,7 @@ std::vector<Camera> cameras_of(const std::vector<TrainingView>& views) {
 
 int run_train(const TrainArguments& arguments) {
   std::error_code ignored;
-  const bool fine_tuning = !fs::is_directory(arguments.input, ignored);
+  const bool fine_tuning = !fs::is_directory(arguments.scene.file, ignored);
   const TrainOptions options = options_of(arguments, fine_tuning);
   if (options.layers != 0 && options.layers != 2 && options.layers != 4 && options.layers != 8)
     throw ConfigError(fmt::format("--layers: found {}, expected 0 for none, or 2, 4 or 8", options.layers));
@@ -185,17 +208,21 @@ int run_train(const TrainArguments& arguments) {
   try_folder("--out", out, {"scene.ply", "cameras.json", "held_out.json", "train.json", "checkpoint.bin"});
   const TrainInput input = fine_tuning ? of_scene(arguments) : of_photographs(arguments);
 
-  TrainReport report{arguments.input,
+  TrainReport report{arguments.scene.file,
                      arguments.downscale,
                      input.views.trained.size(),
                      input.views.held_out.size(),
+                     {},
                      options.layers > 0 ? options.layers : Config().grid,
                      std::nullopt,
                      {}};
+  std::vector<TrainingView> measured = input.views.held_out;
+  measured.insert(measured.end(), input.given.begin(), input.given.end());
+  for (const TrainingView& view : measured) report.measured.push_back(view.camera.name);
   const TrainState state = train(arguments, options, input);
   if (state.parameters.size() == 0) throw OwnFailure("no Gaussian is left: the views ask for none");
-  if (fine_tuning) report.before = quality_of(input.start, input.views, report.layers, options.threads);
-  report.after = quality_of(state.parameters, input.views, report.layers, options.threads);
+  if (fine_tuning) report.before = quality_of(input.start, measured, report.layers, options.threads);
+  report.after = quality_of(state.parameters, measured, report.layers, options.threads);
 
   std::vector<Camera> cameras = cameras_of(input.views.trained);
   const std::vector<Camera> held_out = cameras_of(input.views.held_out);
@@ -204,9 +231,12 @@ int run_train(const TrainArguments& arguments) {
   write_ply(out / "scene.ply", scene_of(state.parameters, "scene"));
   write_cameras(out / "cameras.json", cameras);
   write_cameras(out / "held_out.json", held_out);
-  write_text(out / "train.json", train_json(options, state, report).dump(2) + "\n");
-  fmt::print("{}scene {}/scene.ply, cameras {}/cameras.json, figures {}/train.json\n", train_text(state, report),
-             arguments.out, arguments.out, arguments.out);
+  const std::string json = train_json(options, state, report).dump(2) + "\n";
+  write_text(out / "train.json", json);
+  if (arguments.json) fmt::print("{}", json);
+  else
+    fmt::print("{}scene {}/scene.ply, cameras {}/cameras.json, figures {}/train.json\n", train_text(state, report),
+               arguments.out, arguments.out, arguments.out);
   return kExitOk;
 }
 
@@ -215,12 +245,17 @@ int run_train(const TrainArguments& arguments) {
 void add_train(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("train", "trains a scene on photographs, or a trained scene for layers");
   command->footer(footer("pipegs train garden --steps 7000 --layers 8 --out garden_trained", "trained", "",
-                         "PHOTOS is a folder with COLMAP's sparse/0 and images. A SCENE.ply is fine-tuned on its own "
-                         "pictures in exact\norder from the cameras of --cameras. Every 8th view is held out. An "
+                         "A folder of photographs has COLMAP's sparse/0 and images. A scene is fine-tuned on its own "
+                         "pictures in exact\norder, from its views. Every 8th view is held out. An "
                          "interrupt (exit code 130) writes\nOUT/checkpoint.bin, and --resume goes on from it."));
   static TrainArguments arguments;
-  command->add_option("INPUT", arguments.input, "PHOTOS, a folder, or a scene in any format")->required();
-  command->add_option("--cameras", arguments.cameras, "cameras in any format that says its size; needed with a scene");
+  arguments.scene.add(*command);
+  command->get_option("SCENE")->description("a folder of photographs, or a scene in any format; without it our own");
+  arguments.cameras.add(*command);
+  add_integer(*command, "--path", arguments.path, "of a scene: so many views on a smooth way through its views", 2,
+              100000);
+  add_integer(*command, "--around", arguments.around, "of a scene: so many more views about each of its views", 1,
+              1000);
   command->add_option("--out", arguments.out, "folder for scene.ply, cameras.json, held_out.json, train.json")
       ->capture_default_str();
   add_integer(*command, "--steps", arguments.steps, "how many views are taken, one a step", 1, 10000000)
@@ -239,8 +274,11 @@ void add_train(CLI::App& app, Run& run) {
   command->add_option("--order", arguments.order, "with --layers: the order in which the steps draw")
       ->capture_default_str()
       ->check(CLI::IsMember({"layered", "exact"}));
-  command->add_option("--cldr", arguments.cldr, "with --layers: the loss that keeps Gaussians inside their layer")
-      ->capture_default_str()
+  command
+      ->add_option(
+          "--cldr", arguments.cldr,
+          "with --layers: the loss that keeps Gaussians inside their layer; without it logarithm of photographs, "
+          "none of a scene")
       ->check(CLI::IsMember({"logarithm", "relative", "printed", "none"}));
   add_real(*command, "--cldr-weight", arguments.weight,
            "its weight; without it 0.03 for logarithm, 0.05 for printed, 1 for relative and 10 in exact order",
@@ -259,6 +297,7 @@ void add_train(CLI::App& app, Run& run) {
   add_integer(*command, "--checkpoint-every", arguments.checkpoint_every, "steps between two checkpoints", 1, 10000000)
       ->capture_default_str();
   command->add_flag("--resume", arguments.resume, "go on from the checkpoint in --out, if there is one");
+  command->add_flag("--json", arguments.json, "print train.json");
   add_integer(*command, "--threads", arguments.threads, "0: as many as the computer has; no result depends on it", 0u,
               1024u)
       ->capture_default_str();

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "sim/report/finite.hpp"
 
 namespace pipegs {
@@ -19,13 +21,62 @@ Json json_of(const Likeness& likeness) {
   return {{"psnr_db", finite_json(likeness.psnr)}, {"ssim", finite_json(likeness.ssim)}};
 }
 
-Json json_of(const TrainQuality& quality) {
-  return {{"exact", json_of(quality.exact)}, {"layered", json_of(quality.layered)}};
+// The mean over the first so many.
+Likeness mean_of(std::vector<Likeness> views, std::size_t count) {
+  views.resize(count);
+  return mean_of(views);
 }
 
-std::string text_of(const TrainQuality& quality, int layers) {
-  return fmt::format("exact order {:.2f} dB, SSIM {:.4f}; in {} layers {:.2f} dB, SSIM {:.4f}", quality.exact.psnr,
-                     quality.exact.ssim, layers, quality.layered.psnr, quality.layered.ssim);
+uint64_t mean_cycles(const MachineViews& machine, std::size_t count) {
+  return std::accumulate(machine.cycles.begin(), machine.cycles.begin() + static_cast<std::ptrdiff_t>(count),
+                         uint64_t{0}) /
+         count;
+}
+
+Json json_of(const TrainQuality& quality, const TrainReport& report) {
+  const std::size_t count = report.held_out;
+  Json json = {{"exact", json_of(mean_of(quality.exact, count))},
+               {"layered", json_of(mean_of(quality.layered, count))}};
+  for (const MachineViews& machine : quality.machines) {
+    Json& mean = json["machines"][machine.name] = json_of(mean_of(machine.likeness, count));
+    mean["cycles"] = mean_cycles(machine, count);
+  }
+  json["violators"] = quality.margin.share;
+  for (std::size_t i = 0; i < report.measured.size(); ++i) {
+    Json view = {{"camera", report.measured[i]},
+                 {"held_out", i < count},
+                 {"exact", json_of(quality.exact[i])},
+                 {"layered", json_of(quality.layered[i])}};
+    for (const MachineViews& machine : quality.machines) {
+      view[machine.name] = json_of(machine.likeness[i]);
+      view[machine.name]["cycles"] = machine.cycles[i];
+    }
+    json["views"].push_back(view);
+  }
+  return json;
+}
+
+std::string text_of(const char* who, const Likeness& likeness) {
+  return fmt::format("    {:14} {:5.2f} dB, SSIM {:.4f}", who, likeness.psnr, likeness.ssim);
+}
+
+std::string text_of(const TrainQuality& quality, const TrainReport& report) {
+  const std::size_t count = report.held_out;
+  std::string text = text_of("exact order", mean_of(quality.exact, count)) + "\n" +
+                     text_of(fmt::format("in {} layers", report.layers).c_str(), mean_of(quality.layered, count)) +
+                     "\n";
+  for (const MachineViews& machine : quality.machines)
+    text += fmt::format("{}, {} cycles a frame\n", text_of(machine.name.c_str(), mean_of(machine.likeness, count)),
+                        mean_cycles(machine, count));
+  for (std::size_t i = count; i < report.measured.size(); ++i) {
+    text += fmt::format("    {}, trained on:", report.measured[i]);
+    for (const MachineViews& machine : quality.machines)
+      text += fmt::format(" {} {:.2f} dB", machine.name, machine.likeness[i].psnr);
+    text += "\n";
+  }
+  const auto& share = quality.margin.share;
+  return text + fmt::format("    {:.1f} %, {:.1f} % and {:.1f} % of the Gaussians reach over a plane across x, y, z\n",
+                            100 * share[0], 100 * share[1], 100 * share[2]);
 }
 
 }  // namespace
@@ -53,8 +104,8 @@ nlohmann::ordered_json train_json(const TrainOptions& options, const TrainState&
   given["layers_begin"] = options.layers > 0 ? Json(options.layers_begin) : Json(nullptr);
   given["gamma"] = regularised ? Json(options.cldr.gamma) : Json(nullptr);
   given["cldr_axes"] = regularised ? Json(options.cldr.all_axes ? "all" : "camera") : Json(nullptr);
-  if (report.before) json["held_out_before"] = json_of(*report.before);
-  json["held_out"] = json_of(report.after);
+  if (report.before) json["held_out_before"] = json_of(*report.before, report);
+  json["held_out"] = json_of(report.after, report);
   return json;
 }
 
@@ -62,8 +113,8 @@ std::string train_text(const TrainState& state, const TrainReport& report) {
   std::string text = fmt::format("{} Gaussians, SH degree {}, after {} steps in {:.1f} minutes\n",
                                  state.parameters.size(), state.parameters.sh_degree, state.step, state.seconds / 60);
   text += fmt::format("{} of {} views were held out\n", report.held_out, report.held_out + report.trained);
-  if (report.before) text += fmt::format("  before  {}\n", text_of(*report.before, report.layers));
-  return text + fmt::format("  {}{}\n", report.before ? "after   " : "", text_of(report.after, report.layers));
+  if (report.before) text += "  before\n" + text_of(*report.before, report) + "  after\n";
+  return text + text_of(report.after, report);
 }
 
 }  // namespace pipegs

@@ -6,20 +6,25 @@
 #include <optional>
 #include <string>
 
+#include "sim/study/margin.hpp"
 #include "sim/train/run/evaluate.hpp"
+#include "sim/train/run/machine_views.hpp"
 #include "sim/train/run/trainer.hpp"
 
 namespace pipegs {
 
-// On the held-out views, in both orders.
+// On the views held out, and on some others behind them: by the truth in both orders, and as the machines draw them.
 struct TrainQuality {
-  Likeness exact, layered;
+  std::vector<Likeness> exact, layered;
+  std::vector<MachineViews> machines;
+  Margin margin;  // of the grid of the layered order
 };
 
 struct TrainReport {
   std::string input;
   int downscale = 1;
   std::size_t trained = 0, held_out = 0;  // views
+  std::vector<std::string> measured;      // names of cameras: those held out, and behind them others
   int layers = 0;                         // cells per axis of the layered order that was measured
   std::optional<TrainQuality> before;     // of the scene that was fine-tuned
   TrainQuality after;

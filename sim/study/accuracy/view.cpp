@@ -26,12 +26,6 @@ void stop_when_interrupted(double) {
   if (interrupted()) throw std::runtime_error("interrupted");
 }
 
-PixelRect asked(const Camera& camera, const SimulateOptions& options) {
-  if (!options.window) return {0, 0, camera.width, camera.height};
-  const int side = options.config.window, x = (*options.window)[0] * side, y = (*options.window)[1] * side;
-  return {x, y, std::min(x + options.windows * side, camera.width), std::min(y + side, camera.height)};
-}
-
 }  // namespace
 
 double mean_square(double psnr) { return std::isinf(psnr) ? 0 : std::pow(10, -psnr / 10); }
@@ -41,7 +35,8 @@ AccuracyView::AccuracyView(const Scene& scene, const Camera& camera, const Simul
       camera_(camera),
       options_(options),
       exact_(truth(nullptr, 0)),
-      flips_(std::make_unique<FlipCounter>(scene, camera, options.near_plane, asked(camera, options))) {}
+      flips_(std::make_unique<FlipCounter>(scene, camera, options.near_plane,
+                                           asked_pixels(camera.width, camera.height, options))) {}
 
 SimulateOptions AccuracyView::options(const Config& config) const {
   SimulateOptions options = options_;
@@ -54,7 +49,7 @@ bool AccuracyView::can_show(const Config& config) const {
 }
 
 Image AccuracyView::truth(const std::vector<uint32_t>* rank, unsigned threads) const {
-  const PixelRect area = asked(camera_, options_);
+  const PixelRect area = asked_pixels(camera_.width, camera_.height, options_);
   TruthOptions truth{.rank = rank,
                      .near_plane = options_.near_plane,
                      .clip_window = true,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "cpp_model/float/parallel.hpp"
 
@@ -12,21 +14,29 @@ namespace {
 
 constexpr double kFirst = 0.9, kSecond = 0.999;
 constexpr float kEpsilon = 1e-15f, kLargest = 1e15f;
-constexpr std::size_t kBlock = 1 << 15;
+constexpr std::size_t kBlock = 1 << 15, kOne = 1;
 
 struct Factors {
-  float rate, root;  // rate / (1 - b1^t), 1 / sqrt(1 - b2^t)
+  float rate, root, epsilon;  // rate / (1 - b1^t), 1 / sqrt(1 - b2^t)
 };
 
-void update(float* value, float* first, float* second, const float* gradient, std::size_t count, Factors factors) {
+// The moments with this gradient; returns the sum of the second ones.
+double follow(float* first, float* second, const float* gradient, std::size_t count) {
   constexpr float kOld1 = kFirst, kNew1 = 1 - kFirst, kOld2 = kSecond, kNew2 = 1 - kSecond;
+  double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const float raw = gradient[i];
     const float g = raw > kLargest ? kLargest : raw < -kLargest ? -kLargest : raw == raw ? raw : 0;
     first[i] = kOld1 * first[i] + kNew1 * g;
     second[i] = kOld2 * second[i] + kNew2 * g * g;
-    value[i] -= factors.rate * first[i] / (std::sqrt(second[i]) * factors.root + kEpsilon);
+    sum += second[i];
   }
+  return sum;
+}
+
+void move(float* value, const float* first, const float* second, std::size_t count, Factors factors) {
+  for (std::size_t i = 0; i < count; ++i)
+    value[i] -= factors.rate * first[i] / (std::sqrt(second[i]) * factors.root + factors.epsilon);
 }
 
 template <class Value>
@@ -42,12 +52,22 @@ void adam_step(Parameters& parameters, Moments& moments, const Gradient& gradien
   const auto field = [&](auto member, double rate) {
     auto& values = parameters.*member;
     const std::size_t count = values.size() * sizeof(values[0]) / sizeof(float);
-    const Factors factors{static_cast<float>(rate / bias1), static_cast<float>(1 / std::sqrt(bias2))};
     float *value = floats(values), *first = floats(moments.first.*member), *second = floats(moments.second.*member);
     const auto* slope = reinterpret_cast<const float*>((gradient.*member).data());
-    parallel_for((count + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
-      const std::size_t begin = block * kBlock, some = std::min(kBlock, count - begin);
-      update(value + begin, first + begin, second + begin, slope + begin, some, factors);
+    const std::size_t blocks = (count + kBlock - 1) / kBlock;
+    const auto some = [&](std::size_t block) { return std::min(kBlock, count - block * kBlock); };
+    std::vector<double> sums(blocks);
+    parallel_for(blocks, threads, [&](std::size_t block) {
+      const std::size_t at = block * kBlock;
+      sums[block] = follow(first + at, second + at, slope + at, some(block));
+    });
+    const double mean = std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(std::max(count, kOne)),
+                 usual = std::sqrt(mean / bias2);
+    const Factors factors{static_cast<float>(rate / bias1), static_cast<float>(1 / std::sqrt(bias2)),
+                          static_cast<float>(rates.damping * usual) + kEpsilon};
+    parallel_for(blocks, threads, [&](std::size_t block) {
+      const std::size_t at = block * kBlock;
+      move(value + at, first + at, second + at, some(block), factors);
     });
   };
   field(&Parameters::mean, rates.mean);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFirstMeanRate = 1.6e-4, kLastMeanRate = 1.6e-6;  // of the extent
 constexpr Rates kRates{0, 2.5e-3, 2.5e-3 / 20, 0.05, 5e-3, 1e-3};
 constexpr int kGrowEvery = 100, kResetEvery = 3000;
-constexpr double kFine = 0.1, kComesToRest = 0.1;
+constexpr double kFine = 0.1, kComesToRest = 0.1, kDamping = 1;
 
 }  // namespace
 
@@ -23,8 +23,13 @@ Rates Schedule::rates(int step, double extent) const {
     return rates;
   }
   const double rest = std::pow(kComesToRest, share), fine = kFine * rest;
-  return {kLastMeanRate * extent * rest, fine * rates.sh_dc, fine * rates.sh_rest,
-          fine * rates.opacity,          fine * rates.scale, fine * rates.rotation};
+  return {kLastMeanRate * extent * rest,
+          fine * rates.sh_dc,
+          fine * rates.sh_rest,
+          fine * rates.opacity,
+          fine * rates.scale,
+          fine * rates.rotation,
+          kDamping};
 }
 
 int Schedule::sh_degree(int step, int highest) const {

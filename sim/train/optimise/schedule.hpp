@@ -6,13 +6,15 @@
 //         (from a 60th to the half). What lets Adam settle is a number of steps and stays one: growing each 100,
 //         opacities reset each 3000, both while it grows.
 // Idea    Fine-tuning begins with a scene that is good: the position's last rate, a tenth of the others, all of which
-//         fall to a tenth, so that it comes to rest. All degrees take part, and nothing grows.
+//         fall to a tenth, so that it comes to rest, and small gradients are
+//         damped (adam.hpp). All degrees take part, and nothing grows.
 #pragma once
 
 namespace pipegs {
 
 struct Rates {
   double mean, sh_dc, sh_rest, opacity, scale, rotation;
+  double damping = 0;  // of adam_step
 };
 
 struct Schedule {

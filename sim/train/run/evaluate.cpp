@@ -33,25 +33,35 @@ std::vector<std::uint32_t> layered_rank(const Parameters& parameters, const Laye
   return rank;
 }
 
-Likeness likeness(const Parameters& parameters, const std::vector<TrainingView>& views, const LayerGrid* grid,
-                  unsigned threads, const Advance& advance) {
-  const Scene scene = scene_of(parameters, "");
-  const auto count = static_cast<double>(views.size());
+Likeness likeness(const Image& drawn, const Image& wanted) { return {psnr(drawn, wanted), ssim(drawn, wanted)}; }
+
+Likeness mean_of(const std::vector<Likeness>& views) {
   Likeness mean;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    TruthOptions options;
-    options.threads = threads;
-    options.progress = [&](double share) { advance((static_cast<double>(i) + share) / count); };
-    std::vector<std::uint32_t> rank;
-    if (grid != nullptr) {
-      rank = layered_rank(parameters, *grid, views[i].camera);
-      options.rank = &rank;
-    }
-    const Image drawn = render_truth(scene, views[i].camera, options), wanted = views[i].image();
-    mean.psnr += psnr(drawn, wanted) / count;
-    mean.ssim += ssim(drawn, wanted) / count;
+  for (const Likeness& view : views) {
+    mean.psnr += view.psnr / static_cast<double>(views.size());
+    mean.ssim += view.ssim / static_cast<double>(views.size());
   }
   return mean;
+}
+
+std::vector<Likeness> likeness(const Parameters& parameters, const std::vector<TrainingView>& views,
+                               const LayerGrid* grid, unsigned threads, const Advance& advance) {
+  const Scene scene = scene_of(parameters, "");
+  std::vector<Likeness> each;
+  for (const TrainingView& view : views) {
+    TruthOptions options;
+    options.threads = threads;
+    options.progress = [&](double share) {
+      advance((static_cast<double>(each.size()) + share) / static_cast<double>(views.size()));
+    };
+    std::vector<std::uint32_t> rank;
+    if (grid != nullptr) {
+      rank = layered_rank(parameters, *grid, view.camera);
+      options.rank = &rank;
+    }
+    each.push_back(likeness(render_truth(scene, view.camera, options), view.image()));
+  }
+  return each;
 }
 
 }  // namespace pipegs

@@ -7,6 +7,7 @@
 
 #include "scenes/generate/generate_random.hpp"
 #include "sim/train/gradient/photo_loss.hpp"
+#include "sim/train/gradient/squared_loss.hpp"
 
 namespace pipegs {
 namespace {
@@ -72,8 +73,9 @@ double Trainer::step() {
   double loss = 0;
   {
     const Drawing drawing(parameters, view.camera, draw);
-    loss =
-        photo_loss(drawing.picture(), view.picture(), view.camera.width, view.camera.height, kDssimWeight, &d_picture_);
+    loss = schedule.fine_tuning ? squared_loss(drawing.picture(), view.picture(), &d_picture_)
+                                : photo_loss(drawing.picture(), view.picture(), view.camera.width, view.camera.height,
+                                             kDssimWeight, &d_picture_);
     drawing.backward(d_picture_, gradient_, schedule.counts_gradients(step) ? &seen : nullptr);
   }
   if (in_layers(step) && options_.regularised)

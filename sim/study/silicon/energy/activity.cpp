@@ -15,9 +15,10 @@
 namespace pipegs {
 namespace {
 
-constexpr uint64_t kCycle = 10;               // units of time
-constexpr uint32_t kWidest = 1u << 20;        // bits of a signal; more is a broken file
-constexpr std::string_view kCore = "u_core";  // the instance of rtl/pipegs_top.sv
+constexpr uint64_t kCycle = 10;                // units of time
+constexpr uint32_t kWidest = 1u << 20;         // bits of a signal; more is a broken file
+constexpr std::string_view kCore = "u_core";   // the instance of rtl/pipegs_top.sv
+constexpr std::string_view kReset = "rst_ni";  // of the core, low when it resets
 
 struct Signal {
   Switching* sum = nullptr;  // of its group; null when it is left out
@@ -100,8 +101,10 @@ class Reader {
     time_ = time;
   }
 
-  // What rose at the latest time has sampled what was there before.
+  // What rose at the latest time has sampled what was there before. A reset moves flip-flops past closed gates, so no
+  // enable is looked at in one, and the edge before it has none that follows.
   void flush() {
+    const bool resets = reset_ != 0 && !lines_.at(reset_).sampled(time_);
     for (const fstHandle clock : rising_) {
       for (size_t i : srams_of_[clock]) {
         const Sram& sram = srams_[i];
@@ -109,9 +112,11 @@ class Reader {
         sram.accesses->writes += lines_.at(sram.write).sampled(time_);
       }
       for (uint64_t* edges : edges_of_[clock]) ++*edges;
+      if (resets) continue;
       enables_.rise(clock, [&](uint32_t handle) -> const std::string& { return signals_[handle].sampled(time_); });
     }
     rising_.clear();
+    if (reset_ != 0 && !lines_.at(reset_).now) enables_.finish();
   }
 
   // Whether the core is among the scopes. What stands around it, border and harness, is left out.
@@ -164,6 +169,7 @@ class Reader {
         std::string name = var.name;
         name = name.substr(0, name.find(' '));  // the range stands behind
         scopes.back().ports[name] = {var.handle, var.length};
+        if (scopes.size() == 1 && name == kReset) lines_[reset_ = var.handle];
         Signal& signal = signals_[var.handle];
         if (enables_.declare(below_top(scopes.back().path + "." + name), var.handle, var.length)) signal.kept = true;
         if (std::exchange(signal.placed, true) || scopes.back().sum == nullptr) continue;
@@ -186,6 +192,7 @@ class Reader {
   std::map<fstHandle, std::vector<size_t>> srams_of_;
   std::map<fstHandle, std::vector<uint64_t*>> edges_of_;
   std::vector<fstHandle> rising_;
+  fstHandle reset_ = 0;  // the core's; 0 if the waves have none
   uint64_t time_ = 0, phases_ = 0;
   bool begun_ = false, first_ = false;  // the time is the first of a sample: what the others are held against
 };

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// frame_table.cpp: see frame_table.hpp.
+#include "sim/command/sequence/frame_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "sim/design/design_point.hpp"
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr size_t kShown = 24;  // frames of which the text has a line each
+
+struct Quantity {
+  const char *key, *name;
+  int digits;
+  std::function<double(const FrameRow&)> of;
+};
+
+const Quantity kCycles = {"cycles", "cycles", 0, [](const FrameRow& row) { return static_cast<double>(row.cycles); }};
+const Quantity kBytes = {"megabytes", "MB", 1, [](const FrameRow& row) {
+                           return 1e-6 * static_cast<double>(row.bytes.read + row.bytes.written);
+                         }};
+const Quantity kTime = {"us", "us", 0, [](const FrameRow& row) { return row.cost->us; }};
+const Quantity kChip = {"chip_uj", "uJ, chip", 0, [](const FrameRow& row) { return 1e6 * row.cost->chip.mid; }};
+const Quantity kDram = {"dram_uj", "uJ, DRAM", 0, [](const FrameRow& row) { return 1e6 * row.cost->dram.mid; }};
+
+std::vector<Quantity> quantities(const FrameTable& table) {
+  if (!table.priced()) return {kCycles, kBytes};
+  return {kCycles, kTime, kBytes, kChip, kDram};
+}
+
+std::vector<double> values(const FrameTable& table, const Quantity& quantity) {
+  std::vector<double> all;
+  for (const FrameRow& row : table.rows) all.push_back(quantity.of(row));
+  return all;
+}
+
+struct Rank {
+  const char *key, *name;
+  double percent;
+};
+constexpr Rank kMedian = {"median", "median", 50}, kTail = {"p99", "99 %", 99};
+const Rank kRanks[] = {kMedian, {"p90", "90 %", 90}, kTail, {"max", "max", 100}};
+
+// A percentile, and the frame that has it.
+struct Ranked {
+  size_t frame;
+  double value;
+};
+
+Ranked ranked(const FrameTable& table, const Quantity& quantity, const Rank& rank) {
+  const std::vector<double> all = values(table, quantity);
+  const size_t frame = nearest_rank(all, rank.percent);
+  return {frame, all[frame]};
+}
+
+// A number of a view as JSON: whole where it is.
+Json view_json(double view) {
+  if (view == std::floor(view)) return static_cast<int>(view);
+  return view;
+}
+
+std::string shown(const std::optional<uint64_t>& value) { return value ? fmt::to_string(*value) : ""; }
+
+// A field of CSV, quoted.
+std::string field(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string percentiles_text(const FrameTable& table) {
+  std::string text = fmt::format("  {:<10}", "");
+  for (const Rank& rank : kRanks) text += fmt::format(" {:>12}", rank.name);
+  for (const Quantity& quantity : quantities(table)) {
+    text += fmt::format("\n  {:<10}", quantity.name);
+    for (const Rank& rank : kRanks)
+      text += fmt::format(" {:>12.{}f}", ranked(table, quantity, rank).value, quantity.digits);
+  }
+  text += fmt::format("\n  {:<10}", "frame");  // of the cycles
+  for (const Rank& rank : kRanks) text += fmt::format(" {:>12}", ranked(table, kCycles, rank).frame);
+  const double tail = ranked(table, kCycles, kTail).value / ranked(table, kCycles, kMedian).value;
+  return text + fmt::format("\n\n  the 99th percentile takes {:.2f} times the cycles of the median\n", tail);
+}
+
+std::string lines(const FrameTable& table) {
+  std::string text = fmt::format("{:>6} {:>8}  {:<20} {:>12} {:>9}", "frame", "view", "camera", "cycles", "MB");
+  if (table.priced()) text += fmt::format(" {:>9} {:>9}", "uJ, chip", "uJ, DRAM");
+  if (table.rtl()) text += fmt::format(" {:>9} {:>12} {:>9}", "gap", "queued", "gap");
+  text += "\n";
+  for (size_t i = 0; i < table.rows.size(); ++i) {
+    const FrameRow& row = table.rows[i];
+    text += fmt::format("{:>6} {:>8.6g}  {:<20.20} {:>12} {:>9.1f}", i, row.view, row.camera.name, row.cycles,
+                        kBytes.of(row));
+    if (row.cost) text += fmt::format(" {:>9.0f} {:>9.0f}", kChip.of(row), kDram.of(row));
+    if (table.rtl())
+      text += fmt::format(" {:>9} {:>12} {:>9}", shown(row.gap_alone), *row.cycles_queued, shown(row.gap_queued));
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+uint64_t sum(const FrameTable& table, const std::function<uint64_t(const FrameRow&)>& of) {
+  uint64_t all = 0;
+  for (const FrameRow& row : table.rows) all += of(row);
+  return all;
+}
+
+uint64_t alone(const FrameTable& table) {
+  return sum(table, [](const FrameRow& row) { return row.cycles; });
+}
+uint64_t queued(const FrameTable& table) {
+  return sum(table, [](const FrameRow& row) { return *row.cycles_queued; });
+}
+
+Chart over_frames(const std::string& title, const std::string& unit, std::vector<Series> series) {
+  Chart chart{.form = Chart::Form::kLines, .title = title, .x_label = "frame", .y_label = unit};
+  for (size_t i = 0; i < series[0].values.size(); ++i) chart.x.push_back(static_cast<double>(i));
+  chart.series = std::move(series);
+  return chart;
+}
+
+}  // namespace
+
+size_t nearest_rank(const std::vector<double>& values, double percent) {
+  std::vector<size_t> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return values[a] < values[b]; });
+  const auto rank = static_cast<size_t>(std::ceil(percent / 100 * static_cast<double>(values.size())));
+  return order[std::max<size_t>(rank, 1) - 1];
+}
+
+std::string frames_csv(const FrameTable& table) {
+  std::string text =
+      "frame,view,camera,width,height,cycles,cycles_queued,mismatches,bytes_read,bytes_written,us,chip_uj,dram_uj\n";
+  for (size_t i = 0; i < table.rows.size(); ++i) {
+    const FrameRow& row = table.rows[i];
+    text += fmt::format("{},{:.8g},{},{},{},{},{},{},{},{}", i, row.view, field(row.camera.name), row.camera.width,
+                        row.camera.height, row.cycles, shown(row.cycles_queued), shown(row.mismatches), row.bytes.read,
+                        row.bytes.written);
+    text += row.cost ? fmt::format(",{:.3f},{:.3f},{:.3f}\n", kTime.of(row), kChip.of(row), kDram.of(row)) : ",,,\n";
+  }
+  return text;
+}
+
+Json to_json(const FrameTable& table) {
+  Json json = {{"scene", table.scene}, {"configuration", config_difference(table.config)}, {"memory", table.memory}};
+  for (const FrameRow& row : table.rows) {
+    Json one = {{"view", view_json(row.view)},
+                {"camera", row.camera.name},
+                {"width", row.camera.width},
+                {"height", row.camera.height}};
+    if (row.mismatches) one["mismatches"] = *row.mismatches;
+    if (row.cycles_queued) one["cycles_queued"] = *row.cycles_queued;
+    one["cycles_alone"] = row.cycles;
+    if (row.gap_queued) one["gap_queued"] = *row.gap_queued;
+    if (row.gap_alone) one["gap_alone"] = *row.gap_alone;
+    one["bytes_read"] = row.bytes.read;
+    one["bytes_written"] = row.bytes.written;
+    if (row.cost) one["us"] = kTime.of(row), one["chip_uj"] = kChip.of(row), one["dram_uj"] = kDram.of(row);
+    json["views"].push_back(one);
+  }
+  if (table.rtl()) json["cycles_queued"] = queued(table);
+  json["cycles_alone"] = alone(table);
+  for (const Quantity& quantity : quantities(table)) {
+    for (const Rank& rank : kRanks) {
+      const Ranked one = ranked(table, quantity, rank);
+      json["percentiles"][quantity.key][rank.key] = {{"value", one.value}, {"frame", one.frame}};
+    }
+  }
+  json["energy_extrapolated"] = table.priced() ? Json(table.rows[0].cost->extrapolated_energy) : Json(nullptr);
+  return json;
+}
+
+std::string to_text(const FrameTable& table) {
+  std::string text = fmt::format("{}: {} frames, {}, memory {}; {}\n\n", table.scene, table.rows.size(),
+                                 machine_name(table.config), table.memory,
+                                 table.rtl() ? "the RTL, each frame alone and queued behind the one before"
+                                             : "the timing model, each frame alone; no RTL, nothing compared");
+  if (table.rows.size() <= kShown) text += lines(table);
+  text += percentiles_text(table);
+  if (!table.priced()) text += "  time and energy: not known of this machine\n";
+  else if (table.rows[0].cost->extrapolated_energy)
+    text += "  energy is extrapolated: no frame of this machine was measured\n";
+  if (table.rtl())
+    text += fmt::format("  queued {} cycles, alone {}: queued saves {:.1f} %\n", queued(table), alone(table),
+                        100 - 100 * static_cast<double>(queued(table)) / static_cast<double>(alone(table)));
+  return text;
+}
+
+std::vector<Chart> frame_charts(const FrameTable& table) {
+  std::vector<Series> cycles = {{.name = "alone", .values = values(table, kCycles)}}, bytes, energy;
+  if (table.rtl()) {
+    cycles.push_back({.name = "queued", .values = {}});
+    for (const FrameRow& row : table.rows) cycles.back().values.push_back(static_cast<double>(*row.cycles_queued));
+  }
+  bytes = {{.name = "read", .values = {}}, {.name = "written", .values = {}}};
+  for (const FrameRow& row : table.rows) {
+    bytes[0].values.push_back(1e-6 * static_cast<double>(row.bytes.read));
+    bytes[1].values.push_back(1e-6 * static_cast<double>(row.bytes.written));
+  }
+  std::vector<Chart> charts = {over_frames("Cycles of each frame", "cycles", cycles),
+                               over_frames("Bytes of each frame", "MB", bytes)};
+  if (table.priced())
+    charts.push_back(over_frames(
+        "Energy of each frame, 28 nm", "uJ",
+        {{.name = "chip", .values = values(table, kChip)}, {.name = "DRAM", .values = values(table, kDram)}}));
+  charts.push_back(histogram("How many frames take so many cycles", "cycles", values(table, kCycles),
+                             static_cast<int>(std::clamp<size_t>(table.rows.size() / 4, 2, 40))));
+  return charts;
+}
+
+}  // namespace pipegs

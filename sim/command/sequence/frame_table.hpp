@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// frame_table.hpp: what each frame of a sequence took, as text, CSV, JSON and charts.
+//
+// Idea    A percentile is a frame's own value: the least that so many percent of the frames do not exceed (nearest
+//         rank). So the 99th of fewer than a hundred frames is the largest.
+// Energy  By the frame model (sim/study/silicon/frame_model.hpp): rates of measured frames times cycles and bytes;
+//         nothing where it does not know the machine.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/compare/simulate.hpp"
+#include "sim/report/chart.hpp"
+#include "sim/study/silicon/frame_model.hpp"
+
+namespace pipegs {
+
+struct FrameRow {
+  double view = 0;  // its number in the file; between two on a path
+  Camera camera;
+  uint64_t cycles = 0;  // of the frame alone
+  MemoryBytes bytes;
+  std::optional<FrameCost> cost = {};
+  // Of the RTL, where it has run.
+  std::optional<uint64_t> cycles_queued = {}, gap_queued = {}, gap_alone = {}, mismatches = {};
+};
+
+struct FrameTable {
+  std::string scene;
+  Config config;
+  std::string memory;
+  std::vector<FrameRow> rows;
+
+  bool rtl() const { return !rows.empty() && rows[0].cycles_queued.has_value(); }
+  bool priced() const { return !rows.empty() && rows[0].cost.has_value(); }
+};
+
+// The number of the least of the values that `percent` of them, above 0, do not exceed. There is one at least.
+size_t nearest_rank(const std::vector<double>& values, double percent);
+
+std::string frames_csv(const FrameTable& table);
+nlohmann::ordered_json to_json(const FrameTable& table);
+std::string to_text(const FrameTable& table);
+std::vector<Chart> frame_charts(const FrameTable& table);
+
+}  // namespace pipegs

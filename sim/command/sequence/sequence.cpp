@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// sequence.cpp: see sequence.hpp.
+#include "sim/command/sequence/sequence.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "scenes/cameras/path.hpp"
+#include "scenes/text/json.hpp"
+#include "sim/command/sequence/frame_files.hpp"
+#include "sim/command/sequence/frame_table.hpp"
+#include "sim/progress.hpp"
+#include "sim/rtl/rtl_fault.hpp"
+#include "sim/study/measurement_store.hpp"
+#include "sim/timing/timing_model.hpp"
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The cameras, and of each the number of its view.
+std::vector<FrameRow> frames_of(const std::vector<Camera>& cameras, const SequenceArguments& sequence) {
+  const auto all = static_cast<int>(cameras.size());
+  const int first = sequence.views.empty() ? 0 : sequence.views[0],
+            last = sequence.views.empty() || sequence.views[1] < 0 ? all - 1 : sequence.views[1];
+  if (last >= all) throw ConfigError(fmt::format("--views: found {}, expected 0 to {}", last, all - 1));
+  std::vector<Camera> chosen(cameras.begin() + first, cameras.begin() + last + 1);
+  double step = 1;
+  if (sequence.path > 0) {
+    step = static_cast<double>(last - first) / (sequence.path - 1);
+    chosen = camera_path(chosen, sequence.path);
+  }
+  std::vector<FrameRow> rows;
+  for (size_t i = 0; i < chosen.size(); ++i)
+    rows.push_back({.view = first + step * static_cast<double>(i), .camera = chosen[i]});
+  return rows;
+}
+
+void check_one_size(const std::vector<FrameRow>& rows, const SimulateOptions& options) {
+  const auto size_of = [&](const FrameRow& row) {
+    const PixelRect r = asked_pixels(row.camera.width, row.camera.height, options);
+    return fmt::format("{}x{}", r.x1 - r.x0, r.y1 - r.y0);
+  };
+  for (const FrameRow& row : rows) {
+    if (size_of(row) != size_of(rows[0]))
+      throw ConfigError(fmt::format("--video: found pictures of {} and {} pixels, expected one size", size_of(rows[0]),
+                                    size_of(row)));
+  }
+}
+
+// What --no-rtl keeps of a frame.
+struct KeptFrame {
+  uint64_t cycles = 0;
+  MemoryBytes bytes;
+  Json files;  // FrameFiles::fingerprint
+};
+
+KeptFrame read_kept(const Json& json) {
+  return {json_integer<uint64_t>(json.at("cycles")),
+          {json_integer<uint64_t>(json.at("read")), json_integer<uint64_t>(json.at("written"))},
+          json.at("files")};
+}
+
+class Sequence {
+ public:
+  Sequence(const LoadedView& loaded, std::vector<FrameRow> rows, const SimulateOptions& options,
+           const PictureArguments& picture, const FrameFilesOptions& files)
+      : table_{loaded.scene.name, options.config, options.memory.dram, std::move(rows)},
+        scene_(loaded.scene),
+        options_(options),
+        picture_(picture),
+        files_(files) {
+    std::vector<Camera> cameras;
+    for (const FrameRow& row : table_.rows) cameras.push_back(row.camera);
+    packed_ = pack_views(scene_, cameras, options);
+  }
+
+  // The golden model draws, the timing model counts; one frame after the other.
+  void model(const std::string& keep) {
+    const MeasurementStore store(keep, scene_, table_.rows[0].camera, options_,
+                                 {{"sequence", packed_.scene_exponent}, {"background", picture_.background}});
+    Progress progress("frames");
+    for (size_t i = 0; i < table_.rows.size(); ++i) {
+      FrameRow& row = table_.rows[i];
+      const MeasurementStore mine = store.of(row.camera);
+      if (const auto kept = mine.load(options_.config, read_kept); kept && files_.take(kept->files)) {
+        row.cycles = kept->cycles;
+        row.bytes = kept->bytes;
+        continue;
+      }
+      const auto at = [&](double share) {
+        if (interrupted())
+          throw std::runtime_error(
+              fmt::format("interrupted after {} of {} frames; the same command goes on there", i, table_.rows.size()));
+        progress.update((static_cast<double>(i) + share) / static_cast<double>(table_.rows.size()),
+                        fmt::format("{} of {}", i + 1, table_.rows.size()));
+      };
+      Simulation simulation;
+      simulate_frame(packed_, row.camera, options_, simulation);
+      simulation.golden = golden_frame(simulation.input, {.progress = [&](double share) { at(0.4 * share); }});
+      write(simulation);
+      at(0.4);
+      const TimingResult timing = timing_run(timing_trace(simulation.input), options_.config, options_.memory);
+      row.cycles = timing.cycles;
+      for (const TimingResult::Stream& stream : timing.streams)
+        row.bytes = {row.bytes.read + stream.bytes_read, row.bytes.written + stream.bytes_written};
+      mine.save(options_.config, {{"cycles", row.cycles},
+                                  {"read", row.bytes.read},
+                                  {"written", row.bytes.written},
+                                  {"files", files_.fingerprint()}});
+    }
+  }
+
+  // All frames through the RTL, queued and alone. Returns the first mismatch, empty without one.
+  std::string rtl(const std::string& replay) {
+    std::vector<std::unique_ptr<Simulation>> simulations;
+    std::vector<Simulation*> frames;
+    for (FrameRow& row : table_.rows) {
+      frames.push_back(simulations.emplace_back(std::make_unique<Simulation>()).get());
+      simulate_frame(packed_, row.camera, options_, *frames.back());
+      simulate_golden(*frames.back());
+      row.mismatches = 0;
+    }
+    std::string wrong;
+    for (const bool queued : {true, false}) {
+      options_.rtl.queued = queued;
+      if (!queued) options_.rtl.waves.clear();  // of one of the runs
+      try {
+        const std::string found = add_run(simulate_sequence(options_, frames), frames, queued);
+        if (wrong.empty()) wrong = found;
+      } catch (const RtlFault&) {
+        fmt::print(stderr, "replay with waves: {}\n", replay);
+        throw;
+      }
+    }
+    for (const Simulation* frame : frames) write(*frame);
+    return wrong.empty() ? wrong : fmt::format("{}\nreplay with waves: {}\n", wrong, replay);
+  }
+
+  // The video is whole, and what each frame cost is known.
+  const FrameTable& finish() {
+    files_.finish();
+    const FrameModel silicon = read_frame_model();
+    for (FrameRow& row : table_.rows)
+      row.cost = silicon.cost(table_.config, row.cycles, row.bytes.read + row.bytes.written);
+    return table_;
+  }
+
+ private:
+  void write(const Simulation& simulation) {
+    files_.add(crop_window(simulation.golden.image, options_), picture_.picture(simulation, options_));
+  }
+
+  // What a run says of each frame: cycles from the end of the frame before, or from the start, to its own.
+  std::string add_run(const SequenceRun& run, const std::vector<Simulation*>& frames, bool queued) {
+    std::string wrong;
+    uint64_t before = 0;
+    for (size_t i = 0; i < frames.size(); ++i) {
+      FrameRow& row = table_.rows[i];
+      const uint64_t cycles = run.rtl.frame_ends[i] - before;
+      before = run.rtl.frame_ends[i];
+      std::optional<uint64_t> gap;  // the first frame has none
+      if (i > 0 && options_.config.taps) gap = run.rtl.frame_gaps.at(i - 1);
+      if (queued) {
+        row.cycles_queued = cycles;
+        row.gap_queued = gap;
+      } else {
+        row.cycles = cycles;
+        row.gap_alone = gap;
+        row.bytes = run.frame_bytes[i];
+      }
+      *row.mismatches += frames[i]->mismatches;
+      if (!wrong.empty() || frames[i]->mismatches == 0) continue;
+      const Mismatch& first = *frames[i]->first_mismatch;
+      wrong = fmt::format("first mismatch, frame {}, window {},{}: {}", i, first.window_x, first.window_y, first.what);
+    }
+    return wrong;
+  }
+
+  FrameTable table_;
+  const Scene& scene_;
+  SimulateOptions options_;
+  const PictureArguments& picture_;
+  FrameFiles files_;
+  PackedScene packed_;
+};
+
+FrameFilesOptions files_of(const SequenceArguments& sequence, const std::string& out) {
+  const auto wanted = [&](const char* kind) {
+    return std::find(sequence.frames.begin(), sequence.frames.end(), kind) != sequence.frames.end();
+  };
+  return {out, sequence.video, wanted("png"), wanted("exr"), sequence.frames_per_second};
+}
+
+}  // namespace
+
+void SequenceArguments::add(CLI::App& app) {
+  add_span(app, "--views", views,
+           "instead of --view: these views, or all, in one machine without a reset, without truth");
+  add_integer(app, "--path", path, "so many frames on a smooth path through all views, or those of --views", 2, 100000);
+  add_names(app, "--frames", frames, "of a sequence: its pictures in --out, png, exr or none by commas")
+      ->capture_default_str();
+  app.add_option("--video", video, "of a sequence: its pictures as a video, a .mp4 file; needs ffmpeg");
+  add_integer(app, "--fps", frames_per_second, "of a video: frames per second", 1, 1000)->capture_default_str();
+}
+
+void SequenceArguments::check(const CLI::App& command, const std::string& out) const {
+  for (const char* option : {"--frames", "--video", "--fps"}) {
+    if (!wanted() && command.count(option) > 0)
+      throw ConfigError(fmt::format("{}: found one frame, expected --views or --path", option));
+  }
+  if (!wanted()) return;
+  for (const std::string& kind : frames) {
+    if (kind != "png" && kind != "exr" && (kind != "none" || frames.size() > 1))
+      throw ConfigError(fmt::format("--frames: found {}, expected png, exr or none alone", quote(kind)));
+  }
+  for (const char* option : {"--effects", "--view", "--netlist"}) {
+    if (command.count(option) > 0) throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
+  }
+  try_folder("--out", out, {"sequence.json", "frames.csv", "frames.svg", "frame_0000.png", "frame_0000.exr"});
+  try_video("--video", video);
+}
+
+int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, const PictureArguments& picture,
+                 const SimulateOptions& options, const SequenceRunArguments& run) {
+  const LoadedView loaded = load_view(view);
+  SimulateOptions simulated = options;
+  follow_scene(loaded.scene, simulated);
+  std::vector<FrameRow> rows = frames_of(loaded.cameras, sequence);
+  const uint64_t held = run.rtl ? rows.size() : 1;  // frames in memory at a time
+  const PixelBytes each = run.rtl ? kGoldenPixels + kRtlPixels : kGoldenPixels;
+  for (const FrameRow& row : rows)
+    check_picture_memory(row.camera, simulated, {each.frame * held, each.asked * held + kWritePixels.asked});
+  if (!sequence.video.empty()) check_one_size(rows, simulated);
+  Sequence frames(loaded, std::move(rows), simulated, picture, files_of(sequence, run.out));
+  std::string wrong;
+  if (run.rtl) wrong = frames.rtl(run.replay);
+  else frames.model(run.out + "/kept");
+  const FrameTable& table = frames.finish();
+  const Json json = to_json(table);
+  write_text(run.out + "/frames.csv", frames_csv(table));
+  write_text(run.out + "/sequence.json", json.dump(2) + "\n");
+  write_charts(run.out + "/frames.svg", frame_charts(table));
+  if (run.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print(
+        "{}  {}pictures and figures in {}: frames.csv, frames.svg, sequence.json\n", to_text(table),
+        run.rtl ? fmt::format("every beat and every pixel of {} frames compared, twice; ", table.rows.size()) : "",
+        run.out);
+  }
+  fmt::print(stderr, "{}", wrong);
+  return wrong.empty() ? kExitOk : kExitDiffers;
+}
+
+}  // namespace pipegs

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// sequence.hpp: `pipegs sim --views 0-9`, `--path 300`: frames one after the other in one machine, without a reset.
+//
+// Idea    --views takes views of the file, the framing or the orbit; --path takes them for key views of a smooth way of
+//         so many frames. With the RTL all frames run twice, each queued behind the one before and each when the
+//         machine is empty, and every beat and pixel is compared. With --no-rtl the golden model draws and the timing
+//         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was.
+// Writes  Pictures (frame_files.hpp), sequence.json, frames.csv, frames.svg; kept/ with --no-rtl.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/command/command.hpp"
+#include "sim/command/frame/picture_arguments.hpp"
+
+namespace pipegs {
+
+struct SequenceArguments {
+  std::vector<int> views;  // first and last; nothing: not asked for
+  int path = 0;            // frames
+  std::vector<std::string> frames = {"png"};
+  std::string video;
+  int frames_per_second = 30;
+
+  void add(CLI::App& app);
+  bool wanted() const { return !views.empty() || path > 0; }
+  // ConfigError: what cannot be written, or belongs to a sequence when none is wanted.
+  void check(const CLI::App& command, const std::string& out) const;
+};
+
+struct SequenceRunArguments {
+  std::string out;
+  bool rtl = true, json = false;
+  std::string replay;  // the command that runs the same again with waves
+};
+
+// Returns the exit code.
+int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, const PictureArguments& picture,
+                 const SimulateOptions& options, const SequenceRunArguments& run);
+
+}  // namespace pipegs
