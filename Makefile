@@ -8,7 +8,8 @@ PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm
             libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
 STYLE := clang-format black shellcheck codespell
 GATES := opensta qflow-tech-osu018
-TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog
+TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog parallel
+CLUSTER := slurmctld slurmd slurm-client munge
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
@@ -40,8 +41,8 @@ test: build  ## every test but the long ones
 	cmake --build $(BUILD)
 	$(CTEST) -LE long
 
-test-long: build  ## the long tests too, those of the netlists among them
-	@$(call INSTALL,$(TESTED))
+test-long: build  ## the long tests too, those of the netlists and of a cluster among them
+	@$(call INSTALL,$(TESTED) $(CLUSTER))
 	cmake --build $(BUILD)
 	$(CTEST)
 

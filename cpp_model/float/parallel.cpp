@@ -12,9 +12,16 @@
 #include <vector>
 
 namespace pipegs {
+namespace {
+
+unsigned most = 0;  // 0: as many as the machine has
+
+}  // namespace
+
+void most_threads(unsigned threads) { most = threads; }
 
 void parallel_for(std::size_t items, unsigned threads, const std::function<void(std::size_t)>& work) {
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  if (threads == 0) threads = most > 0 ? most : std::max(1u, std::thread::hardware_concurrency());
   threads = static_cast<unsigned>(std::min<std::size_t>(threads, items));
   std::atomic<std::size_t> next{0};
   std::mutex mutex;

@@ -11,7 +11,10 @@
 
 namespace pipegs {
 
-// threads = 0: as many as the machine has.
+// threads = 0: as many as the machine has, or as most_threads says.
 void parallel_for(std::size_t items, unsigned threads, const std::function<void(std::size_t)>& work);
+
+// For a process that shares its machine with others of its kind, one a core; call it before any loop.
+void most_threads(unsigned threads);
 
 }  // namespace pipegs

@@ -116,5 +116,7 @@ void add_silicon(CLI::App& app, Run& run);
 void add_shapes(CLI::App& app, Run& run);
 void add_rivals(CLI::App& app, Run& run);
 void add_train(CLI::App& app, Run& run);
+void add_campaign(CLI::App& app, Run& run);
+void add_point(CLI::App& app, Run& run);
 
 }  // namespace pipegs

@@ -93,6 +93,8 @@ int main(int argc, char** argv) {
   add_shapes(app, run);
   add_rivals(app, run);
   add_train(app, run);
+  add_campaign(app, run);
+  add_point(app, run);
   add_info(app, run);
   add_convert(app, run);
   add_split(app, run);

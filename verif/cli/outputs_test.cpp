@@ -20,7 +20,8 @@ class Outputs : public Cli {
       "sim" + none_ + "--out ",      "render" + none_ + "--out ",        "ladder" + none_ + "--out ",
       "accuracy" + none_ + "--out ", "silicon" + none_ + "--keep ",      "tradeoff" + none_ + "--keep ",
       "shapes" + none_ + "--keep ",  "stress --count 1 --no-rtl --out ", "split" + none_ + "--out ",
-      "pack" + none_ + "--out ",     "train" + none_ + "--out "};
+      "pack" + none_ + "--out ",     "train" + none_ + "--out ",         "point" + none_ + "--keep ",
+      "campaign missing.json --out "};
   const std::vector<std::string> files_ = {
       "sim" + none_ + "--waves ",     "ladder" + none_ + "--svg ", "profile" + none_ + "--svg ",
       "timeline" + none_ + "--out ",  "sweep" + none_ + "--svg ",  "silicon" + none_ + "--svg ",

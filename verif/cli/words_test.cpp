@@ -88,9 +88,10 @@ TEST_F(Words, TablesSayRooflineRatio) {
 }
 
 TEST_F(Words, EveryHelpHasAnExampleAndItsExitCodes) {
-  for (const char* command : {"sim",    "render",   "explain",  "ladder",   "profile", "timeline", "sweep",   "dram",
-                              "model",  "accuracy", "fidelity", "tradeoff", "stress",  "budget",   "effects", "silicon",
-                              "shapes", "rivals",   "info",     "convert",  "split",   "pack",     "train"}) {
+  for (const char* command :
+       {"sim",      "render",   "explain",  "ladder", "profile", "timeline", "sweep",   "dram",   "model",
+        "accuracy", "fidelity", "tradeoff", "stress", "budget",  "effects",  "silicon", "shapes", "rivals",
+        "info",     "convert",  "split",    "pack",   "train",   "campaign", "point"}) {
     SCOPED_TRACE(command);
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.code, 0);

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// campaign.cpp: `pipegs campaign`: writes one command a line for each point of a campaign, and merges what they kept.
+//
+// Idea    Nothing here runs a point: GNU parallel does, or Slurm. What must be done once for all points is done before:
+//         every scene, view and configuration is tried, every machine of the RTL is built.
+// Rule    The lines of a file are always the same, whatever is kept already, because GNU parallel resumes by their
+//         numbers. Its log is left with the lines whose points are kept: what was lost since runs again.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "scenes/text/text_file.hpp"
+#include "sim/command/campaign/merge.hpp"
+#include "sim/command/replay.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr uint64_t kMostLineBytes = uint64_t{1} << 30;
+
+struct CampaignArguments {
+  std::string file, out;
+  bool merge = false;
+};
+
+// Cuts a whole view into points of so many windows side by side.
+std::vector<CampaignPoint> cut(const CampaignPoint& whole, const Camera& camera, int side, int windows) {
+  std::vector<CampaignPoint> points;
+  for (int y = 0; y * side < camera.height; ++y) {
+    for (int x = 0; x * side < camera.width; x += windows) {
+      CampaignPoint& point = points.emplace_back(whole);
+      point.arguments.view.window = {x, y};
+      point.arguments.windows = windows;
+    }
+  }
+  return points;
+}
+
+// Every point, with what is kept of it. Scenes are read one after the other, each once.
+std::vector<PointResult> look_up(const Campaign& campaign, std::set<std::string>* machines) {
+  std::vector<PointResult> results;
+  for (size_t first = 0, next = 0; first < campaign.points.size(); first = next) {
+    const std::string& scene = campaign.points[first].scene;
+    ViewArguments highest = campaign.points[first].arguments.view;
+    while (next < campaign.points.size() && campaign.points[next].scene == scene) {
+      highest.view = std::max(highest.view, campaign.points[next].arguments.view.view);
+      ++next;
+    }
+    const LoadedView loaded = load_view(highest);  // refuses a view that is not there
+    std::optional<PointStore> store;
+    int stored = -1;
+    for (size_t i = first; i < next; ++i) {
+      const CampaignPoint& whole = campaign.points[i];
+      const int view = whole.arguments.view.view;
+      const Camera& camera = loaded.cameras[view];
+      if (view != stored) store.emplace(whole.arguments, loaded.scene, camera), stored = view;
+      const SimulateOptions options = point_options(whole.arguments, loaded.scene);
+      const int side = options.config.window;
+      if (machines != nullptr && campaign.engine == "rtl" && machines->insert(config_difference(options.config)).second)
+        build_rtl(options.config, built_variant(options.variant, options.rtl));
+      for (const CampaignPoint& point :
+           campaign.windows == 0 ? std::vector<CampaignPoint>{whole} : cut(whole, camera, side, campaign.windows)) {
+        const MeasurementStore of_point = store->of(point.arguments);
+        results.push_back({.point = point,
+                           .camera = camera.name,
+                           .width = camera.width,
+                           .height = camera.height,
+                           .window = side,
+                           .file = of_point.path(options.config),
+                           .kept = kept_point(of_point, options.config)});
+      }
+    }
+  }
+  return results;
+}
+
+size_t count_kept(const std::vector<PointResult>& points) {
+  return std::count_if(points.begin(), points.end(), [](const PointResult& one) { return one.kept.has_value(); });
+}
+
+// The log of GNU parallel, without the lines whose points are not kept. A line's number comes first, then a tab.
+std::string log_of_kept(const std::string& log, const std::vector<PointResult>& points) {
+  std::string text;
+  for (const std::string_view line : lines_of(log)) {
+    size_t number = 0;
+    const auto read = std::from_chars(line.data(), line.data() + line.size(), number);
+    const bool header = text.empty() && read.ec != std::errc();
+    if (header || (number >= 1 && number <= points.size() && points[number - 1].kept)) {
+      text += line;
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+int write_lines(const CampaignArguments& arguments, const std::vector<PointResult>& points, size_t machines) {
+  const std::filesystem::path out = std::filesystem::absolute(arguments.out).lexically_normal(),
+                              lines = out / "lines.txt", log = out / "joblog";
+  std::string text;
+  for (const PointResult& one : points) text += one.point.arguments.line() + "\n";
+  const bool same =
+      std::filesystem::exists(lines) && read_text_file(lines, "lines of a campaign", kMostLineBytes) == text;
+  if (!same) {
+    std::filesystem::remove(log);
+    write_text(lines, text);
+  } else if (std::filesystem::exists(log)) {
+    write_text(log, log_of_kept(read_text_file(log, "a log of GNU parallel", kMostLineBytes), points));
+  }
+  std::filesystem::create_directories(out / "points");
+  const std::string word = shell_word(lines.string());
+  fmt::print("{} points, {} of them kept; {} machines of the RTL are built\n\n", points.size(), count_kept(points),
+             machines);
+  fmt::print("on this machine:  parallel --joblog {} --resume-failed < {}\n", shell_word(log.string()), word);
+  fmt::print("on a cluster:     sbatch --array=1-{} {} {}\n", std::min<size_t>(points.size(), 1000),
+             shell_word(PIPEGS_SOURCE_DIR "/sim/command/campaign/slurm_array.sh"), word);
+  fmt::print("then:             pipegs campaign {} --out {} --merge\n", shell_word(arguments.file),
+             shell_word(arguments.out));
+  return kExitOk;
+}
+
+int merge(const CampaignArguments& arguments, const std::vector<PointResult>& points) {
+  write_merged(arguments.out, points);
+  size_t differing = 0;
+  for (const PointResult& one : points) {
+    if (!one.kept) continue;
+    const auto& result = (*one.kept)["result"];
+    differing += result.contains("mismatches") && !result["mismatches"].is_null() && result["mismatches"] != 0;
+  }
+  const size_t kept = count_kept(points);
+  fmt::print("{} of {} points in {}/results.csv, results.json, costs.csv, page.md\n{}\n", kept, points.size(),
+             arguments.out, cost_text(points));
+  for (const PointResult& one : points) {
+    if (one.kept) continue;
+    fmt::print(stderr, "pipegs: {} points are missing, the first: {}\n", points.size() - kept,
+               one.point.arguments.line());
+    break;
+  }
+  if (differing > 0) fmt::print(stderr, "pipegs: in {} points the RTL differs from the golden model\n", differing);
+  return kept == points.size() && differing == 0 ? kExitOk : kExitDiffers;
+}
+
+int run_campaign(const CampaignArguments& arguments) {
+  try_folder("--out", arguments.out, {"lines.txt", "results.csv", "results.json", "costs.csv", "page.md"});
+  const Campaign campaign = read_campaign(arguments.file, std::filesystem::path(arguments.out) / "points");
+  std::set<std::string> machines;
+  const std::vector<PointResult> points = look_up(campaign, arguments.merge ? nullptr : &machines);
+  return arguments.merge ? merge(arguments, points) : write_lines(arguments, points, machines.size());
+}
+
+}  // namespace
+
+void add_campaign(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand(
+      "campaign",
+      "scenes x views x configurations x design points: one command a line, and one table of their results");
+  command->footer(footer("pipegs campaign campaign.json --out campaign", "written (--merge: of every point)",
+                         "--merge: a point is missing, or the RTL differs in one",
+                         "GNU parallel or Slurm run the lines, on one core each. A line whose result is kept ends at "
+                         "once: nothing is measured twice."));
+  static CampaignArguments arguments;
+  command->add_option("FILE", arguments.file, "campaign: JSON, docs/campaign.md has its fields")->required();
+  command->add_option("--out", arguments.out, "folder for the lines, what they keep, and what it is merged to")
+      ->required();
+  command->add_flag("--merge", arguments.merge, "merge what is kept: results.csv, results.json, costs.csv, page.md");
+  command->callback([&run] { run = [] { return run_campaign(arguments); }; });
+}
+
+}  // namespace pipegs

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// merge.cpp: see merge.hpp.
+#include "sim/command/campaign/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "scenes/text/json.hpp"
+#include "sim/command/campaign/join.hpp"
+#include "sim/command/outputs.hpp"
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Pointer = Json::json_pointer;
+
+struct Column {
+  const char *name, *place;  // in what was measured
+};
+
+constexpr std::array kFigures = {Column{"cycles", "/cycles"},
+                                 Column{"bytes_read", "/memory/bytes_read"},
+                                 Column{"bytes_written", "/memory/bytes_written"},
+                                 Column{"overflow_lines", "/work/overflow_lines"},
+                                 Column{"fetched", "/work/fetched"},
+                                 Column{"blended", "/work/blended"},
+                                 Column{"psnr_numeric_db", "/psnr_numeric_db"},
+                                 Column{"psnr_order_db", "/psnr_order_db"},
+                                 Column{"psnr_total_db", "/psnr_total_db"},
+                                 Column{"beats_compared", "/beats_compared"},
+                                 Column{"mismatches", "/mismatches"}};
+constexpr std::array kCosts = {"read_seconds", "pack_seconds", "golden_seconds",
+                               "cpu_seconds",  "wall_seconds", "peak_memory_bytes"};
+
+// Empty for what was not measured. Numbers as JSON writes them: the shortest text that reads back the same.
+std::string field(const Json& json, const std::string& place) {
+  const Pointer pointer(place);
+  // Where the RTL did not run its whole branch is null.
+  for (Pointer above = pointer; !above.empty(); above = above.parent_pointer()) {
+    if (!json.contains(above) || json[above].is_null()) return "";
+  }
+  return json_text(json[pointer]);
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+constexpr const char* kNames = "scene,view,camera,configuration,rung,window_x,window_y,windows";
+
+std::string names_of(const PointResult& result) {
+  const PointArguments& point = result.point.arguments;
+  const std::string window = point.view.window.empty()
+                                 ? ",,"
+                                 : fmt::format("{},{},{}", point.view.window[0], point.view.window[1], point.windows);
+  return fmt::format("{},{},{},{},{},{}", result.point.scene, point.view.view, quoted(result.camera),
+                     result.point.configuration, point.view.design_point, window);
+}
+
+std::string results_csv(const std::vector<PointResult>& points) {
+  std::string text = kNames;
+  for (const Column& column : kFigures) text += fmt::format(",{}", column.name);
+  for (const PointResult& one : points) {
+    if (!one.kept) continue;
+    text += "\n" + names_of(one);
+    for (const Column& column : kFigures) text += "," + field((*one.kept)["result"], column.place);
+  }
+  return text + "\n";
+}
+
+std::string costs_csv(const std::vector<PointResult>& points) {
+  std::string text = kNames;
+  for (const char* name : kCosts) text += fmt::format(",{}", name);
+  for (const PointResult& one : points) {
+    if (!one.kept) continue;
+    text += "\n" + names_of(one);
+    for (const char* name : kCosts) text += "," + field((*one.kept)["cost"], std::string("/") + name);
+  }
+  return text + "\n";
+}
+
+Json results_json(const std::vector<PointResult>& points) {
+  Json list = Json::array();
+  for (const PointResult& one : points) {
+    if (!one.kept) continue;
+    const PointArguments& point = one.point.arguments;
+    Json json = {{"scene", one.point.scene},
+                 {"view", point.view.view},
+                 {"camera", one.camera},
+                 {"configuration", one.point.configuration},
+                 {"rung", point.view.design_point},
+                 {"set", point.view.settings},
+                 {"engine", point.engine},
+                 {"key", one.file.stem().string()}};
+    if (!point.view.window.empty()) json["window"] = {point.view.window[0], point.view.window[1], point.windows};
+    json["result"] = (*one.kept)["result"];
+    list.push_back(std::move(json));
+  }
+  return {{"points", points.size()}, {"results", std::move(list)}};
+}
+
+// What stands in a cell of the page: the first of these that was measured.
+constexpr std::array kShown = {Column{"cycles", "/cycles"}, Column{"dB, total", "/psnr_total_db"},
+                               Column{"blended", "/work/blended"}};
+
+std::string page_text(const std::vector<PointResult>& points) {
+  const auto there = [](const PointResult& one) { return one.kept.has_value(); };
+  const auto first = std::find_if(points.begin(), points.end(), there);
+  std::string text = fmt::format("# Campaign\n\n{} of {} points measured. {}\n",
+                                 std::count_if(points.begin(), points.end(), there), points.size(), cost_text(points));
+  if (first == points.end()) return text;
+  const auto* shown = std::find_if(kShown.begin(), std::prev(kShown.end()), [&](const Column& column) {
+    return !field((*first->kept)["result"], column.place).empty();
+  });
+  std::vector<std::string> rungs;
+  for (const PointResult& one : points) {
+    const std::string& rung = one.point.arguments.view.design_point;
+    if (std::find(rungs.begin(), rungs.end(), rung) == rungs.end()) rungs.push_back(rung);
+  }
+  text += fmt::format("\n| {}: scene | view | window | configuration |", shown->name);
+  for (const std::string& rung : rungs) text += fmt::format(" {} |", rung);
+  text += "\n|---|---|---|---|" + [&] {
+    std::string dashes;
+    for (size_t i = 0; i < rungs.size(); ++i) dashes += "---|";
+    return dashes;
+  }();
+  // Points that differ in the design point alone share a row.
+  std::vector<std::pair<std::string, std::vector<std::string>>> rows;
+  for (const PointResult& one : points) {
+    const ViewArguments& view = one.point.arguments.view;
+    const std::string window = view.window.empty() ? "" : fmt::format("{},{}", view.window[0], view.window[1]);
+    const std::string name =
+        fmt::format("| {} | {} | {} | {} |", one.point.scene, view.view, window, one.point.configuration);
+    auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& other) { return other.first == name; });
+    if (row == rows.end()) row = rows.insert(rows.end(), {name, std::vector<std::string>(rungs.size())});
+    const size_t column = std::find(rungs.begin(), rungs.end(), view.design_point) - rungs.begin();
+    row->second[column] = one.kept ? field((*one.kept)["result"], shown->place) : "missing";
+  }
+  for (const auto& [name, cells] : rows) {
+    text += "\n" + name;
+    for (const std::string& cell : cells) text += fmt::format(" {} |", cell);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string cost_text(const std::vector<PointResult>& points) {
+  size_t count = 0;
+  double seconds = 0, again = 0;
+  for (const PointResult& one : points) {
+    if (!one.kept) continue;
+    const Json& cost = (*one.kept)["cost"];
+    ++count;
+    seconds += cost["cpu_seconds"].get<double>();
+    again += cost["read_seconds"].get<double>() + cost["pack_seconds"].get<double>();
+  }
+  if (count == 0 || seconds <= 0) return "Nothing measured yet.";
+  return fmt::format(
+      "They took {:.1f} s of one core, {:.1f} % of it reading and packing scenes: {:.0f} points an hour and core.",
+      seconds, 100 * again / seconds, 3600 * static_cast<double>(count) / seconds);
+}
+
+void write_merged(const std::filesystem::path& out, const std::vector<PointResult>& points) {
+  join_windows(out / "frames", points);
+  write_text(out / "results.csv", results_csv(points));
+  write_text(out / "results.json", json_text(results_json(points), 1) + "\n");
+  write_text(out / "costs.csv", costs_csv(points));
+  write_text(out / "page.md", page_text(points));
+}
+
+}  // namespace pipegs

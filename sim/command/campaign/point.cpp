@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+// point.cpp: `pipegs point`, and point.hpp.
+#include "sim/command/campaign/point.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "cpp_model/float/parallel.hpp"
+#include "scenes/input_error.hpp"
+#include "scenes/own_failure.hpp"
+#include "scenes/text/text_file.hpp"
+#include "sim/command/replay.hpp"
+#include "sim/host_use.hpp"
+#include "sim/progress.hpp"
+#include "sim/report/report.hpp"
+#include "sim/timing/timing_model.hpp"
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr uint64_t kMostFileBytes = uint64_t{1} << 32;
+
+// Held by one process at a time, on one machine or, through a file system that passes locks on, on several. The kernel
+// gives it back when its holder ends, however it ends.
+class FileLock {
+ public:
+  explicit FileLock(std::filesystem::path path) : path_(std::move(path)) {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0) fail();
+    while (flock(file_, LOCK_EX) != 0) {
+      if (errno != EINTR) fail();
+      if (interrupted()) throw std::runtime_error("interrupted");
+    }
+  }
+  ~FileLock() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);  // who waits for it looks for the result and finds it
+    close(file_);
+  }
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  [[noreturn]] void fail() const {
+    throw OwnFailure(fmt::format("{}: cannot lock: {}", path_.string(), std::strerror(errno)));
+  }
+
+  std::filesystem::path path_;
+  int file_ = -1;
+};
+
+std::string hash_of_file(const std::filesystem::path& path, std::string_view expected) {
+  return hash_of_text(read_text_file(path, expected, kMostFileBytes));
+}
+
+const std::string& hash_of_program() {
+  static const std::string hash = hash_of_file(std::filesystem::read_symlink("/proc/self/exe"), "this program");
+  return hash;
+}
+
+Json view_key(const PointArguments& point) {
+  Json key = {{"program", hash_of_program()}, {"engine", point.engine}, {"truth", point.truth}};
+  if (point.engine != "rtl") return key;
+  key["rtl"] = hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv");
+  key["seed"] = point.memory.seed;
+  return key;
+}
+
+SimulateOptions whole_view(SimulateOptions options) {
+  options.window.reset();
+  options.windows = 1;
+  return options;
+}
+
+// The figures of the timing model under the names of report.json.
+Json timing_json(const TimingResult& timing) {
+  uint64_t read = 0, written = 0;
+  Json by_stream;
+  for (const TimingResult::Stream& stream : timing.streams) {
+    read += stream.bytes_read, written += stream.bytes_written;
+    by_stream[stream.name] = {
+        {"read", stream.bytes_read}, {"written", stream.bytes_written}, {"bursts", stream.bursts}};
+  }
+  return {{"cycles", timing.cycles},
+          {"memory", {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}}},
+          {"work", {{"overflow_lines", timing.overflow_lines}}}};
+}
+
+// What golden model, truth and RTL say, without what another computer would say otherwise.
+Json frame_json(const LoadedView& loaded, const SimulateOptions& options, const Simulation& simulation) {
+  Json report = report_json(loaded.scene, loaded.camera, options, simulation);
+  for (const char* of_the_computer : {"wall_seconds", "host", "rtl_khz"}) report.erase(of_the_computer);
+  return report;
+}
+
+// Measures the point and keeps it.
+Json measure(const PointArguments& point, const LoadedView& loaded, const SimulateOptions& options,
+             const MeasurementStore& store, const Stopwatch& watch) {
+  Json cost = {{"read_seconds", process_seconds()}};
+  Simulation simulation;
+  simulate_pack(loaded.scene, loaded.camera, options, simulation);
+  cost["pack_seconds"] = simulation.cpu_pack;
+  Json result, pixels;
+  if (point.engine == "model") {
+    result = timing_json(timing_run(timing_trace(simulation.input), options.config, options.memory));
+  } else {
+    simulate_golden(simulation);
+    if (point.truth) simulate_truth(loaded.scene, loaded.camera, options, simulation);
+    if (point.engine == "rtl") simulate_rtl(options, simulation);
+    cost["golden_seconds"] = simulation.cpu_golden;
+    result = frame_json(loaded, options, simulation);
+    if (options.window) {
+      const std::filesystem::path file = pixels_of(store, options.config);
+      write_exr(file, crop_window(simulation.golden.image, options));
+      pixels = hash_of_file(file, "pixels");
+    }
+  }
+  cost["cpu_seconds"] = process_seconds();
+  cost["wall_seconds"] = watch.seconds();
+  cost["peak_memory_bytes"] = peak_memory_bytes();
+  Json kept = {{"result", std::move(result)}, {"pixels", std::move(pixels)}, {"cost", std::move(cost)}};
+  store.save(options.config, kept);
+  return kept;
+}
+
+int run_point(const PointArguments& point) {
+  const Stopwatch watch;
+  most_threads(1);
+  point.options();  // refuses before the scene is read
+  try_folder("--keep", point.keep);
+  const LoadedView loaded = load_view(point.view);
+  const SimulateOptions options = point_options(point, loaded.scene);
+  if (point.engine != "model") {
+    check_picture_memory(loaded.camera, options,
+                         kGoldenPixels + (point.truth ? kTruthPixels : PixelBytes{}) +
+                             (point.engine == "rtl" ? kRtlPixels : PixelBytes{}) +
+                             (options.window ? kWritePixels : PixelBytes{}));
+  }
+  const MeasurementStore store = PointStore(point, loaded.scene, loaded.camera).of(point);
+  const std::filesystem::path file = store.path(options.config);
+  std::optional<Json> kept = kept_point(store, options.config);
+  bool found = true;
+  if (!kept) {
+    const FileLock lock(file.string() + ".lock");
+    kept = kept_point(store, options.config);
+    found = kept.has_value();
+    if (!found) kept = measure(point, loaded, options, store, watch);
+  }
+  fmt::print("{} {}\n", found ? "kept" : "measured", file.string());
+  const Json result = (*kept)["result"];
+  return result.value("mismatches", Json(nullptr)).is_null() || result["mismatches"] == 0 ? kExitOk : kExitDiffers;
+}
+
+std::string absolute(const std::string& path) { return std::filesystem::absolute(path).lexically_normal().string(); }
+
+}  // namespace
+
+void PointArguments::add(CLI::App& app) {
+  view.add(app);
+  memory.add(app);
+  app.add_option("--engine", engine,
+                 "who measures: model (timing model: cycles, bytes), golden (work, pixels), rtl (all, compared)")
+      ->capture_default_str()
+      ->check(CLI::Validator(CLI::IsMember(kPointEngines)).description(""));
+  add_integer(app, "--windows", windows, "with --window: so many side by side, up to the end of the row", 1, 1024)
+      ->capture_default_str();
+  app.add_flag("--truth", truth, "golden, rtl: the float64 renders and the PSNR, too");
+  app.add_option("--keep", keep, "folder for what was measured")->required();
+}
+
+SimulateOptions PointArguments::options() const {
+  SimulateOptions result = view.options();
+  memory.apply(result);
+  result.windows = windows;
+  if (windows > 1 && !result.window) throw ConfigError("--windows: found no --window, expected the first of them");
+  if (engine != "model") return result;
+  if (truth) throw ConfigError("--truth: found --engine model, expected golden or rtl (it makes no pixels)");
+  return result;
+}
+
+std::string PointArguments::line() const {
+  std::string line = shell_word(std::filesystem::read_symlink("/proc/self/exe").string()) + " point";
+  const auto say = [&line](const char* option, const std::string& value) {
+    line += fmt::format(" {} {}", option, shell_word(value));
+  };
+  if (!view.scene.file.empty()) line += " " + shell_word(absolute(view.scene.file));
+  if (view.scene.read.lod != 0) say("--lod", fmt::to_string(view.scene.read.lod));
+  if (!view.scene.read.axes.empty()) say("--axes", view.scene.read.axes);
+  if (!view.cameras.file.empty()) say("--cameras", absolute(view.cameras.file));
+  if (!view.cameras.size.empty()) say("--size", view.cameras.size);
+  if (view.cameras.orbit > 0) say("--orbit", fmt::to_string(view.cameras.orbit));
+  say("--view", fmt::to_string(view.view));
+  say("--rung", view.design_point);
+  for (const std::string& setting : view.settings) say("--set", setting);
+  if (!view.window.empty()) {
+    say("--window", fmt::format("{},{}", view.window[0], view.window[1]));
+    say("--windows", fmt::to_string(windows));
+  }
+  say("--memory", memory.external.dram);
+  say("--seed", fmt::to_string(memory.seed));
+  say("--engine", engine);
+  if (truth) line += " --truth";
+  say("--keep", absolute(keep));
+  return line;
+}
+
+PointStore::PointStore(const PointArguments& point, const Scene& scene, const Camera& camera)
+    : store_(point.keep, scene, camera, whole_view(point.options()), view_key(point)) {}
+
+MeasurementStore PointStore::of(const PointArguments& point) const {
+  if (point.view.window.empty()) return store_;
+  return store_.with({{"window", {point.view.window[0], point.view.window[1], point.windows}}});
+}
+
+SimulateOptions point_options(const PointArguments& point, const Scene& scene) {
+  SimulateOptions options = point.options();
+  follow_scene(scene, options);
+  return options;
+}
+
+std::filesystem::path pixels_of(const MeasurementStore& store, const Config& config) {
+  return store.path(config).replace_extension(".exr");
+}
+
+std::optional<Json> kept_point(const MeasurementStore& store, const Config& config) {
+  const auto checked = [&](const Json& kept) {
+    kept.at("result").get_ref<const Json::object_t&>();
+    for (const char* figure : {"read_seconds", "pack_seconds", "cpu_seconds", "wall_seconds", "peak_memory_bytes"})
+      kept.at("cost").at(figure).get<double>();
+    const Json& pixels = kept.at("pixels");
+    if (!pixels.is_null() && hash_of_file(pixels_of(store, config), "pixels") != pixels.get<std::string>())
+      throw InputError(pixels_of(store, config).string(), "", "found other pixels than were kept");
+    return kept;
+  };
+  try {
+    return store.load(config, checked);
+  } catch (const InputError&) { return std::nullopt; }  // its pixels are torn or gone
+}
+
+void add_point(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand("point", "one point of a campaign: measured on one core, once, and kept");
+  command->footer(footer("pipegs point garden.ply --cameras cameras.json --view 0 --rung exact --keep points",
+                         "kept (--engine rtl: and every bit agrees)", "--engine rtl: a bit differs or the RTL stops",
+                         "The lines that `pipegs campaign` writes. What is kept already is not measured again."));
+  static PointArguments arguments;
+  arguments.add(*command);
+  command->callback([&run] { run = [] { return run_point(arguments); }; });
+}
+
+}  // namespace pipegs
