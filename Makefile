@@ -9,11 +9,12 @@ PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm
 STYLE := clang-format black shellcheck codespell
 GATES := opensta qflow-tech-osu018
 TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog parallel
+PAGES := chromium fonts-dejavu-core
 CLUSTER := slurmctld slurmd slurm-client munge
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
-.PHONY: help tools build run test test-long fuzz bench figures lint prove synth fpga \
+.PHONY: help tools build run page test test-long fuzz bench figures lint prove synth fpga \
         format style lacks rooms package wave clean
 
 help:  ## this list
@@ -23,6 +24,9 @@ INSTALL = missing=""; \
 	for p in $(1); do dpkg -s $$p 2>/dev/null | grep -q '^Status: install ok' || missing="$$missing $$p"; done; \
 	if [ -n "$$missing" ]; then echo "installing:$$missing"; $(SUDO) apt-get update -qq && \
 	DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing >/dev/null; fi
+
+# npm may have come from elsewhere than Debian, whose package would not go beside it.
+NODE = command -v npm >/dev/null || { $(call INSTALL,nodejs npm); }
 
 tools:  ## install what is missing (apt)
 	@$(call INSTALL,$(PACKAGES))
@@ -36,13 +40,19 @@ build: tools $(BUILD)/build.ninja  ## compile everything, the default RTL includ
 run: build  ## simulate our own scene; prints where every cycle went and where the picture is
 	$(BUILD)/pipegs sim --out $(BUILD)/out
 
+page: build  ## our own frame as a page to click through: build/out/frame.html
+	@$(NODE)
+	$(BUILD)/pipegs sim --out $(BUILD)/out --page $(BUILD)/out/frame.html
+
 test: build  ## every test but the long ones
-	@$(call INSTALL,$(TESTED))
+	@$(call INSTALL,$(TESTED) $(PAGES))
+	@$(NODE)
 	cmake --build $(BUILD)
 	$(CTEST) -LE long
 
 test-long: build  ## the long tests too, those of the netlists and of a cluster among them
-	@$(call INSTALL,$(TESTED) $(CLUSTER))
+	@$(call INSTALL,$(TESTED) $(PAGES) $(CLUSTER))
+	@$(NODE)
 	cmake --build $(BUILD)
 	$(CTEST)
 

@@ -383,6 +383,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
   GoldenFrame result;
   result.image = Image(width, height);
   result.pixels.assign(static_cast<size_t>(width) * height, 0);
+  result.stopped.assign(result.pixels.size(), 0);
   // (layer, depth key) of each Gaussian of the scene; a Gaussian has the same in every window.
   std::vector<uint64_t> order(input.packed->scene_gaussians, kUnseen);
   std::mutex mutex;
@@ -409,6 +410,7 @@ GoldenFrame golden_frame(const GoldenInput& input, const GoldenOptions& options)
         result.image.depth[at] = window.depth[in_window];
         result.image.blended[at] = window.blended[in_window];
         result.pixels[at] = ru_resolve(config, pixel);
+        result.stopped[at] = pixel.done ? 1 : 0;
       }
     }
     const std::lock_guard lock(mutex);

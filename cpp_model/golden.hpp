@@ -130,6 +130,7 @@ void golden_codes(const Config& config, const RowJob& job, int bit, uint16_t cod
 struct GoldenFrame {
   Image image;
   std::vector<uint64_t> pixels;  // as in external memory by windows (ru_resolve), row by row of the image
+  std::vector<uint8_t> stopped;  // 1: a Gaussian that would have brought T below the stop ended the pixel
   Work work;
   Saturations saturations;
   Called called;

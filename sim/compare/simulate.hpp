@@ -42,7 +42,8 @@ struct MemoryTraffic {
 // What the DRAM says of itself after a frame.
 struct MemoryFigures {
   Dram::Statistics statistics;
-  double gbps = 0, peak_gbps = 0;  // bytes over the pins / time of the frame, and what the pins can carry
+  double gbps = 0, peak_gbps = 0;        // bytes over the pins / time of the frame, and what the pins can carry
+  std::vector<uint64_t> latencies = {};  // reads by their latency in cycles of the machine
 };
 
 struct Simulation {

@@ -93,7 +93,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
     throw std::logic_error(fmt::format("RTL: {} frames given, {} complete", frames.size(), check.complete()));
   run.traffic = memory_traffic(config, memory);
   if (const Dram* dram = memory.dram())
-    run.dram = {dram->statistics(), dram->achieved_gbps(), dram->timing().peak_gbps()};
+    run.dram = {dram->statistics(), dram->achieved_gbps(), dram->timing().peak_gbps(), dram->read_latency().reads()};
   MemoryBytes before;
   for (size_t i = 0; i < frames.size(); ++i) {
     const StreamCheck& one = check.frame(i);

@@ -26,7 +26,7 @@ class Outputs : public Cli {
       "sim" + none_ + "--waves ",     "ladder" + none_ + "--svg ", "profile" + none_ + "--svg ",
       "timeline" + none_ + "--out ",  "sweep" + none_ + "--svg ",  "silicon" + none_ + "--svg ",
       "silicon" + none_ + "--table ", "info missing.ply --save ",  "budget --count 10 --svg ",
-      "tradeoff" + none_ + "--svg ",  "shapes" + none_ + "--svg "};
+      "tradeoff" + none_ + "--svg ",  "shapes" + none_ + "--svg ", "sim" + none_ + "--page "};
 
   void expect_unwritable(const std::string& arguments, const std::string& part) {
     SCOPED_TRACE(arguments);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "sim/command/command.hpp"
+#include "sim/command/frame/page.hpp"
 #include "sim/command/frame/picture_arguments.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/command/sequence/sequence.hpp"
@@ -21,6 +22,7 @@ struct SimArguments {
   MemoryArguments memory;
   PictureArguments picture_of;
   SequenceArguments sequence;
+  FramePageArguments page;
   std::string out = "out", waves;
   std::vector<std::string> effects = {"all"};
   std::string picture = "windows";
@@ -33,7 +35,7 @@ bool are_named(const std::vector<std::string>& effects) { return effects != kAll
 
 // The command that runs the same again with waves: of one window, or of what was asked for.
 std::string replay(const SimArguments& arguments, const CLI::App& command, const std::string& window) {
-  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves", "--video"};
+  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves", "--video", "--page", "--against"};
   std::string more = " --no-truth --out replay";
   if (!window.empty()) {
     other.insert({"--window", "--crop"});
@@ -71,6 +73,9 @@ std::string run_rtl(const SimArguments& arguments, const CLI::App& command, cons
 void check_outputs(const SimArguments& arguments, const CLI::App& command) {
   try_file("--waves", arguments.waves);
   arguments.sequence.check(command, arguments.out);
+  if (arguments.page.wanted() && arguments.sequence.wanted())
+    throw ConfigError("--page: found a sequence, expected one frame");
+  arguments.page.check();
   if (!arguments.sequence.wanted()) try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
 }
 
@@ -92,11 +97,17 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
                          .json = arguments.json,
                          .replay = replay(arguments, command, "")});
   }
+  const bool page = arguments.page.wanted(), record = page && !arguments.no_rtl;
+  if (record) need_taps(options);
   const LoadedView loaded = load_view(arguments.view);
+  const std::optional<Rgb8> against = arguments.page.read(loaded.camera, options);
   follow_scene(loaded.scene, options);
   check_picture_memory(loaded.camera, options,
                        kGoldenPixels + kWritePixels + (arguments.no_truth ? PixelBytes{} : kTruthPixels) +
-                           (arguments.no_rtl ? PixelBytes{} : kRtlPixels));
+                           (arguments.no_rtl ? PixelBytes{} : kRtlPixels) + (page ? kPagePixels : PixelBytes{}));
+  std::optional<FrameRecord> seen;
+  if (record)
+    options.taps = &seen.emplace(options.config, asked_pixels(loaded.camera.width, loaded.camera.height, options));
   EffectPlan plan = named_effects(arguments, options);
   make_folder_of(arguments.waves);
 
@@ -112,9 +123,15 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   report["effects"] = arguments.no_rtl
                           ? nlohmann::ordered_json(nullptr)
                           : nlohmann::ordered_json{{"simulated", plan.simulated}, {"left_out", plan.left_out}};
-  write_images(arguments.out, crop_window(simulation.golden.image, options),
-               arguments.picture_of.picture(simulation, options));
+  const Rgb8 picture = arguments.picture_of.picture(simulation, options);
+  write_images(arguments.out, crop_window(simulation.golden.image, options), picture);
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
+  // A run that was repeated with all effects has left two in the record.
+  if (page)
+    arguments.page.write(
+        command,
+        {.picture = picture, .report = report, .against = against, .record = wrong.empty() && seen ? &*seen : nullptr},
+        simulation, options);
   if (arguments.json) {
     fmt::print("{}\n", report.dump(2));
   } else {
@@ -143,6 +160,7 @@ void add_sim(CLI::App& app, Run& run) {
   arguments.memory.add(*command);
   arguments.picture_of.add(*command);
   arguments.sequence.add(*command);
+  arguments.page.add(*command);
   command
       ->add_option("--picture", arguments.picture,
                    "pixels in memory: windows, as --set pixel_w says; raster, rows of RGBA8, and frame.png is these")

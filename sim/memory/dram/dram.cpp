@@ -24,6 +24,11 @@ int64_t LatencyHistogram::percentile(double percent) const {
   return max_;
 }
 
+std::vector<uint64_t> LatencyHistogram::reads() const {
+  const auto longest = std::min<std::size_t>(static_cast<std::size_t>(max_), bins_.size() - 1);
+  return {bins_.begin(), bins_.begin() + static_cast<std::ptrdiff_t>(longest) + 1};
+}
+
 Dram::Dram(const DramTiming& timing, double machine_clock_ghz)
     : timing_(timing),
       machine_clock_ghz_(machine_clock_ghz),

@@ -32,6 +32,7 @@ class LatencyHistogram {
     if (cycles > max_) max_ = cycles;
   }
   uint64_t count() const { return count_; }
+  std::vector<uint64_t> reads() const;  // by latency, 0 to the longest; the last one holds all that are longer
   int64_t max() const { return max_; }
   double mean() const { return count_ == 0 ? 0 : static_cast<double>(sum_) / static_cast<double>(count_); }
   int64_t percentile(double percent) const;  // the smallest latency that this part of the reads does not exceed

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// page.cpp: see page.hpp.
+#include "sim/command/frame/page.hpp"
+
+#include <fmt/format.h>
+
+#include "sim/command/replay.hpp"
+#include "sim/report/html/template.hpp"
+#include "sim/train/photos/photograph.hpp"
+
+namespace pipegs {
+namespace {
+
+Rgb8 part_of(const Rgb8& picture, const PixelRect& r) {
+  Rgb8 part{r.x1 - r.x0, r.y1 - r.y0, {}};
+  for (int y = r.y0; y < r.y1; ++y) {
+    const auto row = picture.data.begin() + 3 * (static_cast<ptrdiff_t>(y) * picture.width + r.x0);
+    part.data.insert(part.data.end(), row, row + 3 * static_cast<ptrdiff_t>(part.width));
+  }
+  return part;
+}
+
+// `pipegs explain` of the same view: what of the command line it takes, too.
+std::string explain_line(const CLI::App& sim) {
+  const CLI::App* explain = sim.get_parent()->get_subcommand("explain");
+  std::set<std::string> without;
+  for (const CLI::Option* option : sim.get_options()) {
+    if (explain->get_option_no_throw(option->get_name()) == nullptr || option->get_name() == "--window")
+      without.insert(option->get_name());
+  }
+  std::string line = given_again(sim, without);
+  const std::string word = " sim", other = " explain";
+  line.replace(line.find(word), word.size(), other);
+  return line + " --pixel ";
+}
+
+}  // namespace
+
+void FramePageArguments::add(CLI::App& app) {
+  CLI::Option* page = app.add_option("--page", file_, "the frame as one HTML page: pictures, maps, where cycles went");
+  app.add_option("--against", against_, "with --page: a photograph of this view (PNG, JPEG), beside the others")
+      ->needs(page);
+}
+
+void FramePageArguments::check() const {
+  if (!wanted()) return;
+  try_file("--page", file_);
+  html_template("page");
+}
+
+std::optional<Rgb8> FramePageArguments::read(const Camera& camera, const SimulateOptions& options) const {
+  if (against_.empty()) return std::nullopt;
+  return part_of(read_photograph(against_, camera), asked_pixels(camera.width, camera.height, options));
+}
+
+void FramePageArguments::write(const CLI::App& command, FramePage page, const Simulation& simulation,
+                               const SimulateOptions& options) const {
+  const auto& report = page.report;
+  page.title = fmt::format("{}, view {}, {}", report["scene"]["name"].get<std::string>(),
+                           report["camera"]["name"].get<std::string>(), machine_name(options.config));
+  page.command = given_again(command, {"--json"});
+  page.explain = explain_line(command);
+  page.against_name = against_;
+  write_text(file_, frame_document(page, simulation, options).text(html_template("page")));
+}
+
+}  // namespace pipegs
