@@ -27,7 +27,7 @@ from keep.frames import (
     walk,
     walk_frames,
 )
-from keep.numerics import accuracy, accuracy_rtl, budget, errors, golden, stability, trained
+from keep.numerics import accuracy, accuracy_rtl, budget, errors, fine_tuned, golden, stability, trained
 from keep.parts import pick
 from keep.rivals import rivals, rivals_and_parameters, terms
 from keep.silicon import compared, cost, energy, equal_area, fpga, leave_one_out, netlist, silicon
@@ -132,6 +132,7 @@ TRAINED = {  # docs/data/trained/plush/NAME.json: how a scene of photographs is 
     "relative": "--order exact --cldr relative", "order": "--cldr none", "order_relative": "--cldr relative",
     "order_logarithm": "",
 }
+FINE_TUNED = "--around 9 --steps 1500 --layers 4 --downscale 3"  # of a trained scene, on its own renders
 PRINTS = {  # a test that prints what it measures: its room, the line, names of the line's numbers
     "recip": ("lib/math", r"recip, (\d+) bits: worst error ([\d.]+)", "bits", "units"),
     "exp2": ("lib/math", r"exp2: error ([-\d.]+) \.\. ([-\d.]+) .*chord ([\d.]+), step ([\d.]+)",
@@ -298,6 +299,10 @@ TABLE = [
     *[Measurement(f"trained/plush/{name}", f"build/pipegs train {{scene}} --steps 3000 --layers 8 {options} "
                   f"--out trained/{name} --json", trained, (*MODEL, "train"), "plush", None, ("dop", "fast"))
       for name, options in TRAINED.items()],
+    *[Measurement(f"trained/scenes/{scene}",
+                  f"build/pipegs train {{scene}} {FINE_TUNED} --out trained/{scene} --json", fine_tuned,
+                  (*MODEL, "train"), scene, None, ("dop", "fast"))
+      for scene in FOUR],
     Measurement("budget/random", "build/pipegs budget --rung dop --count 1000000 --json", budget, ("models",),
                 chart="error_budget.svg"),
 ]

@@ -142,3 +142,11 @@ def trained(found):
             kept[key] = {name: value for name, value in found[key].items() if name != "views"}
             kept[key]["first"] = found[key]["views"][0]
     return kept
+
+
+def fine_tuned(found):
+    """Of `pipegs train` on a scene's own renders: also each of the scene's own views, before and after."""
+    kept = trained(found)
+    for key in ("held_out", "held_out_before"):
+        kept[key]["given"] = [view for view in found[key]["views"] if not view["held_out"]]
+    return kept

@@ -135,7 +135,6 @@ TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
   options.layers_begin = arguments.begin_given ? arguments.layers_begin : fine_tuning ? 0 : 0.5;
   options.cldr.gamma = arguments.gamma;
   options.cldr.all_axes = arguments.axes == "all";
-  // What is right beside the photographs' loss depends on whether the picture is drawn in layers, too.
   options.cldr.weight = arguments.weight_given ? arguments.weight : default_weight(options);
   options.threads = arguments.threads;
   return options;

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/numerics/layers.md."""
 from data import data
-from formats import fixed, group, mean, percent, table
+from formats import change, fixed, group, mean, percent, table
 
-MEASURED = ["trained/plush/*", "energy/terrace"]
+MEASURED = ["trained/plush/*", "trained/scenes/*", "energy/terrace"]
 PAPER = {"none": (26.42, 25.19), "order_logarithm": (None, 26.21)}  # Table 1, average: original or exact, layers
 WAYS = {  # data.trained.plush: how it was trained
     "none": "exact order, no CLDR: the original",
@@ -65,6 +65,64 @@ def plush(way, order=None):
     """The views held out; in dB, in one order."""
     found = data.trained.plush[way].held_out
     return found if order is None else found[order].psnr_db
+
+
+def before_after(before, after):
+    return f"{fixed(before, 1)} -> {fixed(after, 1)}"
+
+
+def machine(found, name):
+    """PSNR of a machine on the views held out, before and after; its cycles, in relation."""
+    before, after = (found[key].machines[name] for key in ("held_out_before", "held_out"))
+    return before_after(before.psnr_db, after.psnr_db), change(after.cycles / before.cycles - 1)
+
+
+def given(found, name):
+    """The scene's own views, in their order."""
+    pairs = zip(found.held_out_before.given, found.held_out.given)
+    return "; ".join(before_after(before[name].psnr_db, after[name].psnr_db) for before, after in pairs)
+
+
+def fine_tuned():
+    """Scenes that were trained on their own renders, in the order of 4 layers."""
+    rows = []
+    for scene in ("own", "terrace", "statue", "flowers"):
+        found = data.trained.scenes[scene]
+        (dop, dop_cycles), (fast, fast_cycles) = machine(found, "dop"), machine(found, "fast")
+        exact = fixed(found.held_out.exact.psnr_db, 1)
+        left = [percent(mean(found[key].violators), 1) for key in ("held_out_before", "held_out")]
+        violators = " -> ".join(left)
+        rows.append([scene, dop, given(found, "dop"), exact, fast, dop_cycles, fast_cycles, violators])
+        rows[-1].append(fixed(found.minutes, 1))
+    return table(
+        [
+            "scene",
+            "`dop`, held out",
+            "`dop`, the scene's own views",
+            "exact order after",
+            "`fast`, held out",
+            "cycles of `dop`",
+            "of `fast`",
+            "beyond gamma d",
+            "minutes",
+        ],
+        rows,
+    )
+
+
+def largest_change():
+    """Of the cycles of any scene and machine."""
+    shares = []
+    for found in data.trained.scenes.values():
+        for name in ("dop", "fast"):
+            before, after = (found[key].machines[name].cycles for key in ("held_out_before", "held_out"))
+            shares.append(abs(after / before - 1))
+    return max(shares)
+
+
+def own_view(scene, view, name="dop", when="held_out"):
+    """One of the scene's own views; in dB."""
+    return data.trained.scenes[scene][when].given[view][name].psnr_db
 
 
 def worth():
