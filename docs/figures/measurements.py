@@ -133,6 +133,9 @@ TRAINED = {  # docs/data/trained/plush/NAME.json: how a scene of photographs is 
     "order_logarithm": "",
 }
 FINE_TUNED = "--around 9 --steps 1500 --layers 4 --downscale 3"  # of a trained scene, on its own renders
+VIEWED = {  # docs/data/viewer/SCENE.json: in a viewer of the web; options
+    "own": "--scale 0.25 ", "plushdog": "", "terrace": "", "flowers": "",
+}
 PRINTS = {  # a test that prints what it measures: its room, the line, names of the line's numbers
     "recip": ("lib/math", r"recip, (\d+) bits: worst error ([\d.]+)", "bits", "units"),
     "exp2": ("lib/math", r"exp2: error ([-\d.]+) \.\. ([-\d.]+) .*chord ([\d.]+), step ([\d.]+)",
@@ -303,6 +306,9 @@ TABLE = [
                   f"build/pipegs train {{scene}} {FINE_TUNED} --out trained/{scene} --json", fine_tuned,
                   (*MODEL, "train"), scene, None, ("dop", "fast"))
       for scene in FOUR],
+    *[Measurement(f"viewer/{scene}", f"verif/page/viewer.sh build/pipegs {{scene}} {options}--no-rtl --no-truth",
+                  pick("bytes", "ready_ms", "psnr_db"), ("models", "page"), scene, points=("fast",))
+      for scene, options in VIEWED.items()],
     Measurement("budget/random", "build/pipegs budget --rung dop --count 1000000 --json", budget, ("models",),
                 chart="error_budget.svg"),
 ]

@@ -25,6 +25,12 @@ GROUPS = {  # name of a group: the folders or files that make it
     "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
     "train": ["sim/train"],
+    "page": [
+        "sim/report/page/package-lock.json",
+        "sim/report/page/viewer",
+        "sim/report/html/viewer.cpp",
+        "scenes/packed/write_spz.cpp",
+    ],
     "terms": ["sim/study/terms", "sim/study/rivals/count", "sim/study/rivals/counts.cpp", "sim/study/rivals/frame"],
     "synth": ["synth/synth.py", "synth/gating.py"],
     "fpga": ["synth/fpga/fpga.py"],
@@ -40,7 +46,7 @@ SCENES = {  # scene: its file or folder in the folder of scenes
 }
 PHOTOGRAPHS = {"plush"}  # folders of photographs, beside the scenes
 POINT = "point "  # before the name of a design point whose settings measure too
-CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby"}
+CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby", ".mjs", ".json"}
 IGNORED = re.compile(rb"^[ \t]*[#`]include[^\n]*|/\*.*?\*/|//[^\n]*|\s+", re.DOTALL | re.MULTILINE)
 
 

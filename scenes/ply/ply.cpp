@@ -154,11 +154,9 @@ Scene read_ply(const std::filesystem::path& path) {
   return scene;
 }
 
-void write_ply(const std::filesystem::path& path, const Scene& scene) {
+void write_ply(std::ostream& stream, const Scene& scene) {
   check_consistent(scene);
   const int k_count = sh_rest_count(scene.sh_degree);
-  AtomicFile out(path);
-  std::ofstream stream(out.temporary(), std::ios::binary);
   stream << "ply\nformat binary_little_endian 1.0\n";
   if (scene.antialiased) stream << "comment antialiased 1\n";
   stream << "element vertex " << scene.gaussians.size() << "\n";
@@ -181,6 +179,12 @@ void write_ply(const std::filesystem::path& path, const Scene& scene) {
     for (int k = 0; k < 4; ++k) row.push_back(g.rotation[k]);
     stream.write(reinterpret_cast<const char*>(row.data()), static_cast<std::streamsize>(row.size() * sizeof(float)));
   }
+}
+
+void write_ply(const std::filesystem::path& path, const Scene& scene) {
+  AtomicFile out(path);
+  std::ofstream stream(out.temporary(), std::ios::binary);
+  write_ply(stream, scene);
   stream.close();
   if (!stream) throw OwnFailure(path.string() + ": cannot write");
   out.commit();

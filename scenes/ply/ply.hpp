@@ -13,6 +13,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 
 #include "scenes/ply/ply_header.hpp"
 #include "scenes/scene.hpp"
@@ -24,5 +25,6 @@ Scene read_ply(PlySource& source);  // without a name
 Scene read_ply(PlySource& source, const PlyHeader& header);
 bool says_antialiased(const PlyHeader& header);
 void write_ply(const std::filesystem::path& path, const Scene& scene);
+void write_ply(std::ostream& stream, const Scene& scene);
 
 }  // namespace pipegs

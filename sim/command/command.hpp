@@ -118,5 +118,6 @@ void add_rivals(CLI::App& app, Run& run);
 void add_train(CLI::App& app, Run& run);
 void add_campaign(CLI::App& app, Run& run);
 void add_point(CLI::App& app, Run& run);
+void add_report(CLI::App& app, Run& run);
 
 }  // namespace pipegs

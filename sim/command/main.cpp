@@ -95,6 +95,7 @@ int main(int argc, char** argv) {
   add_train(app, run);
   add_campaign(app, run);
   add_point(app, run);
+  add_report(app, run);
   add_info(app, run);
   add_convert(app, run);
   add_split(app, run);

@@ -2,6 +2,8 @@
 // design_point.cpp: see design_point.hpp.
 #include "sim/design/design_point.hpp"
 
+#include <fmt/format.h>
+
 namespace pipegs {
 
 namespace {
@@ -83,6 +85,17 @@ std::string machine_name(const Config& config) {
   const std::string design_point = design_point_name(config);
   if (!design_point.empty() && find_design_point(design_point).config == config) return design_point;
   return config_difference(config);
+}
+
+std::string machine_words(const Config& config) {
+  const std::string name = design_point_name(config);
+  const Config base = name.empty() ? Config{} : find_design_point(name).config;
+  std::string words = fmt::format("--rung {}", name.empty() ? "dop" : name);
+  for (const ConfigEntry& entry : config_entries(config)) {
+    if (entry.member != nullptr && base.*entry.member != entry.value)
+      words += fmt::format(" --set {}={}", entry.name, entry.value);
+  }
+  return words;
 }
 
 }  // namespace pipegs

@@ -44,5 +44,7 @@ std::vector<const DesignPoint*> find_design_points(
 std::string design_point_name(const Config& config);
 // How a table calls a machine: the design point when it is that and nothing else, or all that is set.
 std::string machine_name(const Config& config);
+// The same machine as every command takes it: --rung, and a --set for each entry in which it is another one.
+std::string machine_words(const Config& config);
 
 }  // namespace pipegs

@@ -19,6 +19,7 @@ struct Series {
   std::vector<double> x = {};            // of points: where each lies
   std::vector<std::string> labels = {};  // of points: what each is
   bool named = false;                    // of points: the labels stand beside them, but for one that covers another
+  std::vector<std::string> copies = {};  // of points: what a click in a page copies, such as a configuration
 };
 
 struct Chart {

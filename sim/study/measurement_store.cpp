@@ -136,4 +136,6 @@ std::string hash_of_files(const std::filesystem::path& folder, const std::string
   return hash.text();
 }
 
+std::string measured_by() { return kMeasuredBy; }
+
 }  // namespace pipegs

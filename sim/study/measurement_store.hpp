@@ -61,4 +61,7 @@ std::string hash_of_text(const std::string& text);
 // A hash of the contents of all files of a folder with this extension, and of their names.
 std::string hash_of_files(const std::filesystem::path& folder, const std::string& extension);
 
+// A hash of the sources of all that measures without the RTL.
+std::string measured_by();
+
 }  // namespace pipegs

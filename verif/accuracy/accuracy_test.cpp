@@ -9,6 +9,7 @@
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/pu/rows/pu_region.hpp"
 #include "cpp_model/pu/rows/pu_row_unit.hpp"
+#include "sim/report/html/document.hpp"
 #include "sim/study/accuracy/sweep/page.hpp"
 #include "sim/design/design_point.hpp"
 #include "verif/cli/well_formed.hpp"
@@ -166,10 +167,18 @@ TEST_F(SmallView, TogetherGoesFromTheFinestToTheCoarsest) {
   EXPECT_LT(coarsest, sweep.base.figures.numeric.psnr - 3);
   for (const MeasuredPoint& p : sweep.all()) EXPECT_NO_THROW(config_check(p.config));
 
-  std::string page = accuracy_page("a <b> & c", sweep, {{"caption < 1", "PNG"}});
-  ASSERT_TRUE(page.starts_with("<!DOCTYPE html>\n"));
-  page.erase(0, 16);
-  EXPECT_EQ(xml_fault(page), "");
+  StudyPage page("a <b> & c", "pipegs accuracy", "tested");
+  add_accuracy(page, sweep, {{"caption < 1", "PNG"}});
+  const std::string html = page.text("<!--data-->");
+  const size_t from = html.find('{');
+  const auto data = nlohmann::json::parse(html.substr(from, html.find("</script>") - from));
+  EXPECT_EQ(data["title"], "a <b> & c");
+  EXPECT_EQ(html.find("<b>"), std::string::npos);
+  const auto& rows = data["sections"].back()["tables"][0]["rows"];
+  size_t points = 1 + sweep.together.size();
+  for (const SweptKnob& knob : sweep.knobs) points += knob.points.size();
+  EXPECT_EQ(rows.size(), points);
+  EXPECT_TRUE(rows.back().back()["copy"].get<std::string>().starts_with("--rung ")) << rows.back().dump();
   EXPECT_EQ(xml_fault(charts_svg(front_charts(sweep))), "");
   for (const SweptKnob& knob : sweep.knobs)
     EXPECT_TRUE(knob_sentence(knob).starts_with(knob.knob->name + ": ")) << knob_sentence(knob);

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // browser.mjs: pages as a reader meets them: headless Chromium, opened from a file, without a network.
 //
-// Idea    A test is `page_test(name, make, look)`: `make` runs pipegs and gives the page's file, `look` gets the opened
-//         page. Whatever the page complains of (an exception, console.error, a request that leaves the file) fails
-//         the test after `look`, too.
 // Needs   PIPEGS, the program; PAGE, the folder of the page's libraries with the browser's driver; FOLDER, to write in.
-import assert from 'node:assert/strict';
 import {execFileSync, spawnSync} from 'node:child_process';
-import fs from 'node:fs';
 import {createRequire} from 'node:module';
 import path from 'node:path';
-import test, {after} from 'node:test';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
 const puppeteer = createRequire(path.join(process.env.PAGE, 'package.json'))('puppeteer-core');
@@ -31,14 +25,19 @@ export function pipegs(...words) {
   return execFileSync(process.env.PIPEGS, words, {cwd: folder, encoding: 'utf8', maxBuffer: 1 << 28});
 }
 
-let browser = null;  // one for all tests of a file
-after(() => browser?.close());
+let browser = null;  // one for all pages of a run
+export const closed = () => browser?.close();
 
-export async function opened(file, {width = 1280, height = 900, dark = false} = {}) {
+// `complaints` fills with exceptions, errors and warnings of the console, and requests that leave the file.
+export async function opened(file, {width = 1280, height = 900, dark = false, timeout = 120000} = {}) {
   browser ??= await puppeteer.launch({executablePath: chromium, args: options, headless: true});
   const page = await browser.newPage();
   const complaints = [];
-  page.on('pageerror', (error) => complaints.push(String(error)));
+  const failed = new Promise((_, reject) => page.on('pageerror', (error) => {
+    complaints.push(String(error));
+    reject(error);
+  }));
+  failed.catch(() => {});  // it counts while the page opens, later `complaints` does
   page.on('console', (message) => {
     if (['error', 'warn'].includes(message.type())) complaints.push(message.text());
   });
@@ -48,22 +47,8 @@ export async function opened(file, {width = 1280, height = 900, dark = false} = 
   await page.setViewport({width, height});
   await page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: dark ? 'dark' : 'light'}]);
   await page.goto(pathToFileURL(path.resolve(folder, file)).href);
-  await page.waitForSelector('html[data-ready=yes]', {timeout: 120000});
+  await Promise.race([failed, page.waitForSelector('html[data-ready=yes]', {timeout})]);
   return {page, complaints};
-}
-
-export function page_test(name, make, look, view = {}) {
-  test(name, {timeout: 600000}, async () => {
-    const file = path.resolve(folder, await make());
-    assert.ok(fs.statSync(file).size < 5e6, `${file} has ${fs.statSync(file).size} bytes, at most 5 MB`);
-    const {page, complaints} = await opened(file, view);
-    try {
-      await look(page, file);
-      assert.deepEqual(complaints, []);
-    } finally {
-      await page.close();
-    }
-  });
 }
 
 // The text of the first element that matches.

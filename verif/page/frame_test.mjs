@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import {folder, in_print, opened, overflows, page_test, pipegs, text_of} from './browser.mjs';
+import {folder, in_print, opened, overflows, page_test, pipegs, text_of} from './tests.mjs';
 
 const view = ['--scale', '0.375'];  // 384x288 pixels
 let made = false;

@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
-import {folder, page_test, pipegs, root} from './browser.mjs';
+import {folder, page_test, pipegs, root} from './tests.mjs';
 
 const reference = path.join(root, 'docs/images/pages/frame.png');
 const kDiffering = 0.02, kSide = 16, kTenth = 25, kHeight = 1540;

@@ -5,7 +5,7 @@ import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import {folder, overflows, page_test, pipegs, shared, text_of} from './browser.mjs';
+import {folder, overflows, page_test, pipegs, shared, text_of} from './tests.mjs';
 
 const packed = path.join(shared, 'scenes/terrace/terrace.ply.xz');
 const cameras = path.join(shared, 'scenes/terrace/cameras.json');

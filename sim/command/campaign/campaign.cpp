@@ -13,6 +13,8 @@
 
 #include "scenes/text/text_file.hpp"
 #include "sim/command/campaign/merge.hpp"
+#include "sim/command/campaign/merge_page.hpp"
+#include "sim/command/page/page_argument.hpp"
 #include "sim/command/replay.hpp"
 
 namespace pipegs {
@@ -22,6 +24,7 @@ constexpr uint64_t kMostLineBytes = uint64_t{1} << 30;
 
 struct CampaignArguments {
   std::string file, out;
+  PageArgument page;
   bool merge = false;
 };
 
@@ -120,8 +123,13 @@ int write_lines(const CampaignArguments& arguments, const std::vector<PointResul
   return kExitOk;
 }
 
-int merge(const CampaignArguments& arguments, const std::vector<PointResult>& points) {
+int merge(const CampaignArguments& arguments, const CLI::App& command, const std::vector<PointResult>& points) {
   write_merged(arguments.out, points);
+  if (arguments.page.wanted()) {
+    StudyPage page = study_page("Campaign", command);
+    add_campaign(page, points);
+    arguments.page.write(page);
+  }
   size_t differing = 0;
   for (const PointResult& one : points) {
     if (!one.kept) continue;
@@ -141,12 +149,13 @@ int merge(const CampaignArguments& arguments, const std::vector<PointResult>& po
   return kept == points.size() && differing == 0 ? kExitOk : kExitDiffers;
 }
 
-int run_campaign(const CampaignArguments& arguments) {
+int run_campaign(const CampaignArguments& arguments, const CLI::App& command) {
   try_folder("--out", arguments.out, {"lines.txt", "results.csv", "results.json", "costs.csv", "page.md"});
+  arguments.page.check();
   const Campaign campaign = read_campaign(arguments.file, std::filesystem::path(arguments.out) / "points");
   std::set<std::string> machines;
   const std::vector<PointResult> points = look_up(campaign, arguments.merge ? nullptr : &machines);
-  return arguments.merge ? merge(arguments, points) : write_lines(arguments, points, machines.size());
+  return arguments.merge ? merge(arguments, command, points) : write_lines(arguments, points, machines.size());
 }
 
 }  // namespace
@@ -164,7 +173,9 @@ void add_campaign(CLI::App& app, Run& run) {
   command->add_option("--out", arguments.out, "folder for the lines, what they keep, and what it is merged to")
       ->required();
   command->add_flag("--merge", arguments.merge, "merge what is kept: results.csv, results.json, costs.csv, page.md");
-  command->callback([&run] { run = [] { return run_campaign(arguments); }; });
+  arguments.page.add(*command);
+  command->get_option("--page")->needs("--merge");
+  command->callback([&run, command] { run = [command] { return run_campaign(arguments, *command); }; });
 }
 
 }  // namespace pipegs

@@ -17,33 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Pointer = Json::json_pointer;
 
-struct Column {
-  const char *name, *place;  // in what was measured
-};
-
-constexpr std::array kFigures = {Column{"cycles", "/cycles"},
-                                 Column{"bytes_read", "/memory/bytes_read"},
-                                 Column{"bytes_written", "/memory/bytes_written"},
-                                 Column{"overflow_lines", "/work/overflow_lines"},
-                                 Column{"fetched", "/work/fetched"},
-                                 Column{"blended", "/work/blended"},
-                                 Column{"psnr_numeric_db", "/psnr_numeric_db"},
-                                 Column{"psnr_order_db", "/psnr_order_db"},
-                                 Column{"psnr_total_db", "/psnr_total_db"},
-                                 Column{"beats_compared", "/beats_compared"},
-                                 Column{"mismatches", "/mismatches"}};
 constexpr std::array kCosts = {"read_seconds", "pack_seconds", "golden_seconds",
                                "cpu_seconds",  "wall_seconds", "peak_memory_bytes"};
-
-// Empty for what was not measured. Numbers as JSON writes them: the shortest text that reads back the same.
-std::string field(const Json& json, const std::string& place) {
-  const Pointer pointer(place);
-  // Where the RTL did not run its whole branch is null.
-  for (Pointer above = pointer; !above.empty(); above = above.parent_pointer()) {
-    if (!json.contains(above) || json[above].is_null()) return "";
-  }
-  return json_text(json[pointer]);
-}
 
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
@@ -65,11 +40,11 @@ std::string names_of(const PointResult& result) {
 
 std::string results_csv(const std::vector<PointResult>& points) {
   std::string text = kNames;
-  for (const Column& column : kFigures) text += fmt::format(",{}", column.name);
+  for (const FigureColumn& column : point_figures()) text += fmt::format(",{}", column.name);
   for (const PointResult& one : points) {
     if (!one.kept) continue;
     text += "\n" + names_of(one);
-    for (const Column& column : kFigures) text += "," + field((*one.kept)["result"], column.place);
+    for (const FigureColumn& column : point_figures()) text += "," + figure_text((*one.kept)["result"], column.place);
   }
   return text + "\n";
 }
@@ -80,7 +55,7 @@ std::string costs_csv(const std::vector<PointResult>& points) {
   for (const PointResult& one : points) {
     if (!one.kept) continue;
     text += "\n" + names_of(one);
-    for (const char* name : kCosts) text += "," + field((*one.kept)["cost"], std::string("/") + name);
+    for (const char* name : kCosts) text += "," + figure_text((*one.kept)["cost"], std::string("/") + name);
   }
   return text + "\n";
 }
@@ -106,8 +81,8 @@ Json results_json(const std::vector<PointResult>& points) {
 }
 
 // What stands in a cell of the page: the first of these that was measured.
-constexpr std::array kShown = {Column{"cycles", "/cycles"}, Column{"dB, total", "/psnr_total_db"},
-                               Column{"blended", "/work/blended"}};
+constexpr std::array kShown = {FigureColumn{"cycles", "/cycles"}, FigureColumn{"dB, total", "/psnr_total_db"},
+                               FigureColumn{"blended", "/work/blended"}};
 
 std::string page_text(const std::vector<PointResult>& points) {
   const auto there = [](const PointResult& one) { return one.kept.has_value(); };
@@ -115,8 +90,8 @@ std::string page_text(const std::vector<PointResult>& points) {
   std::string text = fmt::format("# Campaign\n\n{} of {} points measured. {}\n",
                                  std::count_if(points.begin(), points.end(), there), points.size(), cost_text(points));
   if (first == points.end()) return text;
-  const auto* shown = std::find_if(kShown.begin(), std::prev(kShown.end()), [&](const Column& column) {
-    return !field((*first->kept)["result"], column.place).empty();
+  const auto* shown = std::find_if(kShown.begin(), std::prev(kShown.end()), [&](const FigureColumn& column) {
+    return !figure_text((*first->kept)["result"], column.place).empty();
   });
   std::vector<std::string> rungs;
   for (const PointResult& one : points) {
@@ -140,7 +115,7 @@ std::string page_text(const std::vector<PointResult>& points) {
     auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& other) { return other.first == name; });
     if (row == rows.end()) row = rows.insert(rows.end(), {name, std::vector<std::string>(rungs.size())});
     const size_t column = std::find(rungs.begin(), rungs.end(), view.design_point) - rungs.begin();
-    row->second[column] = one.kept ? field((*one.kept)["result"], shown->place) : "missing";
+    row->second[column] = one.kept ? figure_text((*one.kept)["result"], shown->place) : "missing";
   }
   for (const auto& [name, cells] : rows) {
     text += "\n" + name;
@@ -150,6 +125,30 @@ std::string page_text(const std::vector<PointResult>& points) {
 }
 
 }  // namespace
+
+const std::vector<FigureColumn>& point_figures() {
+  static const std::vector<FigureColumn> kFigures = {{"cycles", "/cycles"},
+                                                     {"bytes_read", "/memory/bytes_read"},
+                                                     {"bytes_written", "/memory/bytes_written"},
+                                                     {"overflow_lines", "/work/overflow_lines"},
+                                                     {"fetched", "/work/fetched"},
+                                                     {"blended", "/work/blended"},
+                                                     {"psnr_numeric_db", "/psnr_numeric_db"},
+                                                     {"psnr_order_db", "/psnr_order_db"},
+                                                     {"psnr_total_db", "/psnr_total_db"},
+                                                     {"beats_compared", "/beats_compared"},
+                                                     {"mismatches", "/mismatches"}};
+  return kFigures;
+}
+
+std::string figure_text(const Json& json, const std::string& place) {
+  const Pointer pointer(place);
+  // Where the RTL did not run its whole branch is null.
+  for (Pointer above = pointer; !above.empty(); above = above.parent_pointer()) {
+    if (!json.contains(above) || json[above].is_null()) return "";
+  }
+  return json_text(json[pointer]);
+}
 
 std::string cost_text(const std::vector<PointResult>& points) {
   size_t count = 0;

@@ -28,6 +28,14 @@ struct PointResult {
   std::optional<nlohmann::ordered_json> kept;  // result and cost
 };
 
+// A figure of a point.
+struct FigureColumn {
+  const char *name, *place;  // in the tables, and in what was measured
+};
+const std::vector<FigureColumn>& point_figures();
+// Empty for what was not measured. Numbers as JSON writes them: the shortest text that reads back the same.
+std::string figure_text(const nlohmann::ordered_json& json, const std::string& place);
+
 // Writes the files. Throws InputError of pixels that are not those of their point.
 void write_merged(const std::filesystem::path& out, const std::vector<PointResult>& points);
 

@@ -7,6 +7,7 @@
 
 #include "sim/command/command.hpp"
 #include "sim/command/frame/terms.hpp"
+#include "sim/command/page/page_argument.hpp"
 #include "sim/study/ladder.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/report.hpp"
@@ -19,6 +20,7 @@ struct LadderArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string out = "ladder", svg, terms;
+  PageArgument page;
   bool json = false, no_truth = false;
 };
 
@@ -63,6 +65,7 @@ void check_outputs(const LadderArguments& arguments, const std::vector<const Des
     try_folder("--out", arguments.out + "/" + std::string(design_point->name),
                {"frame.exr", "frame.png", "report.json"});
   try_file("--svg", arguments.svg);
+  arguments.page.check();
 }
 
 // Of the design point that runs, and of the first one, whose truths are kept.
@@ -111,13 +114,23 @@ int ladder(const LadderArguments& arguments) {
         {"seed", arguments.memory.seed}}},
       {"rungs", ladder_json(rows)}};
   if (done > 0) write_text(arguments.out + "/ladder.json", json.dump(2) + "\n");
-  if (done > 0) write_charts(arguments.svg, ladder_charts(rows));
+  const std::string head = fmt::format("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle", loaded.scene.name,
+                                       loaded.scene.gaussians.size(), camera.name, camera.width, camera.height,
+                                       arguments.memory.external.dram, memory_peak(arguments.memory.external));
+  if (done > 0) {
+    write_charts(arguments.svg, ladder_charts(rows));
+    NamedMachines machines;
+    for (const LadderRow& row : rows) machines.emplace_back(row.design_point->name, row.options.config);
+    arguments.page.write({.title = "One view on every design point",
+                          .head = head,
+                          .charts = ladder_charts(rows),
+                          .printed = ladder_text(rows),
+                          .machines = machines});
+  }
   if (arguments.json) {
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle\n\n{}", loaded.scene.name,
-               loaded.scene.gaussians.size(), camera.name, camera.width, camera.height, arguments.memory.external.dram,
-               memory_peak(arguments.memory.external), ladder_text(rows));
+    fmt::print("{}\n\n{}", head, ladder_text(rows));
     if (done > 0) fmt::print("  figures {0}/ladder.json, pictures and reports {0}/<design point>\n", arguments.out);
   }
   if (differs) return kExitDiffers;
@@ -140,10 +153,12 @@ void add_ladder(CLI::App& app, Run& run) {
                    "folder for ladder.json and, for each design point, report.json and the picture")
       ->capture_default_str();
   command->add_option("--svg", arguments.svg, "charts");
+  arguments.page.add(*command);
   command
       ->add_option("--terms", arguments.terms,
                    "paper: no RTL; from counts of the view, under which assumptions the paper's figures come out")
-      ->check(CLI::IsMember({"paper"}));
+      ->check(CLI::IsMember({"paper"}))
+      ->excludes("--page");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--json", arguments.json, "print ladder.json instead of the tables");
   command->callback([&run] { run = [] { return ladder(arguments); }; });

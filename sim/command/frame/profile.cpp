@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
 #include "sim/study/profile.hpp"
 
 namespace pipegs {
@@ -12,6 +13,7 @@ struct ProfileArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string svg;
+  PageArgument page;
   bool json = false, no_rtl = false;
 };
 
@@ -20,6 +22,7 @@ int profile(const ProfileArguments& arguments) {
   arguments.memory.apply(options);
   if (!arguments.no_rtl) need_taps(options);
   try_file("--svg", arguments.svg);
+  arguments.page.check();
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
   check_picture_memory(loaded.camera, options, kGoldenPixels + kRtlPixels);
@@ -31,6 +34,14 @@ int profile(const ProfileArguments& arguments) {
   const ViewProfile found = view_profile(simulation, options, arguments.no_rtl ? nullptr : &watch);
 
   write_charts(arguments.svg, profile_charts(found));
+  const std::string head = fmt::format("{}: {} Gaussians; view {} ({}x{}); design point {}", loaded.scene.name,
+                                       loaded.scene.gaussians.size(), loaded.camera.name, loaded.camera.width,
+                                       loaded.camera.height, arguments.view.design_point);
+  arguments.page.write({.title = "Where a view's time goes",
+                        .head = head,
+                        .charts = profile_charts(found),
+                        .printed = profile_text(found),
+                        .machines = {{machine_name(options.config), options.config}}});
   if (arguments.json) {
     nlohmann::ordered_json json = {{"scene", loaded.scene.name},
                                    {"camera", loaded.camera.name},
@@ -40,9 +51,7 @@ int profile(const ProfileArguments& arguments) {
     json.update(profile_json(found));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}: {} Gaussians; view {} ({}x{}); design point {}\n\n{}", loaded.scene.name,
-               loaded.scene.gaussians.size(), loaded.camera.name, loaded.camera.width, loaded.camera.height,
-               arguments.view.design_point, profile_text(found));
+    fmt::print("{}\n\n{}", head, profile_text(found));
   }
   if (simulation.mismatches == 0) return kExitOk;
   fmt::print(stderr, "first mismatch: {}\n", simulation.first_mismatch->what);
@@ -63,6 +72,7 @@ void add_profile(CLI::App& app, Run& run) {
   arguments.view.add(*command);
   arguments.memory.add(*command);
   command->add_option("--svg", arguments.svg, "charts");
+  arguments.page.add(*command);
   command->add_flag("--no-rtl", arguments.no_rtl, "counts only, times at full rate");
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return profile(arguments); }; });

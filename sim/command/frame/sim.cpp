@@ -6,8 +6,9 @@
 #include <algorithm>
 
 #include "sim/command/command.hpp"
-#include "sim/command/frame/page.hpp"
+#include "sim/command/page/frame_page_argument.hpp"
 #include "sim/command/frame/picture_arguments.hpp"
+#include "sim/command/page/viewer_argument.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/command/sequence/sequence.hpp"
 #include "sim/report/report.hpp"
@@ -22,7 +23,8 @@ struct SimArguments {
   MemoryArguments memory;
   PictureArguments picture_of;
   SequenceArguments sequence;
-  FramePageArguments page;
+  FramePageArgument page;
+  ViewerArgument viewer;
   std::string out = "out", waves;
   std::vector<std::string> effects = {"all"};
   std::string picture = "windows";
@@ -35,7 +37,8 @@ bool are_named(const std::vector<std::string>& effects) { return effects != kAll
 
 // The command that runs the same again with waves: of one window, or of what was asked for.
 std::string replay(const SimArguments& arguments, const CLI::App& command, const std::string& window) {
-  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves", "--video", "--page", "--against"};
+  std::set<std::string> other = {"--out",   "--json", "--no-truth", "--waves",
+                                 "--video", "--page", "--against",  "--viewer"};
   std::string more = " --no-truth --out replay";
   if (!window.empty()) {
     other.insert({"--window", "--crop"});
@@ -72,6 +75,7 @@ std::string run_rtl(const SimArguments& arguments, const CLI::App& command, cons
 
 void check_outputs(const SimArguments& arguments, const CLI::App& command) {
   try_file("--waves", arguments.waves);
+  arguments.viewer.check();
   arguments.sequence.check(command, arguments.out);
   if (arguments.page.wanted() && arguments.sequence.wanted())
     throw ConfigError("--page: found a sequence, expected one frame");
@@ -95,7 +99,9 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
                         {.out = arguments.out,
                          .rtl = !arguments.no_rtl,
                          .json = arguments.json,
-                         .replay = replay(arguments, command, "")});
+                         .replay = replay(arguments, command, ""),
+                         .viewer = arguments.viewer,
+                         .command = command});
   }
   const bool page = arguments.page.wanted(), record = page && !arguments.no_rtl;
   if (record) need_taps(options);
@@ -109,6 +115,8 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   if (record)
     options.taps = &seen.emplace(options.config, asked_pixels(loaded.camera.width, loaded.camera.height, options));
   EffectPlan plan = named_effects(arguments, options);
+  ViewerArgument viewer = arguments.viewer;
+  viewer.begin(loaded, {loaded.camera}, options, arguments.picture_of.color(), command);
   make_folder_of(arguments.waves);
 
   Simulation simulation;
@@ -132,11 +140,13 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
         command,
         {.picture = picture, .report = report, .against = against, .record = wrong.empty() && seen ? &*seen : nullptr},
         simulation, options);
+  viewer.add(picture);
+  const std::string viewed = viewer.write();
   if (arguments.json) {
     fmt::print("{}\n", report.dump(2));
   } else {
-    fmt::print("{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n", report_text(report), arguments.out,
-               arguments.out, arguments.out);
+    fmt::print("{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n{}", report_text(report), arguments.out,
+               arguments.out, arguments.out, viewed.empty() ? "" : "  " + viewed);
   }
   if (!wrong.empty()) fmt::print(stderr, "pipegs: {}\n", wrong);
   if (simulation.mismatches == 0) return wrong.empty() ? kExitOk : kExitDiffers;
@@ -161,6 +171,7 @@ void add_sim(CLI::App& app, Run& run) {
   arguments.picture_of.add(*command);
   arguments.sequence.add(*command);
   arguments.page.add(*command);
+  arguments.viewer.add_option(*command);
   command
       ->add_option("--picture", arguments.picture,
                    "pixels in memory: windows, as --set pixel_w says; raster, rows of RGBA8, and frame.png is these")

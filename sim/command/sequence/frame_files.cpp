@@ -43,6 +43,7 @@ void FrameFiles::add(const Image& image, const Rgb8& picture) {
   if (options_.png) write_png8(file(number_, "png"), picture);
   if (options_.exr) write_exr(file(number_, "exr"), image);
   if (video_) video_->add(picture);
+  if (options_.show) options_.show(picture);
   ++number_;
 }
 
@@ -51,8 +52,12 @@ bool FrameFiles::take(const Json& fingerprint) {
   for (const auto& [extension, hash] : mine.items()) {
     if (hash.is_null() || !fingerprint.contains(extension) || fingerprint[extension] != hash) return false;
   }
-  if (video_ && !options_.png) return false;
-  if (video_) video_->add(read_png8(file(number_, "png")));
+  if (video_ || options_.show) {
+    if (!options_.png) return false;
+    const Rgb8 picture = read_png8(file(number_, "png"));
+    if (video_) video_->add(picture);
+    if (options_.show) options_.show(picture);
+  }
   ++number_;
   return true;
 }

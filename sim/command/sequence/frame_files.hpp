@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@ struct FrameFilesOptions {
   std::string folder, video;
   bool png = true, exr = false;
   int frames_per_second = 30;
+  std::function<void(const Rgb8&)> show = {};  // each picture in its order, when somebody wants them
 };
 
 class FrameFiles {

@@ -9,6 +9,7 @@
 
 #include "scenes/cameras/path.hpp"
 #include "scenes/text/json.hpp"
+#include "scenes/text/quote.hpp"
 #include "sim/command/sequence/frame_files.hpp"
 #include "sim/command/sequence/frame_table.hpp"
 #include "sim/progress.hpp"
@@ -37,6 +38,12 @@ std::vector<FrameRow> frames_of(const std::vector<Camera>& cameras, const Sequen
   for (size_t i = 0; i < chosen.size(); ++i)
     rows.push_back({.view = first + step * static_cast<double>(i), .camera = chosen[i]});
   return rows;
+}
+
+std::vector<Camera> cameras_of(const std::vector<FrameRow>& rows) {
+  std::vector<Camera> cameras;
+  for (const FrameRow& row : rows) cameras.push_back(row.camera);
+  return cameras;
 }
 
 void check_one_size(const std::vector<FrameRow>& rows, const SimulateOptions& options) {
@@ -73,9 +80,7 @@ class Sequence {
         options_(options),
         picture_(picture),
         files_(files) {
-    std::vector<Camera> cameras;
-    for (const FrameRow& row : table_.rows) cameras.push_back(row.camera);
-    packed_ = pack_views(scene_, cameras, options);
+    packed_ = pack_views(scene_, cameras_of(table_.rows), options);
   }
 
   // The golden model draws, the timing model counts; one frame after the other.
@@ -235,7 +240,11 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   for (const FrameRow& row : rows)
     check_picture_memory(row.camera, simulated, {each.frame * held, each.asked * held + kWritePixels.asked});
   if (!sequence.video.empty()) check_one_size(rows, simulated);
-  Sequence frames(loaded, std::move(rows), simulated, picture, files_of(sequence, run.out));
+  ViewerArgument viewer = run.viewer;
+  viewer.begin(loaded, cameras_of(rows), simulated, picture.color(), run.command);
+  FrameFilesOptions files = files_of(sequence, run.out);
+  if (viewer.wanted()) files.show = [&viewer](const Rgb8& shown) { viewer.add(shown); };
+  Sequence frames(loaded, std::move(rows), simulated, picture, files);
   std::string wrong;
   if (run.rtl) wrong = frames.rtl(run.replay);
   else frames.model(run.out + "/kept");
@@ -244,13 +253,14 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   write_text(run.out + "/frames.csv", frames_csv(table));
   write_text(run.out + "/sequence.json", json.dump(2) + "\n");
   write_charts(run.out + "/frames.svg", frame_charts(table));
+  const std::string viewed = viewer.write();
   if (run.json) {
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print(
-        "{}  {}pictures and figures in {}: frames.csv, frames.svg, sequence.json\n", to_text(table),
+        "{}  {}pictures and figures in {}: frames.csv, frames.svg, sequence.json\n{}", to_text(table),
         run.rtl ? fmt::format("every beat and every pixel of {} frames compared, twice; ", table.rows.size()) : "",
-        run.out);
+        run.out, viewed.empty() ? "" : "  " + viewed);
   }
   fmt::print(stderr, "{}", wrong);
   return wrong.empty() ? kExitOk : kExitDiffers;

@@ -13,6 +13,7 @@
 
 #include "sim/command/command.hpp"
 #include "sim/command/frame/picture_arguments.hpp"
+#include "sim/command/page/viewer_argument.hpp"
 
 namespace pipegs {
 
@@ -33,6 +34,8 @@ struct SequenceRunArguments {
   std::string out;
   bool rtl = true, json = false;
   std::string replay;  // the command that runs the same again with waves
+  const ViewerArgument& viewer;
+  const CLI::App& command;
 };
 
 // Returns the exit code.

@@ -16,6 +16,7 @@
 
 #include "cpp_model/config.hpp"
 #include "scenes/own_failure.hpp"
+#include "scenes/text/quote.hpp"
 #include "sim/command/outputs.hpp"
 
 namespace pipegs {

@@ -7,8 +7,11 @@
 #include <string_view>
 #include <thread>
 
+#include "scenes/text/quote.hpp"
 #include "sim/study/accuracy/sweep/page.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
+#include "scenes/own_failure.hpp"
 #include "sim/progress.hpp"
 #include "sim/timing/timing_check.hpp"
 
@@ -102,7 +105,26 @@ PixelBytes memory_of(const AccuracyArguments& arguments) {
   return arguments.rtl ? bytes + kRtlPixels : bytes;
 }
 
-int accuracy(const AccuracyArguments& arguments) {
+// A sweep without its page is worth having; it is told before the sweep.
+bool can_make_page() {
+  try {
+    try_page();
+    return true;
+  } catch (const OwnFailure& failure) {
+    fmt::print(stderr, "accuracy.html is left out: {}\n", failure.what());
+    return false;
+  }
+}
+
+StudyPage page_of(const CLI::App& command, const std::string& title, const AccuracyView& view,
+                  const AccuracySweep& sweep) {
+  StudyPage page = study_page("What accuracy costs", command, {"--json", "--csv", "--resume"});
+  page.lead(title);
+  add_accuracy(page, sweep, error_pictures(view, sweep));
+  return page;
+}
+
+int accuracy(const AccuracyArguments& arguments, const CLI::App& command) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   const SweepOptions sweep_options{
@@ -115,6 +137,7 @@ int accuracy(const AccuracyArguments& arguments) {
   try_folder("--out", arguments.out + "/points");
   const LoadedView loaded = load_view(arguments.view);
   check_picture_memory(loaded.camera, options, memory_of(arguments));
+  const bool with_page = can_make_page();
   const std::filesystem::path out = arguments.out;
   const AccuracyView view(loaded.scene, loaded.camera, options);
   const MeasurementStore store(out / "points", loaded.scene, loaded.camera, options);
@@ -129,24 +152,31 @@ int accuracy(const AccuracyArguments& arguments) {
       {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
   json.update(accuracy_json(sweep));
   write_text(out / "accuracy.csv", accuracy_csv(sweep));
-  write_text(out / "accuracy.html", accuracy_page("What accuracy costs: " + title, sweep, error_pictures(view, sweep)));
   write_charts(out / "fronts.svg", front_charts(sweep));
   std::vector<Chart> knobs;
   for (const SweptKnob& knob : sweep.knobs) knobs.push_back(knob_chart(knob));
   write_charts(out / "knobs.svg", knobs);
-  if (target > 0) text += "\n" + answer_target(arguments, points, target);
+  std::string more;  // besides the sweep
+  if (target > 0) more += "\n" + answer_target(arguments, points, target);
   bool good = true;
   if (arguments.rtl) {
     json["rtl"] = nlohmann::ordered_json::array();
-    good = check_in_rtl(view, loaded, points, json["rtl"], text);
+    good = check_in_rtl(view, loaded, points, json["rtl"], more);
+  }
+  text += more;
+  if (with_page) {
+    StudyPage page = page_of(command, title, view, sweep);
+    if (!more.empty()) page.section("What was asked for");
+    page.printed(more);
+    write_page(out / "accuracy.html", page);
   }
   write_text(out / "accuracy.json", json.dump(2) + "\n");
   write_text(out / "accuracy.txt", text);
   if (arguments.json) fmt::print("{}\n", json.dump(2));
   else if (arguments.csv) fmt::print("{}", accuracy_csv(sweep));
   else
-    fmt::print("{}  page {}/accuracy.html; also accuracy.json, accuracy.csv, fronts.svg, knobs.svg\n", text,
-               arguments.out);
+    fmt::print("{}  {}{}/accuracy.json, accuracy.csv, fronts.svg, knobs.svg\n", text,
+               with_page ? fmt::format("page {}/accuracy.html; also ", arguments.out) : "", arguments.out);
   return good ? kExitOk : kExitDiffers;
 }
 
@@ -177,7 +207,7 @@ void add_accuracy(CLI::App& app, Run& run) {
                     "run the cheapest points at 40, 50, 60, 70, 80 dB in RTL, with all comparisons");
   command->add_flag("--json", arguments.json, "print accuracy.json instead of the table");
   command->add_flag("--csv", arguments.csv, "print accuracy.csv instead of the table");
-  command->callback([&run] { run = [] { return accuracy(arguments); }; });
+  command->callback([&run, command] { run = [command] { return accuracy(arguments, *command); }; });
 }
 
 }  // namespace pipegs

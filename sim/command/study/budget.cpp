@@ -12,6 +12,7 @@
 #include "sim/study/budget/budget.hpp"
 #include "sim/study/budget/sample.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/finite.hpp"
 
@@ -20,6 +21,7 @@ namespace {
 
 struct BudgetArguments {
   std::string design_point{kDefaultDesignPoint}, svg;
+  PageArgument page;
   std::vector<std::string> settings;
   uint64_t seed = 1;
   size_t count = 1000000;
@@ -90,6 +92,7 @@ int budget(const BudgetArguments& arguments) {
   view.design_point = arguments.design_point, view.settings = arguments.settings;
   const Config config = view.options().config;
   try_file("--svg", arguments.svg);
+  arguments.page.check();
   Progress progress("budget");
   const std::vector<BudgetSample> samples = budget_samples(config, arguments.seed, arguments.count, [&](double share) {
     if (interrupted()) throw std::runtime_error("interrupted");
@@ -111,9 +114,10 @@ int budget(const BudgetArguments& arguments) {
                            {"alpha, FP16", &BudgetSample::alpha16}};
   constexpr double kAt[] = {0.5, 0.9, 0.99, 0.999, 1};
   nlohmann::ordered_json out = {{"samples", samples.size()}, {"configuration", config_difference(config)}};
-  if (!arguments.json)
-    fmt::print("{} Gaussians, configuration {}; powers in log2 units\n{:<26}{:>11}{:>11}{:>11}{:>11}{:>11}\n",
-               samples.size(), config_difference(config), "", "50 %", "90 %", "99 %", "99.9 %", "worst");
+  const std::string head =
+      fmt::format("{} Gaussians, configuration {}; powers in log2 units", samples.size(), config_difference(config));
+  std::string text =
+      fmt::format("{:<26}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "50 %", "90 %", "99 %", "99.9 %", "worst");
   std::vector<double> values(samples.size());
   for (const Row& row : kRows) {
     std::string line = fmt::format("{:<26}", row.what);
@@ -124,7 +128,7 @@ int budget(const BudgetArguments& arguments) {
       line += fmt::format("{:>11.3g}", value);
       out[row.what][fmt::format("{:g}", 100 * at)] = finite_json(value);
     }
-    if (!arguments.json) fmt::print("{}\n", line);
+    text += line + "\n";
   }
   const auto beyond = [&](const std::function<bool(const BudgetSample&)>& test) {
     return std::count_if(samples.begin(), samples.end(), test);
@@ -134,11 +138,17 @@ int budget(const BudgetArguments& arguments) {
   out["beyond_bound"] = violations;
   out["no_number"] = {{"fp32", beyond([](const BudgetSample& s) { return !std::isfinite(s.power32); })},
                       {"fp16", beyond([](const BudgetSample& s) { return !std::isfinite(s.power16); })}};
+  text += fmt::format("beyond the bound: {}; no number: FP32 {}, FP16 {}\n", violations,
+                      out["no_number"]["fp32"].get<long>(), out["no_number"]["fp16"].get<long>());
   if (arguments.json) fmt::print("{}\n", out.dump(2));
-  else
-    fmt::print("beyond the bound: {}; no number: FP32 {}, FP16 {}\n", violations, out["no_number"]["fp32"].get<long>(),
-               out["no_number"]["fp16"].get<long>());
-  write_charts(arguments.svg, charts(samples));
+  else fmt::print("{}\n{}", head, text);
+  const std::vector<Chart> drawn = charts(samples);
+  write_charts(arguments.svg, drawn);
+  arguments.page.write({.title = "Errors of power and alpha",
+                        .head = head,
+                        .charts = drawn,
+                        .printed = text,
+                        .machines = {{machine_name(config), config}}});
   return violations == 0 ? kExitOk : kExitDiffers;
 }
 
@@ -156,6 +166,7 @@ void add_budget(CLI::App& app, Run& run) {
   command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--svg", arguments.svg, "charts of the errors by needle ratio and by size");
+  arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return budget(arguments); }; });
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
 #include "sim/command/study/pixel_arguments.hpp"
 #include "sim/progress.hpp"
 #include "sim/study/rivals/compare/report.hpp"
@@ -20,6 +21,7 @@ struct RivalsArguments {
   MemoryArguments memory;
   CountOptions counts{.group = 64};
   std::string svg;
+  PageArgument page;
   PixelArguments pixels;
   bool json = false, only_counts = false;
 };
@@ -60,6 +62,7 @@ int run_rivals(RivalsArguments& arguments) {
   try_file("--svg", arguments.svg);
   if (arguments.only_counts && !arguments.svg.empty())
     throw ConfigError("--svg: charts are of machines, expected none with --counts");
+  arguments.page.check();
   arguments.pixels.check();
   if (arguments.pixels.wanted && arguments.view.cameras.scale != 1)
     throw ConfigError("--scale: pictures are of the cameras' sizes, expected none with --pixels");
@@ -74,6 +77,19 @@ int run_rivals(RivalsArguments& arguments) {
   }
   PixelStudy pixels;
   if (arguments.pixels.wanted) pixels = arguments.pixels.run(loaded, arguments.view.near_plane);
+  std::string head =
+      fmt::format("{}: view {} ({}x{}), ", loaded.scene.name, loaded.camera.name, counts.width, counts.height);
+  head += comparison ? "memory " + arguments.memory.external.dram : "float64, depth order";
+  std::string printed = comparison ? comparison_text(*comparison) : counts_text(counts, arguments.counts);
+  if (arguments.pixels.wanted) printed += "\n" + pixels_text(pixels, arguments.pixels.options);
+  NamedMachines machines;
+  for (const SimulateOptions& one : arguments.view.paper_and_own())
+    machines.emplace_back(machine_name(one.config), one.config);
+  arguments.page.write({.title = "Other accelerators on this view",
+                        .head = head,
+                        .charts = comparison ? comparison_charts(*comparison) : std::vector<Chart>{},
+                        .printed = printed,
+                        .machines = comparison ? machines : NamedMachines{}});
   if (arguments.json) {
     nlohmann::ordered_json json = {{"scene", loaded.scene.name},
                                    {"camera", loaded.camera.name},
@@ -84,14 +100,9 @@ int run_rivals(RivalsArguments& arguments) {
     if (comparison) json.update(comparison_json(*comparison));
     if (arguments.pixels.wanted) json["pixels"] = pixels_json(pixels, arguments.pixels.options);
     fmt::print("{}\n", json.dump(2));
-  } else if (comparison) {
-    fmt::print("{}: view {} ({}x{}), memory {}\n\n{}", loaded.scene.name, loaded.camera.name, counts.width,
-               counts.height, arguments.memory.external.dram, comparison_text(*comparison));
   } else {
-    fmt::print("{}: view {} ({}x{}), float64, depth order\n\n{}", loaded.scene.name, loaded.camera.name, counts.width,
-               counts.height, counts_text(counts, arguments.counts));
+    fmt::print("{}\n\n{}", head, printed);
   }
-  if (arguments.pixels.wanted && !arguments.json) fmt::print("\n{}", pixels_text(pixels, arguments.pixels.options));
   return kExitOk;
 }
 
@@ -118,6 +129,7 @@ void add_rivals(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_flag("--counts", arguments.only_counts, "the counts alone, without machines");
   command->add_option("--svg", arguments.svg, "charts");
+  arguments.page.add(*command);
   arguments.pixels.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_rivals(arguments); }; });

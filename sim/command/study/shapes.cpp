@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
+#include "sim/study/accuracy/report.hpp"
 #include "sim/study/shapes/measure.hpp"
 #include "sim/study/shapes/report.hpp"
 #include "sim/study/silicon/published.hpp"
@@ -18,6 +20,7 @@ struct ShapesArguments {
   MemoryArguments memory;
   ShapeOptions shapes = {.mm2 = kPipegsTable2.back().area_mm2};
   std::string keep = PIPEGS_BUILD_DIR "/shapes", svg;
+  PageArgument page;
   bool json = false;
 };
 
@@ -27,6 +30,7 @@ int run_shapes(const ShapesArguments& arguments) {
   arguments.memory.apply(options);
   const FrameModel silicon = read_frame_model();
   try_file("--svg", arguments.svg);
+  arguments.page.check();
   try_folder("--keep", arguments.keep);
   check_shapes(options.config, silicon);
   const LoadedView loaded = load_view(arguments.view);
@@ -38,14 +42,22 @@ int run_shapes(const ShapesArguments& arguments) {
   const std::string title = fmt::format("{}: view {} ({}x{})", loaded.scene.name, loaded.camera.name,
                                         loaded.camera.width, loaded.camera.height);
   write_charts(arguments.svg, {shapes_chart(title, shapes)});
+  const std::string head =
+      fmt::format("{}, memory {}, base {}", title, arguments.memory.external.dram, config_difference(options.config));
+  NamedMachines machines;
+  for (const Shape& shape : shapes) machines.emplace_back(difference(shape.config, options.config), shape.config);
+  arguments.page.write({.title = "Time and area by the machine's shape",
+                        .head = head,
+                        .charts = {shapes_chart(title, shapes)},
+                        .printed = shapes_text(shapes, mm2),
+                        .machines = machines});
   if (arguments.json) {
     nlohmann::ordered_json json = {
         {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
     json.update(shapes_json(shapes, mm2));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}, memory {}, base {}\n\n{}", title, arguments.memory.external.dram, config_difference(options.config),
-               shapes_text(shapes, mm2));
+    fmt::print("{}\n\n{}", head, shapes_text(shapes, mm2));
   }
   return kExitOk;
 }
@@ -68,6 +80,7 @@ void add_shapes(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--keep", arguments.keep, "folder for what was measured");
   command->add_option("--svg", arguments.svg, "chart");
+  arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_shapes(arguments); }; });
 }

@@ -7,6 +7,7 @@
 
 #include "scenes/text/number.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
 #include "sim/timing/cycle_engine.hpp"
 #include "sim/study/measurement_store.hpp"
 #include "sim/study/silicon/frame_model.hpp"
@@ -19,6 +20,7 @@ struct SiliconArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table, svg;
+  PageArgument page;
   double equal_area = 0;  // mm2
   bool json = false, no_energy = false;
 };
@@ -66,6 +68,7 @@ void keep_frame(const std::string& table, const MeasuredFrame& frame) {
 // A table that cannot be read is told before the frames are measured, too.
 void check_outputs(const SiliconArguments& arguments) {
   try_file("--svg", arguments.svg);
+  arguments.page.check();
   try_file("--table", arguments.table);
   if (!arguments.no_energy) try_folder("--keep", arguments.keep);
   if (!arguments.table.empty() && std::filesystem::exists(arguments.table)) read_frames(arguments.table);
@@ -116,14 +119,22 @@ int silicon(const SiliconArguments& arguments) {
                  measured_frame(loaded.scene.name, config, activity, design_points[i].rows, design_points[i].energy));
   }
   write_charts(arguments.svg, silicon_charts(design_points));
+  const std::string head = fmt::format("{}: view {} ({}x{}), memory {}", loaded.scene.name, loaded.camera.name,
+                                       loaded.camera.width, loaded.camera.height, arguments.memory.external.dram);
+  NamedMachines machines;
+  for (size_t i = 0; i < design_points.size(); ++i) machines.emplace_back(design_points[i].name, options[i].config);
+  arguments.page.write({.title = "Area, clock and energy in 28 nm",
+                        .head = head,
+                        .charts = silicon_charts(design_points),
+                        .printed = to_text(design_points, arguments.equal_area),
+                        .machines = machines});
   if (arguments.json) {
     nlohmann::ordered_json json = {
         {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
     json.update(to_json(design_points, arguments.equal_area));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}: view {} ({}x{}), memory {}\n\n{}", loaded.scene.name, loaded.camera.name, loaded.camera.width,
-               loaded.camera.height, arguments.memory.external.dram, to_text(design_points, arguments.equal_area));
+    fmt::print("{}\n\n{}", head, to_text(design_points, arguments.equal_area));
   }
   return kExitOk;
 }
@@ -153,6 +164,7 @@ void add_silicon(CLI::App& app, Run& run) {
            {.low = 0.1, .high = 100});
   command->add_flag("--no-energy", arguments.no_energy, "area and clock only, without the RTL");
   command->add_option("--svg", arguments.svg, "charts");
+  arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return silicon(arguments); }; });
 }

@@ -7,6 +7,7 @@
 
 #include "cpp_model/float/parallel.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
 #include "sim/timing/cycle_engine.hpp"
 #include "sim/progress.hpp"
 #include "sim/rtl/rtl_fault.hpp"
@@ -22,6 +23,7 @@ struct SweepArguments {
   MemoryArguments memory;
   std::vector<double> bandwidths = {12.8, 25.6, 51.2, 102.4};
   std::string engine = "model", svg;
+  PageArgument page;
   bool json = false;
 };
 
@@ -128,6 +130,7 @@ int sweep(SweepArguments arguments) {
     arguments.memory.apply(options[i]);
   }
   try_file("--svg", arguments.svg);
+  arguments.page.check();
   const LoadedView loaded = load_view(arguments.view);
   for (SimulateOptions& one : options) follow_scene(loaded.scene, one);
   const bool rtl = arguments.engine == "rtl";
@@ -154,7 +157,19 @@ int sweep(SweepArguments arguments) {
       differs = true;
     }
   }
-  if (done > 0) write_charts(arguments.svg, {chart(rows, bandwidths)});
+  const std::string head = fmt::format("{}: view {} ({}x{}); {}, memory {}", loaded.scene.name, loaded.camera.name,
+                                       loaded.camera.width, loaded.camera.height, rtl ? "RTL" : "timing model",
+                                       arguments.memory.external.dram == "ideal" ? "ideal" : "LPDDR5-6400");
+  if (done > 0) {
+    write_charts(arguments.svg, {chart(rows, bandwidths)});
+    NamedMachines machines;
+    for (size_t i = 0; i < rows.size(); ++i) machines.emplace_back(rows[i].design_point->name, options[i].config);
+    arguments.page.write({.title = "Cycles by memory bandwidth",
+                          .head = head,
+                          .charts = {chart(rows, bandwidths)},
+                          .printed = to_text(rows, bandwidths),
+                          .machines = machines});
+  }
   if (arguments.json) {
     fmt::print("{}\n",
                nlohmann::ordered_json{{"scene", loaded.scene.name},
@@ -165,9 +180,7 @@ int sweep(SweepArguments arguments) {
                                       {"rungs", to_json(rows, bandwidths, rtl)}}
                    .dump(2));
   } else {
-    fmt::print("{}: view {} ({}x{}); {}, memory {}\n\n{}", loaded.scene.name, loaded.camera.name, loaded.camera.width,
-               loaded.camera.height, rtl ? "RTL" : "timing model",
-               arguments.memory.external.dram == "ideal" ? "ideal" : "LPDDR5-6400", to_text(rows, bandwidths));
+    fmt::print("{}\n\n{}", head, to_text(rows, bandwidths));
   }
   if (differs) return kExitDiffers;
   return done == rows.size() ? kExitOk : kExitOwnFailure;
@@ -193,6 +206,7 @@ void add_sweep(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"model", "rtl"}))
       ->capture_default_str();
   command->add_option("--svg", arguments.svg, "chart");
+  arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return sweep(arguments); }; });
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
 #include "sim/study/tradeoff/report.hpp"
 #include "sim/study/tradeoff/tradeoff.hpp"
 
@@ -15,6 +16,7 @@ struct TradeoffArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string keep = PIPEGS_BUILD_DIR "/tradeoff", svg;
+  PageArgument page;
   int together = 16;
   double ghz = 1;
   bool json = false;
@@ -25,6 +27,7 @@ int run_tradeoff(const TradeoffArguments& arguments) {
   if (options.window) throw ConfigError("--window: pictures of other sizes are compared as a whole, expected none");
   arguments.memory.apply(options);
   try_file("--svg", arguments.svg);
+  arguments.page.check();
   try_folder("--keep", arguments.keep);
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
@@ -34,6 +37,14 @@ int run_tradeoff(const TradeoffArguments& arguments) {
   const std::string title = fmt::format("{}: view {} ({}x{})", loaded.scene.name, loaded.camera.name,
                                         loaded.camera.width, loaded.camera.height);
   write_charts(arguments.svg, {tradeoff_chart(title, points, arguments.ghz)});
+  const std::string head =
+      fmt::format("{}, memory {}, {}; contributions of {} cameras", title, arguments.memory.external.dram,
+                  config_difference(options.config), loaded.cameras.size());
+  arguments.page.write({.title = "What accuracy costs in time",
+                        .head = head,
+                        .charts = {tradeoff_chart(title, points, arguments.ghz)},
+                        .printed = to_text(points, arguments.ghz),
+                        .machines = {{machine_name(options.config), options.config}}});
   if (arguments.json) {
     fmt::print("{}\n", nlohmann::ordered_json{{"scene", loaded.scene.name},
                                               {"camera", loaded.camera.name},
@@ -44,8 +55,7 @@ int run_tradeoff(const TradeoffArguments& arguments) {
                                               {"price", to_json(price(points, arguments.ghz))}}
                            .dump(2));
   } else {
-    fmt::print("{}, memory {}, {}; contributions of {} cameras\n\n{}", title, arguments.memory.external.dram,
-               config_difference(options.config), loaded.cameras.size(), to_text(points, arguments.ghz));
+    fmt::print("{}\n\n{}", head, to_text(points, arguments.ghz));
   }
   return kExitOk;
 }
@@ -67,6 +77,7 @@ void add_tradeoff(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--keep", arguments.keep, "folder for what was measured");
   command->add_option("--svg", arguments.svg, "chart");
+  arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_tradeoff(arguments); }; });
 }

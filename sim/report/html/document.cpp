@@ -23,19 +23,6 @@ std::string deflated(const std::string& bytes) {
   return out;
 }
 
-std::string base64(const std::string& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    uint32_t word = 0;
-    const size_t n = std::min<size_t>(3, bytes.size() - i);
-    for (size_t k = 0; k < 3; ++k) word = word << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (size_t k = 0; k < 4; ++k) text += k <= n ? kDigits[word >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 void check(const std::string& name, int width, int height, int channels, size_t count) {
   const auto places = static_cast<size_t>(width) * static_cast<size_t>(height);
   if (width < 1 || height < 1 || std::max(width, height) > HtmlDocument::kLongestSide ||
@@ -55,6 +42,19 @@ std::string safe(const nlohmann::ordered_json& data) {
 }
 
 }  // namespace
+
+std::string base64(const std::string& bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    uint32_t word = 0;
+    const size_t n = std::min<size_t>(3, bytes.size() - i);
+    for (size_t k = 0; k < 3; ++k) word = word << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (size_t k = 0; k < 4; ++k) text += k <= n ? kDigits[word >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
 
 HtmlDocument::HtmlDocument(const std::string& kind, const std::string& title, const std::string& command)
     : data({{"kind", kind}, {"title", title}, {"command", command}, {"planes", nlohmann::ordered_json::object()}}) {}

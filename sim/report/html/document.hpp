@@ -38,4 +38,6 @@ class HtmlDocument {
   std::string planes_;
 };
 
+std::string base64(const std::string& bytes);
+
 }  // namespace pipegs

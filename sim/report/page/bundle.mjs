@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // bundle.mjs: `node bundle.mjs OUT`: the templates, OUT/*.html, with style, script and libraries in them.
 //
-// A template has three places: <!--style-->, <!--script--> and, left for the program, <!--data-->. The libraries lie in
-// OUT/node_modules; what of them is not called is left out.
+// All are page.html, which has three places: <!--style-->, <!--script--> and, left for the program, <!--data-->. The
+// libraries lie in OUT/node_modules; what of them is not called is left out.
 import {createRequire} from 'node:module';
 import fs from 'node:fs';
 import path from 'node:path';
 import {fileURLToPath} from 'node:url';
+import zlib from 'node:zlib';
 
 const room = path.dirname(fileURLToPath(import.meta.url)), out = path.resolve(process.argv[2]);
 const esbuild = createRequire(path.join(out, 'package.json'))('esbuild');
@@ -27,14 +28,29 @@ async function script(entry) {
   return built.outputFiles[0].text.replaceAll('</script', '<\\/script');
 }
 
-async function template(name, entry, styles) {
+// A large program lies in the page deflated, a third of its bytes, and these lines start it.
+function packed(code) {
+  const start = `(async () => {
+    const letters = atob(document.getElementById('program').textContent);
+    const coded = Uint8Array.from(letters, (c) => c.charCodeAt(0));
+    const code = new Blob([coded]).stream().pipeThrough(new DecompressionStream('deflate'));
+    const script = document.createElement('script');
+    script.src = URL.createObjectURL(new Blob([await new Response(code).blob()], {type: 'text/javascript'}));
+    document.body.append(script);
+  })();`;
+  const program = zlib.deflateSync(code, {level: 9}).toString('base64');
+  return `<script type="text/plain" id="program">${program}</script>\n<script>\n${start}\n</script>`;
+}
+
+async function template(name, entry, ...styles) {
   const read = (file) => fs.readFileSync(path.join(room, file), 'utf8');
-  const html = read(name), style = styles.map(read).join(''), code = await script(entry);
+  const html = read('page.html'), style = ['page.css', ...styles].map(read).join('\n'), code = await script(entry);
   const whole = html.replace('<!--style-->', () => `<style>\n${style}</style>`)
-                    .replace('<!--script-->', () => `<script>\n${code}</script>`);
-  const file = path.join(out, path.basename(name));
+                    .replace('<!--script-->', () => code.length > 2e6 ? packed(code) : `<script>\n${code}</script>`);
+  const file = path.join(out, name);
   fs.writeFileSync(file + '.new', whole);
   fs.renameSync(file + '.new', file);
 }
 
-await template('page.html', 'page.mjs', ['page.css', 'frame/frame.css']);
+await template('page.html', 'page.mjs', 'frame/frame.css');
+await template('viewer.html', 'viewer/viewer.mjs', 'viewer/viewer.css');

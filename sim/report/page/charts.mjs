@@ -64,7 +64,9 @@ function y_axis(chart) {
   const values = finite(chart.series.flatMap((one) => one.values)), above = values.filter((value) => value > 0);
   if (!logarithmic_y(chart) || above.length === 0) {
     const free = chart.form === 'scatter' || (chart.form === 'lines' && !chart.from_zero);
-    return axis({...named, type: 'value', ...(free ? {scale: true, boundaryGap: ['5%', '5%']} : {})});
+    const whole = chart.form === 'stacked' && chart.y_label.startsWith('%') && Math.max(...sums(chart)) < 100.01;
+    return axis({...named, type: 'value', ...(free ? {scale: true, boundaryGap: ['5%', '5%']} : {}),
+                 ...(whole ? {max: 100} : {})});
   }
   // The smallest bar has a height, too.
   const low = Math.min(...above) * (chart.form === 'bars' ? 0.5 : 1), ticks = decade_ticks(low, Math.max(...above));
@@ -73,8 +75,16 @@ function y_axis(chart) {
                axisLabel: {...named.axisLabel, ...own}});
 }
 
+const states = ['busy', 'starved', 'blocked', 'memory'];
+
+// The states of a unit have colors of their own.
+function color_of(chart, at) {
+  const own = chart.form === 'stacked' && chart.series.every(({name}) => states.includes(name));
+  return own ? css(chart.series[at].name) : colors()[at % 8];
+}
+
 function painted(chart, at) {
-  const color = colors()[at % 8];
+  const color = color_of(chart, at);
   if (!chart.series[at].outlined) return {color};
   return {color: css('ground'), borderColor: color, borderWidth: 1.5, borderType: 'dashed'};
 }
@@ -128,7 +138,8 @@ function cloud(chart, at) {
     itemStyle: outlined ? {color: css('ground'), borderColor: colors()[at % 8], borderWidth: 2}
                         : {color: colors()[at % 8], opacity: named ? 1 : 0.75},
     lineStyle: {type: 'dashed', width: 1.5, color: colors()[at % 8]}, showAllSymbol: true, z: outlined || named ? 3 : 2,
-    label: {show: named === true, position: 'top', color: css('text'), fontSize: 10, formatter: '{b}'},
+    label: {show: named === true || outlined === true, position: 'top', color: css('text'), fontSize: 10,
+            formatter: '{b}', width: 110, overflow: 'truncate'},
     labelLayout: {hideOverlap: true, moveOverlap: 'shiftY'}, emphasis: {disabled: true},
   };
 }
@@ -214,10 +225,21 @@ export function draw_chart(container, chart, {on_click} = {}) {
   container.append(element('figure', {class: 'charted'}, element('h3', {}, chart.title), place,
                            chart.note ? element('figcaption', {}, chart.note) : null, numbers));
   const drawn = init(place, null, {renderer: 'svg'});
-  const redraw = () => drawn.setOption(chart_option(chart), {notMerge: true});
+  // On paper the drawing is scaled: it says how large it is.
+  const sized = () => {
+    place.querySelector('svg').setAttribute('viewBox', `0 0 ${drawn.getWidth()} ${drawn.getHeight()}`);
+  };
+  const redraw = () => {
+    drawn.setOption(chart_option(chart), {notMerge: true});
+    sized();
+  };
   redraw();
   on_look(redraw);
-  new ResizeObserver(() => { if (!paper()) drawn.resize(); }).observe(place);
+  new ResizeObserver(() => {
+    if (paper()) return;
+    drawn.resize();
+    sized();
+  }).observe(place);
   drawn.on('click', ({seriesIndex, dataIndex, data}) => {
     if (data?.copies !== undefined && on_click)
       on_click({series: seriesIndex, index: dataIndex, name: data.name, copies: data.copies});

@@ -8,8 +8,14 @@ export const data = JSON.parse(document.getElementById('data').textContent);
 
 const kept = new Map();
 
-const bytes_of = (name) => Uint8Array.from(atob(document.getElementById('plane:' + name).textContent),
-                                           (c) => c.charCodeAt(0));
+function from_base64(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const letters = atob(text), bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}
+
+const bytes_of = (name) => from_base64(document.getElementById('plane:' + name).textContent);
 
 async function unpack(name) {
   const {width, height, kind} = data.planes[name];

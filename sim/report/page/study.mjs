@@ -19,6 +19,7 @@ async function picture(one) {
 
 async function add_section(main, data, said) {
   const room = section(data.title);
+  room.classList.add('long');  // may go over several sheets of paper
   main.append(room);
   room.append(...list(data.notes).map((text) => element('p', {}, text)));
   const grid = element('div', {class: 'grid'});

@@ -58,7 +58,8 @@ export function table(data) {
     'th', {scope: 'col', class: (word || long) && 'word'},
     element('button', {type: 'button', onclick: () => sort(at)}, name || '\u00a0')));
   return element('div', {class: 'wide', tabindex: '0', role: 'region', 'aria-label': data.title || 'table'},
-                 element('table', {}, element('thead', {}, element('tr', {}, ...heads)), body));
+                 element('table', {class: data.columns.length > 14 && 'dense'},
+                         element('thead', {}, element('tr', {}, ...heads)), body));
 }
 
 // Marks the row that holds `copies`, in all tables of `within`, and brings the first of them into view.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/design/design_point.hpp"
 #include "sim/study/accuracy/accuracy_json.hpp"
 #include "sim/study/silicon/report.hpp"
 
@@ -75,6 +76,7 @@ Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& titl
     series.x.push_back(cost_of(point, cost) / unit);
     series.values.push_back(point.figures.numeric.psnr);
     series.labels.push_back(difference(point.config, sweep.base.config));
+    series.copies.push_back(machine_words(point.config));
   };
   Series alone{.name = "one knob"}, together{.name = "together"}, base{.name = "base"},
       front{.name = "front", .outlined = true};

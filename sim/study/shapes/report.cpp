@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "sim/design/design_point.hpp"
 #include "sim/study/silicon/report.hpp"
 
 namespace pipegs {
@@ -116,6 +117,7 @@ Chart shapes_chart(const std::string& title, const std::vector<Shape>& shapes) {
     series.x.push_back(shape.mm2());
     series.values.push_back(shape.us());
     series.labels.push_back(shape_name(shape, shapes.front().config));
+    series.copies.push_back(machine_words(shape.config));
   };
   Series alone{.name = "one entry"}, together{.name = "together"}, base{.name = "base"},
       front{.name = "front", .outlined = true};

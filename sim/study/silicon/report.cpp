@@ -61,10 +61,13 @@ std::string clocks_text(const SiliconPoint& design_point) {
   text +=
       "  gated: flip-flops whose clock an enable gates; unseen: those whose enable the waves do not show, counted as "
       "high; gates' enables: share of the edges that pass\n";
+  if (design_point.clocks.empty()) return text;
+  text += fmt::format("  modules whose clocks take most\n  {:<9}{:<40}{:>12}{:>8}{:>14}{:>12}\n", "", "module",
+                      "flip-flops", "gated", "uJ of clocks", "no enable");
   for (size_t i = 0; i < std::min(kDearest, design_point.clocks.size()); ++i) {
     const ModuleClocks& one = design_point.clocks[i];
-    text += fmt::format("  {:<9}{:<40}{:>8} flip-flops, {:>6} gated: {:>6.1f} uJ, {:.1f} without enable\n", one.row,
-                        one.module, one.flipflops, one.gated, one.all_j() * 1e6, one.ungated_j * 1e6);
+    text += fmt::format("  {:<9}{:<40}{:>12}{:>8}{:>14.1f}{:>12.1f}\n", one.row, one.module, one.flipflops, one.gated,
+                        one.all_j() * 1e6, one.ungated_j * 1e6);
   }
   return text;
 }
@@ -249,7 +252,8 @@ Json to_json(const std::vector<SiliconPoint>& design_points, double mm2) {
 std::string to_text(const std::vector<SiliconPoint>& design_points, double mm2) {
   std::string text;
   for (const SiliconPoint& design_point : design_points)
-    text += area_text(design_point) + energy_text(design_point) + clocks_text(design_point) + "\n";
+    for (const std::string& part : {area_text(design_point), energy_text(design_point), clocks_text(design_point)})
+      text += part.empty() ? "" : part + "\n";
   return text + design_points_text(design_points, mm2) + "\n" + gscore_text();
 }
 

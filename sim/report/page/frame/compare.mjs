@@ -7,7 +7,7 @@ import {data} from '../data.mjs';
 import {copy_button, element} from '../parts.mjs';
 import {color_bar, layers, window_at} from './layers.mjs';
 
-const {width, height, x: left, y: top} = data.picture;
+const {width, height, x: left, y: top} = data.picture ?? {};  // other pages have none
 
 export async function compare_section({on_window}) {
   const all = layers(), by_name = new Map(all.map((layer) => [layer.name, layer])), painted = new Map();

@@ -6,7 +6,7 @@
 import {data, plane} from '../data.mjs';
 import {element, grouped, short} from '../parts.mjs';
 
-const {width, height, x: left, y: top} = data.picture;
+const {width, height, x: left, y: top} = data.picture ?? {};  // other pages have none
 
 // Viridis at 9 places: lighter is more, also without color.
 const stops = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129],

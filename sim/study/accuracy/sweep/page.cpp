@@ -1,89 +1,103 @@
 // SPDX-License-Identifier: Apache-2.0
-// page.cpp: see page.hpp. XHTML without scripts: every tag is closed.
+// page.cpp: see page.hpp.
 #include "sim/study/accuracy/sweep/page.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+
+#include "sim/design/design_point.hpp"
+#include "sim/report/html/pictures.hpp"
+#include "sim/report/html/printed_tables.hpp"
+
+#include "sim/report/html/document.hpp"
 
 namespace pipegs {
 namespace {
 
 constexpr int kPictureWidth = 480;
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else result += c;
+PageCell number(double value, int digits) { return {.text = fmt::format("{:.{}f}", value, digits), .value = value}; }
+
+PageCell told(const std::string& text) {
+  return {.text = text, .value = text == "inf" ? std::optional(1e9) : leading_number(text)};
+}
+
+// Knob and value of a row, and what was measured.
+struct NamedPoint {
+  std::string knob, value;
+  const MeasuredPoint* point;
+};
+
+std::vector<NamedPoint> all_points(const AccuracySweep& sweep) {
+  std::vector<NamedPoint> rows = {{"base", "", &sweep.base}};
+  for (const SweptKnob& knob : sweep.knobs) {
+    for (size_t i = 0; i < knob.points.size(); ++i) {
+      const bool is_base = knob.points[i].config == sweep.base.config;
+      rows.push_back({knob.knob->name, knob.values[i]->label + (is_base ? " *" : ""), &knob.points[i]});
+    }
   }
-  return result;
+  for (size_t i = 0; i < sweep.together.size(); ++i)
+    rows.push_back({"together", fmt::format("{}", i + 1), &sweep.together[i]});
+  return rows;
 }
 
-// A chart inside a page: without the XML declaration of a file of its own.
-std::string inline_svg(const std::vector<Chart>& charts, int columns) {
-  const std::string svg = charts_svg(charts, columns);
-  return svg.substr(svg.find("<svg"));
+std::vector<PageCell> row_of(const NamedPoint& row, const AccuracySweep& sweep) {
+  const Accuracy& a = row.point->figures;
+  const auto cycles = static_cast<double>(a.cycles);
+  return {{.text = row.knob},
+          {.text = row.value, .value = leading_number(row.value)},
+          told(decibels(a.numeric.psnr)),
+          told(decibels(a.order.psnr)),
+          told(decibels(a.total.psnr)),
+          number(a.total.ssim, 5),
+          number(a.numeric.max, 4),
+          number(a.numeric.p999, 4),
+          number(100 * a.flips.share(), 4),
+          {.text = std::to_string(a.cycles), .value = cycles},
+          number(100 * (cycles / static_cast<double>(sweep.base.figures.cycles) - 1), 2),
+          number(cycles * 1e-6, 3),
+          told(clock_text(*row.point)),
+          told(time_text(*row.point)),
+          number(static_cast<double>(a.bytes) / 1e6, 1),
+          number(a.gbps(), 1),
+          number(a.buffer_kb(), 1),
+          told(area_text(*row.point)),
+          told(energy_text(*row.point)),
+          number(a.seconds_golden + a.seconds_truth + a.seconds_trace + a.seconds_model, 1),
+          {.text = difference(row.point->config, sweep.base.config), .copy = machine_words(row.point->config)}};
 }
 
-std::string png_bytes(const Rgb8& picture) {
-  const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / fmt::format("pipegs_error_{}.png", getpid());
-  write_png8(path, picture);
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  std::filesystem::remove(path);
-  return bytes;
+PageTable table_of(const std::string& title, const std::vector<NamedPoint>& rows, const AccuracySweep& sweep) {
+  PageTable table{.title = title};
+  table.columns = {{.name = "knob", .word = true}, {.name = "value", .word = true}};
+  for (const char* name : {"numeric dB", "order dB", "total dB", "SSIM", "max", "99.9 %", "flips %", "cycles", "% more",
+                           "ms at 1 GHz", "GHz", "us", "MB", "GB/s", "buffers KB", "mm2", "mJ", "host s"})
+    table.columns.push_back({.name = name});
+  table.columns.push_back({.name = "configuration", .word = true, .wrapped = true, .copies = true});
+  for (const NamedPoint& row : rows) {
+    if (row.point->figures.failure.empty()) table.rows.push_back(row_of(row, sweep));
+    else table.notes.push_back(fmt::format("{} {}: {}", row.knob, row.value, row.point->figures.failure));
+  }
+  return table;
 }
 
-std::string point_row(const std::string& name, const MeasuredPoint& point, const Config& base) {
-  const Accuracy& a = point.figures;
-  return fmt::format(
-      "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.5f}</td><td>{:.4f}</td><td>{:.4f}</td><td>{:.4f}</"
-      "td><td>{}</td><td>{:.3f}</td><td>{}</td><td>{}</td>"
-      "<td>{:.1f}</td><td>{:.1f}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td class=\"left\">{}</td></tr>\n",
-      escaped(name), decibels(a.numeric.psnr), decibels(a.order.psnr), decibels(a.total.psnr), a.total.ssim,
-      a.numeric.max, a.numeric.p999, 100 * a.flips.share(), a.cycles, static_cast<double>(a.cycles) * 1e-6,
-      clock_text(point), time_text(point), static_cast<double>(a.bytes) / 1e6, a.gbps(), a.buffer_kb(),
-      area_text(point), energy_text(point), escaped(difference(point.config, base)));
-}
-
-std::string table(const std::string& rows) {
-  return "<div class=\"wide\"><table><tr><th></th><th>numeric dB</th><th>order dB</th><th>total "
-         "dB</th><th>SSIM</th><th>max</th><th>99.9 %</th>"
-         "<th>flips %</th><th>cycles</th><th>ms at 1 "
-         "GHz</th><th>GHz</th><th>us</th><th>MB</th><th>GB/s</th><th>buffers "
-         "KB</th><th>mm2</th><th>mJ</th><th>configuration</th></tr>\n" +
-         rows + "</table></div>\n";
-}
-
-std::string front_table(const AccuracySweep& sweep, Cost cost) {
-  std::string rows;
+PageTable front_table(const AccuracySweep& sweep, const std::vector<NamedPoint>& rows, Cost cost, const char* name) {
   const std::vector<MeasuredPoint> all = sweep.all();
-  for (const MeasuredPoint* point : pareto_front(all, cost)) rows += point_row("", *point, sweep.base.config);
-  if (rows.empty() && cost == Cost::kTime) rows = "<tr><td>no longest path of such a machine is known</td></tr>\n";
-  return table(rows);
+  std::vector<NamedPoint> front;
+  for (const MeasuredPoint* point : pareto_front(all, cost)) {
+    // By the name under which it stands among all points.
+    const auto known = std::find_if(rows.begin(), rows.end(),
+                                    [&](const NamedPoint& row) { return row.point->config == point->config; });
+    front.push_back(*known);
+  }
+  PageTable table = table_of(fmt::format("Front over {}", name), front, sweep);
+  if (front.empty() && cost == Cost::kTime) table.notes.emplace_back("No longest path of such a machine is known.");
+  return table;
 }
 
 }  // namespace
-
-std::string base64(const std::string& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    uint32_t word = 0;
-    const size_t n = std::min<size_t>(3, bytes.size() - i);
-    for (size_t k = 0; k < 3; ++k) word = word << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (size_t k = 0; k < 4; ++k) text += k <= n ? kDigits[word >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
 
 Rgb8 error_picture(const Image& image, const Image& truth, double gain, int width) {
   const int step = std::max(1, (image.width + width - 1) / width);
@@ -120,57 +134,40 @@ std::vector<ErrorPicture> error_pictures(const AccuracyView& view, const Accurac
   return pictures;
 }
 
-std::string accuracy_page(const std::string& title, const AccuracySweep& sweep,
-                          const std::vector<ErrorPicture>& pictures) {
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\"><head><meta charset=\"utf-8\"/>"
-      "<meta name=\"viewport\" content=\"width=device-width\"/><meta name=\"color-scheme\" content=\"light "
-      "dark\"/><title>{0}</title>\n<style>\n"
-      "body {{ font-family: system-ui, sans-serif; max-width: 62rem; margin: 1.5rem auto; padding: 0 1rem; "
-      "line-height: 1.45; }}\n"
-      "table {{ border-collapse: collapse; font-size: 0.8rem; }} th, td {{ text-align: right; padding: 0.15rem 0.5rem; "
-      "white-space: nowrap; }}\n"
-      "td.left {{ text-align: left; }} .wide {{ overflow-x: auto; }} svg {{ max-width: 100%; height: auto; }} figure "
-      "{{ display: inline-block; width: 30%; margin: 0.5rem 1%; "
-      "vertical-align: top; }}\nfigure img {{ width: 100%; background: black; }} figcaption {{ font-size: 0.75rem; "
-      "overflow-wrap: anywhere; }}\n"
-      ".knob {{ display: inline-block; width: 32%; vertical-align: top; font-size: 0.85rem; "
-      "}}\n</style></head><body>\n<h1>{0}</h1>\n"
-      "<p>numeric: golden model against float64 in the same order; order: float64 in that order against depth order; "
-      "total: golden model against depth "
-      "order. Cycles and bytes by the timing model, milliseconds at 1 GHz, SSIM of the total, max and 99.9th "
-      "percentile of the numeric error, flips: "
-      "decisions at 1/255 unlike the truth's, of {1:.0f} % of the pixels. Area and energy with DRAM: 28 nm, mid, "
-      "interpolated; ~ beyond what was synthesised or measured.</p>\n",
-      escaped(title), 100 * sweep.flips_sampled);
-  page += "<h2>The base</h2>\n" + table(point_row("base", sweep.base, Config{}));
-  page += "<h2>What is worth having</h2>\n" + inline_svg(front_charts(sweep), 2);
-  page += "<h3>Front over cycles</h3>\n" + front_table(sweep, Cost::kCycles) + "<h3>Front over time</h3>\n" +
-          front_table(sweep, Cost::kTime) + "<h3>Front over bytes</h3>\n" + front_table(sweep, Cost::kBytes) +
-          "<h3>Front over buffers</h3>\n" + front_table(sweep, Cost::kBuffers) + "<h3>Front over area</h3>\n" +
-          front_table(sweep, Cost::kArea) + "<h3>Front over energy</h3>\n" + front_table(sweep, Cost::kEnergy);
-  page += "<h2>Knob by knob</h2>\n";
+void add_accuracy(StudyPage& page, const AccuracySweep& sweep, const std::vector<ErrorPicture>& pictures) {
+  const std::vector<NamedPoint> rows = all_points(sweep);
+  page.section("The base");
+  page.note(fmt::format(
+      "numeric: golden model against float64 in the same order; order: float64 in that order against depth order; "
+      "total: golden model against depth order. Cycles and bytes by the timing model, milliseconds at 1 GHz, SSIM of "
+      "the total, max and 99.9th percentile of the numeric error, flips: decisions at 1/255 unlike the truth's, of "
+      "{:.0f} % of the pixels. Area, clock and energy with DRAM: 28 nm, mid, interpolated; ~ beyond what was "
+      "synthesised or measured, - where no machine of the kind was. host s: of one core. * the base.",
+      100 * sweep.flips_sampled));
+  page.note(fmt::format("{} points were measured.", sweep.all().size()));
+  page.table(table_of("", {rows.front()}, sweep));
+  page.section("What is worth having");
+  page.note("Points of a front can be copied by a click: the settings go to the clipboard, the rows are marked.");
+  page.charts(front_charts(sweep));
+  for (const auto& [cost, name] : {std::pair{Cost::kCycles, "cycles"},
+                                   {Cost::kTime, "time"},
+                                   {Cost::kBytes, "bytes"},
+                                   {Cost::kBuffers, "buffers"},
+                                   {Cost::kArea, "area"},
+                                   {Cost::kEnergy, "energy"}})
+    page.table(front_table(sweep, rows, cost, name));
+  page.section("Knob by knob");
+  for (const std::string& reason : sweep.skipped) page.note("Left out: " + reason);
   for (const SweptKnob& knob : sweep.knobs) {
-    page += fmt::format("<div class=\"knob\">{}<p>{}. {}</p></div>\n", inline_svg({knob_chart(knob)}, 1),
-                        escaped(knob.knob->what), escaped(knob_sentence(knob)));
+    Chart chart = knob_chart(knob);
+    chart.note = fmt::format("{}. {}", knob.knob->what, knob_sentence(knob));
+    page.charts({chart});
   }
-  page += fmt::format("<h2>Where the error is</h2>\n<p>|golden - truth in depth order|, {:g} times brighter.</p>\n",
-                      kErrorGain);
-  for (const ErrorPicture& picture : pictures) {
-    page += fmt::format(
-        "<figure><img alt=\"error\" src=\"data:image/png;base64,{}\"/><figcaption>{}</figcaption></figure>\n",
-        base64(picture.png), escaped(picture.caption));
-  }
-  page += "<h2>Every point</h2>\n";
-  for (const SweptKnob& knob : sweep.knobs) {
-    std::string rows;
-    for (size_t i = 0; i < knob.points.size(); ++i) {
-      if (knob.points[i].figures.failure.empty())
-        rows += point_row(knob.values[i]->label, knob.points[i], sweep.base.config);
-    }
-    page += fmt::format("<h3>{}</h3>\n{}", escaped(knob.knob->name), table(rows));
-  }
-  return page + "</body></html>\n";
+  page.section("Where the error is");
+  page.note(fmt::format("|golden - truth in depth order|, {:g} times brighter.", kErrorGain));
+  for (const ErrorPicture& picture : pictures) page.picture(picture.caption, picture.png);
+  page.section("Every point");
+  page.table(table_of("", rows, sweep));
 }
 
 }  // namespace pipegs

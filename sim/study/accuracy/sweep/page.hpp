@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// page.hpp: a sweep as one HTML page that needs no other file: fronts, a chart and a sentence for each knob, pictures
-// of the error.
+// page.hpp: a sweep as a page: fronts, a chart and a sentence for each knob, pictures of the error, every point.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "sim/report/html/study_page.hpp"
 #include "sim/study/accuracy/report.hpp"
 
 namespace pipegs {
@@ -24,9 +24,7 @@ inline constexpr double kErrorGain = 100;
 // Pictures of the cheapest points at 40, 50, 60, 70 and 80 dB that are reached, of the base, and of the best.
 std::vector<ErrorPicture> error_pictures(const AccuracyView& view, const AccuracySweep& sweep);
 
-std::string accuracy_page(const std::string& title, const AccuracySweep& sweep,
-                          const std::vector<ErrorPicture>& pictures);
-
-std::string base64(const std::string& bytes);
+// All of it, after the page's title and lead.
+void add_accuracy(StudyPage& page, const AccuracySweep& sweep, const std::vector<ErrorPicture>& pictures);
 
 }  // namespace pipegs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// page.hpp: `pipegs sim --page`: the frame as one HTML page.
+// frame_page_argument.hpp: `pipegs sim --page`: the frame as one HTML page.
 //
 // Errors  InputError: --page cannot be written, --against is no picture of the camera's size; both before anything is
 //         computed.
@@ -13,7 +13,7 @@
 
 namespace pipegs {
 
-class FramePageArguments {
+class FramePageArgument {
  public:
   void add(CLI::App& app);
   bool wanted() const { return !file_.empty(); }

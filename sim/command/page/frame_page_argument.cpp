@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// page.cpp: see page.hpp.
-#include "sim/command/frame/page.hpp"
+// frame_page_argument.cpp: see frame_page_argument.hpp.
+#include "sim/command/page/frame_page_argument.hpp"
 
 #include <fmt/format.h>
 
+#include "sim/command/page/page_argument.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/report/html/template.hpp"
 #include "sim/train/photos/photograph.hpp"
@@ -36,32 +37,37 @@ std::string explain_line(const CLI::App& sim) {
 
 }  // namespace
 
-void FramePageArguments::add(CLI::App& app) {
+void FramePageArgument::add(CLI::App& app) {
   CLI::Option* page = app.add_option("--page", file_, "the frame as one HTML page: pictures, maps, where cycles went");
   app.add_option("--against", against_, "with --page: a photograph of this view (PNG, JPEG), beside the others")
       ->needs(page);
 }
 
-void FramePageArguments::check() const {
+void FramePageArgument::check() const {
   if (!wanted()) return;
   try_file("--page", file_);
-  html_template("page");
+  try_page();
 }
 
-std::optional<Rgb8> FramePageArguments::read(const Camera& camera, const SimulateOptions& options) const {
+std::optional<Rgb8> FramePageArgument::read(const Camera& camera, const SimulateOptions& options) const {
+  if (!wanted()) return std::nullopt;
+  const PixelRect asked = asked_pixels(camera.width, camera.height, options);
+  check_page_picture("--page", asked);
   if (against_.empty()) return std::nullopt;
-  return part_of(read_photograph(against_, camera), asked_pixels(camera.width, camera.height, options));
+  return part_of(read_photograph(against_, camera), asked);
 }
 
-void FramePageArguments::write(const CLI::App& command, FramePage page, const Simulation& simulation,
-                               const SimulateOptions& options) const {
+void FramePageArgument::write(const CLI::App& command, FramePage page, const Simulation& simulation,
+                              const SimulateOptions& options) const {
   const auto& report = page.report;
   page.title = fmt::format("{}, view {}, {}", report["scene"]["name"].get<std::string>(),
                            report["camera"]["name"].get<std::string>(), machine_name(options.config));
   page.command = given_again(command, {"--json"});
   page.explain = explain_line(command);
   page.against_name = against_;
-  write_text(file_, frame_document(page, simulation, options).text(html_template("page")));
+  HtmlDocument document = frame_document(page, simulation, options);
+  document.data["version"] = page_version();
+  write_text(file_, document.text(html_template("page")));
 }
 
 }  // namespace pipegs

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// study_page.hpp: the page of a study: sentences, charts, tables whose columns sort, pictures, and the command that
+// makes it again, in one HTML file.
+//
+// Idea    Sections one after the other; what is added belongs to the last one. sim/report/page/study.mjs draws them.
+// Rule    A number that is not finite is left out of charts; a table shows the text that it was given.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/report/chart.hpp"
+#include "sim/report/html/document.hpp"
+
+namespace pipegs {
+
+struct PageCell {
+  std::string text;
+  std::optional<double> value = {};  // by which it sorts; without one, by its text
+  std::string copy = {};             // in a column that copies: what its button copies, if not the text
+  std::string link = {};             // the id of a place in the page
+};
+
+struct PageColumn {
+  std::string name;
+  bool word = false;     // stands left
+  bool wrapped = false;  // long text, in several lines where it must
+  bool copies = false;   // has buttons
+};
+
+struct PageTable {
+  std::string title;
+  std::vector<PageColumn> columns = {};  // none: title and notes are all there is
+  std::vector<std::vector<PageCell>> rows = {};
+  std::vector<std::string> notes = {};  // beneath
+};
+
+class StudyPage {
+ public:
+  // `version` says which program wrote it.
+  StudyPage(const std::string& title, const std::string& command, const std::string& version);
+
+  void lead(const std::string& sentence);
+  void section(const std::string& title);
+  void note(const std::string& sentence);
+  void charts(const std::vector<Chart>& charts);
+  void table(const PageTable& table);
+  // What a command has printed: tables of columns that stand apart, and sentences (printed_tables.hpp).
+  void printed(const std::string& text);
+  // `png` is the contents of a file.
+  void picture(const std::string& caption, const std::string& png, const std::string& id = "");
+
+  std::string text(const std::string& html_template) const { return document_.text(html_template); }
+
+ private:
+  nlohmann::ordered_json& last(const char* list);
+
+  HtmlDocument document_;
+  size_t pictures_ = 0;
+};
+
+// As sim/report/page/charts.mjs reads it.
+nlohmann::ordered_json chart_json(const Chart& chart);
+
+}  // namespace pipegs
