@@ -18,7 +18,7 @@ const chromium = ['chromium', 'chromium-browser', 'google-chrome'].map((name) =>
 }).find((name) => name !== '');
 // No GPU here: WebGL runs on the processor.
 const options = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--hide-scrollbars',
-                 '--force-color-profile=srgb', '--font-render-hinting=none'];
+                 '--disable-dev-shm-usage', '--force-color-profile=srgb', '--font-render-hinting=none'];
 
 // What pipegs prints; a failure shows its line and what it said.
 export function pipegs(...words) {

@@ -132,8 +132,20 @@ page_test('a hover over the timeline tells the states of every unit', frame, asy
   const box = await timeline.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + 60);
   await page.waitForFunction(() => document.querySelector('.tip')?.textContent.includes('RU 0'));
-  const rows = await page.$$eval('.tip tr', (found) => found.length);
-  assert.equal(rows, 1 + 13);
+  const rows = await page.$$eval('.tip tr', (found) => found.map(
+    (row) => [...row.children].map((cell) => cell.textContent)));
+  assert.equal(rows.length, 1 + 13);
+  // Of the place that the pointer is on: it is some way behind the middle, since names stand on the left.
+  const number = (text) => Number(text.replace(/\u202f/g, ''));
+  const [, from, to] = (await text_of(page, '.tip strong')).match(/cycles ([\d\u202f]+) to ([\d\u202f]+)/).map(number);
+  const middle = (box.width / 2 - 74) / (box.width - 94) * report().cycles;
+  assert.ok(from <= middle + 2000 && middle - 2000 <= to, `${from} to ${to}, not ${middle}`);
+  // Shares of each unit are a whole, and it works in a window.
+  for (const row of rows.slice(1)) {
+    const sum = row.slice(1, 5).reduce((all, cell) => all + parseFloat(cell), 0);
+    assert.ok(Math.abs(sum - 100) <= 2, row.join(' '));
+  }
+  assert.ok(rows.slice(1).some((row) => /^\d+,\d+/.test(row[5])), 'a window');
 });
 
 page_test('keys move the place, Enter pins it and says it', frame, async (page) => {

@@ -65,9 +65,10 @@ async function columns_sort(page) {
   assert.deepEqual(down, [...up].reverse());
 }
 
-// The middle of a mark, in the window.
+// The middle of a mark, in the window, when the chart has been drawn for its size.
 async function mark_place(page, chart, color, last = true) {
-  return page.evaluate((at, name, from_end) => {
+  return page.evaluate(async (at, name, from_end) => {
+    for (let frame = 0; frame < 3; ++frame) await new Promise(requestAnimationFrame);
     const room = document.querySelectorAll('.chart')[at];
     room.scrollIntoView({block: 'center'});
     const wanted = getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
@@ -93,6 +94,22 @@ async function hover_tells(page, chart, color, part) {
   const text = await tip_of(page);
   assert.ok(text.includes(part), `${part} in ${text}`);
   await page.mouse.move(0, 0);
+}
+
+// What a click on the last mark of a color copies. A busy machine may draw a chart anew between press and release, and
+// then that was no click.
+async function click_copies(page, color) {
+  for (let again = 0; again < 10; ++again) {
+    const {x, y} = await mark_place(page, 0, color);
+    await page.mouse.click(x, y);
+    try {
+      const found = await page.waitForFunction(() => window.copied, {timeout: 2000, polling: 50});
+      return await found.jsonValue();
+    } catch (error) {
+      if (error.name !== 'TimeoutError') throw error;
+    }
+  }
+  assert.fail('no click has copied anything');
 }
 
 // The charts follow the window.
@@ -147,9 +164,7 @@ page_test('accuracy', () => {
   await page.mouse.move(x, y);
   const text = await tip_of(page);
   assert.ok(text.includes(front.labels.at(-1)), text);
-  await page.mouse.click(x, y);
-  await page.waitForFunction(() => window.copied);
-  const copied = await page.evaluate(() => window.copied);
+  const copied = await click_copies(page, 'c3');
   assert.equal(copied, front.copies.at(-1));
   assert.match(copied, /^--rung \w+/);
   const marked = await page.evaluate(() => [...document.querySelectorAll('tr.marked')].map(

@@ -9,6 +9,7 @@ pipegs=$(realpath "$1") here=$(cd "$(dirname "$0")" && pwd)
 build=$(dirname "$pipegs") folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 shift
+mkdir -p "$build/page"
 "$here/../../sim/report/page/build.sh" "$build/page" dev > "$build/page/build.log" 2>&1 ||
   { cat "$build/page/build.log" >&2; exit 3; }
 "$pipegs" sim "$@" --out "$folder" --viewer "$folder/viewer.html" > "$folder/out.txt"

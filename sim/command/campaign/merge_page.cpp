@@ -24,7 +24,12 @@ constexpr Drawn kDrawn[] = {{"Cycles by view", "cycles", "/cycles"},
                             {"PSNR against the truth by view", "dB, total", "/psnr_total_db"},
                             {"Blended splats by view", "blended", "/work/blended"}};
 
-constexpr const char* kCosts[] = {"cpu_seconds", "wall_seconds", "peak_memory_bytes"};
+struct CostColumn {
+  const char *key, *name;
+  double unit;
+};
+constexpr CostColumn kCosts[] = {
+    {"cpu_seconds", "CPU s", 1}, {"wall_seconds", "wall s", 1}, {"peak_memory_bytes", "memory, MB", 1e6}};
 
 std::string window_of(const ViewArguments& view) {
   return view.window.empty() ? "" : fmt::format("{},{}", view.window[0], view.window[1]);
@@ -47,10 +52,14 @@ std::optional<Chart> chart_of(const Drawn& drawn, const std::vector<PointResult>
   std::vector<std::string> views, machines;
   std::vector<std::vector<double>> values;
   bool any = false;
+  const bool one_configuration = std::all_of(points.begin(), points.end(), [&](const PointResult& one) {
+    return one.point.configuration == points.front().point.configuration;
+  });
   for (const PointResult& one : points) {
     const size_t view = place_of(views, view_name(one));
-    const size_t machine =
-        place_of(machines, fmt::format("{}, {}", one.point.configuration, one.point.arguments.view.design_point));
+    const std::string& design_point = one.point.arguments.view.design_point;
+    const size_t machine = place_of(
+        machines, one_configuration ? design_point : fmt::format("{}, {}", one.point.configuration, design_point));
     if (values.size() < machines.size()) values.emplace_back();
     std::vector<double>& row = values[machine];
     row.resize(std::max(row.size(), view + 1), std::numeric_limits<double>::quiet_NaN());
@@ -84,7 +93,7 @@ PageTable points_table(const std::vector<PointResult>& points) {
   for (const char* name : {"scene", "view", "camera", "configuration", "design point", "window", "measured"})
     table.columns.push_back({.name = name, .word = true});
   for (const FigureColumn& column : point_figures()) table.columns.push_back({.name = column.name});
-  for (const char* name : kCosts) table.columns.push_back({.name = name});
+  for (const CostColumn& cost : kCosts) table.columns.push_back({.name = cost.name});
   table.columns.push_back({.name = "machine", .word = true, .wrapped = true, .copies = true});
   for (const PointResult& one : points) {
     const PointArguments& point = one.point.arguments;
@@ -97,8 +106,9 @@ PageTable points_table(const std::vector<PointResult>& points) {
                                  {.text = one.kept ? "yes" : "missing"}};
     for (const FigureColumn& column : point_figures())
       row.push_back(figure(one.kept ? figure_text((*one.kept)["result"], column.place) : ""));
-    for (const char* name : kCosts)
-      row.push_back(figure(one.kept ? figure_text((*one.kept)["cost"], std::string("/") + name) : ""));
+    for (const CostColumn& cost : kCosts)
+      row.push_back(one.kept ? figure(fmt::format("{:.1f}", (*one.kept)["cost"][cost.key].get<double>() / cost.unit))
+                             : PageCell{});
     std::string settings = "--rung " + point.view.design_point;
     for (const std::string& setting : point.view.settings) settings += " --set " + setting;
     row.push_back({.text = settings});

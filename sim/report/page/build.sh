@@ -5,7 +5,7 @@
 #
 # npm installs what package-lock.json names into OUT (dev: also the driver of the browser that the tests use), esbuild
 # makes one script of all modules. Nothing is done twice: a template is older than nothing that lies in this folder, or
-# it is made again.
+# it is made again. Exit code 4: npm has not brought the libraries, as without a network.
 set -euo pipefail
 room=$(cd "$(dirname "$0")" && pwd) out=$1 dev=${2:-}
 mkdir -p "$out"
@@ -14,11 +14,11 @@ exec 9> "$out/lock"
 flock 9
 installed=$out/installed$dev
 if [ ! -e "$installed" ] || [ "$room/package-lock.json" -nt "$installed" ]; then
-  command -v npm > /dev/null || { echo "npm is not installed (Debian: apt-get install nodejs npm)" >&2; exit 1; }
+  command -v npm > /dev/null || { echo "npm is not installed (Debian: apt-get install nodejs npm)" >&2; exit 4; }
   cp "$room/package.json" "$room/package-lock.json" "$out"
   omit=(--omit=dev)
   if [ "$dev" = dev ]; then omit=(); fi
-  (cd "$out" && npm ci --ignore-scripts --no-audit --no-fund "${omit[@]}")
+  (cd "$out" && npm ci --ignore-scripts --no-audit --no-fund "${omit[@]}") || exit 4
   touch "$out/installed" "$installed"
 fi
 if [ -e "$out/made" ] && [ -z "$(find "$room" -newer "$out/made" -type f)" ]; then exit 0; fi

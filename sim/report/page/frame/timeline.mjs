@@ -110,10 +110,16 @@ export async function timeline_section() {
                     nameLocation: 'middle', nameGap: 26})],
       yAxis: [axis({type: 'category', data: units, inverse: true, gridIndex: 0, axisTick: {show: false}}),
               axis({type: 'value', gridIndex: 1, name: 'bytes a cycle', nameLocation: 'middle', nameGap: 46})],
-      tooltip: {...tooltip_box(), trigger: 'axis', axisPointer: {type: 'line', label: {show: false}},
+      tooltip: {...tooltip_box(), trigger: 'axis', axisPointer: {type: 'line', axis: 'x', label: {show: false}},
                 extraCssText: 'max-width: none; pointer-events: none;',
-                formatter: (rows) => hint([rows].flat()[0].axisValue)},
+                formatter: (given) => {
+                  const rows = [given].flat();
+                  return hint((rows.find(({seriesName}) => seriesName === 'place') ?? rows[0]).axisValue);
+                }},
       series: [
+        // Not seen: it gives the pointer the places between which it is moved, where the units have but one each.
+        {type: 'line', name: 'place', xAxisIndex: 0, yAxisIndex: 0, symbol: 'none', lineStyle: {opacity: 0},
+         silent: true, data: binned.edges.slice(1).map((edge, at) => [(edge + binned.edges[at]) / 2, units[0]])},
         {type: 'custom', name: 'units', xAxisIndex: 0, yAxisIndex: 0, clip: true, legendHoverLink: false,
          encode: {x: 0, y: 1}, data: units.map((_, unit) => [shown.from, unit]),
          renderItem: (params, api) => ({type: 'group', children: [...areas(api, params.dataIndex),
