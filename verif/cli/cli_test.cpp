@@ -152,6 +152,26 @@ TEST_F(Cli, InfoCounts) {
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["gaussians"], 300);
 }
 
+// Of each grid and axis, what share of the Gaussians reaches over a plane; the text and the JSON say the same.
+TEST_F(Cli, InfoTellsWhoReachesOverAPlane) {
+  const auto margins = nlohmann::json::parse(run("info scene.ply --json").out).at("layers");
+  const std::string text = run("info scene.ply").out;
+  ASSERT_EQ(margins.size(), 2u);
+  for (const auto& margin : margins) {
+    std::string line = fmt::format("{} layers: reach over a plane along x, y, z:", margin["grid"].get<int>());
+    for (const double share : margin["violators_share"]) {
+      EXPECT_GE(share, 0);
+      EXPECT_LE(share, 1);
+      line += fmt::format(" {:.2f} %", 100 * share);
+    }
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+    EXPECT_EQ(margin["expected_order_db"].size(), 3u);
+  }
+  // More planes are crossed by more.
+  for (size_t axis = 0; axis < 3; ++axis)
+    EXPECT_GE(margins[1]["violators_share"][axis], margins[0]["violators_share"][axis]);
+}
+
 TEST_F(Cli, SplitWritesALargerSceneAndItsCameras) {
   const Outcome outcome =
       run("split scene.ply --cameras cameras.json --gaussians 1234 --sh-degree 0 --sizes 70x50,141x77 --out large");
