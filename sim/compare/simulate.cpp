@@ -63,6 +63,15 @@ size_t memory_stream(const Config& config, int port) {
   return static_cast<size_t>((port - lists) / config.units + (lists > 0));
 }
 
+Rgb8 cropped(const Rgb8& picture, const PixelRect& part) {
+  Rgb8 out{part.x1 - part.x0, part.y1 - part.y0, {}};
+  for (int y = part.y0; y < part.y1; ++y) {
+    const auto row = picture.data.begin() + 3 * (static_cast<ptrdiff_t>(y) * picture.width + part.x0);
+    out.data.insert(out.data.end(), row, row + 3 * static_cast<ptrdiff_t>(out.width));
+  }
+  return out;
+}
+
 Image crop_window(const Image& image, const SimulateOptions& options) {
   const PixelRect r = asked_pixels(image.width, image.height, options);
   Image part(r.x1 - r.x0, r.y1 - r.y0);

@@ -51,12 +51,7 @@ std::optional<Rgb8> asked_part(const std::optional<Rgb8>& windows, const Frame& 
   const auto side = static_cast<uint64_t>(options.config.window);
   const int x0 = r.x0 - static_cast<int>(frame.raster.windows.first_x * side),
             y0 = r.y0 - static_cast<int>(frame.raster.windows.first_y * side);
-  Rgb8 part{r.x1 - r.x0, r.y1 - r.y0, {}};
-  for (int y = y0; y < y0 + part.height; ++y) {
-    const auto row = windows->data.begin() + 3 * (static_cast<ptrdiff_t>(y) * windows->width + x0);
-    part.data.insert(part.data.end(), row, row + 3 * static_cast<ptrdiff_t>(part.width));
-  }
-  return part;
+  return cropped(*windows, {x0, y0, x0 + r.x1 - r.x0, y0 + r.y1 - r.y0});
 }
 
 }  // namespace

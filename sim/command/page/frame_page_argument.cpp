@@ -12,15 +12,6 @@
 namespace pipegs {
 namespace {
 
-Rgb8 part_of(const Rgb8& picture, const PixelRect& r) {
-  Rgb8 part{r.x1 - r.x0, r.y1 - r.y0, {}};
-  for (int y = r.y0; y < r.y1; ++y) {
-    const auto row = picture.data.begin() + 3 * (static_cast<ptrdiff_t>(y) * picture.width + r.x0);
-    part.data.insert(part.data.end(), row, row + 3 * static_cast<ptrdiff_t>(part.width));
-  }
-  return part;
-}
-
 // `pipegs explain` of the same view: what of the command line it takes, too.
 std::string explain_line(const CLI::App& sim) {
   const CLI::App* explain = sim.get_parent()->get_subcommand("explain");
@@ -54,7 +45,7 @@ std::optional<Rgb8> FramePageArgument::read(const Camera& camera, const Simulate
   const PixelRect asked = asked_pixels(camera.width, camera.height, options);
   check_page_picture("--page", asked);
   if (against_.empty()) return std::nullopt;
-  return part_of(read_photograph(against_, camera), asked);
+  return cropped(read_photograph(against_, camera), asked);
 }
 
 void FramePageArgument::write(const CLI::App& command, FramePage page, const Simulation& simulation,
