@@ -41,15 +41,17 @@ int run_shapes(const ShapesArguments& arguments) {
   const double mm2 = arguments.shapes.mm2;
   const std::string title = fmt::format("{}: view {} ({}x{})", loaded.scene.name, loaded.camera.name,
                                         loaded.camera.width, loaded.camera.height);
-  write_charts(arguments.svg, {shapes_chart(title, shapes)});
+  const Chart chart = shapes_chart(title, shapes);
+  const std::string text = shapes_text(shapes, mm2);
+  write_charts(arguments.svg, {chart});
   const std::string head =
       fmt::format("{}, memory {}, base {}", title, arguments.memory.external.dram, config_difference(options.config));
   NamedMachines machines;
   for (const Shape& shape : shapes) machines.emplace_back(difference(shape.config, options.config), shape.config);
   arguments.page.write({.title = "Time and area by the machine's shape",
                         .head = head,
-                        .charts = {shapes_chart(title, shapes)},
-                        .printed = shapes_text(shapes, mm2),
+                        .charts = {chart},
+                        .printed = text,
                         .machines = machines});
   if (arguments.json) {
     nlohmann::ordered_json json = {
@@ -57,7 +59,7 @@ int run_shapes(const ShapesArguments& arguments) {
     json.update(shapes_json(shapes, mm2));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, shapes_text(shapes, mm2));
+    fmt::print("{}\n\n{}", head, text);
   }
   return kExitOk;
 }

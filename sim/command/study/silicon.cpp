@@ -118,15 +118,17 @@ int silicon(const SiliconArguments& arguments) {
       keep_frame(arguments.table,
                  measured_frame(loaded.scene.name, config, activity, design_points[i].rows, design_points[i].energy));
   }
-  write_charts(arguments.svg, silicon_charts(design_points));
+  const std::vector<Chart> charts = silicon_charts(design_points);
+  const std::string text = to_text(design_points, arguments.equal_area);
+  write_charts(arguments.svg, charts);
   const std::string head = fmt::format("{}: view {} ({}x{}), memory {}", loaded.scene.name, loaded.camera.name,
                                        loaded.camera.width, loaded.camera.height, arguments.memory.external.dram);
   NamedMachines machines;
   for (size_t i = 0; i < design_points.size(); ++i) machines.emplace_back(design_points[i].name, options[i].config);
   arguments.page.write({.title = "Area, clock and energy in 28 nm",
                         .head = head,
-                        .charts = silicon_charts(design_points),
-                        .printed = to_text(design_points, arguments.equal_area),
+                        .charts = charts,
+                        .printed = text,
                         .machines = machines});
   if (arguments.json) {
     nlohmann::ordered_json json = {
@@ -134,7 +136,7 @@ int silicon(const SiliconArguments& arguments) {
     json.update(to_json(design_points, arguments.equal_area));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, to_text(design_points, arguments.equal_area));
+    fmt::print("{}\n\n{}", head, text);
   }
   return kExitOk;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/report/finite.hpp"
 #include "sim/report/html/printed_tables.hpp"
 
 namespace pipegs {
@@ -16,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();
-  for (const double value : values) list.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+  for (const double value : values) list.push_back(finite_json(value));
   return list;
 }
 

@@ -57,6 +57,12 @@ void add_truth_maps(HtmlDocument& page, const Simulation& simulation, const Imag
   add_map(page, total, &numeric);
 }
 
+// Of the 8x8 regions that these pixels touch.
+PixelMap region_map(const std::string& name, const std::string& title, const PixelRect& r) {
+  return {
+      .name = name, .title = title, .cell = 8, .width = (r.x1 + 7) / 8 - r.x0 / 8, .height = (r.y1 + 7) / 8 - r.y0 / 8};
+}
+
 void add_golden_maps(HtmlDocument& page, const Simulation& simulation, const Image& golden,
                      const SimulateOptions& options) {
   PixelMap blended{.name = "blended",
@@ -78,15 +84,12 @@ void add_golden_maps(HtmlDocument& page, const Simulation& simulation, const Ima
   add_map(page, left);
   const Image& whole = simulation.golden.image;
   const PixelRect r = asked_pixels(whole.width, whole.height, options);
-  PixelMap closed{.name = "closed",
-                  .title = "regions closed",
-                  .unit = "of 64 pixels",
-                  .what =
-                      "Pixels of the 8x8 region that had stopped at the end; a region with all 64 is closed, and "
-                      "what lies behind it is skipped.",
-                  .cell = 8,
-                  .width = (r.x1 + 7) / 8 - r.x0 / 8,
-                  .height = (r.y1 + 7) / 8 - r.y0 / 8};
+  PixelMap closed = region_map("closed", "regions closed", r);
+  closed.unit = "of 64 pixels";
+  closed.what =
+      "Pixels of the 8x8 region that had stopped at the end; a region with all 64 is closed, and what lies behind it "
+      "is "
+      "skipped.";
   closed.values.assign(static_cast<size_t>(closed.width) * static_cast<size_t>(closed.height), 0);
   for (int y = r.y0; y < r.y1; ++y) {
     for (int x = r.x0; x < r.x1; ++x)
@@ -104,7 +107,7 @@ std::string bytes_of(const std::vector<uint32_t>& words) {
   return bytes;
 }
 
-// Rows of cycles by piece: three states of each unit, the fourth is the rest; then lines of each stream.
+// Rows of cycles by piece, a row for each state of each unit; lines of each stream; windows in units.
 void add_timeline(HtmlDocument& page, const FrameRecord& record, const Simulation& simulation, const Config& config) {
   std::vector<uint16_t> values;
   for (const auto& unit : record.units()) {
@@ -141,14 +144,10 @@ void add_blends(HtmlDocument& page, const FrameRecord& record, const Frame& fram
             columns = static_cast<int>(frame.raster.windows.last_x - frame.raster.windows.first_x + 1) * side,
             x0 = r.x0 / 8 - static_cast<int>(frame.raster.windows.first_x) * side,
             y0 = r.y0 / 8 - static_cast<int>(frame.raster.windows.first_y) * side;
-  PixelMap map{.name = "blends",
-               .title = "work of the RUs",
-               .unit = config.quads ? "rows of quads" : "lines of alphas",
-               .what = config.quads ? "Rows of living quads that the RUs blended into the 8x8 region."
-                                    : "Lines of 64 alphas that the RUs blended into the 8x8 region.",
-               .cell = 8,
-               .width = (r.x1 + 7) / 8 - r.x0 / 8,
-               .height = (r.y1 + 7) / 8 - r.y0 / 8};
+  PixelMap map = region_map("blends", "work of the RUs", r);
+  map.unit = config.quads ? "rows of quads" : "lines of alphas";
+  map.what = config.quads ? "Rows of living quads that the RUs blended into the 8x8 region."
+                          : "Lines of 64 alphas that the RUs blended into the 8x8 region.";
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x)
       map.values.push_back(record.blends()[static_cast<size_t>((y + y0) * columns + x + x0)]);
