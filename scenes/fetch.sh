@@ -3,8 +3,8 @@
 # fetch.sh SCENE ... [--into FOLDER] [--from URL] [--list FILE]: gets public trained scenes and converts them to .ply.
 #
 # FOLDER/SCENE/SCENE.ply (FOLDER is `out/scenes` by default) comes from the files and commits that FILE names
-# (scenes/fetch/sources.txt; docs/scenes.md has the licences), each checked by its SHA-256, before and after conversion.
-# A camera of ours is put beside it, cameras.json.
+# (scenes/fetch/sources.txt; docs/your_scene.md has the licences), each checked by its SHA-256, before and after
+# conversion. A camera of ours is put beside it, cameras.json.
 # URL stands in front of REPOSITORY/COMMIT/PATH; by default it is GitHub's. What is there already is not fetched again.
 # Exit codes: 0 all is there and right, 1 a hash differs, 2 bad use, 3 it could not be fetched or converted.
 set -uo pipefail

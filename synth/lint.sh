@@ -9,7 +9,7 @@
 # $BUILD/cpp_model/package_sv. So is the whole machine of each design point, and one without any effect that can be
 # absent, for Yosys as pipegs_axi, for Verilator as it is simulated, sim/rtl/pipegs_sim.sv. The waivers are those of
 # sim/rtl/waivers.vlt, each with its reason. Yosys 0.23 reads some constructs without a word and gets them wrong
-# (docs/decisions/systemverilog.md): misread.sh searches for those, and its warning "implicitly declared", which goes
+# (docs/decisions.md): misread.sh searches for those, and its warning "implicitly declared", which goes
 # with one of them, is an error. Ends in a count.
 # --corners: random legal configurations (cpp_model/lib/corners.hpp), before them those that were once broken; each as
 # the whole machine. One that fails is printed with the command that repeats it.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# misread.sh FILE ...: constructs that Yosys 0.23 reads wrong without a word (docs/decisions/systemverilog.md)
+# misread.sh FILE ...: constructs that Yosys 0.23 reads wrong without a word (docs/decisions.md)
 #
 # Arrays of structs, of enums and of other named types lose a dimension, functions that return structs return 0,
 # functions that build a table in a constant get it wrong, a parameter of '1 is 1, a sum in a comparison keeps what a

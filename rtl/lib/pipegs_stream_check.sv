@@ -4,7 +4,7 @@
 // Paper   None.
 // Idea    Remembers what was shown and not taken in the cycle before. Every module that makes a stream has one of these
 //         for it where no synthesis sees it, and so has every place where logic feeds a stream into an instance
-//         (docs/streams.md; verif/self/streams finds what lacks one). It drives nothing. Beats are compared where
+//         (docs/architecture.md; verif/self/streams finds what lacks one). It drives nothing. Beats are compared where
 //         PIPEGS_BEATS is defined, as in all unit tests; a machine leaves that out, and what is proved, for its speed.
 // Stream  Ports streams side by side, each with a beat of its own or, with Shared, all with one. Proven: a proof of the
 //         module says the same for every trace.

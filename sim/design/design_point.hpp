@@ -5,7 +5,7 @@
 // Idea    A design point says what is computed where, and in which order: the entries `late`, `order` and `quadratic`
 //         of cpp_model/config.def. Units, lanes and external memory are the same in all of them, and but for `fast` so
 //         are the widths. Design points that cache coefficients (late) have no alpha stores and more records in their
-//         SUs; what that comes to in bytes: docs/silicon/memories.md.
+//         SUs; what that comes to in bytes: docs/silicon/silicon.md.
 #pragma once
 
 #include <string>

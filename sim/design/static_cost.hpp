@@ -32,7 +32,7 @@ struct ArithmeticCost {
 };
 
 struct BufferCost {
-  std::string buffer;   // instance, as in docs/silicon/memories.md
+  std::string buffer;   // instance, as in docs/silicon/silicon.md
   std::string purpose;  // alphas, pixels, records, sorter, parameters, scene, queues, overflow
   int width = 0, depth = 0, count = 0;
   uint64_t bits() const { return uint64_t(width) * uint64_t(depth) * uint64_t(count); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// report.hpp: what a simulation found, as report.json (keys: docs/report.md) and as a table for people.
+// report.hpp: what a simulation found, as report.json (keys: docs/commands.md) and as a table for people.
 #pragma once
 
 #include <nlohmann/json.hpp>

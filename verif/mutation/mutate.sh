@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # mutate.sh: mutation tests: each change of one line of a module must make that module's test fail.
 #   mutate.sh [NAME ...]         builds and runs the mutants of these groups or modules of table.sh; without a name, all
-#   mutate.sh --check            builds nothing: each change finds its line, docs/trust/mutation.md has the table
-#   mutate.sh --page             writes the table into that page
+#   mutate.sh --check            builds nothing: each change finds its line
 #
 # A mutant is built by the commands that ninja has for the test itself: verilate.sh from a copy of rtl/ and sim/rtl/ in
 # $BUILD/mutation/TEST, the C++ of the module, the link; a change of the model compiles the test again. The test must
@@ -12,10 +11,10 @@
 # run.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 3
-root=$PWD here=verif/mutation page=docs/trust/mutation.md mutants=0 caught=0 survived=0 broken=0
+root=$PWD here=verif/mutation mutants=0 caught=0 survived=0 broken=0
 mkdir -p "${BUILD:-build}/mutation" && build=$(cd "${BUILD:-build}" && pwd) || exit 3
 mode=run
-case ${1:-} in --check | --page) mode=${1#--} && shift ;; esac
+if [ "${1:-}" = --check ]; then mode=check && shift; fi
 wanted=" $* "
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 declare -A passed
@@ -80,17 +79,12 @@ verdict() {
 }
 
 # --- the two words of the table ---------------------------------------------------------------------------------------
-group() {  # NAME TITLE
-  group=$1
-  printf '\n### %s\n\n| module | what is changed | test |\n|---|---|---|\n' "$2" >> "$work/page"
-}
+group() { group=$1; }  # NAME TITLE
 
 mutant() {  # MODULE WHAT CHANGE [TEST]
   local module=$1 what=$2 test=${4:-${1#pipegs_}} source begin result
   [[ $wanted = "  " || $wanted = *" $module "* || $wanted = *" $group "* ]] || return 0
   mutants=$((mutants + 1)) source=$(source_of "$module")
-  # shellcheck disable=SC2016 # backticks of Markdown
-  printf '| `%s` | %s | `%s` |\n' "$module" "$what" "$test" >> "$work/page"
   if [ -z "$source" ] || ! apply "$source" "$3"; then
     echo "$here/table.sh: $module: $what: does not change exactly one line of ${source:-a module}"
     broken=$((broken + 1))
@@ -110,18 +104,10 @@ mutant() {  # MODULE WHAT CHANGE [TEST]
     'BEGIN {printf "%-24s %6.1f s  %s\n", name, to - from, what}'
 }
 
-: > "$work/page"
 . "$here/table.sh"
 [ $mutants -gt 0 ] || { echo "mutate.sh: no such group or module: $*" >&2; exit 2; }
 
-# The page: what stands between its two markers is the table.
-if [ "$mode" != run ]; then
-  { sed '/^<!-- mutants -->$/q' "$page"; cat "$work/page"; echo; sed -n '/^<!-- end -->$/,$p' "$page"; } > "$work/new"
-  if [ "$mode" = page ]; then cp "$work/new" "$page"; fi
-  if ! cmp -s "$work/new" "$page"; then
-    echo "$page is not the table of $here/table.sh: $here/mutate.sh --page writes it"
-    broken=$((broken + 1))
-  fi
+if [ "$mode" = check ]; then
   echo "$mutants mutants, $broken errors"
   exit $((broken > 0))
 fi

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# The table of mutation tests, read by verif/mutation/mutate.sh; docs/trust/mutation.md shows it.
+# The table of mutation tests, read by verif/mutation/mutate.sh; docs/trust/trust.md says how it is used.
 #
-# group  NAME TITLE                      those that follow: one test of ctest, mutation_NAME, and one table of the page
+# group  NAME TITLE                      those that follow: one test of ctest, mutation_NAME; the title is for readers
 # mutant MODULE WHAT CHANGE [TEST]       CHANGE: of sed -E, in exactly one line of the module (a path: of that file of
 #        cpp_model/); TEST: the test that fails, in verif/*/CMakeLists.txt; else the module's own, named as the module
 #        without the prefix pipegs_. An expression is matched, not its line, and as little of it as tells it from

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # speed.sh: kHz of the Verilated machine, with every beat compared and with nothing looked at, in variants side by side.
 #
-#   speed.sh [POINT [CONFIG [VARIANT ...]]]     else fast, no CONFIG, and the variants of docs/cycles/speed.md
+#   speed.sh [POINT [CONFIG [VARIANT ...]]]     else fast, no CONFIG, and the variants of docs/cycles/timing_model.md
 #
 # A VARIANT is what sim/rtl/build_rtl.sh takes before the settings, without blanks between: +noasserts, or
 # +apart+noasserts; `+` alone is the machine of `pipegs sim`. @COMMIT before it is the RTL of another commit, with

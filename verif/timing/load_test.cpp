@@ -3,7 +3,7 @@
 //
 // Rule    Cycles and bytes of a splat do not depend on how the depths are spread, and hardly on how many there are: a
 //         set that does not fit is merged from memory in n log n, and each of its records moves there and back once.
-// Prints  a line for each number of splats, with all spreads: docs/cycles/scale.md shows them.
+// Prints  a line for each number of splats, with all spreads: docs/cycles/cycles.md shows them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // package.cpp: the registers in the SystemVerilog package: offsets, a struct for each register, tables of the slots.
 //
-// Yosys reads a table only as one flat vector (docs/decisions/systemverilog.md): entry i is a fixed number of bits,
+// Yosys reads a table only as one flat vector (docs/decisions.md): entry i is a fixed number of bits,
 // entry 0 lowest.
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
 //
-// Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
+// Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/pu.md.
 // RTL     rtl/pu/rows/pu_allocate.sv
 // Idea    A Gaussian with n regions takes n addresses in a row of a lane's alpha store when the lines of its own layer
 //         leave room for them (the RTL then waits until older layers have left it: timing, not result); otherwise its

@@ -6,7 +6,7 @@ from data import data
 from formats import block, fixed, table
 from measurements import FOUR, points_of
 from pages.cycles.ladder import PAPER
-from pages.cycles.utilisation import fast_mean
+from pages.cycles.cycles import fast_mean
 
 MEASURED = ["ladder/*", "shown/sim", "loops/*"]
 TITLES = {

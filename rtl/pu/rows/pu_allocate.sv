@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu_allocate: gives each Gaussian of a window its lines in the alpha store, and nothing to regions that are opaque.
 //
-// Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/rows.md.
+// Paper   "cache the alphas" (Sec. 3); the paper does not say where: docs/units/pu.md.
 // Idea    n regions take n slots of the lane's alpha store, and n addresses in a row, if the lines of their own layer
 //         leave room for them, waiting until older ones have left it: a slot is free when its line was read
 //         (line_free_i), addresses are a layer at a time. Otherwise they take lines in memory (Overflow 0: there is

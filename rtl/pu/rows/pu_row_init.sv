@@ -4,7 +4,7 @@
 // Paper   Eq. 3, step 2 of Fig. 5a.
 // Idea    P_init(dy) = power + slope_y dy + curve_y dy^2;   beta(dy) = slope_x + twist dy.
 //         The first difference along the row is P(1) - P(0) = beta + curve_x. Dy is a constant: shifts and adds.
-// Numbers Exact; PowerW and GradientW hold the result for any coefficients (docs/units/rows.md), so nothing wraps.
+// Numbers Exact; PowerW and GradientW hold the result for any coefficients (docs/units/pu.md), so nothing wraps.
 // Stream  None: combinational, between the registers of pu_region and of pu_row_unit.
 // Model   cpp_model/pu/rows/pu_row_init.hpp
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu_spill: sends each line of alphas where pu_allocate gave it room: the alpha store, or the overflow area in memory.
 //
-// Paper   The paper's cache has no bound; docs/units/rows.md says what happens when ours is full.
+// Paper   The paper's cache has no bound; docs/units/pu.md says what happens when ours is full.
 // Idea    A line for the store passes at once. A line for memory goes through a register, in AlphaMemoryLines pieces,
 //         to
 //           first line of the area of this unit (area_first) + number * AlphaMemoryLines + piece

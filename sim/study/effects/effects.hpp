@@ -9,7 +9,7 @@
 //         (sim/study/effects/run.hpp).
 // Rule    `auto` also keeps what moves cycles alone: the external memory's timing is called for by whoever asks for
 //         cycles.
-// Docs    docs/numerics/effects.md
+// Docs    docs/cycles/timing_model.md
 #pragma once
 
 #include <array>

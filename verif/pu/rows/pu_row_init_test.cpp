@@ -17,7 +17,7 @@ TEST(PuRowInit, EqualsItsModel) {
     return static_cast<uint64_t>(value) & ((uint64_t{1} << width) - 1);
   };
   for (int i = 0; i < 100000; ++i) {
-    // As large as coefficients in range can make them: docs/units/rows.md.
+    // As large as coefficients in range can make them: docs/units/pu.md.
     Region region = random_record<Region>(config, rng);
     region.power /= 2, region.slope_x /= 2, region.slope_y /= 2, region.curve_x /= 2, region.curve_y /= 2,
         region.twist /= 2;

@@ -158,7 +158,7 @@ Region random_region(std::mt19937_64& rng, uint64_t index) {
   RowJob job = gaussian_row_job(kConfig, rng);
   const int r = static_cast<int>(rng() % kConfig.regions());
   Region region = pu_region(kConfig, job, r);
-  if (rng() % 8 == 0) {  // as large as coefficients in range can make it: docs/units/rows.md
+  if (rng() % 8 == 0) {  // as large as coefficients in range can make it: docs/units/pu.md
     region = random_record<Region>(kConfig, rng);
     region.power /= 2, region.slope_x /= 2, region.slope_y /= 2;
     region.curve_x /= 2, region.curve_y /= 2, region.twist /= 2;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""checkers.py [ROOT]: every stream of ROOT/rtl has a pipegs_stream_check (docs/streams.md).
+"""checkers.py [ROOT]: every stream of ROOT/rtl has a pipegs_stream_check (docs/architecture.md).
 
 Giver   a module with the ports X_valid_o and X_ready_i. It has a pipegs_stream_check of X_valid_o, unless it only
         hands on what an instance in it gives.

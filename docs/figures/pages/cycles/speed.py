@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/cycles/speed.md."""
+"""Tables of docs/cycles/timing_model.md."""
 from data import data
 from formats import fixed, group, table
 

@@ -3,8 +3,10 @@
 from data import data
 from formats import fixed, group, table
 from measurements import FOUR, points_of
+from pages.cycles import speed
+from pages.cycles import effects
 
-MEASURED = ["ladder/*", "model/*"]
+MEASURED = ["ladder/*", "model/*", *speed.MEASURED, *effects.MEASURED]
 
 
 def signed(share):

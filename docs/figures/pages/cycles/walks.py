@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/cycles/walks.md."""
+"""Tables of docs/cycles/cycles.md."""
 from data import data
 from formats import fixed, table, times
 

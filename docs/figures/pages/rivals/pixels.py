@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/rivals/pixels.md."""
+"""Tables of docs/rivals/rivals.md."""
 import math
 
 from data import data

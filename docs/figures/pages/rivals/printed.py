@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The table of docs/rivals/printed.md: every figure that the paper prints, beside ours."""
+"""The table of docs/rivals/terms.md: every figure that the paper prints, beside ours."""
 from data import data
 from formats import fixed, group, percent, span, table, times
 from measurements import FOUR

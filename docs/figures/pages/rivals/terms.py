@@ -3,8 +3,9 @@
 from data import data
 from formats import change, fixed, percent, span, table, times
 from measurements import FOUR
+from pages.rivals import printed
 
-MEASURED = ["terms/*", "ladder/*"]
+MEASURED = ["terms/*", "ladder/*", *printed.MEASURED]
 FIVE = (*FOUR, "plushdog")
 RUNGS = (("baseline", "baseline"), ("hgr", "tspp"), ("dop", "dop"))  # of the model; of the RTL
 SPEEDS = (("hgr", 2.33), ("dop_over_hgr", 1.22), ("dop", 2.85))

@@ -5,7 +5,7 @@ from itertools import product
 from data import data
 from formats import fixed, group, percent, span, table, times
 from measurements import CHARTED, points_of
-from pages.cycles.utilisation import TITLES
+from pages.cycles.cycles import TITLES
 from pages.silicon.silicon import either, ranged
 
 MEASURED = ["energy/*"]

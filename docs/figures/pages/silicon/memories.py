@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/silicon/memories.md: every SRAM that Yosys finds, told by its place in the machine."""
+"""Tables of docs/silicon/silicon.md: every SRAM that Yosys finds, told by its place in the machine."""
 import re
 
 from data import data

@@ -6,8 +6,9 @@ from data import data
 from formats import change, fixed, group, percent, table, times
 from pages.silicon import memories
 from sources import ROOT
+from pages.silicon import memories
 
-MEASURED = ["silicon/*", "energy/own", "memories/dop"]
+MEASURED = ["silicon/*", "energy/own", "memories/dop", *memories.MEASURED]
 UNITS = ("DOPU", "PU", "SU", "RU")
 ROWS = (*UNITS, "Other", "Buffers", "Total")
 PAPER = {"DOPU": 0.001, "PU": 1.695, "SU": 0.065, "RU": 0.472, "Buffers": 1.038, "Total": 3.283}  # mm2, Table 2

@@ -1,10 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/cycles/utilisation.md."""
+"""Tables of docs/cycles/cycles.md."""
 from data import data
 from formats import change, fixed, group, mean, table, thousands
 from measurements import COSTED, FOUR, LARGE, STEPS, WHAT_IF
+from pages.cycles import results, scale, walks
 
-MEASURED = ["ladder/*", "what_if/*", "steps/*", "costs/*", "large/*", "lanes/*", "results/statue_0"]
+MEASURED = [
+    "ladder/*",
+    "what_if/*",
+    "steps/*",
+    "costs/*",
+    "large/*",
+    "lanes/*",
+    "results/statue_0",
+    *results.MEASURED,
+    *walks.MEASURED,
+    *scale.MEASURED,
+]
 TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
 VIEWS = {
     "own": ("60k Gaussians, SH 3", "1024x768"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/numerics/effects.md."""
+"""Tables of docs/cycles/timing_model.md."""
 import re
 
 from data import data

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/numerics/layers.md."""
+"""Tables of docs/training.md."""
 from data import data
 from formats import change, fixed, group, mean, percent, table
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of docs/units/lib.md."""
+"""Figures of docs/units/shared.md."""
 from data import data
 from formats import fixed
 

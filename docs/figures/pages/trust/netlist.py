@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/silicon/netlist.md."""
+"""Tables of docs/trust/trust.md."""
 from data import data
 from formats import fixed, group, table
 
