@@ -8,13 +8,14 @@ PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm
             libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
 STYLE := clang-format black shellcheck codespell
 GATES := opensta qflow-tech-osu018
-TESTED := $(STYLE) $(GATES) python3-numpy python3-pil curl iverilog parallel
+SITE := mkdocs mkdocs-material
+TESTED := $(STYLE) $(GATES) $(SITE) python3-numpy python3-pil curl iverilog parallel
 PAGES := chromium fonts-dejavu-core
 CLUSTER := slurmctld slurmd slurm-client munge
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
-.PHONY: help tools build run page test test-long fuzz bench figures lint prove synth fpga \
+.PHONY: help tools build run page test test-long fuzz bench figures site lint prove synth fpga \
         format style lacks rooms package wave clean
 
 help:  ## this list
@@ -66,6 +67,10 @@ bench: build  ## speed of golden model and RTL on our own scene, apart from the 
 figures: build  ## measure what is older than the sources and fill the pages of docs: PAGE=ladder, ONLY='sweep/*', ALL=1
 	BUILD=$(BUILD) python3 -B docs/figures $(if $(PAGE),--page $(PAGE)) $(if $(ONLY),--only '$(ONLY)') $(if $(ALL),--all)
 
+site:  ## the pages as a site with search: build/site/html; `python3 -m http.server -d build/site/html` shows it
+	@$(call INSTALL,$(SITE))
+	@docs/site.py $(BUILD)/site
+
 lint: tools build  ## each RTL module alone through Verilator's lint and Yosys
 	BUILD=$(BUILD) synth/lint.sh
 
@@ -95,7 +100,7 @@ style:  ## columns, formats, links, spelling, layers
 lacks:  ## what belongs to a module and what a change to it lacks: MODULE=pu_conic, SINCE=main
 	verif/self/lacks.sh $(MODULE) $(SINCE)
 
-rooms:  ## what lacks its rhyme: module, model, test, heading
+rooms:  ## what a module lacks of model, test and page
 	verif/self/rooms.sh
 
 package: build  ## print rtl/pipegs_pkg.sv and what else follows from config.def, records.def and registers.def

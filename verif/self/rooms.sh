@@ -8,7 +8,7 @@
 # Plumbing (rtl/lib queues and memories, rtl/buf) has no bit-accurate model but a test. A module that lacks its test or
 # its bit-accurate model needs a line in covered_by.txt with the test that covers it, and no line may be stale: its
 # module, its test and the need for it must exist. Also: at most 400 lines a file, a head comment, no page that names a
-# module that is gone. Prints what lacks its rhyme and fails when anything does.
+# module that is gone. Prints what is missing and fails when anything is.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit
 list=verif/self/covered_by.txt

@@ -1,23 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""style.py: the rules of the tree that need no tool: lines, SPDX, Markdown, folders, includes. style.sh calls it.
+"""style.py: the rules of the tree that need no tool: lines, SPDX, Markdown, includes. style.sh calls it.
 
 Rules   Text: at most COLUMNS columns (not Markdown, CSV, JSON, XML), no blanks at the end of a line, one newline at the
         end of the file, and `SPDX-License-Identifier` in the first two lines of each source file.
         Markdown: a paragraph or list item is one line; a relative link names a file that is there, and its anchor a
         heading of that file.
-        Folders: each has at most FILES files of its own.
         Includes: never upward in LAYERS; a file of a folder includes its own folder and those before it.
 Output  One line for each find: file, line, what is wrong. Exits 1 when there is any.
 """
-import collections
 import os
 import re
 import subprocess
 import sys
 
 COLUMNS = 120
-FILES = 15
 # From the bottom up. progress.hpp lies in sim/ itself, for all its rooms.
 LAYERS = (
     "sim/driver scenes cpp_model/float cpp_model sim sim/train/gradient sim/memory sim/rtl sim/compare sim/timing "
@@ -114,13 +111,6 @@ def check_markdown(path, lines, all_anchors):
                 find(path, number, f"dead link: no heading #{anchor} in {file}")
 
 
-def check_folders(paths):
-    own = collections.Counter(os.path.dirname(path) for path in paths)
-    for folder in sorted(own):
-        if own[folder] > FILES and folder:
-            find(folder, 0, f"{own[folder]} files of its own, at most {FILES}: give them rooms")
-
-
 def layer(path):
     """The place of a file in LAYERS: the longest of its folders that stands there; None for what is outside."""
     folder = os.path.dirname(path)
@@ -157,7 +147,6 @@ def main():
             check_markdown(path, lines, all_anchors)
         if path.endswith((".cpp", ".hpp")):
             check_includes(path, lines)
-    check_folders(paths)
     print("\n".join(finds + [f"{len(paths)} files read, {len(finds)} finds"]))
     return 1 if finds else 0
 

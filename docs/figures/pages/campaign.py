@@ -50,4 +50,5 @@ def shared_out():
                 f"{100 * whole() / busy:.0f} %",
             ]
         )
-    return table(["windows of a point", "machines", "minutes", "times as fast", "share not done anew"], rows)
+    share = "share of the time that is not reading and packing"
+    return table(["windows of a point", "machines", "minutes", "times as fast", share], rows)

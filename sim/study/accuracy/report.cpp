@@ -160,10 +160,9 @@ std::string knob_sentence(const SweptKnob& swept) {
   const size_t last = measured.back();
   if (to == from) {
     const double coarse = quality(knob, swept.points[from].figures);
-    return fmt::format(
-        "{}: no finer value than {} gains a decibel of {} ({:.1f} dB there, {:.1f} dB at best); from {} to {}: {}.",
-        knob.name, swept.values[from]->label, what, coarse, best, swept.values[from]->label, swept.values[last]->label,
-        cost(swept.points[from], swept.points[last]));
+    return fmt::format("{}: {} is enough: {:.1f} dB of {}, {:.1f} dB at best; {} in its place costs {}.", knob.name,
+                       swept.values[from]->label, coarse, what, best, swept.values[last]->label,
+                       cost(swept.points[from], swept.points[last]));
   }
   const double gain = quality(knob, swept.points[to].figures) - quality(knob, swept.points[from].figures);
   std::string text = fmt::format("{}: from {} to {} {:+.1f} dB of {} for {}", knob.name, swept.values[from]->label,

@@ -99,10 +99,11 @@ def fp16_off():
 
 def popping():
     found = data.stability.cases.popping
+    against = found.dop[2] + found.exact[2]
     return (
-        f"`dop` draws {found.dop[0]} pairs against their depth, `exact` {found.exact[0]}; half a degree further "
-        f"{found.dop[1]} and {found.exact[1]} pairs have swapped, {found.dop[2]} and {found.exact[2]} of them not "
-        "by depth"
+        f"`dop` draws {found.dop[0]} pairs against their depth, `exact` {found.exact[0]}; half a degree later "
+        f"{found.dop[1]} pairs (`dop`) and {found.exact[1]} (`exact`) have swapped; "
+        + (f"{against} swaps do not follow depth" if against else "all swaps follow depth")
     )
 
 
