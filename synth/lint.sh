@@ -79,7 +79,7 @@ lint() {  # MODULES, SETTINGS: these modules with these settings
 elaborate() {  # MODULES, SETTINGS: each of them as the top of a design
   local log top script
   script="read_verilog -sv -defer -DSYNTHESIS $(package "$2") ${files[*]}; design -save all"
-  for top in $1; do script+="; design -load all; hierarchy -check -top $top; proc"; done
+  for top in $1; do script+="; design -load all; hierarchy -check -top $top; proc; check -assert"; done
   log=$(yosys -q -e 'implicitly declared' -p "$script" 2>&1) || fail "yosys $1 $2" "$log"
 }
 top_of() { if [[ " $1 " == *" bus_w=0 "* ]]; then echo pipegs_host; else echo pipegs_axi; fi; }

@@ -4,8 +4,9 @@
 #
 # Arrays of structs, of enums and of other named types lose a dimension, functions that return structs return 0,
 # functions that build a table in a constant get it wrong, a parameter of '1 is 1, a sum in a comparison keeps what a
-# sized cast in it cuts off, a shifted cast in a replication is not as wide as the cast, and a minus before a sized cast
-# binds to the size: write W'(0) - W'(x).
+# sized cast in it cuts off, a shifted cast in a replication is not as wide as the cast, a minus before a sized cast
+# binds to the size: write W'(0) - W'(x), and an element of an array in a concatenation on an output port is read as a
+# memory that nobody writes (over several lines only `check -assert` behind `proc` sees it).
 # Prints each place with what is wrong with it; fails when there is one.
 set -uo pipefail
 found=0
@@ -18,4 +19,9 @@ look "a shift of a sized cast in a replication" "\{[A-Za-z0-9_:]+'\([^{}]*\) *<<
 look "a parameter of all ones" "(local)?param(eter)?[^=]*= *'1 *[;,)]" "$@"
 look "a comparison with a sum that holds a sized cast" \
   "[=!]= *[]A-Za-z0-9_.:[]+ *[+-] *[A-Za-z0-9_:]+'\(|[+-] *[A-Za-z0-9_:]+'\([^()]*\) *[=!]=" "$@"
+for file in "$@"; do
+  arrays=$(grep -oE ' [a-z_0-9]+ +\[[^]]*\] *[;,]' "$file" | grep -oE '^ [a-z_0-9]+' | paste -sd '|' | tr -d ' ')
+  [ -z "$arrays" ] || look "an element of an array in a concatenation on an output port" \
+    "_n?o\(\{([^{}]*[ ,{])?($arrays)\[" "$file"
+done
 [ "$found" -eq 0 ]

@@ -52,6 +52,7 @@ FUNCTIONS = "*pipegs_saturate* *pipegs_first_set* *pipegs_bit_length*"
 ELABORATE = """read_verilog -sv -defer -DSYNTHESIS {folder}/pipegs_pkg.sv {files}
 hierarchy -check -top {name}
 proc
+check -assert
 setattr -mod -set keep_hierarchy 1 *
 setattr -mod -unset keep_hierarchy {functions}
 flatten

@@ -118,8 +118,9 @@ Elaborated elaborate(const std::string& settings) {
     if (file.path().extension() == ".sv" && file.path().filename() != "pipegs_pkg.sv")
       files += " " + file.path().string();
   }
-  const std::string script = "read_verilog -sv -defer -DSYNTHESIS " + package + files +
-                             "; hierarchy -top pipegs_top; proc; opt_expr; opt_merge; opt_clean; write_json " + netlist;
+  const std::string script =
+      "read_verilog -sv -defer -DSYNTHESIS " + package + files +
+      "; hierarchy -top pipegs_top; proc; check -assert; opt_expr; opt_merge; opt_clean; write_json " + netlist;
   EXPECT_EQ(
       std::system(("yosys -q -e 'implicitly declared' -p \"" + script + "\" > '" + (folder / "log").string() + "' 2>&1")
                       .c_str()),

@@ -22,6 +22,9 @@ plant "a shift of a sized cast in a replication" "  assign y = {4'(0), {3{W'(1) 
 plant "a parameter of all ones" "  localparam logic [2:0] Last = '1;"
 plant "a comparison with a sum that holds a sized cast" "  assign y = a_q == b_q + 3'(c);"
 plant "a comparison with a sum that holds a sized cast" "  assign y = b_q + W'(c) != a_q;"
-printf 'module planted;\n  logic [3:0] words [4];\nendmodule\n' > "$scratch/planted.sv"
+plant "an element of an array in a concatenation on an output port" \
+  "  logic [3:0] words [4]; sub u_sub (.out_o({bits[2], words[2]}));"
+printf '%b' 'module planted;\n  logic [3:0] words [4];\n' \
+  '  sub u_sub (.a_i({words[2]}), .b_o({bits[2], one}));\nendmodule\n' > "$scratch/planted.sv"
 "$search" "$scratch/planted.sv" || { echo "found where nothing is"; failed=1; }
 exit "$failed"

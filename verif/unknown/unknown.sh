@@ -30,7 +30,7 @@ if [ -n "$module" ]; then
     files[i]=$work/$module.sv
   done
 fi
-passes="proc -noopt; flatten; opt_clean; memory -nomap; memory_map; pmuxtree; dffunmap -ce-only
+passes="proc -noopt; check -assert; flatten; opt_clean; memory -nomap; memory_map; pmuxtree; dffunmap -ce-only
   chtype -set \$eq t:\$eqx; techmap -map $here/compare_unknown.v; opt_clean"
 yosys -q -p "read_verilog -sv -lib rtl/lib/pipegs_sram.sv
   read_verilog -sv -defer -DSYNTHESIS $work/pipegs_pkg.sv ${files[*]}

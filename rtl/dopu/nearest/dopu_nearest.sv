@@ -80,7 +80,9 @@ module dopu_nearest #(
   logic [Levels-1:0] set_q, through, working, level_done;  // the set at work; through: nothing of it is left here
   logic [1:0]        complete_q [Levels];                  // the levels that are through with a set
   logic              cells_in_q;                           // all cells of the window scanned have come
-  logic              send_set, window_end;
+  logic              cell_here, send_set, window_end;
+
+  assign cell_here = cell_valid_i && cell_set_i == set_q[0] && !cells_in_q && working[0];
 
   always_comb begin
     for (int unsigned l = 0; l < Levels; l += 1) begin
@@ -112,10 +114,9 @@ module dopu_nearest #(
   logic [NodeBits-1:0]  child [Levels];
   logic [BucketW-1:0]   child_parent [Levels];
   logic [ReservedW-1:0] reserved_q [Levels];  // places for results
-  logic                 cell_here, rank_ready;
+  logic                 rank_ready;
   logic [1:0]           level;
 
-  assign cell_here       = cell_valid_i && cell_set_i == set_q[0] && !cells_in_q && working[0];
   assign child_valid[0]  = cell_here && cell_kind_i == pipegs_pkg::KindData;
   assign child_last[0]   = 1'b0;
   assign child_parent[0] = '0;
@@ -171,6 +172,7 @@ module dopu_nearest #(
     for (genvar l = 0; l < Levels; l += 1) begin : gen_results
       localparam int unsigned HeldW = l == 2 ? DataW : RangeW;  // only of chunks the place matters
       logic [HeldW-1:0]     result_data, held_data;
+      logic [BucketW-1:0]   bucket;
       logic [ReservedW-1:0] count;
 
       assign push[l]   = result_valid && result_level == 2'(l) && result_kept;
@@ -188,9 +190,10 @@ module dopu_nearest #(
         .in_valid_i(push[l]), .in_ready_o(queue_ready[l]),
         .in_i({result_last, result_pass, result_bucket, result_data}),
         .out_valid_o(held_valid[l]), .out_ready_i(retired[l]),
-        .out_o({held_last[l], held_pass[l], held_bucket[l], held_data}), .count_o(count)
+        .out_o({held_last[l], held_pass[l], bucket, held_data}), .count_o(count)
       );
-      assign live[l] = held_valid[l] && held_pass[l] && !level_done[l];
+      assign held_bucket[l] = bucket;
+      assign live[l]        = held_valid[l] && held_pass[l] && !level_done[l];
 
       always_ff @(posedge clk_i or negedge rst_ni) begin
         if (!rst_ni) reserved_q[l] <= '0;

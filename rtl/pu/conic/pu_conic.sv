@@ -43,7 +43,7 @@ module pu_conic (
 
   // log2(e)/2, u0.MantissaW, from 32 fraction bits.
   localparam int unsigned KF  = 32;
-  localparam logic [KF-1:0] KFull = KF'(3098164009);
+  localparam logic [KF-1:0] KFull = 32'd3098164009;
   localparam logic [MantissaW-1:0] K = MantissaW'(((KFull >> (KF - MantissaW - 1)) + KF'(1)) >> 1);
 
   // What a record keeps while it is calculated.

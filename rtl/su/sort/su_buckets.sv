@@ -101,7 +101,7 @@ module su_buckets (
   assign quiet       = !some_word && work_q == '0 && operation_q == None;  // an insertion may still fill a bucket
 
   // --- what is done next --------------------------------------------------------------------------------------------
-  logic insert_reads, entry_reads, word_reads, same_word, insert_waits;
+  logic insert_reads, entry_reads, word_reads, same_word, insert_waits, chain_due;
   // Is the word that an insertion is about to read, or has read, the one that the release takes?
   assign same_word    = operation_q == Insert ? {set_q, bucket_q[BucketW-1:LowW]} == {job_set_i, first_word}
                                               : {insert_set_i, insert_bucket_i[BucketW-1:LowW]} == {job_set_i, word_q};
@@ -145,7 +145,7 @@ module su_buckets (
   end
 
   // --- the group that is being joined -------------------------------------------------------------------------------
-  logic               group_valid_q, fits, join_group, push_group, chain_due;
+  logic               group_valid_q, fits, join_group, push_group;
   logic [RecordW-1:0]   group_head_q, group_tail_q;
   logic [RecordW:0]     group_count_q;
   logic [BucketW-1:0] group_bucket_q, entry_bucket_q;

@@ -31,7 +31,7 @@ def elaborate(build, root, top, settings, folder):
         subprocess.run([build / "cpp_model/package_sv", *settings.split()], stdout=file, check=True)
     files = " ".join(str(path) for path in sorted(root.glob("rtl/**/*.sv")) if path.stem != "pipegs_pkg")
     script = f"""read_verilog -sv -defer -DSYNTHESIS {package} {files}
-        hierarchy -check -top {top}; proc; opt_clean; write_json {out}"""
+        hierarchy -check -top {top}; proc; check -assert; opt_clean; write_json {out}"""
     subprocess.run(["yosys", "-q", "-p", script], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return json.loads(out.read_text())["modules"]
 
