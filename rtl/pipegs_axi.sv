@@ -3,8 +3,8 @@
 //
 // Idea    Flat ports with the names of AXI, which tools for systems on a chip find by themselves. Everything else is
 //         below: pipegs_host is the machine with its registers, pipegs_axi_manager its way to memory. Only wiring here.
-// Stream  s_axi_*: registers, docs/units/registers.md. m_axi_*: memory, docs/units/shared.md. No path leads from an
-//         input to an output without a register.
+// Stream  s_axi_*: registers, package/pipegs_registers.csv. m_axi_*: memory, docs/units/shared.md. No path leads from
+//         an input to an output without a register.
 // Reset   aresetn falls and rises at any time (pipegs_reset_sync). Until it has been let go inside, registers are not
 //         ready.
 // Pace    pipegs_axi_manager's.

@@ -1150,7 +1150,7 @@ package pipegs_pkg;
     logic [RecordW-1:0] slot;
   } su_item_t;
 
-  // Registers of the control side, see docs/units/registers.md: byte offsets.
+  // Registers of the control side, see package/pipegs_registers.csv: byte offsets.
   localparam int unsigned ControlAddressW = 12;
   localparam logic [ControlAddressW-1:0] ControlControlAt = 12'h010;
   localparam logic [ControlAddressW-1:0] ControlStatusAt = 12'h014;

@@ -17,7 +17,7 @@ printed() {  # FILE COMMAND ...
 }
 printed rtl/pipegs_pkg.sv "$package_sv"
 printed $registers_header "$registers" header
-printed docs/units/registers.md "$registers" page
+printed package/pipegs_registers.csv "$registers" csv
 printed package/pipegs_registers.rdl "$registers" rdl
 printed package/pipegs_registers.xml "$registers" ipxact
 for file in pipegs.core Bender.yml; do printed $file python3 -B package/files.py $file; done

@@ -61,7 +61,7 @@ std::string block_struct(const SlotBlock& block) {
 
 std::string print_package(const RegisterMap& map) {
   std::string text = fmt::format(
-      "\n  // Registers of the control side, see docs/units/registers.md: byte offsets.\n"
+      "\n  // Registers of the control side, see package/pipegs_registers.csv: byte offsets.\n"
       "  localparam int unsigned ControlAddressW = {};\n",
       map.address_bits);
   std::vector<Entry> constants, slots, counters;

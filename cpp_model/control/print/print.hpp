@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // print.hpp: the table of registers in the languages of those who read it, each as the text of a file or its end.
 //
-// What depends on the configuration: widths (package, page, RDL, IP-XACT). The C header does not: one driver for all.
+// What depends on the configuration: widths (package, CSV, RDL, IP-XACT). The C header does not: one driver for all.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace pipegs {
 
 std::string print_package(const RegisterMap& map);  // the end of rtl/pipegs_pkg.sv
 std::string print_header(const RegisterMap& map);   // sim/driver/pipegs_registers.h
-std::string print_page(const RegisterMap& map);     // docs/units/registers.md
+std::string print_csv(const RegisterMap& map);      // package/pipegs_registers.csv
 std::string print_rdl(const RegisterMap& map);      // package/pipegs_registers.rdl
 std::string print_ipxact(const RegisterMap& map);   // package/pipegs_registers.xml
 
