@@ -12,7 +12,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$build/cpp_model/package_sv" "$@" > "$work/pipegs_pkg.sv"
 files=$(find rtl -name '*.sv' ! -name pipegs_pkg.sv ! -name pipegs_sram.sv | sort | tr '\n' ' ')
-yosys -q -p "read_verilog -sv -lib rtl/lib/pipegs_sram.sv; read_verilog -sv -DSYNTHESIS $work/pipegs_pkg.sv $files
+yosys -q -p "read_verilog -sv -lib rtl/lib/pipegs_sram.sv
+  read_verilog -sv -defer -DSYNTHESIS $work/pipegs_pkg.sv $files
   hierarchy -top pipegs_top; proc; check -assert; flatten
   tee -q -o $work/srams.txt dump t:pipegs_sram" > "$work/log" 2>&1 ||
   { tail -n 5 "$work/log" >&2; exit 3; }
