@@ -10,7 +10,8 @@
 # absent, for Yosys as pipegs_axi, for Verilator as it is simulated, sim/rtl/pipegs_sim.sv. The waivers are those of
 # sim/rtl/waivers.vlt, each with its reason. Yosys 0.23 reads some constructs without a word and gets them wrong
 # (docs/decisions.md): misread.sh searches for those, and its warning "implicitly declared", which goes
-# with one of them, is an error. Ends in a count.
+# with one of them, is an error; declared.py names what is used before its declaration, which only conforming tools
+# refuse. Ends in a count.
 # --corners: random legal configurations (cpp_model/lib/corners.hpp), before them those that were once broken; each as
 # the whole machine. One that fails is printed with the command that repeats it.
 set -uo pipefail
@@ -107,5 +108,7 @@ for machine in "${machines[@]}"; do
   elaborate "$(top_of "$machine")" "$machine"
 done
 if ! synth/misread.sh "${files[@]}"; then echo "FAIL read wrong by Yosys"; failed=$((failed + 1)); fi
+mapfile -t all < <(find rtl sim/rtl synth/prove verif -name '*.sv' -o -name '*.svh' | sort)
+if ! synth/declared.py "${all[@]}"; then echo "FAIL used before the declaration"; failed=$((failed + 1)); fi
 echo "${#modules[@]} modules read, $failed failed"
 [ "$failed" -eq 0 ]
