@@ -15,11 +15,6 @@ def worth(name):
     return table(found.header, [row for row in found.rows if row[0] in SHOWN])
 
 
-def runs():
-    """Each reference run and ours."""
-    return table(data.dram.check.runs.header, data.dram.check.runs.rows)
-
-
 def differences(source, streams):
     """Of the bandwidth, in percent, over the runs of one simulator on the streams or on the random traces."""
     return [
