@@ -13,7 +13,7 @@ ROWS = ("DOPU", "PU", "SU", "RU", "Other", "Buffers", "Total", "DRAM")
 PAPER = {"DOPU": 0.004, "PU": 0.466, "SU": 0.068, "RU": 0.171, "Buffers": 0.236, "Total": 0.948}  # W, Table 2
 
 
-def units(scene, point="dop"):
+def units(scene, point):
     """What each unit takes for one frame."""
     rows = []
     for name in ROWS:

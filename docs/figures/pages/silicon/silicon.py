@@ -6,7 +6,6 @@ from data import data
 from formats import change, fixed, group, percent, table, times
 from pages.silicon import memories
 from sources import ROOT
-from pages.silicon import memories
 
 MEASURED = ["silicon/*", "energy/own", "memories/dop", *memories.MEASURED]
 UNITS = ("DOPU", "PU", "SU", "RU")
@@ -29,11 +28,11 @@ def either(value, form, *digits):
     return "" if value is None else form(value, *digits)
 
 
-def beside():
-    """The default machine beside Table 2."""
+def beside(point):
+    """A design point beside Table 2."""
     rows = []
     for name in ROWS:
-        row = data.silicon.dop[name]
+        row = data.silicon[point][name]
         rows.append(
             [
                 name,
