@@ -126,6 +126,9 @@ MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
     "dop": "", "gscore": "window=16 late=1 order=1 quadratic=1 tile_test=2 records=2048",
     "baseline": "late=1 order=1 quadratic=1 records=2048", "dpc": "late=1 order=1 records=2048",
     "tspp": "order=1", "late": "late=1 records=2048", "exact": "late=1 order=2 records=2048 bucket_bits=5",
+    "fast": "fronts=2 window=128 group=16 late=1 order=2 quads=1 pos_w=18 base_w=14 mantissa_w=22 coeff_f=24 "
+            "tight_cull=1 tight_boxes=1 tests=2 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
+            "nearest_nodes=1024 mark_chunks=7",
 }
 TRAINED = {  # docs/data/trained/plush/NAME.json: how a scene of photographs is trained for layers
     "none": "--order exact --cldr none", "printed": "--order exact --cldr printed",
