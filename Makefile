@@ -16,7 +16,7 @@ SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
 .PHONY: help tools build run page test test-long fuzz bench figures site lint prove synth fpga \
-        format style lacks rooms package wave clean
+        format style lacks layout package wave clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*##/  make \1:/p' $(MAKEFILE_LIST)
@@ -100,8 +100,8 @@ style:  ## columns, formats, links, spelling, layers
 lacks:  ## what belongs to a module and what a change to it lacks: MODULE=pu_conic, SINCE=main
 	verif/self/lacks.sh $(MODULE) $(SINCE)
 
-rooms:  ## what a module lacks of model, test and page
-	verif/self/rooms.sh
+layout:  ## what a module lacks of model, test and page
+	verif/self/layout.sh
 
 package: build  ## print rtl/pipegs_pkg.sv and what else follows from config.def, records.def and registers.def
 	cmake --build $(BUILD) --target package_sv registers_print

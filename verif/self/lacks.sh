@@ -3,7 +3,7 @@
 # lacks.sh MODULE [SINCE]: what belongs to a module, and what a change to it still lacks.
 #
 # A row for each thing: bit-accurate model, test, mutation tests, timing model, proof, page, area point. "lacks" is
-# what rooms.sh demands and is not there (exit code 1); "none" is what not every module has. When the module has changed
+# what layout.sh demands and is not there (exit code 1); "none" is what not every module has. When the module has changed
 # since the commit SINCE (HEAD by default: what is not committed yet), each row also says whether it has, too: a row
 # "as before" is either right as it is or forgotten, which only who made the change can tell.
 set -uo pipefail
@@ -29,7 +29,7 @@ moved=""
 if changed "$file"; then moved=1; fi
 row "module" "$file"
 covering=$(awk -v name="$name" '$1 == name {print $2}' verif/self/covered_by.txt)
-complaint=$(verif/self/rooms.sh | grep -wE -- "$name" || true)
+complaint=$(verif/self/layout.sh | grep -wE -- "$name" || true)
 
 mapfile -t found < <(find cpp_model -name "$short.hpp" -o -name "$short.cpp" | sort)
 row "bit-accurate model" "${found[@]}"

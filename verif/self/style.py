@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 COLUMNS = 120
-# From the bottom up. progress.hpp lies in sim/ itself, for all its rooms.
+# From the bottom up. progress.hpp lies in sim/ itself, for all its folders.
 LAYERS = (
     "sim/driver scenes cpp_model/float cpp_model sim sim/train/gradient sim/memory sim/rtl sim/compare sim/timing "
     "sim/design sim/report sim/train sim/study sim/command verif"

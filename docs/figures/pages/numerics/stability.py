@@ -10,7 +10,11 @@ CASES = [  # what it is, how it is handled, its test
         "left out, counted `non_finite`; no pair, no pixel changes",
         "Stability.T01_NonFiniteInputIsCulledAndCounted",
     ),
-    ("T2 zero quaternion", "left out, counted, told by `pipegs info`", "Stability.T02_ZeroQuaternionIsCulledAndTold"),
+    (
+        "T2 zero quaternion",
+        "left out, counted, reported by `pipegs info`",
+        "Stability.T02_ZeroQuaternionIsCulledAndTold",
+    ),
     (
         "T3 quaternion of length 2^-60 to 2^60",
         "normalised in double by the host",
@@ -52,7 +56,7 @@ CASES = [  # what it is, how it is handled, its test
     ("T21 stop at 1e-4", "`<`, exact in integers", "Stability.T21_StopAtTheBoundary"),
     (
         "T23 scales without logarithm",
-        "rendered as asked, told by `pipegs info`",
+        "rendered as asked, reported by `pipegs info`",
         "Stability.T23_ScalesWithoutLogarithm",
     ),
     ("T24 mirrored axes", "x right, y down, z forward", "Stability.T24_AxesAreNotMirrored"),

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# rooms.sh: the layout's rule, checked: rtl/<room>/<module>.sv = cpp_model/<room>/<name>.hpp =
-# verif/<room>/<name>_test.cpp = a heading or a row in docs/units. A room is a unit, or a part of it as pu/color; a name
-# is that of the module without the prefix pipegs_, which keeps it apart from modules of others in one system. So every
-# module has it, but those whose name begins with their unit: dopu_, pu_, su_, ru_.
+# layout.sh: the layout's rule, checked: rtl/<folder>/<module>.sv = cpp_model/<folder>/<name>.hpp =
+# verif/<folder>/<name>_test.cpp = a heading or a row in docs/units. A folder is that of a unit, or of a part of it as
+# pu/color; a name is that of the module without the prefix pipegs_, which keeps it apart from modules of others in one
+# system. So every module has it, but those whose name begins with their unit: dopu_, pu_, su_, ru_.
 #
 # Plumbing (rtl/lib queues and memories, rtl/buf) has no bit-accurate model but a test. A module that lacks its test or
 # its bit-accurate model needs a line in covered_by.txt with the test that covers it, and no line may be stale: its
@@ -15,7 +15,7 @@ list=verif/self/covered_by.txt
 status=0
 complain() { echo "$1"; status=1; }
 
-# The file of the test that covers module $1 of room $2 according to the list; nothing without a line.
+# The file of the test that covers module $1 of folder $2 according to the list; nothing without a line.
 covering_test() {
   local test
   test=$(awk -v name="$1" '$1 == name {print $2}' "$list")
@@ -27,20 +27,20 @@ covering_test() {
   esac
 }
 
-room_of() { local room; room=$(dirname "${1#rtl/}"); echo "${room/#./rtl}"; }
+folder_of() { local folder; folder=$(dirname "${1#rtl/}"); echo "${folder/#./rtl}"; }
 
 mapfile -t files < <(find rtl -name "*.sv" | sort)
 for file in "${files[@]}"; do
-  room=$(room_of "$file") name=$(basename "$file" .sv)
-  own_test=verif/$room/${name#pipegs_}_test.cpp model=cpp_model/$room/${name#pipegs_}.hpp
-  covering=$(covering_test "$name" "$room")
+  folder=$(folder_of "$file") name=$(basename "$file" .sv)
+  own_test=verif/$folder/${name#pipegs_}_test.cpp model=cpp_model/$folder/${name#pipegs_}.hpp
+  covering=$(covering_test "$name" "$folder")
   [ -e "$own_test" ] || [ -e "${covering:-none}" ] || complain "$file: no $own_test and no valid line in $list"
-  case ${room%%/*}:$name in
+  case ${folder%%/*}:$name in
     *:pipegs_* | dopu:dopu_* | pu:pu_* | su:su_* | ru:ru_*) ;;
-    *) complain "$file: a module is named pipegs_NAME, or UNIT_NAME in its unit's room" ;;
+    *) complain "$file: a module is named pipegs_NAME, or UNIT_NAME in its unit's folder" ;;
   esac
   grep -qE "^(module|package) $name\b" "$file" || complain "$file: no module of this name"
-  case $room in
+  case $folder in
     lib | lib/math | buf) needs_model= ;;
     *) needs_model=1; [ -e "$model" ] || [ -n "$covering" ] || complain "$file: no $model and no line in $list" ;;
   esac
@@ -56,7 +56,7 @@ done
 while read -r name test; do
   file=$(find rtl -name "$name.sv")
   [ -n "$file" ] || { complain "$list: no module $name"; continue; }
-  covering=$(covering_test "$name" "$(room_of "$file")")
+  covering=$(covering_test "$name" "$(folder_of "$file")")
   [ -e "$covering" ] || complain "$list: $name: no test $test"
 done < <(grep -v '^#' "$list")
 
