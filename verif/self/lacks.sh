@@ -3,9 +3,9 @@
 # lacks.sh MODULE [SINCE]: what belongs to a module, and what a change to it still lacks.
 #
 # A row for each thing: bit-accurate model, test, mutation tests, timing model, proof, page, area point. "lacks" is
-# what layout.sh demands and is not there (exit code 1); "none" is what not every module has. When the module has changed
-# since the commit SINCE (HEAD by default: what is not committed yet), each row also says whether it has, too: a row
-# "as before" is either right as it is or forgotten, which only who made the change can tell.
+# what layout.sh demands and is not there (exit code 1); "none" is what not every module has. When the module has
+# changed since the commit SINCE (HEAD by default: what is not committed yet), each row also says whether it has, too: a
+# row "as before" is either right as it is or forgotten, which only who made the change can know.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit
 name=${1:-} since=${2:-HEAD} status=0
