@@ -11,12 +11,12 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <string>
 #include <vector>
 
 #include "sim/memory/dram/dram.hpp"
 #include "sim/memory/memory_timing.hpp"
+#include "sim/memory/ring.hpp"
 
 namespace pipegs {
 
@@ -57,9 +57,9 @@ class DramMemory final : public MemoryTiming {
   int lines_left_ = 0, tag_ = 0;
   uint32_t flying_ = 0;
   std::array<Read, kFlying> reads_{};
-  std::deque<uint32_t> free_;
-  std::array<std::deque<uint32_t>, 256> order_;  // of each tag: its lines, oldest first
-  std::deque<Due> due_;                          // answers on their way to the machine
+  Ring<uint32_t> free_;
+  std::array<Ring<uint32_t>, 256> order_;  // of each tag: its lines, oldest first
+  Ring<Due> due_;                          // answers on their way to the machine
 };
 
 }  // namespace pipegs

@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/memory/ring.hpp"
+
 namespace pipegs {
 
 class Dram;
@@ -58,11 +60,10 @@ class PinsTiming final : public MemoryTiming {
   explicit PinsTiming(const ExternalMemoryOptions& options);
 
   int step() override;
-  bool ready() const override { return waiting_ < options_.queue; }
+  bool ready() const override { return starts_.size() < static_cast<size_t>(options_.queue); }  // those wait
   void request(bool write, uint64_t line, int tag, int lines) override;
 
  private:
-  static constexpr int kMostLines = 8;  // of a request
   struct Pending {
     double due;
     uint64_t order;
@@ -76,12 +77,9 @@ class PinsTiming final : public MemoryTiming {
   double cycles_per_line_;
   std::mt19937_64 rng_;
   double now_ = 0, pins_free_ = 0;
-  int waiting_ = 0;             // lines that wait for the pins
-  std::vector<double> starts_;  // a ring: when each of them gets the pins
-  size_t first_start_ = 0;
+  Ring<double> starts_;  // of those: when each gets the pins
   uint64_t order_ = 0;
-  std::vector<Pending> answers_;  // without jitter answers come in the order of the requests: a ring of a power of two
-  size_t first_answer_ = 0, answer_count_ = 0;
+  Ring<Pending> answers_;  // without jitter answers come in the order of the requests
   std::priority_queue<Pending, std::vector<Pending>, std::greater<>> shuffled_;  // with jitter
   std::array<double, 256> last_due_{};  // per tag: answers of one tag stay in order
 };

@@ -11,11 +11,11 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 
 #include "sim/memory/memory_timing.hpp"
+#include "sim/memory/ring.hpp"
 
 namespace pipegs {
 
@@ -54,13 +54,13 @@ class AxiTiming {
   int beats_, write_latency_;
   int64_t now_ = 0;
   bool ready_ = false, answer_ = false;
-  int beat_ = 0;                                // shown, counted from 1; 0: none
-  AxiLine shown_;                               // its line
-  std::deque<AxiLine> asks_;                    // that the timing did not take
-  std::array<std::deque<AxiLine>, 256> asked_;  // of each tag of the timing, oldest first
-  std::deque<AxiLine> back_;                    // that it has answered
-  int sent_ = 0;                                // beats of the first of them that were taken
-  std::deque<int64_t> answers_;                 // of each write that is in memory: when it may be answered
+  int beat_ = 0;                          // shown, counted from 1; 0: none
+  AxiLine shown_;                         // its line
+  Ring<AxiLine> asks_;                    // that the timing did not take
+  std::array<Ring<AxiLine>, 256> asked_;  // of each tag of the timing, oldest first
+  Ring<AxiLine> back_;                    // that it has answered
+  int sent_ = 0;                          // beats of the first of them that were taken
+  Ring<int64_t> answers_;                 // of each write that is in memory: when it may be answered
 };
 
 }  // namespace pipegs

@@ -8,10 +8,9 @@
 // Units   Cycles of the machine's clock.
 #pragma once
 
-#include <deque>
-
 #include "cpp_model/config.hpp"
 #include "sim/memory/axi/axi_timing.hpp"
+#include "sim/memory/ring.hpp"
 
 namespace pipegs {
 
@@ -60,19 +59,19 @@ class BusTiming final : public MemoryTiming {
   Read ar_;
   uint64_t aw_line_ = 0;
   int w_beat_ = 0;
-  Queue writes_;             // not answered
-  Queue waiting_;            // reads in the fence
-  std::deque<Read> fenced_;  // these
-  uint64_t stamp_ = 0;       // writes accepted
+  Queue writes_;        // not answered
+  Queue waiting_;       // reads in the fence
+  Ring<Read> fenced_;   // these
+  uint64_t stamp_ = 0;  // writes accepted
   bool passing_ = false, leaving_ = false;
   int reads_ = 0;             // not answered
   int line_tag_ = kNoAnswer;  // the line that shows to the core
 
   // The present cycle: what the bus shows and what the core offers.
   bool ar_ready_ = false, aw_ready_ = false, w_ready_ = false, b_taken_ = false, read_ends_ = false;
-  int line_ = kNoAnswer;            // a line that is whole with this cycle's beat
-  std::deque<uint64_t> addresses_;  // of writes whose data is not whole
-  int data_ = 0;                    // whole lines without an address
+  int line_ = kNoAnswer;      // a line that is whole with this cycle's beat
+  Ring<uint64_t> addresses_;  // of writes whose data is not whole
+  int data_ = 0;              // whole lines without an address
   bool offered_ = false, accepted_ = false, offered_write_ = false;
   Read offer_;
 };

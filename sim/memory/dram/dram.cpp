@@ -50,7 +50,6 @@ Dram::Dram(const DramTiming& timing, double machine_clock_ghz)
   arrivals_.resize(std::bit_ceil(lines_.size()));
   for (int c = 0; c < timing.channels; ++c) next_[c] = channels_[c].next();
   next_all_ = *std::min_element(next_.begin(), next_.begin() + timing.channels);
-  set_wake();
 }
 
 void Dram::request(bool write, uint64_t line, uint32_t id) {
@@ -66,12 +65,8 @@ void Dram::request(bool write, uint64_t line, uint32_t id) {
     free_ = slot.left;
     slot = {id, bursts_per_line_, step_};
   }
-  if (waiting_ == 0 && offer(waiting, dram_cycle(step_))) {
-    wake_ = std::min(wake_, step_ + 1);
-    return;
-  }
+  if (waiting_ == 0 && offer(waiting, dram_cycle(step_))) return;
   front_[(first_waiting_ + waiting_++) & (static_cast<int>(front_.size()) - 1)] = waiting;
-  wake_ = std::min(wake_, step_ + 1);
 }
 
 // Gives the bursts of a line to their channels as far as these accept them; true if none is left.
@@ -84,12 +79,11 @@ bool Dram::offer(Waiting& waiting, DramCycle now) {
     next_[c] = channel.next();
     next_all_ = std::min(next_all_, next_[c]);
     if (--waiting.left == 0) return true;
-    waiting.place = places_(++waiting.burst);
+    waiting.place = places_.next(waiting.place, ++waiting.burst);
   }
 }
 
-void Dram::advance() {
-  const DramCycle until = dram_cycle(step_);
+void Dram::advance(DramCycle until) {
   while (next_all_ <= until) {
     const DramCycle now = next_all_;
     for (int c = 0; c < timing_.channels; ++c) {
@@ -107,11 +101,7 @@ void Dram::advance() {
       --waiting_;
     }
   }
-  set_wake();
 }
-
-// The first cycle of the machine that reaches the next event of the DRAM.
-void Dram::set_wake() { wake_ = std::max(step_ + 1, static_cast<int64_t>(static_cast<double>(next_all_) / ratio_)); }
 
 void Dram::arrive(uint32_t slot) {
   Line& line = lines_[slot];

@@ -62,7 +62,7 @@ class Dram {
   bool ready() const { return waiting_ < timing_.front_queue && free_ >= 0; }  // may a line be given now
   void request(bool write, uint64_t line, uint32_t id);                        // only if ready; `id` names a read
   void step() {
-    if (++step_ >= wake_) advance();
+    if (const DramCycle until = dram_cycle(++step_); until >= next_all_) advance(until);
   }
   bool done(uint32_t& id) {  // pops a read that has arrived by now, in order of arrival
     return arrived_ != 0 && pop(id);
@@ -90,18 +90,17 @@ class Dram {
     bool write;
   };
 
-  void advance();
+  void advance(DramCycle until);
   bool offer(Waiting& waiting, DramCycle now);
   void arrive(uint32_t slot);
   bool pop(uint32_t& id);
   DramCycle dram_cycle(int64_t step) const { return static_cast<DramCycle>(static_cast<double>(step) * ratio_ + 1e-6); }
-  void set_wake();
 
   DramTiming timing_;
   double machine_clock_ghz_, ratio_;  // cycles of the DRAM in one of the machine
   DramPlaces places_;
   int bursts_per_line_, line_shift_;  // 64-byte line to its first burst: left shift if positive
-  int64_t step_ = 0, wake_ = 0;
+  int64_t step_ = 0;
 
   std::vector<DramChannel> channels_;
   std::array<DramCycle, 32> next_{};

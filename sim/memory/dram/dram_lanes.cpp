@@ -1,70 +1,95 @@
 // SPDX-License-Identifier: Apache-2.0
 // dram_lanes.cpp: see dram_lanes.hpp.
+//
+// Rule    Clang makes clones only of a function whose first declaration has the attribute. So what is cloned has
+//         internal linkage, and what the header declares calls it.
 #include "sim/memory/dram/dram_lanes.hpp"
-
-#include <algorithm>
 
 #if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
-#define PIPEGS_LANES [[gnu::target_clones("avx2", "default")]]
+#define PIPEGS_LANES __attribute__((target_clones("avx2", "default")))
 #else
 #define PIPEGS_LANES
 #endif
+#define PIPEGS_INLINED inline __attribute__((always_inline))
 
 namespace pipegs {
+namespace {
 
-PIPEGS_LANES int32_t oldest_ready(const DramWaiting& waiting, const DramNotBefore& times, bool write, bool no_activates,
-                                  int32_t now, int lanes) {
-  const int32_t none_begins = no_activates ? kDramNone : 0;
-  int32_t oldest = kDramNone;
-  for (int block = 0; block < lanes; block += kDramBlock) {
-    const int32_t *column = times.column[write].data() + block, *activate = times.activate.data() + block,
-                  *precharge = times.precharge.data() + block, *no_activate = times.no_activate.data() + block,
-                  *no_precharge = times.no_precharge.data() + block, *hits = waiting.hit_age.data() + block,
-                  *misses = waiting.miss_age.data() + block;
-    for (int i = 0; i < kDramBlock; ++i) {
-      const int32_t miss_at = std::min(activate[i] | no_activate[i] | none_begins, precharge[i] | no_precharge[i]);
-      const int32_t hit = hits[i] | (column[i] > now ? kDramNone : 0);
-      const int32_t miss = misses[i] | (miss_at > now ? kDramNone : 0);
-      oldest = std::min(oldest, std::min(hit, miss));
-    }
-  }
-  return oldest;
+typedef int32_t Block __attribute__((vector_size(4 * kDramBlock), may_alias));
+
+PIPEGS_INLINED const Block& block_of(const DramLanes& lanes, int from) {
+  return *reinterpret_cast<const Block*>(lanes.data() + from);
 }
 
-PIPEGS_LANES int32_t earliest_ready(const DramWaiting& waiting, const DramNotBefore& times, bool write, int lanes) {
-  int32_t earliest = kDramNone;
-  for (int block = 0; block < lanes; block += kDramBlock) {
-    const int32_t *column = times.column[write].data() + block, *activate = times.activate.data() + block,
-                  *precharge = times.precharge.data() + block, *no_activate = times.no_activate.data() + block,
-                  *no_precharge = times.no_precharge.data() + block, *hits = waiting.hit_age.data() + block,
-                  *misses = waiting.miss_age.data() + block;
-    for (int i = 0; i < kDramBlock; ++i) {
-      const int32_t miss_at = std::min(activate[i] | no_activate[i], precharge[i] | no_precharge[i]);
-      const int32_t hit = column[i] | (hits[i] == kDramNone ? kDramNone : 0);
-      const int32_t miss = miss_at | (misses[i] == kDramNone ? kDramNone : 0);
-      earliest = std::min(earliest, std::min(hit, miss));
-    }
-  }
-  return earliest;
+// Blocks go by reference: passing them by value would depend on the processor's level.
+PIPEGS_INLINED void lower(Block& lanes, const Block& to) { lanes = lanes < to ? lanes : to; }
+
+PIPEGS_INLINED int32_t lowest(const Block& lanes) {
+  int32_t least = kDramNone;
+  for (int i = 0; i < kDramBlock; ++i) least = lanes[i] < least ? lanes[i] : least;
+  return least;
 }
 
-PIPEGS_LANES void raise_lanes(DramLanes& times, const DramLanes& after, int32_t now, int lanes) {
-  for (int block = 0; block < lanes; block += kDramBlock) {
-    int32_t* __restrict at = times.data() + block;
-    const int32_t* __restrict distance = after.data() + block;
-    for (int i = 0; i < kDramBlock; ++i) at[i] = std::max(at[i], now + distance[i]);
-  }
+PIPEGS_INLINED void raise_block(DramLanes& times, const DramLanes& after, int32_t now, int from) {
+  Block& lanes = *reinterpret_cast<Block*>(times.data() + from);
+  const Block to = block_of(after, from) + now;
+  lanes = lanes > to ? lanes : to;
 }
 
-PIPEGS_LANES void raise_lanes(std::array<DramLanes, 2>& times, const std::array<DramLanes, 2>& after, int32_t now,
+PIPEGS_LANES int32_t oldest(const DramWaiting& waiting, const DramNotBefore& times, const DramLanes& columns,
+                            int32_t none_begins, int32_t now, int lanes) {
+  Block found = Block{} + kDramNone;
+  for (int from = 0; from < lanes; from += kDramBlock) {
+    Block miss_at = block_of(times.activate, from) | block_of(times.no_activate, from) | none_begins;
+    lower(miss_at, block_of(times.precharge, from) | block_of(times.no_precharge, from));
+    lower(found, block_of(waiting.hit_age, from) | ((block_of(columns, from) > now) & kDramNone));
+    lower(found, block_of(waiting.miss_age, from) | ((miss_at > now) & kDramNone));
+  }
+  return lowest(found);
+}
+
+PIPEGS_LANES int32_t earliest(const DramWaiting& waiting, const DramNotBefore& times, const DramLanes& columns,
                               int lanes) {
-  for (int block = 0; block < lanes; block += kDramBlock) {
-    int32_t* __restrict at0 = times[0].data() + block, * __restrict at1 = times[1].data() + block;
-    const int32_t* __restrict distance0 = after[0].data() + block, * __restrict distance1 = after[1].data() + block;
-    for (int i = 0; i < kDramBlock; ++i) at0[i] = std::max(at0[i], now + distance0[i]);
-    for (int i = 0; i < kDramBlock; ++i) at1[i] = std::max(at1[i], now + distance1[i]);
+  Block found = Block{} + kDramNone;
+  for (int from = 0; from < lanes; from += kDramBlock) {
+    Block miss_at = block_of(times.activate, from) | block_of(times.no_activate, from);
+    lower(miss_at, block_of(times.precharge, from) | block_of(times.no_precharge, from));
+    lower(found, block_of(columns, from) | ((block_of(waiting.hit_age, from) == kDramNone) & kDramNone));
+    lower(found, miss_at | ((block_of(waiting.miss_age, from) == kDramNone) & kDramNone));
   }
+  return lowest(found);
+}
+
+PIPEGS_LANES void raise_one(DramLanes& times, const DramLanes& after, int32_t now, int lanes) {
+  for (int from = 0; from < lanes; from += kDramBlock) raise_block(times, after, now, from);
+}
+
+PIPEGS_LANES void raise_two(std::array<DramLanes, 2>& times, const std::array<DramLanes, 2>& after, int32_t now,
+                            int lanes) {
+  for (int from = 0; from < lanes; from += kDramBlock) {
+    raise_block(times[0], after[0], now, from);
+    raise_block(times[1], after[1], now, from);
+  }
+}
+
+}  // namespace
+
+int32_t oldest_ready(const DramWaiting& waiting, const DramNotBefore& times, bool write, bool no_activates, int32_t now,
+                     int lanes) {
+  return oldest(waiting, times, times.column[write], no_activates ? kDramNone : 0, now, lanes);
+}
+
+int32_t earliest_ready(const DramWaiting& waiting, const DramNotBefore& times, bool write, int lanes) {
+  return earliest(waiting, times, times.column[write], lanes);
+}
+
+void raise_lanes(DramLanes& times, const DramLanes& after, int32_t now, int lanes) {
+  raise_one(times, after, now, lanes);
+}
+
+void raise_lanes(std::array<DramLanes, 2>& times, const std::array<DramLanes, 2>& after, int32_t now, int lanes) {
+  raise_two(times, after, now, lanes);
 }
 
 }  // namespace pipegs

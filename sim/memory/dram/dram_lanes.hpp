@@ -2,8 +2,8 @@
 // dram_lanes.hpp: arrays with one lane for each bank of a channel, and the loops over them.
 //
 // Idea    Which burst is next and when, and how a command delays those of the other banks, are minima and maxima over
-//         all banks. Written without branches over blocks of 16 lanes, compilers make vectors of these loops; on x86
-//         they are compiled twice, for AVX2 and for any processor, and chosen when the program is loaded.
+//         all banks. They are written on the compiler's vectors of 16 lanes; on x86 they are compiled twice, for AVX2
+//         and for any processor, and chosen when the program is loaded.
 // Pace    16 banks take about ten vector operations.
 #pragma once
 

@@ -40,7 +40,11 @@ class DramPlaces {
         bank_bits_(bits(timing.banks)),
         row_bits_(bits(timing.rows)),
         column_bits_(bits(timing.columns / timing.burst_length)),
-        interleave_bits_(timing.interleave_bytes == 0 ? 0 : bits(timing.interleave_bytes / timing.burst_bytes())) {}
+        interleave_bits_(timing.interleave_bytes == 0 ? 0 : bits(timing.interleave_bytes / timing.burst_bytes())),
+        beside_((1u << std::min(interleave_bits_, mop4_     ? 0
+                                                  : groups_ ? low_bits_
+                                                            : column_bits_)) -
+                1) {}
 
   // `burst`: byte address divided by the bytes of a burst.
   DramPlace operator()(uint64_t burst) const {
@@ -76,6 +80,12 @@ class DramPlaces {
     return place;
   }
 
+  // Of the burst behind the one at `place`: often only the column differs.
+  DramPlace next(const DramPlace& place, uint64_t burst) const {
+    if ((burst & beside_) == 0) return (*this)(burst);
+    return {place.channel, place.bank, place.row, place.column + 1};
+  }
+
  private:
   static int bits(int value) { return std::bit_width(static_cast<unsigned>(value)) - 1; }
   static uint32_t take(uint64_t& rest, int count) {
@@ -86,6 +96,7 @@ class DramPlaces {
 
   bool mop4_, groups_;
   int low_bits_, channel_bits_, rank_bits_, group_bits_, bank_bits_, row_bits_, column_bits_, interleave_bits_;
+  uint64_t beside_;  // bits of a burst of which the column has the lowest ones
 };
 
 }  // namespace pipegs

@@ -8,99 +8,96 @@
 namespace pipegs::timing {
 namespace {
 
-constexpr Cycle kAgain = 4;  // cycles until a quad may be issued again
+// The quads of a half by group, in its first and in its second row: ru_quad(group, row) for two rows.
+unsigned in_first_row(unsigned half) { return half & 15; }
+unsigned in_second_row(unsigned half) { return (half >> 2 & 12) | half >> 6; }
 
 }  // namespace
 
-Live::Live() { last_issue_.fill(kLongAgo); }
-
-void Live::start_window(const TimingWindow* window) {
-  window_ = window;
-  gaussians_.fill(0);
-  if (window != nullptr) stopped_ = window->quads_outside;
+void Live::start_window(const Config& config, const TimingWindow* window) {
+  if (window == nullptr) return;
+  left_ = window->quad_done_after;
+  stopped_ = window->quads_outside;
+  all_stopped_ = {};
+  for (int region = 0; region < config.regions(); ++region)
+    all_stopped_.add(config, region, stopped_[static_cast<size_t>(region)] == 0xffff);
 }
 
-uint8_t Live::live_of(uint16_t quads, int half, int group) {
-  return static_cast<uint8_t>((quads >> ru_quad(group, 2 * half) & 1) | (quads >> ru_quad(group, 2 * half + 1) & 1)
-                                                                            << 1);
-}
-
-bool Live::regions_empty() const {
-  for (const Stage& stage : regions_) {
-    if (stage.valid) return false;
+void Live::publish(const Config& config, Cycle now) {
+  for (; !stops_.empty() && stops_.front().from <= now; stops_.pop(now)) {
+    const int region = stops_.front().quad / kQuads;
+    uint16_t& stopped = stopped_[static_cast<size_t>(region)];
+    stopped |= static_cast<uint16_t>(1u << stops_.front().quad % kQuads);
+    all_stopped_.add(config, region, stopped == 0xffff);
   }
-  return true;
 }
 
-bool Live::idle(Cycle now) const {
-  if (!regions_empty() || rows_.valid || halves_ != 0) return false;
-  for (const Group& group : groups_) {
-    if (!group.queue.empty() || now < group.last_issue + kInside) return false;
+void Live::step(Machine& m, Cycle now, int lane, bool job) {
+  if (m.events != nullptr) {
+    for (const Shown& one : shown_[1]) m.show(now, Border::kLine, one.lane, one.row);
+    shown_[1].clear();
+    std::swap(shown_[0], shown_[1]);
   }
-  return true;
-}
-
-// The half that is next leaves: all groups with live quads of it have room.
-bool Live::fires(Cycle now) const {
-  if (halves_ == 0) return false;
-  for (int g = 0; g < kGroups; ++g) {
-    if (live_of(pixels_.quads, halves_ & 1 ? 0 : 1, g) != 0 && !groups_[static_cast<size_t>(g)].queue.room(now))
-      return false;
-  }
-  return true;
-}
-
-void Live::issue(Cycle now, int lane, int g, std::vector<Stop>& stops) {
-  Group& group = groups_[static_cast<size_t>(g)];
-  if (!group.queue.valid(now)) return;
-  const Half& half = group.queue.front();
-  const bool second = group.second || (half.live & 1) == 0;
-  const int row = 2 * half.half + (second ? 1 : 0);
-  const auto quad = static_cast<size_t>(kQuads * half.region + ru_quad(g, row));
-  if (now < last_issue_[quad] + kAgain) return;
-  last_issue_[quad] = group.last_issue = now;
-  shown_[0].push_back({static_cast<uint8_t>(lane * kGroups + g), static_cast<uint16_t>(4 * half.region + row)});
-  if (++gaussians_[quad] == window_->quad_done_after[quad])
-    stops.push_back({now + kInside, static_cast<uint16_t>(quad)});
-  group.second = !second && (half.live & 2) != 0;
-  if (!group.second) group.queue.pop(now);
-}
-
-void Live::step(Machine& m, Cycle now, int lane, bool job, std::vector<Stop>& stops) {
-  for (const Shown& one : shown_[1]) m.show(now, Border::kLine, one.lane, one.row);
-  shown_[1].clear();
-  std::swap(shown_[0], shown_[1]);
-  const bool fire = fires(now), pixels_move = halves_ == 0 || (fire && halves_ != 3);
-  const bool rows_move = !rows_.valid || pixels_move;
-  moved_ = !regions_[3].valid || rows_move;
-  for (int g = 0; g < kGroups; ++g) {
-    if (job) {
-      groups_[static_cast<size_t>(g)].last_issue = now;
-    } else {
-      issue(now, lane, g, stops);
+  // The half that is next leaves when all groups with live quads of it have room.
+  const int half = halves_ & 1 ? 0 : 1;
+  const unsigned quads = pixels_ >> 8 * half & 0xff, wanted = in_first_row(quads) | in_second_row(quads);
+  unsigned full = 0;
+  for (unsigned g = 0; g < kGroups; ++g) full |= unsigned{groups_[g].count == kHalves} << g;
+  const bool fire = halves_ != 0 && (wanted & full) == 0, pixels_move = halves_ == 0 || (fire && halves_ != 3);
+  const bool rows_move = rows_ == 0 || pixels_move;
+  moved_ = regions_[3] == 0 || rows_move;
+  if (job) last_issue_ = now;
+  for (unsigned g = 0; g < kGroups; ++g) {
+    Group& group = groups_[g];
+    const int quad = job || group.count == 0 ? -1 : issue(group, g);
+    group.recent = group.recent << 16 | static_cast<uint16_t>(quad);
+    if (quad < 0) continue;
+    last_issue_ = now;
+    if (--left_[static_cast<size_t>(quad)] == 0) {
+      stops_.push(now, {now + kInside, static_cast<uint16_t>(quad)});
+      m.wheel.wake(unit(kPublish), now + kInside);
     }
+    if (m.events != nullptr)
+      shown_[0].push_back(
+          {static_cast<uint8_t>(static_cast<unsigned>(lane) * kGroups + g), static_cast<uint16_t>(quad / 4)});
   }
   if (fire) {
-    const int half = halves_ & 1 ? 0 : 1;
-    for (int g = 0; g < kGroups; ++g) {
-      const uint8_t live = live_of(pixels_.quads, half, g);
-      if (live != 0)
-        groups_[static_cast<size_t>(g)].queue.push(now, {pixels_.region, static_cast<uint8_t>(half), live});
+    const unsigned first = in_first_row(quads), second = in_second_row(quads);
+    for (unsigned rest = wanted; rest != 0; rest &= rest - 1) {
+      const auto g = static_cast<unsigned>(std::countr_zero(rest));
+      Group& group = groups_[g];
+      group.queue[(group.head + group.count++) % kHalves] = {
+          static_cast<uint8_t>(region_of(pixels_)), static_cast<uint8_t>(half),
+          static_cast<uint8_t>((first >> g & 1) | (second >> g & 1) << 1)};
+      ++queued_;
     }
     halves_ &= halves_ - 1;
   }
   if (pixels_move) {
-    pixels_ = rows_;
-    if (rows_.valid) pixels_.quads &= static_cast<uint16_t>(~stopped_[rows_.region]);
-    halves_ = rows_.valid ? ((pixels_.quads & 0xff) != 0 ? 1u : 0u) | (pixels_.quads >> 8 != 0 ? 2u : 0u) : 0;
+    pixels_ = rows_ == 0 ? 0 : rows_ & ~Stage{stopped_[region_of(rows_)]};
+    halves_ = unsigned{(pixels_ & 0xff) != 0} | unsigned{(pixels_ & 0xff00) != 0} << 1;
   }
   if (rows_move) rows_ = regions_[3];
-  if (moved_) {
-    for (size_t i = 3; i > 0; --i) regions_[i] = regions_[i - 1];
-    regions_[0] = {};
-  }
+  if (moved_) regions_ = {0, regions_[0], regions_[1], regions_[2]};
 }
 
-void Live::pick(int region, uint16_t quads) { regions_[0] = {true, static_cast<uint8_t>(region), quads}; }
+// A quad is not issued again for four cycles.
+int Live::issue(Group& group, unsigned number) {
+  const Half& half = group.queue[group.head];
+  const bool second = group.second || (half.live & 1) == 0;
+  const int row = 2 * half.half + (second ? 1 : 0);
+  const int quad = kQuads * half.region + ru_quad(static_cast<int>(number), row);
+  const auto same = static_cast<uint16_t>(quad);
+  if (same == static_cast<uint16_t>(group.recent) || same == static_cast<uint16_t>(group.recent >> 16) ||
+      same == static_cast<uint16_t>(group.recent >> 32))
+    return -1;
+  group.second = !second && (half.live & 2) != 0;
+  if (!group.second) {
+    group.head = (group.head + 1) % kHalves;
+    --group.count;
+    --queued_;
+  }
+  return quad;
+}
 
 }  // namespace pipegs::timing

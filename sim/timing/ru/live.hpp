@@ -4,13 +4,15 @@
 // RTL     rtl/ru/live/: ru_regions, ru_power, ru_quads.
 // Idea    A region goes through four stages of ru_regions and two of ru_power, which all move together up to where a
 //         half waits for a group's queue. The trace says which quads of a region are visible, and after how many
-//         Gaussians a quad has stopped. While something is inside, every cycle is played.
+//         Gaussians a quad has stopped. While something is inside, every cycle is played, so a place in a queue says
+//         how long ago something came or was issued, and no times are kept.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "cpp_model/config.hpp"
+#include "cpp_model/regions.hpp"
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/trace/trace.hpp"
 
@@ -20,65 +22,62 @@ struct Machine;
 
 class Live {
  public:
-  // A quad that has stopped, and the cycle from which on the RU knows.
+  static constexpr int kInside = 6;  // cycles until a quad is written and its group may be empty
+
+  void start_window(const Config& config, const TimingWindow* window);  // nullptr behind the last one
+
+  // Regions of which all quads have stopped, as others know it. What stopped kInside cycles ago becomes known.
+  void publish(const Config& config, Cycle now);
+  const RegionSet& stopped() const { return all_stopped_; }
+
+  bool idle(Cycle now) const {  // nothing is inside at the beginning of this cycle
+    return now >= last_issue_ + kInside && queued_ == 0 && halves_ == 0 &&
+           (regions_[0] | regions_[1] | regions_[2] | regions_[3] | rows_) == 0;
+  }
+  void step(Machine& m, Cycle now, int lane, bool job);  // a cycle; `job`: one of ru_drain takes the groups' turn
+  // Behind step() of the same cycle: whether a region can be picked, and that it is, with its visible quads.
+  bool moved() const { return moved_; }
+  void pick(int region, uint16_t quads) { regions_[0] = kValid | static_cast<uint32_t>(region) << 16 | quads; }
+
+ private:
+  static constexpr unsigned kGroups = Config::ru_groups(), kHalves = Config::ru_halves();
+
+  using Stage = uint32_t;  // a region, above its quads; 0: none
+  static constexpr Stage kValid = Stage{1} << 31;
+  static uint32_t region_of(Stage stage) { return stage >> 16 & 0xff; }
+
+  struct Half {
+    uint8_t region, half, live;  // live: of the group's two quads, bit 0 in its first row
+  };
+  struct Group {
+    std::array<Half, kHalves> queue;
+    unsigned head = 0, count = 0;
+    bool second = false;             // of the head, the first quad is issued
+    uint64_t recent = ~uint64_t{0};  // quads issued in the latest cycles, 16 bits each, none: all ones
+  };
   struct Stop {
     Cycle from;
     uint16_t quad;  // 16 * region + quad
   };
-
-  // Cycles until a quad is written and its group may be empty, and until others know of its stop.
-  static constexpr Cycle kInside = 6;
-
-  Live();
-
-  void start_window(const TimingWindow* window);  // nullptr behind the last one
-  bool stopped(int region) const { return stopped_[static_cast<size_t>(region)] == 0xffff; }
-  void stop(uint16_t quad) { stopped_[quad / 16u] |= static_cast<uint16_t>(1u << quad % 16u); }
-
-  bool idle(Cycle now) const;  // nothing is inside at the beginning of this cycle
-  // A cycle. What stops with it is appended to `stops`. `job`: one of ru_drain takes the groups' turn.
-  void step(Machine& m, Cycle now, int lane, bool job, std::vector<Stop>& stops);
-  // Behind step() of the same cycle: whether a region can be picked, and that it is, with its visible quads.
-  bool moved() const { return moved_; }
-  void pick(int region, uint16_t quads);
-
- private:
-  struct Stage {
-    bool valid = false;
-    uint8_t region = 0;
-    uint16_t quads = 0;
-  };
-  struct Half {
-    uint8_t region = 0;
-    uint8_t half = 0, live = 0;  // of the group's two quads
-  };
-  struct Group {
-    FallQueue<Half, Config::ru_halves()> queue;
-    bool second = false;
-    Cycle last_issue = kLongAgo;
-  };
-  static constexpr int kGroups = Config::ru_groups();
-
-  // Of a half, the group's two quads: bit 0 in its first row.
-  static uint8_t live_of(uint16_t quads, int half, int group);
-  bool fires(Cycle now) const;
-  bool regions_empty() const;
-  void issue(Cycle now, int lane, int group, std::vector<Stop>& stops);
-
-  const TimingWindow* window_ = nullptr;
-  std::array<uint16_t, kRegions> stopped_{};         // quads, by region
-  std::array<uint32_t, 16 * kRegions> gaussians_{};  // that each quad has taken
-  std::array<Cycle, 16 * kRegions> last_issue_;      // of each quad
-
-  std::array<Stage, 4> regions_;  // of ru_regions, the first one first
-  Stage rows_, pixels_;           // of ru_power; pixels_.quads: live ones
-  unsigned halves_ = 0;           // of pixels_, that have not left
-  bool moved_ = false;            // ru_regions' stages did, in the cycle that was played last
-  std::array<Group, kGroups> groups_;
   struct Shown {
     uint8_t lane;
     uint16_t row;  // 4 * region + row
   };
+
+  int issue(Group& group, unsigned number);  // a quad, or -1
+
+  std::vector<uint32_t> left_;                // of each quad: Gaussians until it has stopped
+  std::array<uint16_t, kRegions> stopped_{};  // quads, by region
+  RegionSet all_stopped_;
+  FallQueue<Stop, (kInside + 1) * kGroups> stops_;
+
+  std::array<Stage, 4> regions_{};  // of ru_regions, the first one first
+  Stage rows_ = 0, pixels_ = 0;     // of ru_power; pixels_: live quads
+  unsigned halves_ = 0;             // of pixels_, that have not left
+  bool moved_ = false;              // ru_regions' stages did, in the cycle that was played last
+  std::array<Group, kGroups> groups_;
+  unsigned queued_ = 0;                      // halves in all queues
+  Cycle last_issue_ = kLongAgo;              // or job
   std::array<std::vector<Shown>, 2> shown_;  // what was issued one and two cycles ago
 };
 

@@ -35,23 +35,7 @@ void Ru::set_window(const Machine& m, size_t window) {
   outside_ = window < m.trace.windows.size() ? m.trace.windows[window].outside : RegionSet{};
   blended_ = {};
   done_ = owned_ & outside_;
-  if (quads_) live_.start_window(window < m.trace.windows.size() ? &m.trace.windows[window] : nullptr);
-}
-
-// With quads: what has stopped by this cycle. In the first one of a window nothing is known to be done.
-void Ru::publish_stops(const Machine& m, Cycle now) {
-  std::erase_if(stops_, [&](const Live::Stop& stop) {
-    if (stop.from > now) return false;
-    live_.stop(stop.quad);
-    return true;
-  });
-  done_ = {};
-  if (now == window_done_at_ + 1) return;
-  for (size_t part = 0; part < owned_.mask.size(); ++part) {
-    for (uint64_t rest = owned_.mask[part]; rest != 0; rest &= rest - 1) {
-      if (live_.stopped(region_number(m.config, part, std::countr_zero(rest)))) done_.mask[part] |= rest & -rest;
-    }
-  }
+  if (quads_) live_.start_window(m.config, window < m.trace.windows.size() ? &m.trace.windows[window] : nullptr);
 }
 
 void Ru::publish(Machine& m, Cycle now) {
@@ -71,9 +55,11 @@ void Ru::publish(Machine& m, Cycle now) {
     if (quads_) m.wheel.wake(unit(kPublish), now + 1);
   }
   if (quads_) {
-    const RegionSet before = done_;
-    publish_stops(m, now);
-    news = news || done_ != before;
+    live_.publish(m.config, now);
+    // In the first cycle of a window nothing is known to be done.
+    const RegionSet done = now == window_done_at_ + 1 ? RegionSet{} : owned_ & live_.stopped();
+    news = news || done != done_;
+    done_ = done;
   }
   if (!news) return;
   m.wheel.wake_now(unit(late_ ? kSource : kWalk, lane_));
@@ -260,28 +246,29 @@ RegionSet Ru::unwritten(const Machine& m) const {
 // ru_live.
 void Ru::live_source(Machine& m, Cycle now) {
   const bool data = !is_end(splat_.beat), empty = live_.idle(now), known = now != window_done_at_ + 1;
-  const size_t before = stops_.size();
-  const RegionSet held = drain_.held();
-  RegionSet wanted = seen(now).wanted;
-  bool at_end = seen(now).at_end;
-  if (joined(m)) {
-    constexpr uint64_t kLeft = 0x5555555555555555;
-    const Seen& beside = other(m).seen(now);
-    at_end = at_end && beside.at_end;
-    for (size_t i = 0; i < wanted.mask.size(); ++i)
-      wanted.mask[i] |= (beside.wanted.mask[i] & kLeft) << 1 | (beside.wanted.mask[i] >> 1 & kLeft);
+  const uint64_t held = drain_.held().mask[splat_.part];
+  bool job = false, at_end = false;
+  if (drain_.active() || !data || joined(m)) {
+    RegionSet wanted = seen(now).wanted;
+    at_end = seen(now).at_end;
+    if (joined(m)) {
+      constexpr uint64_t kLeft = 0x5555555555555555;
+      const Seen& beside = other(m).seen(now);
+      at_end = at_end && beside.at_end;
+      for (size_t i = 0; i < wanted.mask.size(); ++i)
+        wanted.mask[i] |= (beside.wanted.mask[i] & kLeft) << 1 | (beside.wanted.mask[i] >> 1 & kLeft);
+    }
+    job = drain_.step(m.config, now, wanted);
+    if (job) last_job_ = now;
+    if (!drain_.words.empty()) m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
   }
-  const bool job = drain_.step(m.config, now, wanted);
-  if (job) last_job_ = now;
-  if (!drain_.words.empty()) m.wheel.wake(unit(kRuMemory, lane_), drain_.words.head_from());
-  live_.step(m, now, lane_, job, stops_);
-  for (size_t i = before; i < stops_.size(); ++i) m.wheel.wake(unit(kPublish), stops_[i].from);
+  live_.step(m, now, lane_, job);
   bool leave = false;
   if (splat_valid_ && !data) {
     leave = splat_.beat == kWindowEndBeat ? at_end : empty;
     if (leave) end(m, now, splat_.beat);
   } else if (splat_valid_ && known) {
-    const uint64_t open = rest_ & ~done_.mask[splat_.part], free = open & ~held.mask[splat_.part];
+    const uint64_t open = rest_ & ~done_.mask[splat_.part], free = open & ~held;
     const uint64_t lowest = free & -free;
     if (free != 0 && live_.moved()) {
       const int bit = std::countr_zero(free);

@@ -73,7 +73,6 @@ class Ru {
   void rows_source(Machine& m, Cycle now);
   void live_source(Machine& m, Cycle now);
   void next_splat(Machine& m, Cycle now);
-  void publish_stops(const Machine& m, Cycle now);
   void set_window(const Machine& m, size_t window);
   bool read(Machine& m, Cycle now, uint64_t line);
   // In raster order rows leave together with those of the RU that shares their lines, which is also at its window's
@@ -120,7 +119,6 @@ class Ru {
   FallQueue<RowLine, Config::ru_row_lines()> row_lines_;
 
   Live live_;  // with quads, instead of the above and of ru_lanes
-  std::vector<Live::Stop> stops_;
   Drain drain_;
   Cycle last_job_ = kLongAgo;
 
