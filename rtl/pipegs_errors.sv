@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// pipegs_errors: what a part of the machine found wrong in the memory of a frame: told once, then the machine stops.
+// pipegs_errors: what is found wrong in the memory of a frame: reported once, then the machine stops.
 //
 // Idea    A part that finds something wrong stops and says so until it is reset. What is said first of either cause is
-//         told with its line, and from then on no request goes to memory: the frame is given up, and with it all that
-//         are inside. Whether the pixels of a frame have room is known when it begins, and is looked at here.
+//         reported with its line, and from then on no request goes to memory: the frame is given up, and all others
+//         inside with it. Whether the pixels of a frame have room is known when it begins, and is looked at here.
 // Stream  restart_i: a frame begins, with its parameters. error_o: pulses, {bad_scene, area_full}; error_line_o: of
 //         each the line of memory that it concerns, area_full's lowest. Lines and stop_o stay until the reset.
 // Pace    Registered: two cycles behind what was found.

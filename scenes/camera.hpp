@@ -5,7 +5,7 @@
 //         Axes x right, y down, z forward. Pixel i has its centre at coordinate i, hence the
 //         principal point of a centred camera is (width - 1) / 2.
 // Reads   INRIA's cameras.json, COLMAP's model, transforms.json of nerfstudio, instant-ngp and Blender, cameras of
-//         PlayCanvas and SuperSplat: told by what is in them (scenes/cameras/). Ours is cameras.json.
+//         PlayCanvas and SuperSplat: recognised by contents (scenes/cameras/). Ours is cameras.json.
 // Errors  InputError naming the camera's index and the field. Numbers and nesting: json.hpp.
 #pragma once
 

@@ -2,7 +2,7 @@
 // control_done.hpp: bit- and cycle-accurate model of rtl/control/pipegs_control_done.sv.
 //
 // Idea    Frames that wait stand in two groups. The older group waits for the writes of its youngest and takes nobody
-//         in; the younger one takes in every frame that ends, and becomes the older one when that has been told.
+//         in; the younger one takes in every frame that ends, and becomes the older one when that has been reported.
 // RTL     rtl/control/pipegs_control_done.sv
 #pragma once
 

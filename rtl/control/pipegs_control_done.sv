@@ -4,9 +4,9 @@
 // Idea    Answers to writes come in their order. So when the core has given the last pixel away, the writes that are
 //         unanswered then must be answered, and no others. There are two counts of them: one for the oldest frames
 //         that wait, which does not change with what ends later, and one for all behind them, which wait for the
-//         writes of the youngest. So a frame is told however fast others follow.
+//         writes of the youngest. So a frame is reported however fast others follow.
 // Stream  core_done_i: pulse, behind the last write. done_o: pulse for each frame. give_up_i: none of those that wait
-//         is told any more; it wins.
+//         is reported any more; it wins.
 // Pace    One cycle more than the last answer takes, for a frame that waits alone or behind one other.
 // Model   cpp_model/control/control_done.hpp
 

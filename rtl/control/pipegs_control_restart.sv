@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // pipegs_control_restart: gives up what the core is doing: resets it alone, while the bus goes on by its rules.
 //
-// Idea    A frame that was aborted or has met an error has nothing in the core worth keeping, so the core is reset.
+// Idea    Of a frame that was aborted or has met an error the core holds nothing of use, so the core is reset.
 //         What it asked for is still answered: the memory side tells answers apart by the epoch of their request, one
 //         bit, and so the epoch may turn only when nothing of the epoch before is out. Until then the core stays in
 //         reset.

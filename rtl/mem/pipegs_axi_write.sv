@@ -7,7 +7,7 @@
 //         outstanding writes and what the fence waits for, and an answer that tells of an error names the line at its
 //         head.
 // Stream  in: the number of a line and its 512 bits. out: AW and W; B is taken when the queue shows its line, which is
-//         before the answer can come. An error of an epoch that is over is not told.
+//         before the answer can come. An error of an epoch that is over is not reported.
 // Pace    A line in MemoryW / DataW cycles; its address shows one cycle after it was taken.
 // Model   sim/memory/axi/axi_memory.hpp has the other side.
 

@@ -6,7 +6,7 @@
 // Idea    Lines are asked for in order as long as there is room for the answers: local lines come two cycles after the
 //         store took the request, external ones after any time, up to FetchLines in flight (Overflow 0: there are
 //         none). A queue of records remembers where each next line comes from, so lines leave in the order of the
-//         records. A line that is skipped is only told to its store.
+//         records. A line that is skipped is only reported to its store.
 // Stream  fetch_t in; blend_t with its line beside it out, none for a skipped line. End beats pass in order.
 // Pace    One region per cycle while lines come as fast.
 // Model   ru_overflow_line in cpp_model/ru/ru_walk.hpp, and a queue in the test.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// read: which format a file of cameras has, told by what is in it; see camera.hpp.
+// read: which format a file of cameras has, recognised by its contents; see camera.hpp.
 //
 // Rule    A folder, or a file with a name of COLMAP's model, is read as COLMAP's. All others are JSON: a list is
 //         INRIA's; an object with frames is a transforms.json when its first frame has a transform_matrix, and a list

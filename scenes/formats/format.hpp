@@ -36,7 +36,7 @@ struct SceneFormat {
   int levels = 1;                                           // of detail
 };
 
-// Each told by its content before, reads the whole file.
+// Each reads the whole file, whose format its content has shown.
 Scene read_compressed_ply(class PlySource& source, const struct PlyHeader& header, SceneFormat& format);
 Scene read_splat(const InputFile& file, SceneFormat& format);
 Scene read_ksplat(const InputFile& file, SceneFormat& format);

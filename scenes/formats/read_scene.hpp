@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// read_scene: a scene from a file of any format that is read here, told by its content and not by its name.
+// read_scene: a scene from a file of any format that is read here, recognised by its content, not by its name.
 //
 // Idea    Signatures first: "ply" (INRIA's or compressed, by its properties), gzip and NGSP (.spz), glTF, PK (a bundle
 //         of SOG), an object of JSON (SOG, streamed SOG or .gltf, by its keys). .ksplat and .splat have none: they are

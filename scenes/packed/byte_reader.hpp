@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // byte_reader: the fields of a binary file, taken in order, never beyond its end.
 //
-// Idea    A reader knows its file and is told the element and field, so what is missing is named in one line.
+// Idea    A reader knows its file and gets the element and field, so what is missing is named in one line.
 // Rule    Little-endian, as the files are. Nothing is allocated on a count's word: count() holds it against the bytes
 //         that follow.
 // Errors  InputError: "file: where: found 3 bytes before the end, expected 8".

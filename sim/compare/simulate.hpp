@@ -16,7 +16,7 @@
 
 namespace pipegs {
 
-// The external memory of whoever is not told another.
+// The external memory where none is named.
 inline constexpr const char* kDefaultDram = "lpddr5-6400x4";
 
 struct SimulateOptions {

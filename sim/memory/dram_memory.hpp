@@ -24,7 +24,7 @@ namespace pipegs {
 std::vector<std::string> dram_memory_names();
 // The timing of a name with the controller of this machine: channels take turns with every 64-byte line, so that a line
 // opens one row only; bank groups are spread (RoBaCoGrCh); a bank stays open while hits wait; 64 reads and 64 writes
-// wait in each channel, and writes leave in long runs. docs/cycles/memory_timing.md has what each is worth. Throws
+// wait in each channel, and writes leave in long runs. docs/cycles/memory_timing.md has what each gains. Throws
 // std::invalid_argument for an unknown name.
 DramTiming dram_memory_timing(const std::string& name);
 

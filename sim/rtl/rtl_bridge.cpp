@@ -299,14 +299,14 @@ void VerilatedMachine::disturb() {
   }
 }
 
-// The core is in reset: from here on nothing that it shows counts, until the driver has begun anew.
+// The core is in reset: from here on nothing that it shows counts, until the driver has begun again.
 void VerilatedMachine::give_up() {
   if (mute_) return;
   mute_ = true;
   running_ = false;
 }
 
-// All that is not done begins anew.
+// All that is not done begins again.
 void VerilatedMachine::resume() {
   mute_ = false;
   left_ = !ends_.empty();

@@ -111,7 +111,7 @@ class RtlModel {
                         RtlTaps* taps, const Progress& progress) = 0;
 };
 
-// The machine has told an error and given its frames up: what it is, and the line of memory that it concerns.
+// The machine has reported an error and given its frames up: what it is, and the line of memory that it concerns.
 struct MachineError : RtlFault {
   enum Cause { kAreaFull, kBadScene };
   MachineError(Cause what, uint64_t at, const std::string& where)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// event.hpp: what crosses a border between two units in a cycle, told alike by the RTL and by the timing model.
+// event.hpp: what crosses a border between two units in a cycle, in one form for RTL and timing model.
 //
 // Idea    When the two differ in a cycle count, the first event that only one of them has names the place and the cycle
 //         in which they part (lockstep.hpp).

@@ -6,7 +6,7 @@
 //         where they lie; a bucket is a chain of slots (head, links), so a pass costs one cycle per key. Neighbouring
 //         buckets are chained together while they hold at most sixteen keys. The nearest group is gone on with, the
 //         farther ones wait on a stack, the nearest on top; a group that is still too large is cut again by the next
-//         four bits. When all keys fell into one bucket, the range is measured anew, so a far outlier costs one pass.
+//         four bits. When all keys fell into one bucket, the range is measured again, so a far outlier costs one pass.
 //         LargeGroups 0: every chain is small enough; nothing is cut.
 // Stream  start_i with a chain of keys (at least 1) and a range that holds them; keys and links are read from their
 //         stores, rdata in the next cycle, held; links are changed. out: keys and slots, `last` on the last of each

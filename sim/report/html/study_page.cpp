@@ -42,7 +42,7 @@ Json to_json(const PageCell& cell) {
 
 Json to_json(const PageTable& table) {
   Json json = {{"title", table.title}, {"columns", Json::array()}, {"rows", Json::array()}, {"notes", table.notes}};
-  // A column in which nothing stands says nothing.
+  // An empty column is left out.
   std::vector<size_t> shown;
   for (size_t k = 0; k < table.columns.size(); ++k) {
     const bool any = std::any_of(table.rows.begin(), table.rows.end(),

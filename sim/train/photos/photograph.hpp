@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // photograph: a picture file as the camera of a COLMAP folder saw it, and the same with fewer pixels.
 //
-// Reads   PNG and JPEG, told apart by their first bytes and not by their names; 8 bits for a channel. Grey becomes
+// Reads   PNG and JPEG, recognised by their first bytes, not by their names; 8 bits for a channel. Grey becomes
 //         RGB; where a PNG has alpha, its colours stand over black.
 // Rule    A picture has the size that its camera says: no other is stretched to it.
 // Errors  InputError with file and sizes.

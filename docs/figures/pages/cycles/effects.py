@@ -59,7 +59,7 @@ def gains():
     return table(
         [
             "scene, design point",
-            "pack, bit-accurate model, detectors, s",
+            "pack, golden model, detectors, s",
             "RTL and comparison, s",
             "in all, s",
             "gain",

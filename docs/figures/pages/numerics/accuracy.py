@@ -173,7 +173,7 @@ def fidelity(scene):
     """One frame by each simulation."""
     rows = [
         [
-            row.name.replace("golden model", "bit-accurate model"),
+            row.name,
             fixed(row.seconds, 2),
             fixed(row.ratio, 2),
             row.pixels,
@@ -183,7 +183,7 @@ def fidelity(scene):
         ]
         for row in data.fidelity[scene].rows
     ]
-    return table(["simulation", "wall s", "over the bit-accurate model", "pixels", "cycles", "bytes", "stalls"], rows)
+    return table(["simulation", "wall s", "over the golden model", "pixels", "cycles", "bytes", "stalls"], rows)
 
 
 def seconds(scene, name):

@@ -3,10 +3,10 @@
 //
 // Idea    The longest path between registers of each unit, and of the whole machine (top), in FO4 delays of the
 //         library that timed it: those cross to 28 nm. Each is fitted by least squares over the knobs of the unit's
-//         blocks, a line for each, with the offsets of kinds (machine_kind.hpp); ridges hold back what few points tell.
-// Rule    A path is what some gates happen to add up to, no sum over blocks: so none is told below the least nor above
-//         the largest that was measured of the kind. The machine's path is the longest of all. Of a kind without a
-//         point nothing is told.
+//         blocks, a line for each, with the offsets of kinds (machine_kind.hpp); ridges keep weak terms small.
+// Rule    The longest path is a property of a few gates, not a sum over blocks. So the result is clamped to the range
+//         that was measured of the kind; of a kind without a point there is none. The machine's path is the longest of
+//         all units'.
 // Check   without(): the same model from all points but one.
 // Errors  InputError: the table is broken. One that is missing, or holds its header only, has no points.
 #pragma once

@@ -3,11 +3,11 @@
 //
 // Idea    At each rising edge of a module's clk_i the leaves of its enables are sampled as they were before it; 64
 //         edges or fewer are evaluated together (enables.hpp).
-// Check   One bit behind each gate is watched: it must stand still over an edge at which the gate's enable was low. So
+// Check   One bit behind each gate is watched: it must not change over an edge at which the gate's enable was low. So
 //         functions of other RTL, or wrong ones, are found in the waves. Edges in a reset are left out.
-// Rule    An enable that the waves do not show counts as high in every cycle; `unseen` tells how many flip-flops that
+// Rule    An enable that the waves do not show counts as high in every cycle; `unseen` counts the flip-flops that
 //         concerns.
-// Errors  InputError: an instance is not in the waves, or a bit moves that stands.
+// Errors  InputError: an instance is not in the waves, or a bit changes while its enable is low.
 #pragma once
 
 #include <functional>
