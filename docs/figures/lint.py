@@ -20,6 +20,7 @@ FIGURE = re.compile(rf"(?P<error>2\^-?\d+\.\d+|\b\d+(?:\.\d+)?e-?\d+\b)|(?P<numb
 PAPERS = re.compile(r"\b(?:paper|Table \d|Fig\. \d|GSCore|Sec\. \d)", re.IGNORECASE)
 SENTENCE = re.compile(r"(?<=[.!?:;])\s+(?=[A-Z*`(])")
 LINK = re.compile(r"\]\([^)]*\)|<https?:[^>]*>")
+PRINTED = re.compile(r"<!-- options -->.*?<!-- end -->", re.DOTALL)
 ALLOWED = Path(__file__).parent / "allowed.txt"
 
 
@@ -42,7 +43,8 @@ def is_figure(match, in_table):
 
 
 def prose(content):
-    """The page without markers, code and links, line by line as it was."""
+    """The page without markers, code, links and what docs/commands.py writes, line by line as it was."""
+    content = PRINTED.sub(lambda match: "\n" * match[0].count("\n"), content)
     return LINK.sub("]", MARKER.sub(lambda match: "\n" * match[0].count("\n"), content)).split("\n")
 
 
