@@ -7,6 +7,7 @@ command its example, its own options, and which groups it takes. With --check no
 differs.
 """
 import collections
+import json
 import re
 import subprocess
 import sys
@@ -16,6 +17,13 @@ PAGE = Path(__file__).resolve().parent / "commands.md"
 BEGIN, END = "<!-- options -->", "<!-- end -->"
 COLUMN = 30  # of the text of an option in what --help prints
 SHARED = 4  # so many commands make an option a shared one
+SAMPLES = {  # a run of a second or two, from whose JSON the keys are taken; those of other commands are on their pages
+    "model": "--scale 0.1",
+    "profile": "--scale 0.1 --no-rtl",
+    "effects": "--scale 0.1",
+    "budget": "--count 1000",
+}
+MANY = 16  # so many keys of plain values are a table of their own: NAME.*
 
 TITLES = {"Options": "Of all kinds", "Positionals": "Before the options"}  # CLI11's own groups
 
@@ -81,7 +89,26 @@ def read_all(pipegs):
     return below()
 
 
-def page(commands):
+def keys_of(value, path=""):
+    """Every key of a JSON value, as a.b[].c; * for names whose values are alike."""
+    if isinstance(value, list):
+        return keys_of(value[0], f"{path}[]") if value else [path]
+    if not isinstance(value, dict):
+        return [path]
+    if len(value) > MANY and not any(isinstance(one, (dict, list)) for one in value.values()):
+        return [f"{path}.*"]
+    inside = list(value.values())
+    if len(inside) > 2 and all(isinstance(one, dict) and one.keys() == inside[0].keys() for one in inside):
+        return keys_of(inside[0], f"{path}.*" if path else "*")
+    return [key for name, one in value.items() for key in keys_of(one, f"{path}.{name}" if path else name)]
+
+
+def json_keys(pipegs, name):
+    run = subprocess.run([pipegs, *name.split(), *SAMPLES[name].split(), "--json"], capture_output=True, check=True)
+    return "Keys of `--json`: " + ", ".join(f"`{key}`" for key in keys_of(json.loads(run.stdout))) + "."
+
+
+def page(commands, pipegs):
     times = collections.Counter(one for command in commands for one in command.options)
     shared = collections.defaultdict(list)
     for one in times:
@@ -96,6 +123,7 @@ def page(commands):
         lines += ["", table(own)] if own else []
         taken = [taken_of(group, options, command) for group, options in shared.items()]
         lines += ["", "Shared: " + ", ".join(filter(None, taken)) + "."] if any(taken) else []
+        lines += ["", json_keys(pipegs, command.name)] if command.name in SAMPLES else []
         lines += [line for note in command.notes for line in ["", shown(note)]]
     return "\n".join(lines)
 
@@ -118,7 +146,7 @@ def shown(note):
 def main():
     old = PAGE.read_text()
     head, tail = old[: old.index(BEGIN) + len(BEGIN)], old[old.index(END) :]
-    new = f"{head}\n\n{page(read_all(sys.argv[1]))}\n\n{tail}"
+    new = f"{head}\n\n{page(read_all(sys.argv[1]), sys.argv[1])}\n\n{tail}"
     if sys.argv[2:] != ["--check"]:
         PAGE.write_text(new)
         return 0
