@@ -182,6 +182,92 @@ constexpr const char* kBundles = R"(
     logic [Units*TapLanes-1:0] alphas_valid;
   } raster_taps_t;
 
+  // AXI4 to memory: its channels, and what manager and subordinate show of reads and of writes.
+  localparam int unsigned AxiIdW = TagW + 1;  // the epoch of the core, the tag
+  localparam int unsigned AxiAddrW = 64;  // of a byte address; high bits that a manager has not are 0
+  localparam int unsigned AxiDataW = BusW == 0 ? MemoryW : BusW;
+  localparam logic [3:0] AxiCache = 4'b0010;  // normal, not cached, not buffered: an answer means "in memory"
+  localparam logic [2:0] AxiProt = 3'b000;  // unprivileged, secure, data
+  localparam logic [1:0] AxiIncr = 2'b01;
+  typedef struct packed {  // AR, AW
+    logic [AxiIdW-1:0] id;
+    logic [AxiAddrW-1:0] addr;
+    logic [7:0] len;  // beats, less one
+    logic [2:0] size;
+    logic [1:0] burst;
+    logic [3:0] cache;
+    logic [2:0] prot;
+  } axi_address_t;
+  typedef struct packed {
+    logic [AxiIdW-1:0] id;
+    logic [AxiDataW-1:0] data;
+    logic [1:0] resp;
+    logic last;
+  } axi_r_t;
+  typedef struct packed {
+    logic [AxiDataW-1:0] data;
+    logic [AxiDataW/8-1:0] strb;
+    logic last;
+  } axi_w_t;
+  typedef struct packed {
+    logic [AxiIdW-1:0] id;
+    logic [1:0] resp;
+  } axi_b_t;
+  typedef struct packed {
+    axi_address_t ar;
+    logic ar_valid;
+    logic r_ready;
+  } axi_reads_t;
+  typedef struct packed {
+    logic ar_ready;
+    axi_r_t r;
+    logic r_valid;
+  } axi_reads_answer_t;
+  typedef struct packed {
+    axi_address_t aw;
+    logic aw_valid;
+    axi_w_t w;
+    logic w_valid;
+    logic b_ready;
+  } axi_writes_t;
+  typedef struct packed {
+    logic aw_ready;
+    logic w_ready;
+    axi_b_t b;
+    logic b_valid;
+  } axi_writes_answer_t;
+  typedef struct packed {
+    axi_writes_t write;
+    axi_reads_t read;
+  } axi_manager_t;
+  typedef struct packed {
+    axi_writes_answer_t write;
+    axi_reads_answer_t read;
+  } axi_subordinate_t;
+
+  // AXI4-Lite of the registers, 32 bits, without the protection bits, which nothing looks at.
+  typedef struct packed {
+    logic [ControlAddressW-1:0] aw_addr;  // byte; its two low bits do not count
+    logic aw_valid;
+    logic [31:0] w_data;
+    logic [3:0] w_strb;
+    logic w_valid;
+    logic b_ready;
+    logic [ControlAddressW-1:0] ar_addr;  // likewise
+    logic ar_valid;
+    logic r_ready;
+  } axi_lite_manager_t;
+  typedef struct packed {
+    logic aw_ready;
+    logic w_ready;
+    logic [1:0] b_resp;
+    logic b_valid;
+    logic ar_ready;
+    logic [31:0] r_data;
+    logic [1:0] r_resp;
+    logic r_valid;
+  } axi_lite_subordinate_t;
+
   typedef struct packed {  // in an SU: an end that waits for what lies before it
     logic all;  // the whole set, not only nearer buckets
     logic [KindW-1:0] kind;
@@ -284,8 +370,8 @@ void print_package(const pipegs::Config& config) {
                 pipegs::reach_weight, config);
   for (const Record& record : pipegs::record_table()) printer.print(record);
   print_areas(config);
-  std::printf("%s", kBundles);
-  std::printf("%s\nendpackage\n", pipegs::print_package(pipegs::register_map(config)).c_str());
+  std::printf("%s", pipegs::print_package(pipegs::register_map(config)).c_str());
+  std::printf("%s\nendpackage\n", kBundles);
 }
 
 }  // namespace

@@ -5,13 +5,12 @@
 //         a frame: pipegs_control_done holds its end back until its pixels are in memory, pipegs_control_restart resets
 //         the core when a frame was aborted or has met an error. Then every frame inside is given up; the queued one is
 //         begun behind it, unless it was an abort, which drops that one too. Only wiring here.
-// Stream  s_axi_*: AXI4-Lite, see pipegs_control_bus. mem_*: see pipegs_memory_arbiter; a read belongs to the epoch
+// Stream  s_axi: AXI4-Lite, see pipegs_control_bus. mem_*: see pipegs_memory_arbiter; a read belongs to the epoch
 //         that shows with it.
 // Pace    A frame begins four cycles after the bus has taken the write of CONTROL.start.
 // Model   The harness drives it as software does: sim/driver, sim/rtl/rtl_bridge.cpp.
 
 module pipegs_host #(
-  localparam int unsigned ControlW = pipegs_pkg::ControlAddressW,
   localparam int unsigned LineW    = pipegs_pkg::AddressW,
   localparam int unsigned MemoryW  = pipegs_pkg::MemoryW,
   localparam int unsigned PerfW    = pipegs_pkg::PerfW,
@@ -22,23 +21,8 @@ module pipegs_host #(
   input  logic                           rst_ni,
   input  logic                           test_en_i,  // every clock runs: for the test of the silicon, else 0
 
-  input  logic                           s_axi_awvalid,
-  output logic                           s_axi_awready,
-  input  logic [ControlW-1:0]            s_axi_awaddr,  // byte
-  input  logic                           s_axi_wvalid,
-  output logic                           s_axi_wready,
-  input  logic [31:0]                    s_axi_wdata,
-  input  logic [3:0]                     s_axi_wstrb,
-  output logic                           s_axi_bvalid,
-  input  logic                           s_axi_bready,
-  output logic [1:0]                     s_axi_bresp,
-  input  logic                           s_axi_arvalid,
-  output logic                           s_axi_arready,
-  input  logic [ControlW-1:0]            s_axi_araddr,  // byte
-  output logic                           s_axi_rvalid,
-  input  logic                           s_axi_rready,
-  output logic [31:0]                    s_axi_rdata,
-  output logic [1:0]                     s_axi_rresp,
+  input  pipegs_pkg::axi_lite_manager_t     s_axi_i,
+  output pipegs_pkg::axi_lite_subordinate_t s_axi_o,
   output logic                           irq_o,         // level: an enabled event is not cleared
 
   output logic                           mem_valid_o,
@@ -77,9 +61,7 @@ module pipegs_host #(
   assign frame_ready = core_ready && ready;
 
   pipegs_control_registers u_registers (
-    .clk_i, .rst_ni, .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr, .s_axi_wvalid, .s_axi_wready, .s_axi_wdata,
-    .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp, .s_axi_arvalid, .s_axi_arready, .s_axi_araddr,
-    .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp, .irq_o,
+    .clk_i, .rst_ni, .s_axi_i, .s_axi_o, .irq_o,
     .frame_valid_o(frame_valid), .frame_ready_i(frame_ready), .frame_o(frame), .areas_o(areas), .picture_o(picture),
     .abort_o(abort), .busy_i(busy), .frame_done_i(done), .error_i(errors),
     .error_address_i({core_error_line, mem_error_line_i, mem_error_line_i, LineW'(0), LineW'(0)}),

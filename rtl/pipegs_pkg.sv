@@ -1061,95 +1061,6 @@ package pipegs_pkg;
     list_first = (AddressW'(window) << log) + AddressW'(window) * AddressW'(ListGap);
   endfunction
 
-  // Bundles: wires of all units side by side, the first unit lowest.
-  localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
-  typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
-    logic [ReadPorts*BurstW-1:0] lines;  // less one
-    logic [ReadPorts*AddressW-1:0] address;
-    logic [ReadPorts-1:0] valid;
-  } memory_reads_t;
-  typedef struct packed {
-    logic [ReadPorts-1:0] line;  // an answer is there
-    logic [ReadPorts-1:0] ready;
-  } memory_reads_answer_t;
-
-  typedef struct packed {  // one port of each unit that may write
-    logic [Units*MemoryW-1:0] data;
-    logic [Units*AddressW-1:0] address;
-    logic [Units-1:0] write;
-    logic [Units-1:0] valid;
-  } memory_lanes_t;
-  typedef struct packed {
-    logic [Units-1:0] line;
-    logic [Units-1:0] ready;
-  } memory_lanes_answer_t;
-
-  typedef struct packed {  // the one port of the lists
-    logic [MemoryW-1:0] data;
-    logic [BurstW-1:0] lines;  // of a read, less one
-    logic [AddressW-1:0] address;
-    logic write;
-    logic valid;
-  } memory_lists_t;
-  typedef struct packed {
-    logic line;
-    logic ready;
-  } memory_lists_answer_t;
-
-  typedef struct packed {  // PUs -> their alpha stores
-    logic [Units*LineW-1:0] line;
-    logic [Units*AlphaAddressW-1:0] address;
-    logic [Units-1:0] write;
-  } store_writes_t;
-
-  typedef struct packed {  // what the RUs have finished, to the front
-    logic [Units*WindowW-1:0] y;  // the window that they are in
-    logic [Units*WindowW-1:0] x;
-    logic [Units*Regions-1:0] done;  // regions of it that need no more alphas
-  } progress_t;
-
-  typedef struct packed {  // what the RUs do, for the harness
-    logic [Units*TapLanes*TapWordW-1:0] pixels;
-    logic [Units*TapLanes*2-1:0] pixels_quarter;
-    logic [Units*TapLanes*RegionW-1:0] pixels_region;
-    logic [Units*TapLanes-1:0] pixels_valid;
-    logic [Units*TapLanes*TapLineW-1:0] alphas;
-    logic [Units*TapLanes*2-1:0] alphas_quarter;
-    logic [Units*TapLanes*RegionW-1:0] alphas_region;
-    logic [Units*TapLanes*TapIndexW-1:0] alphas_index;
-    logic [Units*TapLanes-1:0] alphas_valid;
-  } raster_taps_t;
-
-  typedef struct packed {  // in an SU: an end that waits for what lies before it
-    logic all;  // the whole set, not only nearer buckets
-    logic [KindW-1:0] kind;
-    logic [BucketW-1:0] bucket;
-  } su_mark_t;
-  typedef struct packed {  // in an SU: slots of one bucket, linked, or an end
-    logic [KindW-1:0] kind;
-    logic [BucketW-1:0] bucket;
-    logic [RecordW-1:0] head;  // the first slot
-    logic [RecordW:0] count;
-  } su_chain_t;
-  typedef struct packed {  // in an SU: keys of a set that spilled come back into the pool
-    logic write;
-    logic [RecordW-1:0] slot;
-    logic [KeyW-1:0] key;
-    logic [SlotW-1:0] number;  // its record's, in external memory
-    logic read;  // of the key in read_slot
-    logic [RecordW-1:0] read_slot;
-  } su_external_t;
-  typedef struct packed {  // in an SU: such keys, to be sorted in the pool; linked from the last slot to the first
-    logic [RecordW:0] count;
-    logic [KeyW-1:0] min;
-    logic [KeyW-1:0] max;
-  } su_group_t;
-  typedef struct packed {  // in an SU: a sorted key, or an end with its kind as slot
-    logic is_end;
-    logic [KeyW-1:0] key;
-    logic [RecordW-1:0] slot;
-  } su_item_t;
-
   // Registers of the control side, see package/pipegs_registers.csv: byte offsets.
   localparam int unsigned ControlAddressW = 12;
   localparam logic [ControlAddressW-1:0] ControlControlAt = 12'h010;
@@ -1369,5 +1280,180 @@ package pipegs_pkg;
     16'h0608,  // preprocess_cycles
     16'h0600  // cycles
   };
+
+  // Bundles: wires of all units side by side, the first unit lowest.
+  localparam int unsigned ReadPorts = MemoryPorts - WritePorts;
+  typedef struct packed {  // ports that only read: geometry of each PU, its colours, then the DOPU
+    logic [ReadPorts*BurstW-1:0] lines;  // less one
+    logic [ReadPorts*AddressW-1:0] address;
+    logic [ReadPorts-1:0] valid;
+  } memory_reads_t;
+  typedef struct packed {
+    logic [ReadPorts-1:0] line;  // an answer is there
+    logic [ReadPorts-1:0] ready;
+  } memory_reads_answer_t;
+
+  typedef struct packed {  // one port of each unit that may write
+    logic [Units*MemoryW-1:0] data;
+    logic [Units*AddressW-1:0] address;
+    logic [Units-1:0] write;
+    logic [Units-1:0] valid;
+  } memory_lanes_t;
+  typedef struct packed {
+    logic [Units-1:0] line;
+    logic [Units-1:0] ready;
+  } memory_lanes_answer_t;
+
+  typedef struct packed {  // the one port of the lists
+    logic [MemoryW-1:0] data;
+    logic [BurstW-1:0] lines;  // of a read, less one
+    logic [AddressW-1:0] address;
+    logic write;
+    logic valid;
+  } memory_lists_t;
+  typedef struct packed {
+    logic line;
+    logic ready;
+  } memory_lists_answer_t;
+
+  typedef struct packed {  // PUs -> their alpha stores
+    logic [Units*LineW-1:0] line;
+    logic [Units*AlphaAddressW-1:0] address;
+    logic [Units-1:0] write;
+  } store_writes_t;
+
+  typedef struct packed {  // what the RUs have finished, to the front
+    logic [Units*WindowW-1:0] y;  // the window that they are in
+    logic [Units*WindowW-1:0] x;
+    logic [Units*Regions-1:0] done;  // regions of it that need no more alphas
+  } progress_t;
+
+  typedef struct packed {  // what the RUs do, for the harness
+    logic [Units*TapLanes*TapWordW-1:0] pixels;
+    logic [Units*TapLanes*2-1:0] pixels_quarter;
+    logic [Units*TapLanes*RegionW-1:0] pixels_region;
+    logic [Units*TapLanes-1:0] pixels_valid;
+    logic [Units*TapLanes*TapLineW-1:0] alphas;
+    logic [Units*TapLanes*2-1:0] alphas_quarter;
+    logic [Units*TapLanes*RegionW-1:0] alphas_region;
+    logic [Units*TapLanes*TapIndexW-1:0] alphas_index;
+    logic [Units*TapLanes-1:0] alphas_valid;
+  } raster_taps_t;
+
+  // AXI4 to memory: its channels, and what manager and subordinate show of reads and of writes.
+  localparam int unsigned AxiIdW = TagW + 1;  // the epoch of the core, the tag
+  localparam int unsigned AxiAddrW = 64;  // of a byte address; high bits that a manager has not are 0
+  localparam int unsigned AxiDataW = BusW == 0 ? MemoryW : BusW;
+  localparam logic [3:0] AxiCache = 4'b0010;  // normal, not cached, not buffered: an answer means "in memory"
+  localparam logic [2:0] AxiProt = 3'b000;  // unprivileged, secure, data
+  localparam logic [1:0] AxiIncr = 2'b01;
+  typedef struct packed {  // AR, AW
+    logic [AxiIdW-1:0] id;
+    logic [AxiAddrW-1:0] addr;
+    logic [7:0] len;  // beats, less one
+    logic [2:0] size;
+    logic [1:0] burst;
+    logic [3:0] cache;
+    logic [2:0] prot;
+  } axi_address_t;
+  typedef struct packed {
+    logic [AxiIdW-1:0] id;
+    logic [AxiDataW-1:0] data;
+    logic [1:0] resp;
+    logic last;
+  } axi_r_t;
+  typedef struct packed {
+    logic [AxiDataW-1:0] data;
+    logic [AxiDataW/8-1:0] strb;
+    logic last;
+  } axi_w_t;
+  typedef struct packed {
+    logic [AxiIdW-1:0] id;
+    logic [1:0] resp;
+  } axi_b_t;
+  typedef struct packed {
+    axi_address_t ar;
+    logic ar_valid;
+    logic r_ready;
+  } axi_reads_t;
+  typedef struct packed {
+    logic ar_ready;
+    axi_r_t r;
+    logic r_valid;
+  } axi_reads_answer_t;
+  typedef struct packed {
+    axi_address_t aw;
+    logic aw_valid;
+    axi_w_t w;
+    logic w_valid;
+    logic b_ready;
+  } axi_writes_t;
+  typedef struct packed {
+    logic aw_ready;
+    logic w_ready;
+    axi_b_t b;
+    logic b_valid;
+  } axi_writes_answer_t;
+  typedef struct packed {
+    axi_writes_t write;
+    axi_reads_t read;
+  } axi_manager_t;
+  typedef struct packed {
+    axi_writes_answer_t write;
+    axi_reads_answer_t read;
+  } axi_subordinate_t;
+
+  // AXI4-Lite of the registers, 32 bits, without the protection bits, which nothing looks at.
+  typedef struct packed {
+    logic [ControlAddressW-1:0] aw_addr;  // byte; its two low bits do not count
+    logic aw_valid;
+    logic [31:0] w_data;
+    logic [3:0] w_strb;
+    logic w_valid;
+    logic b_ready;
+    logic [ControlAddressW-1:0] ar_addr;  // likewise
+    logic ar_valid;
+    logic r_ready;
+  } axi_lite_manager_t;
+  typedef struct packed {
+    logic aw_ready;
+    logic w_ready;
+    logic [1:0] b_resp;
+    logic b_valid;
+    logic ar_ready;
+    logic [31:0] r_data;
+    logic [1:0] r_resp;
+    logic r_valid;
+  } axi_lite_subordinate_t;
+
+  typedef struct packed {  // in an SU: an end that waits for what lies before it
+    logic all;  // the whole set, not only nearer buckets
+    logic [KindW-1:0] kind;
+    logic [BucketW-1:0] bucket;
+  } su_mark_t;
+  typedef struct packed {  // in an SU: slots of one bucket, linked, or an end
+    logic [KindW-1:0] kind;
+    logic [BucketW-1:0] bucket;
+    logic [RecordW-1:0] head;  // the first slot
+    logic [RecordW:0] count;
+  } su_chain_t;
+  typedef struct packed {  // in an SU: keys of a set that spilled come back into the pool
+    logic write;
+    logic [RecordW-1:0] slot;
+    logic [KeyW-1:0] key;
+    logic [SlotW-1:0] number;  // its record's, in external memory
+    logic read;  // of the key in read_slot
+    logic [RecordW-1:0] read_slot;
+  } su_external_t;
+  typedef struct packed {  // in an SU: such keys, to be sorted in the pool; linked from the last slot to the first
+    logic [RecordW:0] count;
+    logic [KeyW-1:0] min;
+    logic [KeyW-1:0] max;
+  } su_group_t;
+  typedef struct packed {  // in an SU: a sorted key, or an end with its kind as slot
+    logic is_end;
+    logic [KeyW-1:0] key;
+    logic [RecordW-1:0] slot;
+  } su_item_t;
 
 endpackage

@@ -5,9 +5,9 @@
 // Idea    One register in front for each of the channels AW, W and AR, one behind for B and R. A write is done when its
 //         address and its data are there and B is free; a read when its address is there and R is free. Both may be
 //         done in the same cycle: the read then sees what was before the write.
-// Stream  s_axi_*: AXI4-Lite of 32 bits under its standard names, without the protection bits, which nothing here looks
-//         at; every output is a register. write_o, read_o: pulses. write_error_i, read_error_i, read_data_i belong to
-//         the address that is shown in the cycle of the pulse; an error is answered with SLVERR.
+// Stream  s_axi: AXI4-Lite of 32 bits; every output is a register. write_o, read_o: pulses. write_error_i,
+//         read_error_i, read_data_i belong to the address that is shown in the cycle of the pulse; an error is answered
+//         with SLVERR.
 // Pace    One write and one read per two cycles; the answer comes two cycles after the request.
 // Model   cpp_model/control/control_registers.hpp
 
@@ -18,23 +18,8 @@ module pipegs_control_bus #(
   input  logic                clk_i,
   input  logic                rst_ni,
 
-  input  logic                s_axi_awvalid,
-  output logic                s_axi_awready,
-  input  logic [AddressW-1:0] s_axi_awaddr,   // byte; its two low bits do not count
-  input  logic                s_axi_wvalid,
-  output logic                s_axi_wready,
-  input  logic [31:0]         s_axi_wdata,
-  input  logic [3:0]          s_axi_wstrb,
-  output logic                s_axi_bvalid,
-  input  logic                s_axi_bready,
-  output logic [1:0]          s_axi_bresp,
-  input  logic                s_axi_arvalid,
-  output logic                s_axi_arready,
-  input  logic [AddressW-1:0] s_axi_araddr,   // byte; its two low bits do not count
-  output logic                s_axi_rvalid,
-  input  logic                s_axi_rready,
-  output logic [31:0]         s_axi_rdata,
-  output logic [1:0]          s_axi_rresp,
+  input  pipegs_pkg::axi_lite_manager_t     s_axi_i,
+  output pipegs_pkg::axi_lite_subordinate_t s_axi_o,
 
   output logic                write_o,
   output logic [WordW-1:0]    write_word_o,   // number of the register
@@ -55,23 +40,23 @@ module pipegs_control_bus #(
   logic [3:0]       w_strobe_q;
   logic             unused_low;
 
-  assign unused_low = &{1'b0, s_axi_awaddr[1:0], s_axi_araddr[1:0]};
+  assign unused_low = &{1'b0, s_axi_i.aw_addr[1:0], s_axi_i.ar_addr[1:0]};
 
-  assign write_o      = !aw_ready_q && !w_ready_q && (!b_valid_q || s_axi_bready);
+  assign write_o      = !aw_ready_q && !w_ready_q && (!b_valid_q || s_axi_i.b_ready);
   assign write_word_o = aw_word_q;
   assign write_data_o = w_data_q;
   assign write_mask_o = {{8{w_strobe_q[3]}}, {8{w_strobe_q[2]}}, {8{w_strobe_q[1]}}, {8{w_strobe_q[0]}}};
-  assign read_o       = !ar_ready_q && (!r_valid_q || s_axi_rready);
+  assign read_o       = !ar_ready_q && (!r_valid_q || s_axi_i.r_ready);
   assign read_word_o  = ar_word_q;
 
-  assign s_axi_awready = aw_ready_q;
-  assign s_axi_wready  = w_ready_q;
-  assign s_axi_bvalid  = b_valid_q;
-  assign s_axi_bresp   = {b_error_q, 1'b0};
-  assign s_axi_arready = ar_ready_q;
-  assign s_axi_rvalid  = r_valid_q;
-  assign s_axi_rdata   = r_data_q;
-  assign s_axi_rresp   = {r_error_q, 1'b0};
+  assign s_axi_o.aw_ready = aw_ready_q;
+  assign s_axi_o.w_ready  = w_ready_q;
+  assign s_axi_o.b_valid  = b_valid_q;
+  assign s_axi_o.b_resp   = {b_error_q, 1'b0};
+  assign s_axi_o.ar_ready = ar_ready_q;
+  assign s_axi_o.r_valid  = r_valid_q;
+  assign s_axi_o.r_data   = r_data_q;
+  assign s_axi_o.r_resp   = {r_error_q, 1'b0};
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -81,26 +66,26 @@ module pipegs_control_bus #(
       b_valid_q  <= 1'b0;
       r_valid_q  <= 1'b0;
     end else begin
-      if (aw_ready_q) aw_ready_q <= !s_axi_awvalid;
+      if (aw_ready_q) aw_ready_q <= !s_axi_i.aw_valid;
       else if (write_o) aw_ready_q <= 1'b1;
-      if (w_ready_q) w_ready_q <= !s_axi_wvalid;
+      if (w_ready_q) w_ready_q <= !s_axi_i.w_valid;
       else if (write_o) w_ready_q <= 1'b1;
-      if (ar_ready_q) ar_ready_q <= !s_axi_arvalid;
+      if (ar_ready_q) ar_ready_q <= !s_axi_i.ar_valid;
       else if (read_o) ar_ready_q <= 1'b1;
       if (write_o) b_valid_q <= 1'b1;
-      else if (s_axi_bready) b_valid_q <= 1'b0;
+      else if (s_axi_i.b_ready) b_valid_q <= 1'b0;
       if (read_o) r_valid_q <= 1'b1;
-      else if (s_axi_rready) r_valid_q <= 1'b0;
+      else if (s_axi_i.r_ready) r_valid_q <= 1'b0;
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (aw_ready_q && s_axi_awvalid) aw_word_q <= s_axi_awaddr[AddressW-1:2];
-    if (w_ready_q && s_axi_wvalid) begin
-      w_data_q   <= s_axi_wdata;
-      w_strobe_q <= s_axi_wstrb;
+    if (aw_ready_q && s_axi_i.aw_valid) aw_word_q <= s_axi_i.aw_addr[AddressW-1:2];
+    if (w_ready_q && s_axi_i.w_valid) begin
+      w_data_q   <= s_axi_i.w_data;
+      w_strobe_q <= s_axi_i.w_strb;
     end
-    if (ar_ready_q && s_axi_arvalid) ar_word_q <= s_axi_araddr[AddressW-1:2];
+    if (ar_ready_q && s_axi_i.ar_valid) ar_word_q <= s_axi_i.ar_addr[AddressW-1:2];
     if (write_o) b_error_q <= write_error_i;
     if (read_o) begin
       r_error_q <= read_error_i;

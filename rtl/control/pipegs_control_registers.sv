@@ -5,7 +5,7 @@
 //         configuration fixes, the registers below, the parameters of the next frame (pipegs_control_shadow) and the
 //         performance counters (pipegs_control_counters). What none of them has, and a write to what cannot be written,
 //         is an error. Events are kept in pipegs_control_events.
-// Stream  s_axi_*: see pipegs_control_bus. frame_o with areas_o and picture_o: the queued frame, valid until it is
+// Stream  s_axi: see pipegs_control_bus. frame_o with areas_o and picture_o: the queued frame, valid until it is
 //         taken or dropped by an abort. abort_o: pulse, a cycle in which no frame is shown.
 // Pace    A start is shown three cycles after the bus has taken its address and data.
 // Model   cpp_model/control/control_registers.hpp; the table of registers: cpp_model/control/registers.def
@@ -20,23 +20,8 @@ module pipegs_control_registers #(
   input  logic                      clk_i,
   input  logic                      rst_ni,
 
-  input  logic                      s_axi_awvalid,
-  output logic                      s_axi_awready,
-  input  logic [AddressW-1:0]       s_axi_awaddr,
-  input  logic                      s_axi_wvalid,
-  output logic                      s_axi_wready,
-  input  logic [31:0]               s_axi_wdata,
-  input  logic [3:0]                s_axi_wstrb,
-  output logic                      s_axi_bvalid,
-  input  logic                      s_axi_bready,
-  output logic [1:0]                s_axi_bresp,
-  input  logic                      s_axi_arvalid,
-  output logic                      s_axi_arready,
-  input  logic [AddressW-1:0]       s_axi_araddr,
-  output logic                      s_axi_rvalid,
-  input  logic                      s_axi_rready,
-  output logic [31:0]               s_axi_rdata,
-  output logic [1:0]                s_axi_rresp,
+  input  pipegs_pkg::axi_lite_manager_t     s_axi_i,
+  output pipegs_pkg::axi_lite_subordinate_t s_axi_o,
   output logic                      irq_o,            // high while an enabled event is not cleared
 
   output logic                      frame_valid_o,
@@ -77,9 +62,7 @@ module pipegs_control_registers #(
   logic [31:0]                      started, done;
 
   pipegs_control_bus u_bus (
-    .clk_i, .rst_ni, .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr, .s_axi_wvalid, .s_axi_wready, .s_axi_wdata,
-    .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp, .s_axi_arvalid, .s_axi_arready, .s_axi_araddr,
-    .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp,
+    .clk_i, .rst_ni, .s_axi_i, .s_axi_o,
     .write_o(write), .write_word_o(write_word), .write_data_o(write_data), .write_mask_o(write_mask),
     .write_error_i(write_error), .read_o(read), .read_word_o(read_word), .read_data_i(read_data),
     .read_error_i(read_error)

@@ -9,17 +9,15 @@
 // Stream  mem: request (1 to 8 lines of one aligned group of eight; a write has 1), data of a write. rsp: tag and line
 //         of an answer, in order within a tag, never refused. m_axi: AXI4; no path leads from its inputs
 //         to its outputs without a register.
-// Pace    One request per cycle with DataW = 512, a line in 512 / DataW cycles. A read shows on AR one cycle after it
-//         was accepted, its line to the core one cycle after its last beat.
+// Pace    One request per cycle if the bus is as wide as a line, else a line in as many cycles as it has beats. A read
+//         shows on AR one cycle after it was accepted, its line to the core one cycle after its last beat.
 // Model   sim/memory/axi/axi_memory.hpp has the other side; verif/mem/axi_manager_test.cpp compares every line.
 
 module pipegs_axi_manager #(
-  parameter int unsigned DataW  = 512,  // 128, 256 or 512
   parameter int unsigned AddrW  = 40,   // of a byte address
   parameter int unsigned Reads  = pipegs_pkg::BusReads,   // bursts that may be unanswered
   parameter int unsigned Writes = pipegs_pkg::BusWrites,  // likewise
   parameter int unsigned Fenced = pipegs_pkg::BusFenced,  // reads that may wait for writes
-  localparam int unsigned IdW    = pipegs_pkg::TagW + 1,
   localparam int unsigned LineW  = pipegs_pkg::AddressW,
   localparam int unsigned TagW   = pipegs_pkg::TagW
 ) (
@@ -46,45 +44,12 @@ module pipegs_axi_manager #(
   output logic [$clog2(Writes+1)-1:0]    writes_o,       // accepted and not answered
   output logic                           answered_o,     // one of them is, in this cycle
 
-  output logic [IdW-1:0]                 m_axi_awid,
-  output logic [AddrW-1:0]               m_axi_awaddr,
-  output logic [7:0]                     m_axi_awlen,
-  output logic [2:0]                     m_axi_awsize,
-  output logic [1:0]                     m_axi_awburst,
-  output logic [3:0]                     m_axi_awcache,
-  output logic [2:0]                     m_axi_awprot,
-  output logic                           m_axi_awvalid,
-  input  logic                           m_axi_awready,
-  output logic [DataW-1:0]               m_axi_wdata,
-  output logic [DataW/8-1:0]             m_axi_wstrb,
-  output logic                           m_axi_wlast,
-  output logic                           m_axi_wvalid,
-  input  logic                           m_axi_wready,
-  input  logic [IdW-1:0]                 m_axi_bid,
-  input  logic [1:0]                     m_axi_bresp,
-  input  logic                           m_axi_bvalid,
-  output logic                           m_axi_bready,
-  output logic [IdW-1:0]                 m_axi_arid,
-  output logic [AddrW-1:0]               m_axi_araddr,
-  output logic [7:0]                     m_axi_arlen,
-  output logic [2:0]                     m_axi_arsize,
-  output logic [1:0]                     m_axi_arburst,
-  output logic [3:0]                     m_axi_arcache,
-  output logic [2:0]                     m_axi_arprot,
-  output logic                           m_axi_arvalid,
-  input  logic                           m_axi_arready,
-  input  logic [IdW-1:0]                 m_axi_rid,
-  input  logic [DataW-1:0]               m_axi_rdata,
-  input  logic [1:0]                     m_axi_rresp,
-  input  logic                           m_axi_rlast,
-  input  logic                           m_axi_rvalid,
-  output logic                           m_axi_rready
+  output pipegs_pkg::axi_manager_t       m_axi_o,
+  input  pipegs_pkg::axi_subordinate_t   m_axi_i
 );
 
-  localparam int unsigned ReadW   = IdW + 4 + LineW;
+  localparam int unsigned ReadW   = pipegs_pkg::AxiIdW + 4 + LineW;
   localparam int unsigned WritesW = $clog2(Writes + 1);
-  localparam logic [3:0]  Cache   = 4'b0010;  // normal, not cached, not buffered: an answer means "in memory"
-  localparam logic [2:0]  Prot    = 3'b000;   // unprivileged, secure, data
 
   logic               read_valid, read_ready, read_room, fence_ready, issue_valid, issue_ready, reads_pending;
   logic               write_valid, write_ready;
@@ -108,22 +73,19 @@ module pipegs_axi_manager #(
     .out_valid_o(issue_valid), .out_ready_i(issue_ready), .out_o(issue)
   );
 
-  pipegs_axi_read #(.DataW(DataW), .AddrW(AddrW), .Reads(Reads)) u_read (
+  pipegs_axi_read #(.AddrW(AddrW), .Reads(Reads)) u_read (
     .clk_i, .rst_ni, .base_i, .epoch_i, .room_o(read_room), .accept_i(read_valid && fence_ready),
     .drained_o, .pending_o(reads_pending), .in_valid_i(issue_valid), .in_ready_o(issue_ready), .in_i(issue),
     .line_valid_o(rsp_valid_o), .line_tag_o(rsp_tag_o), .line_o(rsp_data_o),
     .error_o(read_error), .error_decode_o(read_decode),
-    .m_axi_arid, .m_axi_araddr, .m_axi_arlen, .m_axi_arsize, .m_axi_arburst, .m_axi_arvalid, .m_axi_arready,
-    .m_axi_rid, .m_axi_rdata, .m_axi_rresp, .m_axi_rlast, .m_axi_rvalid, .m_axi_rready
+    .m_axi_o(m_axi_o.read), .m_axi_i(m_axi_i.read)
   );
 
-  pipegs_axi_write #(.DataW(DataW), .AddrW(AddrW), .Writes(Writes)) u_write (
+  pipegs_axi_write #(.AddrW(AddrW), .Writes(Writes)) u_write (
     .clk_i, .rst_ni, .base_i, .epoch_i, .in_valid_i(write_valid), .in_ready_o(write_ready),
     .in_line_i(mem_request_i.address), .in_halves_i(mem_request_i.halves), .in_data_i(mem_data_i), .writes_o(writes),
     .error_o(write_error), .error_decode_o(write_decode), .error_line_o(write_line),
-    .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awvalid, .m_axi_awready,
-    .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid, .m_axi_wready,
-    .m_axi_bid, .m_axi_bresp, .m_axi_bvalid, .m_axi_bready
+    .m_axi_o(m_axi_o.write), .m_axi_i(m_axi_i.write)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -135,12 +97,7 @@ module pipegs_axi_manager #(
   assign error_o      = error_q;
   assign error_line_o = error_line_q;
   assign writes_o     = writes;
-  assign answered_o   = m_axi_bvalid && m_axi_bready;
-
-  assign m_axi_awcache = Cache;
-  assign m_axi_awprot  = Prot;
-  assign m_axi_arcache = Cache;
-  assign m_axi_arprot  = Prot;
+  assign answered_o   = m_axi_i.write.b_valid && m_axi_o.write.b_ready;
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) if (rst_ni) begin

@@ -11,12 +11,11 @@
 // Model   sim/memory/axi/axi_memory.hpp has the other side.
 
 module pipegs_axi_read #(
-  parameter int unsigned DataW = 512,
   parameter int unsigned AddrW = 40,
   parameter int unsigned Reads = 256,
   localparam int unsigned LineW  = pipegs_pkg::AddressW,
   localparam int unsigned TagW   = pipegs_pkg::TagW,
-  localparam int unsigned IdW    = TagW + 1,
+  localparam int unsigned IdW    = pipegs_pkg::AxiIdW,
   localparam int unsigned ReadW  = IdW + 4 + LineW,
   localparam int unsigned ReadsW = $clog2(Reads + 1)
 ) (
@@ -40,23 +39,13 @@ module pipegs_axi_read #(
   output logic                           error_o,     // a beat of this epoch failed
   output logic                           error_decode_o,  // nothing is at that address
 
-  output logic [IdW-1:0]                 m_axi_arid,
-  output logic [AddrW-1:0]               m_axi_araddr,
-  output logic [7:0]                     m_axi_arlen,
-  output logic [2:0]                     m_axi_arsize,
-  output logic [1:0]                     m_axi_arburst,
-  output logic                           m_axi_arvalid,
-  input  logic                           m_axi_arready,
-  input  logic [IdW-1:0]                 m_axi_rid,
-  input  logic [DataW-1:0]               m_axi_rdata,
-  input  logic [1:0]                     m_axi_rresp,
-  input  logic                           m_axi_rlast,
-  input  logic                           m_axi_rvalid,
-  output logic                           m_axi_rready
+  output pipegs_pkg::axi_reads_t         m_axi_o,
+  input  pipegs_pkg::axi_reads_answer_t  m_axi_i
 );
 
   localparam int unsigned LineB = $clog2(pipegs_pkg::MemoryW / 8);
   localparam int unsigned PageB = 12 - LineB;  // bits of a line's number within 4 KB
+  localparam int unsigned DataW = pipegs_pkg::AxiDataW;
   localparam int unsigned Beats = pipegs_pkg::MemoryW / DataW;
 
   logic              ar_valid_q, free, epoch_q, turn, now, answered, gathering;
@@ -69,7 +58,7 @@ module pipegs_axi_read #(
 
   // --- AR ------------------------------------------------------------------------------------------------------------
   assign {id, lines, line} = in_i;
-  assign free       = !ar_valid_q || m_axi_arready;
+  assign free       = !ar_valid_q || m_axi_i.ar_ready;
   assign in_ready_o = free;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -80,14 +69,14 @@ module pipegs_axi_read #(
     if (free && in_valid_i) begin
       id_q      <= id;
       length_q  <= 8'(lines) * 8'(Beats) - 8'd1;
-      address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(line >> PageB), line[PageB-1:0], LineB'(0)};
+      address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(line[LineW-1:PageB]), line[PageB-1:0], LineB'(0)};
     end
   end
 
   // --- R -------------------------------------------------------------------------------------------------------------
   assign turn     = epoch_i != epoch_q;
-  assign now      = m_axi_rvalid && m_axi_rid[IdW-1] == epoch_i;
-  assign answered = m_axi_rvalid && m_axi_rlast;
+  assign now      = m_axi_i.r_valid && m_axi_i.r.id[IdW-1] == epoch_i;
+  assign answered = m_axi_i.r_valid && m_axi_i.r.last;
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -104,22 +93,24 @@ module pipegs_axi_read #(
   end
 
   pipegs_axi_gather #(.DataW(DataW)) u_gather (
-    .clk_i, .rst_ni, .turn_i(turn), .beat_valid_i(now), .beat_tag_i(m_axi_rid[TagW-1:0]), .beat_i(m_axi_rdata),
+    .clk_i, .rst_ni, .turn_i(turn), .beat_valid_i(now), .beat_tag_i(m_axi_i.r.id[TagW-1:0]), .beat_i(m_axi_i.r.data),
     .line_valid_o, .line_tag_o, .line_o, .active_o(gathering)
   );
 
-  assign m_axi_arid     = id_q;
-  assign m_axi_araddr   = address_q;
-  assign m_axi_arlen    = length_q;
-  assign m_axi_arsize   = 3'($clog2(DataW / 8));
-  assign m_axi_arburst  = 2'b01;
-  assign m_axi_arvalid  = ar_valid_q;
-  assign m_axi_rready   = 1'b1;
-  assign room_o         = reads_q != ReadsW'(Reads);
-  assign drained_o      = turn ? reads_q == '0 : old_q == '0;
-  assign pending_o      = reads_q != '0 || gathering;
-  assign error_o        = now && m_axi_rresp[1];
-  assign error_decode_o = m_axi_rresp[0];
+  assign m_axi_o.ar.id    = id_q;
+  assign m_axi_o.ar.addr  = pipegs_pkg::AxiAddrW'(address_q);
+  assign m_axi_o.ar.len   = length_q;
+  assign m_axi_o.ar.size  = 3'($clog2(DataW / 8));
+  assign m_axi_o.ar.burst = pipegs_pkg::AxiIncr;
+  assign m_axi_o.ar.cache = pipegs_pkg::AxiCache;
+  assign m_axi_o.ar.prot  = pipegs_pkg::AxiProt;
+  assign m_axi_o.ar_valid = ar_valid_q;
+  assign m_axi_o.r_ready  = 1'b1;
+  assign room_o           = reads_q != ReadsW'(Reads);
+  assign drained_o        = turn ? reads_q == '0 : old_q == '0;
+  assign pending_o        = reads_q != '0 || gathering;
+  assign error_o          = now && m_axi_i.r.resp[1];
+  assign error_decode_o   = m_axi_i.r.resp[0];
 
   logic unused;
   assign unused = &{1'b0, base_i[11:0]};

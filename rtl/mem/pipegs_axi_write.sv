@@ -12,11 +12,9 @@
 // Model   sim/memory/axi/axi_memory.hpp has the other side.
 
 module pipegs_axi_write #(
-  parameter int unsigned DataW  = 512,
   parameter int unsigned AddrW  = 40,
   parameter int unsigned Writes = 64,
   localparam int unsigned LineW   = pipegs_pkg::AddressW,
-  localparam int unsigned IdW     = pipegs_pkg::TagW + 1,
   localparam int unsigned WritesW = $clog2(Writes + 1)
 ) (
   input  logic                           clk_i,
@@ -35,26 +33,13 @@ module pipegs_axi_write #(
   output logic                           error_decode_o,  // nothing is at that address
   output logic [LineW-1:0]               error_line_o,
 
-  output logic [IdW-1:0]                 m_axi_awid,
-  output logic [AddrW-1:0]               m_axi_awaddr,
-  output logic [7:0]                     m_axi_awlen,
-  output logic [2:0]                     m_axi_awsize,
-  output logic [1:0]                     m_axi_awburst,
-  output logic                           m_axi_awvalid,
-  input  logic                           m_axi_awready,
-  output logic [DataW-1:0]               m_axi_wdata,
-  output logic [DataW/8-1:0]             m_axi_wstrb,
-  output logic                           m_axi_wlast,
-  output logic                           m_axi_wvalid,
-  input  logic                           m_axi_wready,
-  input  logic [IdW-1:0]                 m_axi_bid,
-  input  logic [1:0]                     m_axi_bresp,
-  input  logic                           m_axi_bvalid,
-  output logic                           m_axi_bready
+  output pipegs_pkg::axi_writes_t        m_axi_o,
+  input  pipegs_pkg::axi_writes_answer_t m_axi_i
 );
 
   localparam int unsigned LineB = $clog2(pipegs_pkg::MemoryW / 8);
   localparam int unsigned PageB = 12 - LineB;  // bits of a line's number within 4 KB
+  localparam int unsigned DataW = pipegs_pkg::AxiDataW;
   localparam int unsigned Beats = pipegs_pkg::MemoryW / DataW;
   localparam int unsigned BeatW = Beats > 1 ? $clog2(Beats) : 1;
   // A grain lies in one beat and in one half of the line.
@@ -70,15 +55,15 @@ module pipegs_axi_write #(
   logic                           done_epoch;  // of the write that is answered next
 
   assign data_last    = beat_q == BeatW'(Beats - 1);
-  assign address_free = !aw_valid_q || m_axi_awready;
-  assign data_free    = !w_valid_q || (m_axi_wready && data_last);
+  assign address_free = !aw_valid_q || m_axi_i.aw_ready;
+  assign data_free    = !w_valid_q || (m_axi_i.w_ready && data_last);
   assign in_ready_o   = room && address_free && data_free;
   assign take         = in_valid_i && in_ready_o;
-  assign done         = m_axi_bvalid && m_axi_bready;
+  assign done         = m_axi_i.b_valid && m_axi_o.b_ready;
 
   pipegs_sram_fifo #(.DataW(1 + LineW), .Depth(Writes)) u_writes (
     .clk_i, .rst_ni, .in_valid_i(take), .in_ready_o(room), .in_i({epoch_i, in_line_i}),
-    .out_valid_o(m_axi_bready), .out_ready_i(m_axi_bvalid), .out_o({done_epoch, error_line_o}), .count_o(writes_o)
+    .out_valid_o(m_axi_o.b_ready), .out_ready_i(m_axi_i.b_valid), .out_o({done_epoch, error_line_o}), .count_o(writes_o)
   );
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
@@ -90,34 +75,38 @@ module pipegs_axi_write #(
       if (address_free) aw_valid_q <= take;
       if (data_free) w_valid_q <= take;
       if (data_free) beat_q <= '0;
-      else if (m_axi_wready) beat_q <= beat_q + 1'b1;
+      else if (m_axi_i.w_ready) beat_q <= beat_q + 1'b1;
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (take) address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(in_line_i >> PageB), in_line_i[PageB-1:0], LineB'(0)};
+    if (take) begin
+      address_q <= {base_i[AddrW-1:12] + (AddrW-12)'(in_line_i[LineW-1:PageB]), in_line_i[PageB-1:0], LineB'(0)};
+    end
     if (take) data_q <= in_data_i;
-    else if (m_axi_wready) data_q <= data_q >> DataW;
+    else if (m_axi_i.w_ready) data_q <= data_q >> DataW;
     if (take) written_q <= {{(Grains/2){in_halves_i[1]}}, {(Grains/2){in_halves_i[0]}}};
-    else if (m_axi_wready) written_q <= written_q >> StepW;
+    else if (m_axi_i.w_ready) written_q <= written_q >> StepW;
   end
 
-  assign m_axi_awid     = '0;
-  assign m_axi_awaddr   = address_q;
-  assign m_axi_awlen    = 8'(Beats - 1);
-  assign m_axi_awsize   = 3'($clog2(DataW / 8));
-  assign m_axi_awburst  = 2'b01;
-  assign m_axi_awvalid  = aw_valid_q;
-  assign m_axi_wdata    = data_q[DataW-1:0];
+  assign m_axi_o.aw.id    = '0;
+  assign m_axi_o.aw.addr  = pipegs_pkg::AxiAddrW'(address_q);
+  assign m_axi_o.aw.len   = 8'(Beats - 1);
+  assign m_axi_o.aw.size  = 3'($clog2(DataW / 8));
+  assign m_axi_o.aw.burst = pipegs_pkg::AxiIncr;
+  assign m_axi_o.aw.cache = pipegs_pkg::AxiCache;
+  assign m_axi_o.aw.prot  = pipegs_pkg::AxiProt;
+  assign m_axi_o.aw_valid = aw_valid_q;
+  assign m_axi_o.w.data   = data_q[DataW-1:0];
   for (genvar i = 0; i < StepW; i += 1) begin : gen_strobes
-    assign m_axi_wstrb[GrainW/8*i +: GrainW/8] = {(GrainW/8){written_q[i]}};
+    assign m_axi_o.w.strb[GrainW/8*i +: GrainW/8] = {(GrainW/8){written_q[i]}};
   end
-  assign m_axi_wlast    = data_last;
-  assign m_axi_wvalid   = w_valid_q;
-  assign error_o        = done && m_axi_bresp[1] && done_epoch == epoch_i;
-  assign error_decode_o = m_axi_bresp[0];
+  assign m_axi_o.w.last   = data_last;
+  assign m_axi_o.w_valid  = w_valid_q;
+  assign error_o          = done && m_axi_i.b.resp[1] && done_epoch == epoch_i;
+  assign error_decode_o   = m_axi_i.b.resp[0];
 
   logic unused;
-  assign unused = &{1'b0, base_i[11:0], m_axi_bid};
+  assign unused = &{1'b0, base_i[11:0], m_axi_i.b.id};
 
 endmodule

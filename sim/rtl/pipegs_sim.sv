@@ -2,7 +2,7 @@
 // pipegs_sim: the machine as it is simulated: pipegs_axi, and what the harness sees of its inside.
 //
 // Idea    No port of the product shows a stream, so this one looks by name. With BusW = 0 there is no bus: pipegs_host
-//         stands alone, its port to memory is mem_*, and m_axi_* are quiet; else mem_* only tell what the core asks
+//         stands alone, its port to memory is mem_*, and m_axi is quiet; else mem_* only tell what the core asks
 //         for. With Taps = 0 only the ports of the product, the memory port and the ends of frames show.
 // Stream  As pipegs_axi. mem_valid_o with mem_ready_o: the core's request was accepted. tap_*: what moves on the
 //         streams.
@@ -28,10 +28,6 @@
 
 module pipegs_sim #(
   localparam int unsigned Bus       = pipegs_pkg::BusW,
-  localparam int unsigned DataW     = Bus == 0 ? 512 : Bus,
-  localparam int unsigned AddrW     = 40,
-  localparam int unsigned IdW       = pipegs_pkg::TagW + 1,
-  localparam int unsigned ControlW  = pipegs_pkg::ControlAddressW,
   localparam int unsigned MemoryW   = pipegs_pkg::MemoryW,
   localparam int unsigned Units     = pipegs_pkg::Units,
   localparam int unsigned PerfUnits = 1 + 3 * Units,
@@ -41,59 +37,10 @@ module pipegs_sim #(
   input  logic                aresetn,
   output logic                irq,
 
-  input  logic [ControlW-1:0] s_axi_awaddr,
-  input  logic [2:0]          s_axi_awprot,  // not looked at
-  input  logic                s_axi_awvalid,
-  output logic                s_axi_awready,
-  input  logic [31:0]         s_axi_wdata,
-  input  logic [3:0]          s_axi_wstrb,
-  input  logic                s_axi_wvalid,
-  output logic                s_axi_wready,
-  output logic [1:0]          s_axi_bresp,
-  output logic                s_axi_bvalid,
-  input  logic                s_axi_bready,
-  input  logic [ControlW-1:0] s_axi_araddr,
-  input  logic [2:0]          s_axi_arprot,  // not looked at
-  input  logic                s_axi_arvalid,
-  output logic                s_axi_arready,
-  output logic [31:0]         s_axi_rdata,
-  output logic [1:0]          s_axi_rresp,
-  output logic                s_axi_rvalid,
-  input  logic                s_axi_rready,
-
-  output logic [IdW-1:0]      m_axi_awid,
-  output logic [AddrW-1:0]    m_axi_awaddr,
-  output logic [7:0]          m_axi_awlen,
-  output logic [2:0]          m_axi_awsize,
-  output logic [1:0]          m_axi_awburst,
-  output logic [3:0]          m_axi_awcache,
-  output logic [2:0]          m_axi_awprot,
-  output logic                m_axi_awvalid,
-  input  logic                m_axi_awready,
-  output logic [DataW-1:0]    m_axi_wdata,
-  output logic [DataW/8-1:0]  m_axi_wstrb,
-  output logic                m_axi_wlast,
-  output logic                m_axi_wvalid,
-  input  logic                m_axi_wready,
-  input  logic [IdW-1:0]      m_axi_bid,
-  input  logic [1:0]          m_axi_bresp,
-  input  logic                m_axi_bvalid,
-  output logic                m_axi_bready,
-  output logic [IdW-1:0]      m_axi_arid,
-  output logic [AddrW-1:0]    m_axi_araddr,
-  output logic [7:0]          m_axi_arlen,
-  output logic [2:0]          m_axi_arsize,
-  output logic [1:0]          m_axi_arburst,
-  output logic [3:0]          m_axi_arcache,
-  output logic [2:0]          m_axi_arprot,
-  output logic                m_axi_arvalid,
-  input  logic                m_axi_arready,
-  input  logic [IdW-1:0]      m_axi_rid,
-  input  logic [DataW-1:0]    m_axi_rdata,
-  input  logic [1:0]          m_axi_rresp,
-  input  logic                m_axi_rlast,
-  input  logic                m_axi_rvalid,
-  output logic                m_axi_rready,
+  input  pipegs_pkg::axi_lite_manager_t     s_axi_i,
+  output pipegs_pkg::axi_lite_subordinate_t s_axi_o,
+  output pipegs_pkg::axi_manager_t          m_axi_o,
+  input  pipegs_pkg::axi_subordinate_t      m_axi_i,
 
   output logic                          mem_valid_o,
   output logic                          mem_ready_o,
@@ -150,9 +97,7 @@ module pipegs_sim #(
     logic [31:0] asked, reads_q;  // lines
     assign asked = mem_valid_o && mem_ready_i && !mem_request_o.write ? 32'(mem_request_o.lines) + 32'd1 : '0;
     pipegs_host u_host (
-      .clk_i(aclk), .rst_ni(aresetn), .test_en_i(1'b0), .s_axi_awvalid, .s_axi_awready, .s_axi_awaddr,
-      .s_axi_wvalid, .s_axi_wready, .s_axi_wdata, .s_axi_wstrb, .s_axi_bvalid, .s_axi_bready, .s_axi_bresp,
-      .s_axi_arvalid, .s_axi_arready, .s_axi_araddr, .s_axi_rvalid, .s_axi_rready, .s_axi_rdata, .s_axi_rresp,
+      .clk_i(aclk), .rst_ni(aresetn), .test_en_i(1'b0), .s_axi_i, .s_axi_o,
       .irq_o(irq), .mem_valid_o, .mem_ready_i, .mem_request_o, .mem_data_o, .mem_rsp_valid_i, .mem_rsp_tag_i,
       .mem_rsp_data_i, .mem_epoch_o(), .mem_drained_i(reads_q == '0), .mem_writes_i('0),
       .mem_answered_i(1'b0), .mem_error_i('0), .mem_error_line_i('0)
@@ -168,22 +113,31 @@ module pipegs_sim #(
     assign done        = u_host.done;
     assign core_rst_n  = u_host.core_rst_n;
     `PIPEGS_LOOK(u_host.u_core)
-    assign {m_axi_awid, m_axi_awaddr, m_axi_awlen, m_axi_awsize, m_axi_awburst, m_axi_awcache, m_axi_awprot,
-      m_axi_awvalid, m_axi_wdata, m_axi_wstrb, m_axi_wlast, m_axi_wvalid, m_axi_bready, m_axi_arid, m_axi_araddr,
-      m_axi_arlen, m_axi_arsize, m_axi_arburst, m_axi_arcache, m_axi_arprot, m_axi_arvalid, m_axi_rready} = '0;
+    assign m_axi_o = '0;
     logic unused_bus;
-    assign unused_bus = &{1'b0, m_axi_awready, m_axi_wready, m_axi_bid, m_axi_bresp, m_axi_bvalid, m_axi_arready,
-      m_axi_rid, m_axi_rdata, m_axi_rresp, m_axi_rlast, m_axi_rvalid, s_axi_awprot, s_axi_arprot};
+    assign unused_bus = &{1'b0, m_axi_i};
   end else begin : gen_bus
-    pipegs_axi u_axi (
-      .aclk, .aresetn, .test_en(1'b0), .irq, .s_axi_awaddr, .s_axi_awprot, .s_axi_awvalid, .s_axi_awready,
-      .s_axi_wdata, .s_axi_wstrb, .s_axi_wvalid, .s_axi_wready, .s_axi_bresp, .s_axi_bvalid, .s_axi_bready,
-      .s_axi_araddr, .s_axi_arprot, .s_axi_arvalid, .s_axi_arready, .s_axi_rdata, .s_axi_rresp, .s_axi_rvalid,
-      .s_axi_rready, .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awcache,
-      .m_axi_awprot, .m_axi_awvalid, .m_axi_awready, .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid,
-      .m_axi_wready, .m_axi_bid, .m_axi_bresp, .m_axi_bvalid, .m_axi_bready, .m_axi_arid, .m_axi_araddr,
-      .m_axi_arlen, .m_axi_arsize, .m_axi_arburst, .m_axi_arcache, .m_axi_arprot, .m_axi_arvalid, .m_axi_arready,
-      .m_axi_rid, .m_axi_rdata, .m_axi_rresp, .m_axi_rlast, .m_axi_rvalid, .m_axi_rready
+    pipegs_axi #(.AddrW(pipegs_pkg::AxiAddrW)) u_axi (
+      .aclk, .aresetn, .test_en(1'b0), .irq, .s_axi_awprot('0), .s_axi_arprot('0),
+      .s_axi_awaddr(s_axi_i.aw_addr), .s_axi_awvalid(s_axi_i.aw_valid), .s_axi_wdata(s_axi_i.w_data),
+      .s_axi_wstrb(s_axi_i.w_strb), .s_axi_wvalid(s_axi_i.w_valid), .s_axi_bready(s_axi_i.b_ready),
+      .s_axi_araddr(s_axi_i.ar_addr), .s_axi_arvalid(s_axi_i.ar_valid), .s_axi_rready(s_axi_i.r_ready),
+      .s_axi_awready(s_axi_o.aw_ready), .s_axi_wready(s_axi_o.w_ready), .s_axi_arready(s_axi_o.ar_ready),
+      .s_axi_bresp(s_axi_o.b_resp), .s_axi_bvalid(s_axi_o.b_valid), .s_axi_rdata(s_axi_o.r_data),
+      .s_axi_rresp(s_axi_o.r_resp), .s_axi_rvalid(s_axi_o.r_valid), .m_axi_awid(m_axi_o.write.aw.id),
+      .m_axi_awaddr(m_axi_o.write.aw.addr), .m_axi_awlen(m_axi_o.write.aw.len),
+      .m_axi_awsize(m_axi_o.write.aw.size), .m_axi_awburst(m_axi_o.write.aw.burst),
+      .m_axi_awcache(m_axi_o.write.aw.cache), .m_axi_awprot(m_axi_o.write.aw.prot),
+      .m_axi_awvalid(m_axi_o.write.aw_valid), .m_axi_wdata(m_axi_o.write.w.data), .m_axi_wstrb(m_axi_o.write.w.strb),
+      .m_axi_wlast(m_axi_o.write.w.last), .m_axi_wvalid(m_axi_o.write.w_valid), .m_axi_bready(m_axi_o.write.b_ready),
+      .m_axi_arid(m_axi_o.read.ar.id), .m_axi_araddr(m_axi_o.read.ar.addr),
+      .m_axi_arlen(m_axi_o.read.ar.len), .m_axi_arsize(m_axi_o.read.ar.size), .m_axi_arburst(m_axi_o.read.ar.burst),
+      .m_axi_arcache(m_axi_o.read.ar.cache), .m_axi_arprot(m_axi_o.read.ar.prot),
+      .m_axi_arvalid(m_axi_o.read.ar_valid), .m_axi_rready(m_axi_o.read.r_ready),
+      .m_axi_awready(m_axi_i.write.aw_ready), .m_axi_wready(m_axi_i.write.w_ready), .m_axi_bid(m_axi_i.write.b.id),
+      .m_axi_bresp(m_axi_i.write.b.resp), .m_axi_bvalid(m_axi_i.write.b_valid), .m_axi_arready(m_axi_i.read.ar_ready),
+      .m_axi_rid(m_axi_i.read.r.id), .m_axi_rdata(m_axi_i.read.r.data), .m_axi_rresp(m_axi_i.read.r.resp),
+      .m_axi_rlast(m_axi_i.read.r.last), .m_axi_rvalid(m_axi_i.read.r_valid)
     );
     assign mem_valid_o   = u_axi.valid;
     assign mem_ready_o   = u_axi.ready;

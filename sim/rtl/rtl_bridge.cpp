@@ -187,7 +187,7 @@ void VerilatedMachine::begin() {
 void VerilatedMachine::drive_memory() {
   Vpipegs_sim& top = *dut_;
   if (w_.bus != 0) {
-    write_subordinate_side(top, taken_ > 0 ? memory_->bus()->step() : AxiSubordinateSide{});
+    write_subordinate_side(top.m_axi_i, w_.bus, taken_ > 0 ? memory_->bus()->step() : AxiSubordinateSide{});
     return;
   }
   top.mem_ready_i = 0;
@@ -204,7 +204,7 @@ void VerilatedMachine::drive_memory() {
 
 void VerilatedMachine::observe_memory() {
   const Vpipegs_sim& top = *dut_;
-  if (w_.bus != 0 && taken_ > 0) memory_->bus()->observe(axi_manager_side(top));
+  if (w_.bus != 0 && taken_ > 0) memory_->bus()->observe(axi_manager_side(top.m_axi_o, w_.bus));
   if (w_.bus != 0 && top.tap_reset_o) memory_->forget();
   if (w_.bus != 0 && top.tap_answer_valid_o && !top.tap_reset_o) memory_->answered(top.tap_answer_tag_o);
   if (!top.mem_valid_o || !top.mem_ready_o) return;

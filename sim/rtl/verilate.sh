@@ -23,7 +23,7 @@ if [[ $package == *.v ]]; then
 fi
 verilator --cc --prefix "V$module" --top-module "$module" --Mdir "$out" -O3 --assert \
   --x-initial unique --x-assign unique --unroll-count 256 --output-split 20000 --output-split-cfuncs 2000 -Wall \
-  "${options[@]}" "$root/sim/rtl/waivers.vlt" "${sources[@]}"
+  "$root/sim/rtl/waivers.vlt" "${sources[@]}" "${options[@]}"
 i=0
 parts=(all)
 if [ "$shards" != 0 ]; then mapfile -t parts < <(echo once; seq -f shard%.0f 0 $((shards - 1))); fi

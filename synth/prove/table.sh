@@ -134,25 +134,27 @@ mutant "a read that is shown is replaced by one that is due" 's/ \&\& !passing_q
 
 # A line of one beat, of two and of four, with short words and addresses of a few pages.
 proof  axi_write "pipegs_axi_write+ free_sram_fifo axi_check" \
-       "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=16 AddrW=16 Writes=3;
-  @default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3;
-  @default %MemoryW=32 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3;
-  @default %AddressW=10 %TagW=2 DataW=128 AddrW=16 Writes=3; @default %AddressW=10 %TagW=2 DataW=512 AddrW=16 Writes=3"
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 %BusW=16 %AxiAddrW=16 AddrW=16 Writes=3;
+  @default %MemoryW=16 %AddressW=13 %TagW=2 %BusW=8 %AxiAddrW=16 AddrW=16 Writes=3;
+  @default %MemoryW=32 %AddressW=13 %TagW=2 %BusW=8 %AxiAddrW=16 AddrW=16 Writes=3;
+  @default %AddressW=10 %TagW=2 %BusW=128 %AxiAddrW=16 AddrW=16 Writes=3;
+  @default %AddressW=10 %TagW=2 %BusW=512 %AxiAddrW=16 AddrW=16 Writes=3"
 mutant "WLAST one beat early" 's/(data_last    = beat_q == BeatW.\(Beats) - 1/\1 - 2/' \
-       "@default %MemoryW=32 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
-mutant "the address is written over while it waits" 's/address_free = !aw_valid_q \|\| m_axi_awready/address_free = 1/'
+       "@default %MemoryW=32 %AddressW=13 %TagW=2 %BusW=8 %AxiAddrW=16 AddrW=16 Writes=3"
+mutant "the address is written over while it waits" \
+       's/address_free = !aw_valid_q \|\| m_axi_i.aw_ready/address_free = 1/'
 mutant "the data is written over while it waits" 's/data_free    = !w_valid_q \|\| .*;/data_free = 1;/'
 mutant "data shows before its address" 's/(if \(data_free\) w_valid_q <= )take/\1in_valid_i/'
 mutant "AW is valid in reset" 's/aw_valid_q <= 1.b0/aw_valid_q <= 1/'
 mutant "all beats leave from the top of the line" 's/data_q\[DataW-1:0\]/data_q[pipegs_pkg::MemoryW-1 -: DataW]/' \
-       "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 %BusW=8 %AxiAddrW=16 AddrW=16 Writes=3"
 mutant "strobes only on the lowest byte of a half" \
        's/\{\(GrainW\/8\)\{written_q\[i\]\}\}/(GrainW\/8)\x27(written_q[i])/' \
-       "@default %AddressW=10 %TagW=2 DataW=512 AddrW=16 Writes=3"
+       "@default %AddressW=10 %TagW=2 %BusW=512 %AxiAddrW=16 AddrW=16 Writes=3"
 mutant "a half that is not written is" "s/in_halves_i\[1\]/1'b1/"
 mutant "the strobes do not move with the data" 's/written_q >> StepW/written_q/' \
-       "@default %MemoryW=16 %AddressW=13 %TagW=2 DataW=8 AddrW=16 Writes=3"
-mutant "a burst that is not INCR" 's/m_axi_awburst  = 2.b01/m_axi_awburst = 2\x27b10/'
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 %BusW=8 %AxiAddrW=16 AddrW=16 Writes=3"
+mutant "a burst that is not INCR" 's/(aw.burst = )pipegs_pkg::AxiIncr/\12\x27b10/'
 mutant "a line is taken without room" 's/in_ready_o   = room \&\& /in_ready_o = /'
 mutant "the page of the base is not added" 's/base_i\[AddrW-1:12\] \+ //'
 
@@ -169,30 +171,30 @@ mutant "the last beat goes to the lowest place" 's/line_o = \{last_q, parts\}/li
        "@default %MemoryW=8 %MemoryPorts=3 %TagW=2 DataW=2"
 
 proof  axi_read "pipegs_axi_read+ pipegs_axi_gather free_sram axi_check" \
-       "@default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=16 AddrW=16 Reads=3;
-  @default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=8 AddrW=16 Reads=3;
-  @default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=8 AddrW=16 Reads=3"
-mutant "the address is written over while it waits" 's/free       = !ar_valid_q \|\| m_axi_arready/free = 1/'
+       "@default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=16 %AxiAddrW=16 AddrW=16 Reads=3;
+  @default %MemoryW=16 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3;
+  @default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3"
+mutant "the address is written over while it waits" 's/free       = !ar_valid_q \|\| m_axi_i.ar_ready/free = 1/'
 mutant "one beat too many" "s/ - 8'd1;/;/"
 mutant "beats of half the bus" 's/(DataW) \/ 8\)\);$/\1 \/ 16));/' \
-       "@default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 DataW=16 AddrW=16 Reads=3"
-mutant "one read too many" "s/room_o         = reads_q != .*;/room_o = 1;/"
+       "@default %MemoryW=32 %AddressW=13 %TagW=1 %MemoryPorts=2 %BusW=16 %AxiAddrW=16 AddrW=16 Reads=3"
+mutant "one read too many" "s/room_o           = reads_q != .*;/room_o = 1;/"
 mutant "drained although the old core's reads are out" 's/(if \(turn\) old_q <= ).*/\1 0;/'
 mutant "answers to the new core are counted as old ones" 's/(else if \(answered) \&\& !now\)/\1 \&\& old_q != 0)/'
 mutant "drained in the cycle of the turn" "s/turn \? reads_q == '0 : old_q == '0/old_q == '0/"
-mutant "errors of the old core are told" 's/error_o        = now \&\& /error_o = m_axi_rvalid \&\& /'
+mutant "errors of the old core are told" 's/error_o          = now \&\& /error_o = m_axi_i.r_valid \&\& /'
 
 proof  axi_manager \
        "pipegs_axi_manager+ pipegs_axi_fence pipegs_axi_read pipegs_axi_write pipegs_axi_gather
   free_sram free_sram_fifo axi_check" \
-       "@default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=16 AddrW=16 Reads=3
+       "@default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=16 %AxiAddrW=16 AddrW=16 Reads=3
   Writes=3 Fenced=2;
-  @default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=8 AddrW=16 Reads=3
+  @default %MemoryW=16 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3
   Writes=3 Fenced=2;
-  @default %MemoryW=32 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=8 AddrW=16 Reads=3
+  @default %MemoryW=32 %AddressW=13 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=8 %AxiAddrW=16 AddrW=16 Reads=3
   Writes=3 Fenced=2;
-  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=128 AddrW=16 Reads=3 Writes=3 Fenced=2;
-  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 DataW=512 AddrW=16 Reads=3 Writes=3 Fenced=2"
+  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=128 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3 Fenced=2;
+  @default %AddressW=10 %TagW=2 %MemoryPorts=3 %WritePorts=2 %BusW=512 %AxiAddrW=16 AddrW=16 Reads=3 Writes=3 Fenced=2"
 mutant "the fence does not see the writes" 's/writes_i\(writes\)/writes_i(writes ^ writes)/'
 mutant "the last tag that may write is not fenced" 's/WritePorts\)\)/WritePorts) - 1)/'
 mutant "a read is accepted without room" 's/ \&\& read_room;/;/'
@@ -204,15 +206,15 @@ mutant "of two errors in a cycle the read's is lost" \
 mutant "a write that nothing answers is told as one that failed" 's/write_error \&\& !write_decode/write_error/'
 mutant "the line shown with an error is that of now" 's/(error_line_o = )error_line_q/\1write_line/'
 mutant "errors are told in reset" "s/if \(!rst_ni\) error_q <= '0;/if (!rst_ni) error_q <= '1;/"
-mutant "an answer counts before it is taken" 's/(answered_o *= m_axi_bvalid) \&\& m_axi_bready/\1/'
+mutant "an answer counts before it is taken" 's/(answered_o *= m_axi_i.write.b_valid) \&\& m_axi_o.write.b_ready/\1/'
 
 # --- rtl/control ------------------------------------------------------------------------------------------------------
-proof  control_bus "pipegs_control_bus+" "@default"
-mutant "an answer that was not taken is overwritten" 's/(!ar_ready_q \&\& )\(!r_valid_q \|\| s_axi_rready\)/\11/'
+proof  control_bus "pipegs_control_bus+ axi_lite_check" "@default"
+mutant "an answer that was not taken is overwritten" 's/(!ar_ready_q \&\& )\(!r_valid_q \|\| s_axi_i.r_ready\)/\11/'
 mutant "a write is done without its data" 's/(!aw_ready_q) \&\& !w_ready_q/\1/'
-mutant "an address is taken over one that waits" 's/if \(aw_ready_q \&\& (s_axi_awvalid\) aw_word_q)/if (\1/'
-mutant "B falls before it was taken" 's/else if \(s_axi_bready\) b_valid_q/else b_valid_q/'
-mutant "a read is not answered before the next one comes" 's/(read_o *= !ar_ready_q)/\1 \&\& s_axi_arvalid/'
+mutant "an address is taken over one that waits" 's/if \(aw_ready_q \&\& (s_axi_i.aw_valid\) aw_word_q)/if (\1/'
+mutant "B falls before it was taken" 's/else if \(s_axi_i.b_ready\) b_valid_q/else b_valid_q/'
+mutant "a read is not answered before the next one comes" 's/(read_o *= !ar_ready_q)/\1 \&\& s_axi_i.ar_valid/'
 mutant "the data of a read changes while it waits" 's/if \(read_o\) begin/if (!ar_ready_q) begin/'
 
 # A signed value over both words, addresses, and values that fill one word or two.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "cpp_model/control/control_registers.hpp"
+#include "sim/rtl/pins/axi_lite_pins.hpp"
 #include "verif/support/bench.hpp"
 #include "verif/support/config.hpp"
 #include "Vpipegs_control_registers.h"
@@ -119,15 +120,16 @@ class ControlBench : public Endpoint {
   void observe() override {
     const ControlOutputs out = model.outputs();
     auto& dut = bench.dut;
-    ASSERT_EQ(dut.s_axi_awready, out.aw_ready) << at();
-    ASSERT_EQ(dut.s_axi_wready, out.w_ready) << at();
-    ASSERT_EQ(dut.s_axi_arready, out.ar_ready) << at();
-    ASSERT_EQ(dut.s_axi_bvalid, out.b_valid) << at();
-    ASSERT_EQ(dut.s_axi_rvalid, out.r_valid) << at();
-    if (out.b_valid) { ASSERT_EQ(dut.s_axi_bresp, out.b_error ? 2 : 0) << at(); }
+    const AxiLiteSubordinateSide shown = axi_lite_subordinate_side(dut.s_axi_o);
+    ASSERT_EQ(shown.aw_ready, out.aw_ready) << at();
+    ASSERT_EQ(shown.w_ready, out.w_ready) << at();
+    ASSERT_EQ(shown.ar_ready, out.ar_ready) << at();
+    ASSERT_EQ(shown.b_valid, out.b_valid) << at();
+    ASSERT_EQ(shown.r_valid, out.r_valid) << at();
+    if (out.b_valid) { ASSERT_EQ(shown.b_response, out.b_error ? 2 : 0) << at(); }
     if (out.r_valid) {
-      ASSERT_EQ(dut.s_axi_rresp, out.r_error ? 2 : 0) << at();
-      ASSERT_EQ(dut.s_axi_rdata, out.r_data) << at();
+      ASSERT_EQ(shown.r_response, out.r_error ? 2 : 0) << at();
+      ASSERT_EQ(shown.r_data, out.r_data) << at();
     }
     ASSERT_EQ(dut.irq_o, out.irq) << at();
     ASSERT_EQ(dut.abort_o, out.abort) << at();
@@ -155,10 +157,8 @@ class ControlBench : public Endpoint {
   uint32_t noise() { return static_cast<uint32_t>(bench.rng()) & ((1u << model.map.address_bits) - 1); }
   void write_inputs() {
     auto& dut = bench.dut;
-    dut.s_axi_awvalid = in.aw_valid, dut.s_axi_awaddr = static_cast<SData>(in.aw_address);
-    dut.s_axi_wvalid = in.w_valid, dut.s_axi_wdata = in.w_data, dut.s_axi_wstrb = static_cast<CData>(in.w_strobe);
-    dut.s_axi_arvalid = in.ar_valid, dut.s_axi_araddr = static_cast<SData>(in.ar_address);
-    dut.s_axi_bready = in.b_ready, dut.s_axi_rready = in.r_ready;
+    write_manager_side(dut.s_axi_i, {in.aw_valid, in.w_valid, in.b_ready, in.ar_valid, in.r_ready, in.aw_address,
+                                     in.ar_address, in.w_data, in.w_strobe});
     dut.frame_ready_i = in.frame_ready, dut.busy_i = in.busy, dut.frame_done_i = in.frame_done;
     dut.error_i = static_cast<CData>(in.errors);
     Words lines(port_words<decltype(dut.error_address_i)>() + 2), counts(port_words<decltype(dut.counters_i)>() + 2);

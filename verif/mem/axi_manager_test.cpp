@@ -9,7 +9,7 @@ namespace pipegs {
 namespace {
 
 constexpr uint64_t kBase = 0x1234567000;
-constexpr int kBeats = 512 / PIPEGS_DATA_W;
+const int kDataW = test_config().bus_w, kBeats = 512 / kDataW;
 
 struct Machine {
   explicit Machine(AxiMemoryOptions options)
@@ -18,7 +18,7 @@ struct Machine {
     bench.reset();
   }
   static AxiMemoryOptions with_width(AxiMemoryOptions options) {
-    options.data_w = PIPEGS_DATA_W;
+    options.data_w = kDataW;
     options.most_reads = PIPEGS_READS;
     options.most_writes = PIPEGS_WRITES;
     options.seed = test_seed();
@@ -147,7 +147,7 @@ TEST(AxiManager, EveryErrorIsToldOneCycleLaterAndAWriteWithItsLine) {
     machine.bench.add(watch);
     watch.look = [&] {
       const AxiSubordinateSide& shown = machine.port.shown();
-      const bool answered = shown.b.valid && dut.m_axi_bready;
+      const bool answered = shown.b.valid && axi_manager_side(dut.m_axi_o, kDataW).b_ready;
       ASSERT_EQ(dut.error_o, errors) << "cycle " << machine.bench.cycle;
       if (errors >> 2 != 0) { ASSERT_EQ(dut.error_line_o, line) << "cycle " << machine.bench.cycle; }
       ASSERT_EQ(dut.writes_o, writes.size()) << "cycle " << machine.bench.cycle;

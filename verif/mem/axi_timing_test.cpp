@@ -21,16 +21,10 @@ struct Mix {  // of the requests, in percent
   Pace pace = Pace::kAlways;
 };
 
-Config bus_config() {
-  Config config = test_config();
-  config.bus_w = PIPEGS_DATA_W;
-  return config;
-}
-
 class Pair : public Endpoint {
  public:
   explicit Pair(const ExternalMemoryOptions& timing)
-      : memory({.data_w = PIPEGS_DATA_W, .timing = timing}), port(bench, memory), model(timing, config) {
+      : memory({.data_w = test_config().bus_w, .timing = timing}), port(bench, memory), model(timing, config) {
     bench.dut.mem_valid_i = bench.dut.epoch_i = 0;
     bench.dut.base_i = 0;
     bench.add(*this);
@@ -91,7 +85,7 @@ class Pair : public Endpoint {
                     3000000);
   }
 
-  const Config config = bus_config();
+  const Config config = test_config();
   Bench<Vpipegs_axi_manager> bench;
   AxiMemory memory;
   AxiPort<Vpipegs_axi_manager> port;

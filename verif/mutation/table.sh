@@ -303,7 +303,7 @@ mutant pipegs_memory_arbiter "an answer goes to two ports: the lowest bit of the
 # --- rtl/control ------------------------------------------------------------------------------------------------------
 group control "Control: registers"
 mutant pipegs_control_bus "an answer that was not taken is overwritten" \
-       's/(read_o *= !ar_ready_q) && \(!r_valid_q \|\| s_axi_rready\)/\1/' control_registers
+       's/(read_o *= !ar_ready_q) && \(!r_valid_q \|\| s_axi_i.r_ready\)/\1/' control_registers
 mutant pipegs_control_bus "the answer to a write is never an error" \
        "s/(b_error_q <= )write_error_i/\11'b0/" control_registers
 mutant pipegs_control_bus "the strobe of the second byte is that of the first" \
@@ -385,7 +385,7 @@ mutant pipegs_axi_manager "the last tag that may write is not fenced" \
        "s/TagW'\(pipegs_pkg::WritePorts\)/TagW'(pipegs_pkg::WritePorts - 1)/" axi_manager_512
 mutant pipegs_axi_manager "nothing is pending when only writes are unanswered" \
        "s/writes != '0 \|\| reads_pending/reads_pending/" axi_manager_512
-mutant pipegs_axi_read "answers to the old core are shown" 's/ && m_axi_rid\[IdW-1\] == epoch_i//' axi_manager_512
+mutant pipegs_axi_read "answers to the old core are shown" 's/ && m_axi_i.r.id\[IdW-1\] == epoch_i//' axi_manager_512
 mutant pipegs_axi_read "more reads than Reads" "s/(room_o *= ).*/\11'b1;/" axi_manager_512
 mutant pipegs_axi_read "drained as soon as the epoch turns" 's/(if \(turn\) old_q <= ).*/\1'"'0;/" axi_manager_512
 mutant pipegs_axi_read "one beat too few" "s/ - 8'd1;/ - 8'd2;/" axi_manager_128
@@ -396,13 +396,14 @@ mutant pipegs_axi_gather "half a line of the old core is completed for the new o
        axi_manager_128
 mutant pipegs_axi_gather "the last beat stands first" 's/\{last_q, parts\}/{parts, last_q}/' axi_manager_256
 mutant pipegs_axi_write "WLAST one beat early" "s/BeatW'\(Beats - 1\)/BeatW'(Beats - 2)/" axi_manager_128
-mutant pipegs_axi_write "data changes while it waits" 's/else if \(m_axi_wready\) data_q/else data_q/' axi_manager_256
+mutant pipegs_axi_write "data changes while it waits" \
+       's/else if \(m_axi_i.w_ready\) data_q/else data_q/' axi_manager_256
 mutant pipegs_axi_write "the strobes of the first beat are those of all" \
        's/written_q >> StepW/written_q/' axi_manager_256
 mutant pipegs_axi_write "a half of a line is written whole" "s/in_halves_i\[1\]/1'b1/" axi_manager_512
 mutant pipegs_axi_write "errors of the old core's writes are told" 's/ && done_epoch == epoch_i//' axi_manager_512
 mutant pipegs_axi_read "errors of the old core's reads are told" \
-       's/(error_o *= )now && /\1m_axi_rvalid \&\& /' axi_manager_512
+       's/(error_o *= )now && /\1m_axi_i.r_valid \&\& /' axi_manager_512
 mutant pipegs_axi_manager "of two errors in a cycle the read's is lost" \
        's/read_error && read_decode/!write_error \&\& &/' axi_manager_512
 mutant pipegs_axi_manager "a write that nothing answers is told as one that failed" \

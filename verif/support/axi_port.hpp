@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_port.hpp: an AxiMemory at the m_axi pins of a module.
+// axi_port.hpp: an AxiMemory at the port m_axi of a module.
 #pragma once
 
 #include "sim/memory/axi/axi_memory.hpp"
 #include "sim/rtl/pins/axi_pins.hpp"
 #include "verif/support/bench.hpp"
+#include "verif/support/config.hpp"
 
 namespace pipegs {
 
@@ -17,7 +18,7 @@ class AxiPort : public Endpoint {
     bench.add(*this);
   }
   void drive() override { write_side(memory_.step()); }
-  void observe() override { memory_.observe(axi_manager_side(bench_.dut)); }
+  void observe() override { memory_.observe(axi_manager_side(bench_.dut.m_axi_o, data_w_)); }
   const AxiSubordinateSide& shown() const { return shown_; }  // by the memory in this cycle
 
  private:
@@ -29,9 +30,10 @@ class AxiPort : public Endpoint {
     noise.r.id = noise.b.id = static_cast<uint32_t>(bench_.rng() & 0x1ff);
     noise.r.last = bench_.rng() & 1;
     noise.r.response = noise.b.response = static_cast<AxiResponse>(bench_.rng() & 3);
-    write_subordinate_side(bench_.dut, side, &noise);
+    write_subordinate_side(bench_.dut.m_axi_i, data_w_, side, &noise);
   }
 
+  const int data_w_ = test_config().bus_w;
   Bench<Dut>& bench_;
   AxiMemory& memory_;
   AxiSubordinateSide shown_;

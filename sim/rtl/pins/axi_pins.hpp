@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// axi_pins.hpp: the m_axi_* pins of a Verilated module as what AXI4 shows in a cycle (axi_signals.hpp).
+// axi_pins.hpp: the port m_axi of a Verilated module as what AXI4 shows in a cycle (axi_signals.hpp).
+//
+// RTL     axi_manager_t and axi_subordinate_t of rtl/pipegs_pkg.sv: their last field lies in the low bits.
 #pragma once
 
 #include "sim/memory/axi/axi_signals.hpp"
@@ -7,43 +9,62 @@
 
 namespace pipegs {
 
+// Bits of an ID: the core's tag and epoch.
+inline constexpr int kAxiIdBits = 9;
+
 // What the manager shows, after the module has settled. Data of W is read where it is valid.
-template <class Dut>
-AxiManagerSide axi_manager_side(const Dut& dut) {
+template <class Port>
+AxiManagerSide axi_manager_side(const Port& port, int data_w) {
+  PortReader bits(port);
+  const auto read_address = [&] {  // a channel and its valid
+    AxiAddress address;
+    address.valid = bits.next(1) != 0;
+    bits.skip(3 + 4);  // prot, cache
+    address.burst = static_cast<int>(bits.next(2));
+    address.size = static_cast<int>(bits.next(3));
+    address.length = static_cast<int>(bits.next(8));
+    address.address = bits.next(64);
+    address.id = static_cast<uint32_t>(bits.next(kAxiIdBits));
+    return address;
+  };
   AxiManagerSide side;
-  side.ar = {dut.m_axi_arvalid != 0, dut.m_axi_arid,   dut.m_axi_araddr,
-             dut.m_axi_arlen,        dut.m_axi_arsize, dut.m_axi_arburst};
-  side.aw = {dut.m_axi_awvalid != 0, dut.m_axi_awid,   dut.m_axi_awaddr,
-             dut.m_axi_awlen,        dut.m_axi_awsize, dut.m_axi_awburst};
-  side.w.valid = dut.m_axi_wvalid;
-  side.w.last = dut.m_axi_wlast;
-  side.w.strobes = dut.m_axi_wstrb;
-  if (side.w.valid) read_port(dut.m_axi_wdata, side.w.data.data());
-  side.r_ready = dut.m_axi_rready;
-  side.b_ready = dut.m_axi_bready;
+  side.r_ready = bits.next(1) != 0;
+  side.ar = read_address();
+  side.b_ready = bits.next(1) != 0;
+  side.w.valid = bits.next(1) != 0;
+  side.w.last = bits.next(1) != 0;
+  side.w.strobes = bits.next(data_w / 8);
+  if (side.w.valid) {
+    for (int i = 0; i < data_w / 32; ++i) side.w.data[static_cast<size_t>(i)] = static_cast<uint32_t>(bits.next(32));
+  } else {
+    bits.skip(data_w);
+  }
+  side.aw = read_address();
   return side;
 }
 
 // What the subordinate shows, before the module settles. `noise` stands beside a valid that is low.
-template <class Dut>
-void write_subordinate_side(Dut& dut, const AxiSubordinateSide& side, const AxiSubordinateSide* noise = nullptr) {
-  dut.m_axi_arready = side.ar_ready;
-  dut.m_axi_awready = side.aw_ready;
-  dut.m_axi_wready = side.w_ready;
-  dut.m_axi_rvalid = side.r.valid;
-  dut.m_axi_bvalid = side.b.valid;
+template <class Port>
+void write_subordinate_side(Port& port, int data_w, const AxiSubordinateSide& side,
+                            const AxiSubordinateSide* noise = nullptr) {
+  PortWriter bits(port);
+  const auto& r = side.r.valid || noise == nullptr ? side.r : noise->r;
+  const auto& b = side.b.valid || noise == nullptr ? side.b : noise->b;
+  bits.next(1, side.r.valid);
+  bits.next(1, r.last);
+  bits.next(2, static_cast<uint64_t>(r.response));
   if (side.r.valid || noise != nullptr) {
-    const auto& r = side.r.valid ? side.r : noise->r;
-    dut.m_axi_rid = static_cast<SData>(r.id);
-    dut.m_axi_rresp = static_cast<CData>(r.response);
-    dut.m_axi_rlast = r.last;
-    write_port(dut.m_axi_rdata, r.data.data());
+    for (int i = 0; i < data_w / 32; ++i) bits.next(32, r.data[static_cast<size_t>(i)]);
+  } else {
+    bits.skip(data_w);
   }
-  if (side.b.valid || noise != nullptr) {
-    const auto& b = side.b.valid ? side.b : noise->b;
-    dut.m_axi_bid = static_cast<SData>(b.id);
-    dut.m_axi_bresp = static_cast<CData>(b.response);
-  }
+  bits.next(kAxiIdBits, r.id);
+  bits.next(1, side.ar_ready);
+  bits.next(1, side.b.valid);
+  bits.next(2, static_cast<uint64_t>(b.response));
+  bits.next(kAxiIdBits, b.id);
+  bits.next(1, side.w_ready);
+  bits.next(1, side.aw_ready);
 }
 
 }  // namespace pipegs

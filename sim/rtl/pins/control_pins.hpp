@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// control_pins.hpp: the s_axi_* pins of the machine, from the side of software: one access to a register at a time.
+// control_pins.hpp: the registers of the machine, from the side of software: one access to a register at a time.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
+#include "sim/rtl/pins/axi_lite_pins.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
@@ -20,23 +21,25 @@ class ControlPins {
   uint32_t value() const { return value_; }
 
   void drive(Dut& dut) const {
-    dut.s_axi_awvalid = write_ && address_up_;
-    dut.s_axi_wvalid = data_up_;
-    dut.s_axi_arvalid = !write_ && address_up_;
-    dut.s_axi_awaddr = dut.s_axi_araddr = static_cast<SData>(offset_);
-    dut.s_axi_awprot = dut.s_axi_arprot = 0;
-    dut.s_axi_wdata = value_;
-    dut.s_axi_wstrb = 0xf;
-    dut.s_axi_bready = dut.s_axi_rready = 1;
+    write_manager_side(dut.s_axi_i, {.aw_valid = write_ && address_up_,
+                                     .w_valid = data_up_,
+                                     .b_ready = true,
+                                     .ar_valid = !write_ && address_up_,
+                                     .r_ready = true,
+                                     .aw_address = offset_,
+                                     .ar_address = offset_,
+                                     .w_data = value_,
+                                     .w_strobe = 0xf});
   }
   void observe(const Dut& dut) {
     if (!open_) return;
-    if (write_ ? dut.s_axi_awready : dut.s_axi_arready) address_up_ = false;
-    if (dut.s_axi_wready) data_up_ = false;
-    if (write_ ? !dut.s_axi_bvalid : !dut.s_axi_rvalid) return;
+    const AxiLiteSubordinateSide shown = axi_lite_subordinate_side(dut.s_axi_o);
+    if (write_ ? shown.aw_ready : shown.ar_ready) address_up_ = false;
+    if (shown.w_ready) data_up_ = false;
+    if (write_ ? !shown.b_valid : !shown.r_valid) return;
     open_ = false;
-    if (!write_) value_ = dut.s_axi_rdata;
-    if ((write_ ? dut.s_axi_bresp : dut.s_axi_rresp) != 0) throw RtlFault("RTL: a register refuses an access");
+    if (!write_) value_ = shown.r_data;
+    if ((write_ ? shown.b_response : shown.r_response) != 0) throw RtlFault("RTL: a register refuses an access");
   }
 
  private:

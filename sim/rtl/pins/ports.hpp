@@ -9,6 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
+
+#include "cpp_model/records.hpp"
 
 namespace pipegs {
 
@@ -55,5 +58,37 @@ void slice(const Port& port, int at, int width, uint32_t* words) {
   }
   if (width % 32 != 0) words[count - 1] &= (1u << (width % 32)) - 1;
 }
+
+// The fields of a struct port, one after another from the lowest bit on.
+class PortReader {
+ public:
+  template <class Port>
+  explicit PortReader(const Port& port) {
+    if constexpr (std::is_integral_v<Port>) {
+      read_port(port, small_);
+      words_ = small_;
+    } else {
+      words_ = port.data();
+    }
+  }
+  uint64_t next(int width) { return get_bits(words_, std::exchange(at_, at_ + width), width); }
+  void skip(int width) { at_ += width; }
+
+ private:
+  uint32_t small_[2] = {};
+  const uint32_t* words_;
+  int at_ = 0;
+};
+class PortWriter {  // of a port above 64 bits
+ public:
+  template <class Port>
+  explicit PortWriter(Port& port) : words_(port.data()) {}
+  void next(int width, uint64_t value) { put_bits(words_, std::exchange(at_, at_ + width), width, value); }
+  void skip(int width) { at_ += width; }
+
+ private:
+  uint32_t* words_;
+  int at_ = 0;
+};
 
 }  // namespace pipegs

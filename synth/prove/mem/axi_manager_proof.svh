@@ -18,7 +18,8 @@
 (* hierconn *) logic [LineW-1:0] \u_read.line ;
 localparam int unsigned ProofReadsW  = $clog2(Reads + 1) + 1;
 localparam int unsigned ProofWritesW = $clog2(Writes + 1) + 1;
-localparam int unsigned ProofBeats   = pipegs_pkg::MemoryW / DataW;
+localparam int unsigned IdW          = pipegs_pkg::AxiIdW;
+localparam int unsigned ProofBeats   = pipegs_pkg::MemoryW / pipegs_pkg::AxiDataW;
 (* hierconn *) logic [(ProofBeats > 1 ? $clog2(ProofBeats) : 1)-1:0] \u_write.beat_q ;
 (* hierconn *) logic \u_write.done_epoch ;
 (* hierconn *) logic [LineW-1:0] \u_write.error_line_o ;
@@ -32,15 +33,8 @@ logic [ProofWritesW-1:0] addresses, lines, open_q;
 logic [7:0]              beat;
 
 proof_reset u_proof_reset (.clk_i, .rst_ni);
-axi_check #(
-  .DataW(DataW), .AddrW(AddrW), .IdW(IdW), .LineW(pipegs_pkg::MemoryW), .Reads(Reads), .Writes(Writes)
-) u_check (
-  .clk_i, .rst_ni, .pick_i(pick),
-  .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awvalid, .m_axi_awready,
-  .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid, .m_axi_wready,
-  .m_axi_bid, .m_axi_bresp, .m_axi_bvalid, .m_axi_bready,
-  .m_axi_arid, .m_axi_araddr, .m_axi_arlen, .m_axi_arsize, .m_axi_arburst, .m_axi_arvalid, .m_axi_arready,
-  .m_axi_rid, .m_axi_rdata, .m_axi_rresp, .m_axi_rlast, .m_axi_rvalid, .m_axi_rready,
+axi_check #(.Reads(Reads), .Writes(Writes)) u_check (
+  .clk_i, .rst_ni, .pick_i(pick), .manager_i(m_axi_o), .subordinate_i(m_axi_i),
   .manager_o(manager), .subordinate_o(subordinate), .reads_o(reads), .reads_of_o(reads_of), .addresses_o(addresses),
   .lines_o(lines), .beat_o(beat)
 );
@@ -49,16 +43,16 @@ assign accepts_read  = mem_valid_i && mem_ready_o && !mem_request_i.write;
 assign accepts_write = mem_valid_i && mem_ready_o && mem_request_i.write;
 always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) open_q <= '0;
-  else open_q <= open_q + ProofWritesW'(accepts_write) - ProofWritesW'(m_axi_bvalid && m_axi_bready);
+  else open_q <= open_q + ProofWritesW'(accepts_write) - ProofWritesW'(m_axi_i.write.b_valid && m_axi_o.write.b_ready);
 end
 
 always_ff @(posedge clk_i or negedge rst_ni) begin
   if (!rst_ni) failed_q <= '0;
   else begin
-    failed_q[1:0] <= m_axi_rvalid && m_axi_rready && m_axi_rid[IdW-1] == epoch_i ?
-                     {m_axi_rresp == 2'd3, m_axi_rresp == 2'd2} : 2'd0;
-    failed_q[3:2] <= m_axi_bvalid && m_axi_bready && \u_write.done_epoch == epoch_i ?
-                     {m_axi_bresp == 2'd3, m_axi_bresp == 2'd2} : 2'd0;
+    failed_q[1:0] <= m_axi_i.read.r_valid && m_axi_o.read.r_ready && m_axi_i.read.r.id[IdW-1] == epoch_i ?
+                     {m_axi_i.read.r.resp == 2'd3, m_axi_i.read.r.resp == 2'd2} : 2'd0;
+    failed_q[3:2] <= m_axi_i.write.b_valid && m_axi_o.write.b_ready && \u_write.done_epoch == epoch_i ?
+                     {m_axi_i.write.b.resp == 2'd3, m_axi_i.write.b.resp == 2'd2} : 2'd0;
   end
 end
 always_ff @(posedge clk_i) failed_line_q <= \u_write.error_line_o ;
@@ -75,10 +69,10 @@ always_comb begin
   assert (manager);
   if (rst_ni) begin
     assert (pending_o || (reads == '0 && addresses == '0 && lines == '0 && !rsp_valid_o));
-    assert (pending_o || !(m_axi_arvalid || m_axi_awvalid || m_axi_wvalid));
+    assert (pending_o || !(m_axi_o.read.ar_valid || m_axi_o.write.aw_valid || m_axi_o.write.w_valid));
     assert (error_o == failed_q);
     assert (error_o[3:2] == '0 || error_line_o == failed_line_q);
-    assert (writes_o == writes && answered_o == (m_axi_bvalid && m_axi_bready));
+    assert (writes_o == writes && answered_o == (m_axi_i.write.b_valid && m_axi_o.write.b_ready));
     assert (ProofWritesW'(writes) == open_q && open_q <= ProofWritesW'(Writes));
     assert (!(write_valid && read_valid));
     assert (!(accepts_read && mem_request_i.tag < TagW'(pipegs_pkg::WritePorts) && open_q != '0) || !\u_fence.passes );
@@ -88,10 +82,11 @@ always_comb begin
     assert (sum == (ProofReadsW+IdW)'(reads));
     for (int unsigned i = 0; i < 1 << IdW; i += 1) assert (reads_of[i*ProofReadsW +: ProofReadsW] <= reads);
     assert (ProofReadsW'(\u_read.reads_q ) <= ProofReadsW'(Reads) && reads <= ProofReadsW'(Reads));
-    assert (ProofReadsW'(\u_read.reads_q ) == reads + ProofReadsW'(m_axi_arvalid) + ProofReadsW'(\u_fence.waiting ));
-    assert (ProofWritesW'(writes) == addresses + ProofWritesW'(m_axi_awvalid));
-    assert (ProofWritesW'(writes) == lines + ProofWritesW'(m_axi_wvalid));
-    assert (8'(\u_write.beat_q ) < (m_axi_wvalid ? 8'(ProofBeats) : 8'd1));
-    assert (beat == (m_axi_wvalid ? 8'(\u_write.beat_q ) : '0));
+    assert (ProofReadsW'(\u_read.reads_q ) ==
+            reads + ProofReadsW'(m_axi_o.read.ar_valid) + ProofReadsW'(\u_fence.waiting ));
+    assert (ProofWritesW'(writes) == addresses + ProofWritesW'(m_axi_o.write.aw_valid));
+    assert (ProofWritesW'(writes) == lines + ProofWritesW'(m_axi_o.write.w_valid));
+    assert (8'(\u_write.beat_q ) < (m_axi_o.write.w_valid ? 8'(ProofBeats) : 8'd1));
+    assert (beat == (m_axi_o.write.w_valid ? 8'(\u_write.beat_q ) : '0));
   end
 end

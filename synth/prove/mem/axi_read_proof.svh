@@ -20,17 +20,16 @@ logic [AddrW-1:0]        expected_q;
 logic [IdW-1:0]          expected_id_q;
 logic [3:0]              expected_lines_q;
 
+pipegs_pkg::axi_manager_t     bus;  // the channels here, and others on which nothing moves
+pipegs_pkg::axi_subordinate_t memory;
+
 proof_reset u_proof_reset (.clk_i, .rst_ni);
-axi_check #(
-  .DataW(DataW), .AddrW(AddrW), .IdW(IdW), .LineW(pipegs_pkg::MemoryW), .Reads(Reads), .Writes(1)
-) u_check (
-  .clk_i, .rst_ni, .pick_i(1'b0),
-  .m_axi_awid({IdW{1'b0}}), .m_axi_awaddr({AddrW{1'b0}}), .m_axi_awlen(8'd0), .m_axi_awsize(3'd0),
-  .m_axi_awburst(2'd0), .m_axi_awvalid(1'b0), .m_axi_awready(1'b0), .m_axi_wdata({DataW{1'b0}}),
-  .m_axi_wstrb({(DataW/8){1'b0}}), .m_axi_wlast(1'b0), .m_axi_wvalid(1'b0), .m_axi_wready(1'b0),
-  .m_axi_bid({IdW{1'b0}}), .m_axi_bresp(2'd0), .m_axi_bvalid(1'b0), .m_axi_bready(1'b0),
-  .m_axi_arid, .m_axi_araddr, .m_axi_arlen, .m_axi_arsize, .m_axi_arburst, .m_axi_arvalid, .m_axi_arready,
-  .m_axi_rid, .m_axi_rdata, .m_axi_rresp, .m_axi_rlast, .m_axi_rvalid, .m_axi_rready,
+assign bus.read     = m_axi_o;
+assign bus.write    = '0;
+assign memory.read  = m_axi_i;
+assign memory.write = '0;
+axi_check #(.Reads(Reads), .Writes(1)) u_check (
+  .clk_i, .rst_ni, .pick_i(1'b0), .manager_i(bus), .subordinate_i(memory),
   .manager_o(manager), .subordinate_o(subordinate), .reads_o(reads), .reads_of_o(reads_of), .addresses_o(),
   .lines_o(), .beat_o()
 );
@@ -70,13 +69,13 @@ always_comb begin
   assume (!rst_ni || !turn || (epoch_i ? sum_1 : sum_0) == '0);
   assert (manager);
   if (rst_ni) begin
-    assert (!m_axi_arvalid || (m_axi_araddr == expected_q && m_axi_arid == expected_id_q &&
-                               m_axi_arlen == 8'(expected_lines_q) * 8'(Beats) - 8'd1));
-    assert (!takes || !m_axi_arvalid || m_axi_arready);
+    assert (!m_axi_o.ar_valid || (m_axi_o.ar.addr == expected_q && m_axi_o.ar.id == expected_id_q &&
+                               m_axi_o.ar.len == 8'(expected_lines_q) * 8'(Beats) - 8'd1));
+    assert (!takes || !m_axi_o.ar_valid || m_axi_i.ar_ready);
     assert (!(turn && now));
     assert (drained_o == ((epoch_i ? sum_0 : sum_1) == '0));
     assert (pending_o || (sum_0 == '0 && sum_1 == '0 && !line_valid_o));
-    assert (!error_o || (m_axi_rvalid && m_axi_rid[IdW-1] == epoch_i && m_axi_rresp[1]));
+    assert (!error_o || (m_axi_i.r_valid && m_axi_i.r.id[IdW-1] == epoch_i && m_axi_i.r.resp[1]));
     // invariants
     assert (reads_q <= ReadsW'(Reads) && behind_0_q <= ProofW'(Reads) && behind_1_q <= ProofW'(Reads));
     assert (sum_0 <= ProofW'(Reads) && sum_1 <= ProofW'(Reads) && out_0 <= ProofW'(Reads) && out_1 <= ProofW'(Reads));

@@ -17,17 +17,16 @@ logic [AddrW-1:0]  expected_q;
 logic [pipegs_pkg::MemoryW-1:0] moved;  // the line as it would stand if no beat had left
 logic [Grains-1:0] moved_written;       // and what of it is written
 
+pipegs_pkg::axi_manager_t     bus;  // the channels here, and others on which nothing moves
+pipegs_pkg::axi_subordinate_t memory;
+
 proof_reset u_proof_reset (.clk_i, .rst_ni);
-axi_check #(
-  .DataW(DataW), .AddrW(AddrW), .IdW(IdW), .LineW(pipegs_pkg::MemoryW), .Reads(1), .Writes(Writes)
-) u_check (
-  .clk_i, .rst_ni, .pick_i(1'b0),
-  .m_axi_awid, .m_axi_awaddr, .m_axi_awlen, .m_axi_awsize, .m_axi_awburst, .m_axi_awvalid, .m_axi_awready,
-  .m_axi_wdata, .m_axi_wstrb, .m_axi_wlast, .m_axi_wvalid, .m_axi_wready,
-  .m_axi_bid, .m_axi_bresp, .m_axi_bvalid, .m_axi_bready,
-  .m_axi_arid({IdW{1'b0}}), .m_axi_araddr({AddrW{1'b0}}), .m_axi_arlen(8'd0), .m_axi_arsize(3'd0),
-  .m_axi_arburst(2'd0), .m_axi_arvalid(1'b0), .m_axi_arready(1'b0), .m_axi_rid({IdW{1'b0}}),
-  .m_axi_rdata({DataW{1'b0}}), .m_axi_rresp(2'd0), .m_axi_rlast(1'b0), .m_axi_rvalid(1'b0), .m_axi_rready(1'b0),
+assign bus.write    = m_axi_o;
+assign bus.read     = '0;
+assign memory.write = m_axi_i;
+assign memory.read  = '0;
+axi_check #(.Reads(1), .Writes(Writes)) u_check (
+  .clk_i, .rst_ni, .pick_i(1'b0), .manager_i(bus), .subordinate_i(memory),
   .manager_o(manager), .subordinate_o(subordinate), .reads_o(), .reads_of_o(), .addresses_o(addresses),
   .lines_o(lines), .beat_o(beat)
 );
@@ -45,12 +44,12 @@ always_comb begin
   assume (base_i[11:0] == '0);
   assert (manager);
   if (rst_ni) begin
-    assert (!m_axi_awvalid || m_axi_awaddr == expected_q);
-    assert (!(m_axi_wvalid && beat == 8'(place / DataW)) || m_axi_wdata[place % DataW] == bit_q);
-    assert (!(m_axi_wvalid && beat == 8'(place / DataW)) || m_axi_wstrb[place % DataW / 8] == half_q);
-    assert (!(in_valid_i && in_ready_o) || ((!m_axi_awvalid || m_axi_awready) &&
-                                            (!m_axi_wvalid || (m_axi_wready && m_axi_wlast))));
-    assert (!error_o || (m_axi_bvalid && m_axi_bready && m_axi_bresp[1]));
+    assert (!m_axi_o.aw_valid || m_axi_o.aw.addr == expected_q);
+    assert (!(m_axi_o.w_valid && beat == 8'(place / DataW)) || m_axi_o.w.data[place % DataW] == bit_q);
+    assert (!(m_axi_o.w_valid && beat == 8'(place / DataW)) || m_axi_o.w.strb[place % DataW / 8] == half_q);
+    assert (!(in_valid_i && in_ready_o) || ((!m_axi_o.aw_valid || m_axi_i.aw_ready) &&
+                                            (!m_axi_o.w_valid || (m_axi_i.w_ready && m_axi_o.w.last))));
+    assert (!error_o || (m_axi_i.b_valid && m_axi_o.b_ready && m_axi_i.b.resp[1]));
     // invariants
     assert (addresses <= ProofW'(Writes) && lines <= ProofW'(Writes));
     assert (ProofW'(writes_o) == addresses + ProofW'(aw_valid_q));

@@ -13,12 +13,9 @@
 //         a module asserts manager_o and assumes subordinate_o, each of which is up while the rules are kept.
 
 module axi_check #(
-  parameter int unsigned DataW  = 512,
-  parameter int unsigned AddrW  = 40,
-  parameter int unsigned IdW    = 9,
-  parameter int unsigned LineW  = 512,  // bits of a line
   parameter int unsigned Reads  = 256,
   parameter int unsigned Writes = 64,
+  localparam int unsigned IdW     = pipegs_pkg::AxiIdW,
   localparam int unsigned ReadsW  = $clog2(Reads + 1) + 1,
   localparam int unsigned WritesW = $clog2(Writes + 1) + 1
 ) (
@@ -26,35 +23,8 @@ module axi_check #(
   input  logic               rst_ni,
   input  logic               pick_i,
 
-  input  logic [IdW-1:0]     m_axi_awid,
-  input  logic [AddrW-1:0]   m_axi_awaddr,
-  input  logic [7:0]         m_axi_awlen,
-  input  logic [2:0]         m_axi_awsize,
-  input  logic [1:0]         m_axi_awburst,
-  input  logic               m_axi_awvalid,
-  input  logic               m_axi_awready,
-  input  logic [DataW-1:0]   m_axi_wdata,
-  input  logic [DataW/8-1:0] m_axi_wstrb,
-  input  logic               m_axi_wlast,
-  input  logic               m_axi_wvalid,
-  input  logic               m_axi_wready,
-  input  logic [IdW-1:0]     m_axi_bid,
-  input  logic [1:0]         m_axi_bresp,
-  input  logic               m_axi_bvalid,
-  input  logic               m_axi_bready,
-  input  logic [IdW-1:0]     m_axi_arid,
-  input  logic [AddrW-1:0]   m_axi_araddr,
-  input  logic [7:0]         m_axi_arlen,
-  input  logic [2:0]         m_axi_arsize,
-  input  logic [1:0]         m_axi_arburst,
-  input  logic               m_axi_arvalid,
-  input  logic               m_axi_arready,
-  input  logic [IdW-1:0]     m_axi_rid,
-  input  logic [DataW-1:0]   m_axi_rdata,
-  input  logic [1:0]         m_axi_rresp,
-  input  logic               m_axi_rlast,
-  input  logic               m_axi_rvalid,
-  input  logic               m_axi_rready,
+  input  pipegs_pkg::axi_manager_t     manager_i,
+  input  pipegs_pkg::axi_subordinate_t subordinate_i,
 
   output logic               manager_o,      // the manager keeps its rules
   output logic               subordinate_o,  // likewise
@@ -65,41 +35,42 @@ module axi_check #(
   output logic [7:0]         beat_o          // beats taken of the burst on W
 );
 
+  localparam int unsigned DataW     = pipegs_pkg::AxiDataW;
+  localparam int unsigned LineW     = pipegs_pkg::MemoryW;
   localparam int unsigned Ids       = 1 << IdW;
   localparam int unsigned Beats     = LineW / DataW;
   localparam int unsigned GrainB    = DataW < LineW / 2 ? DataW / 8 : LineW / 16;  // bytes of a beat and of half a line
   localparam int unsigned Grains    = DataW / 8 / GrainB;
   localparam logic [2:0]  Size      = 3'($clog2(DataW / 8));
-  localparam int unsigned AddressW  = IdW + AddrW + 13;  // of all that stands beside an address
 
   logic                  ar_take, aw_take, w_take, w_end, r_take, r_end, b_take;
-  logic [AddressW-1:0]   ar, aw, ar_q, aw_q;
-  logic [DataW+DataW/8:0] w, w_q;
-  logic [IdW+DataW+2:0]  r, r_q;
-  logic [IdW+1:0]        b, b_q;
+  pipegs_pkg::axi_address_t ar, aw, ar_q, aw_q;
+  pipegs_pkg::axi_w_t    w, w_q;
+  pipegs_pkg::axi_r_t    r, r_q;
+  pipegs_pkg::axi_b_t    b, b_q;
   logic                  ar_waits_q, aw_waits_q, w_waits_q, r_waits_q, b_waits_q, reset_q;
 
-  assign ar_take = m_axi_arvalid && m_axi_arready;
-  assign aw_take = m_axi_awvalid && m_axi_awready;
-  assign w_take  = m_axi_wvalid && m_axi_wready;
-  assign w_end   = w_take && m_axi_wlast;
-  assign r_take  = m_axi_rvalid && m_axi_rready;
-  assign r_end   = r_take && m_axi_rlast;
-  assign b_take  = m_axi_bvalid && m_axi_bready;
-  assign ar      = {m_axi_arid, m_axi_araddr, m_axi_arlen, m_axi_arsize, m_axi_arburst};
-  assign aw      = {m_axi_awid, m_axi_awaddr, m_axi_awlen, m_axi_awsize, m_axi_awburst};
-  assign w       = {m_axi_wlast, m_axi_wstrb, m_axi_wdata};
-  assign r       = {m_axi_rlast, m_axi_rid, m_axi_rresp, m_axi_rdata};
-  assign b       = {m_axi_bid, m_axi_bresp};
+  assign ar_take = manager_i.read.ar_valid && subordinate_i.read.ar_ready;
+  assign aw_take = manager_i.write.aw_valid && subordinate_i.write.aw_ready;
+  assign w_take  = manager_i.write.w_valid && subordinate_i.write.w_ready;
+  assign w_end   = w_take && w.last;
+  assign r_take  = subordinate_i.read.r_valid && manager_i.read.r_ready;
+  assign r_end   = r_take && r.last;
+  assign b_take  = subordinate_i.write.b_valid && manager_i.write.b_ready;
+  assign ar      = manager_i.read.ar;
+  assign aw      = manager_i.write.aw;
+  assign w       = manager_i.write.w;
+  assign r       = subordinate_i.read.r;
+  assign b       = subordinate_i.write.b;
 
   // --- what waits ----------------------------------------------------------------------------------------------------
   always_ff @(posedge clk_i) begin
     reset_q    <= !rst_ni;
-    ar_waits_q <= rst_ni && m_axi_arvalid && !m_axi_arready;
-    aw_waits_q <= rst_ni && m_axi_awvalid && !m_axi_awready;
-    w_waits_q  <= rst_ni && m_axi_wvalid && !m_axi_wready;
-    r_waits_q  <= rst_ni && m_axi_rvalid && !m_axi_rready;
-    b_waits_q  <= rst_ni && m_axi_bvalid && !m_axi_bready;
+    ar_waits_q <= rst_ni && manager_i.read.ar_valid && !subordinate_i.read.ar_ready;
+    aw_waits_q <= rst_ni && manager_i.write.aw_valid && !subordinate_i.write.aw_ready;
+    w_waits_q  <= rst_ni && manager_i.write.w_valid && !subordinate_i.write.w_ready;
+    r_waits_q  <= rst_ni && subordinate_i.read.r_valid && !manager_i.read.r_ready;
+    b_waits_q  <= rst_ni && subordinate_i.write.b_valid && !manager_i.write.b_ready;
     ar_q       <= ar;
     aw_q       <= aw;
     w_q        <= w;
@@ -117,8 +88,8 @@ module axi_check #(
   logic [ReadsW-1:0]     tracked_ahead_q;  // bursts of its ID ahead of it
   logic [7:0]            tracked_left_q;   // beats of it that come before its last
 
-  assign reads_of_r  = reads_of_q[m_axi_rid*ReadsW +: ReadsW];
-  assign reads_of_ar = reads_of_q[m_axi_arid*ReadsW +: ReadsW];
+  assign reads_of_r  = reads_of_q[r.id*ReadsW +: ReadsW];
+  assign reads_of_ar = reads_of_q[ar.id*ReadsW +: ReadsW];
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -132,25 +103,25 @@ module axi_check #(
       reads_q     <= reads_q + ReadsW'(ar_take) - ReadsW'(r_end);
       addresses_q <= addresses_q + WritesW'(aw_take) - WritesW'(b_take);
       lines_q     <= lines_q + WritesW'(w_end) - WritesW'(b_take);
-      if (w_take) beat_q <= m_axi_wlast ? '0 : beat_q + 1'b1;
-      if (ar_take && !(r_end && m_axi_arid == m_axi_rid)) begin
-        reads_of_q[m_axi_arid*ReadsW +: ReadsW] <= reads_of_ar + 1'b1;
+      if (w_take) beat_q <= w.last ? '0 : beat_q + 1'b1;
+      if (ar_take && !(r_end && ar.id == r.id)) begin
+        reads_of_q[ar.id*ReadsW +: ReadsW] <= reads_of_ar + 1'b1;
       end
-      if (r_end && !(ar_take && m_axi_arid == m_axi_rid)) begin
-        reads_of_q[m_axi_rid*ReadsW +: ReadsW] <= reads_of_r - 1'b1;
+      if (r_end && !(ar_take && ar.id == r.id)) begin
+        reads_of_q[r.id*ReadsW +: ReadsW] <= reads_of_r - 1'b1;
       end
       if (!tracked_q) tracked_q <= ar_take && pick_i;
-      else if (r_end && m_axi_rid == tracked_id_q && tracked_ahead_q == '0) tracked_q <= 1'b0;
+      else if (r_end && r.id == tracked_id_q && tracked_ahead_q == '0) tracked_q <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
     if (!tracked_q) begin
-      tracked_id_q    <= m_axi_arid;
-      tracked_ahead_q <= reads_of_ar - ReadsW'(r_end && m_axi_rid == m_axi_arid);
-      tracked_left_q  <= m_axi_arlen;
-    end else if (r_take && m_axi_rid == tracked_id_q) begin
+      tracked_id_q    <= ar.id;
+      tracked_ahead_q <= reads_of_ar - ReadsW'(r_end && r.id == ar.id);
+      tracked_left_q  <= ar.len;
+    end else if (r_take && r.id == tracked_id_q) begin
       if (tracked_ahead_q == '0) tracked_left_q <= tracked_left_q - 1'b1;
-      else if (m_axi_rlast) tracked_ahead_q <= tracked_ahead_q - 1'b1;
+      else if (r.last) tracked_ahead_q <= tracked_ahead_q - 1'b1;
     end
   end
 
@@ -165,41 +136,42 @@ module axi_check #(
   logic [8:0]  ar_beats;
   logic [13:0] ar_end, aw_end;  // of the burst, in bytes from the begin of its 4 KB
 
-  assign ar_beats = {1'b0, m_axi_arlen} + 9'd1;
-  assign ar_end   = 14'(m_axi_araddr[11:0]) + (14'(ar_beats) << Size);
-  assign aw_end   = 14'(m_axi_awaddr[11:0]) + (14'(Beats) << Size);
-  assign silent   = (rst_ni && !reset_q) || !(m_axi_arvalid || m_axi_awvalid || m_axi_wvalid);
-  assign ar_stays = !ar_waits_q || !rst_ni || (m_axi_arvalid && ar == ar_q);
-  assign aw_stays = !aw_waits_q || !rst_ni || (m_axi_awvalid && aw == aw_q);
-  assign w_stays  = !w_waits_q || !rst_ni || (m_axi_wvalid && w == w_q);
-  assign ar_legal = !m_axi_arvalid ||
-      (m_axi_arburst == 2'b01 && m_axi_arsize == Size && (12'(m_axi_araddr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
+  assign ar_beats = {1'b0, ar.len} + 9'd1;
+  assign ar_end   = 14'(ar.addr[11:0]) + (14'(ar_beats) << Size);
+  assign aw_end   = 14'(aw.addr[11:0]) + (14'(Beats) << Size);
+  assign silent   = (rst_ni && !reset_q) ||
+                    !(manager_i.read.ar_valid || manager_i.write.aw_valid || manager_i.write.w_valid);
+  assign ar_stays = !ar_waits_q || !rst_ni || (manager_i.read.ar_valid && ar == ar_q);
+  assign aw_stays = !aw_waits_q || !rst_ni || (manager_i.write.aw_valid && aw == aw_q);
+  assign w_stays  = !w_waits_q || !rst_ni || (manager_i.write.w_valid && w == w_q);
+  assign ar_legal = !manager_i.read.ar_valid ||
+      (ar.burst == 2'b01 && ar.size == Size && (12'(ar.addr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
        ar_end <= 14'd4096 && (ar_beats & (9'(Beats) - 9'd1)) == '0 && ar_beats <= 9'(8 * Beats));
-  assign aw_legal = !m_axi_awvalid ||
-      (m_axi_awburst == 2'b01 && m_axi_awsize == Size && (12'(m_axi_awaddr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
-       aw_end <= 14'd4096 && m_axi_awlen == 8'(Beats - 1) && m_axi_awid == '0);
+  assign aw_legal = !manager_i.write.aw_valid ||
+      (aw.burst == 2'b01 && aw.size == Size && (12'(aw.addr[11:0]) & (12'(LineW / 8) - 12'd1)) == '0 &&
+       aw_end <= 14'd4096 && aw.len == 8'(Beats - 1) && aw.id == '0);
   logic [Grains-1:0] w_whole;  // strobes of half a line are alike
   for (genvar i = 0; i < Grains; i += 1) begin : gen_grain
-    assign w_whole[i] = m_axi_wstrb[i*GrainB +: GrainB] == {GrainB{m_axi_wstrb[i*GrainB]}};
+    assign w_whole[i] = w.strb[i*GrainB +: GrainB] == {GrainB{w.strb[i*GrainB]}};
   end
-  assign w_legal  = !m_axi_wvalid || (w_whole == {Grains{1'b1}} && m_axi_wlast == (beat_q == 8'(Beats - 1)));
-  assign w_behind = !m_axi_wvalid || addresses_q + WritesW'(m_axi_awvalid) > lines_q;
-  assign few      = reads_q + ReadsW'(m_axi_arvalid) <= ReadsW'(Reads) &&
-                    addresses_q + WritesW'(m_axi_awvalid) <= WritesW'(Writes);
+  assign w_legal  = !manager_i.write.w_valid || (w_whole == {Grains{1'b1}} && w.last == (beat_q == 8'(Beats - 1)));
+  assign w_behind = !manager_i.write.w_valid || addresses_q + WritesW'(manager_i.write.aw_valid) > lines_q;
+  assign few      = reads_q + ReadsW'(manager_i.read.ar_valid) <= ReadsW'(Reads) &&
+                    addresses_q + WritesW'(manager_i.write.aw_valid) <= WritesW'(Writes);
   assign manager_o = silent && (!rst_ni || (ar_stays && aw_stays && w_stays && ar_legal && aw_legal && w_legal &&
                                             w_behind && few));
 
   // --- rules of the subordinate --------------------------------------------------------------------------------------
   logic asked, r_stays, b_stays, r_legal, b_legal, r_last;
 
-  assign asked   = (rst_ni && !reset_q) || !(m_axi_rvalid || m_axi_bvalid);
-  assign r_stays = !r_waits_q || !rst_ni || (m_axi_rvalid && r == r_q);
-  assign b_stays = !b_waits_q || !rst_ni || (m_axi_bvalid && b == b_q);
-  assign r_legal = !m_axi_rvalid || (reads_of_r != '0 && m_axi_rresp != 2'b01);
-  assign r_last  = !(m_axi_rvalid && tracked_q && m_axi_rid == tracked_id_q && tracked_ahead_q == '0) ||
-                   m_axi_rlast == (tracked_left_q == '0);
-  assign b_legal = !m_axi_bvalid ||
-                   (addresses_q != '0 && lines_q != '0 && m_axi_bid == '0 && m_axi_bresp != 2'b01);
+  assign asked   = (rst_ni && !reset_q) || !(subordinate_i.read.r_valid || subordinate_i.write.b_valid);
+  assign r_stays = !r_waits_q || !rst_ni || (subordinate_i.read.r_valid && r == r_q);
+  assign b_stays = !b_waits_q || !rst_ni || (subordinate_i.write.b_valid && b == b_q);
+  assign r_legal = !subordinate_i.read.r_valid || (reads_of_r != '0 && r.resp != 2'b01);
+  assign r_last  = !(subordinate_i.read.r_valid && tracked_q && r.id == tracked_id_q && tracked_ahead_q == '0) ||
+                   r.last == (tracked_left_q == '0);
+  assign b_legal = !subordinate_i.write.b_valid ||
+                   (addresses_q != '0 && lines_q != '0 && b.id == '0 && b.resp != 2'b01);
   assign subordinate_o = asked && (!rst_ni || (r_stays && b_stays && r_legal && r_last && b_legal));
 
 `ifndef SYNTHESIS
