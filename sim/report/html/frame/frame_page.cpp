@@ -48,9 +48,11 @@ void add_truth_maps(HtmlDocument& page, const Simulation& simulation, const Imag
                                      "Machine against float64 in the machine's own order: what fixed point costs.",
                                      golden, simulation.truth_order);
   add_map(page, numeric);
-  add_map(page, error_map("order", "order error",
-                          "Float64 in the machine's order against float64 in exact order: where layers disagree.",
-                          simulation.truth_order, simulation.truth_exact));
+  add_map(
+      page,
+      error_map("order", "order error",
+                "Float64 in the machine's order against float64 in exact order: layers, or depths that round to one.",
+                simulation.truth_order, simulation.truth_exact));
   const PixelMap total =
       error_map("total", "total error", "Machine against INRIA's rules in float64: all differences together.", golden,
                 simulation.truth_inria);

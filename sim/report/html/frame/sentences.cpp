@@ -19,10 +19,10 @@ struct UnitWords {
 };
 constexpr std::array<UnitWords, 4> kUnits = {{
     {"dopu", "DOPU", "walks the tree of chunks and hands chunks to the PUs", "the next window", "the PUs"},
-    {"pu", "PU", "fetches Gaussians, culls and projects them, and computes their alphas", "chunks of the DOPU",
+    {"pu", "PU", "projects Gaussians and computes their colour, and their alphas or coefficients", "Gaussians",
      "SU or RU"},
     {"su", "SU", "sorts the records of a window by depth", "records of the PUs", "the RUs"},
-    {"ru", "RU", "blends Gaussians into pixels", "sorted records and their alphas", "memory that takes the pixels"},
+    {"ru", "RU", "blends Gaussians into pixels", "sorted records", "memory that takes the pixels"},
 }};
 
 // 1234567 as 1 234 567.
