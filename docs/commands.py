@@ -11,6 +11,7 @@ import json
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 PAGE = Path(__file__).resolve().parent / "commands.md"
@@ -22,6 +23,9 @@ SAMPLES = {  # a run of a second or two, from whose JSON the keys are taken; tho
     "profile": "--scale 0.1 --no-rtl",
     "effects": "--scale 0.1",
     "budget": "--count 1000",
+    "explain": "--scale 0.1 --no-rtl --pixel 40,40",
+    "info": "",
+    "shapes": "--scale 0.1 --runs 1 --keep shapes",
 }
 MANY = 16  # so many keys of plain values are a table of their own: NAME.*
 
@@ -104,7 +108,10 @@ def keys_of(value, path=""):
 
 
 def json_keys(pipegs, name):
-    run = subprocess.run([pipegs, *name.split(), *SAMPLES[name].split(), "--json"], capture_output=True, check=True)
+    """The keys of a command's sample run, in a folder of its own."""
+    words = [Path(pipegs).resolve(), *name.split(), *SAMPLES[name.split()[-1]].split(), "--json"]
+    with tempfile.TemporaryDirectory() as folder:
+        run = subprocess.run(words, cwd=folder, capture_output=True, check=True)
     return "Keys of `--json`: " + ", ".join(f"`{key}`" for key in keys_of(json.loads(run.stdout))) + "."
 
 
@@ -123,7 +130,7 @@ def page(commands, pipegs):
         lines += ["", table(own)] if own else []
         taken = [taken_of(group, options, command) for group, options in shared.items()]
         lines += ["", "Shared: " + ", ".join(filter(None, taken)) + "."] if any(taken) else []
-        lines += ["", json_keys(pipegs, command.name)] if command.name in SAMPLES else []
+        lines += ["", json_keys(pipegs, command.name)] if command.name.split()[-1] in SAMPLES else []
         lines += [line for note in command.notes for line in ["", shown(note)]]
     return "\n".join(lines)
 
