@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cpp_model/pu/stages.hpp"
+
 namespace pipegs {
 
 struct ConfigError : std::runtime_error {

@@ -19,6 +19,7 @@
 #include "cpp_model/lib/record_table.hpp"
 #include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/front/pu_reach.hpp"
+#include "cpp_model/pu/stages.hpp"
 #include "scenes/text/number.hpp"
 
 namespace {
@@ -340,6 +341,19 @@ void print_areas(const pipegs::Config& c) {
       "    list_first = (AddressW'(window) << log) + AddressW'(window) * AddressW'(ListGap);\n  endfunction\n");
 }
 
+void print_stages(const pipegs::Config& config) {
+  std::printf("\n  // Stages of a PU on pu_phases: see cpp_model/pu/stages.def.\n");
+  for (const pipegs::PuStage& stage : pipegs::pu_stages(config)) {
+    if (stage.depth == 0) continue;
+    const auto print = [&](const char* what, int value) {
+      print_line(fmt::format("  localparam int unsigned {:<14} = {};", std::string(stage.camel_name) + what, value),
+                 "");
+    };
+    print("Depth", stage.depth);
+    print("Claim", stage.claim);
+  }
+}
+
 void print_package(const pipegs::Config& config) {
   std::printf(
       "// SPDX-License-Identifier: Apache-2.0\n"
@@ -369,6 +383,7 @@ void print_package(const pipegs::Config& config) {
   print_weights("ReachWeights", 13, "Their squares for pu_reach, u1.12. See cpp_model/pu/front/pu_reach.hpp.",
                 pipegs::reach_weight, config);
   for (const Record& record : pipegs::record_table()) printer.print(record);
+  print_stages(config);
   print_areas(config);
   std::printf("%s", pipegs::print_package(pipegs::register_map(config)).c_str());
   std::printf("%s\nendpackage\n", kBundles);

@@ -1017,6 +1017,24 @@ package pipegs_pkg;
   } memory_request_t;
   localparam int unsigned MemoryRequestBits = 48;
 
+  // Stages of a PU on pu_phases: see cpp_model/pu/stages.def.
+  localparam int unsigned ProjectDepth   = 4;
+  localparam int unsigned ProjectClaim   = 4;
+  localparam int unsigned OrientDepth    = 1;
+  localparam int unsigned OrientClaim    = 5;
+  localparam int unsigned JacobianDepth  = 2;
+  localparam int unsigned JacobianClaim  = 2;
+  localparam int unsigned FactorsDepth   = 2;
+  localparam int unsigned FactorsClaim   = 2;
+  localparam int unsigned SquaresDepth   = 2;
+  localparam int unsigned SquaresClaim   = 3;
+  localparam int unsigned CovarianceDepth = 1;
+  localparam int unsigned CovarianceClaim = 7;
+  localparam int unsigned AxesDepth      = 7;
+  localparam int unsigned AxesClaim      = 7;
+  localparam int unsigned BoxDepth       = 5;
+  localparam int unsigned BoxClaim       = 7;
+
   // Parts of an overflow area of `size` lines: see cpp_model/areas/areas.hpp.
   localparam logic [2:0] AreaKeys = 3'd0;
   localparam logic [2:0] AreaRuns = 3'd1;

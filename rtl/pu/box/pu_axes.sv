@@ -54,7 +54,7 @@ module pu_axes (
   localparam int unsigned ProductW  = 2 * AxisMW;
   localparam int unsigned RsqrtInW  = 20;
   localparam int unsigned RsqrtOutW = 18;
-  localparam int unsigned Depth     = 7;
+  localparam int unsigned Depth     = pipegs_pkg::AxesDepth;
 
   logic               take, claim, step, data;
   logic [7:0]         phase;
@@ -64,7 +64,7 @@ module pu_axes (
     assign late[i] = slots[4*i-1 -: 4] == 4'hf;
   end
 
-  pu_phases #(.Depth(Depth), .Claim(7)) u_phases (
+  pu_phases #(.Depth(Depth), .Claim(pipegs_pkg::AxesClaim)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(covariance_valid_i), .in_ready_o(covariance_ready_o),
     .out_valid_o(axes_valid_o), .out_ready_i(axes_ready_i),

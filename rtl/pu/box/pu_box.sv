@@ -50,7 +50,7 @@ module pu_box (
   localparam int unsigned ThreeW    = RootW + 2;
   localparam int unsigned WholeW    = SideW + 1;               // a side, and part of the other one
   localparam int unsigned LengthPW  = WholeW + ShareW;
-  localparam int unsigned Depth     = 5;
+  localparam int unsigned Depth     = pipegs_pkg::BoxDepth;
 
   logic               take, claim, step, data;
   logic [7:0]         phase;
@@ -60,7 +60,7 @@ module pu_box (
     assign late[i] = slots[4*i-1 -: 4] == 4'hf;
   end
 
-  pu_phases #(.Depth(Depth), .Claim(7)) u_phases (
+  pu_phases #(.Depth(Depth), .Claim(pipegs_pkg::BoxClaim)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(axes_valid_i), .in_ready_o(axes_ready_o),
     .out_valid_o(covariance_valid_o), .out_ready_i(covariance_ready_i),

@@ -50,7 +50,7 @@ module pu_covariance (
   logic [2:0]  late;  // the phase one cycle ago
   assign {late_valid, late} = slots;
 
-  pu_phases #(.Depth(1), .Claim(7)) u_phases (
+  pu_phases #(.Depth(pipegs_pkg::CovarianceDepth), .Claim(pipegs_pkg::CovarianceClaim)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(squares_valid_i), .in_ready_o(squares_ready_o),
     .out_valid_o(covariance_valid_o), .out_ready_i(covariance_ready_i),

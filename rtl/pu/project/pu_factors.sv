@@ -46,7 +46,7 @@ module pu_factors (
   logic [2:0]  next, late;  // the phase one cycle ago: its operands; and two: its products
   assign {late_valid, late, next_valid, next} = slots;
 
-  pu_phases #(.Depth(2), .Claim(2)) u_phases (
+  pu_phases #(.Depth(pipegs_pkg::FactorsDepth), .Claim(pipegs_pkg::FactorsClaim)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(jacobian_valid_i), .in_ready_o(jacobian_ready_o),
     .out_valid_o(factors_valid_o), .out_ready_i(factors_ready_i),

@@ -49,7 +49,7 @@ module pu_jacobian (
   logic [2:0]  sum, last;  // phase of the products, of the sums
   assign {last_valid, last, sum_valid, sum} = slots;
 
-  pu_phases #(.Depth(2), .Claim(2)) u_phases (
+  pu_phases #(.Depth(pipegs_pkg::JacobianDepth), .Claim(pipegs_pkg::JacobianClaim)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(oriented_valid_i), .in_ready_o(oriented_ready_o),
     .out_valid_o(jacobian_valid_o), .out_ready_i(jacobian_ready_i),

@@ -39,7 +39,7 @@ module pu_orient (
   logic [2:0]  sum;  // phase whose products are in use
   assign {sum_valid, sum} = slots;
 
-  pu_phases #(.Depth(1), .Claim(5)) u_phases (
+  pu_phases #(.Depth(pipegs_pkg::OrientDepth), .Claim(pipegs_pkg::OrientClaim)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(projected_valid_i), .in_ready_o(projected_ready_o),
     .out_valid_o(oriented_valid_o), .out_ready_i(oriented_ready_i),

@@ -66,7 +66,7 @@ module pu_project (
   logic [2:0]  level1, level2, level3, level4;  // the phases one to four cycles ago
   assign {level4_valid, level4, level3_valid, level3, level2_valid, level2, level1_valid, level1} = slots;
 
-  pu_phases #(.Depth(4), .Claim(4)) u_phases (
+  pu_phases #(.Depth(pipegs_pkg::ProjectDepth), .Claim(pipegs_pkg::ProjectClaim)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(visible_valid_i), .in_ready_o(visible_ready_o),
     .out_valid_o(projected_valid_o), .out_ready_i(projected_ready_i),

@@ -42,7 +42,7 @@ module pu_squares (
   logic [2:0]  sum, write;  // phase of the products, of what is normal
   assign {write_valid, write, sum_valid, sum} = slots;
 
-  pu_phases #(.Depth(2), .Claim(3)) u_phases (
+  pu_phases #(.Depth(pipegs_pkg::SquaresDepth), .Claim(pipegs_pkg::SquaresClaim)) u_phases (
     .clk_i, .rst_ni,
     .in_valid_i(factors_valid_i), .in_ready_o(factors_ready_o),
     .out_valid_o(squares_valid_o), .out_ready_i(squares_ready_i),

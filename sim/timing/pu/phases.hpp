@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // phases.hpp: the stages of a PU that keep a record for eight cycles, one behind the other, in the timing model.
 //
-// RTL     rtl/pu/pu_phases.sv: project, orient, jacobian, factors, squares, covariance; axes and box with the oriented
-//         box; and rtl/pu/project/pu_compensate.sv, which is there only with antialias, and shorter.
+// RTL     rtl/pu/pu_shape.sv, with the stages of cpp_model/pu/stages.def: most of them on rtl/pu/pu_phases.sv, one is
+//         shorter.
 // Idea    What a stage does follows from when it got its record and when its former result was taken:
 //           take  = max(ready, the record is there)
-//           claim = max(take + begin, former result taken)        begin  = 1 + Claim
-//           ready = claim + free                                  free   = 7 - Claim
-//           out   = claim + result                                result = 8 - Claim + Depth
+//           claim = max(take + begin, former result taken)
+//           ready = claim + free
+//           out   = claim + result
 //         so all times are computed as soon as they are known, often ahead of the clock. Only the first take and the
 //         last result are seen by others.
 #pragma once
@@ -15,30 +15,21 @@
 #include <algorithm>
 #include <array>
 
+#include "cpp_model/pu/stages.hpp"
 #include "sim/timing/cycle.hpp"
 
 namespace pipegs::timing {
 
-struct StageTimes {
-  int begin, free, result;
-};
-constexpr StageTimes eight_cycles(int depth, int claim) { return {1 + claim, 7 - claim, 8 - claim + depth}; }
-
 class Phases {
  public:
-  Phases(bool compensate, bool oriented) {
-    const auto add = [&](StageTimes times) { stages_[static_cast<size_t>(count_++)].times = times; };
-    if (compensate) add({3, 0, 1});
-    if (oriented) {
-      add(eight_cycles(5, 7));  // box
-      add(eight_cycles(7, 7));  // axes
+  explicit Phases(const Config& config) {
+    const std::vector<PuStage> table = pu_stages(config);
+    for (size_t i = table.size(); i-- > 0;) {
+      const PuStage& row = table[i];
+      if (!row.built) continue;
+      Stage& stage = stages_[static_cast<size_t>(count_++)];
+      stage.begin = row.begin, stage.free = row.free, stage.length = row.result;
     }
-    add(eight_cycles(1, 7));  // covariance
-    add(eight_cycles(2, 3));  // squares
-    add(eight_cycles(2, 2));  // factors
-    add(eight_cycles(2, 2));  // jacobian
-    add(eight_cycles(1, 5));  // orient
-    add(eight_cycles(4, 4));  // project
   }
 
   // The last result: conic takes it, then says so.
@@ -62,7 +53,7 @@ class Phases {
 
  private:
   struct Stage {
-    StageTimes times = {};
+    int begin = 0, free = 0, length = 0;   // cycles; length: to the result
     bool holding = false, result = false;  // a record that has not claimed the output; an output that is not taken
     Beat beat = 0, result_beat = 0;
     Cycle claim = 0, ready = kLongAgo, freed = kLongAgo, result_from = 0;
@@ -72,7 +63,7 @@ class Phases {
     Stage& stage = stages_[static_cast<size_t>(s)];
     stage.holding = true;
     stage.beat = beat;
-    stage.claim = take + stage.times.begin;
+    stage.claim = take + stage.begin;
   }
 
   void resolve(uint32_t stages) {
@@ -80,13 +71,12 @@ class Phases {
       const int s = std::countr_zero(stages);
       stages &= stages - 1;
       Stage& stage = stages_[static_cast<size_t>(s)];
-      const auto [begin, free, result] = stage.times;
       if (stage.holding && !stage.result) {
         const Cycle when = std::max(stage.claim, stage.freed);
         stage.holding = false;
         stage.result = true;
-        stage.ready = when + free;
-        stage.result_from = when + result;
+        stage.ready = when + stage.free;
+        stage.result_from = when + stage.length;
         stage.result_beat = stage.beat;
         if (s == 0) {
           out.set(stage.result_from, stage.result_beat);
@@ -106,9 +96,8 @@ class Phases {
 
   const Stage& first() const { return stages_[static_cast<size_t>(count_) - 1]; }
 
-  static constexpr size_t kMostStages = 9;
   int count_ = 0;
-  std::array<Stage, kMostStages> stages_;  // the last one, whose result others see, is 0
+  std::array<Stage, kPuStages> stages_;  // the last one, whose result others see, is 0
 };
 
 }  // namespace pipegs::timing

@@ -16,7 +16,7 @@ Pu::Pu(const Machine& m, int lane)
       tight_(m.config.tight_cull != 0),
       reader_(m.config.gaussians_per_line(), m.frame.tables.gaussians, m.config.geometry_jobs(),
               m.config.geometry_lines()),
-      phases_(m.config.antialias != 0, m.config.oriented()),
+      phases_(m.config),
       expand_(lane),
       parts_(lane),
       ended_(m.config.alpha_layers),
