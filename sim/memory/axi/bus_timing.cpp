@@ -47,6 +47,9 @@ bool BusTiming::offer(bool write, uint64_t line, int tag, int lines) {
 }
 
 void BusTiming::clock() {
+  line_tag_ = line_;
+  if (!offered_ && !read_ends_ && !ar_valid_ && !aw_valid_ && !w_valid_ && writes_.count() + waiting_.count() == 0)
+    return;
   const bool free = read_free(), leaves = due();
   const bool reads = offered_ && !offered_write_ && reads_ < Config::bus_reads();
   const bool passing = reads && passes(offer_.tag) && !leaves;
@@ -79,7 +82,6 @@ void BusTiming::clock() {
   }
   writes_.clock(write, b_taken_);
 
-  line_tag_ = line_;
   offered_ = accepted_ = false;
 }
 

@@ -86,16 +86,17 @@ bool Dram::offer(Waiting& waiting, DramCycle now) {
 void Dram::advance(DramCycle until) {
   while (next_all_ <= until) {
     const DramCycle now = next_all_;
-    for (int c = 0; c < timing_.channels; ++c) {
-      if (next_[c] > now) continue;
-      DramChannel& channel = channels_[c];
-      uint32_t slot;
-      while (channel.finished(now, slot)) arrive(slot);
-      channel.tick(now);
-      next_[c] = channel.next();
-    }
     next_all_ = INT64_MAX;
-    for (int c = 0; c < timing_.channels; ++c) next_all_ = std::min(next_all_, next_[c]);
+    for (int c = 0; c < timing_.channels; ++c) {
+      if (next_[c] <= now) {
+        DramChannel& channel = channels_[c];
+        uint32_t slot;
+        while (channel.finished(now, slot)) arrive(slot);
+        channel.tick(now);
+        next_[c] = channel.next();
+      }
+      next_all_ = std::min(next_all_, next_[c]);
+    }
     while (waiting_ > 0 && offer(front_[first_waiting_], now)) {
       first_waiting_ = (first_waiting_ + 1) & (static_cast<int>(front_.size()) - 1);
       --waiting_;

@@ -39,7 +39,7 @@ void Su::step(Machine& m, Cycle now) {
   }
   if (lists_) m.wheel.wake_now(unit(kLists));
   port(m, now);
-  const Now is = look(m, now);
+  const Now is = spill_ == kSpillIdle && collect_ != kSpill ? look<false>(m, now) : look<true>(m, now);
   divert(now, is);
   emit(now, is);
   sort(now, is);
@@ -87,6 +87,7 @@ bool Su::split_links(Cycle now) {
   return !link_writes_.empty() && link_writes_.back().first <= now;
 }
 
+template <bool Spills>
 Su::Now Su::look(const Machine& m, Cycle now) {
   Now is{};
   // Ends that wait.
@@ -99,12 +100,13 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   // Splitter, sorter, output.
   is.split_idle = split_idle(now);
   is.bitonic_idle = bitonic_idle();
-  is.item = external_.item() || (!sorting_ && sent_ < live_);
-  is.item_end = !external_.item() && live_end_;
+  const bool outer = Spills && external_.item();
+  is.item = outer || (!sorting_ && sent_ < live_);
+  is.item_end = !outer && live_end_;
   is.emit_empty = waiting_.empty() && !out_.valid && out_taken_at_ != now;
-  is.spilled = open();
+  is.spilled = Spills && open();
   is.sends = is.spilled && external_.last;
-  is.diverts = diverts();
+  is.diverts = Spills && diverts();
   is.chain = chains_.valid(now);
   is.chain_end = is.chain && is_end(chains_.front().end);
   is.batch_ready = !sorting_ && !loaded_ && (fill_ >= live_ || fill_ < sent_);
@@ -114,7 +116,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.hungry = chains_.empty() && is.split_idle;
 
   // Output of a set that spilled: its marks go between its splats.
-  is.sent_all = external_.level == kSent && !is.item;
+  is.sent_all = Spills && external_.level == kSent && !is.item;
   is.mark_first = is.sends && mark && (is.sent_all || (!head.all && is.item && head.bucket <= bucket_of(item().key)));
   is.emit_item = is.mark_first || (is.item && (!is.sends || mark));
   is.outside = is.spilled && !is.mark_first && !is.item_end;
@@ -131,7 +133,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   const bool insert = is.data && is.open && slot_valid(now);
 
   // Buckets.
-  is.spill_job = spill_ == kRelease;
+  is.spill_job = Spills && spill_ == kRelease;
   is.job = is.spill_job || is.mark_waits;
   is.job_set = is.spill_job ? set_ : head.set;
   is.job_all = is.spill_job || head.all;
@@ -179,7 +181,7 @@ Su::Now Su::look(const Machine& m, Cycle now) {
   is.insert = is.next == kInsert;
 
   // Collect.
-  is.record = shown_record(now);
+  is.record = Spills ? shown_record(now) : kNoRecord;
   is.spill_start =
       is.data && is.open && used_ == records_ && (is.drained || (marks_cut_ && m.other_spills(lane_, now)));
   is.write = is.insert;

@@ -169,6 +169,7 @@ class Su {
 
   void begin_split(Cycle now, uint64_t min, uint64_t max);
   void begin_group(Cycle origin);
+  template <bool Spills>  // without: no set is on its way to memory or back
   Now look(const Machine& m, Cycle now);
   void port(Machine& m, Cycle now);
   void divert(Cycle now, const Now& is);

@@ -12,8 +12,9 @@ uint64_t Su::overflow_line(const Machine& m, Area area, uint64_t line) const {
 }
 
 void Su::port(Machine& m, Cycle now) {
-  const bool shown = shown_record(now) != kNoRecord, listed = keys_listed(shown);
   record_taken_ = keys_taken_ = run_taken_ = fetch_taken_ = read_taken_ = false;
+  if (spill_ == kSpillIdle && collect_ != kSpill && choice_ == kNothing && awaited_ == 0) return;
+  const bool shown = shown_record(now) != kNoRecord, listed = keys_listed(shown);
   const bool writes = behind_ == 0;
   if (m.memory.answered(port_)) {
     answers_.push(now, 0);
