@@ -71,7 +71,7 @@ void DramMemory::enter() {
 int DramMemory::step() {
   ++now_;
   dram_.step();
-  enter();
+  if (lines_left_ > 0) enter();
   for (uint32_t id; dram_.done(id);) {
     reads_[id].back = true;
     auto& order = order_[static_cast<size_t>(reads_[id].tag)];

@@ -105,9 +105,8 @@ bool Machine::cycle() {
       step(64 * i + bit, now);
     }
   }
-  if (ru[0].window() == trace.windows.size() && memory.idle() && std::all_of(ru.begin(), ru.end(), [&](const Ru& one) {
-        return one.window() == trace.windows.size() && one.written();
-      })) {
+  if (ru[0].window() == windows_ && memory.idle() &&
+      std::all_of(ru.begin(), ru.end(), [&](const Ru& one) { return one.window() == windows_ && one.written(); })) {
     Cycle end = memory.last_accepted();
     for (const Ru& one : ru) end = std::max(end, one.last_busy());
     cycles_ = end + 1;

@@ -97,6 +97,7 @@ struct Machine {
   std::vector<TimingEvent>* events = nullptr;
 
  private:
+  const size_t windows_ = trace.windows.size();
   std::array<uint64_t, Wheel::kWords> all_{};  // units that this machine has
   Cycle cycles_ = -1;                          // of the frame, when it is done
 };
