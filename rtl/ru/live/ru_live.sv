@@ -70,20 +70,14 @@ module ru_live #(
 );
 
   localparam int unsigned PartSide = pipegs_pkg::PartRegionsX;
+  localparam int unsigned PartsX   = pipegs_pkg::PartsX;
+  localparam int unsigned MaskW    = pipegs_pkg::MaskW;  // regions of a part
   localparam int unsigned ColorsW  = 3 * pipegs_pkg::ColorW;
   localparam int unsigned TW       = pipegs_pkg::TW;
   localparam int unsigned PixelsW  = 3 * pipegs_pkg::RgbW;
   localparam int unsigned BankW    = WordW / Groups;
   localparam int unsigned PairW    = 8 * pipegs_pkg::ExponentBits;
   localparam int unsigned Side     = pipegs_pkg::Window / 2;  // quads
-
-  // Column and row of a region in its window, in regions.
-  function automatic logic [31:0] region_column(input int unsigned region);
-    region_column = region / pipegs_pkg::MaskW % pipegs_pkg::PartsX * PartSide + region % pipegs_pkg::MaskW % PartSide;
-  endfunction
-  function automatic logic [31:0] region_row(input int unsigned region);
-    region_row = region / pipegs_pkg::MaskW / pipegs_pkg::PartsX * PartSide + region % pipegs_pkg::MaskW / PartSide;
-  endfunction
 
   // --- a window begins -----------------------------------------------------------------------------------------------
   logic             clear_q;
@@ -107,8 +101,9 @@ module ru_live #(
       for (int unsigned region = 0; region < Regions; region += 1) begin
         for (int unsigned row = 0; row < 4; row += 1) begin
           for (int unsigned group = 0; group < Groups; group += 1) begin
-            outside[Words*group + 4*(region/Units) + row] |= own_i[region] && (rows_out[4*region_row(region) + row] ||
-                                                             columns_out[4*region_column(region) + (group+2*row)%4]);
+            outside[Words*group + 4*(region/Units) + row] |= own_i[region] &&
+                (rows_out[4*(region/MaskW/PartsX*PartSide + region%MaskW/PartSide) + row] ||
+                 columns_out[4*(region/MaskW%PartsX*PartSide + region%MaskW%PartSide) + (group+2*row)%4]);
           end
         end
       end
