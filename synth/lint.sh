@@ -38,28 +38,30 @@ if [ ${#modules[@]} -eq 0 ] && [ -z "$corners" ]; then
     modules+=("$module")
   done
 fi
-design_point() {  # its settings, from the table
-  sed -nE "/^PIPEGS_POINT\($1,/,/^PIPEGS_END/s/^PIPEGS_(SETTING|PICTURE)\(([a-z_]+), ([0-9]+)\).*/\2=\3/p" \
-    sim/design/design_points.def | paste -sd ' '
-}
-# The machines, as settings; of the first ones verif/cli/static_cost_test.cpp elaborates what --rest leaves out.
-machines=("" "$(design_point fast)")
-[ -z "$rest" ] || machines=()
-machines+=("antialias=1" "tight_cull=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1"
-  "window=16 late=1 order=1 quadratic=1 tile_test=2" "late=1 order=2" "late=1 order=2 quads=1" "bus_w=128 clock_gates=0"
+declare -A point  # settings of each design point
+while read -r name settings; do point[$name]=$settings; done < <(synth/design_points.py)
+# Machines beside the design points, as settings, for what none of those has: pu_compensate; a second cull or living
+# quads in windows of one part; a narrow bus and clocks that never stop; nothing that can be left out.
+others=("antialias=1" "tight_cull=1" "late=1 order=2 quads=1" "bus_w=128 clock_gates=0"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
-simulated=("" "bus_w=0")
-[ -n "$rest" ] || simulated+=("${machines[@]:1}")
-declare -A machine_of=([pu_compensate]="antialias=1" [pu_late]="late=1" [ru_rows]="late=1"
-  [pu_power]="late=1 quadratic=1" [pu_expand]="late=1 order=1" [pu_list]="late=1 order=1" [pu_record]="late=1 order=1"
-  [pu_lines]="order=1" [pu_fill]="order=1" [pu_marks]="late=1 order=2"
-  [pipegs_lists]="late=1 order=1" [pipegs_list_write]="late=1 order=1" [pipegs_list_read]="late=1 order=1"
-  [dopu_depth]="late=1 order=2" [dopu_bucket]="late=1 order=2" [dopu_rank]="late=1 order=2" [dopu_open]="late=1 order=2"
-  [ru_live]="late=1 order=2 quads=1" [ru_regions]="late=1 order=2 quads=1" [ru_power]="late=1 order=2 quads=1"
-  [ru_quads]="late=1 order=2 quads=1" [pu_parts]="late=1 order=2 quads=1 window=128"
-  [pu_reach]="tight_cull=1" [pu_axes]="tile_test=2" [pu_box]="tile_test=2" [pu_touch]="tile_test=2"
-  [dopu_send]="late=1 order=2" [dopu_nearest]="late=1 order=2")
+elaborated=() simulated=("bus_w=0")
+for name in "${!point[@]}"; do
+  # verif/cli/static_cost_test.cpp elaborates these two
+  [[ $rest && ( $name = dop || $name = fast ) ]] || elaborated+=("${point[$name]}")
+done
+elaborated+=("${others[@]}")
+if [ -n "$rest" ]; then simulated+=("${point[dop]}"); else simulated+=("${point[@]}" "${others[@]}"); fi
+# Modules that the default configuration has not: a machine that has them.
+declare -A machine_of=([pu_compensate]="antialias=1")
+of() { local module; for module in "${@:2}"; do machine_of[$module]=${point[$1]}; done; }
+of late pu_late ru_rows
+of baseline pu_power
+of dpc pu_expand pu_list pu_record pipegs_lists pipegs_list_write pipegs_list_read
+of tspp pu_lines pu_fill
+of exact pu_marks dopu_depth dopu_bucket dopu_rank dopu_open dopu_send dopu_nearest
+of fast ru_live ru_regions ru_power ru_quads pu_parts pu_reach
+of gscore pu_axes pu_box pu_touch
 package() {  # the path of the package with these settings
   local folder; folder=$scratch/$(cksum <<< "$1" | tr ' ' _)
   if [ -z "$1" ]; then echo rtl/pipegs_pkg.sv; return; fi
@@ -104,7 +106,7 @@ if [ -n "$corners" ]; then
 fi
 for module in "${modules[@]}"; do lint "$module" "${machine_of[$module]:-}"; done
 for machine in "${simulated[@]}"; do lint pipegs_sim "$machine"; done
-for machine in "${machines[@]}"; do
+for machine in "${elaborated[@]}"; do
   elaborate "$(top_of "$machine")" "$machine"
 done
 if ! synth/misread.sh "${files[@]}"; then echo "FAIL read wrong by Yosys"; failed=$((failed + 1)); fi

@@ -16,8 +16,9 @@ set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 build=${BUILD:-build} here=synth/prove wanted=" $* " proofs=0 mutants=0 failed=0
 out=$build/prove; mkdir -p "$out"
-machines=("" "antialias=1" "late=1" "order=1" "late=1 order=1" "late=1 order=1 quadratic=1"
-  "window=16 late=1 order=1 quadratic=1 tile_test=2" "late=1 order=2" "units=2" "units=1")
+# Machines with the instances to prove: the design points, one with pu_compensate, and fewer units.
+mapfile -t machines < <(synth/design_points.py | sed 's/^[^ ]* *//')
+machines+=("antialias=1" "units=2" "units=1")
 
 package() { if [ "$1" = default ]; then cat rtl/pipegs_pkg.sv; else "$build/cpp_model/package_sv" ${1//,/ }; fi; }
 source_of() {  # the file of a module: the proof's own one, else the RTL

@@ -20,6 +20,7 @@ import signal
 import subprocess
 import sys
 
+import design_points
 import gates
 import gating
 import liberty
@@ -63,14 +64,11 @@ write_rtlil {folder}/design.il
 
 
 def design_point_settings(name):
-    """["key=value", ...] of a design point, from the table sim/design/design_points.def."""
-    with open(f"{ROOT}/sim/design/design_points.def", encoding="utf-8") as file:
-        points = re.findall(r"^PIPEGS_POINT\((\w+), (.*?)^PIPEGS_END\(", file.read(), re.DOTALL | re.MULTILINE)
-    design_points = dict(points)
-    if name not in design_points:
-        raise Failed(f"unknown design point '{name}'; known: {', '.join(design_points)}")
-    settings = re.findall(r"^PIPEGS_(?:SETTING|PICTURE)\((\w+), (\d+)\)", design_points[name], re.MULTILINE)
-    return [f"{key}={value}" for key, value in settings]
+    """["key=value", ...] of a design point."""
+    known = design_points.design_points()
+    if name not in known:
+        raise Failed(f"unknown design point '{name}'; known: {', '.join(known)}")
+    return known[name]
 
 
 def package_of(package_sv, settings):

@@ -19,6 +19,13 @@ function(pipegs_design_point out name)
   set(${out} ${difference} PARENT_SCOPE)
 endfunction()
 
+# pipegs_design_points(OUT): their names, in the order of the table.
+function(pipegs_design_points out)
+  file(STRINGS ${PIPEGS_DESIGN_POINTS} names REGEX "^PIPEGS_POINT")
+  list(TRANSFORM names REPLACE "PIPEGS_POINT.([a-z_]+),.*" "\\1")
+  set(${out} ${names} PARENT_SCOPE)
+endfunction()
+
 # pipegs_machine(TARGET DIFFERENCE): builds the RTL of this configuration where the program looks for it.
 function(pipegs_machine target difference)
   set(settings)
