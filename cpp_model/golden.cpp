@@ -22,7 +22,7 @@
 #include "cpp_model/pu/list/pu_expand.hpp"
 #include "cpp_model/pu/project/pu_factors.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
-#include "cpp_model/pu/parts/pu_parts.hpp"
+#include "cpp_model/pu/pu_parts.hpp"
 #include "cpp_model/pu/project/pu_jacobian.hpp"
 #include "cpp_model/pu/project/pu_orient.hpp"
 #include "cpp_model/pu/project/pu_project.hpp"

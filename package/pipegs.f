@@ -99,7 +99,6 @@ rtl/pu/front/pu_reach.sv
 rtl/pu/list/pu_expand.sv
 rtl/pu/list/pu_list.sv
 rtl/pu/list/pu_record.sv
-rtl/pu/parts/pu_parts.sv
 rtl/pu/pipegs_pu.sv
 rtl/pu/project/pu_compensate.sv
 rtl/pu/project/pu_covariance.sv
@@ -112,6 +111,7 @@ rtl/pu/pu_back.sv
 rtl/pu/pu_deal.sv
 rtl/pu/pu_join.sv
 rtl/pu/pu_marks.sv
+rtl/pu/pu_parts.sv
 rtl/pu/pu_payload.sv
 rtl/pu/pu_phases.sv
 rtl/pu/pu_regions.sv

@@ -17,7 +17,7 @@
 #include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/project/pu_factors.hpp"
 #include "cpp_model/pu/project/pu_jacobian.hpp"
-#include "cpp_model/pu/parts/pu_parts.hpp"
+#include "cpp_model/pu/pu_parts.hpp"
 #include "cpp_model/pu/project/pu_orient.hpp"
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // parts.hpp: from one Gaussian of a window to one pair for each part that its box touches, in the timing model.
 //
-// RTL     rtl/pu/parts/pu_parts.sv.
+// RTL     rtl/pu/pu_parts.sv.
 // Idea    Beats before it are survivors of the cull, beats behind it pairs (trace.hpp). The Gaussian stays where it is
 //         until its last pair has left; pairs leave one per cycle.
 #pragma once

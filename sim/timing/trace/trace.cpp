@@ -7,7 +7,7 @@
 #include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/float/parallel.hpp"
-#include "cpp_model/pu/parts/pu_parts.hpp"
+#include "cpp_model/pu/pu_parts.hpp"
 #include "sim/timing/trace/trace_splat.hpp"
 
 namespace pipegs {

@@ -7,7 +7,7 @@
 #include "cpp_model/golden.hpp"
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
-#include "cpp_model/pu/parts/pu_parts.hpp"
+#include "cpp_model/pu/pu_parts.hpp"
 #include "cpp_model/pu/front/pu_cull.hpp"
 #include "verif/pu/pu_chain.hpp"
 #include "verif/pu/pu_stage.hpp"

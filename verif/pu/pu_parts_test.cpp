@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_parts_test: rtl/pu/parts/pu_parts.sv against its bit-accurate model; the model against the projection in a window
+// pu_parts_test: rtl/pu/pu_parts.sv against its bit-accurate model; the model against the projection in a window
 // as large as the part.
-#include "cpp_model/pu/parts/pu_parts.hpp"
+#include "cpp_model/pu/pu_parts.hpp"
 
 #include "Vpu_parts.h"
 #include "cpp_model/pu/project/pu_project.hpp"

@@ -8,7 +8,7 @@
 // Stream  payload in, one for each Gaussian, in order, not refused; its conic in; one conic beat per part out, and one
 //         cycle before it the payload with the part. Ends pass.
 // Pace    One part per cycle, and one cycle between Gaussians.
-// Model   cpp_model/pu/parts/pu_parts.hpp
+// Model   cpp_model/pu/pu_parts.hpp
 
 module pu_parts (
   input  logic                  clk_i,

@@ -5,7 +5,7 @@
 // Idea    A larger window fetches, culls and projects a Gaussian once for four windows of the old size; behind that the
 //         mean is moved to the first pixel of each part, exactly, and saturated as pu_project does it in a window of
 //         that size: the beat is bit for bit what a machine with windows as large as the part has there.
-// RTL     rtl/pu/parts/pu_parts.sv
+// RTL     rtl/pu/pu_parts.sv
 #pragma once
 
 #include <vector>
