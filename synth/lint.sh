@@ -46,11 +46,12 @@ others=("antialias=1" "tight_cull=1" "late=1 order=2 quads=1" "bus_w=128 clock_g
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 elaborated=() simulated=("bus_w=0")
-for name in "${!point[@]}"; do
-  # verif/cli/static_cost_test.cpp elaborates these two
-  [[ $rest && ( $name = dop || $name = fast ) ]] || elaborated+=("${point[$name]}")
+# verif/cli/static_cost_test.cpp elaborates dop and fast, and machines like these two with two units.
+elsewhere=("${point[dop]}" "${point[fast]}" "tight_cull=1" "late=1 order=2 quads=1")
+for machine in "${point[@]}" "${others[@]}"; do
+  for other in "${elsewhere[@]}"; do [[ -z $rest || $machine != "$other" ]] || continue 2; done
+  elaborated+=("$machine")
 done
-elaborated+=("${others[@]}")
 if [ -n "$rest" ]; then simulated+=("${point[dop]}"); else simulated+=("${point[@]}" "${others[@]}"); fi
 # Modules that the default configuration has not: a machine that has them.
 declare -A machine_of=([pu_compensate]="antialias=1")
