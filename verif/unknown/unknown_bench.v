@@ -10,6 +10,7 @@
 //         clock, enable or address of a memory in it), in a request, in the halves that a write changes. A request lies
 //         in the memory; the lines of a read lie in one aligned group of eight. In the end each line of the pixels is
 //         there, each half written once, bit for bit.
+// Fault   With +forgets the valids of the line readers forget whether there is a job (unknown.sh): an X must show.
 // Files   Of unknown_stimulus: sizes.vh, inputs.vh (ports taken with the frame), memory.hex, places.hex, expected.hex.
 //         Of unknown.sh: watched.vh.
 
@@ -63,6 +64,8 @@ module unknown_bench;
   // --- what goes wrong ----------------------------------------------------------------------------------------------
   integer cycle, faults, quiet, i;
   reg     taken, over;
+  reg     forgets;
+  initial forgets = $test$plusargs("forgets") != 0;
 
   task fault(input [8*200-1:0] what);
     begin
