@@ -2,7 +2,7 @@
 # PipeGS. `make run` and `make test` do all their set-up on a fresh Debian 12 machine; nothing is done twice.
 
 BUILD ?= build
-RUNG ?= fast
+DESIGN ?= fast
 PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm-dev libpng-dev zlib1g-dev \
             libwebp-dev libzstd-dev libminizip-dev libjpeg62-turbo-dev pkg-config libcli11-dev nlohmann-json3-dev \
             libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
@@ -78,15 +78,15 @@ prove: tools $(BUILD)/build.ninja  ## formal proofs, and mutants of the RTL that
 	cmake --build $(BUILD) --target package_sv
 	BUILD=$(BUILD) synth/prove.sh
 
-synth: tools $(BUILD)/build.ninja  ## area and longest paths of every module; RUNG=, SET="key=value", LIBERTY=, JOBS=
+synth: tools $(BUILD)/build.ninja  ## area and longest paths of every module; DESIGN=, SET="key=value", LIBERTY=, JOBS=
 	@$(call INSTALL,$(GATES))
 	@cmake --build $(BUILD) --target package_sv >/dev/null
-	@synth/synth.py --build $(BUILD) --rung $(RUNG) --set "$(SET)" \
+	@synth/synth.py --build $(BUILD) --design $(DESIGN) --set "$(SET)" \
 	  $(if $(LIBERTY),--liberty $(LIBERTY)) $(if $(JOBS),--jobs $(JOBS))
 
-fpga: tools $(BUILD)/build.ninja  ## what it takes of an FPGA, unit by unit; RUNG=, UNITS=1,2,4, FAMILIES=, SET=, JOBS=
+fpga: tools $(BUILD)/build.ninja  ## what it takes of an FPGA by unit; DESIGN=, UNITS=1,2,4, FAMILIES=, SET=, JOBS=
 	@cmake --build $(BUILD) --target package_sv >/dev/null
-	@synth/fpga/fpga.py --build $(BUILD) --rung $(RUNG) --set "$(SET)" $(if $(UNITS),--units $(UNITS)) \
+	@synth/fpga/fpga.py --build $(BUILD) --design $(DESIGN) --set "$(SET)" $(if $(UNITS),--units $(UNITS)) \
 	  $(if $(FAMILIES),--families $(FAMILIES)) $(if $(JOBS),--jobs $(JOBS))
 
 format:  ## apply the formats of C++ and Python

@@ -2,7 +2,8 @@
 // frame_setup: a camera in fixed point: what the host writes into the machine before it starts a frame.
 //
 // Paper   Sec. 2.1 (projection constants).        RTL  frame_t of rtl/pipegs_pkg.sv, constant while a frame runs
-// Idea    The driver computes it (sim/driver/pipegs_frame.c, C99, integers alone), as a user's program does; here its
+// Idea    The driver computes it (cpp_model/driver/pipegs_frame.c, C99, integers alone), as a user's program does;
+// here its
 //         arguments are made of C++ ones, a double as the two parts that it has, and its refusals become one line. What
 //         does not fit its field is an error, never a clamp.
 #pragma once
@@ -14,7 +15,7 @@
 #include "cpp_model/records.hpp"
 #include "scenes/camera.hpp"
 #include "cpp_model/pack/pack.hpp"
-#include "sim/driver/pipegs_frame.h"
+#include "cpp_model/driver/pipegs_frame.h"
 
 namespace pipegs {
 

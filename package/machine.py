@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""machine.py [--rung NAME] FOLDER [key=value ...]: another machine for a system: its package and its list of files.
+"""machine.py [--design NAME] FOLDER [key=value ...]: another machine for a system: its package and its list of files.
 
 Writes FOLDER/pipegs_pkg.sv and FOLDER/pipegs.f, the list of files with that package and with whole paths. Settings are
 those of the design point, then taps=0 (taps are for the harness alone), then those given, entries of
@@ -19,12 +19,12 @@ from jobs import Failed  # noqa: E402
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--rung", default="fast", help="a design point (sim/design/design_points.def)")
+    parser.add_argument("--design", default="fast", help="a design point (sim/design/design_points.def)")
     parser.add_argument("--package-sv", default=str(ROOT / "build/cpp_model/package_sv"), help="what prints packages")
     parser.add_argument("folder")
     parser.add_argument("settings", nargs="*", metavar="key=value")
     options = parser.parse_args()
-    settings = [*synth.design_point_settings(options.rung), "taps=0", *options.settings]
+    settings = [*synth.design_point_settings(options.design), "taps=0", *options.settings]
     try:
         package = synth.package_of(options.package_sv, settings)
     except FileNotFoundError:

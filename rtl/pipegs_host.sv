@@ -8,7 +8,7 @@
 // Stream  s_axi: AXI4-Lite, see pipegs_control_bus. mem_*: see pipegs_memory_arbiter; a read belongs to the epoch
 //         that shows with it.
 // Pace    A frame begins four cycles after the bus has taken the write of CONTROL.start.
-// Model   The harness drives it as software does: sim/driver, sim/rtl/rtl_bridge.cpp.
+// Model   The harness drives it as software does: cpp_model/driver, sim/rtl/rtl_bridge.cpp.
 
 module pipegs_host #(
   localparam int unsigned LineW    = pipegs_pkg::AddressW,

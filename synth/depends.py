@@ -5,7 +5,7 @@ knob.
 
 Idea    A block depends on a knob when its elaborated text changes with it, but for the order of its lines and the
         numbers of nameless signals, which Yosys gives out anew. Nothing is mapped, so this is exact and cheap, and the
-        area model's least squares (sim/study/silicon/area/area_model.hpp) never lays one knob's area on another.
+        area model's least squares (sim/silicon/area/area_model.hpp) never lays one knob's area on another.
 Rule    What there is once in each unit, or in each PU that fetches, and is so with any number of them, does not depend
         on that number. A knob that a design point cannot take is none of it.
 """

@@ -45,7 +45,7 @@ PLAIN = re.compile(r"[A-Za-z_]\w*(\[\d+\])?(\.[A-Za-z_]\w*(\[\d+\])?)*$")  # a n
 
 
 class Program:
-    """The enables of a module's gates, for the evaluator in sim/study/silicon/energy/enables.hpp.
+    """The enables of a module's gates, for the evaluator in sim/silicon/energy/enables.hpp.
 
     leaves [[name, bit]] and operations [[what, node, ...]]: nodes 0 and 1 are constants, then leaves, then these.
     gates [[node of the enable, node of one bit that is clocked]], None where it cannot be said."""

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """points.py: synthesises configurations around three design points into synth/data/points.csv and paths.csv, which the
-models of area and clock interpolate (sim/study/silicon/area: area_model.hpp, path_model.hpp).
+models of area and clock interpolate (sim/silicon/area: area_model.hpp, path_model.hpp).
 
 Idea    A row is a block of the machine in one configuration: a module with what it holds of rtl/lib. A block depends on
         few knobs, so few configurations tell them apart: those in which knobs move that seldom meet in a block, then

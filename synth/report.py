@@ -163,7 +163,7 @@ def summary(machine, modules, configuration, library, seconds):
 
 
 def enables(machine, modules, configuration, library):
-    """What sim/study/silicon/energy/enables.hpp reads."""
+    """What sim/silicon/energy/enables.hpp reads."""
     entries = {}
     for module, _, _ in walk(modules["pipegs_top"]):
         if module.base in (rtlil.MEMORY, rtlil.GATE) or module.name in entries:

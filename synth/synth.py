@@ -329,7 +329,7 @@ def main():
     parser = argparse.ArgumentParser(
         description="The machine in gates of a liberty library; prints and writes areas and longest paths."
     )
-    parser.add_argument("--rung", default="dop", help="a design point (sim/design/design_points.def)")
+    parser.add_argument("--design", default="dop", help="a design point (sim/design/design_points.def)")
     parser.add_argument("--set", default="", dest="settings", help='"key=value ...", entries of cpp_model/config.def')
     parser.add_argument(
         "--liberty", default="/usr/share/qflow/tech/osu018/osu018_stdcells.lib", help="the library, .gz too"
@@ -349,7 +349,7 @@ def main():
     begin = report.now()
     if not os.path.exists(options.liberty):
         raise Failed(f"no library {options.liberty}")
-    settings = [*design_point_settings(options.rung), *options.settings.split()]
+    settings = [*design_point_settings(options.design), *options.settings.split()]
     package = package_of(f"{options.build}/cpp_model/package_sv", settings)
     if re.search(r"\bClockGates += 0;", package):
         raise Failed("clock_gates=0 is an FPGA's machine (make fpga): its pipegs_clock_gate cannot stand for enables")

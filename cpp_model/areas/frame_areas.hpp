@@ -3,7 +3,7 @@
 //
 // RTL     areas_t of rtl/pipegs_pkg.sv, taken with the frame
 // Idea    The overflow area is as large as the frame can need at most: the driver says how large that is
-//         (pipegs_overflow_size of sim/driver/pipegs_frame.h), to a user's program and to the model.
+//         (pipegs_overflow_size of cpp_model/driver/pipegs_frame.h), to a user's program and to the model.
 // Units   Lines of external memory.
 #pragma once
 

@@ -10,7 +10,7 @@
 #include "cpp_model/control/registers.hpp"
 #include "cpp_model/records.hpp"
 #include "cpp_model/ru/ru_raster.hpp"
-#include "sim/driver/pipegs.h"
+#include "cpp_model/driver/pipegs.h"
 
 namespace pipegs {
 

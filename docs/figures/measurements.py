@@ -90,7 +90,8 @@ STORES = {  # of the design point dop: lines of an alpha store, and layers that 
     "lines8192_layers4": "--set alpha_lines=8192 --set alpha_layers=4",
     "lines8192": "--set alpha_lines=8192",
 }
-STORES = {name: f"--rung dop {change}".rstrip() for name, change in STORES.items()} | {"baseline": "--rung baseline"}
+STORES = {name: f"--design dop {change}".rstrip() for name, change in STORES.items()}
+STORES["baseline"] = "--design baseline"
 POSITIONS = {"plain": "", "finer": " --set pos_w=18 --set base_w=14"}  # of dop: a record has as many bytes
 ADDED = {  # from exact towards fast: what each step adds to the one before
     "fine_quads": ("the numbers of `sim/fine.cfg`, living quads", "--config sim/fine.cfg --set quads=1"),
@@ -103,24 +104,24 @@ ADDED = {  # from exact towards fast: what each step adds to the one before
 }
 SUMS = accumulate((change for _, change in ADDED.values()), "{} {}".format)
 STEPS = {name: (what, change) for (name, (what, _)), change in zip(ADDED.items(), SUMS)}
-STEPS = {name: (what, f"--rung exact {change}") for name, (what, change) in STEPS.items()}
-STEPS["fast"] = ("pixels of 32 bits, 1408 records, 1024 nodes, a watermark every 7 chunks: `fast`", "--rung fast")
-COSTED = {"exact": ("`exact`", "--rung exact")} | STEPS  # with their area and energy
+STEPS = {name: (what, f"--design exact {change}") for name, (what, change) in STEPS.items()}
+STEPS["fast"] = ("pixels of 32 bits, 1408 records, 1024 nodes, a watermark every 7 chunks: `fast`", "--design fast")
+COSTED = {"exact": ("`exact`", "--design exact")} | STEPS  # with their area and energy
 EQUAL_AREA = "--equal-area 3.283 "  # mm2 of the paper's chip; `make synth` of half of each machine comes first
 LARGE = {  # showroom, 3.0 M Gaussians
-    "exact": ("`exact`", "--rung exact"),
-    "fast": ("`fast`", "--rung fast"),
-    "fast_records4096": ("`fast` and `--set records=4096`", "--rung fast --set records=4096"),
+    "exact": ("`exact`", "--design exact"),
+    "fast": ("`fast`", "--design fast"),
+    "fast_records4096": ("`fast` and `--set records=4096`", "--design fast --set records=4096"),
 }
 SCALED = {  # docs/data/scale: our own scene in parts, and the view; millions of Gaussians, then pixels
     **{f"gaussians_{millions}m": (f"own_{millions}m", 0) for millions in (1, 2, 4, 8, 16)},
     **{f"pixels_{size}": ("own_1m", VIEWS_OF_SIZE * place) for place, size in enumerate(SIZES) if place},
 }
 SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
-    "dop": "--rung dop ", "exact": "--rung exact ", "exact_fine": "--rung exact --config sim/fine.cfg ",
-    "exact_quads": "--rung exact --config sim/fine.cfg --set quads=1 ",
-    "fast": "--rung fast ",
-    "exact_records1024": "--rung exact --set records=1024 ", "dop_sky130": "--rung dop --library sky130hd_tt ",
+    "dop": "--design dop ", "exact": "--design exact ", "exact_fine": "--design exact --config sim/fine.cfg ",
+    "exact_quads": "--design exact --config sim/fine.cfg --set quads=1 ",
+    "fast": "--design fast ",
+    "exact_records1024": "--design exact --set records=1024 ", "dop_sky130": "--design dop --library sky130hd_tt ",
 }
 MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
     "dop": "", "gscore": "window=16 late=1 order=1 quadratic=1 tile_test=2 records=2048",
@@ -184,21 +185,22 @@ PRINTS = {  # a test that prints what it measures: its room, the line, names of 
 TABLE = [
     *[Measurement(f"ladder/{scene}", "build/pipegs ladder {scene} --json", ladder, RTL, scene, points=POINTS,
                   chart=f"ladder_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
-    *[Measurement(f"terms/{scene}", "build/pipegs ladder {scene} --terms paper --json", terms,
+    *[Measurement(f"terms/{scene}", "build/pipegs terms {scene} --json", terms,
                   ("models", "memory", "terms"), scene) for scene in (*FOUR, "plushdog")],
-    *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --rungs baseline,dop,exact,fast --json", sweep, MODEL,
+    *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --designs baseline,dop,exact,fast --json", sweep, MODEL,
                   scene, points=("baseline", "dop", "exact", "fast"),
                   chart=f"sweep_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
-    *[Measurement(f"what_if/{scene}/{name}", f"build/pipegs model {{scene}} --rung exact {change} --json", one_model,
+    *[Measurement(f"what_if/{scene}/{name}", f"build/pipegs model {{scene}} --design exact {change} --json", one_model,
                   MODEL, scene, points=("exact",)) for name, change in WHAT_IF.items() for scene in FOUR],
-    *[Measurement(f"bus/{scene}/bits{bits}", f"build/pipegs model {{scene}} --rung fast --set bus_w={bits} --json",
+    *[Measurement(f"bus/{scene}/bits{bits}", f"build/pipegs model {{scene}} --design fast --set bus_w={bits} --json",
                   one_model, MODEL, scene, points=("fast",)) for bits in BUSES for scene in FOUR],
-    *[Measurement(f"views/{scene}", "build/pipegs sim {scene} --rung fast --views 0-2 --json", views, RTL, scene, None,
+    *[Measurement(f"views/{scene}",
+                  "build/pipegs sim {scene} --design fast --views 0-2 --json", views, RTL, scene, None,
                   ("fast",)) for scene in CHARTED],
-    *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --rung fast --path 120 --no-rtl --frames none "
+    *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --design fast --path 120 --no-rtl --frames none "
                   f"--out paths/{scene} --json", walk, (*MODEL, "path", "synth"), scene, None, ("fast",))
       for scene in CHARTED],
-    *[Measurement(f"walks/{name}", f"build/pipegs sim --rung fast --path 5 --scale 0.25 {option}--frames none "
+    *[Measurement(f"walks/{name}", f"build/pipegs sim --design fast --path 5 --scale 0.25 {option}--frames none "
                   f"--out paths/{name} --json", walk_frames, (*RTL, "timing", "path"), "own", None, ("fast",))
       for name, option in (("rtl", ""), ("model", "--no-rtl "))],
     *[Measurement(f"steps/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_model, MODEL, scene,
@@ -207,28 +209,29 @@ TABLE = [
                   points=(change.split()[1],)) for name, (_, change) in COSTED.items()],
     *[Measurement(f"large/showroom/{name}", f"build/pipegs model {{scene}} {options} --json", large_model, MODEL,
                   "showroom", points=(options.split()[1],)) for name, (_, options) in LARGE.items()],
-    *[Measurement(f"scale/sim/{name}", "build/pipegs sim {scene} --rung dop --no-rtl --json", host, ("models",), scene,
+    *[Measurement(f"scale/sim/{name}",
+                  "build/pipegs sim {scene} --design dop --no-rtl --json", host, ("models",), scene,
                   view, ("dop",)) for name, (scene, view) in SCALED.items()],
-    *[Measurement(f"scale/model/{name}", "build/pipegs model {scene} --rung fast --set records=4096 --json",
+    *[Measurement(f"scale/model/{name}", "build/pipegs model {scene} --design fast --set records=4096 --json",
                   host_model, MODEL, scene, view, ("fast",))
       for name, (scene, view) in SCALED.items()],
-    *[Measurement(f"lanes/{scene}", "build/pipegs sim {scene} --rung exact --set quads=1 --no-rtl --no-truth --json",
+    *[Measurement(f"lanes/{scene}", "build/pipegs sim {scene} --design exact --set quads=1 --no-rtl --no-truth --json",
                   lanes, ("models",), scene, points=("exact",)) for scene in FOUR],
-    *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --rung dop --json", frame, RTL, scene, view,
+    *[Measurement(f"results/{scene}_{view}", "build/pipegs sim {scene} --design dop --json", frame, RTL, scene, view,
                   ("dop",))
       for scene in ("terrace", "statue", "plushdog") for view in (0, 1, 2)],
     *[Measurement(f"truth/{scene}_{view}", "build/pipegs render {scene} --model truth --semantics inria "
                   f"--compare {{reference}} --out build/figures/truth", difference, ("models",), scene, view,
                   exit_codes=(0, 1))
       for scene in ("terrace", "statue", "plushdog") for view in (0, 1, 2)],
-    *[Measurement(f"model/{scene}", f"build/pipegs model {{scene}} --rungs {','.join(POINTS)} --json", models, MODEL,
+    *[Measurement(f"model/{scene}", f"build/pipegs model {{scene}} --designs {','.join(POINTS)} --json", models, MODEL,
                   scene, points=POINTS) for scene in FOUR],
-    Measurement("model/check", f"build/pipegs model --rungs {','.join(POINTS)} --check --json", models,
+    Measurement("model/check", f"build/pipegs model --designs {','.join(POINTS)} --check --json", models,
                 ("rtl", *MODEL), points=POINTS),
-    *[Measurement(f"profile/{scene}_chunk32", "build/pipegs profile {scene} --rung dop --no-rtl --set chunk=32 "
+    *[Measurement(f"profile/{scene}_chunk32", "build/pipegs profile {scene} --design dop --no-rtl --set chunk=32 "
                   "--set group=16 --json", fetched, ("models",), scene, points=("dop",))
       for scene in ("terrace", "statue")],
-    *[Measurement(f"pipelines/{scene}", "build/pipegs timeline {scene} --pipelines --json", dict, RTL, scene,
+    *[Measurement(f"pipelines/{scene}", "build/pipegs rivals {scene} --pipelines --json", dict, RTL, scene,
                   points=("dop", "fast"), chart=f"rivals/pipelines_{scene}.svg") for scene in ("own", "terrace")],
     *[Measurement(f"printed/{scene}", "build/pipegs profile {scene} --json", profile, RTL, scene, points=("baseline",))
       for scene in FOUR],
@@ -245,36 +248,38 @@ TABLE = [
     Measurement("dram/worth", "build/pipegs dram --mappings", tables("mappings", "steps"), ("memory",)),
     *[Measurement(f"stores/{scene}/{name}", f"build/pipegs model {{scene}} {change} --json", one_store, MODEL, scene,
                   points=(change.split()[1],)) for name, change in STORES.items() for scene in FOUR],
-    *[Measurement(f"positions/{scene}/{name}", f"build/pipegs sim {{scene}} --rung dop{change} --no-rtl --json", errors,
+    *[Measurement(f"positions/{scene}/{name}",
+                  f"build/pipegs sim {{scene}} --design dop{change} --no-rtl --json", errors,
                   ("models",), scene, points=("dop",)) for name, change in POSITIONS.items() for scene in FOUR],
     *[Measurement(f"silicon/{name}", f"build/pipegs silicon {options}--no-energy --json", silicon, ("rtl", "synth"),
                   points=(options.split()[1],)) for name, options in SYNTHESISED.items()],
-    *[Measurement(f"fpga/{point}_{family}_{units}", f"synth/fpga/fpga.py --build build/. --rung {point} "
+    *[Measurement(f"fpga/{point}_{family}_{units}", f"synth/fpga/fpga.py --build build/. --design {point} "
                   f"--units {units} --families {family} --json", fpga, ("rtl", "fpga"), points=(point,))
       for point in ("dop", "fast") for family in ("xcup", "ecp5") for units in (1, 2, 4)],
-    Measurement("shapes/own", "build/pipegs shapes --rung exact --json", shapes, MODEL, points=("exact",),
+    Measurement("shapes/own", "build/pipegs shapes --design exact --json", shapes, MODEL, points=("exact",),
                 chart="shapes_own.svg"),
-    Measurement("shapes/fast", "build/pipegs shapes --rung fast --json", shapes, MODEL, points=("fast",)),
-    *[Measurement(f"energy/{scene}", f"build/pipegs silicon {{scene}} --rungs {','.join(POINTS)} --json", energy,
+    Measurement("shapes/fast", "build/pipegs shapes --design fast --json", shapes, MODEL, points=("fast",)),
+    *[Measurement(f"energy/{scene}", f"build/pipegs silicon {{scene}} --designs {','.join(POINTS)} --json", energy,
                   (*RTL, "synth"), scene, points=POINTS, chart="silicon.svg" if scene == "own" else "")
       for scene in FOUR],
-    *[Measurement(f"equal_area/{scene}", f"build/pipegs silicon {{scene}} --rungs {','.join(POINTS)} {EQUAL_AREA}"
+    *[Measurement(f"equal_area/{scene}", f"build/pipegs silicon {{scene}} --designs {','.join(POINTS)} {EQUAL_AREA}"
                   "--no-energy --json", equal_area, ("rtl", *MODEL, "synth"), scene, points=POINTS) for scene in FOUR],
-    *[Measurement(f"energy/{scene}_sky130", "build/pipegs silicon {scene} --rung dop --library sky130hd_tt --json",
+    *[Measurement(f"energy/{scene}_sky130", "build/pipegs silicon {scene} --design dop --library sky130hd_tt --json",
                   energy, (*RTL, "synth"), scene, points=("dop",)) for scene in CHARTED],
-    *[Measurement(f"accuracy/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --out accuracy/{scene} "
+    *[Measurement(f"accuracy/{scene}",
+                  f"build/pipegs accuracy {{scene}} --design exact --resume --out accuracy/{scene} "
                   "--json", accuracy, MODEL, scene, points=("exact",)) for scene in ("own", "terrace", "statue")],
-    *[Measurement(f"accuracy_rtl/{scene}", f"build/pipegs accuracy {{scene}} --rung exact --resume --rtl "
+    *[Measurement(f"accuracy_rtl/{scene}", f"build/pipegs accuracy {{scene}} --design exact --resume --rtl "
                   f"--out accuracy/{scene} --json", accuracy_rtl, (*RTL, "timing"), scene, points=("exact",))
       for scene in ("own", "terrace", "statue")],
-    Measurement("accuracy/own_dop", "build/pipegs accuracy --rung dop --knobs alpha_w --points 0 "
+    Measurement("accuracy/own_dop", "build/pipegs accuracy --design dop --knobs alpha_w --points 0 "
                 "--out accuracy/own_dop --json", accuracy, MODEL, points=("dop",)),
-    *[Measurement(f"fine/{scene}/{name}", f"build/pipegs sim {{scene}} --rung exact {options}--json", compared, RTL,
+    *[Measurement(f"fine/{scene}/{name}", f"build/pipegs sim {{scene}} --design exact {options}--json", compared, RTL,
                   scene, points=("exact",)) for scene in FOUR
       for name, options in (("plain", ""), ("fine", "--config sim/fine.cfg "))],
     Measurement("accuracy/leave_one_out", "build/verif/silicon/silicon_test '--gtest_filter=*LeaveOneOut*'",
                 leave_one_out, ("rtl", "synth")),
-    *[Measurement(f"fidelity/{scene}", "build/pipegs fidelity {scene} --rung exact --json", fidelity,
+    *[Measurement(f"fidelity/{scene}", "build/pipegs fidelity {scene} --design exact --json", fidelity,
                   (*RTL, "timing"), scene, points=("exact",)) for scene in CHARTED],
     *[Measurement(f"tradeoff/{scene}", "build/pipegs tradeoff {scene} --json", tradeoff, MODEL, scene, points=("fast",),
                   chart=f"tradeoff/{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
@@ -283,12 +288,12 @@ TABLE = [
                   scene) for scene in (*FOUR, "plushdog")],
     Measurement("tradeoff/statue_records4096", "build/pipegs tradeoff {scene} --set records=4096 --together 0 --json",
                 tradeoff, MODEL, "statue", points=("fast",)),
-    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --rung dop --json", effects, MODEL, scene,
+    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --design dop --json", effects, MODEL, scene,
                   points=("dop",)) for scene in ("own", "terrace", "plushdog", "flowers", "statue", "showroom")],
-    *[Measurement(f"effects_gain/{scene}_{point}", f"build/pipegs effects {{scene}} --rung {point} --measure "
+    *[Measurement(f"effects_gain/{scene}_{point}", f"build/pipegs effects {{scene}} --design {point} --measure "
                   "--rounds 2 --json", effects_gain, RTL, scene, points=(point,))
       for scene in ("own", "statue", "plushdog", "terrace") for point in ("dop", "exact")],
-    *[Measurement(f"netlist/{scene}_{window.replace(',', '_')}/{kind}", f"build/pipegs sim {{scene}} --rung dop "
+    *[Measurement(f"netlist/{scene}_{window.replace(',', '_')}/{kind}", f"build/pipegs sim {{scene}} --design dop "
                   f"--window {window} {option}--no-truth --json", netlist, (*RTL, "synth"), scene, points=("dop",))
       for scene, window in (("own", "8,6"), ("own", "15,11"), ("terrace", "9,6"))
       for kind, option in (("gates", "--netlist "), ("rtl", ""))],
@@ -312,6 +317,6 @@ TABLE = [
     *[Measurement(f"viewer/{scene}", f"verif/page/viewer.sh build/pipegs {{scene}} {options}--no-rtl --no-truth",
                   pick("bytes", "ready_ms", "psnr_db"), ("models", "page"), scene, points=("fast",))
       for scene, options in VIEWED.items()],
-    Measurement("budget/random", "build/pipegs budget --rung dop --count 1000000 --json", budget, ("models",),
+    Measurement("budget/random", "build/pipegs budget --design dop --count 1000000 --json", budget, ("models",),
                 chart="error_budget.svg"),
 ]

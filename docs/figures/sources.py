@@ -14,27 +14,32 @@ ROOT = Path(__file__).resolve().parents[2]
 SHARED = Path(os.environ.get("PIPEGS_SHARED", ROOT.parent / "shared"))
 GROUPS = {  # name of a group: the folders or files that make it
     "rtl": ["rtl"],
-    "models": ["cpp_model", "sim/driver/pipegs_frame.c", "sim/driver/pipegs_wide.h", "scenes/generate"],
+    "models": ["cpp_model", "cpp_model/driver/pipegs_frame.c", "cpp_model/driver/pipegs_wide.h", "scenes/generate"],
     "orders": [
-        "sim/study/rivals/pixels",
-        *(f"sim/study/rivals/count/{name}.{end}" for name in ("cover", "meet", "seen") for end in ("cpp", "hpp")),
+        "sim/studies/rivals/pixels",
+        *(f"sim/studies/rivals/count/{name}.{end}" for name in ("cover", "meet", "seen") for end in ("cpp", "hpp")),
     ],
     "timing": ["sim/timing"],
     "memory": ["sim/memory"],
     "path": ["scenes/cameras/path.cpp"],
     "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
-    "train": ["sim/train"],
+    "train": ["sim/studies/train"],
     "page": [
         "sim/report/page/package-lock.json",
         "sim/report/page/viewer",
         "sim/report/html/viewer.cpp",
         "scenes/packed/write_spz.cpp",
     ],
-    "terms": ["sim/study/terms", "sim/study/rivals/count", "sim/study/rivals/counts.cpp", "sim/study/rivals/frame"],
+    "terms": [
+        "sim/studies/terms",
+        "sim/studies/rivals/count",
+        "sim/studies/rivals/counts.cpp",
+        "sim/studies/rivals/frame",
+    ],
     "synth": ["synth/synth.py", "synth/gating.py"],
     "fpga": ["synth/fpga/fpga.py"],
-    "rivals": ["sim/study/rivals"],
+    "rivals": ["sim/studies/rivals"],
     "proofs": ["synth/prove", "synth/prove.sh"],
 }
 SCENES = {  # scene: its file or folder in the folder of scenes

@@ -45,11 +45,12 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
   add_place(app, "--window", window,
             "only this window (pixels of `fast` 128x128, of gscore 16x16, of the others 64x64)");
   if (which != DesignPoints::kSeveral)
-    app.add_option("--rung", design_point, fmt::format("design point: {} (--set comes after it)", design_point_names()))
+    app.add_option("--design", design_point,
+                   fmt::format("design point: {} (--set comes after it)", design_point_names()))
         ->capture_default_str();
   if (which != DesignPoints::kOne) {
-    const char* otherwise = which == DesignPoints::kSeveral ? "all of them without it" : "instead of --rung";
-    add_names(app, "--rungs", design_points,
+    const char* otherwise = which == DesignPoints::kSeveral ? "all of them without it" : "instead of --design";
+    add_names(app, "--designs", design_points,
               fmt::format("which design points, by commas, {}: {}", otherwise, design_point_names()));
   }
   app.add_option("--config", config, "file with a configuration entry in each line, key=value; # begins a comment");

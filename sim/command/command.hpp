@@ -34,7 +34,7 @@ using Run = std::function<int()>;
 std::string footer(const std::string& example, const std::string& agrees, const std::string& differs = "",
                    const std::string& notes = "");
 
-// Which design points a subcommand runs: --rung, --rungs (all of them without it), or either.
+// Which design points a subcommand runs: --design, --designs (all of them without it), or either.
 enum class DesignPoints { kOne, kSeveral, kOneOrSeveral };
 
 // A scene of a file, and how it is read.
@@ -65,8 +65,8 @@ struct ViewArguments {
   SimulateOptions options(const DesignPoint& design_point) const;
   // Of several; with --window their windows must be of one size.
   std::vector<SimulateOptions> options(const std::vector<const DesignPoint*>& several) const;
-  std::vector<SimulateOptions> each() const;  // of --rungs, or the one of --rung
-  // The paper's machine, `dop` as it is, and behind it that of --rung, --config and --set where it is another one.
+  std::vector<SimulateOptions> each() const;  // of --designs, or the one of --design
+  // The paper's machine, `dop` as it is, and behind it that of --design, --config and --set where it is another one.
   std::vector<SimulateOptions> paper_and_own() const;
 };
 
@@ -101,23 +101,15 @@ void add_sim(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);
 void add_ladder(CLI::App& app, Run& run);
-void add_profile(CLI::App& app, Run& run);
 void add_timeline(CLI::App& app, Run& run);
 void add_sweep(CLI::App& app, Run& run);
-void add_dram(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
-void add_accuracy(CLI::App& app, Run& run);
-void add_fidelity(CLI::App& app, Run& run);
-void add_tradeoff(CLI::App& app, Run& run);
-void add_stress(CLI::App& app, Run& run);
-void add_budget(CLI::App& app, Run& run);
 void add_effects(CLI::App& app, Run& run);
 void add_silicon(CLI::App& app, Run& run);
-void add_shapes(CLI::App& app, Run& run);
-void add_rivals(CLI::App& app, Run& run);
-void add_train(CLI::App& app, Run& run);
 void add_campaign(CLI::App& app, Run& run);
 void add_point(CLI::App& app, Run& run);
 void add_report(CLI::App& app, Run& run);
+// Those of sim/studies.
+void add_studies(CLI::App& app, Run& run);
 
 }  // namespace pipegs

@@ -5,7 +5,7 @@
 // Why     The parser of the command line would leave out empty elements: a,,b would be a,b. And it would take the words
 //         behind the list for more of it, the scene among them.
 // Rule    Each element is there, a name comes once, and the option comes once.
-// Errors  CLI::ValidationError: "--rungs: found 'dop,,late', expected elements by commas, none of them empty".
+// Errors  CLI::ValidationError: "--designs: found 'dop,,late', expected elements by commas, none of them empty".
 #pragma once
 
 #include <fmt/format.h>

@@ -78,21 +78,11 @@ int main(int argc, char** argv) {
   add_render(app, run);
   add_explain(app, run);
   add_ladder(app, run);
-  add_profile(app, run);
   add_timeline(app, run);
   add_sweep(app, run);
-  add_dram(app, run);
   add_model(app, run);
-  add_accuracy(app, run);
-  add_fidelity(app, run);
-  add_tradeoff(app, run);
-  add_stress(app, run);
-  add_budget(app, run);
   add_effects(app, run);
   add_silicon(app, run);
-  add_shapes(app, run);
-  add_rivals(app, run);
-  add_train(app, run);
   add_campaign(app, run);
   add_point(app, run);
   add_report(app, run);
@@ -100,6 +90,7 @@ int main(int argc, char** argv) {
   add_convert(app, run);
   add_split(app, run);
   add_pack(app, run);
+  add_studies(app, run);
   try {
     return run_command(app, argc, argv, run);
   } catch (const std::exception& error) { return tell(error); }

@@ -90,7 +90,7 @@ std::string machine_name(const Config& config) {
 std::string machine_words(const Config& config) {
   const std::string name = design_point_name(config);
   const Config base = name.empty() ? Config{} : find_design_point(name).config;
-  std::string words = fmt::format("--rung {}", name.empty() ? "dop" : name);
+  std::string words = fmt::format("--design {}", name.empty() ? "dop" : name);
   for (const ConfigEntry& entry : config_entries(config)) {
     if (entry.member != nullptr && base.*entry.member != entry.value)
       words += fmt::format(" --set {}={}", entry.name, entry.value);

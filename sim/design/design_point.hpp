@@ -27,7 +27,7 @@ struct DesignPoint {
   Config picture;  // only what changes pixels: design points that are equal here draw the same picture, bit for bit
 };
 
-// What a command runs without --rung. A plain Config{} is the paper's final design, `dop`.
+// What a command runs without --design. A plain Config{} is the paper's final design, `dop`.
 inline constexpr std::string_view kDefaultDesignPoint = "fast";
 
 // From the paper's baseline upwards.
@@ -44,7 +44,7 @@ std::vector<const DesignPoint*> find_design_points(
 std::string design_point_name(const Config& config);
 // How a table calls a machine: the design point when it is that and nothing else, or all that is set.
 std::string machine_name(const Config& config);
-// The same machine as every command takes it: --rung, and a --set for each entry in which it is another one.
+// The same machine as every command takes it: --design, and a --set for each entry in which it is another one.
 std::string machine_words(const Config& config);
 
 }  // namespace pipegs

@@ -22,7 +22,7 @@ out=$(cd "$out" && pwd)
 exec 9> "$out/lock"
 flock 9
 if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl/rtl_bridge.cpp" "$root/sim/rtl/"*.hpp \
-    "$root/sim/rtl/pins" "$root/sim/driver/"*.[ch] \
+    "$root/sim/rtl/pins" "$root/cpp_model/driver/"*.[ch] \
     "$root/sim/memory/external_memory.hpp" "$root/sim/memory/memory_timing.hpp" "$root/sim/rtl/build_rtl.sh" \
     "$root/sim/rtl/verilate.sh" "$root/sim/rtl/units.vlt" "$root/cpp_model/config.def" "$root/cpp_model/records.def" \
     "$root/sim/rtl/pipegs_sim.sv" \

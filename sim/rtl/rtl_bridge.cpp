@@ -2,8 +2,8 @@
 // rtl_bridge.cpp: the loop that clocks the Verilated machine, compiled once for each configuration into librtl.so.
 //
 // In each cycle the external memory shows its answer and its readiness while the clock is low; the machine settles; the
-// taps and the memory side are sampled; the clock rises. Above that loop stands the driver of sim/driver: each of its
-// accesses to a register is as many cycles as the bus takes. Time of the memory begins with the first frame.
+// taps and the memory side are sampled; the clock rises. Above that loop stands the driver of cpp_model/driver: each
+// of its accesses to a register is as many cycles as the bus takes. Time of the memory begins with the first frame.
 #include <verilated.h>
 
 #include <stdexcept>

@@ -15,7 +15,7 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/records.hpp"
-#include "sim/driver/pipegs.h"
+#include "cpp_model/driver/pipegs.h"
 #include "sim/memory/external_memory.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 
@@ -104,7 +104,8 @@ class RtlModel {
   virtual RtlResult drive(const std::function<void(const pipegs_bus&)>& program, ExternalMemory& memory,
                           const RtlOptions& options, RtlTaps* taps, const Progress& progress) = 0;
   // Resets the machine and runs these frames, one after the other, on the scenes that lie in `memory`: the driver of
-  // sim/driver writes them to its registers. `progress(cycle, window)` is called every few thousand cycles; returning
+  // cpp_model/driver writes them to its registers. `progress(cycle, window)` is called every few thousand cycles;
+  // returning
   // false stops the run with an exception. Throws std::runtime_error when an assertion fails, the machine hangs or
   // tells of an error that is none of the disturbances: MachineError when an area is full or the scene is bad.
   virtual RtlResult run(const std::vector<pipegs_job>& frames, ExternalMemory& memory, const RtlOptions& options,

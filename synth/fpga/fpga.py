@@ -151,7 +151,7 @@ def table(title, rows, family):
 
 def main():
     parser = argparse.ArgumentParser(description="The machine in cells of an FPGA; prints and writes what it takes.")
-    parser.add_argument("--rung", default="fast", help="a design point (sim/design/design_points.def)")
+    parser.add_argument("--design", default="fast", help="a design point (sim/design/design_points.def)")
     parser.add_argument("--set", default="", dest="settings", help='"key=value ...", entries of cpp_model/config.def')
     parser.add_argument("--units", default="1,2,4", help="machines of so many units, one after another")
     parser.add_argument("--families", default=",".join(FLOWS), help="xcup (UltraScale+), ecp5")
@@ -167,7 +167,7 @@ def main():
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/fpga"), max(1, options.jobs))
     result = []
     for units in options.units.split(","):
-        settings = [*synth.design_point_settings(options.rung), f"units={units}", *options.settings.split()]
+        settings = [*synth.design_point_settings(options.design), f"units={units}", *options.settings.split()]
         text = synth.package_of(f"{options.build}/cpp_model/package_sv", [*settings, "clock_gates=0", "taps=0"])
         for top in options.modules or [TOP]:
             modules = jobs.each("elaborate", [(top, 1, functools.partial(synth.elaborate, jobs, text, top))])[top]
@@ -175,16 +175,16 @@ def main():
                 rows = measure(jobs, modules, top, family)
                 if options.modules:
                     rows = {top: rows["total"]}
-                entry = {"design_point": options.rung, "units": int(units), "family": family, "rows": rows}
+                entry = {"design_point": options.design, "units": int(units), "family": family, "rows": rows}
                 result.append(entry)
                 if not options.json:
-                    print(table(f"{options.rung}, units={units}, {family}", rows, family), flush=True)
+                    print(table(f"{options.design}, units={units}, {family}", rows, family), flush=True)
     text = json.dumps(result, indent=1) + "\n"
     if options.json:
         print(text, end="")
     if not options.modules:
         folder = f"{options.build}/synth/fpga"
-        synth.write(f"{folder}/fpga_{options.rung}.json", text)
+        synth.write(f"{folder}/fpga_{options.design}.json", text)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ class CampaignFile : public Cli {
   // Two views on two design points.
   static Json good() {
     return {{"scenes", {{{"name", "small"}, {"scene", "scene.ply"}, {"cameras", "cameras.json"}, {"views", {1, 0}}}}},
-            {"rungs", {"fast", "dop"}}};
+            {"designs", {"fast", "dop"}}};
   }
   Outcome run_file(const Json& file) {
     write("campaign.json", file.dump());
@@ -38,10 +38,10 @@ TEST_F(CampaignFile, LinesAreTheProductInTheOrderOfTheFile) {
   EXPECT_NE(first.out.find("8 points, 0 of them kept"), std::string::npos) << first.out;
   const std::string lines = text("out/lines.txt");
   size_t at = 0;
-  for (const char* part :
-       {"--view 1 --rung fast --memory", "--view 1 --rung dop --memory", "--view 1 --rung fast --set records=1024",
-        "--view 1 --rung dop --set records=1024", "--view 0 --rung fast --memory", "--view 0 --rung dop --memory",
-        "--view 0 --rung fast --set records=1024", "--view 0 --rung dop --set records=1024"}) {
+  for (const char* part : {"--view 1 --design fast --memory", "--view 1 --design dop --memory",
+                           "--view 1 --design fast --set records=1024", "--view 1 --design dop --set records=1024",
+                           "--view 0 --design fast --memory", "--view 0 --design dop --memory",
+                           "--view 0 --design fast --set records=1024", "--view 0 --design dop --set records=1024"}) {
     at = lines.find(part, at);
     ASSERT_NE(at, std::string::npos) << part << " is not, or not in its place, in:\n" << lines;
   }
@@ -73,10 +73,10 @@ TEST_F(CampaignFile, WhatIsWrongIsOneLine) {
     file[Json::json_pointer(place)] = value;
     return file;
   };
-  expect_wrong(with("/rung", "fast"), "rung: found '\"fast\"', expected one of the fields scenes, rungs");
-  expect_wrong(with("/rungs", Json::array()), "rungs: ");
-  expect_wrong(with("/rungs/1", "fats"), "rungs[1]: found '\"fats\"', expected what is allowed there: ");
-  expect_wrong(with("/rungs/1", "fast"), "rungs[1]: found '\"fast\"', expected each name once");
+  expect_wrong(with("/design", "fast"), "design: found '\"fast\"', expected one of the fields scenes, designs");
+  expect_wrong(with("/designs", Json::array()), "designs: ");
+  expect_wrong(with("/designs/1", "fats"), "designs[1]: found '\"fats\"', expected what is allowed there: ");
+  expect_wrong(with("/designs/1", "fast"), "designs[1]: found '\"fast\"', expected each name once");
   expect_wrong(with("/engine", "verilator"), "engine: found '\"verilator\"', expected one of model, golden, rtl");
   expect_wrong(with("/truth", true), "truth: found 'true', expected false with the engine model");
   expect_wrong(with("/windows", 2), "windows: found '2', expected none with the engine model");

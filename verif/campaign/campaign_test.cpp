@@ -26,7 +26,7 @@ class CampaignRun : public Cli {
   Json eight() const {
     Json file = campaign("model");
     file["scenes"][0]["views"] = {0, 1};
-    file["rungs"] = {"baseline", "dop", "exact", "fast"};
+    file["designs"] = {"baseline", "dop", "exact", "fast"};
     return file;
   }
   Outcome lines_of(const Json& file, const std::string& out = "out", const std::string& program = PIPEGS_BINARY) {

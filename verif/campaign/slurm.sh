@@ -94,7 +94,7 @@ if [ -z "$campaign" ]; then
              "views": [0, 1, 2]},
             {"name": "splat", "scene": "$root/verif/formats/own/scene.splat", "size": "320x240", "orbit": 3,
              "views": [0, 1, 2]}],
- "rungs": ["baseline", "dpc", "dop", "late", "exact", "fast"]}
+ "designs": ["baseline", "dpc", "dop", "late", "exact", "fast"]}
 END
 fi
 kept() { find "$work/$1/points" -name '*.json' 2> /dev/null | wc -l; }

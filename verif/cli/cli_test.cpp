@@ -64,7 +64,7 @@ TEST_F(Cli, ViewsFollowInOneMachine) {
 }
 
 TEST_F(Cli, OneWindowAlone) {
-  const Outcome outcome = run("sim scene.ply --cameras cameras.json --rung dop --window 1,0 --out pictures");
+  const Outcome outcome = run("sim scene.ply --cameras cameras.json --design dop --window 1,0 --out pictures");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
@@ -75,7 +75,7 @@ TEST_F(Cli, SettingsMayStandBeforeTheScene) {
 }
 
 TEST_F(Cli, ADesignPointIsItsSettings) {
-  const Outcome outcome = run("sim scene.ply --cameras cameras.json --rung late --no-truth --out pictures");
+  const Outcome outcome = run("sim scene.ply --cameras cameras.json --design late --no-truth --out pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto config = nlohmann::json::parse(text("pictures/report.json"))["config"];
   EXPECT_EQ(config["late"], 1);
@@ -84,14 +84,14 @@ TEST_F(Cli, ADesignPointIsItsSettings) {
 }
 
 TEST_F(Cli, WithoutADesignPointItIsTheDefaultOne) {
-  const auto config_of = [&](const std::string& rung) {
+  const auto config_of = [&](const std::string& design) {
     const Outcome outcome =
-        run("sim scene.ply --cameras cameras.json " + rung + "--no-truth --no-rtl --json --out pictures");
+        run("sim scene.ply --cameras cameras.json " + design + "--no-truth --no-rtl --json --out pictures");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return nlohmann::json::parse(outcome.out)["config"];
   };
-  const auto standard = config_of(""), paper = config_of("--rung dop ");
-  EXPECT_EQ(standard, config_of("--rung fast "));
+  const auto standard = config_of(""), paper = config_of("--design dop ");
+  EXPECT_EQ(standard, config_of("--design fast "));
   EXPECT_EQ(standard["order"], 2);
   EXPECT_EQ(standard["window"], 128);
   EXPECT_EQ(paper["order"], 0);
@@ -101,7 +101,7 @@ TEST_F(Cli, WithoutADesignPointItIsTheDefaultOne) {
 
 TEST_F(Cli, SettingsComeAfterTheDesignPoint) {
   const Outcome outcome =
-      run("sim scene.ply --cameras cameras.json --rung late --set late=0 --no-truth --no-rtl --out pictures");
+      run("sim scene.ply --cameras cameras.json --design late --set late=0 --no-truth --no-rtl --out pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(nlohmann::json::parse(text("pictures/report.json"))["config"]["late"], 0);
 }
@@ -194,7 +194,7 @@ TEST_F(Cli, SplitWritesALargerSceneAndItsCameras) {
 }
 
 TEST_F(Cli, PackWritesTheImageAndItsHeader) {
-  const Outcome outcome = run("pack scene.ply --cameras cameras.json --rung dop --out packed");
+  const Outcome outcome = run("pack scene.ply --cameras cameras.json --design dop --out packed");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   std::ifstream file(folder_ / "packed/scene.h");
   const std::string header{std::istreambuf_iterator<char>(file), {}};
@@ -234,9 +234,9 @@ TEST_F(Cli, BadInputIsRefusedInOneLine) {
   expect_refused("sim scene.ply --cameras cameras.json --set alpha_w=99", "alpha_w");
   expect_refused("sim scene.ply --cameras cameras.json --set alpha_w", "key=value");
   expect_refused("sim scene.ply --cameras cameras.json --set bus_w=64", "bus_w = 64, expected 0, 128, 256 or 512");
-  expect_refused("sim scene.ply --cameras cameras.json --rung nonsense",
+  expect_refused("sim scene.ply --cameras cameras.json --design nonsense",
                  "gscore, baseline, dpc, tspp, dop, late, exact, fast");
-  expect_refused("sim scene.ply --cameras cameras.json --rung ''", "unknown design point ''");
+  expect_refused("sim scene.ply --cameras cameras.json --design ''", "unknown design point ''");
   expect_refused("explain scene.ply --cameras cameras.json --pixel 900,2", "--pixel");
 }
 

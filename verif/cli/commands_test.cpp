@@ -25,13 +25,13 @@ class Commands : public Cli {
 };
 
 TEST_F(Commands, LadderComparesDesignPointsAndWritesTheirFigures) {
-  const Json ladder = json("ladder" + view_ + "--rungs dop,late,fast --out rungs --svg charts/ladder.svg");
-  EXPECT_EQ(ladder, Json::parse(text("rungs/ladder.json")));
+  const Json ladder = json("ladder" + view_ + "--designs dop,late,fast --out designs --svg charts/ladder.svg");
+  EXPECT_EQ(ladder, Json::parse(text("designs/ladder.json")));
   expect_chart("charts/ladder.svg");
-  ASSERT_EQ(ladder["rungs"].size(), 3u);
-  for (const Json& design_point : ladder["rungs"]) {
+  ASSERT_EQ(ladder["designs"].size(), 3u);
+  for (const Json& design_point : ladder["designs"]) {
     SCOPED_TRACE(design_point["name"]);
-    const Json report = Json::parse(text("rungs/" + design_point["name"].get<std::string>() + "/report.json"));
+    const Json report = Json::parse(text("designs/" + design_point["name"].get<std::string>() + "/report.json"));
     EXPECT_EQ(design_point["mismatches"], 0);
     EXPECT_EQ(design_point["cycles"], report["cycles"]);
     Json streams = report["memory"]["by_stream"];
@@ -51,15 +51,16 @@ TEST_F(Commands, LadderComparesDesignPointsAndWritesTheirFigures) {
     EXPECT_GT(design_point["peak_records"], 0);
     EXPECT_GT(design_point["static"]["buffer_bytes"], 0);
   }
-  EXPECT_EQ(ladder["rungs"][1]["same_pixels_as"], "dop");
-  EXPECT_GT(ladder["rungs"][0]["peak_alpha_lines"], 0);
-  EXPECT_TRUE(ladder["rungs"][1]["peak_alpha_lines"].is_null());
-  EXPECT_TRUE(ladder["rungs"][2]["same_pixels_as"].is_null());
-  EXPECT_EQ(ladder["rungs"][2]["pixels_unlike_same_order"], 0) << "its numbers are others: there is nothing to compare";
+  EXPECT_EQ(ladder["designs"][1]["same_pixels_as"], "dop");
+  EXPECT_GT(ladder["designs"][0]["peak_alpha_lines"], 0);
+  EXPECT_TRUE(ladder["designs"][1]["peak_alpha_lines"].is_null());
+  EXPECT_TRUE(ladder["designs"][2]["same_pixels_as"].is_null());
+  EXPECT_EQ(ladder["designs"][2]["pixels_unlike_same_order"], 0)
+      << "its numbers are others: there is nothing to compare";
 }
 
 TEST_F(Commands, LadderPrintsATable) {
-  const Outcome outcome = run("ladder" + view_ + "--rungs late --no-truth");
+  const Outcome outcome = run("ladder" + view_ + "--designs late --no-truth");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* part : {"raster/sort", "  late ", "bubbles", "buffers KB"})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
@@ -68,22 +69,22 @@ TEST_F(Commands, LadderPrintsATable) {
 // Without tools nothing can be built or brought up to date.
 TEST_F(Commands, ADesignPointWhoseRtlDoesNotBuildIsNamedAndLeftOut) {
   const Outcome outcome =
-      run("ladder" + view_ + "--no-truth --rungs dop --set alpha_lines=128 --json --out left", "PATH=/nowhere ");
+      run("ladder" + view_ + "--no-truth --designs dop --set alpha_lines=128 --json --out left", "PATH=/nowhere ");
   EXPECT_EQ(outcome.code, 3) << outcome.err;
   const Json ladder = Json::parse(outcome.out);
-  EXPECT_NE(ladder["rungs"][0]["failure"].get<std::string>().find("does not build"), std::string::npos);
-  EXPECT_EQ(ladder["rungs"][0]["failure"].get<std::string>().find('\n'), std::string::npos);
-  EXPECT_FALSE(ladder["rungs"][0].contains("cycles"));
+  EXPECT_NE(ladder["designs"][0]["failure"].get<std::string>().find("does not build"), std::string::npos);
+  EXPECT_EQ(ladder["designs"][0]["failure"].get<std::string>().find('\n'), std::string::npos);
+  EXPECT_FALSE(ladder["designs"][0].contains("cycles"));
   EXPECT_FALSE(fs::exists(folder_ / "left"));
   const Outcome swept =
-      run("sweep" + view_ + "--engine rtl --rungs dop,late --set alpha_lines=128 --bandwidth 51.2", "PATH=/nowhere ");
+      run("sweep" + view_ + "--engine rtl --designs dop,late --set alpha_lines=128 --bandwidth 51.2", "PATH=/nowhere ");
   EXPECT_EQ(swept.code, 3);
   EXPECT_NE(swept.out.find("dop: not run: "), std::string::npos) << swept.out;
   EXPECT_NE(swept.out.find("late: not run: "), std::string::npos) << swept.out;
 }
 
 TEST_F(Commands, ProfileCountsAndMeasures) {
-  const Json profile = json("profile" + view_ + "--rung late --svg profile.svg");
+  const Json profile = json("profile" + view_ + "--design late --svg profile.svg");
   expect_chart("profile.svg");
   EXPECT_EQ(profile["source"], "rtl");
   EXPECT_EQ(profile["mismatches"], 0);
@@ -190,10 +191,10 @@ void expect_whole_trace(const Json& trace, bool late, size_t marked_windows = 0)
 }
 
 TEST_F(Commands, TimelineIsAWholeTrace) {
-  const Outcome sim = run("sim" + view_ + "--rung dop --no-truth --out pictures");
+  const Outcome sim = run("sim" + view_ + "--design dop --no-truth --out pictures");
   ASSERT_EQ(sim.code, 0) << sim.err;
   const Json report = Json::parse(text("pictures/report.json"));
-  const Outcome outcome = run("timeline" + view_ + "--rung dop --out trace.json");
+  const Outcome outcome = run("timeline" + view_ + "--design dop --out trace.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json trace = Json::parse(text("trace.json"));
   expect_whole_trace(trace, false);
@@ -210,13 +211,13 @@ TEST_F(Commands, TimelineIsAWholeTrace) {
 
 TEST_F(Commands, TimelineOfSomeWindowsOnAnotherDesignPoint) {
   const Outcome outcome =
-      run("timeline" + view_ + "--rung late --window 0,0 --windows 2 --grain 5 --sample 100 --out trace.json");
+      run("timeline" + view_ + "--design late --window 0,0 --windows 2 --grain 5 --sample 100 --out trace.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   expect_whole_trace(Json::parse(text("trace.json")), true);
 }
 
 TEST_F(Commands, PipelinesOfModelsAndOfTheMachine) {
-  const Outcome outcome = run("timeline" + view_ + "--rung dop --pipelines --svg pipelines.svg --json");
+  const Outcome outcome = run("rivals" + view_ + "--design dop --pipelines --svg pipelines.svg --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   ASSERT_EQ(json.size(), 4u);  // dop once
@@ -238,11 +239,11 @@ TEST_F(Commands, TimelineOfTheDefaultMachine) {
 
 TEST_F(Commands, SweepFindsWhereMemoryStopsToMatter) {
   const Json swept =
-      json("sweep" + view_ + "--rungs dop,late --memory ideal --bandwidth 102.4,1.6,25.6 --svg sweep.svg");
+      json("sweep" + view_ + "--designs dop,late --memory ideal --bandwidth 102.4,1.6,25.6 --svg sweep.svg");
   expect_chart("sweep.svg");
   EXPECT_EQ(swept["engine"], "model");
   EXPECT_EQ(swept["bytes_per_cycle"], Json({1.6, 25.6, 102.4}));
-  for (const Json& design_point : swept["rungs"]) {
+  for (const Json& design_point : swept["designs"]) {
     SCOPED_TRACE(design_point["name"]);
     const auto cycles = design_point["cycles"].get<std::vector<double>>();
     ASSERT_EQ(cycles.size(), 3u);
@@ -267,27 +268,27 @@ TEST_F(Commands, DramSaysWhatMappingsAreWorth) {
 }
 
 TEST_F(Commands, TheModelAndTheRtlSweepAlike) {
-  const std::string sweep = "sweep" + view_ + "--rungs dop,late --memory ideal --bandwidth 6.4,51.2";
+  const std::string sweep = "sweep" + view_ + "--designs dop,late --memory ideal --bandwidth 6.4,51.2";
   const Json model = json(sweep), rtl = json(sweep + " --engine rtl");
   EXPECT_EQ(rtl["engine"], "rtl");
   for (size_t r = 0; r < 2; ++r) {
     for (size_t i = 0; i < 2; ++i) {
-      EXPECT_EQ(model["rungs"][r]["cycles"][i], rtl["rungs"][r]["cycles"][i]) << rtl["rungs"][r]["name"];
+      EXPECT_EQ(model["designs"][r]["cycles"][i], rtl["designs"][r]["cycles"][i]) << rtl["designs"][r]["name"];
     }
   }
 }
 
 TEST_F(Commands, ModelComparesItselfWithTheRtl) {
-  const Json model = json("model" + view_ + "--rungs dop,late --check --windows");
-  ASSERT_EQ(model["rungs"].size(), 2u);
-  for (const Json& design_point : model["rungs"]) {
+  const Json model = json("model" + view_ + "--designs dop,late --check --windows");
+  ASSERT_EQ(model["designs"].size(), 2u);
+  for (const Json& design_point : model["designs"]) {
     SCOPED_TRACE(design_point["name"]);
     EXPECT_EQ(design_point["cycles"], design_point["rtl"]["cycles"]);
     EXPECT_EQ(design_point["window_ends"], design_point["rtl"]["window_ends"]);
     EXPECT_EQ(design_point["differences"], Json::array());
     EXPECT_TRUE(design_point["first_difference"].is_null());
   }
-  const Outcome outcome = run("model" + view_ + "--rung late --set units=2");
+  const Outcome outcome = run("model" + view_ + "--design late --set units=2");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("units=2"), std::string::npos) << outcome.out;
 }
@@ -295,25 +296,24 @@ TEST_F(Commands, ModelComparesItselfWithTheRtl) {
 TEST_F(Commands, BadInputIsRefusedInOneLine) {
   expect_refused("dram --mappings --preset nonsense", "nonsense");
   expect_refused("dram --preset lpddr5-6400x4", "--mappings");
-  expect_refused("ladder" + view_ + "--rungs dop,nonsense", "nonsense");
-  expect_refused("ladder" + view_ + "--rungs dop,dop", "found a second 'dop'");
+  expect_refused("ladder" + view_ + "--designs dop,nonsense", "nonsense");
+  expect_refused("ladder" + view_ + "--designs dop,dop", "found a second 'dop'");
   expect_refused("ladder" + view_ + "--set late=1", "the design points set late");
   for (const char* command : {"ladder", "sweep", "model", "silicon"}) {
-    expect_refused(command + view_ + "--rungs dop,fast --window 0,0",
+    expect_refused(command + view_ + "--designs dop,fast --window 0,0",
                    "--window: found design points with windows of 64 and 128 pixels, expected one size");
   }
-  expect_refused("profile" + view_ + "--rung nonsense", "nonsense");
+  expect_refused("profile" + view_ + "--design nonsense", "nonsense");
   expect_refused("profile missing.ply --cameras cameras.json --no-rtl", "missing.ply");
   expect_refused("timeline" + view_ + "--window 9,9 --out t.json", "--window");
   expect_refused("timeline" + view_ + "--out scene.ply/t.json", "'scene.ply' is a file, expected a folder");
-  expect_refused("timeline" + view_ + "--pipelines --window 0,0", "--window");
-  expect_refused("timeline" + view_ + "--pipelines --svg scene.ply/p.svg", "'scene.ply' is a file, expected a folder");
-  expect_refused("timeline" + view_ + "--out t.json --json", "--json requires --pipelines");
+  expect_refused("rivals" + view_ + "--pipelines --window 0,0", "--window");
+  expect_refused("rivals" + view_ + "--pipelines --svg scene.ply/p.svg", "'scene.ply' is a file, expected a folder");
   expect_refused("sweep" + view_ + "--bandwidth 0", "--bandwidth");
-  expect_refused("sweep" + view_ + "--rungs nonsense", "nonsense");
+  expect_refused("sweep" + view_ + "--designs nonsense", "nonsense");
   expect_refused("sweep" + view_ + "--bandwidth 13", "--memory ideal");
-  expect_refused("model" + view_ + "--rungs nonsense", "nonsense");
-  EXPECT_EQ(run("timeline" + view_).code, 2) << "--out or --pipelines is needed";
+  expect_refused("model" + view_ + "--designs nonsense", "nonsense");
+  EXPECT_EQ(run("timeline" + view_).code, 2) << "--out is needed";
   EXPECT_EQ(left_behind(), std::vector<std::string>{});
 }
 

@@ -82,10 +82,10 @@ TEST_F(Options, NoElementOfAListIsEmpty) {
   struct List {
     std::string command, option, one, other;
   };
-  const std::vector<List> lists = {{"ladder" + view_, "--rungs", "dop", "late"},
-                                   {"sweep" + view_, "--rungs", "dop", "late"},
-                                   {"model" + view_, "--rungs", "dop", "late"},
-                                   {"silicon" + view_, "--rungs", "dop", "late"},
+  const std::vector<List> lists = {{"ladder" + view_, "--designs", "dop", "late"},
+                                   {"sweep" + view_, "--designs", "dop", "late"},
+                                   {"model" + view_, "--designs", "dop", "late"},
+                                   {"silicon" + view_, "--designs", "dop", "late"},
                                    {"sweep" + view_, "--bandwidth", "12.8", "25.6"},
                                    {"accuracy" + view_, "--knobs", "alpha_w", "rgb_w"},
                                    {"sim" + view_ + "--no-rtl", "--effects", "layers", "taps"},
@@ -112,8 +112,8 @@ TEST_F(Options, WhatIsNamedComesOnce) {
   expect_refused("budget --set alpha_w=8 --set alpha_w=9", "--set: found a second 'alpha_w'");
   expect_refused("sim" + view_ + "--no-rtl --effects taps,layers,taps", "--effects: found a second 'taps'");
   expect_refused("accuracy" + view_ + "--knobs rgb_w,rgb_w", "--knobs: found a second 'rgb_w'");
-  expect_refused("ladder" + view_ + "--rungs dop --rungs late", "--rungs");
-  expect_refused("ladder" + view_ + "--rungs dop,late,dop", "--rungs: found a second 'dop'");
+  expect_refused("ladder" + view_ + "--designs dop --designs late", "--designs");
+  expect_refused("ladder" + view_ + "--designs dop,late,dop", "--designs: found a second 'dop'");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_F(Outputs, AFileWhoseNameIsTakenIsRefused) {
     if (name == "points") write("points", "");
     fs::create_directories(folder_ / "taken" / (name == "points" ? "" : name));
     if (name == "points") fs::rename(folder_ / "points", folder_ / "taken" / "points");
-    const std::string command = name == "dop/report.json"                     ? "ladder" + none_ + "--rungs dop"
+    const std::string command = name == "dop/report.json"                     ? "ladder" + none_ + "--designs dop"
                                 : name == "accuracy.html" || name == "points" ? "accuracy" + none_
                                 : name == "cameras.json"                      ? std::string("stress --no-rtl")
                                                                               : "sim" + none_;
@@ -115,7 +115,7 @@ TEST_F(Outputs, WhatIsReadAtTheEndIsReadFirst) {
   expect_refused("silicon" + none_ + "--table table.csv", "expected scene,configuration,cycles");
   const std::string view = "render scene.ply --cameras cameras.json --out pictures ";
   expect_refused(view + "--compare scene.ply", "scene.ply: cannot read");
-  ASSERT_EQ(run("render scene.ply --cameras cameras.json --rung dop --window 1,0 --out small").code, 0);
+  ASSERT_EQ(run("render scene.ply --cameras cameras.json --design dop --window 1,0 --out small").code, 0);
   expect_refused(view + "--compare small/frame.png", "found 6x50 pixels, expected 70x50");
 }
 

@@ -71,17 +71,17 @@ TEST_F(Words, OtherCommandsSayAsLittle) {
   EXPECT_TRUE(json("explain" + view_ + "--pixel 1,1 --no-rtl").at("mismatches").is_null());
   EXPECT_EQ(json("explain" + view_ + "--pixel 1,1").at("mismatches"), 0);
   EXPECT_TRUE(json("profile" + view_ + "--no-rtl").at("mismatches").is_null());
-  const Json sweep = json("sweep" + view_ + "--rungs dop --bandwidth 51.2");
-  EXPECT_TRUE(sweep["rungs"][0].at("mismatches").is_null());
-  const Json ladder = json("ladder" + view_ + "--rungs dop --no-truth");
-  EXPECT_EQ(ladder["rungs"][0]["ran"], Json({{"truth", false}, {"rtl", true}}));
-  EXPECT_TRUE(ladder["rungs"][0].at("psnr_numeric_db").is_null());
+  const Json sweep = json("sweep" + view_ + "--designs dop --bandwidth 51.2");
+  EXPECT_TRUE(sweep["designs"][0].at("mismatches").is_null());
+  const Json ladder = json("ladder" + view_ + "--designs dop --no-truth");
+  EXPECT_EQ(ladder["designs"][0]["ran"], Json({{"truth", false}, {"rtl", true}}));
+  EXPECT_TRUE(ladder["designs"][0].at("psnr_numeric_db").is_null());
   const Outcome stress = run("stress --count 1 --no-rtl");
   EXPECT_NE(stress.out.find("RTL                   not run"), std::string::npos) << stress.out;
 }
 
 TEST_F(Words, TablesSayRooflineRatio) {
-  const Outcome sim = run("sim" + view_ + "--no-truth"), ladder = run("ladder" + view_ + "--rungs dop --no-truth");
+  const Outcome sim = run("sim" + view_ + "--no-truth"), ladder = run("ladder" + view_ + "--designs dop --no-truth");
   EXPECT_NE(sim.out.find("roofline ratio"), std::string::npos) << sim.out;
   EXPECT_NE(ladder.out.find("roofline ratio"), std::string::npos) << ladder.out;
   EXPECT_NE(ladder.out.find("design point"), std::string::npos) << ladder.out;
@@ -100,7 +100,7 @@ TEST_F(Words, EveryHelpHasAnExampleAndItsExitCodes) {
     ASSERT_NE(codes, std::string::npos) << outcome.out;
     const std::string line = outcome.out.substr(codes + 1, outcome.out.find('\n', codes + 1) - codes - 1);
     EXPECT_NE(line.find("2 bad input or bad use, 3 our own failure"), std::string::npos) << line;
-    for (const char* word : {"rung of the ladder", "twin", "cycles / bound"})
+    for (const char* word : {"design of the ladder", "twin", "cycles / bound"})
       EXPECT_EQ(outcome.out.find(word), std::string::npos) << word;
   }
   EXPECT_NE(run("stress --help").out.find("fuzzing with shrinking"), std::string::npos);
@@ -114,7 +114,7 @@ TEST_F(Words, TheReplayLineReplays) {
   fs::copy(folder_ / "scene.ply", folder_ / "it's.ply");
   const std::string given =
       "\"it's.ply\" --cameras cameras.json --config 'my machine.cfg' --near 0.25 --effects all "
-      "--memory ideal --latency 50 --jitter 7 --bandwidth 32.5 --seed 9 --rung dop "
+      "--memory ideal --latency 50 --jitter 7 --bandwidth 32.5 --seed 9 --design dop "
       "--set alpha_lines=64 --set records=16 --out pictures";
   const std::string faulty = "PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' ";
   const Outcome first = shell(faulty + "sim " + given);
@@ -122,7 +122,7 @@ TEST_F(Words, TheReplayLineReplays) {
   const std::string line = behind("replay with waves: ", first);
   for (const char* part :
        {"'it'\\''s.ply'", "--cameras cameras.json", "--config 'my machine.cfg'", "--near 0.25", "--effects all",
-        "--memory ideal", "--latency 50", "--jitter 7", "--bandwidth 32.5", "--seed 9", "--rung dop",
+        "--memory ideal", "--latency 50", "--jitter 7", "--bandwidth 32.5", "--seed 9", "--design dop",
         "--set alpha_lines=64", "--set records=16", "--window 1,0", "--waves replay/window.fst"})
     EXPECT_NE(line.find(part), std::string::npos) << part << " is not in: " << line;
   EXPECT_EQ(line.find("--out pictures"), std::string::npos) << line;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cpp_model/control/control_registers.hpp"
-#include "sim/driver/pipegs.h"
+#include "cpp_model/driver/pipegs.h"
 
 namespace pipegs {
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# driver_compile.sh: sim/driver as a program without an operating system compiles it.
+# driver_compile.sh: cpp_model/driver as a program without an operating system compiles it.
 #
 # Each C file is compiled by gcc and by clang as strict C99 without a hosted library, every warning an error, and calls
 # nothing but the driver's own functions and what a compiler itself may call. The headers are C++, too.
 set -euo pipefail
-cd "$(dirname "$0")/../../sim/driver"
+cd "$(dirname "$0")/../../cpp_model/driver"
 status=0 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 # Stands for what `pipegs pack` prints; the test `example` has the real one.

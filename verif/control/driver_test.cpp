@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// driver_test: sim/driver/pipegs.c on the model of the registers: identity, every slot, the queue, waiting by polls and
-// by interrupt, abort, errors and their text, counters.
+// driver_test: cpp_model/driver/pipegs.c on the model of the registers: identity, every slot, the queue, waiting by
+// polls and by interrupt, abort, errors and their text, counters.
 #include "verif/control/driver_bus.hpp"
 
 #include <fmt/format.h>

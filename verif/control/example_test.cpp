@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// example_test: sim/driver/example.c, compiled with the scene.h that `pipegs pack` wrote, on the model of the
+// example_test: cpp_model/driver/example.c, compiled with the scene.h that `pipegs pack` wrote, on the model of the
 // registers: the machine is given the very frame that the model renders, and image.bin is its memory.
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "scenes/generate/generate.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/design/design_point.hpp"
-#include "sim/driver/pipegs_platform.h"
+#include "cpp_model/driver/pipegs_platform.h"
 #include "verif/control/driver_bus.hpp"
 
 extern "C" int pipegs_example();  // main of example.c

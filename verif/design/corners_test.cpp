@@ -16,7 +16,7 @@
 
 #include "cpp_model/control/registers.hpp"
 #include "sim/compare/simulate.hpp"
-#include "sim/study/budget/frame.hpp"
+#include "sim/bounds/frame.hpp"
 #include "sim/timing/timing_model.hpp"
 #include "sim/timing/trace/trace.hpp"
 #include "verif/frame/scenes.hpp"

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "cpp_model/lib/corners.hpp"
-#include "sim/driver/pipegs_wide.h"
+#include "cpp_model/driver/pipegs_wide.h"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/dopu/frame_reference.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/effects/effects.hpp"
+#include "sim/effects/effects.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "sim/study/effects/run.hpp"
+#include "sim/effects/run.hpp"
 #include "verif/effects/effect_views.hpp"
 
 namespace pipegs {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// example_frame_test: sim/driver/example.c on the RTL: the program that a user starts with renders our own scene, and
-// every stream and pixel is compared.
+// example_frame_test: cpp_model/driver/example.c on the RTL: the program that a user starts with renders our own
+// scene, and every stream and pixel is compared.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -11,7 +11,7 @@
 #include "sim/compare/sequence_check.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/design/design_point.hpp"
-#include "sim/driver/pipegs_platform.h"
+#include "cpp_model/driver/pipegs_platform.h"
 
 extern "C" int pipegs_example();  // main of example.c
 

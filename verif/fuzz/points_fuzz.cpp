@@ -5,7 +5,7 @@
 
 #include "scenes/input_error.hpp"
 #include "scenes/text/json.hpp"
-#include "sim/study/accuracy/accuracy_json.hpp"
+#include "sim/studies/accuracy/accuracy_json.hpp"
 #include "verif/fuzz/keep.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

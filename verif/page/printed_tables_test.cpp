@@ -118,11 +118,11 @@ TEST(StudyPage, ItsJsonHoldsNoInfinityAndEndsNoElement) {
 }
 
 TEST(StudyPage, MachinesAreSettingsForAnyCommand) {
-  EXPECT_EQ(machine_words(find_design_point("fast").config), "--rung fast");
-  EXPECT_EQ(machine_words(Config{}), "--rung dop");
+  EXPECT_EQ(machine_words(find_design_point("fast").config), "--design fast");
+  EXPECT_EQ(machine_words(Config{}), "--design dop");
   Config config = find_design_point("exact").config;
   config.units = 2, config.alpha_w = 11;
-  EXPECT_EQ(machine_words(config), "--rung exact --set units=2 --set alpha_w=11");
+  EXPECT_EQ(machine_words(config), "--design exact --set units=2 --set alpha_w=11");
 }
 
 TEST(StudyPage, PicturesShrinkByTheMean) {

@@ -145,7 +145,7 @@ async function look_at_study(page, command, text) {
 }
 
 page_test('accuracy', () => {
-  pipegs('accuracy', '--size', '128x96', '--rung', 'exact', '--knobs', 'alpha_w', '--points', '2', '--target', '45dB',
+  pipegs('accuracy', '--size', '128x96', '--design', 'exact', '--knobs', 'alpha_w', '--points', '2', '--target', '45dB',
          '--out', 'accuracy');
   printed.accuracy = fs.readFileSync(path.join(folder, 'accuracy/accuracy.txt'), 'utf8')
     .split('\n').filter((line) => !line.includes('points measured in')).join('\n');
@@ -166,7 +166,7 @@ page_test('accuracy', () => {
   assert.ok(text.includes(front.labels.at(-1)), text);
   const copied = await click_copies(page, 'c3');
   assert.equal(copied, front.copies.at(-1));
-  assert.match(copied, /^--rung \w+/);
+  assert.match(copied, /^--design \w+/);
   const marked = await page.evaluate(() => [...document.querySelectorAll('tr.marked')].map(
     (row) => row.dataset.copies));
   assert.ok(marked.length > 0 && marked.every((copies) => copies === copied), String(marked));
@@ -177,7 +177,7 @@ page_test('accuracy', () => {
 });
 
 page_test('sweep', () => {
-  printed.sweep = pipegs('sweep', '--size', '128x96', '--rungs', 'dop,fast', '--bandwidth', '12.8,51.2', '--page',
+  printed.sweep = pipegs('sweep', '--size', '128x96', '--designs', 'dop,fast', '--bandwidth', '12.8,51.2', '--page',
                          'pages/sweep.html');
   return 'pages/sweep.html';
 }, async (page) => {
@@ -196,7 +196,7 @@ page_test('sweep', () => {
 });
 
 page_test('ladder', () => {
-  printed.ladder = pipegs('ladder', '--size', '128x96', '--rungs', 'fast', '--out', 'ladder', '--page', 'ladder.html')
+  printed.ladder = pipegs('ladder', '--size', '128x96', '--designs', 'fast', '--out', 'ladder', '--page', 'ladder.html')
     .split('\n').filter((line) => !line.includes('figures ')).join('\n');
   return 'ladder.html';
 }, async (page) => {
@@ -208,7 +208,7 @@ page_test('ladder', () => {
 });
 
 page_test('campaign with a missing point', () => {
-  const campaign = {scenes: [{name: 'own', size: '96x64', views: [0, 1]}], rungs: ['exact', 'fast']};
+  const campaign = {scenes: [{name: 'own', size: '96x64', views: [0, 1]}], designs: ['exact', 'fast']};
   fs.writeFileSync(path.join(folder, 'campaign.json'), JSON.stringify(campaign));
   pipegs('campaign', 'campaign.json', '--out', 'campaign');
   const lines = fs.readFileSync(path.join(folder, 'campaign/lines.txt'), 'utf8').trim().split('\n');

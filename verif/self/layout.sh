@@ -64,7 +64,7 @@ done < <(grep -v '^#' "$list")
 for name in $(grep -ohE '`(pipegs|dopu|pu|su|ru)_[a-z0-9_]+`' docs/*.md docs/*/*.md | tr -d '`' | sort -u); do
   [ -n "$(find rtl verif -name "$name.sv" -o -name "$name.cpp")" ] ||
     grep -rqw --include={*.sv,*.?pp,*.[ch],*.def,CMakeLists.txt,table.sh} -- "$name" \
-      rtl cpp_model verif synth/prove sim/driver ||
+      rtl cpp_model verif synth/prove cpp_model/driver ||
     complain "docs: there is no $name"
 done
 exit $status

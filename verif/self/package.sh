@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 write=""
 if [ "$1" = --write ]; then write=1; shift; fi
-package_sv=$1 registers=$2 registers_header=sim/driver/pipegs_registers.h status=0
+package_sv=$1 registers=$2 registers_header=cpp_model/driver/pipegs_registers.h status=0
 printed() {  # FILE COMMAND ...
   local text; text=$(mktemp)
   "${@:2}" > "$text"
@@ -25,7 +25,7 @@ for file in pipegs.f vivado.tcl; do printed package/$file python3 -B package/fil
 # machine.py makes the committed machine of its design point, with all files; it refuses what no machine is made of.
 machine=$(mktemp -d); trap 'rm -rf "$machine"' EXIT
 of_point() { python3 -B package/machine.py --package-sv "$package_sv" "$@"; }
-of_point --rung dop "$machine" taps=1 && diff rtl/pipegs_pkg.sv "$machine/pipegs_pkg.sv" &&
+of_point --design dop "$machine" taps=1 && diff rtl/pipegs_pkg.sv "$machine/pipegs_pkg.sv" &&
   diff <(grep '^rtl/' package/pipegs.f | sed "s|^|$PWD/|; s|^$PWD/rtl/pipegs_pkg.sv|$machine/pipegs_pkg.sv|") \
        "$machine/pipegs.f" || { echo "package/machine.py makes another machine than the committed one"; status=1; }
 of_point "$machine" && [ "$(grep -cE ' (Taps += 0|Window += 128|BusW += 512);' "$machine/pipegs_pkg.sv")" = 3 ] ||

@@ -17,8 +17,8 @@ import sys
 COLUMNS = 120
 # From the bottom up. progress.hpp lies in sim/ itself, for all its folders.
 LAYERS = (
-    "sim/driver scenes cpp_model/float cpp_model sim sim/train/gradient sim/memory sim/rtl sim/compare sim/timing "
-    "sim/design sim/report sim/train sim/study sim/command verif"
+    "cpp_model/driver scenes cpp_model/float cpp_model sim sim/memory sim/rtl sim/compare sim/bounds sim/timing "
+    "sim/design sim/layers sim/photos sim/report sim/silicon sim/effects sim/ladder sim/command sim/studies verif"
 ).split()
 SOURCES = (
     ".cpp",
@@ -112,8 +112,8 @@ def check_markdown(path, lines, all_anchors):
 
 
 def layer(path):
-    """The place of a file in LAYERS: the longest of its folders that stands there; None for what is outside."""
-    folder = os.path.dirname(path)
+    """The place of a file in LAYERS: the longest of its folders that is there, the last for a test; None outside."""
+    folder = "verif" if "/test/" in path else os.path.dirname(path)
     while folder and folder not in LAYERS:
         folder = os.path.dirname(folder)
     return LAYERS.index(folder) if folder else None

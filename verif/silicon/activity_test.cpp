@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // activity_test: waves that are written by hand, of which every toggle, edge and access is known.
-#include "sim/study/silicon/energy/activity.hpp"
+#include "sim/silicon/energy/activity.hpp"
 
 #include <gtest/gtest.h>
 #include <gtkwave/fstapi.h>

@@ -10,7 +10,7 @@
 
 #include "scenes/input_error.hpp"
 #include "sim/design/design_point.hpp"
-#include "sim/study/silicon/frame_model.hpp"
+#include "sim/silicon/frame_model.hpp"
 
 namespace pipegs {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // enables_test: functions of enables against plain bits, and waves by hand of which every passed edge is known.
-#include "sim/study/silicon/energy/enables.hpp"
+#include "sim/silicon/energy/enables.hpp"
 
 #include <gtest/gtest.h>
 #include <gtkwave/fstapi.h>
@@ -10,7 +10,7 @@
 #include <random>
 
 #include "scenes/input_error.hpp"
-#include "sim/study/silicon/energy/activity.hpp"
+#include "sim/silicon/energy/activity.hpp"
 
 namespace pipegs {
 namespace {

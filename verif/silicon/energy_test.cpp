@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // energy_test: energy out of activity by hand, samples out of waves, and what is kept.
-#include "sim/study/silicon/energy/energy.hpp"
+#include "sim/silicon/energy/energy.hpp"
 
 #include <gtest/gtest.h>
 

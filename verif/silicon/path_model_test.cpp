@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/study/silicon/frame_model.hpp"
+#include "sim/silicon/frame_model.hpp"
 
 namespace pipegs {
 namespace {

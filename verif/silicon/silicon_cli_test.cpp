@@ -2,9 +2,9 @@
 // silicon_cli_test: `pipegs silicon` on a synth.json and an activity that are written by hand; RTL runs only to differ.
 #include "sim/report/html/printed_tables.hpp"
 #include "sim/design/design_point.hpp"
-#include "sim/study/measurement_store.hpp"
-#include "sim/study/silicon/energy/energy.hpp"
-#include "sim/study/silicon/energy/frame_activity.hpp"
+#include "sim/report/measurement_store.hpp"
+#include "sim/silicon/energy/energy.hpp"
+#include "sim/silicon/energy/frame_activity.hpp"
 #include "verif/cli/cli.hpp"
 #include "verif/cli/well_formed.hpp"
 
@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 class SiliconCli : public Cli {
  protected:
   const std::string silicon_ = "silicon scene.ply --cameras cameras.json --synth synth --library hand ";
-  const std::string view_ = silicon_ + "--no-energy --rung dop ";
+  const std::string view_ = silicon_ + "--no-energy --design dop ";
 
   Json synth() {
     Json json = {{"configuration", "default"},
@@ -67,7 +67,7 @@ TEST_F(SiliconCli, SetsAreaAndClockBesideThePapers) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(xml_fault(text("charts/silicon.svg")), "");
-  const Json& design_point = json["rungs"][0];
+  const Json& design_point = json["designs"][0];
   EXPECT_EQ(design_point["name"], "dop");
   EXPECT_FALSE(design_point.contains("energy"));
   ASSERT_EQ(design_point["rows"].size(), 7u);
@@ -94,7 +94,7 @@ TEST_F(SiliconCli, CountsFramesAtTheClockThatThePathAllows) {
   plant(slow.dump());
   const Outcome outcome = run(view_ + "--json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Json design_point = Json::parse(outcome.out)["rungs"][0];
+  const Json design_point = Json::parse(outcome.out)["designs"][0];
   EXPECT_DOUBLE_EQ(design_point["ghz"], 1e3 / (80 * 16));
   const double us = design_point["cycles"].get<double>() * 80 * 16 / 1e6;
   EXPECT_DOUBLE_EQ(design_point["us"], us);
@@ -116,7 +116,7 @@ TEST_F(SiliconCli, ComparesMachinesAtEqualArea) {
   const auto of_area = [&](double mm2) {
     const Outcome outcome = run(at(mm2) + "--json");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Json::parse(outcome.out)["rungs"][0];
+    return Json::parse(outcome.out)["designs"][0];
   };
   const Json whole = of_area(3.283), equal = whole["equal_area"];
   const double mm2 = whole["rows"][6]["area_mm2"]["mid"], us = whole["us"];
@@ -145,10 +145,10 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   half.enabled = {{"pu", {{"stage", {90, {30}}}}}};
   const FrameActivity kept = {10000, 64000, {half, half}};
   store.save(Config{}, to_json(kept));
-  const Outcome outcome = run(silicon_ + "--rung dop --keep kept --json --svg silicon.svg");
+  const Outcome outcome = run(silicon_ + "--design dop --keep kept --json --svg silicon.svg");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(xml_fault(text("silicon.svg")), "");
-  const Json design_point = Json::parse(outcome.out)["rungs"][0];
+  const Json design_point = Json::parse(outcome.out)["designs"][0];
   EXPECT_EQ(design_point["cycles"], 10000u);
   ASSERT_EQ(design_point["energy"].size(), 8u);
   const std::vector<EnergyRow> rows =
@@ -168,7 +168,7 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   EXPECT_EQ(design_point["clocks"][0]["module"], "stage");
   EXPECT_EQ(design_point["clocks"][0]["flipflops"], 5);
   EXPECT_DOUBLE_EQ(design_point["clocks"][0]["gated_j"], rows[1].gated_j());
-  const Outcome table = run(silicon_ + "--rung dop --keep kept");
+  const Outcome table = run(silicon_ + "--design dop --keep kept");
   for (const char* part : {"unseen", "80.0 %", "33.3 %", "           5       4  "})
     EXPECT_NE(table.out.find(part), std::string::npos) << part << " in\n" << table.out;
   // A page has every table of it.
@@ -238,7 +238,7 @@ TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
   Json other = synth();
   other["configuration"] = "alpha_lines=128";
   plant(other.dump(), "alpha_lines=128");
-  const Outcome unbuilt = run(command + "--rung dop --set alpha_lines=128", "PATH=/nowhere ");
+  const Outcome unbuilt = run(command + "--design dop --set alpha_lines=128", "PATH=/nowhere ");
   EXPECT_EQ(unbuilt.code, 3);
   EXPECT_NE(unbuilt.err.find("does not build"), std::string::npos) << unbuilt.err;
 }
@@ -278,7 +278,7 @@ TEST_F(SiliconCli, RefusesWhatMakeSynthDidNotWrite) {
   json["volts"] = 0;
   plant(json.dump());
   expect_refused(view_, "volts: found '0', expected a number above 0");
-  expect_refused(silicon_ + "--no-energy --rungs dop,nothing", "unknown design point 'nothing'");
+  expect_refused(silicon_ + "--no-energy --designs dop,nothing", "unknown design point 'nothing'");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // sram_cost_test: the law meets the table it was fitted to, grows the way it must, and refuses broken tables.
-#include "sim/study/silicon/area/sram_cost.hpp"
+#include "sim/silicon/area/sram_cost.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

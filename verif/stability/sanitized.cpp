@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "sim/study/stress/scene.hpp"
+#include "sim/bounds/hostile_scene.hpp"
 #include "verif/stability/support/pixel_hash.hpp"
 
 int main(int argc, char** argv) {

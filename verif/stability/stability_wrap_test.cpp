@@ -10,7 +10,7 @@
 
 #include "scenes/generate/generate.hpp"
 #include "sim/compare/simulate.hpp"
-#include "sim/study/stress/scene.hpp"
+#include "sim/bounds/hostile_scene.hpp"
 #include "verif/frame/scenes.hpp"
 #include "verif/stability/support/pu_walk.hpp"
 #include "verif/support/records_fit.hpp"

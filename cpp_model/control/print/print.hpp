@@ -11,7 +11,7 @@
 namespace pipegs {
 
 std::string print_package(const RegisterMap& map);  // the end of rtl/pipegs_pkg.sv
-std::string print_header(const RegisterMap& map);   // sim/driver/pipegs_registers.h
+std::string print_header(const RegisterMap& map);   // cpp_model/driver/pipegs_registers.h
 std::string print_csv(const RegisterMap& map);      // package/pipegs_registers.csv
 std::string print_rdl(const RegisterMap& map);      // package/pipegs_registers.rdl
 std::string print_ipxact(const RegisterMap& map);   // package/pipegs_registers.xml

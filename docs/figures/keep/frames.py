@@ -5,7 +5,7 @@ from keep.parts import alpha_bytes, pick, total_bytes
 
 def ladder(found):
     """By design point: figures of the frame, bytes by stream, and what it is built of."""
-    if any("failure" in row for row in found["rungs"]):
+    if any("failure" in row for row in found["designs"]):
         raise ValueError("a design point did not run")
     figures = pick(
         "cycles",
@@ -22,7 +22,7 @@ def ladder(found):
         "peak_alpha_lines",
     )
     rows = {}
-    for row in found["rungs"]:
+    for row in found["designs"]:
         built = pick("row_lanes", "blend_lanes", "multipliers", "buffer_bytes")(row["static"])
         rows[row["name"]] = figures(row) | {
             "bytes": total_bytes(row["bytes_by_stream"]),
@@ -64,14 +64,14 @@ def sweep(found):
     at = [f"at_{bandwidth:g}".replace(".", "_") for bandwidth in found["bytes_per_cycle"]]
     return {
         row["name"]: dict(zip(at, row["cycles"])) | {"enough": row["memory_bound_below_bytes_per_cycle"]}
-        for row in found["rungs"]
+        for row in found["designs"]
     }
 
 
 def models(found):
     """By design point: cycles of the timing model; where the RTL ran beside it, its cycles and what differs."""
     rows = {}
-    for row in found["rungs"]:
+    for row in found["designs"]:
         rows[row["name"]] = {"cycles": row["cycles"], "seconds": row["seconds"]["model"]}
         if "rtl" in row:
             rows[row["name"]] |= {
@@ -117,13 +117,13 @@ def lanes(found):
 
 def one_model(found):
     """Of one configuration: cycles, and bytes of all streams."""
-    (row,) = found["rungs"]
+    (row,) = found["designs"]
     return {"cycles": row["cycles"], "bytes": total_bytes(row["bytes"])}
 
 
 def one_store(found):
     """Of one configuration: cycles, bytes of all streams, lines of alphas that found no place in a store."""
-    (row,) = found["rungs"]
+    (row,) = found["designs"]
     return one_model(found) | {"overflow_lines": row["overflow_lines"]}
 
 
@@ -173,7 +173,7 @@ def host(found):
 
 def host_model(found):
     """Of `pipegs model`: cycles, bytes, and what it takes of the computer."""
-    (row,) = found["rungs"]
+    (row,) = found["designs"]
     return large_model(found) | {
         "visible": row["visible"],
         "seconds": found["host"]["cpu_seconds"],
@@ -183,7 +183,7 @@ def host_model(found):
 
 def large_model(found):
     """The same, and the bytes of records and keys that found no room in the SUs."""
-    (row,) = found["rungs"]
+    (row,) = found["designs"]
     return one_model(found) | {"sort": total_bytes({"sort": row["bytes"]["sort_overflow"]})}
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Of other machines: `pipegs rivals`, `ladder --terms paper`."""
+"""Of other machines: `pipegs rivals`, `terms`."""
 from keep.parts import pick
 
 

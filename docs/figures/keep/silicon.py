@@ -16,7 +16,7 @@ def silicon_rows(row):
 
 def silicon(found):
     """Of `pipegs silicon --no-energy` for one design point."""
-    (row,) = found["rungs"]
+    (row,) = found["designs"]
     return silicon_rows(row)
 
 
@@ -29,7 +29,7 @@ def fpga(found):
 def energy(found):
     """By design point: clock, area, frames for area and energy, and what each unit takes."""
     result = {}
-    for row in found["rungs"]:
+    for row in found["designs"]:
         total = silicon_rows(row)["Total"]
         figures = pick("cycles", "ghz", "us", "fps", "fps_per_mm2", "frames_per_joule", "frames_per_joule_with_dram")
         result[row["name"]] = figures(row) | {
@@ -43,7 +43,7 @@ def energy(found):
 
 def equal_area(found):
     """By design point: the area at which all are compared, and its time there."""
-    return {row["name"]: row["equal_area"] for row in found["rungs"]}
+    return {row["name"]: row["equal_area"] for row in found["designs"]}
 
 
 def energy_row(one):
@@ -72,7 +72,7 @@ def clocks_row(one):
 
 def cost(found):
     """Of one machine: area, longest path, and what a frame takes of chip and DRAM."""
-    (row,) = found["rungs"]
+    (row,) = found["designs"]
     total = silicon_rows(row)["Total"]
     uj = {one["name"]: 1e6 * one["frame_j"]["mid"] for one in row["energy"]}
     figures = pick("cycles", "frames_per_joule", "frames_per_joule_with_dram")(row)

@@ -133,15 +133,15 @@ std::vector<NamedSettings> read_configurations(const JsonNode& campaign) {
   return configurations;
 }
 
-std::vector<std::string> read_rungs(const JsonNode& campaign) {
-  std::vector<std::string> rungs;
-  if (!campaign.has("rungs")) return {std::string(kDefaultDesignPoint)};
+std::vector<std::string> read_designs(const JsonNode& campaign) {
+  std::vector<std::string> designs;
+  if (!campaign.has("designs")) return {std::string(kDefaultDesignPoint)};
   std::set<std::string> names;
-  for (const JsonNode& node : elements_of(campaign["rungs"])) {
-    rungs.push_back(name_of(node, names));
-    at(node, [&] { find_design_point(rungs.back()); });
+  for (const JsonNode& node : elements_of(campaign["designs"])) {
+    designs.push_back(name_of(node, names));
+    at(node, [&] { find_design_point(designs.back()); });
   }
-  return rungs;
+  return designs;
 }
 
 // What all points share.
@@ -164,7 +164,7 @@ PointArguments read_shared(const JsonNode& campaign, const std::filesystem::path
 
 Campaign read_campaign(const std::filesystem::path& path, const std::filesystem::path& keep) {
   const JsonNode file = JsonNode::parse(path.string(), read_text_file(path, "a campaign file", kMostJsonBytes));
-  check_fields(file, {"scenes", "rungs", "configurations", "engine", "truth", "memory", "seed", "windows"});
+  check_fields(file, {"scenes", "designs", "configurations", "engine", "truth", "memory", "seed", "windows"});
   const PointArguments shared = read_shared(file, keep);
   Campaign campaign{.engine = shared.engine, .windows = 0, .points = {}};
   if (file.has("windows")) {
@@ -176,22 +176,22 @@ Campaign read_campaign(const std::filesystem::path& path, const std::filesystem:
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   for (const JsonNode& node : elements_of(file["scenes"])) scenes.push_back(read_scene_entry(node, folder, names));
   const std::vector<NamedSettings> configurations = read_configurations(file);
-  const std::vector<std::string> rungs = read_rungs(file);
+  const std::vector<std::string> designs = read_designs(file);
   std::size_t views = 0;
   for (const NamedScene& scene : scenes) views += scene.views.size();
-  if (views * configurations.size() * rungs.size() > kMostPoints) {
+  if (views * configurations.size() * designs.size() > kMostPoints) {
     throw InputError(path.string(), "",
                      fmt::format("found {} views x {} configurations x {} design points, expected at most {} points",
-                                 views, configurations.size(), rungs.size(), kMostPoints));
+                                 views, configurations.size(), designs.size(), kMostPoints));
   }
   for (const NamedScene& scene : scenes) {
     for (const int view : scene.views) {
       for (std::size_t c = 0; c < configurations.size(); ++c) {
-        for (const std::string& rung : rungs) {
+        for (const std::string& design : designs) {
           CampaignPoint point{scene.name, configurations[c].name, shared};
           point.arguments.view = scene.view;
           point.arguments.view.view = view;
-          point.arguments.view.design_point = rung;
+          point.arguments.view.design_point = design;
           point.arguments.view.settings = configurations[c].settings;
           if (configurations[c].settings.empty()) point.arguments.options();
           else at(file["configurations"][c]["set"], [&] { point.arguments.options(); });

@@ -11,7 +11,7 @@ namespace pipegs {
 
 struct PointResult;
 
-// Writes FOLDER/SCENE-VIEW-CONFIGURATION-RUNG/frame.exr and frame.png; nothing for points of whole views.
+// Writes FOLDER/SCENE-VIEW-CONFIGURATION-DESIGN/frame.exr and frame.png; nothing for points of whole views.
 void join_windows(const std::filesystem::path& folder, const std::vector<PointResult>& points);
 
 }  // namespace pipegs

@@ -27,7 +27,7 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
-constexpr const char* kNames = "scene,view,camera,configuration,rung,window_x,window_y,windows";
+constexpr const char* kNames = "scene,view,camera,configuration,design,window_x,window_y,windows";
 
 std::string names_of(const PointResult& result) {
   const PointArguments& point = result.point.arguments;
@@ -69,7 +69,7 @@ Json results_json(const std::vector<PointResult>& points) {
                  {"view", point.view.view},
                  {"camera", one.camera},
                  {"configuration", one.point.configuration},
-                 {"rung", point.view.design_point},
+                 {"design", point.view.design_point},
                  {"set", point.view.settings},
                  {"engine", point.engine},
                  {"key", one.file.stem().string()}};
@@ -93,16 +93,16 @@ std::string page_text(const std::vector<PointResult>& points) {
   const auto* shown = std::find_if(kShown.begin(), std::prev(kShown.end()), [&](const FigureColumn& column) {
     return !figure_text((*first->kept)["result"], column.place).empty();
   });
-  std::vector<std::string> rungs;
+  std::vector<std::string> designs;
   for (const PointResult& one : points) {
-    const std::string& rung = one.point.arguments.view.design_point;
-    if (std::find(rungs.begin(), rungs.end(), rung) == rungs.end()) rungs.push_back(rung);
+    const std::string& design = one.point.arguments.view.design_point;
+    if (std::find(designs.begin(), designs.end(), design) == designs.end()) designs.push_back(design);
   }
   text += fmt::format("\n| {}: scene | view | window | configuration |", shown->name);
-  for (const std::string& rung : rungs) text += fmt::format(" {} |", rung);
+  for (const std::string& design : designs) text += fmt::format(" {} |", design);
   text += "\n|---|---|---|---|" + [&] {
     std::string dashes;
-    for (size_t i = 0; i < rungs.size(); ++i) dashes += "---|";
+    for (size_t i = 0; i < designs.size(); ++i) dashes += "---|";
     return dashes;
   }();
   // Points that differ in the design point alone share a row.
@@ -113,8 +113,8 @@ std::string page_text(const std::vector<PointResult>& points) {
     const std::string name =
         fmt::format("| {} | {} | {} | {} |", one.point.scene, view.view, window, one.point.configuration);
     auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& other) { return other.first == name; });
-    if (row == rows.end()) row = rows.insert(rows.end(), {name, std::vector<std::string>(rungs.size())});
-    const size_t column = std::find(rungs.begin(), rungs.end(), view.design_point) - rungs.begin();
+    if (row == rows.end()) row = rows.insert(rows.end(), {name, std::vector<std::string>(designs.size())});
+    const size_t column = std::find(designs.begin(), designs.end(), view.design_point) - designs.begin();
     row->second[column] = one.kept ? figure_text((*one.kept)["result"], shown->place) : "missing";
   }
   for (const auto& [name, cells] : rows) {

@@ -109,7 +109,7 @@ PageTable points_table(const std::vector<PointResult>& points) {
     for (const CostColumn& cost : kCosts)
       row.push_back(one.kept ? figure(fmt::format("{:.1f}", (*one.kept)["cost"][cost.key].get<double>() / cost.unit))
                              : PageCell{});
-    std::string settings = "--rung " + point.view.design_point;
+    std::string settings = "--design " + point.view.design_point;
     for (const std::string& setting : point.view.settings) settings += " --set " + setting;
     row.push_back({.text = settings});
     table.rows.push_back(std::move(row));

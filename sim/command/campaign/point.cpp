@@ -197,7 +197,7 @@ std::string PointArguments::line() const {
   if (!view.cameras.size.empty()) say("--size", view.cameras.size);
   if (view.cameras.orbit > 0) say("--orbit", fmt::to_string(view.cameras.orbit));
   say("--view", fmt::to_string(view.view));
-  say("--rung", view.design_point);
+  say("--design", view.design_point);
   for (const std::string& setting : view.settings) say("--set", setting);
   if (!view.window.empty()) {
     say("--window", fmt::format("{},{}", view.window[0], view.window[1]));
@@ -246,7 +246,7 @@ std::optional<Json> kept_point(const MeasurementStore& store, const Config& conf
 
 void add_point(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("point", "one point of a campaign: measured on one core, once, and kept");
-  command->footer(footer("pipegs point garden.ply --cameras cameras.json --view 0 --rung exact --keep points",
+  command->footer(footer("pipegs point garden.ply --cameras cameras.json --view 0 --design exact --keep points",
                          "kept (--engine rtl: and every bit agrees)", "--engine rtl: a bit differs or the RTL stops",
                          "The lines that `pipegs campaign` writes. What is kept already is not measured again."));
   static PointArguments arguments;

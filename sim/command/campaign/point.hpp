@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sim/command/command.hpp"
-#include "sim/study/measurement_store.hpp"
+#include "sim/report/measurement_store.hpp"
 
 namespace pipegs {
 

@@ -6,9 +6,8 @@
 #include <memory>
 
 #include "sim/command/command.hpp"
-#include "sim/command/frame/terms.hpp"
 #include "sim/command/page/page_argument.hpp"
-#include "sim/study/ladder.hpp"
+#include "sim/ladder/ladder.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/report.hpp"
 #include "sim/rtl/rtl_fault.hpp"
@@ -19,7 +18,7 @@ namespace {
 struct LadderArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string out = "ladder", svg, terms;
+  std::string out = "ladder", svg;
   PageArgument page;
   bool json = false, no_truth = false;
 };
@@ -75,7 +74,6 @@ PixelBytes memory_of(const LadderArguments& arguments) {
 }
 
 int ladder(const LadderArguments& arguments) {
-  if (!arguments.terms.empty()) return ladder_terms(arguments.view, arguments.memory, arguments.json);
   const std::vector<const DesignPoint*> chosen = find_design_points(arguments.view.design_points);
   const std::vector<SimulateOptions> options = arguments.view.options(chosen);
   std::vector<LadderRow> rows;
@@ -112,7 +110,7 @@ int ladder(const LadderArguments& arguments) {
        {{"kind", arguments.memory.external.dram},
         {"bytes_per_cycle", memory_peak(arguments.memory.external)},
         {"seed", arguments.memory.seed}}},
-      {"rungs", ladder_json(rows)}};
+      {"designs", ladder_json(rows)}};
   if (done > 0) write_text(arguments.out + "/ladder.json", json.dump(2) + "\n");
   const std::string head = fmt::format("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle", loaded.scene.name,
                                        loaded.scene.gaussians.size(), camera.name, camera.width, camera.height,
@@ -154,11 +152,6 @@ void add_ladder(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--svg", arguments.svg, "charts");
   arguments.page.add(*command);
-  command
-      ->add_option("--terms", arguments.terms,
-                   "paper: no RTL; from counts of the view, under which assumptions the paper's figures come out")
-      ->check(CLI::IsMember({"paper"}))
-      ->excludes("--page");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--json", arguments.json, "print ladder.json instead of the tables");
   command->callback([&run] { run = [] { return ladder(arguments); }; });

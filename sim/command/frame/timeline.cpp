@@ -8,7 +8,6 @@
 #include "scenes/atomic_file.hpp"
 #include "scenes/own_failure.hpp"
 #include "sim/command/command.hpp"
-#include "sim/command/frame/pipelines.hpp"
 #include "sim/report/timeline.hpp"
 
 namespace pipegs {
@@ -19,12 +18,10 @@ struct TimelineArguments {
   MemoryArguments memory;
   TimelineOptions timeline;
   int windows = 0;
-  std::string out, svg;
-  bool pipelines = false, json = false;
+  std::string out;
 };
 
 int timeline(TimelineArguments arguments) {
-  if (arguments.pipelines) return draw_pipelines(arguments.view, arguments.memory, arguments.svg, arguments.json);
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   if (arguments.windows > 0) {
@@ -75,14 +72,7 @@ void add_timeline(CLI::App& app, Run& run) {
   static TimelineArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command);
-  auto* what = command->add_option_group("what", "one of them");
-  what->add_option("--out", arguments.out, "the trace");
-  auto* pipelines = what->add_flag("--pipelines", arguments.pipelines,
-                                   "the paper's Fig. 1 from this view: a GPU's order of work, GSCore and GSAcc by "
-                                   "their models, dop and the machine of --rung by the RTL");
-  what->require_option(1);
-  command->add_option("--svg", arguments.svg, "with --pipelines: the picture")->needs(pipelines);
-  command->add_flag("--json", arguments.json, "with --pipelines: as JSON")->needs(pipelines);
+  command->add_option("--out", arguments.out, "the trace")->required();
   add_integer(*command, "--windows", arguments.windows, "so many windows side by side, from --window or the first", 1,
               1024);
   add_integer(*command, "--grain", arguments.timeline.grain, "cycles of a piece of the state tracks", 1, 1000000)

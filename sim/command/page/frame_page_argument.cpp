@@ -7,7 +7,7 @@
 #include "sim/command/page/page_argument.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/report/html/template.hpp"
-#include "sim/train/photos/photograph.hpp"
+#include "sim/photos/photograph.hpp"
 
 namespace pipegs {
 namespace {

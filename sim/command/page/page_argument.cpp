@@ -10,7 +10,7 @@
 #include "sim/command/replay.hpp"
 #include "sim/design/design_point.hpp"
 #include "sim/report/html/template.hpp"
-#include "sim/study/measurement_store.hpp"
+#include "sim/report/measurement_store.hpp"
 
 namespace pipegs {
 namespace {

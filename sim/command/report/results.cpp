@@ -178,7 +178,8 @@ void add_walk(const fs::path& file, const std::string& name, FolderResults& resu
 
 void add_campaign(const fs::path& file, const std::string& name, FolderResults& results) {
   CampaignResult result{
-      .name = name, .columns = {"scene", "view", "camera", "configuration", "rung", "window_x", "window_y", "windows"}};
+      .name = name,
+      .columns = {"scene", "view", "camera", "configuration", "design", "window_x", "window_y", "windows"}};
   for (const FigureColumn& column : point_figures()) result.columns.emplace_back(column.name);
   read_csv(file, fmt::format("{}", fmt::join(result.columns, ",")), [&](const CsvRow& row) {
     std::vector<std::string>& texts = result.rows.emplace_back();

@@ -7,7 +7,7 @@
 #include "sim/command/command.hpp"
 #include "scenes/text/json.hpp"
 #include "sim/report/finite.hpp"
-#include "sim/study/margin.hpp"
+#include "sim/layers/margin.hpp"
 
 namespace pipegs {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pack.cpp: `pipegs pack`: a scene in the machine's own format for a program that drives it: the tables as they lie in
-// memory, and a C header with what the driver (sim/driver/pipegs_frame.h) takes of them and of a camera.
+// memory, and a C header with what the driver (cpp_model/driver/pipegs_frame.h) takes of them and of a camera.
 #include <fmt/format.h>
 
 #include <bit>
@@ -104,7 +104,7 @@ void add_pack(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("pack", "a scene for a program that drives the machine: image.bin, scene.h");
   command->footer(footer("pipegs pack garden.ply --cameras cameras.json --view 0 --out packed", "done", "",
                          "image.bin is put into the machine's memory as it is; scene.h is compiled with "
-                         "sim/driver/example.c\nor a program like it."));
+                         "cpp_model/driver/example.c\nor a program like it."));
   static PackArguments arguments;
   arguments.view.add(*command);
   command->add_option("--out", arguments.out, "folder for image.bin and scene.h")->capture_default_str();

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sim/study/measurement_store.hpp"
+#include "sim/report/measurement_store.hpp"
 
 namespace pipegs {
 namespace {

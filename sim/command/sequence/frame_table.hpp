@@ -3,7 +3,7 @@
 //
 // Idea    A percentile is a frame's own value: the least that so many percent of the frames do not exceed (nearest
 //         rank). So the 99th of fewer than a hundred frames is the largest.
-// Energy  By the frame model (sim/study/silicon/frame_model.hpp): rates of measured frames times cycles and bytes;
+// Energy  By the frame model (sim/silicon/frame_model.hpp): rates of measured frames times cycles and bytes;
 //         nothing where it does not know the machine.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 #include "sim/compare/simulate.hpp"
 #include "sim/report/chart.hpp"
-#include "sim/study/silicon/frame_model.hpp"
+#include "sim/silicon/frame_model.hpp"
 
 namespace pipegs {
 

@@ -14,7 +14,7 @@
 #include "sim/command/sequence/frame_table.hpp"
 #include "sim/progress.hpp"
 #include "sim/rtl/rtl_fault.hpp"
-#include "sim/study/measurement_store.hpp"
+#include "sim/report/measurement_store.hpp"
 #include "sim/timing/timing_model.hpp"
 
 namespace pipegs {

@@ -8,7 +8,7 @@ namespace {
 
 class PictureCli : public Cli {
  protected:
-  const std::string view_ = " scene.ply --cameras cameras.json --rung dop ";
+  const std::string view_ = " scene.ply --cameras cameras.json --design dop ";
 
   Rgb8 picture(const std::string& command) {
     fs::remove_all(folder_ / "pictures");
@@ -59,7 +59,7 @@ TEST_F(PictureCli, ABackgroundShinesThrough) {
 }
 
 TEST_F(PictureCli, PixelsWithoutTAreMadeWiderOrRefused) {
-  const std::string sim = "sim scene.ply --cameras cameras.json --rung fast --no-truth --no-rtl ";
+  const std::string sim = "sim scene.ply --cameras cameras.json --design fast --no-truth --no-rtl ";
   EXPECT_EQ(picture(sim + "--background 9,9,9").width, 70);
   EXPECT_EQ(nlohmann::json::parse(text("pictures/report.json"))["config"]["pixel_w"], 64);
   picture(sim);

@@ -5,7 +5,7 @@
 
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/golden.hpp"
-#include "sim/study/stress/scene.hpp"
+#include "sim/bounds/hostile_scene.hpp"
 
 namespace pipegs {
 

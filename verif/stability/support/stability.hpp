@@ -3,7 +3,7 @@
 //
 //   expect_stable("T05", scene, camera)   golden = RTL on every beat and pixel, with assertions on, on the default
 //                                         machine and on `exact`; alpha, T and colour differ from the truth by at most
-//                                         the bounds of sim/study/budget/budget.hpp
+//                                         the bounds of sim/bounds/budget.hpp
 // The figures (worst error and worst bound) are printed and stand in the test's XML; docs/numerics/stability.md quotes
 // them.
 #pragma once
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/study/budget/frame.hpp"
+#include "sim/bounds/frame.hpp"
 #include "sim/compare/simulate.hpp"
 #include "verif/frame/scenes.hpp"
 

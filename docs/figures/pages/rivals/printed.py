@@ -7,8 +7,8 @@ from pages.silicon import energy, silicon as chip
 
 MEASURED = ["printed/*", "terms/*", "ladder/*", "equal_area/*", "energy/*", "silicon/dop"]
 HEAD = ["paper", "what", "printed", "its terms", "RTL, equal lanes", "equal area", "why they differ", "command"]
-TERMS, LADDER = "`pipegs ladder --terms paper`", "`pipegs ladder`"
-PROFILE, SILICON = "`pipegs profile`", "`pipegs silicon --rung dop`"
+TERMS, LADDER = "`pipegs terms`", "`pipegs ladder`"
+PROFILE, SILICON = "`pipegs profile`", "`pipegs silicon --design dop`"
 
 
 def terms(key, form, *rest):

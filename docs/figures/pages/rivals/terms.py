@@ -164,7 +164,7 @@ def bubbles():
 def assumptions():
     """Each assumption, what the paper says of it, ours and the paper's."""
     rows = [[one.key, one.what, one.words, one.ours, one.paper] for one in data.terms.terrace.assumptions]
-    return table(["assumption", "what", "the paper", "ours", "`--terms paper`"], rows)
+    return table(["assumption", "what", "the paper", "ours", "`pipegs terms`"], rows)
 
 
 def row_of(assumption):

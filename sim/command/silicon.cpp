@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// silicon.cpp: `pipegs silicon`: area, clock and energy in 28 nm unit by unit, beside the paper's Table 2 and
+// GSCore's; frames per mm2 and joule.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "scenes/text/number.hpp"
+#include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
+#include "sim/timing/cycle_engine.hpp"
+#include "sim/report/measurement_store.hpp"
+#include "sim/silicon/frame_model.hpp"
+#include "sim/silicon/report.hpp"
+
+namespace pipegs {
+namespace {
+
+struct SiliconArguments {
+  ViewArguments view;
+  MemoryArguments memory;
+  std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table, svg;
+  PageArgument page;
+  double equal_area = 0;  // mm2
+  bool json = false, no_energy = false;
+};
+
+// What `make synth` wrote of a configuration.
+std::filesystem::path synth_folder(const SiliconArguments& arguments, const Config& config) {
+  return std::filesystem::path(arguments.folder) / config_difference(config) / arguments.library;
+}
+
+Synth synth_of(const SiliconArguments& arguments, const Config& config) {
+  return read_synth(synth_folder(arguments, config) / "synth.json", config);
+}
+
+Config half_of(Config config) {
+  if (config.units == 1)
+    throw ConfigError("--equal-area: units = 1, expected at least 2: half the machine is a point of the law");
+  config.units /= 2;
+  if (config.fronts > 1 && config.fronts <= config.units) config.fronts /= 2;  // else every PU is one
+  return config;
+}
+
+// What was kept of this frame, or a run of the RTL.
+FrameActivity frame_activity(const LoadedView& loaded, const SimulateOptions& options, const Enables& enables,
+                             uint64_t cycles, const std::string& folder) {
+  const MeasurementStore store(folder, loaded.scene, loaded.camera, options,
+                               {{"rtl", hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv")},
+                                {"samples", {kSamples, kSampleCycles}},
+                                {"enables", enables.program}});
+  if (const std::optional<FrameActivity> kept = store.load(options.config, frame_activity_from_json)) return *kept;
+  const FrameActivity activity = measure_activity(loaded.scene, loaded.camera, options, enables, cycles, folder);
+  store.save(options.config, to_json(activity));
+  return activity;
+}
+
+// Into the table in place of what it holds of the same scene and configuration.
+void keep_frame(const std::string& table, const MeasuredFrame& frame) {
+  std::vector<MeasuredFrame> frames =
+      std::filesystem::exists(table) ? read_frames(table) : std::vector<MeasuredFrame>{};
+  std::erase_if(frames,
+                [&](const MeasuredFrame& old) { return old.scene == frame.scene && old.config == frame.config; });
+  frames.push_back(frame);
+  write_text(table, frames_csv(frames));
+}
+
+// A table that cannot be read is told before the frames are measured, too.
+void check_outputs(const SiliconArguments& arguments) {
+  try_file("--svg", arguments.svg);
+  arguments.page.check();
+  try_file("--table", arguments.table);
+  if (!arguments.no_energy) try_folder("--keep", arguments.keep);
+  if (!arguments.table.empty() && std::filesystem::exists(arguments.table)) read_frames(arguments.table);
+}
+
+int silicon(const SiliconArguments& arguments) {
+  std::vector<SimulateOptions> options = arguments.view.each();
+  check_outputs(arguments);
+  const LoadedView loaded = load_view(arguments.view);
+  for (SimulateOptions& one : options) {
+    arguments.memory.apply(one);
+    follow_scene(loaded.scene, one);
+    if (arguments.no_energy) continue;
+    need_taps(one);
+    check_picture_memory(loaded.camera, one, kGoldenPixels + kRtlPixels);
+  }
+  const SramLaw law(PIPEGS_SOURCE_DIR "/synth/data/sram.csv");
+  std::vector<SiliconPoint> design_points, halves;  // of these, with half as many units
+  std::vector<Enables> enables;                     // of each, where energy is asked for
+  for (const SimulateOptions& one : options) {
+    std::optional<Config> half;
+    if (arguments.equal_area > 0) half = half_of(one.config);
+    const std::string name = config_difference(one.config), design_point = design_point_name(one.config);
+    const Synth synth = synth_of(arguments, one.config);
+    if (!arguments.no_energy)
+      enables.push_back(read_enables(synth_folder(arguments, one.config) / "enables.json", one.config));
+    design_points.push_back({design_point.empty() ? name : design_point, synth, silicon_rows(one.config, synth, law)});
+    if (!half) continue;
+    const Synth half_synth = synth_of(arguments, *half);
+    halves.push_back({half_synth.configuration, half_synth, silicon_rows(*half, half_synth, law)});
+  }
+  for (size_t i = 0; i < design_points.size(); ++i) {
+    const Config& config = options[i].config;
+    const CycleEngine engine = model_engine(loaded.scene, loaded.camera, options[i]);
+    design_points[i].cycles = engine(config, options[i].memory).cycles;
+    if (arguments.equal_area > 0) {
+      halves[i].cycles = engine(half_of(config), options[i].memory).cycles;
+      design_points[i].half = HalfMachine{halves[i].mm2(), halves[i].us()};
+    }
+    if (arguments.no_energy) continue;
+    const FrameActivity activity =
+        frame_activity(loaded, options[i], enables[i], design_points[i].cycles, arguments.keep);
+    design_points[i].cycles = activity.cycles;
+    design_points[i].energy = energy_rows(config, design_points[i].synth, enables[i], law, activity);
+    design_points[i].clocks = module_clocks(design_points[i].synth, enables[i], activity);
+    if (!arguments.table.empty())
+      keep_frame(arguments.table,
+                 measured_frame(loaded.scene.name, config, activity, design_points[i].rows, design_points[i].energy));
+  }
+  const std::vector<Chart> charts = silicon_charts(design_points);
+  const std::string text = to_text(design_points, arguments.equal_area);
+  write_charts(arguments.svg, charts);
+  const std::string head = fmt::format("{}: view {} ({}x{}), memory {}", loaded.scene.name, loaded.camera.name,
+                                       loaded.camera.width, loaded.camera.height, arguments.memory.external.dram);
+  NamedMachines machines;
+  for (size_t i = 0; i < design_points.size(); ++i) machines.emplace_back(design_points[i].name, options[i].config);
+  arguments.page.write({.title = "Area, clock and energy in 28 nm",
+                        .head = head,
+                        .charts = charts,
+                        .printed = text,
+                        .machines = machines});
+  if (arguments.json) {
+    nlohmann::ordered_json json = {
+        {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
+    json.update(to_json(design_points, arguments.equal_area));
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}\n\n{}", head, text);
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+void add_silicon(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand(
+      "silicon", "area, clock and energy in 28 nm, beside the paper's Table 2; frames per mm2 and joule");
+  command->footer(footer(
+      "pipegs silicon garden.ply --cameras cameras.json --designs dop,exact --svg silicon.svg",
+      "measured, every bit of the RTL agrees", "a bit differs or the RTL stops",
+      "Needs what `make synth` writes for each configuration. Energy needs a run of the RTL, which is kept: each frame "
+      "is measured\n"
+      "once. Ranges are what 28 nm may be: docs/silicon/silicon.md, docs/silicon/energy.md."));
+  static SiliconArguments arguments;
+  arguments.view.add(*command, DesignPoints::kOneOrSeveral);
+  arguments.memory.add(*command);
+  command->add_option("--library", arguments.library, "library whose gates were counted")->capture_default_str();
+  command->add_option("--synth", arguments.folder, "folder that `make synth` has written to");
+  command->add_option("--keep", arguments.keep, "folder for what switched in the frames that were measured");
+  command->add_option(
+      "--table", arguments.table,
+      "add the frames' energies to this table; `pipegs accuracy` interpolates between those of synth/data/energy.csv");
+  add_real(*command, "--equal-area", arguments.equal_area,
+           "compare the machines at this area too, mm2; `make synth` of each with half as many units comes first",
+           {.low = 0.1, .high = 100});
+  command->add_flag("--no-energy", arguments.no_energy, "area and clock only, without the RTL");
+  command->add_option("--svg", arguments.svg, "charts");
+  arguments.page.add(*command);
+  command->add_flag("--json", arguments.json, "as JSON");
+  command->callback([&run] { run = [] { return silicon(arguments); }; });
+}
+
+}  // namespace pipegs

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+// effects.cpp: the table of effects; see effects.hpp.
+#include "sim/effects/effects.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "cpp_model/dopu/dopu_axis.hpp"
+#include "sim/design/static_cost.hpp"
+#include "sim/layers/margin.hpp"
+
+namespace pipegs {
+namespace {
+
+using Verdict = Effect::Verdict;
+
+// Band `band` of the SH colours; the hardware of a band needs those below it.
+template <int band>
+Verdict detect_sh(const EffectFacts& facts) {
+  const int scene = facts.scene.sh_degree, config = facts.options.config.sh_degree;
+  if (config < band) return {false, fmt::format("the configuration evaluates degree {}", config)};
+  if (scene < band) return {false, fmt::format("the scene has degree {}", scene)};
+  const bool higher = std::any_of(facts.sh_largest.begin() + band + 1, facts.sh_largest.end(),
+                                  [](double largest) { return largest > 0; });
+  const double largest = facts.sh_largest[band];
+  return {largest > 0 || higher, fmt::format("largest coefficient {:.3g}{}", largest,
+                                             largest == 0 && higher ? ", but a higher band needs it" : "")};
+}
+
+template <int band>
+void leave_out_sh(SimulateOptions& options) {
+  options.config.sh_degree = std::min(options.config.sh_degree, band - 1);
+}
+
+// An entry of the configuration that is 1 with the effect and 0 without.
+template <int Config::*entry>
+void without(SimulateOptions& options) {
+  options.config.*entry = 0;
+}
+
+Verdict counted(uint64_t count, const char* what) { return {count > 0, fmt::format("{} {}", count, what)}; }
+
+Verdict detect_antialias(const EffectFacts& facts) {
+  return {facts.scene.antialiased,
+          facts.scene.antialiased ? "the scene was trained with it" : "the scene was trained without"};
+}
+
+Verdict detect_near(const EffectFacts& facts) {
+  return counted(facts.simulation.golden.called.near, "pairs of Gaussian and window before the near plane");
+}
+
+Verdict detect_guard_band(const EffectFacts& facts) {
+  return counted(facts.simulation.golden.called.guard, "visible pairs of Gaussian and window beyond the guard band");
+}
+
+Verdict detect_early_stop(const EffectFacts& facts) {
+  return counted(facts.simulation.golden.called.stopped, "pixels stopped");
+}
+
+Verdict detect_ties(const EffectFacts& facts) {
+  return counted(facts.simulation.golden.called.ties, "neighbours of equal depth in the sorted order");
+}
+
+Verdict detect_saturation(const EffectFacts& facts) {
+  const Saturations& s = facts.simulation.golden.saturations;
+  return {s.color + s.accumulated > 0,
+          fmt::format("{} colours, {} accumulated colours at the top", s.color, s.accumulated)};
+}
+
+Verdict detect_layers(const EffectFacts& facts) {
+  if (!facts.options.config.has_layers()) return {false, "depth order without layers"};
+  const uint64_t most = facts.simulation.golden.called.layers;
+  return {most > 1, fmt::format("at most {} layers of a window hold something", most)};
+}
+
+// Stores whose peak comes this near to their capacity may overflow where the timing model says that they do not.
+constexpr double kFull = 0.9;
+
+Verdict detect_overflow(const EffectFacts& facts) {
+  const Config& config = facts.options.config;
+  const Work& work = facts.simulation.golden.work;
+  const bool lines_fit = !config.caches_alphas() || work.regions <= static_cast<uint64_t>(config.alpha_lines);
+  if (lines_fit && work.records <= static_cast<uint64_t>(config.records)) {
+    return {false, fmt::format("the whole frame has {} records, {} lines of alphas", work.records,
+                               config.caches_alphas() ? work.regions : 0)};
+  }
+  if (!facts.timing) return {true, "may be: only the timing model knows how full the stores get"};
+  const double lines = static_cast<double>(facts.timing->peak_lines) / config.alpha_lines,
+               records = static_cast<double>(facts.timing->peak_records) / config.records;
+  const std::string stores =
+      fmt::format("{}record store {:.0f} % of capacity",
+                  config.caches_alphas() ? fmt::format("peak alpha store {:.0f} %, ", 100 * lines) : "", 100 * records);
+  return {facts.timing->overflow_lines > 0 || std::max(lines, records) > kFull,
+          fmt::format("timing model: {}, {} lines overflow", stores, facts.timing->overflow_lines)};
+}
+
+// A chain of the SU is a bucket of depth, or what it selects from records in memory.
+Verdict detect_large_groups(const EffectFacts& facts) {
+  const uint64_t most = facts.simulation.golden.called.bucket;
+  if (most > 16) return {true, fmt::format("a bucket of depth holds {} keys", most)};
+  if (detect_overflow(facts).called_for) return {true, "records may overflow"};
+  return {false, fmt::format("no bucket of depth holds more than {} keys", most)};
+}
+
+Verdict detect_straddling(const EffectFacts& facts) {
+  if (!facts.options.config.has_layers()) return {false, "depth order without layers"};
+  const PackedScene& packed = facts.simulation.packed;
+  const int axis = dopu_axis(facts.simulation.input.frame);
+  const double share = margin(facts.scene, layer_grid(packed)).share[static_cast<size_t>(axis)];
+  return {false,
+          fmt::format("{:.2f} % reach over a plane along {}: order PSNR to expect {:.0f} dB, +- {:.0f}; a Gaussian "
+                      "belongs whole to the layer of its mean's cell, so this never costs hardware",
+                      100 * share, "xyz"[axis], expected_order_db(share), kOrderDbError)};
+}
+
+Verdict detect_dram(const EffectFacts& facts) {
+  const ExternalMemoryOptions& memory = facts.options.memory;
+  if (memory.dram == "ideal" && memory.jitter == 0) return {false, "the memory asked for has a fixed latency"};
+  if (!facts.timing) return {true, "cycles are asked for"};
+  const uint64_t cycles = facts.timing->cycles, fixed = facts.fixed_latency_cycles;
+  return {cycles != fixed,
+          fmt::format("timing model: {} cycles, {} with a fixed latency; pixels never depend on it", cycles, fixed)};
+}
+
+Verdict detect_waves(const EffectFacts& facts) {
+  const bool asked = !facts.options.rtl.waves.empty();
+  return {asked, asked ? "--waves" : "no --waves"};
+}
+
+Verdict detect_taps(const EffectFacts& facts) {
+  if (facts.options.taps != nullptr || facts.options.watch) return {true, "someone watches the streams"};
+  if (!facts.options.rtl.waves.empty()) return {true, "waves are read beside the streams"};
+  return {false, "every pixel is compared; a mismatch is located by a second run with all"};
+}
+
+Verdict detect_asserts(const EffectFacts& facts) {
+  if (detect_taps(facts).called_for) return {true, "someone looks for a fault"};
+  return {false, "a broken rule shows as a pixel or as a machine that hangs"};
+}
+
+}  // namespace
+
+// One line for each: name, what it is, what leaving it out is, detector, and how to leave it out.
+const std::vector<Effect>& effects() {
+  using Options = SimulateOptions;
+  static const std::vector<Effect> table = {
+      {"sh1", "SH band 1: colours that change with the direction", "sh_degree=0", detect_sh<1>, leave_out_sh<1>},
+      {"sh2", "SH band 2", "sh_degree=1", detect_sh<2>, leave_out_sh<2>},
+      {"sh3", "SH band 3", "sh_degree=2", detect_sh<3>, leave_out_sh<3>},
+      {"antialias", "opacity lowered by what the dilation adds to the area", "antialias=0", detect_antialias,
+       without<&Config::antialias>},
+      {"near", "the near plane", "near_test=0", detect_near, without<&Config::near_test>},
+      {"guard_band", "clamp of the Jacobian's x/z and y/z", "guard_band=0", detect_guard_band,
+       without<&Config::guard_band>},
+      {"saturation", "colours that clip at the top", "saturation=0", detect_saturation, without<&Config::saturation>},
+      {"early_stop", "pixels and regions that close when they are opaque", "early_stop=0", detect_early_stop,
+       without<&Config::early_stop>},
+      {"layers", "carry of T and RGB from layer to layer", "layered=0", detect_layers,
+       [](Options& o) {
+         if (o.config.has_layers()) o.config.layered = 0;
+       }},
+      {"ties", "order of equal depths by index", "index_ties=0", detect_ties, without<&Config::index_ties>},
+      {"overflow", "alphas, records and keys that go to external memory", "overflow=0", detect_overflow,
+       without<&Config::overflow>},
+      {"large_groups", "sort groups of more than 16 keys", "large_groups=0", detect_large_groups,
+       without<&Config::large_groups>},
+      {"straddling", "Gaussians that reach over the edge of their layer", "nothing to leave out", detect_straddling,
+       nullptr},
+      {"dram", "external memory's timing beyond a fixed latency", "--memory ideal --jitter 0", detect_dram,
+       [](Options& o) { o.memory.dram = "ideal", o.memory.jitter = 0; }},
+      {"waves", "code that writes waves", "no variant +waves", detect_waves,
+       [](Options& o) { o.variant.waves = false; }},
+      {"taps", "streams at the top level, each beat compared", "taps=0", detect_taps,
+       [](Options& o) { o.config.taps = 0; }},
+      {"asserts", "assertions of the RTL", "variant +noasserts", detect_asserts,
+       [](Options& o) { o.variant.asserts = false; }},
+  };
+  return table;
+}
+
+std::string effect_cost(const Effect& effect, const SimulateOptions& options) {
+  if (effect.leave_out == nullptr) return "";
+  SimulateOptions without = options;
+  effect.leave_out(without);
+  const StaticCost all = static_cost(options.config), less = static_cost(without.config);
+  std::vector<std::string> parts;
+  const auto add = [&](double difference, const char* format) {
+    if (difference > 0) parts.push_back(fmt::format(fmt::runtime(format), difference));
+  };
+  add(all.multipliers("") - less.multipliers(""), "{:.0f} multipliers");
+  add(all.adders("") - less.adders(""), "{:.0f} adders");
+  add(all.buffer_kb("") - less.buffer_kb(""), "{:.1f} KB");
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::vector<EffectFinding> find_effects(const EffectFacts& facts) {
+  std::vector<EffectFinding> findings;
+  for (const Effect& effect : effects()) findings.push_back({&effect, effect.detect(facts)});
+  return findings;
+}
+
+namespace {
+
+EffectPlan plan(const SimulateOptions& full, const std::vector<bool>& simulated) {
+  EffectPlan result{full, {}, {}};
+  for (size_t i = 0; i < effects().size(); ++i) {
+    const Effect& effect = effects()[i];
+    if (simulated[i] || effect.leave_out == nullptr) {
+      if (simulated[i]) result.simulated.emplace_back(effect.name);
+      continue;
+    }
+    effect.leave_out(result.options);
+    result.left_out.emplace_back(effect.name);
+  }
+  config_check(result.options.config);
+  return result;
+}
+
+}  // namespace
+
+EffectPlan plan_effects(const SimulateOptions& full, const std::vector<EffectFinding>& findings) {
+  std::vector<bool> simulated;
+  for (const EffectFinding& finding : findings) simulated.push_back(finding.verdict.called_for);
+  return plan(full, simulated);
+}
+
+EffectPlan plan_effects(const SimulateOptions& full, const std::vector<std::string>& names) {
+  std::vector<bool> simulated(effects().size(), false);
+  std::vector<std::string_view> known;
+  for (const Effect& effect : effects()) known.push_back(effect.name);
+  const auto at = [&](std::string_view name) {
+    return static_cast<size_t>(std::find(known.begin(), known.end(), name) - known.begin());
+  };
+  for (const std::string& name : names) {
+    if (at(name) == known.size())
+      throw ConfigError(fmt::format("--effects {}: expected auto, all, or some of {}", name, fmt::join(known, ", ")));
+    simulated[at(name)] = true;
+  }
+  if (!full.rtl.waves.empty() && !(simulated[at("waves")] && simulated[at("taps")]))
+    throw ConfigError("--waves: needs the effects waves and taps");
+  // A band of SH needs those below it.
+  if (simulated[at("sh3")]) simulated[at("sh2")] = true;
+  if (simulated[at("sh2")]) simulated[at("sh1")] = true;
+  return plan(full, simulated);
+}
+
+}  // namespace pipegs

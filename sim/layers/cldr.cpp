@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// cldr: see cldr.hpp.
+//
+// Idea    For a world axis n, and row n of R: sigma^2 = sum_k (R_nk s_k)^2. Of both forms of the excess follow
+//           d sigma / d log s_k = (R_nk s_k)^2 / sigma      d sigma / d R_nk = R_nk s_k^2 / sigma
+#include "sim/layers/cldr.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "cpp_model/float/parallel.hpp"
+#include "cpp_model/float/projection.hpp"
+#include "sim/layers/rotation.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr std::size_t kBlock = 4096;  // Gaussians whose losses are summed by one thread
+
+// Row n of R S, whose length is sigma along axis n.
+glm::dvec3 extent(const glm::dmat3& rotation, const glm::dvec3& scale, int axis) {
+  return glm::dvec3(rotation[0][axis], rotation[1][axis], rotation[2][axis]) * scale;
+}
+
+// How far a Gaussian is beyond what is allowed, and the derivatives by sigma and by the coordinate of its mean.
+struct Excess {
+  double value = 0, by_sigma = 0, by_mean = 0;
+};
+
+Excess excess(double sigma, const LayerGrid::Distance& distance, double least, const CldrOptions& options) {
+  if (!(sigma > options.gamma * distance.length)) return {};
+  if (options.form == CldrForm::kPrinted)
+    return {sigma - options.gamma * distance.length, 1, -options.gamma * distance.slope};
+  const double d = std::max(distance.length, least), slope = distance.length > least ? distance.slope : 0;
+  if (!(sigma > options.gamma * d)) return {};
+  if (options.form == CldrForm::kRelative) return {sigma / d - options.gamma, 1 / d, -sigma / (d * d) * slope};
+  return {std::log(sigma / (options.gamma * d)), 1 / sigma, -slope / d};
+}
+
+struct AxisRange {
+  int first, last;
+};
+
+AxisRange axes_of(const Camera* camera, const CldrOptions& options) {
+  if (options.all_axes) return {0, 2};
+  if (camera == nullptr) throw std::invalid_argument("cldr: one axis needs a camera whose principal axis it is");
+  const int axis = principal_axis(*camera);
+  return {axis, axis};
+}
+
+// One Gaussian's part of the loss; adds to `sum`, if it is not null. `share` is the weight of one Gaussian and axis.
+double loss_of(const Parameters& parameters, std::size_t i, const LayerGrid& grid, const AxisRange& axes, double share,
+               const CldrOptions& options, Gradient* sum) {
+  ActivatedGaussian gaussian;
+  if (activate(parameters, i, gaussian) != Cull::kNone) return 0;
+  const glm::dmat3 rotation = rotation_matrix(gaussian.rotation);
+  glm::dmat3 d_rotation(0);
+  double loss = 0;
+  for (int axis = axes.first; axis <= axes.last; ++axis) {
+    const glm::dvec3 row = extent(rotation, gaussian.scale, axis);
+    const double sigma = glm::length(row);
+    const Excess e =
+        excess(sigma, grid.distance(axis, gaussian.mean[axis]), kLeastDistance * grid.cell_size[axis], options);
+    if (!(e.value > 0)) continue;
+    loss += share * e.value * e.value;
+    if (sum == nullptr) continue;
+    const double d_value = 2 * share * e.value, d_sigma = d_value * e.by_sigma;
+    sum->mean[i][axis] += static_cast<float>(d_value * e.by_mean);
+    sum->log_scale[i] += glm::vec3(d_sigma / sigma * row * row);
+    for (int k = 0; k < 3; ++k) d_rotation[k][axis] = d_sigma / sigma * row[k] * gaussian.scale[k];
+  }
+  if (sum == nullptr || loss == 0) return loss;
+  const double length = glm::length(glm::dvec4(parameters.rotation[i]));
+  sum->rotation[i] += glm::vec4(rotation_gradient(gaussian.rotation, length, d_rotation));
+  return loss;
+}
+
+}  // namespace
+
+double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const Camera* camera, const CldrOptions& options,
+                 Gradient* sum) {
+  if (sum != nullptr) check_same_shape(parameters, *sum);
+  const AxisRange axes = axes_of(camera, options);
+  // Of one Gaussian and axis in the loss: 1/N, and the mean over the axes.
+  const double share = options.weight / (static_cast<double>(std::max<std::size_t>(parameters.size(), 1)) *
+                                         (axes.last - axes.first + 1));
+  std::vector<double> losses((parameters.size() + kBlock - 1) / kBlock);
+  parallel_for(losses.size(), 0, [&](std::size_t block) {
+    for (std::size_t i = block * kBlock; i < std::min(parameters.size(), (block + 1) * kBlock); ++i) {
+      losses[block] += loss_of(parameters, i, grid, axes, share, options, sum);
+    }
+  });
+  return std::accumulate(losses.begin(), losses.end(), 0.0);
+}
+
+namespace {
+
+// Of parameters or of a scene.
+template <class Gaussians>
+std::array<std::size_t, 3> count_violators(const Gaussians& gaussians, std::size_t size, const LayerGrid& grid,
+                                           double gamma) {
+  std::array<std::size_t, 3> count{};
+  for (std::size_t i = 0; i < size; ++i) {
+    ActivatedGaussian gaussian;
+    if (activate(gaussians, i, gaussian) != Cull::kNone) continue;
+    const glm::dmat3 rotation = rotation_matrix(gaussian.rotation);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double sigma = glm::length(extent(rotation, gaussian.scale, axis));
+      count[static_cast<std::size_t>(axis)] += sigma > gamma * grid.distance(axis, gaussian.mean[axis]).length;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+std::array<std::size_t, 3> violators(const Parameters& parameters, const LayerGrid& grid, double gamma) {
+  return count_violators(parameters, parameters.size(), grid, gamma);
+}
+
+std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid, double gamma) {
+  return count_violators(scene, scene.gaussians.size(), grid, gamma);
+}
+
+}  // namespace pipegs

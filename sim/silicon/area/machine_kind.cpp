@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// machine_kind.cpp: see machine_kind.hpp.
+#include "sim/silicon/area/machine_kind.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace pipegs {
+namespace {
+
+constexpr double kKindRidge = 1e-6;  // beside a mean of 1: what an offset may cost
+
+// The entries as they stand in config.def, by name; made once.
+const std::map<std::string, ConfigEntry>& known_knobs() {
+  static const std::map<std::string, ConfigEntry> kKnobs = [] {
+    std::map<std::string, ConfigEntry> found;
+    for (const ConfigEntry& entry : config_entries(Config{})) {
+      if (entry.member != nullptr) found.emplace(entry.name, entry);
+    }
+    return found;
+  }();
+  return kKnobs;
+}
+
+int knob_value(const Config& config, const ConfigEntry& knob) {
+  return knob.member == &Config::fronts ? config.pu_fronts() : config.*knob.member;
+}
+
+}  // namespace
+
+MachineKind kind_of(const Config& config) { return {config.late, config.order, config.quadratic, config.quads}; }
+
+std::vector<double> kind_terms(const Config& config) {
+  return {1.0,
+          1.0 * config.late,
+          1.0 * config.has_lists(),
+          1.0 * config.has_watermarks(),
+          1.0 * config.quadratic,
+          1.0 * config.quads};
+}
+
+std::vector<double> kind_ridges() { return {0, kKindRidge, kKindRidge, kKindRidge, kKindRidge, kKindRidge}; }
+
+double scaled(const Config& config, const std::string& name) {
+  const auto knob = known_knobs().find(name);
+  if (knob == known_knobs().end()) throw ConfigError("no entry " + name);
+  const int low = knob->second.low, high = knob->second.high;
+  return (2.0 * knob_value(config, knob->second) - low - high) / std::max(1, high - low);
+}
+
+bool within(const Config& config, const std::vector<Config>& points) {
+  return std::all_of(known_knobs().begin(), known_knobs().end(), [&](const auto& one) {
+    const ConfigEntry& knob = one.second;
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), [&](const Config& a, const Config& b) {
+      return knob_value(a, knob) < knob_value(b, knob);
+    });
+    const int value = knob_value(config, knob);
+    return low != points.end() && value >= knob_value(*low, knob) && value <= knob_value(*high, knob);
+  });
+}
+
+}  // namespace pipegs

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// profile.cpp: see profile.hpp.
+#include "sim/studies/profile/profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <mutex>
+
+#include "cpp_model/float/parallel.hpp"
+#include "sim/progress.hpp"
+#include "sim/report/finite.hpp"
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kTile = 16;  // pixels, Sec. 2.1
+constexpr int kTileSizes[] = {8, 16, 32, 64};
+
+// Tiles of the image that a splat of a window touches.
+int tiles_of(const Config& config, const Frame& frame, uint64_t window_x, uint64_t window_y, const Splat& splat) {
+  const int side = config.part_regions_x(), per_tile = kTile / 8, tiles = std::max(1, side / per_tile);
+  const int first = region_number(config, splat.part, 0);  // region of the part
+  const uint64_t left = window_x * config.window + 8 * region_x(config, first),
+                 top = window_y * config.window + 8 * region_y(config, first);
+  int count = 0;
+  for (int ty = 0; ty < tiles; ++ty) {
+    for (int tx = 0; tx < tiles; ++tx) {
+      if (left + static_cast<uint64_t>(tx) * kTile >= frame.raster.width) continue;
+      if (top + static_cast<uint64_t>(ty) * kTile >= frame.raster.height) continue;
+      bool any = false;
+      for (int r = 0; r < per_tile * per_tile; ++r) {
+        const int x = tx * per_tile + r % per_tile, y = ty * per_tile + r / per_tile;
+        any = any || (splat.mask >> (y * side + x) & 1) != 0;
+      }
+      count += any;
+    }
+  }
+  return count;
+}
+
+double share(double part, double whole) { return whole > 0 ? part / whole : std::nan(""); }
+
+double percentile(std::vector<double> values, double percent) {
+  if (values.empty()) return std::nan("");
+  const auto at = static_cast<size_t>(percent / 100 * static_cast<double>(values.size() - 1) + 0.5);
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
+  return values[at];
+}
+
+}  // namespace
+
+PixelArithmetic dpc_arithmetic(int tile) {
+  const double pixels = static_cast<double>(tile) * tile;
+  return {.tile = tile, .multiplications = (4 + 4.0 * tile) / pixels, .additions = (6 + 4.0 * tile) / pixels + 2};
+}
+
+ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& options, const FigureWatch* watch) {
+  const GoldenInput& input = simulation.input;
+  const Frame& frame = input.frame;
+  const Config& config = options.config;
+  const uint64_t columns = frame.raster.windows.last_x - frame.raster.windows.first_x + 1,
+                 windows = columns * (frame.raster.windows.last_y - frame.raster.windows.first_y + 1);
+  ViewProfile profile;
+  std::vector<uint32_t> tiles(simulation.packed.scene_gaussians, 0);
+  std::vector<double> ratios(windows, std::nan(""));
+  std::mutex mutex;
+  uint64_t finished = 0;
+  Progress progress("counting");
+  parallel_for(windows, 0, [&](size_t i) {
+    if (interrupted()) throw std::runtime_error("interrupted");
+    const GoldenWindow window =
+        golden_window(input, frame.raster.windows.first_x + i % columns, frame.raster.windows.first_y + i / columns);
+    if (window.work.keys > 0)
+      ratios[i] = 4.0 * static_cast<double>(window.work.regions) / static_cast<double>(window.work.keys);
+    const std::lock_guard lock(mutex);
+    for (const GoldenLayer& layer : window.layers) {
+      for (const GoldenSplat& splat : layer.splats) {
+        const int count = tiles_of(config, frame, window.x, window.y, splat.splat);
+        tiles[splat.splat.index] += static_cast<uint32_t>(count);
+        profile.window_pairs += count > 0;
+      }
+    }
+    progress.update(static_cast<double>(++finished) / static_cast<double>(windows));
+  });
+  for (const uint32_t count : tiles) {
+    if (count == 0) continue;
+    ++profile.visible;
+    profile.tile_pairs += count;
+    profile.in_two += count >= 2;
+    profile.inverse_tiles += 1.0 / count;
+    profile.tiles.push_back(count);
+  }
+  if (profile.visible > 0) profile.inverse_tiles /= static_cast<double>(profile.visible);
+  if (watch != nullptr) {
+    const RtlResult& rtl = simulation.rtl;
+    profile.measured = true;
+    profile.cycles = rtl.cycles;
+    profile.ratios = window_ratios(watch->windows());
+    profile.preprocess = static_cast<double>(busy_cycles(rtl.pu));
+    profile.sort = static_cast<double>(busy_cycles(rtl.su));
+    profile.raster = static_cast<double>(busy_cycles(rtl.ru));
+    profile.bubbles = 1 - share(profile.raster, static_cast<double>(rtl.cycles) * config.units);
+    profile.exposed = watch->first_line() == ~uint64_t{0}
+                          ? std::nan("")
+                          : share(static_cast<double>(watch->first_line()), static_cast<double>(rtl.cycles));
+    return profile;
+  }
+  for (const double ratio : ratios) {
+    if (std::isfinite(ratio)) profile.ratios.push_back(ratio);
+  }
+  const Work& work = simulation.golden.work;
+  profile.preprocess = static_cast<double>(work.fetched);
+  profile.sort = static_cast<double>(work.keys);
+  profile.raster = 4.0 * static_cast<double>(work.regions);
+  return profile;
+}
+
+Json profile_json(const ViewProfile& profile) {
+  const double all = profile.preprocess + profile.sort + profile.raster;
+  Json json;
+  json["source"] = profile.measured ? "rtl" : "counts at full rate";
+  json["stages"] = {
+      {"preprocess", {{"cycles", profile.preprocess}, {"share", finite_json(share(profile.preprocess, all))}}},
+      {"sort", {{"cycles", profile.sort}, {"share", finite_json(share(profile.sort, all))}}},
+      {"raster", {{"cycles", profile.raster}, {"share", finite_json(share(profile.raster, all))}}}};
+  if (profile.measured) {
+    json["cycles"] = profile.cycles;
+    json["bubbles"] = finite_json(profile.bubbles);
+    json["exposed_share"] = finite_json(profile.exposed);
+  }
+  json["raster_over_sort"] = finite_json(share(profile.raster, profile.sort));
+  json["raster_over_sort_per_window"] = {{"windows", profile.ratios.size()},
+                                         {"mean", finite_json(mean(profile.ratios))},
+                                         {"p10", finite_json(percentile(profile.ratios, 10))},
+                                         {"median", finite_json(percentile(profile.ratios, 50))},
+                                         {"p90", finite_json(percentile(profile.ratios, 90))}};
+  const auto visible = static_cast<double>(profile.visible), pairs = static_cast<double>(profile.tile_pairs);
+  json["gaussians"] = {{"visible", profile.visible},
+                       {"tile_pairs", profile.tile_pairs},
+                       {"window_pairs", profile.window_pairs},
+                       {"mean_tiles", finite_json(share(pairs, visible))},
+                       {"share_in_two_or_more", finite_json(share(static_cast<double>(profile.in_two), visible))}};
+  json["coefficient_cost"] = {
+      {"once_per_gaussian", finite_json(share(visible, pairs))},
+      {"once_per_gaussian_and_window", finite_json(share(static_cast<double>(profile.window_pairs), pairs))},
+      {"mean_of_inverse_tiles", profile.inverse_tiles}};
+  for (const int tile : kTileSizes) {
+    const PixelArithmetic cost = dpc_arithmetic(tile);
+    json["arithmetic_per_pixel"]["dpc"].push_back(
+        {{"tile", tile}, {"multiplications", cost.multiplications}, {"additions", cost.additions}});
+  }
+  json["arithmetic_per_pixel"]["direct"] = {{"multiplications", kDirectMultiplications},
+                                            {"additions", kDirectAdditions}};
+  json["paper"] = {{"raster_share", 0.70},
+                   {"raster_over_sort_per_tile", 7.48},
+                   {"bubbles", 0.69},
+                   {"front_share", 0.15},
+                   {"mean_tiles", {2.6, 6.7}},
+                   {"share_in_two_or_more_above", 0.70},
+                   {"coefficient_cost", {0.15, 0.52}},
+                   {"multiplications_saved_tile_16", 0.962},
+                   {"operations_saved_tile_16", 0.769}};
+  return json;
+}
+
+std::string profile_text(const ViewProfile& profile) {
+  const double all = profile.preprocess + profile.sort + profile.raster;
+  const auto visible = static_cast<double>(profile.visible), pairs = static_cast<double>(profile.tile_pairs);
+  std::string text = fmt::format("  {:<46} {:>14}  {:<14} {}\n",
+                                 profile.measured ? "times: busy cycles of the RTL" : "times: counts at full rate",
+                                 "here", "paper", "why they differ");
+  const auto line = [&](const std::string& what, const std::string& here, const std::string& paper,
+                        const std::string& why) {
+    text += fmt::format("  {:<46} {:>14}  {:<14} {}\n", what, here, paper, why);
+  };
+  const auto percent = [](double value) {
+    return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : std::string("-");
+  };
+  const auto number = [](double value) {
+    return std::isfinite(value) ? fmt::format("{:.2f}", value) : std::string("-");
+  };
+  const bool measured = profile.measured;
+  const char* const machine = measured
+                                  ? "paper: RTX 3090, per tile; here: one machine with as many RUs as SUs, per window"
+                                  : "nothing skipped, a key per cycle: an upper bound, not the paper's quantity";
+  line("preprocessing, share of the stages' time", percent(share(profile.preprocess, all)), "",
+       measured ? "PUs; they also cull what no window shows" : "one Gaussian fetched per cycle and PU");
+  line("sorting", percent(share(profile.sort, all)), "",
+       "here a Gaussian is sorted once per window, not once per tile");
+  line("rasterization", percent(share(profile.raster, all)), measured ? "about 70 %" : "", machine);
+  line("rasterization over sorting, whole frame", number(share(profile.raster, profile.sort)), "", "");
+  line(fmt::format("  mean of {} windows", profile.ratios.size()), number(mean(profile.ratios)), measured ? "7.48" : "",
+       machine);
+  line("  10 %, 50 %, 90 % of the windows are below",
+       number(percentile(profile.ratios, 10)) + " " + number(percentile(profile.ratios, 50)) + " " +
+           number(percentile(profile.ratios, 90)),
+       "", "");
+  if (profile.measured) {
+    line("bubbles: share of the RUs' cycles not busy", percent(profile.bubbles), "69 %",
+         "waiting for memory counts too here");
+    line("cycles before the first line is blended", percent(profile.exposed), "about 15 %",
+         "of the frame; with layers or watermarks only the first layer's");
+  }
+  line("visible Gaussians", std::to_string(profile.visible), "", "alpha >= 1/255 in some pixel");
+  line("mean tiles of 16x16 of a visible Gaussian", number(share(pairs, visible)), "2.6 to 6.7",
+       "other scenes; here a tile counts only if alpha >= 1/255 in a pixel of it");
+  line("in two tiles or more", percent(share(static_cast<double>(profile.in_two), visible)), "over 70 %",
+       "as the mean");
+  line("coefficients once per Gaussian, cost", number(share(visible, pairs)) + "x", "0.15 to 0.52x",
+       "10 operations a Gaussian against 10 a pair: 1 / mean tiles");
+  line("  mean over the Gaussians of 1 / tiles", number(profile.inverse_tiles) + "x", "",
+       "the same, every Gaussian weighing equally");
+  line("  once per Gaussian and window (as built)",
+       number(share(static_cast<double>(profile.window_pairs), pairs)) + "x", "",
+       "a window is 4x4 tiles by default; alphas of a frame do not fit on chip");
+  text += "\n  operations on a pixel's power            multiplications   additions   saved: multiplications   all\n";
+  text +=
+      fmt::format("  {:<40} {:>15.3f} {:>11.3f}\n", "Eq. 1 for every pixel", kDirectMultiplications, kDirectAdditions);
+  for (const int tile : kTileSizes) {
+    const PixelArithmetic cost = dpc_arithmetic(tile);
+    text += fmt::format(
+        "  {:<40} {:>15.3f} {:>11.3f} {:>21.1f} % {:>5.1f} %{}\n", fmt::format("differences, tiles of {0}x{0}", tile),
+        cost.multiplications, cost.additions, 100 * (1 - cost.multiplications / kDirectMultiplications),
+        100 * (1 - (cost.multiplications + cost.additions) / (kDirectMultiplications + kDirectAdditions)),
+        tile == kTile ? "   (paper: 96.2 %, 76.9 %)" : "");
+  }
+  return text;
+}
+
+std::vector<Chart> profile_charts(const ViewProfile& profile) {
+  const double all = profile.preprocess + profile.sort + profile.raster;
+  Chart stages{.form = Chart::Form::kBars,
+               .title = "Time by stage (paper: Fig. 3a)",
+               .y_label = "% of the stages' time",
+               .categories = {"preprocess", "sort", "raster"}};
+  stages.series = {
+      {"here",
+       {100 * share(profile.preprocess, all), 100 * share(profile.sort, all), 100 * share(profile.raster, all)}},
+      {"paper", {std::nan(""), std::nan(""), 70}, true}};
+  if (!profile.measured) {
+    stages.title = "Work by stage at full rate";
+    stages.series.pop_back();
+  }
+  Chart ratios = histogram("Raster over sort time of a window", "times", profile.ratios, 24, true);
+  ratios.y_label = "windows";
+  ratios.note =
+      fmt::format("mean {:.2f}; {}", mean(profile.ratios),
+                  profile.measured ? "the paper's mean of tiles (Fig. 3a): 7.48" : "nothing skipped, a key per cycle");
+  Chart tiles{.form = Chart::Form::kBars,
+              .title = "Tiles of 16x16 that a visible Gaussian reaches",
+              .x_label = "tiles",
+              .y_label = "% of the Gaussians"};
+  tiles.series = {{"share", {}}};
+  for (int from = 1; from <= 64; from = from < 4 ? from + 1 : 2 * from) {
+    const double to = from < 4 ? from + 1 : from == 64 ? HUGE_VAL : 2.0 * from;
+    const auto count = std::count_if(profile.tiles.begin(), profile.tiles.end(),
+                                     [&](double tile) { return tile >= from && tile < to; });
+    tiles.categories.push_back(from < 4     ? std::to_string(from)
+                               : from == 64 ? "64+"
+                                            : fmt::format("{}-{}", from, 2 * from - 1));
+    tiles.series[0].values.push_back(100 * share(static_cast<double>(count), static_cast<double>(profile.visible)));
+  }
+  tiles.note = fmt::format("mean {:.2f}; paper (Fig. 5b): 2.6 to 6.7",
+                           share(static_cast<double>(profile.tile_pairs), static_cast<double>(profile.visible)));
+  Chart arithmetic{.form = Chart::Form::kStacked,
+                   .title = "Operations on a pixel's power (paper: Fig. 4)",
+                   .y_label = "operations",
+                   .categories = {"direct"}};
+  arithmetic.series = {{"multiplications", {kDirectMultiplications}}, {"additions", {kDirectAdditions}}};
+  for (const int tile : kTileSizes) {
+    const PixelArithmetic cost = dpc_arithmetic(tile);
+    arithmetic.categories.push_back(fmt::format("{0}x{0}", tile));
+    arithmetic.series[0].values.push_back(cost.multiplications);
+    arithmetic.series[1].values.push_back(cost.additions);
+  }
+  return {stages, ratios, tiles, arithmetic};
+}
+
+}  // namespace pipegs

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, models of other accelerators on it beside two
+// machines of our own, and what other orders do to pixels.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/command/command.hpp"
+#include "sim/command/page/page_argument.hpp"
+#include "sim/studies/rivals/pipelines_command.hpp"
+#include "sim/studies/rivals/pixel_arguments.hpp"
+#include "sim/progress.hpp"
+#include "sim/studies/rivals/compare/report.hpp"
+#include "sim/studies/rivals/pixels_report.hpp"
+#include "sim/studies/rivals/report.hpp"
+
+namespace pipegs {
+namespace {
+
+struct RivalsArguments {
+  ViewArguments view;
+  MemoryArguments memory;
+  CountOptions counts{.group = 64};
+  std::string svg;
+  PageArgument page;
+  PixelArguments pixels;
+  bool json = false, only_counts = false;
+  bool pipelines = false;
+};
+
+constexpr double kFinestVoxel = 1.0 / 16;  // of --voxel, by halves: the edges between which STREAMINGGS is modelled
+
+std::vector<double> finer_voxels(double voxel) {
+  std::vector<double> edges;
+  for (double part = 0.5; part >= kFinestVoxel; part /= 2) edges.push_back(voxel * part);
+  return edges;
+}
+
+FrameCounts count(RivalsArguments& arguments, const LoadedView& view) {
+  Progress progress("counting");
+  arguments.counts.near_plane = arguments.view.near_plane;
+  arguments.counts.progress = [&](double share) { progress.update(share); };
+  if (!arguments.only_counts) arguments.counts.other_voxels = finer_voxels(arguments.counts.voxel);
+  return count_frame(view.scene, view.camera, arguments.counts);
+}
+
+std::vector<OwnMachine> own_machines(const LoadedView& loaded, const RivalsArguments& arguments) {
+  const FrameModel model = read_frame_model();
+  std::vector<OwnMachine> own;
+  for (SimulateOptions one : arguments.view.paper_and_own()) {
+    arguments.memory.apply(one);
+    follow_scene(loaded.scene, one);
+    const CycleEngine engine = model_engine(loaded.scene, loaded.camera, one);
+    own.push_back(own_machine(machine_name(one.config), one.config, engine(one.config, one.memory), model));
+  }
+  return own;
+}
+
+int run_rivals(RivalsArguments& arguments) {
+  if (arguments.pipelines) return draw_pipelines(arguments.view, arguments.memory, arguments.svg, arguments.json);
+  const SimulateOptions options = arguments.view.options();
+  if (options.window) throw ConfigError("--window: the whole view is counted, expected none");
+  if (arguments.counts.group % kTileSide != 0)
+    throw ConfigError(fmt::format("--group: found {}, expected a multiple of {}", arguments.counts.group, kTileSide));
+  try_file("--svg", arguments.svg);
+  if (arguments.only_counts && !arguments.svg.empty())
+    throw ConfigError("--svg: charts are of machines, expected none with --counts");
+  arguments.page.check();
+  arguments.pixels.check();
+  if (arguments.pixels.wanted && arguments.view.cameras.scale != 1)
+    throw ConfigError("--scale: pictures are of the cameras' sizes, expected none with --pixels");
+  const LoadedView loaded = load_view(arguments.view);
+  check_picture_memory(loaded.camera, options, arguments.pixels.wanted ? kOrderPixels : kCountPixels);
+  const FrameCounts counts = count(arguments, loaded);
+  std::optional<Comparison> comparison;
+  if (!arguments.only_counts) {
+    PlayedMemory memory(arguments.memory.external.dram);
+    comparison = compare(counts, memory, own_machines(loaded, arguments));
+    write_charts(arguments.svg, comparison_charts(*comparison));
+  }
+  PixelStudy pixels;
+  if (arguments.pixels.wanted) pixels = arguments.pixels.run(loaded, arguments.view.near_plane);
+  std::string head =
+      fmt::format("{}: view {} ({}x{}), ", loaded.scene.name, loaded.camera.name, counts.width, counts.height);
+  head += comparison ? "memory " + arguments.memory.external.dram : "float64, depth order";
+  std::string printed = comparison ? comparison_text(*comparison) : counts_text(counts, arguments.counts);
+  if (arguments.pixels.wanted) printed += "\n" + pixels_text(pixels, arguments.pixels.options);
+  NamedMachines machines;
+  for (const SimulateOptions& one : arguments.view.paper_and_own())
+    machines.emplace_back(machine_name(one.config), one.config);
+  arguments.page.write({.title = "Other accelerators on this view",
+                        .head = head,
+                        .charts = comparison ? comparison_charts(*comparison) : std::vector<Chart>{},
+                        .printed = printed,
+                        .machines = comparison ? machines : NamedMachines{}});
+  if (arguments.json) {
+    nlohmann::ordered_json json = {{"scene", loaded.scene.name},
+                                   {"camera", loaded.camera.name},
+                                   {"width", counts.width},
+                                   {"height", counts.height}};
+    if (comparison) json["memory"] = arguments.memory.external.dram;
+    json.update(counts_json(counts, arguments.counts));
+    if (comparison) json.update(comparison_json(*comparison));
+    if (arguments.pixels.wanted) json["pixels"] = pixels_json(pixels, arguments.pixels.options);
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}\n\n{}", head, printed);
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+void add_rivals(CLI::App& app, Run& run) {
+  CLI::App* command = app.add_subcommand(
+      "rivals", "other accelerators on this view, modelled from what it asks of any renderer by tiles, beside ours");
+  command->footer(footer(
+      "pipegs rivals garden.ply --cameras cameras.json --view 0 --svg rivals.svg", "done", "",
+      "GSCore, GS-TG, STREAMINGGS, GSAcc, Neo and FLICKER as their papers describe them, driven by counts of the "
+      "float64\nprojection and blending, with the same memory; what is not published is a parameter with a range, and "
+      "every figure\ncomes as low..mid..high. Beside them `dop` and the machine of --design and --set, by timing model "
+      "and frame model.\n--counts prints the counts alone. docs/rivals/rivals.md says what each model stands on.\n"
+      "--pixels: pictures of the view in the order of STREAMINGGS, and of a camera that moves through all views of the "
+      "file\nthat was given in the orders which GSAcc and Neo have from the frame before, against exact order."));
+  static RivalsArguments arguments;
+  arguments.view.add(*command);
+  arguments.memory.add(*command, false);
+  add_real(*command, "--voxel", arguments.counts.voxel, "edge of a voxel, scene units", {.low = 0.001, .high = 1e6})
+      ->capture_default_str();
+  add_integer(*command, "--group", arguments.counts.group,
+              "side of a group of pixels that streams voxels, a multiple of 16", 16, 4096)
+      ->capture_default_str();
+  command->add_flag(
+      "--pipelines", arguments.pipelines,
+      "the paper's Fig. 1 from this view: a GPU's order of work, GSCore and GSAcc by their models, dop and "
+      "the machine of --design by the RTL");
+  command->add_flag("--counts", arguments.only_counts, "the counts alone, without machines");
+  command->add_option("--svg", arguments.svg, "charts");
+  arguments.page.add(*command);
+  arguments.pixels.add(*command);
+  command->add_flag("--json", arguments.json, "as JSON");
+  command->callback([&run] { run = [] { return run_rivals(arguments); }; });
+}
+
+}  // namespace pipegs

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// ranges.cpp: see ranges.hpp.
+#include "sim/studies/rivals/compare/ranges.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace pipegs {
+namespace {
+
+constexpr size_t kFps = 0, kFramesJ = 1, kFramesJDram = 2;
+using Goals = std::array<double, 3>;
+
+Goals goals_of(const MachineFrame& frame) {
+  const double chip = frame.chip_joules, all = chip + frame.dram_joules.mid;
+  return {frame.fps(), chip > 0 ? 1 / chip : 0, all > 0 ? 1 / all : 0};
+}
+
+Range spread(double mid, const std::vector<Goals>& found, size_t goal) {
+  Range range{mid, mid, mid};
+  for (const Goals& one : found)
+    range.low = std::min(range.low, one[goal]), range.high = std::max(range.high, one[goal]);
+  return range;
+}
+
+}  // namespace
+
+RivalResult rival_result(const Rival& rival, const FrameCounts& counts, PlayedMemory& memory) {
+  const auto run = [&](const Values& changed) { return goals_of(frame_of(rival, counts, memory, changed)); };
+  RivalResult result{.rival = &rival, .frame = frame_of(rival, counts, memory), .mm2 = rival.mm2_28()};
+  std::array<Values, 3> help, hurt;
+  std::vector<Goals> found;
+  for (const Parameter& one : rival.parameters) {
+    if (one.low == one.high) continue;
+    const Goals low = run({{one.name, one.low}}), high = run({{one.name, one.high}});
+    result.swings.push_back({&one, low[kFps], high[kFps], low[kFramesJDram], high[kFramesJDram]});
+    for (size_t g = 0; g < help.size(); ++g) {
+      help[g][one.name] = low[g] > high[g] ? one.low : one.high;
+      hurt[g][one.name] = low[g] > high[g] ? one.high : one.low;
+    }
+    found.push_back(low), found.push_back(high);
+  }
+  for (size_t g = 0; g < help.size(); ++g) found.push_back(run(help[g])), found.push_back(run(hurt[g]));
+  const Goals mid = goals_of(result.frame);
+  Figures& figures = result.figures;
+  figures.fps = spread(mid[kFps], found, kFps);
+  figures.frames_j = spread(mid[kFramesJ], found, kFramesJ);
+  figures.frames_j_dram = spread(mid[kFramesJDram], found, kFramesJDram);
+  figures.fps_mm2 = ratio(figures.fps, result.mm2);
+  return result;
+}
+
+Range ratio(const Range& a, const Range& b) { return {a.low / b.high, a.mid / b.mid, a.high / b.low}; }
+
+}  // namespace pipegs

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// walk.hpp: the lists of 16-px tiles walked in depth order, with the pixels that each Gaussian finds alive.
+#pragma once
+
+#include <vector>
+
+#include "sim/studies/rivals/count/lists.hpp"
+
+namespace pipegs {
+
+// Counts tiles, their sum and the blended Gaussians. Returns of each tile the depth at which its last pixel stops,
+// infinity when one never does.
+std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, const Camera& camera,
+                                const CountOptions& options, FrameCounts& counts);
+
+// The same walk in another order: a Gaussian's layer first, then depth. `layer`: of each place in depth order, its
+// place in `layers`. Fills their tiles.
+void count_layer_walks(const SeenScene& seen, const TileLists& lists, const std::vector<uint8_t>& layer,
+                       const Camera& camera, const CountOptions& options, std::vector<LayerCounts>& layers);
+
+}  // namespace pipegs

@@ -1,0 +1,492 @@
+// SPDX-License-Identifier: Apache-2.0
+// brute.cpp: see brute.hpp.
+#include "sim/studies/rivals/test/brute.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "cpp_model/float/projection.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr Cover kAll[] = {Cover::kSquare, Cover::kAxis, Cover::kOriented, Cover::kExact};
+using Polygon = std::vector<glm::dvec2>;
+using Tile = std::pair<int, int>;
+
+struct Shape {
+  TruthProjection p;
+  std::vector<double> alpha;  // of each pixel, 0 below 1/255
+  Polygon box;
+  size_t index;
+};
+
+// The part of a polygon where sign * (coordinate - limit) >= 0.
+Polygon clip(const Polygon& polygon, int axis, double limit, double sign) {
+  Polygon rest;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const double da = sign * (a[axis] - limit), db = sign * (b[axis] - limit);
+    if (da >= 0) rest.push_back(a);
+    if ((da < 0) != (db < 0)) rest.push_back(a + (b - a) * (da / (da - db)));
+  }
+  return rest;
+}
+
+bool touches(Polygon polygon, double x0, double y0, double side) {
+  polygon = clip(polygon, 0, x0, 1);
+  polygon = clip(polygon, 0, x0 + side - 1, -1);
+  polygon = clip(polygon, 1, y0, 1);
+  return !clip(polygon, 1, y0 + side - 1, -1).empty();
+}
+
+class Brute {
+ public:
+  Brute(const Scene& scene, const Camera& camera, const CountOptions& options)
+      : scene_(scene), camera_(camera), options_(options) {}
+
+  FrameCounts run() {
+    out_.width = camera_.width, out_.height = camera_.height;
+    shapes();
+    lists();
+    walk();
+    voxels();
+    for (const int cells : options_.grids) layers(cells);
+    return out_;
+  }
+
+ private:
+  int columns(int side) const { return (camera_.width + side - 1) / side; }
+  int rows(int side) const { return (camera_.height + side - 1) / side; }
+  double alpha(const Shape& s, int x, int y) const {
+    return s.alpha[static_cast<size_t>(y) * static_cast<size_t>(camera_.width) + static_cast<size_t>(x)];
+  }
+
+  void shapes() {
+    for (size_t i = 0; i < scene_.gaussians.size(); ++i) {
+      ++out_.gaussians.scene;
+      ActivatedGaussian gaussian;
+      if (activate(scene_, i, gaussian) != Cull::kNone) continue;
+      ++out_.gaussians.valid;
+      Shape s{project_truth(gaussian, scene_.gaussians[i].sh_dc, nullptr, 0, camera_,
+                            {Semantics::kExact, options_.near_plane, scene_.antialiased, 0}),
+              {},
+              {},
+              i};
+      if (!s.p.visible) continue;
+      ++out_.gaussians.in_front;
+      for (int y = 0; y < camera_.height; ++y) {
+        for (int x = 0; x < camera_.width; ++x) {
+          const double power = std::min(0.0, power_at(s.p.conic, s.p.mean.x - x, s.p.mean.y - y));
+          const double a = std::min(0.99, s.p.opacity * std::exp(power));
+          s.alpha.push_back(a >= 1.0 / 255 ? a : 0);
+        }
+      }
+      const double angle = 0.5 * std::atan2(2 * s.p.b, s.p.a - s.p.c);
+      const glm::dvec2 u(std::cos(angle), std::sin(angle)), v(-u.y, u.x);
+      const auto along = [&](const glm::dvec2& w) {
+        return 3 * std::sqrt(w.x * w.x * s.p.a + 2 * w.x * w.y * s.p.b + w.y * w.y * s.p.c) * w;
+      };
+      s.box = {s.p.mean + along(u) + along(v), s.p.mean - along(u) + along(v), s.p.mean - along(u) - along(v),
+               s.p.mean + along(u) - along(v)};
+      shapes_.push_back(s);
+    }
+    std::stable_sort(shapes_.begin(), shapes_.end(),
+                     [](const Shape& a, const Shape& b) { return a.p.depth < b.p.depth; });
+  }
+
+  // INRIA's getRect, by its own integers.
+  bool in_square(const Shape& s, int side, int x, int y) const {
+    const double middle = 0.5 * (s.p.a + s.p.c);
+    const int radius =
+        static_cast<int>(std::ceil(3 * std::sqrt(middle + std::sqrt(std::max(0.1, middle * middle - s.p.det)))));
+    const auto in = [&](double mean, int number, int count) {
+      const int low = std::min(count, std::max(0, static_cast<int>((mean - radius) / side)));
+      const int high = std::min(count, std::max(0, static_cast<int>((mean + radius + side - 1) / side)));
+      return number >= low && number < high;
+    };
+    return in(s.p.mean.x, x, columns(side)) && in(s.p.mean.y, y, rows(side));
+  }
+
+  bool covers(const Shape& s, Cover cover, int side, int x, int y) const {
+    const double ex = 3 * std::sqrt(s.p.a), ey = 3 * std::sqrt(s.p.c);
+    const Polygon axis_box = {s.p.mean + glm::dvec2(ex, ey), s.p.mean + glm::dvec2(-ex, ey),
+                              s.p.mean - glm::dvec2(ex, ey), s.p.mean + glm::dvec2(ex, -ey)};
+    switch (cover) {
+      case Cover::kSquare: return in_square(s, side, x, y);
+      case Cover::kAxis: return in_square(s, side, x, y) && touches(axis_box, x * side, y * side, side);
+      case Cover::kOriented: return in_square(s, side, x, y) && touches(s.box, x * side, y * side, side);
+      case Cover::kExact: break;
+    }
+    for (int py = y * side; py < std::min(camera_.height, (y + 1) * side); ++py) {
+      for (int px = x * side; px < std::min(camera_.width, (x + 1) * side); ++px) {
+        if (alpha(s, px, py) > 0) return true;
+      }
+    }
+    return false;
+  }
+
+  std::set<Tile> tiles(const Shape& s, Cover cover, int side) const {
+    std::set<Tile> found;
+    for (int y = 0; y < rows(side); ++y) {
+      for (int x = 0; x < columns(side); ++x) {
+        if (covers(s, cover, side, x, y)) found.insert({x, y});
+      }
+    }
+    return found;
+  }
+
+  void lists() {
+    std::set<Tile> before;
+    for (size_t side = 0; side < kListSides.size(); ++side) {
+      ListCounts& lists = out_.lists[side];
+      lists.side = kListSides[side], lists.columns = columns(lists.side), lists.rows = rows(lists.side);
+      for (const Cover cover : kAll)
+        lists.lengths[cover].resize(static_cast<size_t>(lists.columns) * static_cast<size_t>(lists.rows));
+    }
+    for (const Shape& s : shapes_) {
+      for (ListCounts& lists : out_.lists) {
+        for (const Cover cover : kAll) {
+          for (const auto& [x, y] : tiles(s, cover, lists.side))
+            ++lists.lengths[cover][static_cast<size_t>(y * lists.columns + x)];
+        }
+      }
+      for (const Cover cover : kAll) out_.gaussians.listed[cover] += !tiles(s, cover, 16).empty();
+      const std::set<Tile> exact = tiles(s, Cover::kExact, 16), oriented = tiles(s, Cover::kOriented, 16);
+      out_.gaussians.in_two += exact.size() > 1;
+      for (int y = 0; y < camera_.height; ++y) {
+        bool any = false;
+        for (int x = 0; x < camera_.width; ++x) any = any || alpha(s, x, y) > 0;
+        out_.gaussians.rows += any;
+      }
+      for (const auto& [x, y] : exact) {
+        out_.masks.axis += covers(s, Cover::kAxis, 64, x / 4, y / 4);
+        out_.masks.oriented += covers(s, Cover::kOriented, 64, x / 4, y / 4);
+      }
+      if (oriented.empty()) continue;
+      if (!before.empty()) {
+        ++out_.neighbours.pairs;
+        out_.neighbours.tiles += oriented.size();
+        for (const Tile& tile : oriented) out_.neighbours.shared += before.count(tile);
+      }
+      before = oriented;
+    }
+  }
+
+  struct TileState {
+    int x0, y0, x1, y1;            // pixels of the image
+    std::map<Tile, double> alive;  // transmittance of those that have not stopped
+    TileCounts *own, *total;
+    template <class Action>
+    void count(Action&& action) {
+      action(*own), action(*total);
+    }
+  };
+
+  void part(const Shape& s, const TileState& t, int x0, int y0, int width, int height, bool boxed, PartCounts& c) {
+    bool any = false, alive = false, live = false, reached = false;
+    for (int y = y0; y < std::min(y0 + height, t.y1); ++y) {
+      for (int x = x0; x < std::min(x0 + width, t.x1); ++x) {
+        any = true;
+        reached = reached || alpha(s, x, y) > 0;
+        alive = alive || t.alive.count({x, y}) != 0;
+        live = live || (t.alive.count({x, y}) != 0 && alpha(s, x, y) > 0);
+      }
+    }
+    if (boxed ? !(any && touches(s.box, x0, y0, width)) : !reached) return;
+    ++c.all;
+    c.tile_open += !t.alive.empty();
+    c.open += alive;
+    c.live += live;
+  }
+
+  void parts(const Shape& s, TileState& t, int width, int height, bool boxed, PartCounts TileCounts::*member) {
+    for (int y = t.y0; y < t.y0 + 16; y += height) {
+      for (int x = t.x0; x < t.x0 + 16; x += width)
+        t.count([&](TileCounts& c) { part(s, t, x, y, width, height, boxed, c.*member); });
+    }
+  }
+
+  void blend(const Shape& s, TileState& t, std::set<size_t>& blended) {
+    for (int y = t.y0; y < t.y1; ++y) {
+      for (int x = t.x0; x < t.x1; ++x) {
+        if (alpha(s, x, y) == 0) continue;
+        t.count([](TileCounts& c) { ++c.reached; });
+        const auto pixel = t.alive.find({x, y});
+        if (pixel == t.alive.end()) continue;
+        const double next = pixel->second * (1 - alpha(s, x, y));
+        if (next < 1e-4) {
+          t.alive.erase(pixel);
+          t.count([](TileCounts& c) { ++c.stops; });
+          if (t.alive.empty() && t.total == &out_.total) stop_depth_[{t.x0 / 16, t.y0 / 16}] = s.p.depth;
+        } else {
+          pixel->second = next;
+          blended.insert(s.index);
+          t.count([](TileCounts& c) { ++c.blends; });
+        }
+      }
+    }
+  }
+
+  TileState tile_state(int x, int y) {
+    TileState t{16 * x,
+                16 * y,
+                std::min(16 * x + 16, camera_.width),
+                std::min(16 * y + 16, camera_.height),
+                {},
+                &out_.tiles[static_cast<size_t>(y * columns(16) + x)],
+                &out_.total};
+    for (int py = t.y0; py < t.y1; ++py) {
+      for (int px = t.x0; px < t.x1; ++px) t.alive[{px, py}] = 1;
+    }
+    return t;
+  }
+
+  void pass(const Shape& s, TileState& t, int x, int y, std::set<size_t>& blended) {
+    for (const Cover cover : kAll) {
+      if (t.alive.empty() || !covers(s, cover, 16, x, y)) continue;
+      t.count([&](TileCounts& c) { ++c.walk[cover].open, c.walk[cover].alive += t.alive.size(); });
+    }
+    if (covers(s, Cover::kOriented, 16, x, y)) parts(s, t, 8, 8, true, &TileCounts::oriented_8x8);
+    parts(s, t, 8, 8, false, &TileCounts::exact_8x8);
+    parts(s, t, 4, 4, false, &TileCounts::exact_4x4);
+    parts(s, t, 16, 1, false, &TileCounts::exact_16x1);
+    parts(s, t, 8, 1, false, &TileCounts::exact_8x1);
+    blend(s, t, blended);
+  }
+
+  void walk() {
+    std::set<size_t> blended;
+    out_.tiles.resize(static_cast<size_t>(columns(16)) * static_cast<size_t>(rows(16)));
+    for (int y = 0; y < rows(16); ++y) {
+      for (int x = 0; x < columns(16); ++x) {
+        TileState t = tile_state(x, y);
+        stop_depth_[{x, y}] = std::numeric_limits<double>::infinity();
+        for (const Shape& s : shapes_) pass(s, t, x, y, blended);
+      }
+    }
+    out_.gaussians.blended = blended.size();
+  }
+
+  // Slab of a coordinate: cells of equal width over the sorted means without the outer fiftieths.
+  int slab(double value, int axis, int cells) const {
+    std::vector<double> means;
+    for (size_t i = 0; i < scene_.gaussians.size(); ++i) {
+      ActivatedGaussian gaussian;
+      if (activate(scene_, i, gaussian) == Cull::kNone && gaussian.opacity >= 1.0 / 255)
+        means.push_back(gaussian.mean[axis]);
+    }
+    std::sort(means.begin(), means.end());
+    const double last = static_cast<double>(means.size() - 1);
+    const double low = means[static_cast<size_t>(0.02 * last)], high = means[static_cast<size_t>(0.98 * last)];
+    const double middle = (low + high) / 2, half = 1.001 * (high - low) / 2;
+    int number = 0;
+    for (int n = 1; n < cells; ++n) number += value >= middle - half + 2 * half * n / cells;
+    return number;
+  }
+
+  // The same Gaussians layer by layer. A tile's walk goes on from one layer to the next.
+  void layers(int cells) {
+    GridCounts grid{.cells = cells};
+    const glm::dvec3 forward = glm::transpose(camera_.world_to_camera)[2];
+    for (int axis = 1; axis < 3; ++axis) {
+      if (std::abs(forward[axis]) > std::abs(forward[grid.axis])) grid.axis = axis;
+    }
+    const auto slab_of = [&](size_t i) { return slab(scene_.gaussians[i].mean[grid.axis], grid.axis, cells); };
+    const int own = slab(camera_.position[grid.axis], grid.axis, cells);
+    std::vector<std::pair<int, int>> order;  // distance from the camera's slab, the farther one along the axis first
+    for (int n = 0; n < cells; ++n) order.emplace_back(std::abs(n - own), n > own ? 0 : 1);
+    std::map<int, TileState> states;
+    for (int t = 0; t < columns(16) * rows(16); ++t) states.emplace(t, tile_state(t % columns(16), t / columns(16)));
+    for (int rank = 0; rank < cells; ++rank) {
+      const auto sorted = std::min_element(order.begin(), order.end());
+      const int number = static_cast<int>(sorted - order.begin());
+      *sorted = {cells, 0};
+      grid.layers.push_back(layer(number, slab_of, states));
+    }
+    out_.grids.push_back(grid);
+  }
+
+  template <class SlabOf>
+  LayerCounts layer(int number, const SlabOf& slab_of, std::map<int, TileState>& states) {
+    LayerCounts counts{.slab = number};
+    for (size_t i = 0; i < scene_.gaussians.size(); ++i) {
+      ActivatedGaussian gaussian;
+      counts.valid += activate(scene_, i, gaussian) == Cull::kNone && slab_of(i) == number;
+    }
+    for (size_t side = 0; side < 2; ++side) {
+      ListCounts& lists = counts.lists[side];
+      lists.side = side == 0 ? 16 : 64, lists.columns = columns(lists.side), lists.rows = rows(lists.side);
+      for (const Cover cover : kAll)
+        lists.lengths[cover].resize(static_cast<size_t>(lists.columns) * static_cast<size_t>(lists.rows));
+    }
+    counts.windows.resize(counts.lists[1].lengths.exact.size());
+    counts.tiles.resize(counts.lists[0].lengths.exact.size());
+    std::set<size_t> blended;
+    for (const Shape& s : shapes_) {
+      if (slab_of(s.index) != number) continue;
+      for (ListCounts& lists : counts.lists) {
+        for (const Cover cover : kAll) {
+          for (const auto& [x, y] : tiles(s, cover, lists.side))
+            ++lists.lengths[cover][static_cast<size_t>(y * lists.columns + x)];
+        }
+      }
+      for (const Cover cover : kAll) counts.listed[cover] += !tiles(s, cover, 16).empty();
+      windows(s, counts);
+      for (auto& [t, state] : states) {
+        TileCounts unused;
+        state.own = &counts.tiles[static_cast<size_t>(t)], state.total = &unused;
+        pass(s, state, t % columns(16), t / columns(16), blended);
+      }
+    }
+    return counts;
+  }
+
+  // Regions of 8x8 pixels of the box around all pixels with alpha >= 1/255, as the footprint gives it.
+  void windows(const Shape& s, LayerCounts& counts) const {
+    const PixelRect box = footprint(s.p, camera_, Semantics::kExact);
+    for (int y = 0; y < rows(64); ++y) {
+      for (int x = 0; x < columns(64); ++x) {
+        std::set<Tile> regions;
+        for (int py = std::max(box.y0, 64 * y); py < std::min(box.y1, 64 * y + 64); ++py) {
+          for (int px = std::max(box.x0, 64 * x); px < std::min(box.x1, 64 * x + 64); ++px)
+            regions.insert({px / 8, py / 8});
+        }
+        if (regions.empty()) continue;
+        WindowCounts& window = counts.windows[static_cast<size_t>(y * columns(64) + x)];
+        ++window.pairs, window.regions += regions.size(), window.turns += std::max<size_t>(8, regions.size());
+      }
+    }
+  }
+
+  // A ray from the near plane on passes through a box iff it begins inside or comes through a face.
+  bool ray_meets(const glm::dvec3& low, int x, int y) const {
+    const glm::dvec3 ray = glm::transpose(camera_.world_to_camera) *
+                           glm::dvec3((x - camera_.cx) / camera_.fx, (y - camera_.cy) / camera_.fy, 1);
+    const auto inside = [&](double t, int but) {
+      const glm::dvec3 at = camera_.position + t * ray;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (axis != but && !(at[axis] >= low[axis] && at[axis] <= low[axis] + options_.voxel)) return false;
+      }
+      return true;
+    };
+    if (inside(options_.near_plane, -1)) return true;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double face : {low[axis], low[axis] + options_.voxel}) {
+        const double t = (face - camera_.position[axis]) / ray[axis];
+        if (std::isfinite(t) && t >= options_.near_plane && inside(t, axis)) return true;
+      }
+    }
+    return false;
+  }
+
+  // Whether the circle of a ball of the largest scale touches a group.
+  bool coarse(const ActivatedGaussian& gaussian, int x, int y) const {
+    const double scale = std::max({gaussian.scale.x, gaussian.scale.y, gaussian.scale.z});
+    const glm::dvec3 view = camera_.world_to_camera * (gaussian.mean - camera_.position);
+    if (!(view.z > options_.near_plane)) return false;
+    const double wide = 1.3 * camera_.width / (2 * camera_.fx), high = 1.3 * camera_.height / (2 * camera_.fy);
+    const double tx = std::clamp(view.x / view.z, -wide, wide), ty = std::clamp(view.y / view.z, -high, high);
+    const double sx = scale * camera_.fx / view.z, sy = scale * camera_.fy / view.z;
+    const double a = sx * sx * (1 + tx * tx) + 0.3, b = sx * sy * tx * ty, c = sy * sy * (1 + ty * ty) + 0.3;
+    const double radius = 3 * std::sqrt((a + c) / 2 + std::sqrt((a - c) * (a - c) / 4 + b * b));
+    const glm::dvec2 mean(camera_.fx * view.x / view.z + camera_.cx, camera_.fy * view.y / view.z + camera_.cy);
+    const glm::dvec2 low(x * options_.group, y * options_.group), high_corner = low + (options_.group - 1.0);
+    return glm::length(glm::clamp(mean, low, high_corner) - mean) <= radius;
+  }
+
+  void voxels() {
+    std::map<std::tuple<int, int, int>, std::vector<size_t>> members;
+    for (size_t i = 0; i < scene_.gaussians.size(); ++i) {
+      ActivatedGaussian gaussian;
+      if (activate(scene_, i, gaussian) != Cull::kNone) continue;
+      const auto number = [&](int axis) { return static_cast<int>(std::floor(gaussian.mean[axis] / options_.voxel)); };
+      members[{number(0), number(1), number(2)}].push_back(i);
+    }
+    VoxelCounts& v = out_.voxels;
+    v.edge = options_.voxel;
+    v.groups.resize(static_cast<size_t>(columns(options_.group)) * static_cast<size_t>(rows(options_.group)));
+    std::set<size_t> fetched, passed, fine;
+    for (const auto& [key, inside] : members) {
+      ++v.occupied;
+      v.largest = std::max<uint64_t>(v.largest, inside.size());
+      const glm::dvec3 low = options_.voxel * glm::dvec3(std::get<0>(key), std::get<1>(key), std::get<2>(key));
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const double x : {0.0, options_.voxel})
+        for (const double y : {0.0, options_.voxel})
+          for (const double z : {0.0, options_.voxel}) {
+            const glm::dvec3 corner = low + glm::dvec3(x, y, z) - camera_.position;
+            nearest = std::min(nearest, (camera_.world_to_camera * corner).z);
+          }
+      bool met = false;
+      for (int y = 0; y < rows(options_.group); ++y) {
+        for (int x = 0; x < columns(options_.group); ++x) {
+          if (!group_meets(low, x, y)) continue;
+          met = true;
+          const bool open = nearest <= group_stop(x, y);
+          ++v.pairs;
+          v.open_pairs += open;
+          group(x, y).voxels += open;
+          for (const size_t i : inside) pass(i, x, y, open, fetched, passed, fine);
+        }
+      }
+      v.met += met;
+    }
+    v.distinct = {fetched.size(), passed.size(), fine.size()};
+  }
+
+  bool group_meets(const glm::dvec3& low, int x, int y) const {
+    for (int py = y * options_.group; py < std::min(camera_.height, (y + 1) * options_.group); ++py) {
+      for (int px = x * options_.group; px < std::min(camera_.width, (x + 1) * options_.group); ++px) {
+        if (ray_meets(low, px, py)) return true;
+      }
+    }
+    return false;
+  }
+
+  double group_stop(int x, int y) const {
+    double stop = 0;
+    for (const auto& [tile, depth] : stop_depth_) {
+      if (16 * tile.first / options_.group == x && 16 * tile.second / options_.group == y) stop = std::max(stop, depth);
+    }
+    return stop;
+  }
+
+  GroupCounts& group(int x, int y) {
+    return out_.voxels
+        .groups[static_cast<size_t>(y) * static_cast<size_t>(columns(options_.group)) + static_cast<size_t>(x)];
+  }
+
+  void pass(size_t i, int x, int y, bool open, std::set<size_t>& fetched, std::set<size_t>& passed,
+            std::set<size_t>& fine) {
+    VoxelCounts& v = out_.voxels;
+    FilterCounts& own = group(x, y).filtered;
+    ++v.all.fetched, v.open.fetched += open, own.fetched += open, fetched.insert(i);
+    ActivatedGaussian gaussian;
+    activate(scene_, i, gaussian);
+    if (!coarse(gaussian, x, y)) return;
+    ++v.all.coarse, v.open.coarse += open, own.coarse += open, passed.insert(i);
+    const auto shape = std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.index == i; });
+    if (shape == shapes_.end() || !covers(*shape, Cover::kExact, options_.group, x, y)) return;
+    ++v.all.fine, v.open.fine += open, own.fine += open, fine.insert(i);
+  }
+
+  const Scene& scene_;
+  const Camera& camera_;
+  const CountOptions& options_;
+  std::vector<Shape> shapes_;  // in front, in depth order
+  std::map<Tile, double> stop_depth_;
+  FrameCounts out_;
+};
+
+}  // namespace
+
+FrameCounts brute_counts(const Scene& scene, const Camera& camera, const CountOptions& options) {
+  return Brute(scene, camera, options).run();
+}
+
+}  // namespace pipegs

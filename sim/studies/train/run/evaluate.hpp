@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// evaluate: how well a scene shows views on which it was not trained.
+//
+// Idea    The float64 truth draws each view, in exact depth order and in the order of the layers of the machine, and is
+//         held against what should be seen: PSNR and SSIM (metrics.hpp).
+#pragma once
+
+#include <vector>
+
+#include "sim/layers/layer_grid.hpp"
+#include "sim/studies/train/photos/view.hpp"
+
+namespace pipegs {
+
+struct Likeness {
+  double psnr = 0, ssim = 0;  // SSIM: NaN if a side of a view is below 11 pixels
+};
+
+Likeness likeness(const Image& drawn, const Image& wanted);
+Likeness mean_of(const std::vector<Likeness>& views);
+
+// Of each view, with a grid in the order of its layers. `advance` as that of a view.
+std::vector<Likeness> likeness(const Parameters& parameters, const std::vector<TrainingView>& views,
+                               const LayerGrid* grid, unsigned threads, const Advance& advance);
+
+// For TruthOptions: the layers in the order in which the camera takes them, by depth inside, ties by index.
+std::vector<std::uint32_t> layered_rank(const Parameters& parameters, const LayerGrid& grid, const Camera& camera);
+
+}  // namespace pipegs

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Against sim/studies/train/gradient: with a grid the order of blending is that of the machine with layers.
+//
+// Idea    The golden model gives each Gaussian its place {layer, depth key, index}. With the finest depths that it can
+//         have, only Gaussians whose depths round to nearly the same may change places.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cpp_model/float/truth.hpp"
+#include "cpp_model/frame_setup.hpp"
+#include "cpp_model/golden.hpp"
+#include "scenes/generate/generate.hpp"
+#include "sim/studies/train/gradient/raster/splats.hpp"
+#include "sim/studies/train/test/gradient/gaussians.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr double kNearlySame = 1e-6;  // relative, of depths that may be ordered either way
+
+// 64x48 pixels: one window.
+Camera small_view(int number) {
+  Camera camera = generated_cameras()[static_cast<std::size_t>(number)];
+  camera.width /= 16;
+  camera.height /= 16;
+  camera.fx /= 16;
+  camera.fy /= 16;
+  camera.cx = (camera.width - 1) / 2.0;
+  camera.cy = (camera.height - 1) / 2.0;
+  return camera;
+}
+
+GoldenFrame golden_of(const Scene& scene, const Camera& camera, int cells) {
+  Config config;
+  config.grid = cells;
+  config.depth_w = 30;
+  config.view_w = 30;
+  config.pos_w = 24;
+  config_check(config);
+  const double bound =
+      std::max({std::abs(camera.position.x), std::abs(camera.position.y), std::abs(camera.position.z)});
+  const PackedScene packed = pack_scene(config, scene, bound);
+  GoldenInput input;
+  input.packed = &packed;
+  input.frame = frame_setup(config, packed, camera);
+  return golden_frame(input, {});
+}
+
+class DrawingOrder : public testing::TestWithParam<std::tuple<int, int>> {};
+
+TEST_P(DrawingOrder, IsTheGoldenModelsWithLayers) {
+  const auto [view, cells] = GetParam();
+  const Scene scene = generate_scene(11, 5000);
+  const Parameters p = parameters_of(scene);
+  const Camera camera = small_view(view);
+  const LayerGrid grid = layer_grid(p, cells);
+  const GoldenFrame golden = golden_of(scene, camera, cells);
+  auto splats = splats_of<double>(p, camera, {.layers = &grid}).splats;
+  std::sort(splats.begin(), splats.end(),
+            [&](const auto& a, const auto& b) { return golden.rank[a.index] < golden.rank[b.index]; });
+  // Those without a region come last in golden's rank; with one window there are as many others as records.
+  ASSERT_EQ(golden.work.windows, 1u);
+  std::size_t compared = 0, several = 0;
+  for (std::size_t i = 1; i < splats.size(); ++i) {
+    if (golden.rank[splats[i].index] >= golden.work.records) break;
+    ASSERT_GE(splats[i].layer, splats[i - 1].layer) << "Gaussians " << splats[i - 1].index << ", " << splats[i].index;
+    several += splats[i].layer != splats[i - 1].layer;
+    if (splats[i].layer != splats[i - 1].layer) continue;
+    ++compared;
+    EXPECT_GE(splats[i].depth, splats[i - 1].depth * (1 - kNearlySame)) << splats[i].index;
+  }
+  EXPECT_GT(compared, 500u);
+  EXPECT_GE(several, 1u) << "the view must have several layers to say anything";
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, DrawingOrder, testing::Combine(testing::Values(0, 1, 2), testing::Values(4, 8)));
+
+TEST(DrawingOrder, TheListOfATileIsInOrder) {
+  const Parameters p = random_gaussians(4, 300, 0);
+  const Camera camera = askance_camera(64, 48);
+  const LayerGrid grid = layer_grid(p, 4);
+  const auto all = splats_of<float>(p, camera, {.layers = &grid});
+  std::size_t pairs = 0;
+  std::vector<bool> numbered(all.lists.size());
+  for (std::size_t tile = 0; tile + 1 < all.first.size(); ++tile) {
+    const auto list = all.list(tile);
+    for (std::size_t n = 0; n < list.size(); ++n) {
+      ++pairs;
+      numbered[list[n].number] = true;
+      if (n == 0) continue;
+      const auto &a = all.splats[list[n - 1].splat], &b = all.splats[list[n].splat];
+      EXPECT_TRUE(a.layer != b.layer ? a.layer < b.layer : a.depth < b.depth);
+    }
+  }
+  EXPECT_GT(pairs, 300u);
+  EXPECT_EQ(std::count(numbered.begin(), numbered.end(), true), static_cast<std::ptrdiff_t>(pairs));
+}
+
+TEST(DrawingOrder, LayersAreTakenOutwardFromTheCamerasOwn) {
+  LayerGrid grid{4, glm::dvec3(0), glm::dvec3(1)};
+  Camera camera;
+  camera.world_to_camera = glm::dmat3(1);
+  camera.position = {9, 9, 2.5};
+  EXPECT_EQ(principal_axis(camera), 2);
+  EXPECT_EQ(layers_of_slabs(grid, camera), (std::vector<int>{3, 2, 0, 1}));  // 2, then 3, 1, and 0
+  camera.position.z = -7;
+  EXPECT_EQ(layers_of_slabs(grid, camera), (std::vector<int>{0, 1, 2, 3}));
+}
+
+TEST(DrawingOrder, ThePictureInLayersIsTheTruthInThatOrder) {
+  const Scene scene = generate_scene(5, 5000);
+  const Parameters p = parameters_of(scene);
+  const Camera camera = small_view(2);
+  const LayerGrid grid = layer_grid(p, 8);
+  const int axis = principal_axis(camera);
+  const std::vector<int> layers = layers_of_slabs(grid, camera);
+  std::vector<std::uint32_t> order(p.size()), rank(p.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto place = [&](std::uint32_t i) {
+    const double depth = (camera.world_to_camera * (glm::dvec3(p.mean[i]) - camera.position)).z;
+    return std::pair(layers[static_cast<std::size_t>(grid.slab(axis, p.mean[i][axis]))], depth);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return place(a) < place(b); });
+  for (std::size_t n = 0; n < order.size(); ++n) rank[order[n]] = static_cast<std::uint32_t>(n);
+  TruthOptions options;
+  options.rank = &rank;
+  const Image wanted = render_truth(scene, camera, options);
+  const BasicDrawing<double> layered(p, camera, {.layers = &grid}), exact(p, camera, {});
+  double worst = 0, apart = 0;
+  for (std::size_t i = 0; i < wanted.rgb.size(); ++i) {
+    worst = std::max(worst, glm::length(wanted.rgb[i] - layered.picture()[i]));
+    apart = std::max(apart, glm::length(exact.picture()[i] - layered.picture()[i]));
+  }
+  EXPECT_LT(worst, 1e-9);
+  EXPECT_GT(apart, 1e-3) << "layers must change the picture to say anything";
+}
+
+}  // namespace
+}  // namespace pipegs
