@@ -4,10 +4,14 @@ from keep.parts import pick
 
 
 def terms(found):
-    """Closed form, lead, waterfall, our terms and the paper's, and what the search found; no list of its matches."""
+    """Lead, our terms and the paper's, and what the search found; no list of its matches."""
     search = {key: value for key, value in found["search"].items() if key != "best"}
-    keep = pick("closed", "lead", "waterfall", "ours", "paper", "assumptions")
-    return keep(found) | {"search": search}
+    return pick("lead", "ours", "paper")(found) | {"search": search}
+
+
+def terms_and_closed(found):
+    """With the closed form, the waterfall and the assumptions, which the pages show of one scene."""
+    return pick("closed", "waterfall", "assumptions")(found) | terms(found)
 
 
 def rivals(found, parameters=False):

@@ -26,8 +26,11 @@ def fpga(found):
     return entry["rows"]
 
 
+WHOLE = {"dop", "fast"}  # the design points whose units a page shows with every column
+
+
 def energy(found):
-    """By design point: clock, area, frames for area and energy, and what each unit takes."""
+    """By design point: clock, area, frames for area and energy, and what each unit takes. Modules of `fast` alone."""
     result = {}
     for row in found["designs"]:
         total = silicon_rows(row)["Total"]
@@ -35,9 +38,10 @@ def energy(found):
         result[row["name"]] = figures(row) | {
             "mm2": total["area_mm2"]["mid"],
             "path_ps": total["path_ps"]["mid"],
-            "rows": {one["name"]: energy_row(one) for one in row["energy"]},
-            "modules": [clocks_row(one) for one in row["clocks"][:12]],
+            "rows": {one["name"]: energy_row(one, row["name"] in WHOLE) for one in row["energy"]},
         }
+        if row["name"] == "fast":
+            result["fast"]["modules"] = [clocks_row(one) for one in row["clocks"][:12]]
     return result
 
 
@@ -46,19 +50,22 @@ def equal_area(found):
     return {row["name"]: row["equal_area"] for row in found["designs"]}
 
 
-def energy_row(one):
-    """What a unit takes; uJ of a frame are without leakage."""
+def energy_row(one, whole):
+    """What a unit takes; uJ of a frame are without leakage. Flip-flops and their clocks of the total alone."""
     by = lambda factor, of: {key: factor * value for key, value in of.items()}
     row = {
         "awake": one["awake"] or None,
-        "uj": by(1e6, one["frame_j"]),
-        "halves": one["halves_differ"] or None,
-        "clocks": one["clocks_j"] / one["frame_j"]["mid"] if one["clocks_j"] else None,
-        "leakage_mw": by(1e3, one["leakage_w"]),
-        "mw_60": by(1e3, one["watts_60"]),
-        "w_full": one["watts_full"],
+        "uj": by(1e6, one["frame_j"]) if whole else {"mid": 1e6 * one["frame_j"]["mid"]},
     }
-    if one["flipflops"]:
+    if whole:
+        row |= {
+            "halves": one["halves_differ"] or None,
+            "clocks": one["clocks_j"] / one["frame_j"]["mid"] if one["clocks_j"] else None,
+            "leakage_mw": by(1e3, one["leakage_w"]),
+            "mw_60": by(1e3, one["watts_60"]),
+            "w_full": one["watts_full"],
+        }
+    if one["name"] == "Total":
         row |= {key: one[key] for key in ("flipflops", "gated", "unseen")}
         row["clock_uj"] = {name: 1e6 * one[f"{name}_j"] for name in ("clocks", "ungated", "gates", "open")}
     return row
