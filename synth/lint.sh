@@ -46,8 +46,9 @@ others=("antialias=1" "tight_cull=1" "late=1 order=2 quads=1" "bus_w=128 clock_g
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 elaborated=() simulated=("bus_w=0")
-# verif/cli/static_cost_test.cpp elaborates dop and fast, and machines like these two with two units.
-elsewhere=("${point[dop]}" "${point[fast]}" "tight_cull=1" "late=1 order=2 quads=1")
+# verif/cli/static_cost_test.cpp elaborates dop and fast, and machines like the last two with two units;
+# verif/self/streams/ready.py tspp and dpc.
+elsewhere=("${point[dop]}" "${point[fast]}" "${point[tspp]}" "${point[dpc]}" "tight_cull=1" "late=1 order=2 quads=1")
 for machine in "${point[@]}" "${others[@]}"; do
   for other in "${elsewhere[@]}"; do [[ -z $rest || $machine != "$other" ]] || continue 2; done
   elaborated+=("$machine")
