@@ -11,7 +11,6 @@ GATES := opensta qflow-tech-osu018
 SITE := mkdocs mkdocs-material
 TESTED := $(STYLE) $(GATES) $(SITE) python3-numpy python3-pil curl iverilog parallel
 PAGES := chromium fonts-dejavu-core
-CLUSTER := slurmctld slurmd slurm-client munge
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
@@ -52,7 +51,7 @@ test: build  ## every test but the long ones
 	$(CTEST) -LE long
 
 test-long: build  ## the long tests too, those of the netlists and of a cluster among them
-	@$(call INSTALL,$(TESTED) $(PAGES) $(CLUSTER))
+	@$(call INSTALL,$(TESTED) $(PAGES))
 	@$(NODE)
 	cmake --build $(BUILD)
 	$(CTEST)
