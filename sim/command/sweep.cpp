@@ -63,25 +63,31 @@ nlohmann::ordered_json to_json(const std::vector<SweepRow>& rows, const std::vec
   return list;
 }
 
-std::string to_text(const std::vector<SweepRow>& rows, const std::vector<double>& bandwidths) {
-  std::string text = "  cycles at B/cycle";
-  for (const double bandwidth : bandwidths) text += fmt::format("{:>12g}", bandwidth);
-  text += "   not memory-bound from      MB\n";
+Table to_table(const std::vector<SweepRow>& rows, const std::vector<double>& bandwidths) {
+  Table table;
+  table.columns.push_back({.key = "design", .heading = "cycles at B/cycle", .word = true});
+  for (const double bandwidth : bandwidths)
+    table.columns.push_back({.key = fmt::format("cycles_{:g}", bandwidth), .heading = fmt::format("{:g}", bandwidth)});
+  table.columns.push_back({.key = "knee", .heading = "not memory-bound from", .unit = "B/cycle"});
+  table.columns.push_back({.key = "megabytes", .unit = "MB", .digits = 1});
+  table.columns.push_back({.key = "remark", .word = true});
   for (const SweepRow& row : rows) {
     if (!row.failure.empty()) {
-      text += fmt::format("  {}: not run: {}\n", row.design_point->name, row.failure);
+      table.notes.push_back(fmt::format("{}: not run: {}", row.design_point->name, row.failure));
       continue;
     }
-    text += fmt::format("  {:<17}", row.design_point->name);
-    for (const EngineResult& result : row.results) text += fmt::format("{:>12}", result.cycles);
+    std::vector<TableCell>& cells = table.rows.emplace_back();
+    cells.push_back(text_cell(std::string(row.design_point->name)));
+    for (const EngineResult& result : row.results) cells.push_back(number_cell(static_cast<double>(result.cycles)));
     const double knee = row.knee(bandwidths);
-    text += fmt::format("   {:>14g} B/cycle  {:>7.1f}{}\n", knee, static_cast<double>(row.results.back().bytes) / 1e6,
-                        knee == bandwidths.back() && knee < kPort ? "  (the highest: maybe more)" : "");
+    cells.push_back({.text = fmt::format("{:g}", knee), .value = knee});
+    cells.push_back(number_cell(static_cast<double>(row.results.back().bytes) / 1e6));
+    cells.push_back(text_cell(knee == bandwidths.back() && knee < kPort ? "(the highest: maybe more)" : ""));
   }
   if (bandwidths.back() > kPort)
-    text += fmt::format("  the machine's port takes one line per cycle: beyond {:g} B/cycle the memory waits for it\n",
-                        kPort);
-  return text;
+    table.notes.push_back(
+        fmt::format("the machine's port takes one line per cycle: beyond {:g} B/cycle the memory waits for it", kPort));
+  return table;
 }
 
 Chart chart(const std::vector<SweepRow>& rows, const std::vector<double>& bandwidths) {
@@ -167,7 +173,7 @@ int sweep(SweepArguments arguments) {
     arguments.page.write({.title = "Cycles by memory bandwidth",
                           .head = head,
                           .charts = {chart(rows, bandwidths)},
-                          .printed = to_text(rows, bandwidths),
+                          .tables = {to_table(rows, bandwidths)},
                           .machines = machines});
   }
   if (arguments.json) {
@@ -180,7 +186,7 @@ int sweep(SweepArguments arguments) {
                                       {"designs", to_json(rows, bandwidths, rtl)}}
                    .dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, to_text(rows, bandwidths));
+    fmt::print("{}\n\n{}", head, table_text(to_table(rows, bandwidths)));
   }
   if (differs) return kExitDiffers;
   return done == rows.size() ? kExitOk : kExitOwnFailure;

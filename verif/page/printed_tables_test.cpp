@@ -12,16 +12,16 @@
 namespace pipegs {
 namespace {
 
-std::vector<std::string> texts(const std::vector<PageCell>& row) {
+std::vector<std::string> texts(const std::vector<TableCell>& row) {
   std::vector<std::string> all;
-  for (const PageCell& cell : row) all.push_back(cell.text);
+  for (const TableCell& cell : row) all.push_back(cell.text);
   return all;
 }
 
 using Texts = std::vector<std::string>;
 
 TEST(PrintedTables, ColumnsAreApartWhereAllLinesHaveTwoBlanks) {
-  const std::vector<PageTable> tables = printed_tables(
+  const std::vector<Table> tables = printed_tables(
       "  cycles at B/cycle        12.8       102.4   not memory-bound from      MB\n"
       "  gscore                6375612     1700436            102.4 B/cycle    57.3\n"
       "  late: not run: it does not build\n"
@@ -29,7 +29,7 @@ TEST(PrintedTables, ColumnsAreApartWhereAllLinesHaveTwoBlanks) {
       "  the port takes a line\n");
   ASSERT_EQ(tables.size(), 1u);
   ASSERT_EQ(tables[0].columns.size(), 6u);
-  EXPECT_EQ(tables[0].columns[3].name, "not memory-bound from");
+  EXPECT_EQ(tables[0].columns[3].heading, "not memory-bound from");
   EXPECT_TRUE(tables[0].columns[0].word);
   EXPECT_FALSE(tables[0].columns[3].word);
   ASSERT_EQ(tables[0].rows.size(), 2u);
@@ -39,7 +39,7 @@ TEST(PrintedTables, ColumnsAreApartWhereAllLinesHaveTwoBlanks) {
 }
 
 TEST(PrintedTables, ASentenceAboveTheNamesIsATitle) {
-  const std::vector<PageTable> tables = printed_tables(
+  const std::vector<Table> tables = printed_tables(
       "words alone\n\n  first, of 28 nm\n  name   mm2\n  RU     1.5\n  second\n  name   W\n  RU     0.1\n  SU     "
       "0.2\n");
   ASSERT_EQ(tables.size(), 3u);
@@ -53,7 +53,7 @@ TEST(PrintedTables, ASentenceAboveTheNamesIsATitle) {
 
 // One blank is enough where two are not to be had, and a character of several bytes fills one place.
 TEST(PrintedTables, ColumnsAreFoundWhereNumbersNearlyTouch) {
-  const std::vector<PageTable> tables =
+  const std::vector<Table> tables =
       printed_tables("  name     GHz      us\n  grün   1.012  ~582.2\n  x     ~1.012 1000.25\n");
   ASSERT_EQ(tables.size(), 1u);
   EXPECT_EQ(texts(tables[0].rows[0]), (Texts{"grün", "1.012", "~582.2"}));
@@ -64,7 +64,7 @@ TEST(PrintedTables, ColumnsAreFoundWhereNumbersNearlyTouch) {
 }
 
 TEST(PrintedTables, ARowThatDoesNotFitIsCutByNoColumn) {
-  const std::vector<PageTable> tables = printed_tables(
+  const std::vector<Table> tables = printed_tables(
       "  times         here  paper\n"
       "  a            8.1 %  7 %\n"
       "  b             9.64\n"
@@ -78,16 +78,16 @@ TEST(PrintedTables, ARowThatDoesNotFitIsCutByNoColumn) {
 }
 
 TEST(PrintedTables, RowsWithoutNamesAreRows) {
-  const std::vector<PageTable> tables = printed_tables(
+  const std::vector<Table> tables = printed_tables(
       "gaussians\n  scene     600  Gaussians  in the file\n  visible    37  Gaussians  in a pixel\n\n"
       "  alone  7\n\n                50 %   90 %\n  power, ours   0.1    0.2\n");
   ASSERT_EQ(tables.size(), 3u);
   EXPECT_EQ(tables[0].title, "gaussians");
   ASSERT_EQ(tables[0].rows.size(), 2u);
   EXPECT_EQ(texts(tables[0].rows[0]), (Texts{"scene", "600", "Gaussians", "in the file"}));
-  EXPECT_EQ(tables[0].columns[1].name, "");
+  EXPECT_EQ(tables[0].columns[1].heading, "");
   EXPECT_EQ(texts(tables[1].rows[0]), (Texts{"alone", "7"}));
-  EXPECT_EQ(tables[2].columns[2].name, "90 %");
+  EXPECT_EQ(tables[2].columns[2].heading, "90 %");
 }
 
 TEST(PrintedTables, ANumberStandsAtTheBeginning) {
@@ -105,7 +105,7 @@ TEST(StudyPage, ItsJsonHoldsNoInfinityAndEndsNoElement) {
                 .title = "t",
                 .series = {{.name = "s", .values = {1, inf}, .x = {std::nan(""), 2}, .labels = {"a", "b"}}}}});
   page.table({.title = "",
-              .columns = {{.name = "a", .word = true}, {.name = "empty"}, {.name = "b"}},
+              .columns = {{.heading = "a", .word = true}, {.heading = "empty"}, {.heading = "b"}},
               .rows = {{{.text = "x"}, {.text = ""}, {.text = "1", .value = 1}}}});
   const std::string html = page.text("<!--data-->");
   EXPECT_EQ(html.find("</script>"), html.rfind("</script>")) << "one element, ended once";

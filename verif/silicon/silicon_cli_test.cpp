@@ -173,9 +173,9 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
     EXPECT_NE(table.out.find(part), std::string::npos) << part << " in\n" << table.out;
   // A page has every table of it.
   std::vector<std::string> names;
-  for (const PageTable& one : printed_tables(table.out)) {
+  for (const Table& one : printed_tables(table.out)) {
     names.push_back(fmt::format("{} of {}:", one.rows.size(), one.title));
-    for (const PageColumn& column : one.columns) names.back() += " | " + column.name;
+    for (const TableColumn& column : one.columns) names.back() += " | " + column.heading;
   }
   const std::vector<std::string> expected = {
       "0 of :",

@@ -86,29 +86,29 @@ std::optional<Chart> chart_of(const Drawn& drawn, const std::vector<PointResult>
   return chart;
 }
 
-PageCell figure(const std::string& text) { return {.text = text, .value = leading_number(text)}; }
+TableCell figure(const std::string& text) { return {.text = text, .value = leading_number(text)}; }
 
-PageTable points_table(const std::vector<PointResult>& points) {
-  PageTable table{.title = ""};
+Table points_table(const std::vector<PointResult>& points) {
+  Table table{.title = ""};
   for (const char* name : {"scene", "view", "camera", "configuration", "design point", "window", "measured"})
-    table.columns.push_back({.name = name, .word = true});
-  for (const FigureColumn& column : point_figures()) table.columns.push_back({.name = column.name});
-  for (const CostColumn& cost : kCosts) table.columns.push_back({.name = cost.name});
-  table.columns.push_back({.name = "machine", .word = true, .wrapped = true, .copies = true});
+    table.columns.push_back({.heading = name, .word = true});
+  for (const FigureColumn& column : point_figures()) table.columns.push_back({.heading = column.name});
+  for (const CostColumn& cost : kCosts) table.columns.push_back({.heading = cost.name});
+  table.columns.push_back({.heading = "machine", .word = true, .wrapped = true, .copies = true});
   for (const PointResult& one : points) {
     const PointArguments& point = one.point.arguments;
-    std::vector<PageCell> row = {{.text = one.point.scene},
-                                 figure(std::to_string(point.view.view)),
-                                 {.text = one.camera},
-                                 {.text = one.point.configuration},
-                                 {.text = point.view.design_point},
-                                 {.text = window_of(point.view)},
-                                 {.text = one.kept ? "yes" : "missing"}};
+    std::vector<TableCell> row = {{.text = one.point.scene},
+                                  figure(std::to_string(point.view.view)),
+                                  {.text = one.camera},
+                                  {.text = one.point.configuration},
+                                  {.text = point.view.design_point},
+                                  {.text = window_of(point.view)},
+                                  {.text = one.kept ? "yes" : "missing"}};
     for (const FigureColumn& column : point_figures())
       row.push_back(figure(one.kept ? figure_text((*one.kept)["result"], column.place) : ""));
     for (const CostColumn& cost : kCosts)
       row.push_back(one.kept ? figure(fmt::format("{:.1f}", (*one.kept)["cost"][cost.key].get<double>() / cost.unit))
-                             : PageCell{});
+                             : TableCell{});
     std::string settings = "--design " + point.view.design_point;
     for (const std::string& setting : point.view.settings) settings += " --set " + setting;
     row.push_back({.text = settings});
@@ -125,9 +125,9 @@ void add_campaign(StudyPage& page, const std::vector<PointResult>& points) {
                         cost_text(points)));
   if (missing > 0) {
     page.section("What is missing");
-    PageTable table{.title = "",
-                    .columns = {{.name = "point", .word = true},
-                                {.name = "command", .word = true, .wrapped = true, .copies = true}}};
+    Table table{.title = "",
+                .columns = {{.heading = "point", .word = true},
+                            {.heading = "command", .word = true, .wrapped = true, .copies = true}}};
     for (const PointResult& one : points) {
       if (one.kept) continue;
       const std::string name =

@@ -19,10 +19,10 @@ constexpr const char* kTemplate = "page";
 
 }  // namespace
 
-PageTable machines_table(const NamedMachines& machines) {
-  PageTable table{.title = "The machines",
-                  .columns = {{.name = "machine", .word = true},
-                              {.name = "settings for any command", .word = true, .wrapped = true, .copies = true}}};
+Table machines_table(const NamedMachines& machines) {
+  Table table{.title = "The machines",
+              .columns = {{.heading = "machine", .word = true},
+                          {.heading = "settings for any command", .word = true, .wrapped = true, .copies = true}}};
   for (const auto& [name, config] : machines) table.rows.push_back({{.text = name}, {.text = machine_words(config)}});
   return table;
 }
@@ -65,6 +65,7 @@ void PageArgument::write(const StudyFindings& findings) const {
   made.charts(findings.charts);
   made.section("Figures");
   made.printed(findings.printed);
+  for (const Table& table : findings.tables) made.table(table);
   if (!findings.machines.empty()) made.table(machines_table(findings.machines));
   write(made);
 }

@@ -22,7 +22,7 @@ namespace pipegs {
 
 // Machines by name, with buttons that copy their words (machine_words).
 using NamedMachines = std::vector<std::pair<std::string, Config>>;
-PageTable machines_table(const NamedMachines& machines);
+Table machines_table(const NamedMachines& machines);
 
 // The page that `command`'s line makes, without the options that change nothing of it.
 StudyPage study_page(const std::string& title, const CLI::App& command,
@@ -39,7 +39,8 @@ struct StudyFindings {
   std::string title;
   std::string head;  // scene, view, memory: one line
   std::vector<Chart> charts;
-  std::string printed;  // what the command prints
+  std::string printed = {};        // what the command prints
+  std::vector<Table> tables = {};  // the same, of commands that print tables
   NamedMachines machines;
 };
 

@@ -17,33 +17,33 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kMostBars = 16;  // more results are a line
 
-PageCell count(std::optional<uint64_t> value) {
+TableCell count(std::optional<uint64_t> value) {
   if (!value) return {.text = "not run"};
   return {.text = std::to_string(*value), .value = static_cast<double>(*value)};
 }
-PageCell real(std::optional<double> value, int digits) {
+TableCell real(std::optional<double> value, int digits) {
   if (!value) return {.text = "-"};
   return {.text = fmt::format("{:.{}f}", *value, digits), .value = *value};
 }
-PageCell mb(std::optional<uint64_t> bytes) {
+TableCell mb(std::optional<uint64_t> bytes) {
   return real(bytes ? std::optional(1e-6 * static_cast<double>(*bytes)) : std::nullopt, 2);
 }
 
-std::vector<PageColumn> columns(std::initializer_list<const char*> words, std::initializer_list<const char*> numbers) {
-  std::vector<PageColumn> all;
-  for (const char* name : words) all.push_back({.name = name, .word = true});
-  for (const char* name : numbers) all.push_back({.name = name});
+std::vector<TableColumn> columns(std::initializer_list<const char*> words, std::initializer_list<const char*> numbers) {
+  std::vector<TableColumn> all;
+  for (const char* name : words) all.push_back({.heading = name, .word = true});
+  for (const char* name : numbers) all.push_back({.heading = name});
   return all;
 }
 
 std::string picture_id(const char* kind, size_t at) { return fmt::format("{}-{}", kind, at); }
 
-PageTable frames_table(const std::vector<FrameResult>& frames) {
-  PageTable table{.title = "Frames"};
+Table frames_table(const std::vector<FrameResult>& frames) {
+  Table table{.title = "Frames"};
   table.columns = columns({"result", "scene", "camera", "pixels", "memory"},
                           {"Gaussians", "cycles", "frames/s at 1 GHz", "MB read", "MB written", "numeric dB",
                            "order dB", "total dB", "mismatches"});
-  table.columns.push_back({.name = "machine", .word = true, .wrapped = true, .copies = true});
+  table.columns.push_back({.heading = "machine", .word = true, .wrapped = true, .copies = true});
   for (size_t i = 0; i < frames.size(); ++i) {
     const FrameResult& one = frames[i];
     const bool timed = one.cycles && *one.cycles > 0;
@@ -143,8 +143,8 @@ void add_frames(StudyPage& page, const std::vector<FrameResult>& frames) {
   page.charts(charts);
 }
 
-PageTable walk_table(const WalkResult& walk) {
-  PageTable table{.title = walk.name};
+Table walk_table(const WalkResult& walk) {
+  Table table{.title = walk.name};
   table.columns = columns({"camera"}, {"frame", "view", "cycles", "queued", "mismatches", "MB read", "MB written", "us",
                                        "chip uJ", "DRAM uJ"});
   for (size_t i = 0; i < walk.frames.size(); ++i) {
@@ -182,19 +182,19 @@ Chart walk_chart(const WalkResult& walk) {
   return chart;
 }
 
-PageTable campaign_table(const CampaignResult& campaign) {
-  PageTable table{.title = campaign.name};
+Table campaign_table(const CampaignResult& campaign) {
+  Table table{.title = campaign.name};
   for (size_t k = 0; k < campaign.columns.size(); ++k)
-    table.columns.push_back({.name = campaign.columns[k], .word = k < 5 && k != 1});
+    table.columns.push_back({.heading = campaign.columns[k], .word = k < 5 && k != 1});
   for (const std::vector<std::string>& row : campaign.rows) {
-    std::vector<PageCell>& cells = table.rows.emplace_back();
+    std::vector<TableCell>& cells = table.rows.emplace_back();
     for (const std::string& text : row) cells.push_back({.text = text, .value = leading_number(text)});
   }
   return table;
 }
 
-PageTable trained_table(const std::vector<TrainResult>& trained) {
-  PageTable table{.title = ""};
+Table trained_table(const std::vector<TrainResult>& trained) {
+  Table table{.title = ""};
   table.columns = columns({"result", "input", "held out, drawn by"},
                           {"steps", "Gaussians", "minutes", "dB", "SSIM", "cycles a frame"});
   for (const TrainResult& one : trained) {
@@ -207,7 +207,7 @@ PageTable trained_table(const std::vector<TrainResult>& trained) {
                             real(one.minutes, 1),
                             real(by.psnr, 2),
                             real(by.ssim, 4),
-                            by.cycles ? count(by.cycles) : PageCell{.text = "-"}});
+                            by.cycles ? count(by.cycles) : TableCell{.text = "-"}});
     }
   }
   return table;
@@ -244,9 +244,9 @@ void add_results(StudyPage& page, const FolderResults& results) {
   add_pictures(page, results);
   if (results.left_out.empty()) return;
   page.section("Left out");
-  PageTable table{
-      .title = "",
-      .columns = {{.name = "file", .word = true, .wrapped = true}, {.name = "why", .word = true, .wrapped = true}}};
+  Table table{.title = "",
+              .columns = {{.heading = "file", .word = true, .wrapped = true},
+                          {.heading = "why", .word = true, .wrapped = true}}};
   for (const LeftOut& one : results.left_out) table.rows.push_back({{.text = one.file}, {.text = one.reason}});
   page.table(table);
 }

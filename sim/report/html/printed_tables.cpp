@@ -172,8 +172,8 @@ bool has_names(const std::vector<std::vector<std::u32string>>& rows) {
   return !number;
 }
 
-PageTable table_of(const std::string& title, const std::vector<std::u32string>& lines) {
-  PageTable table{.title = title};
+Table table_of(const std::string& title, const std::vector<std::u32string>& lines) {
+  Table table{.title = title};
   const std::vector<std::vector<std::u32string>> rows = cells_of(lines);
   const size_t first = has_names(rows) ? 1 : 0;
   for (size_t k = 0; k < rows[0].size(); ++k) {
@@ -185,10 +185,10 @@ PageTable table_of(const std::string& title, const std::vector<std::u32string>& 
     }
     const bool word = words > numbers || k == 0;
     table.columns.push_back(
-        {.name = first > 0 ? bytes(rows[0][k]) : "", .word = word, .wrapped = word && longest > kLong});
+        {.heading = first > 0 ? bytes(rows[0][k]) : "", .word = word, .wrapped = word && longest > kLong});
   }
   for (size_t i = first; i < rows.size(); ++i) {
-    std::vector<PageCell>& row = table.rows.emplace_back();
+    std::vector<TableCell>& row = table.rows.emplace_back();
     for (size_t k = 0; k < rows[i].size(); ++k) {
       const std::string cell = bytes(rows[i][k]);
       row.push_back({.text = cell, .value = table.columns[k].word ? std::nullopt : leading_number(cell)});
@@ -210,7 +210,7 @@ std::vector<std::vector<std::u32string>> blocks_of(const std::string& text) {
   return blocks;
 }
 
-void add_block(const std::vector<std::u32string>& block, std::vector<PageTable>& tables) {
+void add_block(const std::vector<std::u32string>& block, std::vector<Table>& tables) {
   std::string title;
   std::vector<std::u32string> lines;
   std::vector<std::string> notes;
@@ -252,8 +252,8 @@ std::optional<double> leading_number(const std::string& cell) {
   return value;
 }
 
-std::vector<PageTable> printed_tables(const std::string& text) {
-  std::vector<PageTable> tables;
+std::vector<Table> printed_tables(const std::string& text) {
+  std::vector<Table> tables;
   for (const std::vector<std::u32string>& block : blocks_of(text)) add_block(block, tables);
   return tables;
 }

@@ -16,7 +16,7 @@
 
 namespace pipegs {
 
-std::vector<PageTable> printed_tables(const std::string& text);
+std::vector<Table> printed_tables(const std::string& text);
 
 // The number at the beginning of a cell ("~1.2", "+3 %", "0.12 (0.1 to 0.2)"), if there is one.
 std::optional<double> leading_number(const std::string& cell);

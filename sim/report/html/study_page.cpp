@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "sim/report/finite.hpp"
 #include "sim/report/html/printed_tables.hpp"
 
@@ -30,39 +27,6 @@ const char* name_of(Chart::Form form) {
     case Chart::Form::kScatter: return "scatter";
   }
   return "";
-}
-
-Json to_json(const PageCell& cell) {
-  Json json = {{"text", cell.text}};
-  if (cell.value && std::isfinite(*cell.value)) json["value"] = *cell.value;
-  if (!cell.copy.empty()) json["copy"] = cell.copy;
-  if (!cell.link.empty()) json["link"] = cell.link;
-  return json.size() == 1 ? json["text"] : json;
-}
-
-Json to_json(const PageTable& table) {
-  Json json = {{"title", table.title}, {"columns", Json::array()}, {"rows", Json::array()}, {"notes", table.notes}};
-  // An empty column is left out.
-  std::vector<size_t> shown;
-  for (size_t k = 0; k < table.columns.size(); ++k) {
-    const bool any = std::any_of(table.rows.begin(), table.rows.end(),
-                                 [&](const std::vector<PageCell>& row) { return !row[k].text.empty(); });
-    if (any || table.rows.empty()) shown.push_back(k);
-  }
-  for (const size_t k : shown) {
-    const PageColumn& column = table.columns[k];
-    Json one = {{"name", column.name}};
-    if (column.word) one["word"] = true;
-    if (column.wrapped) one["long"] = true;
-    if (column.copies) one["copy"] = true;
-    json["columns"].push_back(std::move(one));
-  }
-  for (const std::vector<PageCell>& row : table.rows) {
-    Json cells = Json::array();
-    for (const size_t k : shown) cells.push_back(to_json(row[k]));
-    json["rows"].push_back(std::move(cells));
-  }
-  return json;
 }
 
 }  // namespace
@@ -105,10 +69,10 @@ void StudyPage::charts(const std::vector<Chart>& charts) {
   for (const Chart& chart : charts) last("charts").push_back(chart_json(chart));
 }
 
-void StudyPage::table(const PageTable& table) { last("tables").push_back(to_json(table)); }
+void StudyPage::table(const Table& table) { last("tables").push_back(table_json(table)); }
 
 void StudyPage::printed(const std::string& text) {
-  for (const PageTable& one : printed_tables(text)) table(one);
+  for (const Table& one : printed_tables(text)) table(one);
 }
 
 void StudyPage::picture(const std::string& caption, const std::string& png, const std::string& id) {

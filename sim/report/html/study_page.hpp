@@ -7,35 +7,14 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/report/chart.hpp"
 #include "sim/report/html/document.hpp"
+#include "sim/report/table.hpp"
 
 namespace pipegs {
-
-struct PageCell {
-  std::string text;
-  std::optional<double> value = {};  // by which it sorts; without one, by its text
-  std::string copy = {};             // in a column that copies: what its button copies, if not the text
-  std::string link = {};             // the id of a place in the page
-};
-
-struct PageColumn {
-  std::string name;
-  bool word = false;     // stands left
-  bool wrapped = false;  // long text, in several lines where it must
-  bool copies = false;   // has buttons
-};
-
-struct PageTable {
-  std::string title;
-  std::vector<PageColumn> columns = {};  // none: title and notes are all there is
-  std::vector<std::vector<PageCell>> rows = {};
-  std::vector<std::string> notes = {};  // beneath
-};
 
 class StudyPage {
  public:
@@ -46,7 +25,7 @@ class StudyPage {
   void section(const std::string& title);
   void note(const std::string& sentence);
   void charts(const std::vector<Chart>& charts);
-  void table(const PageTable& table);
+  void table(const Table& table);
   // What a command has printed: tables of columns that stand apart, and sentences (printed_tables.hpp).
   void printed(const std::string& text);
   // `png` is the contents of a file.

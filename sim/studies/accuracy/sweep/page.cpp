@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kPictureWidth = 480;
 
-PageCell number(double value, int digits) { return {.text = fmt::format("{:.{}f}", value, digits), .value = value}; }
+TableCell number(double value, int digits) { return {.text = fmt::format("{:.{}f}", value, digits), .value = value}; }
 
-PageCell told(const std::string& text) {
+TableCell told(const std::string& text) {
   return {.text = text, .value = text == "inf" ? std::optional(1e9) : leading_number(text)};
 }
 
@@ -43,7 +43,7 @@ std::vector<NamedPoint> all_points(const AccuracySweep& sweep) {
   return rows;
 }
 
-std::vector<PageCell> row_of(const NamedPoint& row, const AccuracySweep& sweep) {
+std::vector<TableCell> row_of(const NamedPoint& row, const AccuracySweep& sweep) {
   const Accuracy& a = row.point->figures;
   const auto cycles = static_cast<double>(a.cycles);
   return {{.text = row.knob},
@@ -69,13 +69,13 @@ std::vector<PageCell> row_of(const NamedPoint& row, const AccuracySweep& sweep) 
           {.text = difference(row.point->config, sweep.base.config), .copy = machine_words(row.point->config)}};
 }
 
-PageTable table_of(const std::string& title, const std::vector<NamedPoint>& rows, const AccuracySweep& sweep) {
-  PageTable table{.title = title};
-  table.columns = {{.name = "knob", .word = true}, {.name = "value", .word = true}};
+Table table_of(const std::string& title, const std::vector<NamedPoint>& rows, const AccuracySweep& sweep) {
+  Table table{.title = title};
+  table.columns = {{.heading = "knob", .word = true}, {.heading = "value", .word = true}};
   for (const char* name : {"numeric dB", "order dB", "total dB", "SSIM", "max", "99.9 %", "flips %", "cycles", "% more",
                            "ms at 1 GHz", "GHz", "us", "MB", "GB/s", "buffers KB", "mm2", "mJ", "host s"})
-    table.columns.push_back({.name = name});
-  table.columns.push_back({.name = "configuration", .word = true, .wrapped = true, .copies = true});
+    table.columns.push_back({.heading = name});
+  table.columns.push_back({.heading = "configuration", .word = true, .wrapped = true, .copies = true});
   for (const NamedPoint& row : rows) {
     if (row.point->figures.failure.empty()) table.rows.push_back(row_of(row, sweep));
     else table.notes.push_back(fmt::format("{} {}: {}", row.knob, row.value, row.point->figures.failure));
@@ -83,7 +83,7 @@ PageTable table_of(const std::string& title, const std::vector<NamedPoint>& rows
   return table;
 }
 
-PageTable front_table(const AccuracySweep& sweep, const std::vector<NamedPoint>& rows, Cost cost, const char* name) {
+Table front_table(const AccuracySweep& sweep, const std::vector<NamedPoint>& rows, Cost cost, const char* name) {
   const std::vector<MeasuredPoint> all = sweep.all();
   std::vector<NamedPoint> front;
   for (const MeasuredPoint* point : pareto_front(all, cost)) {
@@ -92,7 +92,7 @@ PageTable front_table(const AccuracySweep& sweep, const std::vector<NamedPoint>&
                                     [&](const NamedPoint& row) { return row.point->config == point->config; });
     front.push_back(*known);
   }
-  PageTable table = table_of(fmt::format("Front over {}", name), front, sweep);
+  Table table = table_of(fmt::format("Front over {}", name), front, sweep);
   if (front.empty() && cost == Cost::kTime) table.notes.emplace_back("No longest path of such a machine is known.");
   return table;
 }
