@@ -58,26 +58,15 @@ std::string cell(double value, int digits, const char* unit = "") {
   return std::isfinite(value) ? fmt::format("{:.{}f}{}", value, digits, unit) : std::string("-");
 }
 
-std::string decibel(const LadderRow& row, double value) {
-  if (!row.with_truth || std::isnan(value)) return "-";
-  return std::isinf(value) ? "equal" : fmt::format("{:.1f}", value);
-}
+// "-" when there is no figure.
+TableCell figure(double value) { return std::isfinite(value) ? number_cell(value) : text_cell("-"); }
+TableCell count(uint64_t value) { return number_cell(static_cast<double>(value)); }
+// The paper's figure, where it has one.
+TableCell paper(double value) { return figure(value > 0 ? value : kNone); }
 
-// Lines of text as columns: the first one to the left, the others to the right.
-std::string columns(const std::vector<std::vector<std::string>>& table) {
-  std::vector<size_t> widths;
-  for (const auto& line : table) {
-    widths.resize(std::max(widths.size(), line.size()), 0);
-    for (size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  }
-  std::string text;
-  for (const auto& line : table) {
-    for (size_t i = 0; i < line.size(); ++i) {
-      text += i == 0 ? fmt::format("  {:<{}}", line[i], widths[i]) : fmt::format("  {:>{}}", line[i], widths[i]);
-    }
-    text += "\n";
-  }
-  return text;
+TableCell decibel(const LadderRow& row, double value) {
+  if (row.with_truth && std::isinf(value)) return text_cell("equal");
+  return figure(row.with_truth ? value : kNone);
 }
 
 Json cost_json(const StaticCost& cost) {
@@ -213,91 +202,122 @@ Json ladder_json(const std::vector<LadderRow>& rows) {
   return list;
 }
 
-std::string ladder_text(const std::vector<LadderRow>& rows) {
-  const std::vector<const LadderRow*> done = complete(rows);
-  std::string text;
-  std::vector<std::vector<std::string>> table = {
-      {"design point", "cycles", "fps@1GHz", "speed-up", "(paper)", "raster/sort", "per window", "(paper)", "bubbles",
-       "exposed", "share", "MB", "roofline ratio", "bound by", "order dB", "numeric dB", "mismatches"}};
-  for (const LadderRow* row : done) {
-    const DesignPoint& design_point = *row->design_point;
-    table.push_back({std::string(design_point.name), std::to_string(row->cycles), cell(fps(*row), 1),
-                     cell(speedup(rows, *row), 2, "x"),
-                     design_point.paper_speedup > 0 ? cell(design_point.paper_speedup, 2, "x") : "-",
-                     cell(row->raster_over_sort, 2), cell(row->raster_over_sort_window, 2),
-                     design_point.paper_ratio > 0 ? cell(design_point.paper_ratio, 2) : "-",
-                     cell(100 * row->bubbles, 1, "%"), cell(row->exposed, 0),
-                     cell(100 * ratio(row->exposed, static_cast<double>(row->cycles)), 1, "%"),
-                     cell(megabytes(*row), 1), cell(row->over_bound, 2), row->bound, decibel(*row, row->psnr_order),
-                     decibel(*row, row->psnr_numeric), std::to_string(row->mismatches)});
-  }
-  if (!done.empty()) text += columns(table);
+namespace {
 
+Table design_points_table(const std::vector<LadderRow>& rows) {
+  Table table{.columns = {{.key = "design", .heading = "design point", .word = true},
+                          {.key = "cycles", .heading = "cycles"},
+                          {.key = "fps", .heading = "fps@1GHz", .digits = 1},
+                          {.key = "speedup", .heading = "speed-up", .unit = "x", .digits = 2},
+                          {.key = "paper_speedup", .heading = "(paper)", .digits = 2},
+                          {.key = "raster_over_sort", .heading = "raster/sort", .digits = 2},
+                          {.key = "raster_over_sort_per_window", .heading = "per window", .digits = 2},
+                          {.key = "paper_raster_over_sort", .heading = "(paper)", .digits = 2},
+                          {.key = "bubbles", .heading = "bubbles", .unit = "%", .digits = 1},
+                          {.key = "exposed_cycles", .heading = "exposed"},
+                          {.key = "exposed_share", .heading = "share", .unit = "%", .digits = 1},
+                          {.key = "megabytes", .unit = "MB", .digits = 1},
+                          {.key = "cycles_over_largest_bound", .heading = "roofline ratio", .digits = 2},
+                          {.key = "largest_bound", .heading = "bound by", .word = true},
+                          {.key = "psnr_order_db", .heading = "order", .unit = "dB", .digits = 1},
+                          {.key = "psnr_numeric_db", .heading = "numeric", .unit = "dB", .digits = 1},
+                          {.key = "mismatches", .heading = "mismatches"}}};
+  for (const LadderRow* row : complete(rows)) {
+    const DesignPoint& point = *row->design_point;
+    table.rows.push_back({text_cell(std::string(point.name)), count(row->cycles), figure(fps(*row)),
+                          figure(speedup(rows, *row)), paper(point.paper_speedup), figure(row->raster_over_sort),
+                          figure(row->raster_over_sort_window), paper(point.paper_ratio), figure(100 * row->bubbles),
+                          figure(row->exposed), figure(100 * ratio(row->exposed, static_cast<double>(row->cycles))),
+                          figure(megabytes(*row)), figure(row->over_bound), text_cell(row->bound),
+                          decibel(*row, row->psnr_order), decibel(*row, row->psnr_numeric), count(row->mismatches)});
+  }
   const LadderRow *base = row_of(rows, "baseline"), *hgr = row_of(rows, "tspp"), *dop = row_of(rows, "dop");
   if (hgr != nullptr && dop != nullptr) {
-    text += fmt::format("  dop over tspp {} (paper: up to 1.22x)",
-                        cell(ratio(static_cast<double>(hgr->cycles), static_cast<double>(dop->cycles)), 2, "x"));
-    text += fmt::format("; preprocessing before the first line: {} of tspp's",
+    std::string note =
+        fmt::format("dop over tspp {} (paper: up to 1.22x)",
+                    cell(ratio(static_cast<double>(hgr->cycles), static_cast<double>(dop->cycles)), 2, "x"));
+    note += fmt::format("; preprocessing before the first line: {} of tspp's",
                         cell(100 * ratio(dop->exposed, hgr->exposed), 1, " %"));
     if (base != nullptr)
-      text += fmt::format(", {} of the baseline's (paper: 37 % of the original)",
+      note += fmt::format(", {} of the baseline's (paper: 37 % of the original)",
                           cell(100 * ratio(dop->exposed, base->exposed), 1, " %"));
-    text += "\n";
+    table.notes.push_back(note);
   }
-  for (const LadderRow* row : done) {
+  for (const LadderRow* row : complete(rows)) {
     if (row->different_pixels > 0) {
-      text += fmt::format("  {}: {} pixels unlike another design point of the same picture\n", row->design_point->name,
-                          row->different_pixels);
+      table.notes.push_back(fmt::format("{}: {} pixels unlike another design point of the same picture",
+                                        row->design_point->name, row->different_pixels));
     } else if (!row->same_pixels.empty()) {
-      text += fmt::format("  {}: same pixels as {}\n", row->design_point->name, row->same_pixels);
+      table.notes.push_back(fmt::format("{}: same pixels as {}", row->design_point->name, row->same_pixels));
     }
-  }
-
-  if (!done.empty()) {
-    table = {{"memory traffic, MB"}};
-    std::vector<std::string> streams;
-    for (const LadderRow* row : done) {
-      for (const MemoryTraffic& traffic : row->traffic) {
-        if (bytes(traffic) > 0 && std::find(streams.begin(), streams.end(), traffic.stream) == streams.end())
-          streams.push_back(traffic.stream);
-      }
-    }
-    table[0].insert(table[0].end(), streams.begin(), streams.end());
-    table[0].insert(table[0].end(), {"alpha lines, peak of one store", "records waiting, peak"});
-    for (const LadderRow* row : done) {
-      std::vector<std::string> line = {std::string(row->design_point->name)};
-      for (const std::string& stream : streams) {
-        double sum = kNone;
-        for (const MemoryTraffic& traffic : row->traffic)
-          sum = traffic.stream == stream ? static_cast<double>(bytes(traffic)) / 1e6 : sum;
-        line.push_back(cell(sum, 1));
-      }
-      line.push_back(row->has_alpha_stores
-                         ? fmt::format("{} of {}", row->peak_alpha_lines, row->options.config.alpha_lines)
-                         : "-");
-      line.push_back(std::to_string(row->peak_records));
-      table.push_back(line);
-    }
-    text += "\n" + columns(table);
-
-    table = {{"built of", "row lanes", "blend lanes", "multipliers: power", "colour", "projection", "blend", "all",
-              "adders: power", "colour", "projection", "blend", "all", "buffers KB"}};
-    for (const LadderRow* row : done) {
-      std::vector<std::string> line = {std::string(row->design_point->name), std::to_string(row->cost.row_lanes),
-                                       std::to_string(row->cost.blend_lanes)};
-      for (const char* kind : {"power", "color", "projection", "blend", ""})
-        line.push_back(std::to_string(row->cost.multipliers(kind)));
-      for (const char* kind : {"power", "color", "projection", "blend", ""})
-        line.push_back(std::to_string(row->cost.adders(kind)));
-      line.push_back(cell(row->cost.buffer_kb(""), 1));
-      table.push_back(line);
-    }
-    text += "\n" + columns(table);
   }
   for (const LadderRow& row : rows) {
-    if (!row.failure.empty()) text += fmt::format("  {}: not run: {}\n", row.design_point->name, row.failure);
+    if (!row.failure.empty())
+      table.notes.push_back(fmt::format("{}: not run: {}", row.design_point->name, row.failure));
   }
-  return text;
+  return table;
+}
+
+Table traffic_table(const std::vector<const LadderRow*>& rows) {
+  Table table{.columns = {{.key = "design", .heading = "memory traffic, MB", .word = true}}};
+  std::vector<std::string> streams;
+  for (const LadderRow* row : rows) {
+    for (const MemoryTraffic& traffic : row->traffic) {
+      if (bytes(traffic) > 0 && std::find(streams.begin(), streams.end(), traffic.stream) == streams.end())
+        streams.push_back(traffic.stream);
+    }
+  }
+  for (const std::string& stream : streams) table.columns.push_back({.key = stream, .heading = stream, .digits = 1});
+  table.columns.push_back({.key = "peak_alpha_lines", .heading = "alpha lines, peak of one store"});
+  table.columns.push_back({.key = "peak_records", .heading = "records waiting, peak"});
+  for (const LadderRow* row : rows) {
+    std::vector<TableCell>& cells = table.rows.emplace_back();
+    cells.push_back(text_cell(std::string(row->design_point->name)));
+    for (const std::string& stream : streams) {
+      double sum = kNone;
+      for (const MemoryTraffic& traffic : row->traffic)
+        sum = traffic.stream == stream ? static_cast<double>(bytes(traffic)) / 1e6 : sum;
+      cells.push_back(figure(sum));
+    }
+    const auto peak = static_cast<double>(row->peak_alpha_lines);
+    if (row->has_alpha_stores)
+      cells.push_back(
+          {.text = fmt::format("{} of {}", row->peak_alpha_lines, row->options.config.alpha_lines), .value = peak});
+    else cells.push_back(text_cell("-"));
+    cells.push_back(count(row->peak_records));
+  }
+  return table;
+}
+
+Table parts_table(const std::vector<const LadderRow*>& rows) {
+  constexpr const char* kKinds[] = {"power", "color", "projection", "blend", ""};
+  constexpr const char* kHeadings[] = {"power", "colour", "projection", "blend", "all"};
+  Table table{.columns = {{.key = "design", .heading = "built of", .word = true},
+                          {.key = "row_lanes", .heading = "row lanes"},
+                          {.key = "blend_lanes", .heading = "blend lanes"}}};
+  for (const char* what : {"multipliers", "adders"}) {
+    for (const char* heading : kHeadings)
+      table.columns.push_back({.key = fmt::format("{}_{}", what, heading),
+                               .heading = heading == kHeadings[0] ? fmt::format("{}: {}", what, heading) : heading});
+  }
+  table.columns.push_back({.key = "buffers_kb", .heading = "buffers", .unit = "KB", .digits = 1});
+  for (const LadderRow* row : rows) {
+    std::vector<TableCell>& cells = table.rows.emplace_back();
+    cells = {text_cell(std::string(row->design_point->name)), number_cell(row->cost.row_lanes),
+             number_cell(row->cost.blend_lanes)};
+    for (const char* kind : kKinds) cells.push_back(number_cell(row->cost.multipliers(kind)));
+    for (const char* kind : kKinds) cells.push_back(number_cell(row->cost.adders(kind)));
+    cells.push_back(figure(row->cost.buffer_kb("")));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Table> ladder_tables(const std::vector<LadderRow>& rows) {
+  const std::vector<const LadderRow*> done = complete(rows);
+  if (done.empty()) return {{.notes = design_points_table(rows).notes}};
+  return {design_points_table(rows), traffic_table(done), parts_table(done)};
 }
 
 std::vector<Chart> ladder_charts(const std::vector<LadderRow>& rows) {

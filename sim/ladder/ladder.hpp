@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/report/chart.hpp"
+#include "sim/report/table.hpp"
 #include "sim/compare/frame_watch.hpp"
 #include "sim/design/design_point.hpp"
 #include "sim/compare/simulate.hpp"
@@ -68,7 +69,7 @@ struct LadderRow {
 void ladder_figures(LadderRow& row, const Simulation& simulation, const FigureWatch& watch);
 
 nlohmann::ordered_json ladder_json(const std::vector<LadderRow>& rows);
-std::string ladder_text(const std::vector<LadderRow>& rows);
+std::vector<Table> ladder_tables(const std::vector<LadderRow>& rows);
 std::vector<Chart> ladder_charts(const std::vector<LadderRow>& rows);
 
 }  // namespace pipegs

@@ -62,7 +62,7 @@ TEST_F(Commands, LadderComparesDesignPointsAndWritesTheirFigures) {
 TEST_F(Commands, LadderPrintsATable) {
   const Outcome outcome = run("ladder" + view_ + "--designs late --no-truth");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* part : {"raster/sort", "  late ", "bubbles", "buffers KB"})
+  for (const char* part : {"raster/sort", "  late ", "bubbles", "buffers, KB"})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
 }
 

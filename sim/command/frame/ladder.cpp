@@ -122,13 +122,13 @@ int ladder(const LadderArguments& arguments) {
     arguments.page.write({.title = "One view on every design point",
                           .head = head,
                           .charts = ladder_charts(rows),
-                          .printed = ladder_text(rows),
+                          .tables = ladder_tables(rows),
                           .machines = machines});
   }
   if (arguments.json) {
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, ladder_text(rows));
+    fmt::print("{}\n\n{}", head, tables_text(ladder_tables(rows)));
     if (done > 0) fmt::print("  figures {0}/ladder.json, pictures and reports {0}/<design point>\n", arguments.out);
   }
   if (differs) return kExitDiffers;

@@ -116,19 +116,21 @@ int budget(const BudgetArguments& arguments) {
   nlohmann::ordered_json out = {{"samples", samples.size()}, {"configuration", config_difference(config)}};
   const std::string head =
       fmt::format("{} Gaussians, configuration {}; powers in log2 units", samples.size(), config_difference(config));
-  std::string text =
-      fmt::format("{:<26}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "50 %", "90 %", "99 %", "99.9 %", "worst");
+  Table table{.columns = {{.key = "error", .word = true}}};
+  for (const double at : kAt)
+    table.columns.push_back({.key = fmt::format("{:g}", 100 * at),
+                             .heading = at < 1 ? fmt::format("{:g} %", 100 * at) : std::string("worst")});
   std::vector<double> values(samples.size());
   for (const Row& row : kRows) {
-    std::string line = fmt::format("{:<26}", row.what);
+    std::vector<TableCell>& cells = table.rows.emplace_back();
+    cells.push_back(text_cell(row.what));
     for (const double at : kAt) {
       std::transform(samples.begin(), samples.end(), values.begin(),
                      [&](const BudgetSample& s) { return s.*row.field; });
       const double value = percentile(values, at);
-      line += fmt::format("{:>11.3g}", value);
+      cells.push_back({.text = fmt::format("{:.3g}", value), .value = value});
       out[row.what][fmt::format("{:g}", 100 * at)] = finite_json(value);
     }
-    text += line + "\n";
   }
   const auto beyond = [&](const std::function<bool(const BudgetSample&)>& test) {
     return std::count_if(samples.begin(), samples.end(), test);
@@ -138,16 +140,16 @@ int budget(const BudgetArguments& arguments) {
   out["beyond_bound"] = violations;
   out["no_number"] = {{"fp32", beyond([](const BudgetSample& s) { return !std::isfinite(s.power32); })},
                       {"fp16", beyond([](const BudgetSample& s) { return !std::isfinite(s.power16); })}};
-  text += fmt::format("beyond the bound: {}; no number: FP32 {}, FP16 {}\n", violations,
-                      out["no_number"]["fp32"].get<long>(), out["no_number"]["fp16"].get<long>());
+  table.notes.push_back(fmt::format("beyond the bound: {}; no number: FP32 {}, FP16 {}", violations,
+                                    out["no_number"]["fp32"].get<long>(), out["no_number"]["fp16"].get<long>()));
   if (arguments.json) fmt::print("{}\n", out.dump(2));
-  else fmt::print("{}\n{}", head, text);
+  else fmt::print("{}\n{}", head, table_text(table));
   const std::vector<Chart> drawn = charts(samples);
   write_charts(arguments.svg, drawn);
   arguments.page.write({.title = "Errors of power and alpha",
                         .head = head,
                         .charts = drawn,
-                        .printed = text,
+                        .tables = {table},
                         .machines = {{machine_name(config), config}}});
   return violations == 0 ? kExitOk : kExitDiffers;
 }

@@ -40,7 +40,7 @@ int profile(const ProfileArguments& arguments) {
   arguments.page.write({.title = "Where a view's time goes",
                         .head = head,
                         .charts = profile_charts(found),
-                        .printed = profile_text(found),
+                        .tables = profile_tables(found),
                         .machines = {{machine_name(options.config), options.config}}});
   if (arguments.json) {
     nlohmann::ordered_json json = {{"scene", loaded.scene.name},
@@ -51,7 +51,7 @@ int profile(const ProfileArguments& arguments) {
     json.update(profile_json(found));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, profile_text(found));
+    fmt::print("{}\n\n{}", head, tables_text(profile_tables(found)));
   }
   if (simulation.mismatches == 0) return kExitOk;
   fmt::print(stderr, "first mismatch: {}\n", simulation.first_mismatch->what);

@@ -168,15 +168,18 @@ Json profile_json(const ViewProfile& profile) {
   return json;
 }
 
-std::string profile_text(const ViewProfile& profile) {
+std::vector<Table> profile_tables(const ViewProfile& profile) {
   const double all = profile.preprocess + profile.sort + profile.raster;
   const auto visible = static_cast<double>(profile.visible), pairs = static_cast<double>(profile.tile_pairs);
-  std::string text = fmt::format("  {:<46} {:>14}  {:<14} {}\n",
-                                 profile.measured ? "times: busy cycles of the RTL" : "times: counts at full rate",
-                                 "here", "paper", "why they differ");
+  Table table{.columns = {{.key = "what",
+                           .heading = profile.measured ? "times: busy cycles of the RTL" : "times: counts at full rate",
+                           .word = true},
+                          {.key = "here", .heading = "here"},
+                          {.key = "paper", .heading = "paper", .word = true},
+                          {.key = "why", .heading = "why they differ", .word = true, .wrapped = true}}};
   const auto line = [&](const std::string& what, const std::string& here, const std::string& paper,
                         const std::string& why) {
-    text += fmt::format("  {:<46} {:>14}  {:<14} {}\n", what, here, paper, why);
+    table.rows.push_back({text_cell(what), text_cell(here), text_cell(paper), text_cell(why)});
   };
   const auto percent = [](double value) {
     return std::isfinite(value) ? fmt::format("{:.1f} %", 100 * value) : std::string("-");
@@ -218,18 +221,28 @@ std::string profile_text(const ViewProfile& profile) {
   line("  once per Gaussian and window (as built)",
        number(share(static_cast<double>(profile.window_pairs), pairs)) + "x", "",
        "a window is 4x4 tiles by default; alphas of a frame do not fit on chip");
-  text += "\n  operations on a pixel's power            multiplications   additions   saved: multiplications   all\n";
-  text +=
-      fmt::format("  {:<40} {:>15.3f} {:>11.3f}\n", "Eq. 1 for every pixel", kDirectMultiplications, kDirectAdditions);
+  Table arithmetic{
+      .columns = {{.key = "form", .heading = "operations on a pixel's power", .word = true},
+                  {.key = "multiplications", .heading = "multiplications", .digits = 3},
+                  {.key = "additions", .heading = "additions", .digits = 3},
+                  {.key = "multiplications_saved", .heading = "multiplications saved", .unit = "%", .digits = 1},
+                  {.key = "all_saved", .heading = "all saved", .unit = "%", .digits = 1},
+                  {.key = "paper", .heading = "paper", .word = true}}};
+  arithmetic.rows.push_back({text_cell("Eq. 1 for every pixel"),
+                             number_cell(kDirectMultiplications),
+                             number_cell(kDirectAdditions),
+                             {},
+                             {},
+                             {}});
   for (const int tile : kTileSizes) {
     const PixelArithmetic cost = dpc_arithmetic(tile);
-    text += fmt::format(
-        "  {:<40} {:>15.3f} {:>11.3f} {:>21.1f} % {:>5.1f} %{}\n", fmt::format("differences, tiles of {0}x{0}", tile),
-        cost.multiplications, cost.additions, 100 * (1 - cost.multiplications / kDirectMultiplications),
-        100 * (1 - (cost.multiplications + cost.additions) / (kDirectMultiplications + kDirectAdditions)),
-        tile == kTile ? "   (paper: 96.2 %, 76.9 %)" : "");
+    arithmetic.rows.push_back(
+        {text_cell(fmt::format("differences, tiles of {0}x{0}", tile)), number_cell(cost.multiplications),
+         number_cell(cost.additions), number_cell(100 * (1 - cost.multiplications / kDirectMultiplications)),
+         number_cell(100 * (1 - (cost.multiplications + cost.additions) / (kDirectMultiplications + kDirectAdditions))),
+         text_cell(tile == kTile ? "96.2 %, 76.9 %" : "")});
   }
-  return text;
+  return {table, arithmetic};
 }
 
 std::vector<Chart> profile_charts(const ViewProfile& profile) {

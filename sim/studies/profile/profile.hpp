@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/report/chart.hpp"
+#include "sim/report/table.hpp"
 #include "sim/ladder/ladder.hpp"
 #include "sim/compare/simulate.hpp"
 
@@ -46,7 +47,7 @@ struct ViewProfile {
 ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& options, const FigureWatch* watch);
 
 nlohmann::ordered_json profile_json(const ViewProfile& profile);
-std::string profile_text(const ViewProfile& profile);
+std::vector<Table> profile_tables(const ViewProfile& profile);
 std::vector<Chart> profile_charts(const ViewProfile& profile);
 
 }  // namespace pipegs

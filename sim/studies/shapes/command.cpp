@@ -42,7 +42,7 @@ int run_shapes(const ShapesArguments& arguments) {
   const std::string title = fmt::format("{}: view {} ({}x{})", loaded.scene.name, loaded.camera.name,
                                         loaded.camera.width, loaded.camera.height);
   const Chart chart = shapes_chart(title, shapes);
-  const std::string text = shapes_text(shapes, mm2);
+  const std::vector<Table> tables = shapes_tables(shapes, mm2);
   write_charts(arguments.svg, {chart});
   const std::string head =
       fmt::format("{}, memory {}, base {}", title, arguments.memory.external.dram, config_difference(options.config));
@@ -51,7 +51,7 @@ int run_shapes(const ShapesArguments& arguments) {
   arguments.page.write({.title = "Time and area by the machine's shape",
                         .head = head,
                         .charts = {chart},
-                        .printed = text,
+                        .tables = tables,
                         .machines = machines});
   if (arguments.json) {
     nlohmann::ordered_json json = {
@@ -59,7 +59,7 @@ int run_shapes(const ShapesArguments& arguments) {
     json.update(shapes_json(shapes, mm2));
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, text);
+    fmt::print("{}\n\n{}", head, tables_text(tables));
   }
   return kExitOk;
 }

@@ -33,20 +33,25 @@ std::string shape_area(const Shape& shape) { return interpolated_text(shape.mm2(
 double fps_per_mm2(const Shape& shape) { return 1e6 / shape.us() / shape.mm2(); }
 double frames_per_joule(const Shape& shape) { return 1 / shape.cost.joules(); }
 
-std::string shape_row(const Shape& shape, const std::string& name, size_t width, double mm2) {
+std::vector<TableCell> shape_row(const Shape& shape, const std::string& name, double mm2) {
   const FrameCost& cost = shape.cost;
-  return fmt::format("  {:<{}}{:>10}{:>8.1f}{:>8}{:>10}{:>9}{:>14.1f}{:>10}{:>6}{:>7}\n", name, width,
-                     shape.frame.cycles, static_cast<double>(shape.frame.bytes) / 1e6,
-                     cost.ghz() ? interpolated_text(*cost.ghz(), cost.extrapolated_path, 3) : "-",
-                     interpolated_text(cost.us, cost.extrapolated_path, 1), shape_area(shape), fps_per_mm2(shape),
-                     interpolated_text(frames_per_joule(shape), cost.extrapolated_energy, 0),
-                     shape.mm2() <= mm2 ? "yes" : "", shape.front > 0 ? std::to_string(shape.front) : "");
+  const auto interpolated = [](double value, bool extrapolated) { return number_cell(value, extrapolated ? "~" : ""); };
+  return {text_cell(name),
+          number_cell(static_cast<double>(shape.frame.cycles)),
+          number_cell(static_cast<double>(shape.frame.bytes) / 1e6),
+          cost.ghz() ? interpolated(*cost.ghz(), cost.extrapolated_path) : text_cell("-"),
+          interpolated(cost.us, cost.extrapolated_path),
+          interpolated(shape.mm2(), cost.extrapolated_area),
+          number_cell(fps_per_mm2(shape)),
+          interpolated(frames_per_joule(shape), cost.extrapolated_energy),
+          text_cell(shape.mm2() <= mm2 ? "yes" : ""),
+          shape.front > 0 ? number_cell(static_cast<double>(shape.front)) : TableCell{}};
 }
 
 std::string best_shape_text(const std::vector<Shape>& shapes, double mm2) {
   const Shape* best = best_within(shapes, mm2);
-  if (best == nullptr) return fmt::format("  no shape that was measured fits {:g} mm2\n", mm2);
-  return fmt::format("  best within {:g} mm2: {}: {} cycles, {:.1f} us, {} mm2\n", mm2,
+  if (best == nullptr) return fmt::format("no shape that was measured fits {:g} mm2", mm2);
+  return fmt::format("best within {:g} mm2: {}: {} cycles, {:.1f} us, {} mm2", mm2,
                      shape_name(*best, shapes.front().config), best->frame.cycles, best->us(), shape_area(*best));
 }
 
@@ -72,27 +77,32 @@ Json shape_json(const Shape& shape, const Config& base, double mm2) {
 
 }  // namespace
 
-std::string shapes_text(const std::vector<Shape>& shapes, double mm2) {
+std::vector<Table> shapes_tables(const std::vector<Shape>& shapes, double mm2) {
   const Config& base = shapes.front().config;
-  size_t width = 8;
-  for (const Shape& shape : shapes) width = std::max(width, shape_name(shape, base).size() + 2);
-  const auto head = [&](const char* title) {
-    return fmt::format("  {:<{}}{:>10}{:>8}{:>8}{:>10}{:>9}{:>14}{:>10}{:>6}{:>7}\n", title, width, "cycles", "MB",
-                       "GHz", "us", "mm2", "frames/s/mm2", "frames/J", "fits", "front");
+  const auto empty = [](const char* heading) {
+    return Table{.columns = {{.key = "shape", .heading = heading, .word = true},
+                             {.key = "cycles", .heading = "cycles"},
+                             {.key = "megabytes", .unit = "MB", .digits = 1},
+                             {.key = "ghz", .unit = "GHz", .digits = 3},
+                             {.key = "us", .unit = "us", .digits = 1},
+                             {.key = "mm2", .unit = "mm2", .digits = 3},
+                             {.key = "fps_per_mm2", .unit = "frames/s/mm2", .digits = 1},
+                             {.key = "frames_per_joule", .unit = "frames/J"},
+                             {.key = "within", .heading = "fits"},
+                             {.key = "front", .heading = "front"}}};
   };
-  std::string text = head("shape");
-  for (const Shape& shape : shapes) text += shape_row(shape, shape_name(shape, base), width, mm2);
-  text += "\n" + head("front");
-  for (const Shape* shape : front_of(shapes)) text += shape_row(*shape, shape_name(*shape, base), width, mm2);
-  text += fmt::format(
-      "\n  mm2, frames/J: 28 nm, mid, with SRAMs and DRAM, interpolated (docs/numerics/accuracy.md); ~: beyond what "
-      "was "
-      "synthesised or measured;\n  fits: at most {:g} mm2; front: places of those that no other one beats in both us "
-      "and mm2\n",
-      mm2);
-  text += shapes.front().cost.path_fo4 ? "  GHz: what the longest path allows, interpolated; us: cycles / GHz\n"
-                                       : "  GHz: no longest path of such a machine is known, so us count at 1 GHz\n";
-  return text + best_shape_text(shapes, mm2);
+  Table all = empty("shape"), front = empty("front");
+  for (const Shape& shape : shapes) all.rows.push_back(shape_row(shape, shape_name(shape, base), mm2));
+  for (const Shape* shape : front_of(shapes)) front.rows.push_back(shape_row(*shape, shape_name(*shape, base), mm2));
+  Table read;  // how to read both
+  read.notes = {
+      "mm2, frames/J: 28 nm, mid, with SRAMs and DRAM, interpolated (docs/numerics/accuracy.md); ~: beyond what was "
+      "synthesised or measured;",
+      fmt::format("fits: at most {:g} mm2; front: places of those that no other one beats in both us and mm2", mm2),
+      shapes.front().cost.path_fo4 ? "GHz: what the longest path allows, interpolated; us: cycles / GHz"
+                                   : "GHz: no longest path of such a machine is known, so us count at 1 GHz",
+      best_shape_text(shapes, mm2)};
+  return {all, front, read};
 }
 
 Json shapes_json(const std::vector<Shape>& shapes, double mm2) {

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "sim/report/chart.hpp"
+#include "sim/report/table.hpp"
 #include "sim/studies/shapes/shapes.hpp"
 
 namespace pipegs {
 
 // `mm2`: the wanted area. The base is the first.
-std::string shapes_text(const std::vector<Shape>& shapes, double mm2);
+std::vector<Table> shapes_tables(const std::vector<Shape>& shapes, double mm2);
 nlohmann::ordered_json shapes_json(const std::vector<Shape>& shapes, double mm2);
 Chart shapes_chart(const std::string& title, const std::vector<Shape>& shapes);
 

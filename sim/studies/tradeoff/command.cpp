@@ -43,7 +43,7 @@ int run_tradeoff(const TradeoffArguments& arguments) {
   arguments.page.write({.title = "What accuracy costs in time",
                         .head = head,
                         .charts = {tradeoff_chart(title, points, arguments.ghz)},
-                        .printed = to_text(points, arguments.ghz),
+                        .tables = {to_table(points, arguments.ghz)},
                         .machines = {{machine_name(options.config), options.config}}});
   if (arguments.json) {
     fmt::print("{}\n", nlohmann::ordered_json{{"scene", loaded.scene.name},
@@ -55,7 +55,7 @@ int run_tradeoff(const TradeoffArguments& arguments) {
                                               {"price", to_json(price(points, arguments.ghz))}}
                            .dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, to_text(points, arguments.ghz));
+    fmt::print("{}\n\n{}", head, table_text(to_table(points, arguments.ghz)));
   }
   return kExitOk;
 }

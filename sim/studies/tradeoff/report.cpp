@@ -66,26 +66,30 @@ nlohmann::ordered_json to_json(const std::vector<Leg>& legs) {
   return list;
 }
 
-std::string to_text(const std::vector<TradeoffPoint>& points, double ghz) {
+Table to_table(const std::vector<TradeoffPoint>& points, double ghz) {
   const double base = static_cast<double>(points.front().cycles);
-  size_t width = 10;
-  for (const TradeoffPoint& point : points) width = std::max(width, name_of(point.way).size() + 2);
-  std::string text =
-      fmt::format("  {:<{}}{:>9}{:>9}{:>8}{:>8}{:>9}  front\n", "with less", width, "us", "of all", "MB", "dB", "SSIM");
-  for (const TradeoffPoint& point : points) {
-    text += fmt::format("  {:<{}}{:>9.1f}{:>7.1f} %{:>8.1f}{:>8.2f}{:>9.4f}  {:>5}\n", name_of(point.way), width,
-                        us(point, ghz), 100 * static_cast<double>(point.cycles) / base,
-                        static_cast<double>(point.bytes) / 1e6, point.psnr, point.ssim,
-                        point.front > 0 ? std::to_string(point.front) : "");
-  }
-  text += fmt::format(
-      "\n  us: of a frame at {:g} GHz; dB, SSIM: the picture at full size against the float64 truth; front: the places "
-      "of those that no other one beats in both us and dB\n",
-      ghz);
+  Table table{.columns = {{.key = "with_less", .heading = "with less", .word = true},
+                          {.key = "us", .unit = "us", .digits = 1},
+                          {.key = "share", .heading = "of all", .unit = "%", .digits = 1},
+                          {.key = "megabytes", .unit = "MB", .digits = 1},
+                          {.key = "psnr_db", .unit = "dB", .digits = 2},
+                          {.key = "ssim", .heading = "SSIM", .digits = 4},
+                          {.key = "front", .heading = "front"}}};
+  for (const TradeoffPoint& point : points)
+    table.rows.push_back({text_cell(name_of(point.way)), number_cell(us(point, ghz)),
+                          number_cell(100 * static_cast<double>(point.cycles) / base),
+                          number_cell(static_cast<double>(point.bytes) / 1e6), number_cell(point.psnr),
+                          number_cell(point.ssim),
+                          point.front > 0 ? number_cell(static_cast<double>(point.front)) : TableCell{}});
+  table.notes.push_back(fmt::format(
+      "us: of a frame at {:g} GHz; dB, SSIM: the picture at full size against the float64 truth; front: the places of "
+      "those that no other one beats in both us and dB",
+      ghz));
   for (const Leg& leg : price(points, ghz))
-    text += fmt::format("  from {:.1f} to {:.1f} dB, front {} to {}: {:.1f} us, {:.1f} us a decibel\n", leg.from->psnr,
-                        leg.to->psnr, leg.from->front, leg.to->front, leg.us, leg.us_per_db);
-  return text;
+    table.notes.push_back(fmt::format("from {:.1f} to {:.1f} dB, front {} to {}: {:.1f} us, {:.1f} us a decibel",
+                                      leg.from->psnr, leg.to->psnr, leg.from->front, leg.to->front, leg.us,
+                                      leg.us_per_db));
+  return table;
 }
 
 Chart tradeoff_chart(const std::string& title, const std::vector<TradeoffPoint>& points, double ghz) {

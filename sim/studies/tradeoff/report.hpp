@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/report/chart.hpp"
+#include "sim/report/table.hpp"
 #include "sim/studies/tradeoff/ways.hpp"
 
 namespace pipegs {
@@ -25,7 +26,7 @@ std::vector<Leg> price(const std::vector<TradeoffPoint>& points, double ghz);
 
 nlohmann::ordered_json to_json(const std::vector<TradeoffPoint>& points, double ghz);
 nlohmann::ordered_json to_json(const std::vector<Leg>& legs);
-std::string to_text(const std::vector<TradeoffPoint>& points, double ghz);
+Table to_table(const std::vector<TradeoffPoint>& points, double ghz);
 Chart tradeoff_chart(const std::string& title, const std::vector<TradeoffPoint>& points, double ghz);
 
 }  // namespace pipegs

@@ -137,14 +137,14 @@ TEST(Shapes, TheBestTakesWhatHelpsTogether) {
 
 TEST(Shapes, ReportsNameTheBestAndTheFront) {
   const std::vector<Shape>& shapes = forty();
-  const std::string text = shapes_text(shapes, 3.283);
+  const std::string text = tables_text(shapes_tables(shapes, 3.283));
   const nlohmann::ordered_json json = shapes_json(shapes, 3.283);
   EXPECT_NE(text.find("\n  best within 3.283 mm2: " + json["best"].get<std::string>() + ": "), std::string::npos);
   EXPECT_EQ(json["shapes"].size(), shapes.size());
   EXPECT_EQ(json["front"].size(), front_of(shapes).size());
   EXPECT_EQ(json["shapes"][0]["shape"], "base");
   EXPECT_EQ(json["shapes"][0]["ghz"].is_null(), !json["clock_known"].get<bool>());
-  EXPECT_NE(shapes_text(shapes, 0.1).find("no shape that was measured fits 0.1 mm2"), std::string::npos);
+  EXPECT_NE(tables_text(shapes_tables(shapes, 0.1)).find("no shape that was measured fits 0.1 mm2"), std::string::npos);
   EXPECT_TRUE(shapes_json(shapes, 0.1)["best"].is_null());
   EXPECT_EQ(shapes_chart("a view", shapes).series.size(), 4u);
 }

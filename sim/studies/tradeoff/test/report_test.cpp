@@ -53,7 +53,7 @@ TEST(TradeoffReport, TextJsonAndChartTellTheSameTime) {
   EXPECT_DOUBLE_EQ(json[1]["us"].get<double>(), 1000);
   EXPECT_EQ(json[1]["front"], 2);
   EXPECT_TRUE(json[2]["front"].is_null()) << "a is faster and closer than b";
-  const std::string text = to_text(all, 0.8);
+  const std::string text = table_text(to_table(all, 0.8));
   EXPECT_NE(text.find(" 1000.0   80.0 %"), std::string::npos) << text;
   EXPECT_NE(text.find("at 0.8 GHz"), std::string::npos) << text;
   EXPECT_NE(text.find("from 70.0 to 52.0 dB, front 1 to 2: 250.0 us, 13.9 us a decibel"), std::string::npos) << text;
