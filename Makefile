@@ -50,7 +50,7 @@ test: build  ## every test but the long ones
 	cmake --build $(BUILD)
 	$(CTEST) -LE long
 
-test-long: build  ## the long tests too, those of the netlists and of a cluster among them
+test-long: build  ## the long tests too, those of the netlists among them
 	@$(call INSTALL,$(TESTED) $(PAGES))
 	@$(NODE)
 	cmake --build $(BUILD)

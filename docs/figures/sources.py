@@ -15,10 +15,6 @@ SHARED = Path(os.environ.get("PIPEGS_SHARED", ROOT.parent / "shared"))
 GROUPS = {  # name of a group: the folders or files that make it
     "rtl": ["rtl"],
     "models": ["cpp_model", "cpp_model/driver/pipegs_frame.c", "cpp_model/driver/pipegs_wide.h", "scenes/generate"],
-    "orders": [
-        "sim/studies/rivals/pixels",
-        *(f"sim/studies/rivals/count/{name}.{end}" for name in ("cover", "meet", "seen") for end in ("cpp", "hpp")),
-    ],
     "timing": ["sim/timing"],
     "memory": ["sim/memory"],
     "path": ["scenes/cameras/path.cpp"],

@@ -26,7 +26,6 @@ inline constexpr PixelBytes kRtlPixels{.asked = 16};            // lines of exte
 inline constexpr PixelBytes kWritePixels{.asked = 76};          // a cropped image, and its planes as EXR
 inline constexpr PixelBytes kPagePixels{.asked = 16};           // pictures and maps, and their text
 inline constexpr PixelBytes kCountPixels{.frame = 2};           // the counts of a tile of 256
-inline constexpr PixelBytes kOrderPixels{.frame = 3 * 44 + 8};  // three images, and the graph of a tile
 inline constexpr PixelBytes kImagePixels{.asked = 44};
 
 // Bytes: the least of what computer, container and process have.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, models of other accelerators on it beside two
-// machines of our own, and what other orders do to pixels.
+// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, and models of other accelerators on it beside
+// two machines of our own.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -8,10 +8,8 @@
 #include "sim/command/command.hpp"
 #include "sim/command/page/page_argument.hpp"
 #include "sim/studies/rivals/pipelines_command.hpp"
-#include "sim/studies/rivals/pixel_arguments.hpp"
 #include "sim/progress.hpp"
 #include "sim/studies/rivals/compare/report.hpp"
-#include "sim/studies/rivals/pixels_report.hpp"
 #include "sim/studies/rivals/report.hpp"
 
 namespace pipegs {
@@ -23,7 +21,6 @@ struct RivalsArguments {
   CountOptions counts{.group = 64};
   std::string svg;
   PageArgument page;
-  PixelArguments pixels;
   bool json = false, only_counts = false;
   bool pipelines = false;
 };
@@ -66,11 +63,8 @@ int run_rivals(RivalsArguments& arguments) {
   if (arguments.only_counts && !arguments.svg.empty())
     throw ConfigError("--svg: charts are of machines, expected none with --counts");
   arguments.page.check();
-  arguments.pixels.check();
-  if (arguments.pixels.wanted && arguments.view.cameras.scale != 1)
-    throw ConfigError("--scale: pictures are of the cameras' sizes, expected none with --pixels");
   const LoadedView loaded = load_view(arguments.view);
-  check_picture_memory(loaded.camera, options, arguments.pixels.wanted ? kOrderPixels : kCountPixels);
+  check_picture_memory(loaded.camera, options, kCountPixels);
   const FrameCounts counts = count(arguments, loaded);
   std::optional<Comparison> comparison;
   if (!arguments.only_counts) {
@@ -78,13 +72,10 @@ int run_rivals(RivalsArguments& arguments) {
     comparison = compare(counts, memory, own_machines(loaded, arguments));
     write_charts(arguments.svg, comparison_charts(*comparison));
   }
-  PixelStudy pixels;
-  if (arguments.pixels.wanted) pixels = arguments.pixels.run(loaded, arguments.view.near_plane);
   std::string head =
       fmt::format("{}: view {} ({}x{}), ", loaded.scene.name, loaded.camera.name, counts.width, counts.height);
   head += comparison ? "memory " + arguments.memory.external.dram : "float64, depth order";
-  std::string printed = comparison ? comparison_text(*comparison) : counts_text(counts, arguments.counts);
-  if (arguments.pixels.wanted) printed += "\n" + pixels_text(pixels, arguments.pixels.options);
+  const std::string printed = comparison ? comparison_text(*comparison) : counts_text(counts, arguments.counts);
   NamedMachines machines;
   for (const SimulateOptions& one : arguments.view.paper_and_own())
     machines.emplace_back(machine_name(one.config), one.config);
@@ -101,7 +92,6 @@ int run_rivals(RivalsArguments& arguments) {
     if (comparison) json["memory"] = arguments.memory.external.dram;
     json.update(counts_json(counts, arguments.counts));
     if (comparison) json.update(comparison_json(*comparison));
-    if (arguments.pixels.wanted) json["pixels"] = pixels_json(pixels, arguments.pixels.options);
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}\n\n{}", head, printed);
@@ -119,9 +109,7 @@ void add_rivals(CLI::App& app, Run& run) {
       "GSCore, GS-TG, STREAMINGGS, GSAcc, Neo and FLICKER as their papers describe them, driven by counts of the "
       "float64\nprojection and blending, with the same memory; what is not published is a parameter with a range, and "
       "every figure\ncomes as low..mid..high. Beside them `dop` and the machine of --design and --set, by timing model "
-      "and frame model.\n--counts prints the counts alone. docs/rivals/rivals.md says what each model stands on.\n"
-      "--pixels: pictures of the view in the order of STREAMINGGS, and of a camera that moves through all views of the "
-      "file\nthat was given in the orders which GSAcc and Neo have from the frame before, against exact order."));
+      "and frame model.\n--counts prints the counts alone. docs/rivals/rivals.md says what each model stands on."));
   static RivalsArguments arguments;
   arguments.view.add(*command);
   arguments.memory.add(*command, false);
@@ -137,7 +125,6 @@ void add_rivals(CLI::App& app, Run& run) {
   command->add_flag("--counts", arguments.only_counts, "the counts alone, without machines");
   command->add_option("--svg", arguments.svg, "charts");
   arguments.page.add(*command);
-  arguments.pixels.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_rivals(arguments); }; });
 }

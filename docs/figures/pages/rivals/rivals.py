@@ -2,9 +2,8 @@
 """Tables of docs/rivals/rivals.md."""
 from data import data
 from formats import fixed, group, percent, table, times
-from pages.rivals import pixels
 
-MEASURED = ["rivals/*", "pipelines/*", *pixels.MEASURED]
+MEASURED = ["rivals/*", "pipelines/*"]
 SCENES = ("terrace", "statue", "flowers", "plushdog", "own")
 TITLES = {"own": "our own"}
 RIVALS = data.rivals.terrace.rivals
