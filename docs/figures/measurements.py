@@ -29,7 +29,7 @@ from keep.frames import (
 )
 from keep.numerics import accuracy, accuracy_rtl, budget, errors, fine_tuned, golden, stability, trained
 from keep.parts import pick
-from keep.rivals import rivals, rivals_and_parameters, terms, terms_and_closed
+from keep.rivals import rivals, rivals_and_parameters
 from keep.silicon import compared, cost, energy, equal_area, fpga, leave_one_out, netlist, silicon
 from keep.texts import difference, printed, proofs, shown, tables
 from scenes import SIZES, VIEWS_OF_SIZE
@@ -185,9 +185,6 @@ PRINTS = {  # a test that prints what it measures: its room, the line, names of 
 TABLE = [
     *[Measurement(f"ladder/{scene}", "build/pipegs ladder {scene} --json", ladder, RTL, scene, points=POINTS,
                   chart=f"ladder_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],
-    *[Measurement(f"terms/{scene}", "build/pipegs terms {scene} --json",
-                  terms_and_closed if scene == "terrace" else terms, ("models", "memory", "terms"), scene)
-      for scene in (*FOUR, "plushdog")],
     *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --designs baseline,dop,exact,fast --json", sweep, MODEL,
                   scene, points=("baseline", "dop", "exact", "fast"),
                   chart=f"sweep_{scene}.svg" if scene in CHARTED else "") for scene in FOUR],

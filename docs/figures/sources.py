@@ -27,12 +27,6 @@ GROUPS = {  # name of a group: the folders or files that make it
         "sim/report/html/viewer.cpp",
         "scenes/packed/write_spz.cpp",
     ],
-    "terms": [
-        "sim/studies/terms",
-        "sim/studies/rivals/count",
-        "sim/studies/rivals/counts.cpp",
-        "sim/studies/rivals/frame",
-    ],
     "synth": ["synth/synth.py", "synth/gating.py"],
     "fpga": ["synth/fpga/fpga.py"],
     "rivals": ["sim/studies/rivals"],

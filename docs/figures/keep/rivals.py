@@ -1,17 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Of other machines: `pipegs rivals`, `terms`."""
-from keep.parts import pick
-
-
-def terms(found):
-    """Lead, our terms and the paper's, and what the search found; no list of its matches."""
-    search = {key: value for key, value in found["search"].items() if key != "best"}
-    return pick("lead", "ours", "paper")(found) | {"search": search}
-
-
-def terms_and_closed(found):
-    """With the closed form, the waterfall and the assumptions, which the pages show of one scene."""
-    return pick("closed", "waterfall", "assumptions")(found) | terms(found)
+"""Of other machines: `pipegs rivals`."""
 
 
 def rivals(found, parameters=False):

@@ -5,14 +5,10 @@ from formats import fixed, group, percent, span, table, times
 from measurements import FOUR
 from pages.silicon import energy, silicon as chip
 
-MEASURED = ["printed/*", "terms/*", "ladder/*", "equal_area/*", "energy/*", "silicon/dop"]
-HEAD = ["paper", "what", "printed", "its terms", "RTL, equal lanes", "equal area", "why they differ", "command"]
-TERMS, LADDER = "`pipegs terms`", "`pipegs ladder`"
+MEASURED = ["printed/*", "ladder/*", "equal_area/*", "energy/*", "silicon/dop"]
+HEAD = ["paper", "what", "printed", "RTL, equal lanes", "equal area", "why they differ", "command"]
+LADDER = "`pipegs ladder`"
 PROFILE, SILICON = "`pipegs profile`", "`pipegs silicon --design dop`"
-
-
-def terms(key, form, *rest):
-    return span(form, [data.terms[scene].paper.figures[key].here for scene in FOUR], *rest)
 
 
 def rtl(value, form, *rest):
@@ -29,18 +25,14 @@ def profiled(value, form, *rest):
     return span(form, [value(data.printed[scene]) for scene in FOUR], *rest)
 
 
-def speedup(what, slow, fast, paper, key, why):
+def speedup(what, slow, fast, paper, why):
     ours = rtl(lambda one: one[slow].cycles / one[fast].cycles, times)
-    return ["Fig. 9", what, f"up to {paper}x", terms(key, times), ours, equal(slow, fast), why, TERMS + ", " + LADDER]
+    return ["Fig. 9", what, f"up to {paper}x", ours, equal(slow, fast), why, LADDER]
 
 
-def ratio(what, point, paper, key, why):
+def ratio(what, point, paper, why):
     ours = rtl(lambda one: one[point].raster_over_sort, fixed, 2)
-    return ["Fig. 8a", what, paper, terms(key, fixed, 2), ours, "as equal lanes", why, TERMS + ", " + LADDER]
-
-
-def bubbles_fewer():
-    return span(percent, [1 - data.terms[scene].paper.figures.gap_left.here for scene in FOUR])
+    return ["Fig. 8a", what, paper, ours, "as equal lanes", why, LADDER]
 
 
 def pipeline():
@@ -50,27 +42,24 @@ def pipeline():
         lambda one: one.dop.exposed_share * one.dop.cycles / (one.tspp.exposed_share * one.tspp.cycles), percent, 1
     )
     rows = [
-        ["Fig. 3a", "rasterization, share of the time", "about 70 %", terms("raster_share", percent),
-         profiled(shares[2], percent), "as equal lanes", "theirs is a GPU's", TERMS + ", " + PROFILE],
-        ["Fig. 3a", "preprocessing before all else, share of the frame", "about 15 %", terms("front_share", percent),
+        ["Fig. 3a", "rasterization, share of the time", "about 70 %", profiled(shares[2], percent),
+         "as equal lanes", "theirs is a GPU's", PROFILE],
+        ["Fig. 3a", "preprocessing before all else, share of the frame", "about 15 %",
          rtl(lambda one: one.baseline.exposed_share, percent), "as equal lanes",
-         "a GPU's memory and cores; here four PUs read every Gaussian first", TERMS + ", " + LADDER],
-        ["Fig. 3a", "bubbles", "69 %", terms("idle", percent), rtl(lambda one: one.baseline.bubbles, percent),
-         "as equal lanes", "the RTL's are the RUs' alone", TERMS + ", " + LADDER],
-        ["Fig. 3c", "preprocessing longer by HGR", "up to +20 %", terms("pre", lambda value: percent(value - 1)), "-",
-         "-", "the RTL computes alphas beside the projection, not behind it", TERMS],
-        ratio("raster / sort, Baseline", "baseline", "7.48", "ratio_baseline",
-              "a pixel costs its operations there, a cycle here"),
-        ratio("raster / sort, DPC", "dpc", "5.71", "ratio_dpc", "the same"),
-        ratio("raster / sort, DPC + TSPP", "tspp", "1.83", "ratio_hgr", "the RUs wait for alphas from memory"),
-        ["Fig. 8a", "bubbles fewer by HGR", "76.2 %", bubbles_fewer(),
+         "a GPU's memory and cores; here four PUs read every Gaussian first", LADDER],
+        ["Fig. 3a", "bubbles", "69 %", rtl(lambda one: one.baseline.bubbles, percent),
+         "as equal lanes", "the RTL's are the RUs' alone", LADDER],
+        ratio("raster / sort, Baseline", "baseline", "7.48", "a pixel costs its operations there, a cycle here"),
+        ratio("raster / sort, DPC", "dpc", "5.71", "the same"),
+        ratio("raster / sort, DPC + TSPP", "tspp", "1.83", "the RUs wait for alphas from memory"),
+        ["Fig. 8a", "bubbles fewer by HGR", "76.2 %",
          rtl(lambda one: 1 - one.tspp.bubbles / one.baseline.bubbles, percent), "-",
-         "alphas through memory add bubbles", TERMS + ", " + LADDER],
-        ["Fig. 8b", "preprocessing that DOP leaves exposed", "37 %", terms("delay", percent), hidden, "-",
-         "windows begin with the nearest layer alone; the abstract's 63 % are the same figure", TERMS + ", " + LADDER],
-        speedup("DPC + TSPP over Baseline", "baseline", "tspp", "2.33", "hgr", "alphas do not fit the chip"),
-        speedup("DOP over that", "tspp", "dop", "1.22", "dop_over_hgr", "it also saves trips of alphas to memory"),
-        speedup("DOP over Baseline", "baseline", "dop", "2.85", "dop", "both"),
+         "alphas through memory add bubbles", LADDER],
+        ["Fig. 8b", "preprocessing that DOP leaves exposed", "37 %", hidden, "-",
+         "windows begin with the nearest layer alone; the abstract's 63 % are the same figure", LADDER],
+        speedup("DPC + TSPP over Baseline", "baseline", "tspp", "2.33", "alphas do not fit the chip"),
+        speedup("DOP over that", "tspp", "dop", "1.22", "it also saves trips of alphas to memory"),
+        speedup("DOP over Baseline", "baseline", "dop", "2.85", "both"),
     ]  # fmt: skip
     return table(HEAD, rows)
 

@@ -1,176 +1,74 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/rivals/terms.md."""
-from data import data
-from formats import change, fixed, percent, span, table, times
-from measurements import FOUR
+"""Tables of docs/rivals/terms.md: the paper's printed figures held against each other, and the span of our ladder.
+
+Time is in units of a tile's sort. Lists pass SUs and RUs side by side, so a frame takes P + R: P the exposed
+preprocessing, R the rasterization, which hides the sort; the paper's raster / sort is R.
+"""
+from formats import change, fixed, table
 from pages.rivals import printed
 
-MEASURED = ["terms/*", "ladder/*", *printed.MEASURED]
-FIVE = (*FOUR, "plushdog")
-RUNGS = (("baseline", "baseline"), ("hgr", "tspp"), ("dop", "dop"))  # of the model; of the RTL
-SPEEDS = (("hgr", 2.33), ("dop_over_hgr", 1.22), ("dop", 2.85))
-RATIOS = (("ratio_baseline", 7.48), ("ratio_dpc", 5.71), ("ratio_hgr", 1.83))
-KEYS = [key for key, _ in (*SPEEDS, *RATIOS)]
-HEAD = ["HGR", "DOP / HGR", "DOP", "r/s Baseline", "r/s DPC", "r/s HGR"]
-SORTS = {"wide": "16 keys", "splitter": "a key", "network": "8 exchanges", "compare": "a comparison"}
-SORTS["exchange"] = "an exchange"
+MEASURED = printed.MEASURED
+BASE, DPC, HGR = 7.48, 5.71, 1.83  # raster / sort, Sec. 5.3.1
+HGR_OVER, DOP_OVER, ALL = 2.33, 1.22, 2.85  # Sec. 5.3.2
+FRONT, MORE, LEFT, HIDDEN, FEWER = 0.15, 1.2, 0.37, 0.63, 0.762
+RASTER, BUBBLES = 0.70, 0.69  # Fig. 3a
+# Operations of a pixel: power in full, power by DPC in a tile of 16 px, exponential with opacity, blending by Eq. 2.
+POWER, POWER_DPC, EXP, BLEND = 11, 2 + 8 / 16 + 10 / 256, 16, 9
+RENDERING_UNITS, ROW_UNITS = 64, 32
 
 
-def cells(ladder):
-    """Speed-ups and raster / sort of one ladder."""
-    return [fixed(ladder[key], 2) for key in KEYS]
-
-
-def paper_cells():
-    return [fixed(value, 2) for _, value in (*SPEEDS, *RATIOS)]
+def rows():
+    """(figure, equation, what it gives, what the paper prints)."""
+    every = POWER + EXP + BLEND
+    others = (POWER - POWER_DPC) / (BASE / DPC - 1) - POWER_DPC
+    front = FRONT / (1 - FRONT) * BASE
+    base = front + BASE
+    hgr = base / HGR_OVER
+    hgr_front = hgr - HGR
+    hgr_share = (1 - 1 / DOP_OVER) / HIDDEN
+    on_rows = (POWER_DPC + EXP) / BLEND * HGR * RENDERING_UNITS / ROW_UNITS
+    front_of_both = (BASE - HGR_OVER * HGR) / (HGR_OVER * MORE - 1)
+    return [
+        ("power, operations saved (Fig. 4a)", "1 - (10 + 16 x 8 + 256 x 2) / (256 x 11)", 1 - POWER_DPC / POWER, 0.769),
+        ("power, multiplications saved (Fig. 4a)", "1 - (4 + 16 x 4) / (256 x 7)", 1 - (4 + 16 * 4) / (256 * 7), 0.962),
+        ("operations beside the power", "(11 + x) / (2.54 + x) = 7.48 / 5.71; counted: 16 + 9", others, EXP + BLEND),
+        ("of those, blending", "(2.54 + x) / y = 5.71 / 1.83; counted: 9", (POWER_DPC + others) * HGR / DPC, BLEND),
+        ("raster / sort, DPC", "7.48 x (2.54 + 16 + 9) / (11 + 16 + 9)", BASE * (POWER_DPC + EXP + BLEND) / every, DPC),
+        ("raster / sort, HGR", "7.48 x 9 / (11 + 16 + 9)", BASE * BLEND / every, HGR),
+        ("DOP over Baseline", "2.33 x 1.22", HGR_OVER * DOP_OVER, ALL),
+        ("preprocessing, HGR over Baseline (Fig. 3c)",
+         "P = 15 % of P + 7.48; (P + 7.48) / (P' + 1.83) = 2.33; P' / P", hgr_front / front, MORE),
+        ("HGR over Baseline", "P as above, P' = 1.2 P", base / (MORE * front + HGR), HGR_OVER),
+        ("preprocessing of Baseline's frame", "2.33 and P' = 1.2 P; P / (P + 7.48)",
+         front_of_both / (front_of_both + BASE), FRONT),
+        ("bubbles: SUs beside RUs (Fig. 3a)", "(7.48 - 1) / (P + 7.48)", (BASE - 1) / base, BUBBLES),
+        ("bubbles: PUs, SUs and RUs (Fig. 3a)", "1 - (15 % + 70 % + 70 % / 7.48) / 3",
+         1 - (FRONT + RASTER + RASTER / BASE) / 3, BUBBLES),
+        ("bubbles less by HGR, of time", "1 - (1.83 - 1) / (7.48 - 1)", 1 - (HGR - 1) / (BASE - 1), FEWER),
+        ("bubbles less by HGR, of the frame", "1 - 2.33 (1.83 - 1) / (7.48 - 1)",
+         1 - HGR_OVER * (HGR - 1) / (BASE - 1), FEWER),
+        ("DOP over HGR", "(P' + 1.83) / (0.37 P' + 1.83)", hgr / (LEFT * hgr_front + HGR), DOP_OVER),
+        ("DOP over HGR", "(P' + 1.83) / (0.37 P + 1.83)", hgr / (LEFT * front + HGR), DOP_OVER),
+        ("preprocessing hidden by DOP", "(1 - 1 / 1.22) (P' + 1.83) / P'", (1 - 1 / DOP_OVER) * hgr / hgr_front,
+         HIDDEN),
+        ("Baseline's frame over its sort", "1.22 and 63 %: P' is 28.6 % of HGR's frame; 2.33 x 1.83 / (1 - 28.6 %); at "
+         "least 7.48", HGR_OVER * HGR / (1 - hgr_share), BASE),
+        ("operations a Row Unit must do in a cycle",
+         "(2.54 + 16) / 9 x 1.83 x 64 / 32 lanes over P' - P; one as the RUs", on_rows / (hgr_front - front), 1),
+        ("HGR over Baseline, one operation a cycle",
+         "alphas on 32 Row Units after the projections: (P + 7.48) / (P + 7.54 + 1.83)", base / (front + on_rows + HGR),
+         HGR_OVER),
+    ]  # fmt: skip
 
 
 def closed():
     """The paper's figures held against each other."""
-    rows = [
-        [row.figure, row.equation, fixed(row.value, 3), f"{row.paper:g}", change(row.residue)]
-        for row in data.terms.terrace.closed
+    cells = [
+        [name, how, fixed(value, 3), f"{paper:g}", change(value / paper - 1)] for name, how, value, paper in rows()
     ]
-    return table(["figure", "equation", "gives", "paper", "residue"], rows)
+    return table(["figure", "equation", "gives", "paper", "residue"], cells)
 
 
 def closed_of(start, place=0):
     """The value of a row of the closed form, by how its figure begins."""
-    return [row for row in data.terms.terrace.closed if row.figure.startswith(start)][place].value
-
-
-def lead():
-    """Cycles of a key: what raster / sort = 7.48 asks for, and what sorters take."""
-    rows = [
-        [
-            scene if row is data.terms[scene].lead[0] else "",
-            row.work,
-            fixed(row["keys"], 0),
-            *[fixed(row.needed[lane], 1) for lane in ("pixel", "area", "serial")],
-            *[fixed(row.sorts[sort], 1) for sort in SORTS],
-        ]
-        for scene in FIVE
-        for row in data.terms[scene].lead
-    ]
-    head = ["scene", "pixels", "keys of a list", "asked: a pixel a cycle", "equal area", "an operation a cycle"]
-    return table([*head, *(f"sorter of {name} a cycle" for name in SORTS.values())], rows)
-
-
-def ours():
-    """The model under our own terms beside the RTL."""
-    rows = []
-    for scene in FOUR:
-        for name, point in RUNGS:
-            model, rtl = data.terms[scene].ours[name], data.ladder[scene][point]
-            rows.append(
-                [
-                    scene if name == "baseline" else "",
-                    f"`{point}`",
-                    round(model.cycles),
-                    rtl.cycles,
-                    change(model.cycles / rtl.cycles - 1),
-                    fixed(model.raster / model["sort"], 2),
-                    fixed(rtl.raster_over_sort, 2),
-                    fixed(model.bytes / 1e6, 1),
-                    fixed(rtl.bytes / 1e6, 1),
-                ]
-            )
-    head = ["scene", "design point", "model, cycles", "RTL", "error", "raster / sort, model", "RTL", "MB, model"]
-    return table(head + ["RTL"], rows)
-
-
-def error(name, point):
-    """The span of the model's errors over the scenes."""
-    found = [data.terms[scene].ours[name].cycles / data.ladder[scene][point].cycles - 1 for scene in FOUR]
-    return span(percent, found)
-
-
-def waterfall(scene):
-    """From our terms to the paper's."""
-    rows = []
-    for row in data.terms[scene].waterfall:
-        if not row.assumption:
-            rows.append([row.value, "", *cells(row.together)])
-            continue
-        rows.append([f"{row.assumption}: {row.value}", "alone", *cells(row.alone)])
-        rows.append(["", "so far", *cells(row.together)])
-        rows.append(["", "without", *cells(row.without)])
-    rows.append(["the paper", "", *paper_cells()])
-    return table(["switched", "", *HEAD], rows)
-
-
-def search():
-    """How many sets give the paper's figures, and which is nearest."""
-    rows = []
-    for scene in FIVE:
-        found = data.terms[scene].search
-        rows.append(
-            [
-                scene,
-                found.sets,
-                found.speeds.sets,
-                found.all.sets,
-                percent(found.nearest.worst_miss, 1),
-                percent(found.together_worst_miss, 1),
-                *cells(found.together.ladder),
-            ]
-        )
-    rows.append(["the paper", *[""] * 5, *paper_cells()])
-    head = ["scene", "sets", "speed-ups within 10 %", "raster / sort too", "nearest: speed-ups", "all six"]
-    return table([*head, *HEAD], rows)
-
-
-def values(which):
-    """Which values the sets have that give the figures: share of each, where not all have one."""
-    scenes = [scene for scene in FIVE if data.terms[scene].search[which].sets]
-    rows = []
-    for one in data.terms.terrace.assumptions:
-        row = [one.key]
-        for scene in scenes:
-            tally = data.terms[scene].search[which]
-            shares = sorted(((count / tally.sets, name) for name, count in tally["values"][one.key].items()))[::-1]
-            row.append(", ".join(f"{name} ({percent(share)})" if share < 1 else name for share, name in shares))
-        rows.append(row)
-    return table(["assumption", *(f"{scene}, {data.terms[scene].search[which].sets} sets" for scene in scenes)], rows)
-
-
-def figures():
-    """The paper's figures and what its terms give on each view."""
-    names = data.terms.terrace.paper.figures
-    rows = [
-        [one.what, fixed(one.paper, 2), *[fixed(data.terms[scene].paper.figures[key].here, 2) for scene in FIVE]]
-        for key, one in names.items()
-    ]
-    return table(["figure", "paper", *FIVE], rows)
-
-
-def slower(rung):
-    """How many times as long as our baseline a rung takes under the paper's terms."""
-    found = [data.terms[scene].paper.rungs[rung].cycles / data.ladder[scene].baseline.cycles for scene in FOUR]
-    return span(fixed, found, 0)
-
-
-def alphas(key):
-    found = [data.terms[scene].paper[key] for scene in FIVE]
-    return f"{span(fixed, found, 0)} MB"
-
-
-def bubbles():
-    """How many fewer bubbles of the SUs HGR leaves, over the views."""
-    found = [1 - data.terms[scene].paper.figures.gap_left.here for scene in FIVE]
-    return span(percent, found)
-
-
-def assumptions():
-    """Each assumption, what the paper says of it, ours and the paper's."""
-    rows = [[one.key, one.what, one.words, one.ours, one.paper] for one in data.terms.terrace.assumptions]
-    return table(["assumption", "what", "the paper", "ours", "`pipegs terms`"], rows)
-
-
-def row_of(assumption):
-    """The waterfall's row of terrace."""
-    return [row for row in data.terms.terrace.waterfall if row.assumption == assumption][0]
-
-
-def speed(ladder, key):
-    return times(ladder[key])
+    return [value for name, _, value, _ in rows() if name.startswith(start)][place]
