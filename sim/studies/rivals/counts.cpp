@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // counts.cpp: see counts.hpp.
 //
-// Idea    Project all -> into lists -> walk the tiles, and by layers -> voxels; a file of count/ for each.
+// Idea    Project all -> into lists -> walk the tiles -> voxels; a file of count/ for each.
 #include "sim/studies/rivals/counts.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
 
-#include "sim/studies/rivals/count/layers.hpp"
 #include "sim/studies/rivals/count/voxels.hpp"
 #include "sim/studies/rivals/count/walk.hpp"
 
@@ -30,11 +29,6 @@ TileCounts& TileCounts::operator+=(const TileCounts& o) {
   oriented_8x8 += o.oriented_8x8, exact_8x8 += o.exact_8x8, exact_4x4 += o.exact_4x4;
   exact_16x1 += o.exact_16x1, exact_8x1 += o.exact_8x1;
   reached += o.reached, blends += o.blends, stops += o.stops;
-  return *this;
-}
-
-WindowCounts& WindowCounts::operator+=(const WindowCounts& o) {
-  pairs += o.pairs, regions += o.regions, turns += o.turns;
   return *this;
 }
 
@@ -64,9 +58,6 @@ FrameCounts count_frame(const Scene& scene, const Camera& camera, const CountOpt
     throw std::invalid_argument("counts: a voxel's edge is above 0");
   if (options.group <= 0 || options.group % kTileSide != 0)
     throw std::invalid_argument("counts: a group's side is a multiple of 16");
-  for (const int cells : options.grids) {
-    if (cells < 1 || cells > kMostCells) throw std::invalid_argument("counts: a grid has 1 to 64 cells along an axis");
-  }
   check_consistent(scene);
   FrameCounts counts;
   counts.width = camera.width, counts.height = camera.height;
@@ -75,8 +66,6 @@ FrameCounts count_frame(const Scene& scene, const Camera& camera, const CountOpt
   counts.gaussians.valid = seen.valid, counts.gaussians.in_front = seen.in_front;
   const TileLists lists = count_lists(seen, camera, options, counts);
   const std::vector<double> stop_depth = count_walks(seen, lists, camera, options, counts);
-  for (const int cells : options.grids)
-    counts.grids.push_back(count_layers(scene, seen, lists, cells, camera, options));
   counts.voxels = count_voxels(scene, seen, stop_depth, camera, options);
   for (const double edge : options.other_voxels) {
     CountOptions other = options;

@@ -53,8 +53,7 @@ struct CountOptions {
   double voxel = 2;                       // edge of a voxel, scene units
   std::vector<double> other_voxels = {};  // edges of voxels that are counted as well
   int group = 16;                         // side of a group of pixels that streams voxels, a multiple of kTileSide
-  std::vector<int> grids = {};  // cells of an orthogonal grid along an axis, 1 to kMostCells: a walk by layers for each
-  unsigned threads = 0;         // 0: as many as the machine has
+  unsigned threads = 0;                   // 0: as many as the machine has
   std::function<void(double)> progress = {};
 };
 
@@ -131,34 +130,6 @@ struct FilterCounts {
   uint64_t fine = 0;     // of those, with alpha >= 1/255 at a pixel of the group
 };
 
-// What a Gaussian costs a machine that tests regions of 8x8 pixels one by one, in one 64-px window.
-struct WindowCounts {
-  uint64_t pairs = 0;    // Gaussians whose box of alpha >= 1/255 touches the window
-  uint64_t regions = 0;  // regions of these boxes inside the window
-  uint64_t turns = 0;    // the same, but eight for a box of less: what a stage of eight cycles takes
-  WindowCounts& operator+=(const WindowCounts& o);
-};
-
-// A slab of the grid along the principal axis of the view, walked after those before it.
-struct LayerCounts {
-  int slab = 0;                            // along the axis, from its low end
-  uint64_t valid = 0;                      // Gaussians of the scene with their mean in it
-  ByCover<uint64_t> listed = {};           // of those, in a 16-px tile of the image
-  std::array<ListCounts, 2> lists = {};    // of 16 and of 64 px, of its Gaussians alone
-  std::vector<TileCounts> tiles = {};      // 16 px: what its Gaussians find where the layers before have passed
-  std::vector<WindowCounts> windows = {};  // 64 px
-};
-inline constexpr std::array<int, 2> kLayerSides = {16, 64};
-inline constexpr int kMostCells = 64;
-
-// The orthogonal grid of Sec. 3.2 over the 2..98 percentile box of the means that can be drawn, its outer cells without
-// end, cut along the axis nearest to the view's direction; the layers from the camera's own slab outward. As packed
-// scenes have it (pack.hpp, dopu_layer.hpp), but in float64.
-struct GridCounts {
-  int cells = 0, axis = 0;
-  std::vector<LayerCounts> layers = {};  // in the order of the walk, empty ones too
-};
-
 // A voxel is met by a group when the ray through the centre of one of its pixels passes through it beyond the near
 // plane. `pairs`, `all`, `open`: over (group, voxel). Open: the voxel's nearest corner lies before the depth at which
 // the last pixel of the group stops, so that no order of voxels fetches less.
@@ -187,11 +158,10 @@ struct FrameCounts {
   NeighbourCounts neighbours = {};
   VoxelCounts voxels = {};
   std::vector<VoxelCounts> other_voxels = {};  // of the edges of CountOptions::other_voxels
-  std::vector<GridCounts> grids = {};          // as the options name them
 };
 
-// Throws std::invalid_argument for a voxel that is not above 0, a group that is no multiple of kTileSide above 0 or a
-// grid that is not 1 to kMostCells, std::runtime_error when interrupted.
+// Throws std::invalid_argument for a voxel that is not above 0 or a group that is no multiple of kTileSide above 0,
+// std::runtime_error when interrupted.
 FrameCounts count_frame(const Scene& scene, const Camera& camera, const CountOptions& options);
 
 }  // namespace pipegs

@@ -172,19 +172,4 @@ std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, c
   return stop_depth;
 }
 
-void count_layer_walks(const SeenScene& seen, const TileLists& lists, const std::vector<uint8_t>& layer,
-                       const Camera& camera, const CountOptions& options, std::vector<LayerCounts>& layers) {
-  const TileGrid grid(camera, kTileSide);
-  for (LayerCounts& counts : layers) counts.tiles.assign(grid.count(), {});
-  parallel_for(grid.count(), options.threads, [&](size_t t) {
-    if (interrupted()) throw std::runtime_error("interrupted");
-    std::vector<Entry> entries(lists.of(t).begin(), lists.of(t).end());
-    std::stable_sort(entries.begin(), entries.end(),
-                     [&](const Entry& a, const Entry& b) { return layer[a.place()] < layer[b.place()]; });
-    Walker walker(tile_area(grid, t, camera));
-    for (const Entry& entry : entries)
-      walker.take(seen.gaussians[entry.place()], entry, layers[layer[entry.place()]].tiles[t]);
-  });
-}
-
 }  // namespace pipegs

@@ -13,9 +13,4 @@ namespace pipegs {
 std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, const Camera& camera,
                                 const CountOptions& options, FrameCounts& counts);
 
-// The same walk in another order: a Gaussian's layer first, then depth. `layer`: of each place in depth order, its
-// place in `layers`. Fills their tiles.
-void count_layer_walks(const SeenScene& seen, const TileLists& lists, const std::vector<uint8_t>& layer,
-                       const Camera& camera, const CountOptions& options, std::vector<LayerCounts>& layers);
-
 }  // namespace pipegs

@@ -55,7 +55,6 @@ class Brute {
     lists();
     walk();
     voxels();
-    for (const int cells : options_.grids) layers(cells);
     return out_;
   }
 
@@ -270,97 +269,6 @@ class Brute {
       }
     }
     out_.gaussians.blended = blended.size();
-  }
-
-  // Slab of a coordinate: cells of equal width over the sorted means without the outer fiftieths.
-  int slab(double value, int axis, int cells) const {
-    std::vector<double> means;
-    for (size_t i = 0; i < scene_.gaussians.size(); ++i) {
-      ActivatedGaussian gaussian;
-      if (activate(scene_, i, gaussian) == Cull::kNone && gaussian.opacity >= 1.0 / 255)
-        means.push_back(gaussian.mean[axis]);
-    }
-    std::sort(means.begin(), means.end());
-    const double last = static_cast<double>(means.size() - 1);
-    const double low = means[static_cast<size_t>(0.02 * last)], high = means[static_cast<size_t>(0.98 * last)];
-    const double middle = (low + high) / 2, half = 1.001 * (high - low) / 2;
-    int number = 0;
-    for (int n = 1; n < cells; ++n) number += value >= middle - half + 2 * half * n / cells;
-    return number;
-  }
-
-  // The same Gaussians layer by layer. A tile's walk goes on from one layer to the next.
-  void layers(int cells) {
-    GridCounts grid{.cells = cells};
-    const glm::dvec3 forward = glm::transpose(camera_.world_to_camera)[2];
-    for (int axis = 1; axis < 3; ++axis) {
-      if (std::abs(forward[axis]) > std::abs(forward[grid.axis])) grid.axis = axis;
-    }
-    const auto slab_of = [&](size_t i) { return slab(scene_.gaussians[i].mean[grid.axis], grid.axis, cells); };
-    const int own = slab(camera_.position[grid.axis], grid.axis, cells);
-    std::vector<std::pair<int, int>> order;  // distance from the camera's slab, the farther one along the axis first
-    for (int n = 0; n < cells; ++n) order.emplace_back(std::abs(n - own), n > own ? 0 : 1);
-    std::map<int, TileState> states;
-    for (int t = 0; t < columns(16) * rows(16); ++t) states.emplace(t, tile_state(t % columns(16), t / columns(16)));
-    for (int rank = 0; rank < cells; ++rank) {
-      const auto sorted = std::min_element(order.begin(), order.end());
-      const int number = static_cast<int>(sorted - order.begin());
-      *sorted = {cells, 0};
-      grid.layers.push_back(layer(number, slab_of, states));
-    }
-    out_.grids.push_back(grid);
-  }
-
-  template <class SlabOf>
-  LayerCounts layer(int number, const SlabOf& slab_of, std::map<int, TileState>& states) {
-    LayerCounts counts{.slab = number};
-    for (size_t i = 0; i < scene_.gaussians.size(); ++i) {
-      ActivatedGaussian gaussian;
-      counts.valid += activate(scene_, i, gaussian) == Cull::kNone && slab_of(i) == number;
-    }
-    for (size_t side = 0; side < 2; ++side) {
-      ListCounts& lists = counts.lists[side];
-      lists.side = side == 0 ? 16 : 64, lists.columns = columns(lists.side), lists.rows = rows(lists.side);
-      for (const Cover cover : kAll)
-        lists.lengths[cover].resize(static_cast<size_t>(lists.columns) * static_cast<size_t>(lists.rows));
-    }
-    counts.windows.resize(counts.lists[1].lengths.exact.size());
-    counts.tiles.resize(counts.lists[0].lengths.exact.size());
-    std::set<size_t> blended;
-    for (const Shape& s : shapes_) {
-      if (slab_of(s.index) != number) continue;
-      for (ListCounts& lists : counts.lists) {
-        for (const Cover cover : kAll) {
-          for (const auto& [x, y] : tiles(s, cover, lists.side))
-            ++lists.lengths[cover][static_cast<size_t>(y * lists.columns + x)];
-        }
-      }
-      for (const Cover cover : kAll) counts.listed[cover] += !tiles(s, cover, 16).empty();
-      windows(s, counts);
-      for (auto& [t, state] : states) {
-        TileCounts unused;
-        state.own = &counts.tiles[static_cast<size_t>(t)], state.total = &unused;
-        pass(s, state, t % columns(16), t / columns(16), blended);
-      }
-    }
-    return counts;
-  }
-
-  // Regions of 8x8 pixels of the box around all pixels with alpha >= 1/255, as the footprint gives it.
-  void windows(const Shape& s, LayerCounts& counts) const {
-    const PixelRect box = footprint(s.p, camera_, Semantics::kExact);
-    for (int y = 0; y < rows(64); ++y) {
-      for (int x = 0; x < columns(64); ++x) {
-        std::set<Tile> regions;
-        for (int py = std::max(box.y0, 64 * y); py < std::min(box.y1, 64 * y + 64); ++py) {
-          for (int px = std::max(box.x0, 64 * x); px < std::min(box.x1, 64 * x + 64); ++px)
-            regions.insert({px / 8, py / 8});
-        }
-        if (regions.empty()) continue;
-        WindowCounts& window = counts.windows[static_cast<size_t>(y * columns(64) + x)];
-        ++window.pairs, window.regions += regions.size(), window.turns += std::max<size_t>(8, regions.size());
-      }
-    }
   }
 
   // A ray from the near plane on passes through a box iff it begins inside or comes through a face.

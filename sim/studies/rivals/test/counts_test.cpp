@@ -3,14 +3,9 @@
 // and what holds for any scene.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 
-#include "cpp_model/dopu/dopu_axis.hpp"
-#include "cpp_model/dopu/dopu_layer.hpp"
 #include "cpp_model/float/truth.hpp"
-#include "cpp_model/frame_setup.hpp"
-#include "cpp_model/pack/pack.hpp"
 #include "verif/frame/scenes.hpp"
 #include "sim/studies/rivals/test/brute.hpp"
 #include "sim/studies/rivals/test/same.hpp"
@@ -32,11 +27,11 @@ TEST(RivalCounts, AreThoseOfEveryPixelTileAndRay) {
     int width, height;
     CountOptions options;
   };
-  for (const Case& one : {Case{1, 70, 50, {.grids = {1, 4}}},
-                          {2, 37, 41, {.voxel = 0.7, .group = 32, .grids = {8}}},
+  for (const Case& one : {Case{1, 70, 50, {}},
+                          {2, 37, 41, {.voxel = 0.7, .group = 32}},
                           {3, 16, 16, {.near_plane = 1, .voxel = 5}},
                           {5, 50, 40, {.near_plane = 0.55, .voxel = 0.3}},
-                          {4, 131, 20, {.voxel = 1.1, .group = 48, .grids = {3}}}}) {
+                          {4, 131, 20, {.voxel = 1.1, .group = 48}}}) {
     SCOPED_TRACE(one.seed);
     Scene scene = random_scene(one.seed, 60, 0);
     scene.gaussians[7].mean.x = std::nanf("");
@@ -61,65 +56,6 @@ TEST(RivalCounts, AreThoseOfEveryPixelTileAndRay) {
       EXPECT_LT(found.voxels.all.fine, found.voxels.all.coarse);
       EXPECT_GT(found.neighbours.shared, 0u);
     }
-  }
-}
-
-// The camera inside of the cloud, so that slabs lie before and behind it; another principal axis each time. A packed
-// scene rounds the width of a cell up to what its register holds, so a few means lie in the next one.
-TEST(RivalCounts, LayersAreThoseOfPackedScenes) {
-  Scene scene = random_scene(12, 3000, 0);
-  for (const int axis : {0, 1, 2}) {
-    for (const int cells : {4, 8}) {
-      SCOPED_TRACE(axis);
-      Camera camera = test_camera(90, 70);
-      const glm::dvec3 z = glm::normalize(glm::dvec3(axis == 0 ? -1 : 0.3, axis == 1 ? 1 : 0.2, axis == 2 ? 1 : 0.1)),
-                       x = glm::normalize(glm::cross(glm::dvec3(0.1, 0.2, 0.9), z));
-      camera.world_to_camera = glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
-      camera.position = {1, 2, 3};
-      Config config;
-      config.grid = cells;
-      const PackedScene packed = pack_scene(config, scene, 10);
-      const Frame frame = frame_setup(config, packed, camera, std::nullopt, 0.2);
-      const int own = dopu_layer_camera(config, frame, dopu_axis(frame));
-      std::map<int, uint64_t> in_slab;
-      for (size_t i = 0; i < scene.gaussians.size(); ++i) {
-        const double mean = scene.gaussians[i].mean[axis];
-        ++in_slab[cell_coordinate(config, packed.grid, axis, std::llround(std::ldexp(mean, -packed.scene_exponent)))];
-      }
-      const GridCounts grid = count_frame(scene, camera, {.grids = {cells}}).grids.at(0);
-      EXPECT_EQ(dopu_axis(frame), axis);
-      EXPECT_EQ(grid.axis, axis);
-      size_t place = 0;
-      for (int step = 0; step < 2 * cells; ++step) {
-        const int slab = dopu_layer_step(config, own, step);
-        if (slab < 0) continue;
-        EXPECT_EQ(grid.layers.at(place).slab, slab);
-        const auto valid = static_cast<double>(grid.layers.at(place++).valid);
-        EXPECT_NEAR(valid, static_cast<double>(in_slab[slab]), 0.03 * 3000) << slab;
-      }
-    }
-  }
-}
-
-// What does not depend on the order is the sum of the layers; with one layer nothing else differs either.
-TEST(RivalCounts, LayersAddUpToTheFrame) {
-  Scene scene = random_scene(13, 4000, 0);
-  wall_off(scene);
-  const FrameCounts counts = count_frame(scene, test_camera(150, 100), {.grids = {1, 5}});
-  expect_same_tiles(counts.grids[0].layers.at(0).tiles, counts.tiles);
-  uint64_t valid = 0;
-  std::vector<TileCounts> tiles(counts.tiles.size());
-  std::vector<uint32_t> lengths(counts.lists[kLists64].lengths.oriented.size());
-  for (const LayerCounts& layer : counts.grids[1].layers) {
-    valid += layer.valid;
-    for (size_t t = 0; t < tiles.size(); ++t) tiles[t] += layer.tiles[t];
-    for (size_t w = 0; w < lengths.size(); ++w) lengths[w] += layer.lists[1].lengths.oriented[w];
-  }
-  EXPECT_EQ(valid, counts.gaussians.valid);
-  EXPECT_EQ(lengths, counts.lists[kLists64].lengths.oriented);
-  for (size_t t = 0; t < tiles.size(); ++t) {
-    EXPECT_EQ(tiles[t].reached, counts.tiles[t].reached);
-    EXPECT_EQ(tiles[t].oriented_8x8.all, counts.tiles[t].oriented_8x8.all);
   }
 }
 
@@ -189,8 +125,6 @@ TEST(RivalCounts, RefuseParametersWithoutMeaning) {
       EXPECT_THROW(count_frame(scene, test_camera(16, 16), options), std::invalid_argument);
   for (const int group : {0, -16, 8, 24})
     EXPECT_THROW(count_frame(scene, test_camera(16, 16), {.group = group}), std::invalid_argument);
-  for (const int cells : {0, -1, kMostCells + 1})
-    EXPECT_THROW(count_frame(scene, test_camera(16, 16), {.grids = {cells}}), std::invalid_argument);
 }
 
 TEST(RivalCounts, ProgressRisesToOne) {

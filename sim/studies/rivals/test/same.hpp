@@ -34,21 +34,6 @@ inline void expect_same_lists(const ListCounts& found, const ListCounts& wanted)
     EXPECT_EQ(found.lengths[cover], wanted.lengths[cover]) << static_cast<int>(cover);
 }
 
-inline void expect_same_layers(const LayerCounts& found, const LayerCounts& wanted) {
-  SCOPED_TRACE(found.slab);
-  EXPECT_EQ(found.slab, wanted.slab);
-  EXPECT_EQ(found.valid, wanted.valid);
-  for (const Cover cover : kAllCovers) EXPECT_EQ(found.listed[cover], wanted.listed[cover]);
-  for (size_t i = 0; i < kLayerSides.size(); ++i) expect_same_lists(found.lists[i], wanted.lists[i]);
-  expect_same_tiles(found.tiles, wanted.tiles);
-  ASSERT_EQ(found.windows.size(), wanted.windows.size());
-  for (size_t w = 0; w < found.windows.size(); ++w) {
-    EXPECT_EQ(found.windows[w].pairs, wanted.windows[w].pairs) << w;
-    EXPECT_EQ(found.windows[w].regions, wanted.windows[w].regions) << w;
-    EXPECT_EQ(found.windows[w].turns, wanted.windows[w].turns) << w;
-  }
-}
-
 inline void expect_same(const FrameCounts& found, const FrameCounts& wanted) {
   EXPECT_EQ(found.width, wanted.width);
   EXPECT_EQ(found.height, wanted.height);
@@ -64,15 +49,6 @@ inline void expect_same(const FrameCounts& found, const FrameCounts& wanted) {
     EXPECT_EQ(group.filtered.fine, other.filtered.fine) << g;
   }
   expect_same_tiles(found.tiles, wanted.tiles);
-  ASSERT_EQ(found.grids.size(), wanted.grids.size());
-  for (size_t g = 0; g < found.grids.size(); ++g) {
-    SCOPED_TRACE(found.grids[g].cells);
-    EXPECT_EQ(found.grids[g].cells, wanted.grids[g].cells);
-    EXPECT_EQ(found.grids[g].axis, wanted.grids[g].axis);
-    ASSERT_EQ(found.grids[g].layers.size(), wanted.grids[g].layers.size());
-    for (size_t l = 0; l < found.grids[g].layers.size(); ++l)
-      expect_same_layers(found.grids[g].layers[l], wanted.grids[g].layers[l]);
-  }
 }
 
 }  // namespace pipegs
