@@ -2,6 +2,7 @@
 // main.cpp: the command line `pipegs`. Each subcommand lives in its own file; here, and nowhere else, what was thrown
 // becomes an exit code.
 #include <fmt/format.h>
+#include <verilated_config.h>
 
 #include <cstdio>
 #include <new>
@@ -12,6 +13,7 @@
 #include "scenes/text/quote.hpp"
 #include "sim/command/command.hpp"
 #include "sim/progress.hpp"
+#include "sim/report/measurement_store.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
@@ -48,8 +50,20 @@ void check_text(int argc, char** argv) {
   }
 }
 
+// A first word that is no command and no option.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw InputError(fmt::format("found {}, expected a command: {}", quote(argv[1]), names));
+}
+
 int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
   check_text(argc, argv);
+  check_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -70,6 +84,8 @@ int main(int argc, char** argv) {
   watch_interrupts();
   CLI::App app("PipeGS: a 3D Gaussian splatting accelerator in SystemVerilog, simulated and compared bit for bit");
   app.require_subcommand(1);
+  app.set_version_flag("--version", fmt::format("PipeGS, not released; sources of the models {:.12}; Verilator {}",
+                                                measured_by(), VERILATOR_VERSION));
   app.footer(
       "Exit codes: 0 agrees or done, 1 differs, 2 bad input or bad use, 3 our own failure (a machine does not build, "
       "disk, memory, a bug), 130 interrupted.");

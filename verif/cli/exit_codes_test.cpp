@@ -152,7 +152,7 @@ TEST_F(ExitCodes, TwoForANameThatIsNotUtf8) {
 
 TEST_F(ExitCodes, TwoForBadUse) {
   expect_one_line(run(""), 2, "A subcommand is required");
-  expect_one_line(run("simulate"), 2, "A subcommand is required");
+  expect_one_line(run("simulate"), 2, "found 'simulate', expected a command: sim, render, explain");
   expect_one_line(run("sim --nonsense"), 2, "--nonsense");
   expect_one_line(run("timeline" + view_), 2, "--out is required");
   expect_one_line(run("sim --out"), 2, "--out");

@@ -24,6 +24,13 @@ class Words : public Cli {
   }
 };
 
+TEST_F(Words, TheVersionNamesSourcesAndVerilator) {
+  const Outcome outcome = run("--version");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* part : {"PipeGS", "sources of the models ", "Verilator 5"})
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << outcome.out;
+}
+
 TEST_F(Words, NothingOfTheRtlIsSaidWithoutIt) {
   const Outcome outcome = run("sim" + view_ + "--no-rtl");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -2,27 +2,21 @@
 """Tables of docs/cycles/timing_model.md."""
 from data import data
 from formats import fixed, group, table
-from measurements import FOUR, points_of
+from measurements import FOUR
 from pages.cycles import speed
 from pages.cycles import effects
 
-MEASURED = ["ladder/*", "model/*", *speed.MEASURED, *effects.MEASURED]
+MEASURED = ["model/*", *speed.MEASURED, *effects.MEASURED]
 
 
-def signed(share):
-    return f"{100 * share:+.3f} %"
-
-
-def agreement():
-    """Cycles of the RTL and of the model, scene by scene."""
-    rows = []
-    for scene in FOUR:
-        for point in points_of(data.ladder[scene], data.model[scene]):
-            rtl, model = data.ladder[scene][point].cycles, data.model[scene][point]
-            rows.append(
-                [scene, f"`{point}`", rtl, model.cycles, signed(model.cycles / rtl - 1), fixed(model.seconds, 2)]
-            )
-    return table(["scene", "design point", "RTL cycles", "model cycles", "error", "model s"], rows)
+def cycles():
+    """Cycles of the model, scene by scene, and its seconds."""
+    rows = [
+        [scene, f"`{point}`", row.cycles, fixed(row.seconds, 2)]
+        for scene in FOUR
+        for point, row in data.model[scene].items()
+    ]
+    return table(["scene", "design point", "cycles", "model s"], rows)
 
 
 def check():
