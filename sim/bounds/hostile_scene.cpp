@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// scene.cpp: see scene.hpp.
+// hostile_scene.cpp: see hostile_scene.hpp.
 #include "sim/bounds/hostile_scene.hpp"
 
 #include <algorithm>

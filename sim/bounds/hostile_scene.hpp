@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// scene.hpp: random hostile scenes and cameras: every family of trouble that docs/numerics/stability.md lists, mixed.
+// hostile_scene.hpp: random hostile scenes and cameras: every family of trouble that docs/numerics/stability.md
+// lists, mixed.
 //
 // Idea    A seed gives a camera (odd sizes, fx != fy, principal point anywhere, any rotation) and Gaussians drawn
 //         family by family in the camera's own space, then moved to the world: log-uniform scale, ratio, depth and

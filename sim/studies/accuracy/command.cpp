@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// accuracy.cpp: `pipegs accuracy`: what accuracy costs, knob by knob and together, on one view.
+// command.cpp: `pipegs accuracy`: what accuracy costs, knob by knob and together, on one view.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// fidelity.cpp: `pipegs fidelity`: what truth, golden model, timing model and RTL take for one frame, and get right.
+// fidelity_command.cpp: `pipegs fidelity`: what truth, golden model, timing model and RTL take for one frame, and get
+// right.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// budget.cpp: `pipegs budget`: errors of power and alpha of random Gaussians, below their bounds, beside float and
+// command.cpp: `pipegs budget`: errors of power and alpha of random Gaussians, below their bounds, beside float and
 // half.
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// dram.cpp: `pipegs dram`: the memory's timing against other DRAM simulators, run by run; what mappings are worth.
+// command.cpp: `pipegs dram`: the memory's timing against other DRAM simulators, run by run; what mappings are worth.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// profile.cpp: `pipegs profile`: where a view's time goes and what could be reused: the paper's Fig. 3, 4 and 5b.
+// command.cpp: `pipegs profile`: where a view's time goes and what could be reused: the paper's Fig. 3, 4 and 5b.
 #include <fmt/format.h>
 
 #include "sim/command/command.hpp"

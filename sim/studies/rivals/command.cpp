@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rivals.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, and models of other accelerators on it beside
-// two machines of our own.
+// command.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, and models of other accelerators on it
+// beside two machines of our own.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

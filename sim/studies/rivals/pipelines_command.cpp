@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pipelines.cpp: see pipelines.hpp.
+// pipelines_command.cpp: see pipelines_command.hpp.
 #include "sim/studies/rivals/pipelines_command.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pipelines.hpp: `pipegs rivals --pipelines`: the paper's Fig. 1 from one view.
+// pipelines_command.hpp: `pipegs rivals --pipelines`: the paper's Fig. 1 from one view.
 #pragma once
 
 #include <string>

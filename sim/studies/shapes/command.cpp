@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// shapes.cpp: `pipegs shapes`: time and area of a machine by its shape, at equal pixels; the front, and the best within
-// an area.
+// command.cpp: `pipegs shapes`: time and area of a machine by its shape, at equal pixels; the front, and the best
+// within an area.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// stress.cpp: `pipegs stress`: random hostile views through golden model, RTL and bounds, until one fails.
+// command.cpp: `pipegs stress`: random hostile views through golden model, RTL and bounds, until one fails.
 //
 // A failure prints its seed, is shrunk, written as scene.ply and cameras.json, read back, and named by the line that
 // replays it. What the file formats cannot hold exactly (a camera's last bit) would show there: the replay is tried

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tradeoff.cpp: `pipegs tradeoff`: what accuracy costs in time, one view with less of everything.
+// command.cpp: `pipegs tradeoff`: what accuracy costs in time, one view with less of everything.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

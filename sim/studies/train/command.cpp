@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// train.cpp: `pipegs train`: a scene of photographs, or a trained scene again for the order of the machine.
+// command.cpp: `pipegs train`: a scene of photographs, or a trained scene again for the order of the machine.
 //
 // Idea    What was trained is in the checkpoint; scene, cameras and figures are written when the last step is done. An
 //         interrupt writes a checkpoint and leaves; --resume takes it up, and begins where there is none.
