@@ -106,4 +106,11 @@ CsvNotes read_csv(const std::filesystem::path& path, std::string_view header, co
   return parse_csv(path.string(), read_text_file(path, "a table", kMostBytes), header, visit);
 }
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char one : text) quoted += one == '"' ? std::string("\"\"") : std::string(1, one);
+  return quoted + "\"";
+}
+
 }  // namespace pipegs

@@ -53,4 +53,7 @@ CsvNotes read_csv(const std::filesystem::path& path, std::string_view header, co
 // The same of a text; `file` is its name in errors.
 CsvNotes parse_csv(std::string_view file, std::string_view text, std::string_view header, const CsvVisit& visit);
 
+// A field as the reader takes it: in quotes where bare it would be read otherwise.
+std::string csv_field(const std::string& text);
+
 }  // namespace pipegs

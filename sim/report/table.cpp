@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/text/csv.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -45,13 +47,6 @@ Texts texts_of(const Table& table, const std::vector<TableCell>& row, const std:
 size_t places(const std::string& text) {
   return static_cast<size_t>(std::count_if(
       text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
-}
-
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char one : text) quoted += one == '"' ? std::string("\"\"") : std::string(1, one);
-  return quoted + "\"";
 }
 
 std::string markdown_line(const Texts& texts) {
@@ -112,11 +107,11 @@ std::string tables_text(const std::vector<Table>& tables) {
 
 std::string table_csv(const Table& table) {
   std::string text;
-  for (const TableColumn& column : table.columns) text += (text.empty() ? "" : ",") + csv_text(column.key);
+  for (const TableColumn& column : table.columns) text += (text.empty() ? "" : ",") + csv_field(column.key);
   text += "\n";
   for (const std::vector<TableCell>& row : table.rows) {
     for (size_t k = 0; k < row.size(); ++k) {
-      const std::string cell = row[k].value ? fmt::format("{}", *row[k].value) : csv_text(row[k].text);
+      const std::string cell = row[k].value ? fmt::format("{}", *row[k].value) : csv_field(row[k].text);
       text += (k == 0 ? "" : ",") + cell;
     }
     text += "\n";

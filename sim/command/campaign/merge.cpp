@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scenes/text/csv.hpp"
 #include "scenes/text/json.hpp"
 #include "sim/command/campaign/join.hpp"
 #include "sim/command/outputs.hpp"
@@ -20,13 +21,6 @@ using Pointer = Json::json_pointer;
 constexpr std::array kCosts = {"read_seconds", "pack_seconds", "golden_seconds",
                                "cpu_seconds",  "wall_seconds", "peak_memory_bytes"};
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n#") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 constexpr const char* kNames = "scene,view,camera,configuration,design,window_x,window_y,windows";
 
 std::string names_of(const PointResult& result) {
@@ -34,7 +28,7 @@ std::string names_of(const PointResult& result) {
   const std::string window = point.view.window.empty()
                                  ? ",,"
                                  : fmt::format("{},{},{}", point.view.window[0], point.view.window[1], point.windows);
-  return fmt::format("{},{},{},{},{},{}", result.point.scene, point.view.view, quoted(result.camera),
+  return fmt::format("{},{},{},{},{},{}", result.point.scene, point.view.view, csv_field(result.camera),
                      result.point.configuration, point.view.design_point, window);
 }
 
