@@ -7,6 +7,7 @@ command its example, its own options, and which groups it takes. With --check no
 differs.
 """
 import collections
+import difflib
 import json
 import re
 import subprocess
@@ -14,7 +15,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-PAGE = Path(__file__).resolve().parent / "commands.md"
+ROOT = Path(__file__).resolve().parents[1]
+PAGE = ROOT / "docs" / "commands.md"
 BEGIN, END = "<!-- options -->", "<!-- end -->"
 COLUMN = 30  # of the text of an option in what --help prints
 SHARED = 4  # so many commands make an option a shared one
@@ -68,7 +70,7 @@ def option(group, name, what):
     takes, *others = re.split(r" (?=Excludes:|Needs:)", f" {takes}")
     for one in others:
         what += "; " + one.replace("Excludes: ", "not with ").replace("Needs: ", "with ")
-    return Option(group, name, takes.strip(), what)
+    return Option(group, name, takes.strip().replace(f"{ROOT}/", ""), what)
 
 
 def cell(text):
@@ -157,9 +159,11 @@ def main():
     if sys.argv[2:] != ["--check"]:
         PAGE.write_text(new)
         return 0
-    if new != old:
-        print(f"{PAGE}: not what `pipegs --help` prints: docs/commands.py build/pipegs writes it")
-    return 1 if new != old else 0
+    if new == old:
+        return 0
+    print(f"{PAGE}: not what `pipegs --help` prints: docs/commands.py build/pipegs writes it")
+    print("\n".join(difflib.unified_diff(old.splitlines(), new.splitlines(), "page", "help", n=0, lineterm="")))
+    return 1
 
 
 if __name__ == "__main__":
