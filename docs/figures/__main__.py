@@ -5,12 +5,14 @@ Without an option it measures what is older than the sources, stores it under do
 """
 import argparse
 import collections
+import datetime
 import fnmatch
 import json
 import os
 import shlex
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import markers
@@ -33,6 +35,12 @@ def command_line(one, scene, build):
     return words + (["--svg", str(ROOT / "docs/images" / one.chart)] if one.chart else [])
 
 
+def now():
+    """The commit of the sources, and today."""
+    words = ["git", "log", "-1", "--format=%h"]
+    return subprocess.run(words, cwd=ROOT, capture_output=True, text=True).stdout.strip(), str(datetime.date.today())
+
+
 def measure(one, build):
     """Runs a measurement and stores it. None, or why there is none."""
     scene = prepared(one.scene, build)
@@ -43,26 +51,18 @@ def measure(one, build):
         subprocess.run(["cmake", "--build", build, "--target", Path(words[0]).name], check=True, stdout=sys.stderr)
     # Before the run: an edit during it makes the data older, not newer.
     hashes = measured_by(one.by, one.scene, one.points)
+    start, (commit, date) = time.monotonic(), now()
     run = subprocess.run(words, cwd=build, stdout=subprocess.PIPE, text=True)
+    seconds = round(time.monotonic() - start, 1)
     if run.returncode not in one.exit_codes:
         return f"failed: exit code {run.returncode}: {one.shown()}"
     try:
         found = json.loads(run.stdout) if run.stdout.lstrip()[:1] in ("{", "[") else run.stdout
-        figures = one.keep(found)
+        figures = one.keep(found) if one.keep else found
     except (KeyError, ValueError, TypeError, AttributeError) as error:
         return f"failed: its output has not the figures expected: {error!r}"
-    store(
-        one.name,
-        {
-            "scene": one.scene,
-            "view": one.view,
-            "design_points": one.points,
-            "command": one.shown(),
-            "exit_code": run.returncode,
-            "measured_by": hashes,
-            "figures": figures,
-        },
-    )
+    entry = {"by": hashes, "commit": commit, "date": date, "seconds": seconds, "figures": figures}
+    store({one.name: entry})
     return None
 
 
@@ -79,7 +79,7 @@ def chosen(page):
 
 
 def measure_all(page, only, everything, build):
-    known, failed = dict(stored()), 0
+    known, failed = stored(), 0
     for one in chosen(page):
         if not fnmatch.fnmatch(one.name, only):
             continue
@@ -95,28 +95,33 @@ def measure_all(page, only, everything, build):
 
 
 def fill():
-    """In a process of its own, because the data have changed since this one has read them."""
-    for page in markers.pages():
-        content = (ROOT / page).read_text()
-        filled = markers.render(page, content)
-        if filled != content:
-            (ROOT / page).write_text(filled)
+    """Writes the pages, and leaves in the data what they read."""
+    entries = stored()
+    texts, nodes = markers.filled(entries)
+    for page, text in texts.items():
+        if text != (ROOT / page).read_text():
+            (ROOT / page).write_text(text)
             print(f"{page}: filled")
+    pruned = {name: entry | {"figures": nodes[name].pruned()} for name, entry in entries.items()}
+    if markers.filled(pruned)[0] != texts:
+        print("docs/data: not pruned: from what the pages read they would be other pages", file=sys.stderr)
+    elif pruned != entries:
+        store({name: entry for name, entry in pruned.items() if entry != entries[name]})
 
 
 def check():
     """How many pages differ from their data or hold figures of nobody. Older data are printed."""
-    found = []
-    for page in markers.pages():
+    found, entries = [], stored()
+    for page, text in markers.filled(entries)[0].items():
         content = (ROOT / page).read_text()
-        difference = markers.first_difference(page, content, markers.render(page, content))
+        difference = markers.first_difference(page, content, text)
         found += [difference] if difference else []
         found += complaints(page, content)
     planned, older = {one.name for one in TABLE}, collections.defaultdict(list)
-    for name, content in stored():
-        older[", ".join(older_than(content))].append(name)
+    for name, entry in entries.items():
+        older[", ".join(older_than(entry))].append(name)
         if name not in planned:
-            found.append(f"docs/data/{name}.json: no measurement of this name in docs/figures/measurements.py")
+            found.append(f"docs/data: {name}: no measurement of this name in docs/figures/measurements.py")
     for reasons, names in sorted(older.items()):
         if reasons:
             print(f"older than the sources ({reasons}): {len(names)} of docs/data: {' '.join(names)}")

@@ -1,48 +1,75 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures under docs/data as one tree: data.ladder.own.exact.cycles is docs/data/ladder/own.json, exact, cycles."""
+"""The figures under docs/data as one tree: data.ladder.own.exact.cycles is the entry `own` of docs/data/ladder.json,
+exact, cycles.
+
+A file holds a family of measurements, {"own": {"by": {part of the sources: hash}, "commit", "date", "seconds",
+"figures"}}. An entry is written whole or not at all, under a lock: two that measure do not hinder each other.
+"""
+import contextlib
+import fcntl
 import json
+import os
+import re
 
 from sources import ROOT
+from tree import Figures, wrap
 
 FOLDER = ROOT / "docs/data"
-
-
-class Figures(dict):
-    """A dict whose keys are attributes too. A key that no attribute can name is reached by [...]."""
-
-    def __getattr__(self, key):
-        if key not in self:
-            raise AttributeError(f"no figure '{key}'; there are {', '.join(map(str, self)) or 'none'}")
-        return self[key]
-
-
-def wrap(value):
-    if isinstance(value, dict):
-        return Figures({key: wrap(one) for key, one in value.items()})
-    return [wrap(one) for one in value] if isinstance(value, list) else value
-
-
-def load():
-    tree = Figures()
-    for file in sorted(FOLDER.rglob("*.json")):
-        place = tree
-        *folders, name = file.relative_to(FOLDER).with_suffix("").parts
-        for folder in folders:
-            place = place.setdefault(folder, Figures())
-        place[name] = wrap(json.loads(file.read_text())["figures"])
-    return tree
-
-
-data = load()
+NEXT = re.compile(r",\n\s+")
 
 
 def stored():
-    """Each measurement's name and what its file says of it."""
-    for file in sorted(FOLDER.rglob("*.json")):
-        yield file.relative_to(FOLDER).with_suffix("").as_posix(), json.loads(file.read_text())
+    """{name of a measurement: its entry}"""
+    files = sorted(FOLDER.glob("*.json"))
+    return {f"{file.stem}/{name}": entry for file in files for name, entry in json.loads(file.read_text()).items()}
 
 
-def store(name, content):
-    file = FOLDER / (name + ".json")
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(json.dumps(content, indent=1) + "\n")
+def grow(entries):
+    """Puts the figures of these entries into the tree, in place of what it held; {name: its node}."""
+    tree, nodes = {}, {}
+    for name, entry in entries.items():
+        place = tree
+        *folders, last = name.split("/")
+        for folder in folders:
+            place = place.setdefault(folder, {})
+        place[last] = nodes[name] = wrap(entry["figures"], name)
+
+    def wrapped(place):
+        return {key: Figures(wrapped(one)) if isinstance(one, dict) else one for key, one in place.items()}
+
+    data.__init__(wrapped(tree))
+    return nodes
+
+
+data = Figures({})
+
+
+def text_of(value):
+    """JSON; a list of numbers and words in one line."""
+    row = r"\[\n\s+([^\[\]{}]*?)\n\s*\]"
+    return re.sub(row, lambda found: f"[{re.sub(NEXT, ', ', found[1])}]", json.dumps(value, indent=1))
+
+
+@contextlib.contextmanager
+def locked():
+    folder = os.open(FOLDER, os.O_RDONLY)
+    try:
+        fcntl.flock(folder, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(folder)
+
+
+def store(entries):
+    """Writes these entries {name: entry}, None to remove one, beside those that are there."""
+    with locked():
+        for family in sorted({name.split("/")[0] for name in entries}):
+            file = FOLDER / (family + ".json")
+            known = json.loads(file.read_text()) if file.exists() else {}
+            known |= {
+                name.removeprefix(family + "/"): e for name, e in entries.items() if name.startswith(family + "/")
+            }
+            known = {name: known[name] for name in sorted(known) if known[name] is not None}
+            fresh = file.with_suffix(".new")
+            fresh.write_text(text_of(known) + "\n")
+            fresh.replace(file)

@@ -8,10 +8,11 @@ of the page is left as it is.
 import functools
 import importlib
 import re
+import sys
 from pathlib import Path
 
 import formats
-from data import data
+from data import data, grow
 from sources import ROOT
 
 MARKER = re.compile(
@@ -52,6 +53,14 @@ def value(page, expression):
     return formats.text(eval(expression, names_for(page)))  # the page's own code, as in a template
 
 
+def forget():
+    """Before other data are shown: what is remembered of those, in modules of pages too."""
+    names_for.cache_clear()
+    value.cache_clear()
+    for name in [name for name in sys.modules if name.split(".")[0] == "pages"]:
+        del sys.modules[name]
+
+
 def render(page, content):
     """The content with every marker filled from the data."""
 
@@ -85,3 +94,10 @@ def first_difference(page, content, filled):
 
 def pages():
     return [Path("README.md"), *sorted(f.relative_to(ROOT) for f in (ROOT / "docs").rglob("*.md"))]
+
+
+def filled(entries):
+    """({page: its text}, {name: node}): every page from these entries, and what was read of each."""
+    forget()
+    nodes = grow(entries)
+    return {page: render(page, (ROOT / page).read_text()) for page in pages()}, nodes

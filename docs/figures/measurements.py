@@ -47,9 +47,9 @@ def points_of(*figures):
 
 @dataclass(frozen=True)
 class Measurement:
-    name: str  # docs/data/NAME.json
+    name: str  # FAMILY/ENTRY: the entry of docs/data/FAMILY.json
     command: str  # as a page shows it; {scene}: the scene's file, cameras and view
-    keep: Callable  # of what the command prints (JSON, or else text): the figures
+    keep: Callable | None  # of what the command prints (JSON, or else text): the figures; None: all of its JSON
     by: tuple  # groups of sources.py that measure it
     scene: str = "own"
     view: int | None = 0  # None: the command names its views
@@ -113,17 +113,17 @@ LARGE = {  # showroom, 3.0 M Gaussians
     "fast": ("`fast`", "--design fast"),
     "fast_records4096": ("`fast` and `--set records=4096`", "--design fast --set records=4096"),
 }
-SCALED = {  # docs/data/scale: our own scene in parts, and the view; millions of Gaussians, then pixels
+SCALED = {  # scale: our own scene in parts, and the view; millions of Gaussians, then pixels
     **{f"gaussians_{millions}m": (f"own_{millions}m", 0) for millions in (1, 2, 4, 8, 16)},
     **{f"pixels_{size}": ("own_1m", VIEWS_OF_SIZE * place) for place, size in enumerate(SIZES) if place},
 }
-SYNTHESISED = {  # docs/data/silicon/NAME.json: options; `make synth` of the same configuration comes first
+SYNTHESISED = {  # silicon/NAME: options; `make synth` of the same configuration comes first
     "dop": "--design dop ", "exact": "--design exact ", "exact_fine": "--design exact --config sim/fine.cfg ",
     "exact_quads": "--design exact --config sim/fine.cfg --set quads=1 ",
     "fast": "--design fast ",
     "exact_records1024": "--design exact --set records=1024 ", "dop_sky130": "--design dop --library sky130hd_tt ",
 }
-MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
+MEMORIES = {  # memories/NAME: settings of the design point
     "dop": "", "gscore": "window=16 late=1 order=1 quadratic=1 tile_test=2 records=2048",
     "baseline": "late=1 order=1 quadratic=1 records=2048", "dpc": "late=1 order=1 records=2048",
     "tspp": "order=1", "late": "late=1 records=2048", "exact": "late=1 order=2 records=2048 bucket_bits=5",
@@ -131,13 +131,13 @@ MEMORIES = {  # docs/data/memories/NAME.json: settings of the design point
             "tight_cull=1 tight_boxes=1 tests=2 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
             "nearest_nodes=1024 mark_chunks=7",
 }
-TRAINED = {  # docs/data/trained/plush/NAME.json: how a scene of photographs is trained for layers
+TRAINED = {  # trained/plush/NAME: how a scene of photographs is trained for layers
     "none": "--order exact --cldr none", "printed": "--order exact --cldr printed",
     "relative": "--order exact --cldr relative", "order": "--cldr none", "order_relative": "--cldr relative",
     "order_logarithm": "",
 }
 FINE_TUNED = "--around 9 --steps 1500 --layers 4 --downscale 3"  # of a trained scene, on its own renders
-VIEWED = {  # docs/data/viewer/SCENE.json: in a viewer of the web; options
+VIEWED = {  # viewer/SCENE: in a viewer of the web; options
     "own": "--scale 0.25 ", "plushdog": "", "terrace": "", "flowers": "",
 }
 PRINTS = {  # a test that prints what it measures: its room, the line, names of the line's numbers

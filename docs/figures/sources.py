@@ -41,6 +41,7 @@ SCENES = {  # scene: its file or folder in the folder of scenes
 }
 PHOTOGRAPHS = {"plush"}  # folders of photographs, beside the scenes
 POINT = "point "  # before the name of a design point whose settings measure too
+SCENE = "scene "
 CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby", ".mjs", ".json"}
 IGNORED = re.compile(rb"^[ \t]*[#`]include[^\n]*|/\*.*?\*/|//[^\n]*|\s+", re.DOTALL | re.MULTILINE)
 
@@ -78,10 +79,10 @@ def point_hash(point):
     return digest(one.encode() for one in re.findall(r"PIPEGS_(?:SETTING|PICTURE)\((\w+, \w+)\)", settings))
 
 
-def hash_of(name, scene):
-    """What stands now for a name in measured_by; None where nothing does."""
-    if name == "scene":
-        return scene_hash(scene)
+def hash_of(name):
+    """What stands now for the name of a part; None where nothing does."""
+    if name.startswith(SCENE):
+        return scene_hash(name.removeprefix(SCENE))
     if name.startswith(POINT):
         return point_hash(name.removeprefix(POINT))
     return group_hash(name) if name in GROUPS else ""
@@ -91,18 +92,14 @@ def measured_by(groups, scene, points):
     names = [
         *groups,
         *(POINT + point for point in points),
-        *(["scene"] if scene in SCENES or scene in PHOTOGRAPHS else []),
+        *([SCENE + scene] if scene in SCENES or scene in PHOTOGRAPHS else []),
     ]
-    return {name: hash_of(name, scene) for name in names}
+    return {name: hash_of(name) for name in names}
 
 
-def older_than(content):
-    """Which of the hashes that stored data carry are no longer those of the sources; a scene not here is no news."""
-    if content["measured_by"] == "unknown":
-        return ["unknown"]
-    return [
-        name for name, value in content["measured_by"].items() if hash_of(name, content["scene"]) not in (None, value)
-    ]
+def older_than(entry):
+    """Which of the hashes that an entry carries are no longer those of the sources; a scene not here is no news."""
+    return [name for name, value in entry["by"].items() if hash_of(name) not in (None, value)]
 
 
 CSV = {  # measured tables that programs read: what measured them

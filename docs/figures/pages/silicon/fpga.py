@@ -5,6 +5,7 @@ import sys
 from data import data
 from formats import fixed, group, percent, table
 from sources import ROOT
+from tree import Figures
 
 sys.path.insert(0, str(ROOT / "synth/fpga"))
 import fpga  # noqa: E402
@@ -51,7 +52,7 @@ def parts():
 
 
 def _row(part):
-    return type(data)(part | {"distributed": 0})
+    return Figures(part | {"distributed": 0})
 
 
 def largest(part):
