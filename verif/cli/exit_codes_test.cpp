@@ -24,7 +24,6 @@ class ExitCodes : public Cli {
             "profile" + view_ + "--design dop",
             "timeline" + view_ + "--out trace.json",
             "sweep" + view_ + "--engine rtl --designs dop --bandwidth 51.2",
-            "fidelity" + view_ + smallest_ + "--wave-window 1,0",
             "stress --count 1 --size 40x30 --gaussians 3"};
   }
 };
@@ -59,7 +58,6 @@ TEST_F(ExitCodes, OneWhenTheTimingModelDiffersByOneCycle) {
   EXPECT_NE(text.out.find("differs"), std::string::npos) << text.out;
   EXPECT_EQ(json.code, 1) << json.err;
   EXPECT_FALSE(nlohmann::json::parse(json.out)["designs"][0]["differences"].empty());
-  EXPECT_EQ(faulty("cycles", "fidelity" + view_ + smallest_ + "--wave-window 0,0").code, 1);
 }
 
 // Where both part is told: the first unit and the cycle.
@@ -165,8 +163,8 @@ TEST_F(ExitCodes, TwoForAPictureThatDoesNotFitInMemory) {
   for (const std::string& arguments :
        {"sim" + view, "sim" + view + "--no-rtl --no-truth", "render" + view, "explain" + view + "--pixel 1,1",
         "ladder" + view, "profile" + view, "timeline" + view + "--out t.json", "sweep" + view + "--engine rtl",
-        "fidelity" + view, "accuracy" + view, "tradeoff" + view, "effects" + view, "silicon" + view,
-        "model" + view + "--check", std::string("stress --size 16384x16384")}) {
+        "accuracy" + view, "tradeoff" + view, "effects" + view, "silicon" + view, "model" + view + "--check",
+        std::string("stress --size 16384x16384")}) {
     SCOPED_TRACE(arguments);
     expect_one_line(run(arguments, "ulimit -v 4000000; "), 2, "16384x16384 pixels would take ");
   }
@@ -192,10 +190,6 @@ TEST_F(ExitCodes, ThreeWhenAMachineDoesNotBuild) {
   expect_three("stress --count 1 --set alpha_lines=128");
   expect_three("ladder" + view_ + other + "--designs dop --no-truth");
   expect_three("sweep" + view_ + other + "--designs dop --engine rtl --bandwidth 51.2");
-  expect_three("fidelity" + view_ + other);
-  const Outcome fidelity = run("fidelity" + view_ + other + "--json", nothing);
-  EXPECT_EQ(fidelity.code, 3);
-  EXPECT_TRUE(nlohmann::json::parse(fidelity.out)["rows"][3].contains("failure"));
   EXPECT_FALSE(fs::exists(folder_ / "t.json"));
 }
 

@@ -54,7 +54,6 @@ TEST_F(Options, PlacesAreTwoWholeNumbers) {
   };
   expect_no_place("sim" + view_ + "--no-rtl --no-truth ", "--window");
   expect_no_place("explain" + view_ + "--no-rtl ", "--pixel");
-  expect_no_place("fidelity" + view_, "--wave-window");
 }
 
 TEST_F(Options, SizesAndDecibelsAreReadWhole) {
@@ -90,8 +89,7 @@ TEST_F(Options, NoElementOfAListIsEmpty) {
                                    {"accuracy" + view_, "--knobs", "alpha_w", "rgb_w"},
                                    {"sim" + view_ + "--no-rtl", "--effects", "layers", "taps"},
                                    {"sim" + view_ + "--no-rtl", "--window", "0", "0"},
-                                   {"explain" + view_, "--pixel", "1", "1"},
-                                   {"fidelity" + view_, "--wave-window", "0", "0"}};
+                                   {"explain" + view_, "--pixel", "1", "1"}};
   for (const auto& [command, option, one, other] : lists) {
     for (const std::string& list : {one + ",," + other, "," + one + "," + other, one + "," + other + ",",
                                     std::string(","), std::string(), one + ","}) {

@@ -220,9 +220,3 @@ def tradeoff(found):
     """What was measured with less of something, and what a decibel costs along the front."""
     keep = pick("knob", "label", "width", "height", "gaussians", "cycles", "us", "bytes", "psnr_db", "ssim", "front")
     return {"points": [keep(row) for row in found["points"]], "price": found["price"]}
-
-
-def fidelity(found):
-    return {
-        "rows": [pick("name", "seconds", "ratio", "pixels", "cycles", "bytes", "stalls")(row) for row in found["rows"]]
-    }

@@ -182,10 +182,7 @@ int accuracy(const AccuracyArguments& arguments, const CLI::App& command) {
 
 }  // namespace
 
-void add_fidelity(CLI::App& app, Run& run);
-
 void add_accuracy(CLI::App& app, Run& run) {
-  add_fidelity(app, run);
   CLI::App* command = app.add_subcommand(
       "accuracy", "what accuracy costs on a view: knobs alone and together, and the configurations worth having");
   command->footer(footer(

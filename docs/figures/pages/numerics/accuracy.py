@@ -3,7 +3,7 @@
 from data import data
 from formats import change, fixed, group, percent, table
 
-MEASURED = ["accuracy/*", "accuracy_rtl/*", "fidelity/*", "fine/*"]
+MEASURED = ["accuracy/*", "accuracy_rtl/*", "fine/*"]
 
 
 def told(value):
@@ -167,34 +167,6 @@ def of_points(extrapolated):
 
 def of_frames():
     return most(data.accuracy.leave_one_out.frames)
-
-
-def fidelity(scene):
-    """One frame by each simulation."""
-    rows = [
-        [
-            row.name,
-            fixed(row.seconds, 2),
-            fixed(row.ratio, 2),
-            row.pixels,
-            row.cycles,
-            row.bytes,
-            row.stalls,
-        ]
-        for row in data.fidelity[scene].rows
-    ]
-    return table(["simulation", "wall s", "over the golden model", "pixels", "cycles", "bytes", "stalls"], rows)
-
-
-def seconds(scene, name):
-    (row,) = [row for row in data.fidelity[scene].rows if row.name == name]
-    return row.seconds
-
-
-def waves(scene):
-    """The RTL with waves over the same window without."""
-    (row,) = [row for row in data.fidelity[scene].rows if row.name.strip() == "with waves"]
-    return fixed(row.ratio, 0)
 
 
 def alpha():

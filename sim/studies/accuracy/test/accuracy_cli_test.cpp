@@ -140,7 +140,6 @@ TEST_F(AccuracyCli, BadInputIsOneLine) {
                  "order.cfg:1: order=2: the design points set order");
   expect_refused("accuracy" + view + "--knobs nonsense", "--knobs: unknown knob 'nonsense'; known: coeff_f");
   expect_refused("accuracy" + view + "--target loud", "--target: found 'loud', expected decibels");
-  expect_refused("fidelity" + view + "--window 0,0", "--window: fidelity compares whole frames");
 }
 
 }  // namespace
