@@ -77,3 +77,21 @@ def table(header, rows):
             raise ValueError(f"{len(row)} cells under {len(header)} titles: {row}")
     lines = ["| " + " | ".join(map(text, row)) + " |" for row in [header, *rows]]
     return "\n".join([lines[0], "|" + "---|" * len(header), *lines[1:]])
+
+
+def at(figures, path):
+    """The value at a path of keys, a.b.c; a number is a place in a list."""
+    for key in path.split("."):
+        figures = figures[int(key) if key.isdigit() and not hasattr(figures, "keys") else key]
+    return figures
+
+
+def listing(first, found, *columns):
+    """A table with a row for each (title, figures) of `found`. A column is its heading, a path of keys or a function of
+    the figures, and the format of the value with its other arguments."""
+
+    def cell(figures, where, form=text, *rest):
+        return form(where(figures) if callable(where) else at(figures, where), *rest)
+
+    rows = [[title, *[cell(figures, *column[1:]) for column in columns]] for title, figures in found]
+    return table([first, *[column[0] for column in columns]], rows)

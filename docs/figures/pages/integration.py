@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/integration.md."""
+"""The table of docs/integration.md."""
 from data import data
 from formats import change, table
-from measurements import BUSES, FOUR
+from measurements import BUSES, BUSY
+from pages.frames import cycles
 
-MEASURED = ["bus/*"]
+MEASURED = ["bus/*", "model/*"]
 
 
 def bus():
     """A row for each width: cycles of each scene, and what they are beside those of the core's own port."""
+    port, *narrow = BUSES
     rows = []
-    for bits in BUSES:
+    for bits in (port, 512, *narrow):
         cells = []
-        for scene in FOUR:
-            cycles = [data.bus[scene][f"bits{width}"].cycles for width in (bits, 0)]
-            cells += [cycles[0], change(cycles[0] / cycles[1] - 1) if bits else "-"]
-        rows.append([f"{bits} bits" if bits else "core's own port"] + cells)
-    return table(["bus"] + [cell for scene in FOUR for cell in (scene, "")], rows)
+        for scene in BUSY:
+            own = data.bus[f"{scene}_{port}"].designs[0].cycles
+            found = cycles(scene, "fast") if bits == 512 else data.bus[f"{scene}_{bits}"].designs[0].cycles
+            cells += [found, change(found / own - 1) if bits else "-"]
+        rows.append([f"{bits} bits" if bits else "core's own port", *cells])
+    return table(["bus", *[cell for scene in BUSY for cell in (scene, "")]], rows)

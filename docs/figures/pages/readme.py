@@ -4,9 +4,9 @@ import re
 
 from data import data
 from formats import block, fixed
-from pages.cycles.cycles import fast_mean  # noqa: F401  (the page uses it)
+from pages.frames import fast_mean  # noqa: F401  (the page uses it)
 
-MEASURED = ["ladder/*", "shown/sim", "loops/*"]
+MEASURED = ["model/*", "rtl/printed", "loops/*"]
 
 
 def minutes(*loops):
@@ -20,4 +20,4 @@ def gigabytes(key):
 
 def sample():
     """Of four units of a kind the first."""
-    return block(line for line in data.shown.sim.lines if not re.match(r" +(pu|su|ru) +[1-9] ", line))
+    return block(line for line in data.rtl.printed.lines if not re.match(r" +(pu|su|ru) +[1-9] ", line))

@@ -1,137 +1,164 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/cycles/cycles.md."""
 from data import data
-from formats import change, fixed, group, mean, table, thousands
-from measurements import COSTED, FOUR, LARGE, STEPS, WHAT_IF
-from pages.cycles import results, scale, walks
+from formats import fixed, group, listing, mean, millions, percent, table, thousands, times
+from measurements import CHARTED, FOUR, FRAMES, STEPPED, STEPS  # noqa: F401  (the page uses FRAMES)
+from pages.frames import VIEWS, bounds, cycles, floor, largest_bound, megabytes, of, over, roofline, total_bytes, work
 
-MEASURED = [
-    "ladder/*",
-    "what_if/*",
-    "steps/*",
-    "costs/*",
-    "large/*",
-    "lanes/*",
-    "results/statue_0",
-    *results.MEASURED,
-    *walks.MEASURED,
-    *scale.MEASURED,
-]
-TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
-VIEWS = {
-    "own": ("60k Gaussians, SH 3", "1024x768"),
-    "terrace": ("300k, SH 3", "1236x822"),
-    "statue": ("134k, SH 0", "960x1280"),
-    "flowers": ("542k, SH 2", "1296x840"),
-}
+MEASURED = ["model/*", "work/*", "steps/*", "stores/*", "large/*", "walks/*", "scale/*", "truth/*", "rtl/*"]
 
 
-def bound(point):
-    """Cycles that the busiest resource needs."""
-    return point.cycles / point.cycles_over_largest_bound
-
-
-def views(name):
-    """A design point, scene by scene, beside its bound."""
-    rows = []
-    for scene in FOUR:
-        point, (size, pixels) = data.ladder[scene][name], VIEWS[scene]
-        rows.append(
-            [
-                f"{TITLES[scene]} ({size})",
-                pixels,
-                point.cycles,
-                f"{point.largest_bound}, {thousands(bound(point))}",
-                fixed(point.cycles_over_largest_bound, 3),
-            ]
-        )
-    ratio = mean(data.ladder[scene][name].cycles_over_largest_bound for scene in FOUR)
-    return table(
-        ["view", "pixels", "cycles", "largest bound", "roofline ratio"], [*rows, ["mean", "", "", "", fixed(ratio, 3)]]
+def views():
+    """`fast`, scene by scene, beside its bound and the floor."""
+    found = [(VIEWS[scene], scene) for scene in FOUR]
+    rows = listing(
+        "view",
+        found,
+        ("cycles", lambda scene: cycles(scene, "fast")),
+        ("MB", lambda scene: megabytes(scene, "fast"), fixed, 1),
+        ("largest bound", lambda scene: "{}, {}".format(largest_bound(scene)[0], thousands(largest_bound(scene)[1]))),
+        ("roofline ratio", roofline, fixed, 3),
+        ("cycles / floor", lambda scene: cycles(scene, "fast") / floor(scene), fixed, 2),
+        ("over `baseline`", lambda scene: over(scene, "fast"), times),
     )
+    means = [
+        mean(map(one, FOUR)) for one in (roofline, lambda s: cycles(s, "fast") / floor(s), lambda s: over(s, "fast"))
+    ]
+    return rows + f"\n| mean |  |  |  | {fixed(means[0], 3)} | {fixed(means[1], 2)} | {times(means[2])} |"
 
 
-def gain(scene, name):
-    """Cycles more, as a share, when one thing is changed."""
-    return data.what_if[scene][name].cycles / data.ladder[scene].exact.cycles - 1
+RANKS = ("median", "p90", "max")
 
 
-def what_if():
-    """One thing changed."""
-
-    def cell(scene, name):
-        more = gain(scene, name)
-        cycles = group(data.what_if[scene][name].cycles)
-        return f"{cycles} ({change(more)})" if more else cycles
-
-    rows = [["as it is", *[data.ladder[scene].exact.cycles for scene in FOUR]]]
-    rows += [[f"`{option}`", *[cell(scene, name) for scene in FOUR]] for name, option in WHAT_IF.items()]
-    return table(["", *TITLES.values()], rows)
+def walk(scene, quantity, rank):
+    return data.walks[scene].percentiles[quantity][rank].value
 
 
-def megabytes(point):
-    return point.bytes / 1e6
+def walks():
+    """What a frame of a walk takes."""
+    rows = [
+        [VIEWS[scene].split(" (")[0], what, *[form(walk(scene, quantity, rank), *digits) for rank in RANKS]]
+        for scene in CHARTED
+        for quantity, what, form, *digits in (("cycles", "cycles", group), ("megabytes", "MB", fixed, 1))
+    ]
+    return table(["walk", "", "median", "90 %", "largest"], rows)
+
+
+def worst(scene):
+    """The most expensive frame over the median."""
+    return walk(scene, "cycles", "max") / walk(scene, "cycles", "median")
 
 
 def steps():
     """Cycles, megabytes and multiple of the floor, step by step."""
 
-    def cell(scene, point):
-        floor = data.lanes[scene].blended / 64
-        return f"{group(point.cycles)}, {fixed(megabytes(point), 1)} MB ({fixed(point.cycles / floor, 2)})"
+    def cell(scene, count, size):
+        return f"{group(count)}, {fixed(size, 1)} MB ({fixed(count / floor(scene), 2)})"
 
-    rows = [["`exact`", *[cell(scene, data.ladder[scene].exact) for scene in FOUR]]]
-    rows += [[what, *[cell(scene, data.steps[scene][name]) for scene in FOUR]] for name, (what, _) in STEPS.items()]
-    over = [data.ladder[scene].baseline.cycles / data.steps[scene].fast.cycles for scene in FOUR]
-    rows += [["times as fast as `baseline`", *[fixed(ratio, 2) for ratio in over]]]
-    return table(["each step adds to the one before", *TITLES.values()], rows)
+    def step(scene, name):
+        row = data.steps[f"{scene}_{name}"].designs[0]
+        return cell(scene, row.cycles, total_bytes(row.bytes) / 1e6)
 
+    def end(name):
+        return [cell(scene, cycles(scene, name), megabytes(scene, name)) for scene in STEPPED]
 
-def costs():
-    """Our own scene: area, longest path and energy, step by step; steps that were measured."""
-    rows = [
-        [
-            what,
-            fixed(point.mm2, 3),
-            fixed(point.path_ps, 0),
-            group(point.chip_uj),
-            group(point.dram_uj),
-            group(point.frames_per_joule),
-            group(point.frames_per_joule_with_dram),
-        ]
-        for name, (what, _) in COSTED.items()
-        if name in data.costs
-        for point in [data.costs[name]]
-    ]
-    head = ["mm2", "longest path, ps", "uJ of the chip", "uJ of DRAM", "frames/J", "with DRAM"]
-    return table(["each step adds to the one before", *head], rows)
-
-
-def large():
-    """A large scene: cycles, megabytes, and those of records that found no room in the SUs."""
-    rows = [
-        [what, group(point.cycles), fixed(megabytes(point), 0), fixed(point.sort / 1e6, 0)]
-        for name, (what, _) in LARGE.items()
-        for point in [data.large.showroom[name]]
-    ]
-    return table(["showroom 0 (3.0 M Gaussians)", "cycles", "MB", "of them records and keys that found no room"], rows)
-
-
-def fast_mean():
-    """How many times as fast as baseline, mean of the four scenes."""
-    return mean(data.ladder[scene].baseline.cycles / data.steps[scene].fast.cycles for scene in FOUR)
+    rows = [["`exact`", *end("exact")]]
+    rows += [[what, *[step(scene, name) for scene in STEPPED]] for name, (what, _) in STEPS.items()]
+    rows += [["pixels of 32 bits, 1408 records, 1024 nodes, a watermark every 7 chunks: `fast`", *end("fast")]]
+    return table(["each step adds to the one before", *[VIEWS[scene].split(" (")[0] for scene in STEPPED]], rows)
 
 
 def lanes():
-    """Cycles of four RUs of sixteen lanes, by what their lanes work on; blended pairs are the floor of 64 lanes."""
+    """Cycles of four RUs of sixteen lanes that never wait, by what their lanes work on."""
 
-    def cell(scene, cycles):
-        floor = data.lanes[scene].blended / 64
-        return f"{thousands(cycles)} ({fixed(cycles / floor, 2)})"
+    def cell(scene, count):
+        return f"{thousands(count)} ({fixed(count / floor(scene), 2)})"
 
     rows = [
-        ["whole regions", *[cell(scene, data.lanes[scene].open_regions) for scene in FOUR]],
-        ["living quads, `--set quads=1`", *[cell(scene, data.lanes[scene].quads / 16) for scene in FOUR]],
-        ["floor: blended pairs / 64 lanes", *[thousands(data.lanes[scene].blended / 64) for scene in FOUR]],
+        ["whole regions", *[cell(scene, work(scene).work.open_regions) for scene in FOUR]],
+        ["living quads", *[cell(scene, work(scene).work.quads / 16) for scene in FOUR]],
+        ["floor: blended pairs / 64 lanes", *[thousands(floor(scene)) for scene in FOUR]],
     ]
-    return table(["the lanes work on", *TITLES.values()], rows)
+    return table(["the lanes work on", *FOUR], rows)
+
+
+def errors(name):
+    """Decibels of a design point, scene by scene."""
+    return listing(
+        f"`{name}`",
+        [(VIEWS[scene], work(scene, name)) for scene in FOUR],
+        ("numeric dB", "psnr_numeric_db", fixed, 1),
+        ("order dB", "psnr_order_db", fixed, 1),
+        ("total dB", "psnr_total_db", fixed, 1),
+        ("largest error", "max_abs_error", fixed, 4),
+    )
+
+
+def pairs():
+    """What `fast` has to do: thousands of pairs, and bounds."""
+    counts = ("fetched", "visible", "records", "regions", "open_regions")
+    return listing(
+        "thousands of",
+        [(scene, scene) for scene in FOUR],
+        *[(name.replace("_", " "), lambda scene, name=name: work(scene).work[name] / 1e3, group) for name in counts],
+        ("blended", lambda scene: work(scene).work.blended / 1e3, group),
+        *[(f"bound: {name}", lambda scene, name=name: bounds(scene)[name] / 1e3, group) for name in bounds("own")],
+    )
+
+
+def states(name):
+    """Where the cycles of the units of terrace 0 go, by the RTL."""
+    found = data.rtl[f"terrace_{name}"]
+
+    def share(state):
+        return lambda units: percent(sum(one[state] for one in units) / (len(units) * found.cycles), 1)
+
+    units = [(f"`{name}`, {unit.upper()}", found.units[unit]) for unit in ("dopu", "pu", "su", "ru")]
+    return listing("unit", units, *[(state, share(state)) for state in ("busy", "starved", "blocked", "memory")])
+
+
+def large(name):
+    """A scene of 3.0 M Gaussians: cycles, megabytes, and those of records that found no room in the SUs."""
+    row = data.large[name].designs[0]
+    sort = total_bytes({"sort": row.bytes.sort_overflow}) / 1e6
+    return f"{group(row.cycles)} cycles and {fixed(total_bytes(row.bytes) / 1e6, 0)} MB, {fixed(sort, 0)} of them"
+
+
+def truth():
+    """Our float64 pictures against those of an independent renderer."""
+    columns = [("pixels", "pixels"), ("pixels that differ", "differ"), ("largest difference, 8-bit codes", "codes")]
+    return listing("view", [(f"{scene} 0", data.truth[scene]) for scene in data.truth], *columns)
+
+
+def scale():
+    """Computer and machine by the number of Gaussians and pixels."""
+    rows = []
+    for name in ("1m", "4m", "8m", "4k"):
+        run, model = data.scale[f"sim_{name}"], data.scale[f"model_{name}"]
+        seconds, row = run.host.cpu_seconds, model.designs[0]
+        rest = seconds["all"] - seconds.pack - seconds.golden - seconds.truth
+        rows.append(
+            [
+                millions(run.scene.gaussians, 0),
+                millions(run.camera.width * run.camera.height),
+                *[fixed(one, 1) for one in (rest, seconds.pack, seconds.golden, seconds.truth)],
+                fixed(run.host.peak_memory_bytes / 1e9, 2),
+                group(row.cycles),
+                fixed(total_bytes(row.bytes) / 1e6, 0),
+                fixed(model.host.cpu_seconds, 1),
+            ]
+        )
+    head = ["Gaussians", "pixels", "reading, writing", "packing", "golden model", "three truths", "memory, GB"]
+    return table([*head, "cycles", "MB", "`pipegs model`, s"], rows)
+
+
+def each(figure):
+    """Of a Gaussian, from the smallest scene to the largest: what pixels take is in both and falls out."""
+    few, many = data.scale.sim_1m, data.scale.sim_8m
+    return (figure(many) - figure(few)) / (many.scene.gaussians - few.scene.gaussians)
+
+
+def most_of_load(what):
+    """The largest of all spreads of depth in a window that holds too much."""
+    lines = [line for line in data.prints.all.load]
+    return fixed(max(value for line in lines for key, value in line.items() if key.startswith(what)), 1)

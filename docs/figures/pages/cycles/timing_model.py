@@ -1,42 +1,44 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/cycles/timing_model.md."""
+import re
+
 from data import data
-from formats import fixed, group, table
-from measurements import FOUR
-from pages.cycles import speed
-from pages.cycles import effects
+from formats import fixed, group, listing, table
+from measurements import POINTS
+from pages.cycles.ladder import rtl
+from pages.frames import cycles, modelled
 
-MEASURED = ["model/*", *speed.MEASURED, *effects.MEASURED]
+MEASURED = ["model/*", "rtl/*", "effects/*"]
 
 
-def cycles():
-    """Cycles of the model, scene by scene, and its seconds."""
-    rows = [
-        [scene, f"`{point}`", row.cycles, fixed(row.seconds, 2)]
-        for scene in FOUR
-        for point, row in data.model[scene].items()
+def agreement():
+    """Frames by the RTL beside the model's."""
+    found = [(f"own, `{name}`", cycles("own", name), rtl(name).cycles) for name in POINTS]
+    found += [
+        (f"terrace 0, `{name}`", cycles("terrace", name), data.rtl[f"terrace_{name}"].cycles)
+        for name in ("fast", "dop")
     ]
-    return table(["scene", "design point", "cycles", "model s"], rows)
+    rows = [[name, model, beside, group(beside - model)] for name, model, beside in found]
+    return table(["frame", "cycles, model", "cycles, RTL", "difference"], rows)
 
 
-def check():
-    """Our own scene, the RTL beside the model: frame, windows and bytes of the streams; the speed of both."""
-    rows = [
-        [
-            f"`{point}`",
-            row.rtl_cycles,
-            row.cycles,
-            row.differences,
-            group(row.rtl_khz),
-            fixed(row.seconds, 2),
-            group(row.speed_ratio),
-        ]
-        for point, row in data.model.check.items()
-    ]
-    return table(["design point", "RTL cycles", "model cycles", "differences", "RTL kHz", "model s", "speed"], rows)
+def seconds():
+    """Of the model, own scene."""
+    return listing(
+        "own scene",
+        [(f"`{name}`", modelled("own", name)) for name in POINTS],
+        ("cycles", "cycles"),
+        ("model s", "seconds.model", fixed, 2),
+    )
 
 
-def speeds():
-    """The least and the largest ratio of model and RTL."""
-    ratios = [row.speed_ratio for row in data.model.check.values()]
-    return f"{min(ratios):.0f} to {max(ratios):.0f}"
+def evidence():
+    """Which effects two scenes call for, and why."""
+
+    def cell(one):
+        figures = re.findall(r"degree \d|(?<![\w.])\d+(?:\.\d+)?(?: %| lines| M)?", one.evidence)
+        short = ", ".join(group(int(figure)) if figure.isdigit() else figure for figure in figures)
+        return f"{'**yes**' if one.called_for else 'no'} {short}".strip()
+
+    rows = zip(data.effects.own.effects, data.effects.statue.effects)
+    return table(["effect", "our own", "statue"], [[f"`{a.name}`", cell(a), cell(b)] for a, b in rows])

@@ -4,7 +4,7 @@ from data import data
 from formats import fixed, table
 from pages.numerics.numbers import plain, two, worst  # noqa: F401  (the page uses plain and two)
 
-MEASURED = ["budget/*", "prints/*/pu_covariance", "prints/*/pu_color_basis", "prints/*/pu_rows"]
+MEASURED = ["budget/*", "prints/all"]
 
 
 def units(name):
@@ -15,7 +15,8 @@ def units(name):
 def errors():
     """Percentiles over random Gaussians; FP16 loses some of them altogether."""
     rows = [
-        [name, *["no number" if value is None else f"{value:.3g}" for value in values]]
-        for name, values in data.budget.random.rows.items()
+        [name, *["no number" if value is None else f"{value:.3g}" for value in found.values()]]
+        for name, found in data.budget.random.items()
+        if ", " in name
     ]
     return table(["powers in log2 units", "50 %", "90 %", "99 %", "99.9 %", "worst"], rows)

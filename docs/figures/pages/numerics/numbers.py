@@ -3,12 +3,12 @@
 from data import data
 from formats import fixed, group, percent, table
 
-MEASURED = ["prints/*", "numbers/*"]
+MEASURED = ["prints/*"]
 
 
 def worst(test, name, **where):
     """The largest of a test's figures, of all lines that it prints or of those where a number is as said."""
-    (lines,) = [room[test].lines for room in data.prints.values() if test in room]
+    lines = data.prints.all[test]
     return max(line[name] for line in lines if all(line[key] == one for key, one in where.items()))
 
 
@@ -33,7 +33,7 @@ def share(test):
 
 def left():
     """Units of dopu_depth's slack that no Gaussian needed."""
-    return fixed(min(line.left for line in data.prints.dopu.dopu_depth.lines), 1)
+    return fixed(min(line.left for line in data.prints.all.dopu_depth), 1)
 
 
 def flipped():
@@ -45,9 +45,9 @@ def frame():
     demanded = {"8": ("8, 12 bits (default)", 50), "10": ("10, 14 bits", 58), "12": ("12, 16 bits", 64)}
     return table(
         ["alpha, colour", "PSNR, dB", "demanded, dB"],
-        [[title, fixed(data.numbers.golden[bits], 1), least] for bits, (title, least) in demanded.items()],
+        [[title, fixed(data.prints.golden[bits], 1), least] for bits, (title, least) in demanded.items()],
     )
 
 
 def gain(more, less):
-    return f"{data.numbers.golden[more] - data.numbers.golden[less]:.1f} dB"
+    return f"{data.prints.golden[more] - data.prints.golden[less]:.1f} dB"

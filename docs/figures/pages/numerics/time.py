@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/numerics/time.md."""
 from data import data
-from formats import fixed, group, percent, span, table
+from formats import fixed, group, listing, percent, span, table
 
 MEASURED = ["tradeoff/*"]
-TITLES = {"own": "our own scene", "terrace": "terrace 0", "statue": "statue 0", "flowers": "flowers 0"}
+TITLES = {"own": "our own scene", "terrace": "terrace 0"}
 
 
 def points(scene):
@@ -20,25 +20,18 @@ def share(scene, row):
     return percent(row.cycles / base(scene).cycles, 1)
 
 
-def front_rows(scene):
-    return sorted((row for row in points(scene) if row.front), key=lambda row: row.front)
-
-
 def front(scene):
     """The points that no other one beats, the most accurate first."""
-    rows = [
-        [
-            str(row.front),
-            row.label if row.knob == "together" else f"{row.knob} {row.label}",
-            fixed(row.us, 1),
-            share(scene, row),
-            fixed(row.bytes / 1e6, 1),
-            fixed(row.psnr_db, 2),
-            fixed(row.ssim, 4),
-        ]
-        for row in front_rows(scene)
-    ]
-    return table(["", "with less", "us", "of all", "MB", "dB", "SSIM"], rows)
+    rows = sorted((row for row in points(scene) if row.front), key=lambda row: row.front)
+    return listing(
+        TITLES[scene],
+        [(row.label if row.knob == "together" else f"{row.knob} {row.label}", row) for row in rows],
+        ("us", "us", fixed, 1),
+        ("of all", lambda row: share(scene, row)),
+        ("MB", lambda row: row.bytes / 1e6, fixed, 1),
+        ("dB", "psnr_db", fixed, 2),
+        ("SSIM", "ssim", fixed, 4),
+    )
 
 
 def single(scene, knob, label):
@@ -61,51 +54,16 @@ def alone():
     return table(["with less: time, dB", *TITLES.values()], rows)
 
 
-def legs(level):
-    """Of each scene that has it the leg that ends at this level of decibels."""
-    found = {}
-    for scene in TITLES:
-        for leg in data.tradeoff[scene].price:
-            if level <= leg.to_db < {50: 1000, 40: 50, 30: 40}[level]:
-                found[scene] = leg
-    return found
-
-
-def price(level):
-    """Microseconds a decibel on the way to a level, over the scenes."""
-    return f"{span(fixed, [leg.us_per_db for leg in legs(level).values()], 1)} us"
-
-
-def price_share(level):
-    """The same as shares of the frame's time."""
-    found = [100 * leg.us_per_db / base(scene).us for scene, leg in legs(level).items()]
-    return f"{span(fixed, found, 1)} %"
-
-
-def reached(level):
-    """Shares of the time at the ends of those legs."""
-    found = []
-    for scene, leg in legs(level).items():
-        (row,) = [row for row in points(scene) if row.front == leg.to]
-        found.append(100 * row.cycles / base(scene).cycles)
-    return f"{span(fixed, found, 0)} %"
-
-
 def prices():
-    """Each leg of each scene."""
-    rows = [
-        [
-            TITLES[scene],
-            f"{fixed(leg.from_db, 1)} to {fixed(leg.to_db, 1)}",
-            f"{leg['from']} to {leg.to}",
-            fixed(leg.us, 1),
-            fixed(leg.us_per_db, 1),
-            percent(leg.us_per_db / base(scene).us, 1),
-        ]
-        for scene in TITLES
-        for leg in data.tradeoff[scene].price
-    ]
-    return table(["scene", "dB", "front", "us saved", "us a decibel", "of the whole frame's time"], rows)
+    """Each section of each scene's front."""
+    return listing(
+        "scene",
+        [(TITLES[scene], (scene, section)) for scene in TITLES for section in data.tradeoff[scene].price],
+        ("dB", lambda one: f"{fixed(one[1].from_db, 1)} to {fixed(one[1].to_db, 1)}"),
+        ("us saved", lambda one: one[1].us, fixed, 1),
+        ("us a decibel", lambda one: one[1].us_per_db, fixed, 1),
+        ("of the whole frame's time", lambda one: one[1].us_per_db / base(one[0]).us, percent, 1),
+    )
 
 
 def saved(knob, label):
@@ -113,14 +71,6 @@ def saved(knob, label):
     found = [single(scene, knob, label) for scene in TITLES]
     shares = [100 * (1 - one.cycles / base(scene).cycles) for scene, one in zip(TITLES, found) if one]
     return f"{span(fixed, shares, 1)} %"
-
-
-def mb(scene, knob, label):
-    return f"{fixed(single(scene, knob, label).bytes / 1e6, 1)} MB"
-
-
-def us(scene, knob, label):
-    return f"{fixed(single(scene, knob, label).us, 1)} us"
 
 
 def of_all(scene, knob, label):

@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/rivals/rivals.md."""
 from data import data
-from formats import fixed, group, percent, table, times
+from formats import fixed, group, listing, percent, table, times
 
-MEASURED = ["rivals/*", "pipelines/*"]
-SCENES = ("terrace", "statue", "flowers", "plushdog", "own")
-TITLES = {"own": "our own"}
+MEASURED = ["rivals/*"]
+SCENES = ("terrace", "own")
 RIVALS = data.rivals.terrace.rivals
-OURS = ("dop", "fast")
-MARKS = {"fps_per_mm2": 3.34, "frames_per_joule": 2.77}  # the paper's, Figs. 10 and 11
-NAMES = {"fps_per_mm2": "frames/s/mm2, 3.34x", "frames_per_joule": "frames/J of the chip, 2.77x"}
+OURS = ("fast", "dop")
 
 
 def three(value):
@@ -44,13 +41,10 @@ def frame_of(one, ms):
 
 def machines(scene):
     """All machines on one view."""
-    found, rows = data.rivals[scene], []
+    found = data.rivals[scene]
+    rows = [[f"`{name}`", *frame_of(found.ours[name], 1e3 / found.ours[name].fps.mid), ""] for name in OURS]
     for one in found.rivals.values():
         rows.append([one.name, *frame_of(one, one.seconds * 1e3), f"{one.bound_by}, {percent(one.bound_share)}"])
-    printed = found.printed
-    rows.append(["PipeGS, printed", "", "", "", "", fixed(printed.mm2, 3), "", "", "", ""])
-    for name, one in found.ours.items():
-        rows.append([f"`{name}`", *frame_of(one, 1e3 / one.fps.mid), ""])
     header = ["machine", "cycles", "ms", "frames/s", "MB", "mm2", "frames/s/mm2", "frames/J, chip", "with DRAM"]
     return table([*header, "bound by"], rows)
 
@@ -65,30 +59,15 @@ def against(scene, figure):
     return table(["over", "chained", *[f"`{own}`" for own in OURS]], rows)
 
 
-def scenes(own, figure):
-    """One of our machines over each rival, mid, on every scene."""
-    rows = []
-    for key, rival in RIVALS.items():
-        rows.append([rival.name, *[three(data.rivals[scene].against.over[key][own][figure].mid) for scene in SCENES]])
-    return table([f"`{own}` over", *[TITLES.get(scene, scene) for scene in SCENES]], rows)
-
-
-def marks(own="fast"):
-    """The most that the paper prints: over which rivals and on how many scenes one of ours reaches it; what lacks."""
-    rows = []
-    for key, rival in RIVALS.items():
-        row = [rival.name]
-        for figure, mark in MARKS.items():
-            over = [data.rivals[scene].against.over[key][own][figure] for scene in SCENES]
-            least = min(one.mid for one in over)
-            row += [
-                f"{sum(one.mid >= mark for one in over)} of {len(over)}",
-                f"{sum(one.high >= mark for one in over)} of {len(over)}",
-                times(mark / least) if least < mark else "",
-            ]
-        rows.append(row)
-    head = [part for name in NAMES.values() for part in (f"{name}: scenes at mid", "scenes at best", "lacks")]
-    return table([f"`{own}` over", *head], rows)
+def scenes(own):
+    """One of our machines over each rival, mid: for an area and for a joule with DRAM."""
+    figures = {"fps_per_mm2": "frames/s/mm2", "frames_per_joule_with_dram": "frames/J with DRAM"}
+    columns = [
+        (f"{what}, {scene}", lambda key, s=scene, f=figure: data.rivals[s].against.over[key][own][f].mid, three)
+        for figure, what in figures.items()
+        for scene in SCENES
+    ]
+    return listing(f"`{own}` over", [(rival.name, key) for key, rival in RIVALS.items()], *columns)
 
 
 def checks(name="terrace"):
@@ -117,33 +96,6 @@ def passed(name="terrace"):
     return f"{sum(one.passes for one in found)} of {len(found)}"
 
 
-def parameters():
-    """What has a range, and what each end is worth."""
-    rows = []
-    for one in RIVALS.values():
-        for name, it in one.parameters.items():
-            if it.low == it.high:
-                continue
-            value = [f"{it[end]:g}" for end in ("low", "value", "high")]
-            ends = [three(it.fps_at_low), three(it.fps_at_high)]
-            rows.append(
-                [one.name, f"`{name}`, {it.unit}" if it.unit else f"`{name}`", *value, it.mark, *ends, it.source]
-            )
-    header = ["model", "parameter", "low", "mid", "high", "mark", "frames/s at low", "at high", "what, and where from"]
-    return table(header, rows)
-
-
-def read():
-    """What is read in the papers."""
-    rows = []
-    for one in RIVALS.values():
-        for name, it in one.parameters.items():
-            if it.low == it.high:
-                unit = f" {it.unit}" if it.unit else ""
-                rows.append([one.name, f"`{name}`", f"{it.value:g}{unit}", it.mark, it.source])
-    return table(["model", "parameter", "value", "mark", "what, and where from"], rows)
-
-
 def areas():
     """mm2 in 28 nm by NAND2, and by the square of the node."""
     rows = [
@@ -151,22 +103,3 @@ def areas():
         for one in RIVALS.values()
     ]
     return table(["model", "venue", "node", "mm2, published", "in 28 nm", "plain square"], rows)
-
-
-def kinds(scene):
-    """MB by kind of flow."""
-    found = data.rivals[scene].rivals
-    names = sorted({kind for one in found.values() for kind in one.bytes_by_kind})
-    rows = []
-    for one in found.values():
-        rows.append([one.name, *[three(one.bytes_by_kind.get(kind, 0) / 1e6) for kind in names]])
-    return table(["MB", *names], rows)
-
-
-def pipelines(scene):
-    """Of the paper's Fig. 1: the time of a frame, and how much of it each kind of unit works."""
-    rows = [
-        [machine, group(one.us), ", ".join(f"{unit} {percent(share)}" for unit, share in one.busy.items())]
-        for machine, one in data.pipelines[scene].items()
-    ]
-    return table(["machine", "us", "share of the frame in which units work"], rows)

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/rivals/terms.md: the paper's printed figures held against each other, and the span of our ladder.
+"""Tables of docs/rivals/terms.md: the paper's printed figures held against each other, and beside ours.
 
 Time is in units of a tile's sort. Lists pass SUs and RUs side by side, so a frame takes P + R: P the exposed
 preprocessing, R the rasterization, which hides the sort; the paper's raster / sort is R.
 """
-from formats import change, fixed, table
-from pages.rivals import printed
+from data import data
+from formats import change, fixed, percent, span, table, times
+from measurements import CHARTED, FOUR
+from pages.cycles.ladder import rtl
+from pages.frames import over, work
+from pages.silicon import energy, silicon
 
-MEASURED = printed.MEASURED
+MEASURED = ["model/*", "work/*", "rtl/own", "profile/*", "silicon/*"]
 BASE, DPC, HGR = 7.48, 5.71, 1.83  # raster / sort, Sec. 5.3.1
 HGR_OVER, DOP_OVER, ALL = 2.33, 1.22, 2.85  # Sec. 5.3.2
 FRONT, MORE, LEFT, HIDDEN, FEWER = 0.15, 1.2, 0.37, 0.63, 0.762
@@ -72,3 +76,45 @@ def closed():
 def closed_of(start, place=0):
     """The value of a row of the closed form, by how its figure begins."""
     return [value for name, _, value, _ in rows() if name.startswith(start)][place]
+
+
+def profiled(value, form, *rest):
+    """Over the four scenes."""
+    return span(form, [value(data.profile[scene]) for scene in FOUR], *rest)
+
+
+def gains(name, base):
+    return span(times, [over(scene, name, base) for scene in FOUR])
+
+
+def left_exposed():
+    """Preprocessing that DOP leaves exposed, own scene."""
+    cycles = [rtl(name).exposed_share * rtl(name).cycles for name in ("dop", "tspp")]
+    return percent(cycles[0] / cycles[1], 1)
+
+
+def saved(*kinds):
+    """Operations of these kinds that DPC saves in tiles of 16 pixels."""
+    found = data.profile.own.arithmetic_per_pixel
+    sixteen = next(one for one in found.dpc if one.tile == 16)
+    return percent(1 - sum(sixteen[kind] for kind in kinds) / sum(found.direct[kind] for kind in kinds), 1)
+
+
+def order_db():
+    """What layers cost scenes that were not trained for them."""
+    return span(fixed, [work(scene, "dop").psnr_order_db for scene in FOUR], 0)
+
+
+def table_2():
+    """Table 2 beside `dop`: mid of the ranges; power at full speed."""
+    rows = [
+        [
+            unit,
+            fixed(mm2, 3),
+            fixed(silicon.area("dop", unit), 3),
+            fixed(energy.PAPER[unit], 3),
+            span(fixed, [energy.row(scene, "dop", unit).watts_full.mid for scene in CHARTED], 3),
+        ]
+        for unit, mm2 in silicon.PAPER.items()
+    ]
+    return table(["unit", "paper, mm2", "ours, mm2", "paper, W", "ours, W"], rows)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/silicon/fpga.md: data.fpga.POINT_FAMILY_UNITS, as far as they are measured."""
+"""Tables of docs/silicon/fpga.md: data.fpga.POINT_FAMILY_UNITS."""
 import sys
 
 from data import data
@@ -23,10 +23,10 @@ def cells(row):
 def measured(family):
     """(design point, units, rows) of what there is, small machines first."""
     found = []
-    for name, rows in data.get("fpga", {}).items():
+    for name, entries in data.fpga.items():
         point, of, units = name.rsplit("_", 2)
         if of == family:
-            found.append((point, int(units), rows))
+            found.append((point, int(units), entries[0].rows))
     return sorted(found, key=lambda one: one[:2])
 
 
@@ -56,10 +56,8 @@ def _row(part):
 
 
 def largest(part):
-    """The measured machine of most units that the part holds; fast before dop."""
-    held = [
-        (count, point) for point, count, rows in measured("xcup") if fpga.fits(rows.total)[part] <= 1
-    ]  # fast sorts behind dop
+    """The measured machine of most units that the part holds."""
+    held = [(count, point) for point, count, rows in measured("xcup") if fpga.fits(rows.total)[part] <= 1]
     if not held:
         return "none of those measured"
     count, point = max(held)

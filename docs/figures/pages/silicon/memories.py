@@ -3,10 +3,8 @@
 import re
 
 from data import data
-from formats import change, fixed, group, table
-from measurements import points_of
+from formats import fixed, group, table
 
-MEASURED = ["memories/*"]
 PAPER_KB = 428
 WHERE = [  # unit, place without generate blocks and the SU's wiring, what it holds, purpose
     ("alpha store", "u_store.u_lines", "lines of 64 alphas", "alphas"),
@@ -96,7 +94,7 @@ def total(name):
     return sum(bits(row) for row in data.memories[name])
 
 
-def srams(name="dop"):
+def srams(name="fast"):
     """Every SRAM of a configuration."""
     rows = {}
     for row in data.memories[name]:
@@ -128,7 +126,7 @@ def by_purpose(name):
 
 
 def purposes():
-    """The default configuration by purpose, beside the paper."""
+    """The paper's machine, `dop`, by purpose, beside the paper."""
     return table(
         ["purpose", "KB", "in the paper"],
         [
@@ -139,18 +137,6 @@ def purposes():
     )
 
 
-def points():
-    """KB by purpose of each design point."""
-    rows = []
-    for name in points_of(data.memories):
-        sums = by_purpose(name)
-        (records,) = {row.depth for row in data.memories[name] if known(row)[1] == "u_su.u_records"}
-        rows.append(
-            [f"`{name}`", records, *[kb(value) if value else "" for value in sums.values()], f"**{kb(total(name))}**"]
-        )
-    return table(["design point", "records", *PURPOSES, "**sum**"], rows)
-
-
 def more():
     """Against the paper's sum."""
     over = total("dop") / 8192 - PAPER_KB
@@ -159,7 +145,3 @@ def more():
 
 def without_overflow():
     return f"{kb(total('dop') - by_purpose('dop')['overflow'])} KB"
-
-
-def against_dop(name):
-    return change(total(name) / total("dop") - 1, 0)

@@ -1,70 +1,46 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/silicon/shapes.md."""
 from data import data
-from formats import change, fixed, percent, table
+from formats import change, fixed, listing, percent
 
 MEASURED = ["shapes/*"]
-
-
-def told(row):
-    """mm2; ~ beyond what was synthesised."""
-    return ("~" if row.extrapolated_area else "") + fixed(row.mm2, 2)
+FOUND = data.shapes.own
+BASE = FOUND.shapes[0]
+BEST = next(row for row in FOUND.shapes if row.shape == FOUND.best)
+DENSEST = max(FOUND.shapes, key=lambda row: row.fps_per_mm2)
 
 
 def name(row):
     return row.shape if row.shape == "base" else f"`{row.shape}`"
 
 
-def base(scene):
-    return data.shapes[scene].shapes[0]
+def shapes(rows):
+    """What shapes take; ~ before an area beyond what was synthesised."""
+    return listing(
+        "shape",
+        [(name(row), row) for row in rows],
+        ("cycles", "cycles"),
+        ("time", lambda row: row.us / BASE.us - 1, change),
+        ("mm2", lambda row: ("~" if row.extrapolated_area else "") + fixed(row.mm2.mid, 2)),
+        ("frames/s/mm2", "fps_per_mm2", fixed, 1),
+        ("frames/J", "frames_per_joule_with_dram", fixed, 0),
+    )
 
 
-def best(scene):
-    (row,) = [row for row in data.shapes[scene].shapes if row.shape == data.shapes[scene].best]
-    return row
+def alone():
+    """One entry changed."""
+    return shapes(row for row in FOUND.shapes if row.step != "together")
 
 
-def best_change(scene, key):
-    return change(best(scene)[key] / base(scene)[key] - 1)
-
-
-def densest(scene):
-    return max(data.shapes[scene].shapes, key=lambda row: row.fps_per_mm2)
-
-
-def alone(scene):
-    """One entry changed: what it does to time and area."""
-    rows = [
-        [
-            name(row),
-            row.cycles,
-            change(row.us / base(scene).us - 1, 2),
-            told(row),
-            change(row.mm2 / base(scene).mm2 - 1),
-            fixed(row.fps_per_mm2, 1),
-            fixed(row.frames_per_joule, 0),
-        ]
-        for row in data.shapes[scene].shapes
-        if row.step != "together"
-    ]
-    return table(["shape", "cycles", "time", "mm2", "area", "frames/s/mm2", "frames/J"], rows)
-
-
-def front(scene):
+def front():
     """What no other shape beats in both time and area."""
-    rows = [
-        [row.front, name(row), row.cycles, fixed(row.us, 1), told(row), fixed(row.fps_per_mm2, 1)]
-        for row in sorted(data.shapes[scene].shapes, key=lambda row: row.front or 0)
-        if row.front
-    ]
-    return table(["place", "shape", "cycles", "us", "mm2", "frames/s/mm2"], rows)
+    return shapes(sorted((row for row in FOUND.shapes if row.front), key=lambda row: row.front))
 
 
-def one(scene, shape):
-    (row,) = [row for row in data.shapes[scene].shapes if row.shape == shape]
-    return row
+def area(row):
+    return change(row.mm2.mid / BASE.mm2.mid - 1)
 
 
-def per_area(scene, shape):
+def per_area(row):
     """Frames/s/mm2 of a shape over the base's."""
-    return percent(one(scene, shape).fps_per_mm2 / base(scene).fps_per_mm2, 0)
+    return percent(row.fps_per_mm2 / BASE.fps_per_mm2)

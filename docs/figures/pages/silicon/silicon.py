@@ -3,48 +3,52 @@
 import csv
 
 from data import data
-from formats import change, fixed, group, percent, table, times
+from formats import change, fixed, group, listing, percent, table, times
 from pages.silicon import memories
 from sources import ROOT
 
-MEASURED = ["silicon/*", "energy/own", "memories/dop", *memories.MEASURED]
+MEASURED = ["silicon/*", "memories/*"]
 UNITS = ("DOPU", "PU", "SU", "RU")
 ROWS = (*UNITS, "Other", "Buffers", "Total")
 PAPER = {"DOPU": 0.001, "PU": 1.695, "SU": 0.065, "RU": 0.472, "Buffers": 1.038, "Total": 3.283}  # mm2, Table 2
 NAND2 = 0.49  # um2 in 28 nm, mid
 
 
-def ranged(value, digits=3, middle=True):
+def ranged(value, digits=3):
     """mid (low to high)"""
-    if value is None or value.mid is None:
-        return ""
-    if value.low is None:
-        return fixed(value.mid, digits)
-    span = f"{fixed(value.low, digits)} to {fixed(value.high, digits)}"
-    return f"{fixed(value.mid, digits)} ({span})" if middle else span
+    return f"{fixed(value.mid, digits)} ({fixed(value.low, digits)} to {fixed(value.high, digits)})"
 
 
 def either(value, form, *digits):
     return "" if value is None else form(value, *digits)
 
 
-def beside(point):
+def row(name, unit, scene="own"):
+    """What a design point's unit takes of silicon."""
+    return next(one for one in data.silicon[f"{scene}_{name}"].designs[0].rows if one.name == unit)
+
+
+def area(name, unit):
+    return row(name, unit).area_mm2.mid
+
+
+def longest(name):
+    """The longest path of the whole machine, ps."""
+    return fixed(row(name, "Total").path_ps.mid, 0)
+
+
+def beside(name):
     """A design point beside Table 2."""
-    rows = []
-    for name in ROWS:
-        row = data.silicon[point][name]
-        rows.append(
-            [
-                name,
-                either(row["count"], group),
-                either(row.kilo_nand2, group),
-                either(row.kb, group),
-                ranged(row.area_mm2),
-                ranged(row.path_ps, 0),
-                either(PAPER.get(name), fixed, 3),
-            ]
-        )
-    return table(["unit", "units", "kNAND2", "KB", "mm2 in 28 nm", "longest path, ps", "paper, mm2"], rows)
+    return listing(
+        "unit",
+        [(unit, row(name, unit)) for unit in ROWS],
+        ("units", lambda one: either(one["count"] or None, group)),
+        ("kNAND2", lambda one: either(one.kilo_nand2 or None, group)),
+        ("KB", lambda one: either(one.kb or None, group)),
+        ("mm2 in 28 nm", lambda one: ranged(one.area_mm2)),
+        ("longest path, ps", lambda one: ranged(one.path_ps, 0) if one.path_ps.mid else ""),
+        ("paper, mm2", lambda one: either(PAPER.get(one.name), fixed, 3)),
+    )
 
 
 def blocks(*names, of="default"):
@@ -61,18 +65,9 @@ def kilo(*names, each=1):
     return f"{blocks(*names) / each / 1e3:.0f} k"
 
 
-def flipflops(unit=None):
-    with open(ROOT / "synth/data/points.csv", newline="") as file:
-        lines = csv.DictReader(line for line in file if not line.startswith("#"))
-        return sum(
-            int(row["flipflops"]) for row in lines if row["configuration"] == "default" and unit in (None, row["unit"])
-        )
-
-
 def own_kilo(unit):
-    """kNAND2 of one instance."""
-    row = data.silicon.dop[unit]
-    return f"{row.kilo_nand2 / row['count']:.0f} k"
+    """kNAND2 of one instance of `dop`."""
+    return f"{row('dop', unit).kilo_nand2 / row('dop', unit)['count']:.0f} k"
 
 
 def paper_kilo(unit, count=4):
@@ -80,91 +75,41 @@ def paper_kilo(unit, count=4):
     return f"{PAPER[unit] * 1e3 / NAND2 / count:.0f} k"
 
 
-def against(unit, point="dop"):
+def against(unit, name="dop"):
     """How much larger than the paper's: +57 %."""
-    return change(data.silicon[point][unit].area_mm2.mid / PAPER[unit] - 1, 0)
+    return change(area(name, unit) / PAPER[unit] - 1, 0)
 
 
 def over(unit):
-    return times(data.silicon.dop[unit].area_mm2.mid / PAPER[unit], 0)
-
-
-def mid(point, unit):
-    return fixed(data.silicon[point][unit].area_mm2.mid, 3)
+    return times(area("dop", unit) / PAPER[unit], 0)
 
 
 def difference(to, unit, frm="dop"):
-    return f"{data.silicon[to][unit].area_mm2.mid - data.silicon[frm][unit].area_mm2.mid:+.2f}"
+    return f"{area(to, unit) - area(frm, unit):+.2f}"
 
 
-def longest(*points):
-    """Longest path of the whole machine at each design point."""
-    return [f"{data.energy.own[point].path_ps:.0f} ps" for point in points]
+def by_unit():
+    """mm2 of the paper's chip and of three design points, unit by unit."""
+    cells = [[f"`{name}`", *[fixed(area(name, unit), 3) for unit in ROWS]] for name in ("fast", "exact", "dop")]
+    return table(["mm2, mid", *ROWS], [["paper", *[either(PAPER.get(unit), fixed, 3) for unit in ROWS]], *cells])
 
 
-def fine():
-    """The fastest design point, with its own numbers and with finer ones."""
-    rows = [["paper", *[either(PAPER.get(unit), fixed, 3) for unit in ROWS], "", ""]]
-    named = (
-        ("exact", "`exact`"),
-        ("exact_fine", "`exact`, `sim/fine.cfg`"),
-        ("exact_quads", "and `--set quads=1`"),
-        ("fast", "`fast`"),
-    )
-    for point, name in named:
-        row = data.silicon[point]
-        rows.append(
-            [
-                name,
-                *[mid(point, unit) for unit in ROWS],
-                ranged(row.Total.area_mm2, middle=False),
-                fixed(row.Total.path_ps.mid, 0),
-            ]
-        )
-    return table(["mm2, mid", *ROWS, "Total, low to high", "longest path, ps"], rows)
+def sky(unit, figure):
+    """What the other library says of `dop`, over ours."""
+    other = next(one for one in data.silicon.dop_sky130.designs[0].rows if one.name == unit)
+    return figure(other) / figure(row("dop", unit))
 
 
 def libraries():
-    """The default machine in gates of two libraries."""
-    osu, sky = data.silicon.dop, data.silicon.dop_sky130
-    rows = []
-    for name in (*UNITS, "Total"):
-        a, b = osu[name], sky[name]
-        rows.append(
-            [
-                name,
-                a.kilo_nand2 and group(a.kilo_nand2),
-                group(b.kilo_nand2),
-                fixed(b.kilo_nand2 / a.kilo_nand2, 2),
-                fixed(a.path_ps.mid, 0),
-                fixed(b.path_ps.mid, 0),
-                fixed(b.path_ps.mid / a.path_ps.mid, 2),
-            ]
-        )
-    return table(
-        [
-            "unit",
-            "kNAND2: osu018, 180 nm",
-            "sky130hd, 130 nm",
-            "ratio",
-            "longest path, ps: osu018",
-            "sky130hd",
-            "ratio",
-        ],
-        rows,
+    """`dop` in gates of two libraries: osu018 over sky130hd."""
+    return listing(
+        "unit",
+        [(unit, unit) for unit in (*UNITS, "Total")],
+        ("kNAND2: osu018, 180 nm", lambda unit: row("dop", unit).kilo_nand2, group),
+        ("sky130hd over it", lambda unit: sky(unit, lambda one: one.kilo_nand2), times),
+        ("longest path, ps: osu018", lambda unit: row("dop", unit).path_ps.mid, fixed, 0),
+        ("sky130hd over it", lambda unit: sky(unit, lambda one: one.path_ps.mid), times),
     )
-
-
-def sky(unit, key):
-    a, b = data.silicon.dop[unit], data.silicon.dop_sky130[unit]
-    if key == "path":
-        return b.path_ps.mid / a.path_ps.mid
-    return b.kilo_nand2 / a.kilo_nand2
-
-
-def sky_paths():
-    ratios = [sky(unit, "path") for unit in UNITS]
-    return f"{min(ratios):.1f} to {max(ratios):.1f} times"
 
 
 def stored_alphas():
@@ -173,5 +118,5 @@ def stored_alphas():
 
 
 def buffers_more():
-    row = data.silicon.dop.Buffers
-    return f"{row.area_mm2.mid - PAPER['Buffers']:.1f} mm2", f"{row.kb - 428:.0f} KB"
+    found = row("dop", "Buffers")
+    return f"{found.area_mm2.mid - PAPER['Buffers']:.1f} mm2", f"{found.kb - 428:.0f} KB"

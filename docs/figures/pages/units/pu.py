@@ -1,21 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/units/pu.md."""
 from data import data
-from formats import fixed, group, table
+from formats import fixed, group, listing
 from pages.numerics.numbers import small, two  # noqa: F401  (the page uses them)
 from pages.silicon.silicon import blocks
 
-MEASURED = [
-    "prints/*/pu_*",
-    "prints/*/recip",
-    "prints/*/rsqrt",
-    "prints/*/exp2",
-    "memories/dop",
-]
-(conic,) = data.prints.pu.pu_conic.lines
-(recip,) = [line for line in data.prints.lib.recip.lines if line.bits == 26]
-(rows,) = data.prints.pu.pu_rows.lines
-(exp2,) = data.prints.lib.exp2.lines
+MEASURED = ["prints/all", "memories/dop"]
+PRINTS = data.prints.all
+(conic,) = PRINTS.pu_conic
+(recip,) = [line for line in PRINTS.recip if line.bits == 26]
+(rows,) = PRINTS.pu_rows
+(exp2,) = PRINTS.exp2
 
 
 def area(*modules):
@@ -36,17 +31,21 @@ def store_kb(place):
 
 def power():
     """Error of the power by the length of the Gaussians."""
-    rows = [
-        [f"{group(line.sigma)} px", *[f"{line[name]:.1e}" for name in ("worst", "rms", "quantised")]]
-        for line in data.prints.pu.pu_coeff.lines
-    ]
-    return table(["sigma up to", "worst", "rms", "from the quantised covariance, worst"], rows)
+    return listing(
+        "sigma up to",
+        [(f"{group(line.sigma)} px", line) for line in PRINTS.pu_coeff],
+        ("worst", "worst", "{:.1e}".format),
+        ("rms", "rms", "{:.1e}".format),
+        ("from the quantised covariance, worst", "quantised", "{:.1e}".format),
+    )
 
 
 def regions():
     """Regions that count and those kept beyond."""
-    rows = [
-        [f"{group(line.sigma)} px", f"{line.regions:.3g}", f"{fixed(line.percent, 1)} %", f"{line.boxes:.3g}"]
-        for line in data.prints.pu.pu_intersect.lines
-    ]
-    return table(["sigma up to", "regions that hold a counting pixel", "kept beyond", "regions of the box"], rows)
+    return listing(
+        "sigma up to",
+        [(f"{group(line.sigma)} px", line) for line in PRINTS.pu_intersect],
+        ("regions that hold a counting pixel", "regions", "{:.3g}".format),
+        ("kept beyond", lambda line: f"{fixed(line.percent, 1)} %"),
+        ("regions of the box", "boxes", "{:.3g}".format),
+    )

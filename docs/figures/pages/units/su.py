@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of docs/units/su.md."""
 from data import data
-from formats import fixed, group, table
+from formats import fixed, group, listing
 
-MEASURED = ["prints/*/su"]
+MEASURED = ["prints/all"]
 
 
 def pace():
     """Cycles for each key."""
-    rows = [
-        [group(line["keys"]), *[fixed(line[name], 2) for name in ("random", "narrow", "clustered")]]
-        for line in data.prints.su.su.lines
-    ]
-    return table(
-        ["keys per layer", "cycles per key, random depths", "64 neighbouring depths", "exponentially clustered"], rows
+    return listing(
+        "keys per layer",
+        [(group(line["keys"]), line) for line in data.prints.all.su],
+        ("cycles per key, random depths", "random", fixed, 2),
+        ("64 neighbouring depths", "narrow", fixed, 2),
+        ("exponentially clustered", "clustered", fixed, 2),
     )

@@ -1,19 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of docs/units/top.md."""
+"""Figures of docs/units/top.md."""
 from data import data
-from formats import percent, table
-from measurements import CHARTED
+from formats import group, percent
 
-MEASURED = ["views/*"]
+MEASURED = ["rtl/views"]
 
 
-def sequences():
-    """A row for each scene: cycles of a frame and the largest gap in front of one, queued and alone."""
-    rows = []
-    for scene in CHARTED:
-        found, cells = data["views"][scene], []
-        for run in ("queued", "alone"):
-            cycles, gap = found[f"cycles_{run}"], found[f"gap_{run}"]
-            cells += [cycles, gap, percent(gap / cycles, 2)]
-        rows.append([f"{scene}, {found.frames} views"] + cells)
-    return table(["scene", "queued: cycles of a frame", "largest gap", "", "alone: cycles", "largest gap", ""], rows)
+def gap(run):
+    """The largest gap in front of a frame, and its share of a frame, `queued` or `alone`."""
+    found = data.rtl["views"]
+    rows = found["views"]
+    largest, cycles = max(row[f"gap_{run}"] for row in rows[1:]), found[f"cycles_{run}"] / len(rows)
+    return f"{group(largest)} cycles, {percent(largest / cycles, 2)} of a frame"
