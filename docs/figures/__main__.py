@@ -47,8 +47,8 @@ def measure(one, build):
     if scene is None:
         return f"skipped: no scene {one.scene} (set PIPEGS_SHARED)"
     words = command_line(one, scene, build)
-    if one.command.startswith("build/verif/"):  # a test that prints what it measures; `pipegs` is there
-        subprocess.run(["cmake", "--build", build, "--target", Path(words[0]).name], check=True, stdout=sys.stderr)
+    if one.targets:
+        subprocess.run(["cmake", "--build", build, "--target", *one.targets], check=True, stdout=sys.stderr)
     # Before the run: an edit during it makes the data older, not newer.
     hashes = measured_by(one.by, one.scene, one.points)
     start, (commit, date) = time.monotonic(), now()
@@ -58,7 +58,7 @@ def measure(one, build):
         return f"failed: exit code {run.returncode}: {one.shown()}"
     try:
         found = json.loads(run.stdout) if run.stdout.lstrip()[:1] in ("{", "[") else run.stdout
-        figures = one.keep(found) if one.keep else found
+        figures = one.read(found) if one.read else found
     except (KeyError, ValueError, TypeError, AttributeError) as error:
         return f"failed: its output has not the figures expected: {error!r}"
     entry = {"by": hashes, "commit": commit, "date": date, "seconds": seconds, "figures": figures}

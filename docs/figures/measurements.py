@@ -22,6 +22,7 @@ class Measurement:
     view: int | None = 0  # None: the command names its views
     points: tuple = ()  # design points
     chart: str = ""  # docs/images/CHART is drawn, too
+    targets: tuple = ()  # of the build, that the command needs beside pipegs
     read: Callable | None = None  # makes figures of a command's text; None: it prints JSON, whose keys are the figures
     exit_codes: tuple = (0,)  # of a run that counts; 1 where what differs is the figure
 
@@ -71,6 +72,7 @@ MEMORIES = {  # settings of the design point
             "tight_cull=1 tight_boxes=1 tests=2 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
             "nearest_nodes=1024 mark_chunks=7",
 }
+STABILITY = ("input", "shape", "view", "alpha", "order", "beyond", "wrap", "sanitize", "budget", "stress")
 TRAINED = {"original": "--order exact --cldr none", "layers": ""}  # the rows of the paper's Table 1
 TABLE = [
     # The timing model and the golden model: cycles, bytes, counts, decibels.
@@ -103,10 +105,10 @@ TABLE = [
                   exit_codes=(0, 1)) for scene in ("terrace", "statue", "plushdog")],
     Measurement("shapes/own", "build/pipegs shapes --design fast --runs 24 --json", MODEL, points=("fast",),
                 chart="shapes_own.svg"),
-    Measurement("accuracy/own", f"build/pipegs accuracy --design fast --knobs {','.join(KNOBS)} --points 0 "
-                "--out accuracy/own --json", MODEL, points=("fast",)),
+    Measurement("accuracy/own", f"build/pipegs accuracy --design exact --knobs {','.join(KNOBS)} --points 0 "
+                "--out accuracy/own --json", MODEL, points=("exact",)),
     Measurement("accuracy/leave_one_out", "build/verif/silicon/silicon_test '--gtest_filter=*LeaveOneOut*'",
-                ("synth",), read=leave_one_out),
+                ("synth",), targets=("silicon_test",), read=leave_one_out),
     *[Measurement(f"tradeoff/{scene}", f"build/pipegs tradeoff {{scene}} --together {TOGETHER} --json", MODEL, scene,
                   points=("fast",), chart=f"tradeoff/{scene}.svg") for scene in CHARTED],
     *[Measurement(f"rivals/{scene}", "build/pipegs rivals {scene} --json", (*MODEL, "rivals"), scene,
@@ -120,10 +122,11 @@ TABLE = [
                 ("models", "page"), points=("fast",)),
     # Tests that print what they measure.
     Measurement("prints/all", f"ctest --test-dir build/. -R '^({'|'.join(PRINTS)})$' -V", ("rtl", "models"),
-                read=printed),
+                targets=tuple(f"{name}_test" for name in PRINTS), read=printed),
     Measurement("prints/golden", "build/verif/frame/golden_test --gtest_output=xml:/dev/stdout", ("models",),
-                read=golden),
-    Measurement("prints/stability", "ctest --test-dir build/. -R ^stability_ -LE long -V", RTL, read=stability),
+                targets=("golden_test",), read=golden),
+    Measurement("prints/stability", "ctest --test-dir build/. -R ^stability_ -LE long -V", RTL,
+                targets=tuple(f"stability_{name}_test" for name in STABILITY), read=stability),
     # Frames of the RTL, every beat and pixel compared.
     Measurement("rtl/own", "build/pipegs ladder {scene} --json", RTL, points=POINTS, chart="ladder_own.svg"),
     *[Measurement(f"rtl/terrace_{point}", f"build/pipegs sim {{scene}} --design {point} --json", RTL, "terrace",
@@ -136,7 +139,7 @@ TABLE = [
       for scene in CHARTED],
     Measurement("silicon/dop_sky130", "build/pipegs silicon --design dop --library sky130hd_tt --no-energy --json",
                 ("rtl", "synth"), points=("dop",)),
-    *[Measurement(f"memories/{name}", f"synth/memories.sh {settings}".rstrip(), ("rtl", "models"))
+    *[Measurement(f"memories/{name}", f"synth/memories.sh {settings}".rstrip(), ("rtl", "models"), targets=("package_sv",))
       for name, settings in MEMORIES.items()],
     *[Measurement(f"fpga/fast_{family}_{units}", "synth/fpga/fpga.py --build build/. --design fast "
                   f"--units {units} --families {family} --json", ("rtl", "fpga"), points=("fast",))

@@ -133,7 +133,7 @@ ladder = "docs/cycles/ladder.md"
 program_fails_on("a digit of a page", ladder, lambda text: re.sub(r"(\| `exact` \| \d)", r"\g<1>9", text, count=1))
 program_fails_on(
     "a figure of the data",
-    "docs/data/ladder.json",
+    "docs/data/model.json",
     lambda text: re.sub(r'("cycles": \d)', r"\g<1>9", text, count=1),
 )
 program_fails_on("a figure outside markers", ladder, lambda text: text + "\nIt takes 12 345 cycles.\n")

@@ -10,7 +10,7 @@ FOUND = data.accuracy.own
 def base():
     """The base of the sweep."""
     return listing(
-        "`fast`",
+        "`exact`",
         [("our own scene", FOUND.base)],
         ("numeric dB", "numeric.psnr_db", fixed, 2),
         ("order dB", "order.psnr_db", fixed, 2),
@@ -36,6 +36,11 @@ def value(knob, label):
 def loses(knob, label):
     """Numeric decibels below the base."""
     return f"{FOUND.base.numeric.psnr_db - value(knob, label).numeric.psnr_db:.1f} dB"
+
+
+def gains(knob, label):
+    """Numeric decibels above the base."""
+    return f"{value(knob, label).numeric.psnr_db - FOUND.base.numeric.psnr_db:.1f} dB"
 
 
 def more(knob, label):
