@@ -139,7 +139,8 @@ TABLE = [
       for scene in CHARTED],
     Measurement("silicon/dop_sky130", "build/pipegs silicon --design dop --library sky130hd_tt --no-energy --json",
                 ("rtl", "synth"), points=("dop",)),
-    *[Measurement(f"memories/{name}", f"synth/memories.sh {settings}".rstrip(), ("rtl", "models"), targets=("package_sv",))
+    *[Measurement(f"memories/{name}", f"synth/memories.sh {settings}".rstrip(), ("rtl", "models"),
+                  targets=("package_sv",))
       for name, settings in MEMORIES.items()],
     *[Measurement(f"fpga/fast_{family}_{units}", "synth/fpga/fpga.py --build build/. --design fast "
                   f"--units {units} --families {family} --json", ("rtl", "fpga"), points=("fast",))

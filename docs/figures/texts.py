@@ -68,7 +68,7 @@ def tables(text):
 
 
 def agreement(text):
-    """Of `pipegs dram`: by simulator the number of runs, and how far ours are from them, per cent, the largest first."""
+    """Of `pipegs dram`: by simulator the number of runs, and the two largest differences, per cent."""
     ((_, _, *rows),) = tables(text)
     found = {}
     for source, _, trace, *_, difference, _, _ in rows:
@@ -99,7 +99,7 @@ def golden(text):
 
 
 def leave_one_out(text):
-    """Of the models of area, clock and energy: by what is predicted, the largest errors of points left out, per cent."""
+    """Of the models of area, clock and energy: the largest errors of points left out, per cent."""
 
     def largest(pattern):
         return max(abs(float(one)) for one in re.findall(pattern, text))
