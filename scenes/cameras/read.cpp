@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "scenes/cameras/forms.hpp"
+#include "scenes/colmap/colmap.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/text/json.hpp"
 
@@ -57,7 +58,7 @@ std::vector<Camera> parse_cameras(const std::string& file, std::string_view text
 std::vector<Camera> read_cameras(const std::filesystem::path& path, const CameraReading& reading) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored) || is_colmap_name(path))
-    return sized(colmap_folder_cameras(path, reading), reading);
+    return sized(colmap_folder_cameras(path, reading.ignore_distortion), reading);
   return sized(cameras_of(path.string(), read_json<Json>(path, "a file of cameras"), reading), reading);
 }
 

@@ -2,13 +2,14 @@
 // colmap: lenses and poses become cameras, and the folder is looked through; see colmap.hpp.
 //
 // Rule    Every pose names a lens that is there and a photograph that is there, each id and each name once; at least
-//         two photographs, because one is held out; at least one camera has a point before it.
+//         two photographs of a folder to train on, because one is held out; at least one camera has a point before it.
 #include "scenes/colmap/colmap.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <set>
 
@@ -21,14 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 32;
-
-glm::dmat3 rotation_of(const glm::dvec4& quaternion) {
-  const glm::dvec4 q = quaternion / glm::length(quaternion);
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  return {{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-          {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-          {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
-}
 
 void check_pose(const std::string& file, const std::string& where, const ColmapPose& pose) {
   for (int i = 0; i < 3; ++i) {
@@ -48,16 +41,37 @@ void check_pose(const std::string& file, const std::string& where, const ColmapP
                      fmt::format("found {}, expected the name of a file in the folder images", quote(pose.name)));
 }
 
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+// Where the model lies in a folder.
+fs::path model_of(const fs::path& folder) {
+  for (const char* inside : {"sparse/0", "sparse"}) {
+    if (is_folder(folder / inside)) return folder / inside;
+  }
+  return folder;
+}
+
 // The file `name` of the model, .bin before .txt as COLMAP itself reads them.
 fs::path model_file(const fs::path& model, const std::string& name) {
-  const fs::path binary = model / (name + ".bin"), text = model / (name + ".txt");
   std::error_code ignored;
-  if (fs::exists(binary, ignored)) return binary;
-  if (fs::exists(text, ignored)) return text;
-  throw InputError(model.string(), "", fmt::format("found neither {0}.bin nor {0}.txt, expected COLMAP's model", name));
+  for (const char* ending : {".bin", ".txt"}) {
+    if (fs::exists(model / (name + ending), ignored)) return model / (name + ending);
+  }
+  throw InputError(model.string(), "",
+                   fmt::format("found a folder without {0}.bin and {0}.txt, expected COLMAP's model in it, in its "
+                               "sparse or in its sparse/0",
+                               name));
 }
 
 std::string read_file(const fs::path& path) { return read_text_file(path, "a file of COLMAP's model", kMostBytes); }
+
+std::vector<Camera> cameras_of(const fs::path& lens_file, const fs::path& pose_file, bool ignore_distortion) {
+  const auto lenses = parse_colmap_lenses(lens_file.string(), read_file(lens_file), ignore_distortion);
+  return colmap_cameras(pose_file.string(), lenses, parse_colmap_poses(pose_file.string(), read_file(pose_file)));
+}
 
 void check_something_seen(const fs::path& file, const ColmapFolder& folder) {
   for (const Camera& camera : folder.cameras) {
@@ -90,7 +104,8 @@ std::vector<Camera> colmap_cameras(const std::string& file, const std::vector<Co
     camera.name = pose.name;
     camera.width = of.width;
     camera.height = of.height;
-    camera.world_to_camera = rotation_of(pose.rotation);
+    const glm::dvec4 q = pose.rotation / glm::length(pose.rotation);
+    camera.world_to_camera = glm::mat3_cast(glm::dquat(q[0], q[1], q[2], q[3]));
     camera.position = -(glm::transpose(camera.world_to_camera) * pose.translation);
     camera.fx = of.fx;
     camera.fy = of.fy;
@@ -103,30 +118,38 @@ std::vector<Camera> colmap_cameras(const std::string& file, const std::vector<Co
   return cameras;
 }
 
+bool is_colmap_name(const fs::path& path) {
+  const std::string ending = path.extension().string(), stem = path.stem().string();
+  return (ending == ".bin" || ending == ".txt") && (stem == "cameras" || stem == "images");
+}
+
+std::vector<Camera> colmap_folder_cameras(const fs::path& path, bool ignore_distortion) {
+  const bool folder = is_folder(path);
+  const fs::path model = folder ? model_of(path) : path.parent_path();
+  const auto file = [&](const std::string& name) {
+    return folder ? model_file(model, name) : model / (name + path.extension().string());
+  };
+  const std::vector<Camera> cameras = cameras_of(file("cameras"), file("images"), ignore_distortion);
+  if (cameras.empty()) throw InputError(file("images").string(), "", "found no photograph, expected at least one");
+  return cameras;
+}
+
 ColmapFolder read_colmap(const fs::path& folder) {
-  std::error_code ignored;
-  const fs::path sparse = folder / "sparse", model = fs::is_directory(sparse / "0", ignored) ? sparse / "0" : sparse;
-  if (!fs::is_directory(model, ignored))
-    throw InputError(folder.string(), "", "found no folder sparse/0, expected COLMAP's model there");
+  const fs::path model = model_of(folder);
+  if (model == folder) throw InputError(folder.string(), "", "found no folder sparse/0, expected COLMAP's model there");
   const fs::path lens_file = model_file(model, "cameras"), pose_file = model_file(model, "images"),
                  point_file = model_file(model, "points3D");
   ColmapFolder found;
   found.images = folder / "images";
-  if (!fs::is_directory(found.images, ignored))
+  if (!is_folder(found.images))
     throw InputError(folder.string(), "", "found no folder images, expected the photographs there");
-  const std::vector<ColmapLens> lenses = parse_colmap_lenses(lens_file.string(), read_file(lens_file));
-  const std::vector<ColmapPose> poses = parse_colmap_poses(pose_file.string(), read_file(pose_file));
-  std::set<std::uint32_t> ids;
-  for (const ColmapLens& lens : lenses) {
-    if (!ids.insert(lens.id).second)
-      throw InputError(lens_file.string(), "", fmt::format("found camera id {} twice, expected it once", lens.id));
-  }
-  found.cameras = colmap_cameras(pose_file.string(), lenses, poses);
+  found.cameras = cameras_of(lens_file, pose_file, false);
   if (found.cameras.size() < 2) {
     throw InputError(pose_file.string(), "",
                      fmt::format("found {} photographs, expected at least two", found.cameras.size()));
   }
   for (const Camera& camera : found.cameras) {
+    std::error_code ignored;
     if (!fs::is_regular_file(found.images / camera.name, ignored))
       throw InputError(pose_file.string(), fmt::format("image {}", quote(camera.name)),
                        fmt::format("found no photograph of this name in {}", quote(found.images.string())));

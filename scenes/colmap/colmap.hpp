@@ -50,7 +50,14 @@ struct ColmapFolder {
 inline constexpr std::size_t kFewestPoints = 4;  // three neighbours of each are needed
 inline constexpr double kFarthestPoint = 1e9;    // of a coordinate: its square is far from the end of a float
 
+// A folder of photographs to train on: all of it must be there.
 ColmapFolder read_colmap(const std::filesystem::path& folder);
+
+// The cameras alone, without points and photographs. `path` is a folder, whose model may lie in sparse/0, in sparse or
+// in it, or cameras.bin, cameras.txt, images.bin or images.txt of a model.
+std::vector<Camera> colmap_folder_cameras(const std::filesystem::path& path, bool ignore_distortion);
+// Whether COLMAP gives a file this name; its binary files have nothing else by which to tell them.
+bool is_colmap_name(const std::filesystem::path& path);
 
 // The parts, of a file's bytes; `file` is their name in errors and says by its ending, .txt or .bin, what they are.
 std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes,

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // colmap_files: the three files, each in both of its forms; see colmap.hpp.
 //
-// Layout  Binary, little-endian, each file a count and then its records:
-//           cameras   id u32, model i32, width u64, height u64, parameters f64
-//           images    id u32, q f64 x 4 (w first), t f64 x 3, camera u32, name to a 0, count, points of 24 bytes
-//           points3D  id u64, position f64 x 3, colour u8 x 3, error f64, count, a track of 8 bytes for each
-//         Text: the same by words, # begins a comment; an image takes two lines, the second of its 2D points, which may
-//         be empty. What the points were seen in is skipped.
+// Layout  Records one behind the other, of the same fields in both forms:
+//           cameras   id, model, width, height, parameters
+//           images    id, quaternion (w first), translation, camera, name, the 2D points that it saw
+//           points3D  id, position, colour, error, the track of images that saw it
+//         Binary, little-endian, with the number of records before them: ids of 32 bits (of points 64), sizes of 64,
+//         the model as an i32, reals as f64, colours as u8, a name up to a 0; 2D points and tracks are a count, then
+//         24 or 8 bytes each. Text: words, a line for each record, # begins a comment; an image takes a second line of
+//         its 2D points, which may be empty. What the points were seen in is skipped.
+// Idea    LineFields and ByteFields give the fields of a record in their order, so each file has one parser.
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <concepts>
+#include <set>
 #include <span>
 
-#include "scenes/packed/byte_reader.hpp"
 #include "scenes/colmap/colmap.hpp"
-#include "scenes/colmap/colmap_words.hpp"
+#include "scenes/input_error.hpp"
+#include "scenes/packed/byte_reader.hpp"
+#include "scenes/text/number.hpp"
 #include "scenes/text/text_file.hpp"
 
 namespace pipegs {
 namespace {
 
+constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kModels[] = {"SIMPLE_PINHOLE",
                                         "PINHOLE",
                                         "SIMPLE_RADIAL",
@@ -33,7 +39,117 @@ constexpr std::string_view kModels[] = {"SIMPLE_PINHOLE",
                                         "THIN_PRISM_FISHEYE",
                                         "RAD_TAN_THIN_PRISM_FISHEYE"};
 
-bool is_text(const std::string& file) { return file.ends_with(".txt"); }
+class LineFields {
+ public:
+  LineFields(const std::string& file, std::string_view text, const char*, std::size_t)
+      : file_(file), lines_(lines_of(text)) {}
+
+  // To the next record; false when there is none.
+  bool next() {
+    while (read_ < lines_.size()) {
+      rest_ = lines_[read_++];
+      if (const std::size_t first = rest_.find_first_not_of(kBlanks); first != rest_.npos && rest_[first] != '#')
+        return true;
+    }
+    return false;
+  }
+  std::string where() const { return fmt::format("line {}", read_); }
+
+  template <std::integral T>
+  T integer(std::string_view field) {
+    const std::string_view taken = word(field);
+    try {
+      return parse_integer<T>(taken);
+    } catch (const NumberError& error) { fail(field, error.what()); }
+  }
+  double real(std::string_view field) {
+    const std::string_view taken = word(field);
+    try {
+      return parse_real(taken);
+    } catch (const NumberError& error) { fail(field, error.what()); }
+  }
+  std::string model() { return std::string(word("model")); }
+  // All that is left of the line, without the blanks round it.
+  std::string name() {
+    const std::size_t begin = rest_.find_first_not_of(kBlanks), end = rest_.find_last_not_of(kBlanks);
+    if (begin == rest_.npos) fail("name", "found the end of the line, expected a name");
+    return std::string(rest_.substr(begin, end + 1 - begin));
+  }
+  void end_of_lens(std::size_t parameters) const {
+    if (rest_.find_first_not_of(kBlanks) != rest_.npos)
+      fail("parameters", fmt::format("found more than {}, expected no more", parameters));
+  }
+  void skip_seen() { ++read_; }
+  void skip_track() {}
+
+ private:
+  std::string_view word(std::string_view field) {
+    const std::size_t begin = rest_.find_first_not_of(kBlanks);
+    if (begin == rest_.npos) fail(field, "found the end of the line, expected a value");
+    const std::size_t end = std::min(rest_.find_first_of(kBlanks, begin), rest_.size());
+    const std::string_view taken = rest_.substr(begin, end - begin);
+    rest_.remove_prefix(end);
+    return taken;
+  }
+  [[noreturn]] void fail(std::string_view field, std::string_view what) const {
+    throw InputError(file_, fmt::format("{}, {}", where(), field), what);
+  }
+
+  const std::string& file_;
+  std::vector<std::string_view> lines_;
+  std::size_t read_ = 0;  // lines
+  std::string_view rest_;
+};
+
+class ByteFields {
+ public:
+  // `least` bytes are in each `record` ("camera").
+  ByteFields(const std::string& file, std::string_view bytes, const char* record, std::size_t least)
+      : bytes_(file, bytes), record_(record), count_(bytes_.count(least, fmt::format("number of {}s", record))) {}
+
+  bool next() {
+    if (read_++ < count_) return true;
+    if (bytes_.remaining() == 0) return false;
+    throw InputError(bytes_.file(), "end",
+                     fmt::format("found {} bytes behind the last record, expected none", bytes_.remaining()));
+  }
+  std::string where() const { return fmt::format("{} {}", record_, read_ - 1); }
+
+  template <std::integral T>
+  T integer(std::string_view field) {
+    return bytes_.take<T>(at(field));
+  }
+  double real(std::string_view field) { return bytes_.take<double>(at(field)); }
+  std::string model() {
+    const auto number = integer<std::int32_t>("model");
+    const bool known = number >= 0 && static_cast<std::size_t>(number) < std::size(kModels);
+    return known ? std::string(kModels[number]) : fmt::format("model {}", number);
+  }
+  std::string name() { return bytes_.text(at("name")); }
+  void end_of_lens(std::size_t) const {}
+  void skip_seen() { skip_list(24, "number of points"); }
+  void skip_track() {
+    real("error");
+    skip_list(8, "length of track");
+  }
+
+ private:
+  std::string at(std::string_view field) const { return fmt::format("{}, {}", where(), field); }
+  void skip_list(std::size_t size, std::string_view field) {
+    bytes_.skip(size * bytes_.count(size, at(field)), at(field));
+  }
+
+  ByteReader bytes_;
+  const char* record_;
+  std::uint64_t count_, read_ = 0;
+};
+
+// Calls parse(fields) with those of the file's form.
+template <class Parse>
+auto parsed(const std::string& file, std::string_view bytes, const char* record, std::size_t least, Parse&& parse) {
+  return file.ends_with(".txt") ? parse(LineFields(file, bytes, record, least))
+                                : parse(ByteFields(file, bytes, record, least));
+}
 
 // How many focal lengths and how many other parameters a model has; the principal point stands between them.
 struct Parameters {
@@ -80,155 +196,62 @@ ColmapLens lens_of(const std::string& file, const std::string& where, std::uint3
           real("cy", p[axes + 1], kFinite)};
 }
 
-// The lines that hold something, but comments; visit(number, line) gets the number for errors, from 1.
-template <class Visit>
-void for_each_line(std::string_view text, Visit&& visit) {
-  int number = 0;
-  for (const std::string_view line : lines_of(text)) {
-    ++number;
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first == std::string_view::npos || line[first] == '#') continue;
-    visit(number, line);
-  }
-}
-
-void check_end(const ByteReader& bytes) {
-  if (bytes.remaining() > 0)
-    throw InputError(bytes.file(), "end",
-                     fmt::format("found {} bytes behind the last record, expected none", bytes.remaining()));
-}
-
-std::vector<ColmapLens> lenses_of_text(const std::string& file, std::string_view text, bool ignore_distortion) {
-  std::vector<ColmapLens> lenses;
-  for_each_line(text, [&](int number, std::string_view line) {
-    const std::string where = fmt::format("line {}", number);
-    ColmapWords words(file, where, line);
-    const auto id = words.integer<std::uint32_t>("camera id");
-    const Parameters kind = parameters_of(file, where, words.word("model"), ignore_distortion);
-    std::vector<double> parameters(kind.all());
-    const auto width = words.integer<std::uint64_t>("width"), height = words.integer<std::uint64_t>("height");
-    for (double& parameter : parameters) parameter = words.real("parameters");
-    if (!words.empty())
-      words.fail("parameters", fmt::format("found more than {}, expected no more", parameters.size()));
-    lenses.push_back(lens_of(file, where, id, width, height, parameters, kind.focal));
-  });
-  return lenses;
-}
-
-std::vector<ColmapPose> poses_of_text(const std::string& file, std::string_view text) {
-  std::vector<ColmapPose> poses;
-  int number = 0;
-  bool points_follow = false;
-  for (const std::string_view line : lines_of(text)) {
-    ++number;
-    // An empty line is an image without points when it follows one, and no line anywhere else.
-    if (points_follow) {
-      points_follow = false;
-      continue;
-    }
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first == std::string_view::npos || line[first] == '#') continue;
-    ColmapWords words(file, fmt::format("line {}", number), line);
-    ColmapPose& pose = poses.emplace_back();
-    pose.id = words.integer<std::uint32_t>("image id");
-    for (int i = 0; i < 4; ++i) pose.rotation[i] = words.real("rotation");
-    for (int i = 0; i < 3; ++i) pose.translation[i] = words.real("translation");
-    pose.lens = words.integer<std::uint32_t>("camera id");
-    pose.name = words.tail("name");
-    points_follow = true;
-  }
-  return poses;
-}
-
-std::vector<ScenePoint> points_of_text(const std::string& file, std::string_view text) {
-  std::vector<ScenePoint> points;
-  for_each_line(text, [&](int number, std::string_view line) {
-    ColmapWords words(file, fmt::format("line {}", number), line);
-    words.word("point id");
-    ScenePoint& point = points.emplace_back();
-    for (int i = 0; i < 3; ++i) point.position[i] = words.real("position");
-    for (int i = 0; i < 3; ++i) point.color[i] = static_cast<std::uint8_t>(words.integer<int>("colour", 0, 255));
-  });
-  return points;
-}
-
-std::vector<ColmapLens> lenses_of_bytes(const std::string& file, std::string_view data, bool ignore_distortion) {
-  ByteReader bytes(file, data);
-  std::vector<ColmapLens> lenses;
-  const std::uint64_t count = bytes.count(24 + 3 * 8, "number of cameras");
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const std::string where = fmt::format("camera {}", i);
-    const auto id = bytes.take<std::uint32_t>(where);
-    const auto model = bytes.take<std::int32_t>(where);
-    const auto width = bytes.take<std::uint64_t>(where), height = bytes.take<std::uint64_t>(where);
-    const bool known = model >= 0 && static_cast<std::size_t>(model) < std::size(kModels);
-    const Parameters kind = parameters_of(
-        file, where, known ? std::string(kModels[model]) : fmt::format("model {}", model), ignore_distortion);
-    std::vector<double> parameters(kind.all());
-    for (double& parameter : parameters) parameter = bytes.take<double>(where);
-    lenses.push_back(lens_of(file, where, id, width, height, parameters, kind.focal));
-  }
-  check_end(bytes);
-  return lenses;
-}
-
-std::vector<ColmapPose> poses_of_bytes(const std::string& file, std::string_view data) {
-  ByteReader bytes(file, data);
-  std::vector<ColmapPose> poses;
-  const std::uint64_t count = bytes.count(4 + 7 * 8 + 4 + 1 + 8, "number of images");
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const std::string where = fmt::format("image {}", i);
-    ColmapPose& pose = poses.emplace_back();
-    pose.id = bytes.take<std::uint32_t>(where);
-    for (int k = 0; k < 4; ++k) pose.rotation[k] = bytes.take<double>(where);
-    for (int k = 0; k < 3; ++k) pose.translation[k] = bytes.take<double>(where);
-    pose.lens = bytes.take<std::uint32_t>(where);
-    pose.name = bytes.text(where + ", name");
-    bytes.skip(24 * bytes.count(24, where + ", number of points"), where);
-  }
-  check_end(bytes);
-  return poses;
-}
-
-std::vector<ScenePoint> points_of_bytes(const std::string& file, std::string_view data) {
-  ByteReader bytes(file, data);
-  std::vector<ScenePoint> points;
-  const std::uint64_t count = bytes.count(8 + 3 * 8 + 3 + 8 + 8, "number of points");
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const std::string where = fmt::format("point {}", i);
-    ScenePoint& point = points.emplace_back();
-    bytes.skip(8, where);
-    for (int k = 0; k < 3; ++k) point.position[k] = bytes.take<double>(where);
-    for (int k = 0; k < 3; ++k) point.color[k] = bytes.take<std::uint8_t>(where);
-    bytes.skip(8, where);
-    bytes.skip(8 * bytes.count(8, where + ", length of track"), where);
-  }
-  check_end(bytes);
-  return points;
-}
-
 }  // namespace
 
 std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes, bool ignore_distortion) {
-  return is_text(file) ? lenses_of_text(file, bytes, ignore_distortion)
-                       : lenses_of_bytes(file, bytes, ignore_distortion);
+  return parsed(file, bytes, "camera", 24 + 3 * 8, [&](auto fields) {
+    std::vector<ColmapLens> lenses;
+    std::set<std::uint32_t> ids;
+    while (fields.next()) {
+      const std::string where = fields.where();
+      const auto id = fields.template integer<std::uint32_t>("camera id");
+      const Parameters kind = parameters_of(file, where, fields.model(), ignore_distortion);
+      const auto width = fields.template integer<std::uint64_t>("width"),
+                 height = fields.template integer<std::uint64_t>("height");
+      std::vector<double> parameters(kind.all());
+      for (double& parameter : parameters) parameter = fields.real("parameters");
+      fields.end_of_lens(parameters.size());
+      lenses.push_back(lens_of(file, where, id, width, height, parameters, kind.focal));
+      if (!ids.insert(id).second)
+        throw InputError(file, where, fmt::format("found camera id {} twice, expected it once", id));
+    }
+    return lenses;
+  });
 }
 
 std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes) {
-  return is_text(file) ? poses_of_text(file, bytes) : poses_of_bytes(file, bytes);
+  return parsed(file, bytes, "image", 4 + 7 * 8 + 4 + 1 + 8, [](auto fields) {
+    std::vector<ColmapPose> poses;
+    while (fields.next()) {
+      ColmapPose& pose = poses.emplace_back();
+      pose.id = fields.template integer<std::uint32_t>("image id");
+      for (int i = 0; i < 4; ++i) pose.rotation[i] = fields.real("rotation");
+      for (int i = 0; i < 3; ++i) pose.translation[i] = fields.real("translation");
+      pose.lens = fields.template integer<std::uint32_t>("camera id");
+      pose.name = fields.name();
+      fields.skip_seen();
+    }
+    return poses;
+  });
 }
 
 std::vector<ScenePoint> parse_colmap_points(const std::string& file, std::string_view bytes) {
-  std::vector<ScenePoint> points = is_text(file) ? points_of_text(file, bytes) : points_of_bytes(file, bytes);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double value = points[i].position[axis];
-      if (std::abs(value) <= kFarthestPoint) continue;  // NaN fails
-      throw InputError(file, fmt::format("point {}, position", i),
-                       fmt::format("found {}, expected a number of at most {:g}", value, kFarthestPoint));
+  return parsed(file, bytes, "point", 8 + 3 * 8 + 3 + 8 + 8, [&](auto fields) {
+    std::vector<ScenePoint> points;
+    while (fields.next()) {
+      fields.template integer<std::uint64_t>("point id");
+      ScenePoint& point = points.emplace_back();
+      for (int i = 0; i < 3; ++i) {
+        point.position[i] = fields.real("position");
+        if (std::abs(point.position[i]) <= kFarthestPoint) continue;  // NaN fails
+        throw InputError(file, fields.where() + ", position",
+                         fmt::format("found {}, expected a number of at most {:g}", point.position[i], kFarthestPoint));
+      }
+      for (int i = 0; i < 3; ++i) point.color[i] = fields.template integer<std::uint8_t>("colour");
+      fields.skip_track();
     }
-  }
-  return points;
+    return points;
+  });
 }
 
 }  // namespace pipegs

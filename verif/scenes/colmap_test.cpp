@@ -122,8 +122,8 @@ TEST(Colmap, WhatIsMissingIsNamed) {
     expect_one_line([&] { read_colmap(scratch / ""); }, words);
   };
   refused_without("sparse", {"sparse/0"});
-  refused_without("sparse/0/cameras.bin", {"neither cameras.bin nor cameras.txt"});
-  refused_without("sparse/0/points3D.bin", {"neither points3D.bin nor points3D.txt"});
+  refused_without("sparse/0/cameras.bin", {"without cameras.bin and cameras.txt"});
+  refused_without("sparse/0/points3D.bin", {"without points3D.bin and points3D.txt"});
   refused_without("images", {"no folder images"});
   refused_without("images/a.png", {"images.bin", "'a.png'", "no photograph of this name"});
   expect_one_line([] { read_colmap("/nowhere"); }, {"/nowhere", "sparse/0"});
