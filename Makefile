@@ -63,8 +63,9 @@ fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, nine targets o
 bench: build  ## speed of golden model and RTL on our own scene, apart from the tests
 	$(BUILD)/pipegs sim --no-truth --out $(BUILD)/bench --json | grep -A 5 wall_seconds
 
-figures: build  ## measure what is older than the sources and fill the pages of docs: PAGE=ladder, ONLY='sweep/*', ALL=1
-	BUILD=$(BUILD) python3 -B docs/figures $(if $(PAGE),--page $(PAGE)) $(if $(ONLY),--only '$(ONLY)') $(if $(ALL),--all)
+figures: build  ## measure what is cheap or older than the sources, fill pages: CLASS=a,b PAGE=ladder ONLY='bus/*' ALL=1
+	BUILD=$(BUILD) python3 -B docs/figures $(if $(CLASS),--classes $(CLASS)) $(if $(PAGE),--page $(PAGE)) \
+	  $(if $(ONLY),--only '$(ONLY)') $(if $(ALL),--all)
 
 site:  ## the pages as a site with search: build/site/html; `python3 -m http.server -d build/site/html` shows it
 	@$(call INSTALL,$(SITE))

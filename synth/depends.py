@@ -108,10 +108,10 @@ def main():
     parser.add_argument("--out", default=f"{synth.HERE}/data/depends.csv", help="the table")
     options = parser.parse_args()
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), 1)
-    found, line = collections.defaultdict(set), points.csv_line("synth/data/depends.csv")
+    found, line = collections.defaultdict(set), points.tables.whole_line("synth/data/depends.csv")
     for design_point in DESIGN_POINTS:
         own = points.package(options.build, design_point)
-        base = digests(points.elaborated(jobs, own)[1])
+        base = digests(synth.elaborate(jobs, own))
         for block in base:
             found[block] |= set()
         for number, knob in enumerate(KNOBS, 1):
@@ -119,7 +119,7 @@ def main():
             if printed in (None, own):
                 continue
             print(f"{design_point}: {number} of {len(KNOBS)}: {knob}", flush=True)
-            moved = digests(points.elaborated(jobs, printed)[1])
+            moved = digests(synth.elaborate(jobs, printed))
             for block in base:
                 if depends(base[block], moved.get(block, {}), copies(own), copies(printed)):
                     found[block].add(knob.split("=")[0])

@@ -27,7 +27,7 @@ import timing
 from jobs import Failed, Jobs
 
 sys.path.append(f"{synth.ROOT}/docs/figures")
-from sources import csv_line  # noqa: E402  (what tables are measured with)
+import tables  # noqa: E402  (what they are measured with)
 
 HEAD = "configuration,unit,block,instances,nand2,flipflops"
 PATHS_HEAD = "configuration,unit,path_fo4"
@@ -61,9 +61,9 @@ def package(build, text):
         raise Failed(f"{text}: {failed}") from None
 
 
-def elaborated(jobs, printed):
-    """The name of a configuration, and its modules; printed: its package."""
-    return re.search(r"Configuration: (\S+)\.", printed)[1], synth.elaborate(jobs, printed)
+def name_of(printed):
+    """The name of a configuration; printed: its package."""
+    return re.search(r"Configuration: (\S+)\.", printed)[1]
 
 
 def longest_paths(machine, modules, netlists):
@@ -94,9 +94,9 @@ def longest_paths(machine, modules, netlists):
     return dict(sorted(longest.items()))
 
 
-def point(machine, build, text):
+def point(machine, printed):
     """The lines of one configuration in both tables."""
-    configuration, modules = elaborated(machine.jobs, package(build, text))
+    configuration, modules = name_of(printed), synth.elaborate(machine.jobs, printed)
     netlists = machine.netlists(modules, [synth.TOP])
     areas = {name: gate.area(machine.library) / machine.library.nand.area for name, gate in netlists.items()}
     flipflops = {name: gate.flipflops(machine.library) for name, gate in netlists.items()}
@@ -111,7 +111,20 @@ def point(machine, build, text):
         for (unit, block), (count, nand2, flops) in sorted(rows.items())
     ]
     paths = longest_paths(machine, modules, netlists)
-    return blocks, [f'"{configuration}",{unit},{fo4:.2f}' for unit, fo4 in paths.items()]
+    line = tables.point_line(configuration, {block for _, block in rows})
+    return [line, *blocks], [line, *(f'"{configuration}",{unit},{fo4:.2f}' for unit, fo4 in paths.items())]
+
+
+def measured(*paths):
+    """{configuration: its lines in both tables}, and those that today's sources would give again."""
+    rows = [tables.rows_of(path) for path in paths]
+    lines = [tables.today(path) for path in paths]
+    known = {
+        name: [[line for line in (of[name][0], *of[name][1]) if line] for of in rows]
+        for name in rows[0]
+        if all(name in of for of in rows)
+    }
+    return known, {name for name in known if all(of[name][0] == now[name] for of, now in zip(rows, lines))}
 
 
 def main():
@@ -133,15 +146,17 @@ def main():
     machine = synth.Machine(
         Jobs(os.path.abspath(f"{options.build}/synth/cache"), options.jobs), liberty.Library(options.liberty), 20
     )
-    lines = [csv_line("synth/data/points.csv"), HEAD]  # the sources of now: what changes meanwhile is not in it
-    path_lines = [csv_line("synth/data/paths.csv"), PATHS_HEAD]
-    for number, text in enumerate(points, 1):
-        print(f"{number} of {len(points)}: {text}", flush=True)
-        blocks, paths = point(machine, options.build, text)
-        lines += blocks
-        path_lines += paths
-        synth.write_new(options.out, "\n".join(lines) + "\n")
-        synth.write_new(options.paths, "\n".join(path_lines) + "\n")
+    names = {text: package(options.build, text) for text in points}
+    names = {name_of(printed): (text, printed) for text, printed in names.items()}
+    known, fresh = ({}, set()) if options.points else measured(options.out, options.paths)
+    for number, (name, (text, printed)) in enumerate(names.items(), 1):
+        print(f"{number} of {len(names)}: {text}{': as new as the sources' if name in fresh else ''}", flush=True)
+        if name in fresh:
+            continue
+        known[name] = point(machine, printed)
+        both = zip(*(known[name] for name in names if name in known))
+        for path, head, parts in zip((options.out, options.paths), (HEAD, PATHS_HEAD), both):
+            synth.write_new(path, "\n".join([head, *(line for part in parts for line in part)]) + "\n")
 
 
 if __name__ == "__main__":

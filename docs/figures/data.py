@@ -11,7 +11,7 @@ import json
 import os
 import re
 
-from sources import ROOT
+from sources import MODULES, ROOT
 from tree import Figures, wrap
 
 FOLDER = ROOT / "docs/data"
@@ -20,7 +20,7 @@ NEXT = re.compile(r",\n\s+")
 
 def stored():
     """{name of a measurement: its entry}"""
-    files = sorted(FOLDER.glob("*.json"))
+    files = sorted(file for file in FOLDER.glob("*.json") if file != MODULES)
     return {f"{file.stem}/{name}": entry for file in files for name, entry in json.loads(file.read_text()).items()}
 
 

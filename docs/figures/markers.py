@@ -5,6 +5,7 @@ The expression sees the tree of figures, the formats, and the functions of the p
 pages/FOLDER/NAME.py. A text of several lines (a table) stands alone between blank lines, as Markdown wants it. Code
 of the page is left as it is.
 """
+import collections
 import functools
 import importlib
 import re
@@ -12,14 +13,17 @@ import sys
 from pathlib import Path
 
 import formats
+from measurements import TABLE
 from data import data, grow
 from sources import ROOT
+from tree import entries_read
 
 MARKER = re.compile(
     r"(?P<code>^```.*?^```|^ {4}[^\n]*|`[^`\n]+`)|<!--fig (?P<what>.*?)-->(?P<text>.*?)<!--/-->",
     re.DOTALL | re.MULTILINE,
 )
 OPENED = re.compile(r"<!--fig |<!--/-->")
+shown = {}  # the entries that the tree of figures holds
 
 
 class PageError(Exception):
@@ -49,8 +53,34 @@ def names_for(page):
 
 @functools.cache
 def value(page, expression):
-    """The text of a page's expression."""
-    return formats.text(eval(expression, names_for(page)))  # the page's own code, as in a template
+    """The text of a page's expression, and the names of the entries that it reads."""
+    entries_read.clear()
+    text = formats.text(eval(expression, names_for(page)))  # the page's own code, as in a template
+    return text, frozenset(entries_read)
+
+
+def mixed(names):
+    """Of entries that one figure or table is made of: which parts of the sources they have in different states."""
+    seen = collections.defaultdict(lambda: collections.defaultdict(list))
+    for name in sorted(names):
+        for part, state in shown[name]["by"].items():
+            seen[part][state].append(name)
+    return [
+        f"of {part} " + " and ".join(f"{state} ({', '.join(of)})" for state, of in states.items())
+        for part, states in seen.items()
+        if part != "command" and len(states) > 1
+    ]
+
+
+def measured_at(names):
+    """The line under a table that is not measured by every `make figures`: commits and dates, the oldest first."""
+    of = {one.name for one in TABLE if one.kind != "a"}
+    found = sorted({(shown[name]["date"], shown[name]["commit"]) for name in names if name in of})
+    if not found:
+        return ""
+    (first, old), (last, new) = found[0], found[-1]
+    commits = old if old == new else f"{old} to {new}"
+    return f"\n\nMeasured at {commits}, {first if first == last else f'{first} to {last}'}."
 
 
 def forget():
@@ -69,9 +99,11 @@ def render(page, content):
             return match[0]
         line = content.count("\n", 0, match.start()) + 1
         try:
-            text = value(page, match["what"])
+            text, names = value(page, match["what"])
         except Exception as error:
             raise PageError(f"{page}:{line}: {match['what']}: {error}") from error
+        if text.startswith("| "):
+            text += measured_at(names)
         text = f"\n\n{text}\n\n" if "\n" in text else text
         return f"<!--fig {match['what']}-->{text}<!--/-->"
 
@@ -99,5 +131,7 @@ def pages():
 def filled(entries):
     """({page: its text}, {name: node}): every page from these entries, and what was read of each."""
     forget()
+    shown.clear()
+    shown.update(entries)
     nodes = grow(entries)
     return {page: render(page, (ROOT / page).read_text()) for page in pages()}, nodes

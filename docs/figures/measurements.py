@@ -1,38 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is measured: for each entry of docs/data the command that gives it, and what measures it."""
-from collections.abc import Callable
-from dataclasses import dataclass
+"""What is measured: for each entry of docs/data the command that gives it, and what decides its figures."""
 from itertools import accumulate
 
+from measurement import Measurement
 from scenes import SIZES, VIEWS_OF_SIZE
-from sources import PHOTOGRAPHS
 from texts import PRINTS, agreement, controllers, difference, golden, leave_one_out, printed, proofs, shown, stability
 
 RTL = ("rtl", "models", "memory")
-MODEL = ("models", "timing", "memory")
+MODEL = ("models", "timing", "memory", "cost")
+PRICED = (*MODEL, "area")  # with areas and energies
 POINTS = ("gscore", "baseline", "dpc", "tspp", "dop", "late", "exact", "fast")
-
-
-@dataclass(frozen=True)
-class Measurement:
-    name: str  # FAMILY/ENTRY: the entry of docs/data/FAMILY.json
-    command: str  # as a page shows it; {scene}: the scene's file, cameras and view
-    by: tuple  # groups of sources.py that measure it
-    scene: str = "own"
-    view: int | None = 0  # None: the command names its views
-    points: tuple = ()  # design points
-    chart: str = ""  # docs/images/CHART is drawn, too
-    targets: tuple = ()  # of the build, that the command needs beside pipegs
-    read: Callable | None = None  # makes figures of a command's text; None: it prints JSON, whose keys are the figures
-    exit_codes: tuple = (0,)  # of a run that counts; 1 where what differs is the figure
-
-    def shown(self):
-        scene = f"{self.scene}.ply --cameras {self.scene}/cameras.json "
-        if self.scene in PHOTOGRAPHS:
-            scene = f"photos/{self.scene} "
-        scene += f"--view {self.view} " if self.view is not None else ""
-        shown = self.command.replace("{scene} ", "" if self.scene == "own" else scene)
-        return shown.replace("{reference}", "reference.png")
 
 
 # Tables: as many entries in a line as fit.
@@ -91,11 +68,11 @@ TABLE = [
     *[Measurement(f"large/{name}", f"build/pipegs model {{scene}} --design fast {change}--json", MODEL, "showroom",
                   points=("fast",)) for name, change in LARGE.items()],
     *[Measurement(f"walks/{scene}", f"build/pipegs sim {{scene}} --design fast --path {FRAMES} --no-rtl --frames none "
-                  f"--out paths/{scene} --json", (*MODEL, "path"), scene, None, ("fast",)) for scene in CHARTED],
+                  f"--out paths/{scene} --json", (*PRICED, "path"), scene, None, ("fast",)) for scene in CHARTED],
     *[Measurement(f"scale/sim_{name}", "build/pipegs sim {scene} --design fast --no-rtl --json", ("models",), scene,
-                  view, ("fast",)) for name, (scene, view) in SCALED.items()],
+                  view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
     *[Measurement(f"scale/model_{name}", "build/pipegs model {scene} --design fast --set records=4096 --json", MODEL,
-                  scene, view, ("fast",)) for name, (scene, view) in SCALED.items()],
+                  scene, view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
     *[Measurement(f"profile/{scene}", "build/pipegs profile {scene} --no-rtl --json", ("models", "cost"), scene,
                   points=("baseline",), chart="profile.svg" if scene == "own" else "") for scene in FOUR],
     *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", MODEL, scene, points=("fast",))
@@ -103,15 +80,15 @@ TABLE = [
     *[Measurement(f"truth/{scene}", "build/pipegs render {scene} --model truth --semantics inria "
                   f"--compare {{reference}} --out build/figures/truth", ("models",), scene, read=difference,
                   exit_codes=(0, 1)) for scene in ("terrace", "statue", "plushdog")],
-    Measurement("shapes/own", "build/pipegs shapes --design fast --runs 24 --json", MODEL, points=("fast",),
+    Measurement("shapes/own", "build/pipegs shapes --design fast --runs 24 --json", PRICED, points=("fast",),
                 chart="shapes_own.svg"),
     Measurement("accuracy/own", f"build/pipegs accuracy --design exact --knobs {','.join(KNOBS)} --points 0 "
-                "--out accuracy/own --json", MODEL, points=("exact",)),
+                "--out accuracy/own --json", PRICED, points=("exact",)),
     Measurement("accuracy/leave_one_out", "build/verif/silicon/silicon_test '--gtest_filter=*LeaveOneOut*'",
-                ("synth",), targets=("silicon_test",), read=leave_one_out),
-    *[Measurement(f"tradeoff/{scene}", f"build/pipegs tradeoff {{scene}} --together {TOGETHER} --json", MODEL, scene,
+                ("area",), targets=("silicon_test",), read=leave_one_out),
+    *[Measurement(f"tradeoff/{scene}", f"build/pipegs tradeoff {{scene}} --together {TOGETHER} --json", PRICED, scene,
                   points=("fast",), chart=f"tradeoff/{scene}.svg") for scene in CHARTED],
-    *[Measurement(f"rivals/{scene}", "build/pipegs rivals {scene} --json", (*MODEL, "rivals"), scene,
+    *[Measurement(f"rivals/{scene}", "build/pipegs rivals {scene} --json", PRICED, scene,
                   points=("dop", "fast"), chart="rivals/terrace.svg" if scene == "terrace" else "")
       for scene in CHARTED],
     Measurement("budget/random", "build/pipegs budget --design dop --count 1000000 --json", ("models",),
@@ -119,7 +96,7 @@ TABLE = [
     Measurement("dram/check", "build/pipegs dram", ("memory",), read=agreement),
     Measurement("dram/steps", "build/pipegs dram --mappings", ("memory",), read=controllers),
     Measurement("viewer/own", "verif/page/viewer.sh build/pipegs {scene} --scale 0.25 --no-rtl --no-truth",
-                ("models", "page"), points=("fast",)),
+                ("models", "page"), points=("fast",), differs="bytes: of the page"),
     # Tests that print what they measure.
     Measurement("prints/all", f"ctest --test-dir build/. -R '^({'|'.join(PRINTS)})$' -V", ("rtl", "models"),
                 targets=tuple(f"{name}_test" for name in PRINTS), read=printed),
@@ -135,12 +112,12 @@ TABLE = [
     Measurement("rtl/printed", "build/pipegs sim --out build/out", RTL, points=("fast",), read=shown),
     # Gates, proofs, training: minutes to hours each, on two cores.
     *[Measurement(f"silicon/{scene}_{point}", f"build/pipegs silicon {{scene}} --design {point} --json",
-                  (*RTL, "synth"), scene, points=(point,)) for point in ("fast", "dop", "exact", "baseline")
+                  (*RTL, "area", "synth"), scene, points=(point,)) for point in ("fast", "dop", "exact", "baseline")
       for scene in CHARTED],
     Measurement("silicon/dop_sky130", "build/pipegs silicon --design dop --library sky130hd_tt --no-energy --json",
                 ("rtl", "synth"), points=("dop",)),
     *[Measurement(f"memories/{name}", f"synth/memories.sh {settings}".rstrip(), ("rtl", "models"),
-                  targets=("package_sv",))
+                  points=("dop",), targets=("package_sv",))
       for name, settings in MEMORIES.items()],
     *[Measurement(f"fpga/fast_{family}_{units}", "synth/fpga/fpga.py --build build/. --design fast "
                   f"--units {units} --families {family} --json", ("rtl", "fpga"), points=("fast",))
@@ -148,7 +125,7 @@ TABLE = [
     Measurement("netlist/own_8_6", "build/pipegs sim --design dop --window 8,6 --netlist --no-truth --json",
                 (*RTL, "synth"), points=("dop",)),
     Measurement("proofs/all", "synth/prove.sh", ("rtl", "proofs"), read=proofs),
-    Measurement("loops/all", "verif/self/loop.sh", RTL),
+    Measurement("loops/all", "verif/self/loop.sh", RTL, alone=True),
     *[Measurement(f"trained/plush_{name}", f"build/pipegs train {{scene}} --steps 3000 --layers 8 {options} "
                   f"--out trained/{name} --json", (*MODEL, "train"), "plush", None, ("dop", "fast"))
       for name, options in TRAINED.items()],

@@ -1,37 +1,55 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What measures a figure, as short hashes: RTL, models, memory outside the chip, design points, and the scene's file.
+"""What decides a figure, by name, and the hash of each today.
 
 Only code counts. Comments, blanks, include lines and the folder that a file lies in change no figure, so they change no
-hash either.
+hash either; nor does what reads scenes, prints, or draws.
+
+    models          a group of GROUPS
+    study NAME      sim/studies/NAME without its test and its command
+    rtl MACHINE     the modules that the machine instantiates, as Verilator found them when it was measured last: a new
+                    instance needs a change of a module's text, of the package or of a setting, so the list is enough
+    rtl of FOLDER   a test of units: the modules of rtl/FOLDER, and rtl/lib
+    point MACHINE   all settings of the machine
+    scene NAME      the scene's file; our own is generated: `models` has it
+
+A MACHINE is a design point, or one and what is changed in it: "exact sim/fine.cfg quads=1".
 """
 import functools
 import hashlib
+import json
 import os
 import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as xml
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "synth"))
+from design_points import design_points  # noqa: E402
+
 SHARED = Path(os.environ.get("PIPEGS_SHARED", ROOT.parent / "shared"))
-GROUPS = {  # name of a group: the folders or files that make it
+MODULES = ROOT / "docs/data/modules.json"  # {module of rtl/: the machines that have it}
+DRIVER = ["cpp_model/driver/pipegs_frame.c", "cpp_model/driver/pipegs_wide.h"]  # what the models call of it
+GROUPS = {  # the folders or files that make it; with - before it, what is not of it
     "rtl": ["rtl"],
-    "models": ["cpp_model", "cpp_model/driver/pipegs_frame.c", "cpp_model/driver/pipegs_wide.h", "scenes/generate"],
+    "models": ["cpp_model", "-cpp_model/driver", *DRIVER, "-cpp_model/package_sv.cpp", "-cpp_model/control/print",
+               "-cpp_model/lib/corners.cpp", "-cpp_model/lib/corners.hpp", "scenes/generate"],
     "timing": ["sim/timing"],
     "memory": ["sim/memory"],
     "path": ["scenes/cameras/path.cpp"],
     "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
-    "train": ["sim/studies/train"],
-    "page": [
-        "sim/report/page/package-lock.json",
-        "sim/report/page/viewer",
-        "sim/report/html/viewer.cpp",
-        "scenes/packed/write_spz.cpp",
-    ],
-    "synth": ["synth/synth.py", "synth/gating.py"],
-    "fpga": ["synth/fpga/fpga.py"],
-    "rivals": ["sim/studies/rivals"],
+    "area": ["sim/silicon", "synth/data"],
+    "page": ["sim/report/page/package-lock.json", "sim/report/page/viewer", "sim/report/html/viewer.cpp",
+             "scenes/packed/write_spz.cpp"],
+    "synth": ["synth", "-synth/data", "-synth/fpga", "-synth/prove", "-synth/points.py", "-synth/depends.py",
+              "-synth/declared.py", "-synth/design_points.py", "-synth/lint.sh", "-synth/misread.sh",
+              "-synth/memories.sh", "-synth/prove.sh"],
+    "fpga": ["synth/fpga"],
     "proofs": ["synth/prove", "synth/prove.sh"],
-}
+}  # fmt: skip
 SCENES = {  # scene: its file or folder in the folder of scenes
     "terrace": "terrace/terrace.ply.xz",
     "statue": "statue/statue.ply.xz",
@@ -40,10 +58,9 @@ SCENES = {  # scene: its file or folder in the folder of scenes
     "showroom": "showroom/lacadiere",
 }
 PHOTOGRAPHS = {"plush"}  # folders of photographs, beside the scenes
-POINT = "point "  # before the name of a design point whose settings measure too
-SCENE = "scene "
-CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby", ".mjs", ".json"}
+CODE = {".sv", ".svh", ".c", ".h", ".cpp", ".hpp", ".def", ".py", ".sh", ".sby", ".mjs", ".json", ".csv", ".vlt"}
 IGNORED = re.compile(rb"^[ \t]*[#`]include[^\n]*|/\*.*?\*/|//[^\n]*|\s+", re.DOTALL | re.MULTILINE)
+SHARP = re.compile(rb"^[ \t]*#[^\n]*|\s+", re.MULTILINE)  # of scripts and tables
 
 
 def digest(parts):
@@ -55,74 +72,90 @@ def files_of(place):
 
 
 @functools.cache
-def group_hash(group):
-    found = [f for place in GROUPS[group] for f in files_of(ROOT / place) if f.suffix in CODE]
-    return digest(hashlib.sha256(IGNORED.sub(b"", f.read_bytes())).digest() for f in found)
+def text_hash(file):
+    ignored = SHARP if file.suffix in (".py", ".sh", ".csv") else IGNORED
+    return hashlib.sha256(ignored.sub(b"", file.read_bytes())).digest()
+
+
+def hash_of_files(places):
+    found = set()
+    for place in places:
+        files = files_of(ROOT / place.removeprefix("-"))
+        found = found - set(files) if place.startswith("-") else found | set(files)
+    return digest(text_hash(file) for file in found if file.suffix in CODE)
 
 
 def place_of(scene):
     return SHARED / "photos" / scene if scene in PHOTOGRAPHS else SHARED / "scenes" / SCENES[scene]
 
 
-@functools.cache
 def scene_hash(scene):
-    """None when the scene's folder is not here. Our own and its parts are generated: the group models has them."""
+    """None when the scene's folder is not here."""
     place = place_of(scene)
     return digest(hashlib.sha256(f.read_bytes()).digest() for f in files_of(place)) if place.exists() else None
 
 
+def settings(machine):
+    """["key=value", ...] of a machine; a later one goes before an earlier one."""
+    point, *changes = machine.split()
+    found = list(design_points()[point])
+    for change in changes:
+        file = ROOT / change
+        found += re.findall(r"^ *(\w+ *= *\w+)", file.read_text(), re.MULTILINE) if file.is_file() else [change]
+    return list(dict(one.replace(" ", "").split("=") for one in found).items())
+
+
 @functools.cache
-def point_hash(point):
-    """The settings of a design point; a machine that has no name there is none."""
-    text = re.sub(r"//[^\n]*", "", (ROOT / "sim/design/design_points.def").read_text())
-    settings = re.search(rf"PIPEGS_POINT\({point},.*?PIPEGS_END", text, re.DOTALL)[0]
-    return digest(one.encode() for one in re.findall(r"PIPEGS_(?:SETTING|PICTURE)\((\w+, \w+)\)", settings))
+def module_files():
+    return {file.stem: file for file in files_of(ROOT / "rtl") if file.suffix == ".sv"}
 
 
+@functools.cache
+def listed():
+    return json.loads(MODULES.read_text()) if MODULES.exists() else {}
+
+
+def rtl_hash(modules):
+    """Of some modules and the package."""
+    files = module_files()
+    return digest(text_hash(files[name]) for name in {"pipegs_pkg", *modules} if name in files)
+
+
+@functools.cache
 def hash_of(name):
-    """What stands now for the name of a part; None where nothing does."""
-    if name.startswith(SCENE):
-        return scene_hash(name.removeprefix(SCENE))
-    if name.startswith(POINT):
-        return point_hash(name.removeprefix(POINT))
-    return group_hash(name) if name in GROUPS else ""
+    """What stands now for a name; None where that cannot be seen, "" where nothing does."""
+    kind, _, rest = name.partition(" ")
+    if not rest:
+        return hash_of_files(GROUPS[kind]) if kind in GROUPS else ""
+    if kind == "scene":
+        return scene_hash(rest)
+    if kind == "point":
+        return digest(f"{key}={value}".encode() for key, value in settings(rest))
+    if kind == "study":
+        folder = f"sim/studies/{rest}"
+        return hash_of_files([folder, f"-{folder}/test", f"-{folder}/command.cpp"])
+    if rest.startswith("of "):
+        folders = [f"rtl/{rest.removeprefix('of ')}", "rtl/lib"]
+        return rtl_hash(file.stem for folder in folders for file in files_of(ROOT / folder))
+    return rtl_hash(name for name, machines in listed().items() if rest in machines)
 
 
-def measured_by(groups, scene, points):
-    names = [
-        *groups,
-        *(POINT + point for point in points),
-        *([SCENE + scene] if scene in SCENES or scene in PHOTOGRAPHS else []),
-    ]
-    return {name: hash_of(name) for name in names}
-
-
-def older_than(entry):
-    """Which of the hashes that an entry carries are no longer those of the sources; a scene not here is no news."""
-    return [name for name, value in entry["by"].items() if hash_of(name) not in (None, value)]
-
-
-CSV = {  # measured tables that programs read: what measured them
-    "synth/data/points.csv": ["rtl"],
-    "synth/data/paths.csv": ["rtl"],
-    "synth/data/energy.csv": ["rtl", "models"],
-    "synth/data/depends.csv": ["rtl"],
-}
-CSV_LINE = "# measured_by "  # the first line of such a table, and one hash
-
-
-def csv_line(path):
-    """The first line of a table that is measured from now on."""
-    return CSV_LINE + digest(group_hash(group).encode() for group in CSV[path])
-
-
-def csv_stamp(path):
-    """Says of a table that it was measured now."""
-    lines = (ROOT / path).read_text().splitlines(keepends=True)
-    rest = lines[1:] if lines[:1] and lines[0].startswith(CSV_LINE) else lines
-    (ROOT / path).write_text(csv_line(path) + "\n" + "".join(rest))
-
-
-def csv_older(path):
-    with open(ROOT / path) as table:
-        return table.readline().strip() != csv_line(path)
+def find_modules(machine, build):
+    """Asks Verilator which modules a machine instantiates, and keeps that in MODULES."""
+    folders = [word for place in sorted((ROOT / "rtl").rglob("*")) if place.is_dir() for word in ("-y", place)]
+    with tempfile.TemporaryDirectory() as work:
+        package, tree = Path(work) / "pipegs_pkg.sv", Path(work) / "tree.xml"
+        words = [f"{key}={value}" for key, value in settings(machine)]
+        package.write_text(subprocess.run([build / "cpp_model/package_sv", *words], capture_output=True, text=True,
+                                          check=True).stdout)  # fmt: skip
+        words = ["verilator", "--xml-only", "--xml-output", tree, "-Wno-fatal", "-Wno-lint", "--Mdir", work]
+        words += ["-y", ROOT / "rtl", *folders, "-y", ROOT / "sim/rtl", "--top-module", "pipegs_sim", package]
+        subprocess.run([*words, "pipegs_sim"], check=True, stdout=sys.stderr)
+        found = {module.get("origName") for module in xml.parse(tree).iter("module")}
+    known = json.loads(MODULES.read_text()) if MODULES.exists() else {}
+    for name in {*known, *found}:
+        known[name] = sorted({*known.get(name, [])} - {machine} | ({machine} if name in found else set()))
+    text = ",\n".join(f" {json.dumps(name)}: {json.dumps(known[name])}" for name in sorted(known) if known[name])
+    MODULES.write_text(f"{{\n{text}\n}}\n")
+    listed.cache_clear()
+    hash_of.cache_clear()

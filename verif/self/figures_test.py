@@ -17,7 +17,10 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "docs/figures"))
 import lint  # noqa: E402
 import markers  # noqa: E402
+import tree  # noqa: E402
 from data import stored  # noqa: E402
+from equal import unequal  # noqa: E402
+from measurement import Measurement  # noqa: E402
 
 failures = []
 
@@ -87,11 +90,8 @@ def lint_finds():
 
 
 def copy_into(folder):
-    shutil.copytree(ROOT / "docs", Path(folder) / "docs", ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copytree(ROOT / "synth", Path(folder) / "synth", ignore=shutil.ignore_patterns("__pycache__"))
-    points = Path(folder) / "sim/design"  # whose settings data carry a hash of
-    points.mkdir(parents=True)
-    shutil.copy(ROOT / "sim/design/design_points.def", points)
+    for name in ("docs", "synth", "rtl", "cpp_model", "sim", "scenes"):
+        shutil.copytree(ROOT / name, Path(folder) / name, ignore=shutil.ignore_patterns("__pycache__", "node_modules"))
     shutil.copy(ROOT / "README.md", folder)
 
 
@@ -101,15 +101,128 @@ def program(folder, *options):
 
 
 def stamps():
-    table = "synth/data/points.csv"
     with tempfile.TemporaryDirectory() as folder:
         copy_into(folder)
-        first = (Path(folder) / table).read_text()
-        for _ in range(2):  # the second stamp takes the place of the first
-            expect(program(folder, "--stamp", table).returncode == 0, "--stamp fails")
-        line, rest = (Path(folder) / table).read_text().split("\n", 1)
-        expect(re.fullmatch(r"# measured_by [0-9a-f]{12}", line) and first.endswith(rest), f"a stamp as {line}")
-        expect(table not in program(folder, "--check").stdout, "a stamped table counts as older")
+        for table in ("synth/data/points.csv", "synth/data/energy.csv"):
+            first = rows_of_text((Path(folder) / table).read_text())
+            for _ in range(2):  # the second stamp takes the place of the first
+                expect(program(folder, "--stamp", table).returncode == 0, "--stamp fails")
+            now = (Path(folder) / table).read_text()
+            lines = [line for line in now.splitlines() if line.startswith("# measured_by ")]
+            expect(rows_of_text(now) == first and lines, f"{table}: wrongly stamped")
+            expect(len(lines) == len(set(lines)), f"{table}: stamped twice")
+            expect(table not in program(folder, "--check").stdout, f"{table}: stale after its stamp")
+
+
+def rows_of_text(text):
+    return [line for line in text.splitlines() if not line.startswith("#")]
+
+
+def changed(folder, path, old, new):
+    file = Path(folder) / path
+    text = file.read_text()
+    expect(old in text, f"{path} has no {old}")
+    file.write_text(text.replace(old, new, 1))
+
+
+BELIEVE = """
+import sys
+sys.path.insert(0, sys.argv[1] + "/docs/figures")
+import tables
+from data import store, stored
+from measurements import TABLE
+entries = stored()
+store({one.name: entries[one.name] | {"by": one.hashes()} for one in TABLE if one.name in entries})
+for table in tables.MADE_BY:
+    tables.stamp(table)
+"""  # all is as if these sources had measured it
+
+
+def what_makes_stale():
+    """Comments and readers of scenes change no figure; a constant of one module does, of the machines that have it."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy_into(folder)
+        subprocess.run([sys.executable, "-B", "-c", BELIEVE, folder], check=True)
+
+        def stale():
+            return [line for line in program(folder, "--check").stdout.splitlines() if line.startswith("stale")]
+
+        before = [line for line in stale() if "never measured" not in line]
+        expect(not before, f"stale although just measured: {before}")
+        before = stale()
+        changed(folder, "rtl/pu/front/pu_cull.sv", "// before the output", "// a comment before the output")
+        changed(folder, "scenes/formats/spz.cpp", "return", "throw 1; return")
+        changed(folder, "sim/report/table.cpp", "return", "throw 1; return")
+        expect(stale() == before, f"a comment, a reader or a writer makes stale: {stale()}")
+        changed(folder, "rtl/pu/front/pu_cull.sv", "Stages  = 7", "Stages  = 6")
+        now = "\n".join(stale())
+        for name in ("(b: rtl)", "rtl/own", "synth/data/points.csv ("):
+            expect(name in now, f"a constant of pu_cull: {name} is not called stale: {now}")
+        for name in ("model/own", "viewer/own"):
+            expect(f" {name} " not in now.replace("\n", " ") + " ", f"a constant of pu_cull makes {name} stale: {now}")
+
+
+def pruning_loses_nothing():
+    """Figures that no page reads go, those that one reads stay, and lists keep their length."""
+    raw = {"a": {"b": 1, "c": 2}, "list": [{"x": 1, "y": 2}, {"x": 3, "y": 4}], "all": {"d": 5, "e": 6}, "rest": [7]}
+    node = tree.wrap(raw, "some/entry")
+    tree.entries_read.clear()
+    read = (node.a.b, [one.x for one in node.list], sum(node["all"].values()), "c" in node.a, node.get("none"))
+    kept = {"a": {"b": 1, "c": 2}, "list": [{"x": 1}, {"x": 3}], "all": {"d": 5, "e": 6}}
+    expect(node.pruned() == kept, f"pruned to {node.pruned()}")
+    expect(tree.entries_read == {"some/entry"}, f"read: {tree.entries_read}")
+    expect(read == (1, [1, 3], 11, True, None), f"read {read}")
+    expect(tree.wrap({"a": [1, 2]}).pruned() == {}, "what nobody read stays")
+    with tempfile.TemporaryDirectory() as folder:
+        copy_into(folder)
+        data = Path(folder) / "docs/data/rtl.json"
+        before = data.read_text()
+        changed(folder, "docs/data/rtl.json", '"figures": {', '"figures": {"nobody": {"reads": 12345},')
+        expect(program(folder, "--fill").returncode == 0 and data.read_text() == before, "not pruned to what it was")
+
+
+def equality_is_held():
+    """One quantity with two values is found; another scene, another option or a stated reason is none."""
+
+    def entries(*values):
+        return {name: {"figures": figures} for name, figures in zip(("a/a", "b/b"), values)}
+
+    one = Measurement("a/a", "build/pipegs sim --design dop --json", ("models",))
+    for command, found, *more in (
+        ("build/pipegs model --designs dop,fast --json", True),
+        ("build/pipegs model --designs dop,fast --memory x --json", False),
+        ("build/pipegs model --designs dop,fast --json", False, "cycles: another"),
+        ("build/pipegs model --designs exact,fast --json", False),
+        ("build/pipegs model --designs dop,fast --set records=512 --json", False),
+    ):
+        two = Measurement("b/b", command, ("models",), differs=more[0] if more else "")
+        said = unequal(entries({"cycles": 1}, {"designs": [{"cycles": 2}, {"cycles": 1}]}), [one, two])
+        expect(bool(said) == found, f"{command}: {said}")
+        expect(not unequal(entries({"cycles": 2}, {"dop": {"cycles": 2}}), [one, two]), "equal, and complained about")
+
+
+def mixing_is_refused():
+    """A figure of two entries whose sources differ is not written, and said with its page, line and entries."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy_into(folder)
+        subprocess.run([sys.executable, "-B", "-c", BELIEVE, folder], check=True)
+        ladder = Path(folder) / "docs/cycles/ladder.md"
+        ladder.write_text(
+            ladder.read_text() + "\n\nIt is <!--fig data.rtl.terrace_fast.cycles + data.rtl.terrace_dop.cycles-->"
+            "<!--/--> of both.\n"
+        )
+        expect(program(folder, "--fill").returncode == 0, "a sum of what the same sources measured is refused")
+        text = re.sub(r'("terrace_dop": \{\n  "by": \{[^}]*"models": ")', r"\g<1>0", read(folder, "docs/data/rtl.json"))
+        (Path(folder) / "docs/data/rtl.json").write_text(text)
+        run = program(folder, "--fill")
+        expect(run.returncode == 2, f"mixed sources: exit code {run.returncode}")
+        for word in ("docs/cycles/ladder.md:", "rtl/terrace_dop", "rtl/terrace_fast", "models"):
+            expect(word in run.stderr, f"mixed sources: no word of {word}: {run.stderr}")
+        expect("rtl/terrace_dop" in program(folder, "--check").stdout, "--check says nothing of mixed sources")
+
+
+def read(folder, path):
+    return (Path(folder) / path).read_text()
 
 
 def program_fails_on(what, path, change):
@@ -119,7 +232,7 @@ def program_fails_on(what, path, change):
         before = file.read_text()
         file.write_text(change(before))
         expect(file.read_text() != before, f"{what}: nothing was changed")
-        run = program(folder, "--check")
+        run = program(folder, "--check", "pages")
         expect(
             run.returncode == 1 and "docs/cycles/ladder.md" in run.stdout,
             f"{what}: exit code {run.returncode}\n{run.stdout}{run.stderr}",
@@ -129,6 +242,9 @@ def program_fails_on(what, path, change):
 every_marker_is_held()
 lint_finds()
 stamps()
+what_makes_stale()
+pruning_loses_nothing()
+equality_is_held()
 ladder = "docs/cycles/ladder.md"
 program_fails_on("a digit of a page", ladder, lambda text: re.sub(r"(\| `exact` \| \d)", r"\g<1>9", text, count=1))
 program_fails_on(
@@ -137,7 +253,7 @@ program_fails_on(
     lambda text: re.sub(r'("cycles": \d)', r"\g<1>9", text, count=1),
 )
 program_fails_on("a figure outside markers", ladder, lambda text: text + "\nIt takes 12 345 cycles.\n")
-check = subprocess.run([sys.executable, "-B", ROOT / "docs/figures", "--check"])
+check = subprocess.run([sys.executable, "-B", ROOT / "docs/figures", "--check", "pages"])
 expect(check.returncode == 0, "pages and data differ, see above; `python3 docs/figures --fill` writes data into pages")
 print("\n".join(failures))
 sys.exit(1 if failures else 0)

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs measurements, two at once, and stores each as it ends: who stops it loses only what is running."""
+import concurrent.futures
+import datetime
+import json
+import shlex
+import subprocess
+import sys
+import threading
+import time
+
+from data import store
+from measurement import CLASSES
+from scenes import prepared, reference
+from sources import ROOT, find_modules
+
+AT_ONCE = 2
+UNKNOWN = 60  # seconds of one that was never measured
+scenes_lock = threading.Lock()
+running = {}  # process: name of its measurement
+
+
+def command_line(one, scene, build):
+    """The words of a measurement's command as they are run."""
+    words = []
+    for word in shlex.split(one.command):
+        view = ["--view", str(one.view)] if scene and one.view is not None else []
+        words += [*scene, *view] if word == "{scene}" else [word]
+    words = [str(reference(one.scene, one.view)) if word == "{reference}" else word for word in words]
+    words = [str(build / word.removeprefix("build/")) if word.startswith("build/") else word for word in words]
+    words = [str(ROOT / word) if (ROOT / word).is_file() else word for word in words]
+    return words + (["--svg", str(ROOT / "docs/images" / one.chart)] if one.chart else [])
+
+
+def measure(one, build, commit):
+    """Runs a measurement and stores it. What is to be said of it."""
+    with scenes_lock:
+        scene = prepared(one.scene, build)
+    if scene is None:
+        return f"skipped: no scene {one.scene} (set PIPEGS_SHARED)"
+    hashes = one.hashes()  # before the run: an edit during it makes the data older, not newer
+    start = time.monotonic()
+    process = subprocess.Popen(
+        command_line(one, scene, build), cwd=build, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    running[process] = one.name
+    printed, said = process.communicate()
+    del running[process]
+    seconds = time.monotonic() - start
+    if process.returncode not in one.exit_codes:
+        return f"failed: exit code {process.returncode}: {one.shown()}\n{said[-1000:]}"
+    try:
+        found = json.loads(printed) if printed.lstrip()[:1] in ("{", "[") else printed
+        figures = one.read(found) if one.read else found
+    except (KeyError, ValueError, TypeError, AttributeError) as error:
+        return f"failed: its output has not the figures expected: {error!r}"
+    today = str(datetime.date.today())
+    store({one.name: {"by": hashes, "commit": commit, "date": today, "seconds": round(seconds, 1), "figures": figures}})
+    return f"{seconds:.1f} s"
+
+
+def duration(seconds):
+    minutes = round(seconds / 60)
+    return f"{minutes // 60} h {minutes % 60} min" if minutes >= 60 else f"{minutes} min" if minutes else "below 1 min"
+
+
+def last(one, entries):
+    return entries.get(one.name, {}).get("seconds", UNKNOWN)
+
+
+def planned(table, entries, everything):
+    """The measurements to run, of each class the longest first; prints how many, and what they took last time."""
+    found = [one for one in table if one.kind == "a" or everything or one.older(entries.get(one.name, {"by": {}}))]
+    for kind, what in CLASSES.items():
+        of, runs = [[one for one in ones if one.kind == kind] for ones in (table, found)]
+        unknown = sum("seconds" not in entries.get(one.name, {}) for one in runs)
+        took = sum(last(one, entries) for one in runs) / (AT_ONCE if kind < "c" else 1)
+        note = f", {unknown} of them never timed (a minute each)" if unknown else ""
+        print(f"({kind}) {what}: {len(runs)} of {len(of)} run, {duration(took)} as last time{note}", flush=True)
+    return sorted(found, key=lambda one: (one.kind, one.alone, -last(one, entries)))
+
+
+def prepare(ones, build):
+    """What the measurements have in common: tests built, the modules of their machines found."""
+    targets = {target for one in ones for target in one.targets}
+    if targets:
+        subprocess.run(["cmake", "--build", build, "--target", *sorted(targets)], check=True, stdout=sys.stderr)
+    machines = {part.removeprefix("rtl ") for one in ones for part in one.parts() if part.startswith("rtl ")}
+    for machine in sorted(machine for machine in machines if not machine.startswith("of ")):
+        find_modules(machine, build)
+
+
+def run_all(ones, entries, build):
+    """Runs them; the names of those that failed. One that takes times, and each of class c, runs alone."""
+    prepare(ones, build)
+    commit = subprocess.run(
+        ["git", "log", "-1", "--format=%h"], cwd=ROOT, capture_output=True, text=True
+    ).stdout.strip()
+    left, failed, number = list(ones), [], 0
+    terminal = sys.stderr.isatty()
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        active = {}  # future: measurement, when it began
+        try:
+            while left or active:
+                while left and len(active) < AT_ONCE:
+                    by_itself = [
+                        one.alone or one.kind == "c" for one in (left[0], *(one for one, _ in active.values()))
+                    ]
+                    if active and any(by_itself):
+                        break
+                    one = left.pop(0)
+                    active[pool.submit(measure, one, build, commit)] = one, time.monotonic()
+                done, _ = concurrent.futures.wait(active, 1, concurrent.futures.FIRST_COMPLETED)
+                for future in done:
+                    one, _ = active.pop(future)
+                    number += 1
+                    said = future.result()
+                    failed += [one.name] if said.startswith("failed") else []
+                    print(f"{chr(13) * terminal}{number} of {len(ones)}  {one.name}: {said}", flush=True)
+                if terminal:
+                    rest = sum(last(one, entries) for one in left) + sum(
+                        max(0, last(one, entries) - time.monotonic() + began) for one, began in active.values()
+                    )
+                    names = ", ".join(one.name for one, _ in active.values())
+                    line = f"{number} of {len(ones)}, about {duration(rest / AT_ONCE)} left: {names}"
+                    print(f"\r{line[:110]:110}", end="", file=sys.stderr, flush=True)
+        except KeyboardInterrupt:
+            for process in list(running):
+                process.terminate()
+            print("\nstopped: what has ended is stored", flush=True)
+    return failed
