@@ -94,7 +94,7 @@ TABLE = [
     Measurement("budget/random", "build/pipegs budget --design dop --count 1000000 --json", ("models",),
                 chart="error_budget.svg"),
     Measurement("dram/check", "build/pipegs dram", ("memory",), read=agreement),
-    Measurement("dram/steps", "build/pipegs dram --mappings", ("memory",), read=controllers),
+    Measurement("dram/steps", "build/pipegs dram --mappings --preset lpddr5-6400x4", ("memory",), read=controllers),
     Measurement("viewer/own", "verif/page/viewer.sh build/pipegs {scene} --scale 0.25 --no-rtl --no-truth",
                 ("models", "page"), points=("fast",), differs="bytes: of the page"),
     # Tests that print what they measure.

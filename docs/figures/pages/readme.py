@@ -18,6 +18,9 @@ def gigabytes(key):
     return f"{fixed(data.loops.all[key] / 1024, 1)} GB"
 
 
+LEFT_OUT = r" +(pu|su|ru) +[1-9] |    [a-z_0-9-]+:? +[\d.]+ (MB|GB)|  (work|wall)|$"
+
+
 def sample():
-    """Of four units of a kind the first."""
-    return block(line for line in data.rtl.printed.lines if not re.match(r" +(pu|su|ru) +[1-9] ", line))
+    """Of four units of a kind the first; no streams, counts and seconds."""
+    return block(line for line in data.rtl.printed.lines if not re.match(LEFT_OUT, line))

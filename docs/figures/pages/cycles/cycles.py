@@ -106,15 +106,25 @@ def pairs():
     )
 
 
-def states(name):
-    """Where the cycles of the units of terrace 0 go, by the RTL."""
-    found = data.rtl[f"terrace_{name}"]
+def states():
+    """Where the cycles of the units of terrace 0 go, by the RTL, as far as it was run."""
 
-    def share(state):
-        return lambda units: percent(sum(one[state] for one in units) / (len(units) * found.cycles), 1)
+    def share(one, state):
+        units, cycles = one
+        return percent(sum(unit[state] for unit in units) / (len(units) * cycles), 1)
 
-    units = [(f"`{name}`, {unit.upper()}", found.units[unit]) for unit in ("dopu", "pu", "su", "ru")]
-    return listing("unit", units, *[(state, share(state)) for state in ("busy", "starved", "blocked", "memory")])
+    frames = [(name, data.rtl[f"terrace_{name}"]) for name in ("fast", "dop")]
+    found = [
+        (f"`{name}`, {unit.upper()}", (frame.units[unit], frame.cycles))
+        for name, frame in frames
+        if "units" in frame
+        for unit in ("dopu", "pu", "su", "ru")
+    ]
+    return listing(
+        "unit",
+        found,
+        *[(state, lambda one, state=state: share(one, state)) for state in ("busy", "starved", "blocked", "memory")],
+    )
 
 
 def large(name):
