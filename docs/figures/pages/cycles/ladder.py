@@ -23,17 +23,25 @@ PAPER = {  # speed-up over Baseline, raster / sort
 
 
 def scenes():
-    """Every design point on four scenes: cycles, and how many times as fast as baseline."""
+    """Every design point on four scenes: cycles, and how many times as fast as baseline; MB."""
+
+    def measured(scene, name):
+        return any(row.name == name for row in data.model[scene].designs)
 
     def cell(scene):
-        return lambda name: f"{group(cycles(scene, name))} ({times(over(scene, name))})"
+        return lambda name: (
+            f"{group(cycles(scene, name))} ({times(over(scene, name))})" if measured(scene, name) else "-"
+        )
+
+    def moved(name):
+        return " / ".join(group(megabytes(scene, name)) if measured(scene, name) else "-" for scene in FOUR)
 
     return listing(
         "design point",
         [(f"`{name}`", name) for name in POINTS],
         *[(scene, cell(scene)) for scene in FOUR],
         ("paper, up to", lambda name: PAPER.get(name, "-")[0]),
-        ("MB of the four", lambda name: " / ".join(group(megabytes(scene, name)) for scene in FOUR)),
+        ("MB of the four", moved),
     )
 
 
