@@ -6,6 +6,7 @@ pages.
 """
 import argparse
 import collections
+import datetime
 import fnmatch
 import os
 import subprocess
@@ -18,7 +19,7 @@ from data import store, stored
 from equal import unequal
 from lint import complaints
 from measurements import TABLE
-from run import planned, run_all
+from run import again, planned, run_all
 from sources import ROOT
 
 
@@ -42,9 +43,10 @@ def measure_all(arguments, build):
 
 
 def fill():
-    """Writes the pages, and leaves in the data what they read."""
+    """Writes the pages, and leaves in the data what they read. 2 when a marker is refused, else 0."""
     entries = stored()
     texts, nodes = markers.filled(entries)
+    refused = list(markers.refused)
     for page, text in texts.items():
         if text != (ROOT / page).read_text():
             (ROOT / page).write_text(text)
@@ -54,6 +56,8 @@ def fill():
         print("docs/data: not pruned: from what the pages read they would be other pages", file=sys.stderr)
     elif pruned != entries:
         store({name: entry for name, entry in pruned.items() if entry != entries[name]})
+    print("\n".join(refused), end="\n" if refused else "", file=sys.stderr)
+    return 2 if refused else 0
 
 
 def stale(entries, classes):
@@ -88,6 +92,7 @@ def check(arguments):
     if arguments.check in ("all", "stale"):
         found += stale(entries, arguments.classes)
     if arguments.check == "all":
+        found += markers.refused
         found += tables.stale() + unequal(entries)
     print("\n".join(found), end="\n" if found else "")
     return len(found)
@@ -107,6 +112,8 @@ def main():
         choices=("all", "pages", "stale"),
         help="measure nothing: print what is wrong, of pages and their data or stale; 1 when it is",
     )
+    parser.add_argument("--again", metavar="COUNT", type=int, help="measure so many quick entries anew, compare them")
+    parser.add_argument("--day", default=str(datetime.date.today()), help="that chooses those; today")
     parser.add_argument(
         "--stamp", metavar="TABLE", choices=tables.MADE_BY, help="write into a table that it was measured now"
     )
@@ -117,13 +124,15 @@ def main():
     if arguments.check:
         return 1 if check(arguments) else 0
     if arguments.fill:
-        fill()
-        return 0
-    failed = measure_all(arguments, (ROOT / os.environ.get("BUILD", "build")).resolve())
-    fill()
+        return fill()
+    build = (ROOT / os.environ.get("BUILD", "build")).resolve()
+    if arguments.again:
+        return 1 if again(TABLE, stored(), arguments.again, arguments.day, build) else 0
+    failed = measure_all(arguments, build)
+    filled = fill()
     if failed:
         print(f"failed: {' '.join(failed)}")
-    return 3 if failed else 0
+    return 3 if failed else filled
 
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@ MARKER = re.compile(
 )
 OPENED = re.compile(r"<!--fig |<!--/-->")
 shown = {}  # the entries that the tree of figures holds
+refused = []  # markers that stay as they are: what they read was not measured with the same sources
 
 
 class PageError(Exception):
@@ -66,7 +67,7 @@ def mixed(names):
         for part, state in shown[name]["by"].items():
             seen[part][state].append(name)
     return [
-        f"of {part} " + " and ".join(f"{state} ({', '.join(of)})" for state, of in states.items())
+        f"{part} " + " and ".join(f"{state} in {', '.join(of)}" for state, of in states.items())
         for part, states in seen.items()
         if part != "command" and len(states) > 1
     ]
@@ -102,6 +103,9 @@ def render(page, content):
             text, names = value(page, match["what"])
         except Exception as error:
             raise PageError(f"{page}:{line}: {match['what']}: {error}") from error
+        states = mixed(names)
+        if states:
+            refused.append(f"{page}:{line}: {match['what']}: mixes figures of different sources, {'; '.join(states)}")
         if text.startswith("| "):
             text += measured_at(names)
         text = f"\n\n{text}\n\n" if "\n" in text else text
@@ -131,6 +135,7 @@ def pages():
 def filled(entries):
     """({page: its text}, {name: node}): every page from these entries, and what was read of each."""
     forget()
+    refused.clear()
     shown.clear()
     shown.update(entries)
     nodes = grow(entries)

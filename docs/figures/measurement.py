@@ -5,7 +5,7 @@ import shlex
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from sources import PHOTOGRAPHS, ROOT, SCENES, digest, hash_of
+from sources import PHOTOGRAPHS, ROOT, SCENES, digest, hash_of, named_machine
 
 # a: models, counts, decibels, seconds to minutes: measured by every `make figures`. b: frames in RTL. c: synthesis,
 # FPGAs, training, proofs, viewers. b and c are measured when what decides them has changed. A part named here makes a
@@ -27,6 +27,7 @@ class Measurement:
     view: int | None = 0  # None: the command names its views
     points: tuple = ()  # design points, when the command does not name them
     chart: str = ""  # docs/images/CHART is drawn, too
+    picture: tuple = ()  # (file of docs/images, file of the build folder that the command writes and that it becomes)
     targets: tuple = ()  # of the build, that the command needs beside pipegs
     read: Callable | None = None  # makes figures of a command's text; None: it prints JSON, whose keys are the figures
     exit_codes: tuple = (0,)  # of a run that counts; 1 where what differs is the figure
@@ -54,7 +55,7 @@ class Measurement:
         if self.command.startswith("synth/memories.sh"):
             options = self.command.split()[1:]
         options += [f"units={count}" for count in re.findall(r"--units (\d+)", self.command)]
-        return [" ".join([point, *options]) for point in points]
+        return [named_machine(" ".join([point, *options])) for point in points]
 
     def parts(self):
         """The names of what decides its figures."""

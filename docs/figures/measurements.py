@@ -109,7 +109,8 @@ TABLE = [
     *[Measurement(f"rtl/terrace_{point}", f"build/pipegs sim {{scene}} --design {point} --json", RTL, "terrace",
                   points=(point,)) for point in ("fast", "dop")],
     Measurement("rtl/views", "build/pipegs sim --views 0-2 --json", RTL, view=None, points=("fast",)),
-    Measurement("rtl/printed", "build/pipegs sim --out build/out", RTL, points=("fast",), read=shown),
+    Measurement("rtl/printed", "build/pipegs sim --out build/out", RTL, points=("fast",), read=shown,
+                picture=("own_scene.png", "out/frame.png")),
     # Gates, proofs, training: minutes to hours each, on two cores.
     *[Measurement(f"silicon/{scene}_{point}", f"build/pipegs silicon {{scene}} --design {point} --json",
                   (*RTL, "area", "synth"), scene, points=(point,)) for point in ("fast", "dop", "exact", "baseline")

@@ -3,7 +3,9 @@
 import concurrent.futures
 import datetime
 import json
+import random
 import shlex
+import shutil
 import subprocess
 import sys
 import threading
@@ -11,10 +13,14 @@ import time
 
 from data import store
 from measurement import CLASSES
+from measurements import TABLE
 from scenes import prepared, reference
 from sources import ROOT, find_modules
 
 AT_ONCE = 2
+SVG = ROOT / "sim/report/page/svg.sh"
+QUICK = 20  # seconds of one that the tests measure again
+TIMES = {"seconds", "wall_seconds", "host", "khz", "speed_ratio"}  # keys of what the computer took
 UNKNOWN = 60  # seconds of one that was never measured
 scenes_lock = threading.Lock()
 running = {}  # process: name of its measurement
@@ -29,31 +35,49 @@ def command_line(one, scene, build):
     words = [str(reference(one.scene, one.view)) if word == "{reference}" else word for word in words]
     words = [str(build / word.removeprefix("build/")) if word.startswith("build/") else word for word in words]
     words = [str(ROOT / word) if (ROOT / word).is_file() else word for word in words]
-    return words + (["--svg", str(ROOT / "docs/images" / one.chart)] if one.chart else [])
+    return words + (["--svg", str(ROOT / "docs/images" / one.chart)] if one.chart and not SVG.exists() else [])
+
+
+def draw(charts, file, build):
+    """Charts of a command's JSON as an SVG file."""
+    run = subprocess.run([SVG, build / "page"], input=json.dumps(charts), stdout=subprocess.PIPE, text=True, check=True)
+    file.write_text(run.stdout)
+
+
+def execute(one, build):
+    """(its figures, "") or (None, why there are none)"""
+    with scenes_lock:
+        scene = prepared(one.scene, build)
+    if scene is None:
+        return None, f"skipped: no scene {one.scene} (set PIPEGS_SHARED)"
+    words = command_line(one, scene, build)
+    process = subprocess.Popen(words, cwd=build, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    running[process] = one.name
+    printed, said = process.communicate()
+    del running[process]
+    if process.returncode not in one.exit_codes:
+        return None, f"failed: exit code {process.returncode}: {one.shown()}\n{said[-1000:]}"
+    try:
+        found = json.loads(printed) if printed.lstrip()[:1] in ("{", "[") else printed
+        charts = found.pop("charts", None) if isinstance(found, dict) else None
+        if one.chart and SVG.exists():
+            draw(charts, ROOT / "docs/images" / one.chart, build)
+        if one.picture:
+            image, written = one.picture
+            shutil.copyfile(build / written, ROOT / "docs/images" / image)
+        return one.read(found) if one.read else found, ""
+    except (KeyError, ValueError, TypeError, AttributeError, subprocess.CalledProcessError) as error:
+        return None, f"failed: its output has not the figures expected: {error!r}"
 
 
 def measure(one, build, commit):
     """Runs a measurement and stores it. What is to be said of it."""
-    with scenes_lock:
-        scene = prepared(one.scene, build)
-    if scene is None:
-        return f"skipped: no scene {one.scene} (set PIPEGS_SHARED)"
     hashes = one.hashes()  # before the run: an edit during it makes the data older, not newer
     start = time.monotonic()
-    process = subprocess.Popen(
-        command_line(one, scene, build), cwd=build, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    running[process] = one.name
-    printed, said = process.communicate()
-    del running[process]
+    figures, reason = execute(one, build)
+    if reason:
+        return reason
     seconds = time.monotonic() - start
-    if process.returncode not in one.exit_codes:
-        return f"failed: exit code {process.returncode}: {one.shown()}\n{said[-1000:]}"
-    try:
-        found = json.loads(printed) if printed.lstrip()[:1] in ("{", "[") else printed
-        figures = one.read(found) if one.read else found
-    except (KeyError, ValueError, TypeError, AttributeError) as error:
-        return f"failed: its output has not the figures expected: {error!r}"
     today = str(datetime.date.today())
     store({one.name: {"by": hashes, "commit": commit, "date": today, "seconds": round(seconds, 1), "figures": figures}})
     return f"{seconds:.1f} s"
@@ -80,14 +104,19 @@ def planned(table, entries, everything):
     return sorted(found, key=lambda one: (one.kind, one.alone, -last(one, entries)))
 
 
+def rtl_machines(ones):
+    parts = {part.removeprefix("rtl ") for one in ones for part in one.parts() if part.startswith("rtl ")}
+    return {machine for machine in parts if not machine.startswith("of ")}
+
+
 def prepare(ones, build):
     """What the measurements have in common: tests built, the modules of their machines found."""
     targets = {target for one in ones for target in one.targets}
     if targets:
         subprocess.run(["cmake", "--build", build, "--target", *sorted(targets)], check=True, stdout=sys.stderr)
-    machines = {part.removeprefix("rtl ") for one in ones for part in one.parts() if part.startswith("rtl ")}
-    for machine in sorted(machine for machine in machines if not machine.startswith("of ")):
-        find_modules(machine, build)
+    machines = rtl_machines(TABLE)
+    for machine in sorted(rtl_machines(ones)):
+        find_modules(machine, machines, build)
 
 
 def run_all(ones, entries, build):
@@ -129,3 +158,30 @@ def run_all(ones, entries, build):
                 process.terminate()
             print("\nstopped: what has ended is stored", flush=True)
     return failed
+
+
+def difference(kept, found, place=""):
+    """Where what is found now is not what is kept of it; None when it is."""
+    if isinstance(kept, dict) and isinstance(found, dict):
+        pairs = [(key, one, found.get(key)) for key, one in kept.items() if key not in TIMES]
+    elif isinstance(kept, list) and isinstance(found, list):
+        if kept and len(kept) != len(found):
+            return f"{place} has {len(found)} elements, {len(kept)} are kept"
+        pairs = [(at, one, found[at]) for at, one in enumerate(kept)]
+    else:
+        return None if kept == found else f"{place} is {found}, {kept} is kept"
+    return next(filter(None, (difference(one, new, f"{place}.{key}") for key, one, new in pairs)), None)
+
+
+def again(table, entries, count, day, build):
+    """Measures some entries anew that are quick and need no scene; how many are not what is kept of them."""
+    quick = [one for one in table if one.kind == "a" and one.scene == "own" and not one.alone and not one.targets]
+    quick = [one for one in quick if entries.get(one.name, {}).get("seconds", QUICK) < QUICK]
+    wrong = 0
+    for one in random.Random(day).sample(quick, min(count, len(quick))):
+        figures, reason = execute(one, build)
+        reason = reason or difference(entries[one.name]["figures"], figures)
+        print(f"{one.name}: {reason or 'as it is kept'}", flush=True)
+        wrong += bool(reason)
+    print(f"the same again: python3 docs/figures --again {count} --day {day}; `make figures` measures all")
+    return wrong

@@ -106,6 +106,13 @@ def settings(machine):
 
 
 @functools.cache
+def named_machine(machine):
+    """The design point that has just these settings, else the machine as it is called."""
+    own = sorted(settings(machine))
+    return next((point for point in design_points() if sorted(settings(point)) == own), machine)
+
+
+@functools.cache
 def module_files():
     return {file.stem: file for file in files_of(ROOT / "rtl") if file.suffix == ".sv"}
 
@@ -140,8 +147,8 @@ def hash_of(name):
     return rtl_hash(name for name, machines in listed().items() if rest in machines)
 
 
-def find_modules(machine, build):
-    """Asks Verilator which modules a machine instantiates, and keeps that in MODULES."""
+def find_modules(machine, machines, build):
+    """Asks Verilator which modules a machine instantiates, and keeps that in MODULES, of no machine but these."""
     folders = [word for place in sorted((ROOT / "rtl").rglob("*")) if place.is_dir() for word in ("-y", place)]
     with tempfile.TemporaryDirectory() as work:
         package, tree = Path(work) / "pipegs_pkg.sv", Path(work) / "tree.xml"
@@ -154,7 +161,8 @@ def find_modules(machine, build):
         found = {module.get("origName") for module in xml.parse(tree).iter("module")}
     known = json.loads(MODULES.read_text()) if MODULES.exists() else {}
     for name in {*known, *found}:
-        known[name] = sorted({*known.get(name, [])} - {machine} | ({machine} if name in found else set()))
+        others = {*known.get(name, [])} & set(machines) - {machine}
+        known[name] = sorted(others | ({machine} if name in found else set()))
     text = ",\n".join(f" {json.dumps(name)}: {json.dumps(known[name])}" for name in sorted(known) if known[name])
     MODULES.write_text(f"{{\n{text}\n}}\n")
     listed.cache_clear()
