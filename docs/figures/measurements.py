@@ -111,7 +111,9 @@ TABLE = [
     Measurement("rtl/views", "build/pipegs sim --views 0-2 --json", RTL, view=None, points=("fast",)),
     Measurement("rtl/printed", "build/pipegs sim --out build/out", RTL, points=("fast",), read=shown,
                 picture=("own_scene.png", "out/frame.png")),
-    # Gates, proofs, training: minutes to hours each, on two cores.
+    # Gates, proofs, training. Minutes on two cores: 5 to 8 for a frame with waves, after `make synth` of its design
+    # point (20 to 40 from nothing, less where modules are shared); 1 for memories; 20 to 30 for an FPGA; 15 for the
+    # netlist, most of it building; 5 for proofs; 6 for loops; 4, 11 and 10 for training.
     *[Measurement(f"silicon/{scene}_{point}", f"build/pipegs silicon {{scene}} --design {point} --json",
                   (*RTL, "area", "synth"), scene, points=(point,)) for point in ("fast", "dop", "exact", "baseline")
       for scene in CHARTED],
