@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/numerics/accuracy.md."""
 from data import data
-from formats import change, fixed, listing, percent, table
+from formats import change, fixed, listing, percent
 
 MEASURED = ["accuracy/*"]
 FOUND = data.accuracy.own
@@ -23,9 +23,20 @@ def base():
 
 
 def knobs():
-    """What the last decibel of each knob costs, as the command says it."""
-    rows = [[f"`{one.name}`", one.what, one.sentence.split(": ", 1)[1].rstrip(".")] for one in FOUND.knobs]
-    return table(["knob", "what it is", "what its last decibel costs"], rows)
+    """Each knob alone: decibels and cycles at its values."""
+
+    def by_value(form, figure, *rest):
+        return lambda one: "; ".join(
+            f"{row.label}: {form(figure(row), *rest)}" for row in one["values"] if "failure" not in row
+        )
+
+    return listing(
+        "knob",
+        [(f"`{one.name}`", one) for one in FOUND.knobs],
+        ("what it is", "what"),
+        ("total dB", by_value(fixed, lambda row: row.total.psnr_db, 1)),
+        ("cycles over the base", by_value(change, lambda row: row.cycles / FOUND.base.cycles - 1)),
+    )
 
 
 def value(knob, label):
