@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# lint.sh [--rest | MODULE ...]: each RTL module alone through `verilator --lint-only -Wall`, machines through Yosys
+# lint.sh [--rest]: each RTL module alone through `verilator --lint-only -Wall`, machines through Yosys
+# lint.sh MODULE ...: these modules alone, through both
 # lint.sh --corners N [--seed S]: N machines that nobody chose, of the seeds S, S + 1, ..., through both
 #
 # --rest: only what the tests in $BUILD do not read as strictly: modules that none of them has Verilated (which is done
@@ -29,6 +30,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 if ! [[ ${corners:-1}$seed =~ ^[0-9]+$ ]]; then echo "lint.sh: --corners N --seed S, expected numbers" >&2; exit 2; fi
+named=${modules[0]:-}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 if [ ${#modules[@]} -eq 0 ] && [ -z "$corners" ]; then
@@ -42,7 +44,7 @@ declare -A point  # settings of each design point
 while read -r name settings; do point[$name]=$settings; done < <(synth/design_points.py)
 # Machines beside the design points, as settings, for what none of those has: pu_compensate; a second cull or living
 # quads in windows of one part; a narrow bus and clocks that never stop; nothing that can be left out.
-others=("antialias=1" "tight_cull=1" "late=1 order=2 quads=1" "bus_w=128 clock_gates=0"
+others=("antialias=1 bus_w=128 clock_gates=0" "tight_cull=1" "late=1 order=2 quads=1"
   "sh_degree=0 near_test=0 guard_band=0 saturation=0 early_stop=0 layered=0 index_ties=0 overflow=0 large_groups=0 \
 taps=0")
 elaborated=() simulated=("bus_w=0")
@@ -89,7 +91,7 @@ elaborate() {  # MODULES, SETTINGS: each of them as the top of a design
 }
 top_of() { if [[ " $1 " == *" bus_w=0 "* ]]; then echo pipegs_host; else echo pipegs_axi; fi; }
 if [ -n "$corners" ]; then
-  broken=("index_ties=0 depth_w=12 bucket_bits=6" "world_w=44 scale_m_w=14" "mean_f=11 order=1")
+  broken=("index_ties=0 depth_w=12 bucket_bits=6 world_w=44 scale_m_w=14" "mean_f=11 order=1")
   for ((i = 0; i < ${#broken[@]} + corners; i += 1)); do
     before=$failed replay=''
     if [ "$i" -lt ${#broken[@]} ]; then
@@ -107,6 +109,10 @@ if [ -n "$corners" ]; then
   exit
 fi
 for module in "${modules[@]}"; do lint "$module" "${machine_of[$module]:-}"; done
+if [ -n "$named" ]; then  # no machine
+  simulated=() elaborated=()
+  for module in "${modules[@]}"; do elaborate "$module" "${machine_of[$module]:-}"; done
+fi
 for machine in "${simulated[@]}"; do lint pipegs_sim "$machine"; done
 for machine in "${elaborated[@]}"; do
   elaborate "$(top_of "$machine")" "$machine"
