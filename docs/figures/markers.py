@@ -61,16 +61,17 @@ def value(page, expression):
 
 
 def mixed(names):
-    """Of entries that one figure or table is made of: which parts of the sources they have in different states."""
-    seen = collections.defaultdict(lambda: collections.defaultdict(list))
-    for name in sorted(names):
+    """Which parts of the sources entries have in different states, and these entries by their states; "" when none."""
+    states = collections.defaultdict(set)
+    for name in names:
         for part, state in shown[name]["by"].items():
-            seen[part][state].append(name)
-    return [
-        f"{part} " + " and ".join(f"{state} in {', '.join(of)}" for state, of in states.items())
-        for part, states in seen.items()
-        if part != "command" and len(states) > 1
-    ]
+            states[part].add(state)
+    parts = [part for part, of in states.items() if len(of) > 1 and part != "command"]
+    groups = collections.defaultdict(list)
+    for name in sorted(names):
+        own = tuple(shown[name]["by"].get(part) for part in parts)
+        groups[own] += [name] if any(own) else []
+    return f"different {', '.join(parts)}: {' and '.join(map(' '.join, groups.values()))}" if parts else ""
 
 
 def measured_at(names):
@@ -105,7 +106,9 @@ def render(page, content):
             raise PageError(f"{page}:{line}: {match['what']}: {error}") from error
         states = mixed(names)
         if states:
-            refused.append(f"{page}:{line}: {match['what']}: mixes figures of different sources, {'; '.join(states)}")
+            refused.append(f"{page}:{line}: {match['what']}: mixes figures of {states}")
+            if match["text"].strip():
+                return match[0]
         if text.startswith("| "):
             text += measured_at(names)
         text = f"\n\n{text}\n\n" if "\n" in text else text
