@@ -7,7 +7,7 @@
 # PUs, SUs and RUs are classes of their own, whose code all units of a kind call: Verilator merges their functions where
 # it sees that they are equal (units.vlt), the linker where only the compiler could. With +apart, and wherever waves,
 # gates or threads are asked for, every unit has code of its own, as Verilator's -O3 alone makes it: four times as much,
-# which no processor's caches hold. +verilator and +cxx add options, to measure what they gain (verif/speed).
+# which no processor's caches hold. +verilator and +cxx add options, to measure what they gain.
 # With +netlist DOPU, PUs, SUs and RUs are the gates that synth/synth.py maps them to, each unit Verilated once as a
 # library of its own; the rest is RTL. What begins with + says how the machine is simulated (RtlVariant), the rest which
 # machine it is.

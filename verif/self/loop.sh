@@ -43,11 +43,11 @@ timed run largest "$work/build/pipegs" sim --out "$work/build/out"
 simulated=$(tail -n 1 "$work/log")
 found+=("\"memory_mb\": $((memory > simulated ? memory : simulated))" "\"disk_mb\": $(du -sm "$work/build" | cut -f 1)")
 rm -rf "$work/build"
-step cmake --build "$build" --target pipegs rtl pu_conic_test machine_speed
-machine=$("$build/verif/speed/machine_speed" fast "")
+step cmake --build "$build" --target pipegs rtl pu_conic_test
+machine=$(synth/design_points.py | sed -n 's/^fast //p')
 rm -rf "$build/verilated/verilated_pu_conic" "$build"/verif/pu/conic/{libverilated_pu_conic.a,pu_conic_test}
 timed module module_test
 # shellcheck disable=SC2086  # the settings are words
-timed machine sim/rtl/build_rtl.sh "$build" "$work/machine" ${machine//,/ }
+timed machine sim/rtl/build_rtl.sh "$build" "$work/machine" $machine
 timed frame "$build/pipegs" sim --no-truth --out "$work/frame"
 (IFS=,; echo "{${found[*]}}")
