@@ -9,6 +9,7 @@ import collections
 import datetime
 import fnmatch
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -136,6 +137,7 @@ def main():
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # as control-C: ends what was started
     try:
         sys.exit(main())
     except markers.PageError as error:
