@@ -5,7 +5,7 @@ BUILD ?= build
 DESIGN ?= fast
 PACKAGES := verilator yosys clang ccache ninja-build cmake libopenexr-dev libglm-dev libpng-dev zlib1g-dev \
             libwebp-dev libzstd-dev libminizip-dev libjpeg62-turbo-dev pkg-config libcli11-dev nlohmann-json3-dev \
-            libfmt-dev libgtest-dev libeigen3-dev libstb-dev libclang-rt-14-dev
+            libfmt-dev libgtest-dev libeigen3-dev libnanoflann-dev libstb-dev libclang-rt-14-dev
 STYLE := clang-format black shellcheck codespell
 GATES := opensta qflow-tech-osu018
 SITE := mkdocs mkdocs-material

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "cpp_model/float/parallel.hpp"
 #include "cpp_model/float/projection.hpp"
@@ -29,40 +28,28 @@ struct Excess {
   double value = 0, by_sigma = 0, by_mean = 0;
 };
 
-Excess excess(double sigma, const LayerGrid::Distance& distance, double least, const CldrOptions& options) {
-  if (!(sigma > options.gamma * distance.length)) return {};
-  if (options.form == CldrForm::kPrinted)
-    return {sigma - options.gamma * distance.length, 1, -options.gamma * distance.slope};
+Excess excess(double sigma, const LayerGrid::Distance& distance, double least, CldrForm form) {
+  if (!(sigma > kGamma * distance.length)) return {};
+  if (form == CldrForm::kPrinted) return {sigma - kGamma * distance.length, 1, -kGamma * distance.slope};
   const double d = std::max(distance.length, least), slope = distance.length > least ? distance.slope : 0;
-  if (!(sigma > options.gamma * d)) return {};
-  if (options.form == CldrForm::kRelative) return {sigma / d - options.gamma, 1 / d, -sigma / (d * d) * slope};
-  return {std::log(sigma / (options.gamma * d)), 1 / sigma, -slope / d};
-}
-
-struct AxisRange {
-  int first, last;
-};
-
-AxisRange axes_of(const Camera* camera, const CldrOptions& options) {
-  if (options.all_axes) return {0, 2};
-  if (camera == nullptr) throw std::invalid_argument("cldr: one axis needs a camera whose principal axis it is");
-  const int axis = principal_axis(*camera);
-  return {axis, axis};
+  if (!(sigma > kGamma * d)) return {};
+  if (form == CldrForm::kRelative) return {sigma / d - kGamma, 1 / d, -sigma / (d * d) * slope};
+  return {std::log(sigma / (kGamma * d)), 1 / sigma, -slope / d};
 }
 
 // One Gaussian's part of the loss; adds to `sum`, if it is not null. `share` is the weight of one Gaussian and axis.
-double loss_of(const Parameters& parameters, std::size_t i, const LayerGrid& grid, const AxisRange& axes, double share,
-               const CldrOptions& options, Gradient* sum) {
+double loss_of(const Parameters& parameters, std::size_t i, const LayerGrid& grid, double share, CldrForm form,
+               Gradient* sum) {
   ActivatedGaussian gaussian;
   if (activate(parameters, i, gaussian) != Cull::kNone) return 0;
   const glm::dmat3 rotation = rotation_matrix(gaussian.rotation);
   glm::dmat3 d_rotation(0);
   double loss = 0;
-  for (int axis = axes.first; axis <= axes.last; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
     const glm::dvec3 row = extent(rotation, gaussian.scale, axis);
     const double sigma = glm::length(row);
     const Excess e =
-        excess(sigma, grid.distance(axis, gaussian.mean[axis]), kLeastDistance * grid.cell_size[axis], options);
+        excess(sigma, grid.distance(axis, gaussian.mean[axis]), kLeastDistance * grid.cell_size[axis], form);
     if (!(e.value > 0)) continue;
     loss += share * e.value * e.value;
     if (sum == nullptr) continue;
@@ -79,49 +66,31 @@ double loss_of(const Parameters& parameters, std::size_t i, const LayerGrid& gri
 
 }  // namespace
 
-double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const Camera* camera, const CldrOptions& options,
-                 Gradient* sum) {
+double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const CldrOptions& options, Gradient* sum) {
   if (sum != nullptr) check_same_shape(parameters, *sum);
-  const AxisRange axes = axes_of(camera, options);
   // Of one Gaussian and axis in the loss: 1/N, and the mean over the axes.
-  const double share = options.weight / (static_cast<double>(std::max<std::size_t>(parameters.size(), 1)) *
-                                         (axes.last - axes.first + 1));
+  const double share = options.weight / (static_cast<double>(std::max<std::size_t>(parameters.size(), 1)) * 3);
   std::vector<double> losses((parameters.size() + kBlock - 1) / kBlock);
   parallel_for(losses.size(), 0, [&](std::size_t block) {
     for (std::size_t i = block * kBlock; i < std::min(parameters.size(), (block + 1) * kBlock); ++i) {
-      losses[block] += loss_of(parameters, i, grid, axes, share, options, sum);
+      losses[block] += loss_of(parameters, i, grid, share, options.form, sum);
     }
   });
   return std::accumulate(losses.begin(), losses.end(), 0.0);
 }
 
-namespace {
-
-// Of parameters or of a scene.
-template <class Gaussians>
-std::array<std::size_t, 3> count_violators(const Gaussians& gaussians, std::size_t size, const LayerGrid& grid,
-                                           double gamma) {
+std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid) {
   std::array<std::size_t, 3> count{};
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
     ActivatedGaussian gaussian;
-    if (activate(gaussians, i, gaussian) != Cull::kNone) continue;
+    if (activate(scene, i, gaussian) != Cull::kNone) continue;
     const glm::dmat3 rotation = rotation_matrix(gaussian.rotation);
     for (int axis = 0; axis < 3; ++axis) {
       const double sigma = glm::length(extent(rotation, gaussian.scale, axis));
-      count[static_cast<std::size_t>(axis)] += sigma > gamma * grid.distance(axis, gaussian.mean[axis]).length;
+      count[static_cast<std::size_t>(axis)] += sigma > kGamma * grid.distance(axis, gaussian.mean[axis]).length;
     }
   }
   return count;
-}
-
-}  // namespace
-
-std::array<std::size_t, 3> violators(const Parameters& parameters, const LayerGrid& grid, double gamma) {
-  return count_violators(parameters, parameters.size(), grid, gamma);
-}
-
-std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid, double gamma) {
-  return count_violators(scene, scene.gaussians.size(), grid, gamma);
 }
 
 }  // namespace pipegs

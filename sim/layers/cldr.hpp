@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // cldr: the loss that keeps Gaussians inside their layers, and who is not yet inside.
 //
-// Paper   Eq. 4: sigma_n^2 = n^T R diag(s^2) R^T n, n the principal axis, a world axis.
+// Paper   Eq. 4: sigma_n^2 = n^T R diag(s^2) R^T n, n a world axis.
 //         Eq. 5: L_boundary = 1/N sum_i max(0, sigma_n - gamma d)^2, d the distance to the nearest boundary.
 //         Eq. 6: what is returned is weight * L_boundary, lambda_cldr = 0.05, gamma = 0.9.
 // Idea    Printed so, the loss has the square of a length as its unit: in scene units it is nothing beside the
@@ -11,35 +11,31 @@
 //         it is smaller than that.
 //         kLogarithm is max(0, log(sigma / gamma d))^2, the relative one without its steepness: a mean that is a
 //         hundredth of sigma from a boundary pulls five times as much as one at a half, and not fifty times.
-// Axes    The principal axis of a camera, or the mean of the losses of all three.
+// Axes    The mean of the losses of all three: the paper's n is the principal axis of the view's camera.
 // Rule    Means through d, log scales and rotations have a gradient. What cannot be drawn has no loss, and counts in N.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
-#include "scenes/camera.hpp"
 #include "sim/layers/layer_grid.hpp"
 #include "sim/layers/parameters.hpp"
 
 namespace pipegs {
 
-inline constexpr double kLeastDistance = 1e-3;
+inline constexpr double kLeastDistance = 1e-3, kGamma = 0.9;
 
 enum class CldrForm { kPrinted, kRelative, kLogarithm };
 
 struct CldrOptions {
   CldrForm form = CldrForm::kRelative;
-  double gamma = 0.9, weight = 0.05;
-  bool all_axes = true;
+  double weight = 0.05;
 };
 
-// Adds to `sum`, if it is not null. Without all_axes there must be a camera: else std::invalid_argument.
-double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const Camera* camera, const CldrOptions& options,
-                 Gradient* sum);
+// Adds to `sum`, if it is not null.
+double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const CldrOptions& options, Gradient* sum);
 
 // By axis: how many Gaussians have sigma > gamma d.
-std::array<std::size_t, 3> violators(const Parameters& parameters, const LayerGrid& grid, double gamma);
-std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid, double gamma);
+std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid);
 
 }  // namespace pipegs

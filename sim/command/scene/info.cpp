@@ -6,7 +6,6 @@
 #include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
 #include "scenes/text/json.hpp"
-#include "sim/report/finite.hpp"
 #include "sim/layers/margin.hpp"
 
 namespace pipegs {
@@ -22,14 +21,7 @@ std::vector<Margin> margins_of(const Scene& scene, const SceneInfo& info) {
 
 nlohmann::ordered_json json_of(const std::vector<Margin>& margins) {
   auto json = nlohmann::ordered_json::array();
-  for (const Margin& m : margins) {
-    auto expected = nlohmann::ordered_json::array();
-    for (const double share : m.share) expected.push_back(finite_json(expected_order_db(share)));
-    json.push_back({{"grid", m.grid},
-                    {"violators_share", m.share},
-                    {"expected_order_db", expected},
-                    {"expected_order_db_error", kOrderDbError}});
-  }
+  for (const Margin& m : margins) { json.push_back({{"grid", m.grid}, {"violators_share", m.share}}); }
   return json;
 }
 
@@ -38,9 +30,7 @@ std::string text_of(const std::vector<Margin>& margins) {
   for (const Margin& m : margins) {
     out += fmt::format("  {} layers: reach over a plane along x, y, z:", m.grid);
     for (const double share : m.share) out += fmt::format(" {:.2f} %", 100 * share);
-    out += "; order PSNR to expect:";
-    for (const double share : m.share) out += fmt::format(" {:.0f}", expected_order_db(share));
-    out += fmt::format(" dB, each +- {:.0f}\n", kOrderDbError);
+    out += "\n";
   }
   return out;
 }

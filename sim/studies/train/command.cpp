@@ -10,7 +10,6 @@
 #include <set>
 
 #include "scenes/cameras/around.hpp"
-#include "scenes/cameras/path.hpp"
 #include "scenes/colmap/colmap.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/own_failure.hpp"
@@ -29,12 +28,12 @@ namespace fs = std::filesystem;
 struct TrainArguments {
   SceneArguments scene;  // or the folder of photographs
   CameraArguments cameras;
-  std::string out = "trained", order = "layered", cldr, axes = "all";
-  int path = 0, around = 0, steps = 3000, downscale = 1, sh_degree = kMaxShDegree, layers = 0, checkpoint_every = 500;
+  std::string out = "trained", order = "layered", cldr;
+  int around = 0, steps = 3000, downscale = 1, sh_degree = kMaxShDegree, layers = 0, checkpoint_every = 500;
   std::size_t most_gaussians = 200000;
   uint64_t seed = 1;
   unsigned threads = 0;
-  double weight = 0, gamma = 0.9, layers_begin = 0.5;
+  double weight = 0, layers_begin = 0.5;
   bool weight_given = false, begin_given = false, resume = false, json = false;
 };
 
@@ -73,10 +72,9 @@ void check_memory(const std::vector<Camera>& cameras, int downscale, uint64_t by
 }
 
 TrainInput of_photographs(const TrainArguments& arguments) {
-  if (!arguments.cameras.file.empty() || arguments.cameras.orbit > 0 || arguments.path > 0 || arguments.around > 0)
+  if (!arguments.cameras.file.empty() || arguments.cameras.orbit > 0 || arguments.around > 0)
     throw ConfigError(
-        "--cameras, --orbit, --path, --around: found one with a folder of photographs, expected none: COLMAP's model "
-        "has them");
+        "--cameras, --orbit, --around: found one with a folder of photographs, expected none: COLMAP's model has them");
   const ColmapFolder folder = read_colmap(arguments.scene.file);
   check_memory(folder.cameras, arguments.downscale, kPhotoBytes);
   Progress progress("photographs");
@@ -91,16 +89,14 @@ TrainInput of_scene(const TrainArguments& arguments) {
   const bool own = arguments.scene.file.empty();
   const Scene scene = arguments.scene.load();
   std::vector<Camera> cameras = given ? *given : arguments.cameras.frame(scene, own);
-  if (arguments.path > 0) cameras = camera_path(cameras, arguments.path);
   std::set<std::string> given_names;
   if (arguments.around > 0) {
     for (const Camera& camera : cameras) given_names.insert(camera.name);
     cameras = cameras_around(cameras, arguments.around, arguments.seed);
   }
   if (cameras.size() < 2)
-    throw InputError(
-        arguments.cameras.file, "",
-        "found one view, expected at least two, of which one is held out: --cameras, --orbit, --path or --around");
+    throw InputError(arguments.cameras.file, "",
+                     "found one view, expected at least two, of which one is held out: --cameras, --orbit or --around");
   check_memory(cameras, arguments.downscale, kComputedBytes);
   start_of_scene(arguments.scene.file, scene, 1);  // refused before it is drawn
   Progress progress("targets");
@@ -133,8 +129,6 @@ TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
                       : arguments.cldr == "relative" ? CldrForm::kRelative
                                                      : CldrForm::kLogarithm;
   options.layers_begin = arguments.begin_given ? arguments.layers_begin : fine_tuning ? 0 : 0.5;
-  options.cldr.gamma = arguments.gamma;
-  options.cldr.all_axes = arguments.axes == "all";
   options.cldr.weight = arguments.weight_given ? arguments.weight : default_weight(options);
   options.threads = arguments.threads;
   return options;
@@ -200,9 +194,6 @@ int run_train(const TrainArguments& arguments) {
   const TrainOptions options = options_of(arguments, fine_tuning);
   if (options.layers != 0 && options.layers != 2 && options.layers != 4 && options.layers != 8)
     throw ConfigError(fmt::format("--layers: found {}, expected 0 for none, or 2, 4 or 8", options.layers));
-  if (options.layers > 0 && options.regularised && options.cldr.form == CldrForm::kLogarithm &&
-      !(options.cldr.gamma > 0))
-    throw ConfigError("--gamma: found 0, expected more with --cldr logarithm, whose unit is gamma d");
   const fs::path out = arguments.out;
   try_folder("--out", out, {"scene.ply", "cameras.json", "held_out.json", "train.json", "checkpoint.bin"});
   const TrainInput input = fine_tuning ? of_scene(arguments) : of_photographs(arguments);
@@ -251,8 +242,6 @@ void add_train(CLI::App& app, Run& run) {
   arguments.scene.add(*command);
   command->get_option("SCENE")->description("a folder of photographs, or a scene in any format; without it our own");
   arguments.cameras.add(*command);
-  add_integer(*command, "--path", arguments.path, "of a scene: so many views on a smooth way through its views", 2,
-              100000);
   add_integer(*command, "--around", arguments.around, "of a scene: so many more views about each of its views", 1,
               1000);
   command->add_option("--out", arguments.out, "folder for scene.ply, cameras.json, held_out.json, train.json")
@@ -287,12 +276,6 @@ void add_train(CLI::App& app, Run& run) {
            "share of the steps before layers count; without it 0.5 of photographs, 0 of a scene",
            RealRange{.low = 0, .high = 1})
       ->each([](const std::string&) { arguments.begin_given = true; });
-  add_real(*command, "--gamma", arguments.gamma, "how much of the way to a plane one standard deviation may take",
-           kNotNegative)
-      ->capture_default_str();
-  command->add_option("--cldr-axes", arguments.axes, "planes across all axes, or across that of the view's camera")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"all", "camera"}));
   add_integer(*command, "--checkpoint-every", arguments.checkpoint_every, "steps between two checkpoints", 1, 10000000)
       ->capture_default_str();
   command->add_flag("--resume", arguments.resume, "go on from the checkpoint in --out, if there is one");

@@ -102,8 +102,6 @@ nlohmann::ordered_json train_json(const TrainOptions& options, const TrainState&
   given["cldr"] = !regularised ? "none" : name_of(options.cldr.form);
   given["cldr_weight"] = regularised ? Json(options.cldr.weight) : Json(nullptr);
   given["layers_begin"] = options.layers > 0 ? Json(options.layers_begin) : Json(nullptr);
-  given["gamma"] = regularised ? Json(options.cldr.gamma) : Json(nullptr);
-  given["cldr_axes"] = regularised ? Json(options.cldr.all_axes ? "all" : "camera") : Json(nullptr);
   if (report.before) json["held_out_before"] = json_of(*report.before, report);
   json["held_out"] = json_of(report.after, report);
   return json;

@@ -8,7 +8,6 @@
 
 #include "sim/layers/margin.hpp"
 #include "sim/studies/train/run/evaluate.hpp"
-#include "sim/studies/train/run/machine_views.hpp"
 #include "sim/studies/train/run/trainer.hpp"
 
 namespace pipegs {

@@ -7,6 +7,8 @@
 //         transpose) and come back as  d/dp = blur(by [p]) + 2 p blur(by [p^2]) + q blur(by [p q]).
 #include "sim/studies/train/gradient/photo_loss.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -155,6 +157,23 @@ double photo_loss(const std::vector<glm::vec3>& picture, const std::vector<glm::
 double photo_loss(const std::vector<glm::dvec3>& picture, const std::vector<glm::dvec3>& photo, int width, int height,
                   double dssim_weight, std::vector<glm::dvec3>* d_picture) {
   return loss_of(picture, photo, width, height, dssim_weight, d_picture);
+}
+
+double squared_loss(const std::vector<glm::vec3>& picture, const std::vector<glm::vec3>& wanted,
+                    std::vector<glm::vec3>* d_picture) {
+  if (picture.size() != wanted.size())
+    throw std::invalid_argument(
+        fmt::format("squared_loss: pictures of {} and {} pixels, expected one size", picture.size(), wanted.size()));
+  const double values = 3 * static_cast<double>(picture.size());
+  const auto share = static_cast<float>(2 / values);
+  d_picture->resize(picture.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const glm::vec3 difference = picture[i] - wanted[i];
+    sum += glm::dot(difference, difference);
+    (*d_picture)[i] = share * difference;
+  }
+  return sum / values;
 }
 
 }  // namespace pipegs

@@ -150,9 +150,7 @@ std::uint64_t run_mark(const TrainOptions& options, const TrainingViews& views, 
   marker.field("", options.regularised);
   marker.field("", options.cldr.form);
   marker.field("", options.layers_begin);
-  marker.field("", options.cldr.gamma);
   marker.field("", options.cldr.weight);
-  marker.field("", options.cldr.all_axes);
   marker.field("", views.extent);
   for (const TrainingView& view : views.trained) {
     const Camera& camera = view.camera;

@@ -2,11 +2,14 @@
 // evaluate: how well a scene shows views on which it was not trained.
 //
 // Idea    The float64 truth draws each view, in exact depth order and in the order of the layers of the machine, and is
-//         held against what should be seen: PSNR and SSIM (metrics.hpp).
+//         held against what should be seen: PSNR and SSIM (metrics.hpp). So are the pixels of the machines: the golden
+//         model has those of the RTL, bit for bit, and the timing model tells the cycles.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "cpp_model/config.hpp"
 #include "sim/layers/layer_grid.hpp"
 #include "sim/studies/train/photos/view.hpp"
 
@@ -25,5 +28,19 @@ std::vector<Likeness> likeness(const Parameters& parameters, const std::vector<T
 
 // For TruthOptions: the layers in the order in which the camera takes them, by depth inside, ties by index.
 std::vector<std::uint32_t> layered_rank(const Parameters& parameters, const LayerGrid& grid, const Camera& camera);
+
+struct MachineViews {
+  std::string name;  // of the design point
+  std::vector<Likeness> likeness;
+  std::vector<std::uint64_t> cycles;  // of one frame, with the DRAM of the defaults
+};
+
+MachineViews machine_views(const std::string& name, const Config& config, const Scene& scene,
+                           const std::vector<TrainingView>& views, const Advance& advance);
+
+// The two machines for which a scene is trained: the paper's, with a grid of so many cells along an axis, and the
+// default one, which draws in exact order.
+std::vector<MachineViews> both_machines(const Scene& scene, const std::vector<TrainingView>& views, int layers,
+                                        const Advance& advance);
 
 }  // namespace pipegs

@@ -7,7 +7,6 @@
 
 #include "scenes/generate/generate_random.hpp"
 #include "sim/studies/train/gradient/photo_loss.hpp"
-#include "sim/studies/train/gradient/squared_loss.hpp"
 
 namespace pipegs {
 namespace {
@@ -78,8 +77,7 @@ double Trainer::step() {
                                              kDssimWeight, &d_picture_);
     drawing.backward(d_picture_, gradient_, schedule.counts_gradients(step) ? &seen : nullptr);
   }
-  if (in_layers(step) && options_.regularised)
-    loss += cldr_loss(parameters, state_.grid, &view.camera, options_.cldr, &gradient_);
+  if (in_layers(step) && options_.regularised) loss += cldr_loss(parameters, state_.grid, options_.cldr, &gradient_);
   adam_step(parameters, state_.moments, gradient_, schedule.rates(step, views_.extent), step, options_.threads);
   if (schedule.counts_gradients(step)) state_.demand.add(seen);
   if (schedule.grows(step)) {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // start: see start.hpp.
+//
+// Idea    The neighbours come from a k-d tree (nanoflann), which is exact, as INRIA's simple-knn is.
 #include "sim/studies/train/start/start.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <nanoflann.hpp>
 
+#include "cpp_model/float/parallel.hpp"
 #include "cpp_model/float/projection.hpp"
 #include "scenes/input_error.hpp"
-#include "sim/studies/train/start/neighbours.hpp"
 
 namespace pipegs {
 namespace {
@@ -15,8 +19,38 @@ namespace {
 constexpr double kLeastSquare = 1e-7;  // of a distance, scene units: points may lie on each other
 constexpr double kStartOpacity = 0.1;
 constexpr float kLargestLogit = 13.8f;  // 1e-6 from 0 and from 1
+constexpr std::size_t kNeighbours = 3, kBlock = 1024;
+
+// Points as nanoflann asks for them.
+struct Cloud {
+  const std::vector<glm::dvec3>& points;
+
+  std::size_t kdtree_get_point_count() const { return points.size(); }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][static_cast<int>(axis)]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;  // it finds the box itself
+  }
+};
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3>;
 
 }  // namespace
+
+std::vector<double> mean_squared_distances(const std::vector<glm::dvec3>& points, unsigned threads) {
+  const Cloud cloud{points};
+  const Tree tree(3, cloud);
+  std::vector<double> means(points.size());
+  parallel_for((points.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
+    for (std::size_t i = block * kBlock; i < std::min(points.size(), (block + 1) * kBlock); ++i) {
+      std::array<std::uint32_t, kNeighbours + 1> places;
+      std::array<double, kNeighbours + 1> squares;  // ascending; the first is 0, of the point itself or one on it
+      const std::size_t others = tree.knnSearch(&points[i][0], places.size(), places.data(), squares.data()) - 1;
+      for (std::size_t k = 1; k <= others; ++k) means[i] += squares[k];
+      if (others > 0) means[i] /= static_cast<double>(others);
+    }
+  });
+  return means;
+}
 
 Parameters start_of_points(const std::vector<ScenePoint>& points, int sh_degree, std::size_t most, unsigned threads) {
   const std::size_t count = std::min(points.size(), most);

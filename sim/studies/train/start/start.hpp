@@ -17,6 +17,10 @@ namespace pipegs {
 // At most `most` Gaussians: of more points, evenly many in their order.
 Parameters start_of_points(const std::vector<ScenePoint>& points, int sh_degree, std::size_t most, unsigned threads);
 
+// The mean of the squared distances of each point to the three nearest others; of fewer where there are not so many, 0
+// for one point alone. Coordinates are finite.
+std::vector<double> mean_squared_distances(const std::vector<glm::dvec3>& points, unsigned threads);
+
 // InputError naming `file` for a scene that is antialiased or has no Gaussian that can be drawn.
 Parameters start_of_scene(const std::string& file, const Scene& scene, double extent);
 

@@ -101,14 +101,11 @@ TEST_F(TrainCli, ASceneIsFineTuned) {
   EXPECT_GT(json["held_out_before"]["exact"]["psnr_db"], 60) << "its pictures are its own";
 }
 
-TEST_F(TrainCli, ViewsAreThoseOfAnOrbitOrAPath) {
+TEST_F(TrainCli, ViewsAreThoseOfAnOrbitOrAroundThose) {
   const Outcome orbit = run("train scene.ply --orbit 9 --size 40x30 --steps 2 --json --out orbit");
   ASSERT_EQ(orbit.code, 0) << orbit.err;
   EXPECT_EQ(Json::parse(orbit.out), report("orbit"));
   EXPECT_EQ(report("orbit")["views"], Json({{"trained", 7}, {"held_out", 2}}));
-  const Outcome path = run("train scene.ply --cameras cameras.json --path 17 --steps 2 --out path");
-  ASSERT_EQ(path.code, 0) << path.err;
-  EXPECT_EQ(report("path")["views"], Json({{"trained", 14}, {"held_out", 3}}));
   const Outcome around = run("train scene.ply --size 40x30 --around 9 --steps 2 --out around");
   ASSERT_EQ(around.code, 0) << around.err;
   EXPECT_EQ(report("around")["views"], Json({{"trained", 8}, {"held_out", 2}}));
@@ -117,9 +114,6 @@ TEST_F(TrainCli, ViewsAreThoseOfAnOrbitOrAPath) {
   EXPECT_EQ(measured[0]["camera"].get<std::string>().rfind("around_", 0), 0u);
   EXPECT_EQ(measured[1]["held_out"], true);
   EXPECT_EQ(measured[2]["held_out"], false);
-  const std::vector<Camera> views = read_cameras(folder_ / "path/cameras.json");
-  ASSERT_EQ(views.size(), 17u);
-  EXPECT_LT(glm::length(views[16].position - read_cameras(folder_ / "cameras.json")[8].position), 1e-9);
 }
 
 TEST_F(TrainCli, KilledAndResumedItIsTheSameScene) {
@@ -172,13 +166,10 @@ TEST_F(TrainCli, AFullDiskLeavesTheCheckpointBefore) {
 TEST_F(TrainCli, BadUseIsToldInOneLine) {
   expect_refused("train nowhere --cameras cameras.json", "nowhere: cannot open: found no file");
   expect_refused("train scene.ply", "found one view, expected at least two, of which one is held out: --cameras, ");
-  expect_refused("train scene.ply --path 9", "--path: found 1 view, expected two or more");
-  for (const char* views : {"--cameras cameras.json", "--orbit 9", "--path 9", "--around 1"})
+  for (const char* views : {"--cameras cameras.json", "--orbit 9", "--around 1"})
     expect_refused(std::string("train photos ") + views, "found one with a folder of photographs, expected none");
   expect_refused("train photos --layers 3", "--layers: found 3, expected 0 for none, or 2, 4 or 8");
   expect_refused("train photos --steps 0", "--steps: found '0'");
-  expect_refused("train photos --gamma nan", "--gamma: found 'nan'");
-  expect_refused("train photos --gamma 0 --layers 4", "--gamma: found 0");
   expect_refused("train photos --layers-begin 1.5", "--layers-begin: found '1.5'");
   expect_refused("train photos --cldr-weight -1", "--cldr-weight: found '-1'");
   expect_refused("train photos --out scene.ply", "--out 'scene.ply': cannot be written");

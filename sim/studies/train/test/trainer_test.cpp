@@ -71,7 +71,7 @@ TEST(Trainer, FineTuningMakesTheOrderMatterLess) {
   options.schedule = {300, true};
   options.layers = 4;
   const auto crossing = [&](const Parameters& parameters) {
-    return cldr_loss(parameters, layer_grid(parameters, 4), nullptr, options.cldr, nullptr);
+    return cldr_loss(parameters, layer_grid(parameters, 4), options.cldr, nullptr);
   };
   const auto layered_psnr = [&](const Parameters& parameters) {
     const LayerGrid grid = layer_grid(parameters, 4);

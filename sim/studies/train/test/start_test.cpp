@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Against sim/studies/train/start: distances to the three nearest neighbours are those of a search through all
 // points, and a scene begins with balls of that size.
-#include "sim/studies/train/start/neighbours.hpp"
+#include "sim/studies/train/start/start.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 
 #include "cpp_model/float/projection.hpp"
 #include "scenes/input_error.hpp"
-#include "sim/studies/train/start/start.hpp"
 
 namespace pipegs {
 namespace {
