@@ -3,18 +3,36 @@
 //
 // Idea    Whoever makes a thing says position, axes, sizes, opacity and colour; logarithm, logit,
 //         quaternion and the rounding to a grid happen here only.
+// Colour  color[0] is the constant, color[1..15] are in the order of f_rest; display colours minus 0.5. They are fitted
+//         as training fits them: asked for from a ring of cameras around the scene, views from which the surface faces
+//         the camera weighted more, solved by regularised least squares. Like those of a trained scene they are sharp
+//         where cameras were and undefined elsewhere.
 // Stats   surface() draws opacity and size from the mixture that training leaves behind: a solid
 //         layer, a softer one, and many faint Gaussians that merely correct the colour.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <glm/glm.hpp>
 
-#include "scenes/generate/generate_color.hpp"
 #include "scenes/generate/generate_random.hpp"
 #include "scenes/scene.hpp"
 
 namespace pipegs::generate {
+
+using ShColor = std::array<glm::dvec3, 16>;
+
+// seen(v): display colour toward `v`, the unit direction from the point to a camera. A zero normal
+// means visible from all sides.
+ShColor fit_color(const glm::dvec3& point, const glm::dvec3& normal,
+                  const std::function<glm::dvec3(const glm::dvec3&)>& seen);
+
+// The same colour from everywhere.
+ShColor plain_color(const glm::dvec3& color);
+
+// Adds `amount` * dot(direction from camera, axis): what shines through leaves and haze.
+void add_gradient(ShColor& color, const glm::dvec3& axis, const glm::dvec3& amount);
 
 // Columns: tangent, bitangent, normal; right-handed and orthonormal.
 glm::dmat3 frame_of(const glm::dvec3& normal, const glm::dvec3& tangent_hint);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// generate_color: see generate_color.hpp.
+// generate_color: the colours of generate_builder.hpp.
 //
 // Idea    Normal equations A c = b with A = sum w y y^T + ridge, solved by Cholesky for the three
 //         channels at once. The ridge keeps unseen directions near the seen average, and A positive.
-#include "scenes/generate/generate_color.hpp"
+#include "scenes/generate/generate_builder.hpp"
 
 #include <cmath>
 #include <vector>
 
-#include "scenes/generate/generate_random.hpp"
 #include "scenes/sh_basis.hpp"
 
 namespace pipegs::generate {
@@ -40,7 +39,7 @@ ShColor fit_color(const glm::dvec3& point, const glm::dvec3& normal,
   double total = 0;
   for (const glm::dvec3& camera : photographers()) {
     const glm::dvec3 view = glm::normalize(camera - point);
-    const double weight = all_round ? 1 : smoothstep(-0.05, 0.25, glm::dot(view, normal));
+    const double weight = all_round ? 1 : glm::smoothstep(-0.05, 0.25, glm::dot(view, normal));
     if (weight <= 0) continue;
     const auto y = sh_basis(-view);
     const glm::dvec3 target = seen(view) - 0.5;

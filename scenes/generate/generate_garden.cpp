@@ -39,7 +39,7 @@ void add_stone(Builder& builder, const glm::dvec3& base, double size, std::size_
     const glm::dvec3 local(ring * std::cos(turn), ring * std::sin(turn), h);
     const glm::dvec3 mean = center + axes * (radii * local);
     const glm::dvec3 normal = glm::normalize(axes * (local / radii));
-    const double dark = 0.55 + 0.45 * smoothstep(-0.2, 0.5, h);  // near the earth less light arrives
+    const double dark = 0.55 + 0.45 * glm::smoothstep(-0.2, 0.5, h);  // near the earth less light arrives
     const ShColor color = plain_color(tone(diffuse(mean, normal, albedo * dark * random.uniform(0.88, 1.12))));
     builder.surface(mean, frame_of(normal, axes[0]), 2.1 * size / std::sqrt(static_cast<double>(patches)), 1.15, 0.84,
                     color);
@@ -73,11 +73,11 @@ void add_grass(Builder& builder, std::size_t count) {
     const double r = 1.9 * std::pow(9.5, std::pow(u.x, 0.9)), azimuth = 2 * kPi * u.y;
     const double x = r * std::sin(azimuth), z = r * std::cos(azimuth);
     if (random.uniform() < 0.97 * pebble_share(x, z) || random.uniform() > attention(on_ground(x, z, 0.1))) continue;
-    const double tuft = smoothstep(0.30, 0.62, fbm(x * 1.7, z * 1.7 + 31, 3));
+    const double tuft = glm::smoothstep(0.30, 0.62, fbm(x * 1.7, z * 1.7 + 31, 3));
     const double height = growth * (0.085 + 0.17 * tuft) * (0.65 + 0.085 * r) * random.uniform(0.55, 1.35);
     const glm::dvec3 lean = 0.35 * random.level_normals() + glm::dvec3(0.22, 0, 0);
     const glm::dvec3 a = on_ground(x, z, -0.02), b = a + height * (kUp + lean);
-    const double dry = smoothstep(0.45, 0.75, fbm(x * 0.4 + 3, z * 0.4, 3) + 0.18 * random.normal());
+    const double dry = glm::smoothstep(0.45, 0.75, fbm(x * 0.4 + 3, z * 0.4, 3) + 0.18 * random.normal());
     const glm::dvec3 albedo =
         glm::mix(glm::dvec3(0.075, 0.17, 0.022), glm::dvec3(0.36, 0.29, 0.075), dry) * random.uniform(0.6, 1.4);
     const glm::dvec3 middle = (a + b) * 0.5;
@@ -110,7 +110,7 @@ void add_flowers(Builder& builder, std::size_t count) {
     const double x = r * std::sin(azimuth) + 0.1 * random.normal(), z = r * std::cos(azimuth) + 0.1 * random.normal();
     const double meadow = fbm(x * 0.55 + 60, z * 0.55, 3);
     if (random.uniform() > attention(on_ground(x, z, 0.2)) || random.uniform() < pebble_share(x, z) * 0.98 ||
-        random.uniform() > smoothstep(0.38, 0.60, meadow))
+        random.uniform() > glm::smoothstep(0.38, 0.60, meadow))
       continue;
     // One kind prevails in each patch of the meadow.
     const double kind_noise = noise(x * 0.35 + 90, z * 0.35) * 1.3 + 0.25 * random.normal();

@@ -84,8 +84,8 @@ void add_shell(Builder& builder, std::size_t count) {
     ++i;
     const double turn = std::log(s) / std::log(kWhorlRatio) * 2 * kPi;
     const double growth = 0.80 + 0.20 * std::cos(44 * turn + 2 * std::sin(3 * around));  // fine growth lines
-    const double seam =
-        smoothstep(0, 0.55, std::abs(around + 0.62 * kPi)) * smoothstep(0, 0.5, std::abs(0.68 * kPi - around));
+    const double seam = glm::smoothstep(0.0, 0.55, std::abs(around + 0.62 * kPi)) *
+                        glm::smoothstep(0.0, 0.5, std::abs(0.68 * kPi - around));
     const glm::dvec3 albedo = shell_albedo(1 - s, around) * growth * (0.35 + 0.65 * seam);
     const glm::dvec3 body = diffuse(p.position, p.normal, albedo);
     const ShColor color = fit_color(p.position, p.normal, [&](const glm::dvec3& view) {
@@ -117,7 +117,7 @@ void add_spines(Builder& builder, std::size_t count) {
       const glm::dvec3 a = p.position + length * (from * out + 0.22 * from * from * kUp);
       const glm::dvec3 b = p.position + length * (to * out + 0.22 * to * to * kUp);
       const glm::dvec3 albedo =
-          glm::mix(shell_albedo(1 - s, around), glm::dvec3(0.95, 0.60, 0.22), smoothstep(0.1, 0.9, from));
+          glm::mix(shell_albedo(1 - s, around), glm::dvec3(0.95, 0.60, 0.22), glm::smoothstep(0.1, 0.9, from));
       const glm::dvec3 middle = (a + b) * 0.5;
       const glm::dvec3 light =
           diffuse(middle, p.normal, albedo) + 0.5 * albedo * kSunLight * sunlit(middle + 0.06 * p.normal) * from;

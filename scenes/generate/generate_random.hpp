@@ -76,9 +76,4 @@ inline double fbm(double x, double y, int octaves) {
   return sum / (1 - amplitude * 2);
 }
 
-inline double smoothstep(double low, double high, double x) {
-  const double t = glm::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 }  // namespace pipegs::generate

@@ -44,7 +44,7 @@ double shade_of(const Ball& ball, const glm::dvec3& point) {
   if (along <= 0) return 1;
   const double miss = std::sqrt(std::max(0.0, glm::dot(to, to) - along * along));
   const double blur = 0.02 + 0.045 * along;
-  return smoothstep(ball.radius - blur, ball.radius + blur, miss);
+  return glm::smoothstep(ball.radius - blur, ball.radius + blur, miss);
 }
 
 }  // namespace
@@ -62,8 +62,8 @@ const std::vector<Ball>& balls() {
 
 double terrain_height(double x, double z) {
   const double r = std::sqrt(x * x + z * z);
-  const double rolling = smoothstep(6, 45, r);
-  return 0.05 * (fbm(x * 0.9, z * 0.9, 3) - 0.5) * smoothstep(2, 4, r) +
+  const double rolling = glm::smoothstep(6.0, 45.0, r);
+  return 0.05 * (fbm(x * 0.9, z * 0.9, 3) - 0.5) * glm::smoothstep(2.0, 4.0, r) +
          rolling * 5.5 * (fbm(x * 0.035 + 3, z * 0.035 - 2, 3) - 0.52);
 }
 
@@ -71,13 +71,13 @@ glm::dvec3 on_ground(double x, double z, double above) { return {x, -(terrain_he
 
 double pebble_share(double x, double z) {
   const double edge = kPebbleRadius + 1.5 * (fbm(x * 0.8 + 9, z * 0.8, 3) - 0.5);
-  return smoothstep(edge + 0.35, edge - 0.35, std::sqrt(x * x + z * z));
+  return glm::smoothstep(edge + 0.35, edge - 0.35, std::sqrt(x * x + z * z));
 }
 
 glm::dvec3 ground_albedo(double x, double z) {
   const double patch = fbm(x * 0.22 + 40, z * 0.22, 4), fine = fbm(x * 2.3, z * 2.3 + 7, 3);
   const glm::dvec3 meadow =
-      glm::mix(glm::dvec3(0.075, 0.13, 0.022), glm::dvec3(0.25, 0.24, 0.05), smoothstep(0.3, 0.75, patch));
+      glm::mix(glm::dvec3(0.075, 0.13, 0.022), glm::dvec3(0.25, 0.24, 0.05), glm::smoothstep(0.3, 0.75, patch));
   const glm::dvec3 sand = glm::mix(glm::dvec3(0.20, 0.155, 0.11), glm::dvec3(0.34, 0.28, 0.205), fine);
   return glm::mix(meadow * (0.65 + 0.7 * fine), sand, pebble_share(x, z));
 }
@@ -87,14 +87,14 @@ double cloud_density(const glm::dvec3& d) {
   if (h < 0.005) return 0;
   const double u = d.x / (h + 0.16), v = d.z / (h + 0.16);
   const double shape = fbm(u * 0.8 + 2.1, v * 1.3 + 8.4, 5);
-  return smoothstep(0.48, 0.62, shape) * smoothstep(0.04, 0.16, h);
+  return glm::smoothstep(0.48, 0.62, shape) * glm::smoothstep(0.04, 0.16, h);
 }
 
 glm::dvec3 sky(const glm::dvec3& d) {
   const double h = std::max(0.0, glm::dot(d, kUp));
   const double toward =
       glm::dot(glm::normalize(glm::dvec3(d.x, 1e-9, d.z)), glm::normalize(glm::dvec3(kToSun.x, 0, kToSun.z)));
-  const double warm = smoothstep(-0.6, 1.0, toward);
+  const double warm = glm::smoothstep(-0.6, 1.0, toward);
   const glm::dvec3 horizon = glm::mix(glm::dvec3(0.52, 0.56, 0.66), glm::dvec3(1.35, 0.80, 0.42), warm);
   const glm::dvec3 zenith{0.045, 0.155, 0.46};
   glm::dvec3 light = glm::mix(zenith, horizon, std::exp(-h * 8.5));
@@ -177,8 +177,8 @@ glm::dvec3 shell_albedo(double whorl, double around) {
                               {0.78, 0.22, 0.12}, {0.42, 0.06, 0.22}, {0.20, 0.06, 0.36}};
   const double at = glm::clamp(whorl, 0.0, 0.999) * 5;
   const int i = static_cast<int>(at);
-  const glm::dvec3 base = glm::mix(stops[i], stops[i + 1], smoothstep(0, 1, at - i));
-  const double band = smoothstep(0.55, 0.95, std::sin(around * 9) * 0.5 + 0.5);
+  const glm::dvec3 base = glm::mix(stops[i], stops[i + 1], glm::smoothstep(0.0, 1.0, at - i));
+  const double band = glm::smoothstep(0.55, 0.95, std::sin(around * 9) * 0.5 + 0.5);
   return glm::mix(base, glm::dvec3(0.85, 0.74, 0.58), 0.55 * band);
 }
 

@@ -107,7 +107,7 @@ void add_mountains(Builder& builder, std::size_t count) {
     glm::dvec3 albedo =
         glm::mix(ridge.low, ridge.high, share) * (0.7 + 0.6 * fbm(azimuth * 90, height * 40 / ridge.height, 2));
     const double snow =
-        smoothstep(ridge.snow - 0.08, ridge.snow + 0.08, share + 0.35 * (fbm(azimuth * 60, share * 9, 3) - 0.5));
+        glm::smoothstep(ridge.snow - 0.08, ridge.snow + 0.08, share + 0.35 * (fbm(azimuth * 60, share * 9, 3) - 0.5));
     albedo = glm::mix(albedo, glm::dvec3(0.62, 0.66, 0.74), snow);
     // The slope of the ridge decides which flank the sun reaches.
     const glm::dvec3 normal = glm::normalize(-d + 0.9 * kUp - 1.3 * slope * glm::dvec3(d.z, 0, -d.x));

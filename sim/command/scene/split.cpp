@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "scenes/generate/generate.hpp"
-#include "scenes/generate/generate_split.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
