@@ -40,8 +40,9 @@ std::string print_csv(const RegisterMap& map) {
   for (const Register& reg : map.registers) {
     text += row(reg.offset, reg.name, "31:0", "", "", "", reg.what);
     for (const RegisterField& field : reg.fields) {
-      const std::string value =
-          field.value > 0xffff ? fmt::format("0x{:08x}", field.value) : std::to_string(field.value);
+      const std::string value = only_in_package(reg.name) ? ""
+                                : field.value > 0xffff    ? fmt::format("0x{:08x}", field.value)
+                                                          : std::to_string(field.value);
       text += row(reg.offset, reg.name + "." + field.name, bits_of(field.low, field.width), text_of(field.access),
                   value, field.unit, field.what);
     }

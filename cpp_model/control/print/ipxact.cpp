@@ -29,15 +29,15 @@ std::string element(int depth, const char* name, const std::string& text) {
   return fmt::format("{:{}}<ipxact:{}>{}</ipxact:{}>\n", "", 2 * depth, name, escaped(text), name);
 }
 
-std::string field_text(const RegisterField& field) {
+std::string field_text(const std::string& name, const RegisterField& field) {
   std::string text = "          <ipxact:field>\n" + element(6, "name", field.name) +
                      element(6, "description", field.unit.empty() ? field.what : field.unit + ": " + field.what) +
-                     element(6, "bitOffset", std::to_string(field.low)) +
-                     fmt::format(
-                         "            <ipxact:resets><ipxact:reset><ipxact:value>{}</ipxact:value></ipxact:reset>"
-                         "</ipxact:resets>\n",
-                         field.value) +
-                     element(6, "bitWidth", std::to_string(field.width));
+                     element(6, "bitOffset", std::to_string(field.low));
+  if (!only_in_package(name))
+    text += fmt::format(
+        "            <ipxact:resets><ipxact:reset><ipxact:value>{}</ipxact:value></ipxact:reset></ipxact:resets>\n",
+        field.value);
+  text += element(6, "bitWidth", std::to_string(field.width));
   if (field.access == Access::Read || field.access == Access::Clear) text += element(6, "volatile", "true");
   text += element(6, "access", access_of(field.access));
   if (field.access == Access::Clear) text += element(6, "modifiedWriteValue", "oneToClear");
@@ -48,7 +48,7 @@ std::string reg(const std::string& name, int offset, const std::string& what,
                 const std::vector<RegisterField>& fields) {
   std::string text = "        <ipxact:register>\n" + element(5, "name", name) + element(5, "description", what) +
                      element(5, "addressOffset", fmt::format("'h{:03x}", offset)) + element(5, "size", "32");
-  for (const RegisterField& field : fields) text += field_text(field);
+  for (const RegisterField& field : fields) text += field_text(name, field);
   return text + "        </ipxact:register>\n";
 }
 

@@ -2,6 +2,7 @@
 // print.hpp: the table of registers in the languages of those who read it, each as the text of a file or its end.
 //
 // What depends on the configuration: widths (package, CSV, RDL, IP-XACT). The C header does not: one driver for all.
+// The hash of the configuration, which each of its entries changes, stands in the package alone.
 #pragma once
 
 #include <string>
@@ -15,6 +16,9 @@ std::string print_header(const RegisterMap& map);   // cpp_model/driver/pipegs_r
 std::string print_csv(const RegisterMap& map);      // package/pipegs_registers.csv
 std::string print_rdl(const RegisterMap& map);      // package/pipegs_registers.rdl
 std::string print_ipxact(const RegisterMap& map);   // package/pipegs_registers.xml
+
+// Whether a register holds what no text but the package's says.
+inline bool only_in_package(const std::string& name) { return name == "CONFIG_HASH"; }
 
 // The name of one of the two registers of a slot, of letters, digits and underlines only: frame_lens_focal_x_low.
 inline std::string word_name(const SlotBlock& block, const Slot& slot, int word) {

@@ -28,10 +28,10 @@ std::string reg(const std::string& name, int offset, const std::string& what,
                 const std::vector<RegisterField>& fields) {
   std::string text = fmt::format("  reg {{\n    desc = {};\n", quoted(what));
   for (const RegisterField& field : fields) {
-    text +=
-        fmt::format("    field {{\n      desc = {};\n      {}\n    }} {}[{}:{}] = {}'h{:x};\n",
-                    quoted(field.unit.empty() ? field.what : field.unit + ": " + field.what), properties(field.access),
-                    field.name, field.low + field.width - 1, field.low, field.width, field.value);
+    const std::string reset = only_in_package(name) ? "" : fmt::format(" = {}'h{:x}", field.width, field.value);
+    text += fmt::format("    field {{\n      desc = {};\n      {}\n    }} {}[{}:{}]{};\n",
+                        quoted(field.unit.empty() ? field.what : field.unit + ": " + field.what),
+                        properties(field.access), field.name, field.low + field.width - 1, field.low, reset);
   }
   return text + fmt::format("  }} {} @ 0x{:03x};\n", name, offset);
 }
