@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "sim/design/design_point.hpp"
-#include "sim/report/html/pictures.hpp"
 #include "sim/report/html/printed_tables.hpp"
 
 namespace pipegs {
@@ -123,16 +122,6 @@ TEST(StudyPage, MachinesAreSettingsForAnyCommand) {
   Config config = find_design_point("exact").config;
   config.units = 2, config.alpha_w = 11;
   EXPECT_EQ(machine_words(config), "--design exact --set units=2 --set alpha_w=11");
-}
-
-TEST(StudyPage, PicturesShrinkByTheMean) {
-  Rgb8 picture{.width = 3, .height = 2, .data = {}};
-  for (int i = 0; i < 6; ++i) picture.data.insert(picture.data.end(), {static_cast<uint8_t>(10 * i), 0, 255});
-  const Rgb8 small = smaller(picture, 2);
-  EXPECT_EQ(small.width, 2);
-  EXPECT_EQ(small.height, 1);
-  EXPECT_EQ(small.data, (std::vector<uint8_t>{20, 0, 255, 35, 0, 255}));
-  EXPECT_EQ(smaller(picture, 1).data, picture.data);
 }
 
 }  // namespace

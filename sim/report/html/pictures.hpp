@@ -18,9 +18,6 @@ struct SmallPicture {
   std::string caption, id, png;  // contents of the file
 };
 
-// The mean of `step` x `step` pixels each, of fewer at the right and lower edge.
-Rgb8 smaller(const Rgb8& picture, int step);
-
 // The contents of a PNG file.
 std::string png_bytes(const Rgb8& picture);
 

@@ -12,9 +12,13 @@
 #pragma once
 
 #include "sim/layers/parameters.hpp"
-#include "sim/studies/train/optimise/schedule.hpp"
 
 namespace pipegs {
+
+struct Rates {
+  double mean, sh_dc, sh_rest, opacity, scale, rotation;
+  double damping = 0;  // of adam_step
+};
 
 struct Moments {
   Parameters first, second;  // m and v

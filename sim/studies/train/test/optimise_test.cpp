@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/studies/train/optimise/adam.hpp"
+#include "sim/studies/train/run/trainer.hpp"
 
 namespace pipegs {
 namespace {
