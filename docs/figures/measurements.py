@@ -55,8 +55,8 @@ TABLE = [
     # The timing model and the golden model: cycles, bytes, counts, decibels.
     *[Measurement(f"model/{scene}", f"build/pipegs model {{scene}} --designs {','.join(POINTS)} --json", MODEL, scene,
                   points=POINTS) for scene in FOUR],
-    *[Measurement(f"work/{scene}_{point}", f"build/pipegs sim {{scene}} --design {point} --no-rtl --json", ("models",),
-                  scene, points=(point,)) for scene in FOUR for point in ("fast", "dop")],
+    *[Measurement(f"work/{scene}_{point}", f"build/pipegs sim {{scene}} --design {point} --no-rtl --json",
+                  ("models", "bounds"), scene, points=(point,)) for scene in FOUR for point in ("fast", "dop")],
     *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --designs baseline,dop,exact,fast --json", MODEL, scene,
                   points=("baseline", "dop", "exact", "fast"), chart=f"sweep_{scene}.svg") for scene in CHARTED],
     *[Measurement(f"steps/{scene}_{name}", f"build/pipegs model {{scene}} --design exact {change} --json", MODEL, scene,
@@ -75,7 +75,7 @@ TABLE = [
                   scene, view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
     *[Measurement(f"profile/{scene}", "build/pipegs profile {scene} --no-rtl --json", ("models", "cost"), scene,
                   points=("baseline",), chart="profile.svg" if scene == "own" else "") for scene in FOUR],
-    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", MODEL, scene, points=("fast",))
+    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", (*MODEL, "effects"), scene, points=("fast",))
       for scene in ("own", "statue")],
     *[Measurement(f"truth/{scene}", "build/pipegs render {scene} --model truth --semantics inria "
                   f"--compare {{reference}} --out build/figures/truth", ("models",), scene, read=difference,
@@ -91,7 +91,7 @@ TABLE = [
     *[Measurement(f"rivals/{scene}", "build/pipegs rivals {scene} --json", PRICED, scene,
                   points=("dop", "fast"), chart="rivals/terrace.svg" if scene == "terrace" else "")
       for scene in CHARTED],
-    Measurement("budget/random", "build/pipegs budget --design dop --count 1000000 --json", ("models",),
+    Measurement("budget/random", "build/pipegs budget --design dop --count 1000000 --json", ("models", "bounds"),
                 chart="error_budget.svg"),
     Measurement("dram/check", "build/pipegs dram", ("memory",), read=agreement),
     Measurement("dram/steps", "build/pipegs dram --mappings --preset lpddr5-6400x4", ("memory",), read=controllers),
@@ -130,8 +130,8 @@ TABLE = [
     Measurement("proofs/all", "synth/prove.sh", ("rtl", "proofs"), read=proofs),
     Measurement("loops/all", "verif/self/loop.sh", RTL, alone=True),
     *[Measurement(f"trained/plush_{name}", f"build/pipegs train {{scene}} --steps 3000 --layers 8 {options} "
-                  f"--out trained/{name} --json", (*MODEL, "train"), "plush", None, ("dop", "fast"))
+                  f"--out trained/{name} --json", (*MODEL, "layers", "train"), "plush", None, ("dop", "fast"))
       for name, options in TRAINED.items()],
     Measurement("trained/terrace", "build/pipegs train {scene} --around 9 --steps 1500 --layers 4 --downscale 3 "
-                "--out trained/terrace --json", (*MODEL, "train"), "terrace", None, ("dop", "fast")),
+                "--out trained/terrace --json", (*MODEL, "layers", "train"), "terrace", None, ("dop", "fast")),
 ]

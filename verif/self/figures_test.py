@@ -18,6 +18,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "docs/figures"))
 import lint  # noqa: E402
 import markers  # noqa: E402
+import sources  # noqa: E402
 import tree  # noqa: E402
 from data import stored  # noqa: E402
 from equal import unequal  # noqa: E402
@@ -152,6 +153,13 @@ def changed(folder, path, old, new):
     file.write_text(text.replace(old, new, 1))
 
 
+def sources_are_there():
+    """A hash of a folder that has moved would never change."""
+    for group, places in sources.GROUPS.items():
+        for place in places:
+            expect((ROOT / place.removeprefix("-")).exists(), f"sources.py: {group}: no {place}")
+
+
 def what_makes_stale():
     """Comments and readers of scenes change no figure; a constant of one module does, of the machines that have it."""
     with tempfile.TemporaryDirectory() as folder:
@@ -263,6 +271,7 @@ def program_fails_on(what, path, change):
 every_marker_is_held()
 lint_finds()
 stamps()
+sources_are_there()
 what_makes_stale()
 pruning_loses_nothing()
 equality_is_held()
