@@ -9,7 +9,7 @@
 
 #include "scenes/input_error.hpp"
 #include "scenes/text/csv.hpp"
-#include "sim/silicon/area/config_of.hpp"
+#include "sim/silicon/area/machine_kind.hpp"
 
 namespace pipegs {
 namespace {

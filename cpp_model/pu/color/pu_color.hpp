@@ -8,6 +8,10 @@
 // RTL     rtl/pu/color/pu_color.sv
 #pragma once
 
+#include "cpp_model/pu/color/pu_color_basis.hpp"
+#include "cpp_model/pu/color/pu_color_fetch.hpp"
+#include "cpp_model/pu/color/pu_color_normalise.hpp"
+#include "cpp_model/pu/color/pu_color_rotate.hpp"
 #include "cpp_model/pu/color/pu_color_sum.hpp"
 #include "cpp_model/records.hpp"
 
@@ -15,7 +19,13 @@ namespace pipegs {
 
 // `sh_line`: the 16 words of the job's line of memory (see color_line), null when color_degree() is 0 or for an end
 // beat.
-Colored pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
-                 ColorCounts* counts = nullptr);
+inline Colored pu_color(const Config& config, const Frame& frame, const ColorJob& job, const uint32_t* sh_line,
+                        ColorCounts* counts = nullptr) {
+  ShBasis basis;
+  if (job.kind == kData && color_degree(config, frame) > 0) {
+    basis = pu_color_basis(pu_color_normalise(config, pu_color_rotate(config, frame, color_direction(job))));
+  }
+  return pu_color_sum(config, frame, color_task(job), sh_line, basis, counts);
+}
 
 }  // namespace pipegs

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <string_view>
+
+#include "scenes/text/quote.hpp"
 
 namespace pipegs {
 namespace {
@@ -27,6 +31,23 @@ int knob_value(const Config& config, const ConfigEntry& knob) {
 }
 
 }  // namespace
+
+Config config_of(const std::string& difference) {
+  Config config;
+  if (difference != "default") {
+    std::set<std::string_view> keys;
+    for (std::string_view rest = difference;;) {
+      const size_t comma = rest.find(',');
+      const std::string_view setting = rest.substr(0, comma), key = setting.substr(0, setting.find('='));
+      if (!keys.insert(key).second) throw ConfigError("configuration: found a second " + quote(key) + ", expected one");
+      config_set(config, setting);
+      if (comma == std::string_view::npos) break;
+      rest.remove_prefix(comma + 1);
+    }
+  }
+  config_check(config);
+  return config;
+}
 
 MachineKind kind_of(const Config& config) { return {config.late, config.order, config.quadratic, config.quads}; }
 

@@ -15,6 +15,10 @@
 
 namespace pipegs {
 
+// The configuration that config_difference has named, as the tables of synth/data do: "default" or key=value,key=value.
+// ConfigError for any other text.
+Config config_of(const std::string& difference);
+
 using MachineKind = std::array<int, 4>;  // late, order, quadratic, quads
 MachineKind kind_of(const Config& config);
 

@@ -7,7 +7,6 @@
 
 #include "scenes/input_error.hpp"
 #include "scenes/text/csv.hpp"
-#include "sim/silicon/area/config_of.hpp"
 #include "sim/silicon/area/least_squares.hpp"
 
 namespace pipegs {

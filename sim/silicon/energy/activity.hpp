@@ -8,7 +8,7 @@
 //         left out.
 // Sample  Waves with gaps (RtlOptions::sample_period) are samples: of each, its first time is what the others are held
 //         against.
-// Enables With enables (enable_activity.hpp) the edges that pass each clock gate behind an enable are counted too.
+// Enables With enables (enables.hpp) the edges that pass each clock gate behind an enable are counted too.
 // Group   Signals are summed by the name that `group` gives to the scope they stand in, "" leaves them out.
 // Units   Bits, toggles of one bit, edges, accesses. The waves are those of sim/rtl/rtl_bridge.cpp: ten units of time
 //         a cycle.
@@ -21,7 +21,7 @@
 #include <map>
 #include <string>
 
-#include "sim/silicon/energy/enable_activity.hpp"
+#include "sim/silicon/energy/enables.hpp"
 
 namespace pipegs {
 

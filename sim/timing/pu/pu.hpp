@@ -12,7 +12,6 @@
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/pu/expand.hpp"
 #include "sim/timing/pu/intersect.hpp"
-#include "sim/timing/pu/parts.hpp"
 #include "sim/timing/line_reader.hpp"
 #include "sim/timing/pu/phases.hpp"
 #include "sim/timing/pu/rows.hpp"

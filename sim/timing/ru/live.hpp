@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// live.hpp: the part of a Rasterization Unit that blends living quads, in the timing model.
+// live.hpp: the part of a Rasterization Unit that blends living quads, in the timing model, and how the regions of a
+// finished window leave its lanes.
 //
-// RTL     rtl/ru/live/: ru_regions, ru_power, ru_quads.
+// RTL     rtl/ru/live/: ru_regions, ru_power, ru_quads; ru_drain.
 // Idea    A region goes through four stages of ru_regions and two of ru_power, which all move together up to where a
 //         half waits for a group's queue. The trace says which quads of a region are visible, and after how many
 //         Gaussians a quad has stopped. While something is inside, every cycle is played, so a place in a queue says
 //         how long ago something came or was issued, and no times are kept.
+// Drain   Four jobs hand a region over, one for each row of quads. A job takes a cycle from all groups of lanes, and
+//         its word of pixels has come after three more. Regions that the next splat wants go first.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <vector>
 
 #include "cpp_model/config.hpp"
@@ -79,6 +83,40 @@ class Live {
   unsigned queued_ = 0;                      // halves in all queues
   Cycle last_issue_ = kLongAgo;              // or job
   std::array<std::vector<Shown>, 2> shown_;  // what was issued one and two cycles ago
+};
+
+class Drain {
+ public:
+  struct Word {
+    int region = 0, row = 0;
+    size_t window = 0;
+  };
+
+  // In the cycle `now`, behind step(): regions to hand over; `quiet`: they are only cleared. So are the words that
+  // begin behind `rows` rows of pixels.
+  void start(Cycle now, const RegionSet& regions, bool quiet, size_t window, int rows) {
+    held_ = regions, quiet_ = quiet, window_ = window, rows_ = rows, from_ = now + 1;
+  }
+  const RegionSet& held() const { return held_; }  // not handed over yet
+  bool empty() const { return !active() && words.empty(); }
+  bool active() const { return held_ != RegionSet{} || flying_ != 0; }
+
+  // A cycle: whether a job takes the groups' turn. `wanted`: regions that the next splat waits for.
+  bool step(const Config& config, Cycle now, const RegionSet& wanted);
+
+  FallQueue<Word, Config::ru_drained()> words;  // that have come
+
+ private:
+  void choose(const Config& config, const RegionSet& wanted);
+
+  RegionSet held_;
+  bool quiet_ = false;
+  size_t window_ = 0;
+  int rows_ = 0;
+  Cycle from_ = 0;
+  int chosen_ = -1, row_ = 0;  // the next job
+  unsigned flying_ = 0;        // bit i: the word of coming_[i] is on its way to be written
+  std::array<Word, 3> coming_{};
 };
 
 }  // namespace pipegs::timing

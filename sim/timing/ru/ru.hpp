@@ -15,7 +15,6 @@
 #include "cpp_model/regions.hpp"
 #include "sim/timing/cycle.hpp"
 #include "sim/timing/pu/rows.hpp"
-#include "sim/timing/ru/drain.hpp"
 #include "sim/timing/ru/live.hpp"
 
 namespace pipegs::timing {

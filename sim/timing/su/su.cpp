@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "sim/timing/su/su_now.hpp"
+#include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
 

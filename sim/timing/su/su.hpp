@@ -275,4 +275,24 @@ class Su {
   bool moved_ = false;
 };
 
+// What the parts say in a cycle, from the registers as it began.
+struct Su::Now {
+  bool item, item_end, split_idle, bitonic_idle, emit_empty, drained, spilled, sends, outside, kept, diverts, spill_job;
+  bool mark_waits, mark_first, mark_all, spill_done, emit_item, emit_ready, item_goes;
+  bool chain, chain_end, batch_ready, batch_valid;
+  bool hungry, link_ready, released_room, sent_all;
+  uint8_t mark_set;
+  uint32_t mark_bucket;
+  Beat mark_end;
+  // buckets
+  bool job, job_all, job_done, quiet, word_wanted, ends, push_group, join_group, filled, insert, chain_valid;
+  uint8_t job_set;
+  Bits candidates;
+  Operation next;
+  // collect
+  const Splat* in;
+  Source record;
+  bool data, open, taken, write, spill_start, mark_push;
+};
+
 }  // namespace pipegs::timing

@@ -2,7 +2,7 @@
 // su_buckets.cpp: the buckets of depth of a Sorting Unit: see su.hpp.
 #include <bit>
 
-#include "sim/timing/su/su_now.hpp"
+#include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
 

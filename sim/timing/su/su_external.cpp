@@ -5,7 +5,7 @@
 // Idea    Lines of memory are only counted: the keys of a run are kept beside its ways and nodes.
 #include <algorithm>
 
-#include "sim/timing/su/su_now.hpp"
+#include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
 

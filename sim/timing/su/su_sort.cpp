@@ -2,7 +2,7 @@
 // su_sort.cpp: the splitter, the sorter and the output of a Sorting Unit: see su.hpp.
 #include <algorithm>
 
-#include "sim/timing/su/su_now.hpp"
+#include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
 namespace {

@@ -2,7 +2,7 @@
 // su_spill.cpp: a set of a Sorting Unit that goes to memory and comes back: see su.hpp.
 #include <algorithm>
 
-#include "sim/timing/su/su_now.hpp"
+#include "sim/timing/machine.hpp"
 
 namespace pipegs::timing {
 // --- su_port ---------------------------------------------------------------------------------------------------------
