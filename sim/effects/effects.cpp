@@ -1,17 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
-// effects.cpp: the table of effects; see effects.hpp.
+// effects.cpp: what the detectors look at, the table of effects, and a run without some of them; see effects.hpp.
 #include "sim/effects/effects.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <mutex>
 
-#include "cpp_model/dopu/dopu_axis.hpp"
+#include "cpp_model/float/parallel.hpp"
+#include "cpp_model/pack/pack_quantize.hpp"
+#include "cpp_model/pu/color/pu_color_fetch.hpp"
+#include "cpp_model/pu/color/pu_color_sum.hpp"
 #include "sim/design/static_cost.hpp"
-#include "sim/layers/margin.hpp"
+#include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
+namespace {
+
+// A coefficient is mantissa * 2^(exponent - kShExponentBias - ShMW), so |mantissa| << exponent compares all of them.
+std::array<double, 4> largest_coefficients(const PackedScene& packed) {
+  const Config& config = packed.config;
+  std::array<uint64_t, 4> largest{};
+  if (packed.sh_degree > 0) {
+    const size_t per_line = static_cast<size_t>(color_slots_per_line(packed.sh_degree)),
+                 slots = packed.slot_to_index.size();
+    constexpr size_t kBlock = 16384;
+    std::mutex mutex;
+    parallel_for((slots + kBlock - 1) / kBlock, 0, [&](size_t block) {
+      std::array<uint64_t, 4> mine{};
+      for (size_t slot = block * kBlock; slot < std::min(slots, (block + 1) * kBlock); ++slot) {
+        const uint32_t* words = packed.colors[slot / per_line].data();
+        int at = static_cast<int>(slot % per_line) * 128;
+        const uint64_t exponent = get_bits(words, at, config.sh_e_w);
+        at += config.sh_e_w;
+        for (int band = 1; band <= packed.sh_degree; ++band) {
+          uint64_t magnitude = 0;
+          for (int i = 0; i < 3 * (2 * band + 1); ++i, at += config.sh_m_w) {
+            const uint64_t field = get_bits(words, at, config.sh_m_w), full = uint64_t{1} << config.sh_m_w;
+            magnitude = std::max(magnitude, field < full / 2 ? field : full - field);
+          }
+          mine[static_cast<size_t>(band)] = std::max(mine[static_cast<size_t>(band)], magnitude << exponent);
+        }
+      }
+      const std::lock_guard lock(mutex);
+      for (size_t band = 1; band < 4; ++band) largest[band] = std::max(largest[band], mine[band]);
+    });
+  }
+  std::array<double, 4> result{};
+  for (size_t band = 1; band < 4; ++band)
+    result[band] = std::ldexp(static_cast<double>(largest[band]), -kShExponentBias - config.sh_m_w);
+  return result;
+}
+
+}  // namespace
+
+EffectFacts effect_facts(const Scene& scene, const SimulateOptions& options, const Simulation& simulation,
+                         bool ask_timing) {
+  EffectFacts facts{.scene = scene,
+                    .options = options,
+                    .simulation = simulation,
+                    .sh_largest = largest_coefficients(simulation.packed),
+                    .timing = {}};
+  if (ask_timing) {
+    const TimingTrace trace = timing_trace(simulation.input);
+    facts.timing = timing_run(trace, options.config, options.memory);
+    ExternalMemoryOptions fixed = options.memory;
+    fixed.dram = "ideal", fixed.jitter = 0;
+    facts.fixed_latency_cycles = timing_run(trace, options.config, fixed).cycles;
+  }
+  return facts;
+}
+
 namespace {
 
 using Verdict = Effect::Verdict;
@@ -104,17 +165,6 @@ Verdict detect_large_groups(const EffectFacts& facts) {
   return {false, fmt::format("no bucket of depth holds more than {} keys", most)};
 }
 
-Verdict detect_straddling(const EffectFacts& facts) {
-  if (!facts.options.config.has_layers()) return {false, "depth order without layers"};
-  const PackedScene& packed = facts.simulation.packed;
-  const int axis = dopu_axis(facts.simulation.input.frame);
-  const double share = margin(facts.scene, layer_grid(packed)).share[static_cast<size_t>(axis)];
-  return {false,
-          fmt::format("{:.2f} % reach over a plane along {}; a Gaussian belongs whole to the layer of its mean's cell, "
-                      "so this never costs hardware",
-                      100 * share, "xyz"[axis])};
-}
-
 Verdict detect_dram(const EffectFacts& facts) {
   const ExternalMemoryOptions& memory = facts.options.memory;
   if (memory.dram == "ideal" && memory.jitter == 0) return {false, "the memory asked for has a fixed latency"};
@@ -166,8 +216,6 @@ const std::vector<Effect>& effects() {
        without<&Config::overflow>},
       {"large_groups", "sort groups of more than 16 keys", "large_groups=0", detect_large_groups,
        without<&Config::large_groups>},
-      {"straddling", "Gaussians that reach over the edge of their layer", "nothing to leave out", detect_straddling,
-       nullptr},
       {"dram", "external memory's timing beyond a fixed latency", "--memory ideal --jitter 0", detect_dram,
        [](Options& o) { o.memory.dram = "ideal", o.memory.jitter = 0; }},
       {"waves", "code that writes waves", "no variant +waves", detect_waves,
@@ -181,7 +229,6 @@ const std::vector<Effect>& effects() {
 }
 
 std::string effect_cost(const Effect& effect, const SimulateOptions& options) {
-  if (effect.leave_out == nullptr) return "";
   SimulateOptions without = options;
   effect.leave_out(without);
   const StaticCost all = static_cost(options.config), less = static_cost(without.config);
@@ -207,8 +254,8 @@ EffectPlan plan(const SimulateOptions& full, const std::vector<bool>& simulated)
   EffectPlan result{full, {}, {}};
   for (size_t i = 0; i < effects().size(); ++i) {
     const Effect& effect = effects()[i];
-    if (simulated[i] || effect.leave_out == nullptr) {
-      if (simulated[i]) result.simulated.emplace_back(effect.name);
+    if (simulated[i]) {
+      result.simulated.emplace_back(effect.name);
       continue;
     }
     effect.leave_out(result.options);
@@ -244,6 +291,47 @@ EffectPlan plan_effects(const SimulateOptions& full, const std::vector<std::stri
   if (simulated[at("sh3")]) simulated[at("sh2")] = true;
   if (simulated[at("sh2")]) simulated[at("sh1")] = true;
   return plan(full, simulated);
+}
+
+namespace {
+
+// The packed scene and the frame as the machine of `options` wants them. Of what effects leave out only bands of SH
+// change the packing; the golden frame stays.
+void repack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& simulation) {
+  if (std::min(scene.sh_degree, options.config.sh_degree) != simulation.packed.sh_degree) {
+    simulate_pack(scene, camera, options, simulation);
+  } else {
+    simulation.packed.config = options.config;
+    simulate_frame(simulation.packed, camera, options, simulation);
+  }
+}
+
+// What a run without the effects left out shows to be wrong, or "".
+std::string fault(const SimulateOptions& options, Simulation& simulation) {
+  try {
+    simulate_rtl(options, simulation);
+  } catch (const RtlFault& error) { return error.what(); }
+  return simulation.mismatches == 0
+             ? ""
+             : fmt::format("{} mismatches, {}", simulation.mismatches, simulation.first_mismatch->what);
+}
+
+}  // namespace
+
+std::string simulate_effects(const Scene& scene, const Camera& camera, const SimulateOptions& full,
+                             const EffectPlan& plan, Simulation& simulation) {
+  if (plan.left_out.empty()) {
+    simulate_rtl(full, simulation);
+    return "";
+  }
+  repack(scene, camera, plan.options, simulation);
+  const std::string found = fault(plan.options, simulation);
+  if (found.empty()) return "";
+  repack(scene, camera, full, simulation);
+  simulate_rtl(full, simulation);
+  return fmt::format("without {}: {}; with all effects {} mismatches: {}", fmt::join(plan.left_out, ", "), found,
+                     simulation.mismatches,
+                     simulation.mismatches == 0 ? "something left out is called for" : "the machine is wrong");
 }
 
 }  // namespace pipegs

@@ -5,8 +5,8 @@
 // Idea    One table. Each effect has a detector, which says with evidence whether the view calls for it, and a way to
 //         leave it out: an entry of the configuration (the hardware is compiled out), a build variant, or host work.
 // Rule    Leaving out what is not called for changes no pixel. A detector may be wrong all the same, so whoever leaves
-//         something out compares every pixel with the golden frame of the full configuration
-//         (sim/effects/run.hpp).
+//         something out compares every pixel with the golden frame of the full configuration (simulate_effects). What
+//         went wrong is then looked for with all effects.
 // Rule    `auto` also keeps what moves cycles alone: the external memory's timing is called for by whoever asks for
 //         cycles.
 // Docs    docs/cycles/timing_model.md
@@ -45,7 +45,7 @@ struct Effect {
   std::string_view name, what;
   std::string_view without;  // what leaving it out is: a configuration entry, a build variant, host work
   Verdict (*detect)(const EffectFacts&);
-  void (*leave_out)(SimulateOptions&);  // null when nothing is there to leave out
+  void (*leave_out)(SimulateOptions&);
 };
 
 const std::vector<Effect>& effects();
@@ -68,5 +68,10 @@ struct EffectPlan {
 EffectPlan plan_effects(const SimulateOptions& full, const std::vector<EffectFinding>& findings);
 // Leaves out all but those named. Throws ConfigError, one line that names the known ones.
 EffectPlan plan_effects(const SimulateOptions& full, const std::vector<std::string>& names);
+
+// Runs the RTL of `plan`; simulate_golden() with `full` must have run. Returns "", or one line when something that was
+// left out is called for: then the RTL has run once more, with everything, and `simulation` holds what that gave.
+std::string simulate_effects(const Scene& scene, const Camera& camera, const SimulateOptions& full,
+                             const EffectPlan& plan, Simulation& simulation);
 
 }  // namespace pipegs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// commands_test: ladder, profile, timeline, sweep and model: what they print and write holds together and agrees with
+// commands_test: ladder, profile, timeline and model: what they print and write holds together and agrees with
 // the RTL.
 #include <cmath>
 #include <map>
@@ -76,11 +76,6 @@ TEST_F(Commands, ADesignPointWhoseRtlDoesNotBuildIsNamedAndLeftOut) {
   EXPECT_EQ(ladder["designs"][0]["failure"].get<std::string>().find('\n'), std::string::npos);
   EXPECT_FALSE(ladder["designs"][0].contains("cycles"));
   EXPECT_FALSE(fs::exists(folder_ / "left"));
-  const Outcome swept =
-      run("sweep" + view_ + "--engine rtl --designs dop,late --set alpha_lines=128 --bandwidth 51.2", "PATH=/nowhere ");
-  EXPECT_EQ(swept.code, 3);
-  EXPECT_NE(swept.out.find("dop: not run: "), std::string::npos) << swept.out;
-  EXPECT_NE(swept.out.find("late: not run: "), std::string::npos) << swept.out;
 }
 
 TEST_F(Commands, ProfileCountsAndMeasures) {
@@ -237,47 +232,6 @@ TEST_F(Commands, TimelineOfTheDefaultMachine) {
   expect_whole_trace(Json::parse(text("trace.json")), true, 1);
 }
 
-TEST_F(Commands, SweepFindsWhereMemoryStopsToMatter) {
-  const Json swept =
-      json("sweep" + view_ + "--designs dop,late --memory ideal --bandwidth 102.4,1.6,25.6 --svg sweep.svg");
-  expect_chart("sweep.svg");
-  EXPECT_EQ(swept["engine"], "model");
-  EXPECT_EQ(swept["bytes_per_cycle"], Json({1.6, 25.6, 102.4}));
-  for (const Json& design_point : swept["designs"]) {
-    SCOPED_TRACE(design_point["name"]);
-    const auto cycles = design_point["cycles"].get<std::vector<double>>();
-    ASSERT_EQ(cycles.size(), 3u);
-    EXPECT_GT(cycles[0], 1.5 * cycles[1]) << "1.6 bytes per cycle is the bottleneck";
-    EXPECT_TRUE(design_point["mismatches"].is_null()) << "the timing model compares no pixels";
-    const double knee = design_point["memory_bound_below_bytes_per_cycle"];
-    for (size_t i = 0; i < 3; ++i) {
-      const double bandwidth = swept["bytes_per_cycle"][i];
-      if (bandwidth >= knee) EXPECT_LE(cycles[i], 1.05 * cycles[2]);
-    }
-    EXPECT_GT(knee, 1.6);
-  }
-}
-
-TEST_F(Commands, DramSaysWhatMappingsAreWorth) {
-  const Outcome outcome = run("dram --mappings --preset lpddr5-6400x4");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* part : {"| two_streams_1k |", "| RoBaRaCoCh | 32 | 41.3 | 22.1 |", "| RoBaCoGrCh | 64 |",
-                           "| and hits first |", "| (no refresh at all) |"}) {
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
-  }
-}
-
-TEST_F(Commands, TheModelAndTheRtlSweepAlike) {
-  const std::string sweep = "sweep" + view_ + "--designs dop,late --memory ideal --bandwidth 6.4,51.2";
-  const Json model = json(sweep), rtl = json(sweep + " --engine rtl");
-  EXPECT_EQ(rtl["engine"], "rtl");
-  for (size_t r = 0; r < 2; ++r) {
-    for (size_t i = 0; i < 2; ++i) {
-      EXPECT_EQ(model["designs"][r]["cycles"][i], rtl["designs"][r]["cycles"][i]) << rtl["designs"][r]["name"];
-    }
-  }
-}
-
 TEST_F(Commands, ModelComparesItselfWithTheRtl) {
   const Json model = json("model" + view_ + "--designs dop,late --check --windows");
   ASSERT_EQ(model["designs"].size(), 2u);
@@ -294,12 +248,10 @@ TEST_F(Commands, ModelComparesItselfWithTheRtl) {
 }
 
 TEST_F(Commands, BadInputIsRefusedInOneLine) {
-  expect_refused("dram --mappings --preset nonsense", "nonsense");
-  expect_refused("dram --preset lpddr5-6400x4", "--mappings");
   expect_refused("ladder" + view_ + "--designs dop,nonsense", "nonsense");
   expect_refused("ladder" + view_ + "--designs dop,dop", "found a second 'dop'");
   expect_refused("ladder" + view_ + "--set late=1", "the design points set late");
-  for (const char* command : {"ladder", "sweep", "model", "silicon"}) {
+  for (const char* command : {"ladder", "model", "silicon"}) {
     expect_refused(command + view_ + "--designs dop,fast --window 0,0",
                    "--window: found design points with windows of 64 and 128 pixels, expected one size");
   }
@@ -309,9 +261,6 @@ TEST_F(Commands, BadInputIsRefusedInOneLine) {
   expect_refused("timeline" + view_ + "--out scene.ply/t.json", "'scene.ply' is a file, expected a folder");
   expect_refused("rivals" + view_ + "--pipelines --window 0,0", "--window");
   expect_refused("rivals" + view_ + "--pipelines --svg scene.ply/p.svg", "'scene.ply' is a file, expected a folder");
-  expect_refused("sweep" + view_ + "--bandwidth 0", "--bandwidth");
-  expect_refused("sweep" + view_ + "--designs nonsense", "nonsense");
-  expect_refused("sweep" + view_ + "--bandwidth 13", "--memory ideal");
   expect_refused("model" + view_ + "--designs nonsense", "nonsense");
   EXPECT_EQ(run("timeline" + view_).code, 2) << "--out is needed";
   EXPECT_EQ(left_behind(), std::vector<std::string>{});

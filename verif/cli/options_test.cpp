@@ -33,7 +33,6 @@ TEST_F(Options, IntegersAreReadWhole) {
   expect_no("tradeoff" + view_, "--together", kNoInteger);
   expect_no("shapes" + view_, "--runs", kNoInteger);
   expect_no("rivals" + view_, "--group", kNoInteger);
-  expect_no("effects" + view_ + "--measure ", "--rounds", kNoInteger);
 }
 
 TEST_F(Options, RealNumbersAreReadWhole) {
@@ -43,7 +42,6 @@ TEST_F(Options, RealNumbersAreReadWhole) {
   expect_no("shapes" + view_, "--area", kNoReal);
   expect_no("rivals" + view_, "--voxel", kNoReal);
   expect_refused(sim + "--near 0", "--near: found '0', expected a number above 0");
-  expect_no("sweep" + view_ + "--memory ideal ", "--bandwidth", {"1.5abc", "abc", " 1", "nan", "inf", "-1", "1,abc"});
 }
 
 TEST_F(Options, PlacesAreTwoWholeNumbers) {
@@ -82,10 +80,8 @@ TEST_F(Options, NoElementOfAListIsEmpty) {
     std::string command, option, one, other;
   };
   const std::vector<List> lists = {{"ladder" + view_, "--designs", "dop", "late"},
-                                   {"sweep" + view_, "--designs", "dop", "late"},
                                    {"model" + view_, "--designs", "dop", "late"},
                                    {"silicon" + view_, "--designs", "dop", "late"},
-                                   {"sweep" + view_, "--bandwidth", "12.8", "25.6"},
                                    {"accuracy" + view_, "--knobs", "alpha_w", "rgb_w"},
                                    {"sim" + view_ + "--no-rtl", "--effects", "layers", "taps"},
                                    {"sim" + view_ + "--no-rtl", "--window", "0", "0"},

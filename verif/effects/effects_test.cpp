@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "sim/effects/run.hpp"
+#include "sim/effects/effects.hpp"
 #include "verif/effects/effect_views.hpp"
 
 namespace pipegs {

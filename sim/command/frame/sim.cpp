@@ -12,7 +12,7 @@
 #include "sim/command/replay.hpp"
 #include "sim/command/sequence/sequence.hpp"
 #include "sim/report/report.hpp"
-#include "sim/effects/run.hpp"
+#include "sim/effects/effects.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
