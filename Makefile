@@ -56,7 +56,7 @@ test-long: build  ## the long tests too, those of the netlists among them
 	cmake --build $(BUILD)
 	$(CTEST)
 
-fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, nine targets of SECONDS / 9 each (60 s without it)
+fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, eight targets of SECONDS / 8 each (60 s without it)
 	cmake --build $(BUILD) --target fuzz
 	verif/fuzz/fuzz.sh $(BUILD)/verif/fuzz $$((($(if $(SECONDS),$(SECONDS),60) + 8) / 9))
 

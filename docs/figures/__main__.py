@@ -102,7 +102,7 @@ def check(arguments):
 def main():
     parser = argparse.ArgumentParser(prog="figures", description=__doc__.split("\n")[0])
     parser.add_argument("--page", help="measure only what this page shows, e.g. ladder")
-    parser.add_argument("--only", default="*", metavar="NAMES", help="of these, the measurements so named: 'sweep/*'")
+    parser.add_argument("--only", default="*", metavar="NAMES", help="of these, the measurements so named: 'model/*'")
     parser.add_argument("--classes", default="a,b,c", help="of these, or of what --check calls stale, classes: a,b")
     parser.add_argument("--all", action="store_true", help="measure b and c too where they are as new as the sources")
     parser.add_argument("--fill", action="store_true", help="measure nothing: write data into pages")

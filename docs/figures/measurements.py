@@ -4,7 +4,7 @@ from itertools import accumulate
 
 from measurement import Measurement
 from scenes import SIZES, VIEWS_OF_SIZE
-from texts import PRINTS, agreement, controllers, difference, golden, leave_one_out, printed, proofs, shown, stability
+from texts import PRINTS, difference, golden, leave_one_out, printed, proofs, shown, stability
 
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory", "cost")
@@ -49,6 +49,8 @@ MEMORIES = {  # settings of the design point
             "tight_cull=1 tight_boxes=1 tests=2 alpha_w=10 pixel_w=32 records=1408 bucket_bits=6 "
             "nearest_nodes=1024 mark_chunks=7",
 }
+BY_BANDWIDTH = ("baseline", "dop", "exact", "fast")
+CHANNELS = (1, 2, 4, 8)  # of LPDDR5-6400, 12.8 GB/s each
 STABILITY = ("input", "shape", "view", "alpha", "order", "beyond", "wrap", "sanitize", "budget", "stress")
 TRAINED = {"original": "--order exact --cldr none", "layers": ""}  # the rows of the paper's Table 1
 TABLE = [
@@ -57,8 +59,9 @@ TABLE = [
                   points=POINTS) for scene in FOUR],
     *[Measurement(f"work/{scene}_{point}", f"build/pipegs sim {{scene}} --design {point} --no-rtl --json",
                   ("models", "bounds"), scene, points=(point,)) for scene in FOUR for point in ("fast", "dop")],
-    *[Measurement(f"sweep/{scene}", "build/pipegs sweep {scene} --designs baseline,dop,exact,fast --json", MODEL, scene,
-                  points=("baseline", "dop", "exact", "fast"), chart=f"sweep_{scene}.svg") for scene in CHARTED],
+    *[Measurement(f"bandwidth/{scene}_x{channels}", f"build/pipegs model {{scene}} --designs {','.join(BY_BANDWIDTH)} "
+                  f"--memory lpddr5-6400x{channels} --json", MODEL, scene, points=BY_BANDWIDTH)
+      for channels in CHANNELS for scene in CHARTED],
     *[Measurement(f"steps/{scene}_{name}", f"build/pipegs model {{scene}} --design exact {change} --json", MODEL, scene,
                   points=("exact",)) for name, (_, change) in STEPS.items() for scene in STEPPED],
     *[Measurement(f"stores/{scene}_{name}", f"build/pipegs model {{scene}} --design dop {change} --json", MODEL, scene,
@@ -93,8 +96,6 @@ TABLE = [
       for scene in CHARTED],
     Measurement("budget/random", "build/pipegs budget --design dop --count 1000000 --json", ("models", "bounds"),
                 chart="error_budget.svg"),
-    Measurement("dram/check", "build/pipegs dram", ("memory",), read=agreement),
-    Measurement("dram/steps", "build/pipegs dram --mappings --preset lpddr5-6400x4", ("memory",), read=controllers),
     Measurement("viewer/own", "verif/page/viewer.sh build/pipegs {scene} --scale 0.25 --no-rtl --no-truth",
                 ("models", "page"), points=("fast",), differs="bytes: of the page"),
     # Tests that print what they measure.

@@ -61,32 +61,6 @@ def printed(text):
     return found
 
 
-def tables(text):
-    """The Markdown tables of a text, each as rows of cells; the first one is its heading."""
-    blocks = [block.strip().split("\n") for block in re.split(r"\n\s*\n", text) if block.lstrip().startswith("|")]
-    return [[[cell.strip() for cell in line.strip("|").split("|")] for line in block] for block in blocks]
-
-
-def agreement(text):
-    """Of `pipegs dram`: by simulator the number of runs, and the two largest differences, per cent."""
-    ((_, _, *rows),) = tables(text)
-    found = {}
-    for source, _, trace, *_, difference, _, _ in rows:
-        kind = "streams" if trace in ("stream_rd64", "stream_rdwr64", "two_streams_1k") else "random"
-        found.setdefault(source, {"streams": [], "random": []})[kind].append(float(difference.removesuffix(" %")))
-    return {
-        source: {"runs": sum(map(len, kinds.values()))}
-        | {kind: sorted(values, key=abs)[:-3:-1] for kind, values in kinds.items()}
-        for source, kinds in found.items()
-    }
-
-
-def controllers(text):
-    """Of `pipegs dram --mappings`: bandwidth by mapping, and step by step from the preset to the machine's memory."""
-    both = [{"header": header, "rows": rows} for header, _, *rows in tables(text)]
-    return dict(zip(("mappings", "steps"), both, strict=True))
-
-
 def difference(text):
     """Of `pipegs render --compare`: how many pixels of two pictures differ, and by how much."""
     differ, pixels, codes = map(int, re.search(r"(\d+) of (\d+) pixels differ, by (\d+) codes", text).groups())

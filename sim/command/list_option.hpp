@@ -56,19 +56,6 @@ inline CLI::Option* add_names(CLI::App& app, const std::string& name, std::vecto
       [&names] { return list_option_detail::joined(names); });
 }
 
-inline CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<double>& values,
-                              const std::string& what, const RealRange& range) {
-  return number_option_detail::add<std::vector<double>>(
-      app, name, what, "NUMBERS", values,
-      [name, range](const std::string& list) {
-        std::vector<double> found;
-        for (const std::string& element : list_option_detail::elements_of(name, list))
-          found.push_back(parse_real(element, range));
-        return found;
-      },
-      [&values] { return list_option_detail::joined(values); });
-}
-
 inline CLI::Option* add_integers(CLI::App& app, const std::string& name, std::vector<int>& values,
                                  const std::string& what, int low, int high) {
   return number_option_detail::add<std::vector<int>>(

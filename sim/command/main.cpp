@@ -95,7 +95,6 @@ int main(int argc, char** argv) {
   add_explain(app, run);
   add_ladder(app, run);
   add_timeline(app, run);
-  add_sweep(app, run);
   add_model(app, run);
   add_effects(app, run);
   add_silicon(app, run);

@@ -9,30 +9,18 @@ namespace pipegs {
 namespace {
 
 constexpr int kLineBytes = 64;
-constexpr int kQueue = 64;             // reads, and as many writes, that a channel's controller chooses from
-constexpr double kChannelGbps = 12.8;  // LPDDR5-6400, 16 bit
-const std::string kLpddr5 = "lpddr5-6400x";
+constexpr int kQueue = 64;  // reads, and as many writes, that a channel's controller chooses from
 
 }  // namespace
 
-std::vector<std::string> dram_memory_names() {
-  std::vector<std::string> names = dram_presets();
-  for (const int channels : {1, 2, 4, 8}) {
-    const std::string name = kLpddr5 + std::to_string(channels);
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  }
-  return names;
-}
-
 DramTiming dram_memory_timing(const std::string& name) {
-  const std::vector<std::string> names = dram_memory_names();
-  if (std::find(names.begin(), names.end(), name) == names.end()) {
+  const DramTiming* preset = dram_preset(name);
+  if (preset == nullptr) {
     std::string known = "ideal";
-    for (const std::string& other : names) known += ", " + other;
+    for (const std::string& other : dram_memory_names()) known += ", " + other;
     throw std::invalid_argument("external memory '" + name + "': expected one of " + known);
   }
-  const DramTiming* preset = dram_preset(name);
-  DramTiming timing = preset != nullptr ? *preset : dram_scaled(kChannelGbps * std::stoi(name.substr(kLpddr5.size())));
+  DramTiming timing = *preset;
   timing.interleave_bytes = std::max(timing.interleave_bytes, kLineBytes);
   timing.mapping = DramMapping::kRoBaCoGrCh;
   timing.hits_first = true;

@@ -20,11 +20,9 @@
 
 namespace pipegs {
 
-// The names of ExternalMemoryOptions::dram: the presets of dram_preset(), and LPDDR5-6400 with 1, 2, 4 or 8 channels.
-std::vector<std::string> dram_memory_names();
-// The timing of a name with the controller of this machine: channels take turns with every 64-byte line, so that a line
-// opens one row only; bank groups are spread (RoBaCoGrCh); a bank stays open while hits wait; 64 reads and 64 writes
-// wait in each channel, and writes leave in long runs. docs/cycles/memory_timing.md has what each gains. Throws
+// The preset of this name with the controller of this machine: channels take turns with every 64-byte line, so that a
+// line opens one row only; bank groups are spread (RoBaCoGrCh); a bank stays open while hits wait; 64 reads and 64
+// writes wait in each channel, and writes leave in long runs (docs/cycles/memory_timing.md). Throws
 // std::invalid_argument for an unknown name.
 DramTiming dram_memory_timing(const std::string& name);
 

@@ -9,31 +9,6 @@
 
 namespace pipegs {
 
-CycleEngine rtl_engine(const Scene& scene, const Camera& camera, const SimulateOptions& options) {
-  struct Kept {
-    Config config;
-    std::unique_ptr<Simulation> simulation;
-  };
-  return [&scene, &camera, options, kept = std::make_shared<Kept>()](const Config& config,
-                                                                     const ExternalMemoryOptions& memory) {
-    SimulateOptions asked = options;
-    asked.config = config;
-    asked.memory = memory;
-    if (!kept->simulation || !(kept->config == config)) {
-      kept->simulation.reset();
-      auto simulation = std::make_unique<Simulation>();
-      simulate_golden(scene, camera, asked, *simulation);
-      kept->config = config;
-      kept->simulation = std::move(simulation);
-    }
-    simulate_rtl(asked, *kept->simulation);
-    EngineResult result{.cycles = kept->simulation->rtl.cycles, .mismatches = kept->simulation->mismatches};
-    for (const MemoryTraffic& traffic : kept->simulation->traffic)
-      result.bytes += traffic.bytes_read + traffic.bytes_written;
-    return result;
-  };
-}
-
 CycleEngine model_engine(const Scene& scene, const Camera& camera, const SimulateOptions& options) {
   struct Kept {
     std::mutex mutex;

@@ -4,12 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <random>
 
-#include "sim/memory/dram/check/dram_check.hpp"
-#include "sim/memory/dram/check/dram_worth.hpp"
+#include "verif/dram/dram_play.hpp"
 
 namespace pipegs {
 namespace {
@@ -50,20 +47,20 @@ TEST(Dram, PresetsHaveTheBandwidthOfTheirPins) {
   EXPECT_NEAR(dram_preset("ddr4-3200x1")->peak_gbps(), 25.6, 1e-9);
   EXPECT_NEAR(dram_preset("ddr4-3200x2")->peak_gbps(), 51.2, 1e-9);
   EXPECT_EQ(dram_preset("ddr9"), nullptr);
-  for (const std::string& name : dram_presets()) EXPECT_NO_THROW(check_dram(*dram_preset(name))) << name;
+  for (const std::string& name : dram_memory_names()) EXPECT_NO_THROW(check_dram(*dram_preset(name))) << name;
 }
 
 TEST(Dram, ScalesByTheNumberOfChannels) {
   double last = 0;
-  for (const double gbps : {12.8, 25.6, 51.2, 102.4}) {
-    Dram dram(dram_scaled(gbps));
+  for (const int channels : {1, 2, 4, 8}) {
+    Dram dram(*dram_preset("lpddr5-6400x" + std::to_string(channels)));
+    const double gbps = 12.8 * channels;
     EXPECT_NEAR(dram.timing().peak_gbps(), gbps, 1e-9);
     const double achieved = play(dram, dram_trace("random_rd4k")).gbps;
     EXPECT_GT(achieved, 1.6 * last);
     EXPECT_LT(achieved, gbps);
     last = achieved;
   }
-  EXPECT_THROW(dram_scaled(40), std::invalid_argument);
 }
 
 // The reference runs offer bursts to the channels; lines through the front come to the same.
@@ -76,42 +73,6 @@ TEST(Dram, LinesReachTheBandwidthOfTheChannels) {
       EXPECT_NEAR(play(dram, lines).gbps / channels, 1, 0.05) << name << " " << trace;
     }
   }
-}
-
-TEST(DramWorth, StepsLeadFromThePresetToTheMachine) {
-  const DramTiming preset = *dram_preset("lpddr5-6400x4");
-  DramTiming machine = preset;
-  machine.interleave_bytes = 64;
-  machine.mapping = DramMapping::kRoBaCoGrCh;
-  machine.hits_first = true;
-  machine.read_queue = machine.write_queue = 64;
-  machine.write_high = 0.9, machine.write_low = 0.1;
-  machine.t_rfcpb = 96;
-  const std::vector<DramRow> rows = dram_step_rows(preset, machine);
-  ASSERT_EQ(rows.size(), 7u);  // six of the machine, one without refresh
-  const auto trace = dram_trace("stream_rdwr64");
-  const auto play = [&](const DramTiming& timing) { return play_dram(timing, trace, 1 << 20); };
-  DramTiming first = preset;
-  first.interleave_bytes = 64;
-  EXPECT_EQ(play(rows[0].timing).cycles, play(first).cycles);
-  EXPECT_EQ(play(rows[5].timing).cycles, play(machine).cycles);
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    EXPECT_GT(play(rows[i].timing).pin_gbps, play(rows[i - 1].timing).pin_gbps) << rows[i].what;
-  }
-  machine.t_rfcpb = 0;
-  EXPECT_EQ(dram_step_rows(preset, machine).size(), 6u);
-}
-
-TEST(DramWorth, TheTableHoldsEveryMappingAndWhatIsPlayed) {
-  const std::vector<DramRow> rows = dram_mapping_rows(*dram_preset("ddr4-3200x2"));
-  ASSERT_EQ(rows.size(), 6u);  // three mappings, with one line (a burst here) and four
-  const std::string table = dram_mapping_table(rows);
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 8);
-  char start[80];
-  std::snprintf(start, sizeof start, "| ddr4-3200x2 | RoBaCoGrCh | 64 | %.1f |",
-                play_dram(rows[4].timing, dram_trace("stream_rd64"), 1 << 20).pin_gbps);
-  EXPECT_NE(table.find(start), std::string::npos) << start << "\n" << table;
-  EXPECT_EQ(dram_mapping_rows(*dram_preset("ddr4-3200x1")).size(), 3u) << "one channel has nothing to interleave";
 }
 
 TEST(Dram, TheMachinesClockChangesCyclesNotTime) {
@@ -135,7 +96,7 @@ TEST(Dram, OneReadTakesTheTimeOfTheRules) {
 }
 
 TEST(Dram, EveryReadComesBackOnce) {
-  for (const std::string& name : dram_presets()) {
+  for (const std::string& name : dram_memory_names()) {
     std::mt19937 random(3);
     std::vector<DramTransfer> trace;
     for (int i = 0; i < 30000; ++i) trace.push_back({random() % (1u << 20) * uint64_t{64}, random() % 3 == 0, 64});

@@ -176,25 +176,6 @@ page_test('accuracy', () => {
   assert.equal(await page.$$eval('.pictures img', (all) => all.filter((one) => one.naturalWidth === 0).length), 0);
 });
 
-page_test('sweep', () => {
-  printed.sweep = pipegs('sweep', '--size', '128x96', '--designs', 'dop,fast', '--bandwidth', '12.8,51.2', '--page',
-                         'pages/sweep.html');
-  return 'pages/sweep.html';
-}, async (page) => {
-  await look_at_study(page, 'sweep --size 128x96', printed.sweep);
-  await hover_tells(page, 0, 'c1', 'fast');
-  await page.evaluate(() => document.querySelector('.numbers summary').click());
-  await page.waitForSelector('.numbers tbody tr');
-  assert.equal(await page.$$eval('.numbers tbody tr', (rows) => rows.length), 2);
-  // On paper: light, without buttons, and no chart is wider than its room.
-  await page.emulateMediaType('print');
-  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
-  assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector('.copy')).display), 'none');
-  const [room, drawn] = await page.evaluate(() => ['.chart', '.chart svg'].map(
-    (one) => document.querySelector(one).getBoundingClientRect().width));
-  assert.ok(drawn <= room + 1, `${drawn} of ${room}`);
-});
-
 page_test('ladder', () => {
   printed.ladder = pipegs('ladder', '--size', '128x96', '--designs', 'fast', '--out', 'ladder', '--page', 'ladder.html')
     .split('\n').filter((line) => !line.includes('figures ')).join('\n');
@@ -205,6 +186,16 @@ page_test('ladder', () => {
   await fits_and_darkens(page);
   const stacked = charts_of(await data_of(page)).findIndex(({form}) => form === 'stacked');
   await hover_tells(page, stacked, 'busy', 'fast');
+  await page.evaluate(() => document.querySelector('.numbers summary').click());
+  await page.waitForSelector('.numbers tbody tr');
+  assert.equal(await page.$$eval('.numbers tbody tr', (rows) => rows.length), 1);  // of one design point
+  // On paper: light, without buttons, and no chart is wider than its room.
+  await page.emulateMediaType('print');
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector('.copy')).display), 'none');
+  const [room, drawn] = await page.evaluate(() => ['.chart', '.chart svg'].map(
+    (one) => document.querySelector(one).getBoundingClientRect().width));
+  assert.ok(drawn <= room + 1, `${drawn} of ${room}`);
 });
 
 page_test('campaign with a missing point', () => {

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <stdexcept>
 
 namespace pipegs {
@@ -95,18 +94,10 @@ const DramTiming* dram_preset(std::string_view name) {
   return nullptr;
 }
 
-std::vector<std::string> dram_presets() {
+std::vector<std::string> dram_memory_names() {
   std::vector<std::string> names;
   for (const DramTiming& preset : presets()) names.push_back(preset.name);
   return names;
-}
-
-DramTiming dram_scaled(double gbps) {
-  for (const int channels : {1, 2, 4, 8}) {
-    DramTiming timing = lpddr5_6400(channels);
-    if (std::abs(timing.peak_gbps() - gbps) < 0.05) return timing;
-  }
-  throw std::invalid_argument("dram: bandwidth must be 12.8, 25.6, 51.2 or 102.4 GB/s, not " + std::to_string(gbps));
 }
 
 }  // namespace pipegs

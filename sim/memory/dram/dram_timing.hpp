@@ -66,9 +66,6 @@ void check_dram(const DramTiming& timing);
 
 // A preset by name, or nullptr.
 const DramTiming* dram_preset(std::string_view name);
-std::vector<std::string> dram_presets();
-
-// LPDDR5-6400 with as many channels as the bandwidth at the pins needs: 12.8, 25.6, 51.2 or 102.4 GB/s.
-DramTiming dram_scaled(double gbps);
+std::vector<std::string> dram_memory_names();  // of all presets
 
 }  // namespace pipegs

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/cycles/ladder.md."""
 from data import data
-from formats import fixed, group, listing, percent, span, table, text, times
-from measurements import CHARTED, FOUR, POINTS
+from formats import fixed, group, listing, percent, span, table, times
+from measurements import BY_BANDWIDTH, CHANNELS, CHARTED, FOUR, POINTS
 from pages.frames import (
     cycles,
     fast_mean,
@@ -13,7 +13,7 @@ from pages.frames import (
     work,
 )  # noqa: F401  (the page uses fast_mean)
 
-MEASURED = ["model/*", "work/*", "rtl/own", "stores/*", "silicon/*", "sweep/*"]
+MEASURED = ["model/*", "work/*", "rtl/own", "stores/*", "silicon/*", "bandwidth/*"]
 PAPER = {  # speed-up over Baseline, raster / sort
     "baseline": ("1.00", "7.48"),
     "dpc": ("-", "5.71"),
@@ -139,17 +139,18 @@ def best_over(key):
     return span(fixed, [fast / base for fast, base in found], 2)
 
 
-def swept(scene, name, bandwidth):
-    found = data.sweep[scene]
-    return of(found, name).cycles[list(found.bytes_per_cycle).index(bandwidth)]
+def swept(scene, name, channels):
+    """Cycles with so many channels of LPDDR5-6400, 12.8 GB/s each."""
+    return of(data.bandwidth[f"{scene}_x{channels}"], name).cycles
 
 
-def sweep():
-    """Cycles by bandwidth."""
+def bandwidth():
+    """Cycles by bandwidth, and the lowest one from which on more saves less than 5 %."""
     rows = []
     for scene in CHARTED:
-        for row in data.sweep[scene].designs:
-            enough = row.memory_bound_below_bytes_per_cycle
-            rows.append([scene, f"`{row.name}`", *row.cycles, text(enough and fixed(enough, 1))])
-    gbs = [fixed(one, 1) for one in data.sweep.own.bytes_per_cycle]
+        for name in BY_BANDWIDTH:
+            cycles = {channels: swept(scene, name, channels) for channels in CHANNELS}
+            enough = min(channels for channels in CHANNELS if cycles[channels] <= 1.05 * cycles[CHANNELS[-1]])
+            rows.append([scene, f"`{name}`", *cycles.values(), fixed(12.8 * enough, 1)])
+    gbs = [fixed(12.8 * channels, 1) for channels in CHANNELS]
     return table(["scene", "design point", *gbs[:-1], f"{gbs[-1]} GB/s", "more saves less than 5 % from"], rows)
