@@ -78,8 +78,8 @@ TABLE = [
                   scene, view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
     *[Measurement(f"profile/{scene}", "build/pipegs profile {scene} --no-rtl --json", ("models", "cost"), scene,
                   points=("baseline",), chart="profile.svg" if scene == "own" else "") for scene in FOUR],
-    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", (*MODEL, "effects"), scene, points=("fast",))
-      for scene in ("own", "statue")],
+    *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", (*MODEL, "effects"), scene,
+                  points=("fast",)) for scene in ("own", "statue")],
     *[Measurement(f"truth/{scene}", "build/pipegs render {scene} --model truth --semantics inria "
                   f"--compare {{reference}} --out build/figures/truth", ("models",), scene, read=difference,
                   exit_codes=(0, 1)) for scene in ("terrace", "statue", "plushdog")],
