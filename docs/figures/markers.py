@@ -60,6 +60,7 @@ def value(page, expression):
     return text, frozenset(entries_read)
 
 
+@functools.cache
 def mixed(names):
     """Which parts of the sources entries have in different states, and these entries by their states; "" when none."""
     states = collections.defaultdict(set)
@@ -74,6 +75,7 @@ def mixed(names):
     return f"different {', '.join(parts)}: {' and '.join(map(' '.join, groups.values()))}" if parts else ""
 
 
+@functools.cache
 def measured_at(names):
     """The line under a table that is not measured by every `make figures`: commits and dates, the oldest first."""
     of = {one.name for one in TABLE if one.kind != "a"}
@@ -87,8 +89,8 @@ def measured_at(names):
 
 def forget():
     """Before other data are shown: what is remembered of those, in modules of pages too."""
-    names_for.cache_clear()
-    value.cache_clear()
+    for remembered in (names_for, value, mixed, measured_at):
+        remembered.cache_clear()
     for name in [name for name in sys.modules if name.split(".")[0] == "pages"]:
         del sys.modules[name]
 
