@@ -3,10 +3,10 @@
 import re
 
 from data import data
-from formats import fixed, group, listing, table
+from formats import group, table
 from measurements import POINTS
 from pages.cycles.ladder import rtl
-from pages.frames import cycles, modelled
+from pages.frames import cycles, modelled  # noqa: F401  (the page uses modelled)
 
 FIXED = ("waves", "taps", "asserts")  # no scene decides on them, as the page says
 MEASURED = ["model/*", "rtl/*", "effects/*"]
@@ -21,16 +21,6 @@ def agreement():
     ]
     rows = [[name, model, beside, group(beside - model)] for name, model, beside in found]
     return table(["frame", "cycles, model", "cycles, RTL", "difference"], rows)
-
-
-def seconds():
-    """Of the model, own scene."""
-    return listing(
-        "own scene",
-        [(f"`{name}`", modelled("own", name)) for name in POINTS],
-        ("cycles", "cycles"),
-        ("model s", "seconds.model", fixed, 2),
-    )
 
 
 def evidence():
