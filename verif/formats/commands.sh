@@ -22,7 +22,9 @@ cat > "$work/cameras.json" << 'JSON'
   "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "fx": 60, "fy": 60}]
 JSON
 render() { "$pipegs" render "$@" --cameras "$work/cameras.json" > "$work/log" 2>&1; }
-for scene in "$own"/scene.* "$own"/*/scene.* "$own"/sog/sog_dir "$own"/sog/streamed; do
+python3 -m zipfile -e "$own/sog/scene.sog" "$work/sog_dir"
+python3 -m zipfile -e "$own/sog/streamed.zip" "$work/streamed"
+for scene in "$own"/scene.* "$own"/*/scene.* "$work/sog_dir" "$work/streamed"; do
   case $scene in */expected/*) continue ;; esac
   name=$(basename "$scene")
   "$pipegs" info "$scene" --json > "$work/info.json" 2>&1 || complain "info $name"
@@ -37,13 +39,13 @@ for scene in "$own"/scene.* "$own"/*/scene.* "$own"/sog/sog_dir "$own"/sog/strea
   refused "pipegs: $work/cut: " "$pipegs" info "$work/cut"
   refused "pipegs: $work/cut: " "$pipegs" sim "$work/cut" --cameras "$work/cameras.json"
 done
-refused "--lod: found 2, expected 0 to 1" "$pipegs" info "$own/sog/streamed" --lod 2
+refused "--lod: found 2, expected 0 to 1" "$pipegs" info "$work/streamed" --lod 2
 refused "one level of detail" "$pipegs" info "$own/scene.splat" --lod 1
 refused "--axes: found 'XYZ'" "$pipegs" info "$own/scene.splat" --axes XYZ
 refused "expected a name that ends in .ply" "$pipegs" convert "$own/scene.splat" "$work/b.splat"
 refused "SCENE" "$pipegs" convert
 [ -e "$work/b.splat" ] && complain "convert left a file behind"
-"$pipegs" convert "$own/sog/streamed" "$work/c.ply" --lod 1 | grep -q '1060 Gaussians' || complain "--lod 1"
+"$pipegs" convert "$work/streamed" "$work/c.ply" --lod 1 | grep -q '1060 Gaussians' || complain "--lod 1"
 "$pipegs" split "$own/scene.splat" --cameras "$work/cameras.json" --gaussians 2000 --out "$work/split" > "$work/log" ||
   complain "split"
 exit $status

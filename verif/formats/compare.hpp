@@ -10,15 +10,53 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "scenes/formats/read_scene.hpp"
+#include "scenes/packed/unpack.hpp"
 #include "scenes/ply/ply.hpp"
+#include "verif/scenes/scratch_folder.hpp"
 
 namespace pipegs {
 
 inline std::filesystem::path own_formats() {
   return std::filesystem::path(PIPEGS_SOURCE_DIR) / "verif" / "formats" / "own";
+}
+
+// The files of an archive of sog/ in a folder of their own.
+class Unpacked {
+ public:
+  Unpacked(const std::string& archive, const std::vector<std::string>& metas) {
+    const InputFile packed(own_formats() / "sog" / archive);
+    for (const std::string& name : metas) {
+      const std::string meta = unpack_zip(packed, name).text();
+      const std::string inside = name.substr(0, name.rfind('/') + 1);
+      std::filesystem::create_directories(folder_ / inside);
+      folder_.write(name, meta);
+      const auto json = nlohmann::json::parse(meta);
+      for (const auto& part : json) {
+        if (!part.is_object() || !part.contains("files")) continue;
+        for (const std::string file : part["files"])
+          folder_.write(inside + file, unpack_zip(packed, inside + file).text());
+      }
+    }
+  }
+  std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
+
+ private:
+  ScratchFolder folder_;
+};
+
+// scene.sog as a folder, and the streamed scene of two levels.
+inline std::filesystem::path own_sog() {
+  static const Unpacked folder("scene.sog", {"meta.json"});
+  return folder / "";
+}
+inline std::filesystem::path own_streamed() {
+  static const Unpacked folder("streamed.zip", {"lod-meta.json", "0_0/meta.json", "1_0/meta.json"});
+  return folder / "";
 }
 
 struct Difference {

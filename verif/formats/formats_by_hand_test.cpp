@@ -221,8 +221,8 @@ TEST(FormatsByHand, Gltf) {
 
 TEST(FormatsByHand, TheSkyOfAStreamedScene) {
   const ScratchFolder folder;
-  std::filesystem::copy(own_formats() / "sog" / "streamed" / "0_0", folder / "0_0");
-  std::filesystem::copy(own_formats() / "sog" / "streamed" / "1_0", folder / "sky");
+  std::filesystem::copy(own_streamed() / "0_0", folder / "0_0");
+  std::filesystem::copy(own_streamed() / "1_0", folder / "sky");
   folder.write("lod-meta.json", R"({"lodLevels": 1, "filenames": ["0_0/meta.json"], "environment": "sky/meta.json",
     "tree": {"children": [{"lods": {"0": {"file": 0, "offset": 10, "count": 5}}},
                           {"lods": {"0": {"file": 0, "offset": 3, "count": 2}, "1": {}}}]}})");

@@ -43,7 +43,7 @@ class FormatsHostile : public testing::Test {
   rlimit before_{};
 };
 
-std::string content(const std::string& name) {
+std::string content(const std::filesystem::path& name) {
   std::ifstream file(own_formats() / name, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -102,7 +102,7 @@ const std::vector<std::string> kFiles = {"scene.compressed.ply",
                                          "ksplat/scene.level0.sh0.ksplat",
                                          "ksplat/scene.level1.sh2.ksplat",
                                          "ksplat/scene.level2.sh2.ksplat",
-                                         "spz/scene.v2.raw.spz",
+                                         "spz/scene.v2.rub.spz",
                                          "spz/scene.v3.rub.spz",
                                          "spz/scene.v4.st.spz",
                                          "sog/scene.sh0.sog",
@@ -141,12 +141,12 @@ TEST_F(FormatsHostile, RandomDamage) {
       outcome(bad);
     }
   }
-  for (const std::string folder : {"sog/sog_dir", "sog/streamed"}) {
-    const std::string good = content(folder + (folder == "sog/sog_dir" ? "/meta.json" : "/lod-meta.json"));
+  for (const auto& [folder, name] : {std::pair{own_sog(), "meta.json"}, {own_streamed(), "lod-meta.json"}}) {
+    const std::string good = content(folder / name);
     for (int round = 0; round < 100; ++round) {
       std::string bad = good;
       bad[random() % std::min<std::size_t>(bad.size(), 400)] = static_cast<char>(random());
-      outcome(bad, own_formats() / folder);
+      outcome(bad, folder);
     }
   }
 }
@@ -157,14 +157,14 @@ TEST_F(FormatsHostile, CountsBeyondTheFile) {
     expect_refused(replaced(ply, "vertex 1424", std::string("vertex ") + count), {});
     EXPECT_NE(outcome(replaced(ply, "vertex 1424", std::string("vertex ") + count)), "read");
     EXPECT_NE(outcome(replaced(ply, "chunk 6", std::string("chunk ") + count)), "read");
-    const std::string meta = content("sog/sog_dir/meta.json"), lod = content("sog/streamed/lod-meta.json");
+    const std::string meta = content(own_sog() / "meta.json"), lod = content(own_streamed() / "lod-meta.json");
     const std::string sog = replaced(meta, "\"count\":1424", std::string("\"count\":") + count);
-    if (std::string(count) != "1425") expect_refused(sog, {"count"}, own_formats() / "sog/sog_dir");
+    if (std::string(count) != "1425") expect_refused(sog, {"count"}, own_sog());
     const auto rows = [&](const char* key, const char* value) {
       return replaced(lod, value, std::string("\"") + key + "\":" + count);
     };
-    EXPECT_NE(outcome(rows("offset", "\"offset\":0"), own_formats() / "sog/streamed"), "read");
-    EXPECT_NE(outcome(rows("count", "\"count\":1424}"), own_formats() / "sog/streamed"), "read");
+    EXPECT_NE(outcome(rows("offset", "\"offset\":0"), own_streamed()), "read");
+    EXPECT_NE(outcome(rows("count", "\"count\":1424}"), own_streamed()), "read");
     expect_refused(changed_glb("gltf/scene.sh1.glb", "\"count\":1424", std::string("\"count\":") + count),
                    {"accessors"});
   }
@@ -198,9 +198,9 @@ TEST_F(FormatsHostile, Bombs) {
   expect_refused(v4 + std::string(100, '\0'), {"at most 32 times"});
   // Textures: far larger than the Gaussians need; as large as a count that the files cannot hold.
   const ScratchFolder folder;
-  std::filesystem::copy(own_formats() / "sog/sog_dir", folder / "", std::filesystem::copy_options::recursive);
+  std::filesystem::copy(own_sog(), folder / "", std::filesystem::copy_options::recursive);
   folder.write("quats.webp", webp(2000, 1000, std::vector<std::uint8_t>(8'000'000, 255)));
-  const std::string meta = content("sog/sog_dir/meta.json");
+  const std::string meta = content(own_sog() / "meta.json");
   expect_refused(meta, {"quats.webp", "2000 x 1000 texels"}, folder / "");
   expect_refused(replaced(meta, "\"count\":1424", "\"count\":2000000"), {"count", "at most 32 times"}, folder / "");
 }
@@ -226,19 +226,18 @@ TEST_F(FormatsHostile, WhatIsNoScene) {
 
 // Only files below the folder of the one that names them.
 TEST_F(FormatsHostile, NamesOfOtherFiles) {
-  const std::string meta = content("sog/sog_dir/meta.json");
-  for (const char* name : {"../sog_dir/quats.webp", "/etc/passwd", "a/../../b", "http://a/b", "", "a:b"})
-    expect_refused(replaced(meta, "quats.webp", name), {"below the same folder"}, own_formats() / "sog/sog_dir");
-  expect_refused(replaced(meta, "quats.webp", "nothing.webp"), {"no file"}, own_formats() / "sog/sog_dir");
-  expect_refused(replaced(meta, "quats.webp", "."), {"a folder"}, own_formats() / "sog/sog_dir");
+  const std::string meta = content(own_sog() / "meta.json");
+  for (const char* name : {"../sog/quats.webp", "/etc/passwd", "a/../../b", "http://a/b", "", "a:b"})
+    expect_refused(replaced(meta, "quats.webp", name), {"below the same folder"}, own_sog());
+  expect_refused(replaced(meta, "quats.webp", "nothing.webp"), {"no file"}, own_sog());
+  expect_refused(replaced(meta, "quats.webp", "."), {"a folder"}, own_sog());
   expect_refused(meta, {"does not lie beside it"});
-  const std::string lod = content("sog/streamed/lod-meta.json");
-  expect_refused(replaced(lod, "1_0/meta.json", "./0_0//meta.json"), {"filenames", "each file once"},
-                 own_formats() / "sog/streamed");
+  const std::string lod = content(own_streamed() / "lod-meta.json");
+  expect_refused(replaced(lod, "1_0/meta.json", "./0_0//meta.json"), {"filenames", "each file once"}, own_streamed());
   const std::string once = R"("lods":{"0":{"file":1,"offset":0,"count":1424},"1":{"file":0,"offset":0,"count":1060}}})";
   expect_refused(replaced(lod, once, R"("children":[{"lods":{"0":{"file":1,"offset":0,"count":9}}},
                                                     {"lods":{"0":{"file":1,"offset":8,"count":9}}}]})"),
-                 {"named once"}, own_formats() / "sog/streamed");
+                 {"named once"}, own_streamed());
 }
 
 TEST_F(FormatsHostile, GltfThatGoesInCircles) {

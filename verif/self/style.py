@@ -36,7 +36,7 @@ SOURCES = (
     "CMakeLists.txt",
 )
 WIDE = (".md", ".csv", ".json", ".jsonl", ".svg", ".xml")
-BINARY = (".png", ".ply", ".splat", ".ksplat", ".spz", ".glb", ".sog", ".pfm", ".exr", ".webp", ".bin", ".fst")
+BINARY = (".png", ".ply", ".splat", ".ksplat", ".spz", ".glb", ".sog", ".pfm", ".exr", ".zip", ".bin", ".fst")
 
 finds = []
 

@@ -7,7 +7,7 @@
 # programs. The conversion needs numpy and PIL: without them that part is skipped (exit 77).
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-fetch=$here/../../../scenes/fetch.sh
+fetch=$here/../../scenes/fetch.sh scene=$here/../formats/own/sog/scene.sog
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failed=0
@@ -18,11 +18,11 @@ expect() {  # CODE TEXT ARGUMENTS ...: exit code and one line that holds the tex
     echo "expected $1 and '$2', got $code: $log"; failed=1
   fi
 }
-result=$(cat "$here/scene.ply.sha256")
-source=$(sha256sum < "$here/scene.sog" | cut -d ' ' -f 1)
+result=8a3b470718ecddce824d12440dd2801da719e773b49bcdb65338c24ac9363d3a  # of scene.ply
+source=$(sha256sum < "$scene" | cut -d ' ' -f 1)
 sog=$scratch/from/own/scenes/c0ffee/sog streamed=$scratch/from/own/scenes/c0ffee/streamed
 mkdir -p "$sog" "$streamed"
-cp "$here/scene.sog" "$sog"
+cp "$scene" "$sog"
 list=$scratch/list.txt
 printf '%s\n' "scene own own/scenes c0ffee sog" "source scene.sog $source" "result scene.sog $result" > "$list"
 
@@ -51,7 +51,7 @@ expect 1 "own.ply has another SHA-256" own --list "$scratch/other.txt" --from "f
 
 # The same Gaussians as the two halves of a streamed scene's level 0, and one of them as level 1.
 mkdir "$streamed/0_0"
-"$python" -m zipfile -e "$here/scene.sog" "$streamed/0_0"
+"$python" -m zipfile -e "$scene" "$streamed/0_0"
 printf '%s' '{"lodLevels": 2, "filenames": ["0_0/meta.json"], "tree": {"children": [' \
   '{"lods": {"0": {"file": 0, "offset": 700, "count": 724}}},' \
   '{"lods": {"0": {"file": 0, "offset": 0, "count": 700}, "1": {"file": 0, "offset": 5, "count": 1}}}]}}' \
@@ -63,6 +63,6 @@ printf '%s' '{"lodLevels": 2, "filenames": ["0_0/meta.json"], "tree": {"children
   echo "result lod-meta.json $result"
 } > "$list"
 expect 0 "out/halves/halves.ply" halves --list "$list" --from "file://$scratch/from"
-"$python" "$here/../../../scenes/fetch/to_ply.py" "$streamed/lod-meta.json" "$scratch/one.ply" 1 > /dev/null
+"$python" "$here/../../scenes/fetch/to_ply.py" "$streamed/lod-meta.json" "$scratch/one.ply" 1 > /dev/null
 grep -aqx "element vertex 1" "$scratch/one.ply" || { echo "level 1 has not one Gaussian"; failed=1; }
 exit $failed
