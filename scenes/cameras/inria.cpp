@@ -5,49 +5,38 @@
 //         "cx", "cy" are ours, and optional: a principal point off the centre, the centre of pixel i at i.
 #include <fmt/format.h>
 
-#include "scenes/cameras/entry.hpp"
 #include "scenes/cameras/forms.hpp"
-#include "scenes/input_error.hpp"
 
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
-
-glm::dmat3 read_rotation(const CameraEntry& entry) {
-  const Json& value = entry.at("rotation");
-  if (!value.is_array() || value.size() != 3)
-    entry.fail("rotation", fmt::format("found {}, expected 3 rows of 3 numbers", quote(json_text(value))));
-  glm::dmat3 m;
-  for (int r = 0; r < 3; ++r)
-    m[r] = entry.triple(value[static_cast<std::size_t>(r)], fmt::format("rotation row {}", r));
-  return checked_rotation(entry, "rotation", m);
+glm::dmat3 read_rotation(const JsonNode& rows) {
+  if (rows.size() != 3) rows.refuse("3 rows of 3 numbers");
+  return checked_rotation(rows, {triple(rows[0]), triple(rows[1]), triple(rows[2])});
 }
 
-Camera read_camera(const CameraEntry& entry, std::size_t index) {
-  entry.must_be_object();
+Camera read_camera(const JsonNode& entry, std::size_t index) {
   Camera camera;
   constexpr int kAnyId = 0x7fffffff;
-  camera.id = entry.find("id") != nullptr ? entry.integer("id", -kAnyId, kAnyId) : static_cast<int>(index);
-  camera.name = entry.text_or("img_name", fmt::format("view_{}", index));
-  camera.width = entry.integer("width", 1, kMaxImageSide);
-  camera.height = entry.integer("height", 1, kMaxImageSide);
-  camera.position = entry.triple("position");
-  camera.world_to_camera = read_rotation(entry);
-  camera.fx = entry.number("fx", kPositive);
-  camera.fy = entry.number("fy", kPositive);
-  camera.cx = entry.number_or("cx", (camera.width - 1) / 2.0);
-  camera.cy = entry.number_or("cy", (camera.height - 1) / 2.0);
+  camera.id = entry.has("id") ? entry["id"].whole(-kAnyId, kAnyId) : static_cast<int>(index);
+  camera.name = entry.has("img_name") ? entry["img_name"].text() : fmt::format("view_{}", index);
+  camera.width = entry["width"].whole(1, kMaxImageSide);
+  camera.height = entry["height"].whole(1, kMaxImageSide);
+  camera.position = triple(entry["position"]);
+  camera.world_to_camera = read_rotation(entry["rotation"]);
+  camera.fx = entry["fx"].real(kPositive);
+  camera.fy = entry["fy"].real(kPositive);
+  camera.cx = entry.has("cx") ? entry["cx"].real() : (camera.width - 1) / 2.0;
+  camera.cy = entry.has("cy") ? entry["cy"].real() : (camera.height - 1) / 2.0;
   return camera;
 }
 
 }  // namespace
 
-std::vector<Camera> inria_cameras(const std::string& file, const Json& list) {
-  if (list.empty()) throw InputError(file, "top level", "found an empty list, expected at least one camera");
+std::vector<Camera> inria_cameras(const JsonNode& list) {
+  if (list.size() == 0) list.fail("found an empty list, expected at least one camera");
   std::vector<Camera> cameras;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    cameras.push_back(read_camera({file, fmt::format("camera {}", i), list[i]}, i));
+  for (std::size_t i = 0; i < list.size(); ++i) cameras.push_back(read_camera(list[i], i));
   return cameras;
 }
 

@@ -1,43 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// read: which format a file of cameras has, recognised by its contents; see camera.hpp.
+// read: which format a file of cameras has, recognised by its contents, and what the formats share; see camera.hpp.
 //
 // Rule    A folder, or a file with a name of COLMAP's model, is read as COLMAP's. All others are JSON: a list is
 //         INRIA's; an object with frames is a transforms.json when its first frame has a transform_matrix, and a list
 //         of frames of PlayCanvas when it has a position; poseSets, animTracks, cameras or camera are SuperSplat's.
+// Idea    The rotation is brought to the nearest orthonormal matrix by Newton's iteration R <- (R + R^-T) / 2, which
+//         favours no axis (Gram-Schmidt would put the whole error on the last one).
 #include <fmt/format.h>
+
+#include <cmath>
 
 #include "scenes/cameras/forms.hpp"
 #include "scenes/colmap/colmap.hpp"
-#include "scenes/input_error.hpp"
 #include "scenes/text/json.hpp"
+#include "scenes/text/text_file.hpp"
 
 namespace pipegs {
 namespace {
 
-using Json = nlohmann::json;
+constexpr double kOrthonormalTolerance = 1e-4;
 
-std::vector<Camera> framed_cameras(const std::string& file, const Json& json, const CameraReading& reading) {
-  const Json& frames = json["frames"];
-  if (!frames.is_array() || frames.empty())
-    throw InputError(file, "frames",
-                     fmt::format("found {}, expected a list of at least one", quote(json_text(frames))));
-  const Json& first = frames[0];
-  if (first.is_object() && first.contains("transform_matrix")) return transforms_cameras(file, json, reading);
-  if (first.is_object() && first.contains("position")) return playcanvas_cameras(file, json, reading);
-  throw InputError(
-      file, "frame 0",
-      fmt::format("found {}, expected an object with transform_matrix or position", quote(json_text(first))));
-}
-
-std::vector<Camera> cameras_of(const std::string& file, const Json& json, const CameraReading& reading) {
-  if (json.is_array()) return inria_cameras(file, json);
-  if (json.is_object() && json.contains("frames")) return framed_cameras(file, json, reading);
-  for (const char* field : {"poseSets", "animTracks", "cameras", "camera"}) {
-    if (json.is_object() && json.contains(field)) return playcanvas_cameras(file, json, reading);
+std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& reading) {
+  if (json.is_array()) return inria_cameras(json);
+  if (json.has("frames")) {
+    const JsonNode frames = json["frames"];
+    if (frames.size() == 0) frames.refuse("a list of at least one");
+    if (frames[0].has("transform_matrix")) return transforms_cameras(json, reading);
+    if (frames[0].has("position")) return playcanvas_cameras(json, reading);
+    frames[0].refuse("an object with transform_matrix or position");
   }
-  throw InputError(file, "top level",
-                   "found none of the known formats, expected a list of cameras, or an object with frames, animTracks, "
-                   "cameras or poseSets");
+  for (const char* field : {"poseSets", "animTracks", "cameras", "camera"}) {
+    if (json.has(field)) return playcanvas_cameras(json, reading);
+  }
+  json.fail(
+      "found none of the known formats, expected a list of cameras, or an object with frames, animTracks, cameras or "
+      "poseSets");
 }
 
 // At the size that was asked for, whatever the file says.
@@ -51,15 +48,42 @@ std::vector<Camera> sized(std::vector<Camera> cameras, const CameraReading& read
 
 }  // namespace
 
+glm::dvec3 triple(const JsonNode& numbers) {
+  const std::vector<double> v = numbers.reals(3);
+  return {v[0], v[1], v[2]};
+}
+
+glm::dmat3 checked_rotation(const JsonNode& place, const glm::dmat3& m) {
+  double worst = 0;
+  for (int r = 0; r < 3; ++r) {
+    for (int s = 0; s < 3; ++s) {
+      const double off = std::abs(glm::dot(m[r], m[s]) - (r == s ? 1 : 0));
+      if (off > worst || std::isnan(off)) worst = off;  // NaN stays
+    }
+  }
+  if (!(worst <= kOrthonormalTolerance))
+    place.fail(fmt::format("rows are orthonormal to {:.3g}, expected {:g}", worst, kOrthonormalTolerance));
+  if (!(glm::determinant(m) > 0)) place.fail("determinant is -1 (a mirrored frame), expected +1");
+  glm::dmat3 nearest = m;
+  for (int i = 0; i < 6; ++i) nearest = (nearest + glm::transpose(glm::inverse(nearest))) * 0.5;
+  return nearest;
+}
+
+void take_size(const JsonNode& place, const CameraReading& reading, Camera& camera) {
+  if (reading.width == 0) place.fail("the file has no size, expected --size WxH");
+  camera.width = reading.width;
+  camera.height = reading.height;
+}
+
 std::vector<Camera> parse_cameras(const std::string& file, std::string_view text, const CameraReading& reading) {
-  return sized(cameras_of(file, parse_json<Json>(file, text), reading), reading);
+  return sized(cameras_of(JsonNode::parse(file, text), reading), reading);
 }
 
 std::vector<Camera> read_cameras(const std::filesystem::path& path, const CameraReading& reading) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored) || is_colmap_name(path))
     return sized(colmap_folder_cameras(path, reading.ignore_distortion), reading);
-  return sized(cameras_of(path.string(), read_json<Json>(path, "a file of cameras"), reading), reading);
+  return parse_cameras(path.string(), read_text_file(path, "a file of cameras", kMostJsonBytes), reading);
 }
 
 }  // namespace pipegs

@@ -17,33 +17,34 @@ JsonNode::JsonNode(std::shared_ptr<const nlohmann::json> json, std::string file,
 JsonNode JsonNode::parse(const std::string& file, std::string_view text) {
   if (text.size() > kMostJsonBytes)
     throw InputError(file, "", fmt::format("found {} bytes, expected JSON of at most {}", text.size(), kMostJsonBytes));
-  JsonNode node(std::make_shared<const nlohmann::json>(parse_json<nlohmann::json>(file, text)), file, "");
-  if (!node.json_->is_object()) node.refuse("an object");
-  return node;
+  return {std::make_shared<const nlohmann::json>(parse_json<nlohmann::json>(file, text)), file, ""};
 }
 
 JsonNode JsonNode::inner(const nlohmann::json& json, const std::string& where) const {
   return {std::shared_ptr<const nlohmann::json>(json_, &json), file_, where};
 }
 
+void JsonNode::fail(const std::string& what) const { throw InputError(file_, where_, what); }
+
 void JsonNode::refuse(const std::string& expected) const {
-  throw InputError(file_, where_, fmt::format("found {}, expected {}", quote(json_text(*json_)), expected));
+  fail(fmt::format("found {}, expected {}", quote(json_text(*json_)), expected));
 }
 
 bool JsonNode::has(const char* key) const { return json_->is_object() && json_->contains(key); }
+
+bool JsonNode::is_array() const { return json_->is_array(); }
 
 bool JsonNode::is_null() const { return json_->is_null(); }
 
 JsonNode JsonNode::operator[](const char* key) const {
   if (!json_->is_object()) refuse("an object");
   const auto found = json_->find(key);
-  if (found == json_->end()) throw InputError(file_, where_, fmt::format("{} is missing", quote(key)));
+  if (found == json_->end()) fail(fmt::format("{} is missing", quote(key)));
   return inner(*found, where_.empty() ? key : fmt::format("{}.{}", where_, key));
 }
 
 JsonNode JsonNode::operator[](std::size_t index) const {
-  if (index >= size())
-    throw InputError(file_, where_, fmt::format("found {} elements, expected more than {}", size(), index));
+  if (index >= size()) fail(fmt::format("found {} elements, expected more than {}", size(), index));
   return inner((*json_)[index], fmt::format("{}[{}]", where_, index));
 }
 
@@ -62,13 +63,19 @@ std::vector<std::string> JsonNode::keys() const {
 std::uint64_t JsonNode::integer(std::uint64_t low, std::uint64_t high) const {
   try {
     return json_integer<std::uint64_t>(*json_, low, high);
-  } catch (const NumberError& error) { throw InputError(file_, where_, error.what()); }
+  } catch (const NumberError& error) { fail(error.what()); }
 }
 
-double JsonNode::real() const {
+int JsonNode::whole(int low, int high) const {
   try {
-    return json_real(*json_);
-  } catch (const NumberError& error) { throw InputError(file_, where_, error.what()); }
+    return json_integer(*json_, low, high);
+  } catch (const NumberError& error) { fail(error.what()); }
+}
+
+double JsonNode::real(const RealRange& range) const {
+  try {
+    return json_real(*json_, range);
+  } catch (const NumberError& error) { fail(error.what()); }
 }
 
 std::string JsonNode::text() const {
@@ -82,7 +89,7 @@ bool JsonNode::boolean() const {
 }
 
 std::vector<double> JsonNode::reals(std::size_t count) const {
-  if (size() != count) throw InputError(file_, where_, fmt::format("found {} numbers, expected {}", size(), count));
+  if (size() != count) fail(fmt::format("found {} numbers, expected {}", size(), count));
   std::vector<double> values;
   for (std::size_t i = 0; i < count; ++i) values.push_back((*this)[i].real());
   return values;

@@ -13,28 +13,35 @@
 #include <string_view>
 #include <vector>
 
+#include "scenes/text/number.hpp"
+
 namespace pipegs {
 
 class JsonNode {
  public:
-  // InputError unless the text is JSON of at most 16 MB, an object.
+  // InputError unless the text is JSON of at most 16 MB.
   static JsonNode parse(const std::string& file, std::string_view text);
 
   bool has(const char* key) const;  // false for what is no object
+  bool is_array() const;
   bool is_null() const;
   JsonNode operator[](const char* key) const;
   JsonNode operator[](std::size_t index) const;
   std::size_t size() const;               // of an array
   std::vector<std::string> keys() const;  // of an object
+  const std::string& file() const { return file_; }
   const std::string& where() const { return where_; }
 
   std::uint64_t integer(std::uint64_t low, std::uint64_t high) const;
-  double real() const;
+  int whole(int low, int high) const;
+  double real(const RealRange& range = kFinite) const;
   std::string text() const;
   bool boolean() const;
   std::vector<double> reals(std::size_t count) const;
 
-  // InputError of this place: "found (this value), expected ...".
+  // InputError of this place.
+  [[noreturn]] void fail(const std::string& what) const;
+  // "found (this value), expected ...".
   [[noreturn]] void refuse(const std::string& expected) const;
 
  private:

@@ -142,7 +142,7 @@ TEST_F(Cli, CamerasComeInOtherFormats) {
   write("t.json", R"({"camera_angle_x": 1, "frames": [{"transform_matrix":
     [[1,0,0,0],[0,-1,0,0],[0,0,-1,0],[0,0,0,1]]}]})");
   EXPECT_EQ(run("render scene.ply --cameras t.json --size 70x50").code, 0);
-  expect_refused("render scene.ply --cameras t.json", "t.json: frame 0, size: the file has none, expected --size WxH");
+  expect_refused("render scene.ply --cameras t.json", "t.json: frames[0]: the file has no size, expected --size WxH");
   expect_refused("render scene.ply --cameras .", "cameras.bin and cameras.txt");
 }
 

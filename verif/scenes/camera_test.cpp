@@ -73,7 +73,7 @@ TEST(Camera, KeepsThePrincipalPoint) {
   EXPECT_EQ(cameras.at(0).cx, camera.cx);
   EXPECT_EQ(cameras.at(0).cy, camera.cy);
   EXPECT_EQ(cameras.at(1).cx, 31.5);
-  expect_refused(replaced(kGood, "\"fx\": 800.5", "\"cx\": \"left\", \"fx\": 800.5"), {"camera 0", "cx"});
+  expect_refused(replaced(kGood, "\"fx\": 800.5", "\"cx\": \"left\", \"fx\": 800.5"), {"[0].cx"});
 }
 
 TEST(Camera, LookAtPutsTheTargetInTheMiddleAndUpUp) {
@@ -97,29 +97,27 @@ TEST(Camera, MakesANearlyOrthonormalRotationOrthonormal) {
 }
 
 TEST(Camera, RefusesEachBadFieldByName) {
-  expect_refused(replaced(kGood, "\"width\": 1,", "\"width\": 0,"), {"camera 1, width", "from 1 to 16384"});
-  expect_refused(replaced(kGood, "16384", "16385"), {"camera 1, height", "16385"});
-  expect_refused(replaced(kGood, "501", "501.5"), {"camera 0, height"});
-  expect_refused(replaced(kGood, "\"width\": 1000, ", ""), {"camera 0, width", "missing"});
-  expect_refused(replaced(kGood, "\"fx\": 800.5", "\"fx\": 0"), {"camera 0, fx"});
-  expect_refused(replaced(kGood, "\"fy\": 801", "\"fy\": -3"), {"camera 0, fy"});
-  expect_refused(replaced(kGood, "\"fy\": 801", "\"fy\": \"wide\""), {"camera 0, fy", "wide", "number"});
-  expect_refused(replaced(kGood, "[1, 2, 3]", "[1, 2]"), {"camera 0, position"});
-  expect_refused(replaced(kGood, "[1, 2, 3]", "[1, null, 3]"), {"camera 0, position"});
-  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1.001], [1, 0, 0]"),
-                 {"camera 0, rotation", "orthonormal"});
-  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [-1, 0, 0]"),
-                 {"camera 0, rotation", "determinant"});
-  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [1, 0]"), {"camera 0, rotation row 1"});
-  expect_refused(replaced(kGood, "\"a.jpg\"", "17"), {"camera 0, img_name"});
+  expect_refused(replaced(kGood, "\"width\": 1,", "\"width\": 0,"), {"[1].width", "from 1 to 16384"});
+  expect_refused(replaced(kGood, "16384", "16385"), {"[1].height", "16385"});
+  expect_refused(replaced(kGood, "501", "501.5"), {"[0].height"});
+  expect_refused(replaced(kGood, "\"width\": 1000, ", ""), {"[0]: 'width' is missing"});
+  expect_refused(replaced(kGood, "\"fx\": 800.5", "\"fx\": 0"), {"[0].fx"});
+  expect_refused(replaced(kGood, "\"fy\": 801", "\"fy\": -3"), {"[0].fy"});
+  expect_refused(replaced(kGood, "\"fy\": 801", "\"fy\": \"wide\""), {"[0].fy", "wide", "number"});
+  expect_refused(replaced(kGood, "[1, 2, 3]", "[1, 2]"), {"[0].position"});
+  expect_refused(replaced(kGood, "[1, 2, 3]", "[1, null, 3]"), {"[0].position"});
+  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1.001], [1, 0, 0]"), {"[0].rotation", "orthonormal"});
+  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [-1, 0, 0]"), {"[0].rotation", "determinant"});
+  expect_refused(replaced(kGood, "[0, 0, 1], [1, 0, 0]", "[0, 0, 1], [1, 0]"), {"[0].rotation[1]"});
+  expect_refused(replaced(kGood, "\"a.jpg\"", "17"), {"[0].img_name"});
 }
 
 TEST(Camera, RefusesWhatIsNoListOfCameras) {
   expect_refused("", {"not JSON"});
   expect_refused("{\"a\":", {"not JSON"});
-  expect_refused("{}", {"top level"});
+  expect_refused("{}", {"none of the known formats"});
   expect_refused("[]", {"empty"});
-  expect_refused("[3]", {"camera 0"});
+  expect_refused("[3]", {"[0]", "an object"});
   expect_refused(replaced(kGood, "800.5", "1e999"), {"not JSON"});
   const ScratchFolder scratch;
   EXPECT_THROW(read_cameras(scratch / "missing.json"), InputError);
@@ -130,10 +128,10 @@ TEST(Camera, NumbersAreWholeAndOfTheirRange) {
   for (const char* number :
        {"-1", "1000.5", "1e99", "4294968296", "18446744073709552616", "\"1000\"", "true", "null"}) {
     expect_refused(replaced(kGood, "\"width\": 1000", "\"width\": " + std::string(number)),
-                   {"camera 0, width", "expected an integer from 1 to 16384"});
+                   {"[0].width", "expected an integer from 1 to 16384"});
   }
   for (const char* number : {"0", "-0.0", "-1", "\"8\"", "[8]"})
-    expect_refused(replaced(kGood, "800.5", number), {"camera 0, fx", "expected a number above 0"});
+    expect_refused(replaced(kGood, "800.5", number), {"[0].fx", "expected a number above 0"});
   for (const char* number : {"+1", "01", "1.", ".5", "0x1", "nan", "NaN", "Infinity", "1 0", "--1"})
     expect_refused(replaced(kGood, "800.5", number), {"not JSON", "line 2"});
   const ScratchFolder scratch;
@@ -205,7 +203,7 @@ TEST(Camera, MessagesStayShort) {
   const std::string long_text(1 << 20, 'x');
   expect_refused("[{\"" + long_text, {"not JSON"});
   expect_refused("[{\"" + long_text + "\": 1, \"" + long_text + "\": 1}]", {"second 'xxx"});
-  expect_refused(replaced(kGood, "[1, 2, 3]", "\"" + long_text + "\""), {"camera 0, position"});
+  expect_refused(replaced(kGood, "[1, 2, 3]", "\"" + long_text + "\""), {"[0].position"});
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ TEST(CameraForms, ASizeIsAsked) {
     parse_cameras("t.json", text);
     FAIL() << "was accepted";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "t.json: frame 0, size: the file has none, expected --size WxH");
+    EXPECT_STREQ(error.what(), "t.json: frames[0]: the file has no size, expected --size WxH");
   }
   // Or that of the picture beside the file, as wide and high as its header says.
   const ScratchFolder scratch;

@@ -44,64 +44,65 @@ TEST(CameraHostile, TransformsNameFrameAndField) {
   const Json good = camera_file::nerfstudio(two_views());
   const std::string matrix = "/frames/1/transform_matrix";
   expect_refused(with(good, "/frames", Json::array()), {"frames", "at least one"});
-  expect_refused(with(good, "/frames", 3), {"frames", "found '3'"});
-  expect_refused(with(good, "/frames/0", "a"), {"frame 0", "transform_matrix or position"});
-  expect_refused(with(good, "/frames/1", 7), {"frame 1, entry"});
-  expect_refused(without(good, "/frames/1", "transform_matrix"), {"frame 1, transform_matrix", "missing"});
-  expect_refused(with(good, matrix, 1), {"frame 1, transform_matrix", "4 rows of 4 numbers"});
-  expect_refused(with(good, matrix + "/2", {1, 2, 3}), {"frame 1, transform_matrix", "4 rows of 4 numbers"});
-  expect_refused(with(good, matrix + "/2/1", nullptr), {"frame 1, transform_matrix row 2", "null"});
-  expect_refused(with(good, matrix + "/3", {0, 0, 0, 2}), {"frame 1, transform_matrix row 3", "found 2"});
+  expect_refused(with(good, "/frames", 3), {"frames: found '3'"});
+  expect_refused(with(good, "/frames/0", "a"), {"frames[0]", "transform_matrix or position"});
+  expect_refused(with(good, "/frames/1", 7), {"frames[1]", "an object"});
+  expect_refused(without(good, "/frames/1", "transform_matrix"), {"frames[1]: 'transform_matrix' is missing"});
+  expect_refused(with(good, matrix, 1), {"frames[1].transform_matrix: found '1', expected an array"});
+  expect_refused(with(good, matrix + "/2", {1, 2, 3}), {"frames[1].transform_matrix[2]: found 3 numbers, expected 4"});
+  expect_refused(with(good, matrix + "/2/1", nullptr), {"frames[1].transform_matrix[2][1]", "null"});
+  expect_refused(with(good, matrix + "/3", {0, 0, 0, 2}), {"frames[1].transform_matrix[3]", "expected 0, 0, 0, 1"});
   Json changed = good;
   for (int r = 0; r < 3; ++r) changed["frames"][1]["transform_matrix"][r] = {0, 0, 0, 0};
-  expect_refused(changed.dump(), {"frame 1, transform_matrix", "orthonormal"});
+  expect_refused(changed.dump(), {"frames[1].transform_matrix", "orthonormal"});
   changed = good;
   for (int r = 0; r < 3; ++r) changed["frames"][1]["transform_matrix"][r][r] = 1e308;
-  expect_refused(changed.dump(), {"frame 1, transform_matrix", "orthonormal"});
+  expect_refused(changed.dump(), {"frames[1].transform_matrix", "orthonormal"});
   changed = good;
   for (int r = 0; r < 3; ++r) {
     Json& first = changed["frames"][1]["transform_matrix"][r][0];
     first = -first.get<double>();
   }
-  expect_refused(changed.dump(), {"frame 1, transform_matrix", "mirrored"});
-  expect_refused(with(good, "/w", 0), {"frame 0, w", "from 1 to 16384"});
-  expect_refused(with(good, "/fl_x", 0), {"frame 0, fl_x", "above 0"});
-  expect_refused(with(good, "/fl_y", "long"), {"frame 0, fl_y", "long"});
-  expect_refused(with(good, "/k1", 0.1), {"frame 0, k1", "colmap image_undistorter", "--ignore-distortion"});
+  expect_refused(changed.dump(), {"frames[1].transform_matrix", "mirrored"});
+  expect_refused(with(good, "/w", 0), {" w: found '0'", "from 1 to 16384"});
+  expect_refused(with(good, "/fl_x", 0), {" fl_x: ", "above 0"});
+  expect_refused(with(good, "/fl_y", "long"), {" fl_y: ", "long"});
+  expect_refused(with(good, "/k1", 0.1), {" k1: ", "colmap image_undistorter", "--ignore-distortion"});
   expect_refused(with(good, "/camera_model", "EQUIRECTANGULAR"), {"camera_model", "EQUIRECTANGULAR"});
-  expect_refused(with(good, "/camera_model", 3), {"camera_model", "expected a string"});
+  expect_refused(with(good, "/camera_model", 3), {"camera_model", "expected a text"});
   expect_refused(with(good, "/is_fisheye", true), {"is_fisheye"});
   expect_refused(with(good, "/applied_scale", 2), {"applied_scale"});
   expect_refused(with(good, "/applied_transform", {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}), {"applied_transform"});
   expect_refused(with(good, "/applied_transform", {{1, 0, 0}, {0, 1, 0}}), {"applied_transform", "3 or 4 rows"});
   expect_refused(with(camera_file::blender(two_views()), "/camera_angle_x", 3.15), {"camera_angle_x"});
-  expect_refused(without(camera_file::blender(two_views()), "", "camera_angle_x"), {"frame 0, fl_x", "missing"});
+  expect_refused(without(camera_file::blender(two_views()), "", "camera_angle_x"), {"frames[0]: 'fl_x' is missing"});
 }
 
 TEST(CameraHostile, PlayCanvasNamesFrameAndField) {
   const Json frames = camera_file::playcanvas_frames(two_views()), viewer = camera_file::supersplat_viewer(two_views()),
              editor = camera_file::supersplat_editor(two_views());
   const std::string values = "/animTracks/0/keyframes/values";
-  expect_refused(with(frames, "/frames/1/fov", 0), {"frame 1, fov", "above 0"});
-  expect_refused(with(frames, "/frames/1/fov", 180), {"frame 1, fov"});
-  expect_refused(with(frames, "/frames/1/target", frames["frames"][1]["position"]), {"frame 1, target"});
-  expect_refused(with(frames, "/frames/1/up", {0, 0, 0}), {"frame 1, up", "no direction"});
-  expect_refused(with(frames, "/frames/0/up", {0, 0, 1}), {"frame 0, up", "in which the camera looks"});
-  expect_refused(with(frames, "/frames/0/position", {1e308, 1e308, 1e308}), {"frame 0, "});
-  expect_refused(with(frames, "/frames/0/position", {1, 2}), {"frame 0, position", "3 numbers"});
-  expect_refused(with(viewer, values + "/fov", {50}), {"animTracks 0, values, fov", "found 1", "expected 2"});
-  expect_refused(with(viewer, values + "/target/4", "x"), {"target 1", "'\"x\"'"});
-  expect_refused(with(viewer, values, 3), {"animTracks 0, values, entry"});
-  expect_refused(with(viewer, "/animTracks", 3), {"animTracks", "expected a list"});
-  expect_refused(with(viewer, "/cameras/0", 3), {"cameras 0, entry"});
-  expect_refused(with(viewer, "/cameras/0/initial/fov", nullptr), {"cameras 0, initial, fov"});
+  expect_refused(with(frames, "/frames/1/fov", 0), {"frames[1].fov", "above 0"});
+  expect_refused(with(frames, "/frames/1/fov", 180), {"frames[1].fov"});
+  expect_refused(with(frames, "/frames/1/target", frames["frames"][1]["position"]), {"frames[1]", "target"});
+  expect_refused(with(frames, "/frames/1/up", {0, 0, 0}), {"frames[1]", "no direction in up"});
+  expect_refused(with(frames, "/frames/0/up", {0, 0, 1}), {"frames[0]", "in which the camera looks"});
+  expect_refused(with(frames, "/frames/0/position", {1e308, 1e308, 1e308}), {"frames[0]"});
+  expect_refused(with(frames, "/frames/0/position", {1, 2}), {"frames[0].position: found 2 numbers, expected 3"});
+  expect_refused(with(viewer, values + "/fov", {50}),
+                 {"animTracks[0].keyframes.values.fov: found 1 numbers, expected 2"});
+  expect_refused(with(viewer, values + "/target/4", "x"), {"values.target[4]", "'\"x\"'"});
+  expect_refused(with(viewer, values, 3), {"animTracks[0].keyframes.values", "an object"});
+  expect_refused(with(viewer, "/animTracks", 3), {"animTracks", "expected an array"});
+  expect_refused(with(viewer, "/cameras/0", 3), {"cameras[0]", "an object"});
+  expect_refused(with(viewer, "/cameras/0/initial/fov", nullptr), {"cameras[0].initial.fov"});
   expect_refused(R"({"cameras": []})", {"no camera"});
-  expect_refused(with(editor, "/poseSets/0/poses/1/position", nullptr), {"poseSets 0, pose 1, position"});
-  expect_refused(with(editor, "/poseSets", Json::object()), {"poseSets", "expected a list"});
+  expect_refused(with(editor, "/poseSets/0/poses/1/position", nullptr), {"poseSets[0].poses[1].position"});
+  expect_refused(with(editor, "/poseSets", Json::object()), {"poseSets", "expected an array"});
   expect_refused(with(editor, "/poseSets", Json::array()), {"no camera"});
-  expect_refused(R"({"poseSets": [], "camera": 1})", {"camera, entry"});
-  expect_refused(R"({"animals": []})", {"top level", "none of the known formats"});
-  expect_refused("7", {"top level"});
+  expect_refused(R"({"poseSets": [], "camera": 1})", {"camera", "an object"});
+  expect_refused(R"({"animals": []})", {"none of the known formats"});
+  expect_refused("7", {"none of the known formats"});
 }
 
 TEST(CameraHostile, AFileThatIsCutIsRefused) {
