@@ -21,10 +21,15 @@ LINK = re.compile(r"^(?: {4}|```).*$|!?\[(?P<text>[^][]*)\]\((?P<file>[^)#\s]+)(
 
 
 def on_config(config):
-    """Headings get the anchors that GitHub gives them, which the links of the pages name."""
+    """Headings get the anchors of GitHub, which the links of the pages name; the pages of studies get their places."""
     slug = lambda text, _: re.sub(r"[^\w\- ]", "", text.strip().lower()).replace(" ", "-")
     config["mdx_configs"]["toc"] = {"permalink": True, "slugify": slug}
+    config["nav"][-1]["Evidence"] += [{"Studies": own}] if (own := studies(config["docs_dir"])) else []
     return config
+
+
+def studies(folder):
+    return [str(page.relative_to(folder)) for page in sorted(Path(folder).glob("sim/studies/*/*.md"))]
 
 
 def page_text(path, copied):

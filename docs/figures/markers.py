@@ -134,7 +134,9 @@ def first_difference(page, content, filled):
 
 
 def pages():
-    return [Path("README.md"), *sorted(f.relative_to(ROOT) for f in (ROOT / "docs").rglob("*.md"))]
+    """README.md, those of docs, those of studies."""
+    found = [*(ROOT / "docs").rglob("*.md"), *ROOT.glob("sim/studies/*/*.md")]
+    return [Path("README.md"), *sorted(file.relative_to(ROOT) for file in found)]
 
 
 def filled(entries):

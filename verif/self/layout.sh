@@ -61,7 +61,8 @@ while read -r name test; do
 done < <(grep -v '^#' "$list")
 
 # A page may name modules, tests and functions of the models, but none that is gone.
-for name in $(grep -ohE '`(pipegs|dopu|pu|su|ru)_[a-z0-9_]+`' docs/*.md docs/*/*.md | tr -d '`' | sort -u); do
+pages=(docs sim/studies)
+for name in $(grep -rohE --include='*.md' '`(pipegs|dopu|pu|su|ru)_[a-z0-9_]+`' "${pages[@]}" | tr -d '`' | sort -u); do
   [ -n "$(find rtl verif -name "$name.sv" -o -name "$name.cpp")" ] ||
     grep -rqw --include={*.sv,*.?pp,*.[ch],*.def,CMakeLists.txt,table.sh} -- "$name" \
       rtl cpp_model verif synth/prove cpp_model/driver ||
