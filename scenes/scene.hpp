@@ -10,8 +10,10 @@
 //         channel-major, ply.cpp transposes.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,15 @@ constexpr int sh_rest_count(int sh_degree) { return (sh_degree + 1) * (sh_degree
 inline const float* sh_rest_of(const Scene& scene, std::size_t i) {
   return scene.sh_degree == 0 ? nullptr
                               : scene.sh_rest.data() + i * 3 * static_cast<std::size_t>(sh_rest_count(scene.sh_degree));
+}
+
+// A double of a file as a float: beyond float's range it becomes an infinity (and the Gaussian is culled later); the
+// conversion itself would be undefined behaviour.
+inline float narrow(double value) {
+  if (std::abs(value) > std::numeric_limits<float>::max() && std::isfinite(value)) {
+    return std::copysign(std::numeric_limits<float>::infinity(), static_cast<float>(std::copysign(1.0, value)));
+  }
+  return static_cast<float>(value);
 }
 
 // Throws std::invalid_argument if the degree and the lengths of the arrays contradict each other.

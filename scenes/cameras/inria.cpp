@@ -12,7 +12,9 @@ namespace {
 
 glm::dmat3 read_rotation(const JsonNode& rows) {
   if (rows.size() != 3) rows.refuse("3 rows of 3 numbers");
-  return checked_rotation(rows, {triple(rows[0]), triple(rows[1]), triple(rows[2])});
+  glm::dmat3 m;
+  for (std::size_t r = 0; r < 3; ++r) m[static_cast<int>(r)] = triple(rows[r]);
+  return checked_rotation(rows, m);
 }
 
 Camera read_camera(const JsonNode& entry, std::size_t index) {

@@ -25,9 +25,10 @@ std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& readin
   if (json.has("frames")) {
     const JsonNode frames = json["frames"];
     if (frames.size() == 0) frames.refuse("a list of at least one");
-    if (frames[0].has("transform_matrix")) return transforms_cameras(json, reading);
-    if (frames[0].has("position")) return playcanvas_cameras(json, reading);
-    frames[0].refuse("an object with transform_matrix or position");
+    const JsonNode first = frames[std::size_t{0}];
+    if (first.has("transform_matrix")) return transforms_cameras(json, reading);
+    if (first.has("position")) return playcanvas_cameras(json, reading);
+    first.refuse("an object with transform_matrix or position");
   }
   for (const char* field : {"poseSets", "animTracks", "cameras", "camera"}) {
     if (json.has(field)) return playcanvas_cameras(json, reading);

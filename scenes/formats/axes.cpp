@@ -11,7 +11,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "scenes/narrow.hpp"
+#include "scenes/scene.hpp"
 #include "scenes/sh_basis.hpp"
 
 namespace pipegs {

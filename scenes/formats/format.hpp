@@ -16,7 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/narrow.hpp"
 #include "scenes/packed/input_file.hpp"
 #include "scenes/scene.hpp"
 #include "scenes/sh_basis.hpp"
@@ -66,6 +65,18 @@ inline Scene scene_of_size(std::size_t count, int sh_degree) {
   scene.gaussians.resize(count);
   scene.sh_rest.resize(count * 3 * static_cast<std::size_t>(sh_rest_count(sh_degree)));
   return scene;
+}
+
+// Rows of a scene behind those of another, whose SH degree is no lower.
+inline void append(Scene& scene, const Scene& part, std::uint64_t first, std::uint64_t count) {
+  const auto to = static_cast<std::size_t>(3 * sh_rest_count(scene.sh_degree)),
+             from = static_cast<std::size_t>(3 * sh_rest_count(part.sh_degree));
+  for (std::uint64_t i = first; i < first + count; ++i) {
+    scene.gaussians.push_back(part.gaussians[i]);
+    const auto rest = part.sh_rest.begin() + static_cast<std::ptrdiff_t>(from * i);
+    scene.sh_rest.insert(scene.sh_rest.end(), rest, rest + static_cast<std::ptrdiff_t>(from));
+    scene.sh_rest.resize(scene.gaussians.size() * to);
+  }
 }
 
 }  // namespace pipegs

@@ -169,18 +169,11 @@ class Reader {
 
   Scene joined() {
     if (parts_.size() == 1) return std::move(parts_[0]);
-    int degree = 0;
-    for (const Scene& part : parts_) degree = std::max(degree, part.sh_degree);
-    Scene scene = scene_of_size(static_cast<std::size_t>(count_), degree);
-    const auto wide = static_cast<std::size_t>(3 * sh_rest_count(degree));
-    std::size_t at = 0;
+    Scene scene;
+    for (const Scene& part : parts_) scene.sh_degree = std::max(scene.sh_degree, part.sh_degree);
     for (const Scene& part : parts_) {
       scene.antialiased |= part.antialiased;
-      const auto own = static_cast<std::size_t>(3 * sh_rest_count(part.sh_degree));
-      for (std::size_t i = 0; i < part.gaussians.size(); ++i, ++at) {
-        scene.gaussians[at] = part.gaussians[i];
-        for (std::size_t k = 0; k < own; ++k) scene.sh_rest[wide * at + k] = part.sh_rest[own * i + k];
-      }
+      append(scene, part, 0, part.gaussians.size());
     }
     return scene;
   }

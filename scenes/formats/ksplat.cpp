@@ -10,7 +10,7 @@
 // Errors  InputError with the section and what does not fit in the file.
 #include <fmt/format.h>
 
-#include <array>
+#include <glm/gtc/packing.hpp>
 
 #include "scenes/formats/format.hpp"
 #include "scenes/input_error.hpp"
@@ -20,15 +20,6 @@ namespace {
 
 constexpr std::uint64_t kHeader = 4096, kSectionHeader = 1024;
 constexpr std::uint32_t kMostSections = 1024;
-
-float half(std::uint16_t bits) {
-  const int exponent = bits >> 10 & 31, mantissa = bits & 1023;
-  double value = exponent == 31  ? (mantissa == 0 ? std::numeric_limits<double>::infinity()
-                                                  : std::numeric_limits<double>::quiet_NaN())
-                 : exponent == 0 ? std::ldexp(mantissa, -24)
-                                 : std::ldexp(mantissa + 1024, exponent - 25);
-  return static_cast<float>((bits & 0x8000) != 0 ? -value : value);
-}
 
 struct Header {
   std::uint32_t most_sections, sections, most_splats, splats;
@@ -148,7 +139,7 @@ class Reader {
       }
       const std::uint8_t* value = row + (level == 0 ? 12 : 6);
       const auto next = [&] {
-        const float v = level == 0 ? load<float>(value) : half(load<std::uint16_t>(value));
+        const float v = level == 0 ? load<float>(value) : glm::unpackHalf1x16(load<std::uint16_t>(value));
         value += level == 0 ? 4 : 2;
         return v;
       };

@@ -41,17 +41,6 @@ Scene read_part(const InputFile& meta, const std::string& name, SceneFormat& for
   return read_sog(file.starts_with("PK") ? unpack_zip(file, "meta.json") : file, format);
 }
 
-void append(Scene& scene, const Scene& part, const Rows& rows) {
-  const auto count = static_cast<std::size_t>(3 * sh_rest_count(scene.sh_degree));
-  const auto from = static_cast<std::size_t>(3 * sh_rest_count(part.sh_degree));
-  for (std::uint64_t i = rows.offset; i < rows.offset + rows.count; ++i) {
-    scene.gaussians.push_back(part.gaussians[i]);
-    const auto first = part.sh_rest.begin() + static_cast<std::ptrdiff_t>(from * i);
-    scene.sh_rest.insert(scene.sh_rest.end(), first, first + static_cast<std::ptrdiff_t>(from));
-    scene.sh_rest.resize(scene.gaussians.size() * count);
-  }
-}
-
 }  // namespace
 
 Scene read_streamed_sog(const InputFile& meta, int lod, SceneFormat& format) {
@@ -94,7 +83,7 @@ Scene read_streamed_sog(const InputFile& meta, int lod, SceneFormat& format) {
     scene.antialiased |= part.antialiased;
   }
   for (auto& [part, rows] : parts) {
-    for (const Rows& row : rows) append(scene, part, row);
+    for (const Rows& row : rows) append(scene, part, row.offset, row.count);
     part = Scene{};
   }
   format.levels = static_cast<int>(levels);

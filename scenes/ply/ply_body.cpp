@@ -13,7 +13,7 @@
 #include <cstring>
 
 #include "scenes/input_error.hpp"
-#include "scenes/narrow.hpp"
+#include "scenes/scene.hpp"
 #include "scenes/text/number.hpp"
 
 namespace pipegs {
