@@ -10,7 +10,6 @@ import {fileURLToPath, pathToFileURL} from 'node:url';
 const puppeteer = createRequire(path.join(process.env.PAGE, 'package.json'))('puppeteer-core');
 export const folder = process.env.FOLDER;
 export const root = path.join(path.dirname(fileURLToPath(import.meta.url)), '../..');
-export const shared = process.env.PIPEGS_SHARED ?? path.join(root, '../shared');
 
 const chromium = ['chromium', 'chromium-browser', 'google-chrome'].map((name) => {
   const found = spawnSync('sh', ['-c', `command -v ${name}`], {encoding: 'utf8'});
