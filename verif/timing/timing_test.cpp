@@ -14,6 +14,7 @@
 #include "sim/design/design_point.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/timing/timing_check.hpp"
+#include "verif/frame/machines.hpp"
 #include "verif/frame/scenes.hpp"
 
 namespace pipegs {
@@ -67,6 +68,13 @@ SimulateOptions design_point(std::string_view name) {
   return options;
 }
 
+// One that whole frames are tested on: its RTL is there.
+SimulateOptions frame_machine(size_t number) {
+  SimulateOptions options = pipegs::machine(number);
+  options.memory = {.dram = kMemory};
+  return options;
+}
+
 // Tells how many lines overflowed.
 uint64_t expect_exact(const TimedFrame& frame) {
   SCOPED_TRACE(config_difference(frame.options.config));
@@ -85,24 +93,16 @@ TEST(Timing, EveryDesignPointOnOurOwnScene) {
   }
 }
 
-// Half of it with clocks that never stop.
+// Half of it behind a narrower bus, with clocks that never stop.
 TEST(Timing, HalfAndQuarterOfTheMachine) {
-  expect_exact(TimedFrame(
-      own_view(), machine({"units=2", "fronts=1", "pixels_per_row=1", "grid=8", "tight_cull=1", "clock_gates=0"}), 2));
-  EXPECT_GT(expect_exact(TimedFrame(own_view(), machine({"units=1", "alpha_lines=64", "records=16"}), 1)), 0u);
+  expect_exact(TimedFrame(own_view(), frame_machine(kHalf), 2));
+  EXPECT_GT(expect_exact(TimedFrame(own_view(), frame_machine(kTiny), 1)), 0u);
 }
 
 // The lanes of `exact`, with the numbers of sim/fine.cfg, blend living quads only. Behind a slow memory the RUs wait
 // for splats, behind a fast one for the pixels of the window before.
-SimulateOptions living_quads() {
-  SimulateOptions options = design_point("exact");
-  for (const char* setting : {"quads=1", "pos_w=18", "base_w=14", "mantissa_w=22", "coeff_f=24", "alpha_w=10"})
-    config_set(options.config, setting);
-  return options;
-}
-
 TEST(Timing, LivingQuads) {
-  SimulateOptions options = living_quads();
+  SimulateOptions options = frame_machine(kFine);
   expect_exact(TimedFrame(own_view(), options, 3));
   expect_exact(TimedFrame({random_scene(9, 300, 0), test_camera(130, 97)}, options));
   options.memory = {.dram = "ideal", .latency = 2, .bytes_per_cycle = 64, .jitter = 3};
@@ -135,9 +135,8 @@ TEST(Timing, OtherMemories) {
 }
 
 TEST(Timing, SmallStoresBehindAMemoryOfRandomLatency) {
-  for (const std::vector<std::string>& settings : {std::vector<std::string>{"units=1", "alpha_lines=64", "records=16"},
-                                                   {"units=2", "late=1", "order=2", "records=16", "clock_gates=0"}}) {
-    SimulateOptions options = machine(settings);
+  for (const size_t number : {kTiny, kTinyExact}) {
+    SimulateOptions options = frame_machine(number);
     options.memory = {.dram = "ideal", .latency = 40, .bytes_per_cycle = 64, .jitter = 200};
     EXPECT_GT(expect_exact(TimedFrame(own_view(), options, 1)), 0u);
   }
@@ -155,7 +154,7 @@ TEST(Timing, PixelsInRasterOrder) {
     options.memory = {.dram = "ideal", .latency = 2, .bytes_per_cycle = 64, .jitter = 3};
     expect_exact(TimedFrame(odd, options));
   }
-  SimulateOptions options = living_quads();
+  SimulateOptions options = frame_machine(kFine);
   options.raster = true;
   expect_exact(TimedFrame(odd, options));
 }
