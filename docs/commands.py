@@ -114,7 +114,9 @@ def json_keys(pipegs, name):
     words = [Path(pipegs).resolve(), *name.split(), *SAMPLES[name.split()[-1]].split(), "--json"]
     with tempfile.TemporaryDirectory() as folder:
         run = subprocess.run(words, cwd=folder, capture_output=True, check=True)
-    return "Keys of `--json`: " + ", ".join(f"`{key}`" for key in keys_of(json.loads(run.stdout))) + "."
+    found = json.loads(run.stdout)
+    found.pop("charts", None)  # the same of all commands: the page's head has them
+    return "Keys of `--json`: " + ", ".join(f"`{key}`" for key in keys_of(found)) + "."
 
 
 def page(commands, pipegs):

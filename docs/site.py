@@ -16,7 +16,7 @@ from urllib.parse import unquote
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ["README.md", "CHANGELOG.md", "docs/**/*.md", "sim/studies/*/*.md"]
-PICTURES = ["docs/images/**/*.*", "sim/studies/*/*.svg", "docs/site.css"]
+PICTURES = ["docs/images/**/*.*", "docs/site.css"]
 LINK = re.compile(r"^(?: {4}|```).*$|!?\[(?P<text>[^][]*)\]\((?P<file>[^)#\s]+)(?:#[^)\s]*)?\)|`[^`\n]+`", re.MULTILINE)
 
 

@@ -26,7 +26,7 @@ class Measurement:
     scene: str = "own"
     view: int | None = 0  # None: the command names its views
     points: tuple = ()  # design points, when the command does not name them
-    chart: str = ""  # docs/images/CHART is drawn, too
+    chart: str = ""  # the charts of its JSON are docs/images/CHART
     picture: tuple = ()  # (file of docs/images, file of the build folder that the command writes and that it becomes)
     targets: tuple = ()  # of the build, that the command needs beside pipegs
     read: Callable | None = None  # makes figures of a command's text; None: it prints JSON, whose keys are the figures

@@ -35,7 +35,7 @@ def command_line(one, scene, build):
     words = [str(reference(one.scene, one.view)) if word == "{reference}" else word for word in words]
     words = [str(build / word.removeprefix("build/")) if word.startswith("build/") else word for word in words]
     words = [str(ROOT / word) if (ROOT / word).is_file() else word for word in words]
-    return words + (["--svg", str(ROOT / "docs/images" / one.chart)] if one.chart and not SVG.exists() else [])
+    return words
 
 
 def draw(charts, file, build):
@@ -60,7 +60,7 @@ def execute(one, build):
     try:
         found = json.loads(printed) if printed.lstrip()[:1] in ("{", "[") else printed
         charts = found.pop("charts", None) if isinstance(found, dict) else None
-        if one.chart and SVG.exists():
+        if one.chart:
             draw(charts, ROOT / "docs/images" / one.chart, build)
         if one.picture:
             image, written = one.picture

@@ -101,7 +101,6 @@ void add_sim(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);
 void add_ladder(CLI::App& app, Run& run);
-void add_timeline(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
 void add_effects(CLI::App& app, Run& run);
 void add_silicon(CLI::App& app, Run& run);

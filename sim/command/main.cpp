@@ -94,7 +94,6 @@ int main(int argc, char** argv) {
   add_render(app, run);
   add_explain(app, run);
   add_ladder(app, run);
-  add_timeline(app, run);
   add_model(app, run);
   add_effects(app, run);
   add_silicon(app, run);

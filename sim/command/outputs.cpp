@@ -86,8 +86,4 @@ void write_text(const fs::path& path, const std::string& text) {
   file.commit();
 }
 
-void write_charts(const std::string& path, const std::vector<Chart>& charts) {
-  if (!path.empty()) write_text(path, charts_svg(charts));
-}
-
 }  // namespace pipegs

@@ -12,10 +12,8 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cpp_model/float/image.hpp"
-#include "sim/report/chart.hpp"
 
 namespace pipegs {
 
@@ -31,6 +29,5 @@ void make_folder_of(const std::filesystem::path& file);
 // frame.exr and frame.png: the 8-bit picture of the image, or the one that is given.
 void write_images(const std::string& folder, const Image& image, const std::optional<Rgb8>& picture = {});
 void write_text(const std::filesystem::path& path, const std::string& text);
-void write_charts(const std::string& path, const std::vector<Chart>& charts);  // nothing without a path
 
 }  // namespace pipegs

@@ -19,7 +19,7 @@ namespace {
 struct SiliconArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table, svg;
+  std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table;
   PageArgument page;
   double equal_area = 0;  // mm2
   bool json = false, no_energy = false;
@@ -67,7 +67,6 @@ void keep_frame(const std::string& table, const MeasuredFrame& frame) {
 
 // A table that cannot be read is told before the frames are measured, too.
 void check_outputs(const SiliconArguments& arguments) {
-  try_file("--svg", arguments.svg);
   arguments.page.check();
   try_file("--table", arguments.table);
   if (!arguments.no_energy) try_folder("--keep", arguments.keep);
@@ -120,7 +119,6 @@ int silicon(const SiliconArguments& arguments) {
   }
   const std::vector<Chart> charts = silicon_charts(design_points);
   const std::string text = to_text(design_points, arguments.equal_area);
-  write_charts(arguments.svg, charts);
   const std::string head = fmt::format("{}: view {} ({}x{}), memory {}", loaded.scene.name, loaded.camera.name,
                                        loaded.camera.width, loaded.camera.height, arguments.memory.external.dram);
   NamedMachines machines;
@@ -134,6 +132,7 @@ int silicon(const SiliconArguments& arguments) {
     nlohmann::ordered_json json = {
         {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
     json.update(to_json(design_points, arguments.equal_area));
+    json["charts"] = charts_json(charts);
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}\n\n{}", head, text);
@@ -147,7 +146,7 @@ void add_silicon(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "silicon", "area, clock and energy in 28 nm, beside the paper's Table 2; frames per mm2 and joule");
   command->footer(footer(
-      "pipegs silicon garden.ply --cameras cameras.json --designs dop,exact --svg silicon.svg",
+      "pipegs silicon garden.ply --cameras cameras.json --designs dop,exact --page silicon.html",
       "measured, every bit of the RTL agrees", "a bit differs or the RTL stops",
       "Needs what `make synth` writes for each configuration. Energy needs a run of the RTL, which is kept: each frame "
       "is measured\n"
@@ -165,7 +164,6 @@ void add_silicon(CLI::App& app, Run& run) {
            "compare the machines at this area too, mm2; `make synth` of each with half as many units comes first",
            {.low = 0.1, .high = 100});
   command->add_flag("--no-energy", arguments.no_energy, "area and clock only, without the RTL");
-  command->add_option("--svg", arguments.svg, "charts");
   arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return silicon(arguments); }; });

@@ -322,14 +322,24 @@ std::vector<Table> ladder_tables(const std::vector<LadderRow>& rows) {
 
 std::vector<Chart> ladder_charts(const std::vector<LadderRow>& rows) {
   const std::vector<const LadderRow*> done = complete(rows);
-  Chart speed{.form = Chart::Form::kBars, .title = "Speed-up over the baseline (paper: Fig. 9)", .y_label = "times"};
-  Chart cycles{.form = Chart::Form::kBars, .title = "Cycles of a frame", .y_label = "cycles"};
-  Chart ratios{.form = Chart::Form::kBars, .title = "Raster time over sort time (paper: Fig. 8a)", .y_label = "times"};
-  Chart raster{.form = Chart::Form::kStacked, .title = "Where the RUs' cycles go", .y_label = "% of cycles"};
-  Chart front{.form = Chart::Form::kBars,
+  Chart speed{.name = "speedup",
+              .form = Chart::Form::kBars,
+              .title = "Speed-up over the baseline (paper: Fig. 9)",
+              .y_label = "times"};
+  Chart cycles{.name = "cycles", .form = Chart::Form::kBars, .title = "Cycles of a frame", .y_label = "cycles"};
+  Chart ratios{.name = "raster_over_sort",
+               .form = Chart::Form::kBars,
+               .title = "Raster time over sort time (paper: Fig. 8a)",
+               .y_label = "times"};
+  Chart raster{.name = "ru_cycles",
+               .form = Chart::Form::kStacked,
+               .title = "Where the RUs' cycles go",
+               .y_label = "% of cycles"};
+  Chart front{.name = "exposed",
+              .form = Chart::Form::kBars,
               .title = "Cycles before the first line is blended (paper: Fig. 8b)",
               .y_label = "% of the frame"};
-  Chart memory{.form = Chart::Form::kStacked, .title = "External memory", .y_label = "MB"};
+  Chart memory{.name = "memory", .form = Chart::Form::kStacked, .title = "External memory", .y_label = "MB"};
   speed.series = {{"here", {}}, {"paper, up to", {}, true}};
   cycles.series = {{"cycles", {}}};
   ratios.series = {{"here, all cycles", {}}, {"here, mean of windows", {}}, {"paper", {}, true}};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// chart.hpp: charts as SVG: bars side by side or stacked, lines with markers, histograms, clouds of points.
+// chart.hpp: what was found, as a chart: bars side by side or stacked, lines with markers, histograms, clouds of points.
 //
-// Idea    A Chart is data and labels; `charts_svg` lays charts out in a grid and draws axes, ticks, legend and values.
-//         What all SVG files share is in svg.hpp.
+// Idea    A Chart is data and labels; sim/report/page draws it: charts.mjs in a page, svg.sh as a file.
 // Rule    Nothing is drawn that is not in the data: a value that is not finite leaves a gap. On a logarithmic axis the
 //         same holds for values that are not positive.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -30,6 +30,7 @@ struct Chart {
     kHistogram,  // one series; bin i lies between x[i] and x[i + 1]
     kScatter,    // points anywhere, of each series its own; axes begin near the lowest
   };
+  std::string name;  // among the charts of a command
   Form form = Form::kBars;
   std::string title, x_label, y_label;
   std::vector<std::string> categories;  // of bars; of lines: what stands at x, if not its number
@@ -41,13 +42,10 @@ struct Chart {
 };
 
 // The values in `bins` bins of equal width (equal ratio when log_x, for positive values).
-Chart histogram(const std::string& title, const std::string& x_label, const std::vector<double>& values, int bins,
-                bool log_x = false);
+Chart histogram(const std::string& name, const std::string& title, const std::string& x_label,
+                const std::vector<double>& values, int bins, bool log_x = false);
 
-// A whole SVG file. Throws std::invalid_argument when a chart's counts do not fit each other.
-std::string charts_svg(const std::vector<Chart>& charts, int columns = 2);
-
-// Round numbers that cover low to high: steps of 1, 2 or 5 (linear), or 1, 2, 5 of each decade (logarithmic).
-std::vector<double> axis_ticks(double low, double high, bool logarithmic);
+// As charts.mjs reads them. Throws std::invalid_argument when a chart's counts do not fit each other.
+nlohmann::ordered_json charts_json(const std::vector<Chart>& charts);
 
 }  // namespace pipegs

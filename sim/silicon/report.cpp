@@ -137,9 +137,9 @@ std::string gscore_text() {
 
 // Bars of the design points, stacked by the rows that Table 2 has too, and the paper's.
 template <class Rows, class Value>
-Chart stack(const char* title, const char* y_label, const std::vector<SiliconPoint>& design_points, Rows rows,
-            Value value, double PublishedRow::*paper_value) {
-  Chart chart{.form = Chart::Form::kStacked, .title = title, .y_label = y_label};
+Chart stack(const char* chart_name, const char* title, const char* y_label,
+            const std::vector<SiliconPoint>& design_points, Rows rows, Value value, double PublishedRow::*paper_value) {
+  Chart chart{.name = chart_name, .form = Chart::Form::kStacked, .title = title, .y_label = y_label};
   for (size_t row = 0; row < rows(design_points.front()).size(); ++row) {
     const std::string name = rows(design_points.front())[row].name;
     if (name == "Total" || name == "DRAM") continue;
@@ -156,9 +156,9 @@ Chart stack(const char* title, const char* y_label, const std::vector<SiliconPoi
   return chart;
 }
 
-Chart efficiency(const char* title, const char* y_label, const std::vector<SiliconPoint>& design_points,
-                 double (SiliconPoint::*value)() const) {
-  Chart chart{.form = Chart::Form::kBars, .title = title, .y_label = y_label};
+Chart efficiency(const char* name, const char* title, const char* y_label,
+                 const std::vector<SiliconPoint>& design_points, double (SiliconPoint::*value)() const) {
+  Chart chart{.name = name, .form = Chart::Form::kBars, .title = title, .y_label = y_label};
   Series series{.name = y_label, .values = {}};
   for (const SiliconPoint& design_point : design_points) {
     chart.categories.push_back(design_point.name);
@@ -259,21 +259,22 @@ std::string to_text(const std::vector<SiliconPoint>& design_points, double mm2) 
 
 std::vector<Chart> silicon_charts(const std::vector<SiliconPoint>& design_points) {
   std::vector<Chart> charts = {stack(
-      "Area in 28 nm", "mm2", design_points,
+      "area", "Area in 28 nm", "mm2", design_points,
       [](const SiliconPoint& design_point) -> const std::vector<SiliconRow>& { return design_point.rows; },
       [](const SiliconPoint&, const SiliconRow& row) { return row.area_mm2.mid; }, &PublishedRow::area_mm2)};
   const bool energy = !design_points.front().energy.empty();
   if (energy) {
     charts.push_back(stack(
-        "Power at full speed", "W", design_points,
+        "power", "Power at full speed", "W", design_points,
         [](const SiliconPoint& design_point) -> const std::vector<EnergyRow>& { return design_point.energy; },
         [](const SiliconPoint& design_point, const EnergyRow& row) { return row.watts(design_point.fps()).mid; },
         &PublishedRow::power_w));
   }
-  charts.push_back(
-      efficiency("Frames per second for each mm2", "frames/s/mm2", design_points, &SiliconPoint::fps_per_mm2));
+  charts.push_back(efficiency("fps_per_mm2", "Frames per second for each mm2", "frames/s/mm2", design_points,
+                              &SiliconPoint::fps_per_mm2));
   if (energy)
-    charts.push_back(efficiency("Frames for each joule", "frames/J", design_points, &SiliconPoint::frames_per_joule));
+    charts.push_back(efficiency("frames_per_joule", "Frames for each joule", "frames/J", design_points,
+                                &SiliconPoint::frames_per_joule));
   return charts;
 }
 

@@ -42,7 +42,7 @@ TEST_F(Cli, ViewsFollowInOneMachine) {
   write_cameras(folder_ / "cameras.json", {test_camera(70, 50), test_camera(40, 90), test_camera(70, 50)});
   const Outcome outcome = run("sim scene.ply --cameras cameras.json --views 1-2 --json --out pictures");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* name : {"frame_0000.png", "frame_0001.png", "frames.csv", "frames.svg"})
+  for (const char* name : {"frame_0000.png", "frame_0001.png", "frames.csv"})
     EXPECT_TRUE(fs::exists(folder_ / "pictures" / name)) << name;
   const auto report = nlohmann::json::parse(text("pictures/sequence.json"));
   EXPECT_EQ(report, nlohmann::json::parse(outcome.out));

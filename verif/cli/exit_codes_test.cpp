@@ -22,7 +22,6 @@ class ExitCodes : public Cli {
             "explain" + view_ + "--pixel 66,3",
             "ladder" + view_ + "--designs dop --no-truth",
             "profile" + view_ + "--design dop",
-            "timeline" + view_ + "--out trace.json",
             "model" + view_ + "--design dop --check",
             "stress --count 1 --size 40x30 --gaussians 3"};
   }
@@ -122,7 +121,7 @@ TEST_F(ExitCodes, TwoForWhatTheMachineCannotHold) {
   expect_refused("model scene.ply --cameras flat.json", "fx");
   expect_refused("sim" + view_ + "--memory nothing", "--memory: nothing not in {lpddr5");
   expect_refused("sim" + view_ + "--waves w.fst --netlist", "--waves: the netlist writes none");
-  expect_refused("timeline" + view_ + "--set taps=0 --out t.json", "taps=1");
+  expect_refused("profile" + view_ + "--set taps=0", "taps=1");
 }
 
 TEST_F(ExitCodes, TwoForANameThatIsNotUtf8) {
@@ -136,7 +135,7 @@ TEST_F(ExitCodes, TwoForBadUse) {
   expect_one_line(run(""), 2, "A subcommand is required");
   expect_one_line(run("simulate"), 2, "found 'simulate', expected a command: sim, render, explain");
   expect_one_line(run("sim --nonsense"), 2, "--nonsense");
-  expect_one_line(run("timeline" + view_), 2, "--out is required");
+  expect_one_line(run("explain" + view_), 2, "--pixel is required");
   expect_one_line(run("sim --out"), 2, "--out");
 }
 
@@ -146,8 +145,8 @@ TEST_F(ExitCodes, TwoForAPictureThatDoesNotFitInMemory) {
   const std::string view = " scene.ply --cameras huge.json ";
   for (const std::string& arguments :
        {"sim" + view, "sim" + view + "--no-rtl --no-truth", "render" + view, "explain" + view + "--pixel 1,1",
-        "ladder" + view, "profile" + view, "timeline" + view + "--out t.json", "accuracy" + view, "tradeoff" + view,
-        "effects" + view, "silicon" + view, "model" + view + "--check", std::string("stress --size 16384x16384")}) {
+        "ladder" + view, "profile" + view, "accuracy" + view, "tradeoff" + view, "effects" + view, "silicon" + view,
+        "model" + view + "--check", std::string("stress --size 16384x16384")}) {
     SCOPED_TRACE(arguments);
     expect_one_line(run(arguments, "ulimit -v 4000000; "), 2, "16384x16384 pixels would take ");
   }
@@ -166,12 +165,10 @@ TEST_F(ExitCodes, ThreeWhenAMachineDoesNotBuild) {
   expect_three("sim" + view_ + other + "--no-truth --effects layers");
   expect_three("explain" + view_ + other + "--pixel 1,1");
   expect_three("profile" + view_ + other + "--design dop");
-  expect_three("timeline" + view_ + other + "--out t.json");
   expect_three("model" + view_ + other + "--check");
   expect_three("accuracy" + view_ + other + "--knobs alpha_w --points 0 --rtl");
   expect_three("stress --count 1 --set alpha_lines=128");
   expect_three("ladder" + view_ + other + "--designs dop --no-truth");
-  EXPECT_FALSE(fs::exists(folder_ / "t.json"));
 }
 
 TEST_F(ExitCodes, ThreeWhenThereIsNoMemory) {
@@ -193,8 +190,7 @@ TEST_F(ExitCodes, ThreeWhenTheDiskIsFull) {
   const std::string full = "trap '' XFSZ; ulimit -f 8; ";
   for (const std::string& arguments :
        {"render" + view_ + "--out pictures", std::string("info scene.ply --save copy.ply"),
-        "sim" + view_ + "--no-truth --no-rtl --out pictures", "profile" + view_ + "--no-rtl --svg charts/profile.svg",
-        "timeline" + view_ + "--out trace.json"}) {
+        "sim" + view_ + "--no-truth --no-rtl --out pictures"}) {
     SCOPED_TRACE(arguments);
     expect_one_line(run(arguments, full), 3, "cannot write");
   }

@@ -24,8 +24,6 @@ const std::vector<std::string> kNoReal = {"1.5abc", "abc", "",     " 1",    "1 "
 TEST_F(Options, IntegersAreReadWhole) {
   const std::string sim = "sim" + view_ + "--no-rtl --no-truth ";
   for (const std::string option : {"--view", "--seed", "--latency", "--jitter"}) expect_no(sim, option, kNoInteger);
-  const std::string timeline = "timeline" + view_ + "--out trace.json ";
-  for (const std::string option : {"--windows", "--grain", "--sample"}) expect_no(timeline, option, kNoInteger);
   for (const std::string option : {"--seed", "--count", "--gaussians"})
     expect_no("stress --no-rtl ", option, kNoInteger);
   for (const std::string option : {"--seed", "--count"}) expect_no("budget ", option, kNoInteger);

@@ -22,14 +22,25 @@ class Outputs : public Cli {
       "shapes" + none_ + "--keep ",  "stress --count 1 --no-rtl --out ", "split" + none_ + "--out ",
       "pack" + none_ + "--out ",     "train" + none_ + "--out ",         "point" + none_ + "--keep ",
       "campaign missing.json --out "};
-  const std::vector<std::string> files_ = {
-      "sim" + none_ + "--waves ",    "ladder" + none_ + "--svg ",    "profile" + none_ + "--svg ",
-      "timeline" + none_ + "--out ", "silicon" + none_ + "--svg ",   "silicon" + none_ + "--table ",
-      "info missing.ply --save ",    "budget --count 10 --svg ",     "tradeoff" + none_ + "--svg ",
-      "shapes" + none_ + "--svg ",   "ladder" + none_ + "--page ",   "profile" + none_ + "--page ",
-      "silicon" + none_ + "--page ", "tradeoff" + none_ + "--page ", "shapes" + none_ + "--page ",
-      "rivals" + none_ + "--page ",  "budget --count 10 --page ",    "sim" + none_ + "--page ",
-      "sim" + none_ + "--viewer ",   "report missing --page ",       "campaign missing.json --out out --merge --page "};
+  const std::vector<std::string> files_ = {"sim" + none_ + "--waves ",
+                                           "ladder" + none_ + "--svg ",
+                                           "timeline" + none_ + "--out ",
+                                           "silicon" + none_ + "--svg ",
+                                           "silicon" + none_ + "--table ",
+                                           "info missing.ply --save ",
+                                           "budget --count 10 --svg ",
+                                           "shapes" + none_ + "--svg ",
+                                           "ladder" + none_ + "--page ",
+                                           "profile" + none_ + "--page ",
+                                           "silicon" + none_ + "--page ",
+                                           "tradeoff" + none_ + "--page ",
+                                           "shapes" + none_ + "--page ",
+                                           "rivals" + none_ + "--page ",
+                                           "budget --count 10 --page ",
+                                           "sim" + none_ + "--page ",
+                                           "sim" + none_ + "--viewer ",
+                                           "report missing --page ",
+                                           "campaign missing.json --out out --merge --page "};
 
   void expect_unwritable(const std::string& arguments, const std::string& part) {
     SCOPED_TRACE(arguments);
@@ -84,14 +95,12 @@ TEST_F(Outputs, FoldersThatAreMissingAreMade) {
   const std::string view = " scene.ply --cameras cameras.json ";
   for (const std::string& arguments :
        {"sim" + view + "--no-rtl --no-truth --out a/b", "render" + view + "--out c/d",
-        "profile" + view + "--no-rtl --svg e/f/profile.svg", std::string("info scene.ply --save g/h/copy.ply"),
-        std::string("budget --count 10 --svg i/budget.svg"), "timeline" + view + "--out j/trace.json",
+        std::string("info scene.ply --save g/h/copy.ply"), std::string("budget --count 10 --page i/budget.html"),
         "sim" + view + smallest_ + "--window 0,0 --no-truth --out k --waves l/m.fst"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err;
   }
-  for (const char* name : {"a/b/report.json", "c/d/frame.png", "e/f/profile.svg", "g/h/copy.ply", "i/budget.svg",
-                           "j/trace.json", "l/m.fst"})
+  for (const char* name : {"a/b/report.json", "c/d/frame.png", "g/h/copy.ply", "i/budget.html", "l/m.fst"})
     EXPECT_TRUE(fs::is_regular_file(folder_ / name)) << name;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// page_parts_test: what a page is put together from: codes of maps, text that ends no element, sentences on a frame.
+// page_parts_test: what a page is put together from: charts, codes of maps, text that ends no element, sentences on a
+// frame.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "sim/report/chart.hpp"
 #include "sim/report/html/frame/frame_page.hpp"
 #include "sim/report/html/frame/pixel_map.hpp"
 
@@ -12,6 +14,36 @@ namespace pipegs {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+TEST(Chart, WhatIsNotFiniteLeavesAGap) {
+  const Json json = charts_json({{.name = "one", .categories = {"a", "b"}, .series = {{"s", {1, kNone}}}}})[0];
+  EXPECT_EQ(json["name"], "one");
+  EXPECT_EQ(json["series"][0]["values"], Json({1.0, nullptr}));
+}
+
+TEST(Chart, CountsThatDoNotFitAreRefused) {
+  using Form = Chart::Form;
+  EXPECT_THROW(charts_json({{.form = Form::kBars, .categories = {"a"}, .series = {{"s", {}}}}}), std::invalid_argument);
+  EXPECT_THROW(charts_json({{.form = Form::kHistogram, .x = {1}, .series = {{"s", {1}}}}}), std::invalid_argument);
+  EXPECT_THROW(charts_json({{.form = Form::kLines, .categories = {"a"}, .x = {1, 2}, .series = {{"s", {1, 2}}}}}),
+               std::invalid_argument);
+  EXPECT_THROW(charts_json({{.form = Form::kScatter, .series = {{.name = "s", .values = {1}, .x = {1}}}}}),
+               std::invalid_argument);
+}
+
+TEST(Chart, HistogramCountsEveryFiniteValueOnce) {
+  const Chart chart = histogram("h", "h", "x", {1, 2, 3, 4, 100, kNone}, 5);
+  double sum = 0;
+  for (const double value : chart.series[0].values) sum += value;
+  EXPECT_EQ(sum, 5);
+  EXPECT_EQ(chart.series[0].values.back(), 1);  // the largest lies in the last bin
+  const Chart by_ratio = histogram("h", "h", "x", {0, 1, 10, 100, 1000}, 3, true);
+  EXPECT_NEAR(by_ratio.x[1] / by_ratio.x[0], 10, 1e-9);
+  for (const std::vector<double>& odd : {std::vector<double>{}, {7, 7, kNone}})
+    EXPECT_EQ(charts_json({histogram("h", "h", "x", odd, 10, true)})[0]["series"][0]["values"].size(), 10u);
+}
 
 TEST(PixelMap, LogarithmicCodesAreAtMostHalfAStepOff) {
   PixelMap map{.name = "errors", .width = 1, .height = 1, .logarithmic = true, .low = 0x1p-16, .steps = 6};

@@ -18,7 +18,7 @@ namespace {
 struct LadderArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string out = "ladder", svg;
+  std::string out = "ladder";
   PageArgument page;
   bool json = false, no_truth = false;
 };
@@ -63,7 +63,6 @@ void check_outputs(const LadderArguments& arguments, const std::vector<const Des
   for (const DesignPoint* design_point : chosen)
     try_folder("--out", arguments.out + "/" + std::string(design_point->name),
                {"frame.exr", "frame.png", "report.json"});
-  try_file("--svg", arguments.svg);
   arguments.page.check();
 }
 
@@ -110,13 +109,13 @@ int ladder(const LadderArguments& arguments) {
        {{"kind", arguments.memory.external.dram},
         {"bytes_per_cycle", memory_peak(arguments.memory.external)},
         {"seed", arguments.memory.seed}}},
-      {"designs", ladder_json(rows)}};
+      {"designs", ladder_json(rows)},
+      {"charts", charts_json(ladder_charts(rows))}};
   if (done > 0) write_text(arguments.out + "/ladder.json", json.dump(2) + "\n");
   const std::string head = fmt::format("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle", loaded.scene.name,
                                        loaded.scene.gaussians.size(), camera.name, camera.width, camera.height,
                                        arguments.memory.external.dram, memory_peak(arguments.memory.external));
   if (done > 0) {
-    write_charts(arguments.svg, ladder_charts(rows));
     NamedMachines machines;
     for (const LadderRow& row : rows) machines.emplace_back(row.design_point->name, row.options.config);
     arguments.page.write({.title = "One view on every design point",
@@ -140,7 +139,7 @@ int ladder(const LadderArguments& arguments) {
 void add_ladder(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "ladder", "one view on the paper's design points, from the baseline to the final design, and on ours");
-  command->footer(footer("pipegs ladder garden.ply --cameras cameras.json --view 0 --svg ladder.svg",
+  command->footer(footer("pipegs ladder garden.ply --cameras cameras.json --view 0 --page ladder.html",
                          "every bit of every design point agrees", "a bit differs or the RTL stops",
                          "A design point whose RTL does not build is named, the others run; then the exit code is 3."));
   static LadderArguments arguments;
@@ -150,7 +149,6 @@ void add_ladder(CLI::App& app, Run& run) {
       ->add_option("--out", arguments.out,
                    "folder for ladder.json and, for each design point, report.json and the picture")
       ->capture_default_str();
-  command->add_option("--svg", arguments.svg, "charts");
   arguments.page.add(*command);
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
   command->add_flag("--json", arguments.json, "print ladder.json instead of the tables");

@@ -121,8 +121,9 @@ uint64_t queued(const FrameTable& table) {
   return sum(table, [](const FrameRow& row) { return *row.cycles_queued; });
 }
 
-Chart over_frames(const std::string& title, const std::string& unit, std::vector<Series> series) {
-  Chart chart{.form = Chart::Form::kLines, .title = title, .x_label = "frame", .y_label = unit};
+Chart over_frames(const std::string& name, const std::string& title, const std::string& unit,
+                  std::vector<Series> series) {
+  Chart chart{.name = name, .form = Chart::Form::kLines, .title = title, .x_label = "frame", .y_label = unit};
   for (size_t i = 0; i < series[0].values.size(); ++i) chart.x.push_back(static_cast<double>(i));
   chart.series = std::move(series);
   return chart;
@@ -177,6 +178,7 @@ Json to_json(const FrameTable& table) {
     }
   }
   json["energy_extrapolated"] = table.priced() ? Json(table.rows[0].cost->extrapolated_energy) : Json(nullptr);
+  json["charts"] = charts_json(frame_charts(table));
   return json;
 }
 
@@ -207,13 +209,14 @@ std::vector<Chart> frame_charts(const FrameTable& table) {
     bytes[0].values.push_back(1e-6 * static_cast<double>(row.bytes.read));
     bytes[1].values.push_back(1e-6 * static_cast<double>(row.bytes.written));
   }
-  std::vector<Chart> charts = {over_frames("Cycles of each frame", "cycles", cycles),
-                               over_frames("Bytes of each frame", "MB", bytes)};
+  std::vector<Chart> charts = {over_frames("cycles", "Cycles of each frame", "cycles", cycles),
+                               over_frames("bytes", "Bytes of each frame", "MB", bytes)};
   if (table.priced())
     charts.push_back(over_frames(
-        "Energy of each frame, 28 nm", "uJ",
+        "energy", "Energy of each frame, 28 nm", "uJ",
         {{.name = "chip", .values = values(table, kChip)}, {.name = "DRAM", .values = values(table, kDram)}}));
-  charts.push_back(histogram("How many frames take so many cycles", "cycles", values(table, kCycles),
+  charts.push_back(histogram("frames_by_cycles", "How many frames take so many cycles", "cycles",
+                             values(table, kCycles),
                              static_cast<int>(std::clamp<size_t>(table.rows.size() / 4, 2, 40))));
   return charts;
 }

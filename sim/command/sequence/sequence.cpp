@@ -225,7 +225,7 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
   for (const char* option : {"--effects", "--view", "--netlist"}) {
     if (command.count(option) > 0) throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
   }
-  try_folder("--out", out, {"sequence.json", "frames.csv", "frames.svg", "frame_0000.png", "frame_0000.exr"});
+  try_folder("--out", out, {"sequence.json", "frames.csv", "frame_0000.png", "frame_0000.exr"});
   try_video("--video", video);
 }
 
@@ -252,13 +252,12 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   const Json json = to_json(table);
   write_text(run.out + "/frames.csv", frames_csv(table));
   write_text(run.out + "/sequence.json", json.dump(2) + "\n");
-  write_charts(run.out + "/frames.svg", frame_charts(table));
   const std::string viewed = viewer.write();
   if (run.json) {
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print(
-        "{}  {}pictures and figures in {}: frames.csv, frames.svg, sequence.json\n{}", to_text(table),
+        "{}  {}pictures and figures in {}: frames.csv, sequence.json\n{}", to_text(table),
         run.rtl ? fmt::format("every beat and every pixel of {} frames compared, twice; ", table.rows.size()) : "",
         run.out, viewed.empty() ? "" : "  " + viewed);
   }

@@ -5,7 +5,7 @@
 //         so many frames. With the RTL all frames run twice, each queued behind the one before and each when the
 //         machine is empty, and every beat and pixel is compared. With --no-rtl the golden model draws and the timing
 //         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was.
-// Writes  Pictures (frame_files.hpp), sequence.json, frames.csv, frames.svg; kept/ with --no-rtl.
+// Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; kept/ with --no-rtl.
 #pragma once
 
 #include <string>

@@ -40,7 +40,4 @@ class StudyPage {
   size_t pictures_ = 0;
 };
 
-// As sim/report/page/charts.mjs reads it.
-nlohmann::ordered_json chart_json(const Chart& chart);
-
 }  // namespace pipegs

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// bundle.mjs: `node bundle.mjs OUT`: the templates, OUT/*.html, with style, script and libraries in them.
+// bundle.mjs: `node bundle.mjs OUT`: the templates, OUT/*.html, with style, script and libraries in them, and
+// OUT/svg.mjs, which draws charts without a page.
 //
 // All are page.html, which has three places: <!--style-->, <!--script--> and, left for the program, <!--data-->. The
 // libraries lie in OUT/node_modules; what of them is not called is left out.
@@ -12,20 +13,25 @@ import zlib from 'node:zlib';
 const room = path.dirname(fileURLToPath(import.meta.url)), out = path.resolve(process.argv[2]);
 const esbuild = createRequire(path.join(out, 'package.json'))('esbuild');
 
-async function script(entry) {
+async function script(entry, form = {format: 'iife', target: 'chrome110'}) {
   const built = await esbuild.build({
     entryPoints: [path.join(room, entry)],
     bundle: true,
     minify: true,
     write: false,
-    format: 'iife',
-    target: 'chrome110',
+    ...form,
     charset: 'utf8',
     legalComments: 'inline',
     nodePaths: [path.join(out, 'node_modules')],
     logLevel: 'warning',
   });
-  return built.outputFiles[0].text.replaceAll('</script', '<\\/script');
+  return built.outputFiles[0].text;
+}
+
+function write(name, text) {
+  const file = path.join(out, name);
+  fs.writeFileSync(file + '.new', text);
+  fs.renameSync(file + '.new', file);
 }
 
 // A large program lies in the page deflated, a third of its bytes, and these lines start it.
@@ -44,13 +50,12 @@ function packed(code) {
 
 async function template(name, entry, ...styles) {
   const read = (file) => fs.readFileSync(path.join(room, file), 'utf8');
-  const html = read('page.html'), style = ['page.css', ...styles].map(read).join('\n'), code = await script(entry);
-  const whole = html.replace('<!--style-->', () => `<style>\n${style}</style>`)
-                    .replace('<!--script-->', () => code.length > 2e6 ? packed(code) : `<script>\n${code}</script>`);
-  const file = path.join(out, name);
-  fs.writeFileSync(file + '.new', whole);
-  fs.renameSync(file + '.new', file);
+  const html = read('page.html'), style = ['page.css', ...styles].map(read).join('\n');
+  const code = (await script(entry)).replaceAll('</script', '<\\/script');
+  write(name, html.replace('<!--style-->', () => `<style>\n${style}</style>`)
+                    .replace('<!--script-->', () => code.length > 2e6 ? packed(code) : `<script>\n${code}</script>`));
 }
 
 await template('page.html', 'page.mjs', 'frame/frame.css');
 await template('viewer.html', 'viewer/viewer.mjs', 'viewer/viewer.css');
+write('svg.mjs', await script('svg.mjs', {format: 'esm', platform: 'node', target: 'node18'}));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// charts.mjs: a Chart of the program (sim/report/html/study_page.hpp writes it as JSON) drawn by ECharts as SVG.
+// charts.mjs: a Chart of the program (sim/report/chart.hpp writes it as JSON) drawn by ECharts as SVG, in a page here
+// and in a file by svg.mjs.
 //
-// Format  {form: bars, stacked, lines, histogram or scatter; title, x_label, y_label, note; categories; x; log_x,
+// Format  {name, form: bars, stacked, lines, histogram or scatter; title, x_label, y_label, note; categories; x; log_x,
 //         log_y, from_zero; series: [{name, values, outlined, x, labels, named, copies}]}. null leaves a gap.
 // Rule    Colors are the page's (page.css). What can be seen in a chart can be read beneath it, in a table.
 import {BarChart, CustomChart, LineChart, ScatterChart} from 'echarts/charts';
@@ -9,7 +10,7 @@ import {AriaComponent, GridComponent, LegendComponent, TooltipComponent} from 'e
 import {init, use} from 'echarts/core';
 import {LabelLayout} from 'echarts/features';
 import {SVGRenderer} from 'echarts/renderers';
-import {axis, colors, css, decade_ticks, on_look, paper, tooltip_box} from './look.mjs';
+import {axis, colors, css, decade_ticks, font, on_look, paper, tooltip_box} from './look.mjs';
 import {element, short} from './parts.mjs';
 import {table} from './table.mjs';
 
@@ -177,7 +178,7 @@ export function chart_option(chart) {
     animation: false,
     color: colors(),
     backgroundColor: 'transparent',
-    textStyle: {fontFamily: getComputedStyle(document.body).fontFamily, color: css('text')},
+    textStyle: {fontFamily: font(), color: css('text')},
     aria: {enabled: true, label: {description: described(chart)}},
     legend: {show: legend, type: 'scroll', top: 0, left: 0, right: 0, icon: 'roundRect', itemWidth: 13, itemHeight: 11,
              inactiveColor: css('line'), textStyle: {color: css('text'), fontSize: 12},

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // look.mjs: colors and axes of all charts, from the variables of page.css, and when they must be drawn again.
 
+let own = null;  // colors where there is no page
+
+export function use_colors(colors) {
+  own = colors;
+}
+
 // The color `name` of the page: 'c0', 'text', 'line' ...
 export function css(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
+  return own ? own[name] : getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
 }
+
+export const font = () => own ? own.font : getComputedStyle(document.body).fontFamily;
 
 export const colors = () => Array.from({length: 8}, (_, at) => css('c' + at));
 

@@ -131,9 +131,7 @@ int accuracy(const AccuracyArguments& arguments, const CLI::App& command) {
       .knobs = find_knobs(arguments.knobs), .points = arguments.points, .resume = arguments.resume};
   const double target = arguments.target.empty() ? 0 : parse_target(arguments.target);
   const FrameModel silicon = read_frame_model();
-  try_folder(
-      "--out", arguments.out,
-      {"accuracy.csv", "accuracy.html", "accuracy.json", "accuracy.txt", "fronts.svg", "knobs.svg", "target.cfg"});
+  try_folder("--out", arguments.out, {"accuracy.csv", "accuracy.html", "accuracy.json", "accuracy.txt", "target.cfg"});
   try_folder("--out", arguments.out + "/points");
   const LoadedView loaded = load_view(arguments.view);
   check_picture_memory(loaded.camera, options, memory_of(arguments));
@@ -152,10 +150,9 @@ int accuracy(const AccuracyArguments& arguments, const CLI::App& command) {
       {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
   json.update(accuracy_json(sweep));
   write_text(out / "accuracy.csv", accuracy_csv(sweep));
-  write_charts(out / "fronts.svg", front_charts(sweep));
-  std::vector<Chart> knobs;
-  for (const SweptKnob& knob : sweep.knobs) knobs.push_back(knob_chart(knob));
-  write_charts(out / "knobs.svg", knobs);
+  std::vector<Chart> charts = front_charts(sweep);
+  for (const SweptKnob& knob : sweep.knobs) charts.push_back(knob_chart(knob));
+  json["charts"] = charts_json(charts);
   std::string more;  // besides the sweep
   if (target > 0) more += "\n" + answer_target(arguments, points, target);
   bool good = true;
@@ -175,7 +172,7 @@ int accuracy(const AccuracyArguments& arguments, const CLI::App& command) {
   if (arguments.json) fmt::print("{}\n", json.dump(2));
   else if (arguments.csv) fmt::print("{}", accuracy_csv(sweep));
   else
-    fmt::print("{}  {}{}/accuracy.json, accuracy.csv, fronts.svg, knobs.svg\n", text,
+    fmt::print("{}  {}{}/accuracy.json, accuracy.csv\n", text,
                with_page ? fmt::format("page {}/accuracy.html; also ", arguments.out) : "", arguments.out);
   return good ? kExitOk : kExitDiffers;
 }
@@ -197,8 +194,7 @@ void add_accuracy(CLI::App& app, Run& run) {
   add_integer(*command, "--points", arguments.points, "most configurations to measure with knobs turned together", 0,
               1000)
       ->capture_default_str();
-  command
-      ->add_option("--out", arguments.out, "folder for accuracy.html, .json, .csv, charts, and points/ to resume from")
+  command->add_option("--out", arguments.out, "folder for accuracy.html, .json, .csv, and points/ to resume from")
       ->capture_default_str();
   command->add_flag("--resume", arguments.resume, "take the points that the folder holds of this view");
   command->add_option("--target", arguments.target,

@@ -68,8 +68,13 @@ void each_row(const AccuracySweep& sweep, Visit&& visit) {
   for (size_t i = 0; i < sweep.together.size(); ++i) visit("together", fmt::format("{}", i + 1), sweep.together[i]);
 }
 
-Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& title, const std::string& label) {
-  Chart chart{.form = Chart::Form::kScatter, .title = title, .x_label = label, .y_label = "numeric PSNR, dB"};
+Chart front_chart(const AccuracySweep& sweep, Cost cost, const std::string& name, const std::string& title,
+                  const std::string& label) {
+  Chart chart{.name = "by_" + name,
+              .form = Chart::Form::kScatter,
+              .title = title,
+              .x_label = label,
+              .y_label = "numeric PSNR, dB"};
   const double unit = cost == Cost::kBytes ? 1e6 : cost == Cost::kCycles ? 1e3 : cost == Cost::kEnergy ? 1e-3 : 1;
   const auto add = [&](Series& series, const MeasuredPoint& point) {
     if (!point.figures.failure.empty() || !has_cost(point, cost)) return;
@@ -292,18 +297,21 @@ nlohmann::ordered_json accuracy_json(const AccuracySweep& sweep) {
 
 std::vector<Chart> front_charts(const AccuracySweep& sweep) {
   std::vector<Chart> charts = {
-      front_chart(sweep, Cost::kCycles, "Accuracy against cycles", "kilocycles of the frame"),
-      front_chart(sweep, Cost::kBytes, "Accuracy against memory traffic", "MB a frame"),
-      front_chart(sweep, Cost::kBuffers, "Accuracy against buffers", "KB of SRAM"),
-      front_chart(sweep, Cost::kArea, "Accuracy against area", "mm2 in 28 nm, mid, interpolated"),
-      front_chart(sweep, Cost::kEnergy, "Accuracy against energy", "mJ a frame with DRAM, mid, interpolated")};
+      front_chart(sweep, Cost::kCycles, "cycles", "Accuracy against cycles", "kilocycles of the frame"),
+      front_chart(sweep, Cost::kBytes, "bytes", "Accuracy against memory traffic", "MB a frame"),
+      front_chart(sweep, Cost::kBuffers, "buffers", "Accuracy against buffers", "KB of SRAM"),
+      front_chart(sweep, Cost::kArea, "area", "Accuracy against area", "mm2 in 28 nm, mid, interpolated"),
+      front_chart(sweep, Cost::kEnergy, "energy", "Accuracy against energy",
+                  "mJ a frame with DRAM, mid, interpolated")};
   if (clock_known(sweep.all()))
-    charts.insert(charts.begin() + 1, front_chart(sweep, Cost::kTime, "Accuracy against time", "us of a frame"));
+    charts.insert(charts.begin() + 1,
+                  front_chart(sweep, Cost::kTime, "time", "Accuracy against time", "us of a frame"));
   return charts;
 }
 
 Chart knob_chart(const SweptKnob& knob) {
-  Chart chart{.form = Chart::Form::kLines,
+  Chart chart{.name = knob.knob->name,
+              .form = Chart::Form::kLines,
               .title = knob.knob->name,
               .x_label = knob.knob->name + ", coarse to fine",
               .y_label = "PSNR, dB"};

@@ -20,7 +20,7 @@ namespace pipegs {
 namespace {
 
 struct BudgetArguments {
-  std::string design_point{kDefaultDesignPoint}, svg;
+  std::string design_point{kDefaultDesignPoint};
   PageArgument page;
   std::vector<std::string> settings;
   uint64_t seed = 1;
@@ -45,9 +45,9 @@ struct Line {
 };
 
 // Percentiles of fields by decades of `by`.
-Chart chart_of(const std::vector<BudgetSample>& samples, const char* title, const char* x_label, const char* y_label,
-               Field by, int first, int last, const std::vector<Line>& lines) {
-  Chart chart{.form = Chart::Form::kLines, .title = title, .x_label = x_label, .y_label = y_label};
+Chart chart_of(const std::vector<BudgetSample>& samples, const char* name, const char* title, const char* x_label,
+               const char* y_label, Field by, int first, int last, const std::vector<Line>& lines) {
+  Chart chart{.name = name, .form = Chart::Form::kLines, .title = title, .x_label = x_label, .y_label = y_label};
   chart.log_x = chart.log_y = true;
   std::vector<std::vector<const BudgetSample*>> bins(static_cast<size_t>(last - first));
   for (const BudgetSample& sample : samples) {
@@ -77,21 +77,20 @@ std::vector<Chart> charts(const std::vector<BudgetSample>& samples) {
       {"ours, 99 %", &BudgetSample::alpha, 0.99, false},       {"ours, worst", &BudgetSample::alpha, 1, false},
       {"bound, 99 %", &BudgetSample::alpha_bound, 0.99, true}, {"FP32, worst", &BudgetSample::alpha32, 1, false},
       {"FP16, 99 %", &BudgetSample::alpha16, 0.99, false},     {"FP16, worst", &BudgetSample::alpha16, 1, false}};
-  return {chart_of(samples, "Error of the power by needle ratio", "longest / shortest axis", "log2 units",
-                   &BudgetSample::ratio, 0, 8, power),
-          chart_of(samples, "Error of the power by size", "standard deviation, pixels", "log2 units",
+  return {chart_of(samples, "power_by_ratio", "Error of the power by needle ratio", "longest / shortest axis",
+                   "log2 units", &BudgetSample::ratio, 0, 8, power),
+          chart_of(samples, "power_by_size", "Error of the power by size", "standard deviation, pixels", "log2 units",
                    &BudgetSample::sigma, -1, 4, power),
-          chart_of(samples, "Error of alpha by needle ratio", "longest / shortest axis", "alpha", &BudgetSample::ratio,
-                   0, 8, alpha),
-          chart_of(samples, "Error of alpha by size", "standard deviation, pixels", "alpha", &BudgetSample::sigma, -1,
-                   4, alpha)};
+          chart_of(samples, "alpha_by_ratio", "Error of alpha by needle ratio", "longest / shortest axis", "alpha",
+                   &BudgetSample::ratio, 0, 8, alpha),
+          chart_of(samples, "alpha_by_size", "Error of alpha by size", "standard deviation, pixels", "alpha",
+                   &BudgetSample::sigma, -1, 4, alpha)};
 }
 
 int budget(const BudgetArguments& arguments) {
   ViewArguments view;
   view.design_point = arguments.design_point, view.settings = arguments.settings;
   const Config config = view.options().config;
-  try_file("--svg", arguments.svg);
   arguments.page.check();
   Progress progress("budget");
   const std::vector<BudgetSample> samples = budget_samples(config, arguments.seed, arguments.count, [&](double share) {
@@ -142,10 +141,10 @@ int budget(const BudgetArguments& arguments) {
                       {"fp16", beyond([](const BudgetSample& s) { return !std::isfinite(s.power16); })}};
   table.notes.push_back(fmt::format("beyond the bound: {}; no number: FP32 {}, FP16 {}", violations,
                                     out["no_number"]["fp32"].get<long>(), out["no_number"]["fp16"].get<long>()));
+  const std::vector<Chart> drawn = charts(samples);
+  out["charts"] = charts_json(drawn);
   if (arguments.json) fmt::print("{}\n", out.dump(2));
   else fmt::print("{}\n{}", head, table_text(table));
-  const std::vector<Chart> drawn = charts(samples);
-  write_charts(arguments.svg, drawn);
   arguments.page.write({.title = "Errors of power and alpha",
                         .head = head,
                         .charts = drawn,
@@ -159,7 +158,7 @@ int budget(const BudgetArguments& arguments) {
 void add_budget(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("budget", "errors of power and alpha of random Gaussians: ours, its bound, FP32, FP16");
-  command->footer(footer("pipegs budget --count 1000000 --svg budget.svg", "every error lies within its bound",
+  command->footer(footer("pipegs budget --count 1000000 --page budget.html", "every error lies within its bound",
                          "one lies beyond it"));
   static BudgetArguments arguments;
   add_integer(*command, "--count", arguments.count, "Gaussians", size_t{1}, size_t{100000000})->capture_default_str();
@@ -168,7 +167,6 @@ void add_budget(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--svg", arguments.svg, "charts of the errors by needle ratio and by size");
   arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return budget(arguments); }; });

@@ -12,7 +12,6 @@ namespace {
 struct ProfileArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string svg;
   PageArgument page;
   bool json = false, no_rtl = false;
 };
@@ -21,7 +20,6 @@ int profile(const ProfileArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   if (!arguments.no_rtl) need_taps(options);
-  try_file("--svg", arguments.svg);
   arguments.page.check();
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
@@ -33,7 +31,6 @@ int profile(const ProfileArguments& arguments) {
   if (!arguments.no_rtl) simulate_rtl(options, simulation);
   const ViewProfile found = view_profile(simulation, options, arguments.no_rtl ? nullptr : &watch);
 
-  write_charts(arguments.svg, profile_charts(found));
   const std::string head = fmt::format("{}: {} Gaussians; view {} ({}x{}); design point {}", loaded.scene.name,
                                        loaded.scene.gaussians.size(), loaded.camera.name, loaded.camera.width,
                                        loaded.camera.height, arguments.view.design_point);
@@ -49,6 +46,7 @@ int profile(const ProfileArguments& arguments) {
                                    {"mismatches", nullptr}};
     if (!arguments.no_rtl) json["mismatches"] = simulation.mismatches;
     json.update(profile_json(found));
+    json["charts"] = charts_json(profile_charts(found));
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}\n\n{}", head, tables_text(profile_tables(found)));
@@ -64,14 +62,13 @@ void add_profile(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("profile", "where a view's time goes, and how often its Gaussians could be reused");
   command->footer(
-      footer("pipegs profile garden.ply --cameras cameras.json --design baseline --svg profile.svg",
+      footer("pipegs profile garden.ply --cameras cameras.json --design baseline --page profile.html",
              "every bit of the RTL agrees (or --no-rtl: nothing compared)", "a bit differs or the RTL stops",
              "Without --design the baseline, as in the paper. With --no-rtl any design point can be counted."));
   static ProfileArguments arguments;
   arguments.view.design_point = "baseline";  // the paper's Fig. 3 is of it
   arguments.view.add(*command);
   arguments.memory.add(*command);
-  command->add_option("--svg", arguments.svg, "charts");
   arguments.page.add(*command);
   command->add_flag("--no-rtl", arguments.no_rtl, "counts only, times at full rate");
   command->add_flag("--json", arguments.json, "as JSON");

@@ -247,7 +247,8 @@ std::vector<Table> profile_tables(const ViewProfile& profile) {
 
 std::vector<Chart> profile_charts(const ViewProfile& profile) {
   const double all = profile.preprocess + profile.sort + profile.raster;
-  Chart stages{.form = Chart::Form::kBars,
+  Chart stages{.name = "stages",
+               .form = Chart::Form::kBars,
                .title = "Time by stage (paper: Fig. 3a)",
                .y_label = "% of the stages' time",
                .categories = {"preprocess", "sort", "raster"}};
@@ -259,12 +260,13 @@ std::vector<Chart> profile_charts(const ViewProfile& profile) {
     stages.title = "Work by stage at full rate";
     stages.series.pop_back();
   }
-  Chart ratios = histogram("Raster over sort time of a window", "times", profile.ratios, 24, true);
+  Chart ratios = histogram("raster_over_sort", "Raster over sort time of a window", "times", profile.ratios, 24, true);
   ratios.y_label = "windows";
   ratios.note =
       fmt::format("mean {:.2f}; {}", mean(profile.ratios),
                   profile.measured ? "the paper's mean of tiles (Fig. 3a): 7.48" : "nothing skipped, a key per cycle");
-  Chart tiles{.form = Chart::Form::kBars,
+  Chart tiles{.name = "tiles",
+              .form = Chart::Form::kBars,
               .title = "Tiles of 16x16 that a visible Gaussian reaches",
               .x_label = "tiles",
               .y_label = "% of the Gaussians"};
@@ -280,7 +282,8 @@ std::vector<Chart> profile_charts(const ViewProfile& profile) {
   }
   tiles.note = fmt::format("mean {:.2f}; paper (Fig. 5b): 2.6 to 6.7",
                            share(static_cast<double>(profile.tile_pairs), static_cast<double>(profile.visible)));
-  Chart arithmetic{.form = Chart::Form::kStacked,
+  Chart arithmetic{.name = "arithmetic",
+                   .form = Chart::Form::kStacked,
                    .title = "Operations on a pixel's power (paper: Fig. 4)",
                    .y_label = "operations",
                    .categories = {"direct"}};

@@ -7,7 +7,6 @@
 
 #include "sim/command/command.hpp"
 #include "sim/command/page/page_argument.hpp"
-#include "sim/studies/rivals/pipelines_command.hpp"
 #include "sim/progress.hpp"
 #include "sim/studies/rivals/compare/report.hpp"
 #include "sim/studies/rivals/report.hpp"
@@ -19,10 +18,8 @@ struct RivalsArguments {
   ViewArguments view;
   MemoryArguments memory;
   CountOptions counts{.group = 64};
-  std::string svg;
   PageArgument page;
   bool json = false, only_counts = false;
-  bool pipelines = false;
 };
 
 constexpr double kFinestVoxel = 1.0 / 16;  // of --voxel, by halves: the edges between which STREAMINGGS is modelled
@@ -54,14 +51,10 @@ std::vector<OwnMachine> own_machines(const LoadedView& loaded, const RivalsArgum
 }
 
 int run_rivals(RivalsArguments& arguments) {
-  if (arguments.pipelines) return draw_pipelines(arguments.view, arguments.memory, arguments.svg, arguments.json);
   const SimulateOptions options = arguments.view.options();
   if (options.window) throw ConfigError("--window: the whole view is counted, expected none");
   if (arguments.counts.group % kTileSide != 0)
     throw ConfigError(fmt::format("--group: found {}, expected a multiple of {}", arguments.counts.group, kTileSide));
-  try_file("--svg", arguments.svg);
-  if (arguments.only_counts && !arguments.svg.empty())
-    throw ConfigError("--svg: charts are of machines, expected none with --counts");
   arguments.page.check();
   const LoadedView loaded = load_view(arguments.view);
   check_picture_memory(loaded.camera, options, kCountPixels);
@@ -70,7 +63,6 @@ int run_rivals(RivalsArguments& arguments) {
   if (!arguments.only_counts) {
     PlayedMemory memory(arguments.memory.external.dram);
     comparison = compare(counts, memory, own_machines(loaded, arguments));
-    write_charts(arguments.svg, comparison_charts(*comparison));
   }
   std::string head =
       fmt::format("{}: view {} ({}x{}), ", loaded.scene.name, loaded.camera.name, counts.width, counts.height);
@@ -91,7 +83,10 @@ int run_rivals(RivalsArguments& arguments) {
                                    {"height", counts.height}};
     if (comparison) json["memory"] = arguments.memory.external.dram;
     json.update(counts_json(counts, arguments.counts));
-    if (comparison) json.update(comparison_json(*comparison));
+    if (comparison) {
+      json.update(comparison_json(*comparison));
+      json["charts"] = charts_json(comparison_charts(*comparison));
+    }
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}\n\n{}", head, printed);
@@ -105,7 +100,7 @@ void add_rivals(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "rivals", "other accelerators on this view, modelled from what it asks of any renderer by tiles, beside ours");
   command->footer(footer(
-      "pipegs rivals garden.ply --cameras cameras.json --view 0 --svg rivals.svg", "done", "",
+      "pipegs rivals garden.ply --cameras cameras.json --view 0 --page rivals.html", "done", "",
       "GSCore, GS-TG, STREAMINGGS, GSAcc, Neo and FLICKER as their papers describe them, driven by counts of the "
       "float64\nprojection and blending, with the same memory; what is not published is a parameter with a range, and "
       "every figure\ncomes as low..mid..high. Beside them `dop` and the machine of --design and --set, by timing model "
@@ -118,12 +113,7 @@ void add_rivals(CLI::App& app, Run& run) {
   add_integer(*command, "--group", arguments.counts.group,
               "side of a group of pixels that streams voxels, a multiple of 16", 16, 4096)
       ->capture_default_str();
-  command->add_flag(
-      "--pipelines", arguments.pipelines,
-      "the paper's Fig. 1 from this view: a GPU's order of work, GSCore and GSAcc by their models, dop and "
-      "the machine of --design by the RTL");
   command->add_flag("--counts", arguments.only_counts, "the counts alone, without machines");
-  command->add_option("--svg", arguments.svg, "charts");
   arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_rivals(arguments); }; });

@@ -19,7 +19,7 @@ struct ShapesArguments {
   ViewArguments view;
   MemoryArguments memory;
   ShapeOptions shapes = {.mm2 = kPipegsTable2.back().area_mm2};
-  std::string keep = PIPEGS_BUILD_DIR "/shapes", svg;
+  std::string keep = PIPEGS_BUILD_DIR "/shapes";
   PageArgument page;
   bool json = false;
 };
@@ -29,7 +29,6 @@ int run_shapes(const ShapesArguments& arguments) {
   if (options.window) throw ConfigError("--window: shapes have windows of several sizes, expected the whole frame");
   arguments.memory.apply(options);
   const FrameModel silicon = read_frame_model();
-  try_file("--svg", arguments.svg);
   arguments.page.check();
   try_folder("--keep", arguments.keep);
   check_shapes(options.config, silicon);
@@ -43,7 +42,6 @@ int run_shapes(const ShapesArguments& arguments) {
                                         loaded.camera.width, loaded.camera.height);
   const Chart chart = shapes_chart(title, shapes);
   const std::vector<Table> tables = shapes_tables(shapes, mm2);
-  write_charts(arguments.svg, {chart});
   const std::string head =
       fmt::format("{}, memory {}, base {}", title, arguments.memory.external.dram, config_difference(options.config));
   NamedMachines machines;
@@ -57,6 +55,7 @@ int run_shapes(const ShapesArguments& arguments) {
     nlohmann::ordered_json json = {
         {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
     json.update(shapes_json(shapes, mm2));
+    json["charts"] = charts_json({chart});
     fmt::print("{}\n", json.dump(2));
   } else {
     fmt::print("{}\n\n{}", head, tables_text(tables));
@@ -69,7 +68,7 @@ int run_shapes(const ShapesArguments& arguments) {
 void add_shapes(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("shapes", "time and area by the machine's shape at equal pixels, and the best within an area");
-  command->footer(footer("pipegs shapes garden.ply --cameras cameras.json --area 3.283 --svg shapes.svg", "measured",
+  command->footer(footer("pipegs shapes garden.ply --cameras cameras.json --area 3.283 --page shapes.html", "measured",
                          "",
                          "Cycles are the timing model's, areas and clocks are interpolated between synthesised "
                          "machines. What was measured is kept\nand not measured again."));
@@ -81,7 +80,6 @@ void add_shapes(CLI::App& app, Run& run) {
   add_integer(*command, "--runs", arguments.shapes.runs, "most shapes that are measured", 1, 10000)
       ->capture_default_str();
   command->add_option("--keep", arguments.keep, "folder for what was measured");
-  command->add_option("--svg", arguments.svg, "chart");
   arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_shapes(arguments); }; });

@@ -119,7 +119,8 @@ Json shapes_json(const std::vector<Shape>& shapes, double mm2) {
 }
 
 Chart shapes_chart(const std::string& title, const std::vector<Shape>& shapes) {
-  Chart chart{.form = Chart::Form::kScatter,
+  Chart chart{.name = "time_by_area",
+              .form = Chart::Form::kScatter,
               .title = title,
               .x_label = "mm2 in 28 nm, mid, interpolated",
               .y_label = shapes.front().cost.path_fo4 ? "us of a frame" : "us of a frame at 1 GHz"};

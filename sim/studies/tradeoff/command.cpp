@@ -15,7 +15,7 @@ namespace {
 struct TradeoffArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string keep = PIPEGS_BUILD_DIR "/tradeoff", svg;
+  std::string keep = PIPEGS_BUILD_DIR "/tradeoff";
   PageArgument page;
   int together = 16;
   double ghz = 1;
@@ -26,7 +26,6 @@ int run_tradeoff(const TradeoffArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   if (options.window) throw ConfigError("--window: pictures of other sizes are compared as a whole, expected none");
   arguments.memory.apply(options);
-  try_file("--svg", arguments.svg);
   arguments.page.check();
   try_folder("--keep", arguments.keep);
   const LoadedView loaded = load_view(arguments.view);
@@ -36,13 +35,13 @@ int run_tradeoff(const TradeoffArguments& arguments) {
       tradeoff({loaded.scene, loaded.camera, loaded.cameras, options, arguments.keep}, arguments.together);
   const std::string title = fmt::format("{}: view {} ({}x{})", loaded.scene.name, loaded.camera.name,
                                         loaded.camera.width, loaded.camera.height);
-  write_charts(arguments.svg, {tradeoff_chart(title, points, arguments.ghz)});
+  const std::vector<Chart> charts = {tradeoff_chart(title, points, arguments.ghz)};
   const std::string head =
       fmt::format("{}, memory {}, {}; contributions of {} cameras", title, arguments.memory.external.dram,
                   config_difference(options.config), loaded.cameras.size());
   arguments.page.write({.title = "What accuracy costs in time",
                         .head = head,
-                        .charts = {tradeoff_chart(title, points, arguments.ghz)},
+                        .charts = charts,
                         .tables = {to_table(points, arguments.ghz)},
                         .machines = {{machine_name(options.config), options.config}}});
   if (arguments.json) {
@@ -52,7 +51,8 @@ int run_tradeoff(const TradeoffArguments& arguments) {
                                               {"memory", arguments.memory.external.dram},
                                               {"ghz", arguments.ghz},
                                               {"points", to_json(points, arguments.ghz)},
-                                              {"price", to_json(price(points, arguments.ghz))}}
+                                              {"price", to_json(price(points, arguments.ghz))},
+                                              {"charts", charts_json(charts)}}
                            .dump(2));
   } else {
     fmt::print("{}\n\n{}", head, table_text(to_table(points, arguments.ghz)));
@@ -65,7 +65,7 @@ int run_tradeoff(const TradeoffArguments& arguments) {
 void add_tradeoff(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "tradeoff", "what accuracy costs in time: fewer pixels, Gaussians, SH degrees, other cuts and orders");
-  command->footer(footer("pipegs tradeoff garden.ply --cameras cameras.json --view 0 --svg tradeoff.svg", "measured",
+  command->footer(footer("pipegs tradeoff garden.ply --cameras cameras.json --view 0 --page tradeoff.html", "measured",
                          "",
                          "Cycles are those of the timing model. What was measured is kept and not measured again."));
   static TradeoffArguments arguments;
@@ -76,7 +76,6 @@ void add_tradeoff(CLI::App& app, Run& run) {
   add_integer(*command, "--together", arguments.together, "most points with less of several things at once", 0, 1000)
       ->capture_default_str();
   command->add_option("--keep", arguments.keep, "folder for what was measured");
-  command->add_option("--svg", arguments.svg, "chart");
   arguments.page.add(*command);
   command->add_flag("--json", arguments.json, "as JSON");
   command->callback([&run] { run = [] { return run_tradeoff(arguments); }; });

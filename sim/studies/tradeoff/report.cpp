@@ -93,7 +93,8 @@ Table to_table(const std::vector<TradeoffPoint>& points, double ghz) {
 }
 
 Chart tradeoff_chart(const std::string& title, const std::vector<TradeoffPoint>& points, double ghz) {
-  Chart chart{.form = Chart::Form::kScatter,
+  Chart chart{.name = "quality_by_time",
+              .form = Chart::Form::kScatter,
               .title = title,
               .x_label = fmt::format("microseconds of a frame at {:g} GHz", ghz),
               .y_label = "dB against the truth",

@@ -193,9 +193,9 @@ Json against_json(const Comparison& comparison) {
   return json;
 }
 
-Chart chart_of(const Comparison& comparison, const std::string& title, const std::string& unit,
+Chart chart_of(const Comparison& comparison, const std::string& name, const std::string& title, const std::string& unit,
                Range Figures::*figure) {
-  Chart chart{.title = title, .y_label = unit, .log_y = true};
+  Chart chart{.name = name, .title = title, .y_label = unit, .log_y = true};
   chart.series = {{"low", {}, true}, {"mid", {}}, {"high", {}, true}};
   const auto add = [&](const std::string& name, const Figures& figures) {
     const Range& range = figures.*figure;
@@ -267,9 +267,10 @@ std::string comparison_text(const Comparison& comparison) {
 }
 
 std::vector<Chart> comparison_charts(const Comparison& comparison) {
-  return {chart_of(comparison, "Frames per second and area", "frames/s/mm2", &Figures::fps_mm2),
-          chart_of(comparison, "Frames for each joule of the chip", "frames/J", &Figures::frames_j),
-          chart_of(comparison, "Frames for each joule of chip and DRAM", "frames/J", &Figures::frames_j_dram)};
+  return {chart_of(comparison, "fps_per_mm2", "Frames per second and area", "frames/s/mm2", &Figures::fps_mm2),
+          chart_of(comparison, "frames_per_joule", "Frames for each joule of the chip", "frames/J", &Figures::frames_j),
+          chart_of(comparison, "frames_per_joule_with_dram", "Frames for each joule of chip and DRAM", "frames/J",
+                   &Figures::frames_j_dram)};
 }
 
 }  // namespace pipegs

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // shapes_cli_test: `pipegs shapes` as a person meets it: a run on a small scene, what is kept of it, bad input.
 #include "verif/cli/cli.hpp"
-#include "verif/cli/well_formed.hpp"
 
 namespace pipegs {
 namespace {
@@ -15,10 +14,9 @@ class ShapesCli : public Cli {
 };
 
 TEST_F(ShapesCli, FindsTheFrontAndKeepsWhatItMeasured) {
-  const Outcome first = run(exact_ + "--json --svg shapes.svg");
+  const Outcome first = run(exact_ + "--json");
   ASSERT_EQ(first.code, 0) << first.err;
   const Json json = Json::parse(first.out);
-  EXPECT_EQ(xml_fault(text("shapes.svg")), "");
   EXPECT_EQ(json["mm2"], 3.283);
   EXPECT_LE(json["shapes"].size(), 24u);
   EXPECT_GT(json["shapes"].size(), 10u);
@@ -50,7 +48,6 @@ TEST_F(ShapesCli, BadInputIsOneLine) {
   expect_refused(view_ + "--design exact --runs 0", "--runs: found '0'");
   expect_refused(view_ + "--design dpc", "synth/points.py, add one");
   expect_refused(view_ + "--design exact --window 0,0", "--window: ");
-  expect_refused(view_ + "--design exact --svg missing/", "--svg");
   expect_refused("shapes nowhere.ply --cameras cameras.json --design exact", "nowhere.ply");
   expect_refused(view_ + "--design exact --keep scene.ply", "--keep");
 }
