@@ -118,7 +118,7 @@ int silicon(const SiliconArguments& arguments) {
                  measured_frame(loaded.scene.name, config, activity, design_points[i].rows, design_points[i].energy));
   }
   const std::vector<Chart> charts = silicon_charts(design_points);
-  const std::string text = to_text(design_points, arguments.equal_area);
+  const std::vector<Table> tables = silicon_tables(design_points, arguments.equal_area);
   const std::string head = fmt::format("{}: view {} ({}x{}), memory {}", loaded.scene.name, loaded.camera.name,
                                        loaded.camera.width, loaded.camera.height, arguments.memory.external.dram);
   NamedMachines machines;
@@ -126,7 +126,7 @@ int silicon(const SiliconArguments& arguments) {
   arguments.page.write({.title = "Area, clock and energy in 28 nm",
                         .head = head,
                         .charts = charts,
-                        .printed = text,
+                        .tables = tables,
                         .machines = machines});
   if (arguments.json) {
     nlohmann::ordered_json json = {
@@ -135,7 +135,7 @@ int silicon(const SiliconArguments& arguments) {
     json["charts"] = charts_json(charts);
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, text);
+    fmt::print("{}\n\n{}", head, tables_text(tables));
   }
   return kExitOk;
 }

@@ -80,7 +80,9 @@ std::string cell_text(const TableCell& cell, const TableColumn& column) {
 std::string table_text(const Table& table) {
   const std::vector<size_t> shown = shown_columns(table);
   std::vector<Texts> lines;
-  if (!shown.empty()) lines.push_back(heads_of(table, shown));
+  const Texts heads = heads_of(table, shown);
+  if (std::any_of(heads.begin(), heads.end(), [](const std::string& head) { return !head.empty(); }))
+    lines.push_back(heads);
   for (const std::vector<TableCell>& row : table.rows) lines.push_back(texts_of(table, row, shown));
   std::vector<size_t> widths(shown.size());
   for (const Texts& line : lines) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "sim/silicon/published.hpp"
 
@@ -22,117 +23,157 @@ const PublishedRow* paper_row(const std::string& unit) {
   return found == kPipegsTable2.end() ? nullptr : &*found;
 }
 
-std::string text_of(const Range& range, int digits) {
-  return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", range.mid, digits, range.low, digits, range.high, digits);
+TableCell range_cell(const Range& range, int digits) {
+  return {.text = fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", range.mid, digits, range.low, digits, range.high, digits),
+          .value = range.mid};
 }
 
-std::string percent(double share, int digits) { return share > 0 ? fmt::format("{:.{}f} %", 100 * share, digits) : ""; }
+// What is 0 is not shown.
+TableCell positive(double value) { return value > 0 ? number_cell(value) : TableCell{}; }
 
-std::string area_text(const SiliconPoint& design_point) {
-  std::string text = fmt::format("  {}, gates of {}\n  {:<9}{:>6}{:>9}{:>8}{:>25}{:>24}{:>11}\n", design_point.name,
-                                 design_point.synth.library, "", "units", "kNAND2", "KB", "mm2 in 28 nm",
-                                 "longest path, ps", "paper mm2");
+Table area_table(const SiliconPoint& design_point) {
+  Table table{.title = fmt::format("{}, gates of {}", design_point.name, design_point.synth.library),
+              .columns = {{.key = "row", .word = true},
+                          {.key = "units", .heading = "units"},
+                          {.key = "kilo_nand2", .heading = "kNAND2"},
+                          {.key = "kb", .heading = "KB"},
+                          {.key = "area_mm2", .heading = "mm2 in 28 nm"},
+                          {.key = "path_ps", .heading = "longest path, ps"},
+                          {.key = "paper_mm2", .heading = "paper mm2", .digits = 3}}};
   for (const SiliconRow& row : design_point.rows) {
     const PublishedRow* paper = paper_row(row.name);
-    text += fmt::format("  {:<9}{:>6}{:>9}{:>8}{:>25}{:>24}{:>11}\n", row.name,
-                        row.count > 0 ? std::to_string(row.count) : "",
-                        row.kilo_nand2 > 0 ? fmt::format("{:.0f}", row.kilo_nand2) : "",
-                        row.kb > 0 ? fmt::format("{:.0f}", row.kb) : "", text_of(row.area_mm2, 3),
-                        row.path_ps.mid > 0 ? text_of(row.path_ps, 0) : "",
-                        paper == nullptr ? "" : fmt::format("{:.3f}", paper->area_mm2));
+    table.rows.push_back({text_cell(row.name), positive(row.count), positive(row.kilo_nand2), positive(row.kb),
+                          range_cell(row.area_mm2, 3), row.path_ps.mid > 0 ? range_cell(row.path_ps, 0) : TableCell{},
+                          paper == nullptr ? TableCell{} : number_cell(paper->area_mm2)});
   }
-  return text;
+  return table;
 }
 
-constexpr size_t kDearest = 12;  // modules whose clocks are told
-
-std::string clocks_text(const SiliconPoint& design_point) {
-  if (design_point.energy.empty()) return "";
-  std::string text = fmt::format("  {:<9}{:>12}{:>8}{:>9}{:>14}{:>15}{:>12}{:>11}\n", "", "flip-flops", "gated",
-                                 "unseen", "uJ of clocks", "gates' enables", "no enable", "the gates");
+Table clocks_table(const SiliconPoint& design_point) {
+  Table table{.columns = {{.key = "row", .word = true},
+                          {.key = "flipflops", .heading = "flip-flops"},
+                          {.key = "gated", .heading = "gated", .unit = "%", .digits = 1},
+                          {.key = "unseen", .heading = "unseen", .unit = "%", .digits = 1},
+                          {.key = "clocks_uj", .heading = "uJ of clocks", .digits = 1},
+                          {.key = "enables", .heading = "gates' enables", .unit = "%", .digits = 1},
+                          {.key = "ungated_uj", .heading = "no enable", .digits = 1},
+                          {.key = "gates_uj", .heading = "the gates", .digits = 1}},
+              .notes = {"gated: flip-flops whose clock an enable gates; unseen: those whose enable the waves do not "
+                        "show, counted as high; gates' enables: share of the edges that pass"}};
   for (const EnergyRow& row : design_point.energy) {
     if (row.flipflops == 0) continue;
-    const auto count = static_cast<double>(row.flipflops);
-    text += fmt::format("  {:<9}{:>12}{:>8}{:>9}{:>14.1f}{:>15}{:>12.1f}{:>11.1f}\n", row.name, row.flipflops,
-                        percent(static_cast<double>(row.gated) / count, 1),
-                        percent(static_cast<double>(row.unseen) / count, 1), row.clocks_j * 1e6,
-                        percent(row.gated_j() / row.open_j, 1), row.ungated_j * 1e6, row.gates_j * 1e6);
+    const double count = static_cast<double>(row.flipflops) / 100;
+    table.rows.push_back({text_cell(row.name), number_cell(static_cast<double>(row.flipflops)),
+                          positive(static_cast<double>(row.gated) / count),
+                          positive(static_cast<double>(row.unseen) / count), number_cell(row.clocks_j * 1e6),
+                          positive(100 * row.gated_j() / row.open_j), number_cell(row.ungated_j * 1e6),
+                          number_cell(row.gates_j * 1e6)});
   }
-  text +=
-      "  gated: flip-flops whose clock an enable gates; unseen: those whose enable the waves do not show, counted as "
-      "high; gates' enables: share of the edges that pass\n";
-  if (design_point.clocks.empty()) return text;
-  text += fmt::format("  modules whose clocks take most\n  {:<9}{:<40}{:>12}{:>8}{:>14}{:>12}\n", "", "module",
-                      "flip-flops", "gated", "uJ of clocks", "no enable");
-  for (size_t i = 0; i < std::min(kDearest, design_point.clocks.size()); ++i) {
-    const ModuleClocks& one = design_point.clocks[i];
-    text += fmt::format("  {:<9}{:<40}{:>12}{:>8}{:>14.1f}{:>12.1f}\n", one.row, one.module, one.flipflops, one.gated,
-                        one.all_j() * 1e6, one.ungated_j * 1e6);
-  }
-  return text;
+  return table;
 }
 
-std::string energy_text(const SiliconPoint& design_point) {
-  if (design_point.energy.empty()) return "";
+constexpr size_t kDearest = 12;  // modules whose clocks are shown
+
+Table modules_table(const SiliconPoint& design_point) {
+  Table table{.title = "modules whose clocks take most",
+              .columns = {{.key = "row", .word = true},
+                          {.key = "module", .heading = "module", .word = true},
+                          {.key = "flipflops", .heading = "flip-flops"},
+                          {.key = "gated", .heading = "gated"},
+                          {.key = "clocks_uj", .heading = "uJ of clocks", .digits = 1},
+                          {.key = "ungated_uj", .heading = "no enable", .digits = 1}}};
+  for (size_t i = 0; i < std::min(kDearest, design_point.clocks.size()); ++i) {
+    const ModuleClocks& one = design_point.clocks[i];
+    table.rows.push_back({text_cell(one.row), text_cell(one.module), number_cell(static_cast<double>(one.flipflops)),
+                          number_cell(static_cast<double>(one.gated)), number_cell(one.all_j() * 1e6),
+                          number_cell(one.ungated_j * 1e6)});
+  }
+  return table;
+}
+
+Table energy_table(const SiliconPoint& design_point) {
   const double full = design_point.fps(), display = std::min(full, kDisplay);
-  std::string text = fmt::format("  {:<9}{:>7}{:>24}{:>8}{:>8}{:>21}{:>24}{:>25}{:>9}\n", "", "awake", "uJ of a frame",
-                                 "clocks", "halves", "leakage, mW", fmt::format("mW at {:.0f} frames/s", display),
-                                 fmt::format("W at {:.0f} frames/s", full), "paper W");
+  Table table{.columns = {{.key = "row", .word = true},
+                          {.key = "awake", .heading = "awake", .unit = "%"},
+                          {.key = "frame_uj", .heading = "uJ of a frame"},
+                          {.key = "clocks", .heading = "clocks", .unit = "%"},
+                          {.key = "halves", .heading = "halves", .unit = "%", .digits = 1},
+                          {.key = "leakage_mw", .heading = "leakage, mW"},
+                          {.key = "display_mw", .heading = fmt::format("mW at {:.0f} frames/s", display)},
+                          {.key = "full_w", .heading = fmt::format("W at {:.0f} frames/s", full)},
+                          {.key = "paper_w", .heading = "paper W", .digits = 3}},
+              .notes = {"awake: cycles in which a unit has its clock; uJ: without leakage; clocks: share of "
+                        "flip-flops' clocks; halves of the samples differ by so much"}};
   for (const EnergyRow& row : design_point.energy) {
     const PublishedRow* paper = paper_row(row.name);
-    text += fmt::format("  {:<9}{:>7}{:>24}{:>8}{:>8}{:>21}{:>24}{:>25}{:>9}\n", row.name, percent(row.awake, 0),
-                        text_of(row.frame_j * 1e6, 0), percent(row.clocks_j / row.frame_j.mid, 0),
-                        percent(row.halves_differ, 1), text_of(row.leakage_w * 1e3, 1),
-                        text_of(row.watts(display) * 1e3, 0), text_of(row.watts(full), 3),
-                        paper == nullptr ? "" : fmt::format("{:.3f}", paper->power_w));
+    table.rows.push_back({text_cell(row.name), positive(100 * row.awake), range_cell(row.frame_j * 1e6, 0),
+                          positive(100 * row.clocks_j / row.frame_j.mid), positive(100 * row.halves_differ),
+                          range_cell(row.leakage_w * 1e3, 1), range_cell(row.watts(display) * 1e3, 0),
+                          range_cell(row.watts(full), 3),
+                          paper == nullptr ? TableCell{} : number_cell(paper->power_w)});
   }
-  return text +
-         "  awake: cycles in which a unit has its clock; uJ: without leakage; clocks: share of flip-flops' clocks; "
-         "halves of the samples differ by so much\n";
+  return table;
+}
+
+// A quantity of the design points, and how much better than the baseline's it is.
+struct Compared {
+  TableColumn column;
+  std::function<std::optional<double>(const SiliconPoint&)> value;
+  bool less = false;  // less is better
+};
+
+std::vector<Compared> compared(double mm2) {
+  const auto with_energy = [](double (SiliconPoint::*of)() const) {
+    return
+        [of](const SiliconPoint& point) { return point.energy.empty() ? std::nullopt : std::optional((point.*of)()); };
+  };
+  std::vector<Compared> all = {
+      {{.key = "us", .heading = "us", .digits = 1}, &SiliconPoint::us, true},
+      {{.key = "fps_per_mm2", .heading = "frames/s/mm2", .digits = 1}, &SiliconPoint::fps_per_mm2},
+      {{.key = "frames_per_joule", .heading = "frames/J"}, with_energy(&SiliconPoint::frames_per_joule)},
+      {{.key = "with_dram", .heading = "with DRAM"}, with_energy(&SiliconPoint::frames_per_joule_with_dram)}};
+  if (mm2 > 0)
+    all.push_back({{.key = "equal_area_us", .heading = fmt::format("us at {:g} mm2", mm2), .digits = 1},
+                   [mm2](const SiliconPoint& point) { return point.us_of_area(mm2); },
+                   true});
+  return all;
 }
 
 // The design points against each other, as Figs. 10 and 11 do: over the baseline where it is among them.
 // `mm2`: the area at which they are compared, too, or 0.
-std::string design_points_text(const std::vector<SiliconPoint>& design_points, double mm2) {
-  const SiliconPoint* baseline = design_points.front().name == "baseline" ? &design_points.front() : nullptr;
-  const auto over = [&](double ratio) { return baseline == nullptr ? "" : fmt::format("{:.2f}", ratio); };
-  std::string text =
-      fmt::format("  {:<28}{:>10}{:>7}{:>10}{:>8}{:>8}{:>14}{:>8}{:>10}{:>8}{:>11}{:>8}{}\n", "design point", "cycles",
-                  "GHz", "us", "x", "mm2", "frames/s/mm2", "x", "frames/J", "x", "with DRAM", "x",
-                  mm2 > 0 ? fmt::format("{:>20}{:>8}", fmt::format("us at {:g} mm2", mm2), "x") : "");
-  for (const SiliconPoint& design_point : design_points) {
-    text += fmt::format("  {:<28}{:>10}{:>7.3f}{:>10.1f}{:>8}{:>8.2f}", design_point.name, design_point.cycles,
-                        design_point.ghz(), design_point.us(),
-                        over(baseline == nullptr ? 0 : baseline->us() / design_point.us()), design_point.mm2());
-    const auto add = [&](double (SiliconPoint::*value)() const, int width, int digits) {
-      text += fmt::format("{:>{}.{}f}{:>8}", (design_point.*value)(), width, digits,
-                          over(baseline == nullptr ? 0 : (design_point.*value)() / (baseline->*value)()));
-    };
-    add(&SiliconPoint::fps_per_mm2, 14, 1);
-    if (design_point.energy.empty()) {
-      text += mm2 > 0 ? fmt::format("{:>37}", "") : "";
-    } else {
-      add(&SiliconPoint::frames_per_joule, 10, 0);
-      add(&SiliconPoint::frames_per_joule_with_dram, 11, 0);
+Table design_points_table(const std::vector<SiliconPoint>& design_points, double mm2) {
+  const SiliconPoint& first = design_points.front();
+  const bool over = first.name == "baseline";
+  Table table{.columns = {{.key = "design_point", .heading = "design point", .word = true},
+                          {.key = "cycles", .heading = "cycles"},
+                          {.key = "ghz", .heading = "GHz", .digits = 3},
+                          {.key = "mm2", .heading = "mm2", .digits = 2}},
+              .notes = {"GHz: the clock that the longest path allows, at most 1; x: over the baseline"}};
+  for (const SiliconPoint& point : design_points)
+    table.rows.push_back({text_cell(point.name), number_cell(static_cast<double>(point.cycles)),
+                          number_cell(point.ghz()), number_cell(point.mm2())});
+  for (const Compared& one : compared(mm2)) {
+    table.columns.push_back(one.column);
+    table.columns.push_back({.key = one.column.key + "_x", .heading = "x", .digits = 2});
+    for (size_t i = 0; i < design_points.size(); ++i) {
+      const std::optional<double> value = one.value(design_points[i]), base = one.value(first);
+      table.rows[i].push_back({.value = value});
+      const bool known = over && value && base;
+      table.rows[i].push_back(known ? number_cell(one.less ? *base / *value : *value / *base) : TableCell{});
     }
-    if (mm2 > 0) {
-      const double us = design_point.us_of_area(mm2);
-      text += fmt::format("{:>20.1f}{:>8}", us, over(baseline == nullptr ? 0 : baseline->us_of_area(mm2) / us));
-    }
-    text += "\n";
   }
-  text += "  GHz: the clock that the longest path allows, at most 1; x: over the baseline\n";
   if (mm2 > 0)
-    text += "  at equal area: by the law time = c area^-p through each machine and the one of half as many units\n";
-  return text;
+    table.notes.push_back(
+        "at equal area: by the law time = c area^-p through each machine and the one of half as many units");
+  return table;
 }
 
-std::string gscore_text() {
-  std::string text = "  GSCore, as published:";
+Table gscore_table() {
+  std::string text = "GSCore, as published:";
   for (const PublishedRow& row : kGscore)
-    text += fmt::format(" {} {:.2f} mm2 {:.2f} W{}", row.unit, row.area_mm2, row.power_w,
-                        &row == &kGscore.back() ? "\n" : ",");
-  return text;
+    text += fmt::format("{} {} {:.2f} mm2 {:.2f} W", &row == &kGscore.front() ? "" : ",", row.unit, row.area_mm2,
+                        row.power_w);
+  return {.notes = {text}};
 }
 
 // Bars of the design points, stacked by the rows that Table 2 has too, and the paper's.
@@ -249,12 +290,18 @@ Json to_json(const std::vector<SiliconPoint>& design_points, double mm2) {
   return {{"designs", list}, {"paper", published(kPipegsTable2)}, {"gscore", published(kGscore)}};
 }
 
-std::string to_text(const std::vector<SiliconPoint>& design_points, double mm2) {
-  std::string text;
-  for (const SiliconPoint& design_point : design_points)
-    for (const std::string& part : {area_text(design_point), energy_text(design_point), clocks_text(design_point)})
-      text += part.empty() ? "" : part + "\n";
-  return text + design_points_text(design_points, mm2) + "\n" + gscore_text();
+std::vector<Table> silicon_tables(const std::vector<SiliconPoint>& design_points, double mm2) {
+  std::vector<Table> tables;
+  for (const SiliconPoint& point : design_points) {
+    tables.push_back(area_table(point));
+    if (point.energy.empty()) continue;
+    tables.push_back(energy_table(point));
+    tables.push_back(clocks_table(point));
+    if (!point.clocks.empty()) tables.push_back(modules_table(point));
+  }
+  tables.push_back(design_points_table(design_points, mm2));
+  tables.push_back(gscore_table());
+  return tables;
 }
 
 std::vector<Chart> silicon_charts(const std::vector<SiliconPoint>& design_points) {

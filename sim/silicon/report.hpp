@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "sim/report/chart.hpp"
+#include "sim/report/table.hpp"
 #include "sim/silicon/energy/energy.hpp"
 
 namespace pipegs {
@@ -49,7 +50,7 @@ struct SiliconPoint {
 
 // `mm2`: an area at which they are compared, too (each has a HalfMachine), or 0.
 nlohmann::ordered_json to_json(const std::vector<SiliconPoint>& design_points, double mm2);
-std::string to_text(const std::vector<SiliconPoint>& design_points, double mm2);
+std::vector<Table> silicon_tables(const std::vector<SiliconPoint>& design_points, double mm2);
 std::vector<Chart> silicon_charts(const std::vector<SiliconPoint>& design_points);
 
 }  // namespace pipegs

@@ -67,14 +67,15 @@ int run_rivals(RivalsArguments& arguments) {
   std::string head =
       fmt::format("{}: view {} ({}x{}), ", loaded.scene.name, loaded.camera.name, counts.width, counts.height);
   head += comparison ? "memory " + arguments.memory.external.dram : "float64, depth order";
-  const std::string printed = comparison ? comparison_text(*comparison) : counts_text(counts, arguments.counts);
+  const std::vector<Table> tables =
+      comparison ? comparison_tables(*comparison) : counts_tables(counts, arguments.counts);
   NamedMachines machines;
   for (const SimulateOptions& one : arguments.view.paper_and_own())
     machines.emplace_back(machine_name(one.config), one.config);
   arguments.page.write({.title = "Other accelerators on this view",
                         .head = head,
                         .charts = comparison ? comparison_charts(*comparison) : std::vector<Chart>{},
-                        .printed = printed,
+                        .tables = tables,
                         .machines = comparison ? machines : NamedMachines{}});
   if (arguments.json) {
     nlohmann::ordered_json json = {{"scene", loaded.scene.name},
@@ -89,7 +90,7 @@ int run_rivals(RivalsArguments& arguments) {
     }
     fmt::print("{}\n", json.dump(2));
   } else {
-    fmt::print("{}\n\n{}", head, printed);
+    fmt::print("{}\n\n{}", head, tables_text(tables));
   }
   return kExitOk;
 }

@@ -159,28 +159,37 @@ Json counts_json(const FrameCounts& counts, const CountOptions& options) {
   return json;
 }
 
-std::string counts_text(const FrameCounts& counts, const CountOptions& options) {
-  std::string text, section;
+std::vector<Table> counts_tables(const FrameCounts& counts, const CountOptions& options) {
+  std::vector<Table> tables;
   for (const CountRow& row : count_rows(counts, options)) {
-    if (row.section != section) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", section = row.section);
-    text += fmt::format("  {:<23}{:>14}  {:<18} {}\n", row.key, row.value, row.unit, row.what);
+    if (tables.empty() || tables.back().title != row.section)
+      tables.push_back({.title = row.section,
+                        .columns = {{.key = "count", .word = true},
+                                    {.key = "value"},
+                                    {.key = "unit", .word = true},
+                                    {.key = "what", .word = true}}});
+    tables.back().rows.push_back(
+        {text_cell(row.key), number_cell(static_cast<double>(row.value)), text_cell(row.unit), text_cell(row.what)});
   }
-  text += "\nlists\n";
+  Table lists{.title = "lists",
+              .columns = {{.key = "side", .heading = "side"}, {.key = "by", .heading = "by", .word = true}}};
   for (const auto& [key, what] : kListColumns) {
-    if (std::string_view(key) != "histogram") text += fmt::format("  {:<16}{}\n", key, what);
+    if (std::string_view(key) == "histogram") continue;
+    lists.columns.push_back({.key = key, .heading = key});
+    lists.notes.push_back(fmt::format("{}: {}", key, what));
   }
-  text +=
-      fmt::format("\n  {:>4}  {:<13}{:>6}{:>11}{:>10}{:>9}{:>15}{:>15}{:>14}{:>12}\n", "side", "by", "tiles", "pairs",
-                  "nonempty", "longest", "lists_above_16", "pairs_above_16", "chunks_of_16", "pivot_steps");
-  for (const ListCounts& lists : counts.lists) {
+  for (const ListCounts& one : counts.lists) {
     for (const NamedCover& named : kNamed) {
-      const ListSums s = list_sums(lists.lengths[named.cover]);
-      text += fmt::format("  {:>4}  {:<13}{:>6}{:>11}{:>10}{:>9}{:>15}{:>15}{:>14}{:>12}\n", lists.side, named.key,
-                          lists.lengths[named.cover].size(), s.pairs, s.nonempty, s.longest, s.long_lists, s.long_pairs,
-                          s.chunks, s.steps);
+      const ListSums s = list_sums(one.lengths[named.cover]);
+      std::vector<TableCell>& row = lists.rows.emplace_back();
+      row = {number_cell(one.side), text_cell(named.key)};
+      for (const uint64_t value : {uint64_t{one.lengths[named.cover].size()}, s.pairs, s.nonempty, s.longest,
+                                   s.long_lists, s.long_pairs, s.chunks, s.steps})
+        row.push_back(number_cell(static_cast<double>(value)));
     }
   }
-  return text;
+  tables.push_back(lists);
+  return tables;
 }
 
 }  // namespace pipegs

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// report.hpp: the counts of a view as a table and as JSON, each with its unit and what it counts.
+// report.hpp: the counts of a view as tables and as JSON, each with its unit and what it counts.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "sim/report/table.hpp"
 #include "sim/studies/rivals/counts.hpp"
 
 namespace pipegs {
@@ -20,6 +21,6 @@ std::vector<CountRow> count_rows(const FrameCounts& counts, const CountOptions& 
 // {"counts": {SECTION: {KEY: VALUE}}, "lists": [...], "definitions": {SECTION: {KEY: "UNIT: WHAT"}}}, and where voxels
 // of other edges were counted "other_voxels": [...], with keys of the section voxels.
 nlohmann::ordered_json counts_json(const FrameCounts& counts, const CountOptions& options);
-std::string counts_text(const FrameCounts& counts, const CountOptions& options);
+std::vector<Table> counts_tables(const FrameCounts& counts, const CountOptions& options);
 
 }  // namespace pipegs

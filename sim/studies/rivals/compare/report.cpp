@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/studies/rivals/compare/published.hpp"
 #include "sim/silicon/published.hpp"
@@ -16,10 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char *kMachines = "  {:<16}{:<10}{:>5}{:>12}{:>9}{:>9}{:>8}{:>7}{:>22}{:>24}{:>22}  {}\n",
-                     *kAgainst = "  {:<13}{:>9}{:>9}  {}\n", *kChecks = "  {:<12}{:<72}{:>10}{:>9}{:>7}  {:<5} {}\n",
-                     *kParameters = "  {:<14}{:>8}{:>8}{:>8} {:<16}{} {:>9}{:>10}  {}\n";
-
 std::string number(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   if (value == 0) return "0";
@@ -27,99 +24,136 @@ std::string number(double value, int digits) {
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - static_cast<int>(magnitude)));
 }
 
-std::string text_of(const Range& range) {
-  if (range.low == range.high) return number(range.mid, 3);
-  return fmt::format("{}..{}..{}", number(range.low, 3), number(range.mid, 3), number(range.high, 3));
+TableCell cell(double value, int digits = 3) { return {.text = number(value, digits), .value = value}; }
+
+TableCell cell(const Range& range) {
+  if (range.low == range.high) return cell(range.mid);
+  return {.text = fmt::format("{}..{}..{}", number(range.low, 3), number(range.mid, 3), number(range.high, 3)),
+          .value = range.mid};
 }
 
-std::string machines_text(const Comparison& comparison) {
-  std::string text = "machines, this view, the same memory\n" +
-                     fmt::format(kMachines, "", "node", "GHz", "cycles", "ms", "frames/s", "MB", "mm2", "frames/s/mm2",
-                                 "frames/J, chip", "frames/J with DRAM", "bound by");
+// What the papers print too little for.
+TableCell known_cell(double value) { return value > 0 ? cell(value) : text_cell("-"); }
+
+TableColumn word(const std::string& key, const std::string& heading = "") {
+  return {.key = key, .heading = heading, .word = true};
+}
+TableColumn figure(const std::string& key, const std::string& heading) { return {.key = key, .heading = heading}; }
+
+constexpr std::pair<const char*, Range Figures::*> kFigures[] = {{"frames/s/mm2", &Figures::fps_mm2},
+                                                                 {"frames/J, chip", &Figures::frames_j},
+                                                                 {"frames/J with DRAM", &Figures::frames_j_dram}};
+
+void add_figures(std::vector<TableCell>& row, const Figures& figures) {
+  for (const auto& [name, member] : kFigures) row.push_back(cell(figures.*member));
+}
+
+Table machines_table(const Comparison& comparison) {
+  Table table{.title = "machines, this view, the same memory",
+              .columns = {word("machine"), figure("node", "node"), figure("ghz", "GHz"), figure("cycles", "cycles"),
+                          figure("ms", "ms"), figure("fps", "frames/s"), figure("mb", "MB"), figure("mm2", "mm2")}};
+  for (const auto& [name, member] : kFigures) table.columns.push_back(figure(name, name));
+  table.columns.push_back(word("bound", "bound by"));
   for (const RivalResult& one : comparison.rivals) {
     const MachineFrame& frame = one.frame;
-    text += fmt::format(kMachines, one.rival->name, one.rival->node.name, one.rival->ghz,
-                        fmt::format("{:.0f}", frame.cycles), number(frame.seconds() * 1e3, 3), number(frame.fps(), 3),
-                        number(frame.all_bytes() * 1e-6, 3), number(one.mm2.mid, 3), text_of(one.figures.fps_mm2),
-                        text_of(one.figures.frames_j), text_of(one.figures.frames_j_dram),
-                        fmt::format("{} {:.0f} %", frame.bound, 100 * frame.bound_share));
+    table.rows.push_back({text_cell(one.rival->name),
+                          text_cell(one.rival->node.name),
+                          {.text = fmt::format("{}", one.rival->ghz), .value = one.rival->ghz},
+                          number_cell(frame.cycles),
+                          cell(frame.seconds() * 1e3),
+                          cell(frame.fps()),
+                          cell(frame.all_bytes() * 1e-6),
+                          cell(one.mm2.mid)});
+    add_figures(table.rows.back(), one.figures);
+    table.rows.back().push_back(text_cell(fmt::format("{} {:.0f} %", frame.bound, 100 * frame.bound_share)));
   }
   const PublishedRow& printed = kPipegsTable2.back();
-  text += fmt::format(
-      kMachines, "PipeGS, printed", "28 nm", 1, "-", "-", "-", "-", number(printed.area_mm2, 4), "-", "-", "-",
-      fmt::format("{} W; frames only as ratios: {}x its GSCore at most", printed.power_w, kPipegsSpeed));
+  const TableCell none = text_cell("-");
+  table.rows.push_back(
+      {text_cell("PipeGS, printed"), text_cell("28 nm"), number_cell(1), none, none, none, none,
+       cell(printed.area_mm2, 4), none, none, none,
+       text_cell(fmt::format("{} W; frames only as ratios: {}x its GSCore at most", printed.power_w, kPipegsSpeed))});
   for (const OwnMachine& own : comparison.ours) {
-    text += fmt::format(kMachines, own.name, "28 nm", number(own.ghz, 2), fmt::format("{:.0f}", own.cycles),
-                        number(1e3 / own.figures.fps.mid, 3), number(own.figures.fps.mid, 3),
-                        number(own.bytes * 1e-6, 3), number(own.mm2.mid, 3), text_of(own.figures.fps_mm2),
-                        text_of(own.figures.frames_j), text_of(own.figures.frames_j_dram), "");
+    table.rows.push_back({text_cell(own.name), text_cell("28 nm"), cell(own.ghz, 2), number_cell(own.cycles),
+                          cell(1e3 / own.figures.fps.mid), cell(own.figures.fps.mid), cell(own.bytes * 1e-6),
+                          cell(own.mm2.mid)});
+    add_figures(table.rows.back(), own.figures);
+    table.rows.back().push_back({});
   }
   for (const Variant& one : comparison.variants)
-    text += fmt::format("  {}, {}: {} ms, {} MB, bound by {}\n", one.rival->name, one.what,
-                        number(one.frame.seconds() * 1e3, 3), number(one.frame.all_bytes() * 1e-6, 3), one.frame.bound);
-  return text + "  bound by: the unit or memory that bounds most cycles, and the share of the cycles that it bounds\n";
+    table.notes.push_back(fmt::format("{}, {}: {} ms, {} MB, bound by {}", one.rival->name, one.what,
+                                      number(one.frame.seconds() * 1e3, 3), number(one.frame.all_bytes() * 1e-6, 3),
+                                      one.frame.bound));
+  table.notes.push_back(
+      "bound by: the unit or memory that bounds most cycles, and the share of the cycles that it bounds");
+  return table;
 }
 
-std::string against_text(const Comparison& comparison) {
-  std::string text = fmt::format(
-      "\nwhat the paper prints, published ratios multiplied, and this frame: over each rival\n"
-      "  printed: frames/s/mm2 {:.2f} to {:.2f}, frames/J {:.2f} to {:.2f}, over GSCore, GS-TG, STREAMINGGS and GSAcc\n"
-      "  chained: {:.2f} over what the rival prints over GSCore, plain scaling of area; 2.77 over its energy\n",
-      kPrintedArea[0], kPrintedArea[1], kPrintedEnergy[0], kPrintedEnergy[1], kPipegsSpeed);
-  std::string heads;
-  for (const OwnMachine& own : comparison.ours)
-    heads += fmt::format("{:<24}{:<24}{:<24}", own.name + ": frames/s/mm2", own.name + ": frames/J, chip",
-                         own.name + ": with DRAM");
-  text += fmt::format(kAgainst, "chained", "area", "energy", heads);
+Table against_table(const Comparison& comparison) {
+  Table table{.title = "what the paper prints, published ratios multiplied, and this frame: over each rival",
+              .columns = {word("rival", "chained"), figure("area", "area"), figure("energy", "energy")},
+              .notes = {fmt::format("printed: frames/s/mm2 {:.2f} to {:.2f}, frames/J {:.2f} to {:.2f}, over GSCore, "
+                                    "GS-TG, STREAMINGGS and GSAcc",
+                                    kPrintedArea[0], kPrintedArea[1], kPrintedEnergy[0], kPrintedEnergy[1]),
+                        fmt::format("chained: {:.2f} over what the rival prints over GSCore, plain scaling of area; "
+                                    "2.77 over its energy",
+                                    kPipegsSpeed)}};
+  for (const OwnMachine& own : comparison.ours) {
+    for (const auto& [name, member] : kFigures)
+      table.columns.push_back(figure(own.name + " " + name, own.name + ": " + name));
+  }
   for (const RivalResult& one : comparison.rivals) {
     const Chained chain = chained(*one.rival);
-    std::string cells;
+    std::vector<TableCell>& row = table.rows.emplace_back();
+    row = {text_cell(one.rival->name), known_cell(chain.area), known_cell(chain.energy)};
     for (const OwnMachine& own : comparison.ours) {
-      for (const Range Figures::*figure : {&Figures::fps_mm2, &Figures::frames_j, &Figures::frames_j_dram})
-        cells += fmt::format("{:<24}", text_of(ratio(own.figures.*figure, one.figures.*figure)));
+      for (const auto& [name, member] : kFigures) row.push_back(cell(ratio(own.figures.*member, one.figures.*member)));
     }
-    text += fmt::format(kAgainst, one.rival->name, chain.area > 0 ? number(chain.area, 3) : "-",
-                        chain.energy > 0 ? number(chain.energy, 3) : "-", cells);
   }
-  return text;
+  return table;
 }
 
-std::string checks_text(const Comparison& comparison) {
-  std::string text = "\neach model against figures that are published\n" +
-                     fmt::format(kChecks, "", "figure", "published", "ours", "ratio", "15 %", "");
+Table checks_table(const Comparison& comparison) {
+  Table table{.title = "each model against figures that are published",
+              .columns = {word("rival"), word("figure", "figure"), figure("published", "published"),
+                          figure("ours", "ours"), figure("ratio", "ratio"), word("passes", "15 %"), word("why")},
+              .notes = {"set: a parameter is from this figure",
+                        fmt::format("an efficiency of {:.2f} would close Lego; it is applied to no frame",
+                                    comparison.lego_cycles / kLegoCycles)}};
   for (const Check& check : comparison.checks)
-    text += fmt::format(kChecks, check.rival, check.figure,
-                        fmt::format("{}{} {}", check.at_most ? "<=" : "", number(check.published, 3), check.unit),
-                        number(check.ours, 3), number(check.ratio(), 2),
-                        check.chosen     ? "set"
-                        : check.passes() ? "yes"
-                                         : "no",
-                        check.why);
-  return text + fmt::format(
-                    "  set: a parameter is from this figure\n  an efficiency of {:.2f} would close Lego; it is applied "
-                    "to no frame\n",
-                    comparison.lego_cycles / kLegoCycles);
+    table.rows.push_back(
+        {text_cell(check.rival),
+         text_cell(check.figure),
+         {.text = fmt::format("{}{} {}", check.at_most ? "<=" : "", number(check.published, 3), check.unit),
+          .value = check.published},
+         cell(check.ours),
+         cell(check.ratio(), 2),
+         text_cell(check.chosen     ? "set"
+                   : check.passes() ? "yes"
+                                    : "no"),
+         text_cell(check.why)});
+  return table;
 }
 
-std::string parameters_text(const Comparison& comparison) {
-  std::string text =
-      "\nparameters: H read in the paper or its simulator, M in notes about it, L assumed; frames/s at low, at high\n";
-  for (const RivalResult& one : comparison.rivals) {
-    text += fmt::format("  {}, {}: {} mm2 in {} ({}), plain square {} mm2\n", one.rival->name, one.rival->venue,
-                        one.rival->mm2, one.rival->node.name, one.rival->node.source,
-                        number(one.rival->mm2 * one.rival->node.plain(), 3));
-    text += fmt::format(kParameters, "", "value", "low", "high", "", " ", "fps low", "fps high", "");
-    for (const Parameter& parameter : one.rival->parameters) {
-      const auto swing = std::find_if(one.swings.begin(), one.swings.end(),
-                                      [&](const Swing& found) { return found.parameter == &parameter; });
-      const bool swings = swing != one.swings.end();
-      text += fmt::format(kParameters, parameter.name, parameter.value, swings ? fmt::format("{}", parameter.low) : "",
-                          swings ? fmt::format("{}", parameter.high) : "", parameter.unit, letter(parameter.mark),
-                          swings ? number(swing->fps_low, 3) : "", swings ? number(swing->fps_high, 3) : "",
-                          parameter.source);
-    }
+Table parameters_table(const RivalResult& one) {
+  const Rival& rival = *one.rival;
+  Table table{.title = fmt::format("{}, {}: {} mm2 in {} ({}), plain square {} mm2", rival.name, rival.venue, rival.mm2,
+                                   rival.node.name, rival.node.source, number(rival.mm2 * rival.node.plain(), 3)),
+              .columns = {word("parameter", "parameter"), figure("value", "value"), figure("low", "low"),
+                          figure("high", "high"), word("unit"), word("mark"), figure("fps_low", "fps low"),
+                          figure("fps_high", "fps high"), word("source")}};
+  const auto plain = [](double value) { return TableCell{.text = fmt::format("{}", value), .value = value}; };
+  for (const Parameter& parameter : rival.parameters) {
+    std::vector<TableCell>& row = table.rows.emplace_back(table.columns.size());
+    row[0] = text_cell(parameter.name), row[1] = plain(parameter.value), row[4] = text_cell(parameter.unit);
+    row[5] = text_cell(fmt::format("{}", letter(parameter.mark))), row[8] = text_cell(parameter.source);
+    const auto swing = std::find_if(one.swings.begin(), one.swings.end(),
+                                    [&](const Swing& found) { return found.parameter == &parameter; });
+    if (swing == one.swings.end()) continue;
+    row[2] = plain(parameter.low), row[3] = plain(parameter.high);
+    row[6] = cell(swing->fps_low), row[7] = cell(swing->fps_high);
   }
-  return text;
+  return table;
 }
 
 Json json_of(const Figures& figures) {
@@ -262,8 +296,12 @@ Json comparison_json(const Comparison& comparison) {
   return json;
 }
 
-std::string comparison_text(const Comparison& comparison) {
-  return machines_text(comparison) + against_text(comparison) + checks_text(comparison) + parameters_text(comparison);
+std::vector<Table> comparison_tables(const Comparison& comparison) {
+  std::vector<Table> tables = {machines_table(comparison), against_table(comparison), checks_table(comparison)};
+  tables.push_back({.notes = {"parameters: H read in the paper or its simulator, M in notes about it, L assumed; "
+                              "frames/s at low, at high"}});
+  for (const RivalResult& one : comparison.rivals) tables.push_back(parameters_table(one));
+  return tables;
 }
 
 std::vector<Chart> comparison_charts(const Comparison& comparison) {

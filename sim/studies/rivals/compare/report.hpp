@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // report.hpp: the machines of a view side by side: table, what the paper prints against what this frame shows, the
-// models' checks and their parameters; as text, JSON and a chart.
+// models' checks and their parameters; as tables, JSON and charts.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/report/chart.hpp"
+#include "sim/report/table.hpp"
 #include "sim/studies/rivals/compare/checks.hpp"
 #include "sim/studies/rivals/compare/ours.hpp"
 
@@ -36,7 +37,7 @@ struct Chained {
 Chained chained(const Rival& rival);
 
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
-std::string comparison_text(const Comparison& comparison);
+std::vector<Table> comparison_tables(const Comparison& comparison);
 std::vector<Chart> comparison_charts(const Comparison& comparison);
 
 }  // namespace pipegs

@@ -141,7 +141,7 @@ TEST(RivalCompare, LegoTakesAtLeastItsBytesAtTheRateOfThePins) {
   EXPECT_LT(lego_least_cycles(memory), kLegoCycles);
 }
 
-TEST(RivalCompare, TextAndJsonHaveEveryMachine) {
+TEST(RivalCompare, TablesAndJsonHaveEveryMachine) {
   PlayedMemory memory(kDram);
   const OwnMachine own{.name = "ours",
                        .cycles = 1000,
@@ -149,7 +149,7 @@ TEST(RivalCompare, TextAndJsonHaveEveryMachine) {
                        .mm2 = {1, 2, 3},
                        .figures = {{1, 1, 1}, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}};
   const Comparison comparison = compare(view(), memory, {own});
-  const std::string text = comparison_text(comparison);
+  const std::string text = tables_text(comparison_tables(comparison));
   const nlohmann::ordered_json json = comparison_json(comparison);
   for (const Rival* rival : all_rivals()) {
     EXPECT_NE(text.find("\n  " + rival->name), std::string::npos) << rival->name;

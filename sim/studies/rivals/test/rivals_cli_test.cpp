@@ -29,10 +29,10 @@ TEST_F(RivalsCli, TableAndJsonTellTheSameAndDefineAllOfIt) {
   EXPECT_EQ(found["counts"]["gaussians"]["scene"], 300);
   EXPECT_GT(found["counts"]["gaussians"]["visible"], 30);
   for (const auto& [section, counts] : found["counts"].items()) {
-    EXPECT_NE(table.out.find("\n" + section + "\n"), std::string::npos) << section;
+    EXPECT_NE(table.out.find("\n  " + section + "\n"), std::string::npos) << section;
     for (const auto& [key, value] : counts.items()) {
       EXPECT_GT(found["definitions"][section].at(key).get<std::string>().size(), 10u) << section << " " << key;
-      const size_t at = table.out.find("\n  " + key + " ", table.out.find("\n" + section + "\n"));
+      const size_t at = table.out.find("\n  " + key + " ", table.out.find("\n  " + section + "\n"));
       ASSERT_NE(at, std::string::npos) << section << " " << key;
       const std::string line = table.out.substr(at + 1, table.out.find('\n', at + 1) - at - 1);
       EXPECT_NE(line.find(" " + std::to_string(value.get<uint64_t>()) + "  "), std::string::npos) << key << "\n"
