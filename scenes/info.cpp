@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/percentile.hpp"
 #include "scenes/text/json.hpp"
 
 namespace pipegs {
@@ -19,16 +20,13 @@ constexpr double kFaint = 1.0 / 255;
 constexpr double kExtremeAnisotropy = 1e4;
 constexpr double kUnitTolerance = 1e-3;  // INRIA stores what the optimiser left, gsplat unit ones
 
-double percentile(std::vector<double>& values, int percent) {
-  if (values.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::llround(percent / 100.0 * static_cast<double>(values.size() - 1)));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
-  return values[rank];
+double rank(const std::vector<double>& values, int percent) {
+  return values.empty() ? 0 : percentile(values, percent / 100.0);
 }
 
-Percentiles percentiles(std::vector<double>& values) {
+Percentiles percentiles(const std::vector<double>& values) {
   Percentiles out{};
-  for (std::size_t i = 0; i < kPercentiles.size(); ++i) out[i] = percentile(values, kPercentiles[i]);
+  for (std::size_t i = 0; i < kPercentiles.size(); ++i) out[i] = rank(values, kPercentiles[i]);
   return out;
 }
 
@@ -71,10 +69,10 @@ SceneInfo inspect(const Scene& scene) {
   info.usable = usable.size();
   for (int a = 0; a < 3; ++a) {
     auto& values = axes[static_cast<std::size_t>(a)];
-    info.lowest[a] = percentile(values, 0);
-    info.highest[a] = percentile(values, 100);
-    info.box_lowest[a] = percentile(values, 2);
-    info.box_highest[a] = percentile(values, 98);
+    info.lowest[a] = rank(values, 0);
+    info.highest[a] = rank(values, 100);
+    info.box_lowest[a] = rank(values, 2);
+    info.box_highest[a] = rank(values, 98);
   }
   const double extent = glm::length(info.box_highest - info.box_lowest);
   for (std::size_t k = 0; k < usable.size(); ++k) {

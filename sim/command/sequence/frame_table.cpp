@@ -9,6 +9,7 @@
 #include <functional>
 #include <numeric>
 
+#include "scenes/percentile.hpp"
 #include "sim/design/design_point.hpp"
 
 namespace pipegs {
@@ -58,7 +59,10 @@ struct Ranked {
 
 Ranked ranked(const FrameTable& table, const Quantity& quantity, const Rank& rank) {
   const std::vector<double> all = values(table, quantity);
-  const size_t frame = nearest_rank(all, rank.percent);
+  std::vector<size_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return all[a] < all[b]; });
+  const size_t frame = order[nearest_rank(all.size(), rank.percent / 100)];
   return {frame, all[frame]};
 }
 
@@ -130,14 +134,6 @@ Chart over_frames(const std::string& name, const std::string& title, const std::
 }
 
 }  // namespace
-
-size_t nearest_rank(const std::vector<double>& values, double percent) {
-  std::vector<size_t> order(values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return values[a] < values[b]; });
-  const auto rank = static_cast<size_t>(std::ceil(percent / 100 * static_cast<double>(values.size())));
-  return order[std::max<size_t>(rank, 1) - 1];
-}
 
 std::string frames_csv(const FrameTable& table) {
   std::string text =

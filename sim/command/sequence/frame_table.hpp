@@ -38,9 +38,6 @@ struct FrameTable {
   bool priced() const { return !rows.empty() && rows[0].cost.has_value(); }
 };
 
-// The number of the least of the values that `percent` of them, above 0, do not exceed. There is one at least.
-size_t nearest_rank(const std::vector<double>& values, double percent);
-
 std::string frames_csv(const FrameTable& table);
 nlohmann::ordered_json to_json(const FrameTable& table);
 std::string to_text(const FrameTable& table);

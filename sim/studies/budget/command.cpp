@@ -9,6 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "scenes/percentile.hpp"
 #include "sim/bounds/budget.hpp"
 #include "sim/studies/budget/sample.hpp"
 #include "sim/command/command.hpp"
@@ -29,13 +30,6 @@ struct BudgetArguments {
 };
 
 using Field = double BudgetSample::*;
-
-double percentile(std::vector<double>& values, double at) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto rank = values.begin() + static_cast<std::ptrdiff_t>(at * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), rank, values.end());
-  return *rank;
-}
 
 struct Line {
   const char* name;

@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "cpp_model/float/parallel.hpp"
+#include "scenes/percentile.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/finite.hpp"
 
@@ -44,13 +45,6 @@ int tiles_of(const Config& config, const Frame& frame, uint64_t window_x, uint64
 }
 
 double share(double part, double whole) { return whole > 0 ? part / whole : std::nan(""); }
-
-double percentile(std::vector<double> values, double percent) {
-  if (values.empty()) return std::nan("");
-  const auto at = static_cast<size_t>(percent / 100 * static_cast<double>(values.size() - 1) + 0.5);
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-  return values[at];
-}
 
 }  // namespace
 
@@ -136,9 +130,9 @@ Json profile_json(const ViewProfile& profile) {
   json["raster_over_sort"] = finite_json(share(profile.raster, profile.sort));
   json["raster_over_sort_per_window"] = {{"windows", profile.ratios.size()},
                                          {"mean", finite_json(mean(profile.ratios))},
-                                         {"p10", finite_json(percentile(profile.ratios, 10))},
-                                         {"median", finite_json(percentile(profile.ratios, 50))},
-                                         {"p90", finite_json(percentile(profile.ratios, 90))}};
+                                         {"p10", finite_json(percentile(profile.ratios, 0.1))},
+                                         {"median", finite_json(percentile(profile.ratios, 0.5))},
+                                         {"p90", finite_json(percentile(profile.ratios, 0.9))}};
   const auto visible = static_cast<double>(profile.visible), pairs = static_cast<double>(profile.tile_pairs);
   json["gaussians"] = {{"visible", profile.visible},
                        {"tile_pairs", profile.tile_pairs},
@@ -200,8 +194,8 @@ std::vector<Table> profile_tables(const ViewProfile& profile) {
   line(fmt::format("  mean of {} windows", profile.ratios.size()), number(mean(profile.ratios)), measured ? "7.48" : "",
        machine);
   line("  10 %, 50 %, 90 % of the windows are below",
-       number(percentile(profile.ratios, 10)) + " " + number(percentile(profile.ratios, 50)) + " " +
-           number(percentile(profile.ratios, 90)),
+       number(percentile(profile.ratios, 0.1)) + " " + number(percentile(profile.ratios, 0.5)) + " " +
+           number(percentile(profile.ratios, 0.9)),
        "", "");
   if (profile.measured) {
     line("bubbles: share of the RUs' cycles not busy", percent(profile.bubbles), "69 %",

@@ -50,7 +50,7 @@ void add_figures(std::vector<TableCell>& row, const Figures& figures) {
 
 Table machines_table(const Comparison& comparison) {
   Table table{.title = "machines, this view, the same memory",
-              .columns = {word("machine"), figure("node", "node"), figure("ghz", "GHz"), figure("cycles", "cycles"),
+              .columns = {word("machine"), word("node", "node"), figure("ghz", "GHz"), figure("cycles", "cycles"),
                           figure("ms", "ms"), figure("fps", "frames/s"), figure("mb", "MB"), figure("mm2", "mm2")}};
   for (const auto& [name, member] : kFigures) table.columns.push_back(figure(name, name));
   table.columns.push_back(word("bound", "bound by"));

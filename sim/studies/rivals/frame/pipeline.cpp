@@ -2,9 +2,7 @@
 // pipeline.cpp: see pipeline.hpp.
 //
 // Rule    With `ahead` a stage's beginnings depend on the next stage's of earlier items only, so going item by item and
-//         stage by stage settles each time from times that are known. A stage behind `after_all` knows its beginnings
-//         only when all items have passed the stage before; those stages are settled block by block, and `ahead` has no
-//         meaning across the border of two blocks.
+//         stage by stage settles each time from times that are known.
 #include "sim/studies/rivals/frame/pipeline.hpp"
 
 #include <algorithm>
@@ -32,26 +30,21 @@ PipelineRun run_pipeline(const std::vector<PipelineStage>& stages, const std::ve
   PipelineRun run;
   run.busy.resize(stages.size());
   std::vector<std::vector<PipelineSpan>> spans(cycles.size(), std::vector<PipelineSpan>(stages.size()));
-  double open = 0;  // when the stages of this block may begin
-  for (std::size_t first = 0, last = 0; first < stages.size(); first = last) {
-    for (last = first + 1; last < stages.size() && !stages[last].after_all;) ++last;
-    std::vector<std::vector<double>> free(stages.size());
-    for (std::size_t s = first; s < last; ++s) free[s].assign(static_cast<std::size_t>(stages[s].units), open);
-    for (std::size_t i = 0; i < cycles.size(); ++i) {
-      for (std::size_t s = first; s < last; ++s) {
-        const auto unit = std::min_element(free[s].begin(), free[s].end());
-        double begin = *unit;
-        if (s > first) begin = std::max(begin, spans[i][s - 1].end);
-        if (i > 0) begin = std::max(begin, spans[i - 1][s].begin);
-        const std::size_t ahead = stages[s].ahead;
-        if (s + 1 < last && ahead > 0 && i >= ahead) begin = std::max(begin, spans[i - ahead][s + 1].begin);
-        *unit = begin + cycles[i][s];
-        spans[i][s] = {s, static_cast<std::size_t>(unit - free[s].begin()), i, begin, *unit};
-        run.busy[s] += cycles[i][s];
-        run.cycles = std::max(run.cycles, *unit);
-      }
+  std::vector<std::vector<double>> free;  // of each unit of a stage: from when on
+  for (const PipelineStage& stage : stages) free.emplace_back(static_cast<std::size_t>(stage.units));
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+      const auto unit = std::min_element(free[s].begin(), free[s].end());
+      double begin = *unit;
+      if (s > 0) begin = std::max(begin, spans[i][s - 1].end);
+      if (i > 0) begin = std::max(begin, spans[i - 1][s].begin);
+      const std::size_t ahead = stages[s].ahead;
+      if (s + 1 < stages.size() && ahead > 0 && i >= ahead) begin = std::max(begin, spans[i - ahead][s + 1].begin);
+      *unit = begin + cycles[i][s];
+      spans[i][s] = {s, static_cast<std::size_t>(unit - free[s].begin()), i, begin, *unit};
+      run.busy[s] += cycles[i][s];
+      run.cycles = std::max(run.cycles, *unit);
     }
-    open = run.cycles;
   }
   for (const auto& item : spans) run.spans.insert(run.spans.end(), item.begin(), item.end());
   return run;

@@ -3,7 +3,6 @@
 //
 // Idea    An item (a tile, a layer, a group of pixels) goes through all stages in order. A stage has `units`, each
 //         with one item at a time; items enter a stage in order, each at the unit that is free first.
-//         A stage that begins `after_all` waits until the stage before has ended every item (global preprocessing).
 //         `ahead` is what lies between a stage and the next: the stage begins item i only when the next one has begun
 //         item i - ahead (2: double buffers). 0: without limit.
 // Units   Cycles of the machine; fractions stay.
@@ -17,9 +16,8 @@ namespace pipegs {
 
 struct PipelineStage {
   std::string name;
-  int units = 1;           // at least 1
-  bool after_all = false;  // of the first stage: no meaning
-  std::size_t ahead = 0;   // of the last stage: no meaning
+  int units = 1;          // at least 1
+  std::size_t ahead = 0;  // of the last stage: no meaning
 };
 
 struct PipelineSpan {

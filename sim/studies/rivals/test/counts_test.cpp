@@ -77,25 +77,6 @@ TEST(RivalCounts, DependNeitherOnThreadsNorOnTheOrderInTheFile) {
   expect_same(count_frame(scene, camera, {}), wanted);
 }
 
-// 3 sigma hold all of alpha >= 1/255 up to an opacity of exp(4.5) / 255; then tests are ordered, tile by tile.
-TEST(RivalCounts, FaintExactPairsAreAmongThoseOfBothBoxesAndThoseAmongTheSquares) {
-  Scene scene = random_scene(8, 3000, 0);
-  for (Gaussian& gaussian : scene.gaussians) gaussian.opacity_logit = std::min(gaussian.opacity_logit, logit(0.35));
-  const FrameCounts counts = count_frame(scene, test_camera(200, 150), {});
-  for (const ListCounts& lists : counts.lists) {
-    for (size_t t = 0; t < lists.lengths.exact.size(); ++t) {
-      for (const Cover box : {Cover::kAxis, Cover::kOriented}) {
-        EXPECT_LE(lists.lengths.exact[t], lists.lengths[box][t]) << lists.side << " " << t;
-        EXPECT_LE(lists.lengths[box][t], lists.lengths.square[t]) << lists.side << " " << t;
-      }
-    }
-  }
-  const ListSums square = list_sums(counts.lists[0].lengths.square), exact = list_sums(counts.lists[0].lengths.exact),
-                 oriented = list_sums(counts.lists[0].lengths.oriented);
-  EXPECT_LT(exact.pairs, oriented.pairs);
-  EXPECT_LT(oriented.pairs, square.pairs);
-}
-
 TEST(RivalCounts, OfAnEmptyPictureAreNone) {
   for (const Scene& scene : {scene_of({}), scene_of({gaussian_at({0, 0, -3}), gaussian_at({0, 0, 0.1f})})}) {
     const FrameCounts counts = count_frame(scene, test_camera(33, 20), {});

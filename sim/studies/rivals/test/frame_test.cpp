@@ -29,13 +29,6 @@ TEST(RivalsPipeline, SlowestStageSetsThePace) {
   EXPECT_EQ(span_of(run, 2, 1).begin, 8);
 }
 
-TEST(RivalsPipeline, BarrierMakesTheRestWait) {
-  const PipelineRun run =
-      run_pipeline({{.name = "pre"}, {.name = "sort", .after_all = true}, {.name = "raster"}}, {{1, 2, 3}, {5, 2, 3}});
-  EXPECT_EQ(span_of(run, 0, 1).begin, 6);
-  EXPECT_EQ(run.cycles, 6 + 2 + 3 + 3);
-}
-
 TEST(RivalsPipeline, UnitsWorkSideBySide) {
   const PipelineRun run = run_pipeline({{.name = "raster", .units = 2}}, {{4}, {1}, {1}, {5}});
   // Unit 0: 4; unit 1: 1, 1, 5.

@@ -64,18 +64,6 @@ TEST(RivalsByHand, ANeedleOnTheDiagonal) {
   EXPECT_EQ(counts.lists[0].lengths.exact[3 * 16 + 3], 1u);
 }
 
-// Sigma 30 px along x or y, in the middle of the picture: the oriented box is the one in x and y, 180 px by 3.3.
-TEST(RivalsByHand, NeedlesAlongTheAxes) {
-  for (const int along : {0, 1}) {
-    SCOPED_TRACE(along);
-    Gaussian needle = gaussian_at({0, 0, 1}, 0.001f, 0.8);
-    needle.log_scale[along] = std::log(0.3f);
-    const FrameCounts counts = count_frame(scene_of({needle}), test_camera(256, 256), {});
-    EXPECT_EQ(pairs(counts, 0, Cover::kOriented), 12u * 2);
-    EXPECT_EQ(counts.lists[0].lengths.oriented, counts.lists[0].lengths.axis);
-  }
-}
-
 // Each wall leaves 0.05 to 0.06 of what is behind it, so the fourth stops every pixel and nothing after it counts.
 TEST(RivalsByHand, WallsStopTilesForWhatIsBehindThem) {
   std::vector<Gaussian> gaussians = {gaussian_at({0, 0, 9}, 0.02f, 0.8)};
@@ -96,40 +84,6 @@ TEST(RivalsByHand, WallsStopTilesForWhatIsBehindThem) {
   // The voxel of the small one, 8 to 10 in z, lies behind them: its groups have stopped.
   EXPECT_GT(counts.voxels.pairs, counts.voxels.open_pairs);
   EXPECT_EQ(counts.voxels.all.fetched - counts.voxels.open.fetched, counts.voxels.pairs - counts.voxels.open_pairs);
-}
-
-// The fourth wall stands at 2.4 and its voxel begins at 2.3, so groups fetch it before they stop; they stop before the
-// voxel of the one at 9, which begins at 6.9. A voxel that ends before the near plane meets nothing.
-TEST(RivalsByHand, VoxelsBeforeAndBehindWalls) {
-  std::vector<Gaussian> gaussians;
-  for (int i = 1; i <= 4; ++i) gaussians.push_back(gaussian_at({0, 0, 2 + 0.1f * static_cast<float>(i)}, 3, 0.95));
-  const VoxelCounts walls = count_frame(scene_of(gaussians), test_camera(40, 24), {.voxel = 2.3}).voxels;
-  EXPECT_EQ(walls.occupied, 2u);
-  EXPECT_EQ(walls.met, 2u);
-  EXPECT_EQ(walls.open_pairs, walls.pairs);
-  gaussians.push_back(gaussian_at({0, 0, 9}, 0.02f, 0.8));
-  const VoxelCounts all = count_frame(scene_of(gaussians), test_camera(40, 24), {.voxel = 2.3}).voxels;
-  EXPECT_EQ(all.met, 3u);
-  EXPECT_GT(all.pairs, walls.pairs);
-  EXPECT_EQ(all.open_pairs, walls.pairs);
-
-  const Scene two = scene_of({gaussian_at({0, 0, 0.7f}), gaussian_at({0, 0, 1.7f})});
-  const VoxelCounts far = count_frame(two, test_camera(40, 24), {.near_plane = 1.1, .voxel = 0.5}).voxels;
-  EXPECT_EQ(far.occupied, 2u);
-  EXPECT_EQ(far.met, 1u);
-  EXPECT_EQ(far.distinct.fetched, 1u);
-}
-
-// Three in depth order in two tiles of the same row: left and right, right, left.
-TEST(RivalsByHand, NeighboursShareTiles) {
-  const auto at = [](double pixel_x, float z, float scale) {
-    return gaussian_at({static_cast<float>((pixel_x - 15.5) / 100) * z, 0, z}, scale * z, 0.8);
-  };
-  const Scene scene = scene_of({at(8, 3, 0.001f), at(15.5, 1, 0.01f), at(24, 2, 0.001f)});
-  const NeighbourCounts found = count_frame(scene, test_camera(32, 16), {}).neighbours;
-  EXPECT_EQ(found.pairs, 2u);
-  EXPECT_EQ(found.tiles, 2u);
-  EXPECT_EQ(found.shared, 1u);
 }
 
 // More of them than a thread takes at a time.
