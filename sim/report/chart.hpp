@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// chart.hpp: what was found, as a chart: bars side by side or stacked, lines with markers, histograms, clouds of points.
+// chart.hpp: what was found, as a chart: bars side by side or stacked, lines, histograms, clouds of points.
 //
 // Idea    A Chart is data and labels; sim/report/page draws it: charts.mjs in a page, svg.sh as a file.
 // Rule    Nothing is drawn that is not in the data: a value that is not finite leaves a gap. On a logarithmic axis the

@@ -166,7 +166,8 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   EXPECT_EQ(design_point["clocks"][0]["flipflops"], 5);
   EXPECT_DOUBLE_EQ(design_point["clocks"][0]["gated_j"], rows[1].gated_j());
   const Outcome table = run(silicon_ + "--design dop --keep kept");
-  for (const char* part : {"unseen, %", "  80.0  ", "  33.3  ", "modules whose clocks take most", "           5      4  "})
+  for (const char* part :
+       {"unseen, %", "  80.0  ", "  33.3  ", "modules whose clocks take most", "           5      4  "})
     EXPECT_NE(table.out.find(part), std::string::npos) << part << " in\n" << table.out;
   EXPECT_DOUBLE_EQ(design_point["frames_per_joule"], 1e5 / rows[6].watts(1e5).mid);
   EXPECT_DOUBLE_EQ(design_point["frames_per_joule_with_dram"], 1e5 / (rows[6].watts(1e5).mid + rows[7].watts(1e5).mid));

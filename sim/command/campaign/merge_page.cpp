@@ -8,8 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/report/html/printed_tables.hpp"
-
 namespace pipegs {
 namespace {
 
@@ -64,7 +62,7 @@ std::optional<Chart> chart_of(const Drawn& drawn, const std::vector<PointResult>
     std::vector<double>& row = values[machine];
     row.resize(std::max(row.size(), view + 1), std::numeric_limits<double>::quiet_NaN());
     const std::optional<double> value =
-        one.kept ? leading_number(figure_text((*one.kept)["result"], drawn.place)) : std::nullopt;
+        one.kept ? field_cell(figure_text((*one.kept)["result"], drawn.place)).value : std::nullopt;
     if (!value) continue;
     row[view] = *value;
     any = true;
@@ -86,8 +84,6 @@ std::optional<Chart> chart_of(const Drawn& drawn, const std::vector<PointResult>
   return chart;
 }
 
-TableCell figure(const std::string& text) { return {.text = text, .value = leading_number(text)}; }
-
 Table points_table(const std::vector<PointResult>& points) {
   Table table{.title = ""};
   for (const char* name : {"scene", "view", "camera", "configuration", "design point", "window", "measured"})
@@ -98,17 +94,18 @@ Table points_table(const std::vector<PointResult>& points) {
   for (const PointResult& one : points) {
     const PointArguments& point = one.point.arguments;
     std::vector<TableCell> row = {{.text = one.point.scene},
-                                  figure(std::to_string(point.view.view)),
+                                  field_cell(std::to_string(point.view.view)),
                                   {.text = one.camera},
                                   {.text = one.point.configuration},
                                   {.text = point.view.design_point},
                                   {.text = window_of(point.view)},
                                   {.text = one.kept ? "yes" : "missing"}};
     for (const FigureColumn& column : point_figures())
-      row.push_back(figure(one.kept ? figure_text((*one.kept)["result"], column.place) : ""));
+      row.push_back(field_cell(one.kept ? figure_text((*one.kept)["result"], column.place) : ""));
     for (const CostColumn& cost : kCosts)
-      row.push_back(one.kept ? figure(fmt::format("{:.1f}", (*one.kept)["cost"][cost.key].get<double>() / cost.unit))
-                             : TableCell{});
+      row.push_back(one.kept
+                        ? field_cell(fmt::format("{:.1f}", (*one.kept)["cost"][cost.key].get<double>() / cost.unit))
+                        : TableCell{});
     std::string settings = "--design " + point.view.design_point;
     for (const std::string& setting : point.view.settings) settings += " --set " + setting;
     row.push_back({.text = settings});

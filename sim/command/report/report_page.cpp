@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "sim/report/html/pictures.hpp"
-#include "sim/report/html/printed_tables.hpp"
 
 namespace pipegs {
 namespace {
@@ -151,7 +150,7 @@ Table walk_table(const WalkResult& walk) {
     const WalkFrame& one = walk.frames[i];
     table.rows.push_back({{.text = one.camera},
                           count(i),
-                          {.text = one.view, .value = leading_number(one.view)},
+                          field_cell(one.view),
                           count(one.cycles),
                           count(one.queued),
                           count(one.mismatches),
@@ -188,7 +187,7 @@ Table campaign_table(const CampaignResult& campaign) {
     table.columns.push_back({.heading = campaign.columns[k], .word = k < 5 && k != 1});
   for (const std::vector<std::string>& row : campaign.rows) {
     std::vector<TableCell>& cells = table.rows.emplace_back();
-    for (const std::string& text : row) cells.push_back({.text = text, .value = leading_number(text)});
+    for (const std::string& text : row) cells.push_back(field_cell(text));
   }
   return table;
 }

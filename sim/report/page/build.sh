@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# build.sh: the templates of the pages, OUT/*.html, each with its libraries in it, and the drawer of charts, OUT/svg.mjs:
+# build.sh: the templates of the pages, OUT/*.html, each with its libraries in it, and OUT/svg.mjs, which draws charts:
 #   build.sh OUT [dev]
 #
 # npm installs what package-lock.json names into OUT (dev: also the driver of the browser that the tests use), esbuild
