@@ -22,25 +22,14 @@ class Outputs : public Cli {
       "shapes" + none_ + "--keep ",  "stress --count 1 --no-rtl --out ", "split" + none_ + "--out ",
       "pack" + none_ + "--out ",     "train" + none_ + "--out ",         "point" + none_ + "--keep ",
       "campaign missing.json --out "};
-  const std::vector<std::string> files_ = {"sim" + none_ + "--waves ",
-                                           "ladder" + none_ + "--svg ",
-                                           "timeline" + none_ + "--out ",
-                                           "silicon" + none_ + "--svg ",
-                                           "silicon" + none_ + "--table ",
-                                           "info missing.ply --save ",
-                                           "budget --count 10 --svg ",
-                                           "shapes" + none_ + "--svg ",
-                                           "ladder" + none_ + "--page ",
-                                           "profile" + none_ + "--page ",
-                                           "silicon" + none_ + "--page ",
-                                           "tradeoff" + none_ + "--page ",
-                                           "shapes" + none_ + "--page ",
-                                           "rivals" + none_ + "--page ",
-                                           "budget --count 10 --page ",
-                                           "sim" + none_ + "--page ",
-                                           "sim" + none_ + "--viewer ",
-                                           "report missing --page ",
-                                           "campaign missing.json --out out --merge --page "};
+  const std::vector<std::string> files_ = {
+      "sim" + none_ + "--waves ",     "silicon" + none_ + "--table ",
+      "info missing.ply --save ",     "ladder" + none_ + "--page ",
+      "profile" + none_ + "--page ",  "silicon" + none_ + "--page ",
+      "tradeoff" + none_ + "--page ", "shapes" + none_ + "--page ",
+      "rivals" + none_ + "--page ",   "budget --count 10 --page ",
+      "sim" + none_ + "--page ",      "sim" + none_ + "--viewer ",
+      "report missing --page ",       "campaign missing.json --out out --merge --page "};
 
   void expect_unwritable(const std::string& arguments, const std::string& part) {
     SCOPED_TRACE(arguments);

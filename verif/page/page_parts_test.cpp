@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/design/design_point.hpp"
 #include "sim/report/chart.hpp"
 #include "sim/report/html/frame/frame_page.hpp"
 #include "sim/report/html/frame/pixel_map.hpp"
+#include "sim/report/html/study_page.hpp"
 
 namespace pipegs {
 namespace {
@@ -128,6 +130,33 @@ TEST(Sentences, AnEmptyViewHasNoBound) {
   Json empty = report(1);
   empty["bounds"]["largest"] = nullptr;
   EXPECT_NE(frame_sentences(empty)["frame"].get<std::string>().find("no work"), std::string::npos);
+}
+
+TEST(StudyPage, ItsJsonHoldsNoInfinityAndEndsNoElement) {
+  StudyPage page("</script>", "pipegs <x>", "v");
+  const double inf = std::numeric_limits<double>::infinity();
+  page.charts({{.form = Chart::Form::kScatter,
+                .title = "t",
+                .series = {{.name = "s", .values = {1, inf}, .x = {std::nan(""), 2}, .labels = {"a", "b"}}}}});
+  page.table({.title = "",
+              .columns = {{.heading = "a", .word = true}, {.heading = "empty"}, {.heading = "b"}},
+              .rows = {{{.text = "x"}, {.text = ""}, {.text = "1", .value = 1}}}});
+  const std::string html = page.text("<!--data-->");
+  EXPECT_EQ(html.find("</script>"), html.rfind("</script>")) << "one element, ended once";
+  const size_t from = html.find('{');
+  const auto section = nlohmann::json::parse(html.substr(from, html.find("</script>") - from))["sections"][0];
+  EXPECT_EQ(section["charts"][0]["series"][0]["values"].dump(), "[1.0,null]");
+  EXPECT_EQ(section["charts"][0]["series"][0]["x"].dump(), "[null,2.0]");
+  EXPECT_EQ(section["tables"][0]["columns"].size(), 2u) << "an empty column is left out";
+  EXPECT_EQ(section["tables"][0]["rows"][0][1]["value"], 1.0);
+}
+
+TEST(StudyPage, MachinesAreSettingsForAnyCommand) {
+  EXPECT_EQ(machine_words(find_design_point("fast").config), "--design fast");
+  EXPECT_EQ(machine_words(Config{}), "--design dop");
+  Config config = find_design_point("exact").config;
+  config.units = 2, config.alpha_w = 11;
+  EXPECT_EQ(machine_words(config), "--design exact --set units=2 --set alpha_w=11");
 }
 
 }  // namespace

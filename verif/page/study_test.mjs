@@ -35,7 +35,7 @@ async function every_value_is_drawn(page) {
 const numbers_of = (text) => text.replace(/[\u202f']/g, '').match(/\d+(\.\d+)?/g) ?? [];
 
 async function every_number_is_there(page, text) {
-  const shown = await page.evaluate(() => [...document.querySelectorAll('h1, h3, p, td, th, figcaption')]
+  const shown = await page.evaluate(() => [...document.querySelectorAll('h1, h3, p, td, th, pre, figcaption')]
     .map((element) => element.textContent).join('\n'));
   const there = new Set(numbers_of(shown));
   const missing = numbers_of(text).filter((number) => !there.has(number));

@@ -64,7 +64,6 @@ void PageArgument::write(const StudyFindings& findings) const {
   if (!findings.charts.empty()) made.section("Charts");
   made.charts(findings.charts);
   made.section("Figures");
-  made.printed(findings.printed);
   for (const Table& table : findings.tables) made.table(table);
   if (!findings.machines.empty()) made.table(machines_table(findings.machines));
   write(made);

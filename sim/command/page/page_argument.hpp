@@ -39,8 +39,7 @@ struct StudyFindings {
   std::string title;
   std::string head;  // scene, view, memory: one line
   std::vector<Chart> charts;
-  std::string printed = {};        // what the command prints
-  std::vector<Table> tables = {};  // the same, of commands that print tables
+  std::vector<Table> tables = {};
   NamedMachines machines;
 };
 

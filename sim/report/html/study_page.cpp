@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/report/html/printed_tables.hpp"
-
 namespace pipegs {
 
 using Json = nlohmann::ordered_json;
@@ -34,9 +32,7 @@ void StudyPage::charts(const std::vector<Chart>& charts) {
 
 void StudyPage::table(const Table& table) { last("tables").push_back(table_json(table)); }
 
-void StudyPage::printed(const std::string& text) {
-  for (const Table& one : printed_tables(text)) table(one);
-}
+void StudyPage::printed(const std::string& text) { last("printed") = text; }
 
 void StudyPage::picture(const std::string& caption, const std::string& png, const std::string& id) {
   const std::string file = fmt::format("picture{}", pictures_++);

@@ -9,7 +9,6 @@
 
 #include "sim/design/design_point.hpp"
 #include "sim/report/html/pictures.hpp"
-#include "sim/report/html/printed_tables.hpp"
 
 #include "sim/report/html/document.hpp"
 
@@ -20,8 +19,14 @@ constexpr int kPictureWidth = 480;
 
 TableCell number(double value, int digits) { return {.text = fmt::format("{:.{}f}", value, digits), .value = value}; }
 
+// Of "~1.2" and of "12 *", too.
+std::optional<double> number_in(const std::string& text) {
+  const size_t from = text.starts_with('~') ? 1 : 0;
+  return field_cell(text.substr(from, text.find(' ') - from)).value;
+}
+
 TableCell told(const std::string& text) {
-  return {.text = text, .value = text == "inf" ? std::optional(1e9) : leading_number(text)};
+  return {.text = text, .value = text == "inf" ? std::optional(1e9) : number_in(text)};
 }
 
 // Knob and value of a row, and what was measured.
@@ -47,7 +52,7 @@ std::vector<TableCell> row_of(const NamedPoint& row, const AccuracySweep& sweep)
   const Accuracy& a = row.point->figures;
   const auto cycles = static_cast<double>(a.cycles);
   return {{.text = row.knob},
-          {.text = row.value, .value = leading_number(row.value)},
+          {.text = row.value, .value = number_in(row.value)},
           told(decibels(a.numeric.psnr)),
           told(decibels(a.order.psnr)),
           told(decibels(a.total.psnr)),
