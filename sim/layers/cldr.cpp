@@ -79,18 +79,21 @@ double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const Cldr
   return std::accumulate(losses.begin(), losses.end(), 0.0);
 }
 
-std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid) {
-  std::array<std::size_t, 3> count{};
+Margin margin(const Scene& scene, const LayerGrid& grid) {
+  Margin result{grid.cells, {}};
+  std::size_t drawn = 0;
   for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
     ActivatedGaussian gaussian;
     if (activate(scene, i, gaussian) != Cull::kNone) continue;
+    ++drawn;
     const glm::dmat3 rotation = rotation_matrix(gaussian.rotation);
     for (int axis = 0; axis < 3; ++axis) {
       const double sigma = glm::length(extent(rotation, gaussian.scale, axis));
-      count[static_cast<std::size_t>(axis)] += sigma > kGamma * grid.distance(axis, gaussian.mean[axis]).length;
+      result.share[static_cast<std::size_t>(axis)] += sigma > kGamma * grid.distance(axis, gaussian.mean[axis]).length;
     }
   }
-  return count;
+  for (double& share : result.share) share /= static_cast<double>(std::max<std::size_t>(drawn, 1));
+  return result;
 }
 
 }  // namespace pipegs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// cldr: the loss that keeps Gaussians inside their layers, and who is not yet inside.
+// cldr: the loss that keeps Gaussians inside their layers, and which share of a scene is not inside.
 //
 // Paper   Eq. 4: sigma_n^2 = n^T R diag(s^2) R^T n, n a world axis.
 //         Eq. 5: L_boundary = 1/N sum_i max(0, sigma_n - gamma d)^2, d the distance to the nearest boundary.
@@ -35,7 +35,14 @@ struct CldrOptions {
 // Adds to `sum`, if it is not null.
 double cldr_loss(const Parameters& parameters, const LayerGrid& grid, const CldrOptions& options, Gradient* sum);
 
-// By axis: how many Gaussians have sigma > gamma d.
-std::array<std::size_t, 3> violators(const Scene& scene, const LayerGrid& grid);
+inline constexpr std::array<int, 2> kMarginGrids = {4, 8};  // cells along an axis
+
+// A view is drawn in the layers of its principal axis, so there is one share for each axis and grid.
+struct Margin {
+  int grid = 0;
+  std::array<double, 3> share{};  // by axis: of the Gaussians that can be drawn, those with sigma > gamma d
+};
+
+Margin margin(const Scene& scene, const LayerGrid& grid);
 
 }  // namespace pipegs

@@ -6,7 +6,7 @@
 #include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
 #include "scenes/text/json.hpp"
-#include "sim/layers/margin.hpp"
+#include "sim/layers/cldr.hpp"
 
 namespace pipegs {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/layers/margin.hpp"
+#include "sim/layers/cldr.hpp"
 #include "sim/studies/train/run/evaluate.hpp"
 #include "sim/studies/train/run/trainer.hpp"
 

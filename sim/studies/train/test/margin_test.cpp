@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Against sim/layers/margin: who reaches over the planes between layers.
-#include "sim/layers/margin.hpp"
+// Against margin() of sim/layers/cldr: who reaches over the planes between layers.
+#include "sim/layers/cldr.hpp"
 
 #include <gtest/gtest.h>
 

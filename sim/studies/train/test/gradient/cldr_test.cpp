@@ -53,8 +53,8 @@ TEST(Cldr, IsEquationFiveOnABall) {
   EXPECT_NEAR(cldr_loss(p, kGrid, options, &gradient), share * log * log, 1e-12);
   EXPECT_NEAR(gradient.log_scale[0].x, share * 2 * log, 1e-9);  // of the logarithm of sigma: no unit, no d
   EXPECT_NEAR(gradient.mean[0].x, share * 2 * log * -8, 1e-7);
-  EXPECT_EQ(violators(scene_of(p, ""), kGrid), (std::array<std::size_t, 3>{1, 0, 0}));
-  EXPECT_EQ(violators(scene_of(p, ""), LayerGrid{}), (std::array<std::size_t, 3>{0, 0, 0}));
+  EXPECT_EQ(margin(scene_of(p, ""), kGrid).share, (std::array<double, 3>{0.5, 0, 0}));
+  EXPECT_EQ(margin(scene_of(p, ""), LayerGrid{}).share, (std::array<double, 3>{}));
 }
 
 TEST(Cldr, SigmaIsThatOfTheTurnedEllipsoid) {
