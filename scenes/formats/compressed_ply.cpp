@@ -17,7 +17,7 @@
 #include "scenes/formats/format.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/ply/ply.hpp"
-#include "scenes/ply/ply_body.hpp"
+#include "scenes/ply/ply_file.hpp"
 
 namespace pipegs {
 namespace {

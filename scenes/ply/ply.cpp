@@ -20,8 +20,7 @@
 #include "scenes/atomic_file.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/own_failure.hpp"
-#include "scenes/ply/ply_body.hpp"
-#include "scenes/ply/ply_header.hpp"
+#include "scenes/ply/ply_file.hpp"
 #include "scenes/text/json.hpp"
 #include "scenes/text/number.hpp"
 

@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <iosfwd>
 
-#include "scenes/ply/ply_header.hpp"
+#include "scenes/ply/ply_file.hpp"
 #include "scenes/scene.hpp"
 
 namespace pipegs {

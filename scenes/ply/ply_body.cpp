@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// ply_body: decoding of element rows; see ply_body.hpp.
+// ply_body: decoding of element rows; see ply_file.hpp.
 //
 // Idea    Three paths, by rising generality: rows of fixed size in blocks, rows with lists property
 //         by property, ASCII word by word, a line for each row.
-#include "scenes/ply/ply_body.hpp"
+#include "scenes/ply/ply_file.hpp"
 
 #include <fmt/format.h>
 

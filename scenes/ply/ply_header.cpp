@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// ply_header: the parser of ply_header.hpp.
+// ply_header: the parser of ply_file.hpp.
 //
 // Idea    One keyword per line: ply, format, comment, obj_info, element, property, end_header.
 //         Every line is checked for its number of words, every count and type by name; the first
 //         thing that is wrong is reported as "line N".
-#include "scenes/ply/ply_header.hpp"
+#include "scenes/ply/ply_file.hpp"
 
 #include <fmt/format.h>
 

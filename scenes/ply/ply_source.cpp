@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// ply_source: buffered reading; see ply_source.hpp.
+// ply_source: buffered reading; see ply_file.hpp.
 //
 // Idea    Valid bytes are buffer_[begin_, end_). fill() moves them to the front and reads on; the
 //         buffer grows only for a single take() larger than itself, and never beyond the file.
-#include "scenes/ply/ply_source.hpp"
+#include "scenes/ply/ply_file.hpp"
 
 #include <fmt/format.h>
 

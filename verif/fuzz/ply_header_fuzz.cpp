@@ -4,7 +4,7 @@
 #include <set>
 
 #include "scenes/input_error.hpp"
-#include "scenes/ply/ply_header.hpp"
+#include "scenes/ply/ply_file.hpp"
 #include "verif/fuzz/keep.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
