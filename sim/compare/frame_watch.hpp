@@ -50,12 +50,10 @@ class FrameWatch : public RtlTaps {
   // First cycle in which a line of alphas is blended; ~0 when none was.
   uint64_t first_line() const { return first_line_; }
   // Splats that are in the SUs and the merge: those that went in less those that came out.
-  uint64_t records() const { return records_; }
   uint64_t peak_records() const { return peak_records_; }
   bool has_alpha_stores() const { return config_.has_stores(); }
-  // Lines of one alpha store that belong to splats that have left their PU, and are needed.
-  uint64_t alpha_lines(int unit) const { return alpha_lines_[unit]; }
-  uint64_t peak_alpha_lines() const { return peak_alpha_lines_; }  // of the fullest store
+  // Lines of the fullest alpha store that belong to splats that have left their PU, and are needed.
+  uint64_t peak_alpha_lines() const { return peak_alpha_lines_; }
 
  protected:
   // Called first in each cycle: what unit `index` of the order DOPU, PUs, SUs, RUs does.
@@ -67,7 +65,6 @@ class FrameWatch : public RtlTaps {
   uint64_t now() const { return cycle_; }
   const Config& config() const { return config_; }
   // Where a unit is now.
-  const FramePlace& dopu_place() const { return dopu_.place; }
   const FramePlace& su_place() const { return sorted_.place; }
   const FramePlace& ru_place(int unit) const { return ru_[unit].place; }
 
