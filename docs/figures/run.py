@@ -22,7 +22,7 @@ SVG = ROOT / "sim/report/page/svg.sh"
 QUICK = 20  # seconds of one that the tests measure again
 TIMES = {"seconds", "wall_seconds", "host", "khz", "speed_ratio"}  # keys of what the computer took
 UNKNOWN = 60  # seconds of one that was never measured
-scenes_lock = threading.Lock()
+shared = threading.Lock()  # of what measurements have in common: scenes, the libraries of charts
 running = {}  # process: name of its measurement
 
 
@@ -38,15 +38,23 @@ def command_line(one, scene, build):
     return words
 
 
-def draw(charts, file, build):
-    """Charts of a command's JSON as an SVG file."""
-    run = subprocess.run([SVG, build / "page"], input=json.dumps(charts), stdout=subprocess.PIPE, text=True, check=True)
-    file.write_text(run.stdout)
+def draw(one, charts, build):
+    """The chart and the picture of a measurement, in docs/images."""
+    if one.chart:
+        with shared:
+            words = [SVG, build / "page"]
+            drawn = subprocess.run(
+                words, input=json.dumps(charts), stdout=subprocess.PIPE, text=True, check=True
+            ).stdout
+        (ROOT / "docs/images" / one.chart).write_text(drawn)
+    if one.picture:
+        image, written = one.picture
+        shutil.copyfile(build / written, ROOT / "docs/images" / image)
 
 
-def execute(one, build):
-    """(its figures, "") or (None, why there are none)"""
-    with scenes_lock:
+def execute(one, build, drawn=False):
+    """(its figures, "") or (None, why there are none); what it draws is drawn when that is asked for."""
+    with shared:
         scene = prepared(one.scene, build)
     if scene is None:
         return None, f"skipped: no scene {one.scene} (set PIPEGS_SHARED)"
@@ -60,13 +68,10 @@ def execute(one, build):
     try:
         found = json.loads(printed) if printed.lstrip()[:1] in ("{", "[") else printed
         charts = found.pop("charts", None) if isinstance(found, dict) else None
-        if one.chart:
-            draw(charts, ROOT / "docs/images" / one.chart, build)
-        if one.picture:
-            image, written = one.picture
-            shutil.copyfile(build / written, ROOT / "docs/images" / image)
+        if drawn:
+            draw(one, charts, build)
         return one.read(found) if one.read else found, ""
-    except (KeyError, ValueError, TypeError, AttributeError, subprocess.CalledProcessError) as error:
+    except (KeyError, ValueError, TypeError, AttributeError, OSError, subprocess.CalledProcessError) as error:
         return None, f"failed: its output has not the figures expected: {error!r}"
 
 
@@ -74,7 +79,7 @@ def measure(one, build, commit):
     """Runs a measurement and stores it. What is to be said of it."""
     hashes = one.hashes()  # before the run: an edit during it makes the data older, not newer
     start = time.monotonic()
-    figures, reason = execute(one, build)
+    figures, reason = execute(one, build, drawn=True)
     if reason:
         return reason
     seconds = time.monotonic() - start
@@ -110,10 +115,9 @@ def rtl_machines(ones):
 
 
 def prepare(ones, build):
-    """What the measurements have in common: tests built, the modules of their machines found."""
-    targets = {target for one in ones for target in one.targets}
-    if targets:
-        subprocess.run(["cmake", "--build", build, "--target", *sorted(targets)], check=True, stdout=sys.stderr)
+    """What the measurements have in common: programs of today's sources, the modules of their machines."""
+    targets = {"pipegs", "package_sv", *(target for one in ones for target in one.targets)}
+    subprocess.run(["cmake", "--build", build, "--target", *sorted(targets)], check=True, stdout=sys.stderr)
     machines = rtl_machines(TABLE)
     for machine in sorted(rtl_machines(ones)):
         find_modules(machine, machines, build)
