@@ -145,6 +145,20 @@ TEST(Frame, TinyStoresOverflowAndChangeNothing) {
   EXPECT_GT(tiny.rtl.overflow_lines, 1000u) << "the stores were meant to overflow";
 }
 
+// So many at one depth that no watermark lets the default machine release one before it has no room left.
+TEST(Frame, MoreThanTheDefaultMachineHoldsOfOneDepth) {
+  std::vector<Gaussian> gaussians;
+  std::mt19937 rng(7);
+  for (int i = 0; i < 10000; ++i) {
+    gaussians.push_back(
+        gaussian_at({(static_cast<float>(rng() % 200) - 100) / 1000, (static_cast<float>(rng() % 200) - 100) / 1000, 2},
+                    0.03f, 0.02));
+  }
+  Simulation result;
+  expect_equal(scene_of(gaussians), test_camera(64, 64), machine(kFast), result);
+  EXPECT_GT(result.rtl.overflow_lines, 1000u) << "the Sorting Units were meant to spill";
+}
+
 TEST(Frame, TheImageDoesNotDependOnTheMemory) {
   const Scene scene = random_scene(41, 3000, 3);
   const Camera camera = test_camera(192, 192, 150);
