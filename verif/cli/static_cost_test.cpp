@@ -4,10 +4,8 @@
 #include "sim/design/static_cost.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
+#include <cstdio>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -18,7 +16,6 @@
 namespace pipegs {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr size_t kAdderWidth = 14;  // narrower sums and indices are not counted, see static_cost.hpp
@@ -108,27 +105,16 @@ class Netlist {
   const Json modules_;
 };
 
+// As synth/elaborate.py keeps it.
 Elaborated elaborate(const std::string& settings) {
-  const fs::path folder = fs::temp_directory_path() / ("pipegs_cost_" + std::to_string(getpid()));
-  fs::create_directories(folder);
-  const std::string package = (folder / "pipegs_pkg.sv").string(), netlist = (folder / "top.json").string();
-  EXPECT_EQ(std::system(("'" PIPEGS_PACKAGE_SV "' " + settings + " > '" + package + "'").c_str()), 0);
-  std::string files;
-  for (const auto& file : fs::recursive_directory_iterator(PIPEGS_SOURCE_DIR "/rtl")) {
-    if (file.path().extension() == ".sv" && file.path().filename() != "pipegs_pkg.sv")
-      files += " " + file.path().string();
-  }
-  const std::string script =
-      "read_verilog -sv -defer -DSYNTHESIS " + package + files +
-      "; hierarchy -top pipegs_top; proc; check -assert; opt_expr; opt_merge; opt_clean; write_json " + netlist;
-  EXPECT_EQ(
-      std::system(("yosys -q -e 'implicitly declared' -p \"" + script + "\" > '" + (folder / "log").string() + "' 2>&1")
-                      .c_str()),
-      0);
-  std::ifstream text(netlist);
-  Elaborated result = Netlist(Json::parse(text)).result;
-  fs::remove_all(folder);
-  return result;
+  FILE* pipe = popen((PIPEGS_SOURCE_DIR "/synth/elaborate.py '" PIPEGS_BUILD_DIR "' " + settings).c_str(), "r");
+  std::string folder;
+  for (int c; (c = fgetc(pipe)) != EOF;) folder += static_cast<char>(c);
+  EXPECT_EQ(pclose(pipe), 0) << "Yosys fails, as it says above";
+  if (folder.empty()) return {};
+  folder.pop_back();  // the end of the line
+  std::ifstream text(folder + "/merged.json");
+  return Netlist(Json::parse(text)).result;
 }
 
 void expect_as_built(const std::string& settings) {

@@ -9,35 +9,18 @@ Output  Such pairs, then how many streams were followed; exits 1 when there is a
 """
 import json
 import re
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
-# The first three are dop, tspp and dpc: synth/lint.sh leaves the latter two to this test.
-MACHINES = [
-    ("pipegs_top", ""),
-    ("pipegs_top", "order=1"),
-    ("pipegs_top", "late=1 order=1 records=2048"),
-    ("pipegs_top", "units=1 late=1 order=2 quads=1 tight_cull=1 window=32"),
-    ("pipegs_axi_manager", ""),
-    ("pipegs_control_registers", ""),
-]
+sys.path.insert(0, str(Path(__file__).parents[3] / "synth"))
+from design_points import design_points  # noqa: E402
+from elaborate import ROOT, elaborated  # noqa: E402
+
+# tspp and dpc are read here in place of synth/lint.sh, dop and fast by verif/cli/static_cost_test.cpp, too.
+POINTS = ["dop", "tspp", "dpc", "fast"]
+MACHINES = [("pipegs_top", design_points()[name]) for name in POINTS]
+MACHINES += [("pipegs_axi_manager", []), ("pipegs_control_registers", [])]
 REGISTERS = re.compile(r"\$(a|s|al)?dff|\$(a|d)?latch|\$mem")
-
-
-def elaborate(build, root, top, settings, folder):
-    package, out = folder / "pipegs_pkg.sv", folder / "machine.json"
-    with package.open("w") as file:
-        subprocess.run([build / "cpp_model/package_sv", *settings.split()], stdout=file, check=True)
-    files = " ".join(str(path) for path in sorted(root.glob("rtl/**/*.sv")) if path.stem != "pipegs_pkg")
-    script = f"""read_verilog -sv -defer -DSYNTHESIS {package} {files}
-        hierarchy -check -top {top}; proc; check -assert; opt_clean; write_json {out}"""
-    command = ["yosys", "-q", "-e", "implicitly declared", "-p", script]
-    log = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if log.returncode != 0:
-        sys.exit(f"yosys {top} {settings}\n" + "\n".join(log.stdout.splitlines()[-8:]))
-    return json.loads(out.read_text())["modules"]
 
 
 def bits(wires):
@@ -105,12 +88,12 @@ def plain(name):
 
 
 def main():
-    build = Path(sys.argv[1]).resolve()
-    root = Path(sys.argv[2] if len(sys.argv) > 2 else Path(__file__).parents[3]).resolve()
+    build, root = sys.argv[1], Path(sys.argv[2] if len(sys.argv) > 2 else ROOT).resolve()
+    store = None if root == ROOT else root / "elaborated"
     streams, wrong = set(), set()
-    for top, settings in [("pipegs_top", sys.argv[3])] if len(sys.argv) > 3 else MACHINES:
-        with tempfile.TemporaryDirectory() as folder:
-            modules = elaborate(build, root, top, settings, Path(folder))
+    for top, settings in [("pipegs_top", sys.argv[3].split())] if len(sys.argv) > 3 else MACHINES:
+        folder = elaborated(build, settings, top, root, store)
+        modules = json.loads((folder / "proc.json").read_text(encoding="utf-8"))["modules"]
         follower = Follower(modules)
         for name, module in modules.items():
             for (port, _), sources in follower.of(name).items():
