@@ -39,6 +39,23 @@ inline std::vector<std::string> elements_of(const std::string& name, const std::
 
 inline std::string joined(const auto& elements) { return fmt::format("{}", fmt::join(elements, ",")); }
 
+// As many elements as the shape has, such as X,Y,Z; `read` gets each with its place.
+template <class Value>
+CLI::Option* add_shape(CLI::App& app, const std::string& name, std::vector<Value>& values, const std::string& what,
+                       const std::string& shape, std::function<Value(const std::string&, size_t)> read) {
+  return number_option_detail::add<std::vector<Value>>(
+      app, name, what, shape, values,
+      [name, shape, read = std::move(read)](const std::string& list) {
+        const std::vector<std::string> found = elements_of(name, list);
+        if (found.size() != elements_of(name, shape).size())
+          throw CLI::ValidationError(name, fmt::format("found {}, expected {}", quote(list), shape));
+        std::vector<Value> values;
+        for (size_t i = 0; i < found.size(); ++i) values.push_back(read(found[i], i));
+        return values;
+      },
+      [] { return ""; });
+}
+
 }  // namespace list_option_detail
 
 inline CLI::Option* add_names(CLI::App& app, const std::string& name, std::vector<std::string>& names,
@@ -56,61 +73,27 @@ inline CLI::Option* add_names(CLI::App& app, const std::string& name, std::vecto
       [&names] { return list_option_detail::joined(names); });
 }
 
-inline CLI::Option* add_integers(CLI::App& app, const std::string& name, std::vector<int>& values,
-                                 const std::string& what, int low, int high) {
-  return number_option_detail::add<std::vector<int>>(
-      app, name, what, "INTS", values,
-      [name, low, high](const std::string& list) {
-        std::vector<int> found;
-        for (const std::string& element : list_option_detail::elements_of(name, list))
-          found.push_back(parse_integer<int>(element, low, high));
-        return found;
-      },
-      [&values] { return list_option_detail::joined(values); });
-}
-
 // Column and row; nothing is set without the option.
 inline CLI::Option* add_place(CLI::App& app, const std::string& name, std::vector<int>& place,
                               const std::string& what) {
-  return number_option_detail::add<std::vector<int>>(
-      app, name, what, "COLUMN,ROW", place,
-      [name](const std::string& list) {
-        const std::vector<std::string> found = list_option_detail::elements_of(name, list);
-        if (found.size() != 2)
-          throw CLI::ValidationError(name, fmt::format("found {}, expected COLUMN,ROW", quote(list)));
-        return std::vector<int>{parse_integer<int>(found[0], 0), parse_integer<int>(found[1], 0)};
-      },
-      [] { return ""; });
+  return list_option_detail::add_shape<int>(app, name, place, what, "COLUMN,ROW", [](const std::string& text, size_t) {
+    return parse_integer<int>(text, 0);
+  });
 }
 
-// Three numbers, X,Y,Z; nothing is set without the option.
+// Three numbers; nothing is set without the option.
 inline CLI::Option* add_vector(CLI::App& app, const std::string& name, std::vector<double>& values,
                                const std::string& what, const RealRange& range) {
-  return number_option_detail::add<std::vector<double>>(
-      app, name, what, "X,Y,Z", values,
-      [name, range](const std::string& list) {
-        std::vector<double> found;
-        for (const std::string& element : list_option_detail::elements_of(name, list))
-          found.push_back(parse_real(element, range));
-        if (found.size() != 3) throw CLI::ValidationError(name, fmt::format("found {}, expected X,Y,Z", quote(list)));
-        return found;
-      },
-      [] { return ""; });
+  return list_option_detail::add_shape<double>(
+      app, name, values, what, "X,Y,Z", [range](const std::string& text, size_t) { return parse_real(text, range); });
 }
 
-// A rectangle of pixels, X,Y,W,H; nothing is set without the option.
+// A rectangle of pixels; nothing is set without the option.
 inline CLI::Option* add_rectangle(CLI::App& app, const std::string& name, std::vector<int>& rectangle,
                                   const std::string& what, int most) {
-  return number_option_detail::add<std::vector<int>>(
-      app, name, what, "X,Y,W,H", rectangle,
-      [name, most](const std::string& list) {
-        const std::vector<std::string> found = list_option_detail::elements_of(name, list);
-        if (found.size() != 4) throw CLI::ValidationError(name, fmt::format("found {}, expected X,Y,W,H", quote(list)));
-        std::vector<int> rectangle;
-        for (size_t i = 0; i < 4; ++i) rectangle.push_back(parse_integer<int>(found[i], i < 2 ? 0 : 1, most));
-        return rectangle;
-      },
-      [] { return ""; });
+  return list_option_detail::add_shape<int>(
+      app, name, rectangle, what, "X,Y,W,H",
+      [most](const std::string& text, size_t i) { return parse_integer<int>(text, i < 2 ? 0 : 1, most); });
 }
 
 // Red, green and blue of 8 bits, R,G,B or #rrggbb; nothing is set without the option.

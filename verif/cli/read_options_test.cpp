@@ -15,7 +15,6 @@ struct Values {
   int64_t large = 0;
   double real = 0.5;
   std::vector<int> place, span;
-  std::vector<double> reals = {1, 2.5};
   std::vector<std::string> names;
 };
 
@@ -27,7 +26,6 @@ std::string parse(const std::vector<std::string>& words, Values& values) {
   add_real(app, "--real", values.real, "", kPositive);
   add_place(app, "--place", values.place, "");
   add_span(app, "--span", values.span, "");
-  add_reals(app, "--reals", values.reals, "", kPositive)->capture_default_str();
   add_names(app, "--names", values.names, "");
   std::vector<const char*> arguments = {"test"};
   for (const std::string& word : words) arguments.push_back(word.c_str());
@@ -44,10 +42,10 @@ std::string refused(const std::vector<std::string>& words) {
 
 TEST(ReadOptions, TakesWhatIsMeant) {
   Values values;
-  ASSERT_EQ(parse({"--small", "255", "--large=-5", "--real", "1e-3", "--place", "3,4", "--span", "0-9", "--reals",
-                   "0.5", "--names", "b,a"},
-                  values),
-            "");
+  ASSERT_EQ(
+      parse({"--small", "255", "--large=-5", "--real", "1e-3", "--place", "3,4", "--span", "0-9", "--names", "b,a"},
+            values),
+      "");
   EXPECT_EQ(values.small, 255);
   EXPECT_EQ(values.large, -5);
   EXPECT_EQ(values.real, 1e-3);
@@ -55,7 +53,6 @@ TEST(ReadOptions, TakesWhatIsMeant) {
   EXPECT_EQ(values.span, (std::vector<int>{0, 9}));
   ASSERT_EQ(parse({"--span", "all"}, values), "");
   EXPECT_EQ(values.span, (std::vector<int>{0, -1}));
-  EXPECT_EQ(values.reals, std::vector<double>{0.5});
   EXPECT_EQ(values.names, (std::vector<std::string>{"b", "a"}));
 }
 
@@ -68,8 +65,7 @@ TEST(ReadOptions, SaysWhatItWants) {
   EXPECT_EQ(refused({"--span", "3"}), "--span: found '3', expected FIRST-LAST or all");
   EXPECT_EQ(refused({"--span", "3-2"}), "--span: found '2', expected an integer from 3 to 2147483647");
   EXPECT_EQ(refused({"--span", "-1-2"}), "--span: found '', expected an integer from 0 to 2147483647");
-  EXPECT_EQ(refused({"--reals", "1,,2"}), "--reals: found '1,,2', expected elements by commas, none of them empty");
-  EXPECT_EQ(refused({"--reals", "1,nan"}), "--reals: found 'nan', expected a number above 0");
+  EXPECT_EQ(refused({"--names", "a,,b"}), "--names: found 'a,,b', expected elements by commas, none of them empty");
   EXPECT_EQ(refused({"--names", "a,b,a"}), "--names: found a second 'a', expected one");
   EXPECT_NE(refused({"--names", "a", "b"}), "");
   EXPECT_NE(refused({"--names", "a", "--names", "b"}), "");
@@ -81,7 +77,7 @@ TEST(ReadOptions, SurvivesAnyText) {
   for (int round = 0; round < 300; ++round) {
     std::string text;
     for (size_t i = random() % 40; i > 0; --i) text += characters[random() % characters.size()];
-    for (const char* option : {"--small", "--large", "--real", "--place", "--span", "--reals", "--names"}) {
+    for (const char* option : {"--small", "--large", "--real", "--place", "--span", "--names"}) {
       const std::string error = refused({option, text});
       EXPECT_LT(error.size(), 400u) << error;
     }

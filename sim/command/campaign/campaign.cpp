@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // campaign.cpp: `pipegs campaign`: writes one command a line for each point of a campaign, and merges what they kept.
 //
-// Idea    Nothing here runs a point: GNU parallel does, or Slurm. What must be done once for all points is done before:
+// Idea    Nothing here runs a point: GNU parallel does. What must be done once for all points is done before:
 //         every scene, view and configuration is tried, every machine of the RTL is built.
 // Rule    The lines of a file are always the same, whatever is kept already, because GNU parallel resumes by their
 //         numbers. Its log is left with the lines whose points are kept: what was lost since runs again.
@@ -115,11 +115,8 @@ int write_lines(const CampaignArguments& arguments, const std::vector<PointResul
   const std::string word = shell_word(lines.string());
   fmt::print("{} points, {} of them kept; {} machines of the RTL are built\n\n", points.size(), count_kept(points),
              machines);
-  fmt::print("on this machine:  parallel --joblog {} --resume-failed < {}\n", shell_word(log.string()), word);
-  fmt::print("on a cluster:     sbatch --array=1-{} {} {}\n", std::min<size_t>(points.size(), 1000),
-             shell_word(PIPEGS_SOURCE_DIR "/sim/command/campaign/slurm_array.sh"), word);
-  fmt::print("then:             pipegs campaign {} --out {} --merge\n", shell_word(arguments.file),
-             shell_word(arguments.out));
+  fmt::print("next: parallel --joblog {} --resume-failed < {}\n", shell_word(log.string()), word);
+  fmt::print("then: pipegs campaign {} --out {} --merge\n", shell_word(arguments.file), shell_word(arguments.out));
   return kExitOk;
 }
 
@@ -137,8 +134,8 @@ int merge(const CampaignArguments& arguments, const CLI::App& command, const std
     differing += result.contains("mismatches") && !result["mismatches"].is_null() && result["mismatches"] != 0;
   }
   const size_t kept = count_kept(points);
-  fmt::print("{} of {} points in {}/results.csv, results.json, costs.csv, page.md\n{}\n", kept, points.size(),
-             arguments.out, cost_text(points));
+  fmt::print("{} of {} points in {}/results.csv, results.json, costs.csv\n{}\n", kept, points.size(), arguments.out,
+             cost_text(points));
   for (const PointResult& one : points) {
     if (one.kept) continue;
     fmt::print(stderr, "pipegs: {} points are missing, the first: {}\n", points.size() - kept,
@@ -150,7 +147,7 @@ int merge(const CampaignArguments& arguments, const CLI::App& command, const std
 }
 
 int run_campaign(const CampaignArguments& arguments, const CLI::App& command) {
-  try_folder("--out", arguments.out, {"lines.txt", "results.csv", "results.json", "costs.csv", "page.md"});
+  try_folder("--out", arguments.out, {"lines.txt", "results.csv", "results.json", "costs.csv"});
   arguments.page.check();
   const Campaign campaign = read_campaign(arguments.file, std::filesystem::path(arguments.out) / "points");
   std::set<std::string> machines;
@@ -166,13 +163,13 @@ void add_campaign(CLI::App& app, Run& run) {
       "scenes x views x configurations x design points: one command a line, and one table of their results");
   command->footer(footer("pipegs campaign campaign.json --out campaign", "written (--merge: of every point)",
                          "--merge: a point is missing, or the RTL differs in one",
-                         "GNU parallel or Slurm run the lines, on one core each. A line whose result is kept ends at "
+                         "GNU parallel runs the lines, on one core each. A line whose result is kept ends at "
                          "once: nothing is measured twice."));
   static CampaignArguments arguments;
   command->add_option("FILE", arguments.file, "campaign: JSON, docs/campaign.md has its fields")->required();
   command->add_option("--out", arguments.out, "folder for the lines, what they keep, and what it is merged to")
       ->required();
-  command->add_flag("--merge", arguments.merge, "merge what is kept: results.csv, results.json, costs.csv, page.md");
+  command->add_flag("--merge", arguments.merge, "merge what is kept: results.csv, results.json, costs.csv");
   arguments.page.add(*command);
   command->get_option("--page")->needs("--merge");
   command->callback([&run, command] { run = [command] { return run_campaign(arguments, *command); }; });

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "scenes/text/csv.hpp"
@@ -74,50 +73,6 @@ Json results_json(const std::vector<PointResult>& points) {
   return {{"points", points.size()}, {"results", std::move(list)}};
 }
 
-// What stands in a cell of the page: the first of these that was measured.
-constexpr std::array kShown = {FigureColumn{"cycles", "/cycles"}, FigureColumn{"dB, total", "/psnr_total_db"},
-                               FigureColumn{"blended", "/work/blended"}};
-
-std::string page_text(const std::vector<PointResult>& points) {
-  const auto there = [](const PointResult& one) { return one.kept.has_value(); };
-  const auto first = std::find_if(points.begin(), points.end(), there);
-  std::string text = fmt::format("# Campaign\n\n{} of {} points measured. {}\n",
-                                 std::count_if(points.begin(), points.end(), there), points.size(), cost_text(points));
-  if (first == points.end()) return text;
-  const auto* shown = std::find_if(kShown.begin(), std::prev(kShown.end()), [&](const FigureColumn& column) {
-    return !figure_text((*first->kept)["result"], column.place).empty();
-  });
-  std::vector<std::string> designs;
-  for (const PointResult& one : points) {
-    const std::string& design = one.point.arguments.view.design_point;
-    if (std::find(designs.begin(), designs.end(), design) == designs.end()) designs.push_back(design);
-  }
-  text += fmt::format("\n| {}: scene | view | window | configuration |", shown->name);
-  for (const std::string& design : designs) text += fmt::format(" {} |", design);
-  text += "\n|---|---|---|---|" + [&] {
-    std::string dashes;
-    for (size_t i = 0; i < designs.size(); ++i) dashes += "---|";
-    return dashes;
-  }();
-  // Points that differ in the design point alone share a row.
-  std::vector<std::pair<std::string, std::vector<std::string>>> rows;
-  for (const PointResult& one : points) {
-    const ViewArguments& view = one.point.arguments.view;
-    const std::string window = view.window.empty() ? "" : fmt::format("{},{}", view.window[0], view.window[1]);
-    const std::string name =
-        fmt::format("| {} | {} | {} | {} |", one.point.scene, view.view, window, one.point.configuration);
-    auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& other) { return other.first == name; });
-    if (row == rows.end()) row = rows.insert(rows.end(), {name, std::vector<std::string>(designs.size())});
-    const size_t column = std::find(designs.begin(), designs.end(), view.design_point) - designs.begin();
-    row->second[column] = one.kept ? figure_text((*one.kept)["result"], shown->place) : "missing";
-  }
-  for (const auto& [name, cells] : rows) {
-    text += "\n" + name;
-    for (const std::string& cell : cells) text += fmt::format(" {} |", cell);
-  }
-  return text + "\n";
-}
-
 }  // namespace
 
 const std::vector<FigureColumn>& point_figures() {
@@ -165,7 +120,6 @@ void write_merged(const std::filesystem::path& out, const std::vector<PointResul
   write_text(out / "results.csv", results_csv(points));
   write_text(out / "results.json", json_text(results_json(points), 1) + "\n");
   write_text(out / "costs.csv", costs_csv(points));
-  write_text(out / "page.md", page_text(points));
 }
 
 }  // namespace pipegs

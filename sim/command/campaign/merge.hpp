@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// merge.hpp: what the points of a campaign have come to: one table, one JSON, one page, what it cost, whole pictures.
+// merge.hpp: what the points of a campaign have come to: one table, one JSON, what it cost, whole pictures.
 //
 // Files   results.csv     a row for each point, the same wherever they were measured
 //         results.json    the same points with all that was measured of them: who draws charts reads this
 //         costs.csv       a row for each point: seconds and bytes of the computer
-//         page.md         cycles (or decibels, or blends) by view and design point, and the cost
 //         frames/*/frame.exr, frame.png  of a view whose windows are all there, joined
 #pragma once
 

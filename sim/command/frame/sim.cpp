@@ -37,8 +37,7 @@ bool are_named(const std::vector<std::string>& effects) { return effects != kAll
 
 // The command that runs the same again with waves: of one window, or of what was asked for.
 std::string replay(const SimArguments& arguments, const CLI::App& command, const std::string& window) {
-  std::set<std::string> other = {"--out",   "--json", "--no-truth", "--waves",
-                                 "--video", "--page", "--against",  "--viewer"};
+  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves", "--page", "--against", "--viewer"};
   std::string more = " --no-truth --out replay";
   if (!window.empty()) {
     other.insert({"--window", "--crop"});

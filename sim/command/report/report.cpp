@@ -23,7 +23,7 @@ int run_report(const ReportArguments& arguments, const CLI::App& command) {
   if (results.count() == 0) {
     throw InputError(folder.string(), "",
                      results.left_out.empty()
-                         ? "found no result, expected report.json, sequence.json, frames.csv, results.csv or train.json"
+                         ? "found no result, expected report.json, sequence.json or train.json"
                          : fmt::format("found no result that can be read; {}: {}", results.left_out.front().file,
                                        results.left_out.front().reason));
   }
@@ -40,10 +40,10 @@ int run_report(const ReportArguments& arguments, const CLI::App& command) {
 
 void add_report(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("report", "one HTML page of all results in a folder and those below it");
-  command->footer(footer("pipegs report ladder", "written", "",
-                         "Reads what `sim`, `ladder`, `campaign` and `train` write: report.json, sequence.json, "
-                         "frames.csv, results.csv,\ntrain.json. A file that is broken is left out, with its reason in "
-                         "the page."));
+  command->footer(
+      footer("pipegs report ladder", "written", "",
+             "Reads what `sim`, `ladder` and `train` write: report.json, sequence.json, train.json. A file that "
+             "is broken is\nleft out, with its reason in the page."));
   static ReportArguments arguments;
   command->add_option("DIR", arguments.folder, "the folder")->required();
   command->add_option("--page", arguments.page, "the file; report.html in the folder without it");

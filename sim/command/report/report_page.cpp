@@ -66,9 +66,9 @@ Table frames_table(const std::vector<FrameResult>& frames) {
 }
 
 // A chart over all frames: bars, or lines where they are many.
-Chart over_frames(const std::vector<FrameResult>& frames, Chart::Form form, const char* title, const char* unit) {
-  Chart chart{.form = form, .title = title, .x_label = "", .y_label = unit};
-  if (form == Chart::Form::kBars && frames.size() > kMostBars) {
+Chart over_frames(const std::vector<FrameResult>& frames, const char* title, const char* unit) {
+  Chart chart{.form = Chart::Form::kBars, .title = title, .x_label = "", .y_label = unit};
+  if (frames.size() > kMostBars) {
     chart.form = Chart::Form::kLines;
     for (size_t i = 0; i < frames.size(); ++i) chart.x.push_back(static_cast<double>(i));
   }
@@ -89,55 +89,17 @@ void add_series(Chart& chart, const std::vector<FrameResult>& frames, const std:
 
 double or_none(const std::optional<double>& value) { return value.value_or(kNone); }
 
-Chart states_chart(const std::vector<FrameResult>& frames, const std::string& kind, const char* name) {
-  Chart chart = over_frames(frames, Chart::Form::kStacked, "", "% of cycles");
-  chart.title = fmt::format("Where the cycles of the {} go", name);
-  constexpr const char* kStates[] = {"busy", "starved", "blocked", "memory"};
-  for (size_t k = 0; k < 4; ++k) {
-    add_series(chart, frames, kStates[k], [&](const FrameResult& one) {
-      for (const UnitShares& unit : one.units) {
-        const double all = unit.cycles[0] + unit.cycles[1] + unit.cycles[2] + unit.cycles[3];
-        if (unit.kind == kind && all > 0) return 100 * unit.cycles[k] / all;
-      }
-      return kNone;
-    });
-  }
-  return chart;
-}
-
-Chart streams_chart(const std::vector<FrameResult>& frames) {
-  Chart chart = over_frames(frames, Chart::Form::kStacked, "External memory by stream", "MB");
-  std::vector<std::string> names;
-  for (const FrameResult& one : frames) {
-    for (const auto& [name, bytes] : one.streams) {
-      if (bytes > 0 && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-  }
-  for (const std::string& name : names) {
-    add_series(chart, frames, name, [&](const FrameResult& one) {
-      for (const auto& [own, bytes] : one.streams) {
-        if (own == name) return 1e-6 * bytes;
-      }
-      return kNone;
-    });
-  }
-  return chart;
-}
-
 void add_frames(StudyPage& page, const std::vector<FrameResult>& frames) {
   page.section("Frames");
   page.table(frames_table(frames));
-  std::vector<Chart> charts = {over_frames(frames, Chart::Form::kBars, "Cycles of a frame", "cycles")};
+  std::vector<Chart> charts = {over_frames(frames, "Cycles of a frame", "cycles")};
   add_series(charts.back(), frames, "cycles",
              [](const FrameResult& one) { return one.cycles ? static_cast<double>(*one.cycles) : kNone; });
-  charts.push_back(over_frames(frames, Chart::Form::kBars, "PSNR", "dB"));
+  charts.push_back(over_frames(frames, "PSNR", "dB"));
   charts.back().from_zero = false;
   add_series(charts.back(), frames, "numeric", [](const FrameResult& one) { return or_none(one.numeric_db); });
   add_series(charts.back(), frames, "order", [](const FrameResult& one) { return or_none(one.order_db); });
   add_series(charts.back(), frames, "total", [](const FrameResult& one) { return or_none(one.total_db); });
-  charts.push_back(streams_chart(frames));
-  for (const auto& [kind, name] : {std::pair{"dopu", "DOPU"}, {"pu", "PUs"}, {"su", "SUs"}, {"ru", "RUs"}})
-    charts.push_back(states_chart(frames, kind, name));
   std::erase_if(charts, [](const Chart& chart) { return chart.series.empty(); });
   page.charts(charts);
 }
@@ -181,17 +143,6 @@ Chart walk_chart(const WalkResult& walk) {
   return chart;
 }
 
-Table campaign_table(const CampaignResult& campaign) {
-  Table table{.title = campaign.name};
-  for (size_t k = 0; k < campaign.columns.size(); ++k)
-    table.columns.push_back({.heading = campaign.columns[k], .word = k < 5 && k != 1});
-  for (const std::vector<std::string>& row : campaign.rows) {
-    std::vector<TableCell>& cells = table.rows.emplace_back();
-    for (const std::string& text : row) cells.push_back(field_cell(text));
-  }
-  return table;
-}
-
 Table trained_table(const std::vector<TrainResult>& trained) {
   Table table{.title = ""};
   table.columns = columns({"result", "input", "held out, drawn by"},
@@ -231,14 +182,12 @@ void add_pictures(StudyPage& page, const FolderResults& results) {
 
 void add_results(StudyPage& page, const FolderResults& results) {
   page.lead(
-      fmt::format("{} results: {} frames, {} sequences of frames, {} campaigns, {} trained scenes.{}", results.count(),
-                  results.frames.size(), results.walks.size(), results.campaigns.size(), results.trained.size(),
+      fmt::format("{} results: {} frames, {} sequences of frames, {} trained scenes.{}", results.count(),
+                  results.frames.size(), results.walks.size(), results.trained.size(),
                   results.left_out.empty() ? "" : fmt::format(" {} files are left out.", results.left_out.size())));
   if (!results.frames.empty()) add_frames(page, results.frames);
   if (!results.walks.empty()) page.section("Sequences of frames");
   for (const WalkResult& walk : results.walks) page.charts({walk_chart(walk)}), page.table(walk_table(walk));
-  if (!results.campaigns.empty()) page.section("Campaigns");
-  for (const CampaignResult& campaign : results.campaigns) page.table(campaign_table(campaign));
   if (!results.trained.empty()) page.section("Trained scenes"), page.table(trained_table(results.trained));
   add_pictures(page, results);
   if (results.left_out.empty()) return;

@@ -3,17 +3,14 @@
 #include "sim/command/report/results.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 
 #include "scenes/input_error.hpp"
-#include "scenes/text/csv.hpp"
 #include "scenes/text/json.hpp"
 #include "scenes/text/json_node.hpp"
 #include "scenes/text/text_file.hpp"
-#include "sim/command/campaign/merge.hpp"
 #include "sim/design/design_point.hpp"
 
 namespace pipegs {
@@ -69,31 +66,12 @@ std::optional<Rgb8> picture_of(const fs::path& file, FolderResults& results) {
   }
 }
 
-void read_units(const JsonNode& report, FrameResult& result) {
-  if (!report.has("units") || report["units"].is_null()) return;
-  for (const std::string& kind : report["units"].keys()) {
-    const JsonNode units = report["units"][kind.c_str()];
-    UnitShares shares{.kind = kind};
-    for (size_t i = 0; i < elements(units); ++i) {
-      constexpr const char* kStates[] = {"busy", "starved", "blocked", "memory"};
-      for (size_t k = 0; k < 4; ++k) shares.cycles[k] += static_cast<double>(count_of(units[i][kStates[k]]));
-    }
-    result.units.push_back(shares);
-  }
-}
-
 void read_memory(const JsonNode& report, FrameResult& result) {
   if (!report.has("memory") || report["memory"].is_null()) return;
   const JsonNode memory = report["memory"];
   if (memory.keys().empty()) return;
   result.bytes_read = count_if_there(memory, "bytes_read");
   result.bytes_written = count_if_there(memory, "bytes_written");
-  if (!memory.has("by_stream") || memory["by_stream"].is_null()) return;
-  const JsonNode streams = memory["by_stream"];
-  for (const std::string& name : streams.keys()) {
-    const JsonNode stream = streams[name.c_str()];
-    result.streams.emplace_back(name, static_cast<double>(count_of(stream["read"]) + count_of(stream["written"])));
-  }
 }
 
 void add_frame(const fs::path& file, const std::string& name, FolderResults& results) {
@@ -112,7 +90,6 @@ void add_frame(const fs::path& file, const std::string& name, FolderResults& res
   result.numeric_db = real_if_there(report, "psnr_numeric_db");
   result.order_db = real_if_there(report, "psnr_order_db");
   result.total_db = real_if_there(report, "psnr_total_db");
-  read_units(report, result);
   read_memory(report, result);
   result.picture = picture_of(file.parent_path() / "frame.png", results);
   results.frames.push_back(std::move(result));
@@ -143,50 +120,11 @@ WalkResult read_sequence(const fs::path& file) {
   return result;
 }
 
-WalkResult read_frames_table(const fs::path& file) {
-  constexpr const char* kHeader =
-      "frame,view,camera,width,height,cycles,cycles_queued,mismatches,bytes_read,bytes_written,us,chip_uj,dram_uj";
-  WalkResult result;
-  const auto real = [](const CsvRow& row, const char* name) {
-    return row.text(name).empty() ? std::nullopt : std::optional(row.real(name));
-  };
-  const auto count = [](const CsvRow& row, const char* name) {
-    return row.text(name).empty() ? std::nullopt : std::optional(row.integer<uint64_t>(name, 0, kMostCount));
-  };
-  read_csv(file, kHeader, [&](const CsvRow& row) {
-    result.frames.push_back({.view = row.text("view"),
-                             .camera = row.text("camera"),
-                             .cycles = row.integer<uint64_t>("cycles", 0, kMostCount),
-                             .bytes_read = row.integer<uint64_t>("bytes_read", 0, kMostCount),
-                             .bytes_written = row.integer<uint64_t>("bytes_written", 0, kMostCount),
-                             .queued = count(row, "cycles_queued"),
-                             .mismatches = count(row, "mismatches"),
-                             .us = real(row, "us"),
-                             .chip_uj = real(row, "chip_uj"),
-                             .dram_uj = real(row, "dram_uj")});
-  });
-  if (result.frames.empty()) throw InputError(file.string(), "", "found no frame, expected at least one");
-  return result;
-}
-
 void add_walk(const fs::path& file, const std::string& name, FolderResults& results) {
-  WalkResult result = file.extension() == ".csv" ? read_frames_table(file) : read_sequence(file);
+  WalkResult result = read_sequence(file);
   result.name = name;
   result.picture = picture_of(file.parent_path() / "frame_0000.png", results);
   results.walks.push_back(std::move(result));
-}
-
-void add_campaign(const fs::path& file, const std::string& name, FolderResults& results) {
-  CampaignResult result{
-      .name = name,
-      .columns = {"scene", "view", "camera", "configuration", "design", "window_x", "window_y", "windows"}};
-  for (const FigureColumn& column : point_figures()) result.columns.emplace_back(column.name);
-  read_csv(file, fmt::format("{}", fmt::join(result.columns, ",")), [&](const CsvRow& row) {
-    std::vector<std::string>& texts = result.rows.emplace_back();
-    for (const std::string& column : result.columns) texts.push_back(row.text(column));
-  });
-  if (result.rows.empty()) throw InputError(file.string(), "", "found no point, expected at least one");
-  results.campaigns.push_back(std::move(result));
 }
 
 TrainedBy trained_by(const std::string& who, const JsonNode& node) {
@@ -214,17 +152,14 @@ void add_trained(const fs::path& file, const std::string& name, FolderResults& r
 
 using Add = void (*)(const fs::path&, const std::string&, FolderResults&);
 
-// Whether the file was what its name says.
-bool add(Add add_file, const fs::path& file, const std::string& name, FolderResults& results) {
+void add(Add add_file, const fs::path& file, const std::string& name, FolderResults& results) {
   try {
     add_file(file, name, results);
-    return true;
   } catch (const std::bad_alloc&) { throw; } catch (const std::runtime_error& wrong) {
     std::string reason = one_line(wrong.what());
     const std::string prefix = file.string() + ": ";
     if (reason.starts_with(prefix)) reason.erase(0, prefix.size());
     results.left_out.push_back({file.string(), reason});
-    return false;
   }
 }
 
@@ -250,15 +185,8 @@ FolderResults read_results(const fs::path& folder) {
     const std::string name = valid_utf8((below == "." ? fs::canonical(folder).filename() : below).generic_string());
     const std::string own = file.filename().string();
     if (own == "report.json") add(add_frame, file, name, results);
-    if (own == "results.csv") add(add_campaign, file, name, results);
+    if (own == "sequence.json") add(add_walk, file, name, results);
     if (own == "train.json") add(add_trained, file, name, results);
-    // The same frames once: from the table only where the JSON is not to be had.
-    if (own == "frames.csv") {
-      const fs::path sequence = file.parent_path() / "sequence.json";
-      if (!fs::exists(sequence, error) || !add(add_walk, sequence, name, results)) add(add_walk, file, name, results);
-    } else if (own == "sequence.json" && !fs::exists(file.parent_path() / "frames.csv", error)) {
-      add(add_walk, file, name, results);
-    }
   }
   return results;
 }

@@ -2,8 +2,7 @@
 // results.hpp: what the commands have left in a folder and the folders below it: read for a page.
 //
 // Files   report.json   of `sim` and `ladder`, with frame.png beside it
-//         sequence.json of `sim --views` and `--path` (without it frames.csv), with the first frame_*.png
-//         results.csv   of a campaign
+//         sequence.json of `sim --views` and `--path`, with the first frame_*.png
 //         train.json    of `train`
 // Rule    Files are anybody's: each field is held against what it may be, and a file with another one is left out with
 //         its reason. Links are not followed.
@@ -19,19 +18,12 @@
 
 namespace pipegs {
 
-struct UnitShares {
-  std::string kind;       // dopu, pu, su, ru
-  double cycles[4] = {};  // busy, starved, blocked, memory; of all units of the kind
-};
-
 struct FrameResult {
   std::string name;  // the folder
   std::string scene, camera, memory, machine, settings;
   uint64_t width = 0, height = 0, gaussians = 0;
   std::optional<uint64_t> cycles, mismatches, bytes_read, bytes_written;
   std::optional<double> numeric_db, order_db, total_db;
-  std::vector<UnitShares> units;
-  std::vector<std::pair<std::string, double>> streams;  // bytes
   std::optional<Rgb8> picture;
 };
 
@@ -46,13 +38,6 @@ struct WalkResult {
   std::string name, scene, configuration, memory;
   std::vector<WalkFrame> frames;
   std::optional<Rgb8> picture;  // the first
-};
-
-// A row for each point, all of them as texts.
-struct CampaignResult {
-  std::string name;
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
 };
 
 struct TrainedBy {
@@ -75,11 +60,10 @@ struct LeftOut {
 struct FolderResults {
   std::vector<FrameResult> frames;
   std::vector<WalkResult> walks;
-  std::vector<CampaignResult> campaigns;
   std::vector<TrainResult> trained;
   std::vector<LeftOut> left_out;
 
-  size_t count() const { return frames.size() + walks.size() + campaigns.size() + trained.size(); }
+  size_t count() const { return frames.size() + walks.size() + trained.size(); }
 };
 
 // Throws InputError when `folder` is none.

@@ -25,7 +25,6 @@ Json hash_of(const std::filesystem::path& path) {
 
 FrameFiles::FrameFiles(const FrameFilesOptions& options) : options_(options) {
   std::filesystem::create_directories(options.folder);
-  if (!options.video.empty()) video_.emplace(options.video, options.frames_per_second);
 }
 
 std::filesystem::path FrameFiles::file(int number, const char* extension) const {
@@ -42,7 +41,6 @@ Json FrameFiles::fingerprint_of(int number) const {
 void FrameFiles::add(const Image& image, const Rgb8& picture) {
   if (options_.png) write_png8(file(number_, "png"), picture);
   if (options_.exr) write_exr(file(number_, "exr"), image);
-  if (video_) video_->add(picture);
   if (options_.show) options_.show(picture);
   ++number_;
 }
@@ -52,18 +50,12 @@ bool FrameFiles::take(const Json& fingerprint) {
   for (const auto& [extension, hash] : mine.items()) {
     if (hash.is_null() || !fingerprint.contains(extension) || fingerprint[extension] != hash) return false;
   }
-  if (video_ || options_.show) {
+  if (options_.show) {
     if (!options_.png) return false;
-    const Rgb8 picture = read_png8(file(number_, "png"));
-    if (video_) video_->add(picture);
-    if (options_.show) options_.show(picture);
+    options_.show(read_png8(file(number_, "png")));
   }
   ++number_;
   return true;
-}
-
-void FrameFiles::finish() {
-  if (video_) video_->finish();
 }
 
 }  // namespace pipegs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// frame_files.hpp: the pictures of a sequence: frame_0000.png and so on, .exr, and a video of all.
+// frame_files.hpp: the pictures of a sequence: frame_0000.png and so on, .exr.
 //
 // Resume  A run that is stopped leaves the frames that were done. What was measured of a frame is kept with hashes of
 //         its files (`fingerprint`), so the next run takes it only when the very files still lie there.
@@ -8,18 +8,15 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "cpp_model/float/image.hpp"
-#include "sim/command/sequence/video.hpp"
 
 namespace pipegs {
 
 struct FrameFilesOptions {
-  std::string folder, video;
+  std::string folder;
   bool png = true, exr = false;
-  int frames_per_second = 30;
   std::function<void(const Rgb8&)> show = {};  // each picture in its order, when somebody wants them
 };
 
@@ -33,14 +30,12 @@ class FrameFiles {
   bool take(const nlohmann::ordered_json& fingerprint);
   // Of the files of the latest frame.
   nlohmann::ordered_json fingerprint() const { return fingerprint_of(number_ - 1); }
-  void finish();
 
  private:
   std::filesystem::path file(int number, const char* extension) const;
   nlohmann::ordered_json fingerprint_of(int number) const;
 
   FrameFilesOptions options_;
-  std::optional<Video> video_;
   int number_ = 0;
 };
 

@@ -11,6 +11,7 @@
 
 #include "scenes/percentile.hpp"
 #include "sim/design/design_point.hpp"
+#include "sim/report/table.hpp"
 
 namespace pipegs {
 namespace {
@@ -72,44 +73,66 @@ Json view_json(double view) {
   return view;
 }
 
-std::string shown(const std::optional<uint64_t>& value) { return value ? fmt::to_string(*value) : ""; }
-
-// A field of CSV, quoted.
-std::string field(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+TableCell cell(const std::optional<uint64_t>& value) {
+  return value ? number_cell(static_cast<double>(*value)) : TableCell{};
+}
+TableCell cell(const Quantity& quantity, const FrameRow& row) {
+  return row.cost ? number_cell(quantity.of(row)) : TableCell{};
 }
 
-std::string percentiles_text(const FrameTable& table) {
-  std::string text = fmt::format("  {:<10}", "");
-  for (const Rank& rank : kRanks) text += fmt::format(" {:>12}", rank.name);
-  for (const Quantity& quantity : quantities(table)) {
-    text += fmt::format("\n  {:<10}", quantity.name);
-    for (const Rank& rank : kRanks)
-      text += fmt::format(" {:>12.{}f}", ranked(table, quantity, rank).value, quantity.digits);
-  }
-  text += fmt::format("\n  {:<10}", "frame");  // of the cycles
-  for (const Rank& rank : kRanks) text += fmt::format(" {:>12}", ranked(table, kCycles, rank).frame);
-  const double tail = ranked(table, kCycles, kTail).value / ranked(table, kCycles, kMedian).value;
-  return text + fmt::format("\n\n  the 99th percentile takes {:.2f} times the cycles of the median\n", tail);
-}
-
-std::string lines(const FrameTable& table) {
-  std::string text = fmt::format("{:>6} {:>8}  {:<20} {:>12} {:>9}", "frame", "view", "camera", "cycles", "MB");
-  if (table.priced()) text += fmt::format(" {:>9} {:>9}", "uJ, chip", "uJ, DRAM");
-  if (table.rtl()) text += fmt::format(" {:>9} {:>12} {:>9}", "gap", "queued", "gap");
-  text += "\n";
+// A row for each frame, all that is known of it.
+Table frames_table(const FrameTable& table) {
+  Table frames{.columns = {{.key = "frame", .heading = "frame"},
+                           {.key = "view", .heading = "view"},
+                           {.key = "camera", .heading = "camera", .word = true},
+                           {.key = "width", .heading = "width"},
+                           {.key = "height", .heading = "height"},
+                           {.key = "cycles", .heading = "cycles"},
+                           {.key = "gap_alone", .heading = "gap"},
+                           {.key = "cycles_queued", .heading = "queued"},
+                           {.key = "gap_queued", .heading = "gap"},
+                           {.key = "mismatches", .heading = "mismatches"},
+                           {.key = "bytes_read", .heading = "read, bytes"},
+                           {.key = "bytes_written", .heading = "written"},
+                           {.key = "us", .heading = "us", .digits = 1},
+                           {.key = "chip_uj", .heading = "uJ, chip", .digits = 1},
+                           {.key = "dram_uj", .heading = "uJ, DRAM", .digits = 1}}};
   for (size_t i = 0; i < table.rows.size(); ++i) {
     const FrameRow& row = table.rows[i];
-    text += fmt::format("{:>6} {:>8.6g}  {:<20.20} {:>12} {:>9.1f}", i, row.view, row.camera.name, row.cycles,
-                        kBytes.of(row));
-    if (row.cost) text += fmt::format(" {:>9.0f} {:>9.0f}", kChip.of(row), kDram.of(row));
-    if (table.rtl())
-      text += fmt::format(" {:>9} {:>12} {:>9}", shown(row.gap_alone), *row.cycles_queued, shown(row.gap_queued));
-    text += "\n";
+    frames.rows.push_back({cell(i),
+                           {.text = fmt::format("{:.6g}", row.view), .value = row.view},
+                           text_cell(row.camera.name),
+                           number_cell(row.camera.width),
+                           number_cell(row.camera.height),
+                           cell(row.cycles),
+                           cell(row.gap_alone),
+                           cell(row.cycles_queued),
+                           cell(row.gap_queued),
+                           cell(row.mismatches),
+                           cell(row.bytes.read),
+                           cell(row.bytes.written),
+                           cell(kTime, row),
+                           cell(kChip, row),
+                           cell(kDram, row)});
   }
-  return text + "\n";
+  return frames;
+}
+
+Table percentiles_table(const FrameTable& table) {
+  Table ranks{.columns = {{.word = true}}};
+  for (const Rank& rank : kRanks) ranks.columns.push_back({.heading = rank.name});
+  const auto add = [&](const std::string& name, const std::function<std::string(const Rank&)>& shown) {
+    std::vector<TableCell>& row = ranks.rows.emplace_back();
+    row.push_back(text_cell(name));
+    for (const Rank& rank : kRanks) row.push_back(text_cell(shown(rank)));
+  };
+  for (const Quantity& quantity : quantities(table))
+    add(quantity.name,
+        [&](const Rank& rank) { return fmt::format("{:.{}f}", ranked(table, quantity, rank).value, quantity.digits); });
+  add("frame", [&](const Rank& rank) { return fmt::to_string(ranked(table, kCycles, rank).frame); });  // of the cycles
+  ranks.notes.push_back(fmt::format("the 99th percentile takes {:.2f} times the cycles of the median",
+                                    ranked(table, kCycles, kTail).value / ranked(table, kCycles, kMedian).value));
+  return ranks;
 }
 
 uint64_t sum(const FrameTable& table, const std::function<uint64_t(const FrameRow&)>& of) {
@@ -135,18 +158,7 @@ Chart over_frames(const std::string& name, const std::string& title, const std::
 
 }  // namespace
 
-std::string frames_csv(const FrameTable& table) {
-  std::string text =
-      "frame,view,camera,width,height,cycles,cycles_queued,mismatches,bytes_read,bytes_written,us,chip_uj,dram_uj\n";
-  for (size_t i = 0; i < table.rows.size(); ++i) {
-    const FrameRow& row = table.rows[i];
-    text += fmt::format("{},{:.8g},{},{},{},{},{},{},{},{}", i, row.view, field(row.camera.name), row.camera.width,
-                        row.camera.height, row.cycles, shown(row.cycles_queued), shown(row.mismatches), row.bytes.read,
-                        row.bytes.written);
-    text += row.cost ? fmt::format(",{:.3f},{:.3f},{:.3f}\n", kTime.of(row), kChip.of(row), kDram.of(row)) : ",,,\n";
-  }
-  return text;
-}
+std::string frames_csv(const FrameTable& table) { return table_csv(frames_table(table)); }
 
 Json to_json(const FrameTable& table) {
   Json json = {{"scene", table.scene}, {"configuration", config_difference(table.config)}, {"memory", table.memory}};
@@ -183,8 +195,9 @@ std::string to_text(const FrameTable& table) {
                                  machine_name(table.config), table.memory,
                                  table.rtl() ? "the RTL, each frame alone and queued behind the one before"
                                              : "the timing model, each frame alone; no RTL, nothing compared");
-  if (table.rows.size() <= kShown) text += lines(table);
-  text += percentiles_text(table);
+  std::vector<Table> tables = {percentiles_table(table)};
+  if (table.rows.size() <= kShown) tables.insert(tables.begin(), frames_table(table));
+  text += tables_text(tables);
   if (!table.priced()) text += "  time and energy: not known of this machine\n";
   else if (table.rows[0].cost->extrapolated_energy)
     text += "  energy is extrapolated: no frame of this machine was measured\n";

@@ -46,18 +46,6 @@ std::vector<Camera> cameras_of(const std::vector<FrameRow>& rows) {
   return cameras;
 }
 
-void check_one_size(const std::vector<FrameRow>& rows, const SimulateOptions& options) {
-  const auto size_of = [&](const FrameRow& row) {
-    const PixelRect r = asked_pixels(row.camera.width, row.camera.height, options);
-    return fmt::format("{}x{}", r.x1 - r.x0, r.y1 - r.y0);
-  };
-  for (const FrameRow& row : rows) {
-    if (size_of(row) != size_of(rows[0]))
-      throw ConfigError(fmt::format("--video: found pictures of {} and {} pixels, expected one size", size_of(rows[0]),
-                                    size_of(row)));
-  }
-}
-
 // What --no-rtl keeps of a frame.
 struct KeptFrame {
   uint64_t cycles = 0;
@@ -145,9 +133,8 @@ class Sequence {
     return wrong.empty() ? wrong : fmt::format("{}\nreplay with waves: {}\n", wrong, replay);
   }
 
-  // The video is whole, and what each frame cost is known.
+  // What each frame cost is known.
   const FrameTable& finish() {
-    files_.finish();
     const FrameModel silicon = read_frame_model();
     for (FrameRow& row : table_.rows)
       row.cost = silicon.cost(table_.config, row.cycles, row.bytes.read + row.bytes.written);
@@ -197,7 +184,7 @@ FrameFilesOptions files_of(const SequenceArguments& sequence, const std::string&
   const auto wanted = [&](const char* kind) {
     return std::find(sequence.frames.begin(), sequence.frames.end(), kind) != sequence.frames.end();
   };
-  return {out, sequence.video, wanted("png"), wanted("exr"), sequence.frames_per_second};
+  return {out, wanted("png"), wanted("exr")};
 }
 
 }  // namespace
@@ -208,15 +195,11 @@ void SequenceArguments::add(CLI::App& app) {
   add_integer(app, "--path", path, "so many frames on a smooth path through all views, or those of --views", 2, 100000);
   add_names(app, "--frames", frames, "of a sequence: its pictures in --out, png, exr or none by commas")
       ->capture_default_str();
-  app.add_option("--video", video, "of a sequence: its pictures as a video, a .mp4 file; needs ffmpeg");
-  add_integer(app, "--fps", frames_per_second, "of a video: frames per second", 1, 1000)->capture_default_str();
 }
 
 void SequenceArguments::check(const CLI::App& command, const std::string& out) const {
-  for (const char* option : {"--frames", "--video", "--fps"}) {
-    if (!wanted() && command.count(option) > 0)
-      throw ConfigError(fmt::format("{}: found one frame, expected --views or --path", option));
-  }
+  if (!wanted() && command.count("--frames") > 0)
+    throw ConfigError("--frames: found one frame, expected --views or --path");
   if (!wanted()) return;
   for (const std::string& kind : frames) {
     if (kind != "png" && kind != "exr" && (kind != "none" || frames.size() > 1))
@@ -226,7 +209,6 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
     if (command.count(option) > 0) throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
   }
   try_folder("--out", out, {"sequence.json", "frames.csv", "frame_0000.png", "frame_0000.exr"});
-  try_video("--video", video);
 }
 
 int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, const PictureArguments& picture,
@@ -239,7 +221,6 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   const PixelBytes each = run.rtl ? kGoldenPixels + kRtlPixels : kGoldenPixels;
   for (const FrameRow& row : rows)
     check_picture_memory(row.camera, simulated, {each.frame * held, each.asked * held + kWritePixels.asked});
-  if (!sequence.video.empty()) check_one_size(rows, simulated);
   ViewerArgument viewer = run.viewer;
   viewer.begin(loaded, cameras_of(rows), simulated, picture.color(), run.command);
   FrameFilesOptions files = files_of(sequence, run.out);

@@ -21,8 +21,6 @@ struct SequenceArguments {
   std::vector<int> views;  // first and last; nothing: not asked for
   int path = 0;            // frames
   std::vector<std::string> frames = {"png"};
-  std::string video;
-  int frames_per_second = 30;
 
   void add(CLI::App& app);
   bool wanted() const { return !views.empty() || path > 0; }

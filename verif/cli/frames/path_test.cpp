@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// path_test: `pipegs sim --path`, `--views`, `--video`: frames one after the other, what each took, and their pictures.
+// path_test: `pipegs sim --path`, `--views`: frames one after the other, what each took, and their pictures.
 //
-// Idea    RTL and timing model draw and count the same path: pictures, cycles and bytes must agree. ffmpeg is a script
-//         that the test writes, so that it sees every byte of the pictures and can fail in every way.
+// Idea    RTL and timing model draw and count the same path: pictures, cycles and bytes must agree.
 #include <cmath>
 #include <sstream>
 
@@ -26,8 +25,8 @@ class PathCli : public Cli {
     write_cameras(folder_ / "cameras.json", {test_camera(70, 50), second, third});
   }
   // The report of a run that ends well.
-  Json report(const std::string& arguments, const std::string& out, const std::string& environment = "") {
-    const Outcome outcome = run(arguments + " --out " + out, environment);
+  Json report(const std::string& arguments, const std::string& out) {
+    const Outcome outcome = run(arguments + " --out " + out);
     EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err;
     return Json::parse(text(out + "/sequence.json"));
   }
@@ -40,17 +39,6 @@ class PathCli : public Cli {
       for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
     }
     return rows;
-  }
-  // A program of this name on the PATH; the environment that has it there.
-  std::string ffmpeg(const std::string& body) {
-    fs::create_directories(folder_ / "bin");
-    write("bin/ffmpeg", "#!/bin/sh\nfor file; do :; done; file=${file#file:}\n" + body + "\n");
-    fs::permissions(folder_ / "bin/ffmpeg", fs::perms::owner_all);
-    return "PATH='" + (folder_ / "bin").string() + "':\"$PATH\" ";
-  }
-  // Nothing of a video is left, not even aside.
-  void expect_no_video() {
-    for (const std::string& name : left_behind()) EXPECT_EQ(name.find("walk"), std::string::npos) << name;
   }
 };
 
@@ -91,17 +79,17 @@ TEST_F(PathCli, PercentilesAreFramesOfTheTable) {
   const Json json = report(model_ + "--path 120 --frames none", "walk");
   const auto rows = table("walk/frames.csv");
   ASSERT_EQ(rows.size(), 121u);
-  const std::vector<std::string> head = {"frame",  "view",          "camera",     "width",      "height",
-                                         "cycles", "cycles_queued", "mismatches", "bytes_read", "bytes_written",
-                                         "us",     "chip_uj",       "dram_uj"};
+  const std::vector<std::string> head = {
+      "frame",      "view",       "camera",     "width",         "height", "cycles",  "gap_alone", "cycles_queued",
+      "gap_queued", "mismatches", "bytes_read", "bytes_written", "us",     "chip_uj", "dram_uj"};
   EXPECT_EQ(rows[0], head);
   std::vector<double> cycles, bytes;
   for (size_t i = 1; i < rows.size(); ++i) {
     ASSERT_EQ(rows[i].size(), head.size());
     EXPECT_EQ(rows[i][0], std::to_string(i - 1));
     cycles.push_back(std::stod(rows[i][5]));
-    bytes.push_back(1e-6 * (std::stod(rows[i][8]) + std::stod(rows[i][9])));
-    EXPECT_GT(std::stod(rows[i][11]), 0) << "energy of the chip";
+    bytes.push_back(1e-6 * (std::stod(rows[i][10]) + std::stod(rows[i][11])));
+    EXPECT_GT(std::stod(rows[i][13]), 0) << "energy of the chip";
     EXPECT_EQ(json["views"][i - 1]["cycles_alone"], std::stoull(rows[i][5]));
   }
   // Of 120 frames so many are as cheap or cheaper.
@@ -175,43 +163,6 @@ TEST_F(PathCli, EachMismatchIsNamedWithItsFrame) {
       << outcome.err;
 }
 
-TEST_F(PathCli, AVideoHoldsThePictures) {
-  const std::string here = ffmpeg("echo \"$*\" > arguments; cat > \"$file\"");
-  report(model_ + "--path 5 --crop 3,2,31,20 --fps 24 --video films/walk.mp4", "walk", here);
-  std::string wanted;
-  for (int i = 0; i < 5; ++i) {
-    const Rgb8 picture = read_png8(folder_ / ("walk/frame_000" + std::to_string(i) + ".png"));
-    EXPECT_EQ(picture.width, 31);
-    wanted.append(picture.data.begin(), picture.data.end());
-  }
-  EXPECT_EQ(text("films/walk.mp4"), wanted);
-  EXPECT_NE(text("arguments").find("-pixel_format rgb24 -video_size 31x20 -framerate 24 "), std::string::npos);
-  // Frames of an earlier run come from their files.
-  report(model_ + "--path 5 --crop 3,2,31,20 --video again.mp4", "walk", here);
-  EXPECT_EQ(text("again.mp4"), wanted);
-  report(sim_ + "--path 5 --crop 3,2,31,20 --frames none --video rtl.mp4", "rtl", here);
-  EXPECT_EQ(text("rtl.mp4"), wanted);
-}
-
-TEST_F(PathCli, WhenFfmpegFailsThatIsOneLine) {
-  const std::string film = model_ + "--path 40 --frames none --video walk.mp4 --out out";
-  const std::string said = "walk.mp4: ffmpeg failed: ";
-  expect_one_line(run(film, ffmpeg("cat > \"$file\"; echo 'no encoder' >&2; echo more >&2; exit 1")), 3,
-                  said + "no encoder");
-  expect_one_line(run(film, ffmpeg("head -c 100 > \"$file\"; exit 4")), 3, said + "exit code 4");
-  expect_one_line(run(film, ffmpeg("kill -KILL $$")), 3, said + "signal 9");
-  expect_one_line(run(film, ffmpeg("cat > /dev/null")), 3, said + "exit code 0");  // and wrote nothing
-  expect_no_video();
-  // The frames before are kept, and nothing runs on when the run is stopped.
-  const std::string slow = ffmpeg("echo $$ > pid; cat > \"$file\"");
-  expect_one_line(shell(slow + "'" PIPEGS_BINARY "' " + model_ +
-                        "--path 1200 --video walk.mp4 --out long & p=$!\n"
-                        "until [ -e long/frame_0003.png ]; do sleep 0.01; done; kill -TERM $p; wait $p"),
-                  130, "interrupted after ");
-  expect_no_video();
-  EXPECT_NE(shell("kill -0 $(cat pid)").code, 0);
-}
-
 TEST_F(PathCli, WhatMakesNoSequenceIsOneLine) {
   expect_refused(sim_ + "--views 0-3", "--views: found 3, expected 0 to 2");
   for (const char* span : {"0", "", "1-", "-1", "a-b", "0-1-2", "every"})
@@ -226,16 +177,9 @@ TEST_F(PathCli, WhatMakesNoSequenceIsOneLine) {
                                                    ": found a sequence, expected one view");
   for (const char* kinds : {"jpg", "png,none", "png,,exr", "png,png"})
     expect_refused(sim_ + "--path 5 --frames " + kinds, "--frames: found ");
-  for (const char* alone : {"--frames png", "--video walk.mp4", "--fps 24"})
-    expect_refused(sim_ + alone, ": found one frame, expected --views or --path");
-  expect_refused(sim_ + "--path 5 --video walk.avi", "--video: found 'walk.avi', expected a name that ends in .mp4");
-  expect_one_line(run(sim_ + "--path 5 --video walk.mp4 --out pictures", "PATH=/nowhere "), 2,
-                  "--video: found no ffmpeg on the PATH, expected it");
-  expect_refused(sim_ + "--path 5 --fps 0", "--fps: found '0'");
+  expect_refused(sim_ + "--frames png", "--frames: found one frame, expected --views or --path");
   write_cameras(folder_ / "cameras.json", {test_camera(70, 50), test_camera(40, 90)});
   expect_refused(sim_ + "--path 5", "--path: found views of 70x50 and 40x90 pixels, expected one size for a path");
-  expect_one_line(run(model_ + "--views all --video walk.mp4 --out pictures", ffmpeg("cat > \"$file\"")), 2,
-                  "--video: found pictures of 70x50 and 40x90 pixels, expected one size");
   EXPECT_FALSE(fs::exists(folder_ / "pictures"));
 }
 
