@@ -65,7 +65,8 @@ class Measurement:
         rtl = [f"rtl {machine}" for machine in machines]
         if not rtl:
             rtl = [f"rtl of {room[1]}" if room and (ROOT / "rtl" / room[1]).is_dir() else "rtl"]
-        study = words[2] if words[1:2] == ["study"] else words[1] if words[0] == "build/pipegs" else ""
+        command = words[2] if words[1:2] == ["study"] else words[1] if words[0] == "build/pipegs" else ""
+        study = "explore" if command in ("accuracy", "tradeoff", "shapes") else command
         return [
             *[part for part in self.by if part not in ("rtl", "train", "rivals")],
             *(rtl if "rtl" in self.by else []),

@@ -86,7 +86,7 @@ TABLE = [
     Measurement("shapes/own", "build/pipegs shapes --design fast --runs 24 --json", PRICED, points=("fast",),
                 chart="shapes_own.svg"),
     Measurement("accuracy/own", f"build/pipegs accuracy --design exact --knobs {','.join(KNOBS)} --points 0 "
-                "--out accuracy/own --json", PRICED, points=("exact",)),
+                "--json", PRICED, points=("exact",)),
     Measurement("accuracy/leave_one_out", "build/verif/silicon/silicon_test '--gtest_filter=*LeaveOneOut*'",
                 ("area",), targets=("silicon_test",), read=leave_one_out),
     *[Measurement(f"tradeoff/{scene}", f"build/pipegs tradeoff {{scene}} --together {TOGETHER} --json", PRICED, scene,

@@ -73,15 +73,6 @@ TEST_F(ExitCodes, OneWithTheUnitAndCycleInWhichRtlAndTimingModelPart) {
   EXPECT_EQ(first["model"], "takes a chunk");
 }
 
-// An empty scene: all values of the knob cost the same and show the same, so all five points are the default machine.
-TEST_F(ExitCodes, OneWhenAPointOfAccuracyDiffersInRtl) {
-  write_ply(folder_ / "empty.ply", scene_of({}));
-  const std::string points =
-      "accuracy empty.ply --cameras cameras.json --window 0,0 --knobs tile_test --points 0 --rtl --json ";
-  EXPECT_EQ(faulty("none", points).code, 0);
-  for (const char* fault : {"pixel", "cycles", "hang"}) EXPECT_EQ(faulty(fault, points + "--resume").code, 1) << fault;
-}
-
 // The view of verif/effects whose machine without all effects is built for its tests.
 TEST_F(ExitCodes, OneWhenAMachineOfEffectsDiffers) {
   write_ply(folder_ / "quiet.ply", quiet_scene());
@@ -166,7 +157,6 @@ TEST_F(ExitCodes, ThreeWhenAMachineDoesNotBuild) {
   expect_three("explain" + view_ + other + "--pixel 1,1");
   expect_three("profile" + view_ + other + "--design dop");
   expect_three("model" + view_ + other + "--check");
-  expect_three("accuracy" + view_ + other + "--knobs alpha_w --points 0 --rtl");
   expect_three("stress --count 1 --set alpha_lines=128");
   expect_three("ladder" + view_ + other + "--designs dop --no-truth");
 }

@@ -14,7 +14,7 @@ if ! [[ $seconds =~ ^[1-9][0-9]*$ ]]; then
   exit 2
 fi
 targets=("$@")
-[ $# -gt 0 ] || targets=(ply_header ply_body scene cameras colmap config points csv trace)
+[ $# -gt 0 ] || mapfile -t targets < <(find "$folder" -maxdepth 1 -type f -name 'fuzz_*' -printf '%f\n' | cut -c6-)
 status=0
 for target in "${targets[@]}"; do
   mkdir -p "$folder/corpus/$target"

@@ -8,6 +8,7 @@
 
 #include "sim/design/design_point.hpp"
 #include "sim/report/chart.hpp"
+#include "sim/report/html/document.hpp"
 #include "sim/report/html/frame/frame_page.hpp"
 #include "sim/report/html/frame/pixel_map.hpp"
 #include "sim/report/html/study_page.hpp"
@@ -157,6 +158,12 @@ TEST(StudyPage, MachinesAreSettingsForAnyCommand) {
   Config config = find_design_point("exact").config;
   config.units = 2, config.alpha_w = 11;
   EXPECT_EQ(machine_words(config), "--design exact --set units=2 --set alpha_w=11");
+}
+
+TEST(Document, Base64) {
+  EXPECT_EQ(base64("pleasure."), "cGxlYXN1cmUu");
+  EXPECT_EQ(base64("pleasure"), "cGxlYXN1cmU=");
+  EXPECT_EQ(base64("pleasur"), "cGxlYXN1cg==");
 }
 
 }  // namespace

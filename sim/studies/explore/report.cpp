@@ -1,0 +1,502 @@
+// SPDX-License-Identifier: Apache-2.0
+// report.cpp: see report.hpp.
+#include "sim/studies/explore/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/design/design_point.hpp"
+#include "sim/report/finite.hpp"
+#include "sim/silicon/report.hpp"
+#include "sim/studies/explore/shapes.hpp"
+
+namespace pipegs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kFlat = 1;  // decibels that a step must gain to be named
+
+double percent(double value, double base) { return 100 * (value / base - 1); }
+
+// What a knob is judged by: an order knob by the sum of both errors.
+double quality(const Knob& knob, const Figures& a) {
+  const double sum = mean_square(a.numeric.psnr) + (knob.orders ? mean_square(a.order.psnr) : 0);
+  return -10 * std::log10(sum);
+}
+
+// How points stand in a table.
+struct Columns {
+  Measured measured = Measured::kCycles;
+  double ghz = 0;  // of the microseconds; 0: the clock of each machine, 1 GHz where it is not known
+  double mm2 = 0;  // the wanted area; 0: none
+};
+
+double us_of(const Point& point, double ghz) {
+  if (ghz > 0) return point.cycles() / 1000 / ghz;
+  return point.silicon ? point.silicon->us : std::nan("");
+}
+double fps_per_mm2(const Point& point) { return 1e6 / us_of(point, 0) / point.mm2(); }
+double frames_per_joule(const Point& point) { return 1 / point.joules(); }
+
+// What is not known is empty.
+TableCell known(double value, bool extrapolated = false) {
+  return std::isnan(value) ? TableCell{} : number_cell(value, extrapolated ? "~" : "");
+}
+
+// Its name, and on what it stands.
+struct PointRow {
+  std::string over;
+  const Point* point;
+};
+
+std::vector<TableCell> cells_of(const PointRow& row, const Point& base, const Columns& columns) {
+  const Point& point = *row.point;
+  const Figures& f = point.figures;
+  const FrameCost cost = point.silicon.value_or(FrameCost{});
+  const double none = std::nan("");
+  const bool picture = columns.measured != Measured::kCycles, errors = columns.measured == Measured::kErrors;
+  const bool is_base = point.knob != kBase && point.config == base.config && point.value.less == base.value.less;
+  const bool areas = columns.mm2 > 0, clock = point.clock_known() && columns.ghz == 0;
+  return {text_cell(row.over),
+          text_cell(point.knob),
+          text_cell(point.value.label + (is_base ? " *" : "")),
+          known(errors ? f.numeric.psnr : none),
+          known(errors ? f.order.psnr : none),
+          known(picture ? f.total.psnr : none),
+          known(picture ? f.total.ssim : none),
+          known(errors ? f.numeric.max : none),
+          known(errors ? f.numeric.p999 : none),
+          known(errors ? 100 * f.flips.share() : none),
+          known(point.cycles()),
+          known(100 * point.cycles() / base.cycles()),
+          known(clock ? *cost.ghz() : none, cost.extrapolated_path),
+          known(us_of(point, columns.ghz), columns.ghz == 0 && cost.extrapolated_path),
+          known(point.bytes() / 1e6),
+          known(errors ? f.gbps() : none),
+          known(f.buffer_kb()),
+          known(point.mm2(), cost.extrapolated_area),
+          known(point.joules() * 1e3, cost.extrapolated_energy),
+          known(areas ? fps_per_mm2(point) : none),
+          known(areas ? frames_per_joule(point) : none, cost.extrapolated_energy),
+          text_cell(areas && point.mm2() <= columns.mm2 ? "yes" : ""),
+          known(point.front > 0 ? point.front : none),
+          known(errors ? f.seconds_golden + f.seconds_truth + f.seconds_trace + f.seconds_model : none),
+          {.text = difference(point.config, base.config), .copy = machine_words(point.config)}};
+}
+
+Table points_table(const std::string& title, const std::vector<PointRow>& rows, const Point& base,
+                   const Columns& columns) {
+  Table table{
+      .title = title,
+      .columns = {{.key = "over", .heading = "front over", .word = true},
+                  {.key = "knob", .heading = "knob", .word = true},
+                  {.key = "value", .heading = "value", .word = true},
+                  {.key = "numeric_db", .heading = "numeric", .unit = "dB", .digits = 2},
+                  {.key = "order_db", .heading = "order", .unit = "dB", .digits = 2},
+                  {.key = "total_db", .heading = "total", .unit = "dB", .digits = 2},
+                  {.key = "ssim", .heading = "SSIM", .digits = 5},
+                  {.key = "max", .heading = "max", .digits = 4},
+                  {.key = "p999", .heading = "99.9 %", .digits = 4},
+                  {.key = "flips", .heading = "flips", .unit = "%", .digits = 4},
+                  {.key = "cycles", .heading = "cycles"},
+                  {.key = "of_base", .heading = "of base", .unit = "%", .digits = 2},
+                  {.key = "ghz", .unit = "GHz", .digits = 3},
+                  {.key = "us", .unit = "us", .digits = 1},
+                  {.key = "megabytes", .unit = "MB", .digits = 1},
+                  {.key = "gbps", .unit = "GB/s", .digits = 1},
+                  {.key = "buffers_kb", .heading = "buffers", .unit = "KB", .digits = 1},
+                  {.key = "mm2", .unit = "mm2", .digits = 3},
+                  {.key = "mj", .unit = "mJ", .digits = 2},
+                  {.key = "fps_per_mm2", .unit = "frames/s/mm2", .digits = 1},
+                  {.key = "frames_per_joule", .unit = "frames/J"},
+                  {.key = "within", .heading = "fits"},
+                  {.key = "front", .heading = "front"},
+                  {.key = "host_seconds", .heading = "host", .unit = "s", .digits = 1},
+                  {.key = "configuration", .heading = "configuration", .word = true, .wrapped = true, .copies = true}}};
+  for (const PointRow& row : rows) {
+    const Point& point = *row.point;
+    if (point.figures.failure.empty()) table.rows.push_back(cells_of(row, base, columns));
+    else table.notes.push_back(fmt::format("{} {}: {}", point.knob, point.value.label, point.figures.failure));
+  }
+  return table;
+}
+
+std::vector<PointRow> rows_of(const std::vector<Point>& points) {
+  std::vector<PointRow> rows;
+  for (const Point& point : points) rows.push_back({"", &point});
+  return rows;
+}
+
+// How to read a table of points.
+Table legend(const Point& base, std::vector<std::string> notes) {
+  if (base.silicon)
+    notes.emplace_back(
+        "mm2, mJ: 28 nm, mid, with SRAMs and DRAM, interpolated (docs/numerics/accuracy.md); ~: beyond what was "
+        "synthesised or measured");
+  else notes.emplace_back("no machine of the kind was synthesised: its area and energy are not known");
+  return {.notes = notes};
+}
+
+std::string clock_note(const Point& base) {
+  return base.clock_known() ? "GHz: what the longest path allows, 28 nm, mid, interpolated; us: cycles / GHz"
+                            : "GHz: no longest path of such a machine is known, so cycles count at 1 GHz";
+}
+
+std::string series_of(const Point& point) {
+  return point.knob == kBase || point.knob == kTogether ? point.knob : "one knob";
+}
+
+struct Marks {
+  std::vector<std::string> series;                       // that come first
+  std::function<std::string(const Point&)> name, label;  // of a point's series, and of the point
+  std::function<std::string(const Point&)> front_label;  // stands beside it where `numbered`
+  bool numbered = false;
+};
+
+// Points as marks, those of the front joined; what is not known is left out.
+void scatter(Chart& chart, const std::vector<Point>& points, const std::vector<const Point*>& front, const Quantity& x,
+             const Quantity& y, const Marks& marks) {
+  chart.form = Chart::Form::kScatter;
+  for (const std::string& name : marks.series) chart.series.push_back({.name = name, .values = {}});
+  const auto add = [&](Series& series, const Point& point, const std::string& label) {
+    if (!point.figures.failure.empty() || std::isnan(x(point))) return;
+    series.x.push_back(x(point));
+    series.values.push_back(y(point));
+    series.labels.push_back(label);
+    series.copies.push_back(machine_words(point.config));
+  };
+  for (const Point& point : points) {
+    const std::string name = marks.name(point);
+    auto one = std::find_if(chart.series.begin(), chart.series.end(),
+                            [&](const Series& series) { return series.name == name; });
+    if (one == chart.series.end()) one = chart.series.insert(one, Series{.name = name, .values = {}});
+    add(*one, point, marks.label(point));
+  }
+  Series joined{.name = "front", .values = {}, .outlined = true, .named = marks.numbered};
+  for (const Point* point : front) add(joined, *point, marks.front_label(*point));
+  chart.series.push_back(joined);
+}
+
+// Marks that are named by how they differ from the base.
+Marks by_difference(const Config& base) {
+  const auto label = [base](const Point& point) { return difference(point.config, base); };
+  return {.series = {"one knob", kTogether, kBase}, .name = series_of, .label = label, .front_label = label};
+}
+
+// PSNR by value.
+Chart knob_chart(const SweptKnob& knob) {
+  Chart chart{.name = knob.knob->name,
+              .form = Chart::Form::kLines,
+              .title = knob.knob->name,
+              .x_label = knob.knob->name + ", coarse to fine",
+              .y_label = "PSNR, dB",
+              .from_zero = false,
+              .note = fmt::format("{}. {}", knob.knob->what, knob_sentence(knob))};
+  chart.series = {{.name = "numeric", .values = {}}, {.name = "order", .values = {}}, {.name = "total", .values = {}}};
+  for (size_t i = 0; i < knob.points.size(); ++i) {
+    const Figures& a = knob.points[i].figures;
+    chart.x.push_back(static_cast<double>(i));
+    chart.categories.push_back(knob.points[i].value.label);
+    const double values[3] = {a.numeric.psnr, a.order.psnr, a.total.psnr};
+    for (int k = 0; k < 3; ++k) chart.series[k].values.push_back(a.failure.empty() ? values[k] : std::nan(""));
+  }
+  return chart;
+}
+
+std::vector<Chart> accuracy_charts(const AccuracySweep& sweep, const std::vector<Point>& all) {
+  std::vector<Chart> charts;
+  for (const Cost& cost : costs()) {
+    if (std::all_of(all.begin(), all.end(), [&](const Point& point) { return std::isnan(cost.of(point)); })) continue;
+    charts.push_back({.name = std::string("by_") + cost.name,
+                      .title = cost.title,
+                      .x_label = cost.axis,
+                      .y_label = "numeric PSNR, dB",
+                      .series = {}});
+    scatter(
+        charts.back(), all, accuracy_front(all, cost), [&](const Point& p) { return cost.of(p) / cost.unit; },
+        [](const Point& p) { return p.figures.numeric.psnr; }, by_difference(sweep.base.config));
+  }
+  for (const SweptKnob& knob : sweep.knobs) charts.push_back(knob_chart(knob));
+  return charts;
+}
+
+Json accuracy_row(const Point& point) {
+  Json json = to_json(point.figures, Measured::kErrors);
+  if (const std::optional<FrameCost>& silicon = point.silicon) {
+    json["silicon"] = {{"mm2", to_json(silicon->mm2)},
+                       {"chip_mj", to_json(silicon->chip * 1e3)},
+                       {"dram_mj", to_json(silicon->dram * 1e3)},
+                       {"extrapolated_area", silicon->extrapolated_area},
+                       {"extrapolated_energy", silicon->extrapolated_energy},
+                       {"path_ps", nullptr},
+                       {"ghz", nullptr},
+                       {"us", nullptr}};
+    if (point.clock_known()) {
+      json["silicon"].update({{"path_ps", to_json(kFo4Ps * *silicon->path_fo4)},
+                              {"ghz", *silicon->ghz()},
+                              {"us", silicon->us},
+                              {"extrapolated_path", silicon->extrapolated_path}});
+    }
+  } else if (point.figures.failure.empty()) {
+    json["silicon"] = nullptr;
+  }
+  json["configuration"] = config_difference(point.config);
+  return json;
+}
+
+Json accuracy_json(const AccuracySweep& sweep, const std::vector<Point>& all, double flips_sampled) {
+  Json json = {{"base", accuracy_row(sweep.base)},
+               {"flips_sampled", flips_sampled},
+               {"knobs", Json::array()},
+               {"together", Json::array()}};
+  for (const SweptKnob& knob : sweep.knobs) {
+    Json one = {{"name", knob.knob->name},
+                {"what", knob.knob->what},
+                {"sentence", knob_sentence(knob)},
+                {"values", Json::array()}};
+    for (const Point& point : knob.points) {
+      one["values"].push_back(accuracy_row(point));
+      one["values"].back()["label"] = point.value.label;
+    }
+    json["knobs"].push_back(one);
+  }
+  for (const Point& point : sweep.together) json["together"].push_back(accuracy_row(point));
+  for (const Cost& cost : costs()) {
+    json["front"][cost.name] = Json::array();
+    for (const Point* point : accuracy_front(all, cost))
+      json["front"][cost.name].push_back(config_difference(point->config));
+  }
+  json["skipped"] = sweep.skipped;
+  return json;
+}
+
+Json place_json(const Point& point) { return point.front > 0 ? Json(point.front) : Json(nullptr); }
+
+Json tradeoff_row(const Point& point, const View& view, double ghz) {
+  const Less& less = point.value.less;
+  const Camera camera = view.camera(less);
+  return {{"knob", point.knob},
+          {"label", point.value.label},
+          {"configuration", config_difference(point.config)},
+          {"width", camera.width},
+          {"height", camera.height},
+          {"gaussians", view.gaussians(less)},
+          {"cycles", point.figures.cycles},
+          {"us", us_of(point, ghz)},
+          {"bytes", point.figures.bytes},
+          {"psnr_db", finite_json(point.figures.total.psnr)},
+          {"ssim", finite_json(point.figures.total.ssim)},
+          {"front", place_json(point)}};
+}
+
+Json shape_row(const Point& point, const Point& base, double mm2) {
+  const FrameCost& cost = *point.silicon;
+  return {{"shape", difference(point.config, base.config)},
+          {"configuration", config_difference(point.config)},
+          {"step", point.knob == kBase || point.knob == kTogether ? point.knob : "alone"},
+          {"cycles", point.figures.cycles},
+          {"bytes", point.figures.bytes},
+          {"path_ps", cost.path_fo4 ? to_json(kFo4Ps * *cost.path_fo4) : Json(nullptr)},
+          {"ghz", cost.ghz() ? Json(*cost.ghz()) : Json(nullptr)},
+          {"us", cost.us},
+          {"mm2", to_json(cost.mm2)},
+          {"extrapolated_area", cost.extrapolated_area},
+          {"extrapolated_path", cost.extrapolated_path},
+          {"extrapolated_energy", cost.extrapolated_energy},
+          {"fps_per_mm2", fps_per_mm2(point)},
+          {"frames_per_joule_with_dram", frames_per_joule(point)},
+          {"within", point.mm2() <= mm2},
+          {"front", place_json(point)}};
+}
+
+std::string best_shape_text(const Point* best, const Point& base, double mm2) {
+  if (best == nullptr) return fmt::format("no shape that was measured fits {:g} mm2", mm2);
+  return fmt::format("best within {:g} mm2: {}: {} cycles, {:.1f} us, {} mm2", mm2,
+                     difference(best->config, base.config), best->figures.cycles, us_of(*best, 0),
+                     interpolated_text(best->mm2(), best->silicon->extrapolated_area, 3));
+}
+
+}  // namespace
+
+std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf"; }
+
+std::string difference(const Config& config, const Config& base) {
+  std::string text;
+  for (const ConfigEntry& entry : config_entries(config)) {
+    if (entry.member == nullptr || base.*entry.member == entry.value) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", entry.name, entry.value);
+  }
+  return text.empty() ? "base" : text;
+}
+
+std::string point_text(const Point& point, const Config& base) {
+  const Figures& a = point.figures;
+  std::string text =
+      fmt::format("{} dB numeric, {} dB order, {} cycles, {:.1f} MB, {:.1f} KB of buffers", decibels(a.numeric.psnr),
+                  decibels(a.order.psnr), a.cycles, point.bytes() / 1e6, a.buffer_kb());
+  if (point.silicon) {
+    text += fmt::format(", {} mm2, {} mJ", interpolated_text(point.mm2(), point.silicon->extrapolated_area, 2),
+                        interpolated_text(point.joules() * 1e3, point.silicon->extrapolated_energy, 2));
+  }
+  return fmt::format("{}: {}", text, difference(point.config, base));
+}
+
+std::string knob_sentence(const SweptKnob& swept) {
+  const Knob& knob = *swept.knob;
+  std::vector<size_t> measured;
+  for (size_t i = 0; i < swept.points.size(); ++i) {
+    if (swept.points[i].figures.failure.empty()) measured.push_back(i);
+  }
+  if (measured.size() < 2) return fmt::format("{}: one value only.", knob.name);
+  const char* what = knob.orders ? "numeric and order error" : "numeric error";
+  // The last step that gains a decibel over all before it.
+  size_t from = measured[0], to = measured[0];
+  double best = quality(knob, swept.points[measured[0]].figures);
+  size_t best_at = measured[0];
+  for (size_t k = 1; k < measured.size(); ++k) {
+    const double here = quality(knob, swept.points[measured[k]].figures);
+    if (here >= best + kFlat) from = best_at, to = measured[k];
+    if (here > best) best = here, best_at = measured[k];
+  }
+  const auto cost = [&](const Point& a, const Point& b) {
+    const double kb = b.figures.buffer_kb() - a.figures.buffer_kb();
+    const std::string text = fmt::format("{:+.2f} % cycles, {:+.2f} % bytes, {:+.1f} KB of buffers",
+                                         percent(b.cycles(), a.cycles()), percent(b.bytes(), a.bytes()), kb);
+    if (!a.silicon || !b.silicon) return text;
+    return text + fmt::format(", {}{:+.1f} % area and {}{:+.1f} % energy",
+                              a.silicon->extrapolated_area || b.silicon->extrapolated_area ? "~" : "",
+                              percent(b.mm2(), a.mm2()),
+                              a.silicon->extrapolated_energy || b.silicon->extrapolated_energy ? "~" : "",
+                              percent(b.joules(), a.joules()));
+  };
+  const size_t last = measured.back();
+  if (to == from) {
+    const double coarse = quality(knob, swept.points[from].figures);
+    return fmt::format("{}: {} is enough: {:.1f} dB of {}, {:.1f} dB at best; {} in its place costs {}.", knob.name,
+                       swept.points[from].value.label, coarse, what, best, swept.points[last].value.label,
+                       cost(swept.points[from], swept.points[last]));
+  }
+  const double gain = quality(knob, swept.points[to].figures) - quality(knob, swept.points[from].figures);
+  std::string text = fmt::format("{}: from {} to {} {:+.1f} dB of {} for {}", knob.name, swept.points[from].value.label,
+                                 swept.points[to].value.label, gain, what, cost(swept.points[from], swept.points[to]));
+  if (to != last) {
+    text += fmt::format("; beyond, to {}, {:+.1f} dB for {}", swept.points[last].value.label,
+                        quality(knob, swept.points[last].figures) - quality(knob, swept.points[to].figures),
+                        cost(swept.points[to], swept.points[last]));
+  }
+  return text + ".";
+}
+
+Answer accuracy_answer(const AccuracySweep& sweep, double flips_sampled) {
+  const std::vector<Point> all = sweep.all();
+  const Columns columns{.measured = Measured::kErrors};
+  std::vector<PointRow> rows = {{"", &sweep.base}}, fronts;
+  Table knobs{
+      .columns = {{.key = "knob", .heading = "knob", .word = true},
+                  {.key = "what", .heading = "what it is", .word = true, .wrapped = true},
+                  {.key = "last_decibel", .heading = "what its last decibel costs", .word = true, .wrapped = true}},
+      .notes = {}};
+  for (const SweptKnob& knob : sweep.knobs) {
+    for (const Point& point : knob.points) rows.push_back({"", &point});
+    const std::string sentence = knob_sentence(knob);
+    knobs.rows.push_back(
+        {text_cell(knob.knob->name), text_cell(knob.knob->what), text_cell(sentence.substr(sentence.find(": ") + 2))});
+  }
+  for (const Point& point : sweep.together) rows.push_back({"", &point});
+  for (const std::string& reason : sweep.skipped) knobs.notes.push_back("left out: " + reason);
+  for (const Cost& cost : costs()) {
+    for (const Point* point : accuracy_front(all, cost)) fronts.push_back({cost.name, point});
+  }
+  const Table read = legend(
+      sweep.base,
+      {"numeric: golden model against float64 in the same order; order: float64 in that order against depth order; "
+       "total: golden model against depth order",
+       fmt::format("SSIM: of the total; max, 99.9 %: of the numeric error; flips: decisions at 1/255 unlike the "
+                   "truth's, of {:.0f} % of the pixels; host: of one core; *: the base",
+                   100 * flips_sampled),
+       clock_note(sweep.base)});
+  return {.json = accuracy_json(sweep, all, flips_sampled),
+          .tables = {points_table("", rows, sweep.base, columns), knobs, points_table("", fronts, sweep.base, columns),
+                     read},
+          .charts = accuracy_charts(sweep, all)};
+}
+
+Answer tradeoff_answer(std::vector<Point> points, const View& view, double ghz) {
+  const std::vector<const Point*> front = find_tradeoff_front(points);
+  Answer answer{
+      .json = {{"ghz", ghz}, {"points", Json::array()}, {"price", Json::array()}}, .tables = {}, .charts = {}};
+  for (const Point& point : points) answer.json["points"].push_back(tradeoff_row(point, view, ghz));
+  Table read = legend(points.front(), {fmt::format("us: of a frame at {:g} GHz; total, SSIM: the picture at full size "
+                                                   "against the float64 truth; front: the places of those that no "
+                                                   "other one beats in both us and dB",
+                                                   ghz)});
+  for (const PricedStep& step : price(front)) {
+    const double from = step.from->figures.total.psnr, to = step.to->figures.total.psnr, us = step.cycles / 1000 / ghz,
+                 us_per_db = step.cycles_per_db / 1000 / ghz;
+    read.notes.push_back(fmt::format("from {:.1f} to {:.1f} dB, front {} to {}: {:.1f} us, {:.1f} us a decibel", from,
+                                     to, step.from->front, step.to->front, us, us_per_db));
+    answer.json["price"].push_back({{"from_db", from},
+                                    {"to_db", to},
+                                    {"from", step.from->front},
+                                    {"to", step.to->front},
+                                    {"us", us},
+                                    {"us_per_db", us_per_db}});
+  }
+  answer.tables = {points_table("", rows_of(points), points.front(), {.measured = Measured::kPicture, .ghz = ghz}),
+                   read};
+  Chart chart{.name = "quality_by_time",
+              .title = "Accuracy against time",
+              .x_label = fmt::format("microseconds of a frame at {:g} GHz", ghz),
+              .y_label = "dB against the truth",
+              .series = {},
+              .from_zero = false,
+              .note = "numbers: places on the front"};
+  scatter(
+      chart, points, front, [&](const Point& p) { return us_of(p, ghz); },
+      [](const Point& p) { return p.figures.total.psnr; },
+      {.series = {},
+       .name = [](const Point& p) { return p.knob; },
+       .label = [](const Point& p) { return p.value.label; },
+       .front_label = [](const Point& p) { return std::to_string(p.front); },
+       .numbered = true});
+  answer.charts = {chart};
+  return answer;
+}
+
+Answer shapes_answer(const std::vector<Point>& shapes, double mm2) {
+  const Point& base = shapes.front();
+  const std::vector<const Point*> places = shape_front(shapes);
+  const Point* best = best_within(shapes, mm2);
+  Json json = {{"mm2", mm2},
+               {"clock_known", base.clock_known()},
+               {"shapes", Json::array()},
+               {"front", Json::array()},
+               {"best", best == nullptr ? Json(nullptr) : Json(difference(best->config, base.config))}};
+  for (const Point& shape : shapes) json["shapes"].push_back(shape_row(shape, base, mm2));
+  std::vector<PointRow> front;
+  for (const Point* shape : places) {
+    json["front"].push_back(difference(shape->config, base.config));
+    front.push_back({"", shape});
+  }
+  const Columns columns{.mm2 = mm2};
+  const Table read = legend(
+      base,
+      {fmt::format("fits: at most {:g} mm2; front: places of those that no other one beats in both us and mm2", mm2),
+       clock_note(base), best_shape_text(best, base, mm2)});
+  Chart chart{.name = "time_by_area",
+              .title = "Time against area",
+              .x_label = "mm2 in 28 nm, mid, interpolated",
+              .y_label = base.clock_known() ? "us of a frame" : "us of a frame at 1 GHz",
+              .series = {}};
+  scatter(
+      chart, shapes, places, [](const Point& p) { return p.mm2(); }, [](const Point& p) { return us_of(p, 0); },
+      by_difference(base.config));
+  return {.json = json,
+          .tables = {points_table("", rows_of(shapes), base, columns), points_table("", front, base, columns), read},
+          .charts = {chart}};
+}
+
+}  // namespace pipegs
