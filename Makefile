@@ -40,9 +40,9 @@ build: tools $(BUILD)/build.ninja  ## compile everything, the default RTL includ
 run: build  ## simulate our own scene; prints where every cycle went and where the picture is
 	$(BUILD)/pipegs sim --out $(BUILD)/out
 
-page: build  ## our own frame as a page to click through: build/out/frame.html
+page: build  ## our own frame as a page to click through: build/out/page.html
 	@$(NODE)
-	$(BUILD)/pipegs sim --out $(BUILD)/out --page $(BUILD)/out/frame.html
+	$(BUILD)/pipegs sim --out $(BUILD)/out --page
 
 test: build  ## every test but the long ones
 	@$(call INSTALL,$(TESTED) $(PAGES))
@@ -107,8 +107,8 @@ package: build  ## print rtl/pipegs_pkg.sv and what else follows from config.def
 	cmake --build $(BUILD) --target package_sv registers_print
 	verif/self/package.sh --write $(BUILD)/cpp_model/package_sv $(BUILD)/cpp_model/control/print/registers_print
 
-wave: build  ## waves of one window of our own scene: build/window.fst
-	$(BUILD)/pipegs sim --no-truth --window 4,3 --out $(BUILD)/wave --waves $(BUILD)/window.fst
+wave: build  ## waves of one window of our own scene: build/wave/waves.fst
+	$(BUILD)/pipegs sim --no-truth --window 4,3 --out $(BUILD)/wave --waves
 
 clean:  ## remove the build folder
 	rm -rf $(BUILD)

@@ -16,8 +16,8 @@ def split(scene, build):
     """Our own scene, split into as many Gaussians as its name says."""
     folder = build / "figures" / scene
     if not (folder / "cameras.json").exists():  # it is written last
-        options = ["--gaussians", str(SPLIT[scene]), "--sh-degree", "1", "--sizes", ",".join(SIZES)]
-        subprocess.run([build / "pipegs", "split", *options, "--out", folder], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["cmake", "--build", build, "--target", "split_scene"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([build / "verif/scenes/split_scene", str(SPLIT[scene]), folder, *SIZES], check=True)
     return [str(folder / "scene.ply"), "--cameras", str(folder / "cameras.json")]
 
 

@@ -95,7 +95,6 @@ void need_taps(const SimulateOptions& options);
 
 void add_info(CLI::App& app, Run& run);
 void add_convert(CLI::App& app, Run& run);
-void add_split(CLI::App& app, Run& run);
 void add_pack(CLI::App& app, Run& run);
 void add_sim(CLI::App& app, Run& run);
 void add_render(CLI::App& app, Run& run);
@@ -107,7 +106,7 @@ void add_silicon(CLI::App& app, Run& run);
 void add_campaign(CLI::App& app, Run& run);
 void add_point(CLI::App& app, Run& run);
 void add_report(CLI::App& app, Run& run);
-// Those of sim/studies.
-void add_studies(CLI::App& app, Run& run);
+// Those of sim/studies: commands of their own, and those below `study`.
+void add_studies(CLI::App& app, CLI::App& study, Run& run);
 
 }  // namespace pipegs

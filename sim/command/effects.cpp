@@ -64,7 +64,7 @@ int effects(const EffectsArguments& arguments) {
 }  // namespace
 
 void add_effects(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("effects", "which parts of machine and simulation a view calls for");
+  CLI::App* command = app.add_subcommand("effects", "what of the machine a view calls for, with proof");
   command->footer(
       footer("pipegs effects garden.ply --cameras cameras.json --view 0", "listed", "",
              "`pipegs sim --effects auto` leaves out what is not called for; every pixel is compared all the same."));

@@ -2,8 +2,10 @@
 // main.cpp: the command line `pipegs`. Each subcommand lives in its own file; here, and nowhere else, what was thrown
 // becomes an exit code.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <verilated_config.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -12,6 +14,7 @@
 #include "scenes/input_error.hpp"
 #include "scenes/text/quote.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/option_groups.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/measurement_store.hpp"
 #include "sim/rtl/rtl_fault.hpp"
@@ -50,15 +53,24 @@ void check_text(int argc, char** argv) {
   }
 }
 
-// A first word that is no command and no option.
+// A first word that is no command, and behind `study` a second one that is no study.
 void check_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::string names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == argv[1]) return;
-    names += (names.empty() ? "" : ", ") + command->get_name();
+  const CLI::App* above = &app;
+  for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
+    const std::vector<const CLI::App*> commands = above->get_subcommands(nullptr);
+    if (commands.empty()) return;
+    const auto named = [&](const CLI::App* command) { return command->get_name() == argv[i]; };
+    const auto found = std::find_if(commands.begin(), commands.end(), named);
+    if (found == commands.end()) {
+      std::vector<std::string> names;
+      for (const CLI::App* command : commands) {
+        if (!command->get_group().empty()) names.push_back(command->get_name());  // else it is a hidden one
+      }
+      throw InputError(fmt::format("found {}, expected a {}: {}", quote(argv[i]),
+                                   i == 1 ? "command" : above->get_name(), fmt::join(names, ", ")));
+    }
+    above = *found;
   }
-  throw InputError(fmt::format("found {}, expected a command: {}", quote(argv[1]), names));
 }
 
 int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
@@ -82,13 +94,13 @@ int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
 int main(int argc, char** argv) {
   using namespace pipegs;
   watch_interrupts();
-  CLI::App app("PipeGS: a 3D Gaussian splatting accelerator in SystemVerilog, simulated and compared bit for bit");
+  CLI::App app("PipeGS: 3D Gaussian splatting hardware, simulated and compared bit for bit");
   app.require_subcommand(1);
   app.set_version_flag("--version", fmt::format("PipeGS, not released; sources of the models {:.12}; Verilator {}",
                                                 measured_by(), VERILATOR_VERSION));
   app.footer(
-      "Exit codes: 0 agrees or done, 1 differs, 2 bad input or bad use, 3 our own failure (a machine does not build, "
-      "disk, memory, a bug), 130 interrupted.");
+      "COMMAND --help lists its options, --version the sources. Exit codes: 0 agrees or\n"
+      "done, 1 differs, 2 bad input or bad use, 3 our own failure, 130 interrupted.");
   Run run;
   add_sim(app, run);
   add_render(app, run);
@@ -102,9 +114,15 @@ int main(int argc, char** argv) {
   add_report(app, run);
   add_info(app, run);
   add_convert(app, run);
-  add_split(app, run);
   add_pack(app, run);
-  add_studies(app, run);
+  const auto study = std::make_shared<CLI::App>("a study of the machine or its models by NAME", "study");
+  study->require_subcommand(1);
+  study->footer("NAME --help lists its options.");
+  add_studies(app, *study, run);
+  if (!study->get_subcommands(nullptr).empty()) app.add_subcommand(study);
+  group_options(app);
+  // The footer names these two. Hidden only now: a command takes over --help where it is shown.
+  for (const char* flag : {"--help", "--version"}) app.get_option(flag)->group("");
   try {
     return run_command(app, argc, argv, run);
   } catch (const std::exception& error) { return tell(error); }

@@ -132,8 +132,7 @@ int model(const ModelArguments& arguments) {
 }  // namespace
 
 void add_model(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "model", "cycles of one view by the timing model, without pixels; with --check also by the RTL");
+  CLI::App* command = app.add_subcommand("model", "cycles of a view by the timing model, no pixels");
   command->footer(footer(
       "pipegs model garden.ply --cameras cameras.json --view 0 --designs late,exact --check",
       "counted (--check: cycles of frame and windows and bytes of each stream equal the RTL's)",

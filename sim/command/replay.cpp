@@ -16,8 +16,13 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
+std::string words_of(const CLI::App& command) {
+  const std::string name = shell_word(command.get_name());
+  return command.get_parent() == nullptr ? name : words_of(*command.get_parent()) + " " + name;
+}
+
 std::string given_again(const CLI::App& command, const std::set<std::string>& without) {
-  std::string line = shell_word(command.get_parent()->get_name()) + " " + command.get_name();
+  std::string line = words_of(command);
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || without.contains(option->get_name())) continue;
     const std::string name = option->get_positional() ? "" : " " + option->get_name();

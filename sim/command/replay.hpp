@@ -14,7 +14,10 @@ namespace pipegs {
 // A word as a shell takes it.
 std::string shell_word(const std::string& text);
 
-// "PROGRAM COMMAND" and all that was given but the options in `without` ("--out"), whose values are others.
+// The program and the words that name the command, as a shell takes them: "PROGRAM COMMAND".
+std::string words_of(const CLI::App& command);
+
+// These words and all that was given but the options in `without` ("--out"), whose values are others.
 std::string given_again(const CLI::App& command, const std::set<std::string>& without);
 
 }  // namespace pipegs

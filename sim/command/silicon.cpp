@@ -7,7 +7,7 @@
 
 #include "scenes/text/number.hpp"
 #include "sim/command/command.hpp"
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/timing/cycle_engine.hpp"
 #include "sim/report/measurement_store.hpp"
 #include "sim/silicon/frame_model.hpp"
@@ -20,9 +20,9 @@ struct SiliconArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table;
-  PageArgument page;
+  StudyOutput output;
   double equal_area = 0;  // mm2
-  bool json = false, no_energy = false;
+  bool no_energy = false;
 };
 
 // What `make synth` wrote of a configuration.
@@ -67,9 +67,9 @@ void keep_frame(const std::string& table, const MeasuredFrame& frame) {
 
 // A table that cannot be read is told before the frames are measured, too.
 void check_outputs(const SiliconArguments& arguments) {
-  arguments.page.check();
+  arguments.output.check();
   try_file("--table", arguments.table);
-  if (!arguments.no_energy) try_folder("--keep", arguments.keep);
+  if (!arguments.no_energy) try_folder("--store", arguments.keep);
   if (!arguments.table.empty() && std::filesystem::exists(arguments.table)) read_frames(arguments.table);
 }
 
@@ -123,30 +123,24 @@ int silicon(const SiliconArguments& arguments) {
                                        loaded.camera.width, loaded.camera.height, arguments.memory.external.dram);
   NamedMachines machines;
   for (size_t i = 0; i < design_points.size(); ++i) machines.emplace_back(design_points[i].name, options[i].config);
-  arguments.page.write({.title = "Area, clock and energy in 28 nm",
-                        .head = head,
-                        .charts = charts,
-                        .tables = tables,
-                        .machines = machines});
-  if (arguments.json) {
-    nlohmann::ordered_json json = {
-        {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
-    json.update(to_json(design_points, arguments.equal_area));
-    json["charts"] = charts_json(charts);
-    fmt::print("{}\n", json.dump(2));
-  } else {
-    fmt::print("{}\n\n{}", head, tables_text(tables));
-  }
+  nlohmann::ordered_json json = {
+      {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
+  json.update(to_json(design_points, arguments.equal_area));
+  arguments.output.write({.title = "Area, clock and energy in 28 nm",
+                          .head = head,
+                          .charts = charts,
+                          .tables = tables,
+                          .machines = machines},
+                         json);
   return kExitOk;
 }
 
 }  // namespace
 
 void add_silicon(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "silicon", "area, clock and energy in 28 nm, beside the paper's Table 2; frames per mm2 and joule");
+  CLI::App* command = app.add_subcommand("silicon", "area, clock and energy of a view in 28 nm");
   command->footer(footer(
-      "pipegs silicon garden.ply --cameras cameras.json --designs dop,exact --page silicon.html",
+      "pipegs silicon garden.ply --cameras cameras.json --designs dop,exact --out silicon --page",
       "measured, every bit of the RTL agrees", "a bit differs or the RTL stops",
       "Needs what `make synth` writes for each configuration. Energy needs a run of the RTL, which is kept: each frame "
       "is measured\n"
@@ -156,7 +150,7 @@ void add_silicon(CLI::App& app, Run& run) {
   arguments.memory.add(*command);
   command->add_option("--library", arguments.library, "library whose gates were counted")->capture_default_str();
   command->add_option("--synth", arguments.folder, "folder that `make synth` has written to");
-  command->add_option("--keep", arguments.keep, "folder for what switched in the frames that were measured");
+  command->add_option("--store", arguments.keep, "folder of what was measured and is not measured again");
   command->add_option(
       "--table", arguments.table,
       "add the frames' energies to this table; `pipegs accuracy` interpolates between those of synth/data/energy.csv");
@@ -164,8 +158,7 @@ void add_silicon(CLI::App& app, Run& run) {
            "compare the machines at this area too, mm2; `make synth` of each with half as many units comes first",
            {.low = 0.1, .high = 100});
   command->add_flag("--no-energy", arguments.no_energy, "area and clock only, without the RTL");
-  arguments.page.add(*command);
-  command->add_flag("--json", arguments.json, "as JSON");
+  arguments.output.add(*command);
   command->callback([&run] { run = [] { return silicon(arguments); }; });
 }
 

@@ -109,10 +109,10 @@ TEST_F(CampaignFile, WhatTheSceneDoesNotHaveIsOneLine) {
   write("campaign.json", "{");
   expect_one_line(run("campaign campaign.json --out out"), 2, "campaign.json: ");
   expect_one_line(run("campaign gone.json --out out"), 2, "gone.json: ");
-  expect_refused("point scene.ply --cameras cameras.json --windows 2 --keep k", "--windows: found no --window");
-  expect_refused("point scene.ply --cameras cameras.json --truth --keep k", "--truth: found --engine model");
-  expect_refused("point scene.ply --cameras cameras.json --engine other --keep k", "--engine");
-  expect_refused("point scene.ply --cameras cameras.json", "--keep");
+  expect_refused("point scene.ply --cameras cameras.json --windows 2 --store k", "--windows: found no --window");
+  expect_refused("point scene.ply --cameras cameras.json --truth --store k", "--truth: found --engine model");
+  expect_refused("point scene.ply --cameras cameras.json --engine other --store k", "--engine");
+  expect_refused("point scene.ply --cameras cameras.json", "--store");
   EXPECT_EQ(left_behind(), std::vector<std::string>{"campaign.json"});
 }
 

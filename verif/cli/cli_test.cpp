@@ -171,27 +171,6 @@ TEST_F(Cli, InfoTellsWhoReachesOverAPlane) {
     EXPECT_GE(margins[1]["violators_share"][axis], margins[0]["violators_share"][axis]);
 }
 
-TEST_F(Cli, SplitWritesALargerSceneAndItsCameras) {
-  const Outcome outcome =
-      run("split scene.ply --cameras cameras.json --gaussians 1234 --sh-degree 0 --sizes 70x50,141x77 --out large");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const Scene scene = read_ply(folder_ / "large/scene.ply");
-  EXPECT_EQ(scene.gaussians.size(), 1234u);
-  EXPECT_EQ(scene.sh_degree, 0);
-  const Camera given = test_camera(70, 50);
-  const std::vector<Camera> cameras = read_cameras(folder_ / "large/cameras.json");
-  ASSERT_EQ(cameras.size(), 2u);
-  EXPECT_NEAR(cameras[0].fx, given.fx, 1e-9);
-  EXPECT_NEAR(cameras[0].cy, given.cy, 1e-9);
-  EXPECT_EQ(cameras[1].width, 141);
-  EXPECT_EQ(cameras[1].height, 77);
-  EXPECT_NEAR(cameras[1].fx, given.fx * 141 / 70, 1e-9) << "as wide an angle";
-  EXPECT_NEAR(cameras[1].cy - 38.0, (given.cy - 24.5) * 141 / 70, 1e-9) << "as far off the centre";
-  expect_refused("split scene.ply --cameras cameras.json --gaussians 299 --out small", "--gaussians: found 299");
-  expect_refused("split scene.ply", "expected both");
-  expect_refused("split --sizes 70", "--sizes: found '70', expected WxH");
-}
-
 TEST_F(Cli, PackWritesTheImageAndItsHeader) {
   const Outcome outcome = run("pack scene.ply --cameras cameras.json --design dop --out packed");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -29,6 +29,6 @@ awk '
   core && /^ .*\/sim\/studies\// {print object " reads " $1; wrong = 1}
   END {print objects " objects of the core"; exit wrong || objects < 100}' "$work/deps"
 
-if "$core" budget > "$work/log" 2>&1; then cat "$work/log"; exit 1; fi
+if "$core" study budget > "$work/log" 2>&1; then cat "$work/log"; exit 1; fi
 "$core" render --size 32x32 --out "$work/out" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 [ -s "$work/out/frame.png" ]

@@ -10,6 +10,6 @@ namespace pipegs {
 
 using Run = std::function<int()>;
 
-void add_studies(CLI::App&, Run&) {}
+void add_studies(CLI::App&, CLI::App&, Run&) {}
 
 }  // namespace pipegs

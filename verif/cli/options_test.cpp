@@ -25,20 +25,20 @@ TEST_F(Options, IntegersAreReadWhole) {
   const std::string sim = "sim" + view_ + "--no-rtl --no-truth ";
   for (const std::string option : {"--view", "--seed", "--latency", "--jitter"}) expect_no(sim, option, kNoInteger);
   for (const std::string option : {"--seed", "--count", "--gaussians"})
-    expect_no("stress --no-rtl ", option, kNoInteger);
-  for (const std::string option : {"--seed", "--count"}) expect_no("budget ", option, kNoInteger);
+    expect_no("study stress --no-rtl ", option, kNoInteger);
+  for (const std::string option : {"--seed", "--count"}) expect_no("study budget ", option, kNoInteger);
   expect_no("accuracy" + view_, "--points", kNoInteger);
-  expect_no("tradeoff" + view_, "--together", kNoInteger);
-  expect_no("shapes" + view_, "--runs", kNoInteger);
-  expect_no("rivals" + view_, "--group", kNoInteger);
+  expect_no("study tradeoff" + view_, "--together", kNoInteger);
+  expect_no("study shapes" + view_, "--runs", kNoInteger);
+  expect_no("study rivals" + view_, "--group", kNoInteger);
 }
 
 TEST_F(Options, RealNumbersAreReadWhole) {
   const std::string sim = "sim" + view_ + "--no-rtl --no-truth ";
   for (const std::string option : {"--near", "--bandwidth"}) expect_no(sim, option, kNoReal);
-  expect_no("tradeoff" + view_, "--ghz", kNoReal);
-  expect_no("shapes" + view_, "--area", kNoReal);
-  expect_no("rivals" + view_, "--voxel", kNoReal);
+  expect_no("study tradeoff" + view_, "--ghz", kNoReal);
+  expect_no("study shapes" + view_, "--area", kNoReal);
+  expect_no("study rivals" + view_, "--voxel", kNoReal);
   expect_refused(sim + "--near 0", "--near: found '0', expected a number above 0");
 }
 
@@ -55,7 +55,7 @@ TEST_F(Options, PlacesAreTwoWholeNumbers) {
 TEST_F(Options, SizesAndDecibelsAreReadWhole) {
   for (const char* size :
        {"160", "x", "160x", "x120", "160x120x3", "160x120a", "-1x5", "0x5", "1.5x2", "16385x1", "160X120"})
-    expect_refused(std::string("stress --no-rtl --count 1 --size '") + size + "'", "--size: found '");
+    expect_refused(std::string("study stress --no-rtl --count 1 --size '") + size + "'", "--size: found '");
   for (const char* target : {"dB", "60dBm", "60dB dB", "x60dB", "nan", "infdB", "-3dB", "0dB", "201dB", "60 dB"})
     expect_refused("accuracy" + view_ + "--target '" + target + "'", "--target: found '");
 }
@@ -101,7 +101,7 @@ TEST_F(Options, WhatIsNamedComesOnce) {
   expect_refused("sim" + view_ + "--no-rtl --out a --out b", "--out");
   expect_refused("sim" + view_ + "--no-rtl --window 0,0 --window 1,0", "--window");
   expect_refused("sim" + view_ + "--no-rtl --set grid=4 --set units=2 --set grid=4", "--set: found a second 'grid'");
-  expect_refused("budget --set alpha_w=8 --set alpha_w=9", "--set: found a second 'alpha_w'");
+  expect_refused("study budget --set alpha_w=8 --set alpha_w=9", "--set: found a second 'alpha_w'");
   expect_refused("sim" + view_ + "--no-rtl --effects taps,layers,taps", "--effects: found a second 'taps'");
   expect_refused("accuracy" + view_ + "--knobs rgb_w,rgb_w", "--knobs: found a second 'rgb_w'");
   expect_refused("ladder" + view_ + "--designs dop --designs late", "--designs");

@@ -16,17 +16,27 @@ class Outputs : public Cli {
   const std::string none_ = " missing.ply --cameras cameras.json ";
 
   // Every option that names what is written: a folder or a file.
-  const std::vector<std::string> folders_ = {
-      "sim" + none_ + "--out ",      "render" + none_ + "--out ",   "ladder" + none_ + "--out ",
-      "accuracy" + none_ + "--out ", "silicon" + none_ + "--keep ", "accuracy" + none_ + "--store ",
-      "tradeoff" + none_ + "--out ", "shapes" + none_ + "--out ",   "stress --count 1 --no-rtl --out ",
-      "split" + none_ + "--out ",    "pack" + none_ + "--out ",     "train" + none_ + "--out ",
-      "point" + none_ + "--keep ",   "campaign missing.json --out "};
-  const std::vector<std::string> files_ = {
-      "sim" + none_ + "--waves ",   "silicon" + none_ + "--table ", "info missing.ply --save ",
-      "ladder" + none_ + "--page ", "profile" + none_ + "--page ",  "silicon" + none_ + "--page ",
-      "rivals" + none_ + "--page ", "budget --count 10 --page ",    "sim" + none_ + "--page ",
-      "sim" + none_ + "--viewer ",  "report missing --page ",       "campaign missing.json --out out --merge --page "};
+  const std::vector<std::string> folders_ = {"sim" + none_ + "--out ",
+                                             "render" + none_ + "--out ",
+                                             "ladder" + none_ + "--out ",
+                                             "accuracy" + none_ + "--out ",
+                                             "accuracy" + none_ + "--store ",
+                                             "silicon" + none_ + "--out ",
+                                             "silicon" + none_ + "--store ",
+                                             "study profile" + none_ + "--out ",
+                                             "study tradeoff" + none_ + "--out ",
+                                             "study tradeoff" + none_ + "--store ",
+                                             "study shapes" + none_ + "--out ",
+                                             "study shapes" + none_ + "--store ",
+                                             "study rivals" + none_ + "--out ",
+                                             "study budget --count 10 --out ",
+                                             "study stress --count 1 --no-rtl --out ",
+                                             "pack" + none_ + "--out ",
+                                             "convert missing.ply --out ",
+                                             "train" + none_ + "--out ",
+                                             "point" + none_ + "--store ",
+                                             "campaign missing.json --out "};
+  const std::vector<std::string> files_ = {"silicon" + none_ + "--table "};
 
   void expect_unwritable(const std::string& arguments, const std::string& part) {
     SCOPED_TRACE(arguments);
@@ -62,14 +72,15 @@ TEST_F(Outputs, AFolderInWhichNothingCanBeMadeIsRefused) {
 // The name of one of the files in --out is taken by a folder.
 TEST_F(Outputs, AFileWhoseNameIsTakenIsRefused) {
   for (const char* taken :
-       {"frame.exr", "frame.png", "report.json", "dop/report.json", "accuracy.html", "cameras.json"}) {
+       {"frame.exr", "frame.png", "report.json", "dop/report.json", "accuracy.json", "budget.json", "cameras.json"}) {
     SCOPED_TRACE(taken);
     fs::remove_all(folder_ / "taken");
     const std::string name = taken;
     fs::create_directories(folder_ / "taken" / name);
     const std::string command = name == "dop/report.json" ? "ladder" + none_ + "--designs dop"
-                                : name == "accuracy.html" ? "accuracy" + none_
-                                : name == "cameras.json"  ? std::string("stress --no-rtl")
+                                : name == "accuracy.json" ? "accuracy" + none_
+                                : name == "budget.json"   ? std::string("study budget --count 10")
+                                : name == "cameras.json"  ? std::string("study stress --no-rtl")
                                                           : "sim" + none_;
     expect_unwritable(command + " --out taken", "'taken/" + name);
   }
@@ -79,12 +90,12 @@ TEST_F(Outputs, FoldersThatAreMissingAreMade) {
   const std::string view = " scene.ply --cameras cameras.json ";
   for (const std::string& arguments :
        {"sim" + view + "--no-rtl --no-truth --out a/b", "render" + view + "--out c/d",
-        std::string("info scene.ply --save g/h/copy.ply"), std::string("budget --count 10 --page i/budget.html"),
-        "sim" + view + smallest_ + "--window 0,0 --no-truth --out k --waves l/m.fst"}) {
+        std::string("convert scene.ply --out g/h"), std::string("study budget --count 10 --out i"),
+        "sim" + view + smallest_ + "--window 0,0 --no-truth --out k/l --waves"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err;
   }
-  for (const char* name : {"a/b/report.json", "c/d/frame.png", "g/h/copy.ply", "i/budget.html", "l/m.fst"})
+  for (const char* name : {"a/b/report.json", "c/d/frame.png", "g/h/scene.ply", "i/budget.json", "k/l/waves.fst"})
     EXPECT_TRUE(fs::is_regular_file(folder_ / name)) << name;
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // words_test: what was not run is not printed or stored as run; help texts; the line that replays a mismatch does.
+#include <map>
+#include <sstream>
+
 #include "verif/cli/cli.hpp"
 
 namespace pipegs {
@@ -21,6 +24,15 @@ class Words : public Cli {
     const size_t at = outcome.err.find(before);
     if (at == std::string::npos) return "";
     return outcome.err.substr(at + before.size(), outcome.err.find('\n', at) - at - before.size());
+  }
+  // The commands that the help of these words lists.
+  std::vector<std::string> named_in_help(const std::string& words) {
+    std::istringstream help(run(words + "--help").out);
+    std::vector<std::string> names;
+    std::string line;
+    while (std::getline(help, line) && line != "Subcommands:") {}
+    while (std::getline(help, line) && line.starts_with("  ")) names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    return names;
   }
 };
 
@@ -77,11 +89,11 @@ TEST_F(Words, EqualIsNotTheSameAsNotRun) {
 TEST_F(Words, OtherCommandsSayAsLittle) {
   EXPECT_TRUE(json("explain" + view_ + "--pixel 1,1 --no-rtl").at("mismatches").is_null());
   EXPECT_EQ(json("explain" + view_ + "--pixel 1,1").at("mismatches"), 0);
-  EXPECT_TRUE(json("profile" + view_ + "--no-rtl").at("mismatches").is_null());
+  EXPECT_TRUE(json("study profile" + view_ + "--no-rtl").at("mismatches").is_null());
   const Json ladder = json("ladder" + view_ + "--designs dop --no-truth");
   EXPECT_EQ(ladder["designs"][0]["ran"], Json({{"truth", false}, {"rtl", true}}));
   EXPECT_TRUE(ladder["designs"][0].at("psnr_numeric_db").is_null());
-  const Outcome stress = run("stress --count 1 --no-rtl");
+  const Outcome stress = run("study stress --count 1 --no-rtl");
   EXPECT_NE(stress.out.find("RTL                   not run"), std::string::npos) << stress.out;
 }
 
@@ -93,13 +105,16 @@ TEST_F(Words, TablesSayRooflineRatio) {
 }
 
 TEST_F(Words, EveryHelpHasAnExampleAndItsExitCodes) {
-  for (const char* command : {"sim",    "render", "explain", "ladder",   "profile", "model",  "accuracy", "tradeoff",
-                              "stress", "budget", "effects", "silicon",  "shapes",  "rivals", "info",     "convert",
-                              "split",  "pack",   "train",   "campaign", "point",   "report"}) {
+  std::vector<std::string> commands = named_in_help(""), studies = named_in_help("study ");
+  EXPECT_GE(commands.size(), 15u);
+  EXPECT_GE(studies.size(), 6u);
+  std::erase(commands, "study");
+  for (const std::string& study : studies) commands.push_back("study " + study);
+  for (const std::string& command : commands) {
     SCOPED_TRACE(command);
-    const Outcome outcome = run(std::string(command) + " --help");
+    const Outcome outcome = run(command + " --help");
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.out.find(std::string("Example: pipegs ") + command + " "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("Example: pipegs " + command + " "), std::string::npos) << outcome.out;
     const size_t codes = outcome.out.find("\nExit codes: 0 ");
     ASSERT_NE(codes, std::string::npos) << outcome.out;
     const std::string line = outcome.out.substr(codes + 1, outcome.out.find('\n', codes + 1) - codes - 1);
@@ -107,9 +122,37 @@ TEST_F(Words, EveryHelpHasAnExampleAndItsExitCodes) {
     for (const char* word : {"design of the ladder", "twin", "cycles / bound"})
       EXPECT_EQ(outcome.out.find(word), std::string::npos) << word;
   }
-  EXPECT_NE(run("stress --help").out.find("fuzzing with shrinking"), std::string::npos);
+  EXPECT_NE(run("study stress --help").out.find("fuzzing with shrinking"), std::string::npos);
   EXPECT_NE(run("sim --help").out.find("design point: gscore"), std::string::npos);
   EXPECT_NE(run("--help").out.find("Exit codes: 0 agrees"), std::string::npos);
+}
+
+TEST_F(Words, TheListOfCommandsFitsAScreen) {
+  std::istringstream help(run("--help").out);
+  int lines = 0;
+  for (std::string line; std::getline(help, line); ++lines) EXPECT_LE(line.size(), 80u) << line;
+  EXPECT_LE(lines, 24);
+}
+
+TEST_F(Words, AnOptionStandsInTheSameGroupOfEveryHelp) {
+  std::map<std::string, std::string> group_of;
+  std::vector<std::string> commands = named_in_help("");
+  for (const std::string& study : named_in_help("study ")) commands.push_back("study " + study);
+  for (const std::string& command : commands) {
+    std::istringstream help(run(command + " --help").out);
+    std::string group;
+    for (std::string line; std::getline(help, line);) {
+      if (!line.starts_with(" ")) group = line;
+      if (!line.starts_with("  --")) continue;
+      const std::string name = line.substr(2, line.find(' ', 2) - 2);
+      EXPECT_EQ(group_of.emplace(name, group).first->second, group) << command << " " << name;
+    }
+  }
+  EXPECT_EQ(group_of.at("--lod"), "Scene:");
+  EXPECT_EQ(group_of.at("--cameras"), "Camera:");
+  EXPECT_EQ(group_of.at("--set"), "Machine:");
+  EXPECT_EQ(group_of.at("--memory"), "Memory:");
+  EXPECT_EQ(group_of.at("--out"), "Output:");
 }
 
 // All that was given stands in the replay line again, and running that line meets the same mismatch, with waves.
@@ -127,14 +170,14 @@ TEST_F(Words, TheReplayLineReplays) {
   for (const char* part :
        {"'it'\\''s.ply'", "--cameras cameras.json", "--config 'my machine.cfg'", "--near 0.25", "--effects all",
         "--memory ideal", "--latency 50", "--jitter 7", "--bandwidth 32.5", "--seed 9", "--design dop",
-        "--set alpha_lines=64", "--set records=16", "--window 1,0", "--waves replay/window.fst"})
+        "--set alpha_lines=64", "--set records=16", "--out replay --window 1,0 --waves"})
     EXPECT_NE(line.find(part), std::string::npos) << part << " is not in: " << line;
   EXPECT_EQ(line.find("--out pictures"), std::string::npos) << line;
   const Outcome second = shell("PIPEGS_FAULT=pixel " + line);
   EXPECT_EQ(second.code, 1) << second.err;
   EXPECT_EQ(behind("first mismatch, window 1,0: ", second), behind("first mismatch, window 1,0: ", first));
   EXPECT_NE(behind("first mismatch, window 1,0: ", first).find("pixel 66,3"), std::string::npos) << first.err;
-  EXPECT_GT(fs::file_size(folder_ / "replay/window.fst"), 1000u);
+  EXPECT_GT(fs::file_size(folder_ / "replay/waves.fst"), 1000u);
 }
 
 // Gates write no waves, so the line asks for none.
@@ -161,7 +204,7 @@ TEST_F(Words, TheReplayLineOfSomeEffectsHasWaves) {
   const std::string line = behind("replay with waves: ", first);
   EXPECT_NE(line.find("--effects " + names + ",waves"), std::string::npos) << line;
   EXPECT_EQ(shell("PIPEGS_FAULT=pixel " + line).code, 1);
-  EXPECT_TRUE(fs::exists(folder_ / "replay/window.fst"));
+  EXPECT_TRUE(fs::exists(folder_ / "replay/waves.fst"));
 }
 
 TEST_F(Words, AMachineThatHangsIsReplayedToo) {
@@ -175,7 +218,8 @@ TEST_F(Words, AMachineThatHangsIsReplayedToo) {
 
 // The view that fails is written, and its line shows the same failure.
 TEST_F(Words, TheReplayLineOfFuzzingReplays) {
-  const Outcome first = shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' stress --count 1 --size 40x30 --gaussians 3");
+  const Outcome first =
+      shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' study stress --count 1 --size 40x30 --gaussians 3");
   ASSERT_EQ(first.code, 1) << first.err;
   const size_t at = first.out.find("replay: ");
   ASSERT_NE(at, std::string::npos) << first.out;

@@ -9,7 +9,7 @@ const view = ['--scale', '0.375'];  // 384x288 pixels
 let made = false;
 
 function frame() {
-  if (!made) pipegs('sim', ...view, '--out', 'frame', '--page', 'frame/page.html', '--against', truth());
+  if (!made) pipegs('sim', ...view, '--out', 'frame', '--page', '--against', truth());
   made = true;
   return 'frame/page.html';
 }
@@ -173,9 +173,9 @@ page_test('it prints to A4', frame, async (page) => {
 });
 
 page_test('a crop over a background, without RTL and truth', () => {
-  pipegs('sim', ...view, '--crop', '100,50,77,61', '--no-rtl', '--no-truth', '--out', 'crop', '--page', 'crop/a.html',
+  pipegs('sim', ...view, '--crop', '100,50,77,61', '--no-rtl', '--no-truth', '--out', 'crop', '--page',
          '--background', '#ffffff');
-  return 'crop/a.html';
+  return 'crop/page.html';
 }, async (page) => {
   await page.mouse.move(...await place_of(page, 5, 7));
   assert.equal(await said(page, 'pixel'), '105, 57');
@@ -186,9 +186,9 @@ page_test('a crop over a background, without RTL and truth', () => {
 
 page_test('hostile names stay text', () => {
   fs.copyFileSync(truth(), path.join(folder, '<img src=x onerror=alert(1)>.png'));
-  pipegs('sim', ...view, '--no-rtl', '--no-truth', '--out', 'names', '--page', 'names/a.html', '--against',
+  pipegs('sim', ...view, '--no-rtl', '--no-truth', '--out', 'names', '--page', '--against',
          '<img src=x onerror=alert(1)>.png');
-  return 'names/a.html';
+  return 'names/page.html';
 }, async (page) => {
   assert.equal(await page.$('img[src=x]'), null);
   await page.mouse.move(...await place_of(page, 5, 7));

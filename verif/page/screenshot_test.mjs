@@ -45,7 +45,7 @@ function differing(page, files) {
 }
 
 page_test('our own frame looks as in the README', () => {
-  pipegs('sim', '--out', 'own', '--page', 'own/page.html');
+  pipegs('sim', '--out', 'own', '--page');
   return 'own/page.html';
 }, async (page) => {
   const shot = await taken(page, 'frame.png');

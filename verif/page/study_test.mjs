@@ -146,8 +146,8 @@ async function look_at_study(page, command, text) {
 
 page_test('accuracy', () => {
   printed.accuracy = pipegs('accuracy', '--size', '128x96', '--design', 'exact', '--knobs', 'alpha_w', '--points', '2',
-                            '--target', '45dB', '--out', 'accuracy')
-    .split('\n').filter((line) => !line.includes('points measured in')).join('\n');
+                            '--target', '45dB', '--store', 'points', '--out', 'accuracy', '--page')
+    .split('\n').filter((line) => !line.includes('points measured in') && !line.startsWith('  files in ')).join('\n');
   return 'accuracy/accuracy.html';
 }, async (page) => {
   await look_at_study(page, 'accuracy --size 128x96', printed.accuracy);
@@ -176,9 +176,9 @@ page_test('accuracy', () => {
 });
 
 page_test('ladder', () => {
-  printed.ladder = pipegs('ladder', '--size', '128x96', '--designs', 'fast', '--out', 'ladder', '--page', 'ladder.html')
-    .split('\n').filter((line) => !line.includes('figures ')).join('\n');
-  return 'ladder.html';
+  printed.ladder = pipegs('ladder', '--size', '128x96', '--designs', 'fast', '--out', 'ladder', '--page')
+    .split('\n').filter((line) => !line.includes('files in ')).join('\n');
+  return 'ladder/ladder.html';
 }, async (page) => {
   await every_value_is_drawn(page);
   await every_number_is_there(page, printed.ladder);
@@ -205,9 +205,9 @@ page_test('campaign with a missing point', () => {
   printed.missing = lines[1];
   for (const line of lines.filter((one) => one !== printed.missing)) execFileSync('sh', ['-c', line]);
   // A point is missing: that is an exit code of its own.
-  assert.throws(() => pipegs('campaign', 'campaign.json', '--out', 'campaign', '--merge', '--page', 'campaign.html'),
+  assert.throws(() => pipegs('campaign', 'campaign.json', '--out', 'campaign', '--merge', '--page'),
                 (error) => error.status === 1);
-  return 'campaign.html';
+  return 'campaign/campaign.html';
 }, async (page) => {
   const csv = fs.readFileSync(path.join(folder, 'campaign/results.csv'), 'utf8');
   await look_at_study(page, 'campaign campaign.json', csv.split('\n').slice(1).join('\n'));

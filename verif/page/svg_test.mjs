@@ -17,7 +17,8 @@ const holds = (file, text) => assert.ok(file.includes(plain(text)), text);
 const marks = (file, color) => file.split(`fill="${color}"`).length - 1;
 
 test('charts of a command as a file', () => {
-  const printed = pipegs('budget', '--design', 'dop', '--count', '1000', '--json'), {charts} = JSON.parse(printed);
+  const printed = pipegs('study', 'budget', '--design', 'dop', '--count', '1000', '--json');
+  const {charts} = JSON.parse(printed);
   const file = svg_of(printed);
   assert.ok(charts.length > 1);
   for (const {title, x_label, y_label, series} of charts)

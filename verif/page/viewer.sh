@@ -12,5 +12,5 @@ shift
 mkdir -p "$build/page"
 "$here/../../sim/report/page/build.sh" "$build/page" dev > "$build/page/build.log" 2>&1 ||
   { cat "$build/page/build.log" >&2; exit 3; }
-"$pipegs" sim "$@" --out "$folder" --viewer "$folder/viewer.html" > "$folder/out.txt"
+"$pipegs" sim "$@" --out "$folder" --viewer > "$folder/out.txt"
 PAGE=$build/page FOLDER=$folder node "$here/viewer.mjs"

@@ -12,8 +12,8 @@ const small = ['sim', '--no-rtl', '--no-truth', '--scale', '0.2'];
 const psnr = async (page) => Number((await text_of(page, '#psnr')).replace(' dB', ''));
 
 function made(name, ...more) {
-  pipegs(...small, ...more, '--out', name, '--viewer', name + '.html');
-  return name + '.html';
+  pipegs(...small, ...more, '--out', name, '--viewer');
+  return name + '/viewer.html';
 }
 
 // What `act` does is drawn and compared.
@@ -52,13 +52,13 @@ page_test('the viewer shows what the machine does, from its camera', () => made(
   assert.equal(await after(page, () => page.select('#choice', 'machine')), at_frame);
   assert.match(await text_of(page, '#reduced'), /rounded to those of \.spz/);
   const command = await text_of(page, '.command code');
-  assert.match(command, /sim --scale 0\.2 .*--viewer frame\.html/);
+  assert.match(command, /sim --scale 0\.2 .*--viewer/);
 });
 
 // The first Gaussians of our own scene.
 function few_ply() {
-  pipegs('info', '--save', 'own.ply');
-  const whole = fs.readFileSync(path.join(folder, 'own.ply')), head = whole.indexOf('end_header\n') + 11;
+  pipegs('convert', '--out', 'own');
+  const whole = fs.readFileSync(path.join(folder, 'own/scene.ply')), head = whole.indexOf('end_header\n') + 11;
   const few = 6000, text = whole.subarray(0, head).toString().replace(/vertex \d+/, 'vertex ' + few);
   fs.writeFileSync(path.join(folder, 'few.ply'),
                    Buffer.concat([Buffer.from(text), whole.subarray(head, head + 248 * few)]));
@@ -82,8 +82,8 @@ page_test('a sequence has a picture for each frame, and the cameras go together'
 });
 
 test('what is too large for a page is refused before anything is computed', () => {
-  assert.throws(() => pipegs(...small, '--orbit', '2000', '--views', 'all', '--out', 'no', '--viewer', 'no.html'),
+  assert.throws(() => pipegs(...small, '--orbit', '2000', '--views', 'all', '--out', 'no', '--viewer'),
                 (error) => error.status === 2 && /^pipegs: --viewer: found frames of/.test(error.stderr) &&
                   error.stderr.trim().split('\n').length === 1);
-  assert.ok(!fs.existsSync(path.join(folder, 'no.html')));
+  assert.ok(!fs.existsSync(path.join(folder, 'no/viewer.html')));
 });

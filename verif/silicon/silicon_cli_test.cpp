@@ -141,9 +141,10 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   half.groups = {{"dopu", {10, 20}}, {"pu", {400, 1000}}, {"su", {40, 10}}, {"ru", {80, 200}}, {"top", {10, 10}}};
   half.clocks = {{"dopu", 50}, {"pu", 200}, {"su", 20}, {"ru", 100}};
   half.enabled = {{"pu", {{"stage", {90, {30}}}}}};
+  half.unseen = {{"pu", 1}};
   const FrameActivity kept = {10000, 64000, {half, half}};
   store.save(Config{}, to_json(kept));
-  const Outcome outcome = run(silicon_ + "--design dop --keep kept --json");
+  const Outcome outcome = run(silicon_ + "--design dop --store kept --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json design_point = Json::parse(outcome.out)["designs"][0];
   EXPECT_EQ(design_point["cycles"], 10000u);
@@ -165,7 +166,7 @@ TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   EXPECT_EQ(design_point["clocks"][0]["module"], "stage");
   EXPECT_EQ(design_point["clocks"][0]["flipflops"], 5);
   EXPECT_DOUBLE_EQ(design_point["clocks"][0]["gated_j"], rows[1].gated_j());
-  const Outcome table = run(silicon_ + "--design dop --keep kept");
+  const Outcome table = run(silicon_ + "--design dop --store kept");
   for (const char* part :
        {"unseen, %", "  80.0  ", "  33.3  ", "modules whose clocks take most", "           5      4  "})
     EXPECT_NE(table.out.find(part), std::string::npos) << part << " in\n" << table.out;
@@ -206,7 +207,7 @@ TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
   Json small = synth();
   small["configuration"] = "units=1,alpha_lines=64,records=16";
   plant(small.dump(), small["configuration"]);
-  const std::string command = silicon_ + "--keep kept --table energy.csv ";
+  const std::string command = silicon_ + "--store kept --table energy.csv ";
   const std::string measure = command + smallest_;
   const auto expect_none = [&](const Outcome& outcome, int code, const std::string& part) {
     EXPECT_EQ(outcome.code, code) << outcome.err;

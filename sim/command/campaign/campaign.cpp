@@ -14,7 +14,7 @@
 #include "scenes/text/text_file.hpp"
 #include "sim/command/campaign/merge.hpp"
 #include "sim/command/campaign/merge_page.hpp"
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/command/replay.hpp"
 
 namespace pipegs {
@@ -24,8 +24,7 @@ constexpr uint64_t kMostLineBytes = uint64_t{1} << 30;
 
 struct CampaignArguments {
   std::string file, out;
-  PageArgument page;
-  bool merge = false;
+  bool merge = false, page = false;
 };
 
 // Cuts a whole view into points of so many windows side by side.
@@ -122,10 +121,10 @@ int write_lines(const CampaignArguments& arguments, const std::vector<PointResul
 
 int merge(const CampaignArguments& arguments, const CLI::App& command, const std::vector<PointResult>& points) {
   write_merged(arguments.out, points);
-  if (arguments.page.wanted()) {
+  if (arguments.page) {
     StudyPage page = study_page("Campaign", command);
     add_campaign(page, points);
-    arguments.page.write(page);
+    write_page(arguments.out + "/campaign.html", page);
   }
   size_t differing = 0;
   for (const PointResult& one : points) {
@@ -147,8 +146,8 @@ int merge(const CampaignArguments& arguments, const CLI::App& command, const std
 }
 
 int run_campaign(const CampaignArguments& arguments, const CLI::App& command) {
-  try_folder("--out", arguments.out, {"lines.txt", "results.csv", "results.json", "costs.csv"});
-  arguments.page.check();
+  try_folder("--out", arguments.out, {"lines.txt", "results.csv", "results.json", "costs.csv", "campaign.html"});
+  if (arguments.page) try_page();
   const Campaign campaign = read_campaign(arguments.file, std::filesystem::path(arguments.out) / "points");
   std::set<std::string> machines;
   const std::vector<PointResult> points = look_up(campaign, arguments.merge ? nullptr : &machines);
@@ -158,9 +157,7 @@ int run_campaign(const CampaignArguments& arguments, const CLI::App& command) {
 }  // namespace
 
 void add_campaign(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "campaign",
-      "scenes x views x configurations x design points: one command a line, and one table of their results");
+  CLI::App* command = app.add_subcommand("campaign", "scenes x views x settings x design points");
   command->footer(footer("pipegs campaign campaign.json --out campaign", "written (--merge: of every point)",
                          "--merge: a point is missing, or the RTL differs in one",
                          "GNU parallel runs the lines, on one core each. A line whose result is kept ends at "
@@ -170,8 +167,7 @@ void add_campaign(CLI::App& app, Run& run) {
   command->add_option("--out", arguments.out, "folder for the lines, what they keep, and what it is merged to")
       ->required();
   command->add_flag("--merge", arguments.merge, "merge what is kept: results.csv, results.json, costs.csv");
-  arguments.page.add(*command);
-  command->get_option("--page")->needs("--merge");
+  command->add_flag("--page", arguments.page, "campaign.html: charts of all points, too")->needs("--merge");
   command->callback([&run, command] { run = [command] { return run_campaign(arguments, *command); }; });
 }
 

@@ -134,7 +134,7 @@ int run_point(const PointArguments& point) {
   const Stopwatch watch;
   most_threads(1);
   point.options();  // refuses before the scene is read
-  try_folder("--keep", point.keep);
+  try_folder("--store", point.keep);
   const LoadedView loaded = load_view(point.view);
   const SimulateOptions options = point_options(point, loaded.scene);
   if (point.engine != "model") {
@@ -172,7 +172,7 @@ void PointArguments::add(CLI::App& app) {
   add_integer(app, "--windows", windows, "with --window: so many side by side, up to the end of the row", 1, 1024)
       ->capture_default_str();
   app.add_flag("--truth", truth, "golden, rtl: the float64 renders and the PSNR, too");
-  app.add_option("--keep", keep, "folder for what was measured")->required();
+  app.add_option("--store", keep, "folder for what was measured")->required();
 }
 
 SimulateOptions PointArguments::options() const {
@@ -207,7 +207,7 @@ std::string PointArguments::line() const {
   say("--seed", fmt::to_string(memory.seed));
   say("--engine", engine);
   if (truth) line += " --truth";
-  say("--keep", absolute(keep));
+  say("--store", absolute(keep));
   return line;
 }
 
@@ -246,7 +246,8 @@ std::optional<Json> kept_point(const MeasurementStore& store, const Config& conf
 
 void add_point(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("point", "one point of a campaign: measured on one core, once, and kept");
-  command->footer(footer("pipegs point garden.ply --cameras cameras.json --view 0 --design exact --keep points",
+  command->group("");  // lines of a campaign call it, nobody types it
+  command->footer(footer("pipegs point garden.ply --cameras cameras.json --view 0 --design exact --store points",
                          "kept (--engine rtl: and every bit agrees)", "--engine rtl: a bit differs or the RTL stops",
                          "The lines that `pipegs campaign` writes. What is kept already is not measured again."));
   static PointArguments arguments;

@@ -133,8 +133,7 @@ int explain(const ExplainArguments& arguments) {
 }  // namespace
 
 void add_explain(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "explain", "each Gaussian of one pixel in order: power, alpha, weight, T in float64, golden model and RTL");
+  CLI::App* command = app.add_subcommand("explain", "one pixel, Gaussian by Gaussian, in each model");
   command->footer(footer("pipegs explain garden.ply --cameras cameras.json --pixel 400,300",
                          "the RTL's window agrees (or --no-rtl: nothing compared)", "a bit of it differs"));
   static ExplainArguments arguments;

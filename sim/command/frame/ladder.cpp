@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "sim/command/command.hpp"
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/ladder/ladder.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/report.hpp"
@@ -18,9 +18,8 @@ namespace {
 struct LadderArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string out = "ladder";
-  PageArgument page;
-  bool json = false, no_truth = false;
+  StudyOutput output;
+  bool no_truth = false;
 };
 
 // What the design points above have shown, for comparing pictures and for truths that need not be rendered again.
@@ -49,7 +48,7 @@ void run_design_point(LadderRow& row, const LadderArguments& arguments, const Lo
   if (row.with_truth) simulate_truth(loaded.scene, loaded.camera, row.options, *simulation, known.first.get());
   ladder_figures(row, *simulation, watch);
   compare_pixels(row, simulation->golden.pixels, known);
-  const std::string folder = arguments.out + "/" + std::string(row.design_point->name);
+  const std::string folder = arguments.output.out() + "/" + std::string(row.design_point->name);
   write_images(folder, crop_window(simulation->golden.image, row.options));
   write_text(folder + "/report.json",
              report_json(loaded.scene, loaded.camera, row.options, *simulation).dump(2) + "\n");
@@ -59,11 +58,10 @@ void run_design_point(LadderRow& row, const LadderArguments& arguments, const Lo
 }
 
 void check_outputs(const LadderArguments& arguments, const std::vector<const DesignPoint*>& chosen) {
-  try_folder("--out", arguments.out, {"ladder.json"});
+  arguments.output.check();
   for (const DesignPoint* design_point : chosen)
-    try_folder("--out", arguments.out + "/" + std::string(design_point->name),
+    try_folder("--out", arguments.output.out() + "/" + std::string(design_point->name),
                {"frame.exr", "frame.png", "report.json"});
-  arguments.page.check();
 }
 
 // Of the design point that runs, and of the first one, whose truths are kept.
@@ -90,7 +88,7 @@ int ladder(const LadderArguments& arguments) {
   size_t done = 0;
   bool differs = false;
   for (LadderRow& row : rows) {
-    if (!arguments.json) fmt::print(stderr, "{}: {}\n", row.design_point->name, row.design_point->what);
+    if (!arguments.output.json()) fmt::print(stderr, "{}: {}\n", row.design_point->name, row.design_point->what);
     try {
       run_design_point(row, arguments, loaded, known);
       ++done;
@@ -109,27 +107,18 @@ int ladder(const LadderArguments& arguments) {
        {{"kind", arguments.memory.external.dram},
         {"bytes_per_cycle", memory_peak(arguments.memory.external)},
         {"seed", arguments.memory.seed}}},
-      {"designs", ladder_json(rows)},
-      {"charts", charts_json(ladder_charts(rows))}};
-  if (done > 0) write_text(arguments.out + "/ladder.json", json.dump(2) + "\n");
+      {"designs", ladder_json(rows)}};
   const std::string head = fmt::format("{}: {} Gaussians; view {} ({}x{}); memory {}, {:g} B/cycle", loaded.scene.name,
                                        loaded.scene.gaussians.size(), camera.name, camera.width, camera.height,
                                        arguments.memory.external.dram, memory_peak(arguments.memory.external));
-  if (done > 0) {
-    NamedMachines machines;
-    for (const LadderRow& row : rows) machines.emplace_back(row.design_point->name, row.options.config);
-    arguments.page.write({.title = "One view on every design point",
+  NamedMachines machines;
+  for (const LadderRow& row : rows) machines.emplace_back(row.design_point->name, row.options.config);
+  arguments.output.write({.title = "One view on every design point",
                           .head = head,
                           .charts = ladder_charts(rows),
                           .tables = ladder_tables(rows),
-                          .machines = machines});
-  }
-  if (arguments.json) {
-    fmt::print("{}\n", json.dump(2));
-  } else {
-    fmt::print("{}\n\n{}", head, tables_text(ladder_tables(rows)));
-    if (done > 0) fmt::print("  figures {0}/ladder.json, pictures and reports {0}/<design point>\n", arguments.out);
-  }
+                          .machines = machines},
+                         json, done > 0);
   if (differs) return kExitDiffers;
   return done == rows.size() ? kExitOk : kExitOwnFailure;
 }
@@ -137,21 +126,15 @@ int ladder(const LadderArguments& arguments) {
 }  // namespace
 
 void add_ladder(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "ladder", "one view on the paper's design points, from the baseline to the final design, and on ours");
-  command->footer(footer("pipegs ladder garden.ply --cameras cameras.json --view 0 --page ladder.html",
+  CLI::App* command = app.add_subcommand("ladder", "one view on every design point, in RTL");
+  command->footer(footer("pipegs ladder garden.ply --cameras cameras.json --view 0 --out ladder --page",
                          "every bit of every design point agrees", "a bit differs or the RTL stops",
                          "A design point whose RTL does not build is named, the others run; then the exit code is 3."));
   static LadderArguments arguments;
   arguments.view.add(*command, DesignPoints::kSeveral);
   arguments.memory.add(*command);
-  command
-      ->add_option("--out", arguments.out,
-                   "folder for ladder.json and, for each design point, report.json and the picture")
-      ->capture_default_str();
-  arguments.page.add(*command);
+  arguments.output.add(*command, "ladder");
   command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
-  command->add_flag("--json", arguments.json, "print ladder.json instead of the tables");
   command->callback([&run] { run = [] { return ladder(arguments); }; });
 }
 

@@ -89,7 +89,7 @@ int render(const RenderArguments& arguments) {
 }  // namespace
 
 void add_render(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("render", "writes frame.exr and frame.png without simulating the RTL");
+  CLI::App* command = app.add_subcommand("render", "the picture of a view, without the RTL");
   command->footer(footer("pipegs render garden.ply --cameras cameras.json --model truth --semantics inria --out inria",
                          "written", "with --compare: a pixel differs"));
   static RenderArguments arguments;

@@ -25,10 +25,10 @@ struct SimArguments {
   SequenceArguments sequence;
   FramePageArgument page;
   ViewerArgument viewer;
-  std::string out = "out", waves;
+  std::string out = "out";
   std::vector<std::string> effects = {"all"};
   std::string picture = "windows";
-  bool netlist = false, json = false, no_truth = false, no_rtl = false;
+  bool waves = false, netlist = false, json = false, no_truth = false, no_rtl = false;
 };
 
 const std::vector<std::string> kAll = {"all"}, kAuto = {"auto"};
@@ -43,7 +43,7 @@ std::string replay(const SimArguments& arguments, const CLI::App& command, const
     other.insert({"--window", "--crop"});
     more += " --window " + window;
   }
-  if (!arguments.netlist) more += " --waves replay/window.fst";  // gates write none
+  if (!arguments.netlist) more += " --waves";  // gates write none
   if (!arguments.netlist && are_named(arguments.effects)) {
     std::vector<std::string> effects = arguments.effects;
     for (const char* needed : {"waves", "taps"}) {
@@ -73,27 +73,26 @@ std::string run_rtl(const SimArguments& arguments, const CLI::App& command, cons
 }
 
 void check_outputs(const SimArguments& arguments, const CLI::App& command) {
-  try_file("--waves", arguments.waves);
-  arguments.viewer.check();
   arguments.sequence.check(command, arguments.out);
   if (arguments.page.wanted() && arguments.sequence.wanted())
     throw ConfigError("--page: found a sequence, expected one frame");
   arguments.page.check();
-  if (!arguments.sequence.wanted()) try_folder("--out", arguments.out, {"frame.exr", "frame.png", "report.json"});
+  try_folder("--out", arguments.out,
+             {"frame.exr", "frame.png", "report.json", "page.html", "viewer.html", "waves.fst"});
 }
 
 int simulate(const SimArguments& arguments, const CLI::App& command) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
-  options.rtl.waves = arguments.waves;
+  if (arguments.waves) options.rtl.waves = arguments.out + "/waves.fst";
   options.raster = arguments.picture == "raster";
   arguments.picture_of.apply(arguments.view, true, options);
   options.variant.netlist = arguments.netlist;
-  if (arguments.no_rtl && !arguments.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
+  if (arguments.no_rtl && arguments.waves) throw ConfigError("--waves: there are none with --no-rtl");
   built_variant(options.variant, options.rtl);  // refuses waves of gates
   check_outputs(arguments, command);
   if (arguments.sequence.wanted()) {
-    make_folder_of(arguments.waves);
+    make_folder_of(options.rtl.waves);
     return run_sequence(arguments.view, arguments.sequence, arguments.picture_of, options,
                         {.out = arguments.out,
                          .rtl = !arguments.no_rtl,
@@ -116,7 +115,7 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   EffectPlan plan = named_effects(arguments, options);
   ViewerArgument viewer = arguments.viewer;
   viewer.begin(loaded, {loaded.camera}, options, arguments.picture_of.color(), command);
-  make_folder_of(arguments.waves);
+  make_folder_of(options.rtl.waves);
 
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
@@ -136,11 +135,11 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   // A run that was repeated with all effects has left two in the record.
   if (page)
     arguments.page.write(
-        command,
+        command, arguments.out,
         {.picture = picture, .report = report, .against = against, .record = wrong.empty() && seen ? &*seen : nullptr},
         simulation, options);
   viewer.add(picture);
-  const std::string viewed = viewer.write();
+  const std::string viewed = viewer.write(arguments.out);
   if (arguments.json) {
     fmt::print("{}\n", report.dump(2));
   } else {
@@ -159,8 +158,7 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
 }  // namespace
 
 void add_sim(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "sim", "one view through golden (bit-accurate) model, float64 truth and RTL, every bit compared");
+  CLI::App* command = app.add_subcommand("sim", "one view by truth, golden model, RTL: compared");
   command->footer(footer("pipegs sim garden.ply --cameras cameras.json --view 0 --set units=2 --out garden",
                          "every bit of the RTL agrees (or --no-rtl: nothing compared)",
                          "a bit differs or the RTL stops"));
@@ -176,8 +174,9 @@ void add_sim(CLI::App& app, Run& run) {
                    "pixels in memory: windows, as --set pixel_w says; raster, rows of RGBA8, and frame.png is these")
       ->capture_default_str()
       ->check(CLI::Validator(CLI::IsMember({"windows", "raster"})).description(""));
-  command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json")->capture_default_str();
-  command->add_option("--waves", arguments.waves, "write waves to this .fst file (use with --window)");
+  command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json, and what is asked for")
+      ->capture_default_str();
+  command->add_flag("--waves", arguments.waves, "waves.fst: waves of every signal (use with --window)");
   add_names(*command, "--effects", arguments.effects,
             "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
       ->capture_default_str();

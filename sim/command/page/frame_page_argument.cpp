@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/report/html/template.hpp"
 #include "sim/photos/photograph.hpp"
@@ -29,27 +29,25 @@ std::string explain_line(const CLI::App& sim) {
 }  // namespace
 
 void FramePageArgument::add(CLI::App& app) {
-  CLI::Option* page = app.add_option("--page", file_, "the frame as one HTML page: pictures, maps, where cycles went");
+  CLI::Option* page = app.add_flag("--page", wanted_, "page.html: the frame's pictures and maps, where cycles went");
   app.add_option("--against", against_, "with --page: a photograph of this view (PNG, JPEG), beside the others")
       ->needs(page);
 }
 
 void FramePageArgument::check() const {
-  if (!wanted()) return;
-  try_file("--page", file_);
-  try_page();
+  if (wanted_) try_page();
 }
 
 std::optional<Rgb8> FramePageArgument::read(const Camera& camera, const SimulateOptions& options) const {
-  if (!wanted()) return std::nullopt;
+  if (!wanted_) return std::nullopt;
   const PixelRect asked = asked_pixels(camera.width, camera.height, options);
   check_page_picture("--page", asked);
   if (against_.empty()) return std::nullopt;
   return cropped(read_photograph(against_, camera), asked);
 }
 
-void FramePageArgument::write(const CLI::App& command, FramePage page, const Simulation& simulation,
-                              const SimulateOptions& options) const {
+void FramePageArgument::write(const CLI::App& command, const std::string& out, FramePage page,
+                              const Simulation& simulation, const SimulateOptions& options) const {
   const auto& report = page.report;
   page.title = fmt::format("{}, view {}, {}", report["scene"]["name"].get<std::string>(),
                            report["camera"]["name"].get<std::string>(), machine_name(options.config));
@@ -58,7 +56,7 @@ void FramePageArgument::write(const CLI::App& command, FramePage page, const Sim
   page.against_name = against_;
   HtmlDocument document = frame_document(page, simulation, options);
   document.data["version"] = page_version();
-  write_text(file_, document.text(html_template("page")));
+  write_text(out + "/page.html", document.text(html_template("page")));
 }
 
 }  // namespace pipegs

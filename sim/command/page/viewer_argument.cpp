@@ -4,18 +4,15 @@
 
 #include <fmt/format.h>
 
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/report/html/template.hpp"
 
 namespace pipegs {
 
 void ViewerArgument::add_option(CLI::App& app) {
-  app.add_option("--viewer", file_,
-                 "write a page, one HTML file: the scene in a viewer (Spark) beside the machine's picture, in step");
+  app.add_flag("--viewer", wanted_, "viewer.html: the scene in a viewer (Spark) beside the machine's picture, in step");
 }
-
-void ViewerArgument::check() const { try_file("--viewer", file_); }
 
 void ViewerArgument::begin(const LoadedView& loaded, const std::vector<Camera>& cameras, const SimulateOptions& options,
                            const Background& background, const CLI::App& command) {
@@ -44,11 +41,12 @@ void ViewerArgument::add(const Rgb8& picture) {
   if (wanted()) page_.frames.at(added_++).picture = picture;
 }
 
-std::string ViewerArgument::write() {
+std::string ViewerArgument::write(const std::string& out) {
   if (!wanted()) return "";
   const ViewerHtml page = viewer_html(page_, template_);
-  write_text(file_, page.html);
-  return fmt::format("viewer {} ({:.1f} MB): {}\n", file_, static_cast<double>(page.html.size()) / 1e6, page.reduced);
+  write_text(out + "/viewer.html", page.html);
+  return fmt::format("viewer {}/viewer.html ({:.1f} MB): {}\n", out, static_cast<double>(page.html.size()) / 1e6,
+                     page.reduced);
 }
 
 }  // namespace pipegs

@@ -4,21 +4,15 @@
 
 #include "scenes/input_error.hpp"
 #include "sim/command/command.hpp"
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/command/report/report_page.hpp"
 
 namespace pipegs {
 namespace {
 
-struct ReportArguments {
-  std::string folder, page;
-};
-
-int run_report(const ReportArguments& arguments, const CLI::App& command) {
-  const std::filesystem::path folder = arguments.folder;
-  const std::filesystem::path file =
-      arguments.page.empty() ? folder / "report.html" : std::filesystem::path(arguments.page);
-  if (!arguments.page.empty() || std::filesystem::is_directory(folder)) try_file("--page", file);
+int run_report(const std::filesystem::path& folder, const CLI::App& command) {
+  const std::filesystem::path file = folder / "report.html";
+  if (std::filesystem::is_directory(folder)) try_file("DIR", file);
   const FolderResults results = read_results(folder);
   if (results.count() == 0) {
     throw InputError(folder.string(), "",
@@ -39,15 +33,14 @@ int run_report(const ReportArguments& arguments, const CLI::App& command) {
 }  // namespace
 
 void add_report(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("report", "one HTML page of all results in a folder and those below it");
+  CLI::App* command = app.add_subcommand("report", "one page of all results in a folder");
   command->footer(
       footer("pipegs report ladder", "written", "",
              "Reads what `sim`, `ladder` and `train` write: report.json, sequence.json, train.json. A file that "
              "is broken is\nleft out, with its reason in the page."));
-  static ReportArguments arguments;
-  command->add_option("DIR", arguments.folder, "the folder")->required();
-  command->add_option("--page", arguments.page, "the file; report.html in the folder without it");
-  command->callback([&run, command] { run = [command] { return run_report(arguments, *command); }; });
+  static std::string folder;
+  command->add_option("DIR", folder, "the folder; the page is its report.html")->required();
+  command->callback([&run, command] { run = [command] { return run_report(folder, *command); }; });
 }
 
 }  // namespace pipegs

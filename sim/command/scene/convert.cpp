@@ -1,32 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// convert.cpp: `pipegs convert IN OUT.ply`: a scene of any format that is read, as a .ply in INRIA's layout.
+// convert.cpp: `pipegs convert`: a scene of any format that is read, or our own, as a .ply in INRIA's layout.
 #include <fmt/format.h>
 
-#include "scenes/input_error.hpp"
 #include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
 
 namespace pipegs {
 
 void add_convert(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("convert", "a scene of another format as .ply in INRIA's layout");
-  command->footer(footer("pipegs convert garden.sog garden.ply", "done"));
+  CLI::App* command = app.add_subcommand("convert", "a scene of another format as INRIA's .ply");
+  command->footer(footer("pipegs convert garden.sog --out garden", "done"));
   static SceneArguments scene;
-  static std::string out;
+  static std::string out = "converted";
   scene.add(*command);
-  command->get_option("SCENE")->required();
-  command->add_option("OUT", out, "the .ply that is written")->required();
+  command->add_option("--out", out, "folder for scene.ply")->capture_default_str();
   command->callback([&run] {
     run = [] {
-      if (std::filesystem::path(out).extension() != ".ply")
-        throw InputError("OUT", "", fmt::format("found {}, expected a name that ends in .ply", quote(out)));
-      try_file("OUT", out);
+      try_folder("--out", out, {"scene.ply"});
       SceneFormat format;
       const Scene loaded = scene.load(&format);
-      make_folder_of(out);
-      write_ply(out, loaded);
-      fmt::print("{}: {} Gaussians, SH degree {}; from {}\n", out, loaded.gaussians.size(), loaded.sh_degree,
-                 format.name);
+      const std::filesystem::path file = std::filesystem::path(out) / "scene.ply";
+      make_folder_of(file);
+      write_ply(file, loaded);
+      fmt::print("{}: {} Gaussians, SH degree {}; from {}\n", file.string(), loaded.gaussians.size(), loaded.sh_degree,
+                 format.name.empty() ? "the generator" : format.name);
       return kExitOk;
     };
   });

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "scenes/info.hpp"
-#include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
 #include "scenes/text/json.hpp"
 #include "sim/layers/cldr.hpp"
@@ -38,17 +37,14 @@ std::string text_of(const std::vector<Margin>& margins) {
 }  // namespace
 
 void add_info(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("info", "counts, SH degree, bounds, format and suspicious values of a scene");
+  CLI::App* command = app.add_subcommand("info", "what a scene holds and what looks wrong in it");
   command->footer(footer("pipegs info garden.ply --json", "done"));
   static SceneArguments scene;
-  static std::string save;
   static bool json = false;
   scene.add(*command);
-  command->add_option("--save", save, "write the scene as a .ply (our own scene for other viewers)");
   command->add_flag("--json", json, "as JSON");
   command->callback([&run] {
     run = [] {
-      try_file("--save", save);
       SceneFormat format;
       const Scene loaded = scene.load(&format);
       SceneInfo info = inspect(loaded);
@@ -61,9 +57,6 @@ void add_info(CLI::App& app, Run& run) {
       } else {
         fmt::print("{}{}\n", to_text(info), text_of(margins));
       }
-      if (save.empty()) return kExitOk;
-      make_folder_of(save);
-      write_ply(save, loaded);
       return kExitOk;
     };
   });

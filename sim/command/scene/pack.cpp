@@ -101,7 +101,7 @@ int pack(const PackArguments& arguments) {
 }  // namespace
 
 void add_pack(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("pack", "a scene for a program that drives the machine: image.bin, scene.h");
+  CLI::App* command = app.add_subcommand("pack", "a scene in the machine's format, for its driver");
   command->footer(footer("pipegs pack garden.ply --cameras cameras.json --view 0 --out packed", "done", "",
                          "image.bin is put into the machine's memory as it is; scene.h is compiled with "
                          "cpp_model/driver/example.c\nor a program like it."));

@@ -208,7 +208,7 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
   for (const char* option : {"--effects", "--view", "--netlist"}) {
     if (command.count(option) > 0) throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
   }
-  try_folder("--out", out, {"sequence.json", "frames.csv", "frame_0000.png", "frame_0000.exr"});
+  try_folder("--out", out, {"sequence.json", "frames.csv", "frame_0000.png", "frame_0000.exr", "viewer.html"});
 }
 
 int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, const PictureArguments& picture,
@@ -233,7 +233,7 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   const Json json = to_json(table);
   write_text(run.out + "/frames.csv", frames_csv(table));
   write_text(run.out + "/sequence.json", json.dump(2) + "\n");
-  const std::string viewed = viewer.write();
+  const std::string viewed = viewer.write(run.out);
   if (run.json) {
     fmt::print("{}\n", json.dump(2));
   } else {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # svg.sh: charts of a command as one SVG file:
-#   pipegs sweep --json | svg.sh OUT > sweep.svg
+#   pipegs ladder --json | svg.sh OUT > ladder.svg
 #
 # OUT is the folder of build.sh, which it brings up to date; svg.mjs says what may stand on stdin. Exit code 4: npm has
 # not brought the libraries.

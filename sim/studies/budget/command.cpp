@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// command.cpp: `pipegs budget`: errors of power and alpha of random Gaussians, below their bounds, beside float and
-// half.
+// command.cpp: `pipegs study budget`: errors of power and alpha of random Gaussians, below their bounds, beside float
+// and half.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "sim/bounds/budget.hpp"
 #include "sim/studies/budget/sample.hpp"
 #include "sim/command/command.hpp"
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/finite.hpp"
 
@@ -22,11 +22,10 @@ namespace {
 
 struct BudgetArguments {
   std::string design_point{kDefaultDesignPoint};
-  PageArgument page;
+  StudyOutput output;
   std::vector<std::string> settings;
   uint64_t seed = 1;
   size_t count = 1000000;
-  bool json = false;
 };
 
 using Field = double BudgetSample::*;
@@ -85,7 +84,7 @@ int budget(const BudgetArguments& arguments) {
   ViewArguments view;
   view.design_point = arguments.design_point, view.settings = arguments.settings;
   const Config config = view.options().config;
-  arguments.page.check();
+  arguments.output.check();
   Progress progress("budget");
   const std::vector<BudgetSample> samples = budget_samples(config, arguments.seed, arguments.count, [&](double share) {
     if (interrupted()) throw std::runtime_error("interrupted");
@@ -136,14 +135,12 @@ int budget(const BudgetArguments& arguments) {
   table.notes.push_back(fmt::format("beyond the bound: {}; no number: FP32 {}, FP16 {}", violations,
                                     out["no_number"]["fp32"].get<long>(), out["no_number"]["fp16"].get<long>()));
   const std::vector<Chart> drawn = charts(samples);
-  out["charts"] = charts_json(drawn);
-  if (arguments.json) fmt::print("{}\n", out.dump(2));
-  else fmt::print("{}\n{}", head, table_text(table));
-  arguments.page.write({.title = "Errors of power and alpha",
-                        .head = head,
-                        .charts = drawn,
-                        .tables = {table},
-                        .machines = {{machine_name(config), config}}});
+  arguments.output.write({.title = "Errors of power and alpha",
+                          .head = head,
+                          .charts = drawn,
+                          .tables = {table},
+                          .machines = {{machine_name(config), config}}},
+                         out);
   return violations == 0 ? kExitOk : kExitDiffers;
 }
 
@@ -152,7 +149,7 @@ int budget(const BudgetArguments& arguments) {
 void add_budget(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("budget", "errors of power and alpha of random Gaussians: ours, its bound, FP32, FP16");
-  command->footer(footer("pipegs budget --count 1000000 --page budget.html", "every error lies within its bound",
+  command->footer(footer("pipegs study budget --count 1000000 --out budget --page", "every error lies within its bound",
                          "one lies beyond it"));
   static BudgetArguments arguments;
   add_integer(*command, "--count", arguments.count, "Gaussians", size_t{1}, size_t{100000000})->capture_default_str();
@@ -161,8 +158,7 @@ void add_budget(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")
       ->allow_extra_args(false);
-  arguments.page.add(*command);
-  command->add_flag("--json", arguments.json, "as JSON");
+  arguments.output.add(*command);
   command->callback([&run] { run = [] { return budget(arguments); }; });
 }
 

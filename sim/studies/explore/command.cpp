@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// command.cpp: `pipegs accuracy`, `tradeoff` and `shapes`: three questions to one space, what a view costs and how
-// close it is to the truth by the machine's configuration and by how much of it is drawn.
+// command.cpp: `pipegs accuracy`, `pipegs study tradeoff` and `shapes`: three questions to one space, what a view costs
+// and how close it is to the truth by the machine's configuration and by how much of it is drawn.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <functional>
 #include <string_view>
 #include <thread>
 
-#include "scenes/own_failure.hpp"
 #include "scenes/text/quote.hpp"
 #include "sim/command/command.hpp"
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/progress.hpp"
 #include "sim/silicon/published.hpp"
 #include "sim/studies/explore/report.hpp"
@@ -24,18 +22,15 @@ namespace {
 struct ExploreArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string store = PIPEGS_BUILD_DIR "/explore", out;
-  bool json = false;
+  std::string store = PIPEGS_BUILD_DIR "/explore";
+  StudyOutput output;
 
   void add(CLI::App& command) {
     view.add(command);
     memory.add(command);
-    command.add_option("--store", store, "folder of what was measured, which is not measured again")
+    command.add_option("--store", store, "folder of what was measured and is not measured again")
         ->capture_default_str();
-    command.add_option(
-        "--out", out,
-        fmt::format("folder for {0}.json, {0}.csv with every point, and the page {0}.html", command.get_name()));
-    command.add_flag("--json", json, "as JSON");
+    output.add(command);
   }
 };
 
@@ -65,31 +60,7 @@ PixelBytes memory_of(const Question& question) {
   return bytes;
 }
 
-// An answer without its page is as good; that there will be none is said before anything is measured.
-bool can_make_page(const std::string& file) {
-  try {
-    try_page();
-    return true;
-  } catch (const OwnFailure& failure) {
-    fmt::print(stderr, "{} is left out: {}\n", file, failure.what());
-    return false;
-  }
-}
-
-StudyPage page_of(const Question& question, const std::string& head, const Answer& answer) {
-  StudyPage page = study_page(question.title, *question.command);
-  page.lead(head);
-  page.section("Charts");
-  page.note("Points can be copied by a click: the settings go to the clipboard, the rows are marked.");
-  page.charts(answer.charts);
-  page.section("Figures");
-  for (const Table& table : answer.tables) page.table(table);
-  return page;
-}
-
 int explore(const ExploreArguments& arguments, const Question& question) {
-  const std::string name = question.command->get_name(), html = name + ".html", json = name + ".json",
-                    csv = name + ".csv";
   SimulateOptions options = arguments.view.options();
   if (options.window && question.measured != Measured::kErrors)
     throw ConfigError("--window: pictures or windows of other sizes are compared as a whole, expected none");
@@ -97,11 +68,10 @@ int explore(const ExploreArguments& arguments, const Question& question) {
   const FrameModel silicon = read_frame_model();
   if (question.areas) check_shapes(options.config, silicon);
   try_folder("--store", arguments.store);
-  if (!arguments.out.empty()) try_folder("--out", arguments.out, {html.c_str(), json.c_str(), csv.c_str()});
+  arguments.output.check();
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded.scene, options);
   check_picture_memory(loaded.camera, options, memory_of(question));
-  const bool with_page = !arguments.out.empty() && can_make_page(html);
   const Stopwatch watch;
   const View view(loaded.scene, loaded.camera, loaded.cameras, options, question.measured);
   Explorer explorer(view, {arguments.store, loaded.scene, loaded.camera, options}, silicon);
@@ -110,22 +80,21 @@ int explore(const ExploreArguments& arguments, const Question& question) {
   const std::string head =
       fmt::format("{}: view {} ({}x{}), memory {}, base {}", loaded.scene.name, loaded.camera.name, loaded.camera.width,
                   loaded.camera.height, arguments.memory.external.dram, config_difference(options.config));
-  nlohmann::ordered_json all = {{"scene", loaded.scene.name},
-                                {"camera", loaded.camera.name},
-                                {"cameras", loaded.cameras.size()},
-                                {"memory", arguments.memory.external.dram}};
-  all.update(answer.json);
-  all["charts"] = charts_json(answer.charts);
-  if (!arguments.out.empty()) {
-    const std::filesystem::path out = arguments.out;
-    write_text(out / json, all.dump(2) + "\n");
-    write_text(out / csv, table_csv(answer.tables.front()));
-    if (with_page) write_page(out / html, page_of(question, head, answer));
-  }
-  if (arguments.json) fmt::print("{}\n", all.dump(2));
-  else
-    fmt::print("{}\n\n{}  {} points measured in {:.0f} s, {} taken from the store\n", head, tables_text(answer.tables),
-               explorer.computed, watch.seconds(), explorer.resumed);
+  nlohmann::ordered_json json = {{"scene", loaded.scene.name},
+                                 {"camera", loaded.camera.name},
+                                 {"cameras", loaded.cameras.size()},
+                                 {"memory", arguments.memory.external.dram}};
+  json.update(answer.json);
+  arguments.output.write(
+      {.title = question.title,
+       .head = head,
+       .charts = answer.charts,
+       .tables = answer.tables,
+       .note = "Points can be copied by a click: the settings go to the clipboard, the rows are marked."},
+      json);
+  if (!arguments.output.json())
+    fmt::print("  {} points measured in {:.0f} s, {} taken from the store\n", explorer.computed, watch.seconds(),
+               explorer.resumed);
   return kExitOk;
 }
 
@@ -174,10 +143,9 @@ int accuracy(const AccuracyArguments& arguments, const CLI::App* command) {
 }  // namespace
 
 void add_accuracy(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "accuracy", "what accuracy costs on a view: knobs alone and together, and the fronts of configurations");
+  CLI::App* command = app.add_subcommand("accuracy", "what each bit of accuracy costs on a view");
   command->footer(footer(
-      "pipegs accuracy garden.ply --cameras cameras.json --view 0 --design exact --target 60dB --out accuracy",
+      "pipegs accuracy garden.ply --cameras cameras.json --view 0 --design exact --target 60dB --out accuracy --page",
       "measured", "", "Accuracy is the golden model's against float64, cycles and bytes are the timing model's."));
   static AccuracyArguments arguments;
   arguments.common.add(*command);
@@ -215,8 +183,8 @@ int run_tradeoff(const TradeoffArguments& arguments, const CLI::App* command) {
 void add_tradeoff(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "tradeoff", "what accuracy costs in time: fewer pixels, Gaussians, SH degrees, other cuts and orders");
-  command->footer(footer("pipegs tradeoff garden.ply --cameras cameras.json --view 0 --out tradeoff", "measured", "",
-                         "Cycles are those of the timing model."));
+  command->footer(footer("pipegs study tradeoff garden.ply --cameras cameras.json --view 0 --out tradeoff --page",
+                         "measured", "", "Cycles are those of the timing model."));
   static TradeoffArguments arguments;
   arguments.common.add(*command);
   add_real(*command, "--ghz", arguments.ghz, "clock that turns cycles into time", {.low = 0.1, .high = 10})
@@ -250,7 +218,8 @@ int run_shapes(const ShapesArguments& arguments, const CLI::App* command) {
 void add_shapes(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("shapes", "time and area by the machine's shape at equal pixels, and the best within an area");
-  command->footer(footer("pipegs shapes garden.ply --cameras cameras.json --area 3.283 --out shapes", "measured", "",
+  command->footer(footer("pipegs study shapes garden.ply --cameras cameras.json --area 3.283 --out shapes --page",
+                         "measured", "",
                          "Cycles are the timing model's, areas and clocks are interpolated between synthesised "
                          "machines."));
   static ShapesArguments arguments;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// command.cpp: `pipegs rivals`: what a view asks of any renderer by tiles, and models of other accelerators on it
+// command.cpp: `pipegs study rivals`: what a view asks of any renderer by tiles, and models of other accelerators on it
 // beside two machines of our own.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
-#include "sim/command/page/page_argument.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/progress.hpp"
 #include "sim/studies/rivals/compare/report.hpp"
 #include "sim/studies/rivals/report.hpp"
@@ -18,8 +18,8 @@ struct RivalsArguments {
   ViewArguments view;
   MemoryArguments memory;
   CountOptions counts{.group = 64};
-  PageArgument page;
-  bool json = false, only_counts = false;
+  StudyOutput output;
+  bool only_counts = false;
 };
 
 constexpr double kFinestVoxel = 1.0 / 16;  // of --voxel, by halves: the edges between which STREAMINGGS is modelled
@@ -55,7 +55,7 @@ int run_rivals(RivalsArguments& arguments) {
   if (options.window) throw ConfigError("--window: the whole view is counted, expected none");
   if (arguments.counts.group % kTileSide != 0)
     throw ConfigError(fmt::format("--group: found {}, expected a multiple of {}", arguments.counts.group, kTileSide));
-  arguments.page.check();
+  arguments.output.check();
   const LoadedView loaded = load_view(arguments.view);
   check_picture_memory(loaded.camera, options, kCountPixels);
   const FrameCounts counts = count(arguments, loaded);
@@ -72,26 +72,17 @@ int run_rivals(RivalsArguments& arguments) {
   NamedMachines machines;
   for (const SimulateOptions& one : arguments.view.paper_and_own())
     machines.emplace_back(machine_name(one.config), one.config);
-  arguments.page.write({.title = "Other accelerators on this view",
-                        .head = head,
-                        .charts = comparison ? comparison_charts(*comparison) : std::vector<Chart>{},
-                        .tables = tables,
-                        .machines = comparison ? machines : NamedMachines{}});
-  if (arguments.json) {
-    nlohmann::ordered_json json = {{"scene", loaded.scene.name},
-                                   {"camera", loaded.camera.name},
-                                   {"width", counts.width},
-                                   {"height", counts.height}};
-    if (comparison) json["memory"] = arguments.memory.external.dram;
-    json.update(counts_json(counts, arguments.counts));
-    if (comparison) {
-      json.update(comparison_json(*comparison));
-      json["charts"] = charts_json(comparison_charts(*comparison));
-    }
-    fmt::print("{}\n", json.dump(2));
-  } else {
-    fmt::print("{}\n\n{}", head, tables_text(tables));
-  }
+  nlohmann::ordered_json json = {
+      {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"width", counts.width}, {"height", counts.height}};
+  if (comparison) json["memory"] = arguments.memory.external.dram;
+  json.update(counts_json(counts, arguments.counts));
+  if (comparison) json.update(comparison_json(*comparison));
+  arguments.output.write({.title = "Other accelerators on this view",
+                          .head = head,
+                          .charts = comparison ? comparison_charts(*comparison) : std::vector<Chart>{},
+                          .tables = tables,
+                          .machines = comparison ? machines : NamedMachines{}},
+                         json);
   return kExitOk;
 }
 
@@ -101,7 +92,7 @@ void add_rivals(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "rivals", "other accelerators on this view, modelled from what it asks of any renderer by tiles, beside ours");
   command->footer(footer(
-      "pipegs rivals garden.ply --cameras cameras.json --view 0 --page rivals.html", "done", "",
+      "pipegs study rivals garden.ply --cameras cameras.json --view 0 --out rivals --page", "done", "",
       "GSCore, GS-TG, STREAMINGGS, GSAcc, Neo and FLICKER as their papers describe them, driven by counts of the "
       "float64\nprojection and blending, with the same memory; what is not published is a parameter with a range, and "
       "every figure\ncomes as low..mid..high. Beside them `dop` and the machine of --design and --set, by timing model "
@@ -115,8 +106,7 @@ void add_rivals(CLI::App& app, Run& run) {
               "side of a group of pixels that streams voxels, a multiple of 16", 16, 4096)
       ->capture_default_str();
   command->add_flag("--counts", arguments.only_counts, "the counts alone, without machines");
-  arguments.page.add(*command);
-  command->add_flag("--json", arguments.json, "as JSON");
+  arguments.output.add(*command);
   command->callback([&run] { run = [] { return run_rivals(arguments); }; });
 }
 

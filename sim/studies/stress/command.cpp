@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// command.cpp: `pipegs stress`: random hostile views through golden model, RTL and bounds, until one fails.
+// command.cpp: `pipegs study stress`: random hostile views through golden model, RTL and bounds, until one fails.
 //
 // A failure prints its seed, is shrunk, written as scene.ply and cameras.json, read back, and named by the line that
 // replays it. What the file formats cannot hold exactly (a camera's last bit) would show there: the replay is tried
@@ -51,10 +51,10 @@ SimulateOptions paced(SimulateOptions options, uint64_t seed) {
 
 std::string replay(const std::string& program, const StressArguments& arguments, const SimulateOptions& options,
                    const StressView& view) {
-  std::string line = fmt::format("{} sim {} --cameras {} --near {} --memory ideal --latency {} --jitter {} --seed {}",
-                                 shell_word(program), shell_word(arguments.out + "/scene.ply"),
-                                 shell_word(arguments.out + "/cameras.json"), view.near_plane, options.memory.latency,
-                                 options.memory.jitter, options.memory.seed);
+  std::string line =
+      fmt::format("{} sim {} --cameras {} --near {} --memory ideal --latency {} --jitter {} --seed {}", program,
+                  shell_word(arguments.out + "/scene.ply"), shell_word(arguments.out + "/cameras.json"),
+                  view.near_plane, options.memory.latency, options.memory.jitter, options.memory.seed);
   line += " --design " + arguments.design_point;
   for (const std::string& setting : arguments.settings) line += " --set " + shell_word(setting);
   return line + (arguments.no_rtl ? " --no-rtl" : "");
@@ -123,8 +123,8 @@ int stress(const std::string& program, const StressArguments& arguments) {
 void add_stress(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "stress", "fuzzing with shrinking: random hostile scenes through golden model, RTL and error bounds");
-  command->footer(footer("pipegs stress --seed 1 --count 500 --design exact", "all agree and lie within their bounds",
-                         "one fails; then its smallest form lies in --out"));
+  command->footer(footer("pipegs study stress --seed 1 --count 500 --design exact",
+                         "all agree and lie within their bounds", "one fails; then its smallest form lies in --out"));
   static StressArguments arguments;
   add_integer(*command, "--seed", arguments.seed, "of the first view; the next ones count up")->capture_default_str();
   add_integer(*command, "--count", arguments.count, "views", 1, 100000000)->capture_default_str();
@@ -137,7 +137,9 @@ void add_stress(CLI::App& app, Run& run) {
       ->capture_default_str();
   command->add_option("--out", arguments.out, "folder for the smallest view that fails")->capture_default_str();
   command->add_flag("--no-rtl", arguments.no_rtl, "golden model against its bounds only");
-  command->callback([&run, &app] { run = [&app] { return stress(app.get_name(), arguments); }; });
+  command->callback([&run, command] {
+    run = [command] { return stress(words_of(*command->get_parent()->get_parent()), arguments); };
+  });
 }
 
 }  // namespace pipegs

@@ -233,7 +233,7 @@ int run_train(const TrainArguments& arguments) {
 }  // namespace
 
 void add_train(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("train", "trains a scene on photographs, or a trained scene for layers");
+  CLI::App* command = app.add_subcommand("train", "trains a scene on photographs, or for layers");
   command->footer(footer("pipegs train garden --steps 7000 --layers 8 --out garden_trained", "trained", "",
                          "A folder of photographs has COLMAP's sparse/0 and images. A scene is fine-tuned on its own "
                          "pictures in exact\norder, from its views. Every 8th view is held out. An "

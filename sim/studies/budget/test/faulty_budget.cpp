@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // faulty_budget.cpp: the command line on a bit-accurate model that breaks its bound: with PIPEGS_FAULT=bound one of the
-// Gaussians that `pipegs budget` looks at lies beyond it.
+// Gaussians that `pipegs study budget` looks at lies beyond it.
 //
 // Idea    As in faulty_rtl.cpp the linker puts this in the place of budget_samples (--wrap); all else is `pipegs`.
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rivals_cli_test: `pipegs rivals` as a person meets it: table and JSON say the same and define all of it, parameters
-// count, machines stand beside each other, bad input.
+// rivals_cli_test: `pipegs study rivals` as a person meets it: table and JSON say the same and define all of it,
+// parameters count, machines stand beside each other, bad input.
 #include "verif/cli/cli.hpp"
 
 namespace pipegs {
@@ -10,8 +10,8 @@ using Json = nlohmann::json;
 
 class RivalsCli : public Cli {
  protected:
-  const std::string view_ = "rivals scene.ply --cameras cameras.json --counts ",
-                    machines_ = "rivals scene.ply --cameras cameras.json ";
+  const std::string view_ = "study rivals scene.ply --cameras cameras.json --counts ",
+                    machines_ = "study rivals scene.ply --cameras cameras.json ";
 
   Json json(const std::string& arguments) {
     const Outcome outcome = run(arguments + "--json");
@@ -107,7 +107,7 @@ TEST_F(RivalsCli, MemoryCounts) {
 }
 
 TEST_F(RivalsCli, OurOwnSceneNeedsNoArguments) {
-  EXPECT_GT(json("rivals --counts ")["counts"]["gaussians"]["visible"], 1000);
+  EXPECT_GT(json("study rivals --counts ")["counts"]["gaussians"]["visible"], 1000);
 }
 
 TEST_F(RivalsCli, BadInputIsOneLine) {
@@ -122,7 +122,7 @@ TEST_F(RivalsCli, BadInputIsOneLine) {
   expect_refused(machines_ + "--set units=99", "units");
   expect_refused(view_ + "--window 0,0", "--window: the whole view is counted, expected none");
   expect_refused(view_ + "--view 1", "--view: found 1, expected 0 to 0");
-  expect_refused("rivals missing.ply --cameras cameras.json", "missing.ply");
+  expect_refused("study rivals missing.ply --cameras cameras.json", "missing.ply");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `pipegs stress` itself: hostile views on three machines, and the shrinker against a failure that is injected.
+// `pipegs study stress` itself: hostile views on three machines, and the shrinker against a failure that is injected.
 #include <cmath>
 #include <cstdlib>
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// page_argument.hpp: --page FILE of the commands that measure: what they found as one HTML file.
+// study_output.hpp: what a command that measures has found, on the terminal and in files: --out, --page and --json.
 //
 // Idea    A page holds all that the command prints, its charts, every machine that was measured as settings for the
 //         same commands, and the command line that makes the page again.
-// Errors  InputError: the file cannot be written; OwnFailure: the template cannot be made. Both before anything is
-//         computed.
+// Files   NAME.json, NAME.csv of the first table, and NAME.html with --page, in the folder of --out; NAME is the
+//         command's.
+// Errors  InputError: a file cannot be written; ConfigError: --page without a folder; OwnFailure: the page's template
+//         cannot be made. All before anything is computed.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
@@ -39,22 +42,27 @@ struct StudyFindings {
   std::string title;
   std::string head;  // scene, view, memory: one line
   std::vector<Chart> charts;
-  std::vector<Table> tables = {};
+  std::vector<Table> tables;  // the first one has columns
   NamedMachines machines;
+  std::string note;  // in the page above the charts
 };
 
-class PageArgument {
+class StudyOutput {
  public:
-  void add(CLI::App& command);
-  bool wanted() const { return !file_.empty(); }
-  // These do nothing without --page.
+  // `folder` is that of --out where it is not given; empty: then no file is written.
+  void add(CLI::App& command, const std::string& folder = "");
+  const std::string& out() const { return out_; }
+  bool json() const { return json_; }
   void check() const;
-  void write(const StudyFindings& findings) const;
-  void write(const StudyPage& page) const;
+  // Prints, and writes the files unless `files` is false; charts go into the JSON.
+  void write(const StudyFindings& findings, nlohmann::ordered_json json, bool files = true) const;
 
  private:
+  std::string file(const char* extension) const;
+
   const CLI::App* command_ = nullptr;
-  std::string file_;
+  std::string out_;
+  bool json_ = false, page_ = false;
 };
 
 }  // namespace pipegs
