@@ -68,7 +68,7 @@ class Measurement:
         command = words[2] if words[1:2] == ["study"] else words[1] if words[0] == "build/pipegs" else ""
         study = "explore" if command in ("accuracy", "tradeoff", "shapes") else command
         return [
-            *[part for part in self.by if part not in ("rtl", "train", "rivals")],
+            *[part for part in self.by if part not in ("rtl", "train")],
             *(rtl if "rtl" in self.by else []),
             *[f"point {machine}" for machine in machines],
             *([f"study {study}"] if study and (ROOT / "sim/studies" / study).is_dir() else []),

@@ -42,7 +42,6 @@ GROUPS = {  # the folders or files that make it; with - before it, what is not o
     "effects": ["sim/effects"],
     "layers": ["sim/layers", "sim/photos"],
     "path": ["scenes/cameras/path.cpp"],
-    "simulator": ["sim/rtl"],
     "cost": ["sim/design"],
     "area": ["sim/silicon", "synth/data"],
     "page": ["sim/report/page/package-lock.json", "sim/report/page/viewer", "sim/report/html/viewer.cpp",

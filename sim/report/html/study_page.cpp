@@ -32,8 +32,6 @@ void StudyPage::charts(const std::vector<Chart>& charts) {
 
 void StudyPage::table(const Table& table) { last("tables").push_back(table_json(table)); }
 
-void StudyPage::printed(const std::string& text) { last("printed") = text; }
-
 void StudyPage::picture(const std::string& caption, const std::string& png, const std::string& id) {
   const std::string file = fmt::format("picture{}", pictures_++);
   document_.add_file(file, png);

@@ -26,8 +26,6 @@ class StudyPage {
   void note(const std::string& sentence);
   void charts(const std::vector<Chart>& charts);
   void table(const Table& table);
-  // What a command has printed, as it stands.
-  void printed(const std::string& text);
   // `png` is the contents of a file.
   void picture(const std::string& caption, const std::string& png, const std::string& id = "");
 

@@ -2,7 +2,7 @@
 // study.mjs: the page of a study: what it asks, charts, tables, pictures, and the command that makes it again.
 //
 // Format  {title, command, version, lead: [sentences], sections: [{title, notes: [sentences], charts, tables, pictures:
-//         [{caption, file}], printed: text}]}. A picture is a PNG file within the page.
+//         [{caption, file}]}]}. A picture is a PNG file within the page.
 import {draw_chart} from './charts.mjs';
 import {file} from './data.mjs';
 import {copy, element, made_by, section} from './parts.mjs';
@@ -38,7 +38,6 @@ async function add_section(main, data, said) {
   }
   const pictures = await Promise.all(list(data.pictures).map(picture));
   if (pictures.length > 0) room.append(element('div', {class: 'pictures'}, ...pictures));
-  if (data.printed) room.append(element('div', {class: 'wide', tabindex: '0'}, element('pre', {}, data.printed)));
 }
 
 export async function study_page(main, data) {
