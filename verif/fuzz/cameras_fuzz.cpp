@@ -41,6 +41,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (!sized || !turned || !(camera.fx > 0) || !(camera.fy > 0)) std::abort();
       kept.add(camera.name);
     }
-  } catch (const InputError&) { return 0; }
+  } catch (const InputError& error) { refused(error); }
   return 0;
 }

@@ -17,6 +17,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (entry.member != nullptr && (entry.value < entry.low || entry.value > entry.high)) std::abort();
     }
     config_check(config);
-  } catch (const ConfigError&) { return 0; }
+  } catch (const ConfigError& error) { refused(error); }
   return 0;
 }

@@ -18,6 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           kept.add(row.text("row"));
         });
     if (notes.measured_by.size() > size) std::abort();
-  } catch (const InputError&) { return 0; }
+  } catch (const InputError& error) { refused(error); }
   return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // keep.hpp: what every target does with what it has read: names and texts are kept, as many as a room of Room bytes
-// holds.
+// holds; and with what it has not: the message is one line.
 //
 // Idea    A fuzzer that finds nothing may be blind: no coverage, no sanitizer, inputs that are refused at once. Built
 //         with PIPEGS_PLANTED the room does not check its bounds, so an input that is read well and holds one byte more
@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <memory>
 #include <string_view>
 
@@ -30,5 +32,9 @@ class Kept {
   std::unique_ptr<std::array<char, Room>> room_ = std::make_unique<std::array<char, Room>>();
   std::size_t used_ = 0;
 };
+
+inline void refused(const std::exception& error) {
+  if (std::strchr(error.what(), '\n') != nullptr) std::abort();
+}
 
 }  // namespace pipegs

@@ -42,6 +42,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       ActivatedGaussian activated;
       kept.add(cull_name(activate(scene, i, activated)));
     }
-  } catch (const InputError&) { return 0; }
+  } catch (const InputError& error) { refused(error); }
   return 0;
 }

@@ -23,6 +23,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         kept.add(property.name);
       }
     }
-  } catch (const InputError&) { return 0; }
+  } catch (const InputError& error) { refused(error); }
   return 0;
 }

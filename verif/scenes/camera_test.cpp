@@ -5,14 +5,9 @@
 //         message must name the camera and the field.
 #include "scenes/camera.hpp"
 
-#include <gtest/gtest.h>
-#include <sys/stat.h>
-
 #include <tuple>
 
-#include "scenes/input_error.hpp"
-#include "verif/scenes/camera/refused.hpp"
-#include "verif/scenes/scratch_folder.hpp"
+#include "verif/scenes/refused.hpp"
 
 namespace pipegs {
 namespace {
@@ -21,10 +16,6 @@ const std::string kGood = R"([{"id": 4, "img_name": "a.jpg", "width": 1000, "hei
   "rotation": [[0, 0, 1], [1, 0, 0], [0, 1, 0]], "fx": 800.5, "fy": 801},
  {"id": 5, "img_name": "b.jpg", "width": 1, "height": 16384, "position": [0, 0, 0],
   "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "fx": 1, "fy": 1}])";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
 
 void expect_refused(const std::string& content, const std::vector<std::string>& words) {
   const ScratchFolder scratch;
@@ -119,9 +110,6 @@ TEST(Camera, RefusesWhatIsNoListOfCameras) {
   expect_refused("[]", {"empty"});
   expect_refused("[3]", {"[0]", "an object"});
   expect_refused(replaced(kGood, "800.5", "1e999"), {"not JSON"});
-  const ScratchFolder scratch;
-  EXPECT_THROW(read_cameras(scratch / "missing.json"), InputError);
-  EXPECT_THROW(read_cameras(scratch / ""), InputError);
 }
 
 TEST(Camera, NumbersAreWholeAndOfTheirRange) {
@@ -156,19 +144,11 @@ TEST(Camera, NestingIsBounded) {
 
 TEST(Camera, OnlyARegularFileOfSomeSizeIsRead) {
   const ScratchFolder scratch;
-  const auto refused = [](const std::filesystem::path& path) -> std::string {
-    try {
-      read_cameras(path);
-    } catch (const InputError& error) { return error.what(); }
-    return "accepted";
-  };
-  EXPECT_NE(refused(scratch / "").find("found a folder without cameras.bin and cameras.txt"), std::string::npos);
-  EXPECT_NE(refused("/dev/zero").find("found a device"), std::string::npos);
-  ASSERT_EQ(mkfifo((scratch / "pipe").c_str(), 0600), 0);
-  EXPECT_NE(refused(scratch / "pipe").find("found a pipe"), std::string::npos);
+  expect_only_regular_files([](const std::filesystem::path& path) { read_cameras(path); });
+  expect_one_line([&] { read_cameras(scratch / ""); }, {"found a folder without cameras.bin and cameras.txt"});
   scratch.write("large.json", "[]");
   std::filesystem::resize_file(scratch / "large.json", std::uintmax_t{1} << 40);  // sparse
-  EXPECT_NE(refused(scratch / "large.json").find("found 1099511627776 bytes"), std::string::npos);
+  expect_one_line([&] { read_cameras(scratch / "large.json"); }, {"found 1099511627776 bytes"});
 }
 
 // Two ways to more pixels: as wide and as high as they make it, and the same rectangle. At equal sides they are one, to

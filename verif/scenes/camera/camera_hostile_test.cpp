@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Against scenes/cameras: hostile files of every format are read whole or refused in one line.
 //
-// Idea    Good files of camera_file.hpp are cut at every byte, filled with random ones, and changed in one place, where
-//         the message must name the frame and the field.
-#include <gtest/gtest.h>
-
+// Idea    Good files of camera_file.hpp are cut at every byte and changed in one place, where the message must name the
+//         frame and the field. Random bytes are the work of verif/fuzz.
 #include <random>
 
 #include "scenes/cameras/framing.hpp"
-#include "scenes/input_error.hpp"
 #include "verif/frame/scenes.hpp"
 #include "verif/scenes/camera/camera_file.hpp"
-#include "verif/scenes/camera/refused.hpp"
-#include "verif/scenes/scratch_folder.hpp"
+#include "verif/scenes/refused.hpp"
 
 namespace pipegs {
 namespace {
@@ -27,7 +23,7 @@ std::vector<Camera> two_views() {
 }
 
 void expect_refused(const std::string& text, const std::vector<std::string>& words) {
-  expect_one_line([&] { parse_cameras("c.json", text, kSized); }, words, text.substr(0, 300));
+  expect_one_line([&] { parse_cameras("c.json", text, kSized); }, words, text);
 }
 
 // `json` with the value at a JSON pointer replaced, or taken out.
@@ -112,24 +108,6 @@ TEST(CameraHostile, AFileThatIsCutIsRefused) {
     EXPECT_NO_THROW(parse_cameras("c.json", text, kSized));
     for (std::size_t n = 0; n < text.size(); ++n)
       EXPECT_THROW(parse_cameras("c.json", text.substr(0, n), kSized), InputError) << n;
-  }
-}
-
-TEST(CameraHostile, RandomBytesAreReadOrRefused) {
-  std::mt19937 random(7);
-  const std::string texts[] = {
-      camera_file::nerfstudio_applied(two_views()).dump(), camera_file::blender(two_views()).dump(),
-      camera_file::playcanvas_frames(two_views()).dump(), camera_file::supersplat_viewer(two_views()).dump(),
-      camera_file::supersplat_editor(two_views()).dump()};
-  for (int i = 0; i < 4000; ++i) {
-    std::string text = texts[i % 5];
-    for (int k = 0; k < 1 + i % 3; ++k) text[random() % text.size()] = "0123456789-.e,[]{}\"x"[random() % 20];
-    try {
-      for (const Camera& camera : parse_cameras("c.json", text, kSized)) {
-        EXPECT_NEAR(glm::determinant(camera.world_to_camera), 1, 1e-9) << text;
-        EXPECT_GT(camera.fx, 0) << text;
-      }
-    } catch (const InputError& error) { EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos); }
   }
 }
 
