@@ -278,13 +278,6 @@ mutant ru_live "done of the window before is shown in the next one" 's/ && !clea
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 group buf "Buffers"
-mutant pipegs_alpha_store "the answer goes to all who ask" 's/(asked_q +<= )grant/\1read_valid_i/'
-mutant pipegs_alpha_store "a skipped line keeps its slot" "s/(free_q +<= )read;/\1(grant \& ~read_skip_i) != '0;/"
-mutant pipegs_pixel_buffer "fresh flags set on the wrong half" 's/if \(half_q\) fresh_0_q/if (!half_q) fresh_0_q/'
-mutant pipegs_pixel_buffer "a write in the other half makes the word valid" \
-       's/if \(blend_write_i && half_q\) fresh_1_q/if (blend_write_i) fresh_1_q/'
-mutant pipegs_slot_pool "the queue loses its head while new slots are left" \
-       's/out_ready_i\(slot_ready_i && !fresh\)/out_ready_i(slot_ready_i)/'
 mutant pipegs_first_line "the highest one's line" 's/i = Ports; i > 0; i -= 1/i = 1; i <= Ports; i += 1/'
 mutant pipegs_sram_fifo "counts without the head" "s/stored_q \+ CountW'\(out_valid_q\)/stored_q/"
 mutant pipegs_sram_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'
@@ -443,12 +436,10 @@ mutant pipegs_stream_check "of several valids any one may fall" \
        "s/(gone = )\(waits_q & ~valid_i\) != '0/\1(waits_q \& ~valid_i) == '1/"
 mutant pipegs_stream_check "a beat that some wait for is compared for the first one only" \
        "s/Beats'\(waits_q != '0\)/waits_q[0]/" stream_check_shared
-mutant pipegs_skid "the spare register is overwritten" 's/in_ready_o && in_valid_i\) spare_q/in_valid_i) spare_q/'
 mutant pipegs_normalize "the largest shift is one less" 's/( < DataW)\)/\1 - 1)/'
 mutant pipegs_first_set "lowest bit: negation for two's complement" "s/~mask_i \+ 1'b1/~mask_i/"
 mutant pipegs_bit_length "the place of the bit, counted from 0" "s/LengthW'\(i \+ 1\)/LengthW'(i)/"
-mutant pipegs_round_robin "the port granted last comes first" 's/> last_i/>= last_i/' arbiter
-mutant pipegs_arbiter "an unused grant moves" 's/locked_q && request_i\[shown_q\]/0/'
+mutant pipegs_round_robin "the port granted last comes first" 's/> last_i/>= last_i/' memory_arbiter
 mutant pipegs_window_walk "a row of windows starts at 0 instead of the first one" \
        "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru_window
 mutant pipegs_clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'

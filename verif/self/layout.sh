@@ -22,6 +22,7 @@ covering_test() {
   case $test in
     "") ;;
     self/package) echo verif/self/package.sh ;;
+    prove/*) if grep -qE "^proof +${test#*/} " synth/prove/table.sh; then echo synth/prove/table.sh; fi ;;
     */*) echo "verif/${test}_test.cpp" ;;
     *) echo "verif/$2/${test}_test.cpp" ;;
   esac
