@@ -30,7 +30,6 @@ TEST_F(Options, IntegersAreReadWhole) {
   expect_no("accuracy" + view_, "--points", kNoInteger);
   expect_no("study tradeoff" + view_, "--together", kNoInteger);
   expect_no("study shapes" + view_, "--runs", kNoInteger);
-  expect_no("study rivals" + view_, "--group", kNoInteger);
 }
 
 TEST_F(Options, RealNumbersAreReadWhole) {

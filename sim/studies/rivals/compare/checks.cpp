@@ -91,11 +91,10 @@ class Checks {
     add("STREAMINGGS", "speed without its filters", "x", 0.5, frame.cycles / cycles(streaminggs(), {{"filters", 0}}),
         "numbers of filters are not published: `fine_rate` decides");
     double least = 1, kept = 1;
-    std::vector<VoxelCounts> edges = counts_.other_voxels;
-    edges.push_back(counts_.voxels);
-    for (const VoxelCounts& voxels : edges) {
-      if (voxels.open.fetched == 0) continue;
-      const double share = static_cast<double>(voxels.open.coarse) / static_cast<double>(voxels.open.fetched);
+    for (const VoxelCounts& voxels : counts_.voxels) {
+      const FilterCounts sum = voxels.sum();
+      if (sum.fetched == 0) continue;
+      const double share = static_cast<double>(sum.coarse) / static_cast<double>(sum.fetched);
       if (std::abs(share - 0.237) < least) least = std::abs(share - 0.237), kept = share;
     }
     add("STREAMINGGS", "Gaussians that the coarse filter drops", "%", 76.3, 100 * (1 - kept),

@@ -40,19 +40,25 @@ TableColumn word(const std::string& key, const std::string& heading = "") {
 }
 TableColumn figure(const std::string& key, const std::string& heading) { return {.key = key, .heading = heading}; }
 
-constexpr std::pair<const char*, Range Figures::*> kFigures[] = {{"frames/s/mm2", &Figures::fps_mm2},
-                                                                 {"frames/J, chip", &Figures::frames_j},
-                                                                 {"frames/J with DRAM", &Figures::frames_j_dram}};
+struct Figure {
+  const char *key, *name, *unit, *title;
+  Range Figures::*of;
+};
+constexpr Figure kFigures[] = {
+    {"fps_per_mm2", "frames/s/mm2", "frames/s/mm2", "Frames per second and area", &Figures::fps_mm2},
+    {"frames_per_joule", "frames/J, chip", "frames/J", "Frames for each joule of the chip", &Figures::frames_j},
+    {"frames_per_joule_with_dram", "frames/J with DRAM", "frames/J", "Frames for each joule of chip and DRAM",
+     &Figures::frames_j_dram}};
 
 void add_figures(std::vector<TableCell>& row, const Figures& figures) {
-  for (const auto& [name, member] : kFigures) row.push_back(cell(figures.*member));
+  for (const Figure& one : kFigures) row.push_back(cell(figures.*one.of));
 }
 
 Table machines_table(const Comparison& comparison) {
   Table table{.title = "machines, this view, the same memory",
               .columns = {word("machine"), word("node", "node"), figure("ghz", "GHz"), figure("cycles", "cycles"),
                           figure("ms", "ms"), figure("fps", "frames/s"), figure("mb", "MB"), figure("mm2", "mm2")}};
-  for (const auto& [name, member] : kFigures) table.columns.push_back(figure(name, name));
+  for (const Figure& one : kFigures) table.columns.push_back(figure(one.name, one.name));
   table.columns.push_back(word("bound", "bound by"));
   for (const RivalResult& one : comparison.rivals) {
     const MachineFrame& frame = one.frame;
@@ -99,15 +105,16 @@ Table against_table(const Comparison& comparison) {
                                     "2.77 over its energy",
                                     kPipegsSpeed)}};
   for (const OwnMachine& own : comparison.ours) {
-    for (const auto& [name, member] : kFigures)
-      table.columns.push_back(figure(own.name + " " + name, own.name + ": " + name));
+    for (const Figure& of : kFigures)
+      table.columns.push_back(
+          figure(fmt::format("{} {}", own.name, of.name), fmt::format("{}: {}", own.name, of.name)));
   }
   for (const RivalResult& one : comparison.rivals) {
     const Chained chain = chained(*one.rival);
     std::vector<TableCell>& row = table.rows.emplace_back();
     row = {text_cell(one.rival->name), known_cell(chain.area), known_cell(chain.energy)};
     for (const OwnMachine& own : comparison.ours) {
-      for (const auto& [name, member] : kFigures) row.push_back(cell(ratio(own.figures.*member, one.figures.*member)));
+      for (const Figure& of : kFigures) row.push_back(cell(ratio(own.figures.*of.of, one.figures.*of.of)));
     }
   }
   return table;
@@ -157,10 +164,9 @@ Table parameters_table(const RivalResult& one) {
 }
 
 Json json_of(const Figures& figures) {
-  return {{"fps", to_json(figures.fps)},
-          {"fps_per_mm2", to_json(figures.fps_mm2)},
-          {"frames_per_joule", to_json(figures.frames_j)},
-          {"frames_per_joule_with_dram", to_json(figures.frames_j_dram)}};
+  Json json = {{"fps", to_json(figures.fps)}};
+  for (const Figure& one : kFigures) json[one.key] = to_json(figures.*one.of);
+  return json;
 }
 
 Json json_of(const MachineFrame& frame) {
@@ -218,21 +224,18 @@ Json against_json(const Comparison& comparison) {
     const Chained chain = chained(*one.rival);
     Json& row = json["over"][one.rival->key];
     row["chained"] = {{"fps_per_mm2", known(chain.area)}, {"frames_per_joule", known(chain.energy)}};
-    for (const OwnMachine& own : comparison.ours)
-      row[own.name] = {
-          {"fps_per_mm2", to_json(ratio(own.figures.fps_mm2, one.figures.fps_mm2))},
-          {"frames_per_joule", to_json(ratio(own.figures.frames_j, one.figures.frames_j))},
-          {"frames_per_joule_with_dram", to_json(ratio(own.figures.frames_j_dram, one.figures.frames_j_dram))}};
+    for (const OwnMachine& own : comparison.ours) {
+      for (const Figure& of : kFigures) row[own.name][of.key] = to_json(ratio(own.figures.*of.of, one.figures.*of.of));
+    }
   }
   return json;
 }
 
-Chart chart_of(const Comparison& comparison, const std::string& name, const std::string& title, const std::string& unit,
-               Range Figures::*figure) {
-  Chart chart{.name = name, .title = title, .y_label = unit, .log_y = true};
+Chart chart_of(const Comparison& comparison, const Figure& figure) {
+  Chart chart{.name = figure.key, .title = figure.title, .y_label = figure.unit, .log_y = true};
   chart.series = {{"low", {}, true}, {"mid", {}}, {"high", {}, true}};
   const auto add = [&](const std::string& name, const Figures& figures) {
-    const Range& range = figures.*figure;
+    const Range& range = figures.*figure.of;
     chart.categories.push_back(name);
     chart.series[0].values.push_back(range.low);
     chart.series[1].values.push_back(range.mid);
@@ -305,10 +308,9 @@ std::vector<Table> comparison_tables(const Comparison& comparison) {
 }
 
 std::vector<Chart> comparison_charts(const Comparison& comparison) {
-  return {chart_of(comparison, "fps_per_mm2", "Frames per second and area", "frames/s/mm2", &Figures::fps_mm2),
-          chart_of(comparison, "frames_per_joule", "Frames for each joule of the chip", "frames/J", &Figures::frames_j),
-          chart_of(comparison, "frames_per_joule_with_dram", "Frames for each joule of chip and DRAM", "frames/J",
-                   &Figures::frames_j_dram)};
+  std::vector<Chart> charts;
+  for (const Figure& one : kFigures) charts.push_back(chart_of(comparison, one));
+  return charts;
 }
 
 }  // namespace pipegs

@@ -24,16 +24,15 @@ struct Item {
 };
 
 struct Block {
-  GaussianCounts gaussians = {};
-  MaskCounts masks = {};
+  ByCover<uint64_t> listed = {};
   NeighbourCounts neighbours = {};
   std::vector<Item> items = {};
 };
 
 class Lister {
  public:
-  Lister(const SeenScene& seen, const Camera& camera, FrameCounts& counts)
-      : seen_(seen.gaussians), camera_(camera), counts_(counts) {}
+  Lister(const std::vector<SeenGaussian>& seen, const Camera& camera, FrameCounts& counts)
+      : seen_(seen), camera_(camera), counts_(counts) {}
 
   void run(size_t first, size_t last, Block& block) {
     find_before(first);
@@ -69,19 +68,11 @@ class Lister {
   }
 
   void count_gaussian(Block& block) {
-    const ByCover<TileSet>&tiles = sets_[kLists16], &groups = sets_[kLists64];
-    for (const Cover cover : kAllCovers) block.gaussians.listed[cover] += tiles[cover].count() > 0;
-    block.gaussians.in_two += tiles.exact.count() >= 2;
-    for (const PixelSpan& span : spans_) block.gaussians.rows += !span.empty();
-    constexpr int kTiles = kListSides[kLists64] / kTileSide;
-    tiles.exact.for_each([&](int x, int y) {
-      block.masks.axis += groups.axis.has(x / kTiles, y / kTiles);
-      block.masks.oriented += groups.oriented.has(x / kTiles, y / kTiles);
-    });
+    const ByCover<TileSet>& tiles = sets_[kLists16];
+    for (const Cover cover : kAllCovers) block.listed[cover] += tiles[cover].count() > 0;
     const uint64_t own = tiles.oriented.count();
     if (own == 0) return;
     if (before_.count() > 0) {
-      ++block.neighbours.pairs;
       block.neighbours.tiles += own;
       tiles.oriented.for_each([&](int x, int y) { block.neighbours.shared += before_.has(x, y); });
     }
@@ -128,8 +119,9 @@ TileLists gather(const std::vector<Block>& blocks, size_t tiles) {
 
 }  // namespace
 
-TileLists count_lists(const SeenScene& seen, const Camera& camera, const CountOptions& options, FrameCounts& counts) {
-  const size_t count = seen.gaussians.size();
+TileLists count_lists(const std::vector<SeenGaussian>& seen, const Camera& camera, const CountOptions& options,
+                      FrameCounts& counts) {
+  const size_t count = seen.size();
   if (count > kMostGaussians) throw std::runtime_error("counting: too many Gaussians in the view");
   for (size_t side = 0; side < kListSides.size(); ++side) {
     const TileGrid grid(camera, kListSides[side]);
@@ -143,11 +135,7 @@ TileLists count_lists(const SeenScene& seen, const Camera& camera, const CountOp
     Lister(seen, camera, counts).run(b * kBlock, std::min(count, (b + 1) * kBlock), blocks[b]);
   });
   for (const Block& block : blocks) {
-    for (const Cover cover : kAllCovers) counts.gaussians.listed[cover] += block.gaussians.listed[cover];
-    counts.gaussians.in_two += block.gaussians.in_two;
-    counts.gaussians.rows += block.gaussians.rows;
-    counts.masks.axis += block.masks.axis, counts.masks.oriented += block.masks.oriented;
-    counts.neighbours.pairs += block.neighbours.pairs;
+    for (const Cover cover : kAllCovers) counts.listed[cover] += block.listed[cover];
     counts.neighbours.tiles += block.neighbours.tiles;
     counts.neighbours.shared += block.neighbours.shared;
   }

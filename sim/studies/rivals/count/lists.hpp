@@ -29,7 +29,8 @@ struct TileLists {
   }
 };
 
-// Counts lists, listed Gaussians, rows, masks and neighbours; returns the lists to walk.
-TileLists count_lists(const SeenScene& seen, const Camera& camera, const CountOptions& options, FrameCounts& counts);
+// Counts lists, listed Gaussians and neighbours; returns the lists to walk.
+TileLists count_lists(const std::vector<SeenGaussian>& seen, const Camera& camera, const CountOptions& options,
+                      FrameCounts& counts);
 
 }  // namespace pipegs

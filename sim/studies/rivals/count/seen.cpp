@@ -47,29 +47,24 @@ bool in_any_tile(const SeenGaussian& s, const Camera& camera) {
 
 double three_sigma(double a, double b, double c) { return 3 * std::sqrt(longer_variance(a, b, c)); }
 
-SeenScene see(const Scene& scene, const Camera& camera, const CountOptions& options) {
+std::vector<SeenGaussian> see(const Scene& scene, const Camera& camera, const CountOptions& options) {
   const ProjectionOptions projection{Semantics::kExact, options.near_plane, scene.antialiased, 0};
   const size_t count = scene.gaussians.size(), blocks = (count + kBlock - 1) / kBlock;
-  std::vector<SeenScene> found(blocks);
+  std::vector<std::vector<SeenGaussian>> found(blocks);
   parallel_for(blocks, options.threads, [&](size_t b) {
     for (size_t i = b * kBlock; i < std::min(count, (b + 1) * kBlock); ++i) {
       ActivatedGaussian gaussian;
       if (activate(scene, i, gaussian) != Cull::kNone) continue;
-      ++found[b].valid;
       const TruthProjection p = project_truth(gaussian, scene.gaussians[i].sh_dc, nullptr, 0, camera, projection);
       if (!p.visible) continue;
-      ++found[b].in_front;
       SeenGaussian s = seen_of(p, camera);
       s.index = static_cast<uint32_t>(i);
-      if (in_any_tile(s, camera)) found[b].gaussians.push_back(s);
+      if (in_any_tile(s, camera)) found[b].push_back(s);
     }
   });
-  SeenScene seen;
-  for (const SeenScene& block : found) {
-    seen.valid += block.valid, seen.in_front += block.in_front;
-    seen.gaussians.insert(seen.gaussians.end(), block.gaussians.begin(), block.gaussians.end());
-  }
-  std::sort(seen.gaussians.begin(), seen.gaussians.end(), [](const SeenGaussian& a, const SeenGaussian& b) {
+  std::vector<SeenGaussian> seen;
+  for (const std::vector<SeenGaussian>& block : found) seen.insert(seen.end(), block.begin(), block.end());
+  std::sort(seen.begin(), seen.end(), [](const SeenGaussian& a, const SeenGaussian& b) {
     return a.depth != b.depth ? a.depth < b.depth : a.index < b.index;
   });
   return seen;

@@ -23,14 +23,10 @@ struct SeenGaussian {
   uint32_t index = 0;                    // in the scene
 };
 
-struct SeenScene {
-  std::vector<SeenGaussian> gaussians = {};  // in depth order; what is said of a Gaussian elsewhere is by this place
-  uint64_t valid = 0, in_front = 0;
-};
-
 // 3 standard deviations along the longer eigenvector of a covariance, pixels.
 double three_sigma(double a, double b, double c);
 
-SeenScene see(const Scene& scene, const Camera& camera, const CountOptions& options);
+// In depth order; what is said of a Gaussian elsewhere is by its place here.
+std::vector<SeenGaussian> see(const Scene& scene, const Camera& camera, const CountOptions& options);
 
 }  // namespace pipegs

@@ -23,54 +23,44 @@ constexpr uint32_t kNowhere = std::numeric_limits<uint32_t>::max();
 
 class Streamer {
  public:
-  Streamer(const Scene& scene, const SeenScene& seen, const std::vector<double>& group_stop,
-           const std::vector<uint32_t>& places, const Camera& camera, const CountOptions& options,
-           std::vector<GroupCounts>& groups)
+  Streamer(const Scene& scene, const std::vector<SeenGaussian>& seen, const std::vector<double>& group_stop,
+           const std::vector<uint32_t>& places, const Camera& camera, double edge, double near_plane,
+           std::vector<FilterCounts>& groups)
       : groups_(groups),
         scene_(scene),
         seen_(seen),
         group_stop_(group_stop),
         places_(places),
         camera_(camera),
-        near_(options.near_plane),
-        edge_(options.voxel),
-        grid_(camera, options.group),
-        meeting_(camera, near_, edge_) {}
+        near_(near_plane),
+        edge_(edge),
+        grid_(camera, kGroupSide),
+        meeting_(camera, near_plane, edge) {}
 
-  VoxelCounts run(std::span<const Member> members) {
-    VoxelCounts counts{.occupied = 1, .largest = members.size()};
-    nearest_ = meet(members.front().voxel * edge_);
-    counts.pairs = met_.count();
-    met_.for_each([&](int x, int y) { counts.open_pairs += open(x, y); });
-    if (counts.pairs == 0) return counts;
-    counts.met = 1;
-    counts.distinct.fetched = members.size();
-    counts.all.fetched = counts.pairs * members.size();
-    counts.open.fetched = counts.open_pairs * members.size();
+  void run(std::span<const Member> members) {
+    meet(members.front().voxel * edge_);
     met_.for_each([&](int x, int y) {
-      if (!open(x, y)) return;
       add(group(x, y).voxels, 1);
-      add(group(x, y).filtered.fetched, members.size());
+      add(group(x, y).fetched, members.size());
     });
-    for (const Member& member : members) filter(member.index, counts);
-    return counts;
+    if (met_.count() == 0) return;
+    for (const Member& member : members) filter(member.index);
   }
 
  private:
-  GroupCounts& group(int x, int y) const { return groups_[grid_.at(x, y)]; }
+  FilterCounts& group(int x, int y) const { return groups_[grid_.at(x, y)]; }
   static void add(uint64_t& count, uint64_t more) { std::atomic_ref(count).fetch_add(more, std::memory_order_relaxed); }
-  bool open(int x, int y) const { return nearest_ <= group_stop_[grid_.at(x, y)]; }
 
-  // Fills met_; returns the least depth of the voxel.
-  double meet(const glm::dvec3& low) {
+  // Fills met_: the groups that meet the voxel while they are open.
+  void meet(const glm::dvec3& low) {
     const PixelRect groups = meeting_.around(low, grid_);
+    const double nearest = meeting_.nearest(low);
     met_.clear(groups);
     for (int y = groups.y0; y < groups.y1; ++y) {
       for (int x = groups.x0; x < groups.x1; ++x) {
-        if (meets(low, x, y)) met_.add(x, y);
+        if (nearest <= group_stop_[grid_.at(x, y)] && meets(low, x, y)) met_.add(x, y);
       }
     }
-    return meeting_.nearest(low);
   }
 
   bool meets(const glm::dvec3& low, int group_x, int group_y) const {
@@ -84,38 +74,29 @@ class Streamer {
     return false;
   }
 
-  void filter(uint32_t index, VoxelCounts& counts) {
+  void filter(uint32_t index) {
     const Circle circle = coarse_circle(scene_, index, camera_, near_);
     if (circle.radius < 0) return;
     const uint32_t place = places_[index];
+    exact_.clear({});
     if (place != kNowhere) {
-      reached_spans(seen_.gaussians[place], spans_);
-      covered(seen_.gaussians[place], spans_, grid_, Cover::kExact, exact_);
-    } else {
-      exact_.clear({});
+      reached_spans(seen_[place], spans_);
+      covered(seen_[place], spans_, grid_, Cover::kExact, exact_);
     }
-    uint64_t coarse = 0, fine = 0;
     met_.for_each([&](int x, int y) {
       if (!circle.touches(grid_, x, y)) return;
-      ++coarse;
-      counts.open.coarse += open(x, y);
-      if (open(x, y)) add(group(x, y).filtered.coarse, 1);
-      if (!exact_.has(x, y)) return;
-      ++fine;
-      counts.open.fine += open(x, y);
-      if (open(x, y)) add(group(x, y).filtered.fine, 1);
+      add(group(x, y).coarse, 1);
+      if (exact_.has(x, y)) add(group(x, y).fine, 1);
     });
-    counts.all.coarse += coarse, counts.all.fine += fine;
-    counts.distinct.coarse += coarse > 0, counts.distinct.fine += fine > 0;
   }
 
-  std::vector<GroupCounts>& groups_;  // of all threads
+  std::vector<FilterCounts>& groups_;  // of all threads
   const Scene& scene_;
-  const SeenScene& seen_;
+  const std::vector<SeenGaussian>& seen_;
   const std::vector<double>& group_stop_;
   const std::vector<uint32_t>& places_;
   const Camera& camera_;
-  double near_, edge_, nearest_ = 0;
+  double near_, edge_;
   TileGrid grid_;
   Meeting meeting_;
   TileSet met_, exact_;
@@ -123,46 +104,34 @@ class Streamer {
 };
 
 // The largest of its tiles.
-std::vector<double> stop_of_groups(const std::vector<double>& stop_depth, const Camera& camera, int side) {
-  const TileGrid tiles(camera, kTileSide), groups(camera, side);
+std::vector<double> stop_of_groups(const std::vector<double>& stop_depth, const Camera& camera) {
+  const TileGrid tiles(camera, kTileSide), groups(camera, kGroupSide);
   std::vector<double> stop(groups.count(), 0);
   for (int y = 0; y < tiles.rows; ++y) {
     for (int x = 0; x < tiles.columns; ++x) {
-      double& group = stop[groups.at(x * kTileSide / side, y * kTileSide / side)];
+      double& group = stop[groups.at(x * kTileSide / kGroupSide, y * kTileSide / kGroupSide)];
       group = std::max(group, stop_depth[tiles.at(x, y)]);
     }
   }
   return stop;
 }
 
-void add(FilterCounts& sum, const FilterCounts& one) {
-  sum.fetched += one.fetched, sum.coarse += one.coarse, sum.fine += one.fine;
-}
-
 }  // namespace
 
-VoxelCounts count_voxels(const Scene& scene, const SeenScene& seen, const std::vector<double>& stop_depth,
-                         const Camera& camera, const CountOptions& options) {
-  const std::vector<Member> members = members_of(scene, options.voxel);
+VoxelCounts count_voxels(const Scene& scene, const std::vector<SeenGaussian>& seen,
+                         const std::vector<double>& stop_depth, const Camera& camera, double edge,
+                         const CountOptions& options) {
+  const std::vector<Member> members = members_of(scene, edge);
   const std::vector<std::span<const Member>> voxels = voxels_of(members);
-  const std::vector<double> group_stop = stop_of_groups(stop_depth, camera, options.group);
+  const std::vector<double> group_stop = stop_of_groups(stop_depth, camera);
   std::vector<uint32_t> places(scene.gaussians.size(), kNowhere);
-  for (size_t place = 0; place < seen.gaussians.size(); ++place)
-    places[seen.gaussians[place].index] = static_cast<uint32_t>(place);
-  std::vector<VoxelCounts> each(voxels.size());
-  std::vector<GroupCounts> groups(group_stop.size());
+  for (size_t place = 0; place < seen.size(); ++place) places[seen[place].index] = static_cast<uint32_t>(place);
+  VoxelCounts counts{.groups = std::vector<FilterCounts>(group_stop.size())};
   parallel_for(voxels.size(), options.threads, [&](size_t v) {
     if (interrupted()) throw std::runtime_error("interrupted");
-    each[v] = Streamer(scene, seen, group_stop, places, camera, options, groups).run(voxels[v]);
+    Streamer(scene, seen, group_stop, places, camera, edge, options.near_plane, counts.groups).run(voxels[v]);
   });
-  VoxelCounts sum{.edge = options.voxel, .groups = std::move(groups)};
-  for (const VoxelCounts& one : each) {
-    sum.occupied += one.occupied, sum.met += one.met;
-    sum.largest = std::max(sum.largest, one.largest);
-    sum.pairs += one.pairs, sum.open_pairs += one.open_pairs;
-    add(sum.all, one.all), add(sum.open, one.open), add(sum.distinct, one.distinct);
-  }
-  return sum;
+  return counts;
 }
 
 }  // namespace pipegs

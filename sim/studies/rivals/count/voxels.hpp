@@ -9,7 +9,8 @@
 namespace pipegs {
 
 // `stop_depth`: of each 16-px tile, as count_walks returns it.
-VoxelCounts count_voxels(const Scene& scene, const SeenScene& seen, const std::vector<double>& stop_depth,
-                         const Camera& camera, const CountOptions& options);
+VoxelCounts count_voxels(const Scene& scene, const std::vector<SeenGaussian>& seen,
+                         const std::vector<double>& stop_depth, const Camera& camera, double edge,
+                         const CountOptions& options);
 
 }  // namespace pipegs

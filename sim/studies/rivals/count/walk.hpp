@@ -8,9 +8,8 @@
 
 namespace pipegs {
 
-// Counts tiles, their sum and the blended Gaussians. Returns of each tile the depth at which its last pixel stops,
-// infinity when one never does.
-std::vector<double> count_walks(const SeenScene& seen, const TileLists& lists, const Camera& camera,
+// Counts tiles. Returns of each the depth at which its last pixel stops, infinity when one never does.
+std::vector<double> count_walks(const std::vector<SeenGaussian>& seen, const TileLists& lists, const Camera& camera,
                                 const CountOptions& options, FrameCounts& counts);
 
 }  // namespace pipegs

@@ -22,18 +22,18 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
   double fetches = 0, pairs = 0, lists = 0;
   for (size_t t = 0; t < lengths.size(); ++t) {
     const TileCounts& tile = counts.tiles[t];
-    const double n = lengths[t], open = static_cast<double>(tile.walk.axis.open);
-    const double mini = static_cast<double>(tile.exact_4x4.open) * value(values, "passes_more");
+    const double n = lengths[t], open = static_cast<double>(tile.open.axis);
+    const double mini = static_cast<double>(tile.exact_4x4) * value(values, "passes_more");
     tiles.shares.push_back(n * value(values, "key_bytes") * (2 * value(values, "passes") + 1) +
                            open * value(values, "fetch_bytes") + kPixelBytes * kTilePixels);
     split.cycles.push_back(n * split_levels(n) / value(values, "splitters"));
     sort.cycles.push_back(ceil_div(open, 16) * value(values, "chunk_cycles"));
-    test.cycles.push_back(static_cast<double>(tile.oriented_8x8.open) / value(values, "test_rate"));
+    test.cycles.push_back(static_cast<double>(tile.oriented_8x8) / value(values, "test_rate"));
     raster.cycles.push_back(mini * kMiniPixels / value(values, "lanes"));
     fetches += open, pairs += n, lists += n > 0;
   }
   tiles.stages = {split, sort, test, raster};
-  const double visible = static_cast<double>(counts.gaussians.listed.axis);
+  const double visible = static_cast<double>(counts.listed.axis);
   tiles.flows = sort_and_fetch(counts, values, pairs, lists, fetches, visible);
   return run_phases({project(counts, values, visible, pairs, "preprocessing cores"), tiles}, 1, value(values, "watts"),
                     memory);

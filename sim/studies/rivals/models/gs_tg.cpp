@@ -12,44 +12,27 @@
 namespace pipegs {
 namespace {
 
-constexpr int kTilesOfGroup = 4;  // along a side
-
-struct GroupWork {
-  double tiles = 0, open = 0;  // open: (Gaussian, tile) pairs before the tile is opaque
-};
-
-std::vector<GroupWork> work_of_groups(const FrameCounts& counts) {
-  const ListCounts &tiles = counts.lists[kLists16], &groups = counts.lists[kLists64];
-  std::vector<GroupWork> work(groups.lengths.exact.size());
-  for (size_t t = 0; t < counts.tiles.size(); ++t) {
-    const size_t x = t % static_cast<size_t>(tiles.columns), y = t / static_cast<size_t>(tiles.columns);
-    GroupWork& group = work[y / kTilesOfGroup * static_cast<size_t>(groups.columns) + x / kTilesOfGroup];
-    ++group.tiles;
-    group.open += static_cast<double>(counts.tiles[t].walk.exact.open);
-  }
-  return work;
-}
-
 MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory& memory) {
   const int cores = static_cast<int>(value(values, "cores"));
   const std::vector<uint32_t>& lengths = counts.lists[kLists64].lengths.exact;
-  const std::vector<GroupWork> work = work_of_groups(counts);
+  const std::vector<double> tiles = sums_of_groups(counts, [](const TileCounts&) { return 1; }),
+                            open = sums_of_groups(counts, [](const TileCounts&tile) { return tile.open.exact; });
   UnitStage split{"GSM", cores, {}}, mask{"BGM", cores, {}}, raster{"RM", cores, {}};
   Phase groups{"groups", {}, {}, {}};
   double pairs = 0, lists = 0;
   for (size_t g = 0; g < lengths.size(); ++g) {
     const double n = lengths[g];
     groups.shares.push_back(n * value(values, "key_bytes") * (2 * value(values, "passes") + 1) +
-                            n * value(values, "fetch_bytes") + kPixelBytes * kTilePixels * work[g].tiles);
+                            n * value(values, "fetch_bytes") + kPixelBytes * kTilePixels * tiles[g]);
     split.cycles.push_back(
         std::max(n * split_levels(n) / value(values, "splitters"), ceil_div(n, 16) * value(values, "chunk_cycles")));
     mask.cycles.push_back(n / value(values, "mask_rate"));
     raster.cycles.push_back(
-        std::max(kTilePixels * work[g].open / value(values, "lanes"), n * work[g].tiles / value(values, "masks")));
+        std::max(kTilePixels * open[g] / value(values, "lanes"), n * tiles[g] / value(values, "masks")));
     pairs += n, lists += n > 0;
   }
   groups.stages = {split, mask, raster};
-  const double visible = static_cast<double>(counts.gaussians.listed.exact);
+  const double visible = static_cast<double>(counts.listed.exact);
   groups.flows = sort_and_fetch(counts, values, pairs, lists, pairs, visible);
   return run_phases({project(counts, values, visible, pairs, "preprocessing"), groups}, 1, value(values, "watts"),
                     memory);

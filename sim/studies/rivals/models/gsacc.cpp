@@ -17,12 +17,13 @@ namespace {
 constexpr double kTileBytes = 2048;  // T and RGB of 256 pixels, 16 bits each
 
 MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory& memory) {
-  const double visible = static_cast<double>(counts.gaussians.listed.oriented);
-  const double pairs = static_cast<double>(counts.total.walk.oriented.open);
+  const double visible = static_cast<double>(counts.listed.oriented);
+  double pairs = 0;
+  for (const TileCounts& tile : counts.tiles) pairs += static_cast<double>(tile.open.oriented);
   const NeighbourCounts& near = counts.neighbours;
   const double shared = near.tiles > 0 ? static_cast<double>(near.shared) / static_cast<double>(near.tiles) : 0;
   const double spilled = value(values, "spilled") * pairs * (1 - shared) * kTileBytes;
-  const double scene = static_cast<double>(counts.gaussians.scene), pixels = kPixelBytes * counts.width * counts.height;
+  const double scene = static_cast<double>(counts.scene), pixels = kPixelBytes * counts.width * counts.height;
   const double record = value(values, "record_bytes");
   Phase all = even_phase("frame",
                          {{.kind = "records", .bytes = visible * record, .run = record, .table = scene * record},

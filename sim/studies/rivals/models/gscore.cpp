@@ -21,9 +21,9 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
   Phase tiles{"tiles", {}, {}, {}};
   double fetches = 0, pairs = 0, lists = 0;
   for (size_t t = 0; t < lengths.size(); ++t) {
-    const double n = lengths[t], open = static_cast<double>(counts.tiles[t].walk[cover].open);
+    const double n = lengths[t], open = static_cast<double>(counts.tiles[t].open[cover]);
     const double pixels =
-        subtiles ? kPartPixels * static_cast<double>(counts.tiles[t].oriented_8x8.open) : kTilePixels * open;
+        subtiles ? kPartPixels * static_cast<double>(counts.tiles[t].oriented_8x8) : kTilePixels * open;
     tiles.shares.push_back(n * value(values, "key_bytes") * (2 * value(values, "passes") + 1) +
                            open * value(values, "fetch_bytes") + kPixelBytes * kTilePixels);
     split.cycles.push_back(n * split_levels(n) / value(values, "splitters"));
@@ -32,7 +32,7 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
     fetches += open, pairs += n, lists += n > 0;
   }
   tiles.stages = {split, sort, raster};
-  const double visible = static_cast<double>(counts.gaussians.listed[cover]);
+  const double visible = static_cast<double>(counts.listed[cover]);
   tiles.flows = sort_and_fetch(counts, values, pairs, lists, fetches, visible);
   return run_phases({project(counts, values, visible, pairs, "CCU"), tiles}, 1, value(values, "watts"), memory);
 }

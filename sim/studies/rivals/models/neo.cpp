@@ -15,36 +15,29 @@ namespace pipegs {
 namespace {
 
 constexpr double kChunk = 256;
-constexpr int kTilesOfTile = 4;  // 16-px tiles along a side of a tile of 64 px
 
 // Merge sort of chunks from runs of 16: a key a cycle and level.
 double chunk_levels(double n) { return std::max(1, split_levels(std::min(n, kChunk), 16, 2)); }
 
 MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory& memory) {
-  const ListCounts &lists = counts.lists[kLists64], &parts = counts.lists[kLists16];
-  std::vector<double> subtiles(lists.lengths.exact.size(), 0);
-  for (size_t t = 0; t < counts.tiles.size(); ++t) {
-    const size_t columns = static_cast<size_t>(parts.columns), x = t % columns, y = t / columns;
-    subtiles[y / kTilesOfTile * static_cast<size_t>(lists.columns) + x / kTilesOfTile] +=
-        static_cast<double>(counts.tiles[t].exact_8x8.open);
-  }
+  const std::vector<uint32_t>& lengths = counts.lists[kLists64].lengths.oriented;
+  const std::vector<double> subtiles = sums_of_groups(counts, [](const TileCounts& tile) { return tile.exact_8x8; });
   const double key = value(values, "key_bytes"), fetch = value(values, "fetch_bytes"), fresh = value(values, "fresh");
   UnitStage sort{"sorting cores", static_cast<int>(value(values, "sorters")), {}};
   UnitStage raster{"raster cores", static_cast<int>(value(values, "cores")), {}};
   Phase front{"preprocessing and sort", {}, {}, {}}, back{"rasterization", {}, {}, {}};
   double pairs = 0, filled = 0;
   for (size_t t = 0; t < subtiles.size(); ++t) {
-    const double n = lists.lengths.oriented[t];
+    const double n = lengths[t];
     front.shares.push_back(n);
-    back.shares.push_back(2 * n * key + n * fetch + kPixelBytes * kTilePixels * kTilesOfTile * kTilesOfTile);
+    back.shares.push_back(2 * n * key + n * fetch + kPixelBytes * kGroupSide * kGroupSide);
     sort.cycles.push_back(n * chunk_levels(n));
     raster.cycles.push_back(subtiles[t] * kPartPixels / value(values, "lanes"));
     pairs += n, filled += n > 0;
   }
   front.stages = {sort}, back.stages = {raster};
-  const double scene = static_cast<double>(counts.gaussians.scene),
-               seen = static_cast<double>(counts.gaussians.listed.square), keys = pairs * key,
-               run = filled > 0 ? std::max(keys / filled, 1.0) : kLineOfMemory,
+  const double scene = static_cast<double>(counts.scene), seen = static_cast<double>(counts.listed.square),
+               keys = pairs * key, run = filled > 0 ? std::max(keys / filled, 1.0) : kLineOfMemory,
                table = seen * value(values, "feature_bytes"), pixels = kPixelBytes * counts.width * counts.height;
   const Flow read{.kind = "sort", .bytes = keys * (1 + fresh), .run = run, .table = keys},
       written{.kind = "sort", .write = true, .bytes = keys * (1 + fresh), .run = run, .table = keys};

@@ -6,12 +6,11 @@
 //            parameters in a codebook on the chip, those that pass the fine one are sorted within the voxel (GSCore's
 //            bitonic sorter) and rasterized (GSCore's VRUs). Only pixels are written. Pictures change: the model is
 //            fine-tuned, -0.04 dB. 1 GHz, 32 nm, 5.37 mm2.
-// Assumed    Groups of 64 px (`--group`). What a voxel's edge is in another scene: the edge of voxels is a length of
+// Assumed    Groups of 64 px. What a voxel's edge is in another scene: the edge of voxels is a length of
 //            the scene, and 2 units are printed for scenes that are not ours, so `voxels` chooses between edges. The
 //            ordering of voxels costs nothing; lanes rasterize GSCore's open subtiles. Numbers of filters.
 // Bytes of an index: published are -92.3 % of bytes and -76.3 % of Gaussians; 16 + 0.237 x = 0.077 x 236 gives x = 9.
 #include <cmath>
-#include <stdexcept>
 
 #include "sim/studies/rivals/models/tiles.hpp"
 
@@ -20,52 +19,39 @@ namespace {
 
 constexpr double kPublishedKept = 1 - 0.763;  // of the Gaussians that are fetched, behind the coarse filter
 
-double kept(const VoxelCounts& voxels) {
-  return voxels.open.fetched > 0 ? static_cast<double>(voxels.open.coarse) / static_cast<double>(voxels.open.fetched)
-                                 : 1;
+double kept(const FilterCounts& sum) {
+  return sum.fetched > 0 ? static_cast<double>(sum.coarse) / static_cast<double>(sum.fetched) : 1;
 }
 
-double fetched_bytes(const VoxelCounts& voxels, const Values& values) {
-  return value(values, "coarse_bytes") * static_cast<double>(voxels.open.fetched) +
-         value(values, "index_bytes") * static_cast<double>(voxels.open.coarse);
+double fetched_bytes(const FilterCounts& sum, const Values& values) {
+  return value(values, "coarse_bytes") * static_cast<double>(sum.fetched) +
+         value(values, "index_bytes") * static_cast<double>(sum.coarse);
 }
 
 const VoxelCounts& chosen(const FrameCounts& counts, const Values& values) {
-  const VoxelCounts* best = &counts.voxels;
+  const VoxelCounts* best = &counts.voxels.front();
   const double rule = value(values, "voxels");
-  for (const VoxelCounts& other : counts.other_voxels) {
-    const bool nearer = std::abs(kept(other) - kPublishedKept) < std::abs(kept(*best) - kPublishedKept);
-    const bool smaller = fetched_bytes(other, values) < fetched_bytes(*best, values);
+  for (const VoxelCounts& other : counts.voxels) {
+    const FilterCounts sum = other.sum(), least = best->sum();
+    const bool nearer = std::abs(kept(sum) - kPublishedKept) < std::abs(kept(least) - kPublishedKept);
+    const bool smaller = fetched_bytes(sum, values) < fetched_bytes(least, values);
     if ((rule == 1 && nearer) || (rule == 2 && smaller)) best = &other;
   }
   return *best;
 }
 
-// Of each group, pixels in open subtiles of GSCore's.
-std::vector<double> pixels_of_groups(const FrameCounts& counts, size_t groups) {
-  const size_t columns = static_cast<size_t>(counts.lists[kLists16].columns);
-  size_t side = 1;  // tiles along a side of a group
-  const auto of = [&](size_t n) { return (n + side - 1) / side; };
-  while (of(columns) * of(static_cast<size_t>(counts.lists[kLists16].rows)) > groups) ++side;
-  if (of(columns) * of(static_cast<size_t>(counts.lists[kLists16].rows)) != groups)
-    throw std::invalid_argument("streaminggs: groups are no squares of tiles");
-  std::vector<double> pixels(groups, 0);
-  for (size_t t = 0; t < counts.tiles.size(); ++t)
-    pixels[t / columns / side * of(columns) + t % columns / side] +=
-        kPartPixels * static_cast<double>(counts.tiles[t].oriented_8x8.open);
-  return pixels;
-}
-
 MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory& memory) {
   const VoxelCounts& voxels = chosen(counts, values);
   const bool filters = value(values, "filters") != 0;
-  const std::vector<double> pixels = pixels_of_groups(counts, voxels.groups.size());
+  // GSCore's open subtiles.
+  const std::vector<double> pixels = sums_of_groups(
+      counts, [](const TileCounts& tile) { return kPartPixels * static_cast<double>(tile.oriented_8x8); });
   UnitStage coarse{"coarse filter", 1, {}}, fine{"fine filter", 1, {}}, sort{"sorter", 1, {}}, raster{"VRU", 1, {}};
   Phase groups{"groups", {}, {}, {}};
   const double written = kPixelBytes * counts.width * counts.height;
   double fetched = 0, passed = 0, met = 0;
   for (size_t g = 0; g < voxels.groups.size(); ++g) {
-    const FilterCounts& f = voxels.groups[g].filtered;
+    const FilterCounts& f = voxels.groups[g];
     const double all = static_cast<double>(f.fetched), through = filters ? static_cast<double>(f.coarse) : all;
     groups.shares.push_back(all * value(values, "coarse_bytes") + through * value(values, "index_bytes") +
                             written / static_cast<double>(pixels.size()));
@@ -73,10 +59,10 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
     fine.cycles.push_back(through / value(values, "fine_rate"));
     sort.cycles.push_back(ceil_div(static_cast<double>(f.fine), 16) / value(values, "chunk_rate"));
     raster.cycles.push_back(pixels[g] / value(values, "lanes"));
-    fetched += all, passed += through, met += static_cast<double>(voxels.groups[g].voxels);
+    fetched += all, passed += through, met += static_cast<double>(f.voxels);
   }
   groups.stages = {coarse, fine, sort, raster};
-  const double scene = static_cast<double>(counts.gaussians.scene);
+  const double scene = static_cast<double>(counts.scene);
   const auto run = [&](double bytes) { return met > 0 ? std::max(bytes / met, 1.0) : kLineOfMemory; };
   const double means = fetched * value(values, "coarse_bytes"), indices = passed * value(values, "index_bytes");
   groups.flows = {

@@ -17,10 +17,22 @@ inline constexpr double kPixelBytes = 4;  // written for each pixel, as our mach
 inline constexpr double kTilePixels = kTileSide * kTileSide, kPartPixels = 64;
 inline constexpr double kLineOfMemory = 64;
 
+// Of each 64-px group, in doubles the sum of what `of` says of its 16-px tiles.
+template <class Of>
+std::vector<double> sums_of_groups(const FrameCounts& counts, Of of) {
+  constexpr size_t kTiles = kGroupSide / kTileSide;
+  const auto columns = static_cast<size_t>(counts.lists[kLists16].columns),
+             group_columns = static_cast<size_t>(counts.lists[kLists64].columns);
+  std::vector<double> sums(group_columns * static_cast<size_t>(counts.lists[kLists64].rows), 0);
+  for (size_t t = 0; t < counts.tiles.size(); ++t)
+    sums[t / columns / kTiles * group_columns + t % columns / kTiles] += static_cast<double>(of(counts.tiles[t]));
+  return sums;
+}
+
 // Records in order, features of `visible` and the keys of `pairs`, which leave for as many places as there are lists.
 inline Phase project(const FrameCounts& counts, const Values& values, double visible, double pairs,
                      const std::string& unit) {
-  const double records = static_cast<double>(counts.gaussians.scene);
+  const double records = static_cast<double>(counts.scene);
   return even_phase(
       "preprocessing",
       {{.kind = "records", .bytes = records * value(values, "record_bytes")},

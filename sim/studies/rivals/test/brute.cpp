@@ -14,7 +14,6 @@
 namespace pipegs {
 namespace {
 
-constexpr Cover kAll[] = {Cover::kSquare, Cover::kAxis, Cover::kOriented, Cover::kExact};
 using Polygon = std::vector<glm::dvec2>;
 using Tile = std::pair<int, int>;
 
@@ -54,7 +53,7 @@ class Brute {
     shapes();
     lists();
     walk();
-    voxels();
+    for (const double edge : options_.voxels) out_.voxels.push_back(voxels(edge));
     return out_;
   }
 
@@ -67,17 +66,15 @@ class Brute {
 
   void shapes() {
     for (size_t i = 0; i < scene_.gaussians.size(); ++i) {
-      ++out_.gaussians.scene;
+      ++out_.scene;
       ActivatedGaussian gaussian;
       if (activate(scene_, i, gaussian) != Cull::kNone) continue;
-      ++out_.gaussians.valid;
       Shape s{project_truth(gaussian, scene_.gaussians[i].sh_dc, nullptr, 0, camera_,
                             {Semantics::kExact, options_.near_plane, scene_.antialiased, 0}),
               {},
               {},
               i};
       if (!s.p.visible) continue;
-      ++out_.gaussians.in_front;
       for (int y = 0; y < camera_.height; ++y) {
         for (int x = 0; x < camera_.width; ++x) {
           const double power = std::min(0.0, power_at(s.p.conic, s.p.mean.x - x, s.p.mean.y - y));
@@ -144,31 +141,20 @@ class Brute {
     for (size_t side = 0; side < kListSides.size(); ++side) {
       ListCounts& lists = out_.lists[side];
       lists.side = kListSides[side], lists.columns = columns(lists.side), lists.rows = rows(lists.side);
-      for (const Cover cover : kAll)
+      for (const Cover cover : kAllCovers)
         lists.lengths[cover].resize(static_cast<size_t>(lists.columns) * static_cast<size_t>(lists.rows));
     }
     for (const Shape& s : shapes_) {
       for (ListCounts& lists : out_.lists) {
-        for (const Cover cover : kAll) {
+        for (const Cover cover : kAllCovers) {
           for (const auto& [x, y] : tiles(s, cover, lists.side))
             ++lists.lengths[cover][static_cast<size_t>(y * lists.columns + x)];
         }
       }
-      for (const Cover cover : kAll) out_.gaussians.listed[cover] += !tiles(s, cover, 16).empty();
-      const std::set<Tile> exact = tiles(s, Cover::kExact, 16), oriented = tiles(s, Cover::kOriented, 16);
-      out_.gaussians.in_two += exact.size() > 1;
-      for (int y = 0; y < camera_.height; ++y) {
-        bool any = false;
-        for (int x = 0; x < camera_.width; ++x) any = any || alpha(s, x, y) > 0;
-        out_.gaussians.rows += any;
-      }
-      for (const auto& [x, y] : exact) {
-        out_.masks.axis += covers(s, Cover::kAxis, 64, x / 4, y / 4);
-        out_.masks.oriented += covers(s, Cover::kOriented, 64, x / 4, y / 4);
-      }
+      for (const Cover cover : kAllCovers) out_.listed[cover] += !tiles(s, cover, 16).empty();
+      const std::set<Tile> oriented = tiles(s, Cover::kOriented, 16);
       if (oriented.empty()) continue;
       if (!before.empty()) {
-        ++out_.neighbours.pairs;
         out_.neighbours.tiles += oriented.size();
         for (const Tile& tile : oriented) out_.neighbours.shared += before.count(tile);
       }
@@ -179,112 +165,79 @@ class Brute {
   struct TileState {
     int x0, y0, x1, y1;            // pixels of the image
     std::map<Tile, double> alive;  // transmittance of those that have not stopped
-    TileCounts *own, *total;
-    template <class Action>
-    void count(Action&& action) {
-      action(*own), action(*total);
-    }
   };
 
-  void part(const Shape& s, const TileState& t, int x0, int y0, int width, int height, bool boxed, PartCounts& c) {
-    bool any = false, alive = false, live = false, reached = false;
-    for (int y = y0; y < std::min(y0 + height, t.y1); ++y) {
-      for (int x = x0; x < std::min(x0 + width, t.x1); ++x) {
-        any = true;
-        reached = reached || alpha(s, x, y) > 0;
-        alive = alive || t.alive.count({x, y}) != 0;
-        live = live || (t.alive.count({x, y}) != 0 && alpha(s, x, y) > 0);
-      }
-    }
-    if (boxed ? !(any && touches(s.box, x0, y0, width)) : !reached) return;
-    ++c.all;
-    c.tile_open += !t.alive.empty();
-    c.open += alive;
-    c.live += live;
-  }
-
-  void parts(const Shape& s, TileState& t, int width, int height, bool boxed, PartCounts TileCounts::*member) {
-    for (int y = t.y0; y < t.y0 + 16; y += height) {
-      for (int x = t.x0; x < t.x0 + 16; x += width)
-        t.count([&](TileCounts& c) { part(s, t, x, y, width, height, boxed, c.*member); });
-    }
-  }
-
-  void blend(const Shape& s, TileState& t, std::set<size_t>& blended) {
-    for (int y = t.y0; y < t.y1; ++y) {
-      for (int x = t.x0; x < t.x1; ++x) {
-        if (alpha(s, x, y) == 0) continue;
-        t.count([](TileCounts& c) { ++c.reached; });
-        const auto pixel = t.alive.find({x, y});
-        if (pixel == t.alive.end()) continue;
-        const double next = pixel->second * (1 - alpha(s, x, y));
-        if (next < 1e-4) {
-          t.alive.erase(pixel);
-          t.count([](TileCounts& c) { ++c.stops; });
-          if (t.alive.empty() && t.total == &out_.total) stop_depth_[{t.x0 / 16, t.y0 / 16}] = s.p.depth;
-        } else {
-          pixel->second = next;
-          blended.insert(s.index);
-          t.count([](TileCounts& c) { ++c.blends; });
+  // Parts of so many pixels that have one alive and are touched by the box, or hold a pixel that counts.
+  uint64_t parts(const Shape& s, const TileState& t, int side, bool boxed) const {
+    uint64_t count = 0;
+    for (int y0 = t.y0; y0 < t.y0 + 16; y0 += side) {
+      for (int x0 = t.x0; x0 < t.x0 + 16; x0 += side) {
+        bool alive = false, reached = false;
+        for (int y = y0; y < std::min(y0 + side, t.y1); ++y) {
+          for (int x = x0; x < std::min(x0 + side, t.x1); ++x) {
+            alive = alive || t.alive.count({x, y}) != 0;
+            reached = reached || alpha(s, x, y) > 0;
+          }
         }
+        count += alive && (boxed ? touches(s.box, x0, y0, side) : reached);
+      }
+    }
+    return count;
+  }
+
+  void blend(const Shape& s, TileState& t) const {
+    for (auto pixel = t.alive.begin(); pixel != t.alive.end();) {
+      const double a = alpha(s, pixel->first.first, pixel->first.second), next = pixel->second * (1 - a);
+      if (a > 0 && next < 1e-4) {
+        pixel = t.alive.erase(pixel);
+      } else {
+        pixel->second = next;
+        ++pixel;
       }
     }
   }
 
-  TileState tile_state(int x, int y) {
-    TileState t{16 * x,
-                16 * y,
-                std::min(16 * x + 16, camera_.width),
-                std::min(16 * y + 16, camera_.height),
-                {},
-                &out_.tiles[static_cast<size_t>(y * columns(16) + x)],
-                &out_.total};
+  TileState tile_state(int x, int y) const {
+    TileState t{16 * x, 16 * y, std::min(16 * x + 16, camera_.width), std::min(16 * y + 16, camera_.height), {}};
     for (int py = t.y0; py < t.y1; ++py) {
       for (int px = t.x0; px < t.x1; ++px) t.alive[{px, py}] = 1;
     }
     return t;
   }
 
-  void pass(const Shape& s, TileState& t, int x, int y, std::set<size_t>& blended) {
-    for (const Cover cover : kAll) {
-      if (t.alive.empty() || !covers(s, cover, 16, x, y)) continue;
-      t.count([&](TileCounts& c) { ++c.walk[cover].open, c.walk[cover].alive += t.alive.size(); });
-    }
-    if (covers(s, Cover::kOriented, 16, x, y)) parts(s, t, 8, 8, true, &TileCounts::oriented_8x8);
-    parts(s, t, 8, 8, false, &TileCounts::exact_8x8);
-    parts(s, t, 4, 4, false, &TileCounts::exact_4x4);
-    parts(s, t, 16, 1, false, &TileCounts::exact_16x1);
-    parts(s, t, 8, 1, false, &TileCounts::exact_8x1);
-    blend(s, t, blended);
-  }
-
   void walk() {
-    std::set<size_t> blended;
-    out_.tiles.resize(static_cast<size_t>(columns(16)) * static_cast<size_t>(rows(16)));
     for (int y = 0; y < rows(16); ++y) {
       for (int x = 0; x < columns(16); ++x) {
         TileState t = tile_state(x, y);
-        stop_depth_[{x, y}] = std::numeric_limits<double>::infinity();
-        for (const Shape& s : shapes_) pass(s, t, x, y, blended);
+        TileCounts& counts = out_.tiles.emplace_back();
+        double& stop = stop_depth_[{x, y}] = std::numeric_limits<double>::infinity();
+        for (const Shape& s : shapes_) {
+          if (t.alive.empty()) break;
+          for (const Cover cover : kAllCovers) counts.open[cover] += covers(s, cover, 16, x, y);
+          if (covers(s, Cover::kOriented, 16, x, y)) counts.oriented_8x8 += parts(s, t, 8, true);
+          counts.exact_8x8 += parts(s, t, 8, false);
+          counts.exact_4x4 += parts(s, t, 4, false);
+          blend(s, t);
+          if (t.alive.empty()) stop = s.p.depth;
+        }
       }
     }
-    out_.gaussians.blended = blended.size();
   }
 
   // A ray from the near plane on passes through a box iff it begins inside or comes through a face.
-  bool ray_meets(const glm::dvec3& low, int x, int y) const {
+  bool ray_meets(const glm::dvec3& low, double edge, int x, int y) const {
     const glm::dvec3 ray = glm::transpose(camera_.world_to_camera) *
                            glm::dvec3((x - camera_.cx) / camera_.fx, (y - camera_.cy) / camera_.fy, 1);
     const auto inside = [&](double t, int but) {
       const glm::dvec3 at = camera_.position + t * ray;
       for (int axis = 0; axis < 3; ++axis) {
-        if (axis != but && !(at[axis] >= low[axis] && at[axis] <= low[axis] + options_.voxel)) return false;
+        if (axis != but && !(at[axis] >= low[axis] && at[axis] <= low[axis] + edge)) return false;
       }
       return true;
     };
     if (inside(options_.near_plane, -1)) return true;
     for (int axis = 0; axis < 3; ++axis) {
-      for (const double face : {low[axis], low[axis] + options_.voxel}) {
+      for (const double face : {low[axis], low[axis] + edge}) {
         const double t = (face - camera_.position[axis]) / ray[axis];
         if (std::isfinite(t) && t >= options_.near_plane && inside(t, axis)) return true;
       }
@@ -303,54 +256,48 @@ class Brute {
     const double a = sx * sx * (1 + tx * tx) + 0.3, b = sx * sy * tx * ty, c = sy * sy * (1 + ty * ty) + 0.3;
     const double radius = 3 * std::sqrt((a + c) / 2 + std::sqrt((a - c) * (a - c) / 4 + b * b));
     const glm::dvec2 mean(camera_.fx * view.x / view.z + camera_.cx, camera_.fy * view.y / view.z + camera_.cy);
-    const glm::dvec2 low(x * options_.group, y * options_.group), high_corner = low + (options_.group - 1.0);
+    const glm::dvec2 low(x * kGroupSide, y * kGroupSide), high_corner = low + (kGroupSide - 1.0);
     return glm::length(glm::clamp(mean, low, high_corner) - mean) <= radius;
   }
 
-  void voxels() {
+  VoxelCounts voxels(double edge) const {
     std::map<std::tuple<int, int, int>, std::vector<size_t>> members;
     for (size_t i = 0; i < scene_.gaussians.size(); ++i) {
       ActivatedGaussian gaussian;
       if (activate(scene_, i, gaussian) != Cull::kNone) continue;
-      const auto number = [&](int axis) { return static_cast<int>(std::floor(gaussian.mean[axis] / options_.voxel)); };
+      const auto number = [&](int axis) { return static_cast<int>(std::floor(gaussian.mean[axis] / edge)); };
       members[{number(0), number(1), number(2)}].push_back(i);
     }
-    VoxelCounts& v = out_.voxels;
-    v.edge = options_.voxel;
-    v.groups.resize(static_cast<size_t>(columns(options_.group)) * static_cast<size_t>(rows(options_.group)));
-    std::set<size_t> fetched, passed, fine;
-    for (const auto& [key, inside] : members) {
-      ++v.occupied;
-      v.largest = std::max<uint64_t>(v.largest, inside.size());
-      const glm::dvec3 low = options_.voxel * glm::dvec3(std::get<0>(key), std::get<1>(key), std::get<2>(key));
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const double x : {0.0, options_.voxel})
-        for (const double y : {0.0, options_.voxel})
-          for (const double z : {0.0, options_.voxel}) {
-            const glm::dvec3 corner = low + glm::dvec3(x, y, z) - camera_.position;
-            nearest = std::min(nearest, (camera_.world_to_camera * corner).z);
-          }
-      bool met = false;
-      for (int y = 0; y < rows(options_.group); ++y) {
-        for (int x = 0; x < columns(options_.group); ++x) {
-          if (!group_meets(low, x, y)) continue;
-          met = true;
-          const bool open = nearest <= group_stop(x, y);
-          ++v.pairs;
-          v.open_pairs += open;
-          group(x, y).voxels += open;
-          for (const size_t i : inside) pass(i, x, y, open, fetched, passed, fine);
+    VoxelCounts counts;
+    for (int y = 0; y < rows(kGroupSide); ++y) {
+      for (int x = 0; x < columns(kGroupSide); ++x) {
+        FilterCounts& group = counts.groups.emplace_back();
+        for (const auto& [key, inside] : members) {
+          const glm::dvec3 low = edge * glm::dvec3(std::get<0>(key), std::get<1>(key), std::get<2>(key));
+          if (nearest(low, edge) > group_stop(x, y) || !group_meets(low, edge, x, y)) continue;
+          ++group.voxels;
+          for (const size_t i : inside) pass(i, x, y, group);
         }
       }
-      v.met += met;
     }
-    v.distinct = {fetched.size(), passed.size(), fine.size()};
+    return counts;
   }
 
-  bool group_meets(const glm::dvec3& low, int x, int y) const {
-    for (int py = y * options_.group; py < std::min(camera_.height, (y + 1) * options_.group); ++py) {
-      for (int px = x * options_.group; px < std::min(camera_.width, (x + 1) * options_.group); ++px) {
-        if (ray_meets(low, px, py)) return true;
+  double nearest(const glm::dvec3& low, double edge) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double x : {0.0, edge})
+      for (const double y : {0.0, edge})
+        for (const double z : {0.0, edge}) {
+          const glm::dvec3 corner = low + glm::dvec3(x, y, z) - camera_.position;
+          least = std::min(least, (camera_.world_to_camera * corner).z);
+        }
+    return least;
+  }
+
+  bool group_meets(const glm::dvec3& low, double edge, int x, int y) const {
+    for (int py = y * kGroupSide; py < std::min(camera_.height, (y + 1) * kGroupSide); ++py) {
+      for (int px = x * kGroupSide; px < std::min(camera_.width, (x + 1) * kGroupSide); ++px) {
+        if (ray_meets(low, edge, px, py)) return true;
       }
     }
     return false;
@@ -359,28 +306,19 @@ class Brute {
   double group_stop(int x, int y) const {
     double stop = 0;
     for (const auto& [tile, depth] : stop_depth_) {
-      if (16 * tile.first / options_.group == x && 16 * tile.second / options_.group == y) stop = std::max(stop, depth);
+      if (16 * tile.first / kGroupSide == x && 16 * tile.second / kGroupSide == y) stop = std::max(stop, depth);
     }
     return stop;
   }
 
-  GroupCounts& group(int x, int y) {
-    return out_.voxels
-        .groups[static_cast<size_t>(y) * static_cast<size_t>(columns(options_.group)) + static_cast<size_t>(x)];
-  }
-
-  void pass(size_t i, int x, int y, bool open, std::set<size_t>& fetched, std::set<size_t>& passed,
-            std::set<size_t>& fine) {
-    VoxelCounts& v = out_.voxels;
-    FilterCounts& own = group(x, y).filtered;
-    ++v.all.fetched, v.open.fetched += open, own.fetched += open, fetched.insert(i);
+  void pass(size_t i, int x, int y, FilterCounts& group) const {
+    ++group.fetched;
     ActivatedGaussian gaussian;
     activate(scene_, i, gaussian);
     if (!coarse(gaussian, x, y)) return;
-    ++v.all.coarse, v.open.coarse += open, own.coarse += open, passed.insert(i);
+    ++group.coarse;
     const auto shape = std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.index == i; });
-    if (shape == shapes_.end() || !covers(*shape, Cover::kExact, options_.group, x, y)) return;
-    ++v.all.fine, v.open.fine += open, own.fine += open, fine.insert(i);
+    group.fine += shape != shapes_.end() && covers(*shape, Cover::kExact, kGroupSide, x, y);
   }
 
   const Scene& scene_;

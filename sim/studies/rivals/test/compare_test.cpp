@@ -15,8 +15,8 @@ namespace {
 const std::string kDram = "lpddr5-6400x4";
 
 const FrameCounts& view() {
-  static const FrameCounts counts = count_frame(random_scene(3, 2000, 0), test_camera(200, 150, 120),
-                                                {.voxel = 1, .other_voxels = {0.5, 0.25}, .group = 64});
+  static const FrameCounts counts =
+      count_frame(random_scene(3, 2000, 0), test_camera(200, 150, 120), {.voxels = {1, 0.5, 0.25}});
   return counts;
 }
 

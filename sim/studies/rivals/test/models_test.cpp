@@ -87,15 +87,14 @@ TEST(RivalModels, StreaminggsChoosesVoxels) {
   EXPECT_EQ(ideal_frame(streaminggs(), {{"voxels", 2}}).busy("coarse filter"), 50);
 }
 
-// Groups of 16 px: each tile its own.
+// The tiles of two groups: the second one has the last 16 columns of a picture of 80.
 TEST(RivalModels, StreaminggsGivesTilesToTheirGroups) {
   FrameCounts counts = two_tiles();
-  counts.other_voxels.clear();
-  counts.voxels.groups = {{1, {100, 20, 10}}, {1, {8, 4, 2}}};
+  counts.lists[kLists16].columns = 5, counts.lists[kLists64].columns = 2;
+  counts.tiles.insert(counts.tiles.begin() + 1, 3, TileCounts{});
+  counts.voxels = {{.groups = {{1, 100, 20, 10}, {1, 8, 4, 2}}}};
   // The first group: 25, 20, 1/4 and 70 cycles; the second follows at the lanes.
   EXPECT_EQ(ideal_frame(streaminggs(), {}, counts).cycles, 25 + 20 + 0.25 + 70 + 16);
-  counts.voxels.groups.resize(5);
-  EXPECT_THROW(ideal_frame(streaminggs(), {}, counts), std::invalid_argument);
 }
 
 // 64 blocks through projection (100 / 64), lanes (40 pairs of 256 px, 64 a cycle) and sorter (1000 keys, 4 a cycle).
@@ -132,11 +131,10 @@ TEST(RivalModels, AnEmptyViewTakesPreprocessingAndPixels) {
   for (ListCounts& lists : counts.lists) {
     for (const Cover cover : kAllCovers) std::fill(lists.lengths[cover].begin(), lists.lengths[cover].end(), 0);
   }
-  counts.tiles = {{}, {}}, counts.total = {};
-  counts.gaussians.listed = {};
+  counts.tiles = {{}, {}};
+  counts.listed = {};
   counts.neighbours = {};
-  counts.other_voxels.clear();
-  counts.voxels = {.groups = {{}}};
+  counts.voxels = {{.groups = {{}}}};
   for (const Rival* rival : all_rivals()) {
     SCOPED_TRACE(rival->name);
     const MachineFrame frame = ideal_frame(*rival, {}, counts);

@@ -64,7 +64,7 @@ TEST(Oriented, TheMachineFindsThePairsOfTheFloat) {
 
   Pairs wanted, found;
   std::vector<bool> counts(scene.gaussians.size());
-  for (const SeenGaussian& s : see(scene, camera, {}).gaussians) {
+  for (const SeenGaussian& s : see(scene, camera, {})) {
     if (!visible(s)) continue;
     counts[s.index] = true;
     const double reach = std::hypot(s.half_long, s.half_short) + 1;  // to the corners of the box
