@@ -131,7 +131,7 @@ int accuracy(const AccuracyArguments& arguments, const CLI::App* command) {
     const AccuracySweep sweep =
         accuracy_sweep(asked.measure, asked.options.config,
                        {.knobs = knobs, .points = arguments.points, .window_fixed = asked.options.window.has_value()});
-    Answer answer = accuracy_answer(sweep, asked.view.flips_sampled());
+    Answer answer = accuracy_answer(sweep);
     if (target > 0) answer.tables.push_back(target_table(sweep.all(), target));
     return answer;
   };

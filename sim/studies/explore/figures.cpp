@@ -34,14 +34,7 @@ Json to_json(const Figures& f, Measured measured) {
   Json json = Json::object();
   if (measured == Measured::kErrors) json = {{"numeric", to_json(f.numeric)}, {"order", to_json(f.order)}};
   if (measured != Measured::kCycles) json["total"] = to_json(f.total);
-  if (measured == Measured::kErrors) json.update({{"decisions", f.flips.decisions}, {"flipped", f.flips.flipped}});
   json.update({{"cycles", f.cycles}, {"bytes", f.bytes}, {"buffer_bits", f.buffer_bits}});
-  if (measured != Measured::kCycles) {
-    json["seconds"] = {{"golden", f.seconds_golden},
-                       {"truth", f.seconds_truth},
-                       {"trace", f.seconds_trace},
-                       {"model", f.seconds_model}};
-  }
   return json;
 }
 
@@ -56,15 +49,9 @@ Figures figures_from_json(const Json& json, Measured measured) {
   f.buffer_bits = json_integer<uint64_t>(json.at("buffer_bits"));
   if (measured == Measured::kCycles) return f;
   f.total = errors_from(json.at("total"));
-  const Json& seconds = json.at("seconds");
-  f.seconds_golden = json_real(seconds.at("golden"), kNotNegative);
-  f.seconds_truth = json_real(seconds.at("truth"), kNotNegative);
-  f.seconds_trace = json_real(seconds.at("trace"), kNotNegative);
-  f.seconds_model = json_real(seconds.at("model"), kNotNegative);
   if (measured == Measured::kPicture) return f;
   f.numeric = errors_from(json.at("numeric"));
   f.order = errors_from(json.at("order"));
-  f.flips = {json_integer<uint64_t>(json.at("decisions")), json_integer<uint64_t>(json.at("flipped"))};
   return f;
 }
 

@@ -15,25 +15,17 @@ namespace pipegs {
 enum class Measured {
   kCycles,   // cycles, bytes, buffers
   kPicture,  // and the picture's error
-  kErrors,   // and what of it numbers and order cost, and flipped decisions
+  kErrors,   // and what of it numbers and order cost
 };
 
 struct ErrorFigures {
   double psnr = 0, ssim = 0, max = 0, p999 = 0;  // p999: the 99.9th percentile of the absolute error
 };
 
-struct Flips {
-  uint64_t decisions = 0, flipped = 0;
-  double share() const { return decisions == 0 ? 0 : static_cast<double>(flipped) / static_cast<double>(decisions); }
-};
-
 struct Figures {
   std::string failure;  // one line when the scene does not fit the configuration; then nothing below holds
   ErrorFigures numeric, order, total;  // see view.hpp
-  Flips flips;
   uint64_t cycles = 0, bytes = 0, buffer_bits = 0;
-  double seconds_golden = 0, seconds_truth = 0, seconds_trace = 0,
-         seconds_model = 0;  // of one core; truth 0 when reused
 
   double gbps() const { return static_cast<double>(bytes) / static_cast<double>(cycles); }  // at 1 GHz
   double buffer_kb() const { return static_cast<double>(buffer_bits) / 8192; }

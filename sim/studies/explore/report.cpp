@@ -17,16 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kFlat = 1;  // decibels that a step must gain to be named
-
-double percent(double value, double base) { return 100 * (value / base - 1); }
-
-// What a knob is judged by: an order knob by the sum of both errors.
-double quality(const Knob& knob, const Figures& a) {
-  const double sum = mean_square(a.numeric.psnr) + (knob.orders ? mean_square(a.order.psnr) : 0);
-  return -10 * std::log10(sum);
-}
-
 // How points stand in a table.
 struct Columns {
   Measured measured = Measured::kCycles;
@@ -69,7 +59,6 @@ std::vector<TableCell> cells_of(const PointRow& row, const Point& base, const Co
           known(picture ? f.total.ssim : none),
           known(errors ? f.numeric.max : none),
           known(errors ? f.numeric.p999 : none),
-          known(errors ? 100 * f.flips.share() : none),
           known(point.cycles()),
           known(100 * point.cycles() / base.cycles()),
           known(clock ? *cost.ghz() : none, cost.extrapolated_path),
@@ -83,7 +72,6 @@ std::vector<TableCell> cells_of(const PointRow& row, const Point& base, const Co
           known(areas ? frames_per_joule(point) : none, cost.extrapolated_energy),
           text_cell(areas && point.mm2() <= columns.mm2 ? "yes" : ""),
           known(point.front > 0 ? point.front : none),
-          known(errors ? f.seconds_golden + f.seconds_truth + f.seconds_trace + f.seconds_model : none),
           {.text = difference(point.config, base.config), .copy = machine_words(point.config)}};
 }
 
@@ -100,7 +88,6 @@ Table points_table(const std::string& title, const std::vector<PointRow>& rows, 
                   {.key = "ssim", .heading = "SSIM", .digits = 5},
                   {.key = "max", .heading = "max", .digits = 4},
                   {.key = "p999", .heading = "99.9 %", .digits = 4},
-                  {.key = "flips", .heading = "flips", .unit = "%", .digits = 4},
                   {.key = "cycles", .heading = "cycles"},
                   {.key = "of_base", .heading = "of base", .unit = "%", .digits = 2},
                   {.key = "ghz", .unit = "GHz", .digits = 3},
@@ -114,7 +101,6 @@ Table points_table(const std::string& title, const std::vector<PointRow>& rows, 
                   {.key = "frames_per_joule", .unit = "frames/J"},
                   {.key = "within", .heading = "fits"},
                   {.key = "front", .heading = "front"},
-                  {.key = "host_seconds", .heading = "host", .unit = "s", .digits = 1},
                   {.key = "configuration", .heading = "configuration", .word = true, .wrapped = true, .copies = true}}};
   for (const PointRow& row : rows) {
     const Point& point = *row.point;
@@ -194,7 +180,7 @@ Chart knob_chart(const SweptKnob& knob) {
               .x_label = knob.knob->name + ", coarse to fine",
               .y_label = "PSNR, dB",
               .from_zero = false,
-              .note = fmt::format("{}. {}", knob.knob->what, knob_sentence(knob))};
+              .note = knob.knob->what};
   chart.series = {{.name = "numeric", .values = {}}, {.name = "order", .values = {}}, {.name = "total", .values = {}}};
   for (size_t i = 0; i < knob.points.size(); ++i) {
     const Figures& a = knob.points[i].figures;
@@ -247,16 +233,10 @@ Json accuracy_row(const Point& point) {
   return json;
 }
 
-Json accuracy_json(const AccuracySweep& sweep, const std::vector<Point>& all, double flips_sampled) {
-  Json json = {{"base", accuracy_row(sweep.base)},
-               {"flips_sampled", flips_sampled},
-               {"knobs", Json::array()},
-               {"together", Json::array()}};
+Json accuracy_json(const AccuracySweep& sweep, const std::vector<Point>& all) {
+  Json json = {{"base", accuracy_row(sweep.base)}, {"knobs", Json::array()}, {"together", Json::array()}};
   for (const SweptKnob& knob : sweep.knobs) {
-    Json one = {{"name", knob.knob->name},
-                {"what", knob.knob->what},
-                {"sentence", knob_sentence(knob)},
-                {"values", Json::array()}};
+    Json one = {{"name", knob.knob->name}, {"what", knob.knob->what}, {"values", Json::array()}};
     for (const Point& point : knob.points) {
       one["values"].push_back(accuracy_row(point));
       one["values"].back()["label"] = point.value.label;
@@ -344,66 +324,16 @@ std::string point_text(const Point& point, const Config& base) {
   return fmt::format("{}: {}", text, difference(point.config, base));
 }
 
-std::string knob_sentence(const SweptKnob& swept) {
-  const Knob& knob = *swept.knob;
-  std::vector<size_t> measured;
-  for (size_t i = 0; i < swept.points.size(); ++i) {
-    if (swept.points[i].figures.failure.empty()) measured.push_back(i);
-  }
-  if (measured.size() < 2) return fmt::format("{}: one value only.", knob.name);
-  const char* what = knob.orders ? "numeric and order error" : "numeric error";
-  // The last step that gains a decibel over all before it.
-  size_t from = measured[0], to = measured[0];
-  double best = quality(knob, swept.points[measured[0]].figures);
-  size_t best_at = measured[0];
-  for (size_t k = 1; k < measured.size(); ++k) {
-    const double here = quality(knob, swept.points[measured[k]].figures);
-    if (here >= best + kFlat) from = best_at, to = measured[k];
-    if (here > best) best = here, best_at = measured[k];
-  }
-  const auto cost = [&](const Point& a, const Point& b) {
-    const double kb = b.figures.buffer_kb() - a.figures.buffer_kb();
-    const std::string text = fmt::format("{:+.2f} % cycles, {:+.2f} % bytes, {:+.1f} KB of buffers",
-                                         percent(b.cycles(), a.cycles()), percent(b.bytes(), a.bytes()), kb);
-    if (!a.silicon || !b.silicon) return text;
-    return text + fmt::format(", {}{:+.1f} % area and {}{:+.1f} % energy",
-                              a.silicon->extrapolated_area || b.silicon->extrapolated_area ? "~" : "",
-                              percent(b.mm2(), a.mm2()),
-                              a.silicon->extrapolated_energy || b.silicon->extrapolated_energy ? "~" : "",
-                              percent(b.joules(), a.joules()));
-  };
-  const size_t last = measured.back();
-  if (to == from) {
-    const double coarse = quality(knob, swept.points[from].figures);
-    return fmt::format("{}: {} is enough: {:.1f} dB of {}, {:.1f} dB at best; {} in its place costs {}.", knob.name,
-                       swept.points[from].value.label, coarse, what, best, swept.points[last].value.label,
-                       cost(swept.points[from], swept.points[last]));
-  }
-  const double gain = quality(knob, swept.points[to].figures) - quality(knob, swept.points[from].figures);
-  std::string text = fmt::format("{}: from {} to {} {:+.1f} dB of {} for {}", knob.name, swept.points[from].value.label,
-                                 swept.points[to].value.label, gain, what, cost(swept.points[from], swept.points[to]));
-  if (to != last) {
-    text += fmt::format("; beyond, to {}, {:+.1f} dB for {}", swept.points[last].value.label,
-                        quality(knob, swept.points[last].figures) - quality(knob, swept.points[to].figures),
-                        cost(swept.points[to], swept.points[last]));
-  }
-  return text + ".";
-}
-
-Answer accuracy_answer(const AccuracySweep& sweep, double flips_sampled) {
+Answer accuracy_answer(const AccuracySweep& sweep) {
   const std::vector<Point> all = sweep.all();
   const Columns columns{.measured = Measured::kErrors};
   std::vector<PointRow> rows = {{"", &sweep.base}}, fronts;
-  Table knobs{
-      .columns = {{.key = "knob", .heading = "knob", .word = true},
-                  {.key = "what", .heading = "what it is", .word = true, .wrapped = true},
-                  {.key = "last_decibel", .heading = "what its last decibel costs", .word = true, .wrapped = true}},
-      .notes = {}};
+  Table knobs{.columns = {{.key = "knob", .heading = "knob", .word = true},
+                          {.key = "what", .heading = "what it is", .word = true, .wrapped = true}},
+              .notes = {}};
   for (const SweptKnob& knob : sweep.knobs) {
     for (const Point& point : knob.points) rows.push_back({"", &point});
-    const std::string sentence = knob_sentence(knob);
-    knobs.rows.push_back(
-        {text_cell(knob.knob->name), text_cell(knob.knob->what), text_cell(sentence.substr(sentence.find(": ") + 2))});
+    knobs.rows.push_back({text_cell(knob.knob->name), text_cell(knob.knob->what)});
   }
   for (const Point& point : sweep.together) rows.push_back({"", &point});
   for (const std::string& reason : sweep.skipped) knobs.notes.push_back("left out: " + reason);
@@ -414,11 +344,9 @@ Answer accuracy_answer(const AccuracySweep& sweep, double flips_sampled) {
       sweep.base,
       {"numeric: golden model against float64 in the same order; order: float64 in that order against depth order; "
        "total: golden model against depth order",
-       fmt::format("SSIM: of the total; max, 99.9 %: of the numeric error; flips: decisions at 1/255 unlike the "
-                   "truth's, of {:.0f} % of the pixels; host: of one core; *: the base",
-                   100 * flips_sampled),
+       "SSIM: of the total; max, 99.9 %: of the numeric error; *: the base",
        clock_note(sweep.base)});
-  return {.json = accuracy_json(sweep, all, flips_sampled),
+  return {.json = accuracy_json(sweep, all),
           .tables = {points_table("", rows, sweep.base, columns), knobs, points_table("", fronts, sweep.base, columns),
                      read},
           .charts = accuracy_charts(sweep, all)};

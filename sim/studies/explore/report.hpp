@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// report.hpp: what a question found, as JSON, tables, charts and sentences.
+// report.hpp: what a question found, as JSON, tables and charts.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -19,14 +19,11 @@ struct Answer {
   std::vector<Chart> charts;
 };
 
-Answer accuracy_answer(const AccuracySweep& sweep, double flips_sampled);
+Answer accuracy_answer(const AccuracySweep& sweep);
 // Microseconds are cycles / 1000 / `ghz`.
 Answer tradeoff_answer(std::vector<Point> points, const View& view, double ghz);
 // `mm2`: the wanted area.
 Answer shapes_answer(const std::vector<Point>& shapes, double mm2);
-
-// What the knob's last decibel costs: one sentence.
-std::string knob_sentence(const SweptKnob& knob);
 
 // One point in a line: its errors, what it costs, and how it differs from the base.
 std::string point_text(const Point& point, const Config& base);

@@ -38,12 +38,7 @@ View::View(const Scene& scene, const Camera& camera, const std::vector<Camera>& 
       cameras_(cameras),
       options_(options),
       measured_(measured),
-      engine_(model_engine(scene, camera, options)) {
-  if (measured == Measured::kErrors) {
-    flips_ = std::make_unique<FlipCounter>(scene, camera, options.near_plane,
-                                           asked_pixels(camera.width, camera.height, options));
-  }
-}
+      engine_(model_engine(scene, camera, options)) {}
 
 Camera View::camera(const Less& less) const { return less.scale < 1 ? scaled_camera(camera_, less.scale) : camera_; }
 
@@ -121,32 +116,19 @@ void View::measure_picture(const Config& config, const Less& less, Figures& resu
   const std::shared_ptr<const Lesser> lesser = less.without > 0 ? scene_without(less.without) : nullptr;
   Simulation simulation;
   simulate_pack(lesser ? lesser->scene : scene_, camera(less), asked, simulation);
-  double before = thread_seconds();
-  const auto lap = [&before] {
-    const double now = thread_seconds(), passed = now - before;
-    before = now;
-    return passed;
-  };
   simulation.golden = golden_frame(simulation.input, {.threads = 1, .progress = stop_when_interrupted});
-  result.seconds_golden = lap();
   Image golden = crop_window(simulation.golden.image, asked);
   if (golden.width != exact.width || golden.height != exact.height)
     golden = resampled(golden, exact.width, exact.height);
   if (measured_ == Measured::kErrors) {
-    lap();
     const auto order = ordered(simulation.golden.rank);
-    result.seconds_truth = lap();
     result.numeric = errors(golden, order->truth);
     result.order = order->error;
-    result.flips = flips_->count(simulation.input, simulation.golden.rank);
   }
   result.total = errors(golden, exact);
-  lap();
   const TimingTrace trace = timing_trace(simulation.input, 1);
-  result.seconds_trace = lap();
   stop_when_interrupted(0);
   const TimingResult timing = timing_run(trace, config, asked.memory);
-  result.seconds_model = lap();
   result.cycles = timing.cycles;
   for (const TimingResult::Stream& stream : timing.streams) result.bytes += stream.bytes_read + stream.bytes_written;
 }

@@ -22,7 +22,6 @@
 
 #include "sim/compare/simulate.hpp"
 #include "sim/studies/explore/figures.hpp"
-#include "sim/studies/explore/flips.hpp"
 #include "sim/studies/explore/less.hpp"
 #include "sim/timing/cycle_engine.hpp"
 
@@ -42,7 +41,6 @@ class View {
   nlohmann::ordered_json key(const Less& less) const;
 
   Measured measured() const { return measured_; }
-  double flips_sampled() const { return flips_ ? flips_->sampled() : 1; }
   Camera camera(const Less& less) const;
   size_t gaussians(const Less& less) const;
 
@@ -68,7 +66,6 @@ class View {
   const SimulateOptions options_;
   const Measured measured_;
   const CycleEngine engine_;
-  std::unique_ptr<FlipCounter> flips_;
   mutable std::once_flag exact_once_;
   mutable Image exact_;
   mutable std::mutex mutex_, lesser_mutex_;

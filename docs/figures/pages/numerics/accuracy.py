@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/numerics/accuracy.md."""
 from data import data
-from formats import change, fixed, listing, percent
+from formats import change, fixed, listing
 
 MEASURED = ["accuracy/*"]
 FOUND = data.accuracy.own
@@ -16,7 +16,6 @@ def base():
         ("order dB", "order.psnr_db", fixed, 2),
         ("total dB", "total.psnr_db", fixed, 2),
         ("SSIM", "total.ssim", fixed, 5),
-        ("flips", lambda row: row.flipped / row.decisions, percent, 4),
         ("cycles", "cycles"),
         ("mm2", "silicon.mm2.mid", fixed, 2),
     )
@@ -57,10 +56,6 @@ def gains(knob, label):
 def more(knob, label):
     """Cycles."""
     return change(value(knob, label).cycles / FOUND.base.cycles - 1)
-
-
-def flips(row):
-    return percent(row.flipped / row.decisions, 2)
 
 
 def left_out(what):
