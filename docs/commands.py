@@ -22,7 +22,7 @@ COLUMN = 30  # of the text of an option in what --help prints
 SHARED = 4  # so many commands make an option a shared one
 SAMPLES = {  # a run of a second or two, from whose JSON the keys are taken; those of other commands are on their pages
     "model": "--scale 0.1",
-    "profile": "--scale 0.1 --no-rtl",
+    "profile": "--scale 0.1",
     "effects": "--scale 0.1",
     "budget": "--count 1000",
     "explain": "--scale 0.1 --no-rtl --pixel 40,40",

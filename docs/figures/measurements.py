@@ -76,7 +76,7 @@ TABLE = [
                   view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
     *[Measurement(f"scale/model_{name}", "build/pipegs model {scene} --design fast --set records=4096 --json", MODEL,
                   scene, view, ("fast",), alone=True) for name, (scene, view) in SCALED.items()],
-    *[Measurement(f"profile/{scene}", "build/pipegs study profile {scene} --no-rtl --json", ("models", "cost"), scene,
+    *[Measurement(f"profile/{scene}", "build/pipegs study profile {scene} --json", ("models", "cost"), scene,
                   points=("baseline",), chart="profile.svg" if scene == "own" else "") for scene in FOUR],
     *[Measurement(f"effects/{scene}", "build/pipegs effects {scene} --json", (*MODEL, "effects"), scene,
                   points=("fast",)) for scene in ("own", "statue")],

@@ -76,18 +76,8 @@ TEST_F(Commands, ADesignPointWhoseRtlDoesNotBuildIsNamedAndLeftOut) {
   EXPECT_FALSE(fs::exists(folder_ / "left"));
 }
 
-TEST_F(Commands, ProfileCountsAndMeasures) {
-  const Json profile = json("study profile" + view_ + "--design late");
-  EXPECT_EQ(profile["charts"][0]["name"], "stages");
-  EXPECT_EQ(profile["source"], "rtl");
-  EXPECT_EQ(profile["mismatches"], 0);
-  double sum = 0;
-  for (const auto& [name, stage] : profile["stages"].items()) sum += stage["share"].get<double>();
-  EXPECT_NEAR(sum, 1, 1e-12);
-  const Json counted = json("study profile" + view_ + "--no-rtl");
-  EXPECT_EQ(counted["source"], "counts at full rate");
-  EXPECT_EQ(counted["gaussians"], profile["gaussians"]);
-  EXPECT_FALSE(counted.contains("cycles"));
+TEST_F(Commands, ProfileCountsHoldTogether) {
+  const Json counted = json("study profile" + view_);
   const auto &all = counted["gaussians"], &cost = counted["coefficient_cost"];
   EXPECT_GE(all["tile_pairs"], all["window_pairs"]);
   EXPECT_GE(all["window_pairs"], all["visible"]);
@@ -107,7 +97,7 @@ TEST_F(Commands, ProfileCountsTilesRightly) {
   // Pixel x lies at its centre: the border of two tiles is at 15.5.
   write_ply(folder_ / "tiles.ply", scene_of({at(40, 40), at(79.5, 31.5), gaussian_at({0, 0, -3})}));
   write_cameras(folder_ / "tiles.json", {camera});
-  const Json profile = json("study profile tiles.ply --cameras tiles.json --no-rtl");
+  const Json profile = json("study profile tiles.ply --cameras tiles.json");
   EXPECT_EQ(profile["gaussians"]["visible"], 2);
   EXPECT_EQ(profile["gaussians"]["tile_pairs"], 5);
   EXPECT_EQ(profile["gaussians"]["window_pairs"], 2);
@@ -116,7 +106,7 @@ TEST_F(Commands, ProfileCountsTilesRightly) {
 }
 
 TEST_F(Commands, ProfileGivesThePapersArithmetic) {
-  const Json profile = json("study profile" + view_ + "--no-rtl");
+  const Json profile = json("study profile" + view_);
   const Json direct = profile["arithmetic_per_pixel"]["direct"];
   for (const Json& row : profile["arithmetic_per_pixel"]["dpc"]) {
     if (row["tile"] != 16) continue;
@@ -152,7 +142,7 @@ TEST_F(Commands, BadInputIsRefusedInOneLine) {
                    "--window: found design points with windows of 64 and 128 pixels, expected one size");
   }
   expect_refused("study profile" + view_ + "--design nonsense", "nonsense");
-  expect_refused("study profile missing.ply --cameras cameras.json --no-rtl", "missing.ply");
+  expect_refused("study profile missing.ply --cameras cameras.json", "missing.ply");
   expect_refused("model" + view_ + "--designs nonsense", "nonsense");
   EXPECT_EQ(left_behind(), std::vector<std::string>{});
 }

@@ -18,11 +18,8 @@ class ExitCodes : public Cli {
   }
   // Every command that runs the default machine, so that nothing is built.
   std::vector<std::string> runs() const {
-    return {"sim" + view_ + "--no-truth",
-            "explain" + view_ + "--pixel 66,3",
-            "ladder" + view_ + "--designs dop --no-truth",
-            "study profile" + view_ + "--design dop",
-            "model" + view_ + "--design dop --check",
+    return {"sim" + view_ + "--no-truth", "explain" + view_ + "--pixel 66,3",
+            "ladder" + view_ + "--designs dop --no-truth", "model" + view_ + "--design dop --check",
             "study stress --count 1 --size 40x30 --gaussians 3"};
   }
 };
@@ -114,7 +111,7 @@ TEST_F(ExitCodes, TwoForWhatTheMachineCannotHold) {
   expect_refused("model scene.ply --cameras flat.json", "fx");
   expect_refused("sim" + view_ + "--memory nothing", "--memory: nothing not in {lpddr5");
   expect_refused("sim" + view_ + "--waves --netlist", "--waves: the netlist writes none");
-  expect_refused("study profile" + view_ + "--set taps=0", "taps=1");
+  expect_refused("ladder" + view_ + "--set taps=0", "taps=1");
 }
 
 TEST_F(ExitCodes, TwoForANameThatIsNotUtf8) {
@@ -158,7 +155,6 @@ TEST_F(ExitCodes, ThreeWhenAMachineDoesNotBuild) {
   expect_three("sim" + view_ + other + "--no-truth");
   expect_three("sim" + view_ + other + "--no-truth --effects layers");
   expect_three("explain" + view_ + other + "--pixel 1,1");
-  expect_three("study profile" + view_ + other + "--design dop");
   expect_three("model" + view_ + other + "--check");
   expect_three("study stress --count 1 --set alpha_lines=128");
   expect_three("ladder" + view_ + other + "--designs dop --no-truth");

@@ -89,7 +89,6 @@ TEST_F(Words, EqualIsNotTheSameAsNotRun) {
 TEST_F(Words, OtherCommandsSayAsLittle) {
   EXPECT_TRUE(json("explain" + view_ + "--pixel 1,1 --no-rtl").at("mismatches").is_null());
   EXPECT_EQ(json("explain" + view_ + "--pixel 1,1").at("mismatches"), 0);
-  EXPECT_TRUE(json("study profile" + view_ + "--no-rtl").at("mismatches").is_null());
   const Json ladder = json("ladder" + view_ + "--designs dop --no-truth");
   EXPECT_EQ(ladder["designs"][0]["ran"], Json({{"truth", false}, {"rtl", true}}));
   EXPECT_TRUE(ladder["designs"][0].at("psnr_numeric_db").is_null());

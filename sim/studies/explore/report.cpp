@@ -344,8 +344,7 @@ Answer accuracy_answer(const AccuracySweep& sweep) {
       sweep.base,
       {"numeric: golden model against float64 in the same order; order: float64 in that order against depth order; "
        "total: golden model against depth order",
-       "SSIM: of the total; max, 99.9 %: of the numeric error; *: the base",
-       clock_note(sweep.base)});
+       "SSIM: of the total; max, 99.9 %: of the numeric error; *: the base", clock_note(sweep.base)});
   return {.json = accuracy_json(sweep, all),
           .tables = {points_table("", rows, sweep.base, columns), knobs, points_table("", fronts, sweep.base, columns),
                      read},

@@ -10,7 +10,6 @@
 #include <mutex>
 
 #include "cpp_model/float/parallel.hpp"
-#include "scenes/percentile.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/finite.hpp"
 
@@ -53,7 +52,7 @@ PixelArithmetic dpc_arithmetic(int tile) {
   return {.tile = tile, .multiplications = (4 + 4.0 * tile) / pixels, .additions = (6 + 4.0 * tile) / pixels + 2};
 }
 
-ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& options, const FigureWatch* watch) {
+ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& options) {
   const GoldenInput& input = simulation.input;
   const Frame& frame = input.frame;
   const Config& config = options.config;
@@ -61,7 +60,6 @@ ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& op
                  windows = columns * (frame.raster.windows.last_y - frame.raster.windows.first_y + 1);
   ViewProfile profile;
   std::vector<uint32_t> tiles(simulation.packed.scene_gaussians, 0);
-  std::vector<double> ratios(windows, std::nan(""));
   std::mutex mutex;
   uint64_t finished = 0;
   Progress progress("counting");
@@ -69,8 +67,6 @@ ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& op
     if (interrupted()) throw std::runtime_error("interrupted");
     const GoldenWindow window =
         golden_window(input, frame.raster.windows.first_x + i % columns, frame.raster.windows.first_y + i / columns);
-    if (window.work.keys > 0)
-      ratios[i] = 4.0 * static_cast<double>(window.work.regions) / static_cast<double>(window.work.keys);
     const std::lock_guard lock(mutex);
     for (const GoldenLayer& layer : window.layers) {
       for (const GoldenSplat& splat : layer.splats) {
@@ -90,49 +86,11 @@ ViewProfile view_profile(const Simulation& simulation, const SimulateOptions& op
     profile.tiles.push_back(count);
   }
   if (profile.visible > 0) profile.inverse_tiles /= static_cast<double>(profile.visible);
-  if (watch != nullptr) {
-    const RtlResult& rtl = simulation.rtl;
-    profile.measured = true;
-    profile.cycles = rtl.cycles;
-    profile.ratios = window_ratios(watch->windows());
-    profile.preprocess = static_cast<double>(busy_cycles(rtl.pu));
-    profile.sort = static_cast<double>(busy_cycles(rtl.su));
-    profile.raster = static_cast<double>(busy_cycles(rtl.ru));
-    profile.bubbles = 1 - share(profile.raster, static_cast<double>(rtl.cycles) * config.units);
-    profile.exposed = watch->first_line() == ~uint64_t{0}
-                          ? std::nan("")
-                          : share(static_cast<double>(watch->first_line()), static_cast<double>(rtl.cycles));
-    return profile;
-  }
-  for (const double ratio : ratios) {
-    if (std::isfinite(ratio)) profile.ratios.push_back(ratio);
-  }
-  const Work& work = simulation.golden.work;
-  profile.preprocess = static_cast<double>(work.fetched);
-  profile.sort = static_cast<double>(work.keys);
-  profile.raster = 4.0 * static_cast<double>(work.regions);
   return profile;
 }
 
 Json profile_json(const ViewProfile& profile) {
-  const double all = profile.preprocess + profile.sort + profile.raster;
   Json json;
-  json["source"] = profile.measured ? "rtl" : "counts at full rate";
-  json["stages"] = {
-      {"preprocess", {{"cycles", profile.preprocess}, {"share", finite_json(share(profile.preprocess, all))}}},
-      {"sort", {{"cycles", profile.sort}, {"share", finite_json(share(profile.sort, all))}}},
-      {"raster", {{"cycles", profile.raster}, {"share", finite_json(share(profile.raster, all))}}}};
-  if (profile.measured) {
-    json["cycles"] = profile.cycles;
-    json["bubbles"] = finite_json(profile.bubbles);
-    json["exposed_share"] = finite_json(profile.exposed);
-  }
-  json["raster_over_sort"] = finite_json(share(profile.raster, profile.sort));
-  json["raster_over_sort_per_window"] = {{"windows", profile.ratios.size()},
-                                         {"mean", finite_json(mean(profile.ratios))},
-                                         {"p10", finite_json(percentile(profile.ratios, 0.1))},
-                                         {"median", finite_json(percentile(profile.ratios, 0.5))},
-                                         {"p90", finite_json(percentile(profile.ratios, 0.9))}};
   const auto visible = static_cast<double>(profile.visible), pairs = static_cast<double>(profile.tile_pairs);
   json["gaussians"] = {{"visible", profile.visible},
                        {"tile_pairs", profile.tile_pairs},
@@ -150,24 +108,12 @@ Json profile_json(const ViewProfile& profile) {
   }
   json["arithmetic_per_pixel"]["direct"] = {{"multiplications", kDirectMultiplications},
                                             {"additions", kDirectAdditions}};
-  json["paper"] = {{"raster_share", 0.70},
-                   {"raster_over_sort_per_tile", 7.48},
-                   {"bubbles", 0.69},
-                   {"front_share", 0.15},
-                   {"mean_tiles", {2.6, 6.7}},
-                   {"share_in_two_or_more_above", 0.70},
-                   {"coefficient_cost", {0.15, 0.52}},
-                   {"multiplications_saved_tile_16", 0.962},
-                   {"operations_saved_tile_16", 0.769}};
   return json;
 }
 
 std::vector<Table> profile_tables(const ViewProfile& profile) {
-  const double all = profile.preprocess + profile.sort + profile.raster;
   const auto visible = static_cast<double>(profile.visible), pairs = static_cast<double>(profile.tile_pairs);
-  Table table{.columns = {{.key = "what",
-                           .heading = profile.measured ? "times: busy cycles of the RTL" : "times: counts at full rate",
-                           .word = true},
+  Table table{.columns = {{.key = "what", .heading = "what", .word = true},
                           {.key = "here", .heading = "here"},
                           {.key = "paper", .heading = "paper", .word = true},
                           {.key = "why", .heading = "why they differ", .word = true, .wrapped = true}}};
@@ -181,28 +127,6 @@ std::vector<Table> profile_tables(const ViewProfile& profile) {
   const auto number = [](double value) {
     return std::isfinite(value) ? fmt::format("{:.2f}", value) : std::string("-");
   };
-  const bool measured = profile.measured;
-  const char* const machine = measured
-                                  ? "paper: RTX 3090, per tile; here: one machine with as many RUs as SUs, per window"
-                                  : "nothing skipped, a key per cycle: an upper bound, not the paper's quantity";
-  line("preprocessing, share of the stages' time", percent(share(profile.preprocess, all)), "",
-       measured ? "PUs; they also cull what no window shows" : "one Gaussian fetched per cycle and PU");
-  line("sorting", percent(share(profile.sort, all)), "",
-       "here a Gaussian is sorted once per window, not once per tile");
-  line("rasterization", percent(share(profile.raster, all)), measured ? "about 70 %" : "", machine);
-  line("rasterization over sorting, whole frame", number(share(profile.raster, profile.sort)), "", "");
-  line(fmt::format("  mean of {} windows", profile.ratios.size()), number(mean(profile.ratios)), measured ? "7.48" : "",
-       machine);
-  line("  10 %, 50 %, 90 % of the windows are below",
-       number(percentile(profile.ratios, 0.1)) + " " + number(percentile(profile.ratios, 0.5)) + " " +
-           number(percentile(profile.ratios, 0.9)),
-       "", "");
-  if (profile.measured) {
-    line("bubbles: share of the RUs' cycles not busy", percent(profile.bubbles), "69 %",
-         "waiting for memory counts too here");
-    line("cycles before the first line is blended", percent(profile.exposed), "about 15 %",
-         "of the frame; with layers or watermarks only the first layer's");
-  }
   line("visible Gaussians", std::to_string(profile.visible), "", "alpha >= 1/255 in some pixel");
   line("mean tiles of 16x16 of a visible Gaussian", number(share(pairs, visible)), "2.6 to 6.7",
        "other scenes; here a tile counts only if alpha >= 1/255 in a pixel of it");
@@ -240,25 +164,6 @@ std::vector<Table> profile_tables(const ViewProfile& profile) {
 }
 
 std::vector<Chart> profile_charts(const ViewProfile& profile) {
-  const double all = profile.preprocess + profile.sort + profile.raster;
-  Chart stages{.name = "stages",
-               .form = Chart::Form::kBars,
-               .title = "Time by stage (paper: Fig. 3a)",
-               .y_label = "% of the stages' time",
-               .categories = {"preprocess", "sort", "raster"}};
-  stages.series = {
-      {"here",
-       {100 * share(profile.preprocess, all), 100 * share(profile.sort, all), 100 * share(profile.raster, all)}},
-      {"paper", {std::nan(""), std::nan(""), 70}, true}};
-  if (!profile.measured) {
-    stages.title = "Work by stage at full rate";
-    stages.series.pop_back();
-  }
-  Chart ratios = histogram("raster_over_sort", "Raster over sort time of a window", "times", profile.ratios, 24, true);
-  ratios.y_label = "windows";
-  ratios.note =
-      fmt::format("mean {:.2f}; {}", mean(profile.ratios),
-                  profile.measured ? "the paper's mean of tiles (Fig. 3a): 7.48" : "nothing skipped, a key per cycle");
   Chart tiles{.name = "tiles",
               .form = Chart::Form::kBars,
               .title = "Tiles of 16x16 that a visible Gaussian reaches",
@@ -288,7 +193,7 @@ std::vector<Chart> profile_charts(const ViewProfile& profile) {
     arithmetic.series[0].values.push_back(cost.multiplications);
     arithmetic.series[1].values.push_back(cost.additions);
   }
-  return {stages, ratios, tiles, arithmetic};
+  return {tiles, arithmetic};
 }
 
 }  // namespace pipegs
