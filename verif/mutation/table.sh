@@ -209,37 +209,39 @@ mutant su_port "a line is written while a record is being read" "s/(writes = )be
 group ru "RU"
 mutant ru_blend "stop: < becomes <=" 's/remain < TW/remain <= TW/'
 mutant ru_blend "half of the rounding dropped" 's/ \+ Half\) >> AlphaW/) >> AlphaW/'
-mutant ru_own "every row begins with the same unit" 's/ \+ Step \* \(r \/ RegionsX\)//'
-mutant ru_slot "shift off by one" 's/\$clog2\(([a-z_:]*Units)\)/($clog2(\1) + 1)/'
-mutant ru_count "sum becomes OR" 's/\(fields & Low\) \+/(fields \& Low) |/'
+mutant ru_own "every row begins with the same unit" 's/ \+ Step \* \(r \/ RegionsX\)//' ru
+mutant ru_slot "shift off by one" 's/\$clog2\(([a-z_:]*Units)\)/($clog2(\1) + 1)/' ru
+mutant ru_count "sum becomes OR" 's/\(fields & Low\) \+/(fields \& Low) |/' ru
 mutant ru_dispatch "the end of a layer only to the RUs whose regions it covers" \
        's/kind != ([a-z_:]*)KindData( \|\| \(in_i)/kind == \1KindWindowEnd\2/'
-mutant ru_walk "done of the window before is used" "s/ends_q == '0 \? (rest_q & ~done_i) : rest_q/\1/"
-mutant ru_walk "the line of a done region stays in its store" 's/(walked *= ).*;/\1live;/'
-mutant ru_walk "the line of a done region is read" "s/is_data && \(lowest & live\) == '0/1'b0/"
+mutant ru_walk "done of the window before is used" "s/ends_q == '0 \? (rest_q & ~done_i) : rest_q/\1/" ru
+mutant ru_walk "the line of a done region stays in its store" 's/(walked *= ).*;/\1live;/' ru
+mutant ru_walk "the line of a done region is read" "s/is_data && \(lowest & live\) == '0/1'b0/" ru
 mutant ru_fetch "both areas are one" "s/in_i\.address\[NumberW\] \?/1'b0 ?/"
 mutant ru_fetch "a skipped line waits for room" 's/\(skip \|\| (\(record_ready && local_room\))\)/\1/'
 mutant ru_fetch "a skipped line is waited for" 's/in_valid_i\(fire && !skip\)/in_valid_i(fire)/'
-mutant ru_window "regions below the image: <= becomes <" 's/rows_d <= \(Shift/rows_d < (Shift/'
+mutant ru_window "regions below the image: <= becomes <" 's/rows_d <= \(Shift/rows_d < (Shift/' ru
 mutant ru_lanes "second row of a quarter inside the image by mistake" \
-       "s/rows_i <= top \+ SideW'\(1\) \? 8'hff : columns_out/columns_out/"
-mutant ru_lanes "a region is done with its last quarter" "s/\(quarter_3_q == 2'd0 \|\| all_q\) && //"
-mutant ru_resolve "quarters of a region: 3 becomes 2" "s/next_quarter_q == 2'd3/next_quarter_q == 2'd2/"
-mutant ru_resolve "regions outside the image are written" 's/ & ~outside_i//'
-mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/'
-mutant ru_memory "a read asks for half a line" "s/read_valid_i \? '1 : write_halves_i/write_halves_i/"
-mutant ru_window "raster order: a row of windows is one row of pixels high" "s/(AddressW'\(before_q\)) << Shift/\1/"
-mutant ru_offset "raster order: the first word below the picture is written" 's/(shown_o *= first <) rows/\1= rows/'
-mutant ru_offset "raster order: a region goes on below the picture" "s/(more_o *= )first.*/\11'b1;/"
-mutant ru_offset "raster order: all regions lie in the low halves of lines" "s/(half_o *= )column\[0\]/\11'b0/"
+       "s/rows_i <= top \+ SideW'\(1\) \? 8'hff : columns_out/columns_out/" ru
+mutant ru_lanes "a region is done with its last quarter" "s/\(quarter_3_q == 2'd0 \|\| all_q\) && //" ru
+mutant ru_resolve "quarters of a region: 3 becomes 2" "s/next_quarter_q == 2'd3/next_quarter_q == 2'd2/" ru
+mutant ru_resolve "regions outside the image are written" 's/ & ~outside_i//' ru
+mutant ru_memory "a write is accepted in the cycle of a read" 's/free && !read_valid_i/free/' ru
+mutant ru_memory "a read asks for half a line" "s/read_valid_i \? '1 : write_halves_i/write_halves_i/" ru
+mutant ru_window "raster order: a row of windows is one row of pixels high" "s/(AddressW'\(before_q\)) << Shift/\1/" ru
+mutant ru_offset "raster order: the first word below the picture is written" 's/(shown_o *= first <) rows/\1= rows/' \
+       ru_live
+mutant ru_offset "raster order: a region goes on below the picture" "s/(more_o *= )first.*/\11'b1;/" ru
+mutant ru_offset "raster order: all regions lie in the low halves of lines" "s/(half_o *= )column\[0\]/\11'b0/" \
+       ru_units1
 mutant ru_lines "raster order: the second row of a word lies in the next line" \
-       "s/raster_i \? AddressW'\(stride_i\) : //" ru_resolve
-mutant ru_lines "raster order: the halves of a line are exchanged" 's/\{half_i, !half_i\}/{!half_i, half_i}/' ru_resolve
+       "s/raster_i \? AddressW'\(stride_i\) : //" ru
+mutant ru_lines "raster order: the halves of a line are exchanged" 's/\{half_i, !half_i\}/{!half_i, half_i}/' ru
 mutant ru_join "a line leaves with one of its rows" 's/in_valid_i && pair_valid_i && !odd_i/in_valid_i \&\& !odd_i/'
 mutant ru_join "a half that is not in the picture is written" "s/\{wide_i, 1'b1\}/2'b11/"
 mutant ru_join "the row of the even RU is always the left one" 's/in_halves_i\[0\] \? (\{pair_row_i, row\}).*;/\1;/'
 mutant ru_join "the odd RU's row stays" 's/odd_i \? pair_taken_i : pair_taken_o/pair_taken_o/'
-mutant ru_pixels "raster order: A is 0" "s/(bytes\[32\*i\+24 \+: 8\] = )'1/\1'0/" ru_resolve
+mutant ru_pixels "raster order: A is 0" "s/(bytes\[32\*i\+24 \+: 8\] = )'1/\1'0/" ru
 mutant ru_byte "the second third of the codes begins one late" "s/10'd343/10'd344/"
 mutant ru_unorm "a half is rounded down" "s/(WideW'\(1\) << \(Fraction - 1\))/(\1) - 1'b1/" ru_unorm_byte_16
 mutant ru_whole "buffers swap at a layer's end" 's/swap_i\(window_done_o\)/swap_i(layer_done_o)/' ru
@@ -441,7 +443,7 @@ mutant pipegs_first_set "lowest bit: negation for two's complement" "s/~mask_i \
 mutant pipegs_bit_length "the place of the bit, counted from 0" "s/LengthW'\(i \+ 1\)/LengthW'(i)/"
 mutant pipegs_round_robin "the port granted last comes first" 's/> last_i/>= last_i/' memory_arbiter
 mutant pipegs_window_walk "a row of windows starts at 0 instead of the first one" \
-       "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru_window
+       "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru
 mutant pipegs_clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'
 mutant pipegs_clock_gate "the latch is open all the time" 's/if \(!clk_i\) enable_q/enable_q/'
 mutant pipegs_clock_gate "a clock that never stops stops in reset" \
@@ -467,7 +469,7 @@ mutant pu_parts "the second row begins with its second part" 's/last_column \? f
 mutant pu_parts "the payload of a Gaussian without a part stays" \
        's/payload_take  = conic_ready_o && data/payload_take  = conic_ready_o \&\& data \&\& !none/'
 mutant ru_place "column and row of a part change places" 's/part_row, part_column, row/part_column, part_row, row/' \
-       ru_place_parts
+       ru_live_parts
 mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//"
 mutant pipegs_log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
 mutant pu_lines "an end leaves before the rows have ended" 's/ && \(!is_end \|\| ended_q\)//'

@@ -184,6 +184,7 @@ class RuBench : public Bench<Vpipegs_ru> {
     dut.eval();
     for (Endpoint* endpoint : endpoints_) endpoint->observe();
     observe_taps();
+    if (dut.mem_valid_o && !dut.mem_write_o) { EXPECT_EQ(dut.mem_halves_o, 3) << "a read is of the whole line"; }
     active_cycles += dut.active_o;
     perf[dut.perf_o] += dut.active_o;
     if (dut.active_o) {
@@ -365,7 +366,7 @@ TEST(Ru, FramesEqualTheModelAtEveryPace) {
       Paces paces{in_pace, other_pace, other_pace, {.latency = 40, .jitter = 30}};
       RuBench bench(paces, 0);
       bench.unit = bench.dut.unit_i = bench.rng() % kConfig.units;
-      const uint64_t sizes[][2] = {{17, 33}, {2ull * kConfig.window + 7, kConfig.window + 9ull}, {24, 40}, {1, 1}};
+      const uint64_t sizes[][2] = {{17, 33}, {2ull * kConfig.window + 7, kConfig.window + 9ull}, {24, 42}, {1, 1}};
       for (const auto& size : sizes) {  // frames follow each other on the same module
         bench.start(random_frame(bench.rng, size[0], size[1]), bench.rng() % 2 != 0);
         send_frame(bench, 60, 30);
@@ -467,6 +468,14 @@ TEST(Ru, WritingAWindowHidesBehindTheNextOne) {
   const double handed = kConfig.quads ? (kConfig.pixel_w == 32 ? 6.0 : 8.0) / rounds : 0;
   const double start = (kConfig.quads ? 16.0 : 8.0) / (rounds * slots);
   EXPECT_LT(per_region, 4.0 + handed + start) << "a window's end empties the RU";
+}
+
+TEST(Ru, PixelFieldsLieWhereTheDriverReadsThem) {
+  Config config;                                                                     // the default widths
+  EXPECT_EQ(ru_resolve(config, {1u << 18, {0, 0, 0}, false}), 0x8000000000000000u);  // T = 1, black
+  EXPECT_EQ(ru_resolve(config, {7, {1, 2, 3}, true}), 0x0000000300020001u);          // T below 2^-15 is cut
+  EXPECT_EQ(ru_rgba8(config, 0x8000000000000000u), 0xff000000u);                     // R, G, B are 0, A is 255
+  EXPECT_EQ(ru_rgba8(config, 0x0000ffff20004000u), 0xffff80ffu);                     // 1, a half, almost 4
 }
 
 TEST(Ru, SleepsWhenItHasNothingToDo) {
