@@ -172,14 +172,15 @@ mutant pu_color "busy: AND for OR" 's/fetch_busy \|\| sum_busy/fetch_busy \&\& s
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
 group su "SU"
 mutant su_bucket "the bucket is read one bit of the depth too low" \
-       's/depth_i\[pipegs_pkg::DepthW-1 -:/depth_i[pipegs_pkg::DepthW-2 -:/'
-mutant su_bucket "what is nearer than the first octave goes to the last bucket" "s/beyond\[StepW\] \? '0 : //"
+       's/depth_i\[pipegs_pkg::DepthW-1 -:/depth_i[pipegs_pkg::DepthW-2 -:/' su_marks
+mutant su_bucket "what is nearer than the first octave goes to the last bucket" "s/beyond\[StepW\] \? '0 : //" \
+       su_marks
 mutant su_range "the last bucket ends with its own step" 's/last \? \{StepW\{1.b1\}\} : //'
 mutant su_release "an end that releases all releases what is nearer only" \
        's/(job_all_i\(spill_job_i) \|\| head_all/\1/' su
 mutant su_stores "a link is written in the cycle in which the splitter has the port" \
        's/(link_ready_o = )!split_claim_i/\11'"'"'b1/' su
-mutant su_minmax "the largest is compared with the smallest" 's/key_i > max_q/key_i > min_q/'
+mutant su_minmax "the largest is compared with the smallest" 's/key_i > max_q/key_i > min_q/' su
 mutant su_bitonic "direction of the last merge" 's/ && !size_q\[DistanceW\]//'
 mutant su_bitonic "one stage too many for a full batch" 's/(<< size_q\)) >= fill_q/\1 > fill_q/'
 mutant su_split "the tail of a bucket is overwritten" 's/\{filled \? tail : drop_slot_q/{drop_slot_q/'
