@@ -261,11 +261,12 @@ mutant ru_power "a half leaves when one of its groups has room" \
 mutant ru_power "quads that have stopped live" 's/ && !stopped\[i\]//'
 mutant ru_power "the exponents of dead quads are stored, those of living ones stand still" \
        's/pixels_move && live\[i\]/pixels_move \&\& !live[i]/'
-mutant ru_quads "a quad comes again after three cycles" "s/\(valid_3_q && address_3_q == address\)/1'b0/"
-mutant ru_quads "outside the image: every row of quads has the column of the first" "s/ \^ \{row_2_q\[0\], 1'b0\}//"
-mutant ru_quads "a window begins without what lies outside" "s/(stopped_q <= )outside_i/\1'0/"
-mutant ru_quads "a job leaves the word as it was" 's/drain_5_q \? Clear : blended/blended/'
-mutant ru_quads "a quad starts in the turn of a job" 's/(half_valid && !conflict) && !drain_i/\1/'
+mutant ru_quads "a quad comes again after three cycles" "s/\(valid_3_q && address_3_q == address\)/1'b0/" ru_live_parts
+mutant ru_quads "outside the image: every row of quads has the column of the first" "s/ \^ \{row_2_q\[0\], 1'b0\}//" \
+       ru_live_parts
+mutant ru_quads "a window begins without what lies outside" "s/(stopped_q <= )outside_i/\1'0/" ru_live_parts
+mutant ru_quads "a job leaves the word as it was" 's/drain_5_q \? Clear : blended/blended/' ru_live_parts
+mutant ru_quads "a quad starts in the turn of a job" 's/(half_valid && !conflict) && !drain_i/\1/' ru_live_parts
 mutant ru_drain "a word is asked for that finds no place" 's/\(quiet_q \|\| room\)/1/'
 mutant ru_drain "a region is handed over one row too early" "s/row_q == 2'd3/row_q == 2'd2/"
 mutant ru_drain "slots outside the image are handed over" "s/held_q <= ~outside_i/held_q <= '1/"
