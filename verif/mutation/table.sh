@@ -27,13 +27,8 @@ mutant dopu_descend "no place is reserved for a result of the test" \
        's/ && reserved_q\[l\] != ReservedW.\(Results\)//' dopu
 mutant dopu_descend "a chunk that is shown is taken back when its window is done" 's/ && !shown_q;/;/' dopu
 mutant pu_fetch "an end carries a slot" "s/(fetched_o\.slot *= )is_data \? slot : '0/\1slot/"
-mutant pipegs_line_reader "a request leaves its group of eight lines" "s/(assign rest +=) .*/\1 3'd7;/"
-mutant pipegs_line_reader "one credit for all lines of a request" \
-       "s/(credits_q <= credits_q) - CreditW'\(mem_lines_o\)/\1/"
-mutant pipegs_line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/'
-mutant pipegs_line_reader "a job may end one line behind the table" "s/(MostW.\(lines_end\)) > (MostW)/\1 > 1 + \2/"
-mutant pipegs_line_reader "a job of nothing is taken" "s/job_count_i == '0 \|\| //"
-mutant pipegs_line_reader "a job behind a bad one is taken" 's/ && !bad_q;/;/'
+mutant pipegs_line_reader "the last line of a chunk is kept when it is half full" 's/\(last \|\| line_end\)/line_end/' \
+       pu_fetch
 
 # --- rtl/dopu, nearest first ------------------------------------------------------------------------------------------
 group nearest "DOPU, nearest chunk first (\`order = 2\`)"
@@ -152,8 +147,6 @@ mutant pu_deal "the turn goes on while nothing is dealt" \
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/drop \|\| go\), \.out_o/go), .out_o/'
 mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/"
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic
-mutant pipegs_sleep "asleep although something came from outside" 's/(asleep_o = .*) && !wake_i/\1/'
-mutant pipegs_sleep "a beat that moves does not keep it awake" 's/moved_i \|\| wake_i\) quiet_q/wake_i) quiet_q/'
 
 # --- rtl/pu: colour ---------------------------------------------------------------------------------------------------
 group color "PU: colour"
@@ -443,7 +436,6 @@ mutant pipegs_stream_check "a beat that some wait for is compared for the first 
 mutant pipegs_normalize "the largest shift is one less" 's/( < DataW)\)/\1 - 1)/'
 mutant pipegs_first_set "lowest bit: negation for two's complement" "s/~mask_i \+ 1'b1/~mask_i/"
 mutant pipegs_bit_length "the place of the bit, counted from 0" "s/LengthW'\(i \+ 1\)/LengthW'(i)/"
-mutant pipegs_round_robin "the port granted last comes first" 's/> last_i/>= last_i/' memory_arbiter
 mutant pipegs_window_walk "a row of windows starts at 0 instead of the first one" \
        "s/(next_x_o *= )start_i \|\| row_ends_o \? first_x_i/\1start_i ? first_x_i : row_ends_o ? '0/" ru
 mutant pipegs_clock_gate "no clock in reset" 's/(enable_q = .*) \|\| !rst_ni/\1/'
@@ -479,7 +471,7 @@ mutant pipegs_list_write "the count of the record before is not yet in the memor
 mutant pipegs_list_write "a list runs into the next one" "s/ \|\| entry >> log_o != '0//"
 mutant pipegs_list_write "where no list has room, each has one line" "s/none \|\| entry/entry/"
 mutant pipegs_list_write "goes on behind a full list" 's/(out_valid_q) && !full_q/\1/'
-mutant pipegs_list_room "one window less counts" "s/SpanW'\(windows_i\) << 1/SpanW'(windows_i - 1'b1) << 1/"
+mutant pipegs_list_room "one window less counts" "s/SpanW'\(windows_i\) << 1/SpanW'(windows_i - 1'b1) << 1/" list_write
 mutant pipegs_list_write "a waiting line is overwritten" \
        's/held_valid_q && \(!out_valid_q \|\| mem_ready_i\)/held_valid_q/'
 mutant pipegs_list_read "a record goes to all" "s/give \? \(item_read \? target : '1\)/give ? ('1)/"
