@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Against the timing rules of docs/cycles/memory_timing.md: every expected cycle is computed from DramTiming.
+// tRAS and tFAW are left to dram_check: a cycle more or less of either is seen in its 126 runs of Ramulator 2.
 //
 // Idea    A channel is stepped cycle by cycle. Reads show when their last beat arrives, so the cycle of their column
 //         command is known; counters show when writes, activations and refreshes are issued. A burst accepted in cycle
@@ -106,16 +107,6 @@ TEST_P(Rules, AnotherRowCostsAPrecharge) {
   EXPECT_EQ(bench.channel().counters().precharges, 1u);
 }
 
-TEST_P(Rules, ARowStaysOpenForTRas) {
-  DramTiming slow = t_;
-  slow.t_ras = t_.t_rcd + t_.t_rtp + 20;
-  slow.t_rc = 1;
-  Bench bench(slow);
-  bench.accept(false, 0, 5, 0, 0);
-  bench.accept(false, 0, 6, 0, 1);
-  EXPECT_EQ(bench.read_command(1), 1 + slow.t_ras + slow.t_rp + slow.t_rcd);
-}
-
 TEST_P(Rules, ActivationsOfABankAreTRcApart) {
   DramTiming slow = t_;
   slow.t_rc = t_.t_ras + t_.t_rp + 20;
@@ -123,19 +114,6 @@ TEST_P(Rules, ActivationsOfABankAreTRcApart) {
   bench.accept(false, 0, 5, 0, 0);
   bench.accept(false, 0, 6, 0, 1);
   EXPECT_EQ(bench.read_command(1), 1 + slow.t_rc + slow.t_rcd);
-}
-
-TEST_P(Rules, FourActivationsInTFaw) {
-  DramTiming slow = t_;
-  slow.t_faw = 6 * t_.t_rrd_l + 30;
-  Bench bench(slow);
-  for (uint32_t bank = 0; bank < 6; ++bank) {
-    const uint32_t place = slow.bank_groups == 1 ? bank : bank_in(slow, bank % 4, bank / 4);
-    bench.accept(false, place, 5, 0, bank);
-  }
-  const DramCycle first = bench.activation(1), second = bench.activation(2);
-  EXPECT_EQ(bench.activation(5), first + slow.t_faw);
-  EXPECT_EQ(bench.activation(6), second + slow.t_faw);
 }
 
 TEST_P(Rules, ActivationsOfTwoBanksAreTRrdApart) {
