@@ -41,6 +41,16 @@ function(pipegs_unit_test name)
   endif()
 endfunction()
 
+# pipegs_model_test(NAME): a GoogleTest of bit-accurate models alone, NAME_test.cpp, compiled as the unit tests are.
+function(pipegs_model_test name)
+  add_executable(${name}_test ${name}_test.cpp)
+  target_precompile_headers(${name}_test REUSE_FROM unit_test_headers)
+  target_compile_definitions(${name}_test PRIVATE PIPEGS_SET="" VM_TRACE=0 VM_TRACE_FST=0)
+  target_compile_options(${name}_test PRIVATE -Wall -Wextra -O1)
+  target_link_libraries(${name}_test PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main fmt::fmt)
+  add_test(NAME ${name} COMMAND ${name}_test)
+endfunction()
+
 # pipegs_netlist_test(NAME MODULE module [SOURCE file] [BROKEN]): the same GoogleTest on the netlist of the module, as
 # test netlist_NAME, with PIPEGS_NETLIST defined. The target `netlists` builds them, not `all`; the test netlists_build
 # does. With BROKEN one gate of it is another, an or for an and, and the GoogleTest must fail.

@@ -89,8 +89,7 @@ TEST(Stability, T19_PoppingOfLayersAndOfDepth) {
       "T19 design point: pairs out of depth order; pairs that swap between two views half a degree apart, of them not "
       "by "
       "depth\n");
-  for (const auto& settings : {std::vector<std::string>{}, {"late=1", "order=2", "records=2048", "bucket_bits=5"}}) {
-    const SimulateOptions options = stable_machine(settings);
+  for (const SimulateOptions& options : stable_machines()) {
     std::vector<uint32_t> rank[2];
     std::vector<double> depth[2];
     std::vector<bool> drawn(scene.gaussians.size(), true);
@@ -148,8 +147,8 @@ TEST(Stability, T20_DepthBits) {
   const Camera camera = test_camera(128, 96, 110);
   double last = 0;
   for (const int bits : {12, 14, 16, 18, 20, 24, 30}) {
-    SimulateOptions options =
-        stable_machine({"late=1", "order=2", "records=2048", "bucket_bits=5", "depth_w=" + std::to_string(bits)});
+    SimulateOptions options = stable_machine(kExact);
+    options.config.depth_w = bits;
     Simulation simulation;
     simulate_golden(scene, camera, options, simulation);
     simulate_truth(scene, camera, options, simulation);
@@ -170,8 +169,7 @@ TEST(Stability, T29_SizesOfTheMachine) {
   const Scene scene = random_scene(129, 500, 1);
   const Camera camera = test_camera(140, 70);
   Simulation four, two, one, quarter;
-  const std::vector<uint64_t> exact =
-      rtl_pixels(scene, camera, stable_machine({"late=1", "order=2", "records=2048", "bucket_bits=5"}), four);
+  const std::vector<uint64_t> exact = rtl_pixels(scene, camera, stable_machine(kExact), four);
   EXPECT_EQ(rtl_pixels(scene, camera, stable_machine({"units=2", "late=1", "order=2", "records=16"}), two), exact);
   const std::vector<uint64_t> layered = rtl_pixels(scene, camera, stable_machine(), one);
   EXPECT_EQ(rtl_pixels(scene, camera, tiny_machine(), quarter), layered);

@@ -87,6 +87,21 @@ class BenchBase {
   std::vector<Endpoint*> endpoints_;
 };
 
+// What a test looks at, or sets, beside its streams.
+class Beside : public Endpoint {
+ public:
+  Beside(
+      BenchBase& bench, std::function<void()> observe, std::function<void()> drive = [] {})
+      : observe_(std::move(observe)), drive_(std::move(drive)) {
+    bench.add(*this);
+  }
+  void drive() override { drive_(); }
+  void observe() override { observe_(); }
+
+ private:
+  std::function<void()> observe_, drive_;
+};
+
 template <class Dut>
 class Bench : public BenchBase {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// config.hpp: the configuration that a test's module was built with: the SET arguments of its line in CMakeLists.txt.
+// config.hpp: the configuration that a test's module was built with: the SET arguments of its line in CMakeLists.txt;
+// and others, for tests of models alone.
 #pragma once
 
 #include <sstream>
@@ -9,12 +10,17 @@
 
 namespace pipegs {
 
-inline Config test_config() {
+// The default configuration with these assignments.
+inline Config config_of(const std::string& assignments) {
   Config config;
-  std::istringstream text(PIPEGS_SET);
+  std::istringstream text(assignments);
   for (std::string assignment; text >> assignment;) config_set(config, assignment);
   config_check(config);
   return config;
 }
+
+#ifdef PIPEGS_SET
+inline Config test_config() { return config_of(PIPEGS_SET); }
+#endif
 
 }  // namespace pipegs

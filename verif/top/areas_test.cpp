@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cpp_model/areas/frame_areas.hpp"
+#include "verif/support/config.hpp"
 
 namespace pipegs {
 namespace {
@@ -30,14 +31,8 @@ std::vector<Config> configs() {
   std::vector<Config> all;
   for (const int units : {1, 2, 4}) {
     for (const char* machine : {"order=0", "order=0 late=1", "order=1", "order=1 late=1", "order=2 late=1"}) {
-      Config config;
-      config.units = units;
-      for (std::string_view rest = machine; !rest.empty();) {
-        const size_t end = std::min(rest.find(' '), rest.size());
-        config_set(config, std::string(rest.substr(0, end)));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-      }
-      all.push_back(config);
+      all.push_back(config_of(machine));
+      all.back().units = units;
     }
   }
   return all;
