@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "Vpipegs_dopu.h"
+#include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 #include "verif/dopu/dopu_world.hpp"
 #include "verif/support/config.hpp"
@@ -137,17 +138,96 @@ struct World {
 
 using Memory = MemoryEndpoint<QData, VlWide<16>>;
 
-inline void start(Bench<Vpipegs_dopu>& bench, const World& world) {
-  write_frame(world.config, bench.dut, world.frame);
-  bench.dut.start_i = 1;
-  bench.step();
-  bench.dut.start_i = 0;
+// A DOPU between a memory and its PUs, out of reset.
+template <class BenchT = Bench<Vpipegs_dopu>>
+struct Dopu {
+  const Config config = test_config();
+  BenchT bench;
+  ExternalMemory memory;
+  Units units;
+  Memory port;
+
+  explicit Dopu(const ExternalMemoryOptions& options, Pace pace = Pace::kAlways, Pace memory_pace = Pace::kAlways)
+      : memory(options),
+        units(bench, config, pace),
+        port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
+             bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace, &bench.dut.mem_lines_o) {
+    bench.dut.start_i = 0;
+    no_feedback();
+    bench.reset();
+  }
+  void no_feedback() {
+    std::memset(&bench.dut.done_i, 0, sizeof(bench.dut.done_i));
+    std::memset(&bench.dut.done_x_i, 0, sizeof(bench.dut.done_x_i));
+    std::memset(&bench.dut.done_y_i, 0, sizeof(bench.dut.done_y_i));
+  }
+  // One frame to its end, or to the first failure; the cycles behind its start.
+  uint64_t frame(const World& world, bool gated = false) {
+    world.load(memory);
+    write_frame(config, bench.dut, world.frame);
+    const auto done = [&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); };
+    bench.dut.start_i = 1;
+    const uint64_t before = bench.cycle;
+    if constexpr (requires { bench.gated; }) {
+      if (gated) {
+        bench.gated_step();
+        bench.dut.start_i = 0;
+        EXPECT_TRUE(bench.run_gated_until(done, 5000000));
+        return bench.cycle - before;
+      }
+    }
+    bench.step();
+    bench.dut.start_i = 0;
+    EXPECT_TRUE(bench.run_until(done, 5000000));
+    return bench.cycle - before;
+  }
+};
+
+// What may stand around a DOPU: all must send the same.
+struct Around {
+  const char* name;
+  Pace pace, memory_pace;
+  ExternalMemoryOptions memory;
+};
+inline const Around kAround[] = {
+    {"a prompt memory", Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64}},
+    {"a slow memory", Pace::kAlways, Pace::kCoin, {.latency = 150, .bytes_per_cycle = 12.8, .jitter = 40}},
+    {"back pressure", Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20}},
+    {"lazy units", Pace::kLazy, Pace::kLazy, {.latency = 60, .jitter = 20}},
+    {"coins", Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20}}};
+
+// Frames one after another: nothing may be left of the frame before. Sees each world before and after its frame.
+template <class Before, class After>
+void six_frames(Dopu<>& dopu, Before&& before, After&& after) {
+  const size_t gaussians[] = {3000, 0, 1, 20000, 500, 60};
+  for (int frame = 0; frame < 6; ++frame) {
+    SCOPED_TRACE(frame);
+    const Scene scene = random_scene(dopu.bench.rng, gaussians[frame]);
+    Camera camera = random_camera(dopu.bench.rng, 200, 150);
+    // One looks along all axes alike, from below the grid; one from beyond it.
+    if (frame == 0) camera = look_at("diagonal", 0, 200, 150, glm::dvec3(-90), glm::dvec3(0), 40);
+    if (frame == 5) camera = look_at("far", 0, 200, 150, glm::dvec3(300, 400, 500), glm::dvec3(0), 40);
+    const World world(scene, camera, frame == 4);
+    before(world);
+    dopu.frame(world);
+    after(world);
+    if (testing::Test::HasFatalFailure()) return;
+  }
 }
 
-inline void no_feedback(Bench<Vpipegs_dopu>& bench) {
-  std::memset(&bench.dut.done_i, 0, sizeof(bench.dut.done_i));
-  std::memset(&bench.dut.done_x_i, 0, sizeof(bench.dut.done_x_i));
-  std::memset(&bench.dut.done_y_i, 0, sizeof(bench.dut.done_y_i));
+// The work of the walk through all windows of a frame, or with lists of its one walk.
+inline DopuCounts dopu_counts(const World& world) {
+  DopuCounts sum;
+  const bool once = world.config.has_lists();
+  for (uint64_t y = 0; y <= (once ? 0 : world.frame.raster.windows.last_y); ++y) {
+    for (uint64_t x = 0; x <= (once ? 0 : world.frame.raster.windows.last_x); ++x) {
+      const DopuCounts part = dopu_window(world.config, world.frame, world.packed, static_cast<int>(x),
+                                          static_cast<int>(y), [](int, const Chunk&, uint64_t) {});
+      sum.cell_tests += part.cell_tests, sum.group_tests += part.group_tests, sum.chunk_tests += part.chunk_tests,
+          sum.chunks += part.chunks;
+    }
+  }
+  return sum;
 }
 
 }  // namespace pipegs

@@ -14,36 +14,15 @@ struct Sent {
   uint64_t end = 0, slept = 0;
 };
 
-struct Requests : Endpoint {
-  explicit Requests(Bench<Vpipegs_dopu>& b) : bench(b) { b.add(*this); }
-  void drive() override {}
-  void observe() override {
-    if (bench.dut.mem_valid_o && bench.dut.mem_ready_i) cycles.push_back(bench.cycle);
-  }
-  Bench<Vpipegs_dopu>& bench;
-  std::vector<uint64_t> cycles;
-};
-
 Sent run(bool gated) {
-  GatedBench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory({.latency = 400, .jitter = 100});
-  Units units(bench, config, Pace::kAlways);
-  units.rare = 200;
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
-  Requests requests(bench);
-  bench.reset();
-  for (const size_t gaussians : {3000, 500}) {
-    const World world(bench.rng, gaussians, 200, 150);
-    world.load(memory);
-    start(bench, world);
-    const auto done = [&] { return !bench.dut.busy_o; };
-    EXPECT_TRUE(gated ? bench.run_gated_until(done, 3000000) : bench.run_until(done, 3000000));
-  }
-  return {units.beats, units.cycles, requests.cycles, bench.cycle, bench.gated};
+  Dopu<GatedBench<Vpipegs_dopu>> dopu({.latency = 400, .jitter = 100});
+  dopu.units.rare = 200;
+  std::vector<uint64_t> requests;
+  const Beside beside(dopu.bench, [&] {
+    if (dopu.bench.dut.mem_valid_o && dopu.bench.dut.mem_ready_i) requests.push_back(dopu.bench.cycle);
+  });
+  for (const size_t gaussians : {3000, 500}) dopu.frame(World(dopu.bench.rng, gaussians, 200, 150), gated);
+  return {dopu.units.beats, dopu.units.cycles, requests, dopu.bench.cycle, dopu.bench.gated};
 }
 
 TEST(DopuFree, TakesTheCyclesOfOneThatSleeps) {

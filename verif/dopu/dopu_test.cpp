@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // dopu_test: rtl/dopu/pipegs_dopu.sv whole, on random packed scenes, against the walk of its bit-accurate model.
-#include "cpp_model/dopu/dopu.hpp"
 #include "verif/dopu/dopu_bench.hpp"
-#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -33,70 +31,48 @@ void expect(const World& world, std::vector<Chunk>& chunks, std::vector<std::pai
   }
 }
 
-void compare(Pace pace, Pace memory_pace, const ExternalMemoryOptions& options) {
-  Bench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory(options);
-  Units units(bench, config, pace);
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace, &bench.dut.mem_lines_o);
-  bench.reset();
-  for (int frame = 0; frame < 6; ++frame) {  // one after another: nothing may be left of the frame before
-    const size_t gaussians[] = {3000, 0, 1, 20000, 500, 60};
-    const World world(bench.rng, gaussians[frame], 200, 150, frame == 4);
-    world.load(memory);
-    std::vector<Chunk> chunks;
-    std::vector<std::pair<size_t, uint64_t>> ends;
-    expect(world, chunks, ends);
-    units.beats.clear();
-    for (auto& mine : units.ends) mine.clear();
-    start(bench, world);
-    ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o; }, 2000000)) << "frame " << frame;
-    ASSERT_EQ(units.beats.size(), chunks.size()) << "frame " << frame;
-    for (size_t i = 0; i < chunks.size(); ++i) {
-      ASSERT_EQ(first_difference(config, chunks[i], units.beats[i]), "")
-          << "frame " << frame << ", chunk " << i << " of " << chunks.size();
-    }
-    for (int u = 0; u < config.units; ++u)
-      ASSERT_EQ(units.ends[static_cast<size_t>(u)], ends) << "frame " << frame << ", unit " << u;
-  }
-  for (int u = 1; u < config.units; ++u)
-    EXPECT_GT(units.count[u] * 3, units.count[0]) << "unit " << u << " got too little";
-}
+using Ends = std::vector<std::pair<size_t, uint64_t>>;
 
-TEST(Dopu, EqualsItsModelWithAPromptMemory) {
-  compare(Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64});
+TEST(Dopu, EqualsItsModelWhateverStandsAroundIt) {
+  for (const Around& around : kAround) {
+    SCOPED_TRACE(around.name);
+    Dopu<> dopu(around.memory, around.pace, around.memory_pace);
+    Units& units = dopu.units;
+    std::vector<Chunk> chunks;
+    Ends ends;
+    six_frames(
+        dopu,
+        [&](const World& world) {
+          chunks.clear(), ends.clear(), units.beats.clear();
+          for (auto& mine : units.ends) mine.clear();
+          expect(world, chunks, ends);
+        },
+        [&](const World& world) {
+          ASSERT_EQ(units.beats.size(), chunks.size());
+          for (size_t i = 0; i < chunks.size(); ++i) {
+            ASSERT_EQ(first_difference(world.config, chunks[i], units.beats[i]), "")
+                << "chunk " << i << " of " << chunks.size();
+          }
+          for (const auto& mine : units.ends) ASSERT_EQ(mine, ends);
+        });
+    for (int u = 1; u < dopu.config.units; ++u)
+      EXPECT_GT(units.count[u] * 3, units.count[0]) << "unit " << u << " got too little";
+  }
 }
-TEST(Dopu, EqualsItsModelWithASlowMemory) {
-  compare(Pace::kAlways, Pace::kCoin, {.latency = 150, .bytes_per_cycle = 12.8, .jitter = 40});
-}
-TEST(Dopu, EqualsItsModelUnderBackPressure) { compare(Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20}); }
-TEST(Dopu, EqualsItsModelWithLazyUnits) { compare(Pace::kLazy, Pace::kLazy, {.latency = 60, .jitter = 20}); }
-TEST(Dopu, EqualsItsModelByCoin) { compare(Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20}); }
 
 // The RUs report a window done after it got some chunks: what comes after is a subset in order, and every end still
 // comes.
 TEST(Dopu, SkipsTheRestOfAWindowThatIsDone) {
-  Bench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory({.latency = 40});
-  Units units(bench, config, Pace::kAlways);
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
-  Feedback feedback(bench, units, config);
-  bench.reset();
-  const World world(bench.rng, 20000, 200, 150);
-  world.load(memory);
+  Dopu<> dopu({.latency = 40});
+  const Config& config = dopu.config;
+  Units& units = dopu.units;
+  Feedback feedback(dopu.bench, units, config);
+  const World world(dopu.bench.rng, 20000, 200, 150);
   std::vector<Chunk> chunks;
-  std::vector<std::pair<size_t, uint64_t>> ends;
+  Ends ends;
   expect(world, chunks, ends);
   feedback.frame = &world.frame;
-  start(bench, world);
-  ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o; }, 2000000));
+  dopu.frame(world);
   if (config.has_lists()) {  // lists are made before anything is done
     EXPECT_EQ(units.beats, chunks);
     return;
@@ -115,60 +91,26 @@ TEST(Dopu, SkipsTheRestOfAWindowThatIsDone) {
 
 // Without a clock whenever active_o is low, with units that take a chunk every few hundred cycles: the same frame.
 TEST(Dopu, NeedsNoClockWhenItSaysSo) {
-  GatedBench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory({.latency = 300, .bytes_per_cycle = 0.1, .jitter = 100, .queue = 1});
-  Units units(bench, config, Pace::kAlways);
-  units.rare = 600;
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
-  bench.reset();
-  const World world(bench.rng, 300, 3 * config.window, 2 * config.window);
-  world.load(memory);
+  Dopu<GatedBench<Vpipegs_dopu>> dopu({.latency = 300, .bytes_per_cycle = 0.1, .jitter = 100, .queue = 1});
+  dopu.units.rare = 600;
+  const World world(dopu.bench.rng, 300, 3 * dopu.config.window, 2 * dopu.config.window);
   std::vector<Chunk> chunks;
-  std::vector<std::pair<size_t, uint64_t>> ends;
+  Ends ends;
   expect(world, chunks, ends);
-  write_frame(config, bench.dut, world.frame);
-  bench.dut.start_i = 1;
-  bench.gated_step();
-  bench.dut.start_i = 0;
-  for (int i = 0; i < 3000000 && bench.dut.busy_o; ++i) bench.gated_step();
-  ASSERT_EQ(bench.dut.busy_o, 0);
-  ASSERT_EQ(units.beats, chunks);
-  for (const auto& mine : units.ends) ASSERT_EQ(mine, ends);
-  EXPECT_GT(bench.gated, bench.cycle / 10) << "of " << bench.cycle << " cycles";
+  dopu.frame(world, true);
+  ASSERT_EQ(dopu.units.beats, chunks);
+  for (const auto& mine : dopu.units.ends) ASSERT_EQ(mine, ends);
+  EXPECT_GT(dopu.bench.gated, dopu.bench.cycle / 10) << "of " << dopu.bench.cycle << " cycles";
 }
 
 // The node tests of a frame in three cycles each, or its chunks in ten, whichever is more; the rest hides behind it.
 TEST(Dopu, KeepsItsTestBusy) {
-  Bench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory({.latency = 60, .bytes_per_cycle = 51.2});
-  Units units(bench, config, Pace::kAlways);
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
-  bench.reset();
-  const World world(bench.rng, 20000, 10 * config.window, 7 * config.window);
-  world.load(memory);
-  DopuCounts sum;
-  for (uint64_t y = 0; y <= (config.has_lists() ? 0 : world.frame.raster.windows.last_y); ++y) {
-    for (uint64_t x = 0; x <= (config.has_lists() ? 0 : world.frame.raster.windows.last_x); ++x) {
-      const DopuCounts part = dopu_window(config, world.frame, world.packed, static_cast<int>(x), static_cast<int>(y),
-                                          [](int, const Chunk&, uint64_t) {});
-      sum.cell_tests += part.cell_tests, sum.group_tests += part.group_tests, sum.chunk_tests += part.chunk_tests,
-          sum.chunks += part.chunks;
-    }
-  }
-  const uint64_t before = bench.cycle;
-  start(bench, world);
-  ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o; }, 5000000));
+  Dopu<> dopu({.latency = 60, .bytes_per_cycle = 51.2});
+  const World world(dopu.bench.rng, 20000, 10 * dopu.config.window, 7 * dopu.config.window);
+  const DopuCounts sum = dopu_counts(world);
   const double tests = static_cast<double>(sum.cell_tests + sum.group_tests + sum.chunk_tests);
   const double bound = std::max(3 * tests, 10.0 * static_cast<double>(sum.chunks)),
-               cycles = static_cast<double>(bench.cycle - before);
+               cycles = static_cast<double>(dopu.frame(world));
   RecordProperty("roofline_ratio", std::to_string(cycles / bound));
   std::printf("dopu: %.0f tests, %llu chunks, %.0f cycles, roofline ratio %.3f\n", tests,
               static_cast<unsigned long long>(sum.chunks), cycles, cycles / bound);

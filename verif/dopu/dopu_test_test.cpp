@@ -4,6 +4,7 @@
 #include "Vdopu_test.h"
 #include "cpp_model/dopu/dopu_test.hpp"
 #include "cpp_model/dopu/dopu.hpp"
+#include "cpp_model/float/projection.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "cpp_model/pack/pack_quantize.hpp"
 #include "verif/dopu/dopu_world.hpp"
@@ -14,47 +15,30 @@
 namespace pipegs {
 namespace {
 
-// Can this Gaussian put alpha >= 1/AlphaCut on a pixel of the window? In double, from the packed values, pixel by pixel
-// of the window's border box: the ellipse's exact bounding box against the window, which only errs towards yes.
-bool touches(const Config& config, const Frame& frame, const Camera& camera, const Node& node, const GaussianRecord& g,
-             int window_x, int window_y) {
-  const auto world = [&](int64_t center, int64_t offset, int64_t from) {
-    return static_cast<double>(center + (offset << node.offset_exp) - from);
-  };
-  const glm::dvec3 delta(world(node.center_x, g.offset_x, frame.camera.position.x),
-                         world(node.center_y, g.offset_y, frame.camera.position.y),
-                         world(node.center_z, g.offset_z, frame.camera.position.z));
-  const glm::dvec3 t = camera.world_to_camera * delta;
-  if (t.z <= static_cast<double>(frame.lens.near_plane)) return false;
+// Can this Gaussian put alpha >= 1/AlphaCut on a pixel of the window? In double, from the packed values: the ellipse's
+// exact bounding box against the window, which only errs towards yes. The camera is at the place that the frame has.
+bool touches(const PackedScene& packed, const Frame& frame, const Camera& camera, const Node& node,
+             const GaussianRecord& g, int window_x, int window_y) {
+  const Config& config = packed.config;
+  const auto scene = [&](auto world) { return std::ldexp(static_cast<double>(world), packed.scene_exponent); };
+  const auto place = [&](int64_t center, int64_t offset) { return scene(center + (offset << node.offset_exp)); };
+  const ActivatedGaussian gaussian{
+      .mean = {place(node.center_x, g.offset_x), place(node.center_y, g.offset_y), place(node.center_z, g.offset_z)},
+      .scale = {scene(scale_value(config, g.scale_0)), scene(scale_value(config, g.scale_1)),
+                scene(scale_value(config, g.scale_2))},
+      .rotation = glm::normalize(glm::dvec4(g.qw, g.qx, g.qy, g.qz)),
+      .opacity = 1};
+  const TruthProjection p =
+      project_truth(gaussian, {}, nullptr, 0, camera, {.near_plane = scene(frame.lens.near_plane)});
   const double reach2 = 2 * std::log(config.alpha_cut) -
                         2 * std::log(2.0) * std::ldexp(static_cast<double>(g.opacity), -config.opacity_f);
-  if (reach2 < 0) return false;
-  const double w = static_cast<double>(g.qw), x = static_cast<double>(g.qx), y = static_cast<double>(g.qy),
-               z = static_cast<double>(g.qz);
-  const double n = w * w + x * x + y * y + z * z;
-  const glm::dmat3 rotation = glm::transpose(
-      glm::dmat3(glm::dvec3(1 - 2 * (y * y + z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n),
-                 glm::dvec3(2 * (x * y + w * z) / n, 1 - 2 * (x * x + z * z) / n, 2 * (y * z - w * x) / n),
-                 glm::dvec3(2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, 1 - 2 * (x * x + y * y) / n)));
-  const glm::dvec3 scale(scale_value(config, g.scale_0), scale_value(config, g.scale_1),
-                         scale_value(config, g.scale_2));
-  const glm::dmat3 axes = camera.world_to_camera * rotation;  // columns are the axes in view space
-  const auto overlaps = [&](double focal, double center, double limit, double coordinate, int row, int64_t first,
-                            int64_t size) {
-    const double slope = std::clamp(coordinate / t.z, -limit, limit), mean = focal * coordinate / t.z + center;
-    double variance = 0.3;
-    for (int k = 0; k < 3; ++k) {
-      const double u = focal / t.z * (axes[k][row] - slope * axes[k][2]) * scale[k];
-      variance += u * u;
-    }
-    const double reach = std::sqrt(reach2 * variance);
-    const double last = static_cast<double>(std::min<int64_t>(first + config.window, size) - 1);
-    return mean + reach >= static_cast<double>(first) && mean - reach <= last;
+  if (!p.visible || reach2 < 0) return false;
+  const auto overlaps = [&](double mean, double variance, int first, int size) {
+    const double reach = std::sqrt(reach2 * variance), last = std::min(first + config.window, size) - 1;
+    return mean + reach >= first && mean - reach <= last;
   };
-  return overlaps(camera.fx, camera.cx, kGuardBand * camera.width / (2 * camera.fx), t.x, 0,
-                  int64_t{window_x} * config.window, camera.width) &&
-         overlaps(camera.fy, camera.cy, kGuardBand * camera.height / (2 * camera.fy), t.y, 1,
-                  int64_t{window_y} * config.window, camera.height);
+  return overlaps(p.mean.x, p.a, window_x * config.window, camera.width) &&
+         overlaps(p.mean.y, p.c, window_y * config.window, camera.height);
 }
 
 TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
@@ -72,6 +56,9 @@ TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
     const Camera camera = random_camera(rng, 300 + static_cast<int>(rng() % 300), 200 + static_cast<int>(rng() % 200));
     const PackedScene packed = pack_scene(config, scene, camera_bound(camera));
     const Frame frame = frame_setup(config, packed, camera);
+    Camera exact = camera;
+    exact.position = glm::dvec3(frame.camera.position.x, frame.camera.position.y, frame.camera.position.z) *
+                     std::ldexp(1.0, packed.scene_exponent);
     for (int wy = 0; wy <= static_cast<int>(frame.raster.windows.last_y); ++wy) {
       for (int wx = 0; wx <= static_cast<int>(frame.raster.windows.last_x); ++wx) {
         std::vector<bool> chosen(packed.chunks.size());
@@ -81,7 +68,7 @@ TEST(DopuTestModel, NeverRejectsANodeWithAGaussianThatTouchesTheWindow) {
         for (size_t c = 0; c < packed.chunks.size(); ++c) {
           const Node& node = packed.chunks[c];
           for (uint64_t slot = node.first; slot < node.first + node.count; ++slot) {
-            const bool need = touches(config, frame, camera, node, packed.gaussians[slot], wx, wy);
+            const bool need = touches(packed, frame, exact, node, packed.gaussians[slot], wx, wy);
             needed += need;
             sent += chosen[c];
             ASSERT_TRUE(!need || chosen[c]) << "view " << view << ", window " << wx << ", " << wy << ", chunk " << c

@@ -6,16 +6,14 @@
 //         place at which rounding turns, and no camera of a test or a scene has such a one.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
-#include <sstream>
 
 #include "cpp_model/frame_setup.hpp"
 #include "sim/design/design_point.hpp"
+#include "verif/support/config.hpp"
 
 namespace pipegs {
 
@@ -28,37 +26,29 @@ inline uint64_t reference_spread(const Config& c, uint64_t focal) {
   return (static_cast<uint64_t>(e) << 8) + static_cast<uint64_t>(std::ceil(std::ldexp(spread, 8 - e))) - 256;
 }
 
-// Turns values into fields of one camera's frame.
+// Turns values into fields; notes when one does not fit.
 struct ReferenceFields {
   const Camera& camera;
+  bool fits = true;
 
-  [[noreturn]] void fail(const char* what, double value, const char* limit) const {
-    throw FrameError(fmt::format("camera '{}': {} is {:g}, {}", camera.name, what, value, limit));
-  }
-  int64_t signed_field(const char* what, double value, int fraction, int width) const {
+  int64_t signed_field(double value, int fraction, int width) {
     const double field = std::round(std::ldexp(value, fraction)), high = std::ldexp(1.0, width - 1);
-    if (!(field >= -high && field < high)) {
-      fail(what, value, fmt::format("its magnitude must be below {:g}", std::ldexp(high, -fraction)).c_str());
-    }
-    return static_cast<int64_t>(field);
+    fits = fits && field >= -high && field < high;
+    return fits ? static_cast<int64_t>(field) : 0;
   }
-  uint64_t unsigned_field(const char* what, double value, int fraction, int width, bool round_up = false) const {
+  uint64_t unsigned_field(double value, int fraction, int width, bool round_up = false) {
     const double scaled = std::ldexp(value, fraction), field = round_up ? std::ceil(scaled) : std::round(scaled);
-    const double high = std::ldexp(1.0, width);
-    if (!(field >= 0 && field < high)) {
-      fail(what, value, fmt::format("it must be at least 0 and below {:g}", std::ldexp(high, -fraction)).c_str());
-    }
-    return static_cast<uint64_t>(field);
+    fits = fits && field >= 0 && field < std::ldexp(1.0, width);
+    return fits ? static_cast<uint64_t>(field) : 0;
   }
 };
 
-inline void set_rotation(const Config& config, const ReferenceFields& set, Frame& frame) {
+inline void set_rotation(const Config& config, ReferenceFields& set, Frame& frame) {
   const glm::dmat3& w = set.camera.world_to_camera;  // w[column][row]
   int64_t* const fields[9] = {&frame.camera.rotation.w00, &frame.camera.rotation.w01, &frame.camera.rotation.w02,
                               &frame.camera.rotation.w10, &frame.camera.rotation.w11, &frame.camera.rotation.w12,
                               &frame.camera.rotation.w20, &frame.camera.rotation.w21, &frame.camera.rotation.w22};
-  for (int i = 0; i < 9; ++i)
-    *fields[i] = set.signed_field("a rotation entry", w[i % 3][i / 3], config.rot_f(), config.rot_w());
+  for (int i = 0; i < 9; ++i) *fields[i] = set.signed_field(w[i % 3][i / 3], config.rot_f(), config.rot_w());
 
   // Quaternion by the largest of its four components, so that no small number is divided by.
   const auto m = [&](int row, int column) { return w[column][row]; };
@@ -84,52 +74,37 @@ inline void set_rotation(const Config& config, const ReferenceFields& set, Frame
   const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   int64_t* const quaternion[4] = {&frame.camera.quaternion.w, &frame.camera.quaternion.x, &frame.camera.quaternion.y,
                                   &frame.camera.quaternion.z};
-  for (int i = 0; i < 4; ++i) {
-    *quaternion[i] = set.signed_field("a quaternion entry", q[i] / norm, config.cam_quat_w() - 2, config.cam_quat_w());
-  }
+  for (int i = 0; i < 4; ++i)
+    *quaternion[i] = set.signed_field(q[i] / norm, config.cam_quat_w() - 2, config.cam_quat_w());
 }
 
 // Focal length, principal point, guard band and reach of one image axis.
-inline void set_lens(const Config& config, const ReferenceFields& set, bool x, uint64_t& focal, int64_t& center,
+inline void set_lens(const Config& config, ReferenceFields& set, bool x, uint64_t& focal, int64_t& center,
                      uint64_t& limit, uint64_t& reach) {
   const double f = x ? set.camera.fx : set.camera.fy, size = x ? set.camera.width : set.camera.height;
-  focal = set.unsigned_field(x ? "the focal length fx" : "the focal length fy", f, config.focal_f(), config.focal_w());
-  if (focal == 0) set.fail(x ? "the focal length fx" : "the focal length fy", f, "it must be positive");
-  center = set.signed_field(x ? "the principal point cx" : "the principal point cy", x ? set.camera.cx : set.camera.cy,
-                            config.center_f(), config.center_w());
-  limit =
-      set.unsigned_field("the guard band 1.3 tan(fov/2)", kGuardBand * size / (2 * f), config.tan_f, 4 + config.tan_f);
+  focal = set.unsigned_field(f, config.focal_f(), config.focal_w());
+  set.fits = set.fits && focal != 0;
+  center = set.signed_field(x ? set.camera.cx : set.camera.cy, config.center_f(), config.center_w());
+  limit = set.unsigned_field(kGuardBand * size / (2 * f), config.tan_f, 4 + config.tan_f);
   // From the rounded fields and one unit up: a bound on what the machine computes.
   const double slope = std::ldexp(static_cast<double>(limit + 1), -config.tan_f);
   const double pixels = std::ldexp(static_cast<double>(focal), -config.focal_f());
-  reach = set.unsigned_field("the reach of a unit scale in pixels",
-                             std::sqrt(2 * std::log(config.alpha_cut)) * pixels * std::hypot(1, slope),
+  reach = set.unsigned_field(std::sqrt(2 * std::log(config.alpha_cut)) * pixels * std::hypot(1, slope),
                              config.focal_f(), config.reach_w(), true) +
           1;
 }
 
-inline void set_windows(const Config& config, const ReferenceFields& set, const std::optional<WindowRange>& windows,
+inline void set_windows(const Config& config, ReferenceFields& set, const std::optional<WindowRange>& windows,
                         Frame& frame) {
   const Camera& camera = set.camera;
-  if (camera.width < 1 || camera.width > kMaxImageSide) set.fail("the width", camera.width, "it must be 1 to 16384");
-  if (camera.height < 1 || camera.height > kMaxImageSide)
-    set.fail("the height", camera.height, "it must be 1 to 16384");
   const int columns = (camera.width + config.window - 1) / config.window,
             rows = (camera.height + config.window - 1) / config.window;
-  if (columns > 1 << config.window_w())
-    set.fail("the width in windows", columns, "at most 1024 fit: use larger windows");
-  if (rows > 1 << config.window_w()) set.fail("the height in windows", rows, "at most 1024 fit: use larger windows");
   const WindowRange range = windows.value_or(WindowRange{0, 0, columns - 1, rows - 1});
-  if (range.first_x < 0 || range.first_x > range.last_x || range.last_x >= columns || range.first_y < 0 ||
-      range.first_y > range.last_y || range.last_y >= rows) {
-    throw FrameError(fmt::format("camera '{}': windows ({}, {}) to ({}, {}) do not lie in {} x {} windows", camera.name,
-                                 range.first_x, range.first_y, range.last_x, range.last_y, columns, rows));
-  }
+  const auto inside = [](int first, int last, int all) { return first >= 0 && first <= last && last < all; };
   const int count = (range.last_x - range.first_x + 1) * (range.last_y - range.first_y + 1);
-  if (config.has_lists() && count > 1 << config.list_window_w()) {
-    throw FrameError(fmt::format("camera '{}': {} windows, but order = 1 has {} lists at most: use larger windows",
-                                 camera.name, count, 1 << config.list_window_w()));
-  }
+  set.fits = set.fits && inside(1, camera.width, kMaxImageSide + 1) && inside(1, camera.height, kMaxImageSide + 1) &&
+             std::max(columns, rows) <= 1 << config.window_w() && inside(range.first_x, range.last_x, columns) &&
+             inside(range.first_y, range.last_y, rows) && !(config.has_lists() && count > 1 << config.list_window_w());
   frame.raster.width = static_cast<uint64_t>(camera.width);
   frame.raster.height = static_cast<uint64_t>(camera.height);
   frame.raster.windows.first_x = static_cast<uint64_t>(range.first_x);
@@ -143,27 +118,24 @@ inline void set_windows(const Config& config, const ReferenceFields& set, const 
   frame.tables.overflow = (frame.tables.pixels + lines + 4096 - 1) / 4096 * 4096;
 }
 
-inline Frame reference_frame(const Config& config, const PackedScene& scene, const Camera& camera,
-                             const std::optional<WindowRange>& windows = {}, double near_plane = kNearPlane) {
-  if (!(scene.config == config)) throw FrameError("the scene was packed for another configuration");
-  const ReferenceFields set{camera};
+// Nothing when a field does not fit, or the windows do not lie in the picture.
+inline std::optional<Frame> reference_frame(const Config& config, const PackedScene& scene, const Camera& camera,
+                                            const std::optional<WindowRange>& windows = {},
+                                            double near_plane = kNearPlane) {
+  ReferenceFields set{camera};
   Frame frame;
   // One bit below WorldW, so that centre - camera keeps WorldW + 1 bits in every unit.
-  const auto world = [&](const char* what, double value) {
-    return set.signed_field(what, value, -scene.scene_exponent, config.world_w - 1);
-  };
-  frame.camera.position.x = world("the position x", camera.position.x);
-  frame.camera.position.y = world("the position y", camera.position.y);
-  frame.camera.position.z = world("the position z", camera.position.z);
+  const auto world = [&](double value) { return set.signed_field(value, -scene.scene_exponent, config.world_w - 1); };
+  frame.camera.position.x = world(camera.position.x);
+  frame.camera.position.y = world(camera.position.y);
+  frame.camera.position.z = world(camera.position.z);
   set_rotation(config, set, frame);
   set_lens(config, set, true, frame.lens.focal_x, frame.lens.center_x, frame.lens.limit_x, frame.lens.reach_x);
   set_lens(config, set, false, frame.lens.focal_y, frame.lens.center_y, frame.lens.limit_y, frame.lens.reach_y);
   frame.lens.spread_x = reference_spread(config, frame.lens.focal_x);
   frame.lens.spread_y = reference_spread(config, frame.lens.focal_y);
-  frame.lens.near_plane = set.unsigned_field("the near plane", near_plane, -scene.scene_exponent, config.world_w - 1);
+  frame.lens.near_plane = set.unsigned_field(near_plane, -scene.scene_exponent, config.world_w - 1);
   frame.tables.sh_degree = static_cast<uint64_t>(scene.sh_degree);
-  if (scene.antialiased && !config.antialias)
-    throw FrameError("the scene is antialiased, the configuration has antialias = 0");
   frame.tables.antialias = scene.antialiased;
   frame.grid.low.x = scene.grid.low[0];
   frame.grid.low.y = scene.grid.low[1];
@@ -178,6 +150,7 @@ inline Frame reference_frame(const Config& config, const PackedScene& scene, con
   frame.tables.colors = scene.layout.colors;
   frame.tables.pixels = scene.layout.pixels;
   set_windows(config, set, windows, frame);
+  if (!set.fits) return std::nullopt;
   return frame;
 }
 
@@ -238,12 +211,8 @@ inline std::vector<Config> machines() {
   for (const DesignPoint& point : design_points()) configs.push_back(point.config);
   for (const char* settings :
        {"tan_f=16", "tan_f=24", "alpha_cut=32", "alpha_cut=1023", "alpha_cut=512 antialias=1", "world_w=32",
-        "world_w=44", "window=16 pixel_w=32", "order=2 late=1 tight_cull=1", "tight_cull=1 alpha_cut=33 tan_f=17"}) {
-    Config config;
-    std::istringstream text(settings);
-    for (std::string one; text >> one;) config_set(config, one);
-    configs.push_back(config);
-  }
+        "world_w=44", "window=16 pixel_w=32", "order=2 late=1 tight_cull=1", "tight_cull=1 alpha_cut=33 tan_f=17"})
+    configs.push_back(config_of(settings));
   return configs;
 }
 

@@ -10,13 +10,15 @@
 
 # --- rtl/dopu ---------------------------------------------------------------------------------------------------------
 group dopu "DOPU"
-mutant dopu_axis "of two equal components the second one is taken" 's/x >= y && x >= z/x > y \&\& x >= z/'
+mutant dopu_axis "of two equal components the second one is taken" 's/x >= y && x >= z/x > y \&\& x >= z/' \
+       dopu
 mutant dopu_layer "the walk goes c, c - 1, c + 1 instead of c, c + 1, c - 1" \
-       's/(camera_slab) \+ (distance : camera_slab) -/\1 - \2 +/'
+       's/(camera_slab) \+ (distance : camera_slab) -/\1 - \2 +/' dopu
 mutant dopu_planes "the margin moves an edge inwards" 's/\(far \? margin : -margin\)/(far ? -margin : margin)/'
 mutant dopu_test "the phase runs on while the unit sleeps" 's/if \(awake_i\) phase_q/phase_q/' dopu_free
 mutant dopu_test "slack for the cut bits halved" 's/( Slack *= .*\(TestW \+ )2/\11/'
-mutant dopu_origin "no block exponent where it is needed first" 's/(longest > LengthW.\(ViewW - )2/\11/'
+mutant dopu_origin "no block exponent where it is needed first" 's/(longest > LengthW.\(ViewW - )2/\11/' \
+       dopu_indoor
 mutant dopu_emit "the end of an empty layer is sent" 's/ && !had_chunk_q//' dopu
 mutant dopu_emit "a chunk waits for a PU's ready" "s/(is_data \|\| chunk_)room(_i != '0)/\1ready\2/" dopu
 mutant dopu_emit "a chunk goes to a PU without room" 's/mask_i\(chunk_room_i\)/mask_i(~chunk_room_i)/' dopu

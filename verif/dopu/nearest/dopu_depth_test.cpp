@@ -4,6 +4,7 @@
 #include "Vdopu_depth.h"
 #include "cpp_model/dopu/nearest/dopu_depth.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
+#include "cpp_model/golden.hpp"
 #include "cpp_model/pu/front/pu_cull.hpp"
 #include "cpp_model/pu/project/pu_project.hpp"
 #include "verif/dopu/dopu_world.hpp"
@@ -61,15 +62,9 @@ struct Bounds {
           const Node& node = packed.chunks[i];
           const Chunk chunk = dopu_origin(config, frame, node, x, y);
           for (uint64_t slot = chunk.slot; slot < chunk.slot + chunk.count; ++slot) {
-            const GaussianRecord& g2 = packed.gaussians[slot];
-            Fetched f;
-            f.window_x = chunk.window_x, f.window_y = chunk.window_y;
-            f.origin_x = chunk.origin_x, f.origin_y = chunk.origin_y, f.origin_z = chunk.origin_z;
-            f.view_exp = chunk.view_exp, f.offset_exp = chunk.offset_exp;
-            f.offset_x = g2.offset_x, f.offset_y = g2.offset_y, f.offset_z = g2.offset_z;
-            f.scale_0 = g2.scale_0, f.scale_1 = g2.scale_1, f.scale_2 = g2.scale_2;
-            f.slot = slot;
-            const std::optional<Visible> visible = pu_cull(config, frame, f);
+            Fetched fetched = golden_fetched(chunk, packed.gaussians[slot], slot);
+            fetched.opacity = 0;  // reaches farthest
+            const std::optional<Visible> visible = pu_cull(config, frame, fetched);
             if (!visible) continue;
             ++kept;
             const uint64_t key = pu_project(config, frame, *visible).payload.depth;

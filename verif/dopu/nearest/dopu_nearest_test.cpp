@@ -4,11 +4,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "cpp_model/dopu/dopu.hpp"
 #include "cpp_model/dopu/nearest/dopu_nearest.hpp"
 #include "scenes/ply/ply.hpp"
 #include "verif/dopu/dopu_bench.hpp"
-#include "verif/support/frame_ports.hpp"
 
 namespace pipegs {
 namespace {
@@ -146,70 +144,31 @@ struct Checker {
   }
 };
 
-void compare(const char* what, Pace pace, Pace memory_pace, const ExternalMemoryOptions& options) {
-  Bench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory(options);
-  Units units(bench, config, pace);
-  Checker checker(units, config);
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, memory_pace, &bench.dut.mem_lines_o);
-  bench.reset();
-  for (int frame = 0; frame < 6; ++frame) {  // one after another: nothing may be left of the frame before
-    const size_t gaussians[] = {3000, 0, 1, 20000, 500, 60};
-    const World world(bench.rng, gaussians[frame], 200, 150, frame == 4);
-    const Expected expected(world);
-    world.load(memory);
-    checker.begin(world, expected);
-    start(bench, world);
-    ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); }, 3000000))
-        << "frame " << frame;
-    ASSERT_FALSE(testing::Test::HasFatalFailure()) << "frame " << frame;
-    checker.finish();
+TEST(DopuNearest, SendsEveryChunkOnceWhateverStandsAroundIt) {
+  for (const Around& around : kAround) {
+    SCOPED_TRACE(around.name);
+    Dopu<> dopu(around.memory, around.pace, around.memory_pace);
+    Checker checker(dopu.units, dopu.config);
+    std::optional<Expected> expected;
+    six_frames(
+        dopu, [&](const World& world) { checker.begin(world, expected.emplace(world)); },
+        [&](const World&) { checker.finish(); });
+    checker.print(around.name);
+    EXPECT_EQ(checker.tally.early, 0u) << "chunks sent behind farther ones although the queue had room";
+    EXPECT_GT(checker.tally.marks, 20u);
+    EXPECT_GT(checker.tally.chunks, 1000u);
   }
-  checker.print(what);
-  EXPECT_EQ(checker.tally.early, 0u) << "chunks sent behind farther ones although the queue had room";
-  EXPECT_GT(checker.tally.marks, 20u);
-  EXPECT_GT(checker.tally.chunks, 1000u);
-}
-
-TEST(DopuNearest, SendsEveryChunkOnceWithAPromptMemory) {
-  compare("prompt memory", Pace::kAlways, Pace::kAlways, {.latency = 10, .bytes_per_cycle = 64});
-}
-TEST(DopuNearest, SendsEveryChunkOnceWithASlowMemory) {
-  compare("slow memory", Pace::kAlways, Pace::kCoin, {.latency = 150, .bytes_per_cycle = 12.8, .jitter = 40});
-}
-TEST(DopuNearest, SendsEveryChunkOnceUnderBackPressure) {
-  compare("back pressure", Pace::kQuarter, Pace::kAlways, {.latency = 60, .jitter = 20});
-}
-TEST(DopuNearest, EqualsItsModelWithLazyUnits) {
-  compare("lazy units", Pace::kLazy, Pace::kLazy, {.latency = 60, .jitter = 20});
-}
-TEST(DopuNearest, SendsEveryChunkOnceByCoin) {
-  compare("by coin", Pace::kCoin, Pace::kQuarter, {.latency = 60, .jitter = 20});
 }
 
 // PUs that take a chunk every few hundred cycles: the queue fills up, two windows stand in it.
 TEST(DopuNearest, SendsEveryChunkOnceToSlowUnits) {
-  Bench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory({.latency = 30, .jitter = 10});
-  Units units(bench, config, Pace::kAlways);
-  units.rare = 300;
-  Checker checker(units, config);
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
-  bench.reset();
-  const World world(bench.rng, 3000, 4 * config.window, 3 * config.window);
+  Dopu<> dopu({.latency = 30, .jitter = 10});
+  dopu.units.rare = 300;
+  Checker checker(dopu.units, dopu.config);
+  const World world(dopu.bench.rng, 3000, 4 * dopu.config.window, 3 * dopu.config.window);
   const Expected expected(world);
-  world.load(memory);
   checker.begin(world, expected);
-  start(bench, world);
-  ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); }, 3000000));
+  dopu.frame(world);
   checker.finish();
   checker.print("slow units");
   EXPECT_EQ(checker.tally.early, 0u);
@@ -217,40 +176,30 @@ TEST(DopuNearest, SendsEveryChunkOnceToSlowUnits) {
 
 // The RUs report windows done at any moment: what is still sent is right, watermarks too, and every end comes.
 TEST(DopuNearest, SkipsTheRestOfAWindowThatIsDone) {
-  Bench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory({.latency = 60, .jitter = 30});
-  Units units(bench, config, Pace::kCoin);
-  Checker checker(units, config);
+  Dopu<> dopu({.latency = 60, .jitter = 30}, Pace::kCoin);
+  Checker checker(dopu.units, dopu.config);
   checker.whole = false;
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
-  Feedback feedback(bench, units, config);
+  Feedback feedback(dopu.bench, dopu.units, dopu.config);
+  auto& rng = dopu.bench.rng;
   feedback.next_window = [&] {
-    const size_t some[] = {0, 1, bench.rng() % 8, bench.rng() % 60, bench.rng() % 400, 100000};
-    feedback.after = some[bench.rng() % 6];
+    const size_t some[] = {0, 1, rng() % 8, rng() % 60, rng() % 400, 100000};
+    feedback.after = some[rng() % 6];
   };
-  bench.reset();
   size_t all = 0;
   for (int frame = 0; frame < 4; ++frame) {
-    const World world(bench.rng, frame == 3 ? 2000 : 20000, 200, 150);
+    const World world(rng, frame == 3 ? 2000 : 20000, 200, 150);
     const Expected expected(world);
     for (const Window& window : expected.windows) all += window.size();
-    world.load(memory);
     checker.begin(world, expected);
     feedback.frame = &world.frame;
     feedback.window = feedback.ends = 0;
-    feedback.seen = units.beats.size();
+    feedback.seen = dopu.units.beats.size();
     feedback.next_window();
-    start(bench, world);
-    ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); }, 3000000))
-        << "frame " << frame;
+    dopu.frame(world);
     ASSERT_FALSE(testing::Test::HasFatalFailure()) << "frame " << frame;
     checker.finish();
     feedback.frame = nullptr;
-    no_feedback(bench);
+    dopu.no_feedback();
   }
   checker.print("done windows");
   EXPECT_LT(checker.tally.chunks, all * 9 / 10) << "of " << all;
@@ -260,72 +209,39 @@ TEST(DopuNearest, SkipsTheRestOfAWindowThatIsDone) {
 
 // Without a clock whenever active_o is low, with units that take a chunk every few hundred cycles: the same frame.
 TEST(DopuNearest, NeedsNoClockWhenItSaysSo) {
-  GatedBench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
-  ExternalMemory memory({.latency = 300, .bytes_per_cycle = 0.1, .jitter = 100, .queue = 1});
-  Units units(bench, config, Pace::kAlways);
-  units.rare = 600;
-  Checker checker(units, config);
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
-  bench.reset();
-  const World world(bench.rng, 300, 3 * config.window, 2 * config.window);
+  Dopu<GatedBench<Vpipegs_dopu>> dopu({.latency = 300, .bytes_per_cycle = 0.1, .jitter = 100, .queue = 1});
+  dopu.units.rare = 600;
+  Checker checker(dopu.units, dopu.config);
+  const World world(dopu.bench.rng, 300, 3 * dopu.config.window, 2 * dopu.config.window);
   const Expected expected(world);
-  world.load(memory);
   checker.begin(world, expected);
-  write_frame(config, bench.dut, world.frame);
-  bench.dut.start_i = 1;
-  bench.gated_step();
-  bench.dut.start_i = 0;
-  for (int i = 0; i < 3000000 && bench.dut.busy_o; ++i) bench.gated_step();
-  ASSERT_EQ(bench.dut.busy_o, 0);
+  dopu.frame(world, true);
   checker.finish();
-  EXPECT_GT(bench.gated, bench.cycle / 10) << "of " << bench.cycle << " cycles";
+  EXPECT_GT(dopu.bench.gated, dopu.bench.cycle / 10) << "of " << dopu.bench.cycle << " cycles";
 }
 
 // Two node tests in three cycles, a chunk in ten, a node through the queue in five, whichever is most; the rest hides
 // behind it, as far as windows are alike. PIPEGS_LATENCY=cycles: of the memory. PIPEGS_SCENE=file.ply
 // PIPEGS_CAMERAS=cameras.json: that scene's first view instead of a random cloud.
 TEST(DopuNearest, KeepsItsTestsBusy) {
-  Bench<Vpipegs_dopu> bench;
-  const Config config = test_config();
-  bench.dut.start_i = 0;
-  no_feedback(bench);
   const char* latency = std::getenv("PIPEGS_LATENCY");
-  ExternalMemory memory({.latency = latency != nullptr ? std::atoi(latency) : 100, .bytes_per_cycle = 51.2});
-  Units units(bench, config, Pace::kAlways);
-  Checker checker(units, config);
-  Memory port(bench, memory, bench.dut.mem_valid_o, bench.dut.mem_ready_i, nullptr, bench.dut.mem_address_o, nullptr,
-              bench.dut.rsp_valid_i, bench.dut.rsp_data_i, Pace::kAlways, &bench.dut.mem_lines_o);
-  bench.reset();
+  Dopu<> dopu({.latency = latency != nullptr ? std::atoi(latency) : 100, .bytes_per_cycle = 51.2});
+  Checker checker(dopu.units, dopu.config);
   const char *scene = std::getenv("PIPEGS_SCENE"), *cameras = std::getenv("PIPEGS_CAMERAS");
   const bool given = scene != nullptr && cameras != nullptr;
   const World world = given ? World(read_ply(scene), read_cameras(cameras).at(0))
-                            : World(bench.rng, 20000, 10 * config.window, 7 * config.window);
+                            : World(dopu.bench.rng, 20000, 10 * dopu.config.window, 7 * dopu.config.window);
   const Expected expected(world);
-  world.load(memory);
-  DopuCounts sum;
-  for (uint64_t y = 0; y <= world.frame.raster.windows.last_y; ++y) {
-    for (uint64_t x = 0; x <= world.frame.raster.windows.last_x; ++x) {
-      const DopuCounts part = dopu_window(config, world.frame, world.packed, static_cast<int>(x), static_cast<int>(y),
-                                          [](int, const Chunk&, uint64_t) {});
-      sum.cell_tests += part.cell_tests, sum.group_tests += part.group_tests, sum.chunk_tests += part.chunk_tests,
-          sum.chunks += part.chunks;
-    }
-  }
+  const DopuCounts sum = dopu_counts(world);
   checker.begin(world, expected);
-  const uint64_t before = bench.cycle;
-  start(bench, world);
-  ASSERT_TRUE(bench.run_until([&] { return !bench.dut.busy_o || testing::Test::HasFatalFailure(); }, 5000000));
+  const uint64_t frame_cycles = dopu.frame(world);
   checker.finish();
   checker.print(given ? scene : "random cloud");
   const double tests = static_cast<double>(sum.cell_tests + sum.group_tests + sum.chunk_tests),
                windows = static_cast<double>(checker.tally.windows);
   const double bound =
       std::max({1.5 * tests, 10.0 * static_cast<double>(sum.chunks), 5.0 * static_cast<double>(expected.nodes_passed)});
-  const double cycles = static_cast<double>(bench.cycle - before);
+  const double cycles = static_cast<double>(frame_cycles);
   RecordProperty("roofline_ratio", std::to_string(cycles / bound));
   std::printf("dopu_nearest: %.0f tests, %llu chunks, %.0f cycles, %.0f a window, roofline ratio %.3f\n", tests,
               static_cast<unsigned long long>(sum.chunks), cycles, cycles / windows, cycles / bound);
