@@ -4,7 +4,7 @@ from itertools import accumulate
 
 from measurement import Measurement
 from scenes import SIZES, VIEWS_OF_SIZE
-from texts import PRINTS, difference, golden, leave_one_out, printed, proofs, shown, stability
+from texts import PRINTING, difference, golden, leave_one_out, printed, proofs, shown, stability
 
 RTL = ("rtl", "models", "memory")
 MODEL = ("models", "timing", "memory", "cost")
@@ -99,8 +99,8 @@ TABLE = [
     Measurement("viewer/own", "verif/page/viewer.sh build/pipegs {scene} --scale 0.25 --no-rtl --no-truth",
                 ("models", "page"), points=("fast",), differs="bytes: of the page"),
     # Tests that print what they measure.
-    Measurement("prints/all", f"ctest --test-dir build/. -R '^({'|'.join(PRINTS)})$' -V", ("rtl", "models"),
-                targets=tuple(f"{name}_test" for name in PRINTS), read=printed),
+    Measurement("prints/all", f"ctest --test-dir build/. -R '^({'|'.join(PRINTING)})$' -V", ("rtl", "models"),
+                targets=tuple(f"{name}_test" for name in PRINTING), read=printed),
     Measurement("prints/golden", "build/verif/frame/golden_test --gtest_output=xml:/dev/stdout", ("models",),
                 targets=("golden_test",), read=golden),
     Measurement("prints/stability", "ctest --test-dir build/. -R ^stability_ -LE long -V", RTL,

@@ -3,7 +3,7 @@
 import re
 
 # fmt: off
-PRINTS = {  # a test that prints what it measures: the line, names of the line's numbers
+PRINTS = {  # what is measured, most by the test of that name: the line that it prints, names of the line's numbers
     "recip": (r"recip, (\d+) bits: worst error ([\d.]+)", "bits", "units"),
     "exp2": (r"exp2: error ([-\d.]+) \.\. ([-\d.]+) .*chord ([\d.]+), step ([\d.]+)",
              "low", "high", "chord", "step"),
@@ -13,22 +13,23 @@ PRINTS = {  # a test that prints what it measures: the line, names of the line's
     "dopu_planes": (r"largest error of an edge ([\d.]+) px", "px"),
     "dopu_depth": (r"least distance from a bound ([\d.]+) units of ([\d.]+)", "left", "given"),
     "dopu_origin": (r"largest error ([\d.]+) units", "units"),
-    "pu_project": (r"1/z 2\^(\S+) relative; tan 2\^([^;]+); mean 2\^(\S+) px .*, 2\^(\S+) relative .* 2\^(\S+) rad",
+    "pu_project": (r"w=28: 1/z 2\^(\S+) relative; tan 2\^([^;]+); mean 2\^(\S+) px .*, 2\^(\S+) relative "
+                   r".* 2\^(\S+) rad",
                    "inverse", "tangent", "mean", "far", "direction"),
-    "pu_orient": (r"worst entry differs by (\S+) from", "worst"),
-    "pu_covariance": (r"error of a 2\^([-\d.]+), c 2\^([-\d.]+), det 2\^([-\d.]+), .* 2\^([-\d.]+)",
+    "pu_orient": (r"pu_orient, view_w=28: worst entry differs by (\S+) from", "worst"),
+    "pu_covariance": (r"w=28: relative error of a 2\^([-\d.]+), c 2\^([-\d.]+), det 2\^([-\d.]+), .* 2\^([-\d.]+)",
                       "a", "c", "det", "b"),
-    "pu_axes": (r"error of tilt (\S+); relative, of stretch (\S+), of shrink (\S+), of the eigenvalue (\S+)",
+    "pu_axes": (r"test=2: error of tilt (\S+); relative, of stretch (\S+), of shrink (\S+), of the eigenvalue (\S+)",
                 "tilt", "stretch", "shrink", "larger"),
-    "pu_box": (r"3/256 px and (\S+), extents by 3/32 px and (\S+) of", "side", "extent"),
-    "pu_compensate": (r"pu_compensate: error (\S+) of", "worst"),
+    "pu_box": (r"pu_box, tile_test=2: .* 3/256 px and (\S+), extents by 3/32 px and (\S+) of", "side", "extent"),
+    "pu_compensate": (r"pu_compensate, antialias=1: error (\S+) of", "worst"),
     "pu_conic": (r"narrow (\S+), of wide (\S+), error of slope ([^;\s]+); .* 1/4 px and ([\d.]+) %",
                  "narrow", "wide", "slope", "percent"),
-    "pu_color_rotate": (r"worst error ([\d.]+) units", "units"),
+    "pu_color_rotate": (r"pu_color_rotate: worst error ([\d.]+) units", "units"),
     "pu_color_normalise": (r"of a component 2\^([-\d.]+)", "worst"),
-    "pu_color_basis": (r"worst error 2\^([-\d.]+)", "worst"),
-    "pu_color_sum": (r"worst error ([\d.]+) units", "units"),
-    "pu_color": (r"worst error 2\^([-\d.]+)", "worst"),
+    "pu_color_basis": (r"pu_color_basis: worst error 2\^([-\d.]+)", "worst"),
+    "pu_color_sum": (r"pu_color_sum, color_w=12: worst error ([\d.]+) units", "units"),
+    "pu_color": (r"pu_color: worst error 2\^([-\d.]+)", "worst"),
     "ru_blend": (r"T at most ([^,]+), colour at most ([^,]+), rms (\S+)", "t", "color", "rms"),
     "pu_coeff": (r"up to +(\d+) px: error of the power (\S+) \(.*\), rms (\S+); from .* (\S+)\n",
                  "sigma", "worst", "rms", "quantised"),
@@ -44,20 +45,29 @@ PRINTS = {  # a test that prints what it measures: the line, names of the line's
                for what in ("cycles", "bytes"))),
 }
 # fmt: on
+MODELS = {  # tests of several models
+    "dopu_models": ("dopu_origin",),
+    "projection_models": ("pu_project", "pu_orient", "pu_covariance", "pu_compensate"),
+    "box_models": ("pu_axes", "pu_box"),
+    "color_models": ("pu_color_rotate", "pu_color_normalise", "pu_color_basis", "pu_color_sum"),
+}
+PRINTED_BY = {name: test for test, names in MODELS.items() for name in names}
+PRINTING = sorted({PRINTED_BY.get(name, name) for name in PRINTS})
 
 
 def printed(text):
-    """Of `ctest -V`: by test, for each line that fits its pattern, the numbers by name."""
+    """Of `ctest -V`: by what is measured, for each line that fits its pattern, the numbers by name."""
     names = dict(re.findall(r"^ +Start +(\d+): (\S+)", text, re.MULTILINE))
     lines = {name: "" for name in names.values()}
     for number, line in re.findall(r"^(\d+): (.*\n)", text, re.MULTILINE):
         lines[names[number]] += line
     found = {}
-    for test, (pattern, *keys) in PRINTS.items():
+    for name, (pattern, *keys) in PRINTS.items():
+        test = PRINTED_BY.get(name, name)
         rows = [dict(zip(keys, map(float, one.groups()))) for one in re.finditer(pattern, lines[test])]
         if not rows:
             raise ValueError(f"test {test}: no line fits {pattern}")
-        found[test] = rows
+        found[name] = rows
     return found
 
 

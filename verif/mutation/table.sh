@@ -62,7 +62,7 @@ group projection "PU: projection"
 mutant pipegs_recip "one unit in one entry of the table" "s/18'd204596/18'd204597/"
 mutant pipegs_recip "the result is cut instead of rounded" 's/ \+ \(\(OutF \+ 1\).\(1\) << \(Cut - 1\)\)//'
 mutant pu_phases "a new record is let into an output that was not taken" \
-       's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/'
+       's/(out_free *= )!out_valid_q \|\| out_ready_i/\11/' pu_shape
 mutant pu_cull "rounding of the view coordinates: + half becomes - half" \
        's/\+ (\$signed\(\(SumW \+ 1\).\(1\)\)\) >>> 1)/- \1/'
 mutant pu_cull "the gap on the low side without what the cut bits of x may hide" \
@@ -72,27 +72,30 @@ mutant pu_reach "a scale below the largest rounded down" "s/\(\(one - 7'd1\) >> 
 mutant pu_reach "the guard band clamps on one side only" "s/wide_side \+ bound < 0 \?/1'b0 ?/"
 mutant pu_reach "the axis of the smaller gap" 's/(along_x = gap.gap_x )>=/\1</'
 mutant pu_reach "what is dropped is offered" 's/ && bit_valid && kept;/ \&\& bit_valid;/'
-mutant pu_project "exponent of the depth key + 1" 's/(z_log *= .*ViewW - )2/\11/'
-mutant pu_orient "one sign of the Hamilton product" 's/p0 - p1 \+ p2 \+ p3/p0 + p1 + p2 + p3/'
-mutant pu_jacobian "exponent of the gain + 1" 's/(gain_e_q *<= .*\(Cut)\)/\1 + 1)/'
+mutant pu_project "exponent of the depth key + 1" 's/(z_log *= .*ViewW - )2/\11/' pu_shape
+mutant pu_orient "one sign of the Hamilton product" 's/p0 - p1 \+ p2 \+ p3/p0 + p1 + p2 + p3/' pu_shape
+mutant pu_jacobian "exponent of the gain + 1" 's/(gain_e_q *<= .*\(Cut)\)/\1 + 1)/' pu_shape
 mutant pu_factors "a zero takes part in the search for the largest exponent" \
        "s/(some\[1\] = )some1 && [a-z_.]*v0_1_m != '0/\11/"
 mutant pu_factors "a zero first component may win over a smaller second one" \
        's/\(!any0 \|\| e\[1\] > top0\)/(e[1] > top0)/'
 mutant pu_factors "the first component sets the exponent even when it is zero" 's/any0 = some\[0\]/any0 = 1/'
-mutant pu_squares "the shift of |u1|^2 added instead of subtracted" 's/(out_q\.c_e <= .*) - less_q/\1 + less_q/'
-mutant pu_covariance "the adder does not know zero" "s/x_m == '0 \|\| \(y_m != '0 && y_e > x_e\)/y_e > x_e/"
+mutant pu_squares "the shift of |u1|^2 added instead of subtracted" 's/(out_q\.c_e <= .*) - less_q/\1 + less_q/' \
+       pu_shape
+mutant pu_covariance "the adder takes the distance of two exponents without its sign" \
+       's/swap \? y_e - x_e : x_e - y_e/x_e - y_e/' pu_shape
 
 # --- rtl/pu/box -------------------------------------------------------------------------------------------------------
 group box "PU: the oriented box (\`tile_test = 2\`)"
-mutant pu_axes "the longer axis turns the other way" 's/(b_m\[SlopeW-1\]) == out_q\.swap/\1 != out_q.swap/'
-mutant pu_axes "a round covariance has axes" "s/round     = length <= LengthW.\(RoundW\)/round     = length == '0/"
-mutant pu_axes "|b| in place of 2|b|" 's/(assign b_apart .*in_q\.b_e\))/\1 + 1/'
-mutant pu_axes "the slope may exceed 1" 's/nearest = near > most \? most : near/nearest = near/'
-mutant pu_box "the sides do not grow" "s/(growth *= .*) \+ SideW.\(1\)/\1/"
-mutant pu_box "the exponent of an odd root" 's/assign odd     = e\[0\]/assign odd     = 1/'
-mutant pu_box "the box around lies crosswise" 's/if \(swap_q\) out_q\.box_y/if (!swap_q) out_q.box_y/'
-mutant pu_box "a side too long for its field wraps" "s/length = raised\[.*\] != '0 \? '1 : /length = /"
+mutant pu_axes "the longer axis turns the other way" 's/(b_m\[SlopeW-1\]) == out_q\.swap/\1 != out_q.swap/' pu_shape_box
+mutant pu_axes "a round covariance has axes" "s/round     = length <= LengthW.\(RoundW\)/round     = length == '0/" \
+       pu_shape_box
+mutant pu_axes "|b| in place of 2|b|" 's/(assign b_apart .*in_q\.b_e\))/\1 + 1/' pu_shape_box
+mutant pu_axes "the slope may exceed 1" 's/nearest = near > most \? most : near/nearest = near/' pu_shape_box
+mutant pu_box "the sides do not grow" "s/(growth *= .*) \+ SideW.\(1\)/\1/" pu_shape_box
+mutant pu_box "the exponent of an odd root" 's/assign odd     = e\[0\]/assign odd     = 1/' pu_shape_box
+mutant pu_box "the box around lies crosswise" 's/if \(swap_q\) out_q\.box_y/if (!swap_q) out_q.box_y/' pu_shape_box
+mutant pu_box "a side too long for its field wraps" "s/length = raised\[.*\] != '0 \? '1 : /length = /" pu_shape_box
 mutant pu_touch "a step down turns the other way" 's/u_from - tilt_side/u_from + tilt_side/'
 mutant pu_touch "the square counts without its tilt" "s/Half \+ \(LimitW.\(half_tilt\).*;/Half;/"
 mutant pu_touch "what touches is apart" 's/u_size\) <= /u_size) < /'
@@ -100,8 +103,8 @@ mutant pu_intersect "the oriented box from the first region's corner" 's/(Middle
 
 # --- rtl/pu: coefficients, regions, rows ------------------------------------------------------------------------------
 group rows "PU: coefficients, regions, rows"
-mutant pu_root ">= becomes >" 's/rest >= trial\}/rest > trial}/'
-mutant pu_extent "margin of the box 361 becomes 360" 's/361/360/'
+mutant pu_root ">= becomes >" 's/rest >= trial\}/rest > trial}/' pu_conic
+mutant pu_extent "margin of the box 361 becomes 360" 's/361/360/' pu_conic
 mutant pu_conic "sign of an exponent in narrow" 's/gain \+ ([a-z_.]*larger_e \+ scaled_det_e_q)/gain - \1/'
 mutant pu_align "shift off by one" 's/product >>> by/product >>> (by + 1)/'
 mutant pu_coeff "one bit more dropped from u" \
@@ -111,11 +114,11 @@ mutant pu_intersect "a Gaussian with a box is dropped when the box is found" \
        's/(drop *= state_q == StateStart) && none_q/\1/'
 mutant pu_intersect "the walk goes on while the test waits" 's/(step *= walk_valid_q) && !hold/\1/'
 mutant pipegs_exp2 "shift by one" 's/product >> \(RestW - 1\)/product >> RestW/'
-mutant pu_clamp "the cut: < becomes <=" 's/(PowerW.\(~power_i\)) < /\1 <= /' pu_alpha
-mutant pu_code "the half is not added" "s/CodeW'\(halves\[0\]\)/CodeW'(0)/" pu_alpha
-mutant pu_row_init "dy^2 becomes dy^2 - 1" 's/Dy \* Dy\)/Dy * Dy - 1)/'
-mutant pu_row_unit "4 curve becomes 2 curve" 's/curve_i\) <<< 2/curve_i) <<< 1/'
-mutant pu_region "16 D rx becomes 8 D rx" 's/d_rx_q\) <<< 4/d_rx_q) <<< 3/'
+mutant pu_clamp "the cut: < becomes <=" 's/(PowerW.\(~power_i\)) < /\1 <= /' pu_rows
+mutant pu_code "the half is not added" "s/CodeW'\(halves\[0\]\)/CodeW'(0)/" pu_rows
+mutant pu_row_init "dy^2 becomes dy^2 - 1" 's/Dy \* Dy\)/Dy * Dy - 1)/' pu_rows
+mutant pu_row_unit "4 curve becomes 2 curve" 's/curve_i\) <<< 2/curve_i) <<< 1/' pu_rows
+mutant pu_region "16 D rx becomes 8 D rx" 's/d_rx_q\) <<< 4/d_rx_q) <<< 3/' pu_rows
 mutant pu_rows "the Row Units load although they still walk" 's/move && \(!row_valid_q \|\| row_last\)/move/'
 mutant pu_allocate "one layer too many is let in" 's/(tiles_ready_o = state_q == StateTake) && .*;/\1;/'
 mutant pu_allocate "the pulse that frees a layer is lost while a Gaussian is in work" \
@@ -147,21 +150,21 @@ mutant pu_deal "an end goes to one PU only" "s/(if \(take_end\) waiting_q <= )'1
 mutant pu_deal "the turn goes on while nothing is dealt" \
        "s/(else if \()take_data\) last_q/\1room != '0) last_q/"
 mutant pu_regions "a Gaussian that dies leaves its payload in the queue" 's/drop \|\| go\), \.out_o/go), .out_o/'
-mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/"
+mutant pu_payload "whoever leaves shows the first word" "s/head_q == Last \? '0 : head_q \+ 1'b1/head_q/" pu_regions
 mutant pu_turns "the output takes what is not inside" 's/(leave_o *= move_o) \&\& inside_q/\1/' pu_conic
 
 # --- rtl/pu: colour ---------------------------------------------------------------------------------------------------
 group color "PU: colour"
 mutant pipegs_rsqrt "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
-mutant pu_color_rotate "w12 for w21" 's/(row_b = [a-z_.]*)w21/\1w12/'
+mutant pu_color_rotate "w12 for w21" 's/(row_b = [a-z_.]*)w21/\1w12/' pu_color
 mutant pu_color_normalise "does not wait for its output register" \
-       "s/\(step_q != 3'd2 \|\| !unit_valid_q \|\| unit_ready_i\)/1/"
+       "s/\(step_q != 3'd2 \|\| !unit_valid_q \|\| unit_ready_i\)/1/" pu_color
 mutant pu_color_basis "a result lands in an output that was not taken" \
-       's/(go *= )!landing \|\| !basis_valid_q \|\| basis_ready_i/\11/'
-mutant pu_color_fetch "a line behind the table is asked for" 's/number < colors_i/number <= colors_i/'
-mutant pu_color_fetch "a job behind a bad one is taken" 's/ && !bad_q;/;/'
-mutant pu_color_fetch "a job is taken while a request is pending" 's/room && !mem_valid_q/room/'
-mutant pu_color_sum "coefficients masked at the wrong degree" "s/degree == 2'd1(\) coefs)/degree == 2'd2\1/"
+       's/(go *= )!landing \|\| !basis_valid_q \|\| basis_ready_i/\11/' pu_color
+mutant pu_color_fetch "a line behind the table is asked for" 's/number < colors_i/number <= colors_i/' pu_color
+mutant pu_color_fetch "a job behind a bad one is taken" 's/ && !bad_q;/;/' pu_color
+mutant pu_color_fetch "a job is taken while a request is pending" 's/room && !mem_valid_q/room/' pu_color
+mutant pu_color_sum "coefficients masked at the wrong degree" "s/degree == 2'd1(\) coefs)/degree == 2'd2\1/" pu_color
 mutant pu_color "busy: AND for OR" 's/fetch_busy \|\| sum_busy/fetch_busy \&\& sum_busy/'
 
 # --- rtl/su -----------------------------------------------------------------------------------------------------------
@@ -466,7 +469,7 @@ mutant pu_parts "the payload of a Gaussian without a part stays" \
        's/payload_take  = conic_ready_o && data/payload_take  = conic_ready_o \&\& data \&\& !none/'
 mutant ru_place "column and row of a part change places" 's/part_row, part_column, row/part_column, part_row, row/' \
        ru_live_parts
-mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//"
+mutant pu_compensate "rounding: one is not added" "s/ \+ FallW'\(1\)//" pu_shape_open
 mutant pipegs_log2 "rounding: half becomes one" 's/<< \(DropF - 1\)/<< DropF/'
 mutant pu_lines "an end leaves before the rows have ended" 's/ && \(!is_end \|\| ended_q\)//'
 mutant pipegs_list_write "the count of the record before is not yet in the memory" 's/(same_q *<= )move && .*;/\10;/'

@@ -49,7 +49,7 @@ inline ExactCovariance exact_covariance(const PuRandom& random, const Frame& f, 
   const double r[3][3] = {{real(o.r00, down), real(o.r01, down), real(o.r02, down)},
                           {real(o.r10, down), real(o.r11, down), real(o.r12, down)},
                           {real(o.r20, down), real(o.r21, down), real(o.r22, down)}};
-  const double s[3] = {random.scale_value(o.scale_0), random.scale_value(o.scale_1), random.scale_value(o.scale_2)};
+  const double s[3] = {scale_value(config, o.scale_0), scale_value(config, o.scale_1), scale_value(config, o.scale_2)};
   ExactCovariance e{};
   double cross = 0;
   for (int j = 0; j < 3; ++j) {

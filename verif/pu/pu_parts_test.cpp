@@ -12,33 +12,24 @@
 namespace pipegs {
 namespace {
 
-// Puts payloads as early as pu_project may: at most ShapePlaces Gaussians lie between it and the output of pu_conic.
-class Payloads : public Endpoint {
- public:
-  Payloads(Bench<Vpu_parts>& bench, const Config& config) : bench_(bench), config_(config) { bench.add(*this); }
-  void drive() override {
-    auto& dut = bench_.dut;
-    dut.payload_valid_i = put_ < payloads.size() && put_ < taken_ + static_cast<size_t>(config_.shape_places());
-    write_record(config_, dut.payload_i, dut.payload_valid_i ? payloads[put_] : Payload{});
-  }
-  void observe() override {
-    auto& dut = bench_.dut;
-    put_ += dut.payload_valid_i;
-    taken_ += dut.conic_valid_i && dut.conic_ready_o && read_record<Conic>(config_, dut.conic_i).kind == kData;
-  }
-  std::vector<Payload> payloads;
-
- private:
-  Bench<Vpu_parts>& bench_;
-  const Config& config_;
-  size_t put_ = 0, taken_ = 0;
-};
-
 struct PartsRun {
   PartsRun(const Config& config, Pace source, Pace sink)
       : config(config),
         in(bench, config, bench.dut.conic_valid_i, bench.dut.conic_ready_o, bench.dut.conic_i, source),
-        beside(bench, config),
+        beside(
+            bench,
+            [this] {
+              auto& dut = bench.dut;
+              put += dut.payload_valid_i;
+              taken +=
+                  dut.conic_valid_i && dut.conic_ready_o && read_record<Conic>(this->config, dut.conic_i).kind == kData;
+            },
+            [this] {
+              auto& dut = bench.dut;
+              dut.payload_valid_i =
+                  put < payloads.size() && put < taken + static_cast<size_t>(this->config.shape_places());
+              write_record(this->config, dut.payload_i, dut.payload_valid_i ? payloads[put] : Payload{});
+            }),
         out(bench, config, bench.dut.placed_valid_o, bench.dut.placed_ready_i, bench.dut.placed_o, sink),
         parted(bench, config, bench.dut.parted_valid_o, parted_ready, bench.dut.parted_o) {
     bench.reset();
@@ -50,10 +41,10 @@ struct PartsRun {
       expected.back().kind = conic.kind;
       return;
     }
-    beside.payloads.push_back(random_record<Payload>(config, bench.rng));
+    payloads.push_back(random_record<Payload>(config, bench.rng));
     for (const PuPart& one : pu_parts(config, conic)) {
       expected.push_back(one.conic);
-      expected_parted.push_back({beside.payloads.back(), one.part});
+      expected_parted.push_back({payloads.back(), one.part});
     }
   }
   void check() {
@@ -77,7 +68,11 @@ struct PartsRun {
   Config config;
   Bench<Vpu_parts> bench;
   RecordSource<Conic, std::remove_reference_t<decltype(Vpu_parts::conic_i)>> in;
-  Payloads beside;
+  // Payloads come as early as pu_project may put them: at most ShapePlaces Gaussians lie between it and the output of
+  // pu_conic.
+  std::vector<Payload> payloads;
+  size_t put = 0, taken = 0;
+  Beside beside;
   RecordSink<Conic, std::remove_reference_t<decltype(Vpu_parts::placed_o)>> out;
   CData parted_ready = 0;  // what goes beside a beat is not refused
   RecordSink<Parted, std::remove_reference_t<decltype(Vpu_parts::parted_o)>> parted;

@@ -7,7 +7,9 @@
 #include <random>
 
 #include "cpp_model/fixed.hpp"
+#include "cpp_model/float/projection.hpp"
 #include "cpp_model/frame_setup.hpp"
+#include "cpp_model/pack/pack.hpp"
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
@@ -43,14 +45,11 @@ struct PuRandom {
     f.raster.windows.last_y = (f.raster.height - 1) / config.window;
     double q[4];
     quaternion(q);
-    const double w = q[0], x = q[1], y = q[2], z = q[3];
-    const double r[9] = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),
-                         2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-                         2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y)};
+    const glm::dmat3 r = rotation_matrix({q[0], q[1], q[2], q[3]});
     int64_t* const rows[9] = {&f.camera.rotation.w00, &f.camera.rotation.w01, &f.camera.rotation.w02,
                               &f.camera.rotation.w10, &f.camera.rotation.w11, &f.camera.rotation.w12,
                               &f.camera.rotation.w20, &f.camera.rotation.w21, &f.camera.rotation.w22};
-    for (int i = 0; i < 9; ++i) *rows[i] = std::llround(std::ldexp(r[i], config.rot_f()));
+    for (int i = 0; i < 9; ++i) *rows[i] = std::llround(std::ldexp(r[i % 3][i / 3], config.rot_f()));
     int64_t* const camera[4] = {&f.camera.quaternion.w, &f.camera.quaternion.x, &f.camera.quaternion.y,
                                 &f.camera.quaternion.z};
     for (int i = 0; i < 4; ++i) *camera[i] = std::llround(std::ldexp(q[i], config.cam_quat_w() - 2));
@@ -87,13 +86,6 @@ struct PuRandom {
     const double e = std::clamp(center + uniform(-octaves, octaves) + 8, 1.0, 62.0);
     return (static_cast<uint64_t>(e) << config.scale_m_w) | (rng() & ((uint64_t{1} << config.scale_m_w) - 1));
   }
-  double scale_value(uint64_t scale) const {
-    const int e = static_cast<int>(scale >> config.scale_m_w);
-    const double m =
-        std::ldexp(static_cast<double>(scale & ((uint64_t{1} << config.scale_m_w) - 1)), -config.scale_m_w);
-    return e == 0 ? 0 : std::ldexp(1 + m, e - 8);
-  }
-
   // Quaternion, scales, opacity, colour and numbers of any record that has them.
   template <class R>
   void gaussian(R& r, double scale_center, double octaves) {

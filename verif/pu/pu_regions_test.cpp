@@ -11,32 +11,6 @@
 namespace pipegs {
 namespace {
 
-// Puts payloads as early as pu_project may: at most ShapePlaces Gaussians lie between it and the output of pu_conic.
-// Notes what shows beside the tiles that are taken.
-class Beside : public Endpoint {
- public:
-  Beside(Bench<Vpu_regions>& bench, const Config& config) : bench_(bench), config_(config) { bench.add(*this); }
-  void drive() override {
-    auto& dut = bench_.dut;
-    dut.payload_valid_i = put_ < payloads.size() && put_ < taken_ + static_cast<uint64_t>(config_.shape_places());
-    if (halted) dut.tiles_ready_i = 0;
-    dut.payload_i = dut.payload_valid_i ? payloads[put_] : static_cast<uint32_t>(bench_.rng());
-  }
-  void observe() override {
-    auto& dut = bench_.dut;
-    put_ += dut.payload_valid_i;
-    if (dut.conic_valid_i && dut.conic_ready_o) taken_ += read_record<Conic>(config_, dut.conic_i).kind == kData;
-    if (dut.tiles_valid_o && dut.tiles_ready_i) shown.push_back(dut.payload_o);
-  }
-  std::vector<uint32_t> payloads, shown;
-  bool halted = false;  // nothing is taken
-
- private:
-  Bench<Vpu_regions>& bench_;
-  const Config& config_;
-  uint64_t put_ = 0, taken_ = 0;
-};
-
 // One Gaussian in `living` may have a region, the others lie far away. `halts`: now and then nothing is taken for long.
 void run(Pace source_pace, Pace sink_pace, unsigned living, bool halts) {
   const Config config = test_config();
@@ -46,9 +20,24 @@ void run(Pace source_pace, Pace sink_pace, unsigned living, bool halts) {
                                                 source_pace);
   RecordSink<Tiles, decltype(dut.tiles_o)> out(bench, config, dut.tiles_valid_o, dut.tiles_ready_i, dut.tiles_o,
                                                sink_pace);
-  Beside beside(bench, config);
   std::vector<Tiles> expected;
-  std::vector<uint32_t> own;
+  std::vector<uint32_t> own, payloads, shown;  // shown: beside the tiles that are taken
+  size_t put = 0, taken = 0;
+  bool halted = false;  // nothing is taken
+  // Payloads come as early as pu_project may put them: at most ShapePlaces Gaussians lie between it and the output of
+  // pu_conic.
+  const Beside beside(
+      bench,
+      [&] {
+        put += dut.payload_valid_i;
+        if (dut.conic_valid_i && dut.conic_ready_o) taken += read_record<Conic>(config, dut.conic_i).kind == kData;
+        if (dut.tiles_valid_o && dut.tiles_ready_i) shown.push_back(dut.payload_o);
+      },
+      [&] {
+        dut.payload_valid_i = put < payloads.size() && put < taken + static_cast<size_t>(config.shape_places());
+        dut.payload_i = dut.payload_valid_i ? payloads[put] : static_cast<uint32_t>(bench.rng());
+        if (halted) dut.tiles_ready_i = 0;
+      });
   for (int i = 0; i < 1500; ++i) {
     Covariance covariance = random_covariance(config, bench.rng);
     if (covariance.kind == kData && bench.rng() % living != 0)
@@ -57,7 +46,7 @@ void run(Pace source_pace, Pace sink_pace, unsigned living, bool halts) {
     const Tiles tiles = pu_intersect(config, Frame{}, pu_coeff(config, Frame{}, conic));
     in.push(conic);
     const auto payload = static_cast<uint32_t>(bench.rng());
-    if (conic.kind == kData) beside.payloads.push_back(payload);
+    if (conic.kind == kData) payloads.push_back(payload);
     if (tiles.kind == kData && tiles.mask == 0) continue;
     expected.push_back(tiles);
     own.push_back(tiles.kind == kData ? payload : 0);
@@ -65,16 +54,16 @@ void run(Pace source_pace, Pace sink_pace, unsigned living, bool halts) {
   bench.reset();
   while (halts && !in.empty()) {
     for (uint64_t i = bench.rng() % 200; i > 0; --i) bench.step();
-    beside.halted = true;
+    halted = true;
     for (uint64_t i = bench.rng() % 1000; i > 0; --i) bench.step();
-    beside.halted = false;
+    halted = false;
   }
   ASSERT_TRUE(bench.run_until([&] { return out.size() >= expected.size() && in.empty(); }, 2000000));
   for (int i = 0; i < 100; ++i) bench.step();
   ASSERT_EQ(out.size(), expected.size());
   for (size_t i = 0; i < expected.size(); ++i) {
     ASSERT_EQ(first_difference(config, expected[i], out.at(i)), "") << "beat " << i << ", seed " << bench.seed;
-    ASSERT_EQ(beside.shown[i], own[i]) << "payload of beat " << i << ", seed " << bench.seed;
+    ASSERT_EQ(shown[i], own[i]) << "payload of beat " << i << ", seed " << bench.seed;
   }
 }
 

@@ -84,16 +84,16 @@ void check_every_pace(MakeRun&& make_run) {
   }
 }
 
-// The first output after `latency` cycles, then one every eight, when neither side waits.
+// The first output after `latency` cycles, then one every `pace`, when neither side waits.
 template <class Stage, class MakeRun>
-void check_pace(MakeRun&& make_run, uint64_t latency) {
+void check_pace(MakeRun&& make_run, uint64_t latency, uint64_t pace = 8) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
   PuRandom random{config, rng};
   const std::vector<uint64_t> cycles = check_run<Stage>(config, make_run(random, 100), Pace::kAlways, Pace::kAlways);
   ASSERT_GT(cycles.size(), 1u);
   EXPECT_EQ(cycles.front(), latency);
-  EXPECT_EQ(cycles.back() - cycles.front(), 8 * (cycles.size() - 1));
+  EXPECT_EQ(cycles.back() - cycles.front(), pace * (cycles.size() - 1));
 }
 
 // A run whose inputs come from make(random, frame) and whose outputs are the model's; one beat in ten is

@@ -95,20 +95,4 @@ Covariance random_covariance(const Config& config, Rng& rng) {
   return r;
 }
 
-// Runs records through a module and compares what comes out, in order. Returns the cycles in which it came.
-template <class In, class Out, class BenchT, class Source, class Sink>
-void expect_stream(const Config& config, BenchT& bench, Source& in, Sink& out, const std::vector<In>& records,
-                   const std::vector<Out>& expected) {
-  for (const In& record : records) in.push(record);
-  bench.reset();
-  bench.run_until([&] { return out.size() >= expected.size() && in.empty(); }, 2000000);
-  for (int i = 0; i < 100; ++i) bench.step();
-  EXPECT_EQ(out.size(), expected.size());
-  for (size_t i = 0; i < std::min(out.size(), expected.size()); ++i) {
-    ASSERT_EQ(first_difference(config, expected[i], out.at(i)), "")
-        << "beat " << i << " in cycle " << out.cycles[i] << ", seed " << bench.seed << "\nexpected "
-        << to_text(config, expected[i]);
-  }
-}
-
 }  // namespace pipegs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_color_support.hpp: random cameras, directions and SH lines that are legal, and the colour in double precision.
+// pu_color_support.hpp: random cameras, directions and SH lines that are legal, and their values in double precision.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <random>
 
 #include "cpp_model/records.hpp"
+#include "scenes/sh_basis.hpp"
 
 namespace pipegs {
 
@@ -52,27 +53,6 @@ ViewDirection random_direction(const Config& config, Rng& rng) {
   const auto large = [&](int64_t x) { return x >= top / 2 || x < -top / 2; };
   if (!large(d.x) && !large(d.y) && !large(d.z)) d.z = top / 2 + (d.z & (top / 2 - 1));
   return d;
-}
-
-inline void sh_double(const glm::dvec3& d, double basis[15]) {
-  const double x = d.x, y = d.y, z = d.z, xx = x * x, yy = y * y, zz = z * z;
-  const double c1 = 0.4886025119029199;
-  const double values[15] = {-c1 * y,
-                             c1 * z,
-                             -c1 * x,
-                             1.0925484305920792 * x * y,
-                             -1.0925484305920792 * y * z,
-                             0.31539156525252005 * (2 * zz - xx - yy),
-                             -1.0925484305920792 * x * z,
-                             0.5462742152960396 * (xx - yy),
-                             -0.5900435899266435 * y * (3 * xx - yy),
-                             2.890611442640554 * x * y * z,
-                             -0.4570457994644658 * y * (4 * zz - xx - yy),
-                             0.3731763325901154 * z * (2 * zz - 3 * xx - 3 * yy),
-                             -0.4570457994644658 * x * (4 * zz - xx - yy),
-                             1.445305721320277 * z * (xx - yy),
-                             -0.5900435899266435 * x * (xx - 3 * yy)};
-  for (int k = 0; k < 15; ++k) basis[k] = values[k];
 }
 
 inline std::array<int64_t, 15> functions(const ShBasis& b) {

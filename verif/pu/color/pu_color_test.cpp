@@ -36,15 +36,14 @@ TEST(PuColor, ModelIsCloseToDouble) {
     const glm::dvec3 view(job.dir_x, job.dir_y, job.dir_z);
     if (glm::length(view) < 65536) continue;
     const auto line = random_line(kConfig, rng, 20, 25);
-    double basis[15];
-    sh_double(glm::normalize(to_world(kConfig, frame, view)), basis);
+    const auto basis = sh_basis(glm::normalize(to_world(kConfig, frame, view)));
     const Colored colored = pu_color(kConfig, frame, job, line.data());
     const uint64_t found[3] = {colored.red, colored.green, colored.blue};
     const int64_t base[3] = {job.base_r, job.base_g, job.base_b};
     const int degree = color_degree(kConfig, frame), bands = (degree + 1) * (degree + 1) - 1;
     for (int c = 0; c < 3; ++c) {
       double exact = std::ldexp(base[c], 3 - kConfig.base_w);
-      for (int k = 0; k < bands; ++k) exact += coefficient(kConfig, frame, line.data(), job.slot, k, c) * basis[k];
+      for (int k = 0; k < bands; ++k) exact += coefficient(kConfig, frame, line.data(), job.slot, k, c) * basis[k + 1];
       if (exact <= 0 || exact >= 3.99) continue;
       const double error = std::ldexp(static_cast<double>(found[c]), 2 - kConfig.color_w) - exact;
       worst = std::max(worst, std::abs(error));
@@ -77,7 +76,9 @@ struct Fixture {
     frame.tables.sh_degree = degree;
     frame.tables.colors = kColors;
     write_frame(kConfig, bench.dut, frame);
-    for (uint64_t slot = 0; slot < 4096; ++slot) memory.line(kColors + slot) = random_line(kConfig, bench.rng, 14, 27);
+    for (uint64_t slot = 0; slot < 4096; ++slot)
+      memory.line(kColors + slot) =
+          slot % 2 == 0 ? random_line(kConfig, bench.rng) : random_line(kConfig, bench.rng, 14, 27);
     bench.reset();
   }
   void push(const ColorJob& job) {
@@ -124,6 +125,27 @@ TEST(PuColor, EqualsItsModelAtEveryPaceAndDegree) {
   }
 }
 
+// The last line of the table comes; the job behind it asks for nothing, nor does any later one.
+TEST(PuColor, StopsAtALineThatTheTableDoesNotHold) {
+  for (uint64_t degree = 1; degree <= 3 && kConfig.sh_degree > 0; ++degree) {
+    Fixture setup(degree, Pace::kAlways, Pace::kAlways, Pace::kAlways, {});
+    Areas areas = wide_areas();
+    areas.colors = 50;
+    write_frame(kConfig, setup.bench.dut, setup.frame, areas);
+    const uint64_t slots = degree == 1 ? 200 : 50;
+    for (const uint64_t slot : {uint64_t{0}, slots - 1, slots, uint64_t{3}}) {
+      ColorJob job = random_job(setup.bench.rng);
+      job.slot = slot;
+      setup.push(job);
+    }
+    for (int i = 0; i < 400; ++i) setup.bench.step();
+    EXPECT_EQ(setup.port.requests, 2u);
+    EXPECT_EQ(setup.out.size(), 2u);
+    EXPECT_EQ(setup.bench.dut.bad_o, 1);
+    EXPECT_EQ(setup.bench.dut.bad_line_o, kColors + 50);
+  }
+}
+
 TEST(PuColor, AsksForOneLinePerGaussianAndForNoneWithoutSh) {
   for (uint64_t degree = 0; degree <= 3; ++degree) {
     Fixture setup(degree, Pace::kAlways, Pace::kAlways, Pace::kAlways, {});
@@ -160,7 +182,11 @@ TEST(PuColor, SaysThatItWaitsForMemoryAndIsBusyMeanwhile) {
   EXPECT_EQ(setup.bench.dut.waiting_memory_o, 1);
   EXPECT_EQ(setup.bench.dut.busy_o, 1);
   setup.check();
-  EXPECT_EQ(setup.bench.dut.waiting_memory_o, 0);
+  for (int i = 0; i < 20; ++i) setup.push({.kind = kLayerEnd});
+  for (int i = 0; i < 60; ++i) {
+    EXPECT_EQ(setup.bench.dut.waiting_memory_o, 0) << "an end needs no line";
+    setup.bench.step();
+  }
 }
 
 }  // namespace

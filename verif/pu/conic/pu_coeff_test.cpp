@@ -3,77 +3,61 @@
 // pixel.
 #include "cpp_model/pu/conic/pu_coeff.hpp"
 
+#include "verif/pu/pu_stage.hpp"
 #include "verif/pu/random_splat.hpp"
-#include "verif/support/bench.hpp"
-#include "verif/support/config.hpp"
 #include "Vpu_coeff.h"
 
 namespace pipegs {
 namespace {
 
-struct Stage {
-  Config config = test_config();
-  Bench<Vpu_coeff> bench;
-  RecordSource<Conic, decltype(bench.dut.conic_i)> in{bench, config, bench.dut.conic_valid_i, bench.dut.conic_ready_o,
-                                                      bench.dut.conic_i};
-  RecordSink<Coeff, decltype(bench.dut.coeff_o)> out{bench, config, bench.dut.coeff_valid_o, bench.dut.coeff_ready_i,
-                                                     bench.dut.coeff_o};
-  void compare(const std::vector<Conic>& records) {
-    std::vector<Coeff> expected;
-    for (const Conic& record : records) expected.push_back(pu_coeff(config, Frame{}, record));
-    expect_stream(config, bench, in, out, records, expected);
-  }
-  Conic conic() { return pu_conic(config, Frame{}, random_covariance(config, bench.rng)); }
-};
+PIPEGS_STAGE(pu_coeff, Conic, conic, Coeff, coeff);
 
-TEST(PuCoeff, EqualsItsModelAtEveryPairOfPaces) {
-  for (Pace source : kPaces) {
-    for (Pace sink : kPaces) {
-      SCOPED_TRACE(std::string(to_text(source)) + " to " + to_text(sink));
-      Stage s;
-      s.in.pace = source, s.out.pace = sink;
-      std::vector<Conic> records;
-      for (int i = 0; i < 1500; ++i) records.push_back(s.conic());
-      s.compare(records);
-      if (HasFatalFailure()) return;
-    }
-  }
+TEST(PuCoeff, EqualsItsModelAtEveryPace) {
+  check_every_pace<Stage>(stage_run<Stage>(
+      [](PuRandom& random, const Frame& frame) {
+        return pu_conic(random.config, frame, random_covariance(random.config, random.rng));
+      },
+      pu_coeff));
 }
 
 // Exponents and slopes around the edge of the range, where each coefficient in turn makes the record dead.
 TEST(PuCoeff, EqualsItsModelAroundTheRange) {
-  Stage s;
-  auto& rng = s.bench.rng;
-  std::vector<Conic> records;
-  int dead = 0;
-  for (int i = 0; i < 20000; ++i) {
-    Conic k = random_record<Conic>(s.config, rng);
-    k.kind = kData;
-    k.narrow_m |= uint64_t{1} << (s.config.mantissa_w - 1);
-    k.wide_m |= uint64_t{1} << (s.config.mantissa_w - 1);
-    k.narrow_e = -s.config.mantissa_w + 4 - static_cast<int64_t>(rng() % (i % 2 == 0 ? 6 : 40));
-    k.wide_e = -s.config.mantissa_w + 4 - static_cast<int64_t>(rng() % (i % 2 == 0 ? 6 : 40));
-    k.slope_m = i % 16 == 0 ? (int64_t{1} << (s.config.slope_w() - 2)) * (i % 32 == 0 ? 1 : -1)
-                            : (k.slope_m >> 1) >> (rng() % 30);
-    k.mean_x >>= rng() % s.config.mean_w();
-    k.mean_y >>= rng() % s.config.mean_w();
-    records.push_back(k);
-    dead += pu_coeff(s.config, Frame{}, k).dead != 0;
-  }
-  EXPECT_GT(dead, 5000);
-  EXPECT_LT(dead, 18000);
-  s.compare(records);
+  int all = 0, dead = 0;
+  check_every_pace<Stage>(stage_run<Stage>(
+      [](PuRandom& random, const Frame&) {
+        const Config& config = random.config;
+        Conic k = random_record<Conic>(config, random.rng);
+        k.kind = kData;
+        k.narrow_m |= uint64_t{1} << (config.mantissa_w - 1);
+        k.wide_m |= uint64_t{1} << (config.mantissa_w - 1);
+        const int range = random.chance(2) ? 5 : 39;
+        k.narrow_e = -config.mantissa_w + 4 - random.integer(0, range);
+        k.wide_e = -config.mantissa_w + 4 - random.integer(0, range);
+        k.slope_m = random.chance(16) ? (int64_t{1} << (config.slope_w() - 2)) * (random.chance(2) ? 1 : -1)
+                                      : (k.slope_m >> 1) >> random.integer(0, 29);
+        k.mean_x >>= random.integer(0, config.mean_w() - 1);
+        k.mean_y >>= random.integer(0, config.mean_w() - 1);
+        return k;
+      },
+      [&](const Config& config, const Frame& frame, const Conic& conic) {
+        const Coeff coeff = pu_coeff(config, frame, conic);
+        ++all, dead += coeff.dead != 0;
+        return coeff;
+      }));
+  EXPECT_GT(dead, all / 4);
+  EXPECT_LT(dead, all * 9 / 10);
 }
 
 TEST(PuCoeff, TakesARecordInEightCyclesAndAnEndInFour) {
-  Stage s;
-  std::vector<Conic> records;
-  for (int i = 0; i < 100; ++i)
-    records.push_back(pu_conic(s.config, Frame{}, random_splat(s.config, s.bench.rng, 30).record));
-  for (int i = 0; i < 100; ++i) records.push_back({.kind = kLayerEnd});
-  s.compare(records);
-  EXPECT_EQ(s.out.cycles.at(90) - s.out.cycles.at(10), 80u * 8);
-  EXPECT_EQ(s.out.cycles.at(190) - s.out.cycles.at(110), 80u * 4);
+  const Config config = test_config();
+  std::mt19937_64 rng(test_seed());
+  StageRun<Stage> run;
+  for (int i = 0; i < 100; ++i) run.inputs.push_back(pu_conic(config, run.frame, random_splat(config, rng, 30).record));
+  for (int i = 0; i < 100; ++i) run.inputs.push_back({.kind = kLayerEnd});
+  for (const Conic& in : run.inputs) run.expected.push_back(pu_coeff(config, run.frame, in));
+  const std::vector<uint64_t> cycles = check_run(config, run, Pace::kAlways, Pace::kAlways);
+  EXPECT_EQ(cycles.at(90) - cycles.at(10), 80u * 8);
+  EXPECT_EQ(cycles.at(190) - cycles.at(110), 80u * 4);
 }
 
 // Every pixel of the window that counts, from the exact covariance (and from the quantised one).

@@ -1,66 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
-// pu_conic_test: rtl/pu/conic/pu_conic.sv against its bit-accurate model, and the model against double.
+// pu_conic_test: rtl/pu/conic/pu_conic.sv, with pu_extent and pu_root in it, against its bit-accurate model, and the
+// model against double.
 #include "cpp_model/pu/conic/pu_conic.hpp"
 
+#include "cpp_model/pu/conic/pu_root.hpp"
+#include "verif/pu/pu_stage.hpp"
 #include "verif/pu/random_splat.hpp"
-#include "verif/support/bench.hpp"
-#include "verif/support/config.hpp"
 #include "Vpu_conic.h"
 
 namespace pipegs {
 namespace {
 
-struct Stage {
-  Config config = test_config();
-  Bench<Vpu_conic> bench;
-  RecordSource<Covariance, decltype(bench.dut.covariance_i)> in{bench, config, bench.dut.covariance_valid_i,
-                                                                bench.dut.covariance_ready_o, bench.dut.covariance_i};
-  RecordSink<Conic, decltype(bench.dut.conic_o)> out{bench, config, bench.dut.conic_valid_o, bench.dut.conic_ready_i,
-                                                     bench.dut.conic_o};
-  void compare(const std::vector<Covariance>& records) {
-    std::vector<Conic> expected;
-    for (const Covariance& record : records) expected.push_back(pu_conic(config, Frame{}, record));
-    expect_stream(config, bench, in, out, records, expected);
-  }
-};
+PIPEGS_STAGE(pu_conic, Covariance, covariance, Conic, conic);
 
-TEST(PuConic, EqualsItsModelAtEveryPairOfPaces) {
-  for (Pace source : kPaces) {
-    for (Pace sink : kPaces) {
-      SCOPED_TRACE(std::string(to_text(source)) + " to " + to_text(sink));
-      Stage s;
-      s.in.pace = source, s.out.pace = sink;
-      std::vector<Covariance> records;
-      for (int i = 0; i < 1500; ++i) records.push_back(random_covariance(s.config, s.bench.rng));
-      s.compare(records);
-      if (HasFatalFailure()) return;
-    }
-  }
+TEST(PuConic, EqualsItsModelAtEveryPace) {
+  check_every_pace<Stage>(stage_run<Stage>(
+      [](PuRandom& random, const Frame&) { return random_covariance(random.config, random.rng); }, pu_conic));
 }
 
-TEST(PuConic, SaturatesASlopeBeyondOne) {
-  Stage s;
-  std::vector<Covariance> records;
-  for (int i = 0; i < 300; ++i) {
-    Covariance r = random_splat(s.config, s.bench.rng, 30).record;
-    r.b_e += static_cast<int64_t>(s.bench.rng() % 41) - 20;
-    if (i % 7 == 0) r.b_m = i % 2 == 0 ? 0 : -1;
-    records.push_back(r);
-  }
-  s.compare(records);
+// Slopes beyond one, variances from far below a pixel to far beyond the largest box, opacities near the cut.
+TEST(PuConic, EqualsItsModelForAnyExponents) {
+  check_every_pace<Stage>(stage_run<Stage>(
+      [](PuRandom& random, const Frame&) {
+        Covariance r = random_splat(random.config, random.rng, 30).record;
+        r.b_e += random.integer(-20, 20);
+        if (random.chance(7)) r.b_m = -random.integer(0, 1);
+        if (!random.chance(3)) r.a_e += random.integer(-10, 40);
+        if (random.chance(3)) r.c_e += random.integer(-10, 40);
+        if (random.chance(2)) r.opacity >>= random.integer(0, random.config.opacity_w());
+        return r;
+      },
+      pu_conic));
 }
 
 TEST(PuConic, TakesARecordInEightCyclesAndAnEndInSix) {
-  Stage s;
-  std::vector<Covariance> records;
-  for (int i = 0; i < 100; ++i) records.push_back(random_splat(s.config, s.bench.rng, 30).record);
-  for (int i = 0; i < 100; ++i) records.push_back({.kind = kLayerEnd});
-  s.compare(records);
-  EXPECT_EQ(s.out.cycles.at(90) - s.out.cycles.at(10), 80u * 8);
-  EXPECT_EQ(s.out.cycles.at(190) - s.out.cycles.at(110), 80u * 6);
+  const Config config = test_config();
+  std::mt19937_64 rng(test_seed());
+  StageRun<Stage> run;
+  for (int i = 0; i < 100; ++i) run.inputs.push_back(random_splat(config, rng, 30).record);
+  for (int i = 0; i < 100; ++i) run.inputs.push_back({.kind = kLayerEnd});
+  for (const Covariance& in : run.inputs) run.expected.push_back(pu_conic(config, run.frame, in));
+  const std::vector<uint64_t> cycles = check_run(config, run, Pace::kAlways, Pace::kAlways);
+  EXPECT_EQ(cycles.at(90) - cycles.at(10), 80u * 8);
+  EXPECT_EQ(cycles.at(190) - cycles.at(110), 80u * 6);
 }
 
-TEST(PuConic, AgreesWithDouble) {
+TEST(PuConicModel, RootsAreFloors) {
+  std::mt19937_64 rng(test_seed());
+  for (int i = 0; i < 100000; ++i) {
+    const uint64_t x = i < 1000 ? i : (rng() & ((uint64_t{1} << kRadicandW) - 1)) >> (rng() % kRadicandW),
+                   root = pu_root(x);
+    ASSERT_TRUE(root * root <= x && (root + 1) * (root + 1) > x) << x;
+  }
+}
+
+TEST(PuConicModel, AgreesWithDouble) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
   const double unit = std::ldexp(1, -config.mantissa_w);

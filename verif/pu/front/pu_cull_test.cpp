@@ -27,22 +27,7 @@ auto make_run() {
 
 TEST(PuCull, EqualsItsModelAtEveryPace) { check_every_pace<Stage>(make_run()); }
 
-// What goes to pu_reach beside each survivor.
-class Gaps : public Endpoint {
- public:
-  Gaps(Bench<Vpu_cull>& bench, const Config& config) : bench_(bench), config_(config) { bench.add(*this); }
-  void drive() override {}
-  void observe() override {
-    auto& dut = bench_.dut;
-    if (dut.visible_valid_o && dut.visible_ready_i) found.push_back(read_record<Gap>(config_, dut.gap_o));
-  }
-  std::vector<Gap> found;
-
- private:
-  Bench<Vpu_cull>& bench_;
-  const Config& config_;
-};
-
+// What goes to pu_reach.
 TEST(PuCull, TheGapGoesBesideTheSurvivor) {
   const Config config = test_config();
   std::mt19937_64 rng(test_seed());
@@ -62,13 +47,17 @@ TEST(PuCull, TheGapGoesBesideTheSurvivor) {
       write_frame(config, bench.dut, run.frame);
       auto source = Stage::source(bench, config, Pace::kAlways);
       auto sink = Stage::sink(bench, config, pace);
-      Gaps gaps(bench, config);
+      std::vector<Gap> found;
+      const Beside beside(bench, [&] {
+        if (bench.dut.visible_valid_o && bench.dut.visible_ready_i)
+          found.push_back(read_record<Gap>(config, bench.dut.gap_o));
+      });
       bench.reset();
       for (const Fetched& in : run.inputs) source.push(in);
-      bench.run_until([&] { return gaps.found.size() >= expected.size() && source.empty(); });
-      ASSERT_EQ(gaps.found.size(), expected.size());
+      bench.run_until([&] { return found.size() >= expected.size() && source.empty(); });
+      ASSERT_EQ(found.size(), expected.size());
       for (size_t k = 0; k < expected.size(); ++k)
-        ASSERT_EQ(first_difference(config, expected[k], gaps.found[k]), "") << "beat " << k << ", seed " << bench.seed;
+        ASSERT_EQ(first_difference(config, expected[k], found[k]), "") << "beat " << k << ", seed " << bench.seed;
     }
   }
   EXPECT_GT(beyond, 500u);

@@ -90,7 +90,7 @@ bool exact_drop(const PuRandom& random, const Frame& frame, const Visible& v, co
   const uint64_t scales[3] = {v.scale_0, v.scale_1, v.scale_2};
   double variance = 0;
   for (int k = 0; k < 3; ++k) {
-    const double u = random.scale_value(scales[k]) * focal / z *
+    const double u = scale_value(config, scales[k]) * focal / z *
                      (real(across[k], config.rotation_w() - 2) - slope * real(forward[k], config.rotation_w() - 2));
     variance += u * u;
   }
@@ -124,7 +124,7 @@ TEST(PuReach, ModelDropsNothingThatHasARegion) {
       dropped += !keeps;
       if (!keeps) { ASSERT_TRUE(exact) << to_text(config, in) << "\n" << to_text(config, frame); }
       // The figure is of Gaussians that a scene has: not larger than their distance, which has some bits.
-      const double size = random.scale_value(std::max({in.visible.scale_0, in.visible.scale_1, in.visible.scale_2}));
+      const double size = scale_value(config, std::max({in.visible.scale_0, in.visible.scale_1, in.visible.scale_2}));
       const int64_t z = in.visible.view_z;
       if (z < 1 << 14 || size > std::ldexp(static_cast<double>(z), static_cast<int>(in.visible.view_exp))) continue;
       exactly += exact;

@@ -42,7 +42,7 @@ inline Fetched random_fetched(PuRandom& random, const Frame& frame) {
   // The origin that puts the mean where it hurts: aim at a pixel about the reach away from the window.
   const auto real = [](auto m, int down) { return std::ldexp(static_cast<double>(m), -down); };
   const double z = static_cast<double>(v.view_z),
-               size = random.scale_value(std::max({in.scale_0, in.scale_1, in.scale_2}));
+               size = scale_value(config, std::max({in.scale_0, in.scale_1, in.scale_2}));
   const double s = std::ldexp(size, -static_cast<int>(in.view_exp));
   const auto aim = [&](uint64_t focal, uint64_t reach, int64_t center, uint64_t window, uint64_t last) {
     const double pixels = side_pixels(config, window, last), reach_px = real(reach, config.focal_f()) * s / z + 2,

@@ -30,52 +30,15 @@ Conic random_conic(PuRandom& random, const Frame& frame) {
                     random.config.window);
 }
 
-// Cycles in which the module says that it passes over a window: the PU must not fall asleep meanwhile.
-class Passes : public Endpoint {
- public:
-  explicit Passes(Bench<Vpu_expand>& bench) : bench_(bench) { bench.add(*this); }
-  void drive() override {}
-  void observe() override {
-    count += bench_.dut.passes_o;
-    beside += bench_.dut.passes_o && bench_.dut.placed_valid_o && !bench_.dut.placed_ready_i;
-  }
-  size_t count = 0, beside = 0;  // beside a beat that waits for its taker
-
- private:
-  Bench<Vpu_expand>& bench_;
-};
-
-// pu_color for the test: gives any colour for each job, in order.
-class Colors : public Endpoint {
- public:
-  using Port = std::remove_reference_t<decltype(Vpu_expand::colored_i)>;
-  using JobPort = std::remove_reference_t<decltype(Vpu_expand::color_job_o)>;
-  Colors(Bench<Vpu_expand>& bench, const Config& config, Pace pace)
-      : jobs(bench, config, bench.dut.color_job_valid_o, bench.dut.color_job_ready_i, bench.dut.color_job_o, pace),
-        out(bench, config, bench.dut.colored_valid_i, bench.dut.colored_ready_o, bench.dut.colored_i, pace),
-        config_(config) {
-    bench.add(*this);
-  }
-  // A function of the Gaussian, so that the expectation can be made beforehand.
-  static Colored color(const Config& config, const ColorJob& job) {
-    Colored c;
-    c.kind = job.kind, c.depth = job.depth, c.index = job.index;
-    const uint64_t most = (uint64_t{1} << config.color_w) - 1;
-    if (job.kind == kData)
-      c.red = job.index & most, c.green = (job.index * 77 + 5) & most, c.blue = (job.index >> 3) & most;
-    return c;
-  }
-  void drive() override {}
-  void observe() override {
-    for (; seen_ < jobs.size(); ++seen_) out.push(color(config_, jobs.at(seen_)));
-  }
-  RecordSink<ColorJob, JobPort> jobs;
-  RecordSource<Colored, Port> out;
-
- private:
-  Config config_;
-  size_t seen_ = 0;
-};
+// Any colour for a job: a function of the Gaussian, so that the expectation can be made beforehand.
+Colored any_color(const Config& config, const ColorJob& job) {
+  Colored c;
+  c.kind = job.kind, c.depth = job.depth, c.index = job.index;
+  const uint64_t most = (uint64_t{1} << config.color_w) - 1;
+  if (job.kind == kData)
+    c.red = job.index & most, c.green = (job.index * 77 + 5) & most, c.blue = (job.index >> 3) & most;
+  return c;
+}
 
 struct Expected {
   std::vector<ColorJob> jobs;
@@ -99,7 +62,7 @@ struct Expected {
           continue;
         }
         placed.push_back(pu_expand(config, conic, x, y));
-        listed.push_back(pu_expand_listed(frame, Colors::color(config, jobs.back()), x, y));
+        listed.push_back(pu_expand_listed(frame, any_color(config, jobs.back()), x, y));
       }
     }
   }
@@ -109,10 +72,15 @@ struct ExpandRun {
   ExpandRun(const Config& config, Pace source, Pace color, Pace sink)
       : in(bench, config, bench.dut.conic_valid_i, bench.dut.conic_ready_o, bench.dut.conic_i, source),
         payloads(bench, config, payload_valid, bench.dut.payload_take_o, bench.dut.payload_i),
-        colors(bench, config, color),
+        jobs(bench, config, bench.dut.color_job_valid_o, bench.dut.color_job_ready_i, bench.dut.color_job_o, color),
+        colors(bench, config, bench.dut.colored_valid_i, bench.dut.colored_ready_o, bench.dut.colored_i, color),
         out(bench, config, bench.dut.placed_valid_o, bench.dut.placed_ready_i, bench.dut.placed_o, sink),
         listed(bench, config, bench.dut.listed_valid_o, listed_ready, bench.dut.listed_o),
-        passes(bench) {
+        beside(bench, [this, config] {
+          while (colored < jobs.size()) colors.push(any_color(config, jobs.at(colored++)));
+          passes += bench.dut.passes_o;
+          passed_beside += bench.dut.passes_o && bench.dut.placed_valid_o && !bench.dut.placed_ready_i;
+        }) {
     bench.reset();
   }
   void push(const Conic& conic, const Payload& payload) {
@@ -123,10 +91,14 @@ struct ExpandRun {
   RecordSource<Conic, std::remove_reference_t<decltype(Vpu_expand::conic_i)>> in;
   CData payload_valid = 0, listed_ready = 0;  // a payload is there in time, and what is listed is not refused
   RecordSource<Payload, std::remove_reference_t<decltype(Vpu_expand::payload_i)>> payloads;
-  Colors colors;
+  RecordSink<ColorJob, std::remove_reference_t<decltype(Vpu_expand::color_job_o)>> jobs;
+  RecordSource<Colored, std::remove_reference_t<decltype(Vpu_expand::colored_i)>> colors;
   RecordSink<Conic, std::remove_reference_t<decltype(Vpu_expand::placed_o)>> out;
   RecordSink<Listed, std::remove_reference_t<decltype(Vpu_expand::listed_o)>> listed;
-  Passes passes;
+  // Cycles in which the module says that it passes over a window, so that the PU does not fall asleep; and such beside
+  // a beat that waits for its taker.
+  size_t passes = 0, passed_beside = 0, colored = 0;
+  Beside beside;
 };
 
 TEST(PuExpand, EqualsItsModelAtEveryPace) {
@@ -157,10 +129,10 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
             run.bench.run_until([&] { return run.out.size() >= expected.placed.size() && run.in.empty(); }, 400000));
         for (size_t i = 0; i < 20 + expected.passed; ++i) run.bench.step();  // windows without a beat may be the last
         ASSERT_EQ(run.out.size(), expected.placed.size());
-        ASSERT_EQ(run.colors.jobs.size(), expected.jobs.size());
+        ASSERT_EQ(run.jobs.size(), expected.jobs.size());
         EXPECT_EQ(run.bench.dut.busy_o, 0);
         for (size_t i = 0; i < expected.jobs.size(); ++i) {
-          ASSERT_EQ(first_difference(config, expected.jobs[i], run.colors.jobs.at(i)), "")
+          ASSERT_EQ(first_difference(config, expected.jobs[i], run.jobs.at(i)), "")
               << "job " << i << ", seed " << run.bench.seed;
         }
         for (size_t i = 0; i < expected.placed.size(); ++i) {
@@ -169,8 +141,8 @@ TEST(PuExpand, EqualsItsModelAtEveryPace) {
               << "\n"
               << to_text(config, frame);
         }
-        passed += expected.passed, beside += run.passes.beside;
-        ASSERT_EQ(run.passes.count, expected.passed);
+        passed += expected.passed, beside += run.passed_beside;
+        ASSERT_EQ(run.passes, expected.passed);
         ASSERT_EQ(run.listed.size(), expected.listed.size());
         for (size_t i = 0, beat = 0; i < expected.listed.size(); ++i, ++beat) {
           ASSERT_EQ(first_difference(config, expected.listed[i], run.listed.at(i)), "")

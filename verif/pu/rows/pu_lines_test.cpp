@@ -10,37 +10,6 @@
 namespace pipegs {
 namespace {
 
-// The splat and, beside it, the number of its window.
-class Numbers : public Endpoint {
- public:
-  explicit Numbers(Bench<Vpu_lines>& bench) : bench_(bench) { bench.add(*this); }
-  void drive() override {}
-  void observe() override {
-    if (bench_.dut.splat_valid_o && bench_.dut.splat_ready_i) numbers.push_back(bench_.dut.window_o);
-  }
-  std::vector<uint64_t> numbers;
-
- private:
-  Bench<Vpu_lines>& bench_;
-};
-
-// What the tiles that are shown have beside them, in order.
-class Beside : public Endpoint {
- public:
-  Beside(Bench<Vpu_lines>& bench, const Config& config) : bench_(bench), config_(config) { bench.add(*this); }
-  void drive() override {
-    if (!listed.empty()) write_record(config_, bench_.dut.listed_i, listed.front());
-  }
-  void observe() override {
-    if (bench_.dut.tiles_valid_i && bench_.dut.tiles_ready_o) listed.pop_front();
-  }
-  std::deque<Listed> listed;
-
- private:
-  Bench<Vpu_lines>& bench_;
-  Config config_;
-};
-
 Tiles random_tiles(const Config& config, std::mt19937_64& rng) {
   Tiles t = random_record<Tiles>(config, rng);
   t.kind = kData;
@@ -61,8 +30,17 @@ void run(Pace source_pace, Pace rows_pace, Pace splat_pace, bool check_pace) {
       bench, config, dut.row_job_valid_o, dut.row_job_ready_i, dut.row_job_o, rows_pace);
   RecordSink<Splat, std::remove_reference_t<decltype(dut.splat_o)>> splats(bench, config, dut.splat_valid_o,
                                                                            dut.splat_ready_i, dut.splat_o, splat_pace);
-  Numbers numbers(bench);
-  Beside beside(bench, config);
+  std::vector<uint64_t> numbers;  // of the windows, beside the splats
+  std::deque<Listed> listings;    // beside the tiles that are shown
+  const Beside beside(
+      bench,
+      [&] {
+        if (dut.splat_valid_o && dut.splat_ready_i) numbers.push_back(dut.window_o);
+        if (dut.tiles_valid_i && dut.tiles_ready_o) listings.pop_front();
+      },
+      [&] {
+        if (!listings.empty()) write_record(config, dut.listed_i, listings.front());
+      });
   bench.reset();
   size_t seen = 0;
   for (int frame = 0; frame < 3; ++frame) {
@@ -77,13 +55,13 @@ void run(Pace source_pace, Pace rows_pace, Pace splat_pace, bool check_pace) {
       const Tiles t = random_tiles(config, bench.rng);
       const auto listed = random_record<Listed>(config, bench.rng);
       in.push(t);
-      beside.listed.push_back(listed);
+      listings.push_back(listed);
       expected.push_back(model(t, listed));
     }
     Tiles end;
     end.kind = kWindowEnd;
     in.push(end);
-    beside.listed.push_back({});
+    listings.push_back({});
     expected.push_back(model(end, {}));
     ASSERT_TRUE(bench.run_until(
         [&] { return jobs.size() == seen + expected.size() && splats.size() + 1 == seen + expected.size(); }));
@@ -99,7 +77,7 @@ void run(Pace source_pace, Pace rows_pace, Pace splat_pace, bool check_pace) {
           << "row job " << i << ", frame " << frame << ", seed " << bench.seed;
       ASSERT_EQ(first_difference(config, expected[i].splat, splats.at(seen + i)), "")
           << "splat " << i << ", frame " << frame << ", seed " << bench.seed;
-      if (expected[i].splat.kind == kData) { ASSERT_EQ(expected[i].number, numbers.numbers.at(seen + i)); }
+      if (expected[i].splat.kind == kData) { ASSERT_EQ(expected[i].number, numbers.at(seen + i)); }
     }
     seen += expected.size();
     bench.step();

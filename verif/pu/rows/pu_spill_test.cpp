@@ -25,24 +25,6 @@ uint64_t numbered(const Config& config, uint64_t n, uint64_t area = 0) {
   return (config.has_lists() ? 3 : area) << ru_number_w(config) | n;
 }
 
-struct LineSource : Endpoint {
-  LineSource(BenchBase& bench, Vpu_spill& dut, const Config& config) : dut(dut), config(config) { bench.add(*this); }
-  void drive() override {
-    if (!dut.alphas_valid_i) return;
-    write_port(dut.line_i, line_of(config, read_record<Alphas>(config, dut.alphas_i)).data());
-  }
-  void observe() override {
-    if (!dut.store_write_o) return;
-    Words line(port_words<decltype(dut.store_line_o)>());
-    read_port(dut.store_line_o, line.data());
-    line.resize(static_cast<size_t>(config.line_w()) / 32);
-    stored.emplace_back(dut.store_address_o, line);
-  }
-  Vpu_spill& dut;
-  Config config;
-  std::vector<std::pair<uint64_t, Words>> stored;
-};
-
 struct SpillBench {
   Config config = test_config();
   Frame frame;
@@ -52,7 +34,19 @@ struct SpillBench {
   VlWide<16> answer;
   RecordSource<Alphas, decltype(bench.dut.alphas_i)> in{bench, config, bench.dut.alphas_valid_i,
                                                         bench.dut.alphas_ready_o, bench.dut.alphas_i};
-  LineSource lines{bench, bench.dut, config};
+  std::vector<std::pair<uint64_t, Words>> stored;
+  Beside lines{bench,
+               [this] {
+                 if (!bench.dut.store_write_o) return;
+                 Words line(port_words<decltype(bench.dut.store_line_o)>());
+                 read_port(bench.dut.store_line_o, line.data());
+                 line.resize(static_cast<size_t>(config.line_w()) / 32);
+                 stored.emplace_back(bench.dut.store_address_o, line);
+               },
+               [this] {
+                 if (!bench.dut.alphas_valid_i) return;
+                 write_port(bench.dut.line_i, line_of(config, read_record<Alphas>(config, bench.dut.alphas_i)).data());
+               }};
   MemoryEndpoint<QData, VlWide<16>> port{bench,
                                          memory,
                                          bench.dut.mem_valid_o,
@@ -106,7 +100,7 @@ TEST(PuSpill, PutsEveryLineInItsPlaceBeforeTheEndLeaves) {
           const MemoryLine& found = s.memory.line(address);
           ASSERT_EQ(Words(found.begin(), found.end()), line) << "memory line " << address << " of layer " << layer;
         }
-        ASSERT_EQ(s.lines.stored, stored) << "layer " << layer;
+        ASSERT_EQ(s.stored, stored) << "layer " << layer;
         spilled.clear();
       }
       EXPECT_EQ(s.port.requests > 0, s.config.overflow != 0);
@@ -172,7 +166,7 @@ TEST(PuSpill, SaysSoWhenALineIsForMemory) {
   s.in.push(Alphas{.address = 1});
   s.in.push(Alphas{.address = 2, .ext = 1});
   EXPECT_THROW(s.bench.run_until([&] { return s.in.taken == 2; }), std::runtime_error);
-  EXPECT_EQ(s.lines.stored.front().first, 1u);
+  EXPECT_EQ(s.stored.front().first, 1u);
 }
 
 }  // namespace
