@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // pu_factors_test: rtl/pu/project/pu_factors.sv against its bit-accurate model; its precision is tested in
-// pu_covariance_test.
+// projection_models_test.
 #include "cpp_model/pu/project/pu_factors.hpp"
 
 #include "Vpu_factors.h"
