@@ -33,7 +33,6 @@ Excess excess(double sigma, const LayerGrid::Distance& distance, double least, C
   if (form == CldrForm::kPrinted) return {sigma - kGamma * distance.length, 1, -kGamma * distance.slope};
   const double d = std::max(distance.length, least), slope = distance.length > least ? distance.slope : 0;
   if (!(sigma > kGamma * d)) return {};
-  if (form == CldrForm::kRelative) return {sigma / d - kGamma, 1 / d, -sigma / (d * d) * slope};
   return {std::log(sigma / (kGamma * d)), 1 / sigma, -slope / d};
 }
 

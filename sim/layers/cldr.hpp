@@ -5,12 +5,9 @@
 //         Eq. 5: L_boundary = 1/N sum_i max(0, sigma_n - gamma d)^2, d the distance to the nearest boundary.
 //         Eq. 6: what is returned is weight * L_boundary, lambda_cldr = 0.05, gamma = 0.9.
 // Idea    Printed so, the loss has the square of a length as its unit: in scene units it is nothing beside the
-//         photographs' loss for a Gaussian of a hundredth (`relative` = false). With `relative` both lengths are in
-//         units of d: max(0, sigma/d - gamma)^2, the same Gaussians, a number that does not depend on the unit.
-//         There d is at least kLeastDistance of a cell: a mean on a boundary has a finite loss, and is left alone once
-//         it is smaller than that.
-//         kLogarithm is max(0, log(sigma / gamma d))^2, the relative one without its steepness: a mean that is a
-//         hundredth of sigma from a boundary pulls five times as much as one at a half, and not fifty times.
+//         photographs' loss for a Gaussian of a hundredth. kLogarithm is max(0, log(sigma / gamma d))^2: the same
+//         Gaussians, a number that does not depend on the unit. There d is at least kLeastDistance of a cell: a mean on
+//         a boundary has a finite loss, and is left alone once it is smaller than that.
 // Axes    The mean of the losses of all three: the paper's n is the principal axis of the view's camera.
 // Rule    Means through d, log scales and rotations have a gradient. What cannot be drawn has no loss, and counts in N.
 #pragma once
@@ -25,10 +22,10 @@ namespace pipegs {
 
 inline constexpr double kLeastDistance = 1e-3, kGamma = 0.9;
 
-enum class CldrForm { kPrinted, kRelative, kLogarithm };
+enum class CldrForm { kPrinted, kLogarithm };
 
 struct CldrOptions {
-  CldrForm form = CldrForm::kRelative;
+  CldrForm form = CldrForm::kLogarithm;
   double weight = 0.05;
 };
 

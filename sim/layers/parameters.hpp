@@ -23,8 +23,20 @@ struct Parameters {
   std::vector<float> opacity_logit;
   std::vector<float> sh_rest;  // coefficient-major: [(i * K + k) * 3 + channel], K = sh_rest_count(sh_degree)
   std::size_t size() const { return mean.size(); }
+  bool operator==(const Parameters&) const = default;
 };
 using Gradient = Parameters;
+
+// Calls `visit` with the name of each array and the array.
+template <class P, class Visit>
+void each_array(P& p, Visit&& visit) {
+  visit("mean", p.mean);
+  visit("log_scale", p.log_scale);
+  visit("sh_dc", p.sh_dc);
+  visit("rotation", p.rotation);
+  visit("opacity_logit", p.opacity_logit);
+  visit("sh_rest", p.sh_rest);
+}
 
 // std::invalid_argument for a scene that contradicts itself or is antialiased: that opacity has no gradient here.
 Parameters parameters_of(const Scene& scene);

@@ -33,8 +33,7 @@ struct TrainArguments {
   std::size_t most_gaussians = 200000;
   uint64_t seed = 1;
   unsigned threads = 0;
-  double weight = 0, layers_begin = 0.5;
-  bool weight_given = false, begin_given = false, resume = false, json = false;
+  bool resume = false, json = false;
 };
 
 // Bytes that a pixel of a view takes: its codes; computed colours.
@@ -109,13 +108,6 @@ TrainInput of_scene(const TrainArguments& arguments) {
   return input;
 }
 
-// What is right beside the photographs' loss depends on whether the picture is drawn in layers, too.
-double default_weight(const TrainOptions& options) {
-  if (options.cldr.form == CldrForm::kPrinted) return 0.05;
-  if (options.cldr.form == CldrForm::kLogarithm) return 0.03;
-  return options.draws_layered ? 1 : 10;
-}
-
 TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
   TrainOptions options;
   options.schedule = {arguments.steps, fine_tuning};
@@ -125,11 +117,9 @@ TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
   options.draws_layered = arguments.order == "layered";
   // Where the picture can be met, nothing needs to be asked for beside it.
   options.regularised = arguments.cldr.empty() ? !fine_tuning : arguments.cldr != "none";
-  options.cldr.form = arguments.cldr == "printed"    ? CldrForm::kPrinted
-                      : arguments.cldr == "relative" ? CldrForm::kRelative
-                                                     : CldrForm::kLogarithm;
-  options.layers_begin = arguments.begin_given ? arguments.layers_begin : fine_tuning ? 0 : 0.5;
-  options.cldr.weight = arguments.weight_given ? arguments.weight : default_weight(options);
+  if (arguments.cldr == "printed") options.cldr = {CldrForm::kPrinted, 0.05};
+  else options.cldr = {CldrForm::kLogarithm, 0.03};
+  options.layers_begin = fine_tuning ? 0 : 0.5;
   options.threads = arguments.threads;
   return options;
 }
@@ -267,15 +257,7 @@ void add_train(CLI::App& app, Run& run) {
           "--cldr", arguments.cldr,
           "with --layers: the loss that keeps Gaussians inside their layer; without it logarithm of photographs, "
           "none of a scene")
-      ->check(CLI::IsMember({"logarithm", "relative", "printed", "none"}));
-  add_real(*command, "--cldr-weight", arguments.weight,
-           "its weight; without it 0.03 for logarithm, 0.05 for printed, 1 for relative and 10 in exact order",
-           kNotNegative)
-      ->each([](const std::string&) { arguments.weight_given = true; });
-  add_real(*command, "--layers-begin", arguments.layers_begin,
-           "share of the steps before layers count; without it 0.5 of photographs, 0 of a scene",
-           RealRange{.low = 0, .high = 1})
-      ->each([](const std::string&) { arguments.begin_given = true; });
+      ->check(CLI::IsMember({"logarithm", "printed", "none"}));
   add_integer(*command, "--checkpoint-every", arguments.checkpoint_every, "steps between two checkpoints", 1, 10000000)
       ->capture_default_str();
   command->add_flag("--resume", arguments.resume, "go on from the checkpoint in --out, if there is one");

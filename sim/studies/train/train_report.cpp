@@ -13,10 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(CldrForm form) {
-  return form == CldrForm::kPrinted ? "printed" : form == CldrForm::kRelative ? "relative" : "logarithm";
-}
-
 Json json_of(const Likeness& likeness) {
   return {{"psnr_db", finite_json(likeness.psnr)}, {"ssim", finite_json(likeness.ssim)}};
 }
@@ -99,7 +95,7 @@ nlohmann::ordered_json train_json(const TrainOptions& options, const TrainState&
                {"measured_layers", report.layers}};
   const bool regularised = options.layers > 0 && options.regularised;
   Json& given = json["options"];
-  given["cldr"] = !regularised ? "none" : name_of(options.cldr.form);
+  given["cldr"] = !regularised ? "none" : options.cldr.form == CldrForm::kPrinted ? "printed" : "logarithm";
   given["cldr_weight"] = regularised ? Json(options.cldr.weight) : Json(nullptr);
   given["layers_begin"] = options.layers > 0 ? Json(options.layers_begin) : Json(nullptr);
   if (report.before) json["held_out_before"] = json_of(*report.before, report);

@@ -124,22 +124,6 @@ TEST(Resample, AtItsOwnSizeAPictureIsWhatItWas) {
   for (std::size_t i = 0; i < image.rgb.size(); ++i) EXPECT_EQ(same.rgb[i], image.rgb[i]) << i;
 }
 
-TEST(Resample, ASmallerCameraSeesTheSameRectangle) {
-  Camera camera = test_camera(123, 77, 90);
-  camera.cx += 3.25, camera.cy -= 1.5, camera.fy = 95;
-  for (const double scale : {1.0, 0.75, 0.5, 0.001}) {
-    SCOPED_TRACE(scale);
-    const Camera small = scaled_camera(camera, scale);
-    EXPECT_EQ(small.width, std::max(1L, std::lround(scale * 123)));
-    EXPECT_EQ(small.height, std::max(1L, std::lround(scale * 77)));
-    for (const double edge : {0.0, 1.0}) {  // the left and right, the upper and lower one
-      EXPECT_NEAR((edge * small.width - 0.5 - small.cx) / small.fx, (edge * 123 - 0.5 - camera.cx) / camera.fx, 1e-12);
-      EXPECT_NEAR((edge * small.height - 0.5 - small.cy) / small.fy, (edge * 77 - 0.5 - camera.cy) / camera.fy, 1e-12);
-    }
-    EXPECT_EQ(small.position, camera.position);
-  }
-}
-
 // A ball of 16 pixels: half a pixel of shift would be an error of 0.015.
 TEST(Resample, WhatASmallerCameraShowsLiesWhereItWas) {
   const Scene scene = scene_of({gaussian_at({0.1f, -0.05f, 2}, 0.32f, 0.8, {1, 0.5f, 0})});

@@ -101,21 +101,10 @@ TEST(Shapes, MeasuresEachOnceAndNoMoreThanAsked) {
   EXPECT_GT(forty().size(), neighbours(exact()).size() + 1) << "some together";
 }
 
-TEST(Shapes, TheFrontHasNoBeatenPoint) {
-  const std::vector<Point>& shapes = forty();
-  const std::vector<const Point*> front = shape_front(shapes);
-  ASSERT_FALSE(front.empty());
-  for (const Point& shape : shapes) {
-    const bool beaten = std::any_of(shapes.begin(), shapes.end(), [&](const Point& other) {
-      return other.silicon->us <= shape.silicon->us && other.mm2() <= shape.mm2() &&
-             (other.silicon->us < shape.silicon->us || other.mm2() < shape.mm2());
-    });
-    if (shape.front > 0) EXPECT_FALSE(beaten) << config_difference(shape.config);
-    const bool twin = std::any_of(front.begin(), front.end(), [&](const Point* other) {
-      return other->silicon->us == shape.silicon->us && other->mm2() == shape.mm2();
-    });
-    if (shape.front == 0) EXPECT_TRUE(beaten || twin) << config_difference(shape.config);
-  }
+// Who is on a front is tradeoff_test's to say.
+TEST(Shapes, TheFrontGoesFromSmallToFast) {
+  const std::vector<const Point*> front = shape_front(forty());
+  ASSERT_GT(front.size(), 1u);
   for (size_t i = 1; i < front.size(); ++i) {
     EXPECT_EQ(front[i]->front, front[i - 1]->front + 1);
     EXPECT_GT(front[i]->mm2(), front[i - 1]->mm2());

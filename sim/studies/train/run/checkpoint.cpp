@@ -29,12 +29,7 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 36;
 template <class Archive, class P>
 void visit_parameters(Archive& archive, P& p, const std::string& of) {
   archive.field(of + " sh_degree", p.sh_degree);
-  archive.array(of + " mean", p.mean);
-  archive.array(of + " log_scale", p.log_scale);
-  archive.array(of + " sh_dc", p.sh_dc);
-  archive.array(of + " rotation", p.rotation);
-  archive.array(of + " opacity_logit", p.opacity_logit);
-  archive.array(of + " sh_rest", p.sh_rest);
+  each_array(p, [&](const char* name, auto& values) { archive.array(of + " " + name, values); });
 }
 
 template <class Archive, class State>
@@ -116,12 +111,7 @@ void check_parameters(const std::filesystem::path& path, const std::string& of, 
   try {
     check_consistent(p);
   } catch (const std::invalid_argument& error) { throw InputError(path.string(), of, error.what()); }
-  check_finite(path, of, p.mean);
-  check_finite(path, of, p.log_scale);
-  check_finite(path, of, p.sh_dc);
-  check_finite(path, of, p.rotation);
-  check_finite(path, of, p.opacity_logit);
-  check_finite(path, of, p.sh_rest);
+  each_array(p, [&](const char*, const auto& values) { check_finite(path, of, values); });
 }
 
 void check_state(const std::filesystem::path& path, const TrainState& state) {

@@ -32,12 +32,6 @@ std::vector<double> by_search(const std::vector<glm::dvec3>& points) {
   return means;
 }
 
-// Four corners of a square of side 2: two neighbours at 2, one at 2 sqrt 2, so (4 + 4 + 8) / 3.
-TEST(Neighbours, OfASquare) {
-  const std::vector<double> means = mean_squared_distances({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}}, 1);
-  for (const double mean : means) EXPECT_DOUBLE_EQ(mean, 16.0 / 3);
-}
-
 TEST(Neighbours, FewerThanThree) {
   EXPECT_EQ(mean_squared_distances({{1, 2, 3}}, 1), std::vector<double>{0});
   EXPECT_EQ(mean_squared_distances({{0, 0, 0}, {0, 3, 0}}, 1), (std::vector<double>{9, 9}));

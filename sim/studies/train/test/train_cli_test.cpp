@@ -170,8 +170,7 @@ TEST_F(TrainCli, BadUseIsToldInOneLine) {
     expect_refused(std::string("train photos ") + views, "found one with a folder of photographs, expected none");
   expect_refused("train photos --layers 3", "--layers: found 3, expected 0 for none, or 2, 4 or 8");
   expect_refused("train photos --steps 0", "--steps: found '0'");
-  expect_refused("train photos --layers-begin 1.5", "--layers-begin: found '1.5'");
-  expect_refused("train photos --cldr-weight -1", "--cldr-weight: found '-1'");
+  expect_refused("train photos --cldr relative", "--cldr: relative not in {logarithm,printed,none}");
   expect_refused("train photos --out scene.ply", "--out 'scene.ply': cannot be written");
   fs::create_directory(folder_ / "empty");
   expect_refused("train empty", "empty: found no folder sparse/0");

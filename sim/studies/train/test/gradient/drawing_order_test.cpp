@@ -12,7 +12,6 @@
 #include "cpp_model/golden.hpp"
 #include "scenes/generate/generate.hpp"
 #include "sim/studies/train/gradient/raster/splats.hpp"
-#include "sim/studies/train/test/gradient/gaussians.hpp"
 
 namespace pipegs {
 namespace {
@@ -75,27 +74,6 @@ TEST_P(DrawingOrder, IsTheGoldenModelsWithLayers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Views, DrawingOrder, testing::Combine(testing::Values(0, 1, 2), testing::Values(4, 8)));
-
-TEST(DrawingOrder, TheListOfATileIsInOrder) {
-  const Parameters p = random_gaussians(4, 300, 0);
-  const Camera camera = askance_camera(64, 48);
-  const LayerGrid grid = layer_grid(p, 4);
-  const auto all = splats_of<float>(p, camera, {.layers = &grid});
-  std::size_t pairs = 0;
-  std::vector<bool> numbered(all.lists.size());
-  for (std::size_t tile = 0; tile + 1 < all.first.size(); ++tile) {
-    const auto list = all.list(tile);
-    for (std::size_t n = 0; n < list.size(); ++n) {
-      ++pairs;
-      numbered[list[n].number] = true;
-      if (n == 0) continue;
-      const auto &a = all.splats[list[n - 1].splat], &b = all.splats[list[n].splat];
-      EXPECT_TRUE(a.layer != b.layer ? a.layer < b.layer : a.depth < b.depth);
-    }
-  }
-  EXPECT_GT(pairs, 300u);
-  EXPECT_EQ(std::count(numbered.begin(), numbered.end(), true), static_cast<std::ptrdiff_t>(pairs));
-}
 
 TEST(DrawingOrder, LayersAreTakenOutwardFromTheCamerasOwn) {
   LayerGrid grid{4, glm::dvec3(0), glm::dvec3(1)};

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <span>
 #include <string>
 
 #include "cpp_model/float/truth.hpp"
@@ -129,6 +130,16 @@ std::vector<std::uint32_t> rank_of(const Case& c) {
   return rank;
 }
 
+// Of each kind that there is.
+std::map<std::string, std::span<float>> floats_of(Parameters& p) {
+  std::map<std::string, std::span<float>> all;
+  each_array(p, [&](const char* name, auto& values) {
+    if (!values.empty())
+      all[name] = {reinterpret_cast<float*>(values.data()), values.size() * sizeof(values[0]) / sizeof(float)};
+  });
+  return all;
+}
+
 class DrawingSlopes : public testing::TestWithParam<Case (*)()> {
  protected:
   DrawingSlopes()
@@ -192,21 +203,20 @@ class DrawingSlopes : public testing::TestWithParam<Case (*)()> {
     return sum;
   }
 
-  // Compares one kind of numbers: `field` of a Parameters gives the array of floats.
-  template <class Field>
-  void compare(const char* name, Field&& field) {
+  // Compares one kind of numbers.
+  void compare(const std::string& name, std::span<float> values) {
     Gradient whole = zero_gradient(case_.parameters);
     drawing_.backward(weights_, whole, nullptr);
     double largest = 0;
-    const auto [values, count] = field(case_.parameters);
-    for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, std::abs(double{field(whole).first[k]}));
+    const std::span<float> slopes = floats_of(whole).at(name);
+    for (const float slope : slopes) largest = std::max(largest, std::abs(double{slope}));
     EXPECT_GT(largest, 1e-3) << name;
     std::vector<glm::dvec3> weights;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
       const double wanted = difference(values[k], weights);
       Gradient gradient = zero_gradient(case_.parameters);
       drawing_.backward(weights, gradient, nullptr);
-      const double found = field(gradient).first[k];
+      const double found = floats_of(gradient).at(name)[k];
       EXPECT_NEAR(found, wanted, kTolerance * std::abs(wanted) + kLeast * largest) << name << " " << k;
     }
   }
@@ -218,12 +228,6 @@ class DrawingSlopes : public testing::TestWithParam<Case (*)()> {
   Image base_;
 };
 
-std::pair<float*, std::size_t> floats(std::vector<float>& v) { return {v.data(), v.size()}; }
-template <class Vector>
-std::pair<float*, std::size_t> floats(std::vector<Vector>& v) {
-  return {&v[0][0], v.size() * static_cast<std::size_t>(Vector::length())};
-}
-
 TEST_P(DrawingSlopes, AreThoseOfTheTruth) {
   double worst = 0;
   for (std::size_t i = 0; i < base_.rgb.size(); ++i) {
@@ -231,12 +235,7 @@ TEST_P(DrawingSlopes, AreThoseOfTheTruth) {
     worst = std::max(worst, glm::length(wanted - drawing_.picture()[i]));
   }
   ASSERT_LT(worst, 1e-9) << "the pictures are one and the same";
-  compare("mean", [](Parameters& p) { return floats(p.mean); });
-  compare("log_scale", [](Parameters& p) { return floats(p.log_scale); });
-  compare("rotation", [](Parameters& p) { return floats(p.rotation); });
-  compare("opacity_logit", [](Parameters& p) { return floats(p.opacity_logit); });
-  compare("sh_dc", [](Parameters& p) { return floats(p.sh_dc); });
-  if (case_.parameters.sh_degree > 0) compare("sh_rest", [](Parameters& p) { return floats(p.sh_rest); });
+  for (const auto& [name, values] : floats_of(case_.parameters)) compare(name, values);
 }
 
 // What float32 in the pixels costs: the same gradients, relative to the largest of their kind.
@@ -245,21 +244,15 @@ TEST_P(DrawingSlopes, InFloatAreNearlyThoseInDouble) {
   drawing_.backward(weights_, in_double, nullptr);
   const Drawing drawing(case_.parameters, case_.camera, case_.options);
   drawing.backward(std::vector<glm::vec3>(weights_.begin(), weights_.end()), in_float, nullptr);
-  const auto compare = [&](const char* name, auto&& field) {
-    const auto [wanted, count] = field(in_double);
-    const float* found = field(in_float).first;
+  for (const auto& [name, wanted] : floats_of(in_double)) {
+    const std::span<float> found = floats_of(in_float).at(name);
     double largest = 0, worst = 0;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
       largest = std::max(largest, std::abs(double{wanted[k]}));
       worst = std::max(worst, std::abs(double{wanted[k]} - found[k]));
     }
     EXPECT_LE(worst, 1e-4 * largest) << name;
-  };
-  compare("mean", [](Parameters& p) { return floats(p.mean); });
-  compare("log_scale", [](Parameters& p) { return floats(p.log_scale); });
-  compare("rotation", [](Parameters& p) { return floats(p.rotation); });
-  compare("opacity_logit", [](Parameters& p) { return floats(p.opacity_logit); });
-  compare("sh_dc", [](Parameters& p) { return floats(p.sh_dc); });
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, DrawingSlopes,

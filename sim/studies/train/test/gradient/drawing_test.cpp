@@ -110,12 +110,7 @@ TEST(Drawing, NoBitDependsOnTheNumberOfThreads) {
   Gradient one = zero_gradient(p), many = zero_gradient(p);
   Seen seen_one, seen_many;
   EXPECT_EQ(run(1, one, seen_one), run(5, many, seen_many));
-  EXPECT_EQ(one.mean, many.mean);
-  EXPECT_EQ(one.log_scale, many.log_scale);
-  EXPECT_EQ(one.rotation, many.rotation);
-  EXPECT_EQ(one.opacity_logit, many.opacity_logit);
-  EXPECT_EQ(one.sh_dc, many.sh_dc);
-  EXPECT_EQ(one.sh_rest, many.sh_rest);
+  EXPECT_TRUE(one == many);
   EXPECT_EQ(seen_one.mean_gradient, seen_many.mean_gradient);
   EXPECT_EQ(seen_one.radius, seen_many.radius);
 }
