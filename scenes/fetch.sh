@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# fetch.sh SCENE ... [--into FOLDER] [--from URL] [--list FILE]: gets public trained scenes and converts them to .ply.
+# fetch.sh SCENE ... [--into FOLDER] [--from URL] [--list FILE]: gets public trained scenes, in the format that they have.
 #
-# FOLDER/SCENE/SCENE.ply (FOLDER is `out/scenes` by default) comes from the files and commits that FILE names
-# (scenes/fetch/sources.txt; docs/your_scene.md has the licences), each checked by its SHA-256, before and after
-# conversion. A camera of ours is put beside it, cameras.json.
+# FOLDER/SCENE (FOLDER is `out/scenes` by default) gets the files that FILE names (scenes/fetch/sources.txt;
+# docs/your_scene.md has the licences), each checked by its SHA-256, and a camera of ours beside them, cameras.json. The
+# file to give to pipegs is printed.
 # URL stands in front of REPOSITORY/COMMIT/PATH; by default it is GitHub's. What is there already is not fetched again.
-# Exit codes: 0 all is there and right, 1 a hash differs, 2 bad use, 3 it could not be fetched or converted.
+# Exit codes: 0 all is there and right, 1 a hash differs, 2 bad use, 3 it could not be fetched.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 into=out/scenes from=https://raw.githubusercontent.com list=$here/fetch/sources.txt scenes=()
@@ -29,7 +29,6 @@ for scene in "${scenes[@]}"; do
     fail 2 "$scene is not known; there are $known"
 done
 
-for python in python3 /usr/bin/python3; do "$python" -c 'import numpy, PIL' 2> /dev/null && break; done
 has() { [ -f "$1" ] && [ "$(sha256sum < "$1" | cut -d ' ' -f 1)" = "$2" ]; }
 
 # fetch_scene SCENE: everything that the list says of it.
@@ -47,18 +46,10 @@ fetch_scene() {
           fail 3 "$url/$a could not be fetched: $(tail -n 1 <<< "$log")"
         has "$folder/$a.new" "$b" || fail 1 "$url/$a has another SHA-256 than $list says"
         mv "$folder/$a.new" "$folder/$a" ;;
-      result)
+      scene-file)
         [ "$current" = "$name" ] || continue
-        if ! has "$folder/$name.ply" "$b"; then
-          case $a in
-            *.ply) cp "$folder/$a" "$folder/$name.ply" ;;
-            *) log=$("$python" "$here/fetch/to_ply.py" "$folder/$a" "$folder/$name.ply" 2>&1) ||
-                 fail 3 "$folder/$a was not converted: $(tail -n 1 <<< "$log")" ;;
-          esac
-          has "$folder/$name.ply" "$b" || fail 1 "$folder/$name.ply has another SHA-256 than $list says"
-        fi
         [ ! -e "$here/fetch/$name.json" ] || cp "$here/fetch/$name.json" "$folder/cameras.json"
-        echo "$folder/$name.ply" ;;
+        echo "$folder/$a" ;;
     esac
   done < "$list"
 }
