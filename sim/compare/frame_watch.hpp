@@ -24,7 +24,6 @@ namespace pipegs {
 
 enum class UnitKind { kDopu, kPu, kSu, kRu };
 enum UnitState : uint8_t { kBusy = 0, kStarved = 1, kBlocked = 2, kMemory = 3 };
-inline constexpr std::array<const char*, 4> kUnitStateNames = {"busy", "starved", "blocked", "memory"};
 
 // Where a unit is: the window and layer that it works on.
 struct FramePlace {

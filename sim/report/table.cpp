@@ -50,16 +50,6 @@ size_t places(const std::string& text) {
       text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
 }
 
-std::string markdown_line(const Texts& texts) {
-  std::string line = "|";
-  for (const std::string& text : texts) {
-    line += ' ';
-    for (const char one : text) line += one == '|' ? std::string("\\|") : std::string(1, one);
-    line += " |";
-  }
-  return line + "\n";
-}
-
 Json cell_json(const TableCell& cell, const TableColumn& column) {
   Json json = {{"text", cell_text(cell, column)}};
   if (cell.value && std::isfinite(*cell.value)) json["value"] = *cell.value;
@@ -127,19 +117,6 @@ std::string table_csv(const Table& table) {
     }
     text += "\n";
   }
-  return text;
-}
-
-std::string table_markdown(const Table& table) {
-  const std::vector<size_t> shown = shown_columns(table);
-  std::string text = table.title.empty() ? "" : table.title + "\n\n";
-  if (!shown.empty()) {
-    text += markdown_line(heads_of(table, shown)) + "|";
-    for (const size_t k : shown) text += table.columns[k].word ? "---|" : "---:|";
-    text += "\n";
-  }
-  for (const std::vector<TableCell>& row : table.rows) text += markdown_line(texts_of(table, row, shown));
-  for (const std::string& note : table.notes) text += "\n" + note + "\n";
   return text;
 }
 

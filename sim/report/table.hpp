@@ -3,7 +3,7 @@
 //
 // Idea    Who measures fills a Table and knows nothing of where it goes; one writer for each place prints it.
 // Rule    A cell shows its text, or else its number with its column's digits. A column in which no cell shows anything
-//         is left out where people read: in text, Markdown and pages. CSV has all columns, by key.
+//         is left out where people read: in text and pages. CSV has all columns, by key.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -51,8 +51,6 @@ std::string table_text(const Table& table);
 std::string tables_text(const std::vector<Table>& tables);
 // Rows only; numbers in full, a mark is left out.
 std::string table_csv(const Table& table);
-// Title and notes are paragraphs.
-std::string table_markdown(const Table& table);
 // As sim/report/page/table.mjs reads it.
 nlohmann::ordered_json table_json(const Table& table);
 

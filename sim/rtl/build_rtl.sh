@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so:
-#   build_rtl.sh BUILD_DIR OUT_DIR [+waves] [+noasserts] [+netlist] [+threads=N] [+apart] [+verilator=OPTION,...]
+#   build_rtl.sh BUILD_DIR OUT_DIR [+waves] [+noasserts] [+netlist] [+apart] [+verilator=OPTION,...]
 #                [+cxx=OPTION,...] [key=value ...]
 #
 # PUs, SUs and RUs are classes of their own, whose code all units of a kind call: Verilator merges their functions where
-# it sees that they are equal (units.vlt), the linker where only the compiler could. With +apart, and wherever waves,
-# gates or threads are asked for, every unit has code of its own, as Verilator's -O3 alone makes it: four times as much,
+# it sees that they are equal (units.vlt), the linker where only the compiler could. With +apart, and wherever waves
+# or gates are asked for, every unit has code of its own, as Verilator's -O3 alone makes it: four times as much,
 # which no processor's caches hold. +verilator and +cxx add options, to measure what they gain.
 # With +netlist DOPU, PUs, SUs and RUs are the gates that synth/synth.py maps them to, each unit Verilated once as a
 # library of its own; the rest is RTL. What begins with + says how the machine is simulated (RtlVariant), the rest which
@@ -30,7 +30,7 @@ if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl/rtl_bridge
     -newer "$out/librtl.so" -type f)" ]; then
   exit 0
 fi
-settings=() options=() tuning=() threads=1 waves=0 shared=1 units=()
+settings=() options=() tuning=() waves=0 shared=1 units=()
 for argument in "$@"; do
   case $argument in
     +waves) options+=(--trace-fst) waves=1 shared=0 ;;
@@ -39,7 +39,6 @@ for argument in "$@"; do
     +apart) shared=0 ;;
     +verilator=*) IFS=, read -ra more <<< "${argument#*=}"; options+=("${more[@]}") ;;
     +cxx=*) IFS=, read -ra more <<< "${argument#*=}"; tuning+=("${more[@]}") ;;
-    +threads=*) threads=${argument#+threads=} options+=(--threads "$threads") shared=0 ;;
     +*) echo "build_rtl.sh: $argument is unknown" >&2; exit 1 ;;
     *) settings+=("$argument") ;;
   esac
@@ -74,8 +73,7 @@ ccache=$(command -v ccache || true)
 verilator=$(verilator -V | sed -n 's/^ *VERILATOR_ROOT *= //p' | grep -v '^$' | tail -n 1)
 verilator=${verilator:-/usr/share/verilator}
 flags="-std=c++20 -fPIC -I$root -isystem $verilator/include -isystem $verilator/include/vltstd -isystem $out \
-  -DVL_USER_STOP -DVM_COVERAGE=0 -DVM_SC=0 -DVM_TRACE=$waves -DVM_TRACE_FST=$waves -DVM_TRACE_VCD=0 \
-  -DPIPEGS_THREADS=$threads"
+  -DVL_USER_STOP -DVM_COVERAGE=0 -DVM_SC=0 -DVM_TRACE=$waves -DVM_TRACE_FST=$waves -DVM_TRACE_VCD=0"
 compile() { $ccache "$cxx" $flags "$@"; }
 export -f compile
 export ccache cxx flags

@@ -24,7 +24,6 @@ std::string variant_words(const RtlVariant& variant, const char* between) {
   if (variant.waves) words += fmt::format("{}+waves", between);
   if (!variant.asserts) words += fmt::format("{}+noasserts", between);
   if (variant.netlist) words += fmt::format("{}+netlist", between);
-  if (variant.threads > 1) words += fmt::format("{}+threads={}", between, variant.threads);
   return words;
 }
 

@@ -162,7 +162,6 @@ void VerilatedMachine::tap_cycle(RtlTaps& taps) {
 // --- one cycle -------------------------------------------------------------------------------------------------------
 void VerilatedMachine::begin() {
   context_ = std::make_unique<VerilatedContext>();
-  context_->threads(PIPEGS_THREADS);
   context_->randReset(2);
   context_->randSeed(static_cast<int>(options_->seed % 0x7ffffffe) + 1);
   context_->traceEverOn(!options_->waves.empty());

@@ -131,7 +131,6 @@ struct RtlBuildError : std::runtime_error {
 
 // How a machine is simulated. It changes neither a cycle nor a bit, only time and what can be seen.
 struct RtlVariant {
-  int threads = 1;
   bool waves = false;    // they can be written
   bool asserts = true;   // the assertions of the RTL are checked
   bool netlist = false;  // DOPU, PUs, SUs and RUs are gates

@@ -23,8 +23,6 @@
 
 namespace pipegs::timing {
 
-inline constexpr int kMaxUnits = 4;
-
 // In the order of their steps. Bit of a unit on the wheel: 4 * Unit + lane.
 enum Unit : int {
   kPublish,   // what the RUs report, from the cycle on in which the others see it

@@ -120,7 +120,6 @@ std::unique_ptr<RtlModel> faulty_rtl(const Config& config, const RtlVariant& var
 std::unique_ptr<RtlModel> faulty_rtl(const Config& config, const RtlVariant& variant) {
   const char* fault = std::getenv("PIPEGS_FAULT");
   RtlVariant built = variant;  // as few machines as possible
-  built.threads = 1;
   built.netlist = false;
   built.asserts = variant.asserts || config == Config{};
   return std::make_unique<FaultyMachine>(config, true_rtl(config, built), fault == nullptr ? "" : fault);

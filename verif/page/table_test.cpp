@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// table_test: one table as text, CSV, Markdown and what a page reads: the same cells in each.
+// table_test: one table as text, CSV and what a page reads: the same cells in each.
 #include "sim/report/table.hpp"
 
 #include <gtest/gtest.h>
@@ -37,16 +37,6 @@ TEST(Table, CsvHasAllColumnsAndFullNumbers) {
             "name,us,front,empty,remark\n"
             "\"grün, a\",1000.25,2,,\n"
             "\"x|\"\"y\"\"\",582.5,,,late\n");
-}
-
-TEST(Table, MarkdownEndsNoCellEarly) {
-  EXPECT_EQ(table_markdown(example()),
-            "Times\n\n"
-            "| name | frame, us | front |  |\n"
-            "|---|---:|---:|---|\n"
-            "| grün, a | 1000.2 | 2 |  |\n"
-            "| x\\|\"y\" | ~582.5 |  | late |\n"
-            "\nus at 1 GHz\n");
 }
 
 TEST(Table, APageSortsByNumbers) {
