@@ -2,135 +2,13 @@
 // static_cost.cpp: see static_cost.hpp.
 #include "sim/design/static_cost.hpp"
 
-#include <algorithm>
-
 #include "cpp_model/records.hpp"
 
 namespace pipegs {
 namespace {
 
-constexpr int kAdderBits = 14;  // of both values that a sum must have to be counted
-constexpr int kRows = 8;        // Row Units of a unit, Table 2
-constexpr int kLanes = 16;      // of an RU: the paper's Rendering Units, Table 2
-
-void add_row_inits(const Config& c, StaticCost& cost) {
-  int adders = 0, constant = 0;
-  for (int dy = 0; dy < kRows; ++dy) {
-    adders += dy == 0 ? 1 : 4;
-    constant += 2 * constant_product_adders(dy) + constant_product_adders(dy * dy);
-  }
-  cost.arithmetic.push_back({"pu_row_init", "power", c.caches_alphas() ? "pu" : "ru", kRows * c.units, 0,
-                             adders * c.units, constant * c.units});
-}
-
-// With quads: the powers of all pixels of a region at once, exponentials for the lanes.
-void add_live_power(const Config& c, StaticCost& cost) {
-  const auto add = [&](const char* module, int instances, int multipliers, int adders, int constant_adders = 0) {
-    cost.arithmetic.push_back({module, "power", "ru", instances, multipliers, adders, constant_adders});
-  };
-  // Column x: power + x slope + x (x - 1) curve; the last products serve all rows.
-  int adders = 0, constant = 0;
-  for (int x = 0; x < 8; ++x) {
-    adders += kRows * std::min(x, 2);
-    constant += kRows * constant_product_adders(x) + constant_product_adders(x * (x - 1));
-  }
-  add("ru_regions", c.units, 8 * c.units, 9 * c.units);
-  add("ru_power", c.units, 0, adders * c.units, constant * c.units);
-  add_row_inits(c, cost);
-  const int chords = c.exp_linear ? kLanes * c.units : 0;
-  add("pipegs_exp2", kLanes * c.units, chords, chords);
-}
-
-// The Row Units, wherever they stand.
-void add_power(const Config& c, StaticCost& cost) {
-  if (c.quads) return add_live_power(c, cost);
-  const std::string unit = c.caches_alphas() ? "pu" : "ru";
-  const int rows = kRows * c.units, pixels = c.pixels_per_row;
-  const auto add = [&](const char* module, int instances, int multipliers, int adders, int constant_adders = 0) {
-    cost.arithmetic.push_back({module, "power", unit, instances, multipliers, adders, constant_adders});
-  };
-  add("pu_region", c.units, 8 * c.units, 9 * c.units);
-  if (c.quadratic) {
-    // Row dy, each pixel: slope_x x, curve_x x x, twist x (none in row 0); six summands (three in row 0). The products
-    // of slope_y, curve_y and twist with dy are constant ones; the first two are shared by the pixels of a cycle.
-    int multipliers = 0, adders = 0, constant = 0;
-    for (int dy = 0; dy < kRows; ++dy) {
-      multipliers += pixels * (dy == 0 ? 3 : 4);
-      adders += pixels * (dy == 0 ? 2 : 5);
-      constant += constant_product_adders(dy) * (3 + pixels);
-    }
-    add("pu_power", rows, multipliers * c.units, adders * c.units, constant * c.units);
-  } else {
-    add_row_inits(c, cost);
-    add("pu_row_unit", rows, 0, rows * (pixels == 1 ? 2 : 4));
-  }
-  const int chords = c.exp_linear ? rows * pixels : 0;
-  add("pipegs_exp2", rows * pixels, chords, chords);
-}
-
-void add_arithmetic(const Config& c, StaticCost& cost) {
-  const auto times = [](std::initializer_list<int> constants) {
-    int adders = 0;
-    for (const int constant : constants) adders += constant_product_adders(constant);
-    return adders;
-  };
-  // `n` of them, and what one of them holds; `each` per unit (the DOPU is one).
-  const auto add_n = [&](const char* module, const char* kind, const char* unit, int n, int multipliers, int adders,
-                         int constant = 0) {
-    cost.arithmetic.push_back({module, kind, unit, n, n * multipliers, n * adders, n * constant});
-  };
-  const auto add = [&](const char* module, const char* kind, const char* unit, int each, int multipliers, int adders,
-                       int constant = 0) {
-    add_n(module, kind, unit, each * (std::string(unit) == "dopu" ? 1 : c.units), multipliers, adders, constant);
-  };
-  add("dopu_layer", "partition", "dopu", 1, 0, c.layered ? 2 : 0);
-  add("dopu_origin", "partition", "dopu", 1, 3, 6);
-  add("dopu_planes", "partition", "dopu", 1, 1, 3);
-  add("dopu_test", "partition", "dopu", c.has_watermarks() ? 2 : 1, 8, 9 + (c.tight_boxes ? 2 : 0));
-  // Of a window with its margin, sixteenths of a pixel; with lists against the rectangle of all windows.
-  const int span = (c.window - 1 + 2 * c.reach_margin()) * 16 + 1;
-  if (c.has_lists()) {
-    add_n("pu_cull", "projection", "pu", c.pu_fronts(), 18, 27);
-  } else {
-    add_n("pu_cull", "projection", "pu", c.pu_fronts(), 16, 29 + (c.tight_cull ? 6 : 0), times({span}));
-  }
-  if (c.tight_cull) add_n("pu_reach", "projection", "pu", c.pu_fronts(), 36, 26);
-  add("pu_project", "projection", "pu", 1, 1, 1);
-  add("pu_orient", "projection", "pu", 1, 4, 14);
-  add("pu_jacobian", "projection", "pu", 1, 2, 4);
-  add("pu_factors", "projection", "pu", 1, 2, 0);
-  add("pu_squares", "projection", "pu", 1, 2, 2);
-  add("pu_covariance", "projection", "pu", 1, 1, 1);
-  if (c.antialias) {
-    add("pu_compensate", "projection", "pu", 1, 0, 3);
-    add("pipegs_log2", "projection", "pu", 2, 1, 1);
-  }
-  add("pu_conic", "projection", "pu", 1, 1, 0);
-  if (c.oriented()) {
-    add("pu_axes", "projection", "pu", 1, 2, 5);
-    add("pu_box", "projection", "pu", 1, 2, 6);
-    add("pu_touch", "projection", "pu", c.tests + c.has_lists(), 2, 6, times({7}));  // 15 takes one adder, too
-    add("pipegs_rsqrt", "projection", "pu", 2, 1, 1);
-  } else {
-    add("pu_extent", "projection", "pu", 1, 0, 0, times({361}));
-    add("pu_root", "projection", "pu", 2, 0, 2);
-  }
-  add("pipegs_recip", "projection", "pu", 2 + c.oriented(), 3, 1);
-  if (c.has_lists() || c.parts() > 1) add("pu_span", "projection", "pu", 2, 0, 2);
-  add("pu_coeff", "projection", "pu", 1, 2, 6);
-  add("pu_intersect", "projection", "pu", 1, 6, 12 + 5 * (c.tests - 1));
-  add("pu_step", "projection", "pu", c.tests, 0, 4);
-  if (c.tile_test == 1) add("pu_edge", "projection", "pu", c.tests, 2, 10, times({7, 7, 7, 14, 14, 49, 49, 49}));
-  if (c.sh_degree > 0) {
-    add("pu_color_rotate", "color", "pu", 1, 2, 2);
-    add("pu_color_normalise", "color", "pu", 1, 1, 0);
-    add("pipegs_rsqrt", "color", "pu", 1, 1, 1);
-    add("pu_color_basis", "color", "pu", 1, 4, 4);
-    add("pu_color_sum", "color", "pu", 1, 6, c.base_w < kAdderBits ? 6 : 9);  // three add the base
-  }
-  add_power(c, cost);
-  add("ru_blend", "blend", "ru", kLanes, 4, 4);
-}
+constexpr int kRows = 8;    // Row Units of a unit, Table 2
+constexpr int kLanes = 16;  // of an RU: the paper's Rendering Units, Table 2
 
 int power_of_two(int n) { return 1 << clog2(n); }
 
@@ -219,32 +97,9 @@ void add_buffers(const Config& c, StaticCost& cost) {
 
 }  // namespace
 
-int constant_product_adders(int constant) {
-  int digits = 0;
-  for (int rest = constant; rest != 0; rest >>= 1) {
-    if ((rest & 1) == 0) continue;
-    ++digits;
-    rest += (rest & 3) == 3 ? 1 : -1;  // a run of ones is 2^n - 1
-  }
-  return digits > 1 ? digits - 1 : 0;
-}
-
-int StaticCost::multipliers(const std::string& kind) const {
-  int sum = 0;
-  for (const ArithmeticCost& row : arithmetic) sum += kind.empty() || row.kind == kind ? row.multipliers : 0;
-  return sum;
-}
-
-int StaticCost::adders(const std::string& kind) const {
-  int sum = 0;
-  for (const ArithmeticCost& row : arithmetic)
-    sum += kind.empty() || row.kind == kind ? row.adders + row.constant_adders : 0;
-  return sum;
-}
-
-double StaticCost::buffer_kb(const std::string& purpose) const {
+double StaticCost::buffer_kb() const {
   uint64_t bits = 0;
-  for (const BufferCost& row : buffers) bits += purpose.empty() || row.purpose == purpose ? row.bits() : 0;
+  for (const BufferCost& row : buffers) bits += row.bits();
   return static_cast<double>(bits) / 8192;
 }
 
@@ -252,7 +107,6 @@ StaticCost static_cost(const Config& config) {
   StaticCost cost;
   cost.row_lanes = kRows * (config.quads ? 8 : config.pixels_per_row) * config.units;
   cost.blend_lanes = kLanes * config.units;
-  add_arithmetic(config, cost);
   add_buffers(config, cost);
   return cost;
 }

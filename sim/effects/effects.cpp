@@ -231,15 +231,8 @@ const std::vector<Effect>& effects() {
 std::string effect_cost(const Effect& effect, const SimulateOptions& options) {
   SimulateOptions without = options;
   effect.leave_out(without);
-  const StaticCost all = static_cost(options.config), less = static_cost(without.config);
-  std::vector<std::string> parts;
-  const auto add = [&](double difference, const char* format) {
-    if (difference > 0) parts.push_back(fmt::format(fmt::runtime(format), difference));
-  };
-  add(all.multipliers("") - less.multipliers(""), "{:.0f} multipliers");
-  add(all.adders("") - less.adders(""), "{:.0f} adders");
-  add(all.buffer_kb("") - less.buffer_kb(""), "{:.1f} KB");
-  return fmt::format("{}", fmt::join(parts, ", "));
+  const double kb = static_cost(options.config).buffer_kb() - static_cost(without.config).buffer_kb();
+  return kb > 0 ? fmt::format("{:.1f} KB", kb) : "";
 }
 
 std::vector<EffectFinding> find_effects(const EffectFacts& facts) {

@@ -50,7 +50,7 @@ struct Effect {
 
 const std::vector<Effect>& effects();
 
-// What it costs: multipliers, adders and memory of the machine that fall away without it, or "".
+// What it costs: memory of the machine that falls away without it, or "".
 std::string effect_cost(const Effect& effect, const SimulateOptions& options);
 
 struct EffectFinding {

@@ -70,33 +70,16 @@ TableCell decibel(const LadderRow& row, double value) {
 }
 
 Json cost_json(const StaticCost& cost) {
-  Json json = {{"row_lanes", cost.row_lanes}, {"blend_lanes", cost.blend_lanes}};
-  for (const char* kind : {"power", "color", "projection", "blend", "partition", ""}) {
-    const std::string key = *kind == 0 ? "all" : kind;
-    json["multipliers"][key] = cost.multipliers(kind);
-    json["adders"][key] = cost.adders(kind);
-  }
-  Json modules = Json::array(), buffers = Json::array();
-  for (const ArithmeticCost& row : cost.arithmetic) {
-    modules.push_back({{"module", row.module},
-                       {"kind", row.kind},
-                       {"unit", row.unit},
-                       {"instances", row.instances},
-                       {"multipliers", row.multipliers},
-                       {"adders", row.adders},
-                       {"constant_product_adders", row.constant_adders}});
-  }
+  Json json = {{"row_lanes", cost.row_lanes}, {"blend_lanes", cost.blend_lanes}, {"buffers", Json::array()}};
   for (const BufferCost& row : cost.buffers) {
-    buffers.push_back({{"buffer", row.buffer},
-                       {"purpose", row.purpose},
-                       {"width", row.width},
-                       {"depth", row.depth},
-                       {"count", row.count},
-                       {"bytes", static_cast<double>(row.bits()) / 8}});
+    json["buffers"].push_back({{"buffer", row.buffer},
+                               {"purpose", row.purpose},
+                               {"width", row.width},
+                               {"depth", row.depth},
+                               {"count", row.count},
+                               {"bytes", static_cast<double>(row.bits()) / 8}});
   }
-  json["modules"] = modules;
-  json["buffers"] = buffers;
-  json["buffer_bytes"] = cost.buffer_kb("") * 1024;
+  json["buffer_bytes"] = cost.buffer_kb() * 1024;
   return json;
 }
 
@@ -290,24 +273,13 @@ Table traffic_table(const std::vector<const LadderRow*>& rows) {
 }
 
 Table parts_table(const std::vector<const LadderRow*>& rows) {
-  constexpr const char* kKinds[] = {"power", "color", "projection", "blend", ""};
-  constexpr const char* kHeadings[] = {"power", "colour", "projection", "blend", "all"};
   Table table{.columns = {{.key = "design", .heading = "built of", .word = true},
                           {.key = "row_lanes", .heading = "row lanes"},
-                          {.key = "blend_lanes", .heading = "blend lanes"}}};
-  for (const char* what : {"multipliers", "adders"}) {
-    for (const char* heading : kHeadings)
-      table.columns.push_back({.key = fmt::format("{}_{}", what, heading),
-                               .heading = heading == kHeadings[0] ? fmt::format("{}: {}", what, heading) : heading});
-  }
-  table.columns.push_back({.key = "buffers_kb", .heading = "buffers", .unit = "KB", .digits = 1});
+                          {.key = "blend_lanes", .heading = "blend lanes"},
+                          {.key = "buffers_kb", .heading = "buffers", .unit = "KB", .digits = 1}}};
   for (const LadderRow* row : rows) {
-    std::vector<TableCell>& cells = table.rows.emplace_back();
-    cells = {text_cell(std::string(row->design_point->name)), number_cell(row->cost.row_lanes),
-             number_cell(row->cost.blend_lanes)};
-    for (const char* kind : kKinds) cells.push_back(number_cell(row->cost.multipliers(kind)));
-    for (const char* kind : kKinds) cells.push_back(number_cell(row->cost.adders(kind)));
-    cells.push_back(figure(row->cost.buffer_kb("")));
+    table.rows.push_back({text_cell(std::string(row->design_point->name)), number_cell(row->cost.row_lanes),
+                          number_cell(row->cost.blend_lanes), number_cell(row->cost.buffer_kb())});
   }
   return table;
 }

@@ -90,7 +90,7 @@ std::vector<SiliconRow> silicon_rows(const Config& config, const Synth& synth, c
   rows.push_back(other);
   for (SiliconRow& row : rows) row.area_mm2 = kNand2Um2 * (row.kilo_nand2 / 1000);
   rows.push_back({.name = "Buffers",
-                  .kb = static_cost(config).buffer_kb(""),
+                  .kb = static_cost(config).buffer_kb(),
                   .area_mm2 = sram_sum(config, law, &SramFigures::area_mm2)});
   for (const SiliconRow& row : rows) total.area_mm2 = total.area_mm2 + row.area_mm2;
   total.kb = rows.back().kb;

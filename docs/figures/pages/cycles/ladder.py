@@ -12,8 +12,10 @@ from pages.frames import (
     total_bytes,
     work,
 )  # noqa: F401  (the page uses fast_mean)
+from pages.silicon.silicon import kilo  # noqa: F401  (the page uses it)
 
 MEASURED = ["model/*", "work/*", "rtl/own", "stores/*", "silicon/*", "bandwidth/*"]
+QUADRATIC = "late=1,order=1,quadratic=1,records=2048"  # `baseline`
 PAPER = {  # speed-up over Baseline, raster / sort
     "baseline": ("1.00", "7.48"),
     "dpc": ("-", "5.71"),
@@ -72,8 +74,6 @@ def built_of():
         "design point",
         [(f"`{name}`", rtl(name)["static"]) for name in POINTS],
         ("lanes power / blend", lambda one: f"{one.row_lanes} / {one.blend_lanes}"),
-        *[(f"multipliers: {kind}", f"multipliers.{kind}") for kind in ("power", "color", "projection", "blend", "all")],
-        ("adders", "adders.all"),
         ("buffers, KB", lambda one: one.buffer_bytes / 1024, fixed, 1),
     )
 

@@ -61,8 +61,8 @@ def blocks(*names, of="default"):
     return sum(int(row["nand2"]) for row in found)
 
 
-def kilo(*names, each=1):
-    return f"{blocks(*names) / each / 1e3:.0f} k"
+def kilo(*names, each=1, of="default"):
+    return f"{blocks(*names, of=of) / each / 1e3:.0f} k"
 
 
 def own_kilo(unit):
