@@ -35,7 +35,7 @@ PixelRect asked_pixels(int width, int height, const SimulateOptions& options) {
   if (column < 0 || row < 0 || column > last_column || row > last_row)
     throw ConfigError(fmt::format("--window {},{}: expected 0,0 to {},{}", column, row, last_column, last_row));
   const int x = column * side, y = row * side;
-  return {x, y, std::min(x + options.windows * side, width), std::min(y + side, height)};
+  return {x, y, std::min(x + side, width), std::min(y + side, height)};
 }
 
 std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMemory& memory) {

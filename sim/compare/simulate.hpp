@@ -25,7 +25,6 @@ struct SimulateOptions {
   RtlOptions rtl;
   RtlVariant variant;                        // may be simulated less than this: see built_variant in rtl_model.hpp
   std::optional<std::array<int, 2>> window;  // column and row of the only window to simulate
-  int windows = 1;                           // with `window`: so many side by side, up to the end of the row
   std::optional<PixelRect> crop;             // instead of `window`: only the windows of these pixels, and of them these
   double near_plane = 0.2;                   // scene units
   bool raster = false;                       // pixels in raster order, RGBA8; else by windows
@@ -111,7 +110,7 @@ size_t memory_stream(const Config& config, int port);
 // The bytes that each stream moved.
 std::vector<MemoryTraffic> memory_traffic(const Config& config, const ExternalMemory& memory);
 
-// The pixels that were asked for, of a picture of this size: all, some windows, or a crop. Throws ConfigError when they
+// The pixels that were asked for, of a picture of this size: all, a window, or a crop. Throws ConfigError when they
 // are not all inside.
 PixelRect asked_pixels(int width, int height, const SimulateOptions& options);
 

@@ -63,7 +63,7 @@ MeasurementStore::MeasurementStore(std::filesystem::path folder, const Scene& sc
            {"near", options.near_plane},
            {"memory", m.dram}};
   if (m.dram == "ideal") view_["ideal"] = {m.latency, m.bytes_per_cycle, m.jitter, m.seed};
-  if (options.window) view_["window"] = {(*options.window)[0], (*options.window)[1], options.windows};
+  if (options.window) view_["window"] = *options.window;
   if (options.crop) view_["crop"] = {options.crop->x0, options.crop->y0, options.crop->x1, options.crop->y1};
   view_.update(more);
   if (!folder_.empty()) std::filesystem::create_directories(folder_);

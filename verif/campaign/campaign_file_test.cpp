@@ -79,8 +79,6 @@ TEST_F(CampaignFile, WhatIsWrongIsOneLine) {
   expect_wrong(with("/designs/1", "fast"), "designs[1]: found '\"fast\"', expected each name once");
   expect_wrong(with("/engine", "verilator"), "engine: found '\"verilator\"', expected one of model, golden, rtl");
   expect_wrong(with("/truth", true), "truth: found 'true', expected false with the engine model");
-  expect_wrong(with("/windows", 2), "windows: found '2', expected none with the engine model");
-  expect_wrong(with("/windows", 0), "windows: found '0', expected");
   expect_wrong(with("/memory", "ddr2"), "memory: found '\"ddr2\"', expected one of ");
   expect_wrong(with("/seed", -1), "seed: found '-1', expected");
   expect_wrong(with("/scenes/0/name", "a b"), "scenes[0].name: found '\"a b\"', expected a name of up to 60 letters");
@@ -109,7 +107,6 @@ TEST_F(CampaignFile, WhatTheSceneDoesNotHaveIsOneLine) {
   write("campaign.json", "{");
   expect_one_line(run("campaign campaign.json --out out"), 2, "campaign.json: ");
   expect_one_line(run("campaign gone.json --out out"), 2, "gone.json: ");
-  expect_refused("point scene.ply --cameras cameras.json --windows 2 --store k", "--windows: found no --window");
   expect_refused("point scene.ply --cameras cameras.json --truth --store k", "--truth: found --engine model");
   expect_refused("point scene.ply --cameras cameras.json --engine other --store k", "--engine");
   expect_refused("point scene.ply --cameras cameras.json", "--store");

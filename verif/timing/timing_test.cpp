@@ -37,8 +37,9 @@ const View& own_view() {
 struct TimedFrame {
   TimedFrame(const View& view, SimulateOptions given, int windows = 0, std::array<int, 2> pixel = {384, 384})
       : options(std::move(given)) {
-    const int side = options.config.window;
-    if (windows > 0) options.window = {pixel[0] / side, pixel[1] / side}, options.windows = windows;
+    const int side = options.config.window, x = pixel[0] / side * side, y = pixel[1] / side * side;
+    if (windows > 0)
+      options.crop = {x, y, std::min(x + windows * side, view.camera.width), std::min(y + side, view.camera.height)};
     simulate_pack(view.scene, view.camera, this->options, simulation);
     trace = timing_trace(simulation.input);
   }

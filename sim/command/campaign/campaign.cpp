@@ -13,7 +13,6 @@
 
 #include "scenes/text/text_file.hpp"
 #include "sim/command/campaign/merge.hpp"
-#include "sim/command/campaign/merge_page.hpp"
 #include "sim/command/page/study_output.hpp"
 #include "sim/command/replay.hpp"
 
@@ -27,52 +26,29 @@ struct CampaignArguments {
   bool merge = false, page = false;
 };
 
-// Cuts a whole view into points of so many windows side by side.
-std::vector<CampaignPoint> cut(const CampaignPoint& whole, const Camera& camera, int side, int windows) {
-  std::vector<CampaignPoint> points;
-  for (int y = 0; y * side < camera.height; ++y) {
-    for (int x = 0; x * side < camera.width; x += windows) {
-      CampaignPoint& point = points.emplace_back(whole);
-      point.arguments.view.window = {x, y};
-      point.arguments.windows = windows;
-    }
-  }
-  return points;
-}
-
 // Every point, with what is kept of it. Scenes are read one after the other, each once.
-std::vector<PointResult> look_up(const Campaign& campaign, std::set<std::string>* machines) {
+std::vector<PointResult> look_up(const std::vector<CampaignPoint>& points, std::set<std::string>* machines) {
   std::vector<PointResult> results;
-  for (size_t first = 0, next = 0; first < campaign.points.size(); first = next) {
-    const std::string& scene = campaign.points[first].scene;
-    ViewArguments highest = campaign.points[first].arguments.view;
-    while (next < campaign.points.size() && campaign.points[next].scene == scene) {
-      highest.view = std::max(highest.view, campaign.points[next].arguments.view.view);
+  for (size_t first = 0, next = 0; first < points.size(); first = next) {
+    ViewArguments highest = points[first].arguments.view;
+    while (next < points.size() && points[next].scene == points[first].scene) {
+      highest.view = std::max(highest.view, points[next].arguments.view.view);
       ++next;
     }
     const LoadedView loaded = load_view(highest);  // refuses a view that is not there
-    std::optional<PointStore> store;
-    int stored = -1;
+    const MeasurementStore store = point_store(points[first].arguments, loaded.scene, loaded.camera);
     for (size_t i = first; i < next; ++i) {
-      const CampaignPoint& whole = campaign.points[i];
-      const int view = whole.arguments.view.view;
-      const Camera& camera = loaded.cameras[view];
-      if (view != stored) store.emplace(whole.arguments, loaded.scene, camera), stored = view;
-      const SimulateOptions options = point_options(whole.arguments, loaded.scene);
-      const int side = options.config.window;
-      if (machines != nullptr && campaign.engine == "rtl" && machines->insert(config_difference(options.config)).second)
+      const PointArguments& arguments = points[i].arguments;
+      const Camera& camera = loaded.cameras[arguments.view.view];
+      const SimulateOptions options = point_options(arguments, loaded.scene);
+      if (machines != nullptr && arguments.engine == "rtl" &&
+          machines->insert(config_difference(options.config)).second)
         build_rtl(options.config, built_variant(options.variant, options.rtl));
-      for (const CampaignPoint& point :
-           campaign.windows == 0 ? std::vector<CampaignPoint>{whole} : cut(whole, camera, side, campaign.windows)) {
-        const MeasurementStore of_point = store->of(point.arguments);
-        results.push_back({.point = point,
-                           .camera = camera.name,
-                           .width = camera.width,
-                           .height = camera.height,
-                           .window = side,
-                           .file = of_point.path(options.config),
-                           .kept = kept_point(of_point, options.config)});
-      }
+      const MeasurementStore of_view = store.of(camera);
+      results.push_back({.point = points[i],
+                         .camera = camera.name,
+                         .file = of_view.path(options.config),
+                         .kept = kept_point(of_view, options.config)});
     }
   }
   return results;
@@ -148,7 +124,8 @@ int merge(const CampaignArguments& arguments, const CLI::App& command, const std
 int run_campaign(const CampaignArguments& arguments, const CLI::App& command) {
   try_folder("--out", arguments.out, {"lines.txt", "results.csv", "results.json", "costs.csv", "campaign.html"});
   if (arguments.page) try_page();
-  const Campaign campaign = read_campaign(arguments.file, std::filesystem::path(arguments.out) / "points");
+  const std::vector<CampaignPoint> campaign =
+      read_campaign(arguments.file, std::filesystem::path(arguments.out) / "points");
   std::set<std::string> machines;
   const std::vector<PointResult> points = look_up(campaign, arguments.merge ? nullptr : &machines);
   return arguments.merge ? merge(arguments, command, points) : write_lines(arguments, points, machines.size());

@@ -162,15 +162,11 @@ PointArguments read_shared(const JsonNode& campaign, const std::filesystem::path
 
 }  // namespace
 
-Campaign read_campaign(const std::filesystem::path& path, const std::filesystem::path& keep) {
+std::vector<CampaignPoint> read_campaign(const std::filesystem::path& path, const std::filesystem::path& keep) {
   const JsonNode file = JsonNode::parse(path.string(), read_text_file(path, "a campaign file", kMostJsonBytes));
-  check_fields(file, {"scenes", "designs", "configurations", "engine", "truth", "memory", "seed", "windows"});
+  check_fields(file, {"scenes", "designs", "configurations", "engine", "truth", "memory", "seed"});
   const PointArguments shared = read_shared(file, keep);
-  Campaign campaign{.engine = shared.engine, .windows = 0, .points = {}};
-  if (file.has("windows")) {
-    campaign.windows = static_cast<int>(file["windows"].integer(1, 1024));
-    if (shared.engine == "model") file["windows"].refuse("none with the engine model, which makes no pixels");
-  }
+  std::vector<CampaignPoint> points;
   std::vector<NamedScene> scenes;
   std::set<std::string> names;
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
@@ -195,12 +191,12 @@ Campaign read_campaign(const std::filesystem::path& path, const std::filesystem:
           point.arguments.view.settings = configurations[c].settings;
           if (configurations[c].settings.empty()) point.arguments.options();
           else at(file["configurations"][c]["set"], [&] { point.arguments.options(); });
-          campaign.points.push_back(std::move(point));
+          points.push_back(std::move(point));
         }
       }
     }
   }
-  return campaign;
+  return points;
 }
 
 }  // namespace pipegs

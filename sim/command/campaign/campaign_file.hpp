@@ -21,13 +21,7 @@ struct CampaignPoint {
   PointArguments arguments;
 };
 
-struct Campaign {
-  std::string engine;
-  int windows = 0;                    // a point is so many windows side by side; 0: the whole view
-  std::vector<CampaignPoint> points;  // of whole views
-};
-
 // `keep` is where the points shall be kept.
-Campaign read_campaign(const std::filesystem::path& path, const std::filesystem::path& keep);
+std::vector<CampaignPoint> read_campaign(const std::filesystem::path& path, const std::filesystem::path& keep);
 
 }  // namespace pipegs

@@ -4,11 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <limits>
 
-#include "scenes/text/csv.hpp"
 #include "scenes/text/json.hpp"
-#include "sim/command/campaign/join.hpp"
 #include "sim/command/outputs.hpp"
 
 namespace pipegs {
@@ -17,40 +16,61 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Pointer = Json::json_pointer;
 
-constexpr std::array kCosts = {"read_seconds", "pack_seconds", "golden_seconds",
-                               "cpu_seconds",  "wall_seconds", "peak_memory_bytes"};
+constexpr size_t kMostBars = 12;  // of views; more of them are lines
 
-constexpr const char* kNames = "scene,view,camera,configuration,design,window_x,window_y,windows";
+struct Figure {
+  const char *key, *place;  // in the tables, and in what was measured
+  int digits = 0;           // shown in a page
+};
 
-std::string names_of(const PointResult& result) {
-  const PointArguments& point = result.point.arguments;
-  const std::string window = point.view.window.empty()
-                                 ? ",,"
-                                 : fmt::format("{},{},{}", point.view.window[0], point.view.window[1], point.windows);
-  return fmt::format("{},{},{},{},{},{}", result.point.scene, point.view.view, csv_field(result.camera),
-                     result.point.configuration, point.view.design_point, window);
+const std::vector<Figure> kFigures = {{"cycles", "/result/cycles"},
+                                      {"bytes_read", "/result/memory/bytes_read"},
+                                      {"bytes_written", "/result/memory/bytes_written"},
+                                      {"overflow_lines", "/result/work/overflow_lines"},
+                                      {"fetched", "/result/work/fetched"},
+                                      {"blended", "/result/work/blended"},
+                                      {"psnr_numeric_db", "/result/psnr_numeric_db", 2},
+                                      {"psnr_order_db", "/result/psnr_order_db", 2},
+                                      {"psnr_total_db", "/result/psnr_total_db", 2},
+                                      {"beats_compared", "/result/beats_compared"},
+                                      {"mismatches", "/result/mismatches"}};
+const std::vector<Figure> kCosts = {
+    {"read_seconds", "/cost/read_seconds", 1},     {"pack_seconds", "/cost/pack_seconds", 1},
+    {"golden_seconds", "/cost/golden_seconds", 1}, {"cpu_seconds", "/cost/cpu_seconds", 1},
+    {"wall_seconds", "/cost/wall_seconds", 1},     {"peak_memory_bytes", "/cost/peak_memory_bytes"}};
+
+struct Drawn {
+  const char *title, *unit, *place;
+};
+constexpr Drawn kDrawn[] = {{"Cycles by view", "cycles", "/result/cycles"},
+                            {"PSNR against the truth by view", "dB, total", "/result/psnr_total_db"},
+                            {"Blended splats by view", "blended", "/result/work/blended"}};
+
+// Nothing of what was not measured: where the RTL did not run its whole branch is null.
+std::optional<double> figure_of(const PointResult& one, const char* place) {
+  const Pointer pointer(place);
+  for (Pointer above = pointer; !above.empty(); above = above.parent_pointer()) {
+    if (!one.kept || !one.kept->contains(above) || (*one.kept)[above].is_null()) return std::nullopt;
+  }
+  return (*one.kept)[pointer].get<double>();
 }
 
-std::string results_csv(const std::vector<PointResult>& points) {
-  std::string text = kNames;
-  for (const FigureColumn& column : point_figures()) text += fmt::format(",{}", column.name);
+// A row for each point that is there.
+Table table_of(const std::vector<PointResult>& points, const std::vector<Figure>& figures) {
+  Table table;
+  for (const char* name : {"scene", "view", "camera", "configuration", "design"})
+    table.columns.push_back({.key = name, .heading = name, .word = true});
+  for (const Figure& figure : figures)
+    table.columns.push_back({.key = figure.key, .heading = figure.key, .digits = figure.digits});
   for (const PointResult& one : points) {
     if (!one.kept) continue;
-    text += "\n" + names_of(one);
-    for (const FigureColumn& column : point_figures()) text += "," + figure_text((*one.kept)["result"], column.place);
+    const ViewArguments& view = one.point.arguments.view;
+    std::vector<TableCell> row = {text_cell(one.point.scene), number_cell(view.view), text_cell(one.camera),
+                                  text_cell(one.point.configuration), text_cell(view.design_point)};
+    for (const Figure& figure : figures) row.push_back({.value = figure_of(one, figure.place)});
+    table.rows.push_back(std::move(row));
   }
-  return text + "\n";
-}
-
-std::string costs_csv(const std::vector<PointResult>& points) {
-  std::string text = kNames;
-  for (const char* name : kCosts) text += fmt::format(",{}", name);
-  for (const PointResult& one : points) {
-    if (!one.kept) continue;
-    text += "\n" + names_of(one);
-    for (const char* name : kCosts) text += "," + figure_text((*one.kept)["cost"], std::string("/") + name);
-  }
-  return text + "\n";
+  return table;
 }
 
 Json results_json(const std::vector<PointResult>& points) {
@@ -58,46 +78,58 @@ Json results_json(const std::vector<PointResult>& points) {
   for (const PointResult& one : points) {
     if (!one.kept) continue;
     const PointArguments& point = one.point.arguments;
-    Json json = {{"scene", one.point.scene},
-                 {"view", point.view.view},
-                 {"camera", one.camera},
-                 {"configuration", one.point.configuration},
-                 {"design", point.view.design_point},
-                 {"set", point.view.settings},
-                 {"engine", point.engine},
-                 {"key", one.file.stem().string()}};
-    if (!point.view.window.empty()) json["window"] = {point.view.window[0], point.view.window[1], point.windows};
-    json["result"] = (*one.kept)["result"];
-    list.push_back(std::move(json));
+    list.push_back({{"scene", one.point.scene},
+                    {"view", point.view.view},
+                    {"camera", one.camera},
+                    {"configuration", one.point.configuration},
+                    {"design", point.view.design_point},
+                    {"set", point.view.settings},
+                    {"engine", point.engine},
+                    {"key", one.file.stem().string()},
+                    {"result", (*one.kept)["result"]}});
   }
   return {{"points", points.size()}, {"results", std::move(list)}};
 }
 
-}  // namespace
-
-const std::vector<FigureColumn>& point_figures() {
-  static const std::vector<FigureColumn> kFigures = {{"cycles", "/cycles"},
-                                                     {"bytes_read", "/memory/bytes_read"},
-                                                     {"bytes_written", "/memory/bytes_written"},
-                                                     {"overflow_lines", "/work/overflow_lines"},
-                                                     {"fetched", "/work/fetched"},
-                                                     {"blended", "/work/blended"},
-                                                     {"psnr_numeric_db", "/psnr_numeric_db"},
-                                                     {"psnr_order_db", "/psnr_order_db"},
-                                                     {"psnr_total_db", "/psnr_total_db"},
-                                                     {"beats_compared", "/beats_compared"},
-                                                     {"mismatches", "/mismatches"}};
-  return kFigures;
+std::string view_name(const PointResult& one) {
+  return fmt::format("{} {}", one.point.scene, one.point.arguments.view.view);
 }
 
-std::string figure_text(const Json& json, const std::string& place) {
-  const Pointer pointer(place);
-  // Where the RTL did not run its whole branch is null.
-  for (Pointer above = pointer; !above.empty(); above = above.parent_pointer()) {
-    if (!json.contains(above) || json[above].is_null()) return "";
+std::string machine_of(const PointResult& one) {
+  return fmt::format("{}, {}", one.point.configuration, one.point.arguments.view.design_point);
+}
+
+size_t place_of(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<size_t>(found - names.begin());
+  names.push_back(name);
+  return names.size() - 1;
+}
+
+// A series for each configuration and design point, a category for each view; a point that is missing leaves a gap.
+std::optional<Chart> chart_of(const Drawn& drawn, const std::vector<PointResult>& points) {
+  Chart chart{.form = Chart::Form::kBars, .title = drawn.title, .x_label = "scene and view", .y_label = drawn.unit};
+  std::vector<std::string> machines;
+  bool any = false;
+  for (const PointResult& one : points) place_of(chart.categories, view_name(one)), place_of(machines, machine_of(one));
+  const std::vector<double> gaps(chart.categories.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const std::string& machine : machines) chart.series.push_back({.name = machine, .values = gaps});
+  for (const PointResult& one : points) {
+    if (!one.kept) chart.note = "points that are missing leave gaps";
+    const std::optional<double> value = figure_of(one, drawn.place);
+    if (!value) continue;
+    any = true;
+    chart.series[place_of(machines, machine_of(one))].values[place_of(chart.categories, view_name(one))] = *value;
   }
-  return json_text(json[pointer]);
+  if (!any) return std::nullopt;
+  if (chart.categories.size() > kMostBars) {
+    chart.form = Chart::Form::kLines;
+    for (size_t i = 0; i < chart.categories.size(); ++i) chart.x.push_back(static_cast<double>(i));
+  }
+  return chart;
 }
+
+}  // namespace
 
 std::string cost_text(const std::vector<PointResult>& points) {
   size_t count = 0;
@@ -116,10 +148,34 @@ std::string cost_text(const std::vector<PointResult>& points) {
 }
 
 void write_merged(const std::filesystem::path& out, const std::vector<PointResult>& points) {
-  join_windows(out / "frames", points);
-  write_text(out / "results.csv", results_csv(points));
+  write_text(out / "results.csv", table_csv(table_of(points, kFigures)));
   write_text(out / "results.json", json_text(results_json(points), 1) + "\n");
-  write_text(out / "costs.csv", costs_csv(points));
+  write_text(out / "costs.csv", table_csv(table_of(points, kCosts)));
+}
+
+void add_campaign(StudyPage& page, const std::vector<PointResult>& points) {
+  const auto missing = std::count_if(points.begin(), points.end(), [](const PointResult& one) { return !one.kept; });
+  page.lead(fmt::format("{} of {} points measured. {}", points.size() - static_cast<size_t>(missing), points.size(),
+                        cost_text(points)));
+  if (missing > 0) {
+    page.section("What is missing");
+    Table table{.columns = {{.heading = "point", .word = true},
+                            {.heading = "command", .word = true, .wrapped = true, .copies = true}}};
+    for (const PointResult& one : points) {
+      if (!one.kept)
+        table.rows.push_back(
+            {text_cell(view_name(one) + ", " + machine_of(one)), text_cell(one.point.arguments.line())});
+    }
+    page.table(table);
+  }
+  page.section("Charts");
+  for (const Drawn& drawn : kDrawn) {
+    if (const std::optional<Chart> chart = chart_of(drawn, points)) page.charts({*chart});
+  }
+  page.section("Every point");
+  page.table(table_of(points, kFigures));
+  page.section("What each took");
+  page.table(table_of(points, kCosts));
 }
 
 }  // namespace pipegs

@@ -56,12 +56,9 @@ class FileLock {
   int file_ = -1;
 };
 
-std::string hash_of_file(const std::filesystem::path& path, std::string_view expected) {
-  return hash_of_text(read_text_file(path, expected, kMostFileBytes));
-}
-
 const std::string& hash_of_program() {
-  static const std::string hash = hash_of_file(std::filesystem::read_symlink("/proc/self/exe"), "this program");
+  static const std::string hash =
+      hash_of_text(read_text_file(std::filesystem::read_symlink("/proc/self/exe"), "this program", kMostFileBytes));
   return hash;
 }
 
@@ -71,12 +68,6 @@ Json view_key(const PointArguments& point) {
   key["rtl"] = hash_of_files(PIPEGS_SOURCE_DIR "/rtl", ".sv");
   key["seed"] = point.memory.seed;
   return key;
-}
-
-SimulateOptions whole_view(SimulateOptions options) {
-  options.window.reset();
-  options.windows = 1;
-  return options;
 }
 
 // The figures of the timing model under the names of report.json.
@@ -107,7 +98,7 @@ Json measure(const PointArguments& point, const LoadedView& loaded, const Simula
   Simulation simulation;
   simulate_pack(loaded.scene, loaded.camera, options, simulation);
   cost["pack_seconds"] = simulation.cpu_pack;
-  Json result, pixels;
+  Json result;
   if (point.engine == "model") {
     result = timing_json(timing_run(timing_trace(simulation.input), options.config, options.memory));
   } else {
@@ -116,16 +107,11 @@ Json measure(const PointArguments& point, const LoadedView& loaded, const Simula
     if (point.engine == "rtl") simulate_rtl(options, simulation);
     cost["golden_seconds"] = simulation.cpu_golden;
     result = frame_json(loaded, options, simulation);
-    if (options.window) {
-      const std::filesystem::path file = pixels_of(store, options.config);
-      write_exr(file, crop_window(simulation.golden.image, options));
-      pixels = hash_of_file(file, "pixels");
-    }
   }
   cost["cpu_seconds"] = process_seconds();
   cost["wall_seconds"] = watch.seconds();
   cost["peak_memory_bytes"] = peak_memory_bytes();
-  Json kept = {{"result", std::move(result)}, {"pixels", std::move(pixels)}, {"cost", std::move(cost)}};
+  Json kept = {{"result", std::move(result)}, {"cost", std::move(cost)}};
   store.save(options.config, kept);
   return kept;
 }
@@ -140,10 +126,9 @@ int run_point(const PointArguments& point) {
   if (point.engine != "model") {
     check_picture_memory(loaded.camera, options,
                          kGoldenPixels + (point.truth ? kTruthPixels : PixelBytes{}) +
-                             (point.engine == "rtl" ? kRtlPixels : PixelBytes{}) +
-                             (options.window ? kWritePixels : PixelBytes{}));
+                             (point.engine == "rtl" ? kRtlPixels : PixelBytes{}));
   }
-  const MeasurementStore store = PointStore(point, loaded.scene, loaded.camera).of(point);
+  const MeasurementStore store = point_store(point, loaded.scene, loaded.camera);
   const std::filesystem::path file = store.path(options.config);
   std::optional<Json> kept = kept_point(store, options.config);
   bool found = true;
@@ -169,8 +154,6 @@ void PointArguments::add(CLI::App& app) {
                  "who measures: model (timing model: cycles, bytes), golden (work, pixels), rtl (all, compared)")
       ->capture_default_str()
       ->check(CLI::Validator(CLI::IsMember(kPointEngines)).description(""));
-  add_integer(app, "--windows", windows, "with --window: so many side by side, up to the end of the row", 1, 1024)
-      ->capture_default_str();
   app.add_flag("--truth", truth, "golden, rtl: the float64 renders and the PSNR, too");
   app.add_option("--store", keep, "folder for what was measured")->required();
 }
@@ -178,10 +161,8 @@ void PointArguments::add(CLI::App& app) {
 SimulateOptions PointArguments::options() const {
   SimulateOptions result = view.options();
   memory.apply(result);
-  result.windows = windows;
-  if (windows > 1 && !result.window) throw ConfigError("--windows: found no --window, expected the first of them");
-  if (engine != "model") return result;
-  if (truth) throw ConfigError("--truth: found --engine model, expected golden or rtl (it makes no pixels)");
+  if (truth && engine == "model")
+    throw ConfigError("--truth: found --engine model, expected golden or rtl (it makes no pixels)");
   return result;
 }
 
@@ -199,10 +180,6 @@ std::string PointArguments::line() const {
   say("--view", fmt::to_string(view.view));
   say("--design", view.design_point);
   for (const std::string& setting : view.settings) say("--set", setting);
-  if (!view.window.empty()) {
-    say("--window", fmt::format("{},{}", view.window[0], view.window[1]));
-    say("--windows", fmt::to_string(windows));
-  }
   say("--memory", memory.external.dram);
   say("--seed", fmt::to_string(memory.seed));
   say("--engine", engine);
@@ -211,12 +188,8 @@ std::string PointArguments::line() const {
   return line;
 }
 
-PointStore::PointStore(const PointArguments& point, const Scene& scene, const Camera& camera)
-    : store_(point.keep, scene, camera, whole_view(point.options()), view_key(point)) {}
-
-MeasurementStore PointStore::of(const PointArguments& point) const {
-  if (point.view.window.empty()) return store_;
-  return store_.with({{"window", {point.view.window[0], point.view.window[1], point.windows}}});
+MeasurementStore point_store(const PointArguments& point, const Scene& scene, const Camera& camera) {
+  return {point.keep, scene, camera, point.options(), view_key(point)};
 }
 
 SimulateOptions point_options(const PointArguments& point, const Scene& scene) {
@@ -225,23 +198,13 @@ SimulateOptions point_options(const PointArguments& point, const Scene& scene) {
   return options;
 }
 
-std::filesystem::path pixels_of(const MeasurementStore& store, const Config& config) {
-  return store.path(config).replace_extension(".exr");
-}
-
 std::optional<Json> kept_point(const MeasurementStore& store, const Config& config) {
-  const auto checked = [&](const Json& kept) {
+  return store.load(config, [](const Json& kept) {
     kept.at("result").get_ref<const Json::object_t&>();
     for (const char* figure : {"read_seconds", "pack_seconds", "cpu_seconds", "wall_seconds", "peak_memory_bytes"})
       kept.at("cost").at(figure).get<double>();
-    const Json& pixels = kept.at("pixels");
-    if (!pixels.is_null() && hash_of_file(pixels_of(store, config), "pixels") != pixels.get<std::string>())
-      throw InputError(pixels_of(store, config).string(), "", "found other pixels than were kept");
     return kept;
-  };
-  try {
-    return store.load(config, checked);
-  } catch (const InputError&) { return std::nullopt; }  // its pixels are torn or gone
+  });
 }
 
 void add_point(CLI::App& app, Run& run) {

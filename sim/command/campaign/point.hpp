@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// point.hpp: one point of a campaign: some windows, or all, of one view on one machine, measured once and kept.
+// point.hpp: one point of a campaign: one view on one machine, measured once and kept.
 //
 // Key     MeasurementStore's (contents of the scene, camera, memory, every entry of the configuration, sources of the
-//         models), the bytes of this program, engine, truth, windows, seed; with the RTL its sources.
-// Rule    Two who measure the same point take turns: the second finds it kept. A point of one window or some leaves
-//         their pixels beside its figures, in a file that is there before them; pixels whose hash is not the one that
-//         the figures name are as good as none.
+//         models), the bytes of this program, engine, truth, seed; with the RTL its sources.
+// Rule    Two who measure the same point take turns: the second finds it kept.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -24,7 +22,6 @@ struct PointArguments {
   ViewArguments view;
   MemoryArguments memory;
   std::string engine = "model", keep;
-  int windows = 1;  // with view.window
   bool truth = false;
 
   void add(CLI::App& app);
@@ -33,26 +30,14 @@ struct PointArguments {
   std::string line() const;
 };
 
-// Where the points of one view are kept, as measured by `engine`.
-class PointStore {
- public:
-  // The window of `point` does not matter; its scene and camera are these.
-  PointStore(const PointArguments& point, const Scene& scene, const Camera& camera);
-
-  MeasurementStore of(const PointArguments& point) const;
-
- private:
-  MeasurementStore store_;
-};
+// Where points of this view are kept, as measured by `engine`.
+MeasurementStore point_store(const PointArguments& point, const Scene& scene, const Camera& camera);
 
 // The configuration of the point on this scene.
 SimulateOptions point_options(const PointArguments& point, const Scene& scene);
 
-// Where the pixels of a point of windows lie.
-std::filesystem::path pixels_of(const MeasurementStore& store, const Config& config);
-
-// {"result": what was measured, the same wherever it is; "pixels": a hash of their file, or null; "cost": seconds and
-// bytes of the computer}. Nothing when a part of it is not there as it was kept.
+// {"result": what was measured, the same wherever it is; "cost": seconds and bytes of the computer}. Nothing when a part
+// of it is not there as it was kept.
 std::optional<nlohmann::ordered_json> kept_point(const MeasurementStore& store, const Config& config);
 
 }  // namespace pipegs
