@@ -5,10 +5,42 @@
 #include "scenes/input_error.hpp"
 #include "sim/command/command.hpp"
 #include "sim/command/page/study_output.hpp"
-#include "sim/command/report/report_page.hpp"
+#include "sim/command/report/results.hpp"
+#include "sim/report/html/pictures.hpp"
 
 namespace pipegs {
 namespace {
+
+// Pictures are as large as a page of a few megabytes allows.
+void add_pictures(StudyPage& page, const std::vector<FolderResults::Picture>& pictures) {
+  if (pictures.empty()) return;
+  page.section("Pictures");
+  std::vector<NamedPicture> named;
+  for (const FolderResults::Picture& one : pictures) named.push_back({one.caption, one.id, &one.pixels});
+  for (const SmallPicture& one : small_pictures(named)) page.picture(one.caption, one.png, one.id);
+}
+
+void add_results(StudyPage& page, const FolderResults& results) {
+  page.lead(
+      fmt::format("{} results: {} frames, {} sequences of frames, {} trained scenes.{}", results.count(),
+                  results.frames.rows.size(), results.walks.size(), results.trained_scenes,
+                  results.left_out.empty() ? "" : fmt::format(" {} files are left out.", results.left_out.size())));
+  if (!results.frames.rows.empty()) {
+    page.section("Frames");
+    page.table(results.frames);
+    page.charts(results.charts);
+  }
+  if (!results.walks.empty()) page.section("Sequences of frames");
+  for (const auto& [chart, table] : results.walks) page.charts({chart}), page.table(table);
+  if (!results.trained.rows.empty()) page.section("Trained scenes"), page.table(results.trained);
+  add_pictures(page, results.pictures);
+  if (results.left_out.empty()) return;
+  page.section("Left out");
+  Table table{.columns = {{.heading = "file", .word = true, .wrapped = true},
+                          {.heading = "why", .word = true, .wrapped = true}}};
+  for (const LeftOut& one : results.left_out) table.rows.push_back({text_cell(one.file), text_cell(one.reason)});
+  page.table(table);
+}
 
 int run_report(const std::filesystem::path& folder, const CLI::App& command) {
   const std::filesystem::path file = folder / "report.html";
