@@ -2,22 +2,34 @@
 // report.cpp: `pipegs report`: one page of all results in a folder.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scenes/input_error.hpp"
 #include "sim/command/command.hpp"
 #include "sim/command/page/study_output.hpp"
 #include "sim/command/report/results.hpp"
-#include "sim/report/html/pictures.hpp"
+#include "sim/photos/photograph.hpp"
 
 namespace pipegs {
 namespace {
 
-// Pictures are as large as a page of a few megabytes allows.
+// As large as a page of a few megabytes allows: a pixel takes about two bytes.
 void add_pictures(StudyPage& page, const std::vector<FolderResults::Picture>& pictures) {
-  if (pictures.empty()) return;
-  page.section("Pictures");
-  std::vector<NamedPicture> named;
-  for (const FolderResults::Picture& one : pictures) named.push_back({one.caption, one.id, &one.pixels});
-  for (const SmallPicture& one : small_pictures(named)) page.picture(one.caption, one.png, one.id);
+  constexpr int kMostPixels = 1500000;
+  int longest = 640;  // side
+  const auto shrunken = [&](int side, const Rgb8& picture) {
+    const int step = (std::max(picture.width, picture.height) + longest - 1) / longest;
+    return (side + step - 1) / step;
+  };
+  const auto pixels = [&] {
+    int all = 0;
+    for (const auto& [caption, id, one] : pictures) all += shrunken(one.width, one) * shrunken(one.height, one);
+    return all;
+  };
+  while (longest > 40 && pixels() > kMostPixels) longest /= 2;
+  if (!pictures.empty()) page.section("Pictures");
+  for (const auto& [caption, id, one] : pictures)
+    page.picture(caption, shrunk(one, shrunken(one.width, one), shrunken(one.height, one)), id);
 }
 
 void add_results(StudyPage& page, const FolderResults& results) {

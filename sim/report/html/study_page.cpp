@@ -2,8 +2,6 @@
 // study_page.cpp: see study_page.hpp.
 #include "sim/report/html/study_page.hpp"
 
-#include <fmt/format.h>
-
 namespace pipegs {
 
 using Json = nlohmann::ordered_json;
@@ -32,12 +30,9 @@ void StudyPage::charts(const std::vector<Chart>& charts) {
 
 void StudyPage::table(const Table& table) { last("tables").push_back(table_json(table)); }
 
-void StudyPage::picture(const std::string& caption, const std::string& png, const std::string& id) {
-  const std::string file = fmt::format("picture{}", pictures_++);
-  document_.add_file(file, png);
-  Json json = {{"caption", caption}, {"file", file}};
-  if (!id.empty()) json["id"] = id;
-  last("pictures").push_back(std::move(json));
+void StudyPage::picture(const std::string& caption, const Rgb8& picture, const std::string& id) {
+  document_.add_plane(id, picture.width, picture.height, 3, picture.data);
+  last("pictures").push_back({{"caption", caption}, {"id", id}});
 }
 
 }  // namespace pipegs

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cpp_model/float/image.hpp"
 #include "sim/report/chart.hpp"
 #include "sim/report/html/document.hpp"
 #include "sim/report/table.hpp"
@@ -26,8 +27,7 @@ class StudyPage {
   void note(const std::string& sentence);
   void charts(const std::vector<Chart>& charts);
   void table(const Table& table);
-  // `png` is the contents of a file.
-  void picture(const std::string& caption, const std::string& png, const std::string& id = "");
+  void picture(const std::string& caption, const Rgb8& picture, const std::string& id);
 
   std::string text(const std::string& html_template) const { return document_.text(html_template); }
 
@@ -35,7 +35,6 @@ class StudyPage {
   nlohmann::ordered_json& last(const char* list);
 
   HtmlDocument document_;
-  size_t pictures_ = 0;
 };
 
 }  // namespace pipegs

@@ -17,10 +17,12 @@ function from_base64(text) {
 
 const bytes_of = (name) => from_base64(document.getElementById('plane:' + name).textContent);
 
+// The picture that a plane is.
+export const picture_of = (name) => new Blob([bytes_of(name)], {type: 'image/webp'});
+
 async function unpack(name) {
   const {width, height, kind} = data.planes[name];
-  const picture = await createImageBitmap(new Blob([bytes_of(name)], {type: 'image/webp'}),
-                                          {colorSpaceConversion: 'none', premultiplyAlpha: 'none'});
+  const picture = await createImageBitmap(picture_of(name), {colorSpaceConversion: 'none', premultiplyAlpha: 'none'});
   const context = new OffscreenCanvas(width, height).getContext('2d', {willReadFrequently: true});
   context.drawImage(picture, 0, 0);
   const rgba = context.getImageData(0, 0, width, height).data, places = width * height;

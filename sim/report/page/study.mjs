@@ -2,17 +2,16 @@
 // study.mjs: the page of a study: what it asks, charts, tables, pictures, and the command that makes it again.
 //
 // Format  {title, command, version, lead: [sentences], sections: [{title, notes: [sentences], charts, tables, pictures:
-//         [{caption, file}]}]}. A picture is a PNG file within the page.
+//         [{caption, id}]}]}. A picture is the plane of its id.
 import {draw_chart} from './charts.mjs';
-import {file} from './data.mjs';
+import {picture_of} from './data.mjs';
 import {copy, element, made_by, section} from './parts.mjs';
 import {mark_row, table} from './table.mjs';
 
 const list = (given) => Array.isArray(given) ? given : [];
 
 async function picture(one) {
-  const bytes = await file(one.file);
-  const shown = element('img', {src: URL.createObjectURL(new Blob([bytes], {type: 'image/png'})), alt: one.caption});
+  const shown = element('img', {src: URL.createObjectURL(picture_of(one.id)), alt: one.caption});
   await shown.decode().catch(() => shown.replaceWith(element('p', {class: 'note'}, 'This picture cannot be shown.')));
   return element('figure', {id: one.id}, shown, element('figcaption', {}, one.caption));
 }
