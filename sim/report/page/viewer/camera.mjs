@@ -29,7 +29,9 @@ export function camera_of(frame, near) {
   camera.far = kFar * near;
   camera.projectionMatrix.makePerspective(left * near, right * near, -top * near, -bottom * near, near, camera.far);
   camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+  camera.fov = 360 / Math.PI * Math.atan((bottom - top) / 2);  // of its movements alone
   place(camera, pose(frame));
+  camera.up.transformDirection(camera.matrixWorld);
   return camera;
 }
 

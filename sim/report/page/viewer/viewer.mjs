@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // viewer.mjs: the page of `pipegs sim --viewer`: the machine's picture, the same by Spark, and their difference.
+import {Vector3} from 'three';
+import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {data, file, plane} from '../data.mjs';
 import {element, grouped, made_by} from '../parts.mjs';
-import {camera_of, reach} from './camera.mjs';
-import {Controls} from './controls.mjs';
+import {camera_of, place, pose, reach} from './camera.mjs';
 import {compared, show, show_rgb} from './measure.mjs';
 import {choices, Viewer} from './spark.mjs';
 import {about} from './words.mjs';
@@ -20,6 +21,8 @@ const canvas = element('canvas', {
   role: 'application',
   'aria-label': 'The scene by Spark; its camera moves by keys',
   'aria-describedby': 'keys',
+  onpointerdown: () => canvas.focus(),
+  onwheel: (event) => { if (document.activeElement !== canvas) event.stopImmediatePropagation(); },
 });
 const difference = element('canvas', {id: 'difference', role: 'img'});
 const machine_figure = element('figure', {id: 'machine-figure'}, element('div', {class: 'wide'}, machine),
@@ -66,6 +69,7 @@ function redraw() {
 
 function moved() {
   state.away = true;
+  camera.updateMatrixWorld();
   say_where();
   redraw();
 }
@@ -91,10 +95,22 @@ async function measure() {
   ready('yes');
 }
 
+// The camera turns about a point in front of it at the depth of the scene, upright as the frame is. The wheel is the
+// page's until the canvas has the focus.
+function steer() {
+  const point = new Vector3(0, 0, -viewer.depth(camera)).applyMatrix4(camera.matrixWorld);
+  controls?.dispose();
+  controls = new OrbitControls(camera, canvas);
+  controls.target.copy(point);
+  controls.listenToKeyEvents(canvas);
+  controls.addEventListener('change', moved);
+  place(camera, pose(current()));  // they have turned it to the origin
+}
+
 function to_frame() {
   camera = camera_of(current(), data.near);
   state.away = false;
-  controls.take(camera, viewer.depth(camera));
+  steer();
   say_where();
   return redraw();
 }
@@ -162,11 +178,10 @@ async function page() {
             element('figure', {}, element('div', {class: 'wide'}, canvas), element('figcaption', {}, 'Spark.')),
             element('figure', {}, element('div', {class: 'wide'}, difference),
                     element('figcaption', {}, 'Their absolute difference, amplified as chosen above.'))),
-    element('p', {id: 'keys', class: 'note'}, 'Spark\'s camera, when its picture has the focus: drag or arrow keys ' +
-            'turn it about the scene, shift and drag or A, D, Q, E move it, the wheel or W, S bring it nearer and ' +
-            'farther.'),
+    element('p', {id: 'keys', class: 'note'}, 'Spark\'s camera, when its picture has the focus: drag or shift and ' +
+            'arrow keys turn it about the scene, shift and drag or arrow keys move it, the wheel brings it nearer ' +
+            'and farther.'),
     about(data, all), made_by(data));
-  controls = new Controls(canvas, moved);
   try {
     viewer = new Viewer(canvas, data.background, drawn);
   } catch (error) {
