@@ -55,7 +55,7 @@ TEST_F(CampaignFile, LinesAreTheProductInTheOrderOfTheFile) {
   EXPECT_EQ(kept.out, "kept" + measured.out.substr(std::string("measured").size()));
   const Outcome again = run_file(file);
   EXPECT_NE(again.out.find("8 points, 1 of them kept"), std::string::npos) << again.out;
-  EXPECT_EQ(text("out/lines.txt"), lines) << "what is kept changes no line";
+  EXPECT_EQ(text("out/lines.txt"), lines.substr(line.size() + 1)) << "what is kept has no line";
 }
 
 TEST_F(CampaignFile, TheExampleOfThePageIsOne) {

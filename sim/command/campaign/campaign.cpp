@@ -3,23 +3,19 @@
 //
 // Idea    Nothing here runs a point: GNU parallel does. What must be done once for all points is done before:
 //         every scene, view and configuration is tried, every machine of the RTL is built.
-// Rule    The lines of a file are always the same, whatever is kept already, because GNU parallel resumes by their
-//         numbers. Its log is left with the lines whose points are kept: what was lost since runs again.
+// Rule    The lines are those whose points are not kept yet. So what was interrupted, or lost since, goes on when the
+//         campaign is written again.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 
-#include "scenes/text/text_file.hpp"
 #include "sim/command/campaign/merge.hpp"
 #include "sim/command/page/study_output.hpp"
 #include "sim/command/replay.hpp"
 
 namespace pipegs {
 namespace {
-
-constexpr uint64_t kMostLineBytes = uint64_t{1} << 30;
 
 struct CampaignArguments {
   std::string file, out;
@@ -58,39 +54,17 @@ size_t count_kept(const std::vector<PointResult>& points) {
   return std::count_if(points.begin(), points.end(), [](const PointResult& one) { return one.kept.has_value(); });
 }
 
-// The log of GNU parallel, without the lines whose points are not kept. A line's number comes first, then a tab.
-std::string log_of_kept(const std::string& log, const std::vector<PointResult>& points) {
-  std::string text;
-  for (const std::string_view line : lines_of(log)) {
-    size_t number = 0;
-    const auto read = std::from_chars(line.data(), line.data() + line.size(), number);
-    const bool header = text.empty() && read.ec != std::errc();
-    if (header || (number >= 1 && number <= points.size() && points[number - 1].kept)) {
-      text += line;
-      text += '\n';
-    }
-  }
-  return text;
-}
-
 int write_lines(const CampaignArguments& arguments, const std::vector<PointResult>& points, size_t machines) {
-  const std::filesystem::path out = std::filesystem::absolute(arguments.out).lexically_normal(),
-                              lines = out / "lines.txt", log = out / "joblog";
+  const std::filesystem::path out = std::filesystem::absolute(arguments.out).lexically_normal();
   std::string text;
-  for (const PointResult& one : points) text += one.point.arguments.line() + "\n";
-  const bool same =
-      std::filesystem::exists(lines) && read_text_file(lines, "lines of a campaign", kMostLineBytes) == text;
-  if (!same) {
-    std::filesystem::remove(log);
-    write_text(lines, text);
-  } else if (std::filesystem::exists(log)) {
-    write_text(log, log_of_kept(read_text_file(log, "a log of GNU parallel", kMostLineBytes), points));
+  for (const PointResult& one : points) {
+    if (!one.kept) text += one.point.arguments.line() + "\n";
   }
+  write_text(out / "lines.txt", text);
   std::filesystem::create_directories(out / "points");
-  const std::string word = shell_word(lines.string());
   fmt::print("{} points, {} of them kept; {} machines of the RTL are built\n\n", points.size(), count_kept(points),
              machines);
-  fmt::print("next: parallel --joblog {} --resume-failed < {}\n", shell_word(log.string()), word);
+  if (!text.empty()) fmt::print("next: parallel < {}\n", shell_word((out / "lines.txt").string()));
   fmt::print("then: pipegs campaign {} --out {} --merge\n", shell_word(arguments.file), shell_word(arguments.out));
   return kExitOk;
 }
@@ -137,8 +111,8 @@ void add_campaign(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("campaign", "scenes x views x settings x design points");
   command->footer(footer("pipegs campaign campaign.json --out campaign", "written (--merge: of every point)",
                          "--merge: a point is missing, or the RTL differs in one",
-                         "GNU parallel runs the lines, on one core each. A line whose result is kept ends at "
-                         "once: nothing is measured twice."));
+                         "GNU parallel runs the lines, on one core each. Written again they are those that are "
+                         "left: nothing is measured twice."));
   static CampaignArguments arguments;
   command->add_option("FILE", arguments.file, "campaign: JSON, docs/campaign.md has its fields")->required();
   command->add_option("--out", arguments.out, "folder for the lines, what they keep, and what it is merged to")

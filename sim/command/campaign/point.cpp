@@ -2,17 +2,10 @@
 // point.cpp: `pipegs point`, and point.hpp.
 #include "sim/command/campaign/point.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 
 #include "cpp_model/float/parallel.hpp"
 #include "scenes/input_error.hpp"
-#include "scenes/own_failure.hpp"
 #include "scenes/text/text_file.hpp"
 #include "sim/command/replay.hpp"
 #include "sim/host_use.hpp"
@@ -26,35 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr uint64_t kMostFileBytes = uint64_t{1} << 32;
-
-// Held by one process at a time, on one machine or, through a file system that passes locks on, on several. The kernel
-// gives it back when its holder ends, however it ends.
-class FileLock {
- public:
-  explicit FileLock(std::filesystem::path path) : path_(std::move(path)) {
-    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0) fail();
-    while (flock(file_, LOCK_EX) != 0) {
-      if (errno != EINTR) fail();
-      if (interrupted()) throw std::runtime_error("interrupted");
-    }
-  }
-  ~FileLock() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);  // who waits for it looks for the result and finds it
-    close(file_);
-  }
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
-
- private:
-  [[noreturn]] void fail() const {
-    throw OwnFailure(fmt::format("{}: cannot lock: {}", path_.string(), std::strerror(errno)));
-  }
-
-  std::filesystem::path path_;
-  int file_ = -1;
-};
 
 const std::string& hash_of_program() {
   static const std::string hash =
@@ -131,13 +95,8 @@ int run_point(const PointArguments& point) {
   const MeasurementStore store = point_store(point, loaded.scene, loaded.camera);
   const std::filesystem::path file = store.path(options.config);
   std::optional<Json> kept = kept_point(store, options.config);
-  bool found = true;
-  if (!kept) {
-    const FileLock lock(file.string() + ".lock");
-    kept = kept_point(store, options.config);
-    found = kept.has_value();
-    if (!found) kept = measure(point, loaded, options, store, watch);
-  }
+  const bool found = kept.has_value();
+  if (!found) kept = measure(point, loaded, options, store, watch);
   fmt::print("{} {}\n", found ? "kept" : "measured", file.string());
   const Json result = (*kept)["result"];
   return result.value("mismatches", Json(nullptr)).is_null() || result["mismatches"] == 0 ? kExitOk : kExitDiffers;

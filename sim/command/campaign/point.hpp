@@ -3,7 +3,6 @@
 //
 // Key     MeasurementStore's (contents of the scene, camera, memory, every entry of the configuration, sources of the
 //         models), the bytes of this program, engine, truth, seed; with the RTL its sources.
-// Rule    Two who measure the same point take turns: the second finds it kept.
 #pragma once
 
 #include <nlohmann/json.hpp>
