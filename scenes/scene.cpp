@@ -50,13 +50,4 @@ Cull activate(const Gaussian& g, const float* sh_rest, int rest, ActivatedGaussi
   return Cull::kNone;
 }
 
-const char* cull_name(Cull cull) {
-  switch (cull) {
-    case Cull::kNone: return "none";
-    case Cull::kNonFinite: return "non-finite";
-    case Cull::kZeroQuaternion: return "zero quaternion";
-  }
-  return "unknown";
-}
-
 }  // namespace pipegs

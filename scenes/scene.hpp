@@ -73,6 +73,5 @@ void check_consistent(const Scene& scene);
 Cull activate(const Scene& scene, std::size_t i, ActivatedGaussian& out);
 // The same of one Gaussian alone; sh_rest holds `rest` floats.
 Cull activate(const Gaussian& gaussian, const float* sh_rest, int rest, ActivatedGaussian& out);
-const char* cull_name(Cull cull);
 
 }  // namespace pipegs

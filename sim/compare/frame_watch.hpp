@@ -42,7 +42,6 @@ class FrameWatch : public RtlTaps {
   void on_sorted(const uint32_t* sorted) final;
   void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                  const uint32_t* line) override;
-  void on_pixels(int, int, int, const uint32_t*) final {}
   void on_line_free(int unit) final { --alpha_lines_[unit]; }
   void on_layer_done(int unit, bool window_done) final;
 

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "scenes/text/csv.hpp"
-#include "scenes/text/number.hpp"
 
 namespace pipegs {
 namespace {
@@ -62,14 +61,6 @@ Json cell_json(const TableCell& cell, const TableColumn& column) {
 
 TableCell number_cell(double value, const std::string& mark) { return {.value = value, .mark = mark}; }
 TableCell text_cell(const std::string& text) { return {.text = text}; }
-
-TableCell field_cell(const std::string& text) {
-  TableCell cell = text_cell(text);
-  try {
-    cell.value = parse_real(text);
-  } catch (const NumberError&) {}  // then it has none
-  return cell;
-}
 
 std::string cell_text(const TableCell& cell, const TableColumn& column) {
   if (!cell.text.empty() || !cell.value) return cell.text;

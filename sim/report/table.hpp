@@ -40,8 +40,6 @@ struct Table {
 
 TableCell number_cell(double value, const std::string& mark = "");
 TableCell text_cell(const std::string& text);
-// A text that may be a number, as a field of CSV.
-TableCell field_cell(const std::string& text);
 // What the cell shows in its column.
 std::string cell_text(const TableCell& cell, const TableColumn& column);
 

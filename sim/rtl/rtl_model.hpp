@@ -25,13 +25,14 @@ namespace pipegs {
 class RtlTaps {
  public:
   virtual ~RtlTaps() = default;
-  virtual void on_splat(int unit, const uint32_t* splat) = 0;  // PU -> SU
-  virtual void on_sorted(const uint32_t* sorted) = 0;          // su_merge -> RUs
+  virtual void on_splat(int /*unit*/, const uint32_t* /*splat*/) {}  // PU -> SU
+  virtual void on_sorted(const uint32_t* /*sorted*/) {}              // su_merge -> RUs
   // Alphas that a lane of an RU's taps starts to blend, and the window in which it does: a line, or with quads the four
   // of row `quarter` of the region's quads that its group of lanes owns. Lanes count through all RUs.
-  virtual void on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
-                         const uint32_t* line) = 0;
-  virtual void on_pixels(int lane, int region, int quarter, const uint32_t* word) = 0;  // T and RGB, written back
+  virtual void on_alphas(int /*lane*/, uint64_t /*window_x*/, uint64_t /*window_y*/, uint32_t /*index*/, int /*region*/,
+                         int /*quarter*/, const uint32_t* /*line*/) {}
+  // T and RGB, written back.
+  virtual void on_pixels(int /*lane*/, int /*region*/, int /*quarter*/, const uint32_t* /*word*/) {}
   virtual void on_frame_left() {}  // the RUs have given away its last pixel: what they show now is of the next frame
   virtual void on_frame_done() {}  // the last pixel of the oldest frame inside is in memory; without taps too
   virtual void on_give_up() {}     // no frame inside counts any more: those that are not done begin anew

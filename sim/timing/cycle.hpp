@@ -116,4 +116,22 @@ inline int round_robin(uint32_t requests, int last) {
   return std::countr_zero(above != 0 ? above : requests);
 }
 
+// What it has shown and nobody has used stays, as in rtl/lib/pipegs_arbiter.sv.
+class Arbiter {
+ public:
+  int port(uint32_t requests) const {
+    if (requests == 0) return 0;
+    return locked_ && (requests >> shown_ & 1) != 0 ? shown_ : round_robin(requests, last_);
+  }
+  void clock(uint32_t requests, bool advance) {
+    shown_ = port(requests);
+    if (requests != 0 && advance) last_ = shown_;
+    locked_ = requests != 0 && !advance;
+  }
+
+ private:
+  int last_ = 0, shown_ = 0;
+  bool locked_ = false;
+};
+
 }  // namespace pipegs::timing

@@ -63,14 +63,8 @@ void Memory::step(Machine& machine, Cycle now) {
     grant_at_ = now;
     machine.wheel.wake_now(grant_unit_[static_cast<size_t>(chosen_)]);
   }
-  if (requests == 0) {
-    locked_ = false;
-    return;
-  }
-  const int port = locked_ && (requests >> shown_ & 1) != 0 ? shown_ : round_robin(requests, last_);
-  if (moves) chosen_ = last_ = port;
-  locked_ = !moves;
-  shown_ = port;
+  if (requests != 0 && moves) chosen_ = arbiter_.port(requests);
+  arbiter_.clock(requests, moves);
 }
 
 }  // namespace pipegs::timing

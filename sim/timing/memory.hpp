@@ -64,8 +64,7 @@ class Memory {
   std::array<Request, kPorts> request_{};
   int pause_ = 0;       // cycles for which no geometry is asked for
   int chosen_ = kNone;  // granted in this cycle if it asks
-  int last_ = 0, shown_ = 0;
-  bool locked_ = false;
+  Arbiter arbiter_;
   bool out_valid_ = false;
   int out_port_ = 0;
   Request out_;

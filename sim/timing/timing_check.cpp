@@ -17,9 +17,6 @@ namespace {
 class WindowTaps final : public RtlTaps {
  public:
   explicit WindowTaps(const Config& config) : kind_w_(config.kind_w()) {}
-  void on_splat(int, const uint32_t*) override {}
-  void on_alphas(int, uint64_t, uint64_t, uint32_t, int, int, const uint32_t*) override {}
-  void on_pixels(int, int, int, const uint32_t*) override {}
   void on_sorted(const uint32_t* sorted) override {
     if ((sorted[0] & ((1u << kind_w_) - 1)) == kWindowEnd) ends.push_back(static_cast<uint64_t>(cycle));
   }

@@ -68,10 +68,6 @@ class ErrorFrame : public RtlTaps {
     const bool own = in(t.overflow, areas.overflow) || (write && in(t.pixels, areas.pixels));
     ASSERT_TRUE(own || (scene && !write)) << "tag " << tag << (write ? " writes" : " reads") << " line " << line;
   }
-  void on_splat(int, const uint32_t*) override {}
-  void on_sorted(const uint32_t*) override {}
-  void on_alphas(int, uint64_t, uint64_t, uint32_t, int, int, const uint32_t*) override {}
-  void on_pixels(int, int, int, const uint32_t*) override {}
 
   Frame frame;
   Areas areas;

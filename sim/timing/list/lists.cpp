@@ -43,11 +43,8 @@ void Lists::write(Machine& m, Cycle now, bool granted) {
     if (pu.made_shown(now)) (is_end(pu.made()) ? ends : data) |= uint32_t{1} << k;
   }
   const bool take = data != 0 && !clearing && (!held_valid_ || move);
-  const int source = data == 0                                            ? 0
-                     : source_locked_ && (data >> source_shown_ & 1) != 0 ? source_shown_
-                                                                          : round_robin(data, source_last_);
-  source_locked_ = data != 0 && !take;
-  source_shown_ = source;
+  const int source = source_.port(data);
+  source_.clock(data, take);
   if (move) {
     const size_t number = m.trace.number[held_.beat];
     m.memory.ask(port_, list_line(m.config, m.overflow, windows_, number, lists_[number].size()), true);
@@ -57,7 +54,6 @@ void Lists::write(Machine& m, Cycle now, bool granted) {
     moved_ = true;
   }
   if (take) {
-    source_last_ = source;
     held_ = m.pu[static_cast<size_t>(source)].take_made(m, now);
     held_valid_ = moved_ = true;
   }
@@ -101,15 +97,9 @@ void Lists::read(Machine& m, Cycle now, bool granted, bool answered) {
   if (request == 0 && item && free && now - none_from_ >= kNobody) request = (uint32_t{1} << units_) - 1;
   if (none_from_ != kNever) m.wheel.wake(unit(kLists), none_from_ + kNobody);
   const bool give = item && free && (!data || request != 0);
-  const int target = request == 0                                            ? 0
-                     : target_locked_ && (request >> target_shown_ & 1) != 0 ? target_shown_
-                                                                             : round_robin(request, target_last_);
+  const int target = target_.port(request);
   const bool wake = granted || answered || leave || give || (waiting_ & ready) != 0;
-  if (wake || now - woken_ <= kPatience) {  // else the clock stands, and the arbiter with it
-    if (give && request != 0) target_last_ = target;
-    target_locked_ = request != 0 && !give;
-    target_shown_ = target;
-  }
+  if (wake || now - woken_ <= kPatience) target_.clock(request, give);  // else the clock stands
   if (wake) woken_ = now, moved_ = true;
   waiting_ &= ~taken_;
   taken_ = 0;

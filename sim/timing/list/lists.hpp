@@ -44,8 +44,8 @@ class Lists {
   // pipegs_list_write
   std::vector<std::vector<Splat>> lists_;
   uint32_t ended_ = 0;
-  int source_last_ = 0, source_shown_ = 0;
-  bool source_locked_ = false, held_valid_ = false, out_valid_ = false, written_ = false;
+  Arbiter source_;
+  bool held_valid_ = false, out_valid_ = false, written_ = false;
   Splat held_;
 
   // pipegs_list_read
@@ -57,8 +57,7 @@ class Lists {
   uint32_t waiting_ = 0, taken_ = 0;   // SUs that have still to take the record
   static constexpr Cycle kNobody = 3;  // cycles without a ready SU until the next one in turn gets the record
   Cycle none_from_ = kNever;
-  int target_last_ = 0, target_shown_ = 0;
-  bool target_locked_ = false;
+  Arbiter target_;
   Splat out_;
 };
 

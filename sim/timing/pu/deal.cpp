@@ -38,18 +38,13 @@ void Deal::step(Machine& m, Cycle now) {
     for (int k = m.config.pu_fronts(); k-- > 0;) take(k);
     waiting_ = (uint32_t{1} << m.units) - 1;
   }
-  const int source = data == 0                                            ? 0
-                     : source_locked_ && (data >> source_shown_ & 1) != 0 ? source_shown_
-                                                                          : round_robin(data, source_last_);
   const bool dealt = free && data != 0 && targets != 0;
   if (dealt) {
-    take(source);
-    source_last_ = source;
+    take(source_.port(data));
     target_last_ = round_robin(targets, target_last_);
     waiting_ = uint32_t{1} << target_last_;
   }
-  source_locked_ = data != 0 && !dealt;
-  source_shown_ = source;
+  source_.clock(data, dealt);
   if (moved) m.wheel.wake(unit(kDeal), now + 1);
 }
 

@@ -17,8 +17,7 @@ class Deal {
  private:
   uint32_t waiting_ = 0;  // PUs that have still to take the record
   Beat beat_ = 0;
-  int source_last_ = 0, source_shown_ = 0;
-  bool source_locked_ = false;
+  Arbiter source_;
   int target_last_ = 0;
 };
 

@@ -5,7 +5,7 @@
 //         same whatever the frame's length. Each unit is one item: four areas stacked to 100 %, and above them the
 //         windows it worked on, light and dark by turns.
 import {CustomChart, LineChart} from 'echarts/charts';
-import {DataZoomComponent, GridComponent, LegendComponent, TooltipComponent} from 'echarts/components';
+import {GridComponent, LegendComponent, TooltipComponent} from 'echarts/components';
 import {init, use} from 'echarts/core';
 import {SVGRenderer} from 'echarts/renderers';
 import {data, file, plane} from '../data.mjs';
@@ -13,7 +13,7 @@ import {axis, colors, css, on_look, paper, tooltip_box} from '../look.mjs';
 import {element, grouped, percent} from '../parts.mjs';
 import {state_legend, states} from './units.mjs';
 
-use([CustomChart, DataZoomComponent, GridComponent, LegendComponent, LineChart, SVGRenderer, TooltipComponent]);
+use([CustomChart, GridComponent, LegendComponent, LineChart, SVGRenderer, TooltipComponent]);
 
 const kBins = 400, kLineBytes = 64;
 
