@@ -7,6 +7,7 @@
 #include "sim/command/command.hpp"
 #include "sim/host_use.hpp"
 #include "sim/progress.hpp"
+#include "sim/report/report.hpp"
 #include "sim/timing/timing_check.hpp"
 
 namespace pipegs {
@@ -61,9 +62,7 @@ nlohmann::ordered_json to_json(const ModelRow& row, bool check, bool windows) {
                                  {"overflow_lines", row.result.overflow_lines},
                                  {"seconds", {{"trace", row.trace_seconds}, {"model", row.seconds}}},
                                  {"model_mhz", row.mega_cycles()}};
-  for (const TimingResult::Stream& stream : row.result.streams)
-    json["bytes"][stream.name] = {
-        {"read", stream.bytes_read}, {"written", stream.bytes_written}, {"bursts", stream.bursts}};
+  json["bytes"] = traffic_json(row.result.streams)["by_stream"];
   if (windows) json["window_ends"] = row.result.window_ends;
   if (!check) return json;
   json["rtl"] = {{"cycles", row.rtl.cycles}, {"overflow_lines", row.rtl.overflow_lines}, {"khz", row.rtl_khz()}};

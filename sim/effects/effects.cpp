@@ -108,22 +108,6 @@ Verdict detect_antialias(const EffectFacts& facts) {
           facts.scene.antialiased ? "the scene was trained with it" : "the scene was trained without"};
 }
 
-Verdict detect_near(const EffectFacts& facts) {
-  return counted(facts.simulation.golden.called.near, "pairs of Gaussian and window before the near plane");
-}
-
-Verdict detect_guard_band(const EffectFacts& facts) {
-  return counted(facts.simulation.golden.called.guard, "visible pairs of Gaussian and window beyond the guard band");
-}
-
-Verdict detect_early_stop(const EffectFacts& facts) {
-  return counted(facts.simulation.golden.called.stopped, "pixels stopped");
-}
-
-Verdict detect_ties(const EffectFacts& facts) {
-  return counted(facts.simulation.golden.called.ties, "neighbours of equal depth in the sorted order");
-}
-
 Verdict detect_saturation(const EffectFacts& facts) {
   const Saturations& s = facts.simulation.golden.saturations;
   return {s.color + s.accumulated > 0,
@@ -132,7 +116,7 @@ Verdict detect_saturation(const EffectFacts& facts) {
 
 Verdict detect_layers(const EffectFacts& facts) {
   if (!facts.options.config.has_layers()) return {false, "depth order without layers"};
-  const uint64_t most = facts.simulation.golden.called.layers;
+  const uint64_t most = facts.called().layers;
   return {most > 1, fmt::format("at most {} layers of a window hold something", most)};
 }
 
@@ -159,7 +143,7 @@ Verdict detect_overflow(const EffectFacts& facts) {
 
 // A chain of the SU is a bucket of depth, or what it selects from records in memory.
 Verdict detect_large_groups(const EffectFacts& facts) {
-  const uint64_t most = facts.simulation.golden.called.bucket;
+  const uint64_t most = facts.called().bucket;
   if (most > 16) return {true, fmt::format("a bucket of depth holds {} keys", most)};
   if (detect_overflow(facts).called_for) return {true, "records may overflow"};
   return {false, fmt::format("no bucket of depth holds more than {} keys", most)};
@@ -201,17 +185,27 @@ const std::vector<Effect>& effects() {
       {"sh3", "SH band 3", "sh_degree=2", detect_sh<3>, leave_out_sh<3>},
       {"antialias", "opacity lowered by what the dilation adds to the area", "antialias=0", detect_antialias,
        without<&Config::antialias>},
-      {"near", "the near plane", "near_test=0", detect_near, without<&Config::near_test>},
-      {"guard_band", "clamp of the Jacobian's x/z and y/z", "guard_band=0", detect_guard_band,
+      {"near", "the near plane", "near_test=0",
+       [](const EffectFacts& f) {
+         return counted(f.called().near, "pairs of Gaussian and window before the near plane");
+       },
+       without<&Config::near_test>},
+      {"guard_band", "clamp of the Jacobian's x/z and y/z", "guard_band=0",
+       [](const EffectFacts& f) {
+         return counted(f.called().guard, "visible pairs of Gaussian and window beyond the guard band");
+       },
        without<&Config::guard_band>},
       {"saturation", "colours that clip at the top", "saturation=0", detect_saturation, without<&Config::saturation>},
-      {"early_stop", "pixels and regions that close when they are opaque", "early_stop=0", detect_early_stop,
+      {"early_stop", "pixels and regions that close when they are opaque", "early_stop=0",
+       [](const EffectFacts& f) { return counted(f.called().stopped, "pixels stopped"); },
        without<&Config::early_stop>},
       {"layers", "carry of T and RGB from layer to layer", "layered=0", detect_layers,
        [](Options& o) {
          if (o.config.has_layers()) o.config.layered = 0;
        }},
-      {"ties", "order of equal depths by index", "index_ties=0", detect_ties, without<&Config::index_ties>},
+      {"ties", "order of equal depths by index", "index_ties=0",
+       [](const EffectFacts& f) { return counted(f.called().ties, "neighbours of equal depth in the sorted order"); },
+       without<&Config::index_ties>},
       {"overflow", "alphas, records and keys that go to external memory", "overflow=0", detect_overflow,
        without<&Config::overflow>},
       {"large_groups", "sort groups of more than 16 keys", "large_groups=0", detect_large_groups,

@@ -31,6 +31,7 @@ struct EffectFacts {
   std::array<double, 4> sh_largest{};  // magnitude of the largest packed coefficient of each band, 1 to 3
   std::optional<TimingResult> timing;  // when the timing model was asked,
   uint64_t fixed_latency_cycles = 0;   // also with a memory that only has a latency
+  const Called& called() const { return simulation.golden.called; }
 };
 
 // Gathers them; the golden model must have run. Asking the timing model costs a second pass over the scene.

@@ -37,6 +37,16 @@ uint64_t total_lines(const Simulation& simulation) {
 
 }  // namespace
 
+Json traffic_json(const std::vector<MemoryTraffic>& streams) {
+  uint64_t read = 0, written = 0;
+  Json by_stream;
+  for (const auto& [stream, bytes_read, bytes_written, bursts] : streams) {
+    read += bytes_read, written += bytes_written;
+    by_stream[stream] = {{"read", bytes_read}, {"written", bytes_written}, {"bursts", bursts}};
+  }
+  return {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}};
+}
+
 Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options) {
   const Config& config = options.config;
   const Work& work = simulation.golden.work;
@@ -106,14 +116,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
                              {"pu", units_json(simulation.rtl.pu)},
                              {"su", units_json(simulation.rtl.su)},
                              {"ru", units_json(simulation.rtl.ru)}});
-  uint64_t read = 0, written = 0;
-  Json by_stream;
-  for (const MemoryTraffic& traffic : simulation.traffic) {
-    read += traffic.bytes_read, written += traffic.bytes_written;
-    by_stream[traffic.stream] = {
-        {"read", traffic.bytes_read}, {"written", traffic.bytes_written}, {"bursts", traffic.bursts}};
-  }
-  report["memory"] = of(rtl, {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}});
+  report["memory"] = of(rtl, traffic_json(simulation.traffic));
   if (simulation.dram) {
     const Dram::Statistics& s = simulation.dram->statistics;
     report["memory"]["dram"] = {{"gbps", simulation.dram->gbps},

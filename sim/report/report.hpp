@@ -19,6 +19,8 @@ struct Bounds {
 };
 Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options);
 
+// {bytes_read, bytes_written, by_stream}
+nlohmann::ordered_json traffic_json(const std::vector<MemoryTraffic>& streams);
 nlohmann::ordered_json report_json(const Scene& scene, const Camera& camera, const SimulateOptions& options,
                                    const Simulation& simulation);
 std::string report_text(const nlohmann::ordered_json& report);

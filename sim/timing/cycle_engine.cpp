@@ -30,7 +30,7 @@ CycleEngine model_engine(const Scene& scene, const Camera& camera, const Simulat
     }
     const TimingResult timing = timing_run(*trace, config, memory);
     EngineResult result{.cycles = timing.cycles};
-    for (const TimingResult::Stream& stream : timing.streams) result.bytes += stream.bytes_read + stream.bytes_written;
+    for (const MemoryTraffic& stream : timing.streams) result.bytes += stream.bytes_read + stream.bytes_written;
     return result;
   };
 }

@@ -5,7 +5,6 @@
 
 #include <stdexcept>
 
-#include "sim/compare/simulate.hpp"
 #include "sim/timing/machine.hpp"
 
 namespace pipegs {
@@ -31,9 +30,9 @@ TimingResult timing_run(const TimingTrace& trace, const Config& config, MemoryTi
   result.peak_lines = machine->peak_lines;
   result.peak_records = machine->peak_records;
   for (const timing::Cycle end : machine->window_ends) result.window_ends.push_back(static_cast<uint64_t>(end));
-  for (const std::string& name : memory_streams(config)) result.streams.push_back({.name = name});
+  for (const std::string& name : memory_streams(config)) result.streams.push_back({.stream = name});
   for (int port = 0; port < config.memory_ports(); ++port) {
-    TimingResult::Stream& stream = result.streams[memory_stream(config, port)];
+    MemoryTraffic& stream = result.streams[memory_stream(config, port)];
     stream.bursts += machine->memory.bursts(port);
     stream.bytes_read += 64 * machine->memory.lines_read(port);
     stream.bytes_written += 32 * machine->memory.halves_written(port);

@@ -9,9 +9,9 @@
 // Docs    docs/cycles/timing_model.md
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "sim/compare/simulate.hpp"
 #include "sim/memory/memory_timing.hpp"
 #include "sim/timing/trace/trace.hpp"
 
@@ -19,12 +19,7 @@ namespace pipegs {
 
 struct TimingResult {
   uint64_t cycles = 0;
-  struct Stream {
-    std::string name;  // as in report.json
-    uint64_t bytes_read = 0, bytes_written = 0;
-    uint64_t bursts = 0;  // reads, each of one to eight lines in a row
-  };
-  std::vector<Stream> streams;
+  std::vector<MemoryTraffic> streams;
   uint64_t overflow_lines = 0;
   uint64_t peak_lines = 0, peak_records = 0;  // most that one alpha store, one SU's store held
   std::vector<uint64_t> window_ends;          // of each window: the cycle in which its end leaves the merge

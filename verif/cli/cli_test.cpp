@@ -63,27 +63,13 @@ TEST_F(Cli, ViewsFollowInOneMachine) {
   EXPECT_LE(report["views"][0]["cycles_alone"], single["cycles"].get<uint64_t>() + 100);
 }
 
-TEST_F(Cli, OneWindowAlone) {
-  const Outcome outcome = run("sim scene.ply --cameras cameras.json --design dop --window 1,0 --out pictures");
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-}
-
 TEST_F(Cli, SettingsMayStandBeforeTheScene) {
   const Outcome outcome =
       run("sim --set grid=4 --set units=4 scene.ply --cameras cameras.json --no-truth --out pictures");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
-TEST_F(Cli, ADesignPointIsItsSettings) {
-  const Outcome outcome = run("sim scene.ply --cameras cameras.json --design late --no-truth --out pictures");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const auto config = nlohmann::json::parse(text("pictures/report.json"))["config"];
-  EXPECT_EQ(config["late"], 1);
-  EXPECT_EQ(config["order"], 0);
-  EXPECT_EQ(config["quadratic"], 0);
-}
-
-TEST_F(Cli, WithoutADesignPointItIsTheDefaultOne) {
+TEST_F(Cli, ADesignPointIsItsSettingsAndThoseBehindIt) {
   const auto config_of = [&](const std::string& design) {
     const Outcome outcome =
         run("sim scene.ply --cameras cameras.json " + design + "--no-truth --no-rtl --json --out pictures");
@@ -97,13 +83,11 @@ TEST_F(Cli, WithoutADesignPointItIsTheDefaultOne) {
   EXPECT_EQ(paper["order"], 0);
   EXPECT_EQ(paper["window"], 64);
   EXPECT_EQ(paper["alpha_w"], 8) << "nothing of the default is left in the paper's machine";
-}
-
-TEST_F(Cli, SettingsComeAfterTheDesignPoint) {
-  const Outcome outcome =
-      run("sim scene.ply --cameras cameras.json --design late --set late=0 --no-truth --no-rtl --out pictures");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(nlohmann::json::parse(text("pictures/report.json"))["config"]["late"], 0);
+  const auto late = config_of("--design late ");
+  EXPECT_EQ(late["late"], 1);
+  EXPECT_EQ(late["order"], 0);
+  EXPECT_EQ(late["quadratic"], 0);
+  EXPECT_EQ(config_of("--design late --set late=0 ")["late"], 0);
 }
 
 TEST_F(Cli, RenderWritesEveryModel) {

@@ -48,6 +48,7 @@ TEST_F(ExitCodes, OneWhenTheMachineHangs) {
   }
 }
 
+// Where both part is told: the first unit and the cycle.
 TEST_F(ExitCodes, OneWhenTheTimingModelDiffersByOneCycle) {
   EXPECT_EQ(faulty("none", "model" + view_ + "--check").code, 0);
   const Outcome text = faulty("cycles", "model" + view_ + "--check"),
@@ -56,12 +57,6 @@ TEST_F(ExitCodes, OneWhenTheTimingModelDiffersByOneCycle) {
   EXPECT_NE(text.out.find("differs"), std::string::npos) << text.out;
   EXPECT_EQ(json.code, 1) << json.err;
   EXPECT_FALSE(nlohmann::json::parse(json.out)["designs"][0]["differences"].empty());
-}
-
-// Where both part is told: the first unit and the cycle.
-TEST_F(ExitCodes, OneWithTheUnitAndCycleInWhichRtlAndTimingModelPart) {
-  const Outcome text = faulty("cycles", "model" + view_ + "--check"),
-                json = faulty("cycles", "model" + view_ + "--check --json");
   EXPECT_NE(text.out.find("    cycles: RTL "), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("    they part in cycle "), std::string::npos) << text.out;
   const nlohmann::json first = nlohmann::json::parse(json.out)["designs"][0]["first_difference"];

@@ -63,8 +63,8 @@ Cost cost(const std::string& name, size_t count) {
   simulate_pack(scene, test_camera(kSide, kSide, kFocal), options, simulation);
   const TimingResult run = timing_run(timing_trace(simulation.input), options.config, options.memory);
   double bytes = 0;
-  for (const TimingResult::Stream& stream : run.streams) {
-    if (stream.name == "sort_overflow") bytes = static_cast<double>(stream.bytes_read + stream.bytes_written);
+  for (const MemoryTraffic& stream : run.streams) {
+    if (stream.stream == "sort_overflow") bytes = static_cast<double>(stream.bytes_read + stream.bytes_written);
   }
   const auto splats = static_cast<double>(count);
   return {static_cast<double>(run.cycles) / splats, bytes / splats};

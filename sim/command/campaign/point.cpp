@@ -36,15 +36,8 @@ Json view_key(const PointArguments& point) {
 
 // The figures of the timing model under the names of report.json.
 Json timing_json(const TimingResult& timing) {
-  uint64_t read = 0, written = 0;
-  Json by_stream;
-  for (const TimingResult::Stream& stream : timing.streams) {
-    read += stream.bytes_read, written += stream.bytes_written;
-    by_stream[stream.name] = {
-        {"read", stream.bytes_read}, {"written", stream.bytes_written}, {"bursts", stream.bursts}};
-  }
   return {{"cycles", timing.cycles},
-          {"memory", {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}}},
+          {"memory", traffic_json(timing.streams)},
           {"work", {{"overflow_lines", timing.overflow_lines}}}};
 }
 

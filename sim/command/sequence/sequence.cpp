@@ -83,7 +83,7 @@ class Sequence {
       at(0.4);
       const TimingResult timing = timing_run(timing_trace(simulation.input), options_.config, options_.memory);
       row.cycles = timing.cycles;
-      for (const TimingResult::Stream& stream : timing.streams)
+      for (const MemoryTraffic& stream : timing.streams)
         row.bytes = {row.bytes.read + stream.bytes_read, row.bytes.written + stream.bytes_written};
     }
   }

@@ -130,7 +130,7 @@ void View::measure_picture(const Config& config, const Less& less, Figures& resu
   stop_when_interrupted(0);
   const TimingResult timing = timing_run(trace, config, asked.memory);
   result.cycles = timing.cycles;
-  for (const TimingResult::Stream& stream : timing.streams) result.bytes += stream.bytes_read + stream.bytes_written;
+  for (const MemoryTraffic& stream : timing.streams) result.bytes += stream.bytes_read + stream.bytes_written;
 }
 
 Figures View::measure(const Config& config, const Less& less) const {
