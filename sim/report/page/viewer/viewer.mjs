@@ -135,19 +135,9 @@ function choose(choice) {
   });
 }
 
-function step(by) {
-  const chooser = document.getElementById('frame');
-  chooser.selectedIndex = (state.frame + by + data.frames.length) % data.frames.length;
-  to(chooser.selectedIndex);
-}
-
 function bar() {
   const frames = data.frames.map(({name}, i) => [String(i), data.frames.length > 1 ? i + ': ' + name : name]);
-  const several = data.frames.length > 1 ? [
-    element('button', {type: 'button', id: 'before', onclick: () => step(-1)}, 'frame before'),
-    select('frame', 'frame', frames, '0', (value) => to(Number(value))),
-    element('button', {type: 'button', id: 'next', onclick: () => step(1)}, 'next frame'),
-  ] : [];
+  const several = data.frames.length > 1 ? [select('frame', 'frame', frames, '0', (value) => to(Number(value)))] : [];
   return element(
     'div', {class: 'bar'}, ...several,
     select('choice', 'Spark\'s settings', Object.entries(all).map(([key, {name}]) => [key, name]), 'machine', choose),

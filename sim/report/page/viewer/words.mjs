@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // words.mjs: what the page of the viewer says of itself: the scene in it, the settings, where differences come from.
-import {file} from '../data.mjs';
 import {element, grouped, section} from '../parts.mjs';
 import {defaults} from './spark.mjs';
 
@@ -17,17 +16,6 @@ const what = {
   extSplats: 'the scene in float, instead of 8 to 16 bits; but Spark 2.2.0 then cuts the largest channel of an SH ' +
     'coefficient to the power of two below: better for far positions, worse for colors that change with direction',
 };
-
-// The very bytes that the viewer reads, as files.
-function save_buttons({name, form, files}) {
-  const save = async (i) => {
-    const url = URL.createObjectURL(new Blob([await file('scene:' + i)]));
-    element('a', {href: url, download: name + (i > 0 ? '_far.' : '.') + form}).click();
-    URL.revokeObjectURL(url);
-  };
-  return files.map((bytes, i) => element('button', {type: 'button', class: 'save', onclick: () => save(i)},
-                                         'save ' + (i > 0 ? 'what is far' : 'it') + ' as .' + form));
-}
 
 const value_text = (value) => typeof value === 'number' ? String(Number(value.toPrecision(3))) : String(value);
 
@@ -54,8 +42,7 @@ export function about(data, all) {
                     ', ' + (bytes / 1e6).toFixed(1) + ' MB as .' + scene.form + '. No SH degree is left out.'),
             reduced.length === 0
               ? element('p', {id: 'reduced'}, 'Its numbers are those of the file, all of them in float.')
-              : element('ul', {id: 'reduced'}, ...reduced.map((text) => element('li', {}, text))),
-            element('div', {class: 'bar'}, ...save_buttons(scene))),
+              : element('ul', {id: 'reduced'}, ...reduced.map((text) => element('li', {}, text)))),
     section('The settings', settings_table(all),
             element('p', {class: 'note'}, 'The machine: ' + data.machine + '; near plane ' + data.near + '.')),
     section('Where differences come from',
