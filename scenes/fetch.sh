@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# fetch.sh SCENE ... [--into FOLDER] [--from URL] [--list FILE]: gets public trained scenes, in the format that they have.
+# fetch.sh SCENE ... [--into FOLDER] [--from URL] [--list FILE]: gets public trained scenes, in their own format.
 #
 # FOLDER/SCENE (FOLDER is `out/scenes` by default) gets the files that FILE names (scenes/fetch/sources.txt;
 # docs/your_scene.md has the licences), each checked by its SHA-256, and a camera of ours beside them, cameras.json. The

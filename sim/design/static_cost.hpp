@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // static_cost.hpp: what a configuration is built of, before anything runs: lanes and memory.
 //
-// Idea    All follows from the Config: lanes, and a row for each SRAM (width x depth x count). A test elaborates the RTL
-//         of several design points with Yosys and compares the bits.
+// Idea    All follows from the Config: lanes, and a row for each SRAM (width x depth x count). A test elaborates the
+//         RTL of several design points with Yosys and compares the bits.
 // Units   Bits; 1 KB is 1024 bytes.
 #pragma once
 

@@ -35,8 +35,8 @@ MeasurementStore point_store(const PointArguments& point, const Scene& scene, co
 // The configuration of the point on this scene.
 SimulateOptions point_options(const PointArguments& point, const Scene& scene);
 
-// {"result": what was measured, the same wherever it is; "cost": seconds and bytes of the computer}. Nothing when a part
-// of it is not there as it was kept.
+// {"result": what was measured, the same wherever it is; "cost": seconds and bytes of the computer}. Nothing when a
+// part of it is not there as it was kept.
 std::optional<nlohmann::ordered_json> kept_point(const MeasurementStore& store, const Config& config);
 
 }  // namespace pipegs
