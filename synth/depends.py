@@ -108,7 +108,7 @@ def main():
     parser.add_argument("--out", default=f"{synth.HERE}/data/depends.csv", help="the table")
     options = parser.parse_args()
     jobs = Jobs(os.path.abspath(f"{options.build}/synth/cache"), 1)
-    found, line = collections.defaultdict(set), points.tables.whole_line("synth/data/depends.csv")
+    found, line = collections.defaultdict(set), points.tables.whole_line()
     for design_point in DESIGN_POINTS:
         own = points.package(options.build, design_point)
         base = digests(synth.elaborate(jobs, own))

@@ -140,9 +140,7 @@ def main():
     parser.add_argument("--paths", default=f"{synth.HERE}/data/paths.csv", help="the table of longest paths")
     parser.add_argument("points", nargs="*", help='"POINT key=value ..."; without any those of points.txt')
     options = parser.parse_args()
-    with open(f"{synth.HERE}/data/points.txt", encoding="utf-8") as file:
-        lines = file.read().replace("\n ", " ").splitlines()  # a line that begins with a blank goes on
-    points = options.points or [" ".join(line.split()) for line in lines if line.strip() and not line.startswith("#")]
+    points = options.points or tables.points()
     machine = synth.Machine(
         Jobs(os.path.abspath(f"{options.build}/synth/cache"), options.jobs), liberty.Library(options.liberty), 20
     )

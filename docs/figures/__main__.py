@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""python3 docs/figures [--page NAME] [--only NAMES] [--classes a,b,c] | --fill | --check | --stamp TABLE: true figures.
+"""python3 docs/figures [--page NAME] [--only NAMES] [--classes a,b,c] | --fill | --check: true figures.
 
 Without an option it measures what is cheap, and what is older than the sources, stores it under docs/data and fills the
 pages.
@@ -19,8 +19,9 @@ import tables
 from data import store, stored
 from equal import unequal
 from lint import complaints
+from measurement import CLASSES
 from measurements import TABLE
-from run import again, planned, run_all
+from run import again, planned, prepare, run_all
 from sources import ROOT
 
 
@@ -37,10 +38,21 @@ def chosen(page):
 
 
 def measure_all(arguments, build):
-    """The names of those that failed."""
+    """(names of those that failed, what `fill` gave). Class c comes first: models read what it leaves in synth/data."""
     entries, classes = stored(), arguments.classes.split(",")
     table = [one for one in chosen(arguments.page) if fnmatch.fnmatch(one.name, arguments.only) and one.kind in classes]
-    return run_all(planned(table, entries, arguments.all), entries, build)
+    found, failed = planned(table, entries, arguments.all), []
+    prepare(found, build)
+    try:
+        if "c" in classes and not arguments.page and arguments.only == "*":
+            tables.measure(build)
+        for kind in reversed(CLASSES):
+            failed += run_all([one for one in found if one.kind == kind], entries, build)
+            filled = fill()
+    except KeyboardInterrupt:
+        print("\nstopped: what has ended is stored", flush=True)
+        filled = fill()
+    return failed, filled
 
 
 def fill():
@@ -79,7 +91,7 @@ def differing(entries):
         content = (ROOT / page).read_text()
         difference = markers.first_difference(page, content, text)
         found += [difference] if difference else []
-        found += complaints(page, content)
+        found += complaints(page, content) if page.suffix == ".md" else []
     planned = {one.name for one in TABLE}
     unknown = sorted(entries.keys() - planned)
     return found + [f"docs/data: {name}: no measurement of this name in measurements.py" for name in unknown]
@@ -94,7 +106,7 @@ def check(arguments):
         found += stale(entries, arguments.classes)
     if arguments.check == "all":
         found += markers.refused
-        found += tables.stale() + unequal(entries)
+        found += [*tables.stale().values(), *unequal(entries)]
     print("\n".join(found), end="\n" if found else "")
     return len(found)
 
@@ -115,13 +127,7 @@ def main():
     )
     parser.add_argument("--again", metavar="COUNT", type=int, help="measure so many quick entries anew, compare them")
     parser.add_argument("--day", default=str(datetime.date.today()), help="that chooses those; today")
-    parser.add_argument(
-        "--stamp", metavar="TABLE", choices=tables.MADE_BY, help="write into a table that it was measured now"
-    )
     arguments = parser.parse_args()
-    if arguments.stamp:
-        tables.stamp(arguments.stamp)
-        return 0
     if arguments.check:
         return 1 if check(arguments) else 0
     if arguments.fill:
@@ -129,8 +135,7 @@ def main():
     build = (ROOT / os.environ.get("BUILD", "build")).resolve()
     if arguments.again:
         return 1 if again(TABLE, stored(), arguments.again, arguments.day, build) else 0
-    failed = measure_all(arguments, build)
-    filled = fill()
+    failed, filled = measure_all(arguments, build)
     if failed:
         print(f"failed: {' '.join(failed)}")
     return 3 if failed else filled

@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 import formats
+import tables
 from measurements import TABLE
 from data import data, grow
 from sources import ROOT
@@ -139,11 +140,22 @@ def pages():
     return [Path("README.md"), *sorted(file.relative_to(ROOT) for file in found)]
 
 
+def energy_table():
+    """The text of energy.csv; what it is when it would mix what different sources measured."""
+    entries_read.clear()
+    text = tables.energy()
+    states = mixed(frozenset(entries_read))
+    if states:
+        refused.append(f"{tables.ENERGY}: mixes figures of {states}")
+    return (ROOT / tables.ENERGY).read_text() if states else text
+
+
 def filled(entries):
-    """({page: its text}, {name: node}): every page from these entries, and what was read of each."""
+    """({page: its text}, {name: node}): every page and energy.csv from these entries, and what was read of each."""
     forget()
     refused.clear()
     shown.clear()
     shown.update(entries)
     nodes = grow(entries)
-    return {page: render(page, (ROOT / page).read_text()) for page in pages()}, nodes
+    texts = {page: render(page, (ROOT / page).read_text()) for page in pages()}
+    return texts | {Path(tables.ENERGY): energy_table()}, nodes

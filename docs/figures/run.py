@@ -106,7 +106,7 @@ def planned(table, entries, everything):
         took = sum(last(one, entries) for one in runs) / (AT_ONCE if kind < "c" else 1)
         note = f", {unknown} of them never timed (a minute each)" if unknown else ""
         print(f"({kind}) {what}: {len(runs)} of {len(of)} run, {duration(took)} as last time{note}", flush=True)
-    return sorted(found, key=lambda one: (one.kind, one.alone, -last(one, entries)))
+    return sorted(found, key=lambda one: (one.alone, -last(one, entries)))
 
 
 def rtl_machines(ones):
@@ -125,7 +125,6 @@ def prepare(ones, build):
 
 def run_all(ones, entries, build):
     """Runs them; the names of those that failed. One that takes times, and each of class c, runs alone."""
-    prepare(ones, build)
     commit = subprocess.run(
         ["git", "log", "-1", "--format=%h"], cwd=ROOT, capture_output=True, text=True
     ).stdout.strip()
@@ -160,7 +159,7 @@ def run_all(ones, entries, build):
         except KeyboardInterrupt:
             for process in list(running):
                 process.terminate()
-            print("\nstopped: what has ended is stored", flush=True)
+            raise
     return failed
 
 

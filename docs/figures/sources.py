@@ -43,6 +43,8 @@ GROUPS = {  # the folders or files that make it; with - before it, what is not o
     "layers": ["sim/layers", "sim/photos"],
     "path": ["scenes/cameras/path.cpp"],
     "cost": ["sim/design"],
+    "silicon": ["sim/silicon/silicon.cpp", "sim/silicon/process.hpp", "sim/silicon/energy",
+                "sim/silicon/area/sram_cost.cpp", "synth/data/sram.csv"],
     "area": ["sim/silicon", "synth/data"],
     "page": ["sim/report/page/package-lock.json", "sim/report/page/viewer", "sim/report/html/viewer.cpp",
              "scenes/packed/write_spz.cpp"],

@@ -1,31 +1,34 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables under synth/data that programs read. Lines `# measured_by HASH` in them say of which sources they are.
+"""Tables under synth/data that programs read: what the models of area, clock and energy are fitted to.
 
-Those of synth/points.py have such a line before the rows of each configuration, `# measured_by HASH CONFIGURATION`: the
-hash of the modules that stand in its rows, of rtl/lib, which is in all of them, and of the scripts of synthesis. So one
-configuration is measured again by itself.
+points.csv and paths.csv have a line `# measured_by HASH CONFIGURATION` before the rows of each configuration: the hash
+of the modules that stand in its rows, of rtl/lib, which is in all of them, and of the scripts of synthesis. So one
+configuration is measured again by itself. depends.csv has one such line, the first. energy.csv holds figures of the
+entries silicon/*, so it is filled like a page.
 """
 import csv
+import subprocess
+import sys
 
+from data import data
 from sources import ROOT, digest, hash_of, module_files, rtl_hash
 
 BY = "# measured_by "
-WHOLE = {  # tables with one such line, the first: what measured them
-    "synth/data/energy.csv": ["rtl", "models"],
-    "synth/data/depends.csv": ["rtl"],
-}
-POINTS, PATHS = "synth/data/points.csv", "synth/data/paths.csv"
-MADE_BY = {
-    "synth/data/energy.csv": "pipegs silicon --table, then --stamp",
-    "synth/data/depends.csv": "synth/depends.py",
-    POINTS: "synth/points.py",
-    PATHS: "synth/points.py",
-}
+POINTS, PATHS, DEPENDS = "synth/data/points.csv", "synth/data/paths.csv", "synth/data/depends.csv"
+ENERGY = "synth/data/energy.csv"
+MADE_BY = {DEPENDS: "synth/depends.py", POINTS: "synth/points.py", PATHS: "synth/points.py"}
+MEASURED = ["silicon/*"]  # that energy.csv shows
 
 
-def whole_line(path):
-    """The first line of a table that is measured from now on."""
-    return BY + digest(hash_of(group).encode() for group in WHOLE[path])
+def whole_line():
+    """The first line of depends.csv as measured from now on."""
+    return BY + digest([hash_of("rtl").encode()])
+
+
+def points():
+    """The points of points.txt; a line there that begins with a blank goes on."""
+    lines = (ROOT / "synth/data/points.txt").read_text().replace("\n ", " ").splitlines()
+    return [" ".join(line.split()) for line in lines if line.strip() and not line.startswith("#")]
 
 
 def point_line(configuration, blocks):
@@ -54,28 +57,37 @@ def today(path):
     return {key: point_line(key, blocks.get(key, ())) for key in rows_of(path)}
 
 
-def stamp(path):
-    """Says of a table that it was measured now."""
-    if path in WHOLE:
-        lines = (ROOT / path).read_text().splitlines()
-        lines = [whole_line(path), *lines[lines[0].startswith(BY) :]]
-    else:
-        now, (head, *_) = today(path), [text for text in (ROOT / path).read_text().splitlines() if text[:1] != "#"]
-        lines = [head, *(text for key, (_, rows) in rows_of(path).items() for text in (now[key], *rows))]
-    (ROOT / path).write_text("\n".join(lines) + "\n")
-
-
 def stale():
-    """What is to be said of tables that today's sources would measure anew."""
-    found = []
-    for path, by in MADE_BY.items():
-        if path in WHOLE:
-            with open(ROOT / path, encoding="utf-8") as table:
-                older = table.readline().strip() != whole_line(path)
-            found += [f"stale: {path} ({', '.join(WHOLE[path])}): {by}"] if older else []
-        else:
-            lines = today(path)
-            older = [key for key, (line, _) in rows_of(path).items() if line != lines[key]]
-            some = f"{len(older)} of {len(lines)} configurations, {older[0]} the first" if older else ""
-            found += [f"stale: {path} ({some}): {by}"] if older else []
+    """{table: what is to be said of it}: those that today's sources would measure anew."""
+    found = {}
+    if (ROOT / DEPENDS).read_text().split("\n")[0] != whole_line():
+        found[DEPENDS] = f"stale: {DEPENDS} (rtl): {MADE_BY[DEPENDS]}"
+    for path in (POINTS, PATHS):
+        lines = today(path)
+        older = [key for key, (line, _) in rows_of(path).items() if line != lines[key]]
+        older += ["one that is not in it"] * (len(points()) - len(lines))
+        if older:
+            some = f"{len(older)} of {len(points())} configurations, {older[0]} the first"
+            found[path] = f"stale: {path} ({some}): {MADE_BY[path]}"
     return found
+
+
+def measure(build):
+    """Measures what is stale."""
+    for program in dict.fromkeys(MADE_BY[path] for path in stale()):
+        print(f"{program}: hours on two cores from nothing; what is done is kept", flush=True)
+        subprocess.run([sys.executable, "-B", ROOT / program, "--build", build], check=True)
+
+
+def energy():
+    """energy.csv: cycles, gates and joules of the units in each frame that `pipegs silicon` measured."""
+    rows = ["scene,configuration,cycles,row,kilo_nand2,frame_uj"]
+    for name, entry in data.silicon.items():
+        (machine,) = entry.designs
+        if "energy" not in machine:
+            continue
+        gates = {one.name: one.kilo_nand2 or 0 for one in machine.rows if one.name != "Total"}
+        joules = {one.name: one.frame_j.mid for one in machine.energy if one.name in gates}
+        frame = f'{name.split("_")[0]},"{machine.configuration}",{machine.cycles}'
+        rows += [f"{frame},{unit},{gates[unit]:.1f},{1e6 * joule:.3f}" for unit, joule in joules.items()]
+    return "\n".join(rows) + "\n"

@@ -10,7 +10,6 @@
 #include "sim/command/page/study_output.hpp"
 #include "sim/timing/cycle_engine.hpp"
 #include "sim/report/measurement_store.hpp"
-#include "sim/silicon/frame_model.hpp"
 #include "sim/silicon/report.hpp"
 
 namespace pipegs {
@@ -19,9 +18,8 @@ namespace {
 struct SiliconArguments {
   ViewArguments view;
   MemoryArguments memory;
-  std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon", table;
+  std::string library = "osu018", folder = PIPEGS_BUILD_DIR "/synth", keep = PIPEGS_BUILD_DIR "/silicon";
   StudyOutput output;
-  double equal_area = 0;  // mm2
   bool no_energy = false;
 };
 
@@ -32,14 +30,6 @@ std::filesystem::path synth_folder(const SiliconArguments& arguments, const Conf
 
 Synth synth_of(const SiliconArguments& arguments, const Config& config) {
   return read_synth(synth_folder(arguments, config) / "synth.json", config);
-}
-
-Config half_of(Config config) {
-  if (config.units == 1)
-    throw ConfigError("--equal-area: units = 1, expected at least 2: half the machine is a point of the law");
-  config.units /= 2;
-  if (config.fronts > 1 && config.fronts <= config.units) config.fronts /= 2;  // else every PU is one
-  return config;
 }
 
 // What was kept of this frame, or a run of the RTL.
@@ -55,27 +45,10 @@ FrameActivity frame_activity(const LoadedView& loaded, const SimulateOptions& op
   return activity;
 }
 
-// Into the table in place of what it holds of the same scene and configuration.
-void keep_frame(const std::string& table, const MeasuredFrame& frame) {
-  std::vector<MeasuredFrame> frames =
-      std::filesystem::exists(table) ? read_frames(table) : std::vector<MeasuredFrame>{};
-  std::erase_if(frames,
-                [&](const MeasuredFrame& old) { return old.scene == frame.scene && old.config == frame.config; });
-  frames.push_back(frame);
-  write_text(table, frames_csv(frames));
-}
-
-// A table that cannot be read is told before the frames are measured, too.
-void check_outputs(const SiliconArguments& arguments) {
-  arguments.output.check();
-  try_file("--table", arguments.table);
-  if (!arguments.no_energy) try_folder("--store", arguments.keep);
-  if (!arguments.table.empty() && std::filesystem::exists(arguments.table)) read_frames(arguments.table);
-}
-
 int silicon(const SiliconArguments& arguments) {
   std::vector<SimulateOptions> options = arguments.view.each();
-  check_outputs(arguments);
+  arguments.output.check();
+  if (!arguments.no_energy) try_folder("--store", arguments.keep);
   const LoadedView loaded = load_view(arguments.view);
   for (SimulateOptions& one : options) {
     arguments.memory.apply(one);
@@ -85,47 +58,35 @@ int silicon(const SiliconArguments& arguments) {
     check_picture_memory(loaded.camera, one, kGoldenPixels + kRtlPixels);
   }
   const SramLaw law(PIPEGS_SOURCE_DIR "/synth/data/sram.csv");
-  std::vector<SiliconPoint> design_points, halves;  // of these, with half as many units
-  std::vector<Enables> enables;                     // of each, where energy is asked for
+  std::vector<SiliconPoint> design_points;
+  std::vector<Enables> enables;  // of each, where energy is asked for
   for (const SimulateOptions& one : options) {
-    std::optional<Config> half;
-    if (arguments.equal_area > 0) half = half_of(one.config);
     const std::string name = config_difference(one.config), design_point = design_point_name(one.config);
     const Synth synth = synth_of(arguments, one.config);
     if (!arguments.no_energy)
       enables.push_back(read_enables(synth_folder(arguments, one.config) / "enables.json", one.config));
     design_points.push_back({design_point.empty() ? name : design_point, synth, silicon_rows(one.config, synth, law)});
-    if (!half) continue;
-    const Synth half_synth = synth_of(arguments, *half);
-    halves.push_back({half_synth.configuration, half_synth, silicon_rows(*half, half_synth, law)});
   }
   for (size_t i = 0; i < design_points.size(); ++i) {
     const Config& config = options[i].config;
     const CycleEngine engine = model_engine(loaded.scene, loaded.camera, options[i]);
     design_points[i].cycles = engine(config, options[i].memory).cycles;
-    if (arguments.equal_area > 0) {
-      halves[i].cycles = engine(half_of(config), options[i].memory).cycles;
-      design_points[i].half = HalfMachine{halves[i].mm2(), halves[i].us()};
-    }
     if (arguments.no_energy) continue;
     const FrameActivity activity =
         frame_activity(loaded, options[i], enables[i], design_points[i].cycles, arguments.keep);
     design_points[i].cycles = activity.cycles;
     design_points[i].energy = energy_rows(config, design_points[i].synth, enables[i], law, activity);
     design_points[i].clocks = module_clocks(design_points[i].synth, enables[i], activity);
-    if (!arguments.table.empty())
-      keep_frame(arguments.table,
-                 measured_frame(loaded.scene.name, config, activity, design_points[i].rows, design_points[i].energy));
   }
   const std::vector<Chart> charts = silicon_charts(design_points);
-  const std::vector<Table> tables = silicon_tables(design_points, arguments.equal_area);
+  const std::vector<Table> tables = silicon_tables(design_points);
   const std::string head = fmt::format("{}: view {} ({}x{}), memory {}", loaded.scene.name, loaded.camera.name,
                                        loaded.camera.width, loaded.camera.height, arguments.memory.external.dram);
   NamedMachines machines;
   for (size_t i = 0; i < design_points.size(); ++i) machines.emplace_back(design_points[i].name, options[i].config);
   nlohmann::ordered_json json = {
       {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
-  json.update(to_json(design_points, arguments.equal_area));
+  json.update(to_json(design_points));
   arguments.output.write({.title = "Area, clock and energy in 28 nm",
                           .head = head,
                           .charts = charts,
@@ -151,12 +112,6 @@ void add_silicon(CLI::App& app, Run& run) {
   command->add_option("--library", arguments.library, "library whose gates were counted")->capture_default_str();
   command->add_option("--synth", arguments.folder, "folder that `make synth` has written to");
   command->add_option("--store", arguments.keep, "folder of what was measured and is not measured again");
-  command->add_option(
-      "--table", arguments.table,
-      "add the frames' energies to this table; `pipegs accuracy` interpolates between those of synth/data/energy.csv");
-  add_real(*command, "--equal-area", arguments.equal_area,
-           "compare the machines at this area too, mm2; `make synth` of each with half as many units comes first",
-           {.low = 0.1, .high = 100});
   command->add_flag("--no-energy", arguments.no_energy, "area and clock only, without the RTL");
   arguments.output.add(*command);
   command->callback([&run] { run = [] { return silicon(arguments); }; });

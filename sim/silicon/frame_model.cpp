@@ -14,7 +14,7 @@
 namespace pipegs {
 namespace {
 
-constexpr const char* kHeader = "scene,configuration,cycles,bytes,row,kilo_nand2,frame_uj";
+constexpr const char* kHeader = "scene,configuration,cycles,row,kilo_nand2,frame_uj";
 constexpr const char* kRows[] = {"DOPU", "PU", "SU", "RU", "Other"};
 
 std::string row_of(const std::string& unit) {
@@ -35,15 +35,14 @@ std::vector<MeasuredFrame> read_frames(const std::filesystem::path& csv) {
   std::string name;
   read_csv(csv, kHeader, [&](const CsvRow& row) {
     const std::string frame = row.text("scene") + "," + row.text("configuration");
-    const auto cycles = row.integer<uint64_t>("cycles", 1), bytes = row.integer<uint64_t>("bytes");
+    const auto cycles = row.integer<uint64_t>("cycles", 1);
     if (frame != name) {
       name = frame;
       if (!names.insert(name).second) row.fail("scene", "found " + quote(name) + " again, expected its rows once");
-      frames.push_back({row.text("scene"), config_of(row.text("configuration")), cycles, bytes, {}, {}});
+      frames.push_back({row.text("scene"), config_of(row.text("configuration")), cycles, {}, {}});
     }
     MeasuredFrame& last = frames.back();
-    if (cycles != last.cycles || bytes != last.bytes)
-      row.fail("cycles", "found other cycles or bytes than in the frame's first row");
+    if (cycles != last.cycles) row.fail("cycles", "found other cycles than in the frame's first row");
     const std::string& part = row.text("row");
     if (!last.joules.try_emplace(part, row.real("frame_uj", kNotNegative) * 1e-6).second)
       row.fail("row", "found a second " + quote(part) + ", expected one");
@@ -56,31 +55,6 @@ std::vector<MeasuredFrame> read_frames(const std::filesystem::path& csv) {
     if (!whole) throw InputError(csv.string(), frame.scene, "expected the rows DOPU, PU, SU, RU, Other, Buffers");
   }
   return frames;
-}
-
-std::string frames_csv(const std::vector<MeasuredFrame>& frames) {
-  std::string text = std::string(kHeader) + "\n";
-  for (const MeasuredFrame& frame : frames) {
-    for (const auto& [row, joules] : frame.joules) {
-      const auto gates = frame.kilo_nand2.find(row);
-      text +=
-          fmt::format("{},\"{}\",{},{},{},{:.1f},{:.3f}\n", frame.scene, config_difference(frame.config), frame.cycles,
-                      frame.bytes, row, gates == frame.kilo_nand2.end() ? 0 : gates->second, joules * 1e6);
-    }
-  }
-  return text;
-}
-
-MeasuredFrame measured_frame(const std::string& scene, const Config& config, const FrameActivity& activity,
-                             const std::vector<SiliconRow>& area, const std::vector<EnergyRow>& energy) {
-  MeasuredFrame frame = {scene, config, activity.cycles, activity.bytes, {}, {}};
-  for (const EnergyRow& row : energy) {
-    if (row.name != "Total" && row.name != "DRAM") frame.joules[row.name] = row.frame_j.mid;
-  }
-  for (const SiliconRow& row : area) {
-    if (row.kilo_nand2 > 0 && row.name != "Total") frame.kilo_nand2[row.name] = row.kilo_nand2;
-  }
-  return frame;
 }
 
 std::string interpolated_text(double value, bool extrapolated, int digits) {

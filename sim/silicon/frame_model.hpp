@@ -5,8 +5,8 @@
 // Idea    Area: gates from the area model, SRAMs from their law, which is exact. Clock: what the longest path of the
 //         path model allows, above 1 GHz too; a frame takes cycles / clock. Energy of a frame: a unit's gates take
 //         so many joules for each NAND2 and cycle of the frame, an SRAM access so many for what an access costs there:
-//         rates of frames that `pipegs silicon` has measured (synth/data/energy.csv), mean over those of the same
-//         design point. Leakage follows area and cycles, DRAM follows bytes.
+//         rates of frames that `pipegs silicon` has measured (synth/data/energy.csv; `make figures` writes it), mean
+//         over those of the same design point. Leakage follows area and cycles, DRAM follows bytes.
 // Rule    A design point of which no frame was measured takes the mean over all design points; that is extrapolated,
 //         like areas beyond the points. Where no path of the kind is known, time counts at 1 GHz.
 // Trust   Rates differ from scene to scene and design point to design point: docs/numerics/accuracy.md has
@@ -30,14 +30,11 @@ namespace pipegs {
 struct MeasuredFrame {
   std::string scene;
   Config config;
-  uint64_t cycles = 0, bytes = 0;
+  uint64_t cycles = 0;
   std::map<std::string, double> kilo_nand2;  // by row of energy.hpp
   std::map<std::string, double> joules;      // by row, mid, without leakage
 };
 std::vector<MeasuredFrame> read_frames(const std::filesystem::path& csv);
-std::string frames_csv(const std::vector<MeasuredFrame>& frames);
-MeasuredFrame measured_frame(const std::string& scene, const Config& config, const FrameActivity& activity,
-                             const std::vector<SiliconRow>& area, const std::vector<EnergyRow>& energy);
 
 struct FrameCost {
   Range mm2;                                      // gates and SRAMs

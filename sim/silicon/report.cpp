@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "sim/silicon/published.hpp"
@@ -122,26 +121,20 @@ struct Compared {
   bool less = false;  // less is better
 };
 
-std::vector<Compared> compared(double mm2) {
+std::vector<Compared> compared() {
   const auto with_energy = [](double (SiliconPoint::*of)() const) {
     return
         [of](const SiliconPoint& point) { return point.energy.empty() ? std::nullopt : std::optional((point.*of)()); };
   };
-  std::vector<Compared> all = {
+  return {
       {{.key = "us", .heading = "us", .digits = 1}, &SiliconPoint::us, true},
       {{.key = "fps_per_mm2", .heading = "frames/s/mm2", .digits = 1}, &SiliconPoint::fps_per_mm2},
       {{.key = "frames_per_joule", .heading = "frames/J"}, with_energy(&SiliconPoint::frames_per_joule)},
       {{.key = "with_dram", .heading = "with DRAM"}, with_energy(&SiliconPoint::frames_per_joule_with_dram)}};
-  if (mm2 > 0)
-    all.push_back({{.key = "equal_area_us", .heading = fmt::format("us at {:g} mm2", mm2), .digits = 1},
-                   [mm2](const SiliconPoint& point) { return point.us_of_area(mm2); },
-                   true});
-  return all;
 }
 
 // The design points against each other, as Figs. 10 and 11 do: over the baseline where it is among them.
-// `mm2`: the area at which they are compared, too, or 0.
-Table design_points_table(const std::vector<SiliconPoint>& design_points, double mm2) {
+Table design_points_table(const std::vector<SiliconPoint>& design_points) {
   const SiliconPoint& first = design_points.front();
   const bool over = first.name == "baseline";
   Table table{.columns = {{.key = "design_point", .heading = "design point", .word = true},
@@ -152,7 +145,7 @@ Table design_points_table(const std::vector<SiliconPoint>& design_points, double
   for (const SiliconPoint& point : design_points)
     table.rows.push_back({text_cell(point.name), number_cell(static_cast<double>(point.cycles)),
                           number_cell(point.ghz()), number_cell(point.mm2())});
-  for (const Compared& one : compared(mm2)) {
+  for (const Compared& one : compared()) {
     table.columns.push_back(one.column);
     table.columns.push_back({.key = one.column.key + "_x", .heading = "x", .digits = 2});
     for (size_t i = 0; i < design_points.size(); ++i) {
@@ -162,9 +155,6 @@ Table design_points_table(const std::vector<SiliconPoint>& design_points, double
       table.rows[i].push_back(known ? number_cell(one.less ? *base / *value : *value / *base) : TableCell{});
     }
   }
-  if (mm2 > 0)
-    table.notes.push_back(
-        "at equal area: by the law time = c area^-p through each machine and the one of half as many units");
   return table;
 }
 
@@ -213,12 +203,7 @@ Chart efficiency(const char* name, const char* title, const char* y_label,
 
 Json to_json(const Range& range) { return {{"low", range.low}, {"mid", range.mid}, {"high", range.high}}; }
 
-double SiliconPoint::us_of_area(double area) const {
-  const double power = std::log(half->us / us()) / std::log(mm2() / half->mm2);
-  return us() * std::pow(mm2() / area, power);
-}
-
-Json to_json(const std::vector<SiliconPoint>& design_points, double mm2) {
+Json to_json(const std::vector<SiliconPoint>& design_points) {
   Json list = Json::array();
   for (const SiliconPoint& design_point : design_points) {
     Json json = {{"name", design_point.name},
@@ -238,12 +223,6 @@ Json to_json(const std::vector<SiliconPoint>& design_points, double mm2) {
                               {"kb", row.kb},
                               {"area_mm2", to_json(row.area_mm2)},
                               {"path_ps", to_json(row.path_ps)}});
-    }
-    if (mm2 > 0) {
-      json["equal_area"] = {{"mm2", mm2},
-                            {"us", design_point.us_of_area(mm2)},
-                            {"half_mm2", design_point.half->mm2},
-                            {"half_us", design_point.half->us}};
     }
     if (!design_point.energy.empty()) {
       json["frames_per_joule"] = design_point.frames_per_joule();
@@ -290,7 +269,7 @@ Json to_json(const std::vector<SiliconPoint>& design_points, double mm2) {
   return {{"designs", list}, {"paper", published(kPipegsTable2)}, {"gscore", published(kGscore)}};
 }
 
-std::vector<Table> silicon_tables(const std::vector<SiliconPoint>& design_points, double mm2) {
+std::vector<Table> silicon_tables(const std::vector<SiliconPoint>& design_points) {
   std::vector<Table> tables;
   for (const SiliconPoint& point : design_points) {
     tables.push_back(area_table(point));
@@ -299,7 +278,7 @@ std::vector<Table> silicon_tables(const std::vector<SiliconPoint>& design_points
     tables.push_back(clocks_table(point));
     if (!point.clocks.empty()) tables.push_back(modules_table(point));
   }
-  tables.push_back(design_points_table(design_points, mm2));
+  tables.push_back(design_points_table(design_points));
   tables.push_back(gscore_table());
   return tables;
 }

@@ -2,10 +2,8 @@
 // report.hpp: what `pipegs silicon` prints: area, clock and energy of configurations beside what others published.
 //
 // Rule    Frames per second are those of the clock that a design point reaches: 1 GHz, or less where its longest path
-//         asks for it. At equal area a machine is as fast as the law cycles / clock = c area^-p says, through itself
-//         and the same machine of half as many units. Power at 60 frames per second is that of a machine that stands
-//         still, with its power on, for the rest of each sixtieth; the published powers are those of full speed, of
-//         the chip without DRAM.
+//         asks for it. Power at 60 frames per second is that of a machine that stands still, with its power on, for the
+//         rest of each sixtieth; the published powers are those of full speed, of the chip without DRAM.
 #pragma once
 
 #include <algorithm>
@@ -22,10 +20,6 @@ namespace pipegs {
 
 nlohmann::ordered_json to_json(const Range& range);
 
-struct HalfMachine {       // of half as many units
-  double mm2 = 0, us = 0;  // of a frame
-};
-
 struct SiliconPoint {
   std::string name;
   Synth synth;
@@ -33,13 +27,11 @@ struct SiliconPoint {
   uint64_t cycles = 0;                 // of the view
   std::vector<EnergyRow> energy = {};  // empty when it was not asked for
   std::vector<ModuleClocks> clocks = {};
-  std::optional<HalfMachine> half = {};  // when a comparison at equal area was asked for
 
   double ghz() const { return std::min(1.0, 1e3 / rows.back().path_ps.mid); }
   double us() const { return static_cast<double>(cycles) / (1e3 * ghz()); }  // of a frame
   double fps() const { return 1e6 / us(); }
   double mm2() const { return rows.back().area_mm2.mid; }
-  double us_of_area(double mm2) const;  // needs `half`
   double fps_per_mm2() const { return fps() / mm2(); }
   const EnergyRow& chip() const { return energy[energy.size() - 2]; }
   double frames_per_joule() const { return fps() / chip().watts(fps()).mid; }  // of the chip
@@ -48,9 +40,8 @@ struct SiliconPoint {
   }
 };
 
-// `mm2`: an area at which they are compared, too (each has a HalfMachine), or 0.
-nlohmann::ordered_json to_json(const std::vector<SiliconPoint>& design_points, double mm2);
-std::vector<Table> silicon_tables(const std::vector<SiliconPoint>& design_points, double mm2);
+nlohmann::ordered_json to_json(const std::vector<SiliconPoint>& design_points);
+std::vector<Table> silicon_tables(const std::vector<SiliconPoint>& design_points);
 std::vector<Chart> silicon_charts(const std::vector<SiliconPoint>& design_points);
 
 }  // namespace pipegs

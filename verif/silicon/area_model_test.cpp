@@ -179,23 +179,20 @@ TEST(FrameModel, LeaveOneOutErrorsOfTheFrames) {
   }
 }
 
-TEST(FrameModel, AddsUpAndIsKept) {
+TEST(FrameModel, AddsUp) {
   const FrameModel model = read_frame_model();
   const MeasuredFrame& frame = model.frames().front();
-  const FrameCost cost = model.cost(frame.config, frame.cycles, frame.bytes).value(),
-                  twice = model.cost(frame.config, 2 * frame.cycles, 2 * frame.bytes).value();
+  const uint64_t bytes = 20'000'000;
+  const FrameCost cost = model.cost(frame.config, frame.cycles, bytes).value(),
+                  twice = model.cost(frame.config, 2 * frame.cycles, 2 * bytes).value();
   Config other;
   other.late = other.order = 1;
-  EXPECT_FALSE(model.cost(other, frame.cycles, frame.bytes)) << "no machine of this kind is among the points";
-  EXPECT_NEAR(cost.dram.mid, 8 * 8e-12 * static_cast<double>(frame.bytes), 1e-15);
+  EXPECT_FALSE(model.cost(other, frame.cycles, bytes)) << "no machine of this kind is among the points";
+  EXPECT_NEAR(cost.dram.mid, 8 * 8e-12 * static_cast<double>(bytes), 1e-15);
   EXPECT_NEAR(twice.joules(), 2 * cost.joules(), 1e-12);
   EXPECT_EQ(twice.mm2.mid, cost.mm2.mid);
   EXPECT_LT(cost.mm2.low, cost.mm2.mid);
   EXPECT_LT(cost.chip.mid, cost.chip.high);
-  const fs::path path = fs::temp_directory_path() / ("pipegs_frames_" + std::to_string(getpid()) + ".csv");
-  std::ofstream(path) << frames_csv(model.frames());
-  EXPECT_EQ(frames_csv(read_frames(path)), frames_csv(model.frames()));
-  fs::remove(path);
 }
 
 TEST(AreaModel, RefusesBrokenTables) {
@@ -208,7 +205,7 @@ TEST(AreaModel, RefusesBrokenTables) {
     return std::string("accepted");
   };
   const std::string points = "configuration,unit,block,instances,nand2,flipflops\n",
-                    frames = "scene,configuration,cycles,bytes,row,kilo_nand2,frame_uj\n";
+                    frames = "scene,configuration,cycles,row,kilo_nand2,frame_uj\n";
   const auto expect = [&](const std::string& text, auto&& read, const std::string& part) {
     const std::string error = refused(text, read);
     EXPECT_NE(error.find(part), std::string::npos) << "'" << part << "' is not in: " << error;
@@ -232,14 +229,13 @@ TEST(AreaModel, RefusesBrokenTables) {
   expect("block,knobs\npu,nothing\n", read_dependences, "line 2: ");
   expect("block,knobs\npu,units\npu,units\n", read_dependences, "line 3, block: found a second 'pu'");
   expect("block,knobs\npu,units units\n", read_dependences, "line 2, knobs: found a second 'units'");
-  expect(frames + "mine,default,1,1,PU,1,1\n", read_frames, "mine: expected the rows DOPU");
-  expect(frames + "mine,default,-1,1,PU,1,1\n", read_frames, "line 2, cycles: found '-1'");
-  expect(frames + "mine,default,1,1.5,PU,1,1\n", read_frames, "line 2, bytes: found '1.5'");
-  expect(frames + "mine,default,1,1,PU,0,1\n", read_frames, "line 2, kilo_nand2: found '0', expected a number above 0");
-  expect(frames + "mine,default,1,1,PU,1,inf\n", read_frames, "line 2, frame_uj: found 'inf'");
-  expect(frames + "mine,default,1,1,PU,1,1\nmine,default,1,1,PU,1,1\n", read_frames,
+  expect(frames + "mine,default,1,PU,1,1\n", read_frames, "mine: expected the rows DOPU");
+  expect(frames + "mine,default,-1,PU,1,1\n", read_frames, "line 2, cycles: found '-1'");
+  expect(frames + "mine,default,1,PU,0,1\n", read_frames, "line 2, kilo_nand2: found '0', expected a number above 0");
+  expect(frames + "mine,default,1,PU,1,inf\n", read_frames, "line 2, frame_uj: found 'inf'");
+  expect(frames + "mine,default,1,PU,1,1\nmine,default,1,PU,1,1\n", read_frames,
          "line 3, row: found a second 'PU'");
-  expect(frames + "mine,default,1,1,PU,1,1\nmine,default,2,1,SU,1,1\n", read_frames,
+  expect(frames + "mine,default,1,PU,1,1\nmine,default,2,SU,1,1\n", read_frames,
          "line 3, cycles: found other cycles");
   const std::string paths = "configuration,unit,path_fo4\n", dop = "default,pu,60\ndefault,su,50\ndefault,ru,50\n";
   expect(paths + dop, read_path_points, "default: expected the rows dopu, pu, su, ru, top");

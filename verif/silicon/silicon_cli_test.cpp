@@ -100,32 +100,6 @@ TEST_F(SiliconCli, CountsFramesAtTheClockThatThePathAllows) {
   EXPECT_DOUBLE_EQ(design_point["fps_per_mm2_at_1_ghz"], design_point["fps_per_mm2"].get<double>() * 80 * 16 / 1e3);
 }
 
-TEST_F(SiliconCli, ComparesMachinesAtEqualArea) {
-  plant(synth().dump());
-  const auto at = [&](double mm2) { return view_ + fmt::format("--equal-area {:.17g} ", mm2); };
-  expect_refused(at(3), "units=2/hand/synth.json: not found: `make synth` writes it");
-  expect_refused(view_ + "--set units=1 --equal-area 3", "units = 1, expected at least 2");
-  expect_refused(view_ + "--equal-area 0", "--equal-area");
-  Json half = synth();
-  half["configuration"] = "units=2";
-  for (int unit : {1, 2, 3}) half["units"][unit]["instances"] = 2;
-  half["units"][4]["nand2"] = 1.6e6;
-  plant(half.dump(), "units=2");
-  const auto of_area = [&](double mm2) {
-    const Outcome outcome = run(at(mm2) + "--json");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return Json::parse(outcome.out)["designs"][0];
-  };
-  const Json whole = of_area(3.283), equal = whole["equal_area"];
-  const double mm2 = whole["rows"][6]["area_mm2"]["mid"], us = whole["us"];
-  const double half_mm2 = equal["half_mm2"], half_us = equal["half_us"];
-  EXPECT_LT(half_mm2, mm2);
-  EXPECT_NEAR(of_area(mm2)["equal_area"]["us"], us, 1e-9 * us) << "the law passes through the machine";
-  EXPECT_NEAR(of_area(half_mm2)["equal_area"]["us"], half_us, 1e-9 * us) << "and through the half one";
-  EXPECT_NEAR(of_area(std::sqrt(mm2 * half_mm2))["equal_area"]["us"], std::sqrt(us * half_us), 1e-9 * us);
-  EXPECT_NE(run(at(3.283)).out.find("us at 3.283 mm2"), std::string::npos);
-}
-
 // The activity of this frame is in the folder already.
 TEST_F(SiliconCli, SetsEnergyBesideThePapers) {
   plant(synth().dump());
@@ -207,13 +181,12 @@ TEST_F(SiliconCli, FiguresAreThoseOfAMachineThatAgrees) {
   Json small = synth();
   small["configuration"] = "units=1,alpha_lines=64,records=16";
   plant(small.dump(), small["configuration"]);
-  const std::string command = silicon_ + "--store kept --table energy.csv ";
+  const std::string command = silicon_ + "--store kept ";
   const std::string measure = command + smallest_;
   const auto expect_none = [&](const Outcome& outcome, int code, const std::string& part) {
     EXPECT_EQ(outcome.code, code) << outcome.err;
     EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    EXPECT_FALSE(fs::exists(folder_ / "energy.csv"));
     EXPECT_TRUE(!fs::exists(folder_ / "kept") || fs::is_empty(folder_ / "kept"));
   };
   expect_none(shell("PIPEGS_FAULT=pixel '" PIPEGS_FAULTY "' " + measure), 1, "the RTL differs from the golden model");
