@@ -8,7 +8,7 @@
 //         cycle after the read and stay until the next one.
 // Pace    One read and one write by the blender, of different words, and one read by the resolver in each cycle. No
 //         read of either side may be outstanding at swap_i.
-// Model   Two arrays in the test.
+// Model   Two words, in its proof.
 
 module pipegs_pixel_buffer #(
   parameter int unsigned DataW = 64,

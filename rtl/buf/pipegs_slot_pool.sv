@@ -5,7 +5,7 @@
 //         use is counted too: a slot that came back two cycles ago may not be at the queue's head yet, but it is free.
 // Stream  slot: a free slot. free_i: a slot comes back.
 // Pace    One slot per cycle out and in.
-// Model   A set of the slots in use (verif/buf/slot_pool_test.cpp).
+// Model   A set of the slots in use, in its proof.
 
 module pipegs_slot_pool #(
   parameter int unsigned Slots = 16,  // a power of two

@@ -5,7 +5,7 @@
 //         grants. A grant that is not taken (advance_i low) is kept, so a stream behind it stays stable.
 // Stream  request_i, one bit per port; grant_o one-hot (zero without a request) and its number.
 // Pace    Combinational; one grant per cycle.
-// Model   The loop in the test.
+// Model   The way round, in its proof.
 
 module pipegs_arbiter #(
   parameter int unsigned Ports = 4,

@@ -12,7 +12,7 @@
 //         order, always accepted. out: one beat per item, or per marker, with the job's tag. bad_o stays, bad_line_o is
 //         the line that the job named first.
 // Pace    One item per cycle while the memory delivers; one request per cycle, one cycle between jobs.
-// Model   A queue of jobs in verif/lib/line_reader_test.cpp.
+// Model   A queue of chunks in verif/pu/front/pu_fetch_test.cpp.
 
 module pipegs_line_reader #(
   parameter int unsigned TagW = 8,

@@ -6,7 +6,7 @@
 // Stream  read: an address. write: an address, a line and which halves of it count. mem: one request; nothing comes
 //         back here.
 // Pace    One request per cycle.
-// Model   Two queues in the test.
+// Model   None: the test of the whole RU.
 
 module ru_memory (
   input  logic                            clk_i,
