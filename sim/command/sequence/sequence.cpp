@@ -5,15 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "scenes/cameras/path.hpp"
+#include "scenes/text/json.hpp"
 #include "scenes/text/quote.hpp"
+#include "sim/command/sequence/frame_files.hpp"
 #include "sim/command/sequence/frame_table.hpp"
 #include "sim/progress.hpp"
 #include "sim/rtl/rtl_fault.hpp"
+#include "sim/report/measurement_store.hpp"
 #include "sim/timing/timing_model.hpp"
 
 namespace pipegs {
@@ -45,46 +46,64 @@ std::vector<Camera> cameras_of(const std::vector<FrameRow>& rows) {
   return cameras;
 }
 
-// What becomes of the pictures.
-struct FrameFiles {
-  std::string folder;
-  bool png = true, exr = false;
-  std::function<void(const Rgb8&)> show = {};  // each picture in its order, when somebody wants them
+// What --no-rtl keeps of a frame.
+struct KeptFrame {
+  uint64_t cycles = 0;
+  MemoryBytes bytes;
+  Json files;  // FrameFiles::fingerprint
 };
+
+KeptFrame read_kept(const Json& json) {
+  return {json_integer<uint64_t>(json.at("cycles")),
+          {json_integer<uint64_t>(json.at("read")), json_integer<uint64_t>(json.at("written"))},
+          json.at("files")};
+}
 
 class Sequence {
  public:
   Sequence(const LoadedView& loaded, std::vector<FrameRow> rows, const SimulateOptions& options,
-           const PictureArguments& picture, const FrameFiles& files)
+           const PictureArguments& picture, const FrameFilesOptions& files)
       : table_{loaded.scene.name, options.config, options.memory.dram, std::move(rows)},
         scene_(loaded.scene),
         options_(options),
         picture_(picture),
         files_(files) {
     packed_ = pack_views(scene_, cameras_of(table_.rows), options);
-    std::filesystem::create_directories(files.folder);
   }
 
   // The golden model draws, the timing model counts; one frame after the other.
-  void model() {
+  void model(const std::string& keep) {
+    const MeasurementStore store(keep, scene_, table_.rows[0].camera, options_,
+                                 {{"sequence", packed_.scene_exponent}, {"background", picture_.background}});
     Progress progress("frames");
     for (size_t i = 0; i < table_.rows.size(); ++i) {
       FrameRow& row = table_.rows[i];
+      const MeasurementStore mine = store.of(row.camera);
+      if (const auto kept = mine.load(options_.config, read_kept); kept && files_.take(kept->files)) {
+        row.cycles = kept->cycles;
+        row.bytes = kept->bytes;
+        continue;
+      }
       const auto at = [&](double share) {
         if (interrupted())
-          throw std::runtime_error(fmt::format("interrupted after {} of {} frames", i, table_.rows.size()));
+          throw std::runtime_error(
+              fmt::format("interrupted after {} of {} frames; the same command goes on there", i, table_.rows.size()));
         progress.update((static_cast<double>(i) + share) / static_cast<double>(table_.rows.size()),
                         fmt::format("{} of {}", i + 1, table_.rows.size()));
       };
       Simulation simulation;
       simulate_frame(packed_, row.camera, options_, simulation);
       simulation.golden = golden_frame(simulation.input, {.progress = [&](double share) { at(0.4 * share); }});
-      write(simulation, i);
+      write(simulation);
       at(0.4);
       const TimingResult timing = timing_run(timing_trace(simulation.input), options_.config, options_.memory);
       row.cycles = timing.cycles;
       for (const MemoryTraffic& stream : timing.streams)
         row.bytes = {row.bytes.read + stream.bytes_read, row.bytes.written + stream.bytes_written};
+      mine.save(options_.config, {{"cycles", row.cycles},
+                                  {"read", row.bytes.read},
+                                  {"written", row.bytes.written},
+                                  {"files", files_.fingerprint()}});
     }
   }
 
@@ -110,7 +129,7 @@ class Sequence {
         throw;
       }
     }
-    for (size_t i = 0; i < frames.size(); ++i) write(*frames[i], i);
+    for (const Simulation* frame : frames) write(*frame);
     return wrong.empty() ? wrong : fmt::format("{}\nreplay with waves: {}\n", wrong, replay);
   }
 
@@ -123,12 +142,8 @@ class Sequence {
   }
 
  private:
-  void write(const Simulation& simulation, size_t number) {
-    const std::string file = fmt::format("{}/frame_{:04}.", files_.folder, number);
-    const Rgb8 picture = picture_.picture(simulation, options_);
-    if (files_.png) write_png8(file + "png", picture);
-    if (files_.exr) write_exr(file + "exr", crop_window(simulation.golden.image, options_));
-    if (files_.show) files_.show(picture);
+  void write(const Simulation& simulation) {
+    files_.add(crop_window(simulation.golden.image, options_), picture_.picture(simulation, options_));
   }
 
   // What a run says of each frame: cycles from the end of the frame before, or from the start, to its own.
@@ -161,11 +176,11 @@ class Sequence {
   const Scene& scene_;
   SimulateOptions options_;
   const PictureArguments& picture_;
-  const FrameFiles files_;
+  FrameFiles files_;
   PackedScene packed_;
 };
 
-FrameFiles files_of(const SequenceArguments& sequence, const std::string& out) {
+FrameFilesOptions files_of(const SequenceArguments& sequence, const std::string& out) {
   const auto wanted = [&](const char* kind) {
     return std::find(sequence.frames.begin(), sequence.frames.end(), kind) != sequence.frames.end();
   };
@@ -208,12 +223,12 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
     check_picture_memory(row.camera, simulated, {each.frame * held, each.asked * held + kWritePixels.asked});
   ViewerArgument viewer = run.viewer;
   viewer.begin(loaded, cameras_of(rows), simulated, picture.color(), run.command);
-  FrameFiles files = files_of(sequence, run.out);
+  FrameFilesOptions files = files_of(sequence, run.out);
   if (viewer.wanted()) files.show = [&viewer](const Rgb8& shown) { viewer.add(shown); };
   Sequence frames(loaded, std::move(rows), simulated, picture, files);
   std::string wrong;
   if (run.rtl) wrong = frames.rtl(run.replay);
-  else frames.model();
+  else frames.model(run.out + "/kept");
   const FrameTable& table = frames.finish();
   const Json json = to_json(table);
   write_text(run.out + "/frames.csv", frames_csv(table));

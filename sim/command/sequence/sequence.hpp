@@ -4,8 +4,8 @@
 // Idea    --views takes views of the file, the framing or the orbit; --path takes them for key views of a smooth way of
 //         so many frames. With the RTL all frames run twice, each queued behind the one before and each when the
 //         machine is empty, and every beat and pixel is compared. With --no-rtl the golden model draws and the timing
-//         model counts, frame by frame: for hundreds of frames.
-// Writes  frame_0000.png and so on, .exr; sequence.json, frames.csv.
+//         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was.
+// Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; kept/ with --no-rtl.
 #pragma once
 
 #include <string>

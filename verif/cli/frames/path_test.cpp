@@ -109,12 +109,50 @@ TEST_F(PathCli, PercentilesAreFramesOfTheTable) {
   EXPECT_EQ(json["charts"][0]["title"], "Cycles of each frame");
 }
 
-TEST_F(PathCli, ARunThatWasStoppedSaysHowFarItCame) {
-  expect_one_line(shell("'" PIPEGS_BINARY "' " + model_ +
-                        "--path 120 --out walk & p=$!\nuntil [ -e walk/frame_0002.png ]; do sleep 0.01; done;"
+TEST_F(PathCli, ARunThatWasStoppedGoesOn) {
+  const std::string walk = model_ + "--path 120 --out walk";
+  expect_one_line(shell("'" PIPEGS_BINARY "' " + walk +
+                        " & p=$!\nuntil [ -e walk/frame_0002.png ]; do sleep 0.01; done;"
                         " kill -INT $p; wait $p"),
-                  130, " of 120 frames");
+                  130, " of 120 frames; the same command goes on there");
   EXPECT_FALSE(fs::exists(folder_ / "walk/sequence.json"));
+  const Json whole = report(model_ + "--path 120", "walk");
+  EXPECT_EQ(whole["views"].size(), 120u);
+  EXPECT_EQ(whole, report(model_ + "--path 120 --frames none", "other"));
+}
+
+// What was kept is taken where it fits: its key, its numbers, the pictures that belong to it.
+TEST_F(PathCli, OnlyWholeFramesAreKept) {
+  const auto kept_of = [&](uint64_t cycles) -> fs::path {
+    for (const auto& file : fs::directory_iterator(folder_ / "walk/kept")) {
+      if (Json::parse(text("walk/kept/" + file.path().filename().string()))["measured"]["cycles"] == cycles)
+        return "walk/kept" / file.path().filename();
+    }
+    return "none";
+  };
+  const auto set_cycles = [&](const fs::path& file, const Json& cycles) {
+    auto json = nlohmann::ordered_json::parse(text(file.string()));
+    json["measured"]["cycles"] = cycles;
+    write(file.string(), json.dump());
+  };
+  const Json first = report(model_ + "--path 4", "walk");
+  const std::string picture = text("walk/frame_0002.png");
+  const auto cycles = [](const Json& json, int i) { return json["views"][i]["cycles_alone"].get<uint64_t>(); };
+  const fs::path one = kept_of(cycles(first, 1)), two = kept_of(cycles(first, 2)), three = kept_of(cycles(first, 3));
+  set_cycles(one, 7);         // a mark: this frame is not computed again
+  set_cycles(two, 7);         // its picture will not be there
+  set_cycles(three, "many");  // no number
+  fs::remove(folder_ / "walk/frame_0002.png");
+  const Json second = report(model_ + "--path 4", "walk");
+  EXPECT_EQ(cycles(second, 1), 7u);
+  EXPECT_EQ(cycles(second, 2), cycles(first, 2));
+  EXPECT_EQ(cycles(second, 3), cycles(first, 3));
+  EXPECT_EQ(text("walk/frame_0002.png"), picture);
+  write("walk/frame_0001.png", picture);  // another frame's
+  EXPECT_EQ(report(model_ + "--path 4", "walk"), first);
+  // A background, other pixels: other frames.
+  set_cycles(one, 7);
+  EXPECT_NE(cycles(report(model_ + "--path 4 --background 255,255,255", "walk"), 1), 7u);
 }
 
 TEST_F(PathCli, EachMismatchIsNamedWithItsFrame) {
