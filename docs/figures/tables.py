@@ -11,13 +11,12 @@ import subprocess
 import sys
 
 from data import data
-from sources import ROOT, digest, hash_of, module_files, rtl_hash
+from sources import ROOT, design_points, digest, hash_of, module_files, rtl_hash
 
 BY = "# measured_by "
 POINTS, PATHS, DEPENDS = "synth/data/points.csv", "synth/data/paths.csv", "synth/data/depends.csv"
 ENERGY = "synth/data/energy.csv"
 MADE_BY = {DEPENDS: "synth/depends.py", POINTS: "synth/points.py", PATHS: "synth/points.py"}
-MEASURED = ["silicon/*"]  # that energy.csv shows
 
 
 def whole_line():
@@ -83,11 +82,12 @@ def energy():
     """energy.csv: cycles, gates and joules of the units in each frame that `pipegs silicon` measured."""
     rows = ["scene,configuration,cycles,row,kilo_nand2,frame_uj"]
     for name, entry in data.silicon.items():
+        scene, _, point = name.partition("_")
+        if point not in design_points():
+            continue  # of another library
         (machine,) = entry.designs
-        if "energy" not in machine:
-            continue
         gates = {one.name: one.kilo_nand2 or 0 for one in machine.rows if one.name != "Total"}
         joules = {one.name: one.frame_j.mid for one in machine.energy if one.name in gates}
-        frame = f'{name.split("_")[0]},"{machine.configuration}",{machine.cycles}'
+        frame = f'{scene},"{machine.configuration}",{machine.cycles}'
         rows += [f"{frame},{unit},{gates[unit]:.1f},{1e6 * joule:.3f}" for unit, joule in joules.items()]
     return "\n".join(rows) + "\n"

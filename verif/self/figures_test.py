@@ -109,7 +109,8 @@ _, *rows = (sources.ROOT / tables.DEPENDS).read_text().splitlines()
 write(tables.DEPENDS, [tables.whole_line(), *rows])
 for path in (tables.POINTS, tables.PATHS):
     now, rows = tables.today(path), tables.rows_of(path)
-    write(path, ["configuration,unit", *(text for key, (_, own) in rows.items() for text in (now[key], *own))])
+    head = next(line for line in (sources.ROOT / path).read_text().splitlines() if line.startswith("configuration,"))
+    write(path, [head, *(text for key, (_, own) in rows.items() for text in (now[key], *own))])
 """  # all is as if these sources had measured it
 
 
