@@ -19,7 +19,6 @@ printed rtl/pipegs_pkg.sv "$package_sv"
 printed $registers_header "$registers" header
 printed package/pipegs_registers.csv "$registers" csv
 printed package/pipegs_registers.rdl "$registers" rdl
-printed package/pipegs_registers.xml "$registers" ipxact
 for file in pipegs.core Bender.yml; do printed $file python3 -B package/files.py $file; done
 for file in pipegs.f vivado.tcl; do printed package/$file python3 -B package/files.py $file; done
 # machine.py makes the committed machine of its design point, with all files; it refuses what no machine is made of.

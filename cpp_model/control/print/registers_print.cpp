@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // registers_print.cpp: prints a file that follows from the table of registers:
-//   registers_print header|csv|rdl|ipxact [key=value ...]
+//   registers_print header|csv|rdl [key=value ...]
 //
 // The committed files are those of the default configuration; a test compares them with this program's output.
 #include <cstdio>
@@ -12,10 +12,10 @@
 int main(int argc, char** argv) {
   using namespace pipegs;
   const std::map<std::string, std::string (*)(const RegisterMap&)> printers = {
-      {"header", print_header}, {"csv", print_csv}, {"rdl", print_rdl}, {"ipxact", print_ipxact}};
+      {"header", print_header}, {"csv", print_csv}, {"rdl", print_rdl}};
   const auto printer = printers.find(argc > 1 ? argv[1] : "");
   if (printer == printers.end()) {
-    std::fprintf(stderr, "usage: registers_print header|csv|rdl|ipxact [key=value ...]\n");
+    std::fprintf(stderr, "usage: registers_print header|csv|rdl [key=value ...]\n");
     return 2;
   }
   try {
