@@ -233,10 +233,8 @@ TEST(AreaModel, RefusesBrokenTables) {
   expect(frames + "mine,default,-1,PU,1,1\n", read_frames, "line 2, cycles: found '-1'");
   expect(frames + "mine,default,1,PU,0,1\n", read_frames, "line 2, kilo_nand2: found '0', expected a number above 0");
   expect(frames + "mine,default,1,PU,1,inf\n", read_frames, "line 2, frame_uj: found 'inf'");
-  expect(frames + "mine,default,1,PU,1,1\nmine,default,1,PU,1,1\n", read_frames,
-         "line 3, row: found a second 'PU'");
-  expect(frames + "mine,default,1,PU,1,1\nmine,default,2,SU,1,1\n", read_frames,
-         "line 3, cycles: found other cycles");
+  expect(frames + "mine,default,1,PU,1,1\nmine,default,1,PU,1,1\n", read_frames, "line 3, row: found a second 'PU'");
+  expect(frames + "mine,default,1,PU,1,1\nmine,default,2,SU,1,1\n", read_frames, "line 3, cycles: found other cycles");
   const std::string paths = "configuration,unit,path_fo4\n", dop = "default,pu,60\ndefault,su,50\ndefault,ru,50\n";
   expect(paths + dop, read_path_points, "default: expected the rows dopu, pu, su, ru, top");
   expect(paths + "default,lists,50\n", read_path_points,
