@@ -126,11 +126,10 @@ std::vector<Compared> compared() {
     return
         [of](const SiliconPoint& point) { return point.energy.empty() ? std::nullopt : std::optional((point.*of)()); };
   };
-  return {
-      {{.key = "us", .heading = "us", .digits = 1}, &SiliconPoint::us, true},
-      {{.key = "fps_per_mm2", .heading = "frames/s/mm2", .digits = 1}, &SiliconPoint::fps_per_mm2},
-      {{.key = "frames_per_joule", .heading = "frames/J"}, with_energy(&SiliconPoint::frames_per_joule)},
-      {{.key = "with_dram", .heading = "with DRAM"}, with_energy(&SiliconPoint::frames_per_joule_with_dram)}};
+  return {{{.key = "us", .heading = "us", .digits = 1}, &SiliconPoint::us, true},
+          {{.key = "fps_per_mm2", .heading = "frames/s/mm2", .digits = 1}, &SiliconPoint::fps_per_mm2},
+          {{.key = "frames_per_joule", .heading = "frames/J"}, with_energy(&SiliconPoint::frames_per_joule)},
+          {{.key = "with_dram", .heading = "with DRAM"}, with_energy(&SiliconPoint::frames_per_joule_with_dram)}};
 }
 
 // The design points against each other, as Figs. 10 and 11 do: over the baseline where it is among them.
