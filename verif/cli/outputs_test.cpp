@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// outputs_test: what cannot be written is told before anything is computed, and nothing is left behind; a broken table
-// or picture to compare with is told as early.
+// outputs_test: what cannot be written is told before anything is computed, and nothing is left behind; a broken picture
+// to compare with is told as early.
 //
 // Idea    The scene of these commands does not exist: that the output is refused, not the scene, shows what is tried
 //         first.
@@ -36,7 +36,6 @@ class Outputs : public Cli {
                                              "train" + none_ + "--out ",
                                              "point" + none_ + "--store ",
                                              "campaign missing.json --out "};
-  const std::vector<std::string> files_ = {"silicon" + none_ + "--table "};
 
   void expect_unwritable(const std::string& arguments, const std::string& part) {
     SCOPED_TRACE(arguments);
@@ -52,19 +51,8 @@ TEST_F(Outputs, AFolderThatIsAFileIsRefused) {
   EXPECT_EQ(left_behind(), std::vector<std::string>{});
 }
 
-TEST_F(Outputs, AFileThatIsAFolderIsRefused) {
-  fs::create_directory(folder_ / "taken");
-  for (const std::string& command : files_) {
-    expect_unwritable(command + "taken", "'taken' is a folder, expected a file");
-    expect_unwritable(command + "scene.ply/below", "'scene.ply' is a file, expected a folder");
-    expect_unwritable(command + "/dev/null", "'/dev/null' is no regular file");
-  }
-  EXPECT_EQ(left_behind(), std::vector<std::string>{"taken"});
-}
-
 TEST_F(Outputs, AFolderInWhichNothingCanBeMadeIsRefused) {
   for (const std::string& command : folders_) expect_unwritable(command + "/proc/pictures", "nothing can be made in");
-  for (const std::string& command : files_) expect_unwritable(command + "/proc/file", "nothing can be made in");
   const std::string longest(300, 'a');
   expect_unwritable(folders_.front() + longest, "File name too long");
 }
@@ -100,8 +88,6 @@ TEST_F(Outputs, FoldersThatAreMissingAreMade) {
 }
 
 TEST_F(Outputs, WhatIsReadAtTheEndIsReadFirst) {
-  write("table.csv", "scene,configuration\n");
-  expect_refused("silicon" + none_ + "--table table.csv", "expected scene,configuration,cycles");
   const std::string view = "render scene.ply --cameras cameras.json --out pictures ";
   expect_refused(view + "--compare scene.ply", "scene.ply: cannot read");
   ASSERT_EQ(run("render scene.ply --cameras cameras.json --design dop --window 1,0 --out small").code, 0);
