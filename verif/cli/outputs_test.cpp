@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// outputs_test: what cannot be written is told before anything is computed, and nothing is left behind; a broken picture
-// to compare with is told as early.
+// outputs_test: what cannot be written is told before anything is computed, and nothing is left behind; a broken
+// picture to compare with is told as early.
 //
 // Idea    The scene of these commands does not exist: that the output is refused, not the scene, shows what is tried
 //         first.
