@@ -19,7 +19,6 @@ import tables
 from data import store, stored
 from equal import unequal
 from lint import complaints
-from measurement import CLASSES
 from measurements import TABLE
 from run import again, planned, prepare, run_all
 from sources import ROOT
@@ -38,7 +37,7 @@ def chosen(page):
 
 
 def measure_all(arguments, build):
-    """(names of those that failed, what `fill` gave). Class c comes first: models read what it leaves in synth/data."""
+    """The names of those that failed. Class c comes first: models read what it leaves in synth/data."""
     entries, classes = stored(), arguments.classes.split(",")
     table = [one for one in chosen(arguments.page) if fnmatch.fnmatch(one.name, arguments.only) and one.kind in classes]
     found, failed = planned(table, entries, arguments.all), []
@@ -46,13 +45,14 @@ def measure_all(arguments, build):
     try:
         if "c" in classes and not arguments.page and arguments.only == "*":
             tables.measure(build)
-        for kind in reversed(CLASSES):
-            failed += run_all([one for one in found if one.kind == kind], entries, build)
-            filled = fill()
+        slow = [one for one in found if one.kind == "c"]
+        if slow:
+            failed += run_all(slow, entries, build)
+            fill()
+        failed += run_all([one for one in found if one.kind != "c"], entries, build)
     except KeyboardInterrupt:
         print("\nstopped: what has ended is stored", flush=True)
-        filled = fill()
-    return failed, filled
+    return failed
 
 
 def fill():
@@ -135,7 +135,8 @@ def main():
     build = (ROOT / os.environ.get("BUILD", "build")).resolve()
     if arguments.again:
         return 1 if again(TABLE, stored(), arguments.again, arguments.day, build) else 0
-    failed, filled = measure_all(arguments, build)
+    failed = measure_all(arguments, build)
+    filled = fill()
     if failed:
         print(f"failed: {' '.join(failed)}")
     return 3 if failed else filled

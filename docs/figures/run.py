@@ -98,7 +98,7 @@ def last(one, entries):
 
 
 def planned(table, entries, everything):
-    """The measurements to run, of each class the longest first; prints how many, and what they took last time."""
+    """The measurements to run, the longest first; prints how many, and what they took last time."""
     found = [one for one in table if one.kind == "a" or everything or one.older(entries.get(one.name, {"by": {}}))]
     for kind, what in CLASSES.items():
         of, runs = [[one for one in ones if one.kind == kind] for ones in (table, found)]

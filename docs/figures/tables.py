@@ -66,7 +66,7 @@ def stale():
         older = [key for key, (line, _) in rows_of(path).items() if line != lines[key]]
         older += ["one that is not in it"] * (len(points()) - len(lines))
         if older:
-            some = f"{len(older)} of {len(points())} configurations, {older[0]} the first"
+            some = f"{len(older)} of {max(len(points()), len(lines))} configurations, {older[0]} the first"
             found[path] = f"stale: {path} ({some}): {MADE_BY[path]}"
     return found
 

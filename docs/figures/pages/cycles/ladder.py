@@ -15,7 +15,7 @@ from pages.frames import (
 from pages.silicon.silicon import kilo  # noqa: F401  (the page uses it)
 
 MEASURED = ["model/*", "work/*", "rtl/own", "stores/*", "silicon/*", "bandwidth/*"]
-QUADRATIC = "late=1,order=1,quadratic=1,records=2048"  # `baseline`
+QUADRATIC = data.silicon.own_baseline.designs[0].configuration
 PAPER = {  # speed-up over Baseline, raster / sort
     "baseline": ("1.00", "7.48"),
     "dpc": ("-", "5.71"),
