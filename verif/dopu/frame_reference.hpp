@@ -212,7 +212,7 @@ inline std::vector<Config> machines() {
   for (const char* settings :
        {"tan_f=16", "tan_f=24", "alpha_cut=32", "alpha_cut=1023", "alpha_cut=512 antialias=1", "world_w=32",
         "world_w=44", "window=16 pixel_w=32", "order=2 late=1 tight_cull=1", "tight_cull=1 alpha_cut=33 tan_f=17"})
-    configs.push_back(config_of(settings));
+    configs.push_back(config_with(settings));
   return configs;
 }
 

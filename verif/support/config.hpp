@@ -11,7 +11,7 @@
 namespace pipegs {
 
 // The default configuration with these assignments.
-inline Config config_of(const std::string& assignments) {
+inline Config config_with(const std::string& assignments) {
   Config config;
   std::istringstream text(assignments);
   for (std::string assignment; text >> assignment;) config_set(config, assignment);
@@ -20,7 +20,7 @@ inline Config config_of(const std::string& assignments) {
 }
 
 #ifdef PIPEGS_SET
-inline Config test_config() { return config_of(PIPEGS_SET); }
+inline Config test_config() { return config_with(PIPEGS_SET); }
 #endif
 
 }  // namespace pipegs

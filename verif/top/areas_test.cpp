@@ -31,7 +31,7 @@ std::vector<Config> configs() {
   std::vector<Config> all;
   for (const int units : {1, 2, 4}) {
     for (const char* machine : {"order=0", "order=0 late=1", "order=1", "order=1 late=1", "order=2 late=1"}) {
-      all.push_back(config_of(machine));
+      all.push_back(config_with(machine));
       all.back().units = units;
     }
   }

@@ -10,7 +10,7 @@ namespace {
 
 class BoxModels : public testing::TestWithParam<const char*> {
  protected:
-  const Config config = config_of(GetParam());
+  const Config config = config_with(GetParam());
   std::mt19937_64 rng{test_seed()};
 };
 INSTANTIATE_TEST_SUITE_P(, BoxModels,

@@ -13,40 +13,43 @@
 namespace pipegs {
 namespace {
 
-TEST(ColorModels, RotateIsCloseToDouble) {
-  const Config config;
+// Calls `visit` with random cameras' frames and view directions.
+template <class Visit>
+void each_direction(const Config& config, Visit&& visit) {
   std::mt19937_64 rng(1);
-  double worst = 0;
-  for (int i = 0; i < 200000; ++i) {
+  for (int i = 0; i < 200000 && !testing::Test::HasFatalFailure(); ++i) {
     Frame frame;
     set_rotation(config, frame, rng);
-    const ViewDirection view = random_direction(config, rng);
+    visit(frame, random_direction(config, rng));
+  }
+}
+
+TEST(ColorModels, RotateIsCloseToDouble) {
+  const Config config;
+  double worst = 0;
+  each_direction(config, [&](const Frame& frame, const ViewDirection& view) {
     const WorldDirection world = pu_color_rotate(config, frame, view);
     const glm::dvec3 v(view.x, view.y, view.z), exact = to_world(config, frame, v);
     const glm::dvec3 error = glm::abs(glm::dvec3(world.x, world.y, world.z) * 0.5 - exact);
     worst = std::max({worst, error.x, error.y, error.z});
     ASSERT_EQ(static_cast<double>(world.length2), glm::dot(v, v));
-  }
+  });
   fmt::print("pu_color_rotate: worst error {:.3f} units of the view direction\n", worst);
   EXPECT_LT(worst, 1.7);  // 2^-17.2 of a length of up to 2^17.8, and the last half unit
 }
 
 TEST(ColorModels, NormaliseIsCloseToDouble) {
   const Config config;
-  std::mt19937_64 rng(1);
   double worst = 0;
-  for (int i = 0; i < 200000; ++i) {
-    Frame frame;
-    set_rotation(config, frame, rng);
-    const ViewDirection view = random_direction(config, rng);
+  each_direction(config, [&](const Frame& frame, const ViewDirection& view) {
     const glm::dvec3 v(view.x, view.y, view.z);
-    if (glm::length(v) < 65536) continue;  // not block-normalised: correct, but coarse
+    if (glm::length(v) < 65536) return;  // not block-normalised: correct, but coarse
     const UnitDirection unit = pu_color_normalise(config, pu_color_rotate(config, frame, view));
     const glm::dvec3 exact = glm::normalize(to_world(config, frame, v));
     const glm::dvec3 error =
         glm::abs(glm::dvec3(unit.x, unit.y, unit.z) * std::ldexp(1.0, -config.unit_direction_f()) - exact);
     worst = std::max({worst, error.x, error.y, error.z});
-  }
+  });
   fmt::print("pu_color_normalise: worst error of a component 2^{:.2f}, rotation included\n", std::log2(worst));
   EXPECT_LT(worst, std::exp2(-15));
   EXPECT_EQ(pu_color_normalise(config, {}), UnitDirection{}) << "zero stays zero";

@@ -11,7 +11,7 @@ namespace {
 
 class ProjectionModels : public testing::TestWithParam<const char*> {
  protected:
-  const Config config = config_of(GetParam());
+  const Config config = config_with(GetParam());
   std::mt19937_64 rng{test_seed()};
   PuRandom random{config, rng};
 };
