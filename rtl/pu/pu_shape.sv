@@ -9,7 +9,7 @@
 //         direction, base colour, index, slot) leaves at once. Only wiring here.
 // Stream  visible in, conic out, in order; ends pass. payload: one for each Gaussian, in order, before its conic; not
 //         refused.
-// Pace    One Gaussian per eight cycles.
+// Pace    One Gaussian per eight cycles; per 14 with the oriented box and without compensate.
 // Model   golden_conic in cpp_model/golden.cpp
 
 module pu_shape (

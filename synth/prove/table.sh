@@ -57,6 +57,7 @@ mutant "a request leaves its group" 's/(assign rest  .*= ).*/\1 BurstW\x27(2**Bu
 mutant "the line behind the table's last one is asked for" "s/MostW'\(lines_end\) >/MostW'(lines_end) > 1 +/"
 mutant "a job behind a bad one is taken" 's/ \&\& !bad_q;/;/'
 mutant "items go on behind the last" 's/item_q \+ 1.b1 == job_count/item_q == job_count/'
+mutant "a job of nothing is taken" "s/job_count_i == '0 \|\| //"
 
 # --- rtl/buf ----------------------------------------------------------------------------------------------------------
 # Small rings on the real SRAM, then every depth of the machine on free_sram.
@@ -315,6 +316,7 @@ mutant "writes where the next is read" 's/words_q\[tail_q\]/words_q[head_q]/'
 
 proof  sleep "pipegs_sleep+" "Patience=7; Patience=127; Patience=5"
 mutant "sleeps while something comes" 's/ \&\& !wake_i//'
+mutant "a beat that moves does not keep it awake" 's/moved_i \|\| wake_i\) quiet_q/wake_i) quiet_q/'
 mutant "the counter goes on behind its end" "s/else if \(quiet_q != CountW'\(Patience\)\)/else/" "Patience=5"
 
 # Slots, addresses and areas of three layers in a small store, in which a layer is often too big; of two in one of 64.
