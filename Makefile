@@ -14,7 +14,7 @@ PAGES := chromium fonts-dejavu-core
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 CTEST := ctest --test-dir $(BUILD) --output-on-failure -j 2
 
-.PHONY: help tools build run page test test-long fuzz bench figures site lint prove synth fpga \
+.PHONY: help tools build core run page test test-long fuzz bench figures site lint prove synth fpga \
         format style lacks layout package wave clean
 
 help:  ## this list
@@ -34,13 +34,16 @@ tools:  ## install what is missing (apt)
 $(BUILD)/build.ninja: | tools
 	CC=clang CXX=clang++ cmake -S . -B $(BUILD) -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
 
-build: tools $(BUILD)/build.ninja  ## compile everything, the default RTL included
+build: tools $(BUILD)/build.ninja  ## compile everything, studies and the default RTL included
+	cmake --build $(BUILD) --target programs rtl
+
+core: tools $(BUILD)/build.ninja  ## compile what `make run` runs: everything but the studies
 	cmake --build $(BUILD) --target pipegs rtl
 
-run: build  ## simulate our own scene; prints where every cycle went and where the picture is
+run: core  ## simulate our own scene; prints where every cycle went and where the picture is
 	$(BUILD)/pipegs sim --out $(BUILD)/out
 
-page: build  ## our own frame as a page to click through: build/out/page.html
+page: core  ## our own frame as a page to click through: build/out/page.html
 	@$(NODE)
 	$(BUILD)/pipegs sim --out $(BUILD)/out --page
 
@@ -60,7 +63,7 @@ fuzz: tools $(BUILD)/build.ninja  ## the readers under libFuzzer, eight targets 
 	cmake --build $(BUILD) --target fuzz
 	verif/fuzz/fuzz.sh $(BUILD)/verif/fuzz $$((($(if $(SECONDS),$(SECONDS),60) + 8) / 9))
 
-bench: build  ## speed of golden model and RTL on our own scene, apart from the tests
+bench: core  ## speed of golden model and RTL on our own scene, apart from the tests
 	$(BUILD)/pipegs sim --no-truth --out $(BUILD)/bench --json | grep -A 5 wall_seconds
 
 figures: build  ## measure what is cheap or older than the sources, fill pages: CLASS=a,b PAGE=ladder ONLY='bus/*' ALL=1

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 # unit_test.cmake: GoogleTests of one Verilated module each, as RTL and as netlist.
 
-# Headers that all unit tests read, compiled once.
+# Headers that all unit tests read, compiled once: an edit of bench.hpp, or of what it reads, recompiles all of them
+# anyway.
 add_executable(unit_test_headers EXCLUDE_FROM_ALL ${PIPEGS_HEADERS_SOURCE})
 target_compile_definitions(unit_test_headers PRIVATE VM_TRACE=0 VM_TRACE_FST=0)
 target_compile_options(unit_test_headers PRIVATE -Wall -Wextra -O1)
 target_link_libraries(unit_test_headers PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main
                       fmt::fmt)
-target_precompile_headers(unit_test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <verilated.h> <algorithm> <deque>
-                          <filesystem> <functional> <map> <memory> <random>)
+target_precompile_headers(unit_test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <glm/glm.hpp> <verilated.h>
+                          <algorithm> <deque> <filesystem> <functional> <map> <memory> <random>
+                          ${CMAKE_SOURCE_DIR}/verif/support/bench.hpp)
 
 # pipegs_unit_test(NAME MODULE module [SOURCE file] [RTL_ONLY] [SET key=value ...] [PARAMETERS Name=value ...]
 # [CHECKERS file ...]): a GoogleTest of one module against its bit-accurate model. PARAMETERS are the module's own,

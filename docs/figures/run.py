@@ -116,7 +116,7 @@ def rtl_machines(ones):
 
 def prepare(ones, build):
     """What the measurements have in common: programs of today's sources, the modules of their machines."""
-    targets = {"pipegs", "package_sv", *(target for one in ones for target in one.targets)}
+    targets = {"programs", "package_sv", *(target for one in ones for target in one.targets)}
     subprocess.run(["cmake", "--build", build, "--target", *sorted(targets)], check=True, stdout=sys.stderr)
     machines = rtl_machines(TABLE)
     for machine in sorted(rtl_machines(ones)):

@@ -3,10 +3,12 @@
 // becomes an exit code.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 #include <verilated_config.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -53,8 +55,20 @@ void check_text(int argc, char** argv) {
   }
 }
 
+// Studies are in a program of their own, which also has all that is in this one: who runs none compiles none. What is
+// no command here is one there, or in its list. Returns when there is no such program, or one of older sources.
+void run_with_studies(const CLI::App& app, int argc, char** argv) {
+  const auto named = [&](const CLI::App* command) { return argc > 1 && command->get_name() == argv[1]; };
+  if (!app.get_subcommands(named).empty()) return;
+  std::error_code none;
+  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", none);
+  const std::filesystem::path studies = own.parent_path() / "pipegs-studies";
+  const auto written = [&](const std::filesystem::path& file) { return std::filesystem::last_write_time(file, none); };
+  if (std::filesystem::exists(studies, none) && written(studies) >= written(own)) execv(studies.c_str(), argv);
+}
+
 // A first word that is no command, and behind `study` a second one that is no study.
-void check_command(const CLI::App& app, int argc, char** argv) {
+void check_command(const CLI::App& app, bool with_studies, int argc, char** argv) {
   const CLI::App* above = &app;
   for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
     const std::vector<const CLI::App*> commands = above->get_subcommands(nullptr);
@@ -66,16 +80,17 @@ void check_command(const CLI::App& app, int argc, char** argv) {
       for (const CLI::App* command : commands) {
         if (!command->get_group().empty()) names.push_back(command->get_name());  // else it is a hidden one
       }
-      throw InputError(fmt::format("found {}, expected a {}: {}", quote(argv[i]),
-                                   i == 1 ? "command" : above->get_name(), fmt::join(names, ", ")));
+      throw InputError(fmt::format("found {}, expected a {}: {}{}", quote(argv[i]),
+                                   i == 1 ? "command" : above->get_name(), fmt::join(names, ", "),
+                                   with_studies ? "" : " (studies are in pipegs-studies: make build)"));
     }
     above = *found;
   }
 }
 
-int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
+int run_command(CLI::App& app, bool with_studies, int argc, char** argv, const Run& run) {
   check_text(argc, argv);
-  check_command(app, argc, argv);
+  check_command(app, with_studies, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -119,11 +134,13 @@ int main(int argc, char** argv) {
   study->require_subcommand(1);
   study->footer("NAME --help lists its options.");
   add_studies(app, *study, run);
-  if (!study->get_subcommands(nullptr).empty()) app.add_subcommand(study);
+  const bool with_studies = !study->get_subcommands(nullptr).empty();
+  if (with_studies) app.add_subcommand(study);
+  if (!with_studies) run_with_studies(app, argc, argv);
   group_options(app);
   // The footer names these two. Hidden only now: a command takes over --help where it is shown.
   for (const char* flag : {"--help", "--version"}) app.get_option(flag)->group("");
   try {
-    return run_command(app, argc, argv, run);
+    return run_command(app, with_studies, argc, argv, run);
   } catch (const std::exception& error) { return tell(error); }
 }

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# core_alone.sh BUILD PIPEGS_CORE: the core builds with sim/studies removed.
+# core_alone.sh BUILD: the core builds with sim/studies removed.
 #
 # Idea    A copy of the tree without that folder is configured: every source that CMake names is there. No object of the
-#         core in BUILD has read a header of a study, so each compiles without them. PIPEGS_CORE, the core's objects
-#         with an empty list of studies, is linked and renders.
+#         core in BUILD has read a header of a study, so each compiles without them. A copy of `pipegs`, without
+#         the program of the studies beside it, renders, and says where studies are.
 # Output  What needs a study; exits 1 when something does.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-build=$1 core=$2
+build=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/tree"
@@ -29,6 +29,8 @@ awk '
   core && /^ .*\/sim\/studies\// {print object " reads " $1; wrong = 1}
   END {print objects " objects of the core"; exit wrong || objects < 100}' "$work/deps"
 
-if "$core" study budget > "$work/log" 2>&1; then cat "$work/log"; exit 1; fi
-"$core" render --size 32x32 --out "$work/out" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+cp "$build/pipegs" "$work"
+"$work/pipegs" study budget > "$work/log" 2>&1 && { cat "$work/log"; exit 1; }
+grep -q 'studies are in pipegs-studies: make build' "$work/log"
+"$work/pipegs" render --size 32x32 --out "$work/out" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 [ -s "$work/out/frame.png" ]

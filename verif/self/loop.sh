@@ -37,7 +37,7 @@ sys.exit(code)' "$@"
 }
 
 found=()
-timed compile largest make build BUILD="$work/build"
+timed compile largest make core BUILD="$work/build"
 memory=$(tail -n 1 "$work/log")
 timed run largest "$work/build/pipegs" sim --out "$work/build/out"
 simulated=$(tail -n 1 "$work/log")
