@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <thread>
 
@@ -19,21 +20,6 @@
 namespace pipegs {
 namespace {
 
-struct ExploreArguments {
-  ViewArguments view;
-  MemoryArguments memory;
-  std::string store = PIPEGS_BUILD_DIR "/explore";
-  StudyOutput output;
-
-  void add(CLI::App& command) {
-    view.add(command);
-    memory.add(command);
-    command.add_option("--store", store, "folder of what was measured and is not measured again")
-        ->capture_default_str();
-    output.add(command);
-  }
-};
-
 // What a question is asked of.
 struct Asked {
   const SimulateOptions& options;
@@ -44,11 +30,18 @@ struct Asked {
 };
 
 struct Question {
-  const CLI::App* command;
+  const char *name, *what, *example, *notes;  // of its command
   const char* title;
   Measured measured;
-  bool areas;  // must be known
+  std::function<void(const Config&, const FrameModel&)> check;  // before a scene is read; throws ConfigError
   std::function<Answer(const Asked&)> ask;
+};
+
+struct ExploreArguments {
+  ViewArguments view;
+  MemoryArguments memory;
+  std::string store = PIPEGS_BUILD_DIR "/explore";
+  StudyOutput output;
 };
 
 // The view's truths, and a golden frame with a truth in its order on each core.
@@ -66,7 +59,7 @@ int explore(const ExploreArguments& arguments, const Question& question) {
     throw ConfigError("--window: pictures or windows of other sizes are compared as a whole, expected none");
   arguments.memory.apply(options);
   const FrameModel silicon = read_frame_model();
-  if (question.areas) check_shapes(options.config, silicon);
+  if (question.check) question.check(options.config, silicon);
   try_folder("--store", arguments.store);
   arguments.output.check();
   const LoadedView loaded = load_view(arguments.view);
@@ -98,8 +91,22 @@ int explore(const ExploreArguments& arguments, const Question& question) {
   return kExitOk;
 }
 
+// Its command; the options of the question alone are the caller's to add.
+CLI::App& add_question(CLI::App& app, Run& run, const Question& question) {
+  CLI::App& command = *app.add_subcommand(question.name, question.what);
+  command.footer(footer(question.example, "measured", "", question.notes));
+  const auto arguments = std::make_shared<ExploreArguments>();
+  arguments->view.add(command);
+  arguments->memory.add(command);
+  command.add_option("--store", arguments->store, "folder of what was measured and is not measured again")
+      ->capture_default_str();
+  arguments->output.add(command);
+  command.callback([&run, arguments, question] { run = [=] { return explore(*arguments, question); }; });
+  return command;
+}
+
 // "60dB" or "60".
-double parse_target(const std::string& text) {
+double target_of(const std::string& text) {
   const std::string_view number(text.data(), text.size() - (text.ends_with("dB") ? 2 : 0));
   try {
     return parse_real(number, {.low = 0, .high = 200, .above = true});
@@ -108,127 +115,79 @@ double parse_target(const std::string& text) {
   }
 }
 
-Table target_table(const std::vector<Point>& points, double target) {
-  if (const Point* point = cheapest(points, target))
-    return {.notes = {fmt::format("target {:g} dB numeric: {}", target, point_text(*point, points.front().config)),
-                      "use it with " + machine_words(point->config)}};
-  const std::vector<const Point*> front = accuracy_front(points, costs().front());
-  return {.notes = {fmt::format("target {:g} dB numeric: not reached; the most accurate point has {} dB", target,
-                                front.empty() ? "no" : decibels(front.back()->figures.numeric.psnr))}};
-}
-
-struct AccuracyArguments {
-  ExploreArguments common;
-  std::vector<std::string> knobs;
-  int points = 40;
-  std::string target;
-};
-
-int accuracy(const AccuracyArguments& arguments, const CLI::App* command) {
-  const std::vector<const Knob*> knobs = find_knobs(arguments.knobs);
-  const double target = arguments.target.empty() ? 0 : parse_target(arguments.target);
-  const auto ask = [&](const Asked& asked) {
-    const AccuracySweep sweep =
-        accuracy_sweep(asked.measure, asked.options.config,
-                       {.knobs = knobs, .points = arguments.points, .window_fixed = asked.options.window.has_value()});
-    Answer answer = accuracy_answer(sweep);
-    if (target > 0) answer.tables.push_back(target_table(sweep.all(), target));
-    return answer;
-  };
-  return explore(
-      arguments.common,
-      {.command = command, .title = "What accuracy costs", .measured = Measured::kErrors, .areas = false, .ask = ask});
-}
-
 }  // namespace
 
 void add_accuracy(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("accuracy", "what each bit of accuracy costs on a view");
-  command->footer(footer(
-      "pipegs accuracy garden.ply --cameras cameras.json --view 0 --design exact --target 60dB --out accuracy --page",
-      "measured", "", "Accuracy is the golden model's against float64, cycles and bytes are the timing model's."));
-  static AccuracyArguments arguments;
-  arguments.common.add(*command);
-  add_names(*command, "--knobs", arguments.knobs, "which, by commas; without it all");
-  add_integer(*command, "--points", arguments.points, "most configurations to measure with knobs turned together", 0,
-              1000)
+  static std::vector<std::string> knobs;
+  static std::string target;
+  static int points = 40;
+  CLI::App& command = add_question(
+      app, run,
+      {.name = "accuracy",
+       .what = "what each bit of accuracy costs on a view",
+       .example = "pipegs accuracy garden.ply --cameras cameras.json --view 0 --design exact --target 60dB "
+                  "--out accuracy --page",
+       .notes = "Accuracy is the golden model's against float64, cycles and bytes are the timing model's.",
+       .title = "What accuracy costs",
+       .measured = Measured::kErrors,
+       .check =
+           [](const Config&, const FrameModel&) {
+             find_knobs(knobs);
+             if (!target.empty()) target_of(target);
+           },
+       .ask =
+           [](const Asked& asked) {
+             const AccuracySweep sweep = accuracy_sweep(
+                 asked.measure, asked.options.config,
+                 {.knobs = find_knobs(knobs), .points = points, .window_fixed = asked.options.window.has_value()});
+             Answer answer = accuracy_answer(sweep);
+             if (!target.empty()) answer.tables.push_back(target_table(sweep.all(), target_of(target)));
+             return answer;
+           }});
+  add_names(command, "--knobs", knobs, "which, by commas; without it all");
+  add_integer(command, "--points", points, "most configurations to measure with knobs turned together", 0, 1000)
       ->capture_default_str();
-  command->add_option("--target", arguments.target,
-                      "name the cheapest configuration with so much numeric PSNR, as 60dB");
-  command->callback([&run, command] { run = [command] { return accuracy(arguments, command); }; });
+  command.add_option("--target", target, "name the cheapest configuration with so much numeric PSNR, as 60dB");
 }
-
-namespace {
-
-struct TradeoffArguments {
-  ExploreArguments common;
-  int together = 16;
-  double ghz = 1;
-};
-
-int run_tradeoff(const TradeoffArguments& arguments, const CLI::App* command) {
-  const auto ask = [&](const Asked& asked) {
-    return tradeoff_answer(tradeoff(asked.measure, asked.options.config, asked.loaded.scene, arguments.together),
-                           asked.view, arguments.ghz);
-  };
-  return explore(arguments.common, {.command = command,
-                                    .title = "What accuracy costs in time",
-                                    .measured = Measured::kPicture,
-                                    .areas = false,
-                                    .ask = ask});
-}
-
-}  // namespace
 
 void add_tradeoff(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "tradeoff", "what accuracy costs in time: fewer pixels, Gaussians, SH degrees, other cuts and orders");
-  command->footer(footer("pipegs study tradeoff garden.ply --cameras cameras.json --view 0 --out tradeoff --page",
-                         "measured", "", "Cycles are those of the timing model."));
-  static TradeoffArguments arguments;
-  arguments.common.add(*command);
-  add_real(*command, "--ghz", arguments.ghz, "clock that turns cycles into time", {.low = 0.1, .high = 10})
+  static int together = 16;
+  static double ghz = 1;
+  CLI::App& command =
+      add_question(app, run,
+                   {.name = "tradeoff",
+                    .what = "what accuracy costs in time: fewer pixels, Gaussians, SH degrees, other cuts and orders",
+                    .example = "pipegs study tradeoff garden.ply --cameras cameras.json --view 0 --out tradeoff --page",
+                    .notes = "Cycles are those of the timing model.",
+                    .title = "What accuracy costs in time",
+                    .measured = Measured::kPicture,
+                    .check = {},
+                    .ask = [](const Asked& asked) {
+                      return tradeoff_answer(
+                          tradeoff(asked.measure, asked.options.config, asked.loaded.scene, together), asked.view, ghz);
+                    }});
+  add_real(command, "--ghz", ghz, "clock that turns cycles into time", {.low = 0.1, .high = 10})->capture_default_str();
+  add_integer(command, "--together", together, "most points with less of several things at once", 0, 1000)
       ->capture_default_str();
-  add_integer(*command, "--together", arguments.together, "most points with less of several things at once", 0, 1000)
-      ->capture_default_str();
-  command->callback([&run, command] { run = [command] { return run_tradeoff(arguments, command); }; });
 }
-
-namespace {
-
-struct ShapesArguments {
-  ExploreArguments common;
-  ShapeOptions shapes = {.mm2 = kPipegsTable2.back().area_mm2};
-};
-
-int run_shapes(const ShapesArguments& arguments, const CLI::App* command) {
-  const auto ask = [&](const Asked& asked) {
-    return shapes_answer(sweep_shapes(asked.measure, asked.silicon, asked.options.config, arguments.shapes),
-                         arguments.shapes.mm2);
-  };
-  return explore(arguments.common, {.command = command,
-                                    .title = "Time and area by the machine's shape",
-                                    .measured = Measured::kCycles,
-                                    .areas = true,
-                                    .ask = ask});
-}
-
-}  // namespace
 
 void add_shapes(CLI::App& app, Run& run) {
-  CLI::App* command =
-      app.add_subcommand("shapes", "time and area by the machine's shape at equal pixels, and the best within an area");
-  command->footer(footer("pipegs study shapes garden.ply --cameras cameras.json --area 3.283 --out shapes --page",
-                         "measured", "",
-                         "Cycles are the timing model's, areas and clocks are interpolated between synthesised "
-                         "machines."));
-  static ShapesArguments arguments;
-  arguments.common.add(*command);
-  add_real(*command, "--area", arguments.shapes.mm2, "the wanted area, mm2 in 28 nm", {.low = 0.1, .high = 100})
+  static ShapeOptions shapes{.mm2 = kPipegsTable2.back().area_mm2};
+  CLI::App& command = add_question(
+      app, run,
+      {.name = "shapes",
+       .what = "time and area by the machine's shape at equal pixels, and the best within an area",
+       .example = "pipegs study shapes garden.ply --cameras cameras.json --area 3.283 --out shapes --page",
+       .notes = "Cycles are the timing model's, areas and clocks are interpolated between synthesised machines.",
+       .title = "Time and area by the machine's shape",
+       .measured = Measured::kCycles,
+       .check = check_shapes,
+       .ask = [](const Asked& asked) {
+         return shapes_answer(sweep_shapes(asked.measure, asked.silicon, asked.options.config, shapes), shapes.mm2);
+       }});
+  add_real(command, "--area", shapes.mm2, "the wanted area, mm2 in 28 nm", {.low = 0.1, .high = 100})
       ->capture_default_str();
-  add_integer(*command, "--runs", arguments.shapes.runs, "most shapes that are measured", 1, 10000)
-      ->capture_default_str();
-  command->callback([&run, command] { run = [command] { return run_shapes(arguments, command); }; });
+  add_integer(command, "--runs", shapes.runs, "most shapes that are measured", 1, 10000)->capture_default_str();
 }
 
 }  // namespace pipegs

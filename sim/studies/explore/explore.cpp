@@ -67,23 +67,13 @@ void must_fit(const std::vector<Point>& points) {
 }
 
 std::vector<const Point*> front_of(const std::vector<Point>& points, const Quantity& x, const Quantity& y) {
-  struct Placed {
-    double x, y;
-    const Point* point;
-  };
-  std::vector<Placed> sorted;
+  std::vector<const Point*> sorted, front;
   for (const Point& point : points) {
-    const Placed placed{x(point), y(point), &point};
-    if (!std::isnan(placed.x) && !std::isnan(placed.y)) sorted.push_back(placed);
+    if (!std::isnan(x(point)) && !std::isnan(y(point))) sorted.push_back(&point);
   }
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Placed& a, const Placed& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<const Point*> front;
-  double least = 0;
-  for (const Placed& placed : sorted) {
-    if (!front.empty() && placed.y >= least) continue;
-    front.push_back(placed.point);
-    least = placed.y;
+  std::ranges::stable_sort(sorted, {}, [&](const Point* point) { return std::pair(x(*point), y(*point)); });
+  for (const Point* point : sorted) {
+    if (front.empty() || y(*point) < y(*front.back())) front.push_back(point);
   }
   return front;
 }

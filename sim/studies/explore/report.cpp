@@ -31,6 +31,32 @@ double us_of(const Point& point, double ghz) {
 double fps_per_mm2(const Point& point) { return 1e6 / us_of(point, 0) / point.mm2(); }
 double frames_per_joule(const Point& point) { return 1 / point.joules(); }
 
+// "65.20", "inf"
+std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf"; }
+
+// The entries in which a configuration differs from the base, "base" if in none.
+std::string difference(const Config& config, const Config& base) {
+  std::string text;
+  for (const ConfigEntry& entry : config_entries(config)) {
+    if (entry.member == nullptr || base.*entry.member == entry.value) continue;
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", entry.name, entry.value);
+  }
+  return text.empty() ? "base" : text;
+}
+
+// One point in a line: its errors, what it costs, and how it differs from the base.
+std::string point_text(const Point& point, const Config& base) {
+  const Figures& a = point.figures;
+  std::string text =
+      fmt::format("{} dB numeric, {} dB order, {} cycles, {:.1f} MB, {:.1f} KB of buffers", decibels(a.numeric.psnr),
+                  decibels(a.order.psnr), a.cycles, point.bytes() / 1e6, a.buffer_kb());
+  if (point.silicon) {
+    text += fmt::format(", {} mm2, {} mJ", interpolated_text(point.mm2(), point.silicon->extrapolated_area, 2),
+                        interpolated_text(point.joules() * 1e3, point.silicon->extrapolated_energy, 2));
+  }
+  return fmt::format("{}: {}", text, difference(point.config, base));
+}
+
 // What is not known is empty.
 TableCell known(double value, bool extrapolated = false) {
   return std::isnan(value) ? TableCell{} : number_cell(value, extrapolated ? "~" : "");
@@ -301,27 +327,13 @@ std::string best_shape_text(const Point* best, const Point& base, double mm2) {
 
 }  // namespace
 
-std::string decibels(double psnr) { return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf"; }
-
-std::string difference(const Config& config, const Config& base) {
-  std::string text;
-  for (const ConfigEntry& entry : config_entries(config)) {
-    if (entry.member == nullptr || base.*entry.member == entry.value) continue;
-    text += fmt::format("{}{}={}", text.empty() ? "" : " ", entry.name, entry.value);
-  }
-  return text.empty() ? "base" : text;
-}
-
-std::string point_text(const Point& point, const Config& base) {
-  const Figures& a = point.figures;
-  std::string text =
-      fmt::format("{} dB numeric, {} dB order, {} cycles, {:.1f} MB, {:.1f} KB of buffers", decibels(a.numeric.psnr),
-                  decibels(a.order.psnr), a.cycles, point.bytes() / 1e6, a.buffer_kb());
-  if (point.silicon) {
-    text += fmt::format(", {} mm2, {} mJ", interpolated_text(point.mm2(), point.silicon->extrapolated_area, 2),
-                        interpolated_text(point.joules() * 1e3, point.silicon->extrapolated_energy, 2));
-  }
-  return fmt::format("{}: {}", text, difference(point.config, base));
+Table target_table(const std::vector<Point>& points, double target) {
+  if (const Point* point = cheapest(points, target))
+    return {.notes = {fmt::format("target {:g} dB numeric: {}", target, point_text(*point, points.front().config)),
+                      "use it with " + machine_words(point->config)}};
+  const std::vector<const Point*> front = accuracy_front(points, costs().front());
+  return {.notes = {fmt::format("target {:g} dB numeric: not reached; the most accurate point has {} dB", target,
+                                front.empty() ? "no" : decibels(front.back()->figures.numeric.psnr))}};
 }
 
 Answer accuracy_answer(const AccuracySweep& sweep) {

@@ -25,10 +25,7 @@ Answer tradeoff_answer(std::vector<Point> points, const View& view, double ghz);
 // `mm2`: the wanted area.
 Answer shapes_answer(const std::vector<Point>& shapes, double mm2);
 
-// One point in a line: its errors, what it costs, and how it differs from the base.
-std::string point_text(const Point& point, const Config& base);
-// The entries in which a configuration differs from the base, "base" if in none.
-std::string difference(const Config& config, const Config& base);
-std::string decibels(double psnr);  // "65.2", "inf"
+// The cheapest point that reaches so many decibels, and the words that name its machine to every command.
+Table target_table(const std::vector<Point>& points, double target);
 
 }  // namespace pipegs

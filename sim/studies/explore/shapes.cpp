@@ -180,7 +180,6 @@ void check_shapes(const Config& base, const FrameModel& silicon) {
 
 std::vector<Point> sweep_shapes(const MeasurePoints& measure, const FrameModel& silicon, const Config& base,
                                 const ShapeOptions& options) {
-  check_shapes(base, silicon);
   Config self = base;
   self.fronts = self.pu_fronts();
   return ShapeSweep(measure, silicon, options).run(self);

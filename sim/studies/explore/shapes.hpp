@@ -47,7 +47,7 @@ struct ShapeOptions {
 // Throws ConfigError, one line, when the area of such a machine is not known.
 void check_shapes(const Config& base, const FrameModel& silicon);
 
-// The base first; places on the front are found, the smallest machine first.
+// The base first; places on the front are found, the smallest machine first. The base passes check_shapes.
 std::vector<Point> sweep_shapes(const MeasurePoints& measure, const FrameModel& silicon, const Config& base,
                                 const ShapeOptions& options);
 

@@ -141,14 +141,5 @@ TEST(Shapes, ReportsNameTheBestAndTheFront) {
   EXPECT_EQ(answer.charts[0].series.size(), 4u);
 }
 
-TEST(Shapes, RefusesAMachineWhoseAreaIsNotKnown) {
-  Frames frames;
-  const auto sweep = [&] {
-    sweep_shapes(std::ref(frames), Frames::silicon(), find_design_point("dpc").config, {.mm2 = 3, .runs = 40});
-  };
-  EXPECT_THROW(sweep(), ConfigError);
-  EXPECT_TRUE(frames.measured.empty());
-}
-
 }  // namespace
 }  // namespace pipegs
