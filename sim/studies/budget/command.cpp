@@ -21,9 +21,8 @@ namespace pipegs {
 namespace {
 
 struct BudgetArguments {
-  std::string design_point{kDefaultDesignPoint};
+  ViewArguments machine;  // its design point and settings
   StudyOutput output;
-  std::vector<std::string> settings;
   uint64_t seed = 1;
   size_t count = 1000000;
 };
@@ -81,9 +80,7 @@ std::vector<Chart> charts(const std::vector<BudgetSample>& samples) {
 }
 
 int budget(const BudgetArguments& arguments) {
-  ViewArguments view;
-  view.design_point = arguments.design_point, view.settings = arguments.settings;
-  const Config config = view.options().config;
+  const Config config = arguments.machine.options().config;
   arguments.output.check();
   Progress progress("budget");
   const std::vector<BudgetSample> samples = budget_samples(config, arguments.seed, arguments.count, [&](double share) {
@@ -154,9 +151,9 @@ void add_budget(CLI::App& app, Run& run) {
   static BudgetArguments arguments;
   add_integer(*command, "--count", arguments.count, "Gaussians", size_t{1}, size_t{100000000})->capture_default_str();
   add_integer(*command, "--seed", arguments.seed, "of the Gaussians")->capture_default_str();
-  command->add_option("--design", arguments.design_point, "design point: " + design_point_names())
+  command->add_option("--design", arguments.machine.design_point, "design point: " + design_point_names())
       ->capture_default_str();
-  command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")
+  command->add_option("--set", arguments.machine.settings, "configuration entry, key=value; may be repeated")
       ->allow_extra_args(false);
   arguments.output.add(*command);
   command->callback([&run] { run = [] { return budget(arguments); }; });

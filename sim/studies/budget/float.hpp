@@ -2,9 +2,11 @@
 // budget_float: projection, covariance, conic and power as the usual renderers compute them, in the number type T.
 //
 // Idea    Every operation is rounded to T; the conic is the inverse by a c - b b, the power is Eq. 1. T is float or
-//         Half, which has the range of half too: a variance above 65504 is infinite there. Sums and products of halves
+//         half, whose range counts too: a variance above 65504 is infinite there. Sums and products of halves
 //         are exact enough in float that rounding them once more is correct.
 #pragma once
+
+#include <Imath/half.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,23 +16,6 @@
 #include "scenes/scene.hpp"
 
 namespace pipegs {
-
-// IEEE binary16: every value is rounded to it, to nearest even.
-class Half {
- public:
-  Half() = default;
-  explicit Half(double value) : value_(rounded(static_cast<float>(value))) {}
-  operator float() const { return value_; }
-
- private:
-  static float rounded(float value) {
-    if (!std::isfinite(value) || value == 0) return value;
-    const int exponent = std::max(std::ilogb(value), -14);
-    const float whole = std::ldexp(std::nearbyint(std::ldexp(value, 10 - exponent)), exponent - 10);
-    return std::abs(whole) > 65504 ? std::copysign(INFINITY, value) : whole;
-  }
-  float value_ = 0;
-};
 
 template <class T>
 struct FloatSplat {

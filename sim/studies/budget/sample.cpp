@@ -12,17 +12,10 @@
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/golden.hpp"
 #include "cpp_model/pu/conic/pu_coeff.hpp"
-#include "cpp_model/pu/conic/pu_conic.hpp"
-#include "cpp_model/pu/project/pu_covariance.hpp"
 #include "cpp_model/pu/front/pu_cull.hpp"
-#include "cpp_model/pu/project/pu_factors.hpp"
-#include "cpp_model/pu/project/pu_jacobian.hpp"
 #include "cpp_model/pu/pu_parts.hpp"
-#include "cpp_model/pu/project/pu_orient.hpp"
-#include "cpp_model/pu/project/pu_project.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
 #include "cpp_model/regions.hpp"
-#include "cpp_model/pu/project/pu_squares.hpp"
 #include "scenes/generate/generate_random.hpp"
 #include "sim/bounds/budget.hpp"
 #include "sim/studies/budget/float.hpp"
@@ -89,11 +82,8 @@ std::optional<RowJob> job_of(const Config& c, const Frame& frame, const Chunk& c
                              uint64_t slot, int x, int y) {
   const std::optional<Visible> visible = pu_cull(c, frame, golden_fetched(chunk, gaussian, slot));
   if (!visible) return std::nullopt;
-  const auto [projected, center, payload] = pu_project(c, frame, *visible);
-  const Factors factors = pu_factors(c, frame, pu_jacobian(c, frame, pu_orient(c, frame, projected)));
-  const Covariance covariance = pu_covariance(c, frame, pu_squares(c, frame, factors), center);
   const uint64_t part = static_cast<uint64_t>(region_part(c, region_at(c, x / 8, y / 8)));
-  const std::vector<PuPart> parts = pu_parts(c, pu_conic(c, frame, covariance));
+  const std::vector<PuPart> parts = pu_parts(c, golden_conic(c, frame, *visible).conic);
   const auto found = std::find_if(parts.begin(), parts.end(), [&](const PuPart& one) { return one.part == part; });
   if (found == parts.end()) return std::nullopt;
   const Coeff coeff = pu_coeff(c, frame, found->conic);
@@ -154,7 +144,7 @@ std::optional<BudgetSample> Sampler::sample(const Node& node, uint64_t slot, Ran
   const GaussianBudget whole = gaussian_budget(config_, camera_, options, wanted, {}, nullptr, 0, units);
   if (!ours.truth.visible || !whole.truth.visible) return std::nullopt;
   const FloatSplat<float> in32 = float_splat<float>(camera_, exact);
-  const FloatSplat<Half> in16 = float_splat<Half>(camera_, exact);
+  const FloatSplat<half> in16 = float_splat<half>(camera_, exact);
 
   const TruthProjection& t = ours.truth;
   BudgetSample out;
