@@ -19,27 +19,12 @@ namespace pipegs {
 namespace {
 
 struct StressArguments {
-  std::string design_point{kDefaultDesignPoint}, size, out = "stress";
-  std::vector<std::string> settings;
+  ViewArguments machine;  // its design point and settings
+  std::string size, out = "stress";
   uint64_t seed = 1;
   int count = 100, gaussians = 0;
   bool no_rtl = false;
 };
-
-SimulateOptions machine(const StressArguments& arguments) {
-  ViewArguments view;
-  view.design_point = arguments.design_point, view.settings = arguments.settings;
-  return view.options();
-}
-
-StressShape shape(const StressArguments& arguments) {
-  StressShape shape{.gaussians = arguments.gaussians};
-  if (arguments.size.empty()) return shape;
-  const PictureSize size = picture_size("--size", arguments.size);
-  shape.width = size.width;
-  shape.height = size.height;
-  return shape;
-}
 
 // Memory of another pace for every seed.
 SimulateOptions paced(SimulateOptions options, uint64_t seed) {
@@ -55,8 +40,8 @@ std::string replay(const std::string& program, const StressArguments& arguments,
       fmt::format("{} sim {} --cameras {} --near {} --memory ideal --latency {} --jitter {} --seed {}", program,
                   shell_word(arguments.out + "/scene.ply"), shell_word(arguments.out + "/cameras.json"),
                   view.near_plane, options.memory.latency, options.memory.jitter, options.memory.seed);
-  line += " --design " + arguments.design_point;
-  for (const std::string& setting : arguments.settings) line += " --set " + shell_word(setting);
+  line += " --design " + arguments.machine.design_point;
+  for (const std::string& setting : arguments.machine.settings) line += " --set " + shell_word(setting);
   return line + (arguments.no_rtl ? " --no-rtl" : "");
 }
 
@@ -81,8 +66,12 @@ void shrink_and_write(const std::string& program, const StressArguments& argumen
 }
 
 int stress(const std::string& program, const StressArguments& arguments) {
-  const SimulateOptions base = machine(arguments);
-  const StressShape wanted = shape(arguments);
+  const SimulateOptions base = arguments.machine.options();
+  StressShape wanted{.gaussians = arguments.gaussians};
+  if (!arguments.size.empty()) {
+    const PictureSize size = picture_size("--size", arguments.size);
+    wanted.width = size.width, wanted.height = size.height;
+  }
   try_folder("--out", arguments.out, {"scene.ply", "cameras.json"});
   check_picture_memory({.name = "--size", .width = wanted.width, .height = wanted.height}, base,
                        kGoldenPixels + kTruthPixels + kRtlPixels);
@@ -128,9 +117,9 @@ void add_stress(CLI::App& app, Run& run) {
   static StressArguments arguments;
   add_integer(*command, "--seed", arguments.seed, "of the first view; the next ones count up")->capture_default_str();
   add_integer(*command, "--count", arguments.count, "views", 1, 100000000)->capture_default_str();
-  command->add_option("--design", arguments.design_point, "design point: " + design_point_names())
+  command->add_option("--design", arguments.machine.design_point, "design point: " + design_point_names())
       ->capture_default_str();
-  command->add_option("--set", arguments.settings, "configuration entry, key=value; may be repeated")
+  command->add_option("--set", arguments.machine.settings, "configuration entry, key=value; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--size", arguments.size, "image, WxH; without it up to 160x120");
   add_integer(*command, "--gaussians", arguments.gaussians, "per view; 0 is 10 to 300", 0, 1000000)

@@ -26,48 +26,6 @@ StressView without(const StressView& view, size_t first, size_t last) {
   return less;
 }
 
-class Shrinker {
- public:
-  Shrinker(const StressPredicate& predicate, const std::function<bool(const StressShrunk&)>& step, StressShrunk& best)
-      : predicate_(predicate), step_(step), best_(best) {}
-
-  void gaussians() {
-    for (size_t part = std::max<size_t>(1, best_.view.scene.gaussians.size() / 2); !stopped_; part /= 2) {
-      for (size_t first = 0; first < best_.view.scene.gaussians.size() && !stopped_;) {
-        const size_t last = std::min(first + part, best_.view.scene.gaussians.size());
-        if (!keep(without(best_.view, first, last))) first = last;
-      }
-      if (part == 1) break;
-    }
-  }
-  // Narrower and lower, from the right and the bottom: what remains keeps its coordinates.
-  void image() {
-    for (int Camera::*side : {&Camera::width, &Camera::height}) {
-      for (int cut = best_.view.camera.*side / 2; cut > 0 && !stopped_; cut /= 2) {
-        while (best_.view.camera.*side > cut && !stopped_) {
-          StressView less = best_.view;
-          less.camera.*side -= cut;
-          if (!keep(std::move(less))) break;
-        }
-      }
-    }
-  }
-
- private:
-  bool keep(StressView less) {
-    ++best_.tried;
-    const std::optional<std::string> what = predicate_(less);
-    if (what) best_.view = std::move(less), best_.what = *what;
-    if (step_ && !step_(best_)) stopped_ = true;
-    return what.has_value();
-  }
-
-  const StressPredicate& predicate_;
-  const std::function<bool(const StressShrunk&)>& step_;
-  StressShrunk& best_;
-  bool stopped_ = false;
-};
-
 }  // namespace
 
 std::optional<std::string> stress_check(const StressView& view, SimulateOptions options, bool rtl,
@@ -107,10 +65,34 @@ StressShrunk stress_shrink(const StressView& view, const StressPredicate& predic
   const std::optional<std::string> what = predicate(view);
   if (!what) throw std::invalid_argument("stress_shrink: the view does not fail");
   best.what = *what;
-  Shrinker shrinker(predicate, step, best);
-  shrinker.gaussians();
-  shrinker.image();
-  shrinker.gaussians();
+  bool stopped = false;
+  const auto keep = [&](StressView less) {
+    ++best.tried;
+    const std::optional<std::string> what = predicate(less);
+    if (what) best.view = std::move(less), best.what = *what;
+    if (step && !step(best)) stopped = true;
+    return what.has_value();
+  };
+  const auto fewer_gaussians = [&] {
+    for (size_t part = std::max<size_t>(1, best.view.scene.gaussians.size() / 2); part > 0; part /= 2) {
+      for (size_t first = 0; first < best.view.scene.gaussians.size() && !stopped;) {
+        const size_t last = std::min(first + part, best.view.scene.gaussians.size());
+        if (!keep(without(best.view, first, last))) first = last;
+      }
+    }
+  };
+  fewer_gaussians();
+  // Narrower and lower, from the right and the bottom: what remains keeps its coordinates.
+  for (int Camera::*side : {&Camera::width, &Camera::height}) {
+    for (int cut = best.view.camera.*side / 2; cut > 0; cut /= 2) {
+      while (best.view.camera.*side > cut && !stopped) {
+        StressView less = best.view;
+        less.camera.*side -= cut;
+        if (!keep(std::move(less))) break;
+      }
+    }
+  }
+  fewer_gaussians();
   return best;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `pipegs study stress` itself: hostile views on three machines, and the shrinker against a failure that is injected.
 #include <cmath>
-#include <cstdlib>
 
 #include "sim/design/design_point.hpp"
 #include "sim/studies/stress/stress.hpp"
@@ -10,19 +9,13 @@
 namespace pipegs {
 namespace {
 
-// Views from PIPEGS_STRESS_SEED on, PIPEGS_STRESS_COUNT of them; 15 from seed 1.
 // On those of every hard case, and on the default one.
 TEST(Stress, HostileViewsOnThreeMachines) {
-  const auto number = [](const char* name, uint64_t otherwise) {
-    const char* text = std::getenv(name);
-    return text != nullptr ? std::strtoull(text, nullptr, 0) : otherwise;
-  };
   StressFigures figures;
-  const uint64_t first = number("PIPEGS_STRESS_SEED", 1), count = number("PIPEGS_STRESS_COUNT", 15);
   std::vector<SimulateOptions> machines = stable_machines();
   machines.push_back(stable_machine());
   machines.back().config = find_design_point(kDefaultDesignPoint).config;
-  for (uint64_t seed = first; seed < first + count; ++seed) {
+  for (uint64_t seed = 1; seed <= 15; ++seed) {
     for (SimulateOptions options : machines) {
       options.memory.seed = options.rtl.seed = seed;
       const std::optional<std::string> what = stress_check(stress_view(seed), options, true, &figures);
@@ -32,14 +25,6 @@ TEST(Stress, HostileViewsOnThreeMachines) {
   std::printf("stress: %llu views, %llu pairs, %llu without a bound; worst alpha %.5f, T %.5f, colour %.5f\n",
               static_cast<unsigned long long>(figures.views), static_cast<unsigned long long>(figures.pairs),
               static_cast<unsigned long long>(figures.vacuous), figures.alpha, figures.t, figures.color);
-}
-
-TEST(Stress, TheSameSeedIsTheSameView) {
-  const StressView a = stress_view(7), b = stress_view(7), c = stress_view(8);
-  ASSERT_EQ(a.scene.gaussians.size(), b.scene.gaussians.size());
-  EXPECT_EQ(a.scene.sh_rest, b.scene.sh_rest);
-  EXPECT_EQ(a.camera.fx, b.camera.fx);
-  EXPECT_NE(a.camera.fx, c.camera.fx);
 }
 
 // A failure that needs two certain Gaussians and an image of at least 20x7: exactly that is what remains.
