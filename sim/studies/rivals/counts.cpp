@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "sim/studies/rivals/count/voxels.hpp"
-#include "sim/studies/rivals/count/walk.hpp"
+#include "sim/studies/rivals/count/lists.hpp"
 
 namespace pipegs {
 

@@ -17,7 +17,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 #include <vector>
 
 #include "scenes/camera.hpp"
@@ -33,7 +32,6 @@ enum class Cover {
   kExact,     // alpha >= 1/255 at a pixel of the tile; up to 3.33 sigma, so not always among those of the square
 };
 inline constexpr Cover kAllCovers[] = {Cover::kSquare, Cover::kAxis, Cover::kOriented, Cover::kExact};
-inline constexpr int kCovers = static_cast<int>(std::size(kAllCovers));
 
 template <class T>
 struct ByCover {

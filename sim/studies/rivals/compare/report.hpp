@@ -10,7 +10,7 @@
 #include "sim/report/chart.hpp"
 #include "sim/report/table.hpp"
 #include "sim/studies/rivals/compare/checks.hpp"
-#include "sim/studies/rivals/compare/ours.hpp"
+#include "sim/studies/rivals/compare/ranges.hpp"
 
 namespace pipegs {
 

@@ -2,6 +2,7 @@
 // cover.hpp: which tiles and pixels one Gaussian covers, by each of the tests.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct TileGrid {
   size_t count() const { return static_cast<size_t>(columns) * static_cast<size_t>(rows); }
   size_t at(int x, int y) const {
     return static_cast<size_t>(y) * static_cast<size_t>(columns) + static_cast<size_t>(x);
+  }
+  // Of the image, in tile (x, y).
+  PixelRect pixels(int x, int y, const Camera& camera) const {
+    return {x * side, y * side, std::min((x + 1) * side, camera.width), std::min((y + 1) * side, camera.height)};
   }
 };
 

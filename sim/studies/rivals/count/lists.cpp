@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <stdexcept>
+#include <utility>
 
 #include "cpp_model/float/parallel.hpp"
 #include "sim/progress.hpp"
@@ -15,18 +16,12 @@
 namespace pipegs {
 namespace {
 
-constexpr size_t kBlock = 2048;                                 // Gaussians that a thread takes at a time
-constexpr size_t kMostGaussians = size_t{1} << (32 - kCovers);  // that an Entry can name
-
-struct Item {
-  uint32_t tile;
-  Entry entry;
-};
+constexpr size_t kBlock = 2048;  // Gaussians that a thread takes at a time
 
 struct Block {
   ByCover<uint64_t> listed = {};
   NeighbourCounts neighbours = {};
-  std::vector<Item> items = {};
+  std::vector<std::pair<uint32_t, Entry>> items = {};  // tile, and what its list gets
 };
 
 class Lister {
@@ -86,7 +81,7 @@ class Lister {
       uint32_t covers = 0;
       for (const Cover cover : kAllCovers)
         covers |= static_cast<uint32_t>(tiles[cover].has(x, y)) << static_cast<int>(cover);
-      block.items.push_back({static_cast<uint32_t>(grid.at(x, y)), Entry(place, covers)});
+      block.items.push_back({static_cast<uint32_t>(grid.at(x, y)), {place, covers}});
     };
     tiles.square.for_each(list);
     tiles.exact.for_each([&](int x, int y) {
@@ -102,27 +97,11 @@ class Lister {
   TileSet before_;
 };
 
-TileLists gather(const std::vector<Block>& blocks, size_t tiles) {
-  TileLists lists;
-  lists.first.assign(tiles + 1, 0);
-  for (const Block& block : blocks) {
-    for (const Item& item : block.items) ++lists.first[item.tile + 1];
-  }
-  for (size_t t = 0; t < tiles; ++t) lists.first[t + 1] += lists.first[t];
-  lists.entries.assign(lists.first.back(), Entry(0, 0));
-  std::vector<size_t> cursor(lists.first.begin(), lists.first.end() - 1);
-  for (const Block& block : blocks) {
-    for (const Item& item : block.items) lists.entries[cursor[item.tile]++] = item.entry;
-  }
-  return lists;
-}
-
 }  // namespace
 
 TileLists count_lists(const std::vector<SeenGaussian>& seen, const Camera& camera, const CountOptions& options,
                       FrameCounts& counts) {
   const size_t count = seen.size();
-  if (count > kMostGaussians) throw std::runtime_error("counting: too many Gaussians in the view");
   for (size_t side = 0; side < kListSides.size(); ++side) {
     const TileGrid grid(camera, kListSides[side]);
     ListCounts& lists = counts.lists[side];
@@ -134,12 +113,14 @@ TileLists count_lists(const std::vector<SeenGaussian>& seen, const Camera& camer
     if (interrupted()) throw std::runtime_error("interrupted");
     Lister(seen, camera, counts).run(b * kBlock, std::min(count, (b + 1) * kBlock), blocks[b]);
   });
+  TileLists tile_lists(TileGrid(camera, kTileSide).count());
   for (const Block& block : blocks) {
+    for (const auto& [tile, entry] : block.items) tile_lists[tile].push_back(entry);
     for (const Cover cover : kAllCovers) counts.listed[cover] += block.listed[cover];
     counts.neighbours.tiles += block.neighbours.tiles;
     counts.neighbours.shared += block.neighbours.shared;
   }
-  return gather(blocks, TileGrid(camera, kTileSide).count());
+  return tile_lists;
 }
 
 }  // namespace pipegs

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// walk.cpp: see walk.hpp.
+// walk.cpp: see lists.hpp.
 //
 // Idea    A tile is sixteen words of sixteen bits: pixels that are alive, pixels that a Gaussian reaches, pixels of the
 //         parts that its oriented box touches. All counts are logic on them; only the blending itself needs alphas.
 //         Once the tile is opaque nothing more of it counts.
-#include "sim/studies/rivals/count/walk.hpp"
+#include "sim/studies/rivals/count/lists.hpp"
 
 #include <algorithm>
 #include <array>
@@ -113,13 +113,6 @@ class Walker {
   std::array<double, kTileSide * kTileSide> transmittance_;
 };
 
-// Pixels of the image in a 16-px tile.
-PixelRect tile_area(const TileGrid& grid, size_t tile, const Camera& camera) {
-  const int x = static_cast<int>(tile % static_cast<size_t>(grid.columns)) * kTileSide,
-            y = static_cast<int>(tile / static_cast<size_t>(grid.columns)) * kTileSide;
-  return {x, y, std::min(x + kTileSide, camera.width), std::min(y + kTileSide, camera.height)};
-}
-
 }  // namespace
 
 std::vector<double> count_walks(const std::vector<SeenGaussian>& seen, const TileLists& lists, const Camera& camera,
@@ -131,9 +124,10 @@ std::vector<double> count_walks(const std::vector<SeenGaussian>& seen, const Til
   size_t done = 0;
   parallel_for(grid.count(), options.threads, [&](size_t t) {
     if (interrupted()) throw std::runtime_error("interrupted");
-    Walker walker(tile_area(grid, t, camera));
-    for (const Entry& entry : lists.of(t)) {
-      const SeenGaussian& s = seen[entry.place()];
+    const int tile = static_cast<int>(t);
+    Walker walker(grid.pixels(tile % grid.columns, tile / grid.columns, camera));
+    for (const Entry& entry : lists[t]) {
+      const SeenGaussian& s = seen[entry.place];
       walker.take(s, entry, counts.tiles[t]);
       if (walker.open()) continue;
       stop_depth[t] = s.depth;

@@ -18,29 +18,23 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
   const int cores = static_cast<int>(value(values, "cores"));
   const std::vector<uint32_t>& lengths = counts.lists[kLists16].lengths.axis;
   UnitStage split{"splitter", cores, {}}, sort{"sorter", cores, {}}, test{"CTU", cores, {}}, raster{"VRU", cores, {}};
-  Phase tiles{"tiles", {}, {}, {}};
-  double fetches = 0, pairs = 0, lists = 0;
+  std::vector<ListWork> tiles;
   for (size_t t = 0; t < lengths.size(); ++t) {
     const TileCounts& tile = counts.tiles[t];
     const double n = lengths[t], open = static_cast<double>(tile.open.axis);
     const double mini = static_cast<double>(tile.exact_4x4) * value(values, "passes_more");
-    tiles.shares.push_back(n * value(values, "key_bytes") * (2 * value(values, "passes") + 1) +
-                           open * value(values, "fetch_bytes") + kPixelBytes * kTilePixels);
+    tiles.push_back({n, open, kTilePixels});
     split.cycles.push_back(n * split_levels(n) / value(values, "splitters"));
     sort.cycles.push_back(ceil_div(open, 16) * value(values, "chunk_cycles"));
     test.cycles.push_back(static_cast<double>(tile.oriented_8x8) / value(values, "test_rate"));
     raster.cycles.push_back(mini * kMiniPixels / value(values, "lanes"));
-    fetches += open, pairs += n, lists += n > 0;
   }
-  tiles.stages = {split, sort, test, raster};
-  const double visible = static_cast<double>(counts.listed.axis);
-  tiles.flows = sort_and_fetch(counts, values, pairs, lists, fetches, visible);
-  return run_phases({project(counts, values, visible, pairs, "preprocessing cores"), tiles}, 1, value(values, "watts"),
-                    memory);
+  return list_frame(counts, values, memory, static_cast<double>(counts.listed.axis), "preprocessing cores", "tiles",
+                    tiles, {split, sort, test, raster});
 }
 
 std::vector<Parameter> parameters() {
-  std::vector<Parameter> all = {
+  return tile_parameters({
       {"watts", 0.6, 0.5, 0.87, "W", Mark::kAssumed,
        "not published; low: 0.87 W x 1.5 / 2.6, from its speed and energy over GSCore; high: GSCore's"},
       {"cores", 4, 4, 4, "", Mark::kRead, "each for preprocessing, sorting, tests and rendering"},
@@ -48,9 +42,7 @@ std::vector<Parameter> parameters() {
       {"lanes", 8, 8, 8, "pixels/cycle", Mark::kRead, "VRUs of a core"},
       {"test_rate", 1, 1, 1, "subtiles/cycle", Mark::kRead, "of a core's test unit"},
       {"passes_more", 1.05, 1, 1.2, "", Mark::kAssumed, "mini-tiles that pass, over those that are reached"},
-  };
-  for (const Parameter& one : tile_parameters()) all.push_back(one);
-  return all;
+  });
 }
 
 }  // namespace

@@ -18,28 +18,22 @@ MachineFrame frame(const FrameCounts& counts, const Values& values, PlayedMemory
   const std::vector<double> tiles = sums_of_groups(counts, [](const TileCounts&) { return 1; }),
                             open = sums_of_groups(counts, [](const TileCounts&tile) { return tile.open.exact; });
   UnitStage split{"GSM", cores, {}}, mask{"BGM", cores, {}}, raster{"RM", cores, {}};
-  Phase groups{"groups", {}, {}, {}};
-  double pairs = 0, lists = 0;
+  std::vector<ListWork> groups;
   for (size_t g = 0; g < lengths.size(); ++g) {
     const double n = lengths[g];
-    groups.shares.push_back(n * value(values, "key_bytes") * (2 * value(values, "passes") + 1) +
-                            n * value(values, "fetch_bytes") + kPixelBytes * kTilePixels * tiles[g]);
+    groups.push_back({n, n, kTilePixels * tiles[g]});
     split.cycles.push_back(
         std::max(n * split_levels(n) / value(values, "splitters"), ceil_div(n, 16) * value(values, "chunk_cycles")));
     mask.cycles.push_back(n / value(values, "mask_rate"));
     raster.cycles.push_back(
         std::max(kTilePixels * open[g] / value(values, "lanes"), n * tiles[g] / value(values, "masks")));
-    pairs += n, lists += n > 0;
   }
-  groups.stages = {split, mask, raster};
-  const double visible = static_cast<double>(counts.listed.exact);
-  groups.flows = sort_and_fetch(counts, values, pairs, lists, pairs, visible);
-  return run_phases({project(counts, values, visible, pairs, "preprocessing"), groups}, 1, value(values, "watts"),
-                    memory);
+  return list_frame(counts, values, memory, static_cast<double>(counts.listed.exact), "preprocessing", "groups", groups,
+                    {split, mask, raster});
 }
 
 std::vector<Parameter> parameters() {
-  std::vector<Parameter> all = {
+  std::vector<Parameter> all = tile_parameters({
       {"watts", 1.063, 1.063, 1.063, "W", Mark::kNoted, "28 nm, 1 GHz"},
       {"cores", 4, 4, 4, "", Mark::kAssumed, "GSCore's"},
       {"splitters", 2, 1, 4, "keys/cycle", Mark::kAssumed, "GSCore's, of a core"},
@@ -47,11 +41,10 @@ std::vector<Parameter> parameters() {
        "of a core: GSCore's; twice as many are what 1.54x over GSCore would ask for"},
       {"masks", 2, 1, 16, "entries/cycle", Mark::kAssumed, "of a sorted list that a core looks at for a tile"},
       {"mask_rate", 1, 0.25, 1, "Gaussians/cycle", Mark::kAssumed, "that get their mask, of a core"},
-  };
-  for (Parameter one : tile_parameters()) {
+  });
+  for (Parameter& one : all) {
     if (one.name == "fetch_bytes")
       one = {"fetch_bytes", 34, 32, 64, "B", Mark::kAssumed, "feature and mask of a (Gaussian, group)"};
-    all.push_back(one);
   }
   return all;
 }

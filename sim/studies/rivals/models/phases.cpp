@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // phases.cpp: see phases.hpp.
+//
+// Rule    A stage's beginnings depend on the next stage's of earlier items only, so going item by item and stage by
+//         stage settles each time from times that are known.
 #include "sim/studies/rivals/models/phases.hpp"
 
 #include <fmt/format.h>
@@ -8,8 +11,6 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
-
-#include "sim/studies/rivals/frame/pipeline.hpp"
 
 namespace pipegs {
 namespace {
@@ -20,41 +21,49 @@ const std::string kMemory = "memory";
 
 void check(const Phase& phase) {
   for (const UnitStage& stage : phase.stages) {
+    const std::string where = "phase " + phase.name + ": " + stage.unit;
+    if (stage.units < 1) throw std::invalid_argument(where + " has no unit");
     if (stage.cycles.size() != phase.shares.size())
-      throw std::invalid_argument("phase " + phase.name + ": " + stage.unit + " has not one time for each item");
+      throw std::invalid_argument(where + " has not one time for each item");
+    if (!std::ranges::all_of(stage.cycles, [](double time) { return time >= 0; }))
+      throw std::invalid_argument(where + " has a negative time");
   }
 }
 
-std::vector<PipelineStage> stages_of(const Phase& phase) {
-  std::vector<PipelineStage> stages = {{.name = kMemory}};
-  for (const UnitStage& stage : phase.stages) {
-    stages.back().ahead = 2 * static_cast<std::size_t>(std::max(stage.units, 1));
-    stages.push_back({.name = stage.unit, .units = stage.units});
-  }
-  return stages;
-}
-
-std::vector<std::vector<double>> cycles_of(const Phase& phase, double memory_cycles) {
+// Each item's share of the memory's time.
+UnitStage memory_stage(const Phase& phase, double cycles) {
   const double shares = std::accumulate(phase.shares.begin(), phase.shares.end(), 0.0);
-  std::vector<std::vector<double>> cycles(phase.shares.size());
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    cycles[i].push_back(shares > 0 ? memory_cycles * phase.shares[i] / shares : 0);
-    for (const UnitStage& stage : phase.stages) cycles[i].push_back(stage.cycles[i]);
-  }
-  return cycles;
+  UnitStage stage{kMemory, 1, {}};
+  for (const double share : phase.shares) stage.cycles.push_back(shares > 0 ? cycles * share / shares : 0);
+  return stage;
 }
 
-// The frame's spans of this phase, memory first.
-std::vector<StageSpan> spans_of(const std::string& phase, const std::vector<PipelineStage>& stages,
-                                const PipelineRun& run, double begin) {
+// When each stage works, counted from the phase's begin; memory first.
+std::vector<StageSpan> run_phase(const Phase& phase, double memory_cycles) {
+  check(phase);
+  std::vector<UnitStage> stages = {memory_stage(phase, memory_cycles)};
+  stages.insert(stages.end(), phase.stages.begin(), phase.stages.end());
   std::vector<StageSpan> spans;
-  for (std::size_t s = 0; s < stages.size(); ++s) {
-    StageSpan span{phase, stages[s].name, stages[s].units, begin + run.cycles, begin, run.busy[s]};
-    for (const PipelineSpan& one : run.spans) {
-      if (one.stage != s || one.end == one.begin) continue;
-      span.begin = std::min(span.begin, begin + one.begin), span.end = std::max(span.end, begin + one.end);
+  std::vector<std::vector<double>> free;    // of each unit of a stage: from when on
+  std::vector<std::vector<double>> begins;  // of each item in each stage
+  for (const UnitStage& stage : stages) {
+    spans.push_back({phase.name, stage.unit, stage.units, HUGE_VAL, 0, 0});
+    free.emplace_back(static_cast<std::size_t>(stage.units));
+  }
+  for (std::size_t i = 0; i < phase.shares.size(); ++i) {
+    begins.emplace_back();
+    double end = 0;
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+      const auto unit = std::min_element(free[s].begin(), free[s].end());
+      double begin = std::max(end, *unit);
+      if (i > 0) begin = std::max(begin, begins[i - 1][s]);
+      const std::size_t ahead = s + 1 < stages.size() ? 2 * free[s + 1].size() : i + 1;
+      if (i >= ahead) begin = std::max(begin, begins[i - ahead][s + 1]);
+      *unit = end = begin + stages[s].cycles[i];
+      begins[i].push_back(begin);
+      spans[s].busy += stages[s].cycles[i];
+      if (end > begin) spans[s].begin = std::min(spans[s].begin, begin), spans[s].end = std::max(spans[s].end, end);
     }
-    if (span.busy > 0) spans.push_back(span);
   }
   return spans;
 }
@@ -92,21 +101,18 @@ MachineFrame run_phases(const std::vector<Phase>& phases, double ghz, double wat
   MachineFrame frame{.ghz = ghz};
   std::map<std::string, double> bounds;
   for (const Phase& phase : phases) {
-    check(phase);
     const Traffic& traffic = memory.play(phase.flows, ghz);
-    const std::vector<PipelineStage> stages = stages_of(phase);
-    PipelineRun run = run_pipeline(stages, cycles_of(phase, traffic.cycles));
-    if (phase.shares.empty()) run.cycles = traffic.cycles, run.busy[0] = traffic.cycles;
     std::string busiest = kMemory;
-    double most = 0;
-    for (std::size_t s = 0; s < stages.size(); ++s) {
-      const double busy = run.busy[s] / stages[s].units;
-      if (busy > most) most = busy, busiest = stages[s].name;
+    double most = 0, cycles = 0;
+    for (StageSpan& span : run_phase(phase, traffic.cycles)) {
+      if (span.busy / span.units > most) most = span.busy / span.units, busiest = span.unit;
+      cycles = std::max(cycles, span.end);
+      span.begin += frame.cycles, span.end += frame.cycles;
+      if (span.busy > 0) frame.spans.push_back(span);
     }
-    bounds[busiest] += run.cycles;
-    for (const StageSpan& span : spans_of(phase.name, stages, run, frame.cycles)) frame.spans.push_back(span);
+    bounds[busiest] += cycles;
     for (const Flow& flow : phase.flows) frame.bytes[flow.kind] += pin_bytes(flow);
-    frame.cycles += run.cycles;
+    frame.cycles += cycles;
     frame.memory_cycles += traffic.cycles;
   }
   for (const auto& [unit, cycles] : bounds) {

@@ -2,8 +2,10 @@
 // phases.hpp: a frame of any machine as phases one after the other, each with its traffic and its items in a pipeline.
 //
 // Idea    In a phase, items (blocks of Gaussians, tiles, groups of pixels) go through memory and then through units.
-//         The phase's flows are played through the DRAM model once (frame/traffic.hpp); an item holds memory for its
-//         share of that time. Two items of each unit lie between a stage and the next (double buffers).
+//         The phase's flows are played through the DRAM model once (traffic.hpp); an item holds memory for its
+//         share of that time. Items enter a stage in order, each at the unit that is free first. Two items of each unit
+//         lie between a stage and the next (double buffers): a stage begins an item only when the next one has begun
+//         the one that many before it.
 // Rule    What bounds a phase is the stage whose units are busiest; what bounds a frame is what bounds most of its
 //         cycles. Latencies of single accesses and of the pipelines inside units are nothing beside a frame, and left
 //         out: in every machine's favour.
@@ -14,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/studies/rivals/frame/traffic.hpp"
+#include "sim/studies/rivals/models/traffic.hpp"
 #include "sim/silicon/process.hpp"
 
 namespace pipegs {
@@ -70,6 +72,7 @@ struct MachineFrame {
 Phase even_phase(const std::string& name, const std::vector<Flow>& flows, double gaussians, const std::string& unit,
                  int units, double per_cycle);
 
+// Throws std::invalid_argument when a stage has no unit, a negative time, or not one time for each item.
 MachineFrame run_phases(const std::vector<Phase>& phases, double ghz, double watts, PlayedMemory& memory);
 
 // Passes of a splitter by `ways` pivots until a list of n has parts of at most `chunk`.

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 
 #include "sim/studies/rivals/models/rival.hpp"
 
@@ -41,27 +42,38 @@ inline Phase project(const FrameCounts& counts, const Values& values, double vis
       records, unit, static_cast<int>(value(values, "cores")), value(values, "cull_rate"));
 }
 
-// What passes of the sort, features of `fetches` pairs and pixels move. `keys`: in all lists; `lists`: with a key.
-inline std::vector<Flow> sort_and_fetch(const FrameCounts& counts, const Values& values, double keys, double lists,
-                                        double fetches, double visible) {
-  const double bytes = keys * value(values, "key_bytes"), passes = value(values, "passes");
-  const double run = lists > 0 ? std::max(bytes / lists, 1.0) : kLineOfMemory;
-  return {{.kind = "sort", .bytes = bytes * (passes + 1), .run = run, .table = bytes},
-          {.kind = "sort", .write = true, .bytes = bytes * passes, .run = run, .table = bytes},
-          {.kind = "fetches",
-           .bytes = fetches * value(values, "fetch_bytes"),
-           .run = kLineOfMemory,
-           .table = visible * value(values, "feature_bytes")},
-          {.kind = "pixels",
-           .write = true,
-           .bytes = kPixelBytes * counts.width * counts.height,
-           .run = kLineOfMemory,
-           .table = kPixelBytes * counts.width * counts.height}};
+// What a list asks for: its keys, the features that it fetches, and the pixels that it draws.
+struct ListWork {
+  double keys, fetches, pixels;
+};
+
+// A frame of a machine whose preprocessing, units of this name, is followed by `stages`, list by list.
+inline MachineFrame list_frame(const FrameCounts& counts, const Values& values, PlayedMemory& memory, double visible,
+                               const std::string& preprocessing, const std::string& phase,
+                               const std::vector<ListWork>& lists, const std::vector<UnitStage>& stages) {
+  const double key = value(values, "key_bytes"), fetch = value(values, "fetch_bytes"), passes = value(values, "passes"),
+               pixels = kPixelBytes * counts.width * counts.height;
+  Phase work{phase, {}, {}, stages};
+  double keys = 0, filled = 0, fetches = 0;
+  for (const ListWork& list : lists) {
+    work.shares.push_back(list.keys * key * (2 * passes + 1) + list.fetches * fetch + kPixelBytes * list.pixels);
+    keys += list.keys, filled += list.keys > 0, fetches += list.fetches;
+  }
+  const double bytes = keys * key, run = filled > 0 ? std::max(bytes / filled, 1.0) : kLineOfMemory;
+  work.flows = {{.kind = "sort", .bytes = bytes * (passes + 1), .run = run, .table = bytes},
+                {.kind = "sort", .write = true, .bytes = bytes * passes, .run = run, .table = bytes},
+                {.kind = "fetches",
+                 .bytes = fetches * fetch,
+                 .run = kLineOfMemory,
+                 .table = visible * value(values, "feature_bytes")},
+                {.kind = "pixels", .write = true, .bytes = pixels, .run = kLineOfMemory, .table = pixels}};
+  return run_phases({project(counts, values, visible, keys, preprocessing), work}, 1, value(values, "watts"), memory);
 }
 
-// The parameters of both. The sources are GSCore's; others take them over where their papers say nothing else.
-inline std::vector<Parameter> tile_parameters() {
-  return {
+// A machine's own parameters, and behind them those that all of these machines have. The sources are GSCore's; others
+// take them over where their papers say nothing else.
+inline std::vector<Parameter> tile_parameters(std::vector<Parameter> own) {
+  const Parameter shared[] = {
       {"record_bytes", 236, 236, 236, "B", Mark::kRead, "59 parameters in FP32; 78.8 MB are read for Lego"},
       {"cull_rate", 1, 0.25, 1, "Gaussians/cycle", Mark::kAssumed, "of one unit of preprocessing"},
       {"feature_bytes", 32, 22, 32, "B", Mark::kNoted,
@@ -75,6 +87,8 @@ inline std::vector<Parameter> tile_parameters() {
        "times that a list is written and read again: 3 in Neo's simulator of this sort, 0 if lists stay on the chip"},
       {"chunk_cycles", 1, 1, 4, "cycles", Mark::kAssumed, "of a bitonic sorter for 16 keys, one after the other"},
   };
+  own.insert(own.end(), std::begin(shared), std::end(shared));
+  return own;
 }
 
 }  // namespace pipegs

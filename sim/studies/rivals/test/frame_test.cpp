@@ -1,57 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
-// Against sim/studies/rivals/frame: pipelines worked by hand, and traffic at rates that the DRAM must and cannot
-// exceed.
+// Against sim/studies/rivals/models/phases and traffic: pipelines worked by hand, and traffic at rates that the DRAM
+// must and cannot exceed.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "sim/memory/dram_memory.hpp"
-#include "sim/studies/rivals/frame/pipeline.hpp"
-#include "sim/studies/rivals/frame/traffic.hpp"
+#include "sim/studies/rivals/models/phases.hpp"
 
 namespace pipegs {
 namespace {
 
-const PipelineSpan& span_of(const PipelineRun& run, size_t item, size_t stage) {
-  return *std::find_if(run.spans.begin(), run.spans.end(),
-                       [&](const PipelineSpan& span) { return span.item == item && span.stage == stage; });
+// A phase of these stages, whose items take no time in memory.
+MachineFrame frame_of(const std::vector<UnitStage>& stages, size_t items) {
+  PlayedMemory ideal("ideal");
+  return run_phases({{"tiles", {}, std::vector<double>(items, 1), stages}}, 1, 1, ideal);
 }
 
 // Three items of 2 and 3 cycles: sorting runs beside rasterization, which is the slower one.
 TEST(RivalsPipeline, SlowestStageSetsThePace) {
-  const PipelineRun run = run_pipeline({{.name = "sort"}, {.name = "raster"}}, {{2, 3}, {2, 3}, {2, 3}});
-  EXPECT_EQ(run.cycles, 2 + 3 * 3);
-  EXPECT_EQ(run.busy, (std::vector<double>{6, 9}));
-  EXPECT_EQ(span_of(run, 1, 0).begin, 2);
-  EXPECT_EQ(span_of(run, 2, 1).begin, 8);
+  const MachineFrame frame = frame_of({{"sort", 1, {2, 2, 2}}, {"raster", 1, {3, 3, 3}}}, 3);
+  EXPECT_EQ(frame.cycles, 2 + 3 * 3);
+  ASSERT_EQ(frame.spans.size(), 2u);
+  EXPECT_EQ(frame.spans[0].busy, 6);
+  EXPECT_EQ(frame.spans[0].end, 6);
+  EXPECT_EQ(frame.spans[1].busy, 9);
+  EXPECT_EQ(frame.spans[1].begin, 2);
+  EXPECT_EQ(frame.bound, "raster");
 }
 
-TEST(RivalsPipeline, UnitsWorkSideBySide) {
-  const PipelineRun run = run_pipeline({{.name = "raster", .units = 2}}, {{4}, {1}, {1}, {5}});
-  // Unit 0: 4; unit 1: 1, 1, 5.
-  EXPECT_EQ(run.cycles, 7);
-  EXPECT_EQ(span_of(run, 3, 0).unit, 1u);
-}
+// Unit 0: 4; unit 1: 1, 1, 5.
+TEST(RivalsPipeline, UnitsWorkSideBySide) { EXPECT_EQ(frame_of({{"raster", 2, {4, 1, 1, 5}}}, 4).cycles, 7); }
 
-// With room for one item the first stage may begin item i only when the second has begun item i - 1.
-TEST(RivalsPipeline, RoomBetweenStagesHoldsUpTheFirst) {
-  const std::vector<std::vector<double>> items(4, {1, 10});
-  const PipelineRun free = run_pipeline({{.name = "a"}, {.name = "b"}}, items);
-  const PipelineRun tight = run_pipeline({{.name = "a", .ahead = 1}, {.name = "b"}}, items);
-  EXPECT_EQ(span_of(free, 3, 0).begin, 3);
-  EXPECT_EQ(span_of(tight, 3, 0).begin, 21);
-  EXPECT_EQ(free.cycles, 41);
-  EXPECT_EQ(tight.cycles, 41);
+// The first stage begins item i only when the second has begun item i - 2, of two units item i - 4.
+TEST(RivalsPipeline, DoubleBuffersHoldUpTheFirstStage) {
+  const std::vector<double> one(8, 1), ten(8, 10);
+  const MachineFrame tight = frame_of({{"a", 1, one}, {"b", 1, ten}}, 8),
+                     wide = frame_of({{"a", 1, one}, {"b", 2, ten}}, 8);
+  EXPECT_EQ(tight.spans[0].end, 51 + 1);
+  EXPECT_EQ(tight.cycles, 81);
+  EXPECT_EQ(wide.spans[0].end, 12 + 1);
+  EXPECT_EQ(wide.cycles, 42);
 }
 
 TEST(RivalsPipeline, EmptyFrameAndBadInput) {
-  EXPECT_EQ(run_pipeline({{.name = "a"}}, {}).cycles, 0);
-  EXPECT_THROW(run_pipeline({{.name = "a", .units = 0}}, {}), std::invalid_argument);
-  EXPECT_THROW(run_pipeline({{.name = "a"}}, {{1, 2}}), std::invalid_argument);
-  EXPECT_THROW(run_pipeline({{.name = "a"}}, {{-1}}), std::invalid_argument);
+  EXPECT_EQ(frame_of({{"a", 1, {}}}, 0).cycles, 0);
+  EXPECT_THROW(frame_of({{"a", 0, {}}}, 0), std::invalid_argument);
+  EXPECT_THROW(frame_of({{"a", 1, {1, 2}}}, 1), std::invalid_argument);
+  EXPECT_THROW(frame_of({{"a", 1, {-1}}}, 1), std::invalid_argument);
 }
 
 const std::string kDram = "lpddr5-6400x4";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // traffic.cpp: see traffic.hpp.
-#include "sim/studies/rivals/frame/traffic.hpp"
+#include "sim/studies/rivals/models/traffic.hpp"
 
 #include <algorithm>
 #include <cmath>
