@@ -62,9 +62,9 @@ std::optional<std::string> stress_check(const StressView& view, SimulateOptions 
 StressShrunk stress_shrink(const StressView& view, const StressPredicate& predicate,
                            const std::function<bool(const StressShrunk&)>& step) {
   StressShrunk best{view, "", 1};
-  const std::optional<std::string> what = predicate(view);
-  if (!what) throw std::invalid_argument("stress_shrink: the view does not fail");
-  best.what = *what;
+  const std::optional<std::string> whole = predicate(view);
+  if (!whole) throw std::invalid_argument("stress_shrink: the view does not fail");
+  best.what = *whole;
   bool stopped = false;
   const auto keep = [&](StressView less) {
     ++best.tried;
