@@ -72,11 +72,24 @@ cxx=$(command -v clang++ || echo "${CXX:-g++}")
 ccache=$(command -v ccache || true)
 verilator=$(verilator -V | sed -n 's/^ *VERILATOR_ROOT *= //p' | grep -v '^$' | tail -n 1)
 verilator=${verilator:-/usr/share/verilator}
-flags="-std=c++20 -fPIC -I$root -isystem $verilator/include -isystem $verilator/include/vltstd -isystem $out \
+common="-std=c++20 -fPIC -I$root -isystem $verilator/include -isystem $verilator/include/vltstd \
   -DVL_USER_STOP -DVM_COVERAGE=0 -DVM_SC=0 -DVM_TRACE=$waves -DVM_TRACE_FST=$waves -DVM_TRACE_VCD=0"
-compile() { $ccache "$cxx" $flags "$@"; }
+flags="$common -isystem $out"
+compile() { CCACHE_SLOPPINESS=pch_defines,time_macros $ccache "$cxx" $flags "$@"; }
 export -f compile
 export ccache cxx flags
+# ahead OPTION ...: the options that read verilated.h as these options compile it, once for all machines; it takes as
+# long as all else that a file reads. None for waves, and for another compiler than Clang.
+ahead() {
+  local file
+  if [[ $waves = 1 || $cxx != *clang++ ]]; then return; fi
+  file=$build/rtl_headers/$(cksum <<< "$(verilator --version) $cxx $common $*" | tr ' ' _).pch
+  mkdir -p "${file%/*}"
+  # shellcheck disable=SC2086
+  flock "${file%/*}" bash -c '[ -e "$0" ] || { "$@" -o "$0.new" && mv "$0.new" "$0"; }' "$file" "$cxx" $common "$@" -w \
+    -Xclang -fno-pch-timestamp -x c++-header "$verilator/include/verilated.h"
+  echo "-include-pch $file"
+}
 { for unit in "${units[@]}"; do
     echo "$out/units/$unit/$unit.cpp $out/$unit.o -O2 -w"
     for i in $(seq 0 $((shards - 1))); do
@@ -86,10 +99,12 @@ export ccache cxx flags
   done
   # -O3 takes twice as long to compile and is no faster: Verilator has done what it would do.
   fast="-O1 -ffunction-sections ${tuning[*]}"
+  # shellcheck disable=SC2086
+  fast+=" $(ahead $fast)"
   for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_sim__shard$i.cpp $out/shard$i.o $fast -w"; done
-  echo "$out/Vpipegs_sim__once.cpp $out/once.o -O0 -w"  # what waves need is in it: half of all code
+  echo "$out/Vpipegs_sim__once.cpp $out/once.o -O0 $(ahead -O0) -w"  # what waves need is in it: half of all code
   if [ $waves = 1 ]; then echo "$verilator/include/verilated_fst_c.cpp $out/fst.o -O2 -w"; fi
-  echo "$root/sim/rtl/rtl_bridge.cpp $out/bridge.o -O2 -Wall -Wextra"; } |
+  echo "$root/sim/rtl/rtl_bridge.cpp $out/bridge.o $fast -Wall -Wextra"; } |
   xargs -P "$(nproc)" -L 1 bash -c 'compile -c "$0" -o "$1" "${@:2}"'
 fold=()
 if [ $shared = 1 ] && command -v ld.gold > /dev/null; then fold=(-fuse-ld=gold "-Wl,--icf=all"); fi
