@@ -2,8 +2,7 @@
 """Tables of docs/training.md."""
 from data import data
 from formats import fixed, group, listing, mean, percent
-from pages.silicon.energy import design
-from pages.silicon.silicon import row as silicon_row
+from pages.silicon.silicon import area, design
 
 MEASURED = ["trained/*", "silicon/*"]
 PHOTOGRAPHS = {  # what a scene is trained for: the paper's Table 1 in exact order and in layers
@@ -67,7 +66,7 @@ def order():
     return listing(
         "machine",
         [(f"`{name}`, {what}", name) for name, what in (("fast", "watermarks"), ("dop", "layers"))],
-        ("area, mm2", lambda name: silicon_row(name, "Total").area_mm2.mid, fixed, 2),
+        ("area, mm2", lambda name: area(name, "Total"), fixed, 2),
         ("cycles", lambda name: design("terrace", name).cycles),
         ("mJ of the chip", lambda name: 1e3 / design("terrace", name).frames_per_joule, fixed, 2),
         ("mJ with DRAM", lambda name: 1e3 / design("terrace", name).frames_per_joule_with_dram, fixed, 2),

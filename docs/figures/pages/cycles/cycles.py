@@ -170,5 +170,4 @@ def each(figure):
 
 def most_of_load(what):
     """The largest of all spreads of depth in a window that holds too much."""
-    lines = [line for line in data.prints.all.load]
-    return fixed(max(value for line in lines for key, value in line.items() if key.startswith(what)), 1)
+    return fixed(max(value for line in data.prints.all.load for key, value in line.items() if key.startswith(what)), 1)

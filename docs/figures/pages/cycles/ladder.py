@@ -3,19 +3,11 @@
 from data import data
 from formats import fixed, group, listing, percent, span, table, times
 from measurements import BY_BANDWIDTH, CHANNELS, CHARTED, FOUR, POINTS
-from pages.frames import (
-    cycles,
-    fast_mean,
-    megabytes,
-    of,
-    over,
-    total_bytes,
-    work,
-)  # noqa: F401  (the page uses fast_mean)
-from pages.silicon.silicon import kilo  # noqa: F401  (the page uses it)
+from pages.frames import cycles, fast_mean, megabytes, of, over, total_bytes, work  # noqa: F401  (the page uses them)
+from pages.silicon.silicon import design, kilo  # noqa: F401  (the page uses kilo)
 
 MEASURED = ["model/*", "work/*", "rtl/own", "stores/*", "silicon/*", "bandwidth/*"]
-QUADRATIC = data.silicon.own_baseline.designs[0].configuration
+QUADRATIC = design("own", "baseline").configuration
 PAPER = {  # speed-up over Baseline, raster / sort
     "baseline": ("1.00", "7.48"),
     "dpc": ("-", "5.71"),
@@ -115,15 +107,14 @@ def stores():
 
 def fair(scene):
     """Each design point at the clock that it reaches: for its area, and for a joule."""
-    base = data.silicon[f"{scene}_baseline"].designs[0]
+    base = design(scene, "baseline")
 
     def both(key):
         return lambda row: f"{group(row[key])} ({times(row[key] / base[key])})"
 
-    points = ("fast", "baseline", "dop", "exact")
     return listing(
         scene,
-        [(f"`{name}`", data.silicon[f"{scene}_{name}"].designs[0]) for name in points],
+        [(f"`{name}`", design(scene, name)) for name in ("fast", "baseline", "dop", "exact")],
         ("GHz", "ghz", fixed, 3),
         ("us", lambda row: f"{group(row.us)} ({times(base.us / row.us)})"),
         ("mm2", lambda row: next(one for one in row.rows if one.name == "Total").area_mm2.mid, fixed, 2),
@@ -135,8 +126,7 @@ def fair(scene):
 
 def best_over(key):
     """The span over the scenes of what `fast` has over baseline."""
-    found = [[data.silicon[f"{scene}_{name}"].designs[0][key] for name in ("fast", "baseline")] for scene in CHARTED]
-    return span(fixed, [fast / base for fast, base in found], 2)
+    return span(fixed, [design(scene, "fast")[key] / design(scene, "baseline")[key] for scene in CHARTED], 2)
 
 
 def swept(scene, name, channels):

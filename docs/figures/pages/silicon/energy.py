@@ -1,27 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of docs/silicon/energy.md."""
-from data import data
 from formats import fixed, group, listing, percent, span, table, times
 from measurements import CHARTED
-from pages.silicon.silicon import either, ranged
+from pages.silicon.silicon import design, either, ranged
 
 MEASURED = ["silicon/*"]
 ROWS = ("DOPU", "PU", "SU", "RU", "Other", "Buffers", "Total", "DRAM")
 PAPER = {"DOPU": 0.004, "PU": 0.466, "SU": 0.068, "RU": 0.171, "Buffers": 0.236, "Total": 0.948}  # W, Table 2
 
 
-def design(scene, name):
-    return data.silicon[f"{scene}_{name}"].designs[0]
-
-
 def row(scene, name, unit):
     return next(one for one in design(scene, name).energy if one.name == unit)
-
-
-def scaled(value, factor, digits):
-    """mid (low to high)"""
-    mid, low, high = (fixed(factor * value[end], digits) for end in ("mid", "low", "high"))
-    return f"{mid} ({low} to {high})"
 
 
 def units(scene, name):
@@ -30,10 +19,10 @@ def units(scene, name):
         f"`{name}`",
         [(unit, row(scene, name, unit)) for unit in ROWS],
         ("awake", lambda one: either(one.awake or None, percent)),
-        ("uJ of a frame", lambda one: scaled(one.frame_j, 1e6, 0)),
+        ("uJ of a frame", lambda one: ranged(one.frame_j, 0, 1e6)),
         ("clocks", lambda one: either(one.clocks_j / one.frame_j.mid or None, percent)),
         ("split-half error", lambda one: either(one.halves_differ or None, percent, 1)),
-        ("leakage, mW", lambda one: scaled(one.leakage_w, 1e3, 1)),
+        ("leakage, mW", lambda one: ranged(one.leakage_w, 1, 1e3)),
         (f"W at {design(scene, name).fps:.0f} frames/s", lambda one: ranged(one.watts_full)),
         ("paper, W", lambda one: either(PAPER.get(one.name), fixed, 3)),
     )

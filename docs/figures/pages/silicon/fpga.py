@@ -44,15 +44,11 @@ def parts():
     """The whole machines beside what two parts have."""
     lines = []
     for name, part in fpga.PARTS.items():
-        lines.append([f"{name} has", *cells(_row(part)), "", ""])
+        lines.append([f"{name} has", *cells(Figures(part | {"distributed": 0})), "", ""])
     for point, count, rows in measured("xcup"):
         shares = [percent(share) for share in fpga.fits(rows.total).values()]
         lines.append([f"`{point}`, `units={count}`", *cells(rows.total), *shares])
     return table(["", *HEADER, *[f"of what is scarcest in a {name}" for name in fpga.PARTS]], lines)
-
-
-def _row(part):
-    return Figures(part | {"distributed": 0})
 
 
 def largest(part):

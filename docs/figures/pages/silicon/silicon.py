@@ -14,18 +14,23 @@ PAPER = {"DOPU": 0.001, "PU": 1.695, "SU": 0.065, "RU": 0.472, "Buffers": 1.038,
 NAND2 = 0.49  # um2 in 28 nm, mid
 
 
-def ranged(value, digits=3):
+def ranged(value, digits=3, factor=1):
     """mid (low to high)"""
-    return f"{fixed(value.mid, digits)} ({fixed(value.low, digits)} to {fixed(value.high, digits)})"
+    mid, low, high = (fixed(factor * value[end], digits) for end in ("mid", "low", "high"))
+    return f"{mid} ({low} to {high})"
 
 
 def either(value, form, *digits):
     return "" if value is None else form(value, *digits)
 
 
+def design(scene, name):
+    return data.silicon[f"{scene}_{name}"].designs[0]
+
+
 def row(name, unit, scene="own"):
     """What a design point's unit takes of silicon."""
-    return next(one for one in data.silicon[f"{scene}_{name}"].designs[0].rows if one.name == unit)
+    return next(one for one in design(scene, name).rows if one.name == unit)
 
 
 def area(name, unit):
