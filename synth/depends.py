@@ -68,7 +68,7 @@ KNOBS = [
     "bus_w=128",
     "bus_w=256",
 ]
-DESIGN_POINTS = ["fast", "exact", "dop", "baseline"]  # together they hold every block of points.csv
+DESIGN_POINTS = ["fast", "exact", "dop", "baseline", "gscore"]  # together they hold every block of points.csv
 
 
 def digests(modules):
@@ -123,11 +123,8 @@ def main():
             for block in base:
                 if depends(base[block], moved.get(block, {}), copies(own), copies(printed)):
                     found[block].add(knob.split("=")[0])
-            synth.write_new(
-                options.out,
-                f"{line}\nblock,knobs\n"
-                + "".join(f"{block},{' '.join(sorted(knobs))}\n" for block, knobs in sorted(found.items())),
-            )
+    rows = "".join(f"{block},{' '.join(sorted(knobs))}\n" for block, knobs in sorted(found.items()))
+    synth.write_new(options.out, f"{line}\nblock,knobs\n{rows}")
 
 
 if __name__ == "__main__":
@@ -137,4 +134,4 @@ if __name__ == "__main__":
     except Failed as error:
         sys.exit(f"depends: {error}")
     except KeyboardInterrupt:
-        sys.exit("\ndepends: interrupted")
+        sys.exit("\ndepends: interrupted; what is elaborated is kept")

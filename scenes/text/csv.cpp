@@ -14,7 +14,6 @@ namespace pipegs {
 namespace {
 
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 26;
-constexpr std::string_view kMeasuredBy = "# measured_by ";
 
 // One field from the front of `rest`, which then begins behind its comma, or is done.
 std::string take_field(std::string_view& rest, bool& done) {
@@ -46,13 +45,6 @@ std::vector<std::string> fields_of(std::string_view line) {
   return fields;
 }
 
-std::string hash_of(std::string_view file, std::string_view line) {
-  const std::string_view hash = line.substr(kMeasuredBy.size());
-  if (hash.empty() || hash.find_first_not_of("0123456789abcdef") != std::string_view::npos)
-    throw InputError(file, "line 1, measured_by", fmt::format("found {}, expected a hash in hexadecimal", quote(hash)));
-  return std::string(hash);
-}
-
 }  // namespace
 
 CsvRow::CsvRow(std::string_view file, int line, const std::vector<std::string>& columns,
@@ -75,16 +67,14 @@ void CsvRow::fail(std::string_view column, std::string_view what) const {
   throw InputError(file_, fmt::format("line {}, {}", line_, column), what);
 }
 
-CsvNotes parse_csv(std::string_view file, std::string_view text, std::string_view header, const CsvVisit& visit) {
+void parse_csv(std::string_view file, std::string_view text, std::string_view header, const CsvVisit& visit) {
   const std::vector<std::string> columns = fields_of(header);
-  CsvNotes notes;
   bool has_header = false;
   int number = 0;
   for (const std::string_view line : lines_of(text)) {
     const std::string where = fmt::format("line {}", ++number);
+    if (line.starts_with('#')) continue;
     if (!has_header) {
-      if (number == 1 && line.starts_with(kMeasuredBy)) notes.measured_by = hash_of(file, line);
-      if (line.starts_with('#')) continue;
       if (line != header) throw InputError(file, where, fmt::format("found {}, expected {}", quote(line), header));
       has_header = true;
       continue;
@@ -99,11 +89,10 @@ CsvNotes parse_csv(std::string_view file, std::string_view text, std::string_vie
     }
   }
   if (!has_header) throw InputError(file, "", fmt::format("found no header, expected {}", header));
-  return notes;
 }
 
-CsvNotes read_csv(const std::filesystem::path& path, std::string_view header, const CsvVisit& visit) {
-  return parse_csv(path.string(), read_text_file(path, "a table", kMostBytes), header, visit);
+void read_csv(const std::filesystem::path& path, std::string_view header, const CsvVisit& visit) {
+  parse_csv(path.string(), read_text_file(path, "a table", kMostBytes), header, visit);
 }
 
 std::string csv_field(const std::string& text) {

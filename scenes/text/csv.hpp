@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// csv: the one reader of tables: comments, the header, then rows of as many fields as it names.
+// csv: the one reader of tables: the header, then rows of as many fields as it names.
 //
-// Rule    Lines that begin with `#` may stand before the header, which is exactly the caller's. A field is bare or in
-//         quotes, where a comma is a comma and "" a quote; nothing stands beside the quotes. A row has the fields of
-//         the header: a blank line is none. Numbers are read by number.hpp.
-// Hash    A first line `# measured_by HASH` says which sources a table was measured with.
+// Rule    The header is exactly the caller's. A line that begins with `#` is a comment. A field is bare or in quotes,
+//         where a comma is a comma and "" a quote; nothing stands beside the quotes. A row has the fields of the
+//         header: a blank line is none. Numbers are read by number.hpp.
 // Errors  InputError with file, line and column; what the visitor throws as std::runtime_error gets file and line.
 #pragma once
 
@@ -43,15 +42,11 @@ class CsvRow {
   std::vector<std::string> fields_;
 };
 
-struct CsvNotes {
-  std::string measured_by;  // "" when the table does not say
-};
-
 using CsvVisit = std::function<void(const CsvRow&)>;
 
-CsvNotes read_csv(const std::filesystem::path& path, std::string_view header, const CsvVisit& visit);
+void read_csv(const std::filesystem::path& path, std::string_view header, const CsvVisit& visit);
 // The same of a text; `file` is its name in errors.
-CsvNotes parse_csv(std::string_view file, std::string_view text, std::string_view header, const CsvVisit& visit);
+void parse_csv(std::string_view file, std::string_view text, std::string_view header, const CsvVisit& visit);
 
 // A field as the reader takes it: in quotes where bare it would be read otherwise.
 std::string csv_field(const std::string& text);

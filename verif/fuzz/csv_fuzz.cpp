@@ -10,14 +10,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace pipegs;
   try {
     Kept<4> kept;
-    const CsvNotes notes =
-        parse_csv("fuzz.csv", {reinterpret_cast<const char*>(data), size}, "row,cycles,uj", [&](const CsvRow& row) {
-          if (row.text("row").size() > size) std::abort();
-          if (row.integer<int>("cycles", 1, 1000) > 1000) std::abort();
-          if (!std::isfinite(row.real("uj", kPositive))) std::abort();
-          kept.add(row.text("row"));
-        });
-    if (notes.measured_by.size() > size) std::abort();
+    parse_csv("fuzz.csv", {reinterpret_cast<const char*>(data), size}, "row,cycles,uj", [&](const CsvRow& row) {
+      if (row.text("row").size() > size) std::abort();
+      if (row.integer<int>("cycles", 1, 1000) > 1000) std::abort();
+      if (!std::isfinite(row.real("uj", kPositive))) std::abort();
+      kept.add(row.text("row"));
+    });
   } catch (const InputError& error) { refused(error); }
   return 0;
 }

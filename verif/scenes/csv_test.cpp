@@ -16,12 +16,11 @@ struct Row {
   bool operator==(const Row&) const = default;
 };
 
-std::vector<Row> rows_of(const std::string& text, CsvNotes* notes = nullptr) {
+std::vector<Row> rows_of(const std::string& text) {
   std::vector<Row> rows;
-  const CsvNotes found = parse_csv("a.csv", text, kHeader, [&](const CsvRow& row) {
+  parse_csv("a.csv", text, kHeader, [&](const CsvRow& row) {
     rows.push_back({row.text("name"), row.integer<uint64_t>("count"), row.real("size", kNotNegative)});
   });
-  if (notes != nullptr) *notes = found;
   return rows;
 }
 
@@ -36,20 +35,8 @@ TEST(Csv, ReadsBareAndQuotedFields) {
   const std::string rows = "one,1,0.5\n\"late=1,order=1\",2,1e-3\n\"a \"\"b\"\"\",3,0\n,4,1";
   EXPECT_EQ(rows_of("name,count,size\n" + rows), expected);
   EXPECT_EQ(rows_of("name,count,size\n" + rows + "\n"), expected);
-  EXPECT_EQ(rows_of("# by hand\n# twice\nname,count,size\n" + rows), expected);
+  EXPECT_EQ(rows_of("# by hand\n# twice\nname,count,size\n# measured\n" + rows + "\n# the end"), expected);
   EXPECT_EQ(rows_of("name,count,size\r\none,1,0.5\r\n"), std::vector<Row>({expected[0]}));
-}
-
-TEST(Csv, KnowsWhatMeasuredIt) {
-  CsvNotes notes;
-  rows_of("name,count,size\n", &notes);
-  EXPECT_EQ(notes.measured_by, "");
-  rows_of("# measured_by 00ff12\n# and more\nname,count,size\none,1,1\n", &notes);
-  EXPECT_EQ(notes.measured_by, "00ff12");
-  rows_of("# more\n# measured_by 00ff12\nname,count,size\n", &notes);
-  EXPECT_EQ(notes.measured_by, "") << "only the first line says it";
-  expect_refused("# measured_by \nname,count,size\n", "line 1, measured_by");
-  expect_refused("# measured_by me and you\nname,count,size\n", "line 1, measured_by: found 'me and you'");
 }
 
 TEST(Csv, TheHeaderIsExact) {
@@ -66,7 +53,7 @@ TEST(Csv, ARowHasTheFieldsOfTheHeader) {
   expect_refused("name,count,size\none,1,1\none,1,1,1\n", "line 3: found 4 fields, expected 3");
   expect_refused("name,count,size\none,1,1,\n", "line 2: found 4 fields");
   expect_refused("name,count,size\n\none,1,1\n", "line 2: found 1 fields");
-  expect_refused("name,count,size\n# late\n", "line 2: found 1 fields");
+  expect_refused("name,count,size\n # late\n", "line 2: found 1 fields");
   expect_refused("name,count,size\n\"one,1,1\n", "line 2: found a quote that does not end");
   expect_refused("name,count,size\n\"one\" ,1,1\n", "line 2: found text behind a quoted field");
   expect_refused("name,count,size\no\"n\"e,1,1\n", "line 2: found a quote inside of a field");
