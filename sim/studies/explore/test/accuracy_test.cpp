@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "cpp_model/float/metrics.hpp"
+#include "cpp_model/pu/rows/pu_region.hpp"
+#include "cpp_model/pu/rows/pu_row_unit.hpp"
 #include "sim/design/design_point.hpp"
 #include "sim/studies/explore/report.hpp"
 #include "verif/frame/scenes.hpp"
@@ -33,6 +36,12 @@ TEST(AccuracyKnobs, TheDefaultIsAmongTheValues) {
     for (const KnobValue& value : knob.values) found = found || with_value(standard, value) == standard;
     EXPECT_TRUE(found) << knob.name;
   }
+}
+
+TEST(AccuracyKnobs, AnUnknownOneIsRefused) {
+  EXPECT_EQ(find_knobs({}).size(), accuracy_knobs().size());
+  EXPECT_EQ(find_knobs({"alpha_w"}).at(0)->name, "alpha_w");
+  EXPECT_THROW(find_knobs({"alpha"}), ConfigError);
 }
 
 // A record of up to 256 bits shares its line with another.
@@ -88,6 +97,32 @@ TEST_F(SmallView, TheTruthKeepsItsRulesWhateverTheMachineDoes) {
   const double base = view.measure(options_.config).numeric.psnr;
   for (const char* setting : {"sh_degree=0", "alpha_cut=64", "alpha_cut=1023"})
     EXPECT_LT(view.measure(with({setting})).numeric.psnr, base - 1) << setting;
+}
+
+// With as many fraction bits as the accumulators, moving the coefficients from region to region is exact: whether
+// differences start at the footprint's anchor or at the region makes no difference, so only the coefficients' own
+// rounding is left.
+TEST_F(SmallView, WithoutARoundingTheAnchorIsThatOfTheFootprint) {
+  Config config = with({"coeff_f=20", "power_f=20"});
+  std::mt19937_64 rng(1);
+  const auto bits = [&](int width) { return static_cast<int64_t>(rng() << (64 - width)) >> (64 - width); };
+  for (int i = 0; i < 1000; ++i) {
+    RowJob job;
+    job.a = bits(config.a_w()), job.b = bits(config.bc_w()), job.c = bits(config.bc_w());
+    job.d = bits(config.def_w()), job.e = bits(config.def_w()), job.f = bits(config.def_w());
+    job.mask = ~uint64_t{0};
+    for (const int region : {0, 7, 9, 36, 63}) {
+      const Region start = pu_region(config, job, region);
+      for (int dy = 0; dy < 8; ++dy) {
+        Row row = pu_row_init(start, dy);
+        for (int dx = 0; dx < 8; ++dx) {
+          const int64_t x = 8 * (region % 8) + dx, y = 8 * (region / 8) + dy;
+          ASSERT_EQ(row.power, job.a + job.b * x + job.c * y + job.d * x * x + job.e * y * y + job.f * x * y);
+          row = pu_row_unit(row, start.curve_x);
+        }
+      }
+    }
+  }
 }
 
 Point point(double numeric, double order, uint64_t cycles, uint64_t buffers, int alpha_w = 8) {

@@ -27,17 +27,31 @@ class ExploreCli : public Cli {
     std::sort(paths.begin(), paths.end());
     return paths;
   }
+  // Whole points only, whatever stopped it.
+  void expect_whole_points() {
+    for (const fs::path& path : stored()) {
+      EXPECT_EQ(path.extension(), ".json") << path;
+      EXPECT_FALSE(Json::parse(text(fs::relative(path, folder_)), nullptr, false).is_discarded()) << path;
+    }
+  }
+  // Stops a command as soon as there are three points.
+  void expect_interrupted(const std::string& arguments) {
+    const Outcome outcome =
+        shell("{ '" PIPEGS_BINARY "' " + arguments +
+              "& pid=$!; tries=0; while [ \"$(ls points 2>/dev/null | wc -l)\" -lt 3 ] && [ $tries -lt 1200 ]; do "
+              "sleep 0.05; tries=$((tries + 1)); done; kill -INT $pid; wait $pid; }");
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    expect_whole_points();
+  }
 };
 
-// All have one store: what holds of this question's points holds of the others'.
 TEST_F(ExploreCli, AccuracyResumesWithoutMeasuringAgain) {
   const Outcome first = run(sweep_ + "--out acc --json");
   ASSERT_EQ(first.code, 0) << first.err;
   EXPECT_EQ(first.out, text("acc/accuracy.json"));
   EXPECT_GT(stored().size(), 12u);
   EXPECT_FALSE(fs::exists(folder_ / "acc/accuracy.html"));
-  const Json base = Json::parse(first.out)["base"], silicon = base["silicon"];
-  EXPECT_NEAR(silicon["us"], base["cycles"].get<double>() / silicon["ghz"].get<double>() / 1000, 1e-6);
   const std::string csv = text("acc/accuracy.csv");
 
   const Outcome second = run(sweep_ + "--out acc");
@@ -56,20 +70,13 @@ TEST_F(ExploreCli, AccuracyResumesWithoutMeasuringAgain) {
   EXPECT_EQ(other.out.find("  0 points measured"), std::string::npos);
 }
 
-// Stopped as soon as there are three points.
 TEST_F(ExploreCli, AnInterruptedQuestionLeavesWholePointsOnly) {
-  const Outcome outcome =
-      shell("{ '" PIPEGS_BINARY
-            "' accuracy --design exact --points 0 --window 6,6 --store points --out acc "
-            "& pid=$!; tries=0; while [ \"$(ls points 2>/dev/null | wc -l)\" -lt 3 ] && [ $tries -lt 1200 ]; do "
-            "sleep 0.05; tries=$((tries + 1)); done; kill -INT $pid; wait $pid; }");
-  EXPECT_EQ(outcome.code, 130) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  for (const fs::path& path : stored()) {
-    EXPECT_EQ(path.extension(), ".json") << path;
-    EXPECT_FALSE(Json::parse(text(fs::relative(path, folder_)), nullptr, false).is_discarded()) << path;
-  }
+  expect_interrupted("accuracy --design exact --points 0 --window 6,6 --store points --out acc ");
   EXPECT_FALSE(fs::exists(folder_ / "acc"));
+  fs::remove_all(folder_ / "points");
+  write_ply(folder_ / "more.ply", random_scene(3, 3000, 1));
+  write_cameras(folder_ / "larger.json", {test_camera(320, 240)});
+  expect_interrupted("study tradeoff more.ply --cameras larger.json --store points ");
 }
 
 TEST_F(ExploreCli, TheTargetIsAMachineThatEveryCommandTakes) {
@@ -102,7 +109,21 @@ TEST_F(ExploreCli, AMachineThatNoPointIsLikeHasAccuracyAndCyclesButNoArea) {
   EXPECT_NE(text.out.find("cycles count at 1 GHz"), std::string::npos) << text.out;
 }
 
-TEST_F(ExploreCli, TradeoffTellsEveryPointOnceAndStoresIt) {
+// What has an area has the keys of a clock, null where no path of the kind is known.
+TEST_F(ExploreCli, TimeIsCyclesByTheClock) {
+  const Json json = this->json(sweep_), silicon = json["base"]["silicon"];
+  ASSERT_TRUE(silicon.contains("ghz") && silicon.contains("us") && silicon.contains("path_ps"));
+  EXPECT_EQ(silicon["ghz"].is_null(), json["front"]["time"].empty());
+  if (silicon["ghz"].is_null()) {
+    EXPECT_TRUE(silicon["us"].is_null() && silicon["path_ps"].is_null());
+    EXPECT_NE(run(sweep_).out.find("cycles count at 1 GHz"), std::string::npos);
+  } else {
+    EXPECT_NEAR(silicon["us"].get<double>(), json["base"]["cycles"].get<double>() / silicon["ghz"].get<double>() / 1000,
+                1e-6);
+  }
+}
+
+TEST_F(ExploreCli, TradeoffTellsEveryPointOnceAndTakesWhatIsStored) {
   const std::string few = tradeoff_ + "--together 3 ";
   const Json first = json(few);
   EXPECT_EQ(first["charts"][0]["name"], "quality_by_time");
@@ -124,8 +145,23 @@ TEST_F(ExploreCli, TradeoffTellsEveryPointOnceAndStoresIt) {
   EXPECT_LE(knobs["together"], 3);
   EXPECT_GT(on_front, 1);
   EXPECT_EQ(stored().size(), first["points"].size());
-  const Json twice = json(tradeoff_ + "--together 0 --ghz 2 ");
-  EXPECT_DOUBLE_EQ(twice["points"][0]["us"], first["points"][0]["us"].get<double>() / 2);
+
+  // Stored ones are believed: this one has another number now. A broken one is measured again.
+  const std::vector<fs::path> paths = stored();
+  EXPECT_EQ(json(few), first);
+  const std::string cycles = std::to_string(first["points"][0]["cycles"].get<uint64_t>());
+  for (const fs::path& path : paths) {
+    std::string point = text(fs::relative(path, folder_));
+    const Json key = Json::parse(point)["key"];
+    const size_t at = point.find("\"cycles\": " + cycles + ",");
+    if (key["scale"] != 1.0 || key["without"] != 0.0 || at == std::string::npos) continue;
+    std::ofstream(path, std::ios::binary) << point.replace(at, 10 + cycles.size(), "\"cycles\": 987654321");
+  }
+  const Json second = json(tradeoff_ + "--together 0 " + "--ghz 2 ");
+  EXPECT_EQ(second["points"][0]["cycles"], 987654321);
+  EXPECT_DOUBLE_EQ(second["points"][0]["us"], 493827.1605);
+  for (const fs::path& path : paths) std::ofstream(path, std::ios::binary) << "{\"key\":";
+  EXPECT_EQ(json(few), first);
 }
 
 // Another near plane; of another camera the contributions, which are of the pictures of all.
@@ -141,6 +177,18 @@ TEST_F(ExploreCli, TradeoffOfAnotherViewMeasuresItsOwn) {
   EXPECT_EQ(stored().size(), 2 * own + 5);
 }
 
+TEST_F(ExploreCli, TradeoffRunsOnEveryOrderAndOnScenesWithoutColourBands) {
+  write_ply(folder_ / "plain.ply", random_scene(2, 40, 0));
+  for (const char* point : {"fast", "exact", "dop", "baseline"}) {
+    SCOPED_TRACE(point);
+    const Outcome outcome = run(
+        std::string("study tradeoff plain.ply --cameras cameras.json --together 0 --store points --design ") + point);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("SH degree"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("layers of grid") == std::string::npos, std::string(point) == "baseline") << outcome.out;
+  }
+}
+
 TEST_F(ExploreCli, ShapesFindsTheFrontAndStoresWhatItMeasured) {
   const std::string exact = shapes_ + "--design exact --runs 24 ";
   const Json json = this->json(exact);
@@ -152,9 +200,17 @@ TEST_F(ExploreCli, ShapesFindsTheFrontAndStoresWhatItMeasured) {
   for (const Json& shape : json["shapes"]) {
     EXPECT_GT(shape["cycles"], 0);
     EXPECT_EQ(shape["within"], shape["mm2"]["mid"] <= 3.283);
+    if (shape["ghz"].is_null()) EXPECT_NEAR(shape["us"].get<double>(), shape["cycles"].get<double>() / 1000, 1e-6);
+  }
+  // What is stored is taken: a frame of fewer cycles changes the table.
+  for (const fs::path& path : stored()) {
+    auto changed = nlohmann::ordered_json::parse(text(fs::relative(path, folder_)));  // is read in its own order
+    changed["measured"]["cycles"] = 777;
+    std::ofstream(path) << changed.dump();
   }
   const Outcome second = run(exact + "--area 3");
   ASSERT_EQ(second.code, 0) << second.err;
+  EXPECT_NE(second.out.find(" 777 "), std::string::npos) << second.out;
   EXPECT_NE(second.out.find("within 3 mm2"), std::string::npos) << second.out;
 }
 
@@ -169,21 +225,33 @@ TEST_F(ExploreCli, SettingsComeAfterTheFile) {
 }
 
 TEST_F(ExploreCli, BadInputIsOneLine) {
+  write("bad.cfg", "# fine\nt_w=22\nalpha_w=3\n");
   write("order.cfg", "order=2\n");
   const std::string view = " scene.ply --cameras cameras.json ";
+  expect_refused("sim" + view + "--config bad.cfg", "bad.cfg:3: alpha_w: found '3', expected an integer from 6 to 12");
+  expect_refused("sim" + view + "--config missing.cfg", "--config missing.cfg: cannot open");
   expect_refused("model" + view + "--designs late --config order.cfg",
                  "order.cfg:1: order=2: the design points set order");
   expect_refused("accuracy" + view + "--knobs nonsense", "--knobs: unknown knob 'nonsense'; known: coeff_f");
-  for (const char* clock : {"0.05", "11"}) expect_refused(tradeoff_ + "--ghz " + clock, "--ghz: found '");
-  expect_refused(tradeoff_ + "--together 1001", "--together: found '1001'");
-  for (const char* area : {"0", "1e9"}) expect_refused(shapes_ + "--area " + area, "--area: found '");
-  expect_refused(shapes_ + "--runs 0", "--runs: found '0'");
+  expect_refused("accuracy" + view + "--target loud", "--target: found 'loud', expected decibels");
+  for (const char* clock : {"0", "0.05", "11", "-1", "fast", "nan", "1,5", ""})
+    expect_refused(tradeoff_ + "--ghz '" + clock + "'", "--ghz: found '");
+  for (const char* many : {"-1", "1001", "1.5", "many"})
+    expect_refused(tradeoff_ + "--together '" + many + "'", "--together: found '");
+  for (const char* area : {"0", "-1", "nan", "3.2x", "1e9", "''"})
+    expect_refused(shapes_ + "--design exact --area " + area, "--area: found '");
+  expect_refused(shapes_ + "--design exact --runs 0", "--runs: found '0'");
   expect_refused(shapes_ + "--design dpc", "synth/points.py, add one");
+  expect_refused("study shapes nowhere.ply --cameras cameras.json --store points", "nowhere.ply");
   for (const std::string& question : {tradeoff_, shapes_}) {
     expect_refused(question + "--window 0,0", "--window: pictures or windows of other sizes are compared as a whole");
+    expect_refused(question + "--out scene.ply", "cannot be written: 'scene.ply' is a file, expected a folder");
     expect_refused(question + "--page", "--page: found no --out, expected the folder that takes it");
   }
-  EXPECT_EQ(left_behind(), std::vector<std::string>{"order.cfg"});
+  expect_refused("study tradeoff scene.ply --cameras cameras.json --store scene.ply", "is a file, expected a folder");
+  expect_refused(tradeoff_ + "--view 1", "--view: found 1, expected 0 to 0");
+  expect_refused(tradeoff_ + "--set t_cut=7", "t_cut: found '7'");
+  EXPECT_EQ(left_behind(), (std::vector<std::string>{"bad.cfg", "order.cfg"}));
 }
 
 }  // namespace

@@ -114,6 +114,16 @@ TEST(Resample, APlaneComesBackAndOnlyTheRimIsRounded) {
   }
 }
 
+TEST(Resample, AtItsOwnSizeAPictureIsWhatItWas) {
+  Image image(7, 5);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    const float value = std::sin(static_cast<float>(i));
+    image.rgb[i] = {value, -value, 0.25f};
+  }
+  const Image same = resampled(image, 7, 5);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) EXPECT_EQ(same.rgb[i], image.rgb[i]) << i;
+}
+
 // A ball of 16 pixels: half a pixel of shift would be an error of 0.015.
 TEST(Resample, WhatASmallerCameraShowsLiesWhereItWas) {
   const Scene scene = scene_of({gaussian_at({0.1f, -0.05f, 2}, 0.32f, 0.8, {1, 0.5f, 0})});

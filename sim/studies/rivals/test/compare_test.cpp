@@ -141,5 +141,27 @@ TEST(RivalCompare, LegoTakesAtLeastItsBytesAtTheRateOfThePins) {
   EXPECT_LT(lego_least_cycles(memory), kLegoCycles);
 }
 
+TEST(RivalCompare, TablesAndJsonHaveEveryMachine) {
+  PlayedMemory memory(kDram);
+  const OwnMachine own{.name = "ours",
+                       .cycles = 1000,
+                       .bytes = 64,
+                       .mm2 = {1, 2, 3},
+                       .figures = {{1, 1, 1}, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}};
+  const Comparison comparison = compare(view(), memory, {own});
+  const std::string text = tables_text(comparison_tables(comparison));
+  const nlohmann::ordered_json json = comparison_json(comparison);
+  for (const Rival* rival : all_rivals()) {
+    EXPECT_NE(text.find("\n  " + rival->name), std::string::npos) << rival->name;
+    const auto& row = json["rivals"].at(rival->key);
+    EXPECT_EQ(row["parameters"].size(), rival->parameters.size());
+    EXPECT_GT(row["fps"]["mid"], 0);
+    EXPECT_TRUE(json["against"]["over"][rival->key].contains("ours"));
+  }
+  EXPECT_EQ(json["ours"]["ours"]["mm2"]["mid"], 2);
+  EXPECT_EQ(json["checks"].size(), comparison.checks.size());
+  EXPECT_EQ(comparison_charts(comparison).front().categories.size(), all_rivals().size() + 1);
+}
+
 }  // namespace
 }  // namespace pipegs

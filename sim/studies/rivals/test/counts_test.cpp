@@ -150,5 +150,14 @@ TEST(RivalCounts, RefuseVoxelsWithoutEdge) {
     EXPECT_THROW(count_frame(scene, test_camera(16, 16), {.voxels = {1, voxel}}), std::invalid_argument);
 }
 
+TEST(RivalCounts, ProgressRisesToOne) {
+  double last = 0;
+  count_frame(random_scene(9, 50, 0), test_camera(64, 64), {.progress = [&](double share) {
+                EXPECT_GT(share, last);
+                last = share;
+              }});
+  EXPECT_EQ(last, 1);
+}
+
 }  // namespace
 }  // namespace pipegs

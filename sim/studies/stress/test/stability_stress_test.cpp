@@ -27,6 +27,14 @@ TEST(Stress, HostileViewsOnThreeMachines) {
               static_cast<unsigned long long>(figures.vacuous), figures.alpha, figures.t, figures.color);
 }
 
+TEST(Stress, TheSameSeedIsTheSameView) {
+  const StressView a = stress_view(7), b = stress_view(7), c = stress_view(8);
+  ASSERT_EQ(a.scene.gaussians.size(), b.scene.gaussians.size());
+  EXPECT_EQ(a.scene.sh_rest, b.scene.sh_rest);
+  EXPECT_EQ(a.camera.fx, b.camera.fx);
+  EXPECT_NE(a.camera.fx, c.camera.fx);
+}
+
 // A failure that needs two certain Gaussians and an image of at least 20x7: exactly that is what remains.
 TEST(Stress, ShrinksToWhatTheFailureNeeds) {
   StressView view = stress_view(3, {.gaussians = 150, .width = 160, .height = 120});
