@@ -55,6 +55,10 @@ void check_text(int argc, char** argv) {
   }
 }
 
+bool has_studies(const CLI::App& app) {
+  return !app.get_subcommands([](const CLI::App* command) { return command->get_name() == "study"; }).empty();
+}
+
 // Studies are in a program of their own, which also has all that is in this one: who runs none compiles none. What is
 // no command here is one there, or in its list. Returns when there is no such program, or one of older sources.
 void run_with_studies(const CLI::App& app, int argc, char** argv) {
@@ -68,7 +72,7 @@ void run_with_studies(const CLI::App& app, int argc, char** argv) {
 }
 
 // A first word that is no command, and behind `study` a second one that is no study.
-void check_command(const CLI::App& app, bool with_studies, int argc, char** argv) {
+void check_command(const CLI::App& app, int argc, char** argv) {
   const CLI::App* above = &app;
   for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
     const std::vector<const CLI::App*> commands = above->get_subcommands(nullptr);
@@ -82,15 +86,15 @@ void check_command(const CLI::App& app, bool with_studies, int argc, char** argv
       }
       throw InputError(fmt::format("found {}, expected a {}: {}{}", quote(argv[i]),
                                    i == 1 ? "command" : above->get_name(), fmt::join(names, ", "),
-                                   with_studies ? "" : " (studies are in pipegs-studies: make build)"));
+                                   has_studies(app) ? "" : " (studies are in pipegs-studies: make build)"));
     }
     above = *found;
   }
 }
 
-int run_command(CLI::App& app, bool with_studies, int argc, char** argv, const Run& run) {
+int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
   check_text(argc, argv);
-  check_command(app, with_studies, argc, argv);
+  check_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -134,13 +138,12 @@ int main(int argc, char** argv) {
   study->require_subcommand(1);
   study->footer("NAME --help lists its options.");
   add_studies(app, *study, run);
-  const bool with_studies = !study->get_subcommands(nullptr).empty();
-  if (with_studies) app.add_subcommand(study);
-  if (!with_studies) run_with_studies(app, argc, argv);
+  if (!study->get_subcommands(nullptr).empty()) app.add_subcommand(study);
+  if (!has_studies(app)) run_with_studies(app, argc, argv);
   group_options(app);
   // The footer names these two. Hidden only now: a command takes over --help where it is shown.
   for (const char* flag : {"--help", "--version"}) app.get_option(flag)->group("");
   try {
-    return run_command(app, with_studies, argc, argv, run);
+    return run_command(app, argc, argv, run);
   } catch (const std::exception& error) { return tell(error); }
 }
