@@ -164,7 +164,7 @@ std::map<std::string, double> AreaModel::nand2(const Config& config) const {
 bool AreaModel::inside(const Config& config) const {
   std::vector<Config> points;
   for (const AreaPoint& point : points_) points.push_back(point.config);
-  return knows(config) && within(config, points);
+  return within(config, points);
 }
 
 UnitKnobs AreaModel::unit_knobs() const {

@@ -70,14 +70,17 @@ double scaled(const Config& config, const std::string& name) {
 }
 
 bool within(const Config& config, const std::vector<Config>& points) {
-  return std::all_of(known_knobs().begin(), known_knobs().end(), [&](const auto& one) {
-    const ConfigEntry& knob = one.second;
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(), [&](const Config& a, const Config& b) {
-      return knob_value(a, knob) < knob_value(b, knob);
-    });
-    const int value = knob_value(config, knob);
-    return low != points.end() && value >= knob_value(*low, knob) && value <= knob_value(*high, knob);
+  const bool of_its_kind = std::any_of(points.begin(), points.end(), [&](const Config& point) {
+    return kind_of(point) == kind_of(config) && point.oriented() == config.oriented();
   });
+  return of_its_kind && std::all_of(known_knobs().begin(), known_knobs().end(), [&](const auto& one) {
+           const ConfigEntry& knob = one.second;
+           const auto [low, high] = std::minmax_element(
+               points.begin(), points.end(),
+               [&](const Config& a, const Config& b) { return knob_value(a, knob) < knob_value(b, knob); });
+           const int value = knob_value(config, knob);
+           return low != points.end() && value >= knob_value(*low, knob) && value <= knob_value(*high, knob);
+         });
 }
 
 }  // namespace pipegs

@@ -29,7 +29,8 @@ std::vector<double> kind_ridges();
 // From -1 to 1 over the knob's legal range. ConfigError when there is no such knob.
 double scaled(const Config& config, const std::string& knob);
 
-// Whether each free entry lies between the least and the largest of the points'; alike where no point moves it.
+// Whether one of the points is of this kind and tests regions as it does, which has blocks of its own, and each free
+// entry lies between the least and the largest of the points'; alike where no point moves it.
 bool within(const Config& config, const std::vector<Config>& points);
 
 }  // namespace pipegs

@@ -104,7 +104,7 @@ std::optional<double> PathModel::fo4(const Config& config) const {
 bool PathModel::inside(const Config& config) const {
   std::vector<Config> points;
   for (const PathPoint& point : points_) points.push_back(point.config);
-  return bounds_.contains(kind_of(config)) && within(config, points);
+  return within(config, points);
 }
 
 PathModel PathModel::without(size_t point) const {
