@@ -106,7 +106,7 @@ lacks:  ## what belongs to a module and what a change to it lacks: MODULE=pu_con
 layout:  ## what a module lacks of model, test and page
 	verif/self/layout.sh
 
-package: build  ## print rtl/pipegs_pkg.sv and what else follows from config.def, records.def and registers.def
+package: tools $(BUILD)/build.ninja  ## print what follows from the tables of cpp_model: pipegs_pkg.sv, package/ ...
 	cmake --build $(BUILD) --target package_sv registers_print
 	verif/self/package.sh --write $(BUILD)/cpp_model/package_sv $(BUILD)/cpp_model/control/print/registers_print
 

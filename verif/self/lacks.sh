@@ -29,6 +29,8 @@ moved=""
 if changed "$file"; then moved=1; fi
 row "module" "$file"
 covering=$(awk -v name="$name" '$1 == name {print $2}' verif/self/covered_by.txt)
+stage=""
+if grep -q "(${name#pu_}, " cpp_model/pu/stages.def; then stage=1 covering=pu_shape; fi
 complaint=$(verif/self/layout.sh | grep -wE -- "$name" || true)
 
 mapfile -t found < <(find cpp_model -name "$short.hpp" -o -name "$short.cpp" | sort)
@@ -37,7 +39,7 @@ mapfile -t found < <(find verif -name "${short}_test.cpp" -o -name "${covering##
 row "test" "${found[@]}"
 mapfile -t found < <(named "mutant +$name" verif/mutation/table.sh)
 row "mutation tests" "${found[@]}"
-mapfile -t found < <(grep -rlwE -- "$name" sim/timing)
+mapfile -t found < <(grep -rlwE -- "$name${stage:+|stages.def}" sim/timing)
 row "timing model" "${found[@]}"
 mapfile -t found < <(find synth/prove -name "${short}_proof.svh"; named "proof +$short" synth/prove/table.sh)
 row "proof" "${found[@]}"

@@ -29,6 +29,12 @@ def store_kb(place):
     return fixed(row.width * row.depth / 8192, 1)
 
 
+def words(place):
+    """Words and bits of an SRAM of `dop`."""
+    (row,) = [row for row in data.memories.dop if place in row.place]
+    return f"{row.depth} words of {row.width} bits"
+
+
 def power():
     """Error of the power by the length of the Gaussians."""
     return listing(
