@@ -170,12 +170,6 @@ TEST(Timing, FramesOfLittleWork) {
   }
 }
 
-// A watermark leaves its PU with the stage in front of the SU, though the SU may not take it for long. In these windows
-// that is the place for one more: whether the DOPU waits for it decides what it opens next.
-TEST(Timing, AWatermarkThatWaitsBeforeAnSuIsNoLongerInItsPu) {
-  expect_exact(TimedFrame(own_view(), machine({"units=2", "late=1", "order=2", "records=16"}), 3, {512, 192}));
-}
-
 // The comparison itself: a model whose memory answers one cycle later, and one whose trace has one line more to blend.
 TEST(Timing, WhereTheyPartIsNamed) {
   SimulateOptions options = design_point("dop");
