@@ -8,7 +8,6 @@
 
 #include "scenes/cameras/framing.hpp"
 #include "scenes/generate/generate.hpp"
-#include "sim/command/list_option.hpp"
 #include "sim/command/picture_size.hpp"
 
 namespace pipegs {
@@ -22,14 +21,13 @@ std::optional<glm::dvec3> vector_of(const std::vector<double>& values) {
 }  // namespace
 
 void CameraArguments::add(CLI::App& app) {
-  app.add_option(
-      "--cameras", file,
-      "cameras: INRIA's cameras.json, a folder or file of COLMAP, transforms.json of nerfstudio, instant-ngp "
-      "or Blender, SuperSplat's; without it the scene is framed");
-  app.add_option("--size", size, "pixels of the picture, WxH; a framed scene has 1280x720 without it");
+  add_text(app, "--cameras", file,
+           "cameras: INRIA's cameras.json, a folder or file of COLMAP, transforms.json of nerfstudio, instant-ngp "
+           "or Blender, SuperSplat's; without it the scene is framed");
+  add_text(app, "--size", size, "pixels of the picture, WxH; a framed scene has 1280x720 without it");
   add_real(app, "--scale", scale, "sides of the picture over those of the camera", {.low = 0.01, .high = 100})
-      ->capture_default_str();
-  app.add_flag("--ignore-distortion", ignore_distortion, "take a lens that bends rays for one that does not");
+      .shows_default();
+  add_flag(app, "--ignore-distortion", ignore_distortion, "take a lens that bends rays for one that does not");
   add_integer(app, "--orbit", orbit, "without --cameras: so many views on a circle round the scene", 1, 100000);
   constexpr RealRange kFar{.low = -1e9, .high = 1e9};
   add_vector(app, "--from", from, "without --cameras: where the camera stands", kFar);

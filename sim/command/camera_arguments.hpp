@@ -6,13 +6,13 @@
 // Errors  ConfigError of an option, InputError of a file.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scenes/camera.hpp"
 #include "scenes/scene.hpp"
+#include "sim/command/options.hpp"
 
 namespace pipegs {
 

@@ -16,21 +16,17 @@
 
 namespace pipegs {
 
-void SceneArguments::add(CLI::App& app) {
-  app.add_option("SCENE", file,
-                 "scene: .ply, .splat, .ksplat, .spz, .sog, meta.json, lod-meta.json, .glb, .gltf; without it our own");
-  add_integer(app, "--lod", read.lod, "level of detail of a streamed SOG; 0 is the finest", 0, 63)
-      ->capture_default_str();
-  app.add_option("--axes", read.axes,
-                 "axes of the scene, where x, y, z point, such as RUB (right, up, back); otherwise as the file or its "
-                 "format says")
-      ->check(CLI::Validator(
-          [](const std::string& axes) {
-            return are_axes(axes)
-                       ? std::string()
-                       : fmt::format("found {}, expected R or L, U or D, F or B, such as RDF or RUB", quote(axes));
-          },
-          ""));
+void SceneArguments::add(CLI::App& app, const std::string& what) {
+  add_text(app, "SCENE", file, what);
+  add_integer(app, "--lod", read.lod, "level of detail of a streamed SOG; 0 is the finest", 0, 63).shows_default();
+  add_text(app, "--axes", read.axes,
+           "axes of the scene, where x, y, z point, such as RUB (right, up, back); otherwise as the file or its "
+           "format says")
+      .checked([](const std::string& axes) {
+        return are_axes(axes)
+                   ? std::string()
+                   : fmt::format("found {}, expected R or L, U or D, F or B, such as RDF or RUB", quote(axes));
+      });
 }
 
 Scene SceneArguments::load(SceneFormat* format) const {
@@ -40,22 +36,21 @@ Scene SceneArguments::load(SceneFormat* format) const {
 void ViewArguments::add(CLI::App& app, DesignPoints which) {
   scene.add(app);
   cameras.add(app);
-  add_integer(app, "--view", view, "which camera of the file or of the orbit, counted from 0", 0)
-      ->capture_default_str();
+  add_integer(app, "--view", view, "which camera of the file or of the orbit, counted from 0", 0).shows_default();
   add_place(app, "--window", window,
             "only this window (pixels of `fast` 128x128, of gscore 16x16, of the others 64x64)");
   if (which != DesignPoints::kSeveral)
-    app.add_option("--design", design_point,
-                   fmt::format("design point: {} (--set comes after it)", design_point_names()))
-        ->capture_default_str();
+    add_text(app, "--design", design_point,
+             fmt::format("design point: {} (--set comes after it)", design_point_names()))
+        .shows_default();
   if (which != DesignPoints::kOne) {
     const char* otherwise = which == DesignPoints::kSeveral ? "all of them without it" : "instead of --design";
     add_names(app, "--designs", design_points,
               fmt::format("which design points, by commas, {}: {}", otherwise, design_point_names()));
   }
-  app.add_option("--config", config, "file with a configuration entry in each line, key=value; # begins a comment");
-  app.add_option("--set", settings, "configuration entry, key=value; may be repeated")->allow_extra_args(false);
-  add_real(app, "--near", near_plane, "near plane, scene units", kPositive)->capture_default_str();
+  add_text(app, "--config", config, "file with a configuration entry in each line, key=value; # begins a comment");
+  add_texts(app, "--set", settings, "configuration entry, key=value; may be repeated");
+  add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
 }
 
 SimulateOptions ViewArguments::options(const DesignPoint& on) const {
@@ -119,18 +114,17 @@ void MemoryArguments::add(CLI::App& app, bool with_bandwidth) {
   external.jitter = 20;
   std::vector<std::string> names = dram_memory_names();
   names.push_back("ideal");
-  app.add_option("--memory", external.dram, fmt::format("external memory, a DRAM or ideal: {}", fmt::join(names, ", ")))
-      ->capture_default_str()
-      ->check(CLI::Validator(CLI::IsMember(names)).description(""));
-  add_integer(app, "--latency", external.latency, "ideal memory: cycles to an answer", 1, 100000)
-      ->capture_default_str();
+  add_text(app, "--memory", external.dram, fmt::format("external memory, a DRAM or ideal: {}", fmt::join(names, ", ")))
+      .shows_default()
+      .one_of(names, true);
+  add_integer(app, "--latency", external.latency, "ideal memory: cycles to an answer", 1, 100000).shows_default();
   if (with_bandwidth) {
     add_real(app, "--bandwidth", external.bytes_per_cycle, "ideal memory: bytes per cycle", {.low = 0.1, .high = 64})
-        ->capture_default_str();
+        .shows_default();
   }
   add_integer(app, "--jitter", external.jitter, "ideal memory: largest random extra latency, cycles", 0, 100000)
-      ->capture_default_str();
-  add_integer(app, "--seed", seed, "seed of the jitter and of the registers' initial values")->capture_default_str();
+      .shows_default();
+  add_integer(app, "--seed", seed, "seed of the jitter and of the registers' initial values").shows_default();
 }
 
 void MemoryArguments::apply(SimulateOptions& options) const {

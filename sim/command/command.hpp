@@ -5,8 +5,6 @@
 // or bad use, 3 our own failure; 130 interrupted. main.cpp says which exception is which.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +13,7 @@
 #include "scenes/formats/format.hpp"
 #include "scenes/scene.hpp"
 #include "sim/command/camera_arguments.hpp"
-#include "sim/command/list_option.hpp"
-#include "sim/command/number_option.hpp"
+#include "sim/command/options.hpp"
 #include "sim/command/outputs.hpp"
 #include "sim/command/picture_memory.hpp"
 #include "sim/compare/simulate.hpp"
@@ -25,9 +22,6 @@
 namespace pipegs {
 
 inline constexpr int kExitOk = 0, kExitDiffers = 1, kExitBadInput = 2, kExitOwnFailure = 3, kExitInterrupted = 130;
-
-// A subcommand that was chosen sets `run`.
-using Run = std::function<int()>;
 
 // What stands below a subcommand's options: an example, notes, and what its exit codes 0 and 1 mean (without `differs`
 // it compares nothing).
@@ -42,7 +36,9 @@ struct SceneArguments {
   std::string file;
   ReadOptions read;
 
-  void add(CLI::App& app);
+  void add(CLI::App& app, const std::string& what =
+                              "scene: .ply, .splat, .ksplat, .spz, .sog, meta.json, lod-meta.json, .glb, .gltf; "
+                              "without it our own");
   // Our own without a file. Throws InputError. `format` says what the file was.
   Scene load(SceneFormat* format = nullptr) const;
 };

@@ -64,15 +64,15 @@ int effects(const EffectsArguments& arguments) {
 }  // namespace
 
 void add_effects(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("effects", "what of the machine a view calls for, with proof");
-  command->footer(
+  CLI::App& command = add_command(
+      app, "effects", "what of the machine a view calls for, with proof",
       footer("pipegs effects garden.ply --cameras cameras.json --view 0", "listed", "",
              "`pipegs sim --effects auto` leaves out what is not called for; every pixel is compared all the same."));
   static EffectsArguments arguments;
-  arguments.view.add(*command);
-  arguments.memory.add(*command);
-  command->add_flag("--json", arguments.json, "print JSON instead of the table");
-  command->callback([&run] { run = [] { return effects(arguments); }; });
+  arguments.view.add(command);
+  arguments.memory.add(command);
+  add_flag(command, "--json", arguments.json, "print JSON instead of the table");
+  when_chosen(command, run, [] { return effects(arguments); });
 }
 
 }  // namespace pipegs

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <verilated_config.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -131,21 +131,21 @@ int model(const ModelArguments& arguments) {
 }  // namespace
 
 void add_model(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("model", "cycles of a view by the timing model, no pixels");
-  command->footer(footer(
-      "pipegs model garden.ply --cameras cameras.json --view 0 --designs late,exact --check",
-      "counted (--check: cycles of frame and windows and bytes of each stream equal the RTL's)",
-      "--check: one of them differs, or the RTL stops",
-      "--check compares cycles of the frame and of each window, and bytes of each stream: exact, or it differs, and "
-      "the cycle\nand unit in which RTL and model part are named.\n"
-      "Seconds of the model and kHz of the RTL (no pixel compared) are of one core; speed is their ratio."));
+  CLI::App& command = add_command(
+      app, "model", "cycles of a view by the timing model, no pixels",
+      footer("pipegs model garden.ply --cameras cameras.json --view 0 --designs late,exact --check",
+             "counted (--check: cycles of frame and windows and bytes of each stream equal the RTL's)",
+             "--check: one of them differs, or the RTL stops",
+             "--check compares cycles of the frame and of each window, and bytes of each stream: exact, or it differs, "
+             "and the cycle\nand unit in which RTL and model part are named.\n"
+             "Seconds of the model and kHz of the RTL (no pixel compared) are of one core; speed is their ratio."));
   static ModelArguments arguments;
-  arguments.view.add(*command, DesignPoints::kOneOrSeveral);
-  arguments.memory.add(*command);
-  command->add_flag("--check", arguments.check, "run the RTL, too, and compare cycles and bytes");
-  command->add_flag("--windows", arguments.windows, "with --json: when the end of each window leaves the merge");
-  command->add_flag("--json", arguments.json, "print JSON instead of the table");
-  command->callback([&run] { run = [] { return model(arguments); }; });
+  arguments.view.add(command, DesignPoints::kOneOrSeveral);
+  arguments.memory.add(command);
+  add_flag(command, "--check", arguments.check, "run the RTL, too, and compare cycles and bytes");
+  add_flag(command, "--windows", arguments.windows, "with --json: when the end of each window leaves the merge");
+  add_flag(command, "--json", arguments.json, "print JSON instead of the table");
+  when_chosen(command, run, [] { return model(arguments); });
 }
 
 }  // namespace pipegs

@@ -2,6 +2,7 @@
 // option_groups.cpp: see option_groups.hpp.
 #include "sim/command/option_groups.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 // that several commands have stands in the same one everywhere; what a command alone has stands in its Options.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "sim/command/options.hpp"
 
 namespace pipegs {
 

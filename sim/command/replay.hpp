@@ -5,19 +5,22 @@
 //         in the replay without a thought. What the replay sets itself is named instead.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <set>
 #include <string>
+
+#include "sim/command/options.hpp"
 
 namespace pipegs {
 
 // A word as a shell takes it.
 std::string shell_word(const std::string& text);
 
-// The program and the words that name the command, as a shell takes them: "PROGRAM COMMAND".
-std::string words_of(const CLI::App& command);
+// The program, as a shell takes it.
+std::string program_of(const CLI::App& command);
 
-// These words and all that was given but the options in `without` ("--out"), whose values are others.
+// "PROGRAM COMMAND" and all that was given but the options in `without` ("--out"), whose values are others.
 std::string given_again(const CLI::App& command, const std::set<std::string>& without);
+// The same line for the command `sister` beside it, with what that one takes, too.
+std::string given_to(const std::string& sister, const CLI::App& command, const std::set<std::string>& without);
 
 }  // namespace pipegs

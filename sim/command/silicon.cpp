@@ -99,22 +99,23 @@ int silicon(const SiliconArguments& arguments) {
 }  // namespace
 
 void add_silicon(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("silicon", "area, clock and energy of a view in 28 nm");
-  command->footer(footer(
-      "pipegs silicon garden.ply --cameras cameras.json --designs dop,exact --out silicon --page",
-      "measured, every bit of the RTL agrees", "a bit differs or the RTL stops",
-      "Needs what `make synth` writes for each configuration. Energy needs a run of the RTL, which is kept: each frame "
-      "is measured\n"
-      "once. Ranges are what 28 nm may be: docs/silicon/silicon.md, docs/silicon/energy.md."));
+  CLI::App& command =
+      add_command(app, "silicon", "area, clock and energy of a view in 28 nm",
+                  footer("pipegs silicon garden.ply --cameras cameras.json --designs dop,exact --out silicon --page",
+                         "measured, every bit of the RTL agrees", "a bit differs or the RTL stops",
+                         "Needs what `make synth` writes for each configuration. Energy needs a run of the RTL, which "
+                         "is kept: each frame "
+                         "is measured\n"
+                         "once. Ranges are what 28 nm may be: docs/silicon/silicon.md, docs/silicon/energy.md."));
   static SiliconArguments arguments;
-  arguments.view.add(*command, DesignPoints::kOneOrSeveral);
-  arguments.memory.add(*command);
-  command->add_option("--library", arguments.library, "library whose gates were counted")->capture_default_str();
-  command->add_option("--synth", arguments.folder, "folder that `make synth` has written to");
-  command->add_option("--store", arguments.keep, "folder of what was measured and is not measured again");
-  command->add_flag("--no-energy", arguments.no_energy, "area and clock only, without the RTL");
-  arguments.output.add(*command);
-  command->callback([&run] { run = [] { return silicon(arguments); }; });
+  arguments.view.add(command, DesignPoints::kOneOrSeveral);
+  arguments.memory.add(command);
+  add_text(command, "--library", arguments.library, "library whose gates were counted").shows_default();
+  add_text(command, "--synth", arguments.folder, "folder that `make synth` has written to");
+  add_text(command, "--store", arguments.keep, "folder of what was measured and is not measured again");
+  add_flag(command, "--no-energy", arguments.no_energy, "area and clock only, without the RTL");
+  arguments.output.add(command);
+  when_chosen(command, run, [] { return silicon(arguments); });
 }
 
 }  // namespace pipegs

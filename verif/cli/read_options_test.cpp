@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Against sim/command/number_option and list_option: what an option takes, and what it refuses, whatever the text.
+// Against sim/command/options: what an option takes, and what it refuses, whatever the text.
 // Part of readers_checked, so that the sanitizers see it; options_test has the options of each command.
 #include <gtest/gtest.h>
 
+#include <CLI/CLI.hpp>
 #include <random>
 
-#include "sim/command/list_option.hpp"
+#include "sim/command/options.hpp"
 
 namespace pipegs {
 namespace {

@@ -108,18 +108,19 @@ int run_campaign(const CampaignArguments& arguments, const CLI::App& command) {
 }  // namespace
 
 void add_campaign(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("campaign", "scenes x views x settings x design points");
-  command->footer(footer("pipegs campaign campaign.json --out campaign", "written (--merge: of every point)",
+  CLI::App& command =
+      add_command(app, "campaign", "scenes x views x settings x design points",
+                  footer("pipegs campaign campaign.json --out campaign", "written (--merge: of every point)",
                          "--merge: a point is missing, or the RTL differs in one",
                          "GNU parallel runs the lines, on one core each. Written again they are those that are "
                          "left: nothing is measured twice."));
   static CampaignArguments arguments;
-  command->add_option("FILE", arguments.file, "campaign: JSON, docs/campaign.md has its fields")->required();
-  command->add_option("--out", arguments.out, "folder for the lines, what they keep, and what it is merged to")
-      ->required();
-  command->add_flag("--merge", arguments.merge, "merge what is kept: results.csv, results.json, costs.csv");
-  command->add_flag("--page", arguments.page, "campaign.html: charts of all points, too")->needs("--merge");
-  command->callback([&run, command] { run = [command] { return run_campaign(arguments, *command); }; });
+  add_text(command, "FILE", arguments.file, "campaign: JSON, docs/campaign.md has its fields").required();
+  add_text(command, "--out", arguments.out, "folder for the lines, what they keep, and what it is merged to")
+      .required();
+  add_flag(command, "--merge", arguments.merge, "merge what is kept: results.csv, results.json, costs.csv");
+  add_flag(command, "--page", arguments.page, "campaign.html: charts of all points, too").needs("--merge");
+  when_chosen(command, run, [&command] { return run_campaign(arguments, command); });
 }
 
 }  // namespace pipegs

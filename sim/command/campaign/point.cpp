@@ -102,12 +102,12 @@ std::string absolute(const std::string& path) { return std::filesystem::absolute
 void PointArguments::add(CLI::App& app) {
   view.add(app);
   memory.add(app);
-  app.add_option("--engine", engine,
-                 "who measures: model (timing model: cycles, bytes), golden (work, pixels), rtl (all, compared)")
-      ->capture_default_str()
-      ->check(CLI::Validator(CLI::IsMember(kPointEngines)).description(""));
-  app.add_flag("--truth", truth, "golden, rtl: the float64 renders and the PSNR, too");
-  app.add_option("--store", keep, "folder for what was measured")->required();
+  add_text(app, "--engine", engine,
+           "who measures: model (timing model: cycles, bytes), golden (work, pixels), rtl (all, compared)")
+      .shows_default()
+      .one_of(kPointEngines, true);
+  add_flag(app, "--truth", truth, "golden, rtl: the float64 renders and the PSNR, too");
+  add_text(app, "--store", keep, "folder for what was measured").required();
 }
 
 SimulateOptions PointArguments::options() const {
@@ -160,14 +160,15 @@ std::optional<Json> kept_point(const MeasurementStore& store, const Config& conf
 }
 
 void add_point(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("point", "one point of a campaign: measured on one core, once, and kept");
-  command->group("");  // lines of a campaign call it, nobody types it
-  command->footer(footer("pipegs point garden.ply --cameras cameras.json --view 0 --design exact --store points",
+  CLI::App& command =
+      add_command(app, "point", "one point of a campaign: measured on one core, once, and kept",
+                  footer("pipegs point garden.ply --cameras cameras.json --view 0 --design exact --store points",
                          "kept (--engine rtl: and every bit agrees)", "--engine rtl: a bit differs or the RTL stops",
                          "The lines that `pipegs campaign` writes. What is kept already is not measured again."));
+  hide(command);  // lines of a campaign call it, nobody types it
   static PointArguments arguments;
-  arguments.add(*command);
-  command->callback([&run] { run = [] { return run_point(arguments); }; });
+  arguments.add(command);
+  when_chosen(command, run, [] { return run_point(arguments); });
 }
 
 }  // namespace pipegs

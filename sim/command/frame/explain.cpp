@@ -133,15 +133,16 @@ int explain(const ExplainArguments& arguments) {
 }  // namespace
 
 void add_explain(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("explain", "one pixel, Gaussian by Gaussian, in each model");
-  command->footer(footer("pipegs explain garden.ply --cameras cameras.json --pixel 400,300",
+  CLI::App& command =
+      add_command(app, "explain", "one pixel, Gaussian by Gaussian, in each model",
+                  footer("pipegs explain garden.ply --cameras cameras.json --pixel 400,300",
                          "the RTL's window agrees (or --no-rtl: nothing compared)", "a bit of it differs"));
   static ExplainArguments arguments;
-  arguments.view.add(*command);
-  add_place(*command, "--pixel", arguments.pixel, "which pixel")->required();
-  command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL columns");
-  command->add_flag("--json", arguments.json, "as JSON");
-  command->callback([&run] { run = [] { return explain(arguments); }; });
+  arguments.view.add(command);
+  add_place(command, "--pixel", arguments.pixel, "which pixel").required();
+  add_flag(command, "--no-rtl", arguments.no_rtl, "leave out the RTL columns");
+  add_flag(command, "--json", arguments.json, "as JSON");
+  when_chosen(command, run, [] { return explain(arguments); });
 }
 
 }  // namespace pipegs

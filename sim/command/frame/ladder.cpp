@@ -126,16 +126,17 @@ int ladder(const LadderArguments& arguments) {
 }  // namespace
 
 void add_ladder(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("ladder", "one view on every design point, in RTL");
-  command->footer(footer("pipegs ladder garden.ply --cameras cameras.json --view 0 --out ladder --page",
+  CLI::App& command =
+      add_command(app, "ladder", "one view on every design point, in RTL",
+                  footer("pipegs ladder garden.ply --cameras cameras.json --view 0 --out ladder --page",
                          "every bit of every design point agrees", "a bit differs or the RTL stops",
                          "A design point whose RTL does not build is named, the others run; then the exit code is 3."));
   static LadderArguments arguments;
-  arguments.view.add(*command, DesignPoints::kSeveral);
-  arguments.memory.add(*command);
-  arguments.output.add(*command, "ladder");
-  command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
-  command->callback([&run] { run = [] { return ladder(arguments); }; });
+  arguments.view.add(command, DesignPoints::kSeveral);
+  arguments.memory.add(command);
+  arguments.output.add(command, "ladder");
+  add_flag(command, "--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
+  when_chosen(command, run, [] { return ladder(arguments); });
 }
 
 }  // namespace pipegs

@@ -24,7 +24,7 @@ void PictureArguments::add(CLI::App& app) {
   add_color(app, "--background", background,
             "what lies behind the scene in the 8-bit picture, R,G,B of 0 to 255 or '#rrggbb'; black without it");
   add_rectangle(app, "--crop", crop, "only these pixels, as they are in the whole picture", kMaxImageSide)
-      ->excludes("--window");
+      .excludes("--window");
 }
 
 bool PictureArguments::is_black() const {

@@ -89,25 +89,23 @@ int render(const RenderArguments& arguments) {
 }  // namespace
 
 void add_render(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("render", "the picture of a view, without the RTL");
-  command->footer(footer("pipegs render garden.ply --cameras cameras.json --model truth --semantics inria --out inria",
+  CLI::App& command =
+      add_command(app, "render", "the picture of a view, without the RTL",
+                  footer("pipegs render garden.ply --cameras cameras.json --model truth --semantics inria --out inria",
                          "written", "with --compare: a pixel differs"));
   static RenderArguments arguments;
-  arguments.view.add(*command);
-  arguments.picture.add(*command);
-  command
-      ->add_option(
-          "--model", arguments.model,
-          "truth (float64, global depth order), layered (float64, the hardware's order) or golden (golden model)")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"truth", "layered", "golden"}));
-  command->add_option("--semantics", arguments.semantics, "of the float64 models: footprints and pixel centres")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"exact", "inria", "gsplat"}));
-  command->add_option("--out", arguments.out, "folder for frame.exr and frame.png")->capture_default_str();
-  command->add_option("--compare", arguments.compare,
-                      "say how the picture differs from this 8-bit PNG of the same size");
-  command->callback([&run] { run = [] { return render(arguments); }; });
+  arguments.view.add(command);
+  arguments.picture.add(command);
+  add_text(command, "--model", arguments.model,
+           "truth (float64, global depth order), layered (float64, the hardware's order) or golden (golden model)")
+      .shows_default()
+      .one_of({"truth", "layered", "golden"});
+  add_text(command, "--semantics", arguments.semantics, "of the float64 models: footprints and pixel centres")
+      .shows_default()
+      .one_of({"exact", "inria", "gsplat"});
+  add_text(command, "--out", arguments.out, "folder for frame.exr and frame.png").shows_default();
+  add_text(command, "--compare", arguments.compare, "say how the picture differs from this 8-bit PNG of the same size");
+  when_chosen(command, run, [] { return render(arguments); });
 }
 
 }  // namespace pipegs

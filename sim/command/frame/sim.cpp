@@ -158,34 +158,33 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
 }  // namespace
 
 void add_sim(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("sim", "one view by truth, golden model, RTL: compared");
-  command->footer(footer("pipegs sim garden.ply --cameras cameras.json --view 0 --set units=2 --out garden",
-                         "every bit of the RTL agrees (or --no-rtl: nothing compared)",
-                         "a bit differs or the RTL stops"));
+  CLI::App& command = add_command(
+      app, "sim", "one view by truth, golden model, RTL: compared",
+      footer("pipegs sim garden.ply --cameras cameras.json --view 0 --set units=2 --out garden",
+             "every bit of the RTL agrees (or --no-rtl: nothing compared)", "a bit differs or the RTL stops"));
   static SimArguments arguments;
-  arguments.view.add(*command);
-  arguments.memory.add(*command);
-  arguments.picture_of.add(*command);
-  arguments.sequence.add(*command);
-  arguments.page.add(*command);
-  arguments.viewer.add_option(*command);
-  command
-      ->add_option("--picture", arguments.picture,
-                   "pixels in memory: windows, as --set pixel_w says; raster, rows of RGBA8, and frame.png is these")
-      ->capture_default_str()
-      ->check(CLI::Validator(CLI::IsMember({"windows", "raster"})).description(""));
-  command->add_option("--out", arguments.out, "folder for frame.exr, frame.png, report.json, and what is asked for")
-      ->capture_default_str();
-  command->add_flag("--waves", arguments.waves, "waves.fst: waves of every signal (use with --window)");
-  add_names(*command, "--effects", arguments.effects,
+  arguments.view.add(command);
+  arguments.memory.add(command);
+  arguments.picture_of.add(command);
+  arguments.sequence.add(command);
+  arguments.page.add(command);
+  arguments.viewer.add_option(command);
+  add_text(command, "--picture", arguments.picture,
+           "pixels in memory: windows, as --set pixel_w says; raster, rows of RGBA8, and frame.png is these")
+      .shows_default()
+      .one_of({"windows", "raster"}, true);
+  add_text(command, "--out", arguments.out, "folder for frame.exr, frame.png, report.json, and what is asked for")
+      .shows_default();
+  add_flag(command, "--waves", arguments.waves, "waves.fst: waves of every signal (use with --window)");
+  add_names(command, "--effects", arguments.effects,
             "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
-      ->capture_default_str();
-  command->add_flag("--netlist", arguments.netlist,
-                    "DOPU, PUs, SUs and RUs as gates (use with --window; builds for many minutes)");
-  command->add_flag("--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
-  command->add_flag("--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only, nothing compared");
-  command->add_flag("--json", arguments.json, "print report.json instead of the table");
-  command->callback([&run, command] { run = [command] { return simulate(arguments, *command); }; });
+      .shows_default();
+  add_flag(command, "--netlist", arguments.netlist,
+           "DOPU, PUs, SUs and RUs as gates (use with --window; builds for many minutes)");
+  add_flag(command, "--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
+  add_flag(command, "--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only, nothing compared");
+  add_flag(command, "--json", arguments.json, "print report.json instead of the table");
+  when_chosen(command, run, [&command] { return simulate(arguments, command); });
 }
 
 }  // namespace pipegs

@@ -47,18 +47,18 @@ void write_page(const std::filesystem::path& file, const StudyPage& page) {
 }
 
 std::string StudyOutput::file(const char* extension) const {
-  return fmt::format("{}/{}.{}", out_, command_->get_name(), extension);
+  return fmt::format("{}/{}.{}", out_, name_of(*command_), extension);
 }
 
 void StudyOutput::add(CLI::App& command, const std::string& folder) {
   command_ = &command;
   out_ = folder;
-  const std::string& name = command.get_name();
-  CLI::Option* out =
-      command.add_option("--out", out_, fmt::format("folder for {0}.json, {0}.csv and what is asked for", name));
-  if (!folder.empty()) out->capture_default_str();
-  command.add_flag("--page", page_, fmt::format("{}.html in --out: charts and tables as a page", name));
-  command.add_flag("--json", json_, "print JSON instead of the tables");
+  const std::string name = name_of(command);
+  const Option out =
+      add_text(command, "--out", out_, fmt::format("folder for {0}.json, {0}.csv and what is asked for", name));
+  if (!folder.empty()) out.shows_default();
+  add_flag(command, "--page", page_, fmt::format("{}.html in --out: charts and tables as a page", name));
+  add_flag(command, "--json", json_, "print JSON instead of the tables");
 }
 
 void StudyOutput::check() const {

@@ -9,7 +9,6 @@
 //         cannot be made. All before anything is computed.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -19,6 +18,7 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/float/projection.hpp"
+#include "sim/command/options.hpp"
 #include "sim/report/html/study_page.hpp"
 
 namespace pipegs {

@@ -11,7 +11,8 @@
 namespace pipegs {
 
 void ViewerArgument::add_option(CLI::App& app) {
-  app.add_flag("--viewer", wanted_, "viewer.html: the scene in a viewer (Spark) beside the machine's picture, in step");
+  add_flag(app, "--viewer", wanted_,
+           "viewer.html: the scene in a viewer (Spark) beside the machine's picture, in step");
 }
 
 void ViewerArgument::begin(const LoadedView& loaded, const std::vector<Camera>& cameras, const SimulateOptions& options,

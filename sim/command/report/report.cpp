@@ -77,14 +77,14 @@ int run_report(const std::filesystem::path& folder, const CLI::App& command) {
 }  // namespace
 
 void add_report(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("report", "one page of all results in a folder");
-  command->footer(
+  CLI::App& command = add_command(
+      app, "report", "one page of all results in a folder",
       footer("pipegs report ladder", "written", "",
              "Reads what `sim`, `ladder` and `train` write: report.json, sequence.json, train.json. A file that "
              "is broken is\nleft out, with its reason in the page."));
   static std::string folder;
-  command->add_option("DIR", folder, "the folder; the page is its report.html")->required();
-  command->callback([&run, command] { run = [command] { return run_report(folder, *command); }; });
+  add_text(command, "DIR", folder, "the folder; the page is its report.html").required();
+  when_chosen(command, run, [&command] { return run_report(folder, command); });
 }
 
 }  // namespace pipegs

@@ -8,24 +8,22 @@
 namespace pipegs {
 
 void add_convert(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("convert", "a scene of another format as INRIA's .ply");
-  command->footer(footer("pipegs convert garden.sog --out garden", "done"));
+  CLI::App& command = add_command(app, "convert", "a scene of another format as INRIA's .ply",
+                                  footer("pipegs convert garden.sog --out garden", "done"));
   static SceneArguments scene;
   static std::string out = "converted";
-  scene.add(*command);
-  command->add_option("--out", out, "folder for scene.ply")->capture_default_str();
-  command->callback([&run] {
-    run = [] {
-      try_folder("--out", out, {"scene.ply"});
-      SceneFormat format;
-      const Scene loaded = scene.load(&format);
-      const std::filesystem::path file = std::filesystem::path(out) / "scene.ply";
-      make_folder_of(file);
-      write_ply(file, loaded);
-      fmt::print("{}: {} Gaussians, SH degree {}; from {}\n", file.string(), loaded.gaussians.size(), loaded.sh_degree,
-                 format.name.empty() ? "the generator" : format.name);
-      return kExitOk;
-    };
+  scene.add(command);
+  add_text(command, "--out", out, "folder for scene.ply").shows_default();
+  when_chosen(command, run, [] {
+    try_folder("--out", out, {"scene.ply"});
+    SceneFormat format;
+    const Scene loaded = scene.load(&format);
+    const std::filesystem::path file = std::filesystem::path(out) / "scene.ply";
+    make_folder_of(file);
+    write_ply(file, loaded);
+    fmt::print("{}: {} Gaussians, SH degree {}; from {}\n", file.string(), loaded.gaussians.size(), loaded.sh_degree,
+               format.name.empty() ? "the generator" : format.name);
+    return kExitOk;
   });
 }
 

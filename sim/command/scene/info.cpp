@@ -37,28 +37,26 @@ std::string text_of(const std::vector<Margin>& margins) {
 }  // namespace
 
 void add_info(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("info", "what a scene holds and what looks wrong in it");
-  command->footer(footer("pipegs info garden.ply --json", "done"));
+  CLI::App& command = add_command(app, "info", "what a scene holds and what looks wrong in it",
+                                  footer("pipegs info garden.ply --json", "done"));
   static SceneArguments scene;
   static bool json = false;
-  scene.add(*command);
-  command->add_flag("--json", json, "as JSON");
-  command->callback([&run] {
-    run = [] {
-      SceneFormat format;
-      const Scene loaded = scene.load(&format);
-      SceneInfo info = inspect(loaded);
-      info.format = format;
-      const std::vector<Margin> margins = margins_of(loaded, info);
-      if (json) {
-        auto all = nlohmann::ordered_json::parse(to_json(info));
-        all["layers"] = json_of(margins);
-        fmt::print("{}\n", json_text(all, 1));
-      } else {
-        fmt::print("{}{}\n", to_text(info), text_of(margins));
-      }
-      return kExitOk;
-    };
+  scene.add(command);
+  add_flag(command, "--json", json, "as JSON");
+  when_chosen(command, run, [] {
+    SceneFormat format;
+    const Scene loaded = scene.load(&format);
+    SceneInfo info = inspect(loaded);
+    info.format = format;
+    const std::vector<Margin> margins = margins_of(loaded, info);
+    if (json) {
+      auto all = nlohmann::ordered_json::parse(to_json(info));
+      all["layers"] = json_of(margins);
+      fmt::print("{}\n", json_text(all, 1));
+    } else {
+      fmt::print("{}{}\n", to_text(info), text_of(margins));
+    }
+    return kExitOk;
   });
 }
 

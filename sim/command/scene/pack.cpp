@@ -101,14 +101,15 @@ int pack(const PackArguments& arguments) {
 }  // namespace
 
 void add_pack(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("pack", "a scene in the machine's format, for its driver");
-  command->footer(footer("pipegs pack garden.ply --cameras cameras.json --view 0 --out packed", "done", "",
+  CLI::App& command =
+      add_command(app, "pack", "a scene in the machine's format, for its driver",
+                  footer("pipegs pack garden.ply --cameras cameras.json --view 0 --out packed", "done", "",
                          "image.bin is put into the machine's memory as it is; scene.h is compiled with "
                          "cpp_model/driver/example.c\nor a program like it."));
   static PackArguments arguments;
-  arguments.view.add(*command);
-  command->add_option("--out", arguments.out, "folder for image.bin and scene.h")->capture_default_str();
-  command->callback([&run] { run = [] { return pack(arguments); }; });
+  arguments.view.add(command);
+  add_text(command, "--out", arguments.out, "folder for image.bin and scene.h").shows_default();
+  when_chosen(command, run, [] { return pack(arguments); });
 }
 
 }  // namespace pipegs

@@ -194,11 +194,11 @@ void SequenceArguments::add(CLI::App& app) {
            "instead of --view: these views, or all, in one machine without a reset, without truth");
   add_integer(app, "--path", path, "so many frames on a smooth path through all views, or those of --views", 2, 100000);
   add_names(app, "--frames", frames, "of a sequence: its pictures in --out, png, exr or none by commas")
-      ->capture_default_str();
+      .shows_default();
 }
 
 void SequenceArguments::check(const CLI::App& command, const std::string& out) const {
-  if (!wanted() && command.count("--frames") > 0)
+  if (!wanted() && is_given(command, "--frames"))
     throw ConfigError("--frames: found one frame, expected --views or --path");
   if (!wanted()) return;
   for (const std::string& kind : frames) {
@@ -206,7 +206,7 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
       throw ConfigError(fmt::format("--frames: found {}, expected png, exr or none alone", quote(kind)));
   }
   for (const char* option : {"--effects", "--view", "--netlist"}) {
-    if (command.count(option) > 0) throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
+    if (is_given(command, option)) throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
   }
   try_folder("--out", out, {"sequence.json", "frames.csv", "frame_0000.png", "frame_0000.exr", "viewer.html"});
 }

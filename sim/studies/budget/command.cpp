@@ -144,19 +144,18 @@ int budget(const BudgetArguments& arguments) {
 }  // namespace
 
 void add_budget(CLI::App& app, Run& run) {
-  CLI::App* command =
-      app.add_subcommand("budget", "errors of power and alpha of random Gaussians: ours, its bound, FP32, FP16");
-  command->footer(footer("pipegs study budget --count 1000000 --out budget --page", "every error lies within its bound",
+  CLI::App& command =
+      add_command(app, "budget", "errors of power and alpha of random Gaussians: ours, its bound, FP32, FP16",
+                  footer("pipegs study budget --count 1000000 --out budget --page", "every error lies within its bound",
                          "one lies beyond it"));
   static BudgetArguments arguments;
-  add_integer(*command, "--count", arguments.count, "Gaussians", size_t{1}, size_t{100000000})->capture_default_str();
-  add_integer(*command, "--seed", arguments.seed, "of the Gaussians")->capture_default_str();
-  command->add_option("--design", arguments.machine.design_point, "design point: " + design_point_names())
-      ->capture_default_str();
-  command->add_option("--set", arguments.machine.settings, "configuration entry, key=value; may be repeated")
-      ->allow_extra_args(false);
-  arguments.output.add(*command);
-  command->callback([&run] { run = [] { return budget(arguments); }; });
+  add_integer(command, "--count", arguments.count, "Gaussians", size_t{1}, size_t{100000000}).shows_default();
+  add_integer(command, "--seed", arguments.seed, "of the Gaussians").shows_default();
+  add_text(command, "--design", arguments.machine.design_point, "design point: " + design_point_names())
+      .shows_default();
+  add_texts(command, "--set", arguments.machine.settings, "configuration entry, key=value; may be repeated");
+  arguments.output.add(command);
+  when_chosen(command, run, [] { return budget(arguments); });
 }
 
 }  // namespace pipegs

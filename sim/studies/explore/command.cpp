@@ -93,15 +93,15 @@ int explore(const ExploreArguments& arguments, const Question& question) {
 
 // Its command; the options of the question alone are the caller's to add.
 CLI::App& add_question(CLI::App& app, Run& run, const Question& question) {
-  CLI::App& command = *app.add_subcommand(question.name, question.what);
-  command.footer(footer(question.example, "measured", "", question.notes));
+  CLI::App& command =
+      add_command(app, question.name, question.what, footer(question.example, "measured", "", question.notes));
   const auto arguments = std::make_shared<ExploreArguments>();
   arguments->view.add(command);
   arguments->memory.add(command);
-  command.add_option("--store", arguments->store, "folder of what was measured and is not measured again")
-      ->capture_default_str();
+  add_text(command, "--store", arguments->store, "folder of what was measured and is not measured again")
+      .shows_default();
   arguments->output.add(command);
-  command.callback([&run, arguments, question] { run = [=] { return explore(*arguments, question); }; });
+  when_chosen(command, run, [=] { return explore(*arguments, question); });
   return command;
 }
 
@@ -146,8 +146,8 @@ void add_accuracy(CLI::App& app, Run& run) {
            }});
   add_names(command, "--knobs", knobs, "which, by commas; without it all");
   add_integer(command, "--points", points, "most configurations to measure with knobs turned together", 0, 1000)
-      ->capture_default_str();
-  command.add_option("--target", target, "name the cheapest configuration with so much numeric PSNR, as 60dB");
+      .shows_default();
+  add_text(command, "--target", target, "name the cheapest configuration with so much numeric PSNR, as 60dB");
 }
 
 void add_tradeoff(CLI::App& app, Run& run) {
@@ -166,9 +166,9 @@ void add_tradeoff(CLI::App& app, Run& run) {
                       return tradeoff_answer(
                           tradeoff(asked.measure, asked.options.config, asked.loaded.scene, together), asked.view, ghz);
                     }});
-  add_real(command, "--ghz", ghz, "clock that turns cycles into time", {.low = 0.1, .high = 10})->capture_default_str();
+  add_real(command, "--ghz", ghz, "clock that turns cycles into time", {.low = 0.1, .high = 10}).shows_default();
   add_integer(command, "--together", together, "most points with less of several things at once", 0, 1000)
-      ->capture_default_str();
+      .shows_default();
 }
 
 void add_shapes(CLI::App& app, Run& run) {
@@ -185,9 +185,8 @@ void add_shapes(CLI::App& app, Run& run) {
        .ask = [](const Asked& asked) {
          return shapes_answer(sweep_shapes(asked.measure, asked.silicon, asked.options.config, shapes), shapes.mm2);
        }});
-  add_real(command, "--area", shapes.mm2, "the wanted area, mm2 in 28 nm", {.low = 0.1, .high = 100})
-      ->capture_default_str();
-  add_integer(command, "--runs", shapes.runs, "most shapes that are measured", 1, 10000)->capture_default_str();
+  add_real(command, "--area", shapes.mm2, "the wanted area, mm2 in 28 nm", {.low = 0.1, .high = 100}).shows_default();
+  add_integer(command, "--runs", shapes.runs, "most shapes that are measured", 1, 10000).shows_default();
 }
 
 }  // namespace pipegs

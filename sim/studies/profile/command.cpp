@@ -42,15 +42,15 @@ int profile(const ProfileArguments& arguments) {
 }  // namespace
 
 void add_profile(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("profile", "how often the Gaussians of a view could be reused");
-  command->footer(
+  CLI::App& command = add_command(
+      app, "profile", "how often the Gaussians of a view could be reused",
       footer("pipegs study profile garden.ply --cameras cameras.json --design baseline --out profile --page", "counted",
              "", "Without --design the baseline, as in the paper."));
   static ProfileArguments arguments;
   arguments.view.design_point = "baseline";  // the paper's Fig. 3b is of it
-  arguments.view.add(*command);
-  arguments.output.add(*command);
-  command->callback([&run] { run = [] { return profile(arguments); }; });
+  arguments.view.add(command);
+  arguments.output.add(command);
+  when_chosen(command, run, [] { return profile(arguments); });
 }
 
 }  // namespace pipegs

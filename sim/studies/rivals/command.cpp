@@ -75,21 +75,22 @@ int run_rivals(RivalsArguments& arguments) {
 }  // namespace
 
 void add_rivals(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "rivals", "other accelerators on this view, modelled from what it asks of any renderer by tiles, beside ours");
-  command->footer(footer(
-      "pipegs study rivals garden.ply --cameras cameras.json --view 0 --out rivals --page", "done", "",
-      "GSCore, GS-TG, STREAMINGGS, GSAcc, Neo and FLICKER as their papers describe them, driven by counts of the "
-      "float64\nprojection and blending, with the same memory; what is not published is a parameter with a range, and "
-      "every figure\ncomes as low..mid..high. Beside them `dop` and the machine of --design and --set, by timing model "
-      "and frame model.\ndocs/rivals/rivals.md says what each model stands on."));
+  CLI::App& command = add_command(
+      app, "rivals",
+      "other accelerators on this view, modelled from what it asks of any renderer by tiles, beside ours",
+      footer(
+          "pipegs study rivals garden.ply --cameras cameras.json --view 0 --out rivals --page", "done", "",
+          "GSCore, GS-TG, STREAMINGGS, GSAcc, Neo and FLICKER as their papers describe them, driven by counts of the "
+          "float64\nprojection and blending, with the same memory; what is not published is a parameter with a range, "
+          "and every figure\ncomes as low..mid..high. Beside them `dop` and the machine of --design and --set, by "
+          "timing model and frame model.\ndocs/rivals/rivals.md says what each model stands on."));
   static RivalsArguments arguments;
-  arguments.view.add(*command);
-  arguments.memory.add(*command, false);
-  add_real(*command, "--voxel", arguments.voxel, "edge of a voxel, scene units", {.low = 0.001, .high = 1e6})
-      ->capture_default_str();
-  arguments.output.add(*command);
-  command->callback([&run] { run = [] { return run_rivals(arguments); }; });
+  arguments.view.add(command);
+  arguments.memory.add(command, false);
+  add_real(command, "--voxel", arguments.voxel, "edge of a voxel, scene units", {.low = 0.001, .high = 1e6})
+      .shows_default();
+  arguments.output.add(command);
+  when_chosen(command, run, [] { return run_rivals(arguments); });
 }
 
 }  // namespace pipegs

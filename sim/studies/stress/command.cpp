@@ -110,25 +110,21 @@ int stress(const std::string& program, const StressArguments& arguments) {
 }  // namespace
 
 void add_stress(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand(
-      "stress", "fuzzing with shrinking: random hostile scenes through golden model, RTL and error bounds");
-  command->footer(footer("pipegs study stress --seed 1 --count 500 --design exact",
-                         "all agree and lie within their bounds", "one fails; then its smallest form lies in --out"));
+  CLI::App& command = add_command(
+      app, "stress", "fuzzing with shrinking: random hostile scenes through golden model, RTL and error bounds",
+      footer("pipegs study stress --seed 1 --count 500 --design exact", "all agree and lie within their bounds",
+             "one fails; then its smallest form lies in --out"));
   static StressArguments arguments;
-  add_integer(*command, "--seed", arguments.seed, "of the first view; the next ones count up")->capture_default_str();
-  add_integer(*command, "--count", arguments.count, "views", 1, 100000000)->capture_default_str();
-  command->add_option("--design", arguments.machine.design_point, "design point: " + design_point_names())
-      ->capture_default_str();
-  command->add_option("--set", arguments.machine.settings, "configuration entry, key=value; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--size", arguments.size, "image, WxH; without it up to 160x120");
-  add_integer(*command, "--gaussians", arguments.gaussians, "per view; 0 is 10 to 300", 0, 1000000)
-      ->capture_default_str();
-  command->add_option("--out", arguments.out, "folder for the smallest view that fails")->capture_default_str();
-  command->add_flag("--no-rtl", arguments.no_rtl, "golden model against its bounds only");
-  command->callback([&run, command] {
-    run = [command] { return stress(words_of(*command->get_parent()->get_parent()), arguments); };
-  });
+  add_integer(command, "--seed", arguments.seed, "of the first view; the next ones count up").shows_default();
+  add_integer(command, "--count", arguments.count, "views", 1, 100000000).shows_default();
+  add_text(command, "--design", arguments.machine.design_point, "design point: " + design_point_names())
+      .shows_default();
+  add_texts(command, "--set", arguments.machine.settings, "configuration entry, key=value; may be repeated");
+  add_text(command, "--size", arguments.size, "image, WxH; without it up to 160x120");
+  add_integer(command, "--gaussians", arguments.gaussians, "per view; 0 is 10 to 300", 0, 1000000).shows_default();
+  add_text(command, "--out", arguments.out, "folder for the smallest view that fails").shows_default();
+  add_flag(command, "--no-rtl", arguments.no_rtl, "golden model against its bounds only");
+  when_chosen(command, run, [&command] { return stress(program_of(command), arguments); });
 }
 
 }  // namespace pipegs

@@ -223,49 +223,45 @@ int run_train(const TrainArguments& arguments) {
 }  // namespace
 
 void add_train(CLI::App& app, Run& run) {
-  CLI::App* command = app.add_subcommand("train", "trains a scene on photographs, or for layers");
-  command->footer(footer("pipegs train garden --steps 7000 --layers 8 --out garden_trained", "trained", "",
+  CLI::App& command =
+      add_command(app, "train", "trains a scene on photographs, or for layers",
+                  footer("pipegs train garden --steps 7000 --layers 8 --out garden_trained", "trained", "",
                          "A folder of photographs has COLMAP's sparse/0 and images. A scene is fine-tuned on its own "
                          "pictures in exact\norder, from its views. Every 8th view is held out. An "
                          "interrupt (exit code 130) writes\nOUT/checkpoint.bin, and --resume goes on from it."));
   static TrainArguments arguments;
-  arguments.scene.add(*command);
-  command->get_option("SCENE")->description("a folder of photographs, or a scene in any format; without it our own");
-  arguments.cameras.add(*command);
-  add_integer(*command, "--around", arguments.around, "of a scene: so many more views about each of its views", 1,
-              1000);
-  command->add_option("--out", arguments.out, "folder for scene.ply, cameras.json, held_out.json, train.json")
-      ->capture_default_str();
-  add_integer(*command, "--steps", arguments.steps, "how many views are taken, one a step", 1, 10000000)
-      ->capture_default_str();
-  add_integer(*command, "--downscale", arguments.downscale, "sides of the pictures are divided by this", 1, 64)
-      ->capture_default_str();
-  add_integer(*command, "--max-gaussians", arguments.most_gaussians, "no more than these", std::size_t{kFewestPoints},
+  arguments.scene.add(command, "a folder of photographs, or a scene in any format; without it our own");
+  arguments.cameras.add(command);
+  add_integer(command, "--around", arguments.around, "of a scene: so many more views about each of its views", 1, 1000);
+  add_text(command, "--out", arguments.out, "folder for scene.ply, cameras.json, held_out.json, train.json")
+      .shows_default();
+  add_integer(command, "--steps", arguments.steps, "how many views are taken, one a step", 1, 10000000).shows_default();
+  add_integer(command, "--downscale", arguments.downscale, "sides of the pictures are divided by this", 1, 64)
+      .shows_default();
+  add_integer(command, "--max-gaussians", arguments.most_gaussians, "no more than these", std::size_t{kFewestPoints},
               std::size_t{1} << 24)
-      ->capture_default_str();
-  add_integer(*command, "--sh-degree", arguments.sh_degree, "of photographs: highest degree of SH", 0, kMaxShDegree)
-      ->capture_default_str();
-  add_integer(*command, "--seed", arguments.seed, "of the views' order and of what is split")->capture_default_str();
-  add_integer(*command, "--layers", arguments.layers, "train for layers of a grid of 2, 4 or 8 cells an axis; 0: none",
+      .shows_default();
+  add_integer(command, "--sh-degree", arguments.sh_degree, "of photographs: highest degree of SH", 0, kMaxShDegree)
+      .shows_default();
+  add_integer(command, "--seed", arguments.seed, "of the views' order and of what is split").shows_default();
+  add_integer(command, "--layers", arguments.layers, "train for layers of a grid of 2, 4 or 8 cells an axis; 0: none",
               0, 8)
-      ->capture_default_str();
-  command->add_option("--order", arguments.order, "with --layers: the order in which the steps draw")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"layered", "exact"}));
-  command
-      ->add_option(
-          "--cldr", arguments.cldr,
-          "with --layers: the loss that keeps Gaussians inside their layer; without it logarithm of photographs, "
-          "none of a scene")
-      ->check(CLI::IsMember({"logarithm", "printed", "none"}));
-  add_integer(*command, "--checkpoint-every", arguments.checkpoint_every, "steps between two checkpoints", 1, 10000000)
-      ->capture_default_str();
-  command->add_flag("--resume", arguments.resume, "go on from the checkpoint in --out, if there is one");
-  command->add_flag("--json", arguments.json, "print train.json");
-  add_integer(*command, "--threads", arguments.threads, "0: as many as the computer has; no result depends on it", 0u,
+      .shows_default();
+  add_text(command, "--order", arguments.order, "with --layers: the order in which the steps draw")
+      .shows_default()
+      .one_of({"layered", "exact"});
+  add_text(command, "--cldr", arguments.cldr,
+           "with --layers: the loss that keeps Gaussians inside their layer; without it logarithm of photographs, "
+           "none of a scene")
+      .one_of({"logarithm", "printed", "none"});
+  add_integer(command, "--checkpoint-every", arguments.checkpoint_every, "steps between two checkpoints", 1, 10000000)
+      .shows_default();
+  add_flag(command, "--resume", arguments.resume, "go on from the checkpoint in --out, if there is one");
+  add_flag(command, "--json", arguments.json, "print train.json");
+  add_integer(command, "--threads", arguments.threads, "0: as many as the computer has; no result depends on it", 0u,
               1024u)
-      ->capture_default_str();
-  command->callback([&run] { run = [] { return run_train(arguments); }; });
+      .shows_default();
+  when_chosen(command, run, [] { return run_train(arguments); });
 }
 
 }  // namespace pipegs
