@@ -20,12 +20,12 @@ struct PixelBytes {
 };
 
 // An Image is 44: colour, transmittance, depth, count. Measured as the largest resident size of a run / its pixels.
-inline constexpr PixelBytes kGoldenPixels{.frame = 53};  // the image, the RTL's words, who stopped
-inline constexpr PixelBytes kTruthPixels{.asked = 176};  // three images, and the golden one cropped to compare
-inline constexpr PixelBytes kRtlPixels{.asked = 16};     // lines of external memory
-inline constexpr PixelBytes kWritePixels{.asked = 76};   // a cropped image, and its planes as EXR
-inline constexpr PixelBytes kPagePixels{.asked = 16};    // pictures and maps, and their text
-inline constexpr PixelBytes kCountPixels{.frame = 2};    // the counts of a tile of 256
+inline constexpr PixelBytes kGoldenPixels{.frame = 53};           // the image, the RTL's words, who stopped
+inline constexpr PixelBytes kTruthPixels{.asked = 176};           // three images, and the golden one cropped to compare
+inline constexpr PixelBytes kRtlPixels{.frame = 8, .asked = 16};  // its words, lines of external memory
+inline constexpr PixelBytes kWritePixels{.asked = 76};            // a cropped image, and its planes as EXR
+inline constexpr PixelBytes kPagePixels{.asked = 16};             // pictures and maps, and their text
+inline constexpr PixelBytes kCountPixels{.frame = 2};             // the counts of a tile of 256
 inline constexpr PixelBytes kImagePixels{.asked = 44};
 
 // Bytes: the least of what computer, container and process have.

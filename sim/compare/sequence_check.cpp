@@ -87,12 +87,12 @@ void SequenceCheck::compare_pixels(One& one) {
   const uint64_t side = static_cast<uint64_t>(config.window);
   const uint64_t x0 = raster.windows.first_x * side, x1 = std::min(raster.width, (raster.windows.last_x + 1) * side),
                  y0 = raster.windows.first_y * side, y1 = std::min(raster.height, (raster.windows.last_y + 1) * side);
-  if (in_raster) one.picture = Rgb8{static_cast<int>(x1 - x0), static_cast<int>(y1 - y0), {}};
+  one.written.assign(one.expected.pixels->size(), 0);
   for (uint64_t y = y0; y < y1; ++y) {
     for (uint64_t x = x0; x < x1; ++x) {
       const uint64_t pixel = (*one.expected.pixels)[y * raster.width + x], shown = found(one, x, y),
                      expected = in_raster ? ru_rgba8(config, pixel) : pixel;
-      for (int i = 0; in_raster && i < 3; ++i) one.picture->data.push_back(static_cast<uint8_t>(shown >> 8 * i));
+      one.written[y * raster.width + x] = shown;
       if (shown == expected) continue;
       one.streams->fail_pixel(
           x / side, y / side,

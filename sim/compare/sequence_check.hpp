@@ -8,7 +8,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "cpp_model/golden.hpp"
@@ -47,8 +46,8 @@ class SequenceCheck final : public RtlTaps {
 
   StreamCheck& frame(size_t number) { return *frames_[number].streams; }
   size_t complete() const { return back_; }  // frames that are
-  // Of a frame that is complete, with pixels in raster order: what memory held of its windows.
-  const std::optional<Rgb8>& picture(size_t number) const { return frames_[number].picture; }
+  // Of a frame that is complete: its pixels as memory held them, row by row of the image.
+  const std::vector<uint64_t>& written(size_t number) const { return frames_[number].written; }
   // Of a frame that is complete: what memory has moved since the start.
   const MemoryBytes& moved(size_t number) const { return frames_[number].moved; }
 
@@ -56,7 +55,7 @@ class SequenceCheck final : public RtlTaps {
   struct One {
     Expected expected;
     std::unique_ptr<StreamCheck> streams;
-    std::optional<Rgb8> picture = {};
+    std::vector<uint64_t> written = {};
     MemoryBytes moved = {};
   };
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should

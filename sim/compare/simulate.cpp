@@ -10,6 +10,7 @@
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
+#include "cpp_model/ru/ru_resolve.hpp"
 #include "sim/host_use.hpp"
 #include "sim/progress.hpp"
 
@@ -18,6 +19,13 @@ namespace {
 
 // Ports of the lists of windows, which stand behind the others that write.
 int list_ports(const Config& config) { return config.memory_ports() - 5 * config.units - 1; }
+
+// Red, green or blue of a pixel as it lies in memory, 0 to 1 (by windows and with T, to 4).
+double color_of(const SimulateOptions& options, uint64_t pixel, int channel) {
+  if (options.raster) return static_cast<double>(pixel >> 8 * channel & 0xff) / 255;
+  if (options.config.pixel_w == 32) return static_cast<double>(pixel >> 10 * channel & kMostCode) / kMostCode;
+  return std::ldexp(static_cast<double>(pixel >> 16 * channel & 0xffff), -14);
+}
 
 }  // namespace
 
@@ -85,6 +93,35 @@ Image crop_window(const Image& image, const SimulateOptions& options) {
     }
   }
   return part;
+}
+
+Image picture_of(const Simulation& simulation, const SimulateOptions& options) {
+  Image image = crop_window(simulation.golden.image, options);
+  if (simulation.written.empty()) return image;
+  const PixelRect r = asked_pixels(simulation.golden.image.width, simulation.golden.image.height, options);
+  for (int y = r.y0; y < r.y1; ++y) {
+    for (int x = r.x0; x < r.x1; ++x) {
+      const uint64_t pixel = simulation.written[simulation.golden.image.at(x, y)];
+      const size_t at = image.at(x - r.x0, y - r.y0);
+      for (int j = 0; j < 3; ++j) image.rgb[at][j] = color_of(options, pixel, j);
+      if (!options.raster && options.config.pixel_w == 64)
+        image.transmittance[at] = std::ldexp(static_cast<double>(pixel >> 48), -15);
+    }
+  }
+  return image;
+}
+
+Rgb8 codes_of(const Simulation& simulation, const SimulateOptions& options) {
+  if (!options.raster || simulation.written.empty()) return to_rgb8(picture_of(simulation, options), glm::dvec3(0));
+  const PixelRect r = asked_pixels(simulation.golden.image.width, simulation.golden.image.height, options);
+  Rgb8 picture{r.x1 - r.x0, r.y1 - r.y0, {}};
+  for (int y = r.y0; y < r.y1; ++y) {
+    for (int x = r.x0; x < r.x1; ++x) {
+      const uint64_t pixel = simulation.written[simulation.golden.image.at(x, y)];
+      for (int j = 0; j < 3; ++j) picture.data.push_back(static_cast<uint8_t>(pixel >> 8 * j));
+    }
+  }
+  return picture;
 }
 
 PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, const SimulateOptions& options) {

@@ -49,7 +49,7 @@ struct Simulation {
   PackedScene packed;
   GoldenInput input;  // points at packed, or at that of another simulation
   GoldenFrame golden;
-  std::optional<Rgb8> picture;  // with `raster`, of the windows that were rendered: as it lies in the RTL's memory
+  std::vector<uint64_t> written;  // as golden.pixels, but what the RTL left in memory; empty where it did not run
   // Exact in the hardware's order, exact and INRIA in global order; only the window that was asked for.
   Image truth_order, truth_exact, truth_inria;
   RtlResult rtl;
@@ -119,5 +119,11 @@ Rgb8 cropped(const Rgb8& picture, const PixelRect& part);
 
 // The part of an image that was asked for.
 Image crop_window(const Image& image, const SimulateOptions& options);
+
+// That part of the picture: colours, and T where memory holds it, are what the RTL has written where it ran; all else
+// is the golden model's.
+Image picture_of(const Simulation& simulation, const SimulateOptions& options);
+// Its 8 bits of red, green and blue, over black.
+Rgb8 codes_of(const Simulation& simulation, const SimulateOptions& options);
 
 }  // namespace pipegs

@@ -44,16 +44,6 @@ Placed place(const Config& config, const std::vector<Simulation*>& frames, Exter
   return placed;
 }
 
-// Of a picture of whole windows the pixels that were asked for.
-std::optional<Rgb8> asked_part(const std::optional<Rgb8>& windows, const Frame& frame, const SimulateOptions& options) {
-  if (!windows || !options.crop) return windows;
-  const PixelRect r = *options.crop;
-  const auto side = static_cast<uint64_t>(options.config.window);
-  const int x0 = r.x0 - static_cast<int>(frame.raster.windows.first_x * side),
-            y0 = r.y0 - static_cast<int>(frame.raster.windows.first_y * side);
-  return cropped(*windows, {x0, y0, x0 + r.x1 - r.x0, y0 + r.y1 - r.y0});
-}
-
 }  // namespace
 
 SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<Simulation*>& frames) {
@@ -95,7 +85,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
     const MemoryBytes moved = check.moved(i);
     run.frame_bytes.push_back({moved.read - before.read, moved.written - before.written});
     before = moved;
-    frames[i]->picture = asked_part(check.picture(i), placed.inputs[i].frame, options);
+    frames[i]->written = check.written(i);
     frames[i]->seen = one.seen();
     frames[i]->beats = one.beats();
     frames[i]->mismatches = one.mismatches();

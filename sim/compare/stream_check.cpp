@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
-#include "cpp_model/ru/ru_quads.hpp"
 #include "cpp_model/ru/ru_walk.hpp"
 
 namespace pipegs {
@@ -51,7 +51,73 @@ StreamCheck::Window& StreamCheck::window(uint64_t ordinal) {
     window.done.add(config_, r, window.golden.regions[r].all_done());
     window.live.push_back(ru_fresh_region(config_, input_.frame, x, y, r));
   }
+  window.lines.resize(window.live.size());
+  window.next.resize(window.live.size());
+  for (const GoldenLayer& layer : window.golden.layers) {
+    for (const GoldenSplat& golden : layer.splats) {
+      for (uint64_t rest = golden.splat.mask; rest != 0; rest &= rest - 1) {
+        const int region = static_cast<int>(golden.splat.part) * config_.mask_w() + std::countr_zero(rest);
+        const uint32_t quads = config_.quads ? ru_live_quads(codes_of(golden, region).data(), 0) : 1;
+        window.lines[region].push_back({&golden, quads});
+      }
+    }
+  }
   return window;
+}
+
+std::array<uint16_t, kRegionPixels> StreamCheck::codes_of(const GoldenSplat& splat, int region) const {
+  std::array<uint16_t, kRegionPixels> codes;
+  pu_region_line(rows_, splat.job, region_bit(config_, region), codes.data());
+  return codes;
+}
+
+// Whether a line would change a pixel of the quad, or with whole regions may not be left out.
+bool StreamCheck::changes(const Window& window, int region, int quad, const Line& line) const {
+  const RegionState& state = window.live[region];
+  const bool stopped = config_.quads ? (ru_stopped_quads(state) >> quad & 1) != 0 : state.all_done();
+  return (line.quads >> quad & 1) != 0 && !stopped;
+}
+
+// An RU shows the line of a splat in a region, or in a quad of it: all that it has left out since the line before it
+// changes nothing there, and it has not been shown before.
+void StreamCheck::expect_line(uint64_t ordinal, int lane, int region, int quad, const GoldenSplat& shown) {
+  Window& now = window(ordinal);
+  const std::vector<Line>& lines = now.lines[region];
+  size_t& next = now.next[region][static_cast<size_t>(quad)];
+  const auto found = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(next), lines.end(),
+                                  [&](const Line& line) { return line.splat == &shown; });
+  if (found == lines.end()) {
+    return fail(ordinal, fmt::format("alphas -> {}: Gaussian {}, region {}: expected once, in the sorted order",
+                                     ru_name(lane), shown.splat.index, region));
+  }
+  for (auto line = lines.begin() + static_cast<std::ptrdiff_t>(next); line != found; ++line) {
+    if (!changes(now, region, quad, *line)) continue;
+    fail(ordinal, fmt::format("alphas -> {}: Gaussian {}, region {}: missing, found Gaussian {}", ru_name(lane),
+                              line->splat->splat.index, region, shown.splat.index));
+  }
+  next = static_cast<size_t>(found - lines.begin()) + 1;
+}
+
+// A window that every stream has left: no line is missing, and what was blended is the golden window.
+void StreamCheck::expect_all(uint64_t ordinal) {
+  const Window& now = window(ordinal);
+  for (size_t region = 0; region < now.live.size(); ++region) {
+    for (size_t quad = 0; quad < (config_.quads ? kQuads : 1); ++quad) {
+      for (size_t i = now.next[region][quad]; i < now.lines[region].size(); ++i) {
+        const Line& line = now.lines[region][i];
+        if (changes(now, static_cast<int>(region), static_cast<int>(quad), line))
+          fail(ordinal, fmt::format("alphas -> RU: Gaussian {}, region {}: missing at the window's end",
+                                    line.splat->splat.index, region));
+      }
+    }
+    const RegionState &blended = now.live[region], &golden = now.golden.regions[region];
+    for (int i = 0; i < kRegionPixels; ++i) {
+      if (blended.pixel(i) == golden.pixel(i)) continue;
+      fail(ordinal, fmt::format("RUs: region {}, pixel {} of it: expected T {}, found {} at the window's end", region,
+                                i, golden.t[i], blended.t[i]));
+      break;
+    }
+  }
 }
 
 // Drops windows that every stream has left.
@@ -60,7 +126,12 @@ void StreamCheck::release() {
   for (const Place& place : splat_place_) oldest = std::min(oldest, place.window);
   for (const uint64_t window : ru_window_) oldest = std::min(oldest, window);
   for (auto window = open_.begin(); window != open_.end();) {
-    window = window->first + 2 < oldest ? open_.erase(window) : std::next(window);
+    if (window->first + 2 >= oldest) {
+      ++window;
+      continue;
+    }
+    expect_all(window->first);
+    window = open_.erase(window);
   }
 }
 
@@ -134,12 +205,15 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
     return fail(place.window,
                 fmt::format("{}: Gaussian {}, layer {}, field {}", stream, splat.index, place.layer, difference));
   }
-  const uint64_t missing = expected.mask & ~splat.mask, done = may_miss(now, splat);
-  if ((splat.mask & ~expected.mask) != 0 || (missing & ~done) != 0) {
-    return fail(place.window,
-                fmt::format("{}: Gaussian {}, layer {}, field mask: expected {:016x}, found {:016x}, done {:016x}",
-                            stream, splat.index, place.layer, expected.mask, splat.mask, done));
-  }
+  expect_mask(place, stream.c_str(), expected, splat.mask);
+}
+
+// The regions of a splat; those that are done may be left out.
+void StreamCheck::expect_mask(const Place& place, const char* stream, const Splat& expected, uint64_t found) {
+  const uint64_t done = may_miss(window(place.window), expected);
+  if ((found & ~expected.mask) == 0 && (expected.mask & ~found & ~done) == 0) return;
+  fail(place.window, fmt::format("{}: Gaussian {}, layer {}, field mask: expected {:016x}, found {:016x}, done {:016x}",
+                                 stream, expected.index, place.layer, expected.mask, found, done));
 }
 
 // A watermark: it may only rise, and no later splat of the window lies below it.
@@ -186,6 +260,7 @@ void StreamCheck::on_sorted(const uint32_t* words) {
   const std::string difference = compare_splats(config_, splats[place.next].splat, found);
   if (!difference.empty())
     fail(place.window, fmt::format("merge -> RU: Gaussian {}, field {}", sorted.index, difference));
+  expect_mask(place, "merge -> RU", splats[place.next].splat, found.mask);
   ++place.next;
 }
 
@@ -212,8 +287,8 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
                   .after = {},
                   .window = ordinal,
                   .words = config_.quads ? 1 : 4};
-  std::array<uint16_t, kRegionPixels> codes;
-  pu_region_line(rows_, splat->job, region_bit(config_, region), codes.data());
+  expect_line(ordinal, lane, region, config_.quads ? ru_quad(lane % config_.tap_lanes(), quarter) : 0, *splat);
+  const std::array<uint16_t, kRegionPixels> codes = codes_of(*splat, region);
   bool same = true;
   for (int i = 0; i < (config_.quads ? kQuadPixels : kRegionPixels); ++i) {
     const int pixel = config_.quads ? ru_word_pixel(config_, lane % config_.tap_lanes(), quarter, i) : i;
@@ -280,6 +355,8 @@ void StreamCheck::finish() {
       fail(ru_window_[lane], ru_name(static_cast<int>(lane)) + ": a line was not written back");
   }
   if (!sorted_over()) fail(sorted_place_.window, "merge -> RU: windows are missing");
+  for (const auto& [ordinal, window] : open_) expect_all(ordinal);
+  open_.clear();
 }
 
 }  // namespace pipegs

@@ -5,12 +5,15 @@
 //           PU -> SU      (with lists: list -> SU) every splat equals the golden one; regions may be missing only
 //                         where the window is done there
 //           merge -> RU   the order equals the golden order, layer by layer
-//           alphas        the line (or quad) that an RU starts to blend equals the golden codes of that Gaussian there
-//           pixels        T and RGB that an RU writes back equal the golden blend of it
-//         What the RTL leaves out because a region was done must have been done in the golden model too.
+//           alphas        the line (or quad) that an RU starts to blend equals the golden codes of that Gaussian there;
+//                         each line of the sorted stream comes once, in its order
+//           pixels        T and RGB that an RU writes back equal the golden blend of it; when the window is left, what
+//                         was blended in all its regions equals the golden window, every bit of T and RGB
+//         What the RTL leaves out because a region (or quad) was done must have been done in the golden model too.
 // Result  The number of mismatches, and the first one in words: Gaussian, pixel, field, both values.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <string>
@@ -19,6 +22,7 @@
 #include "cpp_model/areas/frame_areas.hpp"
 #include "cpp_model/golden.hpp"
 #include "cpp_model/pu/rows/pu_rows.hpp"
+#include "cpp_model/ru/ru_quads.hpp"
 #include "sim/rtl/rtl_model.hpp"
 
 namespace pipegs {
@@ -59,11 +63,17 @@ class StreamCheck final : public RtlTaps {
   const std::vector<Seen>& seen() const { return seen_; }
 
  private:
+  struct Line {
+    const GoldenSplat* splat;
+    uint32_t quads;  // those in which it has an alpha; of the whole region 1
+  };
   struct Window {
     GoldenWindow golden;
     std::vector<std::unordered_map<uint64_t, const GoldenSplat*>> by_name;  // of each layer
     RegionSet done;                                                         // regions done at the end
     std::vector<RegionState> live;                                          // blended line by line as the RTL does
+    std::vector<std::vector<Line>> lines;                                   // of each region, in their order
+    std::vector<std::array<size_t, kQuads>> next;  // of each region and quad (of a whole region the first): next line
   };
   // Where a stream is in the frame.
   struct Place {
@@ -82,6 +92,10 @@ class StreamCheck final : public RtlTaps {
   };
 
   Window& window(uint64_t ordinal);
+  std::array<uint16_t, kRegionPixels> codes_of(const GoldenSplat& splat, int region) const;
+  bool changes(const Window& window, int region, int quad, const Line& line) const;
+  void expect_line(uint64_t ordinal, int lane, int region, int quad, const GoldenSplat& shown);
+  void expect_all(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.
   uint64_t may_miss(const Window& window, const Splat& splat) const {
@@ -90,6 +104,7 @@ class StreamCheck final : public RtlTaps {
   void release();
   void fail(uint64_t window, std::string what);
   void end(Place& place, uint64_t kind);
+  void expect_mask(const Place& place, const char* stream, const Splat& expected, uint64_t found);
   void on_mark(int unit, const Place& place, const Splat& mark);
   std::string ru_name(int lane) const;
   void expect_end(const Place& place, uint64_t kind, const char* stream);

@@ -40,6 +40,16 @@ TEST_F(ExitCodes, OneWhenAPixelDiffers) {
   }
 }
 
+TEST_F(ExitCodes, ThePictureIsWhatTheMachineHasWritten) {
+  ASSERT_EQ(run("render" + view_ + "--out golden").code, 0);
+  ASSERT_EQ(faulty("none", "sim" + view_ + "--no-truth --out good").code, 0);
+  ASSERT_EQ(faulty("pixel", "sim" + view_ + "--no-truth --out bad").code, 1);
+  for (const std::string file : {"/frame.png", "/frame.exr"}) {
+    EXPECT_EQ(text("good" + file), text("golden" + file)) << file;
+    EXPECT_NE(text("bad" + file), text("golden" + file)) << file;
+  }
+}
+
 TEST_F(ExitCodes, OneWhenTheMachineHangs) {
   for (const std::string& arguments : runs()) {
     const Outcome outcome = faulty("hang", arguments);

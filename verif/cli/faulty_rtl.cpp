@@ -4,7 +4,7 @@
 //
 // Idea    The linker puts this in the place of load_rtl (--wrap), so all else is `pipegs` as it is. The machine is the
 //         true one; PIPEGS_FAULT in the environment names what is done to its run:
-//           pixel   one bit of pixel 66,3 is turned over in memory, or of the first pixel where there is no such
+//           pixel   bit 9 of pixel 66,3 is turned over in memory, or of the first pixel where there is no such
 //           cycles  it reports one cycle more, and does not show the first chunk that its DOPU sends
 //           hang    it counts as hung before it can have asked for anything
 //           memory  the run has no memory left; bug: a function breaks its promise
@@ -102,7 +102,8 @@ class FaultyMachine final : public RtlModel {
     if (!there) x = raster.windows.first_x * side, y = raster.windows.first_y * side;
     const int region = region_at(config_, static_cast<int>(x % side / 8), static_cast<int>(y % side / 8));
     const int row = static_cast<int>(y % 8), bit = ru_pixel_bit(config_, row, static_cast<int>(x % 8));
-    memory.line(ru_pixel_line(config_, frame, x / side, y / side, region, row))[static_cast<size_t>(bit / 32)] ^= 1;
+    memory.line(ru_pixel_line(config_, frame, x / side, y / side, region, row))[static_cast<size_t>(bit / 32)] ^= 1u
+                                                                                                                  << 9;
   }
 
   const Config config_;

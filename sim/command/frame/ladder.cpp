@@ -49,7 +49,7 @@ void run_design_point(LadderRow& row, const LadderArguments& arguments, const Lo
   ladder_figures(row, *simulation, watch);
   compare_pixels(row, simulation->golden.pixels, known);
   const std::string folder = arguments.output.out() + "/" + std::string(row.design_point->name);
-  write_images(folder, crop_window(simulation->golden.image, row.options));
+  write_images(folder, picture_of(*simulation, row.options));
   write_text(folder + "/report.json",
              report_json(loaded.scene, loaded.camera, row.options, *simulation).dump(2) + "\n");
   if (simulation->first_mismatch)

@@ -48,11 +48,10 @@ Background PictureArguments::color() const {
 }
 
 Rgb8 PictureArguments::picture(const Simulation& simulation, const SimulateOptions& options) const {
-  if (simulation.picture) return *simulation.picture;
+  if (is_black()) return codes_of(simulation, options);
   const Image& image = simulation.golden.image;
-  if (is_black()) return to_rgb8(crop_window(image, options), glm::dvec3(0));
-  return over_background(simulation.golden.pixels, image.width, asked_pixels(image.width, image.height, options),
-                         color());
+  const std::vector<uint64_t>& pixels = simulation.written.empty() ? simulation.golden.pixels : simulation.written;
+  return over_background(pixels, image.width, asked_pixels(image.width, image.height, options), color());
 }
 
 }  // namespace pipegs

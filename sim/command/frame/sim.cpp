@@ -130,7 +130,7 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
                           ? nlohmann::ordered_json(nullptr)
                           : nlohmann::ordered_json{{"simulated", plan.simulated}, {"left_out", plan.left_out}};
   const Rgb8 picture = arguments.picture_of.picture(simulation, options);
-  write_images(arguments.out, crop_window(simulation.golden.image, options), picture);
+  write_images(arguments.out, picture_of(simulation, options), picture);
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
   // A run that was repeated with all effects has left two in the record.
   if (page)

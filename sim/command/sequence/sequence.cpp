@@ -143,7 +143,7 @@ class Sequence {
 
  private:
   void write(const Simulation& simulation) {
-    files_.add(crop_window(simulation.golden.image, options_), picture_.picture(simulation, options_));
+    files_.add(picture_of(simulation, options_), picture_.picture(simulation, options_));
   }
 
   // What a run says of each frame: cycles from the end of the frame before, or from the start, to its own.
