@@ -111,19 +111,6 @@ Image picture_of(const Simulation& simulation, const SimulateOptions& options) {
   return image;
 }
 
-Rgb8 codes_of(const Simulation& simulation, const SimulateOptions& options) {
-  if (!options.raster || simulation.written.empty()) return to_rgb8(picture_of(simulation, options), glm::dvec3(0));
-  const PixelRect r = asked_pixels(simulation.golden.image.width, simulation.golden.image.height, options);
-  Rgb8 picture{r.x1 - r.x0, r.y1 - r.y0, {}};
-  for (int y = r.y0; y < r.y1; ++y) {
-    for (int x = r.x0; x < r.x1; ++x) {
-      const uint64_t pixel = simulation.written[simulation.golden.image.at(x, y)];
-      for (int j = 0; j < 3; ++j) picture.data.push_back(static_cast<uint8_t>(pixel >> 8 * j));
-    }
-  }
-  return picture;
-}
-
 PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, const SimulateOptions& options) {
   // World coordinates must hold the cameras and, in a tiny or empty scene, the near plane.
   double bound = 2 * options.near_plane;

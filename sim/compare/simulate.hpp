@@ -123,7 +123,5 @@ Image crop_window(const Image& image, const SimulateOptions& options);
 // That part of the picture: colours, and T where memory holds it, are what the RTL has written where it ran; all else
 // is the golden model's.
 Image picture_of(const Simulation& simulation, const SimulateOptions& options);
-// Its 8 bits of red, green and blue, over black.
-Rgb8 codes_of(const Simulation& simulation, const SimulateOptions& options);
 
 }  // namespace pipegs
