@@ -19,9 +19,11 @@ endforeach()
 # PARAMETERS are the module's own, CHECKERS are SystemVerilog files read with it. OPTIMISED compiles with -O1 a test
 # that runs for long. The test sees the configuration as PIPEGS_SET, a string for pipegs::test_config().
 # NAME_waves_test, which only a replay builds, is the same test with waves. In the default configuration, with the
-# module's own parameters, it is a test of the netlist too, unless RTL_ONLY says that there is none.
+# module's own parameters, it is a test of the netlist too, unless RTL_ONLY says that there is none. In another
+# configuration the test of another one (SOURCE) takes turns.
 function(pipegs_unit_test name)
   cmake_parse_arguments(ARG "RTL_ONLY;OPTIMISED" "MODULE;SOURCE" "SET;PARAMETERS;CHECKERS" ${ARGN})
+  set(again ${ARG_SOURCE})
   if(NOT ARG_SOURCE)
     set(ARG_SOURCE ${name}_test.cpp)
   endif()
@@ -46,6 +48,9 @@ function(pipegs_unit_test name)
   add_test(NAME ${name} COMMAND ${name}_test)
   if(NOT ARG_SET AND NOT ARG_PARAMETERS AND NOT ARG_RTL_ONLY)
     pipegs_netlist_test(${name} MODULE ${ARG_MODULE} SOURCE ${ARG_SOURCE})
+  endif()
+  if(again AND (ARG_SET OR ARG_PARAMETERS))
+    pipegs_take_turns(${name} TARGETS ${name}_test)
   endif()
 endfunction()
 

@@ -78,38 +78,40 @@ bool StreamCheck::changes(const Window& window, int region, int quad, const Line
   return (line.quads >> quad & 1) != 0 && !stopped;
 }
 
+// Lines up to `end` that no RU has shown in a region, or in a quad of it: each that would change a pixel is missing.
+void StreamCheck::skip_to(uint64_t ordinal, size_t region, size_t quad, size_t end, const std::string& seen) {
+  Window& now = window(ordinal);
+  for (size_t& next = now.next[region][quad]; next < end; ++next) {
+    const Line& line = now.lines[region][next];
+    if (changes(now, static_cast<int>(region), static_cast<int>(quad), line))
+      fail(ordinal,
+           fmt::format("alphas -> RU: Gaussian {}, region {}: missing {}", line.splat->splat.index, region, seen));
+  }
+}
+
 // An RU shows the line of a splat in a region, or in a quad of it: all that it has left out since the line before it
 // changes nothing there, and it has not been shown before.
-void StreamCheck::expect_line(uint64_t ordinal, int lane, int region, int quad, const GoldenSplat& shown) {
+void StreamCheck::expect_line(uint64_t ordinal, int lane, size_t region, size_t quad, const GoldenSplat& shown) {
   Window& now = window(ordinal);
   const std::vector<Line>& lines = now.lines[region];
-  size_t& next = now.next[region][static_cast<size_t>(quad)];
+  size_t& next = now.next[region][quad];
   const auto found = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(next), lines.end(),
                                   [&](const Line& line) { return line.splat == &shown; });
   if (found == lines.end()) {
     return fail(ordinal, fmt::format("alphas -> {}: Gaussian {}, region {}: expected once, in the sorted order",
                                      ru_name(lane), shown.splat.index, region));
   }
-  for (auto line = lines.begin() + static_cast<std::ptrdiff_t>(next); line != found; ++line) {
-    if (!changes(now, region, quad, *line)) continue;
-    fail(ordinal, fmt::format("alphas -> {}: Gaussian {}, region {}: missing, found Gaussian {}", ru_name(lane),
-                              line->splat->splat.index, region, shown.splat.index));
-  }
-  next = static_cast<size_t>(found - lines.begin()) + 1;
+  skip_to(ordinal, region, quad, static_cast<size_t>(found - lines.begin()),
+          fmt::format("before Gaussian {}", shown.splat.index));
+  ++next;
 }
 
 // A window that every stream has left: no line is missing, and what was blended is the golden window.
 void StreamCheck::expect_all(uint64_t ordinal) {
   const Window& now = window(ordinal);
   for (size_t region = 0; region < now.live.size(); ++region) {
-    for (size_t quad = 0; quad < (config_.quads ? kQuads : 1); ++quad) {
-      for (size_t i = now.next[region][quad]; i < now.lines[region].size(); ++i) {
-        const Line& line = now.lines[region][i];
-        if (changes(now, static_cast<int>(region), static_cast<int>(quad), line))
-          fail(ordinal, fmt::format("alphas -> RU: Gaussian {}, region {}: missing at the window's end",
-                                    line.splat->splat.index, region));
-      }
-    }
+    for (size_t quad = 0; quad < (config_.quads ? kQuads : 1); ++quad)
+      skip_to(ordinal, region, quad, now.lines[region].size(), "at the window's end");
     const RegionState &blended = now.live[region], &golden = now.golden.regions[region];
     for (int i = 0; i < kRegionPixels; ++i) {
       if (blended.pixel(i) == golden.pixel(i)) continue;
@@ -287,7 +289,8 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
                   .after = {},
                   .window = ordinal,
                   .words = config_.quads ? 1 : 4};
-  expect_line(ordinal, lane, region, config_.quads ? ru_quad(lane % config_.tap_lanes(), quarter) : 0, *splat);
+  const int quad = config_.quads ? ru_quad(lane % config_.tap_lanes(), quarter) : 0;
+  expect_line(ordinal, lane, static_cast<size_t>(region), static_cast<size_t>(quad), *splat);
   const std::array<uint16_t, kRegionPixels> codes = codes_of(*splat, region);
   bool same = true;
   for (int i = 0; i < (config_.quads ? kQuadPixels : kRegionPixels); ++i) {

@@ -94,7 +94,8 @@ class StreamCheck final : public RtlTaps {
   Window& window(uint64_t ordinal);
   std::array<uint16_t, kRegionPixels> codes_of(const GoldenSplat& splat, int region) const;
   bool changes(const Window& window, int region, int quad, const Line& line) const;
-  void expect_line(uint64_t ordinal, int lane, int region, int quad, const GoldenSplat& shown);
+  void skip_to(uint64_t ordinal, size_t region, size_t quad, size_t end, const std::string& seen);
+  void expect_line(uint64_t ordinal, int lane, size_t region, size_t quad, const GoldenSplat& shown);
   void expect_all(uint64_t ordinal);
   // Regions of a splat that the stream before the RUs may leave out. Lists are made before anything is done: they are
   // complete.

@@ -81,13 +81,13 @@ class ErrorFrame : public RtlTaps {
 };
 
 // Machines whose stores overflow, of layers, lists with and without alphas, and nearest first.
-constexpr size_t kOverflowMachines[] = {kTiny, kTspp, kDpc, kGscore, kTinyExact};
+const std::vector<size_t> kOverflowMachines = {kTiny, kTspp, kDpc, kGscore, kTinyExact};
 // The default, too, and one without a bus.
-constexpr size_t kErrorMachines[] = {kTiny, kTspp, kDpc, kGscore, kTinyExact, kFast, kOdd};
+const std::vector<size_t> kErrorMachines = {kTiny, kTspp, kDpc, kGscore, kTinyExact, kFast, kOdd};
 
 TEST(Errors, EverySizeOfTheOverflowAreaGivesThePictureOrAnError) {
   const Scene scene = random_scene(71, 1200, 1);
-  for (const size_t number : kOverflowMachines) {
+  for (const size_t number : todays(kOverflowMachines)) {
     ErrorFrame one(number, scene, test_camera(128, 64));
     int errors = 0, pictures = 0;
     const uint64_t enough = one.areas.overflow;
@@ -109,7 +109,7 @@ TEST(Errors, EverySizeOfTheOverflowAreaGivesThePictureOrAnError) {
 }
 
 TEST(Errors, PixelsThatHaveNoRoomAreAnError) {
-  for (const size_t number : kErrorMachines) {
+  for (const size_t number : todays(kErrorMachines)) {
     ErrorFrame one(number, random_scene(72, 100, 0), test_camera(150, 70));
     --one.areas.pixels;
     const auto error = one.run();
@@ -168,7 +168,7 @@ const std::vector<Malformed> kMalformed = {
 
 TEST(Errors, ASceneThatContradictsItselfIsAnError) {
   const Scene scene = random_scene(73, 600, 2);
-  for (const size_t number : kErrorMachines) {
+  for (const size_t number : todays(kErrorMachines)) {
     for (const Malformed& malformed : kMalformed) {
       ErrorFrame one(number, scene, test_camera(96, 64));
       SCOPED_TRACE(fmt::format("{}: {}", config_difference(one.config()), malformed.what));
@@ -187,7 +187,7 @@ TEST(Errors, ASceneThatContradictsItselfIsAnError) {
 // names, gives some picture or an error.
 TEST(Errors, ANodeThatPointsAtItselfHangsNothing) {
   const Scene scene = random_scene(74, 300, 0);
-  for (const size_t number : kErrorMachines) {
+  for (const size_t number : todays(kErrorMachines)) {
     for (const bool cells : {true, false}) {
       ErrorFrame one(number, scene, test_camera(64, 64));
       const auto& nodes = cells ? one.packed().cells : one.packed().groups;

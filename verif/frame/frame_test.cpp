@@ -37,7 +37,7 @@ std::vector<uint64_t> expect_equal(const Scene& scene, const Camera& camera, con
 
 void expect_equal_on_all_machines(const Scene& scene, const Camera& camera) {
   std::map<int, std::vector<uint64_t>> first;  // of each order
-  for (size_t i = 0; i < kMachines.size(); ++i) {
+  for (const size_t i : todays()) {
     const SimulateOptions options = machine(i);
     const std::vector<uint64_t> pixels = expect_equal(scene, camera, options);
     // The grid changes the layers and so the order; cuts, widths and the oriented box change the picture. Units, pixels

@@ -23,7 +23,7 @@ TEST(Sequence, FramesOfOtherSizesCamerasAndScenesFollowWithoutAReset) {
   Camera turned = test_camera(96, 70);
   turned.position = {0.4, -0.2, 0.6};
   turned.world_to_camera = glm::dmat3(0.96, 0, 0.28, 0, 1, 0, -0.28, 0, 0.96);
-  for (size_t i = 0; i < kMachines.size(); ++i) {
+  for (const size_t i : todays()) {
     SCOPED_TRACE(config_difference(machine(i).config));
     Sequence sequence(machine(i));
     sequence.add(first, test_camera(130, 70));
@@ -47,7 +47,7 @@ TEST(Sequence, FramesOfOtherSizesCamerasAndScenesFollowWithoutAReset) {
 // is written but half lines with a pixel of the picture.
 TEST(Sequence, PicturesInRasterOrderFollowThoseByWindows) {
   const Scene scene = random_scene(65, 500, 1);
-  for (size_t i = 0; i < kMachines.size(); ++i) {
+  for (const size_t i : todays()) {
     SCOPED_TRACE(config_difference(machine(i).config));
     Sequence mixed(machine(i)), raster(machine(i));
     mixed.add(scene, test_camera(130, 71));
@@ -71,7 +71,7 @@ TEST(Sequence, PicturesInRasterOrderFollowThoseByWindows) {
 TEST(Sequence, WhatIsOpaqueInOneFrameIsOpenInTheNext) {
   Scene open = random_scene(63, 600, 0), hidden = open;
   for (int i = 0; i < 60; ++i) hidden.gaussians.push_back(gaussian_at({0, 0, 0.3f + 0.001f * i}, 6.0f, 0.999));
-  for (size_t i = 0; i < kMachines.size(); ++i) {
+  for (const size_t i : todays()) {
     SCOPED_TRACE(config_difference(machine(i).config));
     Sequence sequence(machine(i));
     for (int round = 0; round < 2; ++round) {
@@ -86,7 +86,7 @@ TEST(Sequence, WhatIsOpaqueInOneFrameIsOpenInTheNext) {
 // Frames that sort otherwise (another near plane) wait until the SUs are empty.
 TEST(Sequence, TheMemoryAndTheNearPlaneMayChange) {
   const Scene scene = random_scene(64, 1500, 1);
-  for (const size_t number : {size_t{0}, size_t{2}, size_t{7}, size_t{8}, size_t{10}}) {
+  for (const size_t number : todays({kDop, kTiny, kGscore, kExact, kFine})) {
     SCOPED_TRACE(config_difference(machine(number).config));
     for (const auto& [latency, bandwidth, jitter, queue] : {std::tuple{1, 64.0, 0, 256}, {400, 6.4, 400, 4}}) {
       SimulateOptions options = machine(number);
@@ -106,7 +106,7 @@ TEST(Sequence, TheMemoryAndTheNearPlaneMayChange) {
 // fall. The picture depends on nothing of it.
 TEST(Sequence, AHarshMemoryChangesNoBit) {
   const Scene first = random_scene(65, 900, 1), second = random_scene(66, 500, 3);
-  for (size_t i = 0; i < kMachines.size(); ++i) {
+  for (const size_t i : todays()) {
     SimulateOptions options = machine(i);
     if (options.config.bus_w == 0) continue;
     SCOPED_TRACE(config_difference(options.config));
@@ -126,7 +126,7 @@ TEST(Sequence, AHarshMemoryChangesNoBit) {
 TEST(Sequence, WhatIsGivenUpInTheMiddleLeavesNothingBehind) {
   using Kind = RtlDisturbance::Kind;
   const Scene first = random_scene(67, 900, 1), second = random_scene(68, 500, 2);
-  for (size_t i = 0; i < kMachines.size(); ++i) {
+  for (const size_t i : todays()) {
     for (const bool harsh : {false, true}) {
       SimulateOptions options = machine(i);
       if (options.config.bus_w == 0 && harsh) continue;

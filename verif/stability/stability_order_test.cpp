@@ -170,7 +170,10 @@ TEST(Stability, T29_SizesOfTheMachine) {
   const Camera camera = test_camera(140, 70);
   Simulation four, two, one, quarter;
   const std::vector<uint64_t> exact = rtl_pixels(scene, camera, stable_machine(kExact), four);
-  EXPECT_EQ(rtl_pixels(scene, camera, stable_machine({"units=2", "late=1", "order=2", "records=16"}), two), exact);
+  EXPECT_EQ(
+      rtl_pixels(scene, camera,
+                 stable_machine({"units=2", "late=1", "order=2", "records=16", "bus_w=128", "clock_gates=0"}), two),
+      exact);
   const std::vector<uint64_t> layered = rtl_pixels(scene, camera, stable_machine(), one);
   EXPECT_EQ(rtl_pixels(scene, camera, tiny_machine(), quarter), layered);
   expect_stable("T29", scene, camera, {.rtl = false});
