@@ -99,11 +99,11 @@ TABLE = [
     Measurement("viewer/own", "verif/page/viewer.sh build/pipegs {scene} --scale 0.25 --no-rtl --no-truth",
                 ("models", "page"), points=("fast",), differs="bytes: of the page"),
     # Tests that print what they measure.
-    Measurement("prints/all", f"ctest --test-dir build/. -R '^({'|'.join(PRINTING)})$' -V", ("rtl", "models"),
-                targets=tuple(f"{name}_test" for name in PRINTING), read=printed),
-    Measurement("prints/golden", "build/verif/frame/golden_test --gtest_output=xml:/dev/stdout", ("models",),
+    Measurement("prints/all", f"ctest --test-dir build/. -R '^({'|'.join(PRINTING)})$' -V",
+                ("rtl", "models", "units"), targets=tuple(f"{name}_test" for name in PRINTING), read=printed),
+    Measurement("prints/golden", "build/verif/frame/golden_test --gtest_output=xml:/dev/stdout", ("models", "frames"),
                 targets=("golden_test",), read=golden),
-    Measurement("prints/stability", "ctest --test-dir build/. -R ^stability_ -LE long -V", RTL,
+    Measurement("prints/stability", "ctest --test-dir build/. -R ^stability_ -LE long -V", (*RTL, "frames"),
                 targets=tuple(f"stability_{name}_test" for name in STABILITY), read=stability),
     # Frames of the RTL, every beat and pixel compared.
     Measurement("rtl/own", "build/pipegs ladder {scene} --json", RTL, points=POINTS, chart="ladder_own.svg"),

@@ -53,6 +53,8 @@ GROUPS = {  # the folders or files that make it; with - before it, what is not o
               "-synth/memories.sh", "-synth/prove.sh"],
     "fpga": ["synth/fpga"],
     "proofs": ["synth/prove", "synth/prove.sh"],
+    "units": [f"verif/{folder}" for folder in ("dopu", "lib", "pu", "ru", "su", "support", "timing")],
+    "frames": ["verif/frame", "verif/stability", "verif/support"],
 }  # fmt: skip
 SCENES = {  # scene: its file or folder in the folder of scenes
     "terrace": "terrace/terrace.ply.xz",

@@ -72,11 +72,10 @@ TEST(FrameWords, AreThoseOfEverySharedView) {
 
 // Attitudes in which entries of the rotation are 0, 1, equal or nearly so, sizes and focal lengths of every magnitude.
 Camera hostile_camera(std::mt19937_64& rng) {
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> uniform;
-  Camera camera = random_camera(rng, 1 + static_cast<int>(rng() % 4000), 1 + static_cast<int>(rng() % 4000));
+  const int width = 1 + static_cast<int>(rng() % 4000), height = 1 + static_cast<int>(rng() % 4000);
+  Camera camera = random_camera(rng, width, height);
   double q[4];
-  for (double& component : q) component = normal(rng);
+  for (double& component : q) component = draw_normal(rng);
   switch (rng() % 5) {
     case 0:
       for (double& component : q) component = static_cast<double>(static_cast<int>(rng() % 3) - 1);
@@ -91,17 +90,19 @@ Camera hostile_camera(std::mt19937_64& rng) {
   for (double& component : q) component /= std::sqrt(square);
   camera.world_to_camera = rotation_matrix({q[0], q[1], q[2], q[3]});
   const auto focal = [&](int size) {
+    const double length = draw_unit(rng), more = draw_unit(rng);
     switch (rng() % 4) {
-      case 0: return std::floor(size * (0.3 + 3 * uniform(rng)));            // whole
-      case 1: return std::floor(size * (6 + 20 * uniform(rng))) / 8;         // a few bits
-      case 2: return std::exp2(15 * uniform(rng)) * (1 + uniform(rng) / 9);  // too long, too short
-      default: return size * (0.1 + 3 * uniform(rng));
+      case 0: return std::floor(size * (0.3 + 3 * length));     // whole
+      case 1: return std::floor(size * (6 + 20 * length)) / 8;  // a few bits
+      case 2: return std::exp2(15 * length) * (1 + more / 9);   // too long, too short
+      default: return size * (0.1 + 3 * length);
     }
   };
   camera.fx = focal(camera.width), camera.fy = rng() % 2 == 0 ? camera.fx : focal(camera.height);
-  camera.cx = rng() % 3 == 0 ? (camera.width - 1) / 2.0 : camera.width * normal(rng);
+  camera.cx = rng() % 3 == 0 ? (camera.width - 1) / 2.0 : camera.width * draw_normal(rng);
   for (int axis = 0; axis < 3; ++axis) {
-    camera.position[axis] = rng() % 9 == 0 ? 0 : normal(rng) * std::exp(4 * normal(rng));
+    const double size = std::exp(4 * draw_normal(rng));
+    camera.position[axis] = rng() % 9 == 0 ? 0 : size * draw_normal(rng);
     if (rng() % 4 == 0) camera.position[axis] = std::ldexp(std::round(std::ldexp(camera.position[axis], 9)), -9);
   }
   return camera;

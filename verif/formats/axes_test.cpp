@@ -12,22 +12,23 @@
 #include <random>
 
 #include "scenes/sh_basis.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 namespace {
 
-Scene random_scene_of_degree(int degree, std::mt19937& random) {
-  std::normal_distribution<float> any;
+Scene random_scene_of_degree(int degree, std::mt19937_64& random) {
+  const auto any = [&] { return static_cast<float>(draw_normal(random)); };
   Scene scene;
   scene.sh_degree = degree;
   scene.gaussians.resize(5);
   scene.sh_rest.resize(scene.gaussians.size() * 3 * static_cast<std::size_t>(sh_rest_count(degree)));
   for (Gaussian& g : scene.gaussians) {
-    for (int k = 0; k < 3; ++k) g.mean[k] = any(random), g.log_scale[k] = any(random), g.sh_dc[k] = any(random);
-    for (int k = 0; k < 4; ++k) g.rotation[k] = any(random);
-    g.opacity_logit = any(random);
+    for (int k = 0; k < 3; ++k) g.mean[k] = any(), g.log_scale[k] = any(), g.sh_dc[k] = any();
+    for (int k = 0; k < 4; ++k) g.rotation[k] = any();
+    g.opacity_logit = any();
   }
-  for (float& v : scene.sh_rest) v = any(random);
+  for (float& v : scene.sh_rest) v = any();
   return scene;
 }
 
@@ -61,11 +62,11 @@ void expect_same_sight(const Scene& before, const Scene& after, const glm::dmat3
 }
 
 TEST(Axes, AnyTurnShowsTheSame) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> any;
+  std::mt19937_64 random(3);
   for (int degree = 0; degree <= 3; ++degree) {
     for (const double mirror : {1.0, -1.0}) {
-      const glm::dquat q = glm::normalize(glm::dquat(any(random), any(random), any(random), any(random)));
+      const glm::dquat q = glm::normalize(
+          glm::dquat{draw_normal(random), draw_normal(random), draw_normal(random), draw_normal(random)});
       const glm::dmat3 turn = mirror * glm::mat3_cast(q);
       const Scene before = random_scene_of_degree(degree, random);
       Scene after = before;
@@ -77,7 +78,7 @@ TEST(Axes, AnyTurnShowsTheSame) {
 }
 
 TEST(Axes, LettersAreDirections) {
-  std::mt19937 random(4);
+  std::mt19937_64 random(4);
   for (const std::string axes : {"RUB", "LUF", "LDB", "RUF", "LFD", "BRU", "UFR"}) {
     SCOPED_TRACE(axes);
     ASSERT_TRUE(are_axes(axes));
@@ -94,7 +95,7 @@ TEST(Axes, LettersAreDirections) {
 
 // Signs stay signs, to the last bit: two half turns give the scene back.
 TEST(Axes, HalfTurnsAreExact) {
-  std::mt19937 random(5);
+  std::mt19937_64 random(5);
   const Scene before = random_scene_of_degree(3, random);
   Scene after = before;
   transform(after, turn_of("RUB"));

@@ -11,6 +11,7 @@
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/pack/pack.hpp"
 #include "cpp_model/records.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 
@@ -18,17 +19,16 @@ struct PuRandom {
   const Config& config;
   std::mt19937_64& rng;
 
-  double uniform(double low, double high) { return low + (high - low) * std::uniform_real_distribution<double>()(rng); }
-  int64_t integer(int64_t low, int64_t high) { return std::uniform_int_distribution<int64_t>(low, high)(rng); }
+  double uniform(double low, double high) { return draw_uniform(rng, low, high); }
+  int64_t integer(int64_t low, int64_t high) { return draw_integer(rng, low, high); }
   bool chance(int one_in) { return rng() % static_cast<uint64_t>(one_in) == 0; }
 
   void quaternion(double (&q)[4]) {
     double norm = 0;
-    std::normal_distribution<double> normal;
     do {
       norm = 0;
       for (double& v : q) {
-        v = chance(6) ? 0 : normal(rng);
+        v = chance(6) ? 0 : draw_normal(rng);
         norm += v * v;
       }
     } while (norm < 1e-6);

@@ -11,6 +11,7 @@
 #include "cpp_model/pu/conic/pu_conic.hpp"
 #include "cpp_model/pu/conic/pu_intersect.hpp"
 #include "verif/support/bench.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 
@@ -40,7 +41,7 @@ inline void to_float(double v, int bits, uint64_t& m, int64_t& e) {
 // Standard deviations up to `longest` pixels, a third of them needles of no width, somewhere near the window.
 template <class Rng>
 RandomSplat random_splat(const Config& config, Rng& rng, double longest) {
-  auto uniform = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(rng); };
+  auto uniform = [&](double low, double high) { return draw_uniform(rng, low, high); };
   RandomSplat s;
   s.s1 = std::exp(uniform(std::log(0.05), std::log(longest)));
   s.s2 = rng() % 3 == 0 ? 0 : std::exp(uniform(std::log(0.02), std::log(longest)));

@@ -7,6 +7,7 @@ Rules   Text: at most COLUMNS columns (not Markdown, CSV, JSON, XML), no blanks 
         Markdown: a paragraph or list item is one line; a relative link names a file that is there, and its anchor a
         heading of that file.
         Includes: never upward in LAYERS; a file of a folder includes its own folder and those before it.
+        Random numbers: no distribution of the C++ library, whose numbers differ from one library to the next.
 Output  One line for each find: file, line, what is wrong. Exits 1 when there is any.
 """
 import os
@@ -119,6 +120,12 @@ def layer(path):
     return LAYERS.index(folder) if folder else None
 
 
+def check_random(path, lines):
+    for number, line in enumerate(lines, 1):
+        if re.search(r"std::\w+_distribution", line):
+            find(path, number, "a distribution of the library: draws.hpp draws the same numbers everywhere")
+
+
 def check_includes(path, lines):
     for number, line in enumerate(lines, 1):
         match = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
@@ -147,6 +154,7 @@ def main():
             check_markdown(path, lines, all_anchors)
         if path.endswith((".cpp", ".hpp")):
             check_includes(path, lines)
+            check_random(path, lines)
     print("\n".join(finds + [f"{len(paths)} files read, {len(finds)} finds"]))
     return 1 if finds else 0
 

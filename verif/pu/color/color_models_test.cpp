@@ -65,11 +65,10 @@ TEST(ColorModels, BasisIsCloseToDouble) {
   std::mt19937_64 rng(1);
   double worst = 0;
   for (int i = 0; i < 300000; ++i) {
-    std::normal_distribution<double> normal;
     const auto axis = static_cast<int>(rng() % 32);
     glm::dvec3 direction(0);
     if (axis < 6) direction[axis / 2] = axis % 2 == 0 ? 1 : -1;
-    else direction = glm::normalize(glm::dvec3(normal(rng), normal(rng), normal(rng)));
+    else direction = glm::normalize(draw_normals(rng));
     const UnitDirection unit = to_fixed(config, direction);
     const auto exact = sh_basis(glm::normalize(glm::dvec3(unit.x, unit.y, unit.z)));
     const auto found = functions(pu_color_basis(unit));
@@ -94,8 +93,7 @@ TEST(ColorModels, SumIsCloseToDouble) {
       const auto line = random_line(config, rng, 16, 25);
       ColorTask task = random_record<ColorTask>(config, rng);
       task.kind = kData;
-      std::normal_distribution<double> normal;
-      const glm::dvec3 direction = glm::normalize(glm::dvec3(normal(rng), normal(rng), normal(rng)));
+      const glm::dvec3 direction = glm::normalize(draw_normals(rng));
       const ShBasis basis =
           rng() % 8 == 0 ? random_record<ShBasis>(config, rng) : pu_color_basis(to_fixed(config, direction));
       const auto b = functions(basis);

@@ -11,14 +11,15 @@
 
 #include "cpp_model/records.hpp"
 #include "scenes/sh_basis.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 
 // A frame whose W is a random rotation.
 template <class Rng>
 void set_rotation(const Config& config, Frame& frame, Rng& rng) {
-  std::normal_distribution<double> normal;
-  const glm::dmat3 r = glm::mat3_cast(glm::normalize(glm::dquat(normal(rng), normal(rng), normal(rng), normal(rng))));
+  const glm::dmat3 r = glm::mat3_cast(
+      glm::normalize(glm::dquat{draw_normal(rng), draw_normal(rng), draw_normal(rng), draw_normal(rng)}));
   const auto fixed = [&](double x) { return std::llround(std::ldexp(x, config.rot_f())); };
   frame.camera.rotation.w00 = fixed(r[0][0]), frame.camera.rotation.w01 = fixed(r[0][1]),
   frame.camera.rotation.w02 = fixed(r[0][2]);

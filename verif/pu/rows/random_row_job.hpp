@@ -6,6 +6,7 @@
 #include <random>
 
 #include "cpp_model/records.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 
@@ -22,13 +23,14 @@ RowJob any_row_job(const Config& config, Rng& rng) {
 template <class Rng>
 RowJob gaussian_row_job(const Config& config, Rng& rng) {
   RowJob job = any_row_job(config, rng);
-  std::uniform_real_distribution<double> unit(0, 1);
-  const double x = (1.5 * unit(rng) - 0.25) * config.part_side(), y = (1.5 * unit(rng) - 0.25) * config.part_side();
-  const double s0 = 0.55 * std::pow(270, unit(rng)), s1 = 0.55 * std::pow(270, unit(rng)), angle = 3.2 * unit(rng);
+  const double x = (1.5 * draw_unit(rng) - 0.25) * config.part_side(),
+               y = (1.5 * draw_unit(rng) - 0.25) * config.part_side();
+  const double s0 = 0.55 * std::pow(270, draw_unit(rng)), s1 = 0.55 * std::pow(270, draw_unit(rng)),
+               angle = 3.2 * draw_unit(rng);
   const double cosine = std::cos(angle), sine = std::sin(angle), log2_e = 1.4426950408889634;
   const double i0 = log2_e / (2 * s0 * s0), i1 = log2_e / (2 * s1 * s1);
   const double d = -(i0 * cosine * cosine + i1 * sine * sine), e = -(i0 * sine * sine + i1 * cosine * cosine);
-  const double f = 2 * cosine * sine * (i1 - i0), opacity = -7.9 * std::pow(unit(rng), 3);
+  const double f = 2 * cosine * sine * (i1 - i0), opacity = -7.9 * std::pow(draw_unit(rng), 3);
   const auto fixed = [&](double value) { return std::llround(std::ldexp(value, config.coeff_f)); };
   job.a = fixed(opacity + d * x * x + e * y * y + f * x * y);
   job.b = fixed(-2 * d * x - f * y);

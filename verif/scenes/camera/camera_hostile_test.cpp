@@ -9,6 +9,7 @@
 #include "verif/frame/scenes.hpp"
 #include "verif/scenes/camera/camera_file.hpp"
 #include "verif/scenes/refused.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 namespace {
@@ -143,10 +144,10 @@ TEST(CameraHostile, ColmapFoldersAreWholeOrRefused) {
 // Framing: what is there fills the picture, whatever is far off; nothing to see is said.
 TEST(CameraHostile, AFramingShowsTheScene) {
   Scene scene = scene_of({});
-  std::mt19937 random(3);
-  std::uniform_real_distribution<float> within(-1, 1);
+  std::mt19937_64 random(3);
+  const auto within = [&] { return static_cast<float>(draw_uniform(random, -1, 1)); };
   for (int i = 0; i < 2000; ++i)
-    scene.gaussians.push_back(gaussian_at({5 + within(random), 3 * within(random), -7 + within(random)}, 0.02f));
+    scene.gaussians.push_back(gaussian_at({5 + within(), 3 * within(), -7 + within()}, 0.02f));
   const auto expect_shown = [&](const Camera& camera) {
     double highest = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -159,7 +160,7 @@ TEST(CameraHostile, AFramingShowsTheScene) {
     EXPECT_LT((camera.world_to_camera * glm::dvec3(0, -1, 0)).y, 0) << "up is not up";
   };
   expect_shown(framed_cameras(scene, {}).at(0));
-  for (int i = 0; i < 20; ++i) scene.gaussians.push_back(gaussian_at({1e4f * within(random), 9e3f, 1e4f}, 300));
+  for (int i = 0; i < 20; ++i) scene.gaussians.push_back(gaussian_at({1e4f * within(), 9e3f, 1e4f}, 300));
   scene.gaussians.push_back(gaussian_at({std::nanf(""), 0, 0}));
   expect_shown(framed_cameras(scene, {}).at(0));
   const std::vector<Camera> orbit = framed_cameras(scene, {.views = 4});

@@ -7,6 +7,8 @@
 
 #include <random>
 
+#include "verif/support/draws.hpp"
+
 namespace pipegs {
 namespace {
 
@@ -106,14 +108,15 @@ TEST(Densify, HalvesAreDrawnFromTheGaussian) {
 }
 
 TEST(Densify, NeverMoreThanAskedForAndTheSameEachTime) {
-  std::mt19937 random(4);
-  std::uniform_real_distribution<double> uniform;
+  std::mt19937_64 random(4);
   for (int round = 0; round < 30; ++round) {
     Population all;
     const std::size_t count = 1 + random() % 60, most = count + random() % 40;
-    for (std::size_t i = 0; i < count; ++i)
-      all.add(static_cast<float>(i), 0.03 * uniform(random), 0.001 + 0.02 * uniform(random), 4e-4 * uniform(random),
-              random() % 3);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double size = 0.03 * draw_unit(random), opacity = 0.001 + 0.02 * draw_unit(random),
+                   demand = 4e-4 * draw_unit(random);
+      all.add(static_cast<float>(i), size, opacity, demand, random() % 3);
+    }
     Population again = all;
     const DensifyOptions options{.extent = 1, .most = most, .prune_large = round % 2 == 0, .seed = random()};
     densify(all.parameters, all.moments, all.demand, options);

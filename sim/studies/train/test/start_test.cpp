@@ -11,6 +11,7 @@
 
 #include "cpp_model/float/projection.hpp"
 #include "scenes/input_error.hpp"
+#include "verif/support/draws.hpp"
 
 namespace pipegs {
 namespace {
@@ -39,14 +40,13 @@ TEST(Neighbours, FewerThanThree) {
 }
 
 TEST(Neighbours, EqualASearchThroughAllPoints) {
-  std::mt19937 random(5);
-  std::normal_distribution<double> normal;
+  std::mt19937_64 random(5);
   for (const std::size_t count : {5u, 9u, 17u, 100u, 1500u}) {
     for (const char* shape : {"cloud", "line", "grid", "same"}) {
       SCOPED_TRACE(std::string(shape) + " of " + std::to_string(count));
       std::vector<glm::dvec3> points;
       for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 p(normal(random), normal(random), normal(random));
+        const glm::dvec3 p = draw_normals(random);
         if (shape[0] == 'c') points.push_back(p * p * p);  // dense in the middle, thin outside
         if (shape[0] == 'l') points.emplace_back(0, p.y, 0);
         if (shape[0] == 'g') points.push_back(glm::floor(p * 2.0));  // many at equal distances, many on each other
