@@ -19,7 +19,8 @@ namespace pipegs {
 namespace {
 
 TEST(Golden, ComesCloseToTheTruthInTheSameOrder) {
-  for (const auto& [alpha_w, color_w, decibel] : {std::tuple{8, 12, 50.0}, {10, 14, 58.0}, {12, 16, 64.0}}) {
+  // What is measured (docs/numerics/stability.md), less than a decibel below it.
+  for (const auto& [alpha_w, color_w, decibel] : {std::tuple{8, 12, 58.0}, {10, 14, 67.5}, {12, 16, 70.5}}) {
     SimulateOptions options;
     options.config.alpha_w = alpha_w;
     options.config.color_w = color_w;

@@ -93,9 +93,10 @@ int stress(const std::string& program, const StressArguments& arguments) {
   }
   const Saturations& s = figures.saturations;
   fmt::print(
-      "{} views from seed {}: {} Gaussians, {} pairs of Gaussian and pixel, all within their bounds ({} pairs have "
-      "none)\n",
-      figures.views, arguments.seed, figures.gaussians, figures.pairs, figures.vacuous);
+      "{} views from seed {}: {} Gaussians, {} pairs of Gaussian and pixel; {:.1f} % have a bound, all of these within "
+      "it\n",
+      figures.views, arguments.seed, figures.gaussians, figures.pairs,
+      100 - 100 * static_cast<double>(figures.vacuous) / static_cast<double>(std::max<uint64_t>(figures.pairs, 1)));
   fmt::print("  RTL                   {}\n",
              arguments.no_rtl
                  ? "not run"

@@ -2,29 +2,27 @@
 // `pipegs study stress` itself: hostile views on three machines, and the shrinker against a failure that is injected.
 #include <cmath>
 
-#include "sim/design/design_point.hpp"
 #include "sim/studies/stress/stress.hpp"
 #include "verif/stability/support/stability.hpp"
 
 namespace pipegs {
 namespace {
 
-// On those of every hard case, and on the default one.
+// On those of every hard case. A pair without a bound is a Gaussian whose record is clipped: at most a fifth of them.
 TEST(Stress, HostileViewsOnThreeMachines) {
-  StressFigures figures;
-  std::vector<SimulateOptions> machines = stable_machines();
-  machines.push_back(stable_machine());
-  machines.back().config = find_design_point(kDefaultDesignPoint).config;
-  for (uint64_t seed = 1; seed <= 15; ++seed) {
-    for (SimulateOptions options : machines) {
+  for (SimulateOptions options : stable_machines()) {
+    StressFigures figures;
+    for (uint64_t seed = 1; seed <= 15; ++seed) {
       options.memory.seed = options.rtl.seed = seed;
       const std::optional<std::string> what = stress_check(stress_view(seed), options, true, &figures);
       EXPECT_FALSE(what) << "seed " << seed << ", " << config_difference(options.config) << ": " << *what;
     }
+    const double unbounded = static_cast<double>(figures.vacuous) / static_cast<double>(figures.pairs);
+    fmt::print("stress {}: {} views, {} pairs, {:.1f} % without a bound; worst alpha {:.5f}, T {:.5f}, colour {:.5f}\n",
+               config_difference(options.config), figures.views, figures.pairs, 100 * unbounded, figures.alpha,
+               figures.t, figures.color);
+    EXPECT_LT(unbounded, 0.2) << config_difference(options.config);
   }
-  std::printf("stress: %llu views, %llu pairs, %llu without a bound; worst alpha %.5f, T %.5f, colour %.5f\n",
-              static_cast<unsigned long long>(figures.views), static_cast<unsigned long long>(figures.pairs),
-              static_cast<unsigned long long>(figures.vacuous), figures.alpha, figures.t, figures.color);
 }
 
 TEST(Stress, TheSameSeedIsTheSameView) {
