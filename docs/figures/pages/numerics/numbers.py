@@ -45,7 +45,7 @@ def frame():
     demanded = {"8": ("8, 12 bits (`dop`)", 58), "10": ("10, 14 bits", 67.5), "12": ("12, 16 bits", 70.5)}
     return table(
         ["alpha, colour", "PSNR, dB", "demanded, dB"],
-        [[title, fixed(data.prints.golden[bits], 1), least] for bits, (title, least) in demanded.items()],
+        [[title, fixed(data.prints.golden[bits], 1), fixed(least, 1)] for bits, (title, least) in demanded.items()],
     )
 
 
