@@ -27,6 +27,8 @@ SAMPLES = {  # a run of a second or two, from whose JSON the keys are taken; tho
     "budget": "--count 1000",
     "explain": "--scale 0.1 --no-rtl --pixel 40,40",
     "info": "",
+    "config": "",
+    "what-if": "--scale 0.1 --set units=2",
     "shapes": "--scale 0.1 --runs 1 --store shapes",
 }
 MANY = 16  # so many keys of plain values are a table of their own: NAME.*

@@ -83,6 +83,8 @@ TABLE = [
     *[Measurement(f"truth/{scene}", "build/pipegs render {scene} --model truth --semantics inria "
                   f"--compare {{reference}} --out build/figures/truth", ("models",), scene, read=difference,
                   exit_codes=(0, 1)) for scene in ("terrace", "statue", "plushdog")],
+    Measurement("what_if/own", "build/pipegs what-if --set units=2 --set bus_w=128 --set alpha_w=8,window=64", PRICED,
+                points=("fast",), read=shown),
     Measurement("shapes/own", "build/pipegs study shapes --design fast --runs 24 --json", PRICED, points=("fast",),
                 chart="shapes_own.svg"),
     Measurement("accuracy/own", f"build/pipegs accuracy --design exact --knobs {','.join(KNOBS)} --points 0 "

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <set>
-
 #include "scenes/formats/axes.hpp"
 #include "scenes/formats/read_scene.hpp"
 #include "scenes/generate/generate.hpp"
@@ -39,17 +37,14 @@ void ViewArguments::add(CLI::App& app, DesignPoints which) {
   add_integer(app, "--view", view, "which camera of the file or of the orbit, counted from 0", 0).shows_default();
   add_place(app, "--window", window,
             "only this window (pixels of `fast` 128x128, of gscore 16x16, of the others 64x64)");
-  if (which != DesignPoints::kSeveral)
-    add_text(app, "--design", design_point,
-             fmt::format("design point: {} (--set comes after it)", design_point_names()))
-        .shows_default();
-  if (which != DesignPoints::kOne) {
+  if (which != DesignPoints::kSeveral) add_design(app);
+  if (which == DesignPoints::kSeveral || which == DesignPoints::kOneOrSeveral) {
     const char* otherwise = which == DesignPoints::kSeveral ? "all of them without it" : "instead of --design";
     add_names(app, "--designs", design_points,
               fmt::format("which design points, by commas, {}: {}", otherwise, design_point_names()));
   }
-  add_text(app, "--config", config, "file with a configuration entry in each line, key=value; # begins a comment");
-  add_texts(app, "--set", settings, "configuration entry, key=value; may be repeated");
+  add_file(app);
+  if (which != DesignPoints::kBase) add_settings(app);
   add_real(app, "--near", near_plane, "near plane, scene units", kPositive).shows_default();
 }
 
@@ -70,15 +65,7 @@ SimulateOptions ViewArguments::options(const DesignPoint& on) const {
 
 SimulateOptions ViewArguments::options() const {
   SimulateOptions options;
-  options.config = find_design_point(design_point).config;
-  if (!config.empty()) apply_config_file(config, options.config);
-  std::set<std::string> keys;
-  for (const std::string& setting : settings) {
-    config_set(options.config, setting);
-    const std::string key = setting.substr(0, setting.find('='));
-    if (!keys.insert(key).second) throw ConfigError(fmt::format("--set: found a second {}, expected one", quote(key)));
-  }
-  config_check(options.config);
+  options.config = machine();
   if (!window.empty()) options.window = {window.at(0), window.at(1)};
   options.near_plane = near_plane;
   return options;
@@ -145,6 +132,11 @@ LoadedView load_view(const ViewArguments& arguments) {
   }
   loaded.camera = cameras[arguments.view];
   return loaded;
+}
+
+std::string head_of(const LoadedView& loaded, const MemoryArguments& memory) {
+  return fmt::format("{}: view {} ({}x{}), memory {}", loaded.scene.name, loaded.camera.name, loaded.camera.width,
+                     loaded.camera.height, memory.external.dram);
 }
 
 void follow_scene(const Scene& scene, SimulateOptions& options) {

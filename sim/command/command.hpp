@@ -13,11 +13,11 @@
 #include "scenes/formats/format.hpp"
 #include "scenes/scene.hpp"
 #include "sim/command/camera_arguments.hpp"
+#include "sim/command/machine_arguments.hpp"
 #include "sim/command/options.hpp"
 #include "sim/command/outputs.hpp"
 #include "sim/command/picture_memory.hpp"
 #include "sim/compare/simulate.hpp"
-#include "sim/design/design_point.hpp"
 
 namespace pipegs {
 
@@ -28,8 +28,9 @@ inline constexpr int kExitOk = 0, kExitDiffers = 1, kExitBadInput = 2, kExitOwnF
 std::string footer(const std::string& example, const std::string& agrees, const std::string& differs = "",
                    const std::string& notes = "");
 
-// Which design points a subcommand runs: --design, --designs (all of them without it), or either.
-enum class DesignPoints { kOne, kSeveral, kOneOrSeveral };
+// Which design points a subcommand runs: --design, --designs (all of them without it), or either; or that of --design
+// as a base, and what --set changes of it is the subcommand's to add.
+enum class DesignPoints { kOne, kSeveral, kOneOrSeveral, kBase };
 
 // A scene of a file, and how it is read.
 struct SceneArguments {
@@ -44,18 +45,15 @@ struct SceneArguments {
 };
 
 // What every subcommand that renders a view takes.
-struct ViewArguments {
+struct ViewArguments : MachineArguments {
   SceneArguments scene;
   CameraArguments cameras;
-  std::string design_point{kDefaultDesignPoint}, config;
   int view = 0;
   std::vector<int> window;
-  std::vector<std::string> settings, design_points;
+  std::vector<std::string> design_points;
   double near_plane = 0.2;
 
   void add(CLI::App& app, DesignPoints which = DesignPoints::kOne);
-  // The configuration is the design point (`fast` unless one is named), then the lines of --config, then the settings.
-  // Throws ConfigError.
   SimulateOptions options() const;
   // The same on another design point; the settings must leave alone what makes one.
   SimulateOptions options(const DesignPoint& design_point) const;
@@ -82,6 +80,8 @@ struct LoadedView {
   std::vector<Camera> cameras;  // all of the file or the framing
 };
 LoadedView load_view(const ViewArguments& arguments);
+// Scene, view and memory, as the first line of what a command prints.
+std::string head_of(const LoadedView& loaded, const MemoryArguments& memory);
 
 // Switches on what the scene cannot do without: the compensation of an antialiased one.
 void follow_scene(const Scene& scene, SimulateOptions& options);
@@ -97,6 +97,8 @@ void add_render(CLI::App& app, Run& run);
 void add_explain(CLI::App& app, Run& run);
 void add_ladder(CLI::App& app, Run& run);
 void add_model(CLI::App& app, Run& run);
+void add_what_if(CLI::App& app, Run& run);
+void add_config(CLI::App& app, Run& run);
 void add_effects(CLI::App& app, Run& run);
 void add_silicon(CLI::App& app, Run& run);
 void add_campaign(CLI::App& app, Run& run);

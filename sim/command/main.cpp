@@ -127,6 +127,8 @@ int main(int argc, char** argv) {
   add_explain(app, run);
   add_ladder(app, run);
   add_model(app, run);
+  add_what_if(app, run);
+  add_config(app, run);
   add_effects(app, run);
   add_silicon(app, run);
   add_campaign(app, run);

@@ -98,9 +98,8 @@ int model(const ModelArguments& arguments) {
     if (arguments.check) check_picture_memory(loaded.camera, one, kRtlPixels);
   }
   if (!arguments.json) {
-    fmt::print("{}: view {} ({}x{}), memory {}\n\n  {:<13}{:>12}{:>9}{:>9}{:>9}{}\n", loaded.scene.name,
-               loaded.camera.name, loaded.camera.width, loaded.camera.height, arguments.memory.external.dram,
-               "design point", "model", "trace s", "model s", "Mcycle/s",
+    fmt::print("{}\n\n  {:<13}{:>12}{:>9}{:>9}{:>9}{}\n", head_of(loaded, arguments.memory), "design point", "model",
+               "trace s", "model s", "Mcycle/s",
                arguments.check ? fmt::format("{:>12}{:>9}{:>12}{:>8}", "RTL", "kHz", "error", "speed") : "");
   }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();

@@ -112,6 +112,19 @@ Option add_names(CLI::App& app, const std::string& name, std::vector<std::string
   return add_read(app, name, what, "NAMES", read, [&names] { return fmt::format("{}", fmt::join(names, ",")); });
 }
 
+Option add_lists(CLI::App& app, const std::string& name, std::vector<std::vector<std::string>>& lists,
+                 const std::string& what, const std::string& shape) {
+  const auto read = [&lists, name](const CLI::results_t& texts) {
+    for (const std::string& text : texts) lists.push_back(elements_of(name, text));
+    return true;
+  };
+  return Option(app.add_option(name, read, what)
+                    ->type_name(shape)
+                    ->expected(1, CLI::detail::expected_max_vector_size)
+                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                    ->allow_extra_args(false));
+}
+
 Option add_place(CLI::App& app, const std::string& name, std::vector<int>& place, const std::string& what) {
   return add_shape<int>(app, name, place, what, "COLUMN,ROW",
                         [](const std::string& text, size_t) { return parse_integer<int>(text, 0); });

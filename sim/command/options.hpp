@@ -74,6 +74,10 @@ Option add_real(CLI::App& app, const std::string& name, double& value, const std
 
 Option add_names(CLI::App& app, const std::string& name, std::vector<std::string>& names, const std::string& what);
 
+// One list by commas each time that the option comes.
+Option add_lists(CLI::App& app, const std::string& name, std::vector<std::vector<std::string>>& lists,
+                 const std::string& what, const std::string& shape);
+
 // Of the rest nothing is set without the option. Column and row:
 Option add_place(CLI::App& app, const std::string& name, std::vector<int>& place, const std::string& what);
 

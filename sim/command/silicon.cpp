@@ -80,15 +80,13 @@ int silicon(const SiliconArguments& arguments) {
   }
   const std::vector<Chart> charts = silicon_charts(design_points);
   const std::vector<Table> tables = silicon_tables(design_points);
-  const std::string head = fmt::format("{}: view {} ({}x{}), memory {}", loaded.scene.name, loaded.camera.name,
-                                       loaded.camera.width, loaded.camera.height, arguments.memory.external.dram);
   NamedMachines machines;
   for (size_t i = 0; i < design_points.size(); ++i) machines.emplace_back(design_points[i].name, options[i].config);
   nlohmann::ordered_json json = {
       {"scene", loaded.scene.name}, {"camera", loaded.camera.name}, {"memory", arguments.memory.external.dram}};
   json.update(to_json(design_points));
   arguments.output.write({.title = "Area, clock and energy in 28 nm",
-                          .head = head,
+                          .head = head_of(loaded, arguments.memory),
                           .charts = charts,
                           .tables = tables,
                           .machines = machines},

@@ -155,25 +155,30 @@ void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOpt
   simulate_golden(result);
 }
 
+Image simulate_float(const char* stage, const Scene& scene, const Camera& camera, const SimulateOptions& options,
+                     Semantics semantics, const std::vector<uint32_t>* rank) {
+  const PixelRect r = asked_pixels(camera.width, camera.height, options);
+  Progress progress(stage);
+  TruthOptions truth;
+  truth.semantics = semantics;
+  truth.rank = rank;
+  truth.near_plane = options.near_plane;
+  truth.sh_degree = std::min(scene.sh_degree, options.config.sh_degree);
+  truth.clip_window = options.window || options.crop;
+  truth.x0 = r.x0, truth.y0 = r.y0, truth.x1 = r.x1, truth.y1 = r.y1;
+  truth.progress = [&](double share) {
+    if (interrupted()) throw std::runtime_error("interrupted");
+    progress.update(share);
+  };
+  return render_truth(scene, camera, truth);
+}
+
 void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,
                     const Simulation* known) {
   const Stopwatch watch;
   const double before = process_seconds();
-  const PixelRect r = asked_pixels(camera.width, camera.height, options);
-  const auto render = [&](const char* name, Semantics semantics, const std::vector<uint32_t>* rank) {
-    Progress progress(name);
-    TruthOptions truth;
-    truth.semantics = semantics;
-    truth.rank = rank;
-    truth.near_plane = options.near_plane;
-    truth.sh_degree = std::min(scene.sh_degree, options.config.sh_degree);
-    truth.clip_window = options.window || options.crop;
-    truth.x0 = r.x0, truth.y0 = r.y0, truth.x1 = r.x1, truth.y1 = r.y1;
-    truth.progress = [&](double share) {
-      if (interrupted()) throw std::runtime_error("interrupted");
-      progress.update(share);
-    };
-    return render_truth(scene, camera, truth);
+  const auto render = [&](const char* stage, Semantics semantics, const std::vector<uint32_t>* rank) {
+    return simulate_float(stage, scene, camera, options, semantics, rank);
   };
   const bool same_order = known != nullptr && known->golden.rank == result.golden.rank;
   result.truth_order = same_order ? known->truth_order : render("truth", Semantics::kExact, &result.golden.rank);

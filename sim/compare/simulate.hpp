@@ -77,6 +77,10 @@ void simulate_golden(Simulation& result);
 void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
 // The same, and runs the golden model.
 void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
+// The float64 render of the part that was asked for, in this order of Gaussians or by depth; `stage` names it on the
+// terminal. Throws std::runtime_error when interrupted.
+Image simulate_float(const char* stage, const Scene& scene, const Camera& camera, const SimulateOptions& options,
+                     Semantics semantics, const std::vector<uint32_t>* rank = nullptr);
 // Renders the three truths and the figures that compare golden with them; needs simulate_golden. Truths that `known`, a
 // simulation of the same view, holds already are copied: the same ranks give the same picture.
 void simulate_truth(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result,

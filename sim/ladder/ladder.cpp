@@ -10,7 +10,6 @@
 #include <numeric>
 
 #include "sim/report/finite.hpp"
-#include "sim/report/report.hpp"
 
 namespace pipegs {
 namespace {
@@ -20,8 +19,6 @@ using Json = nlohmann::ordered_json;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClock = 1e9;  // Hz, Sec. 5.4
 
-double ratio(double a, double b) { return b > 0 ? a / b : kNone; }
-
 const LadderRow* row_of(const std::vector<LadderRow>& rows, std::string_view name) {
   for (const LadderRow& row : rows) {
     if (row.failure.empty() && row.design_point->name == name) return &row;
@@ -29,21 +26,17 @@ const LadderRow* row_of(const std::vector<LadderRow>& rows, std::string_view nam
   return nullptr;
 }
 
+double cycles_of(const LadderRow& row) { return static_cast<double>(row.frame.cycles); }
+
 double speedup(const std::vector<LadderRow>& rows, const LadderRow& row) {
   const LadderRow* base = row_of(rows, "baseline");
-  return base == nullptr ? kNone : ratio(static_cast<double>(base->cycles), static_cast<double>(row.cycles));
+  return base == nullptr ? kNone : ratio(cycles_of(*base), cycles_of(row));
 }
 
 // Of whole frames only.
-double fps(const LadderRow& row) { return row.options.window ? kNone : ratio(kClock, static_cast<double>(row.cycles)); }
+double fps(const LadderRow& row) { return row.options.window ? kNone : ratio(kClock, cycles_of(row)); }
 
 uint64_t bytes(const MemoryTraffic& traffic) { return traffic.bytes_read + traffic.bytes_written; }
-
-double megabytes(const LadderRow& row) {
-  uint64_t sum = 0;
-  for (const MemoryTraffic& traffic : row.traffic) sum += bytes(traffic);
-  return static_cast<double>(sum) / 1e6;
-}
 
 std::vector<const LadderRow*> complete(const std::vector<LadderRow>& rows) {
   std::vector<const LadderRow*> found;
@@ -58,16 +51,11 @@ std::string cell(double value, int digits, const char* unit = "") {
   return std::isfinite(value) ? fmt::format("{:.{}f}{}", value, digits, unit) : std::string("-");
 }
 
-// "-" when there is no figure.
-TableCell figure(double value) { return std::isfinite(value) ? number_cell(value) : text_cell("-"); }
 TableCell count(uint64_t value) { return number_cell(static_cast<double>(value)); }
 // The paper's figure, where it has one.
-TableCell paper(double value) { return figure(value > 0 ? value : kNone); }
+TableCell paper(double value) { return figure_cell(value > 0 ? value : kNone); }
 
-TableCell decibel(const LadderRow& row, double value) {
-  if (row.with_truth && std::isinf(value)) return text_cell("equal");
-  return figure(row.with_truth ? value : kNone);
-}
+TableCell decibel(const LadderRow& row, double value) { return decibel_cell(row.with_truth ? value : kNone); }
 
 Json cost_json(const StaticCost& cost) {
   Json json = {{"row_lanes", cost.row_lanes}, {"blend_lanes", cost.blend_lanes}, {"buffers", Json::array()}};
@@ -119,7 +107,7 @@ double mean(const std::vector<double>& values) {
 
 void ladder_figures(LadderRow& row, const Simulation& simulation, const FigureWatch& watch) {
   const double all = static_cast<double>(simulation.rtl.cycles) * row.options.config.units;
-  row.cycles = simulation.rtl.cycles;
+  row.frame = frame_figures(simulation, row.options, simulation.rtl.cycles);
   row.mismatches = simulation.mismatches;
   row.ru = simulation.rtl.ru;
   const auto raster = static_cast<double>(busy_cycles(simulation.rtl.ru)),
@@ -128,15 +116,11 @@ void ladder_figures(LadderRow& row, const Simulation& simulation, const FigureWa
   row.raster_over_sort_window = mean(window_ratios(watch.windows()));
   row.bubbles = all > 0 ? 1 - raster / all : kNone;
   row.exposed = watch.first_line() == ~uint64_t{0} ? kNone : static_cast<double>(watch.first_line());
-  row.traffic = simulation.traffic;
   row.has_alpha_stores = watch.has_alpha_stores();
   row.peak_alpha_lines = watch.peak_alpha_lines();
   row.peak_records = watch.peak_records();
   row.psnr_order = simulation.psnr_order;
   row.psnr_numeric = simulation.psnr_numeric;
-  const Bounds bounds = work_bounds(simulation, row.options);
-  row.over_bound = ratio(static_cast<double>(row.cycles), bounds.largest);
-  row.bound = bounds.largest_name;
   row.cost = static_cost(row.options.config);
 }
 
@@ -155,7 +139,7 @@ Json ladder_json(const std::vector<LadderRow>& rows) {
       list.push_back(json);
       continue;
     }
-    json["cycles"] = row.cycles;
+    json["cycles"] = row.frame.cycles;
     json["fps"] = finite_json(fps(row));
     json["speedup"] = finite_json(speedup(rows, row));
     json["paper_speedup"] = row.design_point->paper_speedup > 0 ? Json(row.design_point->paper_speedup) : Json(nullptr);
@@ -165,8 +149,8 @@ Json ladder_json(const std::vector<LadderRow>& rows) {
         row.design_point->paper_ratio > 0 ? Json(row.design_point->paper_ratio) : Json(nullptr);
     json["bubbles"] = finite_json(row.bubbles);
     json["exposed_cycles"] = finite_json(row.exposed);
-    json["exposed_share"] = finite_json(ratio(row.exposed, static_cast<double>(row.cycles)));
-    for (const MemoryTraffic& traffic : row.traffic) {
+    json["exposed_share"] = finite_json(ratio(row.exposed, cycles_of(row)));
+    for (const MemoryTraffic& traffic : row.frame.traffic) {
       json["bytes_by_stream"][traffic.stream] = {{"read", traffic.bytes_read}, {"written", traffic.bytes_written}};
     }
     json["peak_alpha_lines"] = row.has_alpha_stores ? Json(row.peak_alpha_lines) : Json(nullptr);
@@ -174,8 +158,8 @@ Json ladder_json(const std::vector<LadderRow>& rows) {
     json["ran"] = {{"truth", row.with_truth}, {"rtl", true}};
     json["psnr_order_db"] = row.with_truth ? finite_json(row.psnr_order) : Json(nullptr);
     json["psnr_numeric_db"] = row.with_truth ? finite_json(row.psnr_numeric) : Json(nullptr);
-    json["cycles_over_largest_bound"] = finite_json(row.over_bound);
-    json["largest_bound"] = row.bound;
+    json["cycles_over_largest_bound"] = finite_json(row.frame.over_bound);
+    json["largest_bound"] = row.frame.bound;
     json["mismatches"] = row.mismatches;
     json["same_pixels_as"] = row.same_pixels.empty() ? Json(nullptr) : Json(row.same_pixels);
     json["pixels_unlike_same_order"] = row.different_pixels;
@@ -207,18 +191,18 @@ Table design_points_table(const std::vector<LadderRow>& rows) {
                           {.key = "mismatches", .heading = "mismatches"}}};
   for (const LadderRow* row : complete(rows)) {
     const DesignPoint& point = *row->design_point;
-    table.rows.push_back({text_cell(std::string(point.name)), count(row->cycles), figure(fps(*row)),
-                          figure(speedup(rows, *row)), paper(point.paper_speedup), figure(row->raster_over_sort),
-                          figure(row->raster_over_sort_window), paper(point.paper_ratio), figure(100 * row->bubbles),
-                          figure(row->exposed), figure(100 * ratio(row->exposed, static_cast<double>(row->cycles))),
-                          figure(megabytes(*row)), figure(row->over_bound), text_cell(row->bound),
+    table.rows.push_back({text_cell(std::string(point.name)), count(row->frame.cycles), figure_cell(fps(*row)),
+                          figure_cell(speedup(rows, *row)), paper(point.paper_speedup),
+                          figure_cell(row->raster_over_sort), figure_cell(row->raster_over_sort_window),
+                          paper(point.paper_ratio), figure_cell(100 * row->bubbles), figure_cell(row->exposed),
+                          figure_cell(100 * ratio(row->exposed, cycles_of(*row))), figure_cell(row->frame.megabytes()),
+                          figure_cell(row->frame.over_bound), text_cell(row->frame.bound),
                           decibel(*row, row->psnr_order), decibel(*row, row->psnr_numeric), count(row->mismatches)});
   }
   const LadderRow *base = row_of(rows, "baseline"), *hgr = row_of(rows, "tspp"), *dop = row_of(rows, "dop");
   if (hgr != nullptr && dop != nullptr) {
     std::string note =
-        fmt::format("dop over tspp {} (paper: up to 1.22x)",
-                    cell(ratio(static_cast<double>(hgr->cycles), static_cast<double>(dop->cycles)), 2, "x"));
+        fmt::format("dop over tspp {} (paper: up to 1.22x)", cell(ratio(cycles_of(*hgr), cycles_of(*dop)), 2, "x"));
     note += fmt::format("; preprocessing before the first line: {} of tspp's",
                         cell(100 * ratio(dop->exposed, hgr->exposed), 1, " %"));
     if (base != nullptr)
@@ -245,7 +229,7 @@ Table traffic_table(const std::vector<const LadderRow*>& rows) {
   Table table{.columns = {{.key = "design", .heading = "memory traffic, MB", .word = true}}};
   std::vector<std::string> streams;
   for (const LadderRow* row : rows) {
-    for (const MemoryTraffic& traffic : row->traffic) {
+    for (const MemoryTraffic& traffic : row->frame.traffic) {
       if (bytes(traffic) > 0 && std::find(streams.begin(), streams.end(), traffic.stream) == streams.end())
         streams.push_back(traffic.stream);
     }
@@ -258,9 +242,9 @@ Table traffic_table(const std::vector<const LadderRow*>& rows) {
     cells.push_back(text_cell(std::string(row->design_point->name)));
     for (const std::string& stream : streams) {
       double sum = kNone;
-      for (const MemoryTraffic& traffic : row->traffic)
+      for (const MemoryTraffic& traffic : row->frame.traffic)
         sum = traffic.stream == stream ? static_cast<double>(bytes(traffic)) / 1e6 : sum;
-      cells.push_back(figure(sum));
+      cells.push_back(figure_cell(sum));
     }
     const auto peak = static_cast<double>(row->peak_alpha_lines);
     if (row->has_alpha_stores)
@@ -318,7 +302,7 @@ std::vector<Chart> ladder_charts(const std::vector<LadderRow>& rows) {
   raster.series = {{"busy", {}}, {"starved", {}}, {"blocked", {}}, {"memory", {}}};
   front.series = {{"here", {}}};
   for (const LadderRow* row : done) {
-    for (const MemoryTraffic& traffic : row->traffic) {
+    for (const MemoryTraffic& traffic : row->frame.traffic) {
       const auto same = [&](const Series& series) { return series.name == traffic.stream; };
       if (bytes(traffic) > 0 && std::none_of(memory.series.begin(), memory.series.end(), same))
         memory.series.push_back({traffic.stream, {}});
@@ -329,19 +313,19 @@ std::vector<Chart> ladder_charts(const std::vector<LadderRow>& rows) {
       chart->categories.emplace_back(row->design_point->name);
     speed.series[0].values.push_back(speedup(rows, *row));
     speed.series[1].values.push_back(row->design_point->paper_speedup > 0 ? row->design_point->paper_speedup : kNone);
-    cycles.series[0].values.push_back(static_cast<double>(row->cycles));
+    cycles.series[0].values.push_back(cycles_of(*row));
     ratios.series[0].values.push_back(row->raster_over_sort);
     ratios.series[1].values.push_back(row->raster_over_sort_window);
     ratios.series[2].values.push_back(row->design_point->paper_ratio > 0 ? row->design_point->paper_ratio : kNone);
-    const double all = static_cast<double>(row->cycles) * row->options.config.units;
+    const double all = cycles_of(*row) * row->options.config.units;
     uint64_t sums[4] = {};
     for (const UnitCycles& unit : row->ru)
       sums[0] += unit.busy, sums[1] += unit.starved, sums[2] += unit.blocked, sums[3] += unit.memory;
     for (size_t i = 0; i < 4; ++i) raster.series[i].values.push_back(100 * ratio(static_cast<double>(sums[i]), all));
-    front.series[0].values.push_back(100 * ratio(row->exposed, static_cast<double>(row->cycles)));
+    front.series[0].values.push_back(100 * ratio(row->exposed, cycles_of(*row)));
     for (Series& series : memory.series) {
       double sum = 0;
-      for (const MemoryTraffic& traffic : row->traffic)
+      for (const MemoryTraffic& traffic : row->frame.traffic)
         sum += traffic.stream == series.name ? static_cast<double>(bytes(traffic)) / 1e6 : 0;
       series.values.push_back(sum);
     }

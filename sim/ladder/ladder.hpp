@@ -15,8 +15,8 @@
 #include "sim/report/table.hpp"
 #include "sim/compare/frame_watch.hpp"
 #include "sim/design/design_point.hpp"
-#include "sim/compare/simulate.hpp"
 #include "sim/design/static_cost.hpp"
+#include "sim/ladder/frame_figures.hpp"
 
 namespace pipegs {
 
@@ -48,17 +48,15 @@ struct LadderRow {
   const DesignPoint* design_point = nullptr;
   SimulateOptions options;
   std::string failure;  // one line when the design point did not run; then nothing below holds
-  uint64_t cycles = 0, mismatches = 0;
+  FrameFigures frame;
+  uint64_t mismatches = 0;
   double raster_over_sort = 0, raster_over_sort_window = 0;  // of all busy cycles; mean over the windows
   double bubbles = 0;                                        // share of the RUs' cycles in which they were not busy
   double exposed = 0;                                        // cycles before the first line is blended
-  std::vector<MemoryTraffic> traffic;
   bool has_alpha_stores = false;
   uint64_t peak_alpha_lines = 0, peak_records = 0;
   double psnr_order = 0, psnr_numeric = 0;
   bool with_truth = false;
-  double over_bound = 0;
-  std::string bound;
   std::string same_pixels;        // the first design point above that has the same picture, bit for bit
   uint64_t different_pixels = 0;  // from the first design point above that must draw the same picture
   std::vector<UnitCycles> ru;

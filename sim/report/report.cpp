@@ -29,10 +29,12 @@ Json units_json(const std::vector<UnitCycles>& units) {
   return array;
 }
 
-uint64_t total_lines(const Simulation& simulation) {
-  uint64_t bytes = 0;
-  for (const MemoryTraffic& traffic : simulation.traffic) bytes += traffic.bytes_read + traffic.bytes_written;
-  return bytes / 64;
+// Over the pins of external memory.
+MemoryBytes total_bytes(const Simulation& simulation) {
+  MemoryBytes bytes;
+  for (const MemoryTraffic& traffic : simulation.traffic)
+    bytes.read += traffic.bytes_read, bytes.written += traffic.bytes_written;
+  return bytes;
 }
 
 }  // namespace
@@ -64,12 +66,16 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
   }
   bounds.su = static_cast<double>(work.keys) / units;
   bounds.cull = static_cast<double>(work.fetched) / units;
-  bounds.memory = static_cast<double>(total_lines(simulation)) * 64 / memory_peak(options.memory);
+  const MemoryBytes bytes = total_bytes(simulation);
+  bounds.memory = static_cast<double>(bytes.read + bytes.written) / memory_peak(options.memory);
+  // A beat of each of its two channels in a cycle.
+  if (config.bus_w > 0) bounds.bus = static_cast<double>(std::max(bytes.read, bytes.written)) * 8 / config.bus_w;
   for (const auto& [name, value] : {std::pair{"PU rows", bounds.rows},
                                     {"RU", bounds.ru},
                                     {"SU", bounds.su},
                                     {"cull", bounds.cull},
-                                    {"memory", bounds.memory}}) {
+                                    {"memory", bounds.memory},
+                                    {"bus", bounds.bus}}) {
     if (value > bounds.largest) bounds.largest = value, bounds.largest_name = name;
   }
   return bounds;
@@ -148,12 +154,13 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
                     {"layers", work.layers},
                     {"windows", work.windows}};
   const Bounds bounds = work_bounds(simulation, options);
-  // What memory needs is known from the traffic of the RTL alone, and so is which bound is the largest.
+  // What memory and bus need is known from the traffic of the RTL alone, and so is which bound is the largest.
   report["bounds"] = {{"pu_rows", std::llround(bounds.rows)},
                       {"ru", std::llround(bounds.ru)},
                       {"su", std::llround(bounds.su)},
                       {"cull", std::llround(bounds.cull)},
                       {"memory", of(rtl, std::llround(bounds.memory))},
+                      {"bus", of(rtl && options.config.bus_w > 0, std::llround(bounds.bus))},
                       {"largest", of(rtl && bounds.largest > 0, bounds.largest_name)},
                       {"cycles_over_largest",
                        of(rtl && bounds.largest > 0, static_cast<double>(simulation.rtl.cycles) / bounds.largest)}};

@@ -13,7 +13,7 @@ namespace pipegs {
 
 // Smallest number of cycles that each resource needs for the frame's work, and the largest of them.
 struct Bounds {
-  double rows = 0, ru = 0, su = 0, cull = 0, memory = 0;
+  double rows = 0, ru = 0, su = 0, cull = 0, memory = 0, bus = 0;
   std::string largest_name;
   double largest = 0;
 };

@@ -3,6 +3,7 @@
 #include "sim/report/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,21 @@ size_t places(const std::string& text) {
       text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
 }
 
+constexpr size_t kLongestLine = 120, kLeastRoom = 40;  // places
+
+// A long text in lines of at most so many places, broken at blanks.
+Texts lines_of_text(const std::string& text, size_t room) {
+  Texts lines = {""};
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (!lines.back().empty() && places(lines.back()) + 1 + places(word) > room) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    at = end + 1;
+  }
+  return lines;
+}
+
 Json cell_json(const TableCell& cell, const TableColumn& column) {
   Json json = {{"text", cell_text(cell, column)}};
   if (cell.value && std::isfinite(*cell.value)) json["value"] = *cell.value;
@@ -79,11 +95,19 @@ std::string table_text(const Table& table) {
     for (size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], places(line[k]));
   }
   std::string text = table.title.empty() ? "" : "  " + table.title + "\n";
+  size_t before = 2 * shown.size();  // places before the last column
+  for (size_t k = 0; k + 1 < widths.size(); ++k) before += widths[k];
+  const bool wraps = !shown.empty() && table.columns[shown.back()].wrapped && before + kLeastRoom <= kLongestLine;
   for (const Texts& line : lines) {
     std::string one;
     for (size_t k = 0; k < line.size(); ++k) {
       const std::string blanks(widths[k] - places(line[k]), ' ');
-      one += "  " + (table.columns[shown[k]].word ? line[k] + blanks : blanks + line[k]);
+      if (wraps && k + 1 == line.size()) {
+        const std::string next = "\n" + std::string(before, ' ');
+        one += fmt::format("  {}", fmt::join(lines_of_text(line[k], kLongestLine - before), next));
+      } else {
+        one += "  " + (table.columns[shown[k]].word ? line[k] + blanks : blanks + line[k]);
+      }
     }
     text += one.substr(0, one.find_last_not_of(' ') + 1) + "\n";
   }

@@ -27,7 +27,7 @@ struct TableColumn {
   std::string unit = {};
   int digits = 0;        // behind the point
   bool word = false;     // stands left
-  bool wrapped = false;  // long text, in a page in several lines where it must
+  bool wrapped = false;  // long text in several lines: in a page where it must, on a terminal in the last column
   bool copies = false;   // has buttons in a page
 };
 

@@ -76,13 +76,11 @@ TEST_F(Options, NoElementOfAListIsEmpty) {
   struct List {
     std::string command, option, one, other;
   };
-  const std::vector<List> lists = {{"ladder" + view_, "--designs", "dop", "late"},
-                                   {"model" + view_, "--designs", "dop", "late"},
-                                   {"silicon" + view_, "--designs", "dop", "late"},
-                                   {"accuracy" + view_, "--knobs", "alpha_w", "rgb_w"},
-                                   {"sim" + view_ + "--no-rtl", "--effects", "layers", "taps"},
-                                   {"sim" + view_ + "--no-rtl", "--window", "0", "0"},
-                                   {"explain" + view_, "--pixel", "1", "1"}};
+  const std::vector<List> lists = {
+      {"ladder" + view_, "--designs", "dop", "late"},     {"model" + view_, "--designs", "dop", "late"},
+      {"silicon" + view_, "--designs", "dop", "late"},    {"accuracy" + view_, "--knobs", "alpha_w", "rgb_w"},
+      {"what-if" + view_, "--set", "units=2", "tests=1"}, {"sim" + view_ + "--no-rtl", "--effects", "layers", "taps"},
+      {"sim" + view_ + "--no-rtl", "--window", "0", "0"}, {"explain" + view_, "--pixel", "1", "1"}};
   for (const auto& [command, option, one, other] : lists) {
     for (const std::string& list : {one + ",," + other, "," + one + "," + other, one + "," + other + ",",
                                     std::string(","), std::string(), one + ","}) {

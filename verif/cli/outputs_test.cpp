@@ -23,6 +23,8 @@ class Outputs : public Cli {
                                              "accuracy" + none_ + "--store ",
                                              "silicon" + none_ + "--out ",
                                              "silicon" + none_ + "--store ",
+                                             "what-if" + none_ + "--set units=2 --out ",
+                                             "config --out ",
                                              "study profile" + none_ + "--out ",
                                              "study tradeoff" + none_ + "--out ",
                                              "study tradeoff" + none_ + "--store ",

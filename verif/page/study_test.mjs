@@ -197,6 +197,17 @@ page_test('ladder', () => {
   assert.ok(drawn <= room + 1, `${drawn} of ${room}`);
 });
 
+page_test('what-if', () => {
+  printed.what_if = pipegs('what-if', '--size', '128x96', '--set', 'units=2', '--set', 'alpha_w=8,rgb_w=12', '--out',
+                           'what-if', '--page').split('\n').filter((line) => !line.includes('files in ')).join('\n');
+  return 'what-if/what-if.html';
+}, async (page) => {
+  await look_at_study(page, 'what-if --size 128x96 --set units=2 --set alpha_w=8,rgb_w=12', printed.what_if);
+  await hover_tells(page, 0, 'c1', 'units=2');
+  const copies = await page.$$eval('button.copy', (all) => all.length);
+  assert.ok(copies >= 3, `${copies} of three machines`);
+});
+
 page_test('campaign with a missing point', () => {
   const campaign = {scenes: [{name: 'own', size: '96x64', views: [0, 1]}], designs: ['exact', 'fast']};
   fs.writeFileSync(path.join(folder, 'campaign.json'), JSON.stringify(campaign));

@@ -32,6 +32,21 @@ TEST(Table, TextStandsInColumns) {
   EXPECT_EQ(table_text({}), "");
 }
 
+// A long text that stands last goes on in its own column, unless too little is left of the line.
+TEST(Table, LongTextGoesOnBelow) {
+  std::string words;
+  for (int i = 0; i < 30; ++i) words += "word ";
+  Table table = {.columns = {{.heading = "key", .word = true}, {.heading = "what", .word = true, .wrapped = true}},
+                 .rows = {{text_cell("a"), text_cell(words + "end")}, {text_cell("b"), text_cell("short")}}};
+  const std::string text = table_text(table);
+  EXPECT_TRUE(text.starts_with("  key  what\n  a    word word ")) << text;
+  EXPECT_NE(text.find("word\n       word word "), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with(" end\n  b    short\n")) << text;
+  EXPECT_EQ(text.find('\n', 13) - 12, 116u) << "a word more would stand beyond 120 places";
+  table.rows[0][0] = text_cell(std::string(90, 'k'));
+  EXPECT_NE(table_text(table).find(words + "end\n"), std::string::npos);
+}
+
 TEST(Table, CsvHasAllColumnsAndFullNumbers) {
   EXPECT_EQ(table_csv(example()),
             "name,us,front,empty,remark\n"

@@ -21,7 +21,7 @@ namespace pipegs {
 namespace {
 
 struct BudgetArguments {
-  ViewArguments machine;  // its design point and settings
+  MachineArguments machine;
   StudyOutput output;
   uint64_t seed = 1;
   size_t count = 1000000;
@@ -80,7 +80,7 @@ std::vector<Chart> charts(const std::vector<BudgetSample>& samples) {
 }
 
 int budget(const BudgetArguments& arguments) {
-  const Config config = arguments.machine.options().config;
+  const Config config = arguments.machine.machine();
   arguments.output.check();
   Progress progress("budget");
   const std::vector<BudgetSample> samples = budget_samples(config, arguments.seed, arguments.count, [&](double share) {
@@ -151,9 +151,7 @@ void add_budget(CLI::App& app, Run& run) {
   static BudgetArguments arguments;
   add_integer(command, "--count", arguments.count, "Gaussians", size_t{1}, size_t{100000000}).shows_default();
   add_integer(command, "--seed", arguments.seed, "of the Gaussians").shows_default();
-  add_text(command, "--design", arguments.machine.design_point, "design point: " + design_point_names())
-      .shows_default();
-  add_texts(command, "--set", arguments.machine.settings, "configuration entry, key=value; may be repeated");
+  arguments.machine.add(command);
   arguments.output.add(command);
   when_chosen(command, run, [] { return budget(arguments); });
 }

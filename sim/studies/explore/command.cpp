@@ -71,8 +71,7 @@ int explore(const ExploreArguments& arguments, const Question& question) {
   const Answer answer = question.ask({options, loaded, view, silicon, std::ref(explorer)});
 
   const std::string head =
-      fmt::format("{}: view {} ({}x{}), memory {}, base {}", loaded.scene.name, loaded.camera.name, loaded.camera.width,
-                  loaded.camera.height, arguments.memory.external.dram, config_difference(options.config));
+      fmt::format("{}, base {}", head_of(loaded, arguments.memory), config_difference(options.config));
   nlohmann::ordered_json json = {{"scene", loaded.scene.name},
                                  {"camera", loaded.camera.name},
                                  {"cameras", loaded.cameras.size()},

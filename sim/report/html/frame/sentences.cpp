@@ -84,6 +84,7 @@ std::string frame_sentence(const Json& report) {
   const auto ratio = bounds["cycles_over_largest"].get<double>();
   const auto name = bounds["largest"].get<std::string>();
   const std::string what = name == "memory"    ? "external memory at its peak bandwidth"
+                           : name == "bus"     ? "the bus to memory, a beat in a cycle"
                            : name == "PU rows" ? "the rows of alphas in the PUs"
                            : name == "RU"      ? "blending in the RUs"
                            : name == "SU"      ? "the records that the SUs take"
