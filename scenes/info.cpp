@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // info: see info.hpp.
 //
-// Idea    One pass activates and collects, then nth_element per percentile; a second pass compares
-//         scales with the extent, which is known only then.
+// Idea    One pass activates and collects, then nth_element per percentile.
 #include "scenes/info.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +16,6 @@ namespace pipegs {
 namespace {
 
 constexpr double kFaint = 1.0 / 255;
-constexpr double kExtremeAnisotropy = 1e4;
-constexpr double kUnitTolerance = 1e-3;  // INRIA stores what the optimiser left, gsplat unit ones
 
 double rank(const std::vector<double>& values, int percent) {
   return values.empty() ? 0 : percentile(values, percent / 100.0);
@@ -30,43 +27,31 @@ Percentiles percentiles(const std::vector<double>& values) {
   return out;
 }
 
-void count(Finding& finding, std::size_t index) {
-  if (finding.count++ == 0) finding.first = index;
-}
-
 }  // namespace
 
-SceneInfo inspect(const Scene& scene) {
+SceneInfo inspect(const Scene& scene, const Findings& findings) {
   check_consistent(scene);
   SceneInfo info;
+  info.findings = findings;
   info.name = scene.name;
   info.gaussians = scene.gaussians.size();
   info.sh_degree = scene.sh_degree;
   info.antialiased = scene.antialiased;
-  Finding non_finite{"non-finite values, culled"}, zero{"zero quaternion, culled"},
-      not_unit{"quaternion not of unit length"}, faint{"opacity below 1/255, never drawn"},
-      needle{"largest / smallest scale above 1e4"}, huge{"scale above the extent of the scene"};
-  std::vector<std::size_t> usable;
   std::vector<double> scale, opacity, anisotropy;
   std::array<std::vector<double>, 3> axes;
+  std::size_t faint = 0;
   for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
     ActivatedGaussian g;
-    const Cull cull = activate(scene, i, g);
-    if (cull == Cull::kNonFinite) count(non_finite, i);
-    if (cull == Cull::kZeroQuaternion) count(zero, i);
-    if (cull != Cull::kNone) continue;
-    usable.push_back(i);
+    if (activate(scene, i, g) != Cull::kNone) continue;
+    ++info.usable;
     const double largest = std::max({g.scale.x, g.scale.y, g.scale.z});
     const double smallest = std::min({g.scale.x, g.scale.y, g.scale.z});
     scale.push_back(largest);
     opacity.push_back(g.opacity);
     anisotropy.push_back(largest > 0 ? largest / smallest : 1);  // a flat one is infinitely anisotropic
     for (int a = 0; a < 3; ++a) axes[static_cast<std::size_t>(a)].push_back(g.mean[a]);
-    if (g.opacity < kFaint) count(faint, i);
-    if (anisotropy.back() > kExtremeAnisotropy) count(needle, i);
-    if (std::abs(glm::length(glm::dvec4(scene.gaussians[i].rotation)) - 1) > kUnitTolerance) count(not_unit, i);
+    faint += g.opacity < kFaint;
   }
-  info.usable = usable.size();
   for (int a = 0; a < 3; ++a) {
     auto& values = axes[static_cast<std::size_t>(a)];
     info.lowest[a] = rank(values, 0);
@@ -74,21 +59,10 @@ SceneInfo inspect(const Scene& scene) {
     info.box_lowest[a] = rank(values, 2);
     info.box_highest[a] = rank(values, 98);
   }
-  const double extent = glm::length(info.box_highest - info.box_lowest);
-  for (std::size_t k = 0; k < usable.size(); ++k) {
-    if (usable.size() > 1 && scale[k] > extent) count(huge, usable[k]);
-  }
   info.scale = percentiles(scale);
   info.opacity = percentiles(opacity);
   info.anisotropy = percentiles(anisotropy);
-  if (info.usable > 0) info.faint_share = static_cast<double>(faint.count) / static_cast<double>(info.usable);
-  for (Finding* finding : {&non_finite, &zero, &not_unit, &faint, &needle, &huge}) {
-    if (finding->count > 0) info.findings.push_back(*finding);
-  }
-  if (info.usable > 1 && info.scale[3] > extent) {
-    info.findings.push_back(
-        {"median scale above the extent: scales look linear where logarithms are expected", huge.count, huge.first});
-  }
+  if (info.usable > 0) info.faint_share = static_cast<double>(faint) / static_cast<double>(info.usable);
   return info;
 }
 
@@ -118,10 +92,8 @@ std::string to_text(const SceneInfo& info) {
     out += fmt::format("  {:<14}{}; axes {}\n", "format", info.format.name,
                        info.format.axes.empty() ? "not said" : info.format.axes);
     for (const auto& [field, bits] : info.format.fields) out += fmt::format("    {:<12}{}\n", field, bits);
-    for (const std::string& note : info.format.notes) out += fmt::format("  note: {}\n", note);
   }
-  for (const Finding& f : info.findings)
-    out += fmt::format("  note: {}: {}, first at index {}\n", f.what, f.count, f.first);
+  for (const Finding& finding : info.findings) out += fmt::format("  {}\n", finding_line(finding));
   return out;
 }
 
@@ -136,16 +108,13 @@ std::string to_json(const SceneInfo& info) {
     }
     return out;
   };
-  Json findings = Json::array();
-  for (const Finding& f : info.findings) findings.push_back({{"what", f.what}, {"count", f.count}, {"first", f.first}});
   Json format = nullptr;
   if (!info.format.name.empty()) {
     Json fields = Json::object();
     for (const auto& [field, bits] : info.format.fields) fields[field] = bits;
     format = {{"name", info.format.name},
               {"axes", info.format.axes.empty() ? Json(nullptr) : Json(info.format.axes)},
-              {"fields", fields},
-              {"notes", info.format.notes}};
+              {"fields", fields}};
   }
   const Json out = {{"name", info.name},
                     {"format", format},
@@ -159,7 +128,7 @@ std::string to_json(const SceneInfo& info) {
                     {"opacity", table(info.opacity)},
                     {"anisotropy", table(info.anisotropy)},
                     {"faint_share", info.faint_share},
-                    {"findings", findings}};
+                    {"findings", to_json(info.findings)}};
   return json_text(out, 1);
 }
 

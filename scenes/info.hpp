@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // info: what is in a scene, in numbers, and what in it looks wrong.
 //
-// Idea    Statistics are taken over the Gaussians that activate() accepts; what it refuses and what
-//         real files are known to get wrong is listed as a finding with a count and its first index.
+// Idea    Statistics are taken over the Gaussians that activate() accepts; what looks wrong is in the findings.
 // Use     to_text for people, to_json for programs; both hold the same numbers.
 // Terms   anisotropy = largest / smallest scale of a Gaussian;  extent = diagonal of the 2..98
 //         percentile box (a trained scene has a few Gaussians thousands of units away).
@@ -14,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/check/finding.hpp"
 #include "scenes/formats/format.hpp"
 #include "scenes/scene.hpp"
 
@@ -21,12 +21,6 @@ namespace pipegs {
 
 inline constexpr std::array<int, 7> kPercentiles = {0, 2, 25, 50, 75, 98, 100};
 using Percentiles = std::array<double, kPercentiles.size()>;
-
-struct Finding {
-  std::string what;
-  std::size_t count = 0;
-  std::size_t first = 0;  // index of the first such Gaussian
-};
 
 struct SceneInfo {
   std::string name;
@@ -38,10 +32,11 @@ struct SceneInfo {
   glm::dvec3 box_lowest{0}, box_highest{0};      // 2..98 percentile, per axis
   Percentiles scale{}, opacity{}, anisotropy{};  // scale: the largest of each Gaussian
   double faint_share = 0;                        // opacity below 1/255: never drawn
-  std::vector<Finding> findings;                 // only what occurs
+  Findings findings;
 };
 
-SceneInfo inspect(const Scene& scene);
+// `findings` are those of the file and of check_scene().
+SceneInfo inspect(const Scene& scene, const Findings& findings = {});
 std::string to_text(const SceneInfo& info);
 std::string to_json(const SceneInfo& info);
 

@@ -4,8 +4,7 @@
 // Idea    The message is one line that a user can act on without a debugger:
 //           "file: element/line, field: what was found, what was expected"
 //         Programming errors (a caller's broken promise) are std::invalid_argument instead.
-// Rule    Line breaks and control characters quoted out of a hostile file are replaced, so the
-//         message stays one line in a log whatever the file contains.
+// Rule    What quote.hpp says: whatever a hostile file contains, the message is one line that a log can hold.
 #pragma once
 
 #include <stdexcept>

@@ -8,7 +8,9 @@
 //           std::logic_error                      a broken promise between functions: a bug     3
 #pragma once
 
+#include <filesystem>
 #include <stdexcept>
+#include <string>
 
 namespace pipegs {
 
@@ -16,5 +18,13 @@ class OwnFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+// OwnFailure unless a file of this program's sources is where they lay when it was built. Who will need one in the end
+// asks in the beginning.
+inline void require_own_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error))
+    throw OwnFailure(file.string() + " is not there: this program's sources have been moved since it was built");
+}
 
 }  // namespace pipegs

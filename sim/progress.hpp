@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // progress.hpp: one line on the terminal that says how far a long stage is: stage, percent, rate, time left.
 //
-// Quiet when standard error is not a terminal. SIGINT and SIGTERM are noticed between updates: `interrupted()` turns
-// true and the stages stop in an orderly way, so nothing half-written is left behind.
+// Quiet when standard error is not a terminal. SIGINT, SIGTERM and SIGHUP turn `interrupted()` true: the stages that
+// look at it stop in an orderly way. Whatever still runs a second and a half later, or when a second signal comes, ends
+// there: files that are not complete are taken away (atomic_file.hpp), exit code 130.
 #pragma once
 
 #include <chrono>
@@ -27,7 +28,7 @@ class Progress {
   std::mutex mutex_;
 };
 
-// Installs the handler of SIGINT and SIGTERM; call once at start.
+// Installs the handler of the signals; call once at start.
 void watch_interrupts();
 bool interrupted();
 

@@ -42,7 +42,7 @@ GROUPS = {  # the folders or files that make it; with - before it, what is not o
     "effects": ["sim/effects"],
     "layers": ["sim/layers", "sim/photos"],
     "path": ["scenes/cameras/path.cpp"],
-    "cost": ["sim/design"],
+    "cost": ["sim/design", "-sim/design/config_file.cpp", "-sim/design/config_file.hpp"],
     "silicon": ["sim/silicon/silicon.cpp", "sim/silicon/process.hpp", "sim/silicon/energy",
                 "sim/silicon/area/sram_cost.cpp", "synth/data/sram.csv"],
     "area": ["sim/silicon", "synth/data"],

@@ -5,20 +5,27 @@
 //         A camera is complete: what a format leaves out comes of the CameraReading, or is an InputError.
 //         A rotation within 1e-4 of orthonormal is accepted and brought to the nearest orthonormal matrix in double;
 //         what is further off, singular, scaled or mirrored is refused.
-// Names   inria: cameras.json. transforms: nerfstudio, instant-ngp, Blender. playcanvas: frames lists, SuperSplat's
-//         viewer and editor. COLMAP's folder or one of its files: scenes/colmap/.
+// Names   inria: cameras.json. transforms: nerfstudio, instant-ngp, Blender. nerfstudio_exported: ns-export cameras, a
+//         list with "transform"; nerfstudio_path: camera_path.json of its viewer. playcanvas: frames lists,
+//         SuperSplat's viewer and editor. COLMAP's folder or one of its files: scenes/colmap/.
 // Errors  InputError: "cameras.json: [0].fx: found '-50', expected a number above 0".
 #pragma once
 
 #include <vector>
 
 #include "scenes/camera.hpp"
+#include "scenes/check/finding.hpp"
 #include "scenes/text/json_node.hpp"
 
 namespace pipegs {
 
+// As read_cameras of camera.hpp, which drops the findings.
+std::vector<Camera> read_cameras(const std::filesystem::path& path, const CameraReading& reading, Findings& findings);
+
 std::vector<Camera> inria_cameras(const JsonNode& list);
-std::vector<Camera> transforms_cameras(const JsonNode& json, const CameraReading& reading);
+std::vector<Camera> transforms_cameras(const JsonNode& json, const CameraReading& reading, Findings& findings);
+std::vector<Camera> nerfstudio_exported_cameras(const JsonNode& list, const CameraReading& reading, Findings& findings);
+std::vector<Camera> nerfstudio_path_cameras(const JsonNode& json, const CameraReading& reading);
 std::vector<Camera> playcanvas_cameras(const JsonNode& json, const CameraReading& reading);
 
 glm::dvec3 triple(const JsonNode& numbers);

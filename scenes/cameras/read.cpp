@@ -13,6 +13,8 @@
 #include "scenes/cameras/forms.hpp"
 #include "scenes/colmap/colmap.hpp"
 #include "scenes/text/json.hpp"
+#include "scenes/input_error.hpp"
+#include "scenes/text/foreign.hpp"
 #include "scenes/text/text_file.hpp"
 
 namespace pipegs {
@@ -20,13 +22,21 @@ namespace {
 
 constexpr double kOrthonormalTolerance = 1e-4;
 
-std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& reading) {
-  if (json.is_array()) return inria_cameras(json);
+std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& reading, Findings& findings) {
+  if (json.is_array()) {
+    const bool exported = json.size() > 0 && json[std::size_t{0}].has("transform");
+    return exported ? nerfstudio_exported_cameras(json, reading, findings) : inria_cameras(json);
+  }
+  if (json.has("camera_path")) return nerfstudio_path_cameras(json, reading);
+  if (json.has("transform") && json.has("scale"))
+    json.fail(
+        "found nerfstudio's dataparser_transforms.json, which says how its export was moved: name transforms.json, "
+        "beside which it is found");
   if (json.has("frames")) {
     const JsonNode frames = json["frames"];
     if (frames.size() == 0) frames.refuse("a list of at least one");
     const JsonNode first = frames[std::size_t{0}];
-    if (first.has("transform_matrix")) return transforms_cameras(json, reading);
+    if (first.has("transform_matrix")) return transforms_cameras(json, reading, findings);
     if (first.has("position")) return playcanvas_cameras(json, reading);
     first.refuse("an object with transform_matrix or position");
   }
@@ -41,10 +51,30 @@ std::vector<Camera> cameras_of(const JsonNode& json, const CameraReading& readin
 // At the size that was asked for, whatever the file says.
 std::vector<Camera> sized(std::vector<Camera> cameras, const CameraReading& reading) {
   for (Camera& camera : cameras) {
+    camera.name = one_line(camera.name);  // it stands in tables
     const bool same = camera.width == reading.width && camera.height == reading.height;
     if (reading.width > 0 && !same) camera = resized(camera, reading.width, reading.height);
   }
   return cameras;
+}
+
+std::vector<Camera> parsed(const std::string& file, std::string_view text, const CameraReading& reading,
+                           Findings& findings) {
+  refuse_foreign(file, text, "a file of cameras");
+  if (text.starts_with("ply")) throw InputError(file, "", "found a .ply, expected a file of cameras");
+  return sized(cameras_of(JsonNode::parse(file, text), reading, findings), reading);
+}
+
+// The file of cameras in a folder that holds no model of COLMAP; nothing without one.
+std::filesystem::path camera_file_of(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const char* model : {"sparse", "cameras.bin", "cameras.txt"}) {
+    if (std::filesystem::exists(folder / model, ignored)) return {};
+  }
+  for (const char* name : {"cameras.json", "transforms.json"}) {
+    if (std::filesystem::is_regular_file(folder / name, ignored)) return folder / name;
+  }
+  return {};
 }
 
 }  // namespace
@@ -77,14 +107,26 @@ void take_size(const JsonNode& place, const CameraReading& reading, Camera& came
 }
 
 std::vector<Camera> parse_cameras(const std::string& file, std::string_view text, const CameraReading& reading) {
-  return sized(cameras_of(JsonNode::parse(file, text), reading), reading);
+  Findings dropped;
+  return parsed(file, text, reading, dropped);
+}
+
+std::vector<Camera> read_cameras(const std::filesystem::path& path, const CameraReading& reading, Findings& findings) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    const std::filesystem::path inside = camera_file_of(path);
+    if (inside.empty()) return sized(colmap_folder_cameras(path, reading.ignore_distortion, findings), reading);
+    findings.emplace_back("camera_folder",
+                          fmt::format("the cameras of the folder are those of {}", quote(inside.filename().string())));
+    return read_cameras(inside, reading, findings);
+  }
+  if (is_colmap_name(path)) return sized(colmap_folder_cameras(path, reading.ignore_distortion, findings), reading);
+  return parsed(path.string(), read_text_file(path, "a file of cameras", kMostJsonBytes), reading, findings);
 }
 
 std::vector<Camera> read_cameras(const std::filesystem::path& path, const CameraReading& reading) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored) || is_colmap_name(path))
-    return sized(colmap_folder_cameras(path, reading.ignore_distortion), reading);
-  return parse_cameras(path.string(), read_text_file(path, "a file of cameras", kMostJsonBytes), reading);
+  Findings dropped;
+  return read_cameras(path, reading, dropped);
 }
 
 }  // namespace pipegs

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// transforms: transforms.json of nerfstudio, instant-ngp and Blender's NeRF scenes.
+// transforms: transforms.json of nerfstudio, instant-ngp and Blender's NeRF scenes, and nerfstudio's other cameras.
 //
 // Layout  "frames" hold "transform_matrix", camera-to-world with the axes of OpenGL: x right, y up, z backward, so the
 //         second and third column are negated. fl_x, fl_y, cx, cy, w, h stand above the frames or in each; the centre
 //         of pixel i is at i + 0.5, so half a pixel less here.
 // Idea    Without fl_x the angle says it: fl_x = w / 2 / tan(camera_angle_x / 2). Blender writes no size: it is that of
 //         the option, or of the picture beside the file. nerfstudio's applied_transform A turned COLMAP's world, in
-//         which the scene lies: camera-to-world = A^-1 * transform_matrix. instant-ngp's scale and offset are for its
-//         own use, the matrices are without them.
+//         which the scene lies: camera-to-world = A^-1 * transform_matrix. What it exports lies elsewhere: its run's
+//         dataparser_transforms.json, if it lies beside, leads there. instant-ngp's scale and offset are for its own
+//         use, the matrices are without them.
 // Rule    Lenses that bend rays are refused, unless the distortion is to be ignored; fisheyes always.
 #include <fmt/format.h>
 
@@ -15,9 +16,12 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <optional>
 
 #include "scenes/cameras/forms.hpp"
+#include "scenes/text/json.hpp"
+#include "scenes/text/text_file.hpp"
 
 namespace pipegs {
 namespace {
@@ -62,15 +66,74 @@ Placement read_matrix(const JsonNode& rows) {
   return m;
 }
 
-std::optional<Placement> read_applied(const JsonNode& json) {
-  if (json.has("applied_scale") && json["applied_scale"].real() != 1)
-    json["applied_scale"].refuse("1: the scene has another size than its cameras");
-  if (!json.has("applied_transform")) return std::nullopt;
-  const Placement applied = read_matrix(json["applied_transform"]);
-  // A mirror in it and in the matrices is none in the cameras.
-  const bool mirrored = glm::determinant(applied.axes) < 0;
-  checked_rotation(json["applied_transform"], mirrored ? -applied.axes : applied.axes);
+// What turned the world of the scene into that of the matrices.
+struct Applied {
+  Placement turn;
+  double scale = 1;
+
+  Placement undone(const Placement& m) const {
+    const glm::dmat3 undo = glm::inverse(turn.axes);
+    return {undo * m.axes, undo * (m.origin / scale - turn.origin)};
+  }
+};
+
+// A mirror in it and in the matrices is none in the cameras.
+void check_turn(const JsonNode& place, const Placement& turn) {
+  checked_rotation(place, glm::determinant(turn.axes) < 0 ? -turn.axes : turn.axes);
+}
+
+Applied read_applied(const JsonNode& json, Findings& findings) {
+  Applied applied;
+  if (json.has("applied_scale")) applied.scale = json["applied_scale"].real(kPositive);
+  if (applied.scale != 1)
+    findings.emplace_back("applied_scale",
+                          fmt::format("applied_scale of {:g} is undone: the scene is in the unit before "
+                                      "it",
+                                      applied.scale));
+  if (!json.has("applied_transform")) return applied;
+  applied.turn = read_matrix(json["applied_transform"]);
+  check_turn(json["applied_transform"], applied.turn);
   return applied;
+}
+
+// nerfstudio's dataparser_transforms.json beside the file: from the cameras' world to that of its export.
+struct Export {
+  Placement turn;
+  double scale = 1;
+  // Its runs say the way from the matrices as they stand, newer ones from those before applied_transform.
+  bool of_undone = false;
+
+  Placement moved(const Placement& m) const {
+    return {turn.axes * m.axes, scale * (turn.axes * m.origin + turn.origin)};
+  }
+};
+
+constexpr const char* kExport = "dataparser_transforms.json";
+
+std::optional<Export> read_export(const JsonNode& json) {
+  const fs::path path = fs::path(json.file()).parent_path() / kExport;
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  const JsonNode moved = JsonNode::parse(path.string(), read_text_file(path, "a JSON file", kMostJsonBytes));
+  Export found{read_matrix(moved["transform"]), moved["scale"].real(kPositive)};
+  check_turn(moved["transform"], found.turn);
+  return found;
+}
+
+// The middle of all cameras is that of the export: if only the undone matrices give it, they are meant.
+bool is_of_undone(const JsonNode& frames, const Applied& applied, const Export& moved) {
+  constexpr double kCentred = 0.05;
+  glm::dvec3 as_they_stand(0), undone(0);
+  double farthest = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Placement m = read_matrix(frames[i]["transform_matrix"]);
+    const glm::dvec3 at = moved.moved(m).origin, other = moved.moved(applied.undone(m)).origin;
+    as_they_stand += at / static_cast<double>(frames.size());
+    undone += other / static_cast<double>(frames.size());
+    farthest = std::max(farthest, glm::length(other));
+  }
+  return frames.size() > 1 && glm::length(undone) < kCentred * farthest &&
+         glm::length(as_they_stand) > 2 * glm::length(undone) + kCentred * farthest;
 }
 
 void check_lens(const Frame& frame, const CameraReading& reading) {
@@ -126,8 +189,8 @@ double focal(const JsonNode& angle, int pixels) {
   return pixels / (2 * std::tan(angle.real({.low = 0, .high = 3.1415, .above = true}) / 2));
 }
 
-Camera read_frame(const Frame& frame, const std::optional<Placement>& applied, const CameraReading& reading) {
-  Placement m = read_matrix(frame["transform_matrix"]);
+// Size, focal lengths and principal point.
+Camera read_lens(const Frame& frame, const CameraReading& reading) {
   check_lens(frame, reading);
   Camera camera;
   find_size(frame, reading, camera);
@@ -137,27 +200,107 @@ Camera read_frame(const Frame& frame, const std::optional<Placement>& applied, c
   else camera.fy = frame.has("camera_angle_y") ? focal(frame["camera_angle_y"], camera.height) : camera.fx;
   camera.cx = frame.real_or("cx", camera.width / 2.0) - 0.5;
   camera.cy = frame.real_or("cy", camera.height / 2.0) - 0.5;
-  if (applied) {
-    const glm::dmat3 undo = glm::inverse(applied->axes);
-    m = {undo * m.axes, undo * (m.origin - applied->origin)};
-  }
-  camera.position = m.origin;
-  camera.world_to_camera =
-      checked_rotation(frame["transform_matrix"], glm::transpose(glm::dmat3(m.axes[0], -m.axes[1], -m.axes[2])));
   return camera;
+}
+
+// The axes of OpenGL.
+void place(const JsonNode& matrix, const Placement& m, Camera& camera) {
+  camera.position = m.origin;
+  camera.world_to_camera = checked_rotation(matrix, glm::transpose(glm::dmat3(m.axes[0], -m.axes[1], -m.axes[2])));
 }
 
 }  // namespace
 
-std::vector<Camera> transforms_cameras(const JsonNode& json, const CameraReading& reading) {
-  const std::optional<Placement> applied = read_applied(json);
+std::vector<Camera> transforms_cameras(const JsonNode& json, const CameraReading& reading, Findings& findings) {
+  const Applied applied = read_applied(json, findings);
   const JsonNode frames = json["frames"];
+  std::optional<Export> moved = read_export(json);
+  if (moved) {
+    moved->of_undone = is_of_undone(frames, applied, *moved);
+    findings.emplace_back(
+        "nerfstudio_export",
+        fmt::format("cameras are moved into the frame of nerfstudio's export by {}, which lies beside "
+                    "them (scale {:g}{})",
+                    kExport, moved->scale, moved->of_undone ? ", behind applied_transform" : ""));
+  }
   std::vector<Camera> cameras;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Frame frame(frames[i], json);
-    cameras.push_back(read_frame(frame, applied, reading));
-    cameras.back().id = static_cast<int>(i);
-    cameras.back().name = frame.text_or("file_path", fmt::format("view_{}", i));
+    const JsonNode matrix = frame["transform_matrix"];
+    const Placement m = read_matrix(matrix);
+    Camera camera = read_lens(frame, reading);
+    place(matrix, !moved ? applied.undone(m) : moved->moved(moved->of_undone ? applied.undone(m) : m), camera);
+    camera.id = static_cast<int>(i);
+    camera.name = frame.text_or("file_path", fmt::format("view_{}", i));
+    cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+std::vector<Camera> nerfstudio_exported_cameras(const JsonNode& list, const CameraReading& reading,
+                                                Findings& findings) {
+  const fs::path path = fs::path(list.file()).parent_path() / "transforms.json";
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored))
+    list.fail(
+        "found poses of nerfstudio's ns-export cameras, which have no lenses: put the transforms.json of the "
+        "photographs beside it");
+  const JsonNode lenses = JsonNode::parse(path.string(), read_text_file(path, "a JSON file", kMostJsonBytes));
+  const JsonNode frames = lenses["frames"];
+  std::map<std::string, std::size_t> by_name;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].has("file_path")) by_name.emplace(fs::path(frames[i]["file_path"].text()).filename().string(), i);
+  }
+  findings.emplace_back("exported_poses",
+                        "poses of nerfstudio's ns-export cameras; their lenses are those of the "
+                        "transforms.json beside them");
+  std::vector<Camera> cameras;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string name = list[i].has("file_path") ? list[i]["file_path"].text() : fmt::format("view_{}", i);
+    const auto found = by_name.find(fs::path(name).filename().string());
+    const JsonNode own = found != by_name.end() ? frames[found->second] : lenses;
+    Camera camera = read_lens(Frame(own, lenses), reading);
+    place(list[i]["transform"], read_matrix(list[i]["transform"]), camera);
+    camera.id = static_cast<int>(i);
+    camera.name = name;
+    cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+std::vector<Camera> nerfstudio_path_cameras(const JsonNode& json, const CameraReading& reading) {
+  const JsonNode path = json["camera_path"];
+  if (path.size() == 0) path.refuse("a list of at least one");
+  if (json.has("camera_type") && json["camera_type"].text() != "perspective") json["camera_type"].refuse("perspective");
+  std::vector<Camera> cameras;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const JsonNode entry = path[i], numbers = entry["camera_to_world"];
+    Camera camera;
+    if (json.has("render_width")) {
+      camera.width = json["render_width"].whole(1, kMaxImageSide);
+      camera.height = json["render_height"].whole(1, kMaxImageSide);
+    } else {
+      take_size(entry, reading, camera);
+    }
+    Placement m;
+    if (numbers.size() == 16) {  // row by row
+      const std::vector<double> v = numbers.reals(16);
+      for (std::size_t k = 0; k < 12; ++k) {
+        const int row = static_cast<int>(k) / 4, column = static_cast<int>(k) % 4;
+        (column < 3 ? m.axes[column][row] : m.origin[row]) = v[k];
+      }
+    } else {
+      m = read_matrix(numbers);
+    }
+    place(numbers, m, camera);
+    const JsonNode fov = entry.has("fov") ? entry["fov"] : json["default_fov"];  // from top to bottom, in degrees
+    camera.fx = camera.fy =
+        camera.height / (2 * std::tan(glm::radians(fov.real({.low = 0, .high = 179.9, .above = true})) / 2));
+    camera.cx = (camera.width - 1) / 2.0;
+    camera.cy = (camera.height - 1) / 2.0;
+    camera.id = static_cast<int>(i);
+    camera.name = fmt::format("path_{}", i);
+    cameras.push_back(camera);
   }
   return cameras;
 }

@@ -8,12 +8,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <set>
 
 #include "scenes/input_error.hpp"
+#include "scenes/ply/ply_file.hpp"
+#include "scenes/text/foreign.hpp"
 #include "scenes/text/text_file.hpp"
 
 namespace pipegs {
@@ -66,11 +69,142 @@ fs::path model_file(const fs::path& model, const std::string& name) {
                                name));
 }
 
-std::string read_file(const fs::path& path) { return read_text_file(path, "a file of COLMAP's model", kMostBytes); }
+std::string read_file(const fs::path& path) {
+  std::string bytes = read_text_file(path, "a file of COLMAP's model", kMostBytes);
+  if (bytes.starts_with("version https://git-lfs") || bytes.starts_with("<"))  // binary files may begin with anything
+    refuse_foreign(path.string(), bytes, "a file of COLMAP's model");
+  return bytes;
+}
 
-std::vector<Camera> cameras_of(const fs::path& lens_file, const fs::path& pose_file, bool ignore_distortion) {
-  const auto lenses = parse_colmap_lenses(lens_file.string(), read_file(lens_file), ignore_distortion);
-  return colmap_cameras(pose_file.string(), lenses, parse_colmap_poses(pose_file.string(), read_file(pose_file)));
+// Names as Windows writes them.
+void take_backslashes(std::vector<ColmapPose>& poses, Findings& findings) {
+  std::size_t turned = 0;
+  for (ColmapPose& pose : poses) {
+    if (pose.name.find('\\') == std::string::npos) continue;
+    std::replace(pose.name.begin(), pose.name.end(), '\\', '/');
+    ++turned;
+  }
+  if (turned > 0)
+    findings.emplace_back("backslashes",
+                          fmt::format("backslashes in {} names of photographs are taken as slashes", turned));
+}
+
+std::vector<Camera> cameras_of(const fs::path& lens_file, const fs::path& pose_file, bool ignore_distortion,
+                               Findings& findings) {
+  std::vector<ColmapPose> poses = parse_colmap_poses(pose_file.string(), read_file(pose_file), &findings);
+  take_backslashes(poses, findings);
+  const auto lenses =
+      parse_colmap_lenses(lens_file.string(), read_file(lens_file), ignore_distortion, &poses, &findings);
+  return colmap_cameras(pose_file.string(), lenses, poses);
+}
+
+// The points of points3D.ply, which INRIA's training leaves.
+std::vector<ScenePoint> read_ply_points(const fs::path& path) {
+  PlySource source(path);
+  const PlyHeader header = read_ply_header(source);
+  std::vector<ScenePoint> points;
+  for (const PlyElement& element : header.elements) {
+    static constexpr std::array kNames = {"x", "y", "z", "red", "green", "blue"};
+    std::vector<int> slots;
+    std::array<bool, kNames.size()> present{};
+    for (const PlyProperty& property : element.properties) {
+      const auto known = std::find(kNames.begin(), kNames.end(), property.name);
+      const bool wanted = element.name == "vertex" && !property.is_list && known != kNames.end();
+      slots.push_back(wanted ? static_cast<int>(known - kNames.begin()) : kSkip);
+      if (wanted) present[static_cast<std::size_t>(slots.back())] = true;
+    }
+    std::vector<float> row(kNames.size(), 128.0f);  // grey without colours
+    if (element.name == "vertex" && !(present[0] && present[1] && present[2]))
+      throw InputError(path.string(), fmt::format("line {}, element vertex", element.line), "x, y or z is missing");
+    read_rows(source, header.format, element, slots, row, [&](std::size_t i) {
+      if (element.name != "vertex") return;
+      ScenePoint point{{row[0], row[1], row[2]}, {}};
+      for (int k = 0; k < 3; ++k) {
+        if (!(std::abs(point.position[k]) <= kFarthestPoint))
+          throw InputError(
+              path.string(), fmt::format("vertex {}, position", i),
+              fmt::format("found {}, expected a number of at most {:g}", point.position[k], kFarthestPoint));
+        point.color[k] = static_cast<std::uint8_t>(std::clamp(row[static_cast<std::size_t>(3 + k)], 0.0f, 255.0f));
+      }
+      points.push_back(point);
+    });
+  }
+  return points;
+}
+
+std::vector<ScenePoint> read_points(const fs::path& model, fs::path& file, Findings& findings) {
+  std::error_code ignored;
+  const bool own = fs::exists(model / "points3D.bin", ignored) || fs::exists(model / "points3D.txt", ignored);
+  if (!own && fs::exists(model / "points3D.ply", ignored)) {
+    file = model / "points3D.ply";
+    findings.emplace_back("ply_points", "the points are those of points3D.ply: there is no points3D.bin or .txt");
+    return read_ply_points(file);
+  }
+  file = model_file(model, "points3D");
+  return parse_colmap_points(file.string(), read_file(file));
+}
+
+// Names in the folder of photographs, with slashes, by what they are without their ending.
+using Photographs = std::multimap<std::string, std::string>;
+
+Photographs photographs_in(const fs::path& images) {
+  std::error_code ignored;
+  Photographs found;
+  for (const auto& entry : fs::recursive_directory_iterator(images, ignored)) {
+    const fs::path name = entry.path().lexically_relative(images);
+    if (entry.is_regular_file(ignored)) found.emplace((name.parent_path() / name.stem()).string(), name.string());
+  }
+  return found;
+}
+
+// Each camera's photograph is that of its name, or the only one of another ending.
+void find_photographs(const Photographs& photographs, const fs::path& pose_file, ColmapFolder& folder,
+                      Findings& findings) {
+  std::error_code ignored;
+  std::size_t renamed = 0;
+  for (Camera& camera : folder.cameras) {
+    if (fs::is_regular_file(folder.images / camera.name, ignored)) continue;
+    const fs::path name(camera.name);
+    const auto [first, last] = photographs.equal_range((name.parent_path() / name.stem()).string());
+    if (std::distance(first, last) != 1)
+      throw InputError(pose_file.string(), fmt::format("image {}", quote(camera.name)),
+                       fmt::format("found no photograph of this name in {}", quote(folder.images.string())));
+    camera.name = first->second;
+    ++renamed;
+  }
+  if (renamed > 0)
+    findings.emplace_back("other_ending", fmt::format("{} of {} photographs have another ending than the model says",
+                                                      renamed, folder.cameras.size()));
+  if (photographs.size() > folder.cameras.size())
+    findings.emplace_back("more_photographs",
+                          fmt::format("{} of {} files in images belong to no camera of the model and are "
+                                      "left out",
+                                      photographs.size() - folder.cameras.size(), photographs.size()));
+}
+
+// Names in test.txt, which say what INRIA's training holds out.
+std::vector<std::string> read_held_out(const fs::path& model, const std::vector<Camera>& cameras, Findings& findings) {
+  std::error_code ignored;
+  const fs::path path = model / "test.txt";
+  if (!fs::is_regular_file(path, ignored)) return {};
+  const std::string text = read_text_file(path, "names of photographs", kMostBytes);
+  std::set<std::string> named;
+  for (const std::string_view line : lines_of(text)) named.emplace(line);
+  std::vector<std::string> held_out;
+  for (const Camera& camera : cameras) {
+    const fs::path name(camera.name);
+    if (named.contains(camera.name) || named.contains(name.stem().string()) || named.contains(name.filename().string()))
+      held_out.push_back(camera.name);
+  }
+  if (held_out.empty() || held_out.size() == cameras.size())
+    findings.emplace_back("test_list",
+                          fmt::format("test.txt names {} of {} photographs: every eighth is held out instead",
+                                      held_out.size(), cameras.size()));
+  else
+    findings.emplace_back(
+        "test_list",
+        fmt::format("the {} photographs that test.txt names are held out, not every eighth", held_out.size()));
+  return held_out.size() == cameras.size() ? std::vector<std::string>() : held_out;
 }
 
 void check_something_seen(const fs::path& file, const ColmapFolder& folder) {
@@ -123,38 +257,34 @@ bool is_colmap_name(const fs::path& path) {
   return (ending == ".bin" || ending == ".txt") && (stem == "cameras" || stem == "images");
 }
 
-std::vector<Camera> colmap_folder_cameras(const fs::path& path, bool ignore_distortion) {
+std::vector<Camera> colmap_folder_cameras(const fs::path& path, bool ignore_distortion, Findings& findings) {
   const bool folder = is_folder(path);
   const fs::path model = folder ? model_of(path) : path.parent_path();
   const auto file = [&](const std::string& name) {
     return folder ? model_file(model, name) : model / (name + path.extension().string());
   };
-  const std::vector<Camera> cameras = cameras_of(file("cameras"), file("images"), ignore_distortion);
+  const std::vector<Camera> cameras = cameras_of(file("cameras"), file("images"), ignore_distortion, findings);
   if (cameras.empty()) throw InputError(file("images").string(), "", "found no photograph, expected at least one");
   return cameras;
 }
 
-ColmapFolder read_colmap(const fs::path& folder) {
+ColmapFolder read_colmap(const fs::path& folder, bool ignore_distortion, Findings& findings) {
   const fs::path model = model_of(folder);
   if (model == folder) throw InputError(folder.string(), "", "found no folder sparse/0, expected COLMAP's model there");
-  const fs::path lens_file = model_file(model, "cameras"), pose_file = model_file(model, "images"),
-                 point_file = model_file(model, "points3D");
+  const fs::path lens_file = model_file(model, "cameras"), pose_file = model_file(model, "images");
   ColmapFolder found;
   found.images = folder / "images";
   if (!is_folder(found.images))
     throw InputError(folder.string(), "", "found no folder images, expected the photographs there");
-  found.cameras = cameras_of(lens_file, pose_file, false);
+  found.cameras = cameras_of(lens_file, pose_file, ignore_distortion, findings);
   if (found.cameras.size() < 2) {
     throw InputError(pose_file.string(), "",
                      fmt::format("found {} photographs, expected at least two", found.cameras.size()));
   }
-  for (const Camera& camera : found.cameras) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(found.images / camera.name, ignored))
-      throw InputError(pose_file.string(), fmt::format("image {}", quote(camera.name)),
-                       fmt::format("found no photograph of this name in {}", quote(found.images.string())));
-  }
-  found.points = parse_colmap_points(point_file.string(), read_file(point_file));
+  find_photographs(photographs_in(found.images), pose_file, found, findings);
+  found.held_out = read_held_out(model, found.cameras, findings);
+  fs::path point_file;
+  found.points = read_points(model, point_file, findings);
   if (found.points.size() < kFewestPoints)
     throw InputError(point_file.string(), "",
                      fmt::format("found {} points, expected at least {}", found.points.size(), kFewestPoints));

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "scenes/camera.hpp"
+#include "scenes/check/finding.hpp"
 
 namespace pipegs {
 
@@ -45,24 +46,34 @@ struct ColmapFolder {
   std::vector<Camera> cameras;  // named as their photographs, with the ending
   std::vector<ScenePoint> points;
   std::filesystem::path images;
+  std::vector<std::string> held_out;  // names in the model's test.txt, if there is one
 };
 
 inline constexpr std::size_t kFewestPoints = 4;  // three neighbours of each are needed
 inline constexpr double kFarthestPoint = 1e9;    // of a coordinate: its square is far from the end of a float
 
 // A folder of photographs to train on: all of it must be there.
-ColmapFolder read_colmap(const std::filesystem::path& folder);
+ColmapFolder read_colmap(const std::filesystem::path& folder, bool ignore_distortion, Findings& findings);
+inline ColmapFolder read_colmap(const std::filesystem::path& folder) {
+  Findings dropped;
+  return read_colmap(folder, false, dropped);
+}
 
 // The cameras alone, without points and photographs. `path` is a folder, whose model may lie in sparse/0, in sparse or
 // in it, or cameras.bin, cameras.txt, images.bin or images.txt of a model.
-std::vector<Camera> colmap_folder_cameras(const std::filesystem::path& path, bool ignore_distortion);
+std::vector<Camera> colmap_folder_cameras(const std::filesystem::path& path, bool ignore_distortion,
+                                          Findings& findings);
 // Whether COLMAP gives a file this name; its binary files have nothing else by which to tell them.
 bool is_colmap_name(const std::filesystem::path& path);
 
 // The parts, of a file's bytes; `file` is their name in errors and says by its ending, .txt or .bin, what they are.
+// Lenses that no pose names are left out, with a finding; without poses all are wanted.
 std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes,
-                                            bool ignore_distortion = false);
-std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes);
+                                            bool ignore_distortion = false,
+                                            const std::vector<ColmapPose>* poses = nullptr,
+                                            Findings* findings = nullptr);
+std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes,
+                                           Findings* findings = nullptr);
 std::vector<ScenePoint> parse_colmap_points(const std::string& file, std::string_view bytes);
 // Cameras of lenses and poses; `file` is that of the poses.
 std::vector<Camera> colmap_cameras(const std::string& file, const std::vector<ColmapLens>& lenses,

@@ -39,6 +39,24 @@ constexpr std::string_view kModels[] = {"SIMPLE_PINHOLE",
                                         "THIN_PRISM_FISHEYE",
                                         "RAD_TAN_THIN_PRISM_FISHEYE"};
 
+constexpr std::size_t kParameters[std::size(kModels)] = {3, 4, 4, 5, 8, 8, 12, 5, 4, 5, 12, 16};
+
+// Whether a line of images.txt is an image: nine numbers and a name that is none. 2D points are numbers alone.
+bool is_image(std::string_view line) {
+  for (int word = 0; word < 10; ++word) {
+    const std::size_t begin = line.find_first_not_of(kBlanks);
+    if (begin == line.npos) return false;
+    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+    bool number = true;
+    try {
+      parse_real(line.substr(begin, end - begin));
+    } catch (const NumberError&) { number = false; }
+    if (number != (word < 9)) return false;
+    line.remove_prefix(end);
+  }
+  return true;
+}
+
 class LineFields {
  public:
   LineFields(const std::string& file, std::string_view text, const char*, std::size_t)
@@ -79,8 +97,14 @@ class LineFields {
     if (rest_.find_first_not_of(kBlanks) != rest_.npos)
       fail("parameters", fmt::format("found more than {}, expected no more", parameters));
   }
-  void skip_seen() { ++read_; }
+  // The line of 2D points; whether there is one and not another image in its place.
+  bool skip_seen() {
+    if (read_ < lines_.size() && is_image(lines_[read_])) return false;
+    ++read_;
+    return true;
+  }
   void skip_track() {}
+  void skip_lens(std::string_view) {}
 
  private:
   std::string_view word(std::string_view field) {
@@ -127,10 +151,22 @@ class ByteFields {
   }
   std::string name() { return bytes_.text(at("name")); }
   void end_of_lens(std::size_t) const {}
-  void skip_seen() { skip_list(24, "number of points"); }
+  bool skip_seen() {
+    skip_list(24, "number of points");
+    return true;
+  }
   void skip_track() {
     real("error");
     skip_list(8, "length of track");
+  }
+  // What is behind the model of a lens that is not wanted.
+  void skip_lens(std::string_view model) {
+    const auto known = std::find(std::begin(kModels), std::end(kModels), model);
+    if (known == std::end(kModels))
+      throw InputError(bytes_.file(), at("model"),
+                       fmt::format("found {}, expected one of 0 to {}", quote(model), std::size(kModels) - 1));
+    const std::size_t parameters = kParameters[static_cast<std::size_t>(known - std::begin(kModels))];
+    bytes_.skip(16 + 8 * parameters, at("parameters"));
   }
 
  private:
@@ -161,7 +197,6 @@ struct Parameters {
 Parameters parameters_of(const std::string& file, const std::string& where, std::string_view model, bool ignore) {
   if (model == kModels[0]) return {1, 0};
   if (model == kModels[1]) return {2, 0};
-  const bool known = std::find(std::begin(kModels), std::end(kModels), model) != std::end(kModels);
   const std::size_t focal = model.starts_with("SIMPLE_RADIAL") || model == "RADIAL" ? 1 : 2,
                     bent = model == "SIMPLE_RADIAL" ? 1
                            : model == "RADIAL"      ? 2
@@ -170,9 +205,9 @@ Parameters parameters_of(const std::string& file, const std::string& where, std:
                                                     : 0;
   if (ignore && bent > 0) return {focal, bent};
   throw InputError(file, where + ", model",
-                   fmt::format("found {}, expected PINHOLE or SIMPLE_PINHOLE{}{}", quote(model),
-                               known ? "; take the distortion out with colmap image_undistorter" : "",
-                               bent > 0 ? ", or --ignore-distortion" : ""));
+                   fmt::format("found {}, expected PINHOLE or SIMPLE_PINHOLE; take the distortion out with colmap "
+                               "image_undistorter{}",
+                               quote(model), bent > 0 ? ", or --ignore-distortion" : ""));
 }
 
 ColmapLens lens_of(const std::string& file, const std::string& where, std::uint32_t id, std::uint64_t width,
@@ -198,14 +233,26 @@ ColmapLens lens_of(const std::string& file, const std::string& where, std::uint3
 
 }  // namespace
 
-std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes, bool ignore_distortion) {
+std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string_view bytes, bool ignore_distortion,
+                                            const std::vector<ColmapPose>* poses, Findings* findings) {
+  std::set<std::uint32_t> wanted;
+  if (poses != nullptr) {
+    for (const ColmapPose& pose : *poses) wanted.insert(pose.lens);
+  }
+  std::size_t unused = 0;
   return parsed(file, bytes, "camera", 24 + 3 * 8, [&](auto fields) {
     std::vector<ColmapLens> lenses;
     std::set<std::uint32_t> ids;
     while (fields.next()) {
       const std::string where = fields.where();
       const auto id = fields.template integer<std::uint32_t>("camera id");
-      const Parameters kind = parameters_of(file, where, fields.model(), ignore_distortion);
+      const std::string model = fields.model();
+      if (poses != nullptr && !wanted.contains(id)) {
+        ++unused;
+        fields.skip_lens(model);
+        continue;
+      }
+      const Parameters kind = parameters_of(file, where, model, ignore_distortion);
       const auto width = fields.template integer<std::uint64_t>("width"),
                  height = fields.template integer<std::uint64_t>("height");
       std::vector<double> parameters(kind.all());
@@ -215,12 +262,17 @@ std::vector<ColmapLens> parse_colmap_lenses(const std::string& file, std::string
       if (!ids.insert(id).second)
         throw InputError(file, where, fmt::format("found camera id {} twice, expected it once", id));
     }
+    if (unused > 0 && findings != nullptr)
+      findings->emplace_back("unused_lens", fmt::format("{} of {} lenses belong to no photograph and are left out",
+                                                        unused, unused + lenses.size()));
     return lenses;
   });
 }
 
-std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes) {
-  return parsed(file, bytes, "image", 4 + 7 * 8 + 4 + 1 + 8, [](auto fields) {
+std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_view bytes, Findings* findings) {
+  return parsed(file, bytes, "image", 4 + 7 * 8 + 4 + 1 + 8, [&](auto fields) {
+    std::size_t without = 0;
+    std::string first;
     std::vector<ColmapPose> poses;
     while (fields.next()) {
       ColmapPose& pose = poses.emplace_back();
@@ -229,8 +281,15 @@ std::vector<ColmapPose> parse_colmap_poses(const std::string& file, std::string_
       for (int i = 0; i < 3; ++i) pose.translation[i] = fields.real("translation");
       pose.lens = fields.template integer<std::uint32_t>("camera id");
       pose.name = fields.name();
-      fields.skip_seen();
+      const std::string where = fields.where();
+      if (fields.skip_seen()) continue;
+      if (without++ == 0) first = where;
     }
+    if (without > 0 && findings != nullptr)
+      findings->emplace_back("no_2d_points",
+                             fmt::format("no line of 2D points stands behind {} of {} images, the first "
+                                         "in {}: the next line is an image",
+                                         without, poses.size(), first));
     return poses;
   });
 }

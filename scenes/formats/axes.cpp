@@ -37,7 +37,10 @@ ShMatrix sh_matrix(const glm::dmat3& turn) {
       const auto before = sh_basis(d), after = sh_basis(turn * d);
       const double weight = kWeights[i] * 2 * std::numbers::pi / kAngles;
       for (std::size_t m = 0; m < kShBasis; ++m) {
-        for (std::size_t n = 0; n < kShBasis; ++n) matrix[m][n] += weight * after[m] * before[n];
+        // Coefficients of a degree are made of those of the same one alone.
+        const std::size_t band = m < 1 ? 0 : m < 4 ? 1 : m < 9 ? 2 : 3;
+        for (std::size_t n = band * band; n < (band + 1) * (band + 1); ++n)
+          matrix[m][n] += weight * after[m] * before[n];
       }
     }
   }
@@ -89,7 +92,7 @@ glm::dmat3 turn_of(const std::string& axes) {
 void transform(Scene& scene, const glm::dmat3& turn, double scale, const glm::dvec3& shift) {
   if (turn == glm::dmat3(1.0) && scale == 1 && shift == glm::dvec3(0)) return;
   const glm::dquat rotation = glm::quat_cast(glm::determinant(turn) < 0 ? -turn : turn);
-  const ShMatrix matrix = sh_matrix(turn);
+  const ShMatrix matrix = scene.sh_degree > 0 ? sh_matrix(turn) : ShMatrix{};
   const double grown = std::log(scale);
   const auto rest = static_cast<std::size_t>(3 * sh_rest_count(scene.sh_degree));
   for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {

@@ -178,7 +178,6 @@ Scene read_compressed_ply(PlySource& source, const PlyHeader& header, SceneForma
     degree = degree_of(source.file(), element);
     sh.emplace(std::move(table));
   }
-  check_end(source, header);
   if (!chunks || !vertices) throw InputError(source.file(), "header", "element 'chunk' or 'vertex' is missing");
   if (vertices->count() > chunks->count() * kChunk || (sh && sh->count() < vertices->count())) {
     throw InputError(source.file(), "header",
@@ -189,6 +188,7 @@ Scene read_compressed_ply(PlySource& source, const PlyHeader& header, SceneForma
   scene.antialiased = says_antialiased(header);
   decode(*chunks, *vertices, scene);
   if (sh) decode_rest(*sh, scene);
+  tell_rest(source, header, format);
   const char* colors = chunks->has("min_r") ? "3 x 8 bits in the range of 256 Gaussians" : "3 x 8 bits, cut to 0 .. 1";
   format.name = "compressed .ply";
   format.axes = "RDF";

@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "scenes/check/finding.hpp"
+#include "scenes/free_memory.hpp"
 #include "scenes/packed/input_file.hpp"
 #include "scenes/scene.hpp"
 #include "scenes/sh_basis.hpp"
@@ -31,8 +33,9 @@ struct SceneFormat {
   std::string name;                                         // "spz version 3"
   std::string axes;                                         // in which the file is; empty: nothing says it
   std::vector<std::pair<std::string, std::string>> fields;  // "position", "24 bits, steps of 1/4096"
-  std::vector<std::string> notes;                           // what a user should know
+  Findings findings;                                        // what was mended or left out
   int levels = 1;                                           // of detail
+  glm::dvec3 origin{0};                                     // what was subtracted from the positions (origin.hpp)
 };
 
 // Each reads the whole file, whose format its content has shown.
@@ -59,7 +62,31 @@ inline float log_of(double scale) {
 // The constant coefficient of a colour from 0 to 1.
 inline float dc_of(double color) { return static_cast<float>((color - 0.5) / kShConstant); }
 
+// What follows the last Gaussian.
+inline void tell_behind(std::uint64_t bytes, SceneFormat& format) {
+  if (bytes > 0)
+    format.findings.emplace_back(
+        "behind_end", "found " + std::to_string(bytes) + " bytes behind the last Gaussian, which are left out");
+}
+
+// Scales of a format that means them linear, as they are stored: their logarithms. A file with a negative one holds
+// logarithms already, as writers of drafts did.
+inline void take_linear_scales(Scene& scene, SceneFormat& format) {
+  const auto negative = [](const Gaussian& g) { return g.log_scale.x < 0 || g.log_scale.y < 0 || g.log_scale.z < 0; };
+  if (std::any_of(scene.gaussians.begin(), scene.gaussians.end(), negative)) {
+    format.findings.emplace_back("log_scales",
+                                 "scales are negative where the format means them linear: they are taken "
+                                 "as logarithms");
+    return;
+  }
+  for (Gaussian& g : scene.gaussians) {
+    for (int k = 0; k < 3; ++k) g.log_scale[k] = log_of(g.log_scale[k]);
+  }
+}
+
+// InputError where it does not fit into the memory.
 inline Scene scene_of_size(std::size_t count, int sh_degree) {
+  check_scene_memory(count, sh_degree);
   Scene scene;
   scene.sh_degree = sh_degree;
   scene.gaussians.resize(count);

@@ -6,15 +6,19 @@
 // Rule    glTF has y up: LUF, as splat-transform turns a .ply by 180 degrees about z, and back. An .spz inside is RUB
 //         as its specification says, unless it names its own. A matrix is a rotation, a shift and one scale: others
 //         make other ellipsoids, and are refused.
-//         A node is met once (so a circle ends), and meshes that are used again are held against the size of the file.
+//         A node is met once (so a circle ends), a mesh is read once, and what all nodes make of the meshes takes at
+//         most kMostUnpacked times the bytes of the file in memory.
 // Errors  InputError with the place in the JSON, such as meshes[0].primitives[0].
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 #include <optional>
 #include <set>
 
+#include "scenes/check/origin.hpp"
 #include "scenes/formats/axes.hpp"
 #include "scenes/formats/format.hpp"
 #include "scenes/formats/gltf_data.hpp"
@@ -27,8 +31,7 @@ namespace {
 constexpr const char* kSplats = "KHR_gaussian_splatting";
 constexpr const char* kSpzNames[] = {"KHR_gaussian_splatting_compression_spz_2",
                                      "KHR_gaussian_splatting_compression_spz", "KHR_spz_gaussian_splats_compression"};
-constexpr std::uint64_t kLeastBytes = 24;  // of a Gaussian
-constexpr double kSquare = 1e-4;           // how far a matrix of a file may be from a rotation
+constexpr double kSquare = 1e-4;  // how far a matrix of a file may be from a rotation
 
 glm::dmat4 matrix_of(const JsonNode& node) {
   glm::dmat4 matrix(1.0);
@@ -38,8 +41,11 @@ glm::dmat4 matrix_of(const JsonNode& node) {
     return matrix;
   }
   if (node.has("rotation")) {
-    const std::vector<double> q = node["rotation"].reals(4);
-    matrix = glm::dmat4(glm::mat3_cast(glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]))));
+    const std::vector<double> v = node["rotation"].reals(4);
+    const glm::dquat q(v[3], v[0], v[1], v[2]);
+    const double length = glm::length(q);
+    if (!(length > 0.5 && length < 2)) node["rotation"].refuse("a quaternion of length 1");
+    matrix = glm::dmat4(glm::mat3_cast(q / length));
   }
   if (node.has("scale")) {
     const std::vector<double> s = node["scale"].reals(3);
@@ -63,27 +69,60 @@ class Reader {
     const JsonNode roots = scenes[json.has("scene") ? json["scene"].integer(0, scenes.size() - 1) : 0]["nodes"];
     std::vector<std::pair<std::uint64_t, glm::dmat4>> open;
     for (std::size_t i = roots.size(); i-- > 0;) open.emplace_back(roots[i].integer(0, UINT32_MAX), glm::dmat4(1.0));
+    const JsonNode nodes = json["nodes"];
     std::set<std::uint64_t> met;
     while (!open.empty()) {
       const auto [index, above] = open.back();
       open.pop_back();
-      const JsonNode node = json["nodes"][static_cast<std::size_t>(index)];
+      const JsonNode node = nodes[static_cast<std::size_t>(index)];
       if (!met.insert(index).second) node.refuse("a node with one parent");
       const glm::dmat4 matrix = above * matrix_of(node);
-      if (node.has("mesh")) read_mesh(json["meshes"][node["mesh"].integer(0, UINT32_MAX)], node, matrix);
+      if (node.has("mesh")) place(node, matrix);
       if (!node.has("children")) continue;
       const JsonNode children = node["children"];
       for (std::size_t i = children.size(); i-- > 0;) open.emplace_back(children[i].integer(0, UINT32_MAX), matrix);
     }
-    if (parts_.empty())
-      throw InputError(file_.name(), "", fmt::format("found glTF without a primitive of {}", kSplats));
+    if (!found_) throw InputError(file_.name(), "", fmt::format("found glTF without a primitive of {}", kSplats));
     format_.name = fmt::format("glTF with {}{}", kSplats, spz_ ? ", " + format_.name + " inside" : "");
     if (format_.axes.empty()) format_.axes = spz_ ? "RUB" : "LUF";
-    return joined();
+    tell_behind(data_.behind(), format_);
+    if (linear_)
+      format_.findings.emplace_back("linear_colors", "its colours are linear, and are blended here as they are");
+    Scene scene = joined();
+    set_positions(positions_, scene, format_);
+    return scene;
   }
 
  private:
-  void read_mesh(const JsonNode& mesh, const JsonNode& node, const glm::dmat4& matrix) {
+  struct Mesh {
+    std::vector<Scene> parts;
+    std::uint64_t uses = 0;
+  };
+  struct Placed {
+    Mesh* mesh;
+    glm::dmat4 matrix;
+  };
+
+  void place(const JsonNode& node, const glm::dmat4& matrix) {
+    const std::uint64_t index = node["mesh"].integer(0, UINT32_MAX);
+    const auto [found, fresh] = meshes_.try_emplace(index);
+    Mesh& mesh = found->second;
+    if (fresh) read_mesh(data_.json()["meshes"][static_cast<std::size_t>(index)], mesh);
+    else
+      for (const Scene& part : mesh.parts) charge(node, part.gaussians.size(), part.sh_degree);
+    if (mesh.parts.empty()) return;
+    check_matrix(node, matrix);
+    ++mesh.uses;
+    placed_.push_back({&mesh, matrix});
+  }
+
+  // Of a scene that is about to be.
+  void charge(const JsonNode& where, std::uint64_t gaussians, int sh_degree) {
+    memory_ += scene_bytes(gaussians, sh_degree);
+    check_unpacked(file_.name(), where.where(), data_.bytes(), memory_);
+  }
+
+  void read_mesh(const JsonNode& mesh, Mesh& read) {
     const JsonNode primitives = mesh["primitives"];
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const JsonNode primitive = primitives[i];
@@ -92,15 +131,14 @@ class Reader {
       const bool splats = extensions.has(kSplats);
       const std::optional<JsonNode> spz = spz_of(extensions);
       if (!splats && !spz) continue;
+      found_ = true;
       Scene part = spz ? read_spz(data_.view((*spz)["bufferView"]), format_) : read_attributes(primitive["attributes"]);
       spz_ = spz_ || spz.has_value();
+      if (spz) charge(primitive, part.gaussians.size(), part.sh_degree);
       if (splats && extensions[kSplats].has("colorSpace") &&
           extensions[kSplats]["colorSpace"].text().starts_with("lin_"))
-        format_.notes = {"its colours are linear, and are blended here as they are"};
-      move(part, node, matrix);
-      count_ += part.gaussians.size();
-      check_unpacked(file_.name(), node.where(), data_.bytes(), count_ * kLeastBytes);
-      parts_.push_back(std::move(part));
+        linear_ = true;
+      if (!part.gaussians.empty()) read.parts.push_back(std::move(part));
     }
   }
 
@@ -113,16 +151,16 @@ class Reader {
     return std::nullopt;
   }
 
-  void move(Scene& part, const JsonNode& node, const glm::dmat4& matrix) const {
-    const glm::dmat3 linear(matrix);
-    const double scale = std::cbrt(std::abs(glm::determinant(linear)));
-    const glm::dmat3 turn = linear / scale;
+  static double scale_of(const glm::dmat4& matrix) { return std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix)))); }
+
+  void check_matrix(const JsonNode& node, const glm::dmat4& matrix) const {
+    const double scale = scale_of(matrix);
+    const glm::dmat3 turn = glm::dmat3(matrix) / scale;
     const glm::dmat3 rest = glm::transpose(turn) * turn - glm::dmat3(1.0);
     for (int i = 0; i < 9; ++i) {
       if (!(std::abs(rest[i / 3][i % 3]) < kSquare) || !(scale > 0))
         throw InputError(file_.name(), node.where(), "its matrix is no rotation with one scale, which is what is read");
     }
-    transform(part, turn, scale, glm::dvec3(matrix[3]));
   }
 
   Scene read_attributes(const JsonNode& attributes) {
@@ -141,24 +179,38 @@ class Reader {
     }
     for (const GltfAccessor* other : {&rotation, &scale, &opacity}) check_count(attributes, *other, position.count);
     for (const GltfAccessor& other : sh) check_count(attributes, other, position.count);
+    charge(attributes, position.count, degree);
     Scene scene = scene_of_size(static_cast<std::size_t>(position.count), degree);
     const std::size_t rest = sh.size() - 1;
     for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
       Gaussian& g = scene.gaussians[i];
       for (int k = 0; k < 3; ++k) {
         g.mean[k] = narrow(position.value(i, k));
-        g.log_scale[k] = log_of(scale.value(i, k));
+        g.log_scale[k] = narrow(scale.value(i, k));
         g.sh_dc[k] = narrow(sh[0].value(i, k));
         for (std::size_t n = 0; n < rest; ++n)
           scene.sh_rest[3 * (rest * i + n) + static_cast<std::size_t>(k)] = narrow(sh[n + 1].value(i, k));
       }
-      g.opacity_logit = logit_of(opacity.value(i, 0));
+      g.opacity_logit = narrow(opacity.value(i, 0));
       for (int k = 0; k < 4; ++k) g.rotation[k] = narrow(rotation.value(i, (k + 3) % 4));  // x y z w
     }
+    take_linear_scales(scene, format_);
+    take_opacities(scene);
     format_.fields = {{"position", position.type()}, {"scale", scale.type() + ", linear"},
                       {"rotation", rotation.type()}, {"opacity", opacity.type()},
                       {"colour", sh[0].type()},      {"SH", rest > 0 ? sh[1].type() : "none"}};
     return scene;
+  }
+
+  // Opacities from 0 to 1; others are logits, as those of drafts.
+  void take_opacities(Scene& scene) {
+    const auto outside = [](const Gaussian& g) { return g.opacity_logit < 0 || g.opacity_logit > 1; };
+    if (std::any_of(scene.gaussians.begin(), scene.gaussians.end(), outside)) {
+      format_.findings.emplace_back("logit_opacities",
+                                    "opacities lie outside 0 to 1, which the format means: they are taken as logits");
+      return;
+    }
+    for (Gaussian& g : scene.gaussians) g.opacity_logit = logit_of(g.opacity_logit);
   }
 
   void check_count(const JsonNode& attributes, const GltfAccessor& accessor, std::uint64_t count) const {
@@ -167,13 +219,33 @@ class Reader {
                      fmt::format("found accessors of {} and of {} elements, expected as many", count, accessor.count));
   }
 
+  // Each mesh as often as nodes show it; a mesh is no longer kept than it is needed.
   Scene joined() {
-    if (parts_.size() == 1) return std::move(parts_[0]);
     Scene scene;
-    for (const Scene& part : parts_) scene.sh_degree = std::max(scene.sh_degree, part.sh_degree);
-    for (const Scene& part : parts_) {
-      scene.antialiased |= part.antialiased;
-      append(scene, part, 0, part.gaussians.size());
+    std::uint64_t count = 0;
+    for (const Placed& one : placed_) {
+      for (const Scene& part : one.mesh->parts) {
+        scene.sh_degree = std::max(scene.sh_degree, part.sh_degree);
+        scene.antialiased |= part.antialiased;
+        count += part.gaussians.size();
+      }
+    }
+    check_scene_memory(count, scene.sh_degree);
+    const bool alone = placed_.size() == 1 && placed_[0].mesh->parts.size() == 1;
+    if (!alone) scene.gaussians.reserve(count);
+    for (const Placed& one : placed_) {
+      const bool last = --one.mesh->uses == 0;
+      for (Scene& kept : one.mesh->parts) {
+        Scene part = last ? std::move(kept) : kept;
+        const double scale = scale_of(one.matrix);
+        const glm::dmat3 turn = glm::dmat3(one.matrix) / scale;
+        for (const Gaussian& g : part.gaussians)
+          positions_.push_back(scale * (turn * glm::dvec3(g.mean)) + glm::dvec3(one.matrix[3]));
+        transform(part, turn, scale);
+        if (alone) return part;
+        append(scene, part, 0, part.gaussians.size());
+      }
+      if (last) one.mesh->parts.clear();
     }
     return scene;
   }
@@ -181,9 +253,11 @@ class Reader {
   GltfData data_;
   const InputFile& file_;
   SceneFormat& format_;
-  bool spz_ = false;
-  std::uint64_t count_ = 0;
-  std::vector<Scene> parts_;
+  bool spz_ = false, linear_ = false, found_ = false;
+  std::uint64_t memory_ = 0;
+  std::map<std::uint64_t, Mesh> meshes_;  // by index
+  std::vector<Placed> placed_;            // in the order of the walk
+  std::vector<glm::dvec3> positions_;     // of all parts, in double
 };
 
 }  // namespace

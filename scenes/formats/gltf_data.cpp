@@ -32,7 +32,8 @@ const Component& component_of(int code) {
 
 // The chunk of a .glb with its type; empty when there is none.
 std::string_view chunk(const InputFile& file, std::uint32_t type) {
-  for (std::uint64_t at = 12; at < file.size();) {
+  const std::uint64_t end = std::min<std::uint64_t>(file.at<std::uint32_t>(8, "header"), file.size());
+  for (std::uint64_t at = 12; at < end;) {
     const auto length = file.at<std::uint32_t>(at, "chunk");
     const auto found = file.at<std::uint32_t>(at + 4, "chunk");
     const auto part = file.part(at + 8, length, "chunk");
@@ -111,11 +112,12 @@ std::string GltfAccessor::type() const {
 GltfData::GltfData(const InputFile& file)
     : file_(file),
       binary_(file.name(), is_binary(file) ? std::string(chunk(file, kBinaryChunk)) : std::string()),
-      json_(json_of(file)),
-      bytes_(file.size()) {
+      json_(json_of(file)) {
+  bytes_.add(file);
   if (!is_binary(file)) return;
   const auto length = file.at<std::uint32_t>(8, "header");
-  if (length != file.size())
+  behind_ = file.behind(length);
+  if (length > file.size())
     throw InputError(file.name(), "header",
                      fmt::format("found a length of {}, but the file has {} bytes", length, file.size()));
 }
@@ -142,11 +144,14 @@ const InputFile& GltfData::buffer(const JsonNode& index) {
   constexpr std::string_view kMark = ";base64,";
   const std::size_t mark = uri.find(kMark);
   const bool inside = uri.starts_with("data:") && mark != std::string::npos;
-  const InputFile found =
-      inside ? InputFile(file_.name(), base64_decoded(place, std::string_view(uri).substr(mark + kMark.size())))
-             : file_.beside(percent_decoded(uri));
-  if (!inside) bytes_ += found.size();
-  return buffers_.emplace(number, found).first->second;
+  if (inside) {
+    const std::string_view digits = std::string_view(uri).substr(mark + kMark.size());
+    return buffers_.emplace(number, InputFile(file_.name(), base64_decoded(place, digits))).first->second;
+  }
+  auto known = files_.find(uri);
+  if (known == files_.end()) known = files_.emplace(uri, file_.beside(percent_decoded(uri))).first;
+  bytes_.add(known->second);
+  return buffers_.emplace(number, known->second).first->second;
 }
 
 InputFile GltfData::view(const JsonNode& index) {
@@ -155,6 +160,20 @@ InputFile GltfData::view(const JsonNode& index) {
   const std::uint64_t offset = entry.has("byteOffset") ? entry["byteOffset"].integer(0, UINT64_MAX) : 0;
   const auto part = whole.part(offset, entry["byteLength"].integer(0, UINT64_MAX), entry.where());
   return {file_.name(), std::string(part.begin(), part.end())};
+}
+
+// A view that one accessor has for itself, and fills as numbers of another size would.
+void GltfData::check_component(const JsonNode& entry, std::uint64_t view, std::uint64_t numbers, std::uint64_t room) {
+  const JsonNode all = json_["accessors"];
+  const bool looked = !users_.empty();
+  for (std::size_t i = 0; !looked && i < all.size(); ++i) {
+    if (all[i].has("bufferView")) ++users_[all[i]["bufferView"].integer(0, UINT32_MAX)];
+  }
+  if (users_[view] != 1) return;
+  for (const Component& other : kComponents) {
+    if (numbers * other.size == room)
+      entry["componentType"].refuse(fmt::format("one of {} bytes a number, as its bufferView has them", other.size));
+  }
 }
 
 GltfAccessor GltfData::accessor(const JsonNode& index, std::uint64_t width) {
@@ -177,6 +196,8 @@ GltfAccessor GltfData::accessor(const JsonNode& index, std::uint64_t width) {
   const std::uint64_t length = count == 0 ? 0 : stride * (count - 1) + element, first = offset_of(entry);
   const std::uint64_t room = view["byteLength"].integer(0, UINT32_MAX);
   if (first > room || length > room - first) entry.refuse(fmt::format("at most the {} bytes of its bufferView", room));
+  if (!view.has("byteStride") && first == 0 && length < room)
+    check_component(entry, entry["bufferView"].integer(0, UINT32_MAX), width * count, room);
   return {whole, whole.rows(offset_of(view) + first, length, 1, entry.where()), count, stride, code, normalized};
 }
 

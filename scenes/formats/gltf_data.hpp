@@ -33,7 +33,8 @@ class GltfData {
   explicit GltfData(const InputFile& file);
 
   const JsonNode& json() const { return json_; }
-  std::uint64_t bytes() const { return bytes_; }  // of the file and all buffers that were used
+  std::uint64_t bytes() const { return bytes_.sum(); }  // of the file and all buffers that were used
+  std::uint64_t behind() const { return behind_; }      // of a .glb behind its length
   // InputError when the file cannot be shown without an extension that is none of `known`.
   void check_required(const std::vector<std::string>& known) const;
 
@@ -43,11 +44,15 @@ class GltfData {
 
  private:
   const InputFile& buffer(const JsonNode& index);
+  void check_component(const JsonNode& entry, std::uint64_t view, std::uint64_t numbers, std::uint64_t room);
 
   InputFile file_, binary_;  // binary_: the second chunk of a .glb
   JsonNode json_;
   std::map<std::uint64_t, InputFile> buffers_;
-  std::uint64_t bytes_;
+  std::map<std::string, InputFile> files_;  // by their URI: read once
+  std::map<std::uint64_t, int> users_;      // accessors of a view; empty: not looked at yet
+  PackedBytes bytes_;
+  std::uint64_t behind_ = 0;
 };
 
 }  // namespace pipegs

@@ -86,6 +86,7 @@ class Reader {
     file_.rows(at, count, 24, "Gaussians of all sections");
     scene_ = scene_of_size(static_cast<std::size_t>(count), degree);
     for (std::size_t s = 0; s < sections.size(); ++s) at = read_section(sections[s], at, fmt::format("section {}", s));
+    take_linear_scales(scene_, format_);
     return std::move(scene_);
   }
 
@@ -143,7 +144,7 @@ class Reader {
         value += level == 0 ? 4 : 2;
         return v;
       };
-      for (int k = 0; k < 3; ++k) g.log_scale[k] = log_of(next());
+      for (int k = 0; k < 3; ++k) g.log_scale[k] = next();
       for (int k = 0; k < 4; ++k) g.rotation[k] = next();
       for (int k = 0; k < 3; ++k) g.sh_dc[k] = dc_of(*value++ / 255.0);
       g.opacity_logit = logit_of(*value++ / 255.0);

@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 
 #include "scenes/formats/axes.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/packed/unpack.hpp"
 #include "scenes/ply/ply.hpp"
+#include "scenes/text/foreign.hpp"
 #include "scenes/text/json.hpp"
 #include "scenes/text/json_node.hpp"
 #include "scenes/text/text_file.hpp"
@@ -18,6 +20,8 @@
 namespace pipegs {
 namespace {
 
+constexpr std::array kEndings = {".ply", ".splat", ".ksplat", ".spz", ".sog", ".glb", ".gltf"};
+constexpr std::size_t kMostLooked = 10000;  // files of a folder
 constexpr std::string_view kPly = "ply", kGzip = "\x1f\x8b", kSpz = "NGSP", kGltf = "glTF", kZip = "PK";
 
 Scene read_any_ply(PlySource& source, SceneFormat& format) {
@@ -27,18 +31,7 @@ Scene read_any_ply(PlySource& source, SceneFormat& format) {
     if (element.name == "vertex" && std::any_of(element.properties.begin(), element.properties.end(), packed))
       return read_compressed_ply(source, header, format);
   }
-  format.name = header.format == PlyFormat::kAscii          ? "INRIA's .ply, ASCII"
-                : header.format == PlyFormat::kLittleEndian ? "INRIA's .ply"
-                                                            : "INRIA's .ply, big-endian";
-  format.axes = kSceneAxes;
-  for (const PlyElement& element : header.elements) {
-    if (element.name != "vertex") continue;
-    for (const PlyProperty& property : element.properties) {
-      if (property.is_list || property.name != "x") continue;
-      format.fields = {{"all values", fmt::format("{} bits, as trained", 8 * size_of(property.type))}};
-    }
-  }
-  return read_ply(source, header);
+  return read_ply(source, header, format);
 }
 
 bool looks_like_json(const InputFile& file) {
@@ -54,25 +47,85 @@ Scene read_json_scene(const InputFile& file, const ReadOptions& options, SceneFo
   if (json.has("asset") && json.has("meshes")) return read_gltf(file, format);
   if (json.has("tree")) return read_streamed_sog(file, options.lod, format);
   if (json.has("means")) return read_sog(file, format);
+  for (const char* key : {"frames", "camera_path", "animTracks", "poseSets", "cameras"}) {
+    if (json.has(key))
+      throw InputError(file.name(), "",
+                       fmt::format("found a file of cameras ('{}'), expected a scene: --cameras takes it", key));
+  }
   throw InputError(file.name(), "",
                    "found JSON without 'means' (SOG), 'tree' (streamed SOG) or 'meshes' (glTF), expected a scene");
 }
 
+constexpr const char* kScenes = "a scene: .ply, .splat, .ksplat, .spz, .sog, meta.json, lod-meta.json, .glb or .gltf";
+
 Scene read_untold(const InputFile& file, SceneFormat& format) {
   if (looks_like_ksplat(file)) return read_ksplat(file, format);
+  refuse_foreign(file.name(), file.text(), kScenes);
   if (looks_like_splat(file)) return read_splat(file, format);
+  if (file.text().starts_with("["))
+    throw InputError(file.name(), "", "found a list of JSON, expected a scene: --cameras takes cameras");
   throw InputError(file.name(), "",
-                   fmt::format("found {} bytes that begin with {}, expected a scene: .ply, .splat, "
-                               ".ksplat, .spz, .sog, meta.json, lod-meta.json, .glb or .gltf",
-                               file.size(), quote(file.text().substr(0, 8))));
+                   fmt::format("found {} bytes that begin with {}, expected {}", file.size(),
+                               quote(file.text().substr(0, 8)), kScenes));
+}
+
+// The scene in an archive: a SOG, streamed or not, in it or in a folder of it.
+Scene read_zip(const InputFile& file, const ReadOptions& options, SceneFormat& format) {
+  const std::vector<std::string> names = zip_names(file);
+  for (const char* meta : {"lod-meta.json", "meta.json"}) {
+    const std::string* found = nullptr;
+    for (const std::string& name : names) {
+      const bool is = name == meta || name.ends_with(std::string("/") + meta);
+      if (is && (found == nullptr || name.size() < found->size())) found = &name;
+    }
+    if (found == nullptr) continue;
+    const InputFile inside = unpack_zip(file, *found);
+    return read_json_scene(inside, options, format);
+  }
+  const bool torch =
+      std::any_of(names.begin(), names.end(), [](const std::string& name) { return name.ends_with("data.pkl"); });
+  if (torch)
+    throw InputError(file.name(), "",
+                     fmt::format("found a checkpoint of PyTorch, expected {}: export one of it", kScenes));
+  throw InputError(
+      file.name(), "",
+      fmt::format("found no 'meta.json' and no 'lod-meta.json' in the zip archive, but {}{}; unpack it and "
+                  "name the scene in it",
+                  names.empty() ? "nothing" : quote(names.front()),
+                  names.size() > 1 ? fmt::format(" and {} more", names.size() - 1) : ""));
+}
+
+Scene read_unpacked(const InputFile& file, const ReadOptions& options, SceneFormat& format) {
+  if (file.starts_with(kPly)) {
+    PlySource source(file.name(), file.text());
+    return read_any_ply(source, format);
+  }
+  if (file.starts_with(kSpz)) return read_spz(file, format);
+  if (file.starts_with(kGltf)) return read_gltf(file, format);
+  if (file.starts_with(kZip)) return read_zip(file, options, format);
+  if (looks_like_json(file)) return read_json_scene(file, options, format);
+  return read_untold(file, format);
 }
 
 Scene read_packed(const InputFile& file, const ReadOptions& options, SceneFormat& format) {
-  if (file.starts_with(kGzip) || file.starts_with(kSpz)) return read_spz(file, format);
-  if (file.starts_with(kGltf)) return read_gltf(file, format);
-  if (file.starts_with(kZip)) return read_sog(unpack_zip(file, "meta.json"), format);
-  if (looks_like_json(file)) return read_json_scene(file, options, format);
-  return read_untold(file, format);
+  if (!file.starts_with(kGzip)) {
+    // Before version 4 the gzip is part of the format.
+    const bool bare = file.starts_with(kSpz) && file.size() >= 8 && file.at<std::uint32_t>(4, "header") < 4;
+    Scene scene = read_unpacked(file, options, format);
+    if (bare)
+      format.findings.emplace_back("gzip_missing",
+                                   "the gzip around the .spz is missing, as servers take it off: it is read without");
+    return scene;
+  }
+  std::uint64_t behind = 0;
+  const InputFile inside = unpack_gzip(file, &behind);
+  Scene scene = read_unpacked(inside, options, format);
+  if (!inside.starts_with(kSpz))
+    format.findings.emplace_back("gzip_around", "the file is packed by gzip: what is in it is read");
+  if (behind > 0)
+    format.findings.emplace_back("behind_end",
+                                 fmt::format("found {} bytes behind the gzip, which are left out", behind));
+  return scene;
 }
 
 void finish(const std::string& file, Scene& scene, const ReadOptions& options, SceneFormat& format) {
@@ -80,8 +133,12 @@ void finish(const std::string& file, Scene& scene, const ReadOptions& options, S
     throw InputError(file, "--lod", fmt::format("found {}, but the file has one level of detail", options.lod));
   if (!options.axes.empty()) format.axes = options.axes;
   if (format.axes.empty())
-    format.notes.push_back("the file does not say its axes: read as RDF, INRIA's; if it is upside down: --axes RUB");
-  else transform(scene, turn_of(format.axes));
+    format.findings.emplace_back(
+        "axes_unknown", "the file does not say its axes: read as RDF, INRIA's; if it is upside down: --axes RUB");
+  else {
+    transform(scene, turn_of(format.axes));
+    format.origin = turn_of(format.axes) * format.origin;
+  }
 }
 
 // A folder stands for the file in it.
@@ -91,7 +148,24 @@ std::filesystem::path file_of(const std::filesystem::path& path) {
   for (const char* name : {"lod-meta.json", "meta.json"}) {
     if (std::filesystem::exists(path / name, error)) return path / name;
   }
-  throw InputError(path.string(), "", "found a folder without lod-meta.json or meta.json, expected a scene");
+  std::string what = "found a folder without lod-meta.json or meta.json, expected a scene";
+  // INRIA's training leaves point_cloud/iteration_30000/point_cloud.ply.
+  const std::filesystem::path clouds =
+      std::filesystem::exists(path / "point_cloud", error) ? path / "point_cloud" : path;
+  std::string latest;
+  std::size_t looked = 0;
+  using Iterator = std::filesystem::recursive_directory_iterator;
+  for (Iterator at(clouds, std::filesystem::directory_options::skip_permission_denied, error);
+       !error && at != Iterator() && looked < kMostLooked; at.increment(error), ++looked) {
+    const std::string ending = at->path().extension().string();
+    if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) continue;
+    const std::string name = at->path().lexically_relative(path).string();
+    if (name.size() > latest.size() || (name.size() == latest.size() && name > latest)) latest = name;
+  }
+  if (!latest.empty()) what += fmt::format(": name the file, such as {}", quote(latest));
+  else if (std::filesystem::exists(path / "sparse", error))
+    what += ": it holds a model of COLMAP, which pipegs train makes a scene of";
+  throw InputError(path.string(), "", what);
 }
 
 bool begins_with_ply(const std::filesystem::path& path) {
@@ -104,13 +178,7 @@ bool begins_with_ply(const std::filesystem::path& path) {
 }  // namespace
 
 Scene read_scene(const InputFile& file, const ReadOptions& options, SceneFormat& format) {
-  Scene scene;
-  if (file.starts_with(kPly)) {
-    PlySource source(file.name(), file.text());
-    scene = read_any_ply(source, format);
-  } else {
-    scene = read_packed(file, options, format);
-  }
+  Scene scene = read_packed(file, options, format);
   finish(file.name(), scene, options, format);
   return scene;
 }
@@ -130,7 +198,7 @@ Scene read_scene(const std::filesystem::path& path, const ReadOptions& options, 
   }
   const bool whole_folder = file.filename() == "lod-meta.json" || file.filename() == "meta.json";
   const std::filesystem::path named = whole_folder ? std::filesystem::absolute(file).parent_path() : file;
-  scene.name = valid_utf8(named.stem().string());  // reports and pages are UTF-8
+  scene.name = one_line(valid_utf8(named.stem().string()));  // reports and pages are UTF-8
   return scene;
 }
 

@@ -70,15 +70,14 @@ class Reader {
 
   // All files, still packed: what they take tells how much may come out of them.
   void open_files() {
-    std::uint64_t packed = 0;
+    PackedBytes packed;
     for (const auto& [key, count] : {std::pair{"means", 2}, {"scales", 1}, {"quats", 1}, {"sh0", 1}, {"shN", 2}}) {
       if (std::string_view(key) == "shN" && !meta_.has(key)) continue;
       const JsonNode names = meta_[key]["files"];
       if (names.size() != static_cast<std::size_t>(count)) names.refuse(fmt::format("{} files", count));
-      for (std::size_t i = 0; i < names.size(); ++i)
-        packed += files_.emplace_back(file_.beside(names[i].text())).size();
+      for (std::size_t i = 0; i < names.size(); ++i) packed.add(files_.emplace_back(file_.beside(names[i].text())));
     }
-    check_unpacked(file_.name(), "count", packed, count_ * 4 * kLabels);
+    check_unpacked(file_.name(), "count", packed.sum(), count_ * 4 * kLabels);
     // Half of it again, and a row, for what lies behind the last Gaussian.
     most_texels_ = count_ + count_ / 2 + (std::uint64_t{1} << 16);
     if (files_.size() <= kCentroids) return;

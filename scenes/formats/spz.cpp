@@ -38,12 +38,10 @@ class Reader {
   Reader(const InputFile& file, SceneFormat& format) : file_(file), format_(format) {}
 
   Scene read() {
-    if (file_.starts_with("NGSP")) {
-      read_streams4();
-    } else {
-      file_ = unpack_gzip(file_);
-      read_streams();
-    }
+    if (!file_.starts_with("NGSP")) file_ = unpack_gzip(file_);
+    else if (file_.size() < 8 || file_.at<std::uint32_t>(4, "header") > 3) packed_ = "zstd";
+    if (packed_ == std::string_view("zstd")) read_streams4();
+    else read_streams();
     Scene scene = scene_of_size(count_, std::min(degree_, kMaxShDegree));
     scene.antialiased = (flags_ & kAntialiased) != 0;
     for (std::size_t i = 0; i < count_; ++i) decode(scene, i);
@@ -63,7 +61,7 @@ class Reader {
     version_ = file_.at<std::uint32_t>(4, "header");
     const bool gzip = version_ == 2 || version_ == 3;
     if (packed4_ ? version_ != 4 : !gzip)
-      fail("header", fmt::format("found version {}, expected {}", version_, packed4_ ? "4" : "2 or 3"));
+      fail("header", fmt::format("found version {}, expected {}", version_, packed4_ ? "2 to 4" : "2 or 3"));
     count_ = file_.at<std::uint32_t>(8, "header");
     degree_ = file_.at<std::uint8_t>(12, "header");
     bits_ = file_.at<std::uint8_t>(13, "header");
@@ -84,7 +82,7 @@ class Reader {
       at += count_ * strides_[s];
     }
     if ((flags_ & kExtended) != 0) at = read_records(at, file_.size());
-    file_.check_end(at);
+    tell_behind(file_.behind(at), format_);
   }
 
   void read_streams4() {
@@ -112,7 +110,7 @@ class Reader {
       streams_[s] = reinterpret_cast<const std::uint8_t*>(unpacked_[s].data());
       at += packed;
     }
-    file_.check_end(at);
+    tell_behind(file_.behind(at), format_);
   }
 
   // Extension records from `at` to `end`: type, length, that many bytes. The byte behind the last.
@@ -178,7 +176,7 @@ class Reader {
 
   void describe() {
     const auto kept = [](unsigned seen) { return seen == 0 ? 1 : 8 - std::countr_zero(seen); };
-    format_.name = fmt::format(".spz version {} ({})", version_, packed4_ ? "zstd" : "gzip");
+    format_.name = fmt::format(".spz version {} ({})", version_, packed_);
     format_.fields = {{"position", fmt::format("24 bits, steps of {:g}", std::ldexp(1.0, -bits_))},
                       {"scale", "8 bits of its logarithm, steps of 1/16"},
                       {"rotation", version_ == 2 ? "3 x 8 bits" : "smallest three of 10 bits"},
@@ -188,11 +186,13 @@ class Reader {
                              : degree_ == 1 ? fmt::format("{} bits of 8", kept(sh_seen_[0]))
                                             : fmt::format("{} bits of 8 for degree 1, {} above", kept(sh_seen_[0]),
                                                           kept(sh_seen_[1]))}};
-    if (degree_ > kMaxShDegree) format_.notes.push_back("the SH coefficients of degree 4 are left out");
+    if (degree_ > kMaxShDegree)
+      format_.findings.emplace_back("sh_degree", "the SH coefficients of degree 4 are left out");
   }
 
   InputFile file_;
   SceneFormat& format_;
+  const char* packed_ = "gzip";
   bool packed4_ = false;
   std::uint32_t version_ = 0;
   std::uint64_t count_ = 0;

@@ -28,10 +28,20 @@ InputFile::InputFile(const std::filesystem::path& path)
     : InputFile(path.string(), read_text_file(path, "a scene", UINT64_MAX),
                 [folder = path.parent_path()](const std::string& name) { return InputFile(folder / name); }) {}
 
-InputFile::InputFile(std::string name, std::string bytes, Beside beside)
+InputFile::InputFile(std::string name, std::string bytes, Beside beside, std::uint64_t packed)
     : name_(std::move(name)),
       bytes_(std::make_shared<const std::string>(std::move(bytes))),
-      beside_(std::move(beside)) {}
+      beside_(std::move(beside)),
+      packed_(packed) {}
+
+InputFile::InputFile(std::string name, std::string bytes, Beside beside)
+    : InputFile(std::move(name), std::move(bytes), std::move(beside), 0) {
+  packed_ = size();
+}
+
+void PackedBytes::add(const InputFile& file) {
+  if (contents_.emplace(file.text().size(), std::hash<std::string>{}(file.text())).second) sum_ += file.packed();
+}
 
 const std::uint8_t* InputFile::rows(std::uint64_t offset, std::uint64_t count, std::uint64_t stride,
                                     std::string_view what) const {
@@ -43,12 +53,6 @@ const std::uint8_t* InputFile::rows(std::uint64_t offset, std::uint64_t count, s
                                  count, stride, offset, left));
   }
   return reinterpret_cast<const std::uint8_t*>(bytes_->data()) + offset;
-}
-
-void InputFile::check_end(std::uint64_t end) const {
-  if (size() == end) return;
-  throw InputError(name_, "behind the last Gaussian",
-                   fmt::format("found {} bytes, expected the end of the file", size() - std::min(end, size())));
 }
 
 InputFile InputFile::beside(const std::string& name) const {

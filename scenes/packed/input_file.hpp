@@ -8,15 +8,18 @@
 //         refused, and only regular files are opened.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace pipegs {
 
@@ -36,9 +39,11 @@ class InputFile {
   explicit InputFile(const std::filesystem::path& path);
   // Bytes in memory; `name` is what errors call them. Without `beside` no file lies beside them.
   InputFile(std::string name, std::string bytes, Beside beside = nullptr);
+  InputFile(std::string name, std::string bytes, Beside beside, std::uint64_t packed);
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return bytes_->size(); }
+  std::uint64_t packed() const { return packed_; }  // bytes on disk that it came of
   const std::string& text() const { return *bytes_; }
   bool starts_with(std::string_view signature) const { return text().starts_with(signature); }
 
@@ -52,8 +57,8 @@ class InputFile {
   T at(std::uint64_t offset, std::string_view what) const {
     return load<T>(rows(offset, 1, sizeof(T), what));
   }
-  // InputError unless the file ends at `end`.
-  void check_end(std::uint64_t end) const;
+  // How many bytes follow `end`.
+  std::uint64_t behind(std::uint64_t end) const { return size() - std::min(end, size()); }
 
   InputFile beside(const std::string& name) const;
 
@@ -61,6 +66,18 @@ class InputFile {
   std::string name_;
   std::shared_ptr<const std::string> bytes_;
   Beside beside_;
+  std::uint64_t packed_;
+};
+
+// Adds up the bytes on disk of files, those of each content once: a name for it more makes them no more.
+class PackedBytes {
+ public:
+  void add(const InputFile& file);
+  std::uint64_t sum() const { return sum_; }
+
+ private:
+  std::set<std::pair<std::size_t, std::size_t>> contents_;  // size and hash
+  std::uint64_t sum_ = 0;
 };
 
 }  // namespace pipegs

@@ -53,11 +53,19 @@ zlib_filefunc64_def memory_functions(Reading& reading) {
   return functions;
 }
 
-std::string read_member(const InputFile& archive, const std::string& name) {
-  Reading reading{archive.text()};
+using Zip = std::unique_ptr<void, int (*)(unzFile)>;
+
+Zip open_zip(const InputFile& archive, Reading& reading) {
   zlib_filefunc64_def functions = memory_functions(reading);
-  const std::unique_ptr<void, int (*)(unzFile)> zip(unzOpen2_64(archive.name().c_str(), &functions), unzClose);
+  Zip zip(unzOpen2_64(archive.name().c_str(), &functions), unzClose);
   if (zip == nullptr) throw InputError(archive.name(), "", "found a zip archive without a directory: it is truncated");
+  return zip;
+}
+
+// Its bytes, and how many they are in the archive.
+std::pair<std::string, std::uint64_t> read_member(const InputFile& archive, const std::string& name) {
+  Reading reading{archive.text()};
+  const Zip zip = open_zip(archive, reading);
   unz_file_info64 info{};
   if (unzLocateFile(zip.get(), name.c_str(), 1) != UNZ_OK ||
       unzGetCurrentFileInfo64(zip.get(), &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
@@ -66,6 +74,12 @@ std::string read_member(const InputFile& archive, const std::string& name) {
     throw InputError(archive.name(), quote(name),
                      fmt::format("found {} packed bytes, expected at most those of the archive", info.compressed_size));
   check_unpacked(archive.name(), quote(name), info.compressed_size, info.uncompressed_size);
+  if (info.compression_method != 0 && info.compression_method != Z_DEFLATED)
+    throw InputError(
+        archive.name(), quote(name),
+        fmt::format("found compression method {}, expected 0 (stored) or 8 (deflate)", info.compression_method));
+  if ((info.flag & 1) != 0)
+    throw InputError(archive.name(), quote(name), "found an encrypted file, expected an open one");
   std::string bytes(static_cast<std::size_t>(info.uncompressed_size), '\0');
   bool good = unzOpenCurrentFile(zip.get()) == UNZ_OK;
   for (std::size_t done = 0; good && done < bytes.size();) {
@@ -76,7 +90,7 @@ std::string read_member(const InputFile& archive, const std::string& name) {
   }
   if (!good || unzCloseCurrentFile(zip.get()) != UNZ_OK)
     throw InputError(archive.name(), quote(name), "the bytes in the zip archive are damaged");
-  return bytes;
+  return {std::move(bytes), info.compressed_size};
 }
 
 }  // namespace
@@ -88,7 +102,7 @@ void check_unpacked(const std::string& file, std::string_view where, std::uint64
       fmt::format("found {} bytes packed in {}, expected at most {} times as many", unpacked, packed, kMostUnpacked));
 }
 
-InputFile unpack_gzip(const InputFile& file) {
+InputFile unpack_gzip(const InputFile& file, std::uint64_t* behind) {
   z_stream stream{};
   if (inflateInit2(&stream, 16 + MAX_WBITS) != Z_OK) throw std::bad_alloc();  // 16: gzip, and nothing else
   const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
@@ -109,7 +123,9 @@ InputFile unpack_gzip(const InputFile& file) {
     bytes.append(block, 0, block.size() - stream.avail_out);
     check_unpacked(file.name(), "gzip", packed.size(), bytes.size());
   }
-  if (const std::size_t left = packed.size() - taken + stream.avail_in; left > 0)
+  const std::size_t left = packed.size() - taken + stream.avail_in;
+  if (behind != nullptr) *behind = left;
+  else if (left > 0)
     throw InputError(file.name(), "behind gzip", fmt::format("found {} bytes, expected the end of the file", left));
   return {file.name(), std::move(bytes)};
 }
@@ -125,15 +141,33 @@ std::string unpack_zstd(const std::string& file, std::string_view where, std::sp
 }
 
 InputFile unpack_zip(const InputFile& archive, const std::string& name) {
-  const auto other = [archive](const std::string& wanted) { return unpack_zip(archive, wanted); };
-  return {archive.name() + "/" + name, read_member(archive, name), other};
+  const std::string folder = name.substr(0, name.rfind('/') + 1);
+  const auto other = [archive, folder](const std::string& wanted) { return unpack_zip(archive, folder + wanted); };
+  auto [bytes, packed] = read_member(archive, name);
+  return {archive.name() + "/" + name, std::move(bytes), other, packed};
+}
+
+std::vector<std::string> zip_names(const InputFile& archive) {
+  Reading reading{archive.text()};
+  const Zip zip = open_zip(archive, reading);
+  std::vector<std::string> names;
+  for (int state = unzGoToFirstFile(zip.get()); state == UNZ_OK && names.size() < kMostNames;
+       state = unzGoToNextFile(zip.get())) {
+    unz_file_info64 info{};
+    char name[1024] = {};
+    if (unzGetCurrentFileInfo64(zip.get(), &info, name, sizeof name - 1, nullptr, 0, nullptr, 0) != UNZ_OK) break;
+    names.emplace_back(name);
+  }
+  return names;
 }
 
 Texture unpack_webp(const InputFile& file, std::uint64_t most) {
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(file.text().data());
-  Texture texture;
-  if (WebPGetInfo(bytes, file.text().size(), &texture.width, &texture.height) == 0)
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(bytes, file.text().size(), &features) != VP8_STATUS_OK)
     throw InputError(file.name(), "", "found no WebP picture");
+  if (features.has_animation != 0) throw InputError(file.name(), "", "found an animated WebP, expected one picture");
+  Texture texture{.width = features.width, .height = features.height, .rgba = {}};
   const auto texels = static_cast<std::uint64_t>(texture.width) * static_cast<std::uint64_t>(texture.height);
   if (texels > most) {
     throw InputError(file.name(), "",

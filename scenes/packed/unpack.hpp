@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scenes/packed/input_file.hpp"
 
@@ -22,13 +23,17 @@ inline constexpr std::uint64_t kMostUnpacked = 32, kUnpackedFree = std::uint64_t
 // InputError unless `packed` bytes may hold `unpacked` ones.
 void check_unpacked(const std::string& file, std::string_view where, std::uint64_t packed, std::uint64_t unpacked);
 
-// The bytes of a file that is one gzip member, under its name.
-InputFile unpack_gzip(const InputFile& file);
+// The bytes of a file that is one gzip member, under its name. `behind` gets how many bytes follow it; without it there
+// must be none.
+InputFile unpack_gzip(const InputFile& file, std::uint64_t* behind = nullptr);
 // One zstd frame of a known unpacked size, which the caller has held against the file.
 std::string unpack_zstd(const std::string& file, std::string_view where, std::span<const std::uint8_t> packed,
                         std::uint64_t unpacked);
-// A file of a zip archive, and beside it the others.
+// A file of a zip archive, and beside it the others of its folder there.
 InputFile unpack_zip(const InputFile& archive, const std::string& name);
+// The files of a zip archive, at most kMostNames of them.
+inline constexpr std::size_t kMostNames = 65536;
+std::vector<std::string> zip_names(const InputFile& archive);
 
 // Texels of a WebP picture as RGBA, row by row, or an InputError. More texels than `most` are not decoded.
 struct Texture {

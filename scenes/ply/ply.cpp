@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// ply: the meaning of INRIA's properties; see ply.hpp for what is accepted.
+// ply: rows of INRIA's properties become Gaussians, and back; see ply.hpp for what is accepted.
 //
-// Idea    A Gaussian is one row of kRest + 3*K floats in the order of kRequired; the header decides
-//         which property fills which slot, then ply_body fills rows without knowing the meaning.
+// Idea    A Gaussian is one row of kSlotRest + 3*K floats; ply_layout decides which property fills which slot, then
+//         ply_body fills rows without knowing the meaning.
 // Layout  f_rest is channel-major in the file, f_rest[c * K + k]; Scene::sh_rest is
 //         coefficient-major. The transposition happens in the slot numbers, so it costs nothing.
 #include "scenes/ply/ply.hpp"
@@ -18,99 +18,125 @@
 #include <sstream>
 
 #include "scenes/atomic_file.hpp"
+#include "scenes/check/origin.hpp"
+#include "scenes/formats/axes.hpp"
+#include "scenes/free_memory.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/own_failure.hpp"
 #include "scenes/ply/ply_file.hpp"
+#include "scenes/ply/ply_layout.hpp"
 #include "scenes/text/json.hpp"
-#include "scenes/text/number.hpp"
 
 namespace pipegs {
 namespace {
 
-constexpr std::array kNames = {"x",       "y",       "z",       "f_dc_0", "f_dc_1", "f_dc_2", "opacity",
-                               "scale_0", "scale_1", "scale_2", "rot_0",  "rot_1",  "rot_2",  "rot_3"};
-enum Slot { kX = 0, kDc = 3, kOpacity = 6, kScale = 7, kRotation = 10, kRest = 14 };
-constexpr int kThirdScale = kScale + 2;
-constexpr std::string_view kRestPrefix = "f_rest_";
-constexpr int kMostRest = 9999;  // to be counted and refused, far above the 44 that degree 3 has
+constexpr std::string_view kOriginKey = "pipegs_origin";
+constexpr std::array kNames = {"opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"};
 
-// The number behind "f_rest_", or -1 if this is another property: f_rest_07 is one, so that none has two names.
-int rest_number(const std::string& name) {
-  if (!name.starts_with(kRestPrefix)) return -1;
-  try {
-    const int number = parse_integer(name.substr(kRestPrefix.size()), 0, kMostRest);
-    return name == fmt::format("{}{}", kRestPrefix, number) ? number : -1;
-  } catch (const NumberError&) { return -1; }
+// What create_fused_ply.py of Mip-Splatting makes of its filter: the Gaussian is widened by it, and as much fainter.
+void fuse(double filter, Gaussian& g) {
+  const double squared = filter * filter;
+  double kept = 1;
+  for (int k = 0; k < 3; ++k) {
+    const double scale = std::exp(double{g.log_scale[k]}), wide = scale * scale + squared;
+    kept *= scale * scale / wide;
+    g.log_scale[k] = narrow(0.5 * std::log(wide));
+  }
+  const double opacity = 1 / (1 + std::exp(-double{g.opacity_logit}));
+  if (squared > 0) g.opacity_logit = logit_of(opacity * std::sqrt(kept));
 }
 
-int degree_of(const std::string& file, const PlyElement& vertex) {
-  int count = 0, highest = -1;
-  for (const PlyProperty& property : vertex.properties) {
-    const int number = rest_number(property.name);
-    if (number < 0) continue;
-    ++count;
-    highest = std::max(highest, number);
-  }
-  for (int degree = 0; degree <= kMaxShDegree; ++degree) {
-    if (count == 3 * sh_rest_count(degree) && highest == count - 1) return degree;
-  }
-  throw InputError(
-      file, fmt::format("line {}, f_rest", vertex.line),
-      fmt::format("found {} properties numbered up to {}, expected 0, 9, 24 or 45 numbered from 0", count, highest));
-}
-
-// For each property of the vertex element its place in the row.
-std::vector<int> slots_of(const std::string& file, const PlyElement& vertex, int degree) {
-  const int k_count = sh_rest_count(degree);
-  std::array<bool, kNames.size()> present{};
-  std::vector<int> slots;
-  for (const PlyProperty& property : vertex.properties) {
-    int slot = kSkip;
-    const auto known = std::find(kNames.begin(), kNames.end(), property.name);
-    if (known != kNames.end()) {
-      slot = static_cast<int>(known - kNames.begin());
-      present[static_cast<std::size_t>(slot)] = true;
-    } else if (const int number = rest_number(property.name); number >= 0) {
-      slot = kRest + (number % k_count) * 3 + number / k_count;
-    }
-    if (slot != kSkip && property.is_list) {
-      throw InputError(file, fmt::format("line {}, {}", property.line, property.name),
-                       "found a list, expected a scalar property");
-    }
-    slots.push_back(slot);
-  }
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (present[i] || i == kThirdScale) continue;
-    throw InputError(
-        file, fmt::format("line {}, element vertex", vertex.line),
-        fmt::format("property {} is missing, expected the properties of INRIA's point_cloud.ply", kNames[i]));
-  }
-  return slots;
-}
-
-void read_vertices(PlySource& source, PlyFormat format, const PlyElement& vertex, Scene& scene) {
-  scene.sh_degree = degree_of(source.file(), vertex);
-  const std::vector<int> slots = slots_of(source.file(), vertex, scene.sh_degree);
-  check_fits(source, format, vertex);
+void read_vertices(PlySource& source, const PlyHeader& header, const PlyElement& vertex, Scene& scene,
+                   SceneFormat& format) {
+  const PlyLayout layout = ply_layout(source.file(), header, vertex, format);
+  check_fits(source, header.format, vertex);
+  scene.sh_degree = layout.sh_degree;
   const auto rest = static_cast<std::size_t>(3 * sh_rest_count(scene.sh_degree));
   const auto count = static_cast<std::size_t>(vertex.count);
+  check_scene_memory(count, scene.sh_degree);
   scene.gaussians.resize(count);
   scene.sh_rest.resize(count * rest);
-  std::vector<float> row(kRest + rest, 0.0f);
-  row[kThirdScale] = -std::numeric_limits<float>::infinity();  // stays so for a 2DGS file: flat
-  read_rows(source, format, vertex, slots, row, [&](std::size_t i) {
-    Gaussian& g = scene.gaussians[i];
-    const float* v = row.data();
-    g.mean = {v[kX], v[kX + 1], v[kX + 2]};
-    g.sh_dc = {v[kDc], v[kDc + 1], v[kDc + 2]};
-    g.opacity_logit = v[kOpacity];
-    g.log_scale = {v[kScale], v[kScale + 1], v[kScale + 2]};
-    for (int k = 0; k < 4; ++k) g.rotation[k] = v[kRotation + k];
-    if (rest > 0) std::memcpy(scene.sh_rest.data() + i * rest, v + kRest, rest * sizeof(float));
-  });
+  std::vector<float> row(kSlotRest + rest, 0.0f);
+  if (layout.scales == 2) row[kSlotScale + 2] = -std::numeric_limits<float>::infinity();  // 2DGS: flat
+  if (!layout.rotated) row[kSlotRotation] = 1;
+  std::array<double, 3> wide{};
+  std::vector<glm::dvec3> positions(layout.wide ? count : 0);
+  read_rows(
+      source, header.format, vertex, layout.slots, row,
+      [&](std::size_t i) {
+        Gaussian& g = scene.gaussians[i];
+        const float* v = row.data();
+        if (layout.wide) positions[i] = {wide[0], wide[1], wide[2]};
+        else g.mean = {v[kSlotX], v[kSlotX + 1], v[kSlotX + 2]};
+        for (int k = 0; k < 3; ++k) {
+          const float color = v[kSlotDc + k];
+          g.sh_dc[k] = layout.color_range > 0 ? dc_of(color / layout.color_range) : color;
+          g.log_scale[k] = v[kSlotScale + (layout.scales == 1 ? 0 : k)];
+        }
+        g.opacity_logit = layout.opacity_range > 0 ? logit_of(v[kSlotOpacity] / layout.opacity_range) : v[kSlotOpacity];
+        for (int k = 0; k < 4; ++k) g.rotation[k] = v[kSlotRotation + k];
+        if (layout.filtered) fuse(v[kSlotFilter], g);
+        if (rest > 0) std::memcpy(scene.sh_rest.data() + i * rest, v + kSlotRest, rest * sizeof(float));
+      },
+      wide.data());
+  if (layout.wide) set_positions(positions, scene, format);
+  if (layout.filtered)
+    format.findings.emplace_back("filter_3d",
+                                 "filter_3D of Mip-Splatting is applied to scales and opacities, as its "
+                                 "create_fused_ply.py does");
+}
+
+// The types of the values, in words.
+void describe(const PlyHeader& header, const PlyElement& vertex, SceneFormat& format) {
+  format.name = header.format == PlyFormat::kAscii          ? "INRIA's .ply, ASCII"
+                : header.format == PlyFormat::kLittleEndian ? "INRIA's .ply"
+                                                            : "INRIA's .ply, big-endian";
+  format.axes = kSceneAxes;
+  const auto is_float = [](const PlyProperty& property) {
+    return property.is_list || property.type == PlyType::kFloat32;
+  };
+  if (std::all_of(vertex.properties.begin(), vertex.properties.end(), is_float)) {
+    format.fields = {{"all values", "32 bits, as trained"}};
+    return;
+  }
+  for (const auto& [field, names] : {std::pair{"position", std::array{"x", "position_0"}},
+                                     {"scale", std::array{"scale_0", "scaling_0"}},
+                                     {"rotation", std::array{"rot_0", "rotation_0"}},
+                                     {"opacity", std::array{"opacity", "alpha"}},
+                                     {"colour", std::array{"f_dc_0", "red"}},
+                                     {"SH", std::array{"f_rest_0", "shN_0"}}}) {
+    for (const PlyProperty& property : vertex.properties) {
+      if (std::find(names.begin(), names.end(), property.name) == names.end()) continue;
+      const bool exact = property.type == PlyType::kFloat32 || size_of(property.type) < 4;
+      format.fields.emplace_back(field, fmt::format("{} bits{}", 8 * size_of(property.type),
+                                                    exact ? ""
+                                                    : field == std::string("position") && format.origin != glm::dvec3(0)
+                                                        ? ", 32 about an origin"
+                                                        : ", rounded to float32"));
+      break;
+    }
+  }
+}
+
+// Of a comment that write_ply wrote.
+glm::dvec3 said_origin(const PlyHeader& header) {
+  for (const std::string& comment : header.comments) {
+    std::istringstream words(comment);
+    std::string key;
+    glm::dvec3 origin(0);
+    if (words >> key >> origin.x >> origin.y >> origin.z && key == kOriginKey) return origin;
+  }
+  return glm::dvec3(0);
 }
 
 }  // namespace
+
+void tell_rest(PlySource& source, const PlyHeader& header, SceneFormat& format) {
+  const std::uint64_t bytes = rest_of_file(source, header);
+  if (bytes == 0) return;
+  format.findings.emplace_back("behind_end",
+                               fmt::format("found {} bytes behind the last Gaussian, which are left out", bytes));
+}
 
 bool says_antialiased(const PlyHeader& header) {
   bool antialiased = false;
@@ -124,13 +150,15 @@ bool says_antialiased(const PlyHeader& header) {
   return antialiased;
 }
 
-Scene read_ply(PlySource& source, const PlyHeader& header) {
+Scene read_ply(PlySource& source, const PlyHeader& header, SceneFormat& format) {
   Scene scene;
   scene.antialiased = says_antialiased(header);
+  format.origin = said_origin(header);
   bool has_vertices = false;
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
-      read_vertices(source, header.format, element, scene);
+      read_vertices(source, header, element, scene, format);
+      describe(header, element, format);
       has_vertices = true;
       continue;
     }
@@ -140,11 +168,14 @@ Scene read_ply(PlySource& source, const PlyHeader& header) {
   }
   if (!has_vertices)
     throw InputError(source.file(), "header", "element 'vertex' is missing, expected a Gaussian per vertex");
-  check_end(source, header);
+  tell_rest(source, header, format);
   return scene;
 }
 
-Scene read_ply(PlySource& source) { return read_ply(source, read_ply_header(source)); }
+Scene read_ply(PlySource& source) {
+  SceneFormat format;
+  return read_ply(source, read_ply_header(source), format);
+}
 
 Scene read_ply(const std::filesystem::path& path) {
   PlySource source(path);
@@ -153,40 +184,49 @@ Scene read_ply(const std::filesystem::path& path) {
   return scene;
 }
 
-void write_ply(std::ostream& stream, const Scene& scene) {
+std::size_t write_ply(std::ostream& stream, const Scene& scene, const glm::dvec3& origin) {
   check_consistent(scene);
   const int k_count = sh_rest_count(scene.sh_degree);
+  std::vector<std::size_t> usable;
+  for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
+    ActivatedGaussian ignored;
+    if (activate(scene, i, ignored) != Cull::kNonFinite) usable.push_back(i);
+  }
   stream << "ply\nformat binary_little_endian 1.0\n";
   if (scene.antialiased) stream << "comment antialiased 1\n";
-  stream << "element vertex " << scene.gaussians.size() << "\n";
+  if (origin != glm::dvec3(0)) stream << fmt::format("comment {} {} {} {}\n", kOriginKey, origin.x, origin.y, origin.z);
+  stream << "element vertex " << usable.size() << "\n";
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"}) {
     stream << "property float " << name << "\n";
   }
-  for (int i = 0; i < 3 * k_count; ++i) stream << "property float " << kRestPrefix << i << "\n";
-  for (std::size_t i = kOpacity; i < kNames.size(); ++i) stream << "property float " << kNames[i] << "\n";
+  for (int i = 0; i < 3 * k_count; ++i) stream << "property float f_rest_" << i << "\n";
+  for (const char* name : kNames) stream << "property float " << name << "\n";
   stream << "end_header\n";
   std::vector<float> row;
-  for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
+  for (const std::size_t i : usable) {
     const Gaussian& g = scene.gaussians[i];
     row.assign({g.mean.x, g.mean.y, g.mean.z, 0, 0, 0, g.sh_dc.x, g.sh_dc.y, g.sh_dc.z});
     const float* sh = sh_rest_of(scene, i);
     for (int c = 0; c < 3; ++c) {
       for (int k = 0; k < k_count; ++k) row.push_back(sh[k * 3 + c]);
     }
-    row.push_back(g.opacity_logit);
-    for (int k = 0; k < 3; ++k) row.push_back(g.log_scale[k]);
+    const auto largest = static_cast<float>(kLargestLogit);
+    row.push_back(std::isinf(g.opacity_logit) ? std::copysign(largest, g.opacity_logit) : g.opacity_logit);
+    for (int k = 0; k < 3; ++k) row.push_back(std::isinf(g.log_scale[k]) ? log_of(0) : g.log_scale[k]);
     for (int k = 0; k < 4; ++k) row.push_back(g.rotation[k]);
     stream.write(reinterpret_cast<const char*>(row.data()), static_cast<std::streamsize>(row.size() * sizeof(float)));
   }
+  return scene.gaussians.size() - usable.size();
 }
 
-void write_ply(const std::filesystem::path& path, const Scene& scene) {
+std::size_t write_ply(const std::filesystem::path& path, const Scene& scene, const glm::dvec3& origin) {
   AtomicFile out(path);
   std::ofstream stream(out.temporary(), std::ios::binary);
-  write_ply(stream, scene);
+  const std::size_t left_out = write_ply(stream, scene, origin);
   stream.close();
   if (!stream) throw OwnFailure(path.string() + ": cannot write");
   out.commit();
+  return left_out;
 }
 
 }  // namespace pipegs

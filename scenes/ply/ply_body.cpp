@@ -78,6 +78,7 @@ struct Reader {
   const std::vector<int>& slots;
   std::vector<float>& row;
   const std::function<void(std::size_t)>& on_row;
+  double* wide;
   bool swap = format == PlyFormat::kBigEndian;
 
   [[noreturn]] void fail(std::uint64_t i, const std::string& field, const std::string& what) const {
@@ -104,8 +105,9 @@ struct Reader {
       for (std::uint64_t i = 0; i < n; ++i, bytes += row_bytes) {
         for (const Field& field : fields) {
           const std::uint8_t* at = bytes + field.offset;
-          row[static_cast<std::size_t>(field.slot)] =
-              field.type == PlyType::kFloat32 ? load<float>(at, swap) : narrow(load_scalar(at, field.type, swap));
+          if (field.slot <= kWide) wide[kWide - field.slot] = load_scalar(at, field.type, swap);
+          else if (field.type == PlyType::kFloat32) row[static_cast<std::size_t>(field.slot)] = load<float>(at, swap);
+          else row[static_cast<std::size_t>(field.slot)] = narrow(load_scalar(at, field.type, swap));
         }
         on_row(static_cast<std::size_t>(done + i));
       }
@@ -159,7 +161,8 @@ struct Reader {
           continue;
         }
         const double value = ascii ? ascii_value(i, property, property.type) : binary_value(i, property, property.type);
-        if (slots[p] != kSkip) row[static_cast<std::size_t>(slots[p])] = narrow(value);
+        if (slots[p] <= kWide) wide[kWide - slots[p]] = value;
+        else if (slots[p] != kSkip) row[static_cast<std::size_t>(slots[p])] = narrow(value);
       }
       if (const std::string_view more = ascii ? source.word() : std::string_view{}; !more.empty())
         fail(i, "line", fmt::format("found {} behind the last value, expected the end of the line", quote(more)));
@@ -185,21 +188,17 @@ void check_fits(const PlySource& source, PlyFormat format, const PlyElement& ele
 }
 
 void read_rows(PlySource& source, PlyFormat format, const PlyElement& element, const std::vector<int>& slots,
-               std::vector<float>& row, const std::function<void(std::size_t)>& on_row) {
+               std::vector<float>& row, const std::function<void(std::size_t)>& on_row, double* wide) {
   if (element.properties.empty()) return;
   check_fits(source, format, element);
-  Reader reader{source, format, element, slots, row, on_row};
+  Reader reader{source, format, element, slots, row, on_row, wide};
   if (format == PlyFormat::kAscii || has_lists(element)) reader.general_rows();
   else reader.fixed_rows();
 }
 
-void check_end(PlySource& source, const PlyHeader& header) {
-  const bool ascii = header.format == PlyFormat::kAscii;
-  if (ascii ? !source.next_line() : source.remaining() == 0) return;
-  const std::string last = header.elements.empty() ? "the header" : "element " + quote(header.elements.back().name);
-  throw InputError(source.file(), "behind " + last,
-                   fmt::format("found {}, expected the end of the file",
-                               ascii ? quote(source.word()) : fmt::format("{} bytes", source.remaining())));
+std::uint64_t rest_of_file(PlySource& source, const PlyHeader& header) {
+  if (header.format == PlyFormat::kAscii && !source.next_line()) return 0;
+  return source.remaining();
 }
 
 }  // namespace pipegs

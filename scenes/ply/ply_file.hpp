@@ -84,15 +84,16 @@ bool is_integer(PlyType type);
 PlyHeader read_ply_header(PlySource& source);
 
 inline constexpr int kSkip = -1;
+inline constexpr int kWide = -2;  // kWide - k: place k of the caller's doubles
 
 // InputError "truncated" if `element` needs more bytes than the source has left.
 void check_fits(const PlySource& source, PlyFormat format, const PlyElement& element);
 
 // Reads all rows; slots[p] is the place of property p in `row`. A list has no place, only kSkip.
 void read_rows(PlySource& source, PlyFormat format, const PlyElement& element, const std::vector<int>& slots,
-               std::vector<float>& row, const std::function<void(std::size_t)>& on_row);
+               std::vector<float>& row, const std::function<void(std::size_t)>& on_row, double* wide = nullptr);
 
-// InputError unless nothing but blanks (ASCII) or nothing at all (binary) follows the last element.
-void check_end(PlySource& source, const PlyHeader& header);
+// The bytes behind the last element, without blanks of an ASCII file.
+std::uint64_t rest_of_file(PlySource& source, const PlyHeader& header);
 
 }  // namespace pipegs

@@ -2,8 +2,9 @@
 // json: reading and writing JSON that others wrote or will read.
 //
 // Rule    Of a text: one value and nothing behind it, valid UTF-8, at most kMostNested brackets inside each other (who
-//         walks through or prints a value calls itself for each), each key once in its object. Numbers: finite, in the
-//         caller's range, and an integer where one is meant.
+//         walks through or prints a value calls itself for each), each key once in its object, no more values than
+//         kMostJsonMemory holds. Reading takes time with the length of the text. Numbers: finite, in the caller's
+//         range, and an integer where one is meant.
 // Writer  json_text never fails: bytes that are no UTF-8 (file names in Latin-1) become U+FFFD.
 // Errors  InputError of the file with line and column, or the place inside, such as [3].rotation[0]; NumberError of a
 //         number, before which the caller puts file and field.
@@ -22,12 +23,12 @@
 namespace pipegs {
 
 inline constexpr int kMostNested = 64;
-inline constexpr std::uint64_t kMostJsonBytes = std::uint64_t{1} << 24;
+inline constexpr std::uint64_t kMostJsonBytes = std::uint64_t{1} << 26, kMostJsonMemory = std::uint64_t{1} << 29;
 
 // Json is nlohmann::json or nlohmann::ordered_json.
 template <typename Json>
 Json parse_json(const std::string& file, std::string_view text);
-// At most kMostJsonBytes: a file of one holds a thousand cameras.
+// At most kMostJsonBytes: 200 000 cameras.
 template <typename Json>
 Json read_json(const std::filesystem::path& path, std::string_view expected);
 

@@ -11,20 +11,25 @@
 
 namespace pipegs {
 
-JsonNode::JsonNode(std::shared_ptr<const nlohmann::json> json, std::string file, std::string where)
-    : json_(std::move(json)), file_(std::move(file)), where_(std::move(where)) {}
+struct JsonNode::Document {
+  std::string file;
+  nlohmann::json json;
+};
+
+JsonNode::JsonNode(std::shared_ptr<const Document> document, const nlohmann::json& json, std::string where)
+    : document_(std::move(document)), json_(&json), where_(std::move(where)) {}
+
+const std::string& JsonNode::file() const { return document_->file; }
 
 JsonNode JsonNode::parse(const std::string& file, std::string_view text) {
   if (text.size() > kMostJsonBytes)
     throw InputError(file, "", fmt::format("found {} bytes, expected JSON of at most {}", text.size(), kMostJsonBytes));
-  return {std::make_shared<const nlohmann::json>(parse_json<nlohmann::json>(file, text)), file, ""};
+  auto document = std::make_shared<const Document>(Document{file, parse_json<nlohmann::json>(file, text)});
+  const nlohmann::json& whole = document->json;
+  return {std::move(document), whole, ""};
 }
 
-JsonNode JsonNode::inner(const nlohmann::json& json, const std::string& where) const {
-  return {std::shared_ptr<const nlohmann::json>(json_, &json), file_, where};
-}
-
-void JsonNode::fail(const std::string& what) const { throw InputError(file_, where_, what); }
+void JsonNode::fail(const std::string& what) const { throw InputError(file(), where_, what); }
 
 void JsonNode::refuse(const std::string& expected) const {
   fail(fmt::format("found {}, expected {}", quote(json_text(*json_)), expected));
@@ -40,12 +45,12 @@ JsonNode JsonNode::operator[](const char* key) const {
   if (!json_->is_object()) refuse("an object");
   const auto found = json_->find(key);
   if (found == json_->end()) fail(fmt::format("{} is missing", quote(key)));
-  return inner(*found, where_.empty() ? key : fmt::format("{}.{}", where_, key));
+  return {document_, *found, where_.empty() ? key : fmt::format("{}.{}", where_, key)};
 }
 
 JsonNode JsonNode::operator[](std::size_t index) const {
   if (index >= size()) fail(fmt::format("found {} elements, expected more than {}", size(), index));
-  return inner((*json_)[index], fmt::format("{}[{}]", where_, index));
+  return {document_, (*json_)[index], fmt::format("{}[{}]", where_, index)};
 }
 
 std::size_t JsonNode::size() const {

@@ -19,7 +19,7 @@ namespace pipegs {
 
 class JsonNode {
  public:
-  // InputError unless the text is JSON of at most 16 MB.
+  // InputError unless the text is JSON of at most kMostJsonBytes.
   static JsonNode parse(const std::string& file, std::string_view text);
 
   bool has(const char* key) const;  // false for what is no object
@@ -29,7 +29,7 @@ class JsonNode {
   JsonNode operator[](std::size_t index) const;
   std::size_t size() const;               // of an array
   std::vector<std::string> keys() const;  // of an object
-  const std::string& file() const { return file_; }
+  const std::string& file() const;
   const std::string& where() const { return where_; }
 
   std::uint64_t integer(std::uint64_t low, std::uint64_t high) const;
@@ -45,11 +45,12 @@ class JsonNode {
   [[noreturn]] void refuse(const std::string& expected) const;
 
  private:
-  JsonNode(std::shared_ptr<const nlohmann::json> json, std::string file, std::string where);
-  JsonNode inner(const nlohmann::json& json, const std::string& where) const;
+  struct Document;
+  JsonNode(std::shared_ptr<const Document> document, const nlohmann::json& json, std::string where);
 
-  std::shared_ptr<const nlohmann::json> json_;  // shares the whole text
-  std::string file_, where_;
+  std::shared_ptr<const Document> document_;  // shared by all nodes
+  const nlohmann::json* json_;
+  std::string where_;
 };
 
 }  // namespace pipegs

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "scenes/cameras/forms.hpp"
 #include "scenes/cameras/framing.hpp"
 #include "scenes/generate/generate.hpp"
 #include "sim/command/picture_size.hpp"
@@ -58,7 +59,7 @@ std::vector<Camera> CameraArguments::scaled(std::vector<Camera> cameras) const {
   return cameras;
 }
 
-std::optional<std::vector<Camera>> CameraArguments::read() const {
+std::optional<std::vector<Camera>> CameraArguments::read(Findings& findings) const {
   if (up == std::vector<double>{0, 0, 0}) throw ConfigError("--up: found '0,0,0', expected a direction");
   const CameraReading how = reading();
   if (file.empty()) {
@@ -67,10 +68,18 @@ std::optional<std::vector<Camera>> CameraArguments::read() const {
   }
   if (frames())
     throw ConfigError("--cameras: found --orbit, --from, --look-at, --up or --fov too, expected a file or a framing");
-  return scaled(read_cameras(file, how));
+  return scaled(read_cameras(file, how, findings));
 }
 
-std::vector<Camera> CameraArguments::frame(const Scene& scene, bool own) const {
+std::vector<Camera> CameraArguments::views(const std::optional<std::vector<Camera>>& given, const Scene& scene,
+                                           bool own, const glm::dvec3& origin) const {
+  if (!given) return frame(scene, own, origin);
+  std::vector<Camera> cameras = *given;
+  for (Camera& camera : cameras) camera.position -= origin;
+  return cameras;
+}
+
+std::vector<Camera> CameraArguments::frame(const Scene& scene, bool own, const glm::dvec3& origin) const {
   const CameraReading how = reading();
   if (own && !frames()) {
     std::vector<Camera> cameras = generated_cameras();
@@ -85,6 +94,8 @@ std::vector<Camera> CameraArguments::frame(const Scene& scene, bool own) const {
   if (fov > 0) framing.fov = fov;
   framing.from = vector_of(from);
   framing.look_at = vector_of(look_at);
+  if (framing.from) *framing.from -= origin;
+  if (framing.look_at) *framing.look_at -= origin;
   framing.up = vector_of(up);
   return scaled(framed_cameras(scene, framing));
 }

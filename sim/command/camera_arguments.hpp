@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scenes/camera.hpp"
+#include "scenes/check/finding.hpp"
 #include "scenes/scene.hpp"
 #include "sim/command/options.hpp"
 
@@ -25,11 +26,13 @@ struct CameraArguments {
 
   void add(CLI::App& app);
   // The views of the file; nothing without one.
-  std::optional<std::vector<Camera>> read() const;
-  // The views without a file, of a scene that is our own or not.
-  std::vector<Camera> frame(const Scene& scene, bool own) const;
+  std::optional<std::vector<Camera>> read(Findings& findings) const;
+  // Those, or the views without a file, of a scene that is our own or not, about the origin of the scene.
+  std::vector<Camera> views(const std::optional<std::vector<Camera>>& given, const Scene& scene, bool own,
+                            const glm::dvec3& origin) const;
 
  private:
+  std::vector<Camera> frame(const Scene& scene, bool own, const glm::dvec3& origin) const;
   CameraReading reading() const;
   std::vector<Camera> scaled(std::vector<Camera> cameras) const;
   bool frames() const { return orbit > 0 || fov > 0 || !from.empty() || !look_at.empty() || !up.empty(); }

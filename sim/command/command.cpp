@@ -5,6 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "scenes/check/scene_check.hpp"
+#include "scenes/check/view_check.hpp"
 #include "scenes/formats/axes.hpp"
 #include "scenes/formats/read_scene.hpp"
 #include "scenes/generate/generate.hpp"
@@ -25,10 +29,48 @@ void SceneArguments::add(CLI::App& app, const std::string& what) {
                    ? std::string()
                    : fmt::format("found {}, expected R or L, U or D, F or B, such as RDF or RUB", quote(axes));
       });
+  add_flag(app, "--strict", strict, "refuse a scene, cameras, a view or a frame of which there is a warning");
 }
 
-Scene SceneArguments::load(SceneFormat* format) const {
-  return file.empty() ? generate_scene(1) : read_scene(file, read, format);
+Scene SceneArguments::load(SceneFormat& format) const {
+  Scene scene = file.empty() ? generate_scene(1) : read_scene(file, read, &format);
+  const Findings found = check_scene(scene);
+  format.findings.insert(format.findings.end(), found.begin(), found.end());
+  return scene;
+}
+
+void SceneArguments::tell(const Findings& findings) const {
+  const std::string about = file.empty() ? "our own scene" : file;
+  for (const Finding& finding : findings) {
+    const Severity severity = finding.kind->severity;
+    const std::string line = finding_line(finding);
+    if (severity == Severity::kError) throw InputError(about, "", line);
+    if (strict && severity == Severity::kWarning) throw ConfigError(fmt::format("--strict: {}: {}", about, line));
+    if (finding.kind->told) fmt::print(stderr, "pipegs: {}\n", one_line(fmt::format("{}: {}", about, line)));
+  }
+}
+
+void Told::tell(const Findings& findings) {
+  scene_.tell(findings);
+  const std::lock_guard lock(mutex_);
+  all_.insert(all_.end(), findings.begin(), findings.end());
+}
+
+void Told::tell_frame(const Findings& findings) {
+  const std::lock_guard lock(mutex_);
+  for (const Finding& finding : findings) {
+    const bool known = std::any_of(all_.begin(), all_.end(), [&](const Finding& other) {
+      return other.kind == finding.kind || (finding.kind->key == "empty_frame" && other.kind->shows_nothing);
+    });
+    if (known) continue;
+    scene_.tell({finding});
+    all_.push_back(finding);
+  }
+}
+
+Findings Told::all() const {
+  const std::lock_guard lock(mutex_);
+  return all_;
 }
 
 void ViewArguments::add(CLI::App& app, DesignPoints which) {
@@ -123,14 +165,20 @@ void MemoryArguments::apply(SimulateOptions& options) const {
 LoadedView load_view(const ViewArguments& arguments) {
   LoadedView loaded;
   std::vector<Camera>& cameras = loaded.cameras;
-  const std::optional<std::vector<Camera>> given = arguments.cameras.read();
-  loaded.scene = arguments.scene.load();
-  cameras = given ? *given : arguments.cameras.frame(loaded.scene, arguments.scene.file.empty());
+  Findings of_cameras;
+  const std::optional<std::vector<Camera>> given = arguments.cameras.read(of_cameras);
+  SceneFormat format;
+  loaded.scene = arguments.scene.load(format);
+  cameras = arguments.cameras.views(given, loaded.scene, arguments.scene.file.empty(), format.origin);
   if (arguments.view < 0 || arguments.view >= static_cast<int>(cameras.size())) {
     throw ConfigError(
         fmt::format("--view: found {}, expected 0 to {}", arguments.view, static_cast<int>(cameras.size()) - 1));
   }
   loaded.camera = cameras[arguments.view];
+  loaded.told = std::make_shared<Told>(arguments.scene);
+  loaded.told->tell(format.findings);
+  loaded.told->tell(of_cameras);
+  loaded.told->tell(check_views(loaded.scene, {&loaded.camera, 1}, arguments.near_plane));
   return loaded;
 }
 
@@ -139,8 +187,9 @@ std::string head_of(const LoadedView& loaded, const MemoryArguments& memory) {
                      loaded.camera.height, memory.external.dram);
 }
 
-void follow_scene(const Scene& scene, SimulateOptions& options) {
-  if (scene.antialiased) options.config.antialias = 1;
+void follow_scene(const LoadedView& loaded, SimulateOptions& options) {
+  if (loaded.scene.antialiased) options.config.antialias = 1;
+  options.found = [told = loaded.told](const Findings& findings) { told->tell_frame(findings); };
 }
 
 void need_taps(const SimulateOptions& options) {

@@ -5,6 +5,8 @@
 // or bad use, 3 our own failure; 130 interrupted. main.cpp says which exception is which.
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,12 +38,31 @@ enum class DesignPoints { kOne, kSeveral, kOneOrSeveral, kBase };
 struct SceneArguments {
   std::string file;
   ReadOptions read;
+  bool strict = false;
 
   void add(CLI::App& app, const std::string& what =
                               "scene: .ply, .splat, .ksplat, .spz, .sog, meta.json, lod-meta.json, .glb, .gltf; "
                               "without it our own");
-  // Our own without a file. Throws InputError. `format` says what the file was.
-  Scene load(SceneFormat* format = nullptr) const;
+  // Our own without a file. Throws InputError. `format` says what the file was, and holds all findings of the scene.
+  Scene load(SceneFormat& format) const;
+  // A line on stderr for each finding that every command tells. InputError for an error; ConfigError for a warning of
+  // --strict.
+  void tell(const Findings& findings) const;
+};
+
+// What is odd in a scene, its cameras, its views and their frames: told, and kept for reports and pages.
+class Told {
+ public:
+  explicit Told(SceneArguments scene) : scene_(std::move(scene)) {}
+  void tell(const Findings& findings);
+  // Of frames, from any thread: each kind once, and no frame is said to be empty whose view or scene is.
+  void tell_frame(const Findings& findings);
+  Findings all() const;
+
+ private:
+  const SceneArguments scene_;
+  mutable std::mutex mutex_;
+  Findings all_;
 };
 
 // What every subcommand that renders a view takes.
@@ -78,13 +99,14 @@ struct LoadedView {
   Scene scene;
   Camera camera;
   std::vector<Camera> cameras;  // all of the file or the framing
+  std::shared_ptr<Told> told;
 };
 LoadedView load_view(const ViewArguments& arguments);
 // Scene, view and memory, as the first line of what a command prints.
 std::string head_of(const LoadedView& loaded, const MemoryArguments& memory);
 
-// Switches on what the scene cannot do without: the compensation of an antialiased one.
-void follow_scene(const Scene& scene, SimulateOptions& options);
+// Switches on what the scene cannot do without: the compensation of an antialiased one. What is odd in frames is told.
+void follow_scene(const LoadedView& loaded, SimulateOptions& options);
 
 // Throws ConfigError when the machine shows no streams, before anything is computed for those who look at them.
 void need_taps(const SimulateOptions& options);

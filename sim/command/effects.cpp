@@ -35,7 +35,7 @@ int effects(const EffectsArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
   const LoadedView loaded = load_view(arguments.view);
-  follow_scene(loaded.scene, options);
+  follow_scene(loaded, options);
   check_picture_memory(loaded.camera, options, kGoldenPixels);
   Json json = {{"scene", loaded.scene.name},
                {"camera", loaded.camera.name},

@@ -41,7 +41,7 @@ Config MachineArguments::machine() const {
           fmt::format("--set: {} follows from other keys, expected one of those: `pipegs config {}` "
                       "names them",
                       quote(key), key));
-    config_set(machine, setting);
+    apply_setting(setting, machine);
     if (!keys.insert(key).second) throw ConfigError(fmt::format("--set: found a second {}, expected one", quote(key)));
   }
   config_check(machine);

@@ -10,14 +10,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
 
 #include "cpp_model/frame_setup.hpp"
+#include "scenes/atomic_file.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/text/quote.hpp"
 #include "sim/command/command.hpp"
 #include "sim/command/option_groups.hpp"
+#include "sim/command/terminal.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/measurement_store.hpp"
 #include "sim/rtl/rtl_fault.hpp"
@@ -26,7 +29,8 @@ namespace pipegs {
 namespace {
 
 int fail(int code, const std::string& what) {
-  fmt::print(stderr, "pipegs: {}\n", one_line(what));
+  const std::string line = "pipegs: " + what;  // where this program fails it names its logs, which are not shortened
+  fmt::print(stderr, "{}\n", code == kExitOwnFailure ? one_line(line) : message_line(line));
   return code;
 }
 
@@ -36,17 +40,25 @@ bool is(const std::exception& error) {
 }
 
 int tell(const std::exception& error) {
+  if (interrupted()) return fail(kExitInterrupted, error.what());
   if (is<InputError, ConfigError, FrameError>(error)) return fail(kExitBadInput, error.what());
   if (is<RtlFault>(error)) return fail(kExitDiffers, error.what());
   if (is<std::bad_alloc>(error)) return fail(kExitOwnFailure, "out of memory");
   if (is<std::logic_error>(error)) return fail(kExitOwnFailure, fmt::format("a bug of ours: {}", error.what()));
-  return fail(interrupted() ? kExitInterrupted : kExitOwnFailure, error.what());
+  return fail(kExitOwnFailure, error.what());
 }
 
-// Names of files go into reports, which are UTF-8 as all JSON is.
+// Names of files go into reports, which are UTF-8 as all JSON is, and into lines of commands that run again.
 void check_text(int argc, char** argv) {
   using Json = nlohmann::json;
   for (int i = 1; i < argc; ++i) {
+    const std::string_view text = argv[i];
+    if (!is_one_line(text))
+      throw InputError(
+          fmt::format("argument {}: found {}, expected one line without control characters", i, quote(text)));
+    // CLI11 would take the next argument for its value.
+    if (text.starts_with("--") && text.find('=') == text.size() - 1)
+      throw InputError(fmt::format("{}: found '', expected a value", text.substr(0, text.size() - 1)));
     try {
       Json(argv[i]).dump();
     } catch (const Json::type_error&) {
@@ -99,10 +111,14 @@ int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    if (error.get_exit_code() == 0) {  // --help
+      app.exit(error);
+      return std::cout.flush() ? kExitOk : fail(kExitOwnFailure, "standard output cannot be written");
+    }
     return fail(kExitBadInput, fmt::format("{} (--help shows how)", error.what()));
   }
   const int code = run();
+  if (interrupted()) return fail(kExitInterrupted, "interrupted");
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     return fail(kExitOwnFailure, "standard output cannot be written");
   return code;
@@ -113,6 +129,7 @@ int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
 
 int main(int argc, char** argv) {
   using namespace pipegs;
+  guard_terminal();
   watch_interrupts();
   CLI::App app("PipeGS: 3D Gaussian splatting hardware, simulated and compared bit for bit");
   app.require_subcommand(1);
@@ -146,7 +163,10 @@ int main(int argc, char** argv) {
   group_options(app);
   // The footer names these two. Hidden only now: a command takes over --help where it is shown.
   for (const char* flag : {"--help", "--version"}) app.get_option(flag)->group("");
+  int code = kExitOk;
   try {
-    return run_command(app, argc, argv, run);
-  } catch (const std::exception& error) { return tell(error); }
+    code = run_command(app, argc, argv, run);
+  } catch (const std::exception& error) { code = tell(error); }
+  if (code == kExitInterrupted) abandon_files();
+  return code;
 }

@@ -94,7 +94,7 @@ int model(const ModelArguments& arguments) {
   std::vector<SimulateOptions> options = arguments.view.each();
   const LoadedView loaded = load_view(arguments.view);
   for (SimulateOptions& one : options) {
-    follow_scene(loaded.scene, one);
+    follow_scene(loaded, one);
     if (arguments.check) check_picture_memory(loaded.camera, one, kRtlPixels);
   }
   if (!arguments.json) {

@@ -15,7 +15,7 @@ struct OptionGroup {
   std::vector<std::string> options;
 };
 const OptionGroup kGroups[] = {
-    {"Scene", {"--lod", "--axes"}},
+    {"Scene", {"--lod", "--axes", "--strict"}},
     {"Camera",
      {"--cameras", "--view", "--views", "--path", "--size", "--scale", "--window", "--crop", "--ignore-distortion",
       "--orbit", "--from", "--look-at", "--up", "--fov", "--near", "--background"}},

@@ -25,6 +25,8 @@ std::vector<std::string> elements_of(const std::string& name, const std::string&
   return elements;
 }
 
+std::string empty(const std::string& text) { return text.empty() ? "found '', expected a value" : ""; }
+
 // As many elements as the shape has, such as X,Y,Z; `read` gets each with its place.
 template <class Value>
 Option add_shape(CLI::App& app, const std::string& name, std::vector<Value>& values, const std::string& what,
@@ -77,11 +79,11 @@ Option add_flag(CLI::App& app, const std::string& name, bool& value, const std::
 }
 
 Option add_text(CLI::App& app, const std::string& name, std::string& value, const std::string& what) {
-  return Option(app.add_option(name, value, what));
+  return Option(app.add_option(name, value, what)).checked(empty);
 }
 
 Option add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& values, const std::string& what) {
-  return Option(app.add_option(name, values, what)->allow_extra_args(false));
+  return Option(app.add_option(name, values, what)->allow_extra_args(false)).checked(empty);
 }
 
 Option add_read(CLI::App& app, const std::string& name, const std::string& what, const std::string& type,

@@ -3,13 +3,14 @@
 #include "sim/command/outputs.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <fstream>
+#include <stdexcept>
 
 #include "scenes/atomic_file.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/own_failure.hpp"
+#include "sim/progress.hpp"
 
 namespace pipegs {
 namespace {
@@ -30,17 +31,18 @@ fs::file_status status_of(const std::string& option, const fs::path& asked, cons
 // Whether folders below `folder`, and files in them, can be made.
 void try_to_write(const std::string& option, const fs::path& asked, fs::path folder) {
   if (folder.empty()) folder = ".";
+  std::error_code error;
   while (!fs::exists(status_of(option, asked, folder))) {
+    if (fs::is_symlink(fs::symlink_status(folder, error)))
+      refuse(option, asked, quote(folder.string()) + " is a link to nothing, expected a folder");
     const fs::path above = folder.parent_path();
     folder = above.empty() ? fs::path(".") : above;
   }
   if (!fs::is_directory(status_of(option, asked, folder)))
     refuse(option, asked, quote(folder.string()) + " is a file, expected a folder");
-  const fs::path probe = folder / fmt::format(".pipegs.{}", getpid());
-  const bool written = std::ofstream(probe).is_open();
-  std::error_code ignored;
-  fs::remove(probe, ignored);
-  if (!written) refuse(option, asked, "nothing can be made in the folder " + quote(folder.string()));
+  const fs::path probe = make_temporary_file(folder, error);
+  if (probe.empty()) refuse(option, asked, "nothing can be made in the folder " + quote(folder.string()));
+  fs::remove(probe, error);
 }
 
 void try_name(const std::string& option, const fs::path& asked, const fs::path& file) {
@@ -66,12 +68,13 @@ void try_file(const std::string& option, const fs::path& file) {
 }
 
 void make_folder_of(const fs::path& file) {
+  if (interrupted()) throw std::runtime_error("interrupted");
   const fs::path folder = file.parent_path();
-  if (!folder.empty()) fs::create_directories(folder);
+  if (!folder.empty()) make_folders(folder);
 }
 
 void write_images(const std::string& folder, const Image& image, const std::optional<Rgb8>& picture) {
-  fs::create_directories(folder);
+  make_folder_of(folder + "/frame.png");
   write_exr(fs::path(folder) / "frame.exr", image);
   write_png8(fs::path(folder) / "frame.png", picture ? *picture : to_rgb8(image, glm::dvec3(0)));
 }

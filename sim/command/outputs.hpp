@@ -23,7 +23,7 @@ void try_folder(const std::string& option, const std::filesystem::path& folder,
 // The file that `option` names; nothing without one.
 void try_file(const std::string& option, const std::filesystem::path& file);
 
-// Makes the folder in which `file` will lie.
+// Makes the folder in which `file` will lie; std::runtime_error when the program is to end.
 void make_folder_of(const std::filesystem::path& file);
 
 // frame.exr and frame.png: the 8-bit picture of the image, or the one that is given.

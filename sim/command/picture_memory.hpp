@@ -10,6 +10,7 @@
 
 #include <cstdint>
 
+#include "scenes/free_memory.hpp"
 #include "sim/compare/simulate.hpp"
 
 namespace pipegs {
@@ -28,9 +29,7 @@ inline constexpr PixelBytes kPagePixels{.asked = 16};             // pictures an
 inline constexpr PixelBytes kCountPixels{.frame = 2};             // the counts of a tile of 256
 inline constexpr PixelBytes kImagePixels{.asked = 44};
 
-// Bytes: the least of what computer, container and process have.
-uint64_t free_memory();
-
+// What takes more than a gigabyte is said in one line.
 void check_picture_memory(const Camera& camera, const SimulateOptions& options, const PixelBytes& bytes);
 
 }  // namespace pipegs

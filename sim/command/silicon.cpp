@@ -7,6 +7,7 @@
 
 #include "scenes/text/number.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/own_tables.hpp"
 #include "sim/command/page/study_output.hpp"
 #include "sim/timing/cycle_engine.hpp"
 #include "sim/report/measurement_store.hpp"
@@ -52,12 +53,12 @@ int silicon(const SiliconArguments& arguments) {
   const LoadedView loaded = load_view(arguments.view);
   for (SimulateOptions& one : options) {
     arguments.memory.apply(one);
-    follow_scene(loaded.scene, one);
+    follow_scene(loaded, one);
     if (arguments.no_energy) continue;
     need_taps(one);
     check_picture_memory(loaded.camera, one, kGoldenPixels + kRtlPixels);
   }
-  const SramLaw law(PIPEGS_SOURCE_DIR "/synth/data/sram.csv");
+  const SramLaw law = own_tables([] { return SramLaw(PIPEGS_SOURCE_DIR "/synth/data/sram.csv"); });
   std::vector<SiliconPoint> design_points;
   std::vector<Enables> enables;  // of each, where energy is asked for
   for (const SimulateOptions& one : options) {
@@ -89,7 +90,8 @@ int silicon(const SiliconArguments& arguments) {
                           .head = head_of(loaded, arguments.memory),
                           .charts = charts,
                           .tables = tables,
-                          .machines = machines},
+                          .machines = machines,
+                          .odd = loaded.told->all()},
                          json);
   return kExitOk;
 }

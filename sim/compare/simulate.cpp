@@ -11,6 +11,7 @@
 #include "cpp_model/float/truth.hpp"
 #include "cpp_model/frame_setup.hpp"
 #include "cpp_model/ru/ru_resolve.hpp"
+#include "sim/compare/frame_check.hpp"
 #include "sim/host_use.hpp"
 #include "sim/progress.hpp"
 
@@ -117,7 +118,9 @@ PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, c
   for (const Camera& camera : cameras) {
     for (int axis = 0; axis < 3; ++axis) bound = std::max(bound, std::abs(camera.position[axis]));
   }
-  return pack_scene(options.config, scene, bound);
+  PackedScene packed = pack_scene(options.config, scene, bound);
+  if (options.found) options.found(check_packed(packed));
+  return packed;
 }
 
 void simulate_frame(const PackedScene& packed, const Camera& camera, const SimulateOptions& options,
@@ -138,21 +141,26 @@ void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptio
   simulate_frame(result.packed, camera, options, result);
 }
 
-void simulate_golden(Simulation& result) {
-  Progress progress("golden");
+void simulate_golden(const SimulateOptions& options, Simulation& result, const GoldenOptions& how) {
   const Stopwatch watch;
   const double before = process_seconds();
-  result.golden = golden_frame(result.input, {.threads = 0, .progress = [&](double share) {
-                                                if (interrupted()) throw std::runtime_error("interrupted");
-                                                progress.update(share);
-                                              }});
+  result.golden = golden_frame(result.input, how);
   result.wall_golden = watch.seconds();
   result.cpu_golden = process_seconds() - before;
+  if (options.found) options.found(check_frame(result, options));
+}
+
+void simulate_golden(const SimulateOptions& options, Simulation& result) {
+  Progress progress("golden");
+  simulate_golden(options, result, {.threads = 0, .progress = [&](double share) {
+                                      if (interrupted()) throw std::runtime_error("interrupted");
+                                      progress.update(share);
+                                    }});
 }
 
 void simulate_golden(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result) {
   simulate_pack(scene, camera, options, result);
-  simulate_golden(result);
+  simulate_golden(options, result);
 }
 
 Image simulate_float(const char* stage, const Scene& scene, const Camera& camera, const SimulateOptions& options,

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "cpp_model/float/projection.hpp"
 #include "cpp_model/golden.hpp"
 #include "scenes/camera.hpp"
+#include "scenes/check/finding.hpp"
 #include "scenes/scene.hpp"
 #include "sim/memory/dram/dram.hpp"
 #include "sim/rtl/rtl_model.hpp"
@@ -30,6 +32,8 @@ struct SimulateOptions {
   bool raster = false;                       // pixels in raster order, RGBA8; else by windows
   std::optional<std::array<int, 2>> watch;   // pixel whose blending the RTL shall show
   RtlTaps* taps = nullptr;                   // sees what the RTL shows, beside the comparison
+  std::function<void(const Findings&)> found =
+      {};  // hears what is odd in what is packed and in frames; from any thread
 };
 
 struct MemoryTraffic {
@@ -66,13 +70,15 @@ struct Simulation {
   Simulation(const Simulation&) = delete;  // input points into packed
 };
 
-// Packs the scene so that frames of all these cameras can be rendered.
+// Packs the scene so that frames of all these cameras can be rendered. Says what is left out.
 PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, const SimulateOptions& options);
 // Sets up the frame of a scene that is packed already, the result's own or one that outlives the result.
 void simulate_frame(const PackedScene& packed, const Camera& camera, const SimulateOptions& options,
                     Simulation& result);
-// Runs the golden model on the frame that is set up.
-void simulate_golden(Simulation& result);
+// Runs the golden model on the frame that is set up, and says whether it is empty; without `how` with a line on the
+// terminal.
+void simulate_golden(const SimulateOptions& options, Simulation& result);
+void simulate_golden(const SimulateOptions& options, Simulation& result, const GoldenOptions& how);
 // Packs the scene and sets up the frame.
 void simulate_pack(const Scene& scene, const Camera& camera, const SimulateOptions& options, Simulation& result);
 // The same, and runs the golden model.

@@ -7,6 +7,7 @@
 
 #include "cpp_model/areas/frame_areas.hpp"
 #include "cpp_model/control/job.hpp"
+#include "scenes/atomic_file.hpp"
 #include "sim/compare/sequence_check.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/host_use.hpp"
@@ -50,7 +51,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   const Config& config = options.config;
   if (!config.taps && (options.taps != nullptr || options.watch))
     throw ConfigError("configuration: what shows the streams needs taps = 1");
-  const std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(options.variant, options.rtl));
+  std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(options.variant, options.rtl));
   ExternalMemory memory(options.memory, config.bus_w);
   const Placed placed = place(config, frames, memory);
   std::vector<SequenceCheck::Expected> expected;
@@ -65,15 +66,30 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   SequenceCheck check(expected, memory, options.taps);
   if (options.watch) check.frame(0).watch((*options.watch)[0], (*options.watch)[1]);
 
+  RtlOptions rtl = options.rtl;
+  std::optional<AtomicFile> waves;
+  if (!rtl.waves.empty()) {
+    waves.emplace(rtl.waves);
+    rtl.waves = waves->temporary();
+    waves->beside(".hier");  // the writer's, until it is done
+  }
   Progress progress("rtl");
   const Stopwatch watch;
   SequenceRun run;
-  run.rtl = model->run(jobs, memory, options.rtl, &check, [&](uint64_t cycle, uint64_t windows_done) {
+  const auto report = [&](uint64_t cycle, uint64_t windows_done) {
     progress.update(static_cast<double>(windows_done) / static_cast<double>(windows),
                     fmt::format("{:.0f} kHz", static_cast<double>(cycle) / watch.seconds() / 1000));
     return !interrupted();
-  });
+  };
+  try {
+    run.rtl = model->run(jobs, memory, rtl, &check, report);
+  } catch (const RtlFault&) {  // what led to it is in the waves
+    model.reset();             // ends them
+    if (waves) waves->commit();
+    throw;
+  }
   run.wall = watch.seconds();
+  if (waves) waves->commit();
   if (check.complete() != frames.size())
     throw std::logic_error(fmt::format("RTL: {} frames given, {} complete", frames.size(), check.complete()));
   run.traffic = memory_traffic(config, memory);

@@ -55,10 +55,19 @@ std::vector<ConfigLine> read_config_file(const std::filesystem::path& path) {
   return parse_config_text(path.string(), text);
 }
 
+void apply_setting(std::string_view setting, Config& config) {
+  Config alone;
+  config_set(alone, setting);
+  const std::string_view key = setting.substr(0, setting.find('='));
+  for (const ConfigEntry& entry : config_entries(Config{})) {
+    if (entry.member != nullptr && entry.name == key) config.*entry.member = alone.*entry.member;
+  }
+}
+
 void apply_config_lines(const std::vector<ConfigLine>& lines, Config& config) {
   for (const ConfigLine& line : lines) {
     try {
-      config_set(config, line.setting);
+      apply_setting(line.setting, config);
     } catch (const ConfigError& error) {
       std::string what = error.what();
       if (what.starts_with("--set ")) what.erase(0, 6);

@@ -23,6 +23,9 @@ std::vector<ConfigLine> read_config_file(const std::filesystem::path& path);
 // The same of a text; `file` is its name in places and errors.
 std::vector<ConfigLine> parse_config_text(const std::string& file, std::string_view text);
 
+// As config_set, which looks at all derived entries of the configuration before: those of one that config_check would
+// refuse may not be computable. So it is set in one that is whole, and taken over.
+void apply_setting(std::string_view setting, Config& config);
 // Sets every line's entry; config_check is the caller's.
 void apply_config_lines(const std::vector<ConfigLine>& lines, Config& config);
 void apply_config_file(const std::filesystem::path& path, Config& config);

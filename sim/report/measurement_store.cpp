@@ -66,7 +66,7 @@ MeasurementStore::MeasurementStore(std::filesystem::path folder, const Scene& sc
   if (options.window) view_["window"] = *options.window;
   if (options.crop) view_["crop"] = {options.crop->x0, options.crop->y0, options.crop->x1, options.crop->y1};
   view_.update(more);
-  if (!folder_.empty()) std::filesystem::create_directories(folder_);
+  if (!folder_.empty()) make_folders(folder_);
 }
 
 MeasurementStore MeasurementStore::with(const Json& more) const {

@@ -81,8 +81,8 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
   return bounds;
 }
 
-Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions& options,
-                 const Simulation& simulation) {
+Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions& options, const Simulation& simulation,
+                 const Findings& odd) {
   Json report;
   report["scene"] = {{"name", scene.name},
                      {"gaussians", scene.gaussians.size()},
@@ -94,6 +94,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
                        {"zero_quaternion", simulation.packed.counts.zero_quaternion},
                        {"transparent", simulation.packed.counts.transparent},
                        {"out_of_range", simulation.packed.counts.out_of_range}}}};
+  report["findings"] = to_json(odd);
   report["camera"] = {{"name", camera.name},     {"id", camera.id}, {"width", camera.width},
                       {"height", camera.height}, {"fx", camera.fx}, {"fy", camera.fy}};
   if (options.window) report["window"] = {(*options.window)[0], (*options.window)[1]};

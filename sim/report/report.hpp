@@ -21,8 +21,9 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
 
 // {bytes_read, bytes_written, by_stream}
 nlohmann::ordered_json traffic_json(const std::vector<MemoryTraffic>& streams);
+// `odd` is what was found in the scene, its camera and the frame.
 nlohmann::ordered_json report_json(const Scene& scene, const Camera& camera, const SimulateOptions& options,
-                                   const Simulation& simulation);
+                                   const Simulation& simulation, const Findings& odd);
 std::string report_text(const nlohmann::ordered_json& report);
 
 }  // namespace pipegs

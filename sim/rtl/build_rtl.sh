@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so:
 #   build_rtl.sh BUILD_DIR OUT_DIR [+waves] [+noasserts] [+netlist] [+apart] [+verilator=OPTION,...]
-#                [+cxx=OPTION,...] [key=value ...]
+#                [+cxx=OPTION,...] [+fresh] [key=value ...]
 #
 # PUs, SUs and RUs are classes of their own, whose code all units of a kind call: Verilator merges their functions where
 # it sees that they are equal (units.vlt), the linker where only the compiler could. With +apart, and wherever waves
@@ -12,24 +12,30 @@
 # library of its own; the rest is RTL. What begins with + says how the machine is simulated (RtlVariant), the rest which
 # machine it is.
 # BUILD_DIR is the CMake build folder (its package_sv and static libraries are used). Nothing is done twice: the library
-# is newer than every RTL file or it is built again, the C++ through ccache where that is installed.
+# is newer than every RTL file and as its sum says, or it is built again, the C++ through ccache where that is
+# installed. With +fresh its exit code says whether nothing is to be done; then nothing is written.
 set -euo pipefail
 build=$(cd "$1" && pwd) out=$2
 shift 2
 root=$(cd "$(dirname "$0")/../.." && pwd)
-mkdir -p "$out"
-out=$(cd "$out" && pwd)
-exec 9> "$out/lock"
-flock 9
-if [ -e "$out/librtl.so" ] && [ -z "$(find "$root/rtl" "$root/sim/rtl/rtl_bridge.cpp" "$root/sim/rtl/"*.hpp \
+fresh() {
+  [ -e "$out/librtl.so" ] && [ "$(cksum < "$out/librtl.so")" = "$(cat "$out/librtl.sum" 2> /dev/null)" ] &&
+    [ -z "$(find "$root/rtl" "$root/sim/rtl/rtl_bridge.cpp" \
+    "$root/sim/rtl/wave_disk.cpp" "$root/sim/rtl/"*.hpp \
     "$root/sim/rtl/pins" "$root/cpp_model/driver/"*.[ch] \
     "$root/sim/memory/external_memory.hpp" "$root/sim/memory/memory_timing.hpp" "$root/sim/rtl/build_rtl.sh" \
     "$root/sim/rtl/verilate.sh" "$root/sim/rtl/units.vlt" "$root/cpp_model/config.def" "$root/cpp_model/records.def" \
     "$root/sim/rtl/pipegs_sim.sv" \
     "$build/cpp_model/package_sv" "$build/sim/memory/libpipegs_memory.a" "$build/sim/memory/dram/libpipegs_dram.a" \
-    -newer "$out/librtl.so" -type f)" ]; then
-  exit 0
-fi
+    -newer "$out/librtl.so" -type f)" ]
+}
+if fresh; then exit 0; fi
+case " $* " in *" +fresh "*) exit 1 ;; esac
+mkdir -p "$out"
+out=$(cd "$out" && pwd)
+exec 9> "$out/lock"
+flock 9
+if fresh; then exit 0; fi
 settings=() options=() tuning=() waves=0 shared=1 units=()
 for argument in "$@"; do
   case $argument in
@@ -103,13 +109,21 @@ ahead() {
   fast+=" $(ahead $fast)"
   for i in $(seq 0 $((shards - 1))); do echo "$out/Vpipegs_sim__shard$i.cpp $out/shard$i.o $fast -w"; done
   echo "$out/Vpipegs_sim__once.cpp $out/once.o -O0 $(ahead -O0) -w"  # what waves need is in it: half of all code
-  if [ $waves = 1 ]; then echo "$verilator/include/verilated_fst_c.cpp $out/fst.o -O2 -w"; fi
+  if [ $waves = 1 ]; then
+    echo "$verilator/include/verilated_fst_c.cpp $out/fst.o -O2 -w"
+    echo "$root/sim/rtl/wave_disk.cpp $out/disk.o -O2 -Wall -Wextra"
+  fi
   echo "$root/sim/rtl/rtl_bridge.cpp $out/bridge.o $fast -Wall -Wextra"; } |
   xargs -P "$(nproc)" -L 1 bash -c 'compile -c "$0" -o "$1" "${@:2}"'
-fold=()
-if [ $shared = 1 ] && command -v ld.gold > /dev/null; then fold=(-fuse-ld=gold "-Wl,--icf=all"); fi
-"$cxx" -shared "${fold[@]}" -o "$out/librtl.so.new" "$out"/*.o "$build/sim/memory/libpipegs_memory.a" \
+linking=()
+if [ $waves = 1 ]; then  # wave_disk.cpp
+  linking=("-Wl,--wrap=fwrite,--wrap=fputc,--wrap=fflush,--wrap=fclose,--wrap=mmap")
+fi
+if [ $shared = 1 ] && command -v ld.gold > /dev/null; then linking=(-fuse-ld=gold "-Wl,--icf=all"); fi
+"$cxx" -shared "${linking[@]}" -o "$out/librtl.so.new" "$out"/*.o "$build/sim/memory/libpipegs_memory.a" \
   "$build/sim/memory/dram/libpipegs_dram.a" \
   "$build/libverilated_runtime.a" "$build/cpp_model/libpipegs_model.a" -lz -latomic -lpthread
 touch -r "$out/begun" "$out/librtl.so.new"
+cksum < "$out/librtl.so.new" > "$out/librtl.sum.new"
+mv "$out/librtl.sum.new" "$out/librtl.sum"
 mv "$out/librtl.so.new" "$out/librtl.so"

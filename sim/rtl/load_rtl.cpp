@@ -6,14 +6,14 @@
 // Verilated code must not be unloaded while it is in use.
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
-#include "sim/progress.hpp"
 #include "scenes/own_failure.hpp"
 #include "sim/rtl/rtl_model.hpp"
+#include "sim/run_program.hpp"
 
 namespace pipegs {
 namespace {
@@ -50,20 +50,26 @@ RtlVariant built_variant(RtlVariant variant, const RtlOptions& options) {
 std::string build_rtl(const Config& config, const RtlVariant& variant) {
   const std::string difference = config_difference(config), name = difference + variant_words(variant, "");
   const std::filesystem::path folder = std::filesystem::path(PIPEGS_BUILD_DIR) / "rtl" / folder_of(name);
-  std::string command =
-      fmt::format("'{}/sim/rtl/build_rtl.sh' '{}' '{}'", PIPEGS_SOURCE_DIR, PIPEGS_BUILD_DIR, folder.string());
-  command += variant_words(variant, " ");
-  if (difference != "default") {
-    std::string settings = " " + difference;
-    for (char& c : settings) c = c == ',' ? ' ' : c;
-    command += settings;
-  }
   const std::filesystem::path library = folder / "librtl.so", log = folder / "build.log";
-  std::filesystem::create_directories(folder);
-  if (!std::filesystem::exists(library)) fmt::print(stderr, "building the RTL for configuration {} ...\n", name);
-  if (std::system((command + " > '" + log.string() + "' 2>&1").c_str()) != 0) {
-    throw RtlBuildError(fmt::format("the RTL of configuration {} does not build: see {}", name, log.string()));
+  std::vector<std::string> words = {PIPEGS_SOURCE_DIR "/sim/rtl/build_rtl.sh", PIPEGS_BUILD_DIR, folder.string()};
+  require_own_file(words[0]);
+  std::istringstream more(variant_words(variant, " ") + (difference == "default" ? "" : " " + difference));
+  for (std::string word; more >> word;) {
+    std::istringstream settings(word);
+    for (std::string setting; std::getline(settings, setting, ',');) words.push_back(setting);
   }
+  words.push_back("+fresh");  // looks only: who may not write can use what is there
+  if (run_program(words) == 0) return library.string();
+  words.pop_back();
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (access(folder.c_str(), W_OK) != 0)
+    throw RtlBuildError(fmt::format(
+        "the RTL of configuration {} is not built, or not of these sources, and nothing can be written in {}", name,
+        folder.string()));
+  fmt::print(stderr, "building the RTL for configuration {} ...\n", name);
+  if (run_program(words, log) != 0)
+    throw RtlBuildError(fmt::format("the RTL of configuration {} does not build: see {}", name, log.string()));
   return library.string();
 }
 

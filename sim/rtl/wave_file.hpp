@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // wave_file.hpp: the waves of a Verilated module, of all cycles or of samples of them.
+//
+// Errors  OwnFailure when the disk does not take them (wave_disk.cpp): with the next cycle, or when the file is closed.
 #pragma once
 
 #include <verilated.h>
@@ -7,12 +9,16 @@
 #include <verilated_fst_c.h>
 #endif
 
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 
+#include "scenes/own_failure.hpp"
 #include "sim/rtl/rtl_model.hpp"
 
 namespace pipegs {
+
+inline int wave_error = 0;  // the first one, of errno
 
 // The file of waves; nothing without a path, and in a variant that has no waves only that.
 template <class Dut>
@@ -21,22 +27,32 @@ class WaveFile {
 #if VM_TRACE
   WaveFile(Dut& top, const RtlOptions& options) : options_(options) {
     if (options.waves.empty()) return;
+    wave_error = 0;
     file_ = std::make_unique<VerilatedFstC>();
     top.trace(file_.get(), 99);
     file_->open(options.waves.c_str());
   }
   void dump_low(uint64_t cycle) {
-    if (file_ && in_sample(options_, cycle)) file_->dump(cycle * 10);
+    if (file_ && in_sample(options_, cycle)) dump(cycle * 10);
   }
   // Of the cycle before a sample too: the change to its first low phase is a part of the sample.
   void dump_high(uint64_t cycle) {
-    if (file_ && (in_sample(options_, cycle) || in_sample(options_, cycle + 1))) file_->dump(cycle * 10 + 5);
+    if (file_ && (in_sample(options_, cycle) || in_sample(options_, cycle + 1))) dump(cycle * 10 + 5);
   }
   void close() {
     if (file_) file_->close();
+    check();
   }
 
  private:
+  void dump(uint64_t time) {
+    file_->dump(time);
+    check();
+  }
+  static void check() {
+    if (wave_error != 0) throw OwnFailure(std::string("the waves cannot be written: ") + std::strerror(wave_error));
+  }
+
   const RtlOptions& options_;
   std::unique_ptr<VerilatedFstC> file_;
 #else

@@ -127,7 +127,28 @@ TEST_F(Cli, CamerasComeInOtherFormats) {
     [[1,0,0,0],[0,-1,0,0],[0,0,-1,0],[0,0,0,1]]}]})");
   EXPECT_EQ(run("render scene.ply --cameras t.json --size 70x50").code, 0);
   expect_refused("render scene.ply --cameras t.json", "t.json: frames[0]: the file has no size, expected --size WxH");
-  expect_refused("render scene.ply --cameras .", "cameras.bin and cameras.txt");
+  fs::create_directories(folder_ / "nothing");
+  expect_refused("render scene.ply --cameras nothing", "cameras.bin and cameras.txt");
+  const Outcome folder = run("render scene.ply --cameras .");
+  EXPECT_EQ(folder.code, 0) << folder.err;
+  EXPECT_NE(folder.err.find("note: the cameras of the folder are those of 'cameras.json'"), std::string::npos);
+}
+
+// A view that shows nothing says so and why; --strict refuses it; report.json has it.
+TEST_F(Cli, WhatIsOddIsSaid) {
+  const std::string sim = "sim scene.ply --cameras cameras.json --near 1e6 --no-rtl --no-truth --out odd";
+  const Outcome empty = run(sim);
+  EXPECT_EQ(empty.code, 0) << empty.err;
+  EXPECT_NE(empty.err.find("before the near plane of 1e+06"), std::string::npos) << empty.err;
+  EXPECT_EQ(std::count(empty.err.begin(), empty.err.end(), '\n'), 1) << "said twice: " << empty.err;
+  const auto findings = nlohmann::json::parse(text("odd/report.json")).at("findings");
+  EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const auto& f) { return f["key"] == "empty_view"; }));
+  const Outcome strict = run(sim + " --strict");
+  EXPECT_EQ(strict.code, 2);
+  EXPECT_NE(strict.err.find("--strict: scene.ply: warning: view "), std::string::npos) << strict.err;
+  const Outcome plain = run("sim scene.ply --cameras cameras.json --no-rtl --no-truth --strict --out odd");
+  EXPECT_EQ(plain.code, 0) << plain.err;
+  EXPECT_EQ(plain.err, "");
 }
 
 TEST_F(Cli, InfoCounts) {
@@ -198,7 +219,7 @@ TEST_F(Cli, BadInputIsRefusedInOneLine) {
   expect_refused("sim scene.ply --cameras cameras.json --set bus_w=64", "bus_w = 64, expected 0, 128, 256 or 512");
   expect_refused("sim scene.ply --cameras cameras.json --design nonsense",
                  "gscore, baseline, dpc, tspp, dop, late, exact, fast");
-  expect_refused("sim scene.ply --cameras cameras.json --design ''", "unknown design point ''");
+  expect_refused("sim scene.ply --cameras cameras.json --design ''", "--design: found '', expected a value");
   expect_refused("explain scene.ply --cameras cameras.json --pixel 900,2", "--pixel");
 }
 

@@ -64,6 +64,35 @@ TEST_F(Commands, LadderPrintsATable) {
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
 }
 
+// What a frame leaves out is told by every command that makes one, once, and kept with what the command has found.
+TEST_F(Commands, WhatAFrameLeavesOutIsTold) {
+  Scene scene = random_scene(1, 300, 1);
+  scene.gaussians[7].mean.x = 1e30f;
+  write_ply(folder_ / "far.ply", scene);
+  const std::string view = " far.ply --cameras cameras.json ", line = "1 of 300 Gaussians lie beyond the range";
+  for (const std::string& command :
+       {"render" + view + "--out far", "sim" + view + "--no-rtl --no-truth --out far",
+        "sim" + view + "--no-rtl --views all --frames none --out far", "explain" + view + "--pixel 3,3 --no-rtl",
+        "model" + view, "effects" + view, "pack" + view + "--out far", "study profile" + view + "--out far",
+        "ladder" + view + "--designs late --no-truth --out far", "point" + view + "--store far",
+        "point" + view + "--engine golden --store far"}) {
+    SCOPED_TRACE(command);
+    const Outcome strict = run(command + " --strict");  // `ladder` names each design point before
+    EXPECT_EQ(strict.code, 2) << strict.err;
+    EXPECT_NE(strict.err.find("--strict: far.ply: warning: 1 of 300"), std::string::npos) << strict.err;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::size_t first = outcome.err.find(line);
+    ASSERT_NE(first, std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find(line, first + 1), std::string::npos) << outcome.err;
+  }
+  for (const char* file : {"far/report.json", "far/sequence.json", "far/profile.json", "far/late/report.json"}) {
+    const Json findings = Json::parse(text(file)).at("findings");
+    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Json& f) { return f["key"] == "left_out"; }))
+        << file;
+  }
+}
+
 // Without tools nothing can be built or brought up to date.
 TEST_F(Commands, ADesignPointWhoseRtlDoesNotBuildIsNamedAndLeftOut) {
   const Outcome outcome =

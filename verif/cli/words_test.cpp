@@ -213,6 +213,7 @@ TEST_F(Words, AMachineThatHangsIsReplayedToo) {
   const std::string line = behind("replay with waves: ", first);
   EXPECT_NE(line.find("--window 1,0"), std::string::npos) << line;
   EXPECT_EQ(shell("PIPEGS_FAULT=hang " + line).code, 1);
+  EXPECT_GT(fs::file_size(folder_ / "replay/waves.fst"), 1000u) << "what led to it";
 }
 
 // The view that fails is written, and its line shows the same failure.

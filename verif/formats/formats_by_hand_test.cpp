@@ -95,7 +95,7 @@ TEST(FormatsByHand, Spz) {
   EXPECT_EQ(scene.gaussians[1].rotation[1], 1);
   EXPECT_EQ(sh_rest_of(scene, 1)[1], 8 / 128.0f);
   EXPECT_EQ(sh_rest_of(scene, 1)[44], 32 / 128.0f);
-  EXPECT_NE(format.notes.front().find("degree 4"), std::string::npos);
+  EXPECT_NE(format.findings.front().what.find("degree 4"), std::string::npos);
 }
 
 TEST(FormatsByHand, SpzThatSaysItsAxes) {

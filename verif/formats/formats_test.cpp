@@ -174,7 +174,8 @@ TEST(Formats, TheFileSaysWhatItHasLost) {
   EXPECT_EQ(format.name, ".spz version 4 (zstd)");
   EXPECT_EQ(format.fields.back().second, "5 bits of 8 for degree 1, 4 above");
   EXPECT_EQ(format.axes, "");
-  EXPECT_EQ(format.notes.size(), 1u);  // the axes
+  ASSERT_EQ(format.findings.size(), 1u);
+  EXPECT_EQ(format.findings[0].kind->key, "axes_unknown");
   EXPECT_FALSE(own("spz/scene.v4.rub.sh8.spz", &(format = {})).antialiased);
   EXPECT_EQ(format.fields.back().second, "8 bits of 8 for degree 1, 8 above");
   own("ksplat/scene.level2.sh2.ksplat", &(format = {}));

@@ -34,7 +34,7 @@ class Sequence {
     auto& next = *simulations_.emplace_back(std::make_unique<Simulation>());
     options_.near_plane = near_plane;
     simulate_frame(packed, camera, options_, next);
-    simulate_golden(next);
+    simulate_golden(options_, next);
   }
   void expect_equal() {
     expect_equal(true);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // cameras_fuzz: any bytes as a file of cameras: each camera can be looked through, or there is an InputError.
 //
-// Idea    JSON of every format begins as JSON does; another first byte says which of COLMAP's files the rest is.
+// Idea    JSON of every format begins as JSON does, or is large (repeated.hpp); another first byte says which of
+//         COLMAP's files the rest is.
 #include <cstdlib>
 
 #include "scenes/camera.hpp"
 #include "scenes/colmap/colmap.hpp"
 #include "scenes/input_error.hpp"
 #include "verif/fuzz/keep.hpp"
+#include "verif/fuzz/repeated.hpp"
 
 namespace {
 
@@ -27,7 +29,7 @@ std::vector<Camera> cameras_of(std::string_view bytes) {
     std::vector<ColmapPose> poses = parse_colmap_poses(kind == 'i' ? "images.bin" : "images.txt", rest);
     return colmap_cameras("images.bin", one, poses);
   }
-  return parse_cameras("fuzz.json", bytes, {.width = 4, .height = 3});
+  return parse_cameras("fuzz.json", repeated(bytes), {.width = 4, .height = 3});
 }
 
 }  // namespace

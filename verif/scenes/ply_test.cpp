@@ -65,7 +65,10 @@ TEST(Ply, ReadsPropertiesInAnyOrderAndMixedTypes) {
   for (int round = 0; round < 20; ++round) {
     auto columns = plain_columns(4, 45);
     for (std::size_t j = columns.size(); j > 1; --j) std::swap(columns[j - 1], columns[random() % j]);
-    for (Column& column : columns) column.type = types[random() % 5];
+    for (Column& column : columns) {
+      column.type = types[random() % 5];
+      if (column.name == "opacity" && column.type == std::string("uchar")) column.type = "int";  // uchar is a code
+    }
     columns.insert(columns.begin() + 5, Column{"segmentation_id", "ushort", {1, 2, 3, 4}});
     PlyText text;
     text.format = round % 2 == 0 ? "binary_little_endian" : "binary_big_endian";

@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "scenes/check/scene_check.hpp"
 #include "scenes/info.hpp"
 
 namespace pipegs {
@@ -75,6 +76,7 @@ TEST(Scene, CullsEachBadValue) {
 TEST(Info, FindsEveryKindOfTroubleWithItsFirstIndex) {
   Scene scene = one(0);
   scene.gaussians[0].rotation = {1, 0, 0, 0};
+  scene.gaussians[0].sh_dc.x = -0.1f;
   scene.gaussians.resize(20, scene.gaussians[0]);
   for (std::size_t i = 0; i < 20; ++i) scene.gaussians[i].mean.x = static_cast<float>(i);
   scene.gaussians[3].mean.x = kNan;
@@ -84,7 +86,7 @@ TEST(Info, FindsEveryKindOfTroubleWithItsFirstIndex) {
   scene.gaussians[9].opacity_logit = -9;
   scene.gaussians[11].log_scale = {0, 0, -12};
   scene.gaussians[13].log_scale = {6, 6, 6};
-  const SceneInfo info = inspect(scene);
+  const SceneInfo info = inspect(scene, check_scene(scene));
   EXPECT_EQ(info.gaussians, 20u);
   EXPECT_EQ(info.usable, 18u);
   EXPECT_EQ(info.highest.x, 19);
@@ -105,7 +107,7 @@ TEST(Info, SuspectsScalesThatAreNoLogarithms) {
     scene.gaussians[i].mean.x = 0.1f * static_cast<float>(i);
     scene.gaussians[i].log_scale = {5, 5, 5};
   }
-  EXPECT_NE(to_text(inspect(scene)).find("scales look linear"), std::string::npos);
+  EXPECT_NE(to_text(inspect(scene, check_scene(scene))).find("scales look linear"), std::string::npos);
 }
 
 TEST(Info, InspectsAnEmptyAndAFlatScene) {

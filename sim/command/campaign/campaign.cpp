@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <set>
 
+#include "scenes/atomic_file.hpp"
 #include "sim/command/campaign/merge.hpp"
 #include "sim/command/page/study_output.hpp"
 #include "sim/command/replay.hpp"
@@ -36,7 +37,7 @@ std::vector<PointResult> look_up(const std::vector<CampaignPoint>& points, std::
     for (size_t i = first; i < next; ++i) {
       const PointArguments& arguments = points[i].arguments;
       const Camera& camera = loaded.cameras[arguments.view.view];
-      const SimulateOptions options = point_options(arguments, loaded.scene);
+      const SimulateOptions options = point_options(arguments, loaded);
       if (machines != nullptr && arguments.engine == "rtl" &&
           machines->insert(config_difference(options.config)).second)
         build_rtl(options.config, built_variant(options.variant, options.rtl));
@@ -61,7 +62,7 @@ int write_lines(const CampaignArguments& arguments, const std::vector<PointResul
     if (!one.kept) text += one.point.arguments.line() + "\n";
   }
   write_text(out / "lines.txt", text);
-  std::filesystem::create_directories(out / "points");
+  make_folders(out / "points");
   fmt::print("{} points, {} of them kept; {} machines of the RTL are built\n\n", points.size(), count_kept(points),
              machines);
   if (!text.empty()) fmt::print("next: parallel < {}\n", shell_word((out / "lines.txt").string()));

@@ -63,6 +63,7 @@ std::string one_of(const JsonNode& node, const std::vector<std::string>& known) 
 std::string path_of(const JsonNode& node, const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / node.text();
   std::error_code ignored;
+  if (!is_one_line(path.string())) node.refuse("a path of one line, without control characters");
   if (node.text().empty() || !std::filesystem::exists(path, ignored)) node.refuse("a file that is there");
   return path.string();
 }
@@ -191,6 +192,7 @@ std::vector<CampaignPoint> read_campaign(const std::filesystem::path& path, cons
           point.arguments.view.settings = configurations[c].settings;
           if (configurations[c].settings.empty()) point.arguments.options();
           else at(file["configurations"][c]["set"], [&] { point.arguments.options(); });
+          point.arguments.line();  // refuses what no line can hold
           points.push_back(std::move(point));
         }
       }

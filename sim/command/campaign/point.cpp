@@ -43,7 +43,7 @@ Json timing_json(const TimingResult& timing) {
 
 // What golden model, truth and RTL say, without what another computer would say otherwise.
 Json frame_json(const LoadedView& loaded, const SimulateOptions& options, const Simulation& simulation) {
-  Json report = report_json(loaded.scene, loaded.camera, options, simulation);
+  Json report = report_json(loaded.scene, loaded.camera, options, simulation, loaded.told->all());
   for (const char* of_the_computer : {"wall_seconds", "host", "rtl_khz"}) report.erase(of_the_computer);
   return report;
 }
@@ -59,7 +59,7 @@ Json measure(const PointArguments& point, const LoadedView& loaded, const Simula
   if (point.engine == "model") {
     result = timing_json(timing_run(timing_trace(simulation.input), options.config, options.memory));
   } else {
-    simulate_golden(simulation);
+    simulate_golden(options, simulation);
     if (point.truth) simulate_truth(loaded.scene, loaded.camera, options, simulation);
     if (point.engine == "rtl") simulate_rtl(options, simulation);
     cost["golden_seconds"] = simulation.cpu_golden;
@@ -79,7 +79,7 @@ int run_point(const PointArguments& point) {
   point.options();  // refuses before the scene is read
   try_folder("--store", point.keep);
   const LoadedView loaded = load_view(point.view);
-  const SimulateOptions options = point_options(point, loaded.scene);
+  const SimulateOptions options = point_options(point, loaded);
   if (point.engine != "model") {
     check_picture_memory(loaded.camera, options,
                          kGoldenPixels + (point.truth ? kTruthPixels : PixelBytes{}) +
@@ -137,6 +137,11 @@ std::string PointArguments::line() const {
   say("--engine", engine);
   if (truth) line += " --truth";
   say("--store", absolute(keep));
+  if (!is_one_line(line))
+    throw InputError("campaign", "",
+                     fmt::format("found a line break or a control character in the names of {}, "
+                                 "which no line of commands can hold",
+                                 message_line(line)));
   return line;
 }
 
@@ -144,9 +149,9 @@ MeasurementStore point_store(const PointArguments& point, const Scene& scene, co
   return {point.keep, scene, camera, point.options(), view_key(point)};
 }
 
-SimulateOptions point_options(const PointArguments& point, const Scene& scene) {
+SimulateOptions point_options(const PointArguments& point, const LoadedView& loaded) {
   SimulateOptions options = point.options();
-  follow_scene(scene, options);
+  follow_scene(loaded, options);
   return options;
 }
 

@@ -32,8 +32,8 @@ struct PointArguments {
 // Where points of this view are kept, as measured by `engine`.
 MeasurementStore point_store(const PointArguments& point, const Scene& scene, const Camera& camera);
 
-// The configuration of the point on this scene.
-SimulateOptions point_options(const PointArguments& point, const Scene& scene);
+// The configuration of the point on the scene of this view.
+SimulateOptions point_options(const PointArguments& point, const LoadedView& loaded);
 
 // {"result": what was measured, the same wherever it is; "cost": seconds and bytes of the computer}. Nothing when a
 // part of it is not there as it was kept.

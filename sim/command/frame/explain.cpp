@@ -33,7 +33,7 @@ double golden_power(const Config& config, const RowJob& job, double x, double y)
 int explain(const ExplainArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   const LoadedView loaded = load_view(arguments.view);
-  follow_scene(loaded.scene, options);
+  follow_scene(loaded, options);
   const int x = arguments.pixel.at(0), y = arguments.pixel.at(1), side = options.config.window;
   if (x >= loaded.camera.width || y >= loaded.camera.height) {
     throw ConfigError(

@@ -51,7 +51,7 @@ void run_design_point(LadderRow& row, const LadderArguments& arguments, const Lo
   const std::string folder = arguments.output.out() + "/" + std::string(row.design_point->name);
   write_images(folder, picture_of(*simulation, row.options));
   write_text(folder + "/report.json",
-             report_json(loaded.scene, loaded.camera, row.options, *simulation).dump(2) + "\n");
+             report_json(loaded.scene, loaded.camera, row.options, *simulation, loaded.told->all()).dump(2) + "\n");
   if (simulation->first_mismatch)
     fmt::print(stderr, "{}: first mismatch: {}\n", row.design_point->name, simulation->first_mismatch->what);
   if (!known.first) known.first = std::move(simulation);
@@ -81,7 +81,7 @@ int ladder(const LadderArguments& arguments) {
   check_outputs(arguments, chosen);
   for (const LadderRow& row : rows) need_taps(row.options);
   const LoadedView loaded = load_view(arguments.view);
-  for (LadderRow& row : rows) follow_scene(loaded.scene, row.options);
+  for (LadderRow& row : rows) follow_scene(loaded, row.options);
   check_picture_memory(loaded.camera, rows.front().options, memory_of(arguments));
 
   Known known;
@@ -117,7 +117,8 @@ int ladder(const LadderArguments& arguments) {
                           .head = head,
                           .charts = ladder_charts(rows),
                           .tables = ladder_tables(rows),
-                          .machines = machines},
+                          .machines = machines,
+                          .odd = loaded.told->all()},
                          json, done > 0);
   if (differs) return kExitDiffers;
   return done == rows.size() ? kExitOk : kExitOwnFailure;

@@ -53,7 +53,7 @@ int render(const RenderArguments& arguments) {
   arguments.picture.apply(arguments.view, arguments.model == "golden", options);
   try_folder("--out", arguments.out, {"frame.exr", "frame.png"});
   const LoadedView loaded = load_view(arguments.view);
-  follow_scene(loaded.scene, options);
+  follow_scene(loaded, options);
   check_picture_memory(loaded.camera, options,
                        kWritePixels + (arguments.model == "truth" ? PixelBytes{} : kGoldenPixels) +
                            (arguments.model == "golden" ? PixelBytes{} : kImagePixels));

@@ -104,8 +104,8 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   const bool page = arguments.page.wanted(), record = page && !arguments.no_rtl;
   if (record) need_taps(options);
   const LoadedView loaded = load_view(arguments.view);
-  const std::optional<Rgb8> against = arguments.page.read(loaded.camera, options);
-  follow_scene(loaded.scene, options);
+  const std::optional<Rgb8> against = arguments.page.read(loaded, options);
+  follow_scene(loaded, options);
   check_picture_memory(loaded.camera, options,
                        kGoldenPixels + kWritePixels + (arguments.no_truth ? PixelBytes{} : kTruthPixels) +
                            (arguments.no_rtl ? PixelBytes{} : kRtlPixels) + (page ? kPagePixels : PixelBytes{}));
@@ -125,7 +125,8 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   std::string wrong;
   if (!arguments.no_rtl) wrong = run_rtl(arguments, command, loaded, options, plan, simulation);
 
-  auto report = report_json(loaded.scene, loaded.camera, wrong.empty() ? plan.options : options, simulation);
+  auto report =
+      report_json(loaded.scene, loaded.camera, wrong.empty() ? plan.options : options, simulation, loaded.told->all());
   report["effects"] = arguments.no_rtl
                           ? nlohmann::ordered_json(nullptr)
                           : nlohmann::ordered_json{{"simulated", plan.simulated}, {"left_out", plan.left_out}};

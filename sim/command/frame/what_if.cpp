@@ -144,7 +144,7 @@ int what_if(const WhatIfArguments& arguments) {
   std::vector<Machine> machines = machines_of(arguments);
   arguments.output.check();
   const LoadedView loaded = load_view(arguments.base);
-  for (Machine& machine : machines) follow_scene(loaded.scene, machine.options);
+  for (Machine& machine : machines) follow_scene(loaded, machine.options);
   const PixelBytes drawn = kGoldenPixels + kImagePixels;  // the base's is held
   check_picture_memory(loaded.camera, machines.front().options, drawn + drawn + kImagePixels);
   const std::vector<WhatIfRow> rows = WhatIf(loaded, machines).rows();

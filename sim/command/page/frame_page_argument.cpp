@@ -21,12 +21,16 @@ void FramePageArgument::check() const {
   if (wanted_) try_page();
 }
 
-std::optional<Rgb8> FramePageArgument::read(const Camera& camera, const SimulateOptions& options) const {
+std::optional<Rgb8> FramePageArgument::read(const LoadedView& loaded, const SimulateOptions& options) const {
   if (!wanted_) return std::nullopt;
-  const PixelRect asked = asked_pixels(camera.width, camera.height, options);
+  const PixelRect asked = asked_pixels(loaded.camera.width, loaded.camera.height, options);
   check_page_picture("--page", asked);
   if (against_.empty()) return std::nullopt;
-  return cropped(read_photograph(against_, camera), asked);
+  const Photograph photograph = read_photograph(against_, loaded.camera, OtherSize::kShrunk);
+  PhotographFindings found;
+  found.add(against_, photograph);
+  loaded.told->tell(found.all());
+  return cropped(photograph.picture, asked);
 }
 
 void FramePageArgument::write(const CLI::App& command, const std::string& out, FramePage page,

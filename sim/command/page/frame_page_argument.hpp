@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // frame_page_argument.hpp: `pipegs sim --page`: the frame as one HTML page.
 //
-// Errors  InputError: --against is no picture of the camera's size, before anything is computed.
+// Errors  InputError: --against does not fit the camera, before anything is computed.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ class FramePageArgument {
   void add(CLI::App& app);
   bool wanted() const { return wanted_; }
   void check() const;  // makes the template
-  // The pixels of --against that were asked for; nothing without it.
-  std::optional<Rgb8> read(const Camera& camera, const SimulateOptions& options) const;
+  // The pixels of --against that were asked for; nothing without it. What was done to read them is told.
+  std::optional<Rgb8> read(const LoadedView& loaded, const SimulateOptions& options) const;
   // page.html in the folder `out`. The rest of the page is what `command` was given.
   void write(const CLI::App& command, const std::string& out, FramePage page, const Simulation& simulation,
              const SimulateOptions& options) const;

@@ -70,6 +70,7 @@ void StudyOutput::check() const {
 }
 
 void StudyOutput::write(const StudyFindings& findings, nlohmann::ordered_json json, bool files) const {
+  if (findings.odd) json["findings"] = to_json(*findings.odd);
   if (!findings.charts.empty()) json["charts"] = charts_json(findings.charts);
   if (json_) fmt::print("{}\n", json.dump(2));
   else fmt::print("{}\n\n{}", findings.head, tables_text(findings.tables));
@@ -80,6 +81,9 @@ void StudyOutput::write(const StudyFindings& findings, nlohmann::ordered_json js
   if (!page_) return;
   StudyPage page = study_page(findings.title, *command_);
   page.lead(findings.head);
+  const Findings odd = findings.odd.value_or(Findings());
+  if (!odd.empty()) page.section("What is odd in scene, cameras and frames");
+  for (const Finding& finding : odd) page.note(finding_line(finding));
   if (!findings.charts.empty()) page.section("Charts");
   if (!findings.note.empty()) page.note(findings.note);
   page.charts(findings.charts);

@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@
 
 #include "cpp_model/config.hpp"
 #include "cpp_model/float/projection.hpp"
+#include "scenes/check/finding.hpp"
 #include "sim/command/options.hpp"
 #include "sim/report/html/study_page.hpp"
 
@@ -44,7 +46,8 @@ struct StudyFindings {
   std::vector<Chart> charts;
   std::vector<Table> tables;  // the first one has columns
   NamedMachines machines;
-  std::string note;  // in the page above the charts
+  std::string note;                  // in the page above the charts
+  std::optional<Findings> odd = {};  // in scene, cameras and frames
 };
 
 class StudyOutput {

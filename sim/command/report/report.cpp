@@ -16,7 +16,7 @@ namespace {
 // As large as a page of a few megabytes allows: a pixel takes about two bytes.
 void add_pictures(StudyPage& page, const std::vector<FolderResults::Picture>& pictures) {
   constexpr int kMostPixels = 1500000;
-  int longest = 640;  // side
+  int longest = FolderResults::kLongestSide;
   const auto shrunken = [&](int side, const Rgb8& picture) {
     const int step = (std::max(picture.width, picture.height) + longest - 1) / longest;
     return (side + step - 1) / step;

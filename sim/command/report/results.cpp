@@ -3,6 +3,7 @@
 #include "sim/command/report/results.hpp"
 
 #include <fmt/format.h>
+#include <png.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,6 +14,7 @@
 #include "scenes/text/json_node.hpp"
 #include "scenes/text/text_file.hpp"
 #include "sim/design/design_point.hpp"
+#include "sim/photos/photograph.hpp"
 
 namespace pipegs {
 namespace {
@@ -148,15 +150,40 @@ Config config_of(const JsonNode& node) {
   return config;
 }
 
+// InputError when the pictures have more pixels than their bytes, and a free share, are good for: a few kilobytes may
+// hold as many as take seconds to unpack.
+void count_pixels(const fs::path& file, FolderResults& results) {
+  constexpr uint64_t kFree = uint64_t{1} << 26, kMostOfAByte = 16;
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, file.c_str()) == 0) return;  // read_png8 refuses it
+  png_image_free(&png);
+  const uint64_t pixels = uint64_t{png.width} * png.height, bytes = fs::file_size(file);
+  if (results.pixels_read + pixels > kFree + kMostOfAByte * (results.bytes_read + bytes))
+    throw InputError(
+        fmt::format("found {}x{} pixels in {} bytes, which with the other pictures are too many for a page", png.width,
+                    png.height, bytes));
+  results.pixels_read += pixels;
+  results.bytes_read += bytes;
+}
+
+Rgb8 thumbnail(const Rgb8& picture) {
+  const int longest = FolderResults::kLongestSide,
+            step = (std::max(picture.width, picture.height) + longest - 1) / longest;
+  return step <= 1 ? picture : shrunk(picture, (picture.width + step - 1) / step, (picture.height + step - 1) / step);
+}
+
 // The id of the picture in the page; empty without one.
 std::string add_picture(const fs::path& file, const std::string& caption, FolderResults& results) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return "";
   try {
-    results.pictures.push_back({caption, fmt::format("picture-{}", results.pictures.size()), read_png8(file)});
+    count_pixels(file, results);
+    results.pictures.push_back(
+        {caption, fmt::format("picture-{}", results.pictures.size()), thumbnail(read_png8(file))});
     return results.pictures.back().id;
   } catch (const std::runtime_error& wrong) {
-    results.left_out.push_back({file.string(), one_line(wrong.what())});
+    results.left_out.push_back({one_line(file.string()), one_line(wrong.what())});
     return "";
   }
 }
@@ -220,9 +247,9 @@ void add(Add add_file, const fs::path& file, const std::string& name, FolderResu
              name, results);
   } catch (const std::bad_alloc&) { throw; } catch (const std::runtime_error& wrong) {
     std::string reason = one_line(wrong.what());
-    const std::string prefix = file.string() + ": ";
+    const std::string prefix = one_line(file.string()) + ": ";
     if (reason.starts_with(prefix)) reason.erase(0, prefix.size());
-    results.left_out.push_back({file.string(), reason});
+    results.left_out.push_back({one_line(file.string()), reason});
   }
 }
 

@@ -24,9 +24,10 @@ struct LeftOut {
 };
 
 struct FolderResults {
+  static constexpr int kLongestSide = 640;
   struct Picture {
     std::string caption, id;
-    Rgb8 pixels;
+    Rgb8 pixels;  // shrunken to that
   };
   Table frames, trained;                       // a row for each frame; for each who draws the views held out
   std::vector<Chart> charts;                   // of the frames
@@ -34,6 +35,7 @@ struct FolderResults {
   std::vector<Picture> pictures;
   std::vector<LeftOut> left_out;
   std::size_t trained_scenes = 0;
+  std::uint64_t pixels_read = 0, bytes_read = 0;  // of pictures in their files
 
   std::size_t count() const { return frames.rows.size() + walks.size() + trained_scenes; }
 };

@@ -17,12 +17,16 @@ void add_convert(CLI::App& app, Run& run) {
   when_chosen(command, run, [] {
     try_folder("--out", out, {"scene.ply"});
     SceneFormat format;
-    const Scene loaded = scene.load(&format);
+    const Scene loaded = scene.load(format);
+    scene.tell(format.findings);
     const std::filesystem::path file = std::filesystem::path(out) / "scene.ply";
     make_folder_of(file);
-    write_ply(file, loaded);
-    fmt::print("{}: {} Gaussians, SH degree {}; from {}\n", file.string(), loaded.gaussians.size(), loaded.sh_degree,
-               format.name.empty() ? "the generator" : format.name);
+    const std::size_t left_out = write_ply(file, loaded, format.origin);
+    if (left_out > 0)
+      scene.tell(
+          {{"not_written", fmt::format("{} Gaussians with values that are no numbers are not written", left_out)}});
+    fmt::print("{}: {} Gaussians, SH degree {}; from {}\n", file.string(), loaded.gaussians.size() - left_out,
+               loaded.sh_degree, format.name.empty() ? "the generator" : format.name);
     return kExitOk;
   });
 }

@@ -45,8 +45,8 @@ void add_info(CLI::App& app, Run& run) {
   add_flag(command, "--json", json, "as JSON");
   when_chosen(command, run, [] {
     SceneFormat format;
-    const Scene loaded = scene.load(&format);
-    SceneInfo info = inspect(loaded);
+    const Scene loaded = scene.load(format);
+    SceneInfo info = inspect(loaded, format.findings);
     info.format = format;
     const std::vector<Margin> margins = margins_of(loaded, info);
     if (json) {
@@ -55,6 +55,10 @@ void add_info(CLI::App& app, Run& run) {
       fmt::print("{}\n", json_text(all, 1));
     } else {
       fmt::print("{}{}\n", to_text(info), text_of(margins));
+    }
+    for (const Finding& finding : info.findings) {
+      const Severity severity = finding.kind->severity;
+      if (severity == Severity::kError || (scene.strict && severity == Severity::kWarning)) scene.tell({finding});
     }
     return kExitOk;
   });

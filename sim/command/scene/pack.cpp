@@ -81,7 +81,7 @@ int pack(const PackArguments& arguments) {
   if (options.window) throw ConfigError("--window: found one, expected none: what is packed serves every window");
   try_folder("--out", arguments.out, {"image.bin", "scene.h"});
   const LoadedView loaded = load_view(arguments.view);
-  follow_scene(loaded.scene, options);
+  follow_scene(loaded, options);
   const PackedScene packed = pack_views(loaded.scene, {loaded.camera}, options);
   // Refuses what the driver would refuse.
   const pipegs_job job = frame_job(options.config, packed, loaded.camera, {}, options.near_plane);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "scenes/atomic_file.hpp"
 #include "sim/report/measurement_store.hpp"
 
 namespace pipegs {
@@ -23,9 +24,7 @@ Json hash_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-FrameFiles::FrameFiles(const FrameFilesOptions& options) : options_(options) {
-  std::filesystem::create_directories(options.folder);
-}
+FrameFiles::FrameFiles(const FrameFilesOptions& options) : options_(options) { make_folders(options.folder); }
 
 std::filesystem::path FrameFiles::file(int number, const char* extension) const {
   return std::filesystem::path(options_.folder) / fmt::format("frame_{:04}.{}", number, extension);

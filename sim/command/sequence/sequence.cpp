@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/cameras/path.hpp"
+#include "scenes/check/view_check.hpp"
 #include "scenes/text/json.hpp"
 #include "scenes/text/quote.hpp"
+#include "sim/command/own_tables.hpp"
 #include "sim/command/sequence/frame_files.hpp"
 #include "sim/command/sequence/frame_table.hpp"
 #include "sim/progress.hpp"
@@ -93,7 +95,7 @@ class Sequence {
       };
       Simulation simulation;
       simulate_frame(packed_, row.camera, options_, simulation);
-      simulation.golden = golden_frame(simulation.input, {.progress = [&](double share) { at(0.4 * share); }});
+      simulate_golden(options_, simulation, {.progress = [&](double share) { at(0.4 * share); }});
       write(simulation);
       at(0.4);
       const TimingResult timing = timing_run(timing_trace(simulation.input), options_.config, options_.memory);
@@ -114,7 +116,7 @@ class Sequence {
     for (FrameRow& row : table_.rows) {
       frames.push_back(simulations.emplace_back(std::make_unique<Simulation>()).get());
       simulate_frame(packed_, row.camera, options_, *frames.back());
-      simulate_golden(*frames.back());
+      simulate_golden(options_, *frames.back());
       row.mismatches = 0;
     }
     std::string wrong;
@@ -135,9 +137,8 @@ class Sequence {
 
   // What each frame cost is known.
   const FrameTable& finish() {
-    const FrameModel silicon = read_frame_model();
     for (FrameRow& row : table_.rows)
-      row.cost = silicon.cost(table_.config, row.cycles, row.bytes.read + row.bytes.written);
+      row.cost = silicon_.cost(table_.config, row.cycles, row.bytes.read + row.bytes.written);
     return table_;
   }
 
@@ -172,6 +173,7 @@ class Sequence {
     return wrong;
   }
 
+  const FrameModel silicon_ = own_tables(read_frame_model);
   FrameTable table_;
   const Scene& scene_;
   SimulateOptions options_;
@@ -215,8 +217,9 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
                  const SimulateOptions& options, const SequenceRunArguments& run) {
   const LoadedView loaded = load_view(view);
   SimulateOptions simulated = options;
-  follow_scene(loaded.scene, simulated);
+  follow_scene(loaded, simulated);
   std::vector<FrameRow> rows = frames_of(loaded.cameras, sequence);
+  loaded.told->tell(check_views(loaded.scene, cameras_of(rows), simulated.near_plane));
   const uint64_t held = run.rtl ? rows.size() : 1;  // frames in memory at a time
   const PixelBytes each = run.rtl ? kGoldenPixels + kRtlPixels : kGoldenPixels;
   for (const FrameRow& row : rows)
@@ -230,7 +233,8 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   if (run.rtl) wrong = frames.rtl(run.replay);
   else frames.model(run.out + "/kept");
   const FrameTable& table = frames.finish();
-  const Json json = to_json(table);
+  Json json = to_json(table);
+  json["findings"] = to_json(loaded.told->all());
   write_text(run.out + "/frames.csv", frames_csv(table));
   write_text(run.out + "/sequence.json", json.dump(2) + "\n");
   const std::string viewed = viewer.write(run.out);

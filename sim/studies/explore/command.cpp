@@ -11,6 +11,7 @@
 
 #include "scenes/text/quote.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/own_tables.hpp"
 #include "sim/command/page/study_output.hpp"
 #include "sim/progress.hpp"
 #include "sim/silicon/published.hpp"
@@ -58,12 +59,12 @@ int explore(const ExploreArguments& arguments, const Question& question) {
   if (options.window && question.measured != Measured::kErrors)
     throw ConfigError("--window: pictures or windows of other sizes are compared as a whole, expected none");
   arguments.memory.apply(options);
-  const FrameModel silicon = read_frame_model();
+  const FrameModel silicon = own_tables(read_frame_model);
   if (question.check) question.check(options.config, silicon);
   try_folder("--store", arguments.store);
   arguments.output.check();
   const LoadedView loaded = load_view(arguments.view);
-  follow_scene(loaded.scene, options);
+  follow_scene(loaded, options);
   check_picture_memory(loaded.camera, options, memory_of(question));
   const Stopwatch watch;
   const View view(loaded.scene, loaded.camera, loaded.cameras, options, question.measured);
@@ -82,7 +83,8 @@ int explore(const ExploreArguments& arguments, const Question& question) {
        .head = head,
        .charts = answer.charts,
        .tables = answer.tables,
-       .note = "Points can be copied by a click: the settings go to the clipboard, the rows are marked."},
+       .note = "Points can be copied by a click: the settings go to the clipboard, the rows are marked.",
+       .odd = loaded.told->all()},
       json);
   if (!arguments.output.json())
     fmt::print("  {} points measured in {:.0f} s, {} taken from the store\n", explorer.computed, watch.seconds(),

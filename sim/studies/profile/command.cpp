@@ -18,7 +18,7 @@ int profile(const ProfileArguments& arguments) {
   SimulateOptions options = arguments.view.options();
   arguments.output.check();
   const LoadedView loaded = load_view(arguments.view);
-  follow_scene(loaded.scene, options);
+  follow_scene(loaded, options);
   check_picture_memory(loaded.camera, options, kGoldenPixels);
   Simulation simulation;
   simulate_golden(loaded.scene, loaded.camera, options, simulation);
@@ -34,7 +34,8 @@ int profile(const ProfileArguments& arguments) {
                           .head = head,
                           .charts = profile_charts(found),
                           .tables = profile_tables(found),
-                          .machines = {{machine_name(options.config), options.config}}},
+                          .machines = {{machine_name(options.config), options.config}},
+                          .odd = loaded.told->all()},
                          json);
   return kExitOk;
 }

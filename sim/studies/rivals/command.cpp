@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/command/command.hpp"
+#include "sim/command/own_tables.hpp"
 #include "sim/command/page/study_output.hpp"
 #include "sim/progress.hpp"
 #include "sim/studies/rivals/compare/report.hpp"
@@ -31,11 +32,11 @@ FrameCounts count(const RivalsArguments& arguments, const LoadedView& view) {
 }
 
 std::vector<OwnMachine> own_machines(const LoadedView& loaded, const RivalsArguments& arguments) {
-  const FrameModel model = read_frame_model();
+  const FrameModel model = own_tables(read_frame_model);
   std::vector<OwnMachine> own;
   for (SimulateOptions one : arguments.view.paper_and_own()) {
     arguments.memory.apply(one);
-    follow_scene(loaded.scene, one);
+    follow_scene(loaded, one);
     const CycleEngine engine = model_engine(loaded.scene, loaded.camera, one);
     own.push_back(own_machine(machine_name(one.config), one.config, engine(one.config, one.memory), model));
   }
@@ -67,7 +68,8 @@ int run_rivals(RivalsArguments& arguments) {
                                               counts.width, counts.height, arguments.memory.external.dram),
                           .charts = comparison_charts(comparison),
                           .tables = comparison_tables(comparison),
-                          .machines = machines},
+                          .machines = machines,
+                          .odd = loaded.told->all()},
                          json);
   return kExitOk;
 }

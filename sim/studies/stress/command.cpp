@@ -8,6 +8,7 @@
 
 #include <filesystem>
 
+#include "scenes/atomic_file.hpp"
 #include "scenes/ply/ply.hpp"
 #include "sim/command/command.hpp"
 #include "sim/command/picture_size.hpp"
@@ -54,7 +55,7 @@ void shrink_and_write(const std::string& program, const StressArguments& argumen
                                    now.view.camera.width, now.view.camera.height));
     return !interrupted();
   });
-  std::filesystem::create_directories(arguments.out);
+  make_folders(arguments.out);
   write_ply(arguments.out + "/scene.ply", small.view.scene);
   write_cameras(arguments.out + "/cameras.json", {small.view.camera});
   const StressView again{read_ply(arguments.out + "/scene.ply"), read_cameras(arguments.out + "/cameras.json").at(0),

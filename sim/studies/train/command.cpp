@@ -9,7 +9,9 @@
 #include <limits>
 #include <set>
 
+#include "cpp_model/frame_setup.hpp"
 #include "scenes/cameras/around.hpp"
+#include "scenes/check/view_check.hpp"
 #include "scenes/colmap/colmap.hpp"
 #include "scenes/input_error.hpp"
 #include "scenes/own_failure.hpp"
@@ -33,6 +35,7 @@ struct TrainArguments {
   std::size_t most_gaussians = 200000;
   uint64_t seed = 1;
   unsigned threads = 0;
+  double near_plane = 0;  // 0: INRIA's, or as the points of the photographs need it
   bool resume = false, json = false;
 };
 
@@ -43,6 +46,9 @@ struct TrainInput {
   TrainingViews views;
   std::vector<TrainingView> given;  // of the trained ones, those that more were made about: they are measured, too
   Parameters start;
+  glm::dvec3 origin{0};  // was subtracted from scene and cameras
+  Findings of_views;     // told when a machine has taken the cameras
+  std::shared_ptr<Told> told;
 };
 
 void stop_if_interrupted() {
@@ -70,24 +76,38 @@ void check_memory(const std::vector<Camera>& cameras, int downscale, uint64_t by
                   cameras.size(), static_cast<double>(needed) / 1e9, static_cast<double>(free) / 1e9));
 }
 
-TrainInput of_photographs(const TrainArguments& arguments) {
-  if (!arguments.cameras.file.empty() || arguments.cameras.orbit > 0 || arguments.around > 0)
-    throw ConfigError(
-        "--cameras, --orbit, --around: found one with a folder of photographs, expected none: COLMAP's model has them");
-  const ColmapFolder folder = read_colmap(arguments.scene.file);
+TrainInput of_photographs(const TrainArguments& arguments, const CLI::App& command) {
+  for (const char* option : {"--cameras", "--orbit", "--around", "--size", "--scale", "--from", "--look-at", "--up",
+                             "--fov", "--lod", "--axes"}) {
+    if (is_given(command, option))
+      throw ConfigError(
+          fmt::format("{}: found one with a folder of photographs, expected none: COLMAP's model has the "
+                      "cameras (--downscale makes pictures smaller)",
+                      option));
+  }
+  Findings findings;
+  const ColmapFolder folder = read_colmap(arguments.scene.file, arguments.cameras.ignore_distortion, findings);
   check_memory(folder.cameras, arguments.downscale, kPhotoBytes);
-  Progress progress("photographs");
   TrainInput input;
-  input.views = views_of_photographs(folder, arguments.downscale, shown_in(progress));
+  {
+    Progress progress("photographs");
+    const double near = arguments.near_plane > 0 ? arguments.near_plane : near_plane_of(folder, findings);
+    input.views = views_of_photographs(folder, arguments.downscale, near, shown_in(progress), findings);
+  }
+  input.told = std::make_shared<Told>(arguments.scene);
+  input.told->tell(findings);
   input.start = start_of_points(folder.points, arguments.sh_degree, arguments.most_gaussians, arguments.threads);
   return input;
 }
 
 TrainInput of_scene(const TrainArguments& arguments) {
-  const std::optional<std::vector<Camera>> given = arguments.cameras.read();
+  Findings findings;
+  const std::optional<std::vector<Camera>> given = arguments.cameras.read(findings);
   const bool own = arguments.scene.file.empty();
-  const Scene scene = arguments.scene.load();
-  std::vector<Camera> cameras = given ? *given : arguments.cameras.frame(scene, own);
+  SceneFormat format;
+  const Scene scene = arguments.scene.load(format);
+  std::vector<Camera> cameras = arguments.cameras.views(given, scene, own, format.origin);
+  TrainInput input;
   std::set<std::string> given_names;
   if (arguments.around > 0) {
     for (const Camera& camera : cameras) given_names.insert(camera.name);
@@ -98,9 +118,14 @@ TrainInput of_scene(const TrainArguments& arguments) {
                      "found one view, expected at least two, of which one is held out: --cameras, --orbit or --around");
   check_memory(cameras, arguments.downscale, kComputedBytes);
   start_of_scene(arguments.scene.file, scene, 1);  // refused before it is drawn
+  input.told = std::make_shared<Told>(arguments.scene);
+  input.told->tell(format.findings);
+  input.told->tell(findings);
+  const double near = arguments.near_plane > 0 ? arguments.near_plane : kNearPlane;
+  input.of_views = check_views(scene, cameras, near);
   Progress progress("targets");
-  TrainInput input;
-  input.views = views_of_scene(scene, cameras, arguments.downscale, arguments.threads, shown_in(progress));
+  input.origin = format.origin;
+  input.views = views_of_scene(scene, cameras, arguments.downscale, arguments.threads, shown_in(progress), near);
   for (const TrainingView& view : input.views.trained) {
     if (given_names.contains(view.camera.name)) input.given.push_back(view);
   }
@@ -125,7 +150,7 @@ TrainOptions options_of(const TrainArguments& arguments, bool fine_tuning) {
 }
 
 TrainQuality quality_of(const Parameters& parameters, const std::vector<TrainingView>& views, int layers,
-                        unsigned threads) {
+                        unsigned threads, Told& told) {
   const LayerGrid grid = layer_grid(parameters, layers);
   const Scene scene = scene_of(parameters, "");
   Progress progress("held out");
@@ -136,9 +161,26 @@ TrainQuality quality_of(const Parameters& parameters, const std::vector<Training
     };
   };
   const auto half = [&](double share) { quarter(2)(2 * share); };
+  const auto tell = [&](const Findings& findings) { told.tell_frame(findings); };
   return {likeness(parameters, views, nullptr, threads, quarter(0)),
-          likeness(parameters, views, &grid, threads, quarter(1)), both_machines(scene, views, layers, half),
+          likeness(parameters, views, &grid, threads, quarter(1)), both_machines(scene, views, layers, tell, half),
           margin(scene, grid)};
+}
+
+// FrameError when a camera is none of a machine that draws the views in the end: before the first step.
+void check_cameras(const TrainInput& input, int layers) {
+  std::vector<Camera> cameras;
+  for (const auto* views : {&input.views.trained, &input.views.held_out, &input.given}) {
+    for (const TrainingView& view : *views) cameras.push_back(view.camera);
+  }
+  const Scene scene = scene_of(input.start, "");
+  for (const std::string_view name : {std::string_view("dop"), kDefaultDesignPoint}) {
+    SimulateOptions options;
+    options.config = find_design_point(name).config;
+    if (name == "dop") options.config.grid = layers;
+    const PackedScene packed = pack_views(scene, cameras, options);
+    for (const Camera& camera : cameras) frame_setup(options.config, packed, camera, {}, options.near_plane);
+  }
 }
 
 // Takes the steps that are left; checkpoints on the way, at the end and at an interrupt.
@@ -172,13 +214,16 @@ TrainState train(const TrainArguments& arguments, const TrainOptions& options, c
   return trainer.state();
 }
 
-std::vector<Camera> cameras_of(const std::vector<TrainingView>& views) {
+std::vector<Camera> cameras_of(const std::vector<TrainingView>& views, const glm::dvec3& origin) {
   std::vector<Camera> cameras;
-  for (const TrainingView& view : views) cameras.push_back(view.camera);
+  for (const TrainingView& view : views) {
+    cameras.push_back(view.camera);
+    cameras.back().position += origin;
+  }
   return cameras;
 }
 
-int run_train(const TrainArguments& arguments) {
+int run_train(const TrainArguments& arguments, const CLI::App& command) {
   std::error_code ignored;
   const bool fine_tuning = !fs::is_directory(arguments.scene.file, ignored);
   const TrainOptions options = options_of(arguments, fine_tuning);
@@ -186,7 +231,7 @@ int run_train(const TrainArguments& arguments) {
     throw ConfigError(fmt::format("--layers: found {}, expected 0 for none, or 2, 4 or 8", options.layers));
   const fs::path out = arguments.out;
   try_folder("--out", out, {"scene.ply", "cameras.json", "held_out.json", "train.json", "checkpoint.bin"});
-  const TrainInput input = fine_tuning ? of_scene(arguments) : of_photographs(arguments);
+  const TrainInput input = fine_tuning ? of_scene(arguments) : of_photographs(arguments, command);
 
   TrainReport report{arguments.scene.file,
                      arguments.downscale,
@@ -199,19 +244,23 @@ int run_train(const TrainArguments& arguments) {
   std::vector<TrainingView> measured = input.views.held_out;
   measured.insert(measured.end(), input.given.begin(), input.given.end());
   for (const TrainingView& view : measured) report.measured.push_back(view.camera.name);
+  check_cameras(input, report.layers);
+  input.told->tell(input.of_views);
   const TrainState state = train(arguments, options, input);
   if (state.parameters.size() == 0) throw OwnFailure("no Gaussian is left: the views ask for none");
-  if (fine_tuning) report.before = quality_of(input.start, measured, report.layers, options.threads);
-  report.after = quality_of(state.parameters, measured, report.layers, options.threads);
+  if (fine_tuning) report.before = quality_of(input.start, measured, report.layers, options.threads, *input.told);
+  report.after = quality_of(state.parameters, measured, report.layers, options.threads, *input.told);
 
-  std::vector<Camera> cameras = cameras_of(input.views.trained);
-  const std::vector<Camera> held_out = cameras_of(input.views.held_out);
+  std::vector<Camera> cameras = cameras_of(input.views.trained, input.origin);
+  const std::vector<Camera> held_out = cameras_of(input.views.held_out, input.origin);
   cameras.insert(cameras.end(), held_out.begin(), held_out.end());
   std::sort(cameras.begin(), cameras.end(), [](const Camera& a, const Camera& b) { return a.id < b.id; });
-  write_ply(out / "scene.ply", scene_of(state.parameters, "scene"));
+  write_ply(out / "scene.ply", scene_of(state.parameters, "scene"), input.origin);
   write_cameras(out / "cameras.json", cameras);
   write_cameras(out / "held_out.json", held_out);
-  const std::string json = train_json(options, state, report).dump(2) + "\n";
+  nlohmann::ordered_json figures = train_json(options, state, report);
+  figures["findings"] = to_json(input.told->all());
+  const std::string json = figures.dump(2) + "\n";
   write_text(out / "train.json", json);
   if (arguments.json) fmt::print("{}", json);
   else
@@ -243,6 +292,8 @@ void add_train(CLI::App& app, Run& run) {
       .shows_default();
   add_integer(command, "--sh-degree", arguments.sh_degree, "of photographs: highest degree of SH", 0, kMaxShDegree)
       .shows_default();
+  add_real(command, "--near", arguments.near_plane,
+           "near plane, scene units; without it 0.2, or nearer when points of photographs lie before that", kPositive);
   add_integer(command, "--seed", arguments.seed, "of the views' order and of what is split").shows_default();
   add_integer(command, "--layers", arguments.layers, "train for layers of a grid of 2, 4 or 8 cells an axis; 0: none",
               0, 8)
@@ -261,7 +312,7 @@ void add_train(CLI::App& app, Run& run) {
   add_integer(command, "--threads", arguments.threads, "0: as many as the computer has; no result depends on it", 0u,
               1024u)
       .shows_default();
-  when_chosen(command, run, [] { return run_train(arguments); });
+  when_chosen(command, run, [&command] { return run_train(arguments, command); });
 }
 
 }  // namespace pipegs

@@ -69,10 +69,16 @@ function work_table(work) {
                 rows: rows.map(([name, count]) => [name, count, meanings[name] ?? ''])});
 }
 
+// What is odd in scene, cameras and frame.
+function found(report) {
+  return (report.findings ?? []).map(({severity, what, count}) => element(
+    'p', {class: 'note'}, `${severity}: ${what}${count ? ` (${grouped(count)})` : ''}`));
+}
+
 export async function frame_page(main, data) {
   const {report, sentences} = data;
   main.append(element('h1', {}, data.title), element('p', {class: 'lead', id: 'bound'}, sentences.frame),
-              figures(report));
+              ...found(report), figures(report));
   const timeline = data.timeline ? await timeline_section() : null;
   const compare = await compare_section({on_window: (number) => timeline?.show_window(number)});
   main.append(section('The picture', compare));

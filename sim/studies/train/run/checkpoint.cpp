@@ -149,6 +149,7 @@ std::uint64_t run_mark(const TrainOptions& options, const TrainingViews& views, 
     for (const double value : {camera.fx, camera.fy, camera.cx, camera.cy}) marker.field("", value);
     marker.field("", camera.width);
     marker.field("", camera.height);
+    marker.field("", view.near_plane);
     marker.array("", view.codes);
     marker.array("", view.computed);
   }

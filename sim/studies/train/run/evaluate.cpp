@@ -53,6 +53,7 @@ std::vector<Likeness> likeness(const Parameters& parameters, const std::vector<T
   std::vector<Likeness> each;
   for (const TrainingView& view : views) {
     TruthOptions options;
+    options.near_plane = view.near_plane;
     options.threads = threads;
     options.progress = [&](double share) {
       advance((static_cast<double>(each.size()) + share) / static_cast<double>(views.size()));
@@ -68,10 +69,12 @@ std::vector<Likeness> likeness(const Parameters& parameters, const std::vector<T
 }
 
 MachineViews machine_views(const std::string& name, const Config& config, const Scene& scene,
-                           const std::vector<TrainingView>& views, const Advance& advance) {
+                           const std::vector<TrainingView>& views, const TellFindings& tell, const Advance& advance) {
   SimulateOptions options;
+  options.found = tell;
   options.config = config;
   options.memory.dram = kDefaultDram;
+  if (!views.empty()) options.near_plane = views.front().near_plane;  // one for all
   std::vector<Camera> cameras;
   for (const TrainingView& view : views) cameras.push_back(view.camera);
   const PackedScene packed = pack_views(scene, cameras, options);
@@ -80,7 +83,7 @@ MachineViews machine_views(const std::string& name, const Config& config, const 
     advance(static_cast<double>(i) / static_cast<double>(views.size()));
     Simulation simulation;
     simulate_frame(packed, views[i].camera, options, simulation);
-    simulate_golden(simulation);
+    simulate_golden(options, simulation);
     seen.likeness.push_back(likeness(simulation.golden.image, views[i].image()));
     seen.cycles.push_back(timing_run(timing_trace(simulation.input), config, options.memory).cycles);
   }
@@ -88,13 +91,13 @@ MachineViews machine_views(const std::string& name, const Config& config, const 
 }
 
 std::vector<MachineViews> both_machines(const Scene& scene, const std::vector<TrainingView>& views, int layers,
-                                        const Advance& advance) {
+                                        const TellFindings& tell, const Advance& advance) {
   Config paper = find_design_point("dop").config;
   paper.grid = layers;
   const auto half = [&](double from) { return [&advance, from](double share) { advance(from + share / 2); }; };
-  return {machine_views("dop", paper, scene, views, half(0)),
+  return {machine_views("dop", paper, scene, views, tell, half(0)),
           machine_views(std::string(kDefaultDesignPoint), find_design_point(kDefaultDesignPoint).config, scene, views,
-                        half(0.5))};
+                        tell, half(0.5))};
 }
 
 }  // namespace pipegs

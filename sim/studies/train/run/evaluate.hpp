@@ -35,12 +35,14 @@ struct MachineViews {
   std::vector<std::uint64_t> cycles;  // of one frame, with the DRAM of the defaults
 };
 
+using TellFindings = std::function<void(const Findings&)>;  // of frames
+
 MachineViews machine_views(const std::string& name, const Config& config, const Scene& scene,
-                           const std::vector<TrainingView>& views, const Advance& advance);
+                           const std::vector<TrainingView>& views, const TellFindings& tell, const Advance& advance);
 
 // The two machines for which a scene is trained: the paper's, with a grid of so many cells along an axis, and the
 // default one, which draws in exact order.
 std::vector<MachineViews> both_machines(const Scene& scene, const std::vector<TrainingView>& views, int layers,
-                                        const Advance& advance);
+                                        const TellFindings& tell, const Advance& advance);
 
 }  // namespace pipegs

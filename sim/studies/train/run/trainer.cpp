@@ -101,6 +101,7 @@ double Trainer::step() {
   if (in_layers(step) && options_.draws_layered) draw.layers = &state_.grid;
   draw.sh_degree = schedule.sh_degree(step, parameters.sh_degree);
   draw.threads = options_.threads;
+  draw.near_plane = view.near_plane;
   gradient_ = zero_gradient(parameters);
   Seen seen;
   double loss = 0;

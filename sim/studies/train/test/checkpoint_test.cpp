@@ -128,8 +128,8 @@ TEST_F(Checkpoint, OneThatCannotBeWrittenLeavesTheOneBefore) {
   write_checkpoint(path_, mark(), trainer.state());
   const std::string before = bytes();
   advance(trainer, 1);
-  // A name so long that none is left for the file beside it; a full disk is tried by train_cli.
-  const std::filesystem::path longest = scratch_ / std::string(250, 'a');
+  // A name that is too long; a full disk is tried by train_cli.
+  const std::filesystem::path longest = scratch_ / std::string(256, 'a');
   EXPECT_THROW(write_checkpoint(longest, mark(), trainer.state()), OwnFailure);
   EXPECT_TRUE(bytes() == before);
   EXPECT_EQ(read_checkpoint(path_, mark()).step, 0);

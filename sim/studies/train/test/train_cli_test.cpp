@@ -2,6 +2,7 @@
 // train_cli_test: `pipegs train` as a person meets it: what it writes, what it refuses, and what is left after an
 // interrupt, a kill and a full disk.
 #include <glm/gtc/quaternion.hpp>
+#include <tuple>
 
 #include "cpp_model/float/truth.hpp"
 #include "verif/cli/cli.hpp"
@@ -175,6 +176,19 @@ TEST_F(TrainCli, BadUseIsToldInOneLine) {
   fs::create_directory(folder_ / "empty");
   expect_refused("train empty", "empty: found no folder sparse/0");
   EXPECT_FALSE(fs::exists(folder_ / "trained")) << "something was left behind";
+}
+
+// A camera that the machines cannot draw, held out or trained, is told before the first step.
+TEST_F(TrainCli, CamerasAreTriedBeforeTheFirstStep) {
+  const Json cameras = Json::parse(text("cameras.json"));
+  for (const auto& [view, field, value] :
+       {std::tuple{0, "cx", 1e300}, {3, "cx", -1e300}, {4, "fx", 1e-300}, {8, "fy", 1e300}}) {
+    Json wrong = cameras;
+    wrong[static_cast<std::size_t>(view)][field] = value;
+    write("wrong.json", wrong.dump());
+    expect_one_line(run("train scene.ply --cameras wrong.json --steps 1000000 --out out"), 2, "camera '");
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+  }
 }
 
 TEST_F(TrainCli, BadInputIsToldInOneLine) {

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// scene_check: see scene_check.hpp.
+#include "scenes/check/scene_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "scenes/percentile.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr std::size_t kFewest = 16, kSample = 200000;
+constexpr double kFaint = 1.0 / 255;
+constexpr double kExtremeAnisotropy = 1e4;
+constexpr double kUnitTolerance = 1e-3;  // INRIA stores what the optimiser left, gsplat unit ones
+constexpr double kOften = 0.9;
+
+struct Counted {
+  std::size_t count = 0, first = 0;
+  void add(std::size_t index) {
+    if (count++ == 0) first = index;
+  }
+};
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void add(double value) { low = std::min(low, value), high = std::max(high, value); }
+  bool within(double from, double to) const { return low >= from && high <= to; }
+};
+
+// What single Gaussians cannot show.
+struct Whole {
+  double extent = 0, median_scale = 0, low_log_scale = 0;
+  double away = 0;  // half of them are farther from the origin, along an axis
+  std::size_t usable = 0;
+  Range log_scale, logit, color;
+  bool whole_colors = true;
+  std::array<std::size_t, 4> negative{}, positive{};  // components of the rotation
+};
+
+Whole look_at_all(const Scene& scene) {
+  Whole all;
+  std::array<std::vector<double>, 3> axes;
+  std::vector<double> scales, logarithms, away;
+  const std::size_t step = scene.gaussians.size() / kSample + 1;
+  for (std::size_t i = 0; i < scene.gaussians.size(); i += step) {
+    ActivatedGaussian active;
+    if (activate(scene, i, active) != Cull::kNone) continue;
+    const Gaussian& g = scene.gaussians[i];
+    ++all.usable;
+    for (int k = 0; k < 3; ++k) {
+      axes[static_cast<std::size_t>(k)].push_back(g.mean[k]);
+      if (std::isfinite(g.log_scale[k])) logarithms.push_back(g.log_scale[k]), all.log_scale.add(g.log_scale[k]);
+      all.color.add(g.sh_dc[k]);
+      all.whole_colors = all.whole_colors && g.sh_dc[k] == std::floor(g.sh_dc[k]);
+    }
+    scales.push_back(std::max({active.scale.x, active.scale.y, active.scale.z}));
+    const glm::dvec3 place = glm::abs(active.mean);
+    away.push_back(std::max({place.x, place.y, place.z}));
+    all.logit.add(g.opacity_logit);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float v = g.rotation[static_cast<int>(k)];
+      all.negative[k] += v < 0;
+      all.positive[k] += v > 0;
+    }
+  }
+  if (all.usable == 0) return all;
+  glm::dvec3 side(0);
+  for (int k = 0; k < 3; ++k) {
+    const auto& values = axes[static_cast<std::size_t>(k)];
+    side[k] = percentile(values, 0.98) - percentile(values, 0.02);
+  }
+  all.extent = glm::length(side);
+  all.median_scale = percentile(scales, 0.5);
+  all.away = percentile(away, 0.5);
+  all.low_log_scale = logarithms.empty() ? 0 : percentile(logarithms, 0.02);
+  return all;
+}
+
+void check_forms(const Whole& all, Findings& findings) {
+  if (all.usable < kFewest) return;
+  const bool coarse = all.median_scale > all.extent / 20;
+  if (all.log_scale.low > 0 && (coarse || all.low_log_scale < 0.5)) {
+    findings.emplace_back(
+        "scale_form", fmt::format("all scales are above 0 in the logarithm: no Gaussian is smaller than 1 unit in a "
+                                  "scene of {:.3g}; scales look linear where logarithms are expected",
+                                  all.extent));
+  } else if (all.median_scale > all.extent) {
+    findings.emplace_back("scale_form",
+                          fmt::format("the median scale of {:.3g} is above the extent of {:.3g}: scales look linear "
+                                      "where logarithms are expected",
+                                      all.median_scale, all.extent));
+  }
+  if (all.logit.high > all.logit.low && all.logit.within(0, 1)) {
+    findings.emplace_back("opacity_form", fmt::format("all opacities lie from {:.3g} to {:.3g}: they look like values "
+                                                      "from 0 to 1 where logits are expected",
+                                                      all.logit.low, all.logit.high));
+  } else if (all.logit.low >= 0 && all.logit.high > 20) {
+    findings.emplace_back("opacity_form", fmt::format("opacities reach {:.3g} and none is below 0: they look like "
+                                                      "codes up to 255 where logits are expected",
+                                                      all.logit.high));
+  }
+  if (all.color.high > all.color.low && all.color.within(0, 1)) {
+    findings.emplace_back("color_form",
+                          "all constant coefficients lie from 0 to 1: they look like colours where "
+                          "coefficients of SH are expected");
+  } else if (all.color.low >= 0 && all.color.high > 8) {
+    findings.emplace_back("color_form",
+                          fmt::format("constant coefficients reach {:.3g} and none is below 0: they look like codes "
+                                      "up to 255 where coefficients of SH are expected",
+                                      all.color.high));
+  }
+  // Writers that make one component positive make w positive: it is the first.
+  const auto one_sign = [&](std::size_t k) {
+    return all.negative[k] == 0 && static_cast<double>(all.positive[k]) > kOften * static_cast<double>(all.usable);
+  };
+  const auto both_signs = [&](std::size_t k) {
+    return 4 * all.negative[k] > all.usable && 4 * all.positive[k] > all.usable;
+  };
+  if (one_sign(3) && both_signs(0)) {
+    findings.emplace_back("rotation_form",
+                          "the last component of all quaternions is positive and the first has both signs: they look "
+                          "like x y z w where w x y z is expected");
+  }
+}
+
+void check_distance(const Whole& all, Findings& findings) {
+  if (all.usable < 2 || !(all.away > 0)) return;
+  const double step = std::ldexp(1.0, std::ilogb(all.away) - 23);
+  if (!(step > all.median_scale / 20)) return;
+  findings.emplace_back(
+      "far_away", fmt::format("half of all lie {:.3g} or more from the origin, where steps of float32 are {:.2g}: "
+                              "they are rounded by up to half of that, the median scale is {:.2g}; subtract an "
+                              "origin from scene and cameras before float32 is written",
+                              all.away, step, all.median_scale));
+}
+
+}  // namespace
+
+Findings check_scene(const Scene& scene) {
+  check_consistent(scene);
+  const Whole all = look_at_all(scene);
+  Counted non_finite, zero, not_unit, faint, needle, large;
+  for (std::size_t i = 0; i < scene.gaussians.size(); ++i) {
+    ActivatedGaussian g;
+    const Cull cull = activate(scene, i, g);
+    if (cull == Cull::kNonFinite) non_finite.add(i);
+    if (cull == Cull::kZeroQuaternion) zero.add(i);
+    if (cull != Cull::kNone) continue;
+    const double largest = std::max({g.scale.x, g.scale.y, g.scale.z});
+    const double smallest = std::min({g.scale.x, g.scale.y, g.scale.z});
+    if (std::abs(glm::length(glm::dvec4(scene.gaussians[i].rotation)) - 1) > kUnitTolerance) not_unit.add(i);
+    if (g.opacity < kFaint) faint.add(i);
+    if (largest > kExtremeAnisotropy * smallest) needle.add(i);
+    if (all.usable > 1 && largest > all.extent) large.add(i);
+  }
+  Findings findings;
+  const auto add = [&](const char* key, const char* what, const Counted& found) {
+    if (found.count > 0) findings.emplace_back(key, what, found.count, found.first);
+  };
+  add("non_finite", "non-finite values, culled", non_finite);
+  add("zero_rotation", "zero quaternion, culled", zero);
+  add("rotation_length", "quaternion not of unit length", not_unit);
+  add("faint", "opacity below 1/255, never drawn", faint);
+  add("needle", "largest / smallest scale above 1e4", needle);
+  add("large", "scale above the extent of the scene", large);
+  const std::size_t count = scene.gaussians.size(), usable = count - non_finite.count - zero.count;
+  if (count == 0) findings.emplace_back("no_gaussian", "the scene holds no Gaussian");
+  else if (usable == 0)
+    findings.emplace_back("nothing_usable", fmt::format("none of {} Gaussians can be drawn: all are culled", count));
+  else if (faint.count == usable)
+    findings.emplace_back("all_faint",
+                          fmt::format("all {} Gaussians have an opacity below 1/255, none is drawn", usable));
+  check_forms(all, findings);
+  check_distance(all, findings);
+  return findings;
+}
+
+}  // namespace pipegs

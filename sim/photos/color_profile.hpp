@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// color_profile: whether the ICC profile of a picture is that of sRGB.
+//
+// Idea    Profiles of sRGB are many, of other bytes and names. They have the same three primaries, adapted to D50; so a
+//         profile with others is another one. Without primaries (grey, tables) its name says it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace pipegs {
+
+// The name of a profile that is not sRGB's; empty for sRGB and for bytes that are no profile.
+std::string foreign_profile(std::string_view bytes);
+
+}  // namespace pipegs
