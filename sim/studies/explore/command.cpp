@@ -66,6 +66,7 @@ int explore(const ExploreArguments& arguments, const Question& question) {
   const LoadedView loaded = load_view(arguments.view);
   follow_scene(loaded, options);
   check_picture_memory(loaded.camera, options, memory_of(question));
+  pack_views(loaded.scene, {loaded.camera}, options);  // says what is left out, even where all points are kept
   const Stopwatch watch;
   const View view(loaded.scene, loaded.camera, loaded.cameras, options, question.measured);
   Explorer explorer(view, {arguments.store, loaded.scene, loaded.camera, options}, silicon);
