@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kStep = 1e-3, kFarthest = 1e12;  // beyond that it is no place
 
-double float_step(double at) { return at > 0 && std::isfinite(at) ? std::ldexp(1.0, std::ilogb(at) - 23) : 0; }
-
 }  // namespace
+
+double float_step(double at) { return at > 0 && std::isfinite(at) ? std::ldexp(1.0, std::ilogb(at) - 23) : 0; }
 
 void set_positions(const std::vector<glm::dvec3>& positions, Scene& scene, SceneFormat& format) {
   std::vector<double> axes[3], scales;

@@ -15,6 +15,9 @@
 
 namespace pipegs {
 
+// The step of float32 at a coordinate above 0; 0 where there is none.
+double float_step(double at);
+
 // The scene has its scales already.
 void set_positions(const std::vector<glm::dvec3>& positions, Scene& scene, SceneFormat& format);
 

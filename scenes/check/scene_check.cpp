@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "scenes/check/origin.hpp"
 #include "scenes/percentile.hpp"
 
 namespace pipegs {
@@ -131,9 +132,8 @@ void check_forms(const Whole& all, Findings& findings) {
 }
 
 void check_distance(const Whole& all, Findings& findings) {
-  if (all.usable < 2 || !(all.away > 0)) return;
-  const double step = std::ldexp(1.0, std::ilogb(all.away) - 23);
-  if (!(step > all.median_scale / 20)) return;
+  const double step = float_step(all.away);
+  if (all.usable < 2 || step == 0 || !(step > all.median_scale / 20)) return;
   findings.emplace_back(
       "far_away", fmt::format("half of all lie {:.3g} or more from the origin, where steps of float32 are {:.2g}: "
                               "they are rounded by up to half of that, the median scale is {:.2g}; subtract an "

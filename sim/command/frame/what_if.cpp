@@ -107,7 +107,7 @@ class WhatIf {
     auto drawn = std::make_unique<Drawn>();
     Simulation& simulation = drawn->simulation;
     simulate_pack(loaded_.scene, loaded_.camera, machine.options, simulation);
-    simulation.golden = golden_frame(simulation.input, {.progress = [&](double share) { at(kGoldenShare * share); }});
+    simulate_golden(machine.options, simulation, {.progress = [&](double share) { at(kGoldenShare * share); }});
     drawn->picture = crop_window(simulation.golden.image, machine.options);
     at(kGoldenShare);
     drawn->trace = timing_trace(simulation.input);
