@@ -11,11 +11,9 @@ namespace {
 class Signals : public Cli {
  protected:
   // Sends the signal `after` seconds after the start; the code is 130 and nothing is left but files that are whole.
-  void expect_ended(const std::string& arguments, const std::string& signal, const std::string& after) {
+  void expect_ended(const std::string& arguments, const std::string& signal, double after) {
     SCOPED_TRACE(arguments + ", " + signal);
-    const Outcome outcome =
-        shell("'" PIPEGS_BINARY "' " + arguments + " & p=$!; sleep " + after + "; kill -" + signal +
-              " $p; t=$(date +%s%N); wait $p; c=$?; echo $((($(date +%s%N) - t) / 1000000)) > took; exit $c");
+    const Outcome outcome = signalled(arguments, signal, after);
     EXPECT_EQ(outcome.code, 130) << outcome.out << outcome.err;
     EXPECT_LT(std::stoi(text("took")), slack_) << "ms";
     EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << outcome.err;
@@ -24,6 +22,15 @@ class Signals : public Cli {
     for (const std::string& name : left_behind()) EXPECT_EQ(name.find(".pipegs."), std::string::npos) << name;
     fs::remove(folder_ / "took");
     fs::remove_all(folder_ / "x");
+  }
+  // The program after a signal; on a computer on which it had ended by then, the signal comes earlier.
+  Outcome signalled(const std::string& arguments, const std::string& signal, double after) {
+    const Outcome outcome =
+        shell("'" PIPEGS_BINARY "' " + arguments + " & p=$!; sleep " + std::to_string(after) + "; kill -" + signal +
+              " $p; t=$(date +%s%N); wait $p; c=$?; echo $((($(date +%s%N) - t) / 1000000)) > took; exit $c");
+    if (after < 0.01 || outcome.err.find("No such process") == std::string::npos) return outcome;
+    fs::remove_all(folder_ / "x");
+    return signalled(arguments, signal, after / 2);
   }
   // Programs that were started here.
   std::vector<std::string> running_here() const {
@@ -46,8 +53,8 @@ TEST_F(Signals, EveryCommandEndsAtOnce) {
        std::vector<std::string>{"info" + view.substr(0, 11), "convert scene.ply --out x", "pack" + view + "--out x",
                                 "render" + view + "--model truth --out x", "effects" + view, "model" + view,
                                 "sim" + view + "--no-rtl --out x", "sim" + view + "--views 0-0 --no-rtl --out x"})
-    expect_ended(arguments, "TERM", "0.3");
-  for (const char* signal : {"INT", "HUP"}) expect_ended("render" + view + "--model truth --out x", signal, "0.3");
+    expect_ended(arguments, "TERM", 0.3);
+  for (const char* signal : {"INT", "HUP"}) expect_ended("render" + view + "--model truth --out x", signal, 0.3);
 }
 
 // Who started it with nohup wants it to go on.
@@ -63,7 +70,7 @@ TEST_F(Signals, ABuildEndsWithTheProgram) {
   const std::string rare = "--set units=1 --set alpha_lines=64 --set records=32 ",
                     view = " scene.ply --cameras cameras.json ";
   for (const char* signal : {"INT", "TERM", "HUP"})
-    expect_ended("ladder" + view + rare + "--designs late,dop --no-truth --out x", signal, "2");
+    expect_ended("ladder" + view + rare + "--designs late,dop --no-truth --out x", signal, 2);
 }
 
 TEST_F(Signals, WavesThatTheDiskDoesNotTakeAreNotThere) {
