@@ -108,7 +108,7 @@ layout:  ## what a module lacks of model, test and page
 
 package: tools $(BUILD)/build.ninja  ## print what follows from the tables of cpp_model: pipegs_pkg.sv, package/ ...
 	cmake --build $(BUILD) --target package_sv registers_print
-	verif/self/package.sh --write $(BUILD)/cpp_model/package_sv $(BUILD)/cpp_model/control/print/registers_print
+	python3 -B verif/self/package_test.py --write $(BUILD)
 
 wave: build  ## waves of one window of our own scene: build/wave/waves.fst
 	$(BUILD)/pipegs sim --no-truth --window 4,3 --out $(BUILD)/wave --waves

@@ -1,26 +1,36 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""files.py (pipegs.f | pipegs.core | Bender.yml | vivado.tcl): the RTL as tools for systems on a chip take it.
+"""files.py: the RTL of a machine as tools for systems on a chip take it: lists of files, FuseSoC, Bender, Vivado.
 
-Each is printed from what lies in rtl/: the package first, then every module, one in a file of its name. `make package`
-writes them, the test `package` compares. The machine is that of rtl/pipegs_pkg.sv; another one is a package printed by
-`package_sv key=value ...` in its place (machine.py).
+A list has the machine's package first, then every module that the machine has (uses.py), one in a file of its name.
 """
-
+import functools
 import pathlib
 import re
 import sys
 
+from uses import used
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "synth"))
+from design_points import design_points  # noqa: E402, F401
+from jobs import Failed  # noqa: E402, F401
+
 TOP = "pipegs_axi"
 LICENSE = "SPDX-License-Identifier: Apache-2.0"
-PRINTED = "Printed by package/files.py (`make package`): change that, never this file."
+PRINTED = "Printed by package/machine.py (`make package`): change that, never this file."
 
 
-def sources():
-    files = sorted(str(path.relative_to(ROOT)) for path in ROOT.glob("rtl/**/*.sv"))
-    package = "rtl/pipegs_pkg.sv"
-    return [package] + [file for file in files if file != package]
+@functools.cache
+def modules():
+    """{module: its file}."""
+    return {path.stem: path for path in sorted(ROOT.glob("rtl/**/*.sv")) if path.stem != "pipegs_pkg"}
+
+
+def sources(package):
+    """The files of the modules of the machine of a package's text, from the root of the project."""
+    texts = {name: path.read_text(encoding="utf-8") for name, path in modules().items()}
+    found = used(package, texts, TOP)
+    return [path.relative_to(ROOT) for name, path in modules().items() if name in found]
 
 
 def version():
@@ -31,12 +41,11 @@ def version():
     return f"{major}.{minor}.0"
 
 
-def filelist():
-    head = [f"// {LICENSE}", f"// {PRINTED}", f"// Paths from the root of the project; top: {TOP}."]
-    return "\n".join(head + sources()) + "\n"
+def filelist(files):
+    return "\n".join([f"// {LICENSE}", f"// {PRINTED}", f"// Top: {TOP}.", *map(str, files)]) + "\n"
 
 
-def fusesoc():
+def fusesoc(files):
     lines = [
         "CAPI=2:",
         f"# {LICENSE}",
@@ -47,7 +56,7 @@ def fusesoc():
         "  rtl:",
         "    file_type: systemVerilogSource",
         "    files:",
-        *[f"      - {file}" for file in sources()],
+        *[f"      - {file}" for file in files],
         "targets:",
         "  default: &default",
         "    filesets: [rtl]",
@@ -62,7 +71,7 @@ def fusesoc():
     return "\n".join(lines) + "\n"
 
 
-def bender():
+def bender(files):
     lines = [
         f"# {LICENSE}",
         f"# {PRINTED}",
@@ -70,7 +79,7 @@ def bender():
         "  name: pipegs",
         "sources:",
         "  - files:",
-        *[f"      - {file}" for file in sources()],
+        *[f"      - {file}" for file in files],
     ]
     return "\n".join(lines) + "\n"
 
@@ -101,12 +110,3 @@ def vivado():
         "ipx::save_core $core",
     ]
     return "\n".join(lines) + "\n"
-
-
-PRINTS = {"pipegs.f": filelist, "pipegs.core": fusesoc, "Bender.yml": bender, "vivado.tcl": vivado}
-
-if __name__ == "__main__":
-    if len(sys.argv) != 2 or sys.argv[1] not in PRINTS:
-        print(f"files.py: expected one of {', '.join(PRINTS)}", file=sys.stderr)
-        sys.exit(2)
-    sys.stdout.write(PRINTS[sys.argv[1]]())

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Printed by package/files.py (`make package`): change that, never this file.
-// Paths from the root of the project; top: pipegs_axi.
-rtl/pipegs_pkg.sv
-rtl/buf/pipegs_alpha_store.sv
+// Printed by package/machine.py (`make package`): change that, never this file.
+// Top: pipegs_axi.
+package/pipegs_pkg.sv
 rtl/buf/pipegs_memory_arbiter.sv
 rtl/buf/pipegs_memory_ports.sv
-rtl/buf/pipegs_pixel_buffer.sv
 rtl/buf/pipegs_slot_pool.sv
 rtl/buf/pipegs_sram_fifo.sv
 rtl/control/pipegs_control_bus.sv
@@ -20,7 +18,6 @@ rtl/dopu/dopu_activity.sv
 rtl/dopu/dopu_axis.sv
 rtl/dopu/dopu_cells.sv
 rtl/dopu/dopu_chunks.sv
-rtl/dopu/dopu_descend.sv
 rtl/dopu/dopu_emit.sv
 rtl/dopu/dopu_hull.sv
 rtl/dopu/dopu_layer.sv
@@ -39,7 +36,6 @@ rtl/dopu/pipegs_dopu.sv
 rtl/lib/math/pipegs_bit_length.sv
 rtl/lib/math/pipegs_exp2.sv
 rtl/lib/math/pipegs_first_set.sv
-rtl/lib/math/pipegs_log2.sv
 rtl/lib/math/pipegs_normalize.sv
 rtl/lib/math/pipegs_recip.sv
 rtl/lib/math/pipegs_rsqrt.sv
@@ -56,10 +52,6 @@ rtl/lib/pipegs_sleep.sv
 rtl/lib/pipegs_sram.sv
 rtl/lib/pipegs_stream_check.sv
 rtl/lib/pipegs_window_walk.sv
-rtl/list/pipegs_list_read.sv
-rtl/list/pipegs_list_room.sv
-rtl/list/pipegs_list_write.sv
-rtl/list/pipegs_lists.sv
 rtl/mem/pipegs_axi_fence.sv
 rtl/mem/pipegs_axi_gather.sv
 rtl/mem/pipegs_axi_manager.sv
@@ -75,9 +67,6 @@ rtl/pipegs_raster.sv
 rtl/pipegs_scheduler.sv
 rtl/pipegs_sorting.sv
 rtl/pipegs_top.sv
-rtl/pu/box/pu_axes.sv
-rtl/pu/box/pu_box.sv
-rtl/pu/box/pu_touch.sv
 rtl/pu/color/pu_color.sv
 rtl/pu/color/pu_color_basis.sv
 rtl/pu/color/pu_color_fetch.sv
@@ -96,11 +85,7 @@ rtl/pu/front/pu_cull.sv
 rtl/pu/front/pu_fetch.sv
 rtl/pu/front/pu_front.sv
 rtl/pu/front/pu_reach.sv
-rtl/pu/list/pu_expand.sv
-rtl/pu/list/pu_list.sv
-rtl/pu/list/pu_record.sv
 rtl/pu/pipegs_pu.sv
-rtl/pu/project/pu_compensate.sv
 rtl/pu/project/pu_covariance.sv
 rtl/pu/project/pu_factors.sv
 rtl/pu/project/pu_jacobian.sv
@@ -109,7 +94,6 @@ rtl/pu/project/pu_project.sv
 rtl/pu/project/pu_squares.sv
 rtl/pu/pu_back.sv
 rtl/pu/pu_deal.sv
-rtl/pu/pu_join.sv
 rtl/pu/pu_marks.sv
 rtl/pu/pu_parts.sv
 rtl/pu/pu_payload.sv
@@ -119,28 +103,17 @@ rtl/pu/pu_shape.sv
 rtl/pu/pu_span.sv
 rtl/pu/pu_state.sv
 rtl/pu/pu_turns.sv
-rtl/pu/rows/pu_allocate.sv
-rtl/pu/rows/pu_alpha.sv
-rtl/pu/rows/pu_cache.sv
 rtl/pu/rows/pu_clamp.sv
 rtl/pu/rows/pu_code.sv
 rtl/pu/rows/pu_done.sv
-rtl/pu/rows/pu_fill.sv
 rtl/pu/rows/pu_late.sv
-rtl/pu/rows/pu_lines.sv
-rtl/pu/rows/pu_power.sv
-rtl/pu/rows/pu_region.sv
 rtl/pu/rows/pu_row_init.sv
-rtl/pu/rows/pu_row_unit.sv
-rtl/pu/rows/pu_rows.sv
-rtl/pu/rows/pu_spill.sv
 rtl/ru/live/ru_drain.sv
 rtl/ru/live/ru_live.sv
 rtl/ru/live/ru_power.sv
 rtl/ru/live/ru_quads.sv
 rtl/ru/live/ru_regions.sv
 rtl/ru/pipegs_ru.sv
-rtl/ru/place/ru_count.sv
 rtl/ru/place/ru_offset.sv
 rtl/ru/place/ru_own.sv
 rtl/ru/place/ru_place.sv
@@ -148,14 +121,7 @@ rtl/ru/place/ru_slot.sv
 rtl/ru/place/ru_window.sv
 rtl/ru/ru_blend.sv
 rtl/ru/ru_dispatch.sv
-rtl/ru/ru_fetch.sv
-rtl/ru/ru_lanes.sv
 rtl/ru/ru_memory.sv
-rtl/ru/ru_resolve.sv
-rtl/ru/ru_rows.sv
-rtl/ru/ru_source.sv
-rtl/ru/ru_walk.sv
-rtl/ru/ru_whole.sv
 rtl/ru/write/ru_byte.sv
 rtl/ru/write/ru_join.sv
 rtl/ru/write/ru_lines.sv

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Printed by package/files.py (`make package`): change that, never this file.
+# Printed by package/machine.py (`make package`): change that, never this file.
 #
 # vivado -mode batch -source package/vivado.tcl, from the root of the project: packs the core as an IP in
 # build/ip. Vivado finds the AXI interfaces by the names of the ports. Another list of files, of

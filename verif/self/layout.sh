@@ -27,7 +27,7 @@ covering_test() {
   test=$(awk -v name="$1" '$1 == name {print $2}' "$list")
   case $test in
     "") ;;
-    self/package) echo verif/self/package.sh ;;
+    self/package) echo verif/self/package_test.py ;;
     prove/*) if grep -qE "^proof +${test#*/} " synth/prove/table.sh; then echo synth/prove/table.sh; fi ;;
     */*) echo "verif/${test}_test.cpp" ;;
     *) echo "verif/$2/${test}_test.cpp" ;;

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """style.py: the rules of the tree that need no tool: lines, SPDX, Markdown, includes. style.sh calls it.
 
-Rules   Text: at most COLUMNS columns (not Markdown, CSV, JSON, XML), no blanks at the end of a line, one newline at the
-        end of the file, and `SPDX-License-Identifier` in the first two lines of each source file.
+Rules   Text: at most COLUMNS columns (not Markdown, CSV, JSON, XML, nor the packaged machine, which names its
+        settings), no blanks at the end of a line, one newline at the end of the file, and `SPDX-License-Identifier` in
+        the first two lines of each source file.
         Markdown: a paragraph or list item is one line; a relative link names a file that is there, and its anchor a
         heading of that file.
         Includes: never upward in LAYERS; a file of a folder includes its own folder and those before it.
@@ -36,7 +37,7 @@ SOURCES = (
     ".cff",
     "CMakeLists.txt",
 )
-WIDE = (".md", ".csv", ".json", ".jsonl", ".svg", ".xml")
+WIDE = (".md", ".csv", ".json", ".jsonl", ".svg", ".xml", "package/pipegs_pkg.sv")
 BINARY = (".png", ".ply", ".splat", ".ksplat", ".spz", ".glb", ".sog", ".pfm", ".exr", ".zip", ".bin", ".fst")
 
 finds = []

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // registers_print.cpp: prints a file that follows from the table of registers:
-//   registers_print header|csv|rdl [key=value ...]
+//   registers_print header|csv [key=value ...]
 //
-// The committed files are those of the default configuration; a test compares them with this program's output.
+// package/machines.py calls it for every design point; a test compares what is committed with its output.
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -11,11 +11,11 @@
 
 int main(int argc, char** argv) {
   using namespace pipegs;
-  const std::map<std::string, std::string (*)(const RegisterMap&)> printers = {
-      {"header", print_header}, {"csv", print_csv}, {"rdl", print_rdl}};
+  const std::map<std::string, std::string (*)(const RegisterMap&)> printers = {{"header", print_header},
+                                                                               {"csv", print_csv}};
   const auto printer = printers.find(argc > 1 ? argv[1] : "");
   if (printer == printers.end()) {
-    std::fprintf(stderr, "usage: registers_print header|csv|rdl [key=value ...]\n");
+    std::fprintf(stderr, "usage: registers_print header|csv [key=value ...]\n");
     return 2;
   }
   try {
