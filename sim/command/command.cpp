@@ -15,6 +15,7 @@
 #include "scenes/input_error.hpp"
 #include "sim/design/config_file.hpp"
 #include "sim/memory/dram_memory.hpp"
+#include "sim/progress.hpp"
 
 namespace pipegs {
 
@@ -33,6 +34,7 @@ void SceneArguments::add(CLI::App& app, const std::string& what) {
 }
 
 Scene SceneArguments::load(SceneFormat& format) const {
+  const Progress stage("reading the scene");
   Scene scene = file.empty() ? generate_scene(1) : read_scene(file, read, &format);
   const Findings found = check_scene(scene);
   format.findings.insert(format.findings.end(), found.begin(), found.end());

@@ -6,6 +6,7 @@
 
 #include "sim/command/command.hpp"
 #include "sim/effects/effects.hpp"
+#include "sim/progress.hpp"
 
 namespace pipegs {
 namespace {
@@ -43,6 +44,7 @@ int effects(const EffectsArguments& arguments) {
   {
     Simulation simulation;
     simulate_golden(loaded.scene, loaded.camera, options, simulation);
+    const Progress stage("timing model");
     json["effects"] = table(loaded.scene, options, simulation);
   }
   if (arguments.json) {

@@ -117,6 +117,9 @@ int run_command(CLI::App& app, int argc, char** argv, const Run& run) {
     }
     return fail(kExitBadInput, fmt::format("{} (--help shows how)", error.what()));
   }
+  const CLI::App* chosen = &app;
+  while (!chosen->get_subcommands().empty()) chosen = chosen->get_subcommands().front();
+  const Progress stage(chosen->get_name());
   const int code = run();
   if (interrupted()) return fail(kExitInterrupted, "interrupted");
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -38,6 +38,7 @@ ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, boo
   ModelRow row{.name = machine_name(options.config)};
   Simulation simulation;
   simulate_pack(loaded.scene, loaded.camera, options, simulation);
+  const Progress stage("timing model of " + row.name);
   const Stopwatch watch;
   const TimingTrace trace = timing_trace(simulation.input);
   row.trace_seconds = watch.seconds();
@@ -46,6 +47,7 @@ ModelRow model_row(const LoadedView& loaded, const SimulateOptions& options, boo
   row.result = timing_run(trace, options.config, options.memory);
   row.seconds = thread_seconds() - before;
   if (!check) return row;
+  const Progress checked("RTL of " + row.name);
   row.rtl = rtl_timing(simulation.input, options.config, options.memory, options.rtl.seed);
   row.differences = timing_differences(row.result, row.rtl);
   if (row.differences.empty() || options.config.taps == 0) return row;

@@ -9,6 +9,7 @@
 #include "sim/command/command.hpp"
 #include "sim/command/own_tables.hpp"
 #include "sim/command/page/study_output.hpp"
+#include "sim/progress.hpp"
 #include "sim/timing/cycle_engine.hpp"
 #include "sim/report/measurement_store.hpp"
 #include "sim/silicon/report.hpp"
@@ -70,9 +71,13 @@ int silicon(const SiliconArguments& arguments) {
   }
   for (size_t i = 0; i < design_points.size(); ++i) {
     const Config& config = options[i].config;
-    const CycleEngine engine = model_engine(loaded.scene, loaded.camera, options[i]);
-    design_points[i].cycles = engine(config, options[i].memory).cycles;
+    {
+      const Progress stage("timing model of " + design_points[i].name);
+      const CycleEngine engine = model_engine(loaded.scene, loaded.camera, options[i]);
+      design_points[i].cycles = engine(config, options[i].memory).cycles;
+    }
     if (arguments.no_energy) continue;
+    const Progress stage("what switches in " + design_points[i].name);
     const FrameActivity activity =
         frame_activity(loaded, options[i], enables[i], design_points[i].cycles, arguments.keep);
     design_points[i].cycles = activity.cycles;

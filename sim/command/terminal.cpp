@@ -9,6 +9,7 @@
 #include <string>
 
 #include "scenes/text/quote.hpp"
+#include "sim/progress.hpp"
 
 namespace pipegs {
 namespace {
@@ -33,6 +34,7 @@ ssize_t pass(void* cookie, const char* bytes, size_t count) {
   std::string text = stream.begun + std::string(bytes, count);
   const size_t whole = text.size() - quote_detail::begun(text);
   stream.begun = text.substr(whole);
+  Progress::hide();
   const bool written = write_all(stream.file, shown(std::string_view(text).substr(0, whole), true));
   return written || stream.file == STDERR_FILENO ? static_cast<ssize_t>(count) : 0;
 }

@@ -113,6 +113,7 @@ Image picture_of(const Simulation& simulation, const SimulateOptions& options) {
 }
 
 PackedScene pack_views(const Scene& scene, const std::vector<Camera>& cameras, const SimulateOptions& options) {
+  const Progress stage("packing the scene");
   // World coordinates must hold the cameras and, in a tiny or empty scene, the near plane.
   double bound = 2 * options.near_plane;
   for (const Camera& camera : cameras) {
@@ -151,7 +152,7 @@ void simulate_golden(const SimulateOptions& options, Simulation& result, const G
 }
 
 void simulate_golden(const SimulateOptions& options, Simulation& result) {
-  Progress progress("golden");
+  Progress progress("golden model");
   simulate_golden(options, result, {.threads = 0, .progress = [&](double share) {
                                       if (interrupted()) throw std::runtime_error("interrupted");
                                       progress.update(share);

@@ -52,6 +52,7 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   if (!config.taps && (options.taps != nullptr || options.watch))
     throw ConfigError("configuration: what shows the streams needs taps = 1");
   std::unique_ptr<RtlModel> model = load_rtl(config, built_variant(options.variant, options.rtl));
+  Progress progress("RTL");
   ExternalMemory memory(options.memory, config.bus_w);
   const Placed placed = place(config, frames, memory);
   std::vector<SequenceCheck::Expected> expected;
@@ -73,7 +74,6 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
     rtl.waves = waves->temporary();
     waves->beside(".hier");  // the writer's, until it is done
   }
-  Progress progress("rtl");
   const Stopwatch watch;
   SequenceRun run;
   const auto report = [&](uint64_t cycle, uint64_t windows_done) {

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "scenes/own_failure.hpp"
+#include "sim/progress.hpp"
 #include "sim/rtl/rtl_model.hpp"
 #include "sim/run_program.hpp"
 
@@ -68,6 +69,7 @@ std::string build_rtl(const Config& config, const RtlVariant& variant) {
         "the RTL of configuration {} is not built, or not of these sources, and nothing can be written in {}", name,
         folder.string()));
   fmt::print(stderr, "building the RTL for configuration {} ...\n", name);
+  const Progress stage("building the RTL");
   if (run_program(words, log) != 0)
     throw RtlBuildError(fmt::format("the RTL of configuration {} does not build: see {}", name, log.string()));
   return library.string();

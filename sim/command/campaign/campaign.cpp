@@ -14,6 +14,7 @@
 #include "sim/command/campaign/merge.hpp"
 #include "sim/command/page/study_output.hpp"
 #include "sim/command/replay.hpp"
+#include "sim/progress.hpp"
 
 namespace pipegs {
 namespace {
@@ -25,6 +26,7 @@ struct CampaignArguments {
 
 // Every point, with what is kept of it. Scenes are read one after the other, each once.
 std::vector<PointResult> look_up(const std::vector<CampaignPoint>& points, std::set<std::string>* machines) {
+  Progress progress("looking at the points");
   std::vector<PointResult> results;
   for (size_t first = 0, next = 0; first < points.size(); first = next) {
     ViewArguments highest = points[first].arguments.view;
@@ -46,6 +48,8 @@ std::vector<PointResult> look_up(const std::vector<CampaignPoint>& points, std::
                          .camera = camera.name,
                          .file = of_view.path(options.config),
                          .kept = kept_point(of_view, options.config)});
+      progress.update(static_cast<double>(results.size()) / static_cast<double>(points.size()),
+                      fmt::format("{} of {}", results.size(), points.size()));
     }
   }
   return results;

@@ -37,6 +37,7 @@ std::vector<OwnMachine> own_machines(const LoadedView& loaded, const RivalsArgum
   for (SimulateOptions one : arguments.view.paper_and_own()) {
     arguments.memory.apply(one);
     follow_scene(loaded, one);
+    const Progress stage("timing model of " + machine_name(one.config));
     const CycleEngine engine = model_engine(loaded.scene, loaded.camera, one);
     own.push_back(own_machine(machine_name(one.config), one.config, engine(one.config, one.memory), model));
   }
