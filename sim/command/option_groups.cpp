@@ -22,8 +22,8 @@ const OptionGroup kGroups[] = {
     {"Machine", {"--design", "--designs", "--config", "--set", "--picture", "--effects", "--netlist"}},
     {"Memory", {"--memory", "--latency", "--bandwidth", "--jitter"}},
     {"Output",
-     {"--out", "--json", "--page", "--against", "--viewer", "--frames", "--waves", "--store", "--no-rtl",
-      "--no-truth"}}};
+     {"--out", "--json", "--page", "--against", "--viewer", "--frames", "--waves", "--waves-around", "--store",
+      "--no-rtl", "--no-truth"}}};
 
 }  // namespace
 

@@ -16,7 +16,20 @@ SequenceCheck::SequenceCheck(const std::vector<Expected>& frames, const External
   splat_frame_.resize(static_cast<size_t>(frames.front().input->packed->config.units));
 }
 
-StreamCheck& SequenceCheck::at(size_t number) { return *frames_[std::min(number, frames_.size() - 1)].streams; }
+StreamCheck& SequenceCheck::at(size_t number) {
+  StreamCheck& streams = *frames_[std::min(number, frames_.size() - 1)].streams;
+  streams.cycle = cycle;
+  return streams;
+}
+
+std::optional<int64_t> SequenceCheck::first_cycle() const {
+  std::optional<int64_t> first;
+  for (const One& one : frames_) {
+    const std::optional<Mismatch>& own = one.streams->first();
+    if (own && (!first || own->cycle < *first)) first = own->cycle;
+  }
+  return first;
+}
 
 void SequenceCheck::on_splat(int unit, const uint32_t* splat) {
   size_t& number = splat_frame_[static_cast<size_t>(unit)];
@@ -50,6 +63,7 @@ void SequenceCheck::on_frame_left() {
 void SequenceCheck::on_frame_done() {
   if (back_ < frames_.size()) {
     One& one = frames_[back_];
+    one.streams->cycle = cycle;
     if (one.expected.input->packed->config.taps) one.streams->finish();
     compare_pixels(one);
     for (const MemoryTraffic& traffic : memory_traffic(one.expected.input->packed->config, memory_))
@@ -94,9 +108,8 @@ void SequenceCheck::compare_pixels(One& one) {
                      expected = in_raster ? ru_rgba8(config, pixel) : pixel;
       one.written[y * raster.width + x] = shown;
       if (shown == expected) continue;
-      one.streams->fail_pixel(
-          x / side, y / side,
-          fmt::format("frame: pixel {},{}: expected {:016x}, found {:016x}", x, y, expected, shown));
+      one.streams->fail_pixel(static_cast<int>(x), static_cast<int>(y), fmt::format("{:016x}", expected),
+                              fmt::format("{:016x}", shown));
     }
   }
 }

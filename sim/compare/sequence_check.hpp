@@ -45,7 +45,8 @@ class SequenceCheck final : public RtlTaps {
   }
 
   StreamCheck& frame(size_t number) { return *frames_[number].streams; }
-  size_t complete() const { return back_; }  // frames that are
+  std::optional<int64_t> first_cycle() const;  // of the first mismatch in any frame
+  size_t complete() const { return back_; }    // frames that are
   // Of a frame that is complete: its pixels as memory held them, row by row of the image.
   const std::vector<uint64_t>& written(size_t number) const { return frames_[number].written; }
   // Of a frame that is complete: what memory has moved since the start.

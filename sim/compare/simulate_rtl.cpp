@@ -10,6 +10,7 @@
 #include "scenes/atomic_file.hpp"
 #include "sim/compare/sequence_check.hpp"
 #include "sim/compare/simulate.hpp"
+#include "sim/compare/wave_view.hpp"
 #include "sim/host_use.hpp"
 #include "sim/progress.hpp"
 
@@ -76,6 +77,14 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   }
   const Stopwatch watch;
   SequenceRun run;
+  const auto show_waves = [&](std::optional<int64_t> cycle) {
+    if (!waves) return;
+    waves->commit();
+    if (rtl.sample_period > 0) return;  // nobody looks at samples
+    if (rtl.wave_range) cycle = rtl.wave_range->cycle;
+    const int64_t start = static_cast<int64_t>(check.wave_time) - kWaveTime * check.cycle;  // of cycle 0
+    write_wave_view(options.rtl.waves, cycle ? std::optional(start + kWaveTime * *cycle) : std::nullopt);
+  };
   const auto report = [&](uint64_t cycle, uint64_t windows_done) {
     progress.update(static_cast<double>(windows_done) / static_cast<double>(windows),
                     fmt::format("{:.0f} kHz", static_cast<double>(cycle) / watch.seconds() / 1000));
@@ -83,13 +92,14 @@ SequenceRun simulate_sequence(const SimulateOptions& options, const std::vector<
   };
   try {
     run.rtl = model->run(jobs, memory, rtl, &check, report);
-  } catch (const RtlFault&) {  // what led to it is in the waves
-    model.reset();             // ends them
-    if (waves) waves->commit();
+  } catch (RtlFault& fault) {  // what led to it is in the waves
+    fault.cycle = check.cycle;
+    model.reset();  // ends them
+    show_waves(fault.cycle);
     throw;
   }
   run.wall = watch.seconds();
-  if (waves) waves->commit();
+  show_waves(check.first_cycle());
   if (check.complete() != frames.size())
     throw std::logic_error(fmt::format("RTL: {} frames given, {} complete", frames.size(), check.complete()));
   run.traffic = memory_traffic(config, memory);

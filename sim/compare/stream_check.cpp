@@ -3,27 +3,89 @@
 #include "sim/compare/stream_check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
+#include <tuple>
 
 #include "cpp_model/ru/ru_walk.hpp"
 
 namespace pipegs {
 namespace {
 
-// Compares two splats, leaving out where the alphas lie, which depends on timing.
-std::string compare_splats(const Config& config, Splat expected, Splat found) {
+// Compares two splats, leaving out where the alphas lie, which depends on timing; says which field differs.
+bool differ(const Config& config, Splat expected, Splat found, Mismatch& where) {
   expected.address = found.address = 0;
   expected.ext = found.ext = 0;
   expected.mask = found.mask = 0;
-  return first_difference(config, expected, found);
+  const std::string text = first_difference(config, expected, found);  // "depth: expected 5, found 4"
+  if (text.empty()) return false;
+  constexpr std::string_view kExpected = ": expected ", kFound = ", found ";
+  const size_t first = text.find(kExpected), second = text.find(kFound), begin = first + kExpected.size();
+  where.field = text.substr(0, first);
+  where.expected = text.substr(begin, second - begin);
+  where.found = text.substr(second + kFound.size());
+  return true;
+}
+
+// The same of two states of a pixel.
+bool differ(const PixelState& expected, const PixelState& found, Mismatch& where) {
+  const std::tuple<const char*, uint32_t, uint32_t> parts[] = {{"T", expected.t, found.t},
+                                                               {"red", expected.rgb[0], found.rgb[0]},
+                                                               {"green", expected.rgb[1], found.rgb[1]},
+                                                               {"blue", expected.rgb[2], found.rgb[2]},
+                                                               {"done", expected.done, found.done}};
+  for (const auto& [name, wanted, shown] : parts) {
+    if (wanted == shown) continue;
+    where.field = name, where.expected = fmt::to_string(wanted), where.found = fmt::to_string(shown);
+    return true;
+  }
+  return false;
+}
+
+std::string text_of(const Mismatch& one) {
+  std::vector<std::string> parts;
+  if (one.gaussian) parts.push_back(fmt::format("Gaussian {}", *one.gaussian));
+  if (one.layer) parts.push_back(fmt::format("layer {}", *one.layer));
+  if (one.region) parts.push_back(fmt::format("region {}", *one.region));
+  if (one.pixel) parts.push_back(fmt::format("pixel {},{}", (*one.pixel)[0], (*one.pixel)[1]));
+  if (!one.field.empty()) parts.push_back("field " + one.field);
+  return fmt::format("{}: {}{}expected {}{}", one.stream(), fmt::join(parts, ", "), parts.empty() ? "" : ": ",
+                     one.expected, one.found.empty() ? "" : ", found " + one.found);
 }
 
 // A Gaussian in a part of a window.
 uint64_t name_of(uint64_t index, uint64_t part) { return index * kParts + part; }
 
 }  // namespace
+
+std::string Mismatch::stream() const {
+  const std::string number = unit ? fmt::format(" {}", *unit) : "";
+  switch (tap) {
+    case Tap::kSplat: return fmt::format("PU{} -> SU", number);
+    case Tap::kSorted: return "merge -> RU";
+    case Tap::kAlphas: return "alphas -> RU" + number;
+    case Tap::kPixels: return "RU" + number;
+    case Tap::kMemory: return "frame";
+  }
+  return "";
+}
+
+std::string Mismatch::signal() const {
+  switch (tap) {
+    case Tap::kSplat: return "tap_splat_o";
+    case Tap::kSorted: return "tap_sorted_o";
+    case Tap::kAlphas: return "tap_alphas_o";
+    case Tap::kPixels: return "tap_pixels_o";
+    case Tap::kMemory: return "";
+  }
+  return "";
+}
+
+std::string Mismatch::line() const {
+  return fmt::format("cycle {}, window {},{}: {}", cycle, window_x, window_y, what);
+}
 
 StreamCheck::StreamCheck(const GoldenInput& input)
     : input_(input),
@@ -84,8 +146,8 @@ void StreamCheck::skip_to(uint64_t ordinal, size_t region, size_t quad, size_t e
   for (size_t& next = now.next[region][quad]; next < end; ++next) {
     const Line& line = now.lines[region][next];
     if (changes(now, static_cast<int>(region), static_cast<int>(quad), line))
-      fail(ordinal,
-           fmt::format("alphas -> RU: Gaussian {}, region {}: missing {}", line.splat->splat.index, region, seen));
+      fail(ordinal, {.tap = Tap::kAlphas, .gaussian = line.splat->splat.index, .region = static_cast<int>(region)},
+           "its line " + seen, "it missing");
   }
 }
 
@@ -98,8 +160,10 @@ void StreamCheck::expect_line(uint64_t ordinal, int lane, size_t region, size_t 
   const auto found = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(next), lines.end(),
                                   [&](const Line& line) { return line.splat == &shown; });
   if (found == lines.end()) {
-    return fail(ordinal, fmt::format("alphas -> {}: Gaussian {}, region {}: expected once, in the sorted order",
-                                     ru_name(lane), shown.splat.index, region));
+    return fail(
+        ordinal,
+        {.tap = Tap::kAlphas, .unit = unit_of(lane), .gaussian = shown.splat.index, .region = static_cast<int>(region)},
+        "once, in the sorted order");
   }
   skip_to(ordinal, region, quad, static_cast<size_t>(found - lines.begin()),
           fmt::format("before Gaussian {}", shown.splat.index));
@@ -114,9 +178,11 @@ void StreamCheck::expect_all(uint64_t ordinal) {
       skip_to(ordinal, region, quad, now.lines[region].size(), "at the window's end");
     const RegionState &blended = now.live[region], &golden = now.golden.regions[region];
     for (int i = 0; i < kRegionPixels; ++i) {
-      if (blended.pixel(i) == golden.pixel(i)) continue;
-      fail(ordinal, fmt::format("RUs: region {}, pixel {} of it: expected T {}, found {} at the window's end", region,
-                                i, golden.t[i], blended.t[i]));
+      const int number = static_cast<int>(region);
+      Mismatch where{.tap = Tap::kPixels, .region = number, .pixel = pixel_at(ordinal, number, i)};
+      if (!differ(golden.pixel(i), blended.pixel(i), where)) continue;
+      where.found += " at the window's end";
+      fail(ordinal, where);
       break;
     }
   }
@@ -137,16 +203,37 @@ void StreamCheck::release() {
   }
 }
 
-void StreamCheck::fail(uint64_t window, std::string what) {
-  ++mismatches_;
-  if (first_) return;
-  first_ = Mismatch{std::move(what), input_.frame.raster.windows.first_x + window % windows_x_,
-                    input_.frame.raster.windows.first_y + window / windows_x_};
+void StreamCheck::fail(uint64_t window, Mismatch mismatch, std::string expected, std::string found) {
+  mismatch.expected = std::move(expected), mismatch.found = std::move(found);
+  fail(window, std::move(mismatch));
 }
 
-void StreamCheck::fail_pixel(uint64_t window_x, uint64_t window_y, std::string what) {
+void StreamCheck::fail(uint64_t window, Mismatch mismatch) {
   ++mismatches_;
-  if (!first_) first_ = Mismatch{std::move(what), window_x, window_y};
+  if (first_) return;
+  mismatch.window_x = input_.frame.raster.windows.first_x + window % windows_x_;
+  mismatch.window_y = input_.frame.raster.windows.first_y + window / windows_x_;
+  mismatch.cycle = cycle;
+  mismatch.what = text_of(mismatch);
+  first_ = std::move(mismatch);
+}
+
+void StreamCheck::fail_pixel(int x, int y, const std::string& expected, const std::string& found) {
+  const auto column = static_cast<uint64_t>(x / config_.window), row = static_cast<uint64_t>(y / config_.window);
+  const auto& windows = input_.frame.raster.windows;
+  fail((row - windows.first_y) * windows_x_ + column - windows.first_x,
+       {.tap = Tap::kMemory,
+        .region = region_at(config_, x % config_.window / 8, y % config_.window / 8),
+        .pixel = {{x, y}}},
+       expected, found);
+}
+
+std::array<int, 2> StreamCheck::pixel_at(uint64_t window, int region, int pixel) const {
+  const auto& windows = input_.frame.raster.windows;
+  return {static_cast<int>(windows.first_x + window % windows_x_) * config_.window + 8 * region_x(config_, region) +
+              pixel % 8,
+          static_cast<int>(windows.first_y + window / windows_x_) * config_.window + 8 * region_y(config_, region) +
+              pixel / 8};
 }
 
 void StreamCheck::end(Place& place, uint64_t kind) {
@@ -161,20 +248,21 @@ void StreamCheck::end(Place& place, uint64_t kind) {
 // A layer's end follows a layer with chunks. The window may end early when all that is left lies in regions that are
 // done, and late, with a layer that turned out to be empty: the DOPU learns that only after the end of the layer before
 // it.
-void StreamCheck::expect_end(const Place& place, uint64_t kind, const char* stream) {
+void StreamCheck::expect_end(const Place& place, uint64_t kind, Mismatch where) {
+  where.layer = place.layer;
   const Window& now = window(place.window);
   if (kind == kLayerEnd) {
     if (place.layer >= now.golden.layers.size()) {
-      fail(place.window,
-           fmt::format("{}: an end of layer {}, but the window has {}", stream, place.layer, now.golden.layers.size()));
+      fail(place.window, where, fmt::format("the end of the window, which has {} layers", now.golden.layers.size()),
+           "the end of a layer");
     }
     return;
   }
   for (size_t layer = place.layer + 1; layer < now.golden.layers.size(); ++layer) {
     for (const GoldenSplat& splat : now.golden.layers[layer].splats) {
       if ((splat.splat.mask & ~may_miss(now, splat.splat)) == 0) continue;
-      return fail(place.window, fmt::format("{}: the window ends in layer {}, Gaussian {} of layer {} is missing",
-                                            stream, place.layer, splat.splat.index, layer));
+      where.gaussian = splat.splat.index;
+      return fail(place.window, where, fmt::format("it in layer {}", layer), "it missing, the end of the window");
     }
   }
 }
@@ -184,50 +272,51 @@ void StreamCheck::on_splat(int unit, const uint32_t* words) {
   const auto splat = unpack<Splat>(config_, words);
   Place& place = splat_place_[unit];
   Window& now = window(place.window);
-  const std::string stream = fmt::format("PU {} -> SU", unit);
+  Mismatch where{.tap = Tap::kSplat, .unit = unit};
   if (splat.kind == kLayerEnd && config_.has_watermarks()) return on_mark(unit, place, splat);
   if (splat.kind != kData) {
     if (config_.has_watermarks()) marks_[static_cast<size_t>(unit)] = 0;
-    expect_end(place, splat.kind, stream.c_str());
+    expect_end(place, splat.kind, where);
     return end(place, splat.kind);
   }
-  if (place.layer >= now.by_name.size()) return fail(place.window, stream + ": a splat after the window's last layer");
+  where.gaussian = splat.index, where.layer = place.layer;
+  if (place.layer >= now.by_name.size()) return fail(place.window, where, "the end of the window", "a splat");
   const auto found = now.by_name[place.layer].find(name_of(splat.index, splat.part));
-  if (found == now.by_name[place.layer].end()) {
-    return fail(place.window, fmt::format("{}: Gaussian {} in layer {}: expected none, found {}", stream, splat.index,
-                                          place.layer, to_text(config_, splat)));
-  }
+  if (found == now.by_name[place.layer].end()) return fail(place.window, where, "none", to_text(config_, splat));
   const Splat& expected = found->second->splat;
-  if (config_.has_watermarks() && splat.depth < marks_[static_cast<size_t>(unit)]) {
-    return fail(place.window, fmt::format("{}: Gaussian {}: depth {} below the watermark {}", stream, splat.index,
-                                          splat.depth, marks_[static_cast<size_t>(unit)]));
+  const uint64_t mark = marks_[static_cast<size_t>(unit)];
+  if (config_.has_watermarks() && splat.depth < mark) {
+    where.field = "depth";
+    return fail(place.window, where, fmt::format("{} at least, the watermark", mark), fmt::to_string(splat.depth));
   }
-  const std::string difference = compare_splats(config_, expected, splat);
-  if (!difference.empty()) {
-    return fail(place.window,
-                fmt::format("{}: Gaussian {}, layer {}, field {}", stream, splat.index, place.layer, difference));
-  }
-  expect_mask(place, stream.c_str(), expected, splat.mask);
+  if (differ(config_, expected, splat, where)) return fail(place.window, where);
+  expect_mask(place, where, expected, splat.mask);
 }
 
 // The regions of a splat; those that are done may be left out.
-void StreamCheck::expect_mask(const Place& place, const char* stream, const Splat& expected, uint64_t found) {
+void StreamCheck::expect_mask(const Place& place, const Mismatch& where, const Splat& expected, uint64_t found) {
   const uint64_t done = may_miss(window(place.window), expected);
   if ((found & ~expected.mask) == 0 && (expected.mask & ~found & ~done) == 0) return;
-  fail(place.window, fmt::format("{}: Gaussian {}, layer {}, field mask: expected {:016x}, found {:016x}, done {:016x}",
-                                 stream, expected.index, place.layer, expected.mask, found, done));
+  Mismatch mask = where;
+  mask.field = "mask";
+  fail(place.window, mask, fmt::format("{:016x}, {:016x} of it done", expected.mask, expected.mask & done),
+       fmt::format("{:016x}", found));
 }
 
 // A watermark: it may only rise, and no later splat of the window lies below it.
 void StreamCheck::on_mark(int unit, const Place& place, const Splat& mark) {
   uint64_t& last = marks_[static_cast<size_t>(unit)];
-  if (mark.depth < last) fail(place.window, fmt::format("PU {} -> SU: watermark {} after {}", unit, mark.depth, last));
+  if (mark.depth < last) {
+    fail(place.window, {.tap = Tap::kSplat, .unit = unit, .field = "watermark"}, fmt::format("{} at least", last),
+         fmt::to_string(mark.depth));
+  }
   last = mark.depth;
 }
 
 void StreamCheck::on_sorted(const uint32_t* words) {
   ++beats_;
   const auto sorted = unpack<Sorted>(config_, words);
+  Mismatch where{.tap = Tap::kSorted, .unit = {}};
   Place& place = sorted_place_;
   Window& now = window(place.window);
   static const std::vector<GoldenSplat> kNone;
@@ -238,35 +327,29 @@ void StreamCheck::on_sorted(const uint32_t* words) {
     while (place.next < splats.size() && !stop(splats[place.next])) {
       const GoldenSplat& left_out = splats[place.next++];
       if ((left_out.splat.mask & ~may_miss(now, left_out.splat)) != 0) {
-        fail(place.window,
-             fmt::format("merge -> RU: layer {}: Gaussian {} is missing, found {}", place.layer, left_out.splat.index,
-                         sorted.kind == kData ? fmt::format("Gaussian {}", sorted.index) : "the layer's end"));
-        return;
+        Mismatch missing{.tap = Tap::kSorted, .gaussian = left_out.splat.index, .layer = place.layer};
+        const std::string other = sorted.kind == kData ? fmt::format("Gaussian {}", sorted.index) : "the layer's end";
+        return fail(place.window, missing, "it", "it missing before " + other);
       }
     }
   };
   if (sorted.kind != kData) {
     skip_done([](const GoldenSplat&) { return false; });
-    expect_end(place, sorted.kind, "merge -> RU");
+    expect_end(place, sorted.kind, where);
     return end(place, sorted.kind);
   }
   const auto same = [&](const GoldenSplat& golden) {
     return golden.splat.index == sorted.index && golden.splat.part == sorted.part;
   };
   skip_done(same);
-  if (place.next >= splats.size() || !same(splats[place.next])) {
-    return fail(place.window,
-                fmt::format("merge -> RU: layer {}: Gaussian {} is out of order", place.layer, sorted.index));
-  }
+  where.gaussian = sorted.index, where.layer = place.layer;
+  if (place.next >= splats.size() || !same(splats[place.next]))
+    return fail(place.window, where, "it in the order of depths", "it out of order");
   const auto found = unpack<Splat>(config_, words);  // a sorted splat begins with the splat
-  const std::string difference = compare_splats(config_, splats[place.next].splat, found);
-  if (!difference.empty())
-    fail(place.window, fmt::format("merge -> RU: Gaussian {}, field {}", sorted.index, difference));
-  expect_mask(place, "merge -> RU", splats[place.next].splat, found.mask);
+  if (differ(config_, splats[place.next].splat, found, where)) fail(place.window, where);
+  expect_mask(place, where, splats[place.next].splat, found.mask);
   ++place.next;
 }
-
-std::string StreamCheck::ru_name(int lane) const { return fmt::format("RU {}", lane / config_.tap_lanes()); }
 
 void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                             const uint32_t* line) {
@@ -280,8 +363,8 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
     const auto found = by_name.find(name_of(index, static_cast<uint64_t>(region_part(config_, region))));
     if (found != by_name.end()) splat = found->second;
   }
-  if (splat == nullptr)
-    return fail(ordinal, fmt::format("alphas -> {}: Gaussian {} is not in the window", ru_name(lane), index));
+  Mismatch where{.tap = Tap::kAlphas, .unit = unit_of(lane), .gaussian = index, .region = region};
+  if (splat == nullptr) return fail(ordinal, where, "a Gaussian of the window", "this one");
   Pending pending{.index = index,
                   .region = region,
                   .quarter = quarter,
@@ -299,10 +382,8 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
     const uint64_t found = get_bits(line, i * config_.alpha_w, config_.alpha_w);
     if (found == codes[pixel] || !same) continue;
     same = false;
-    const uint64_t x = window_x * config_.window + 8 * region_x(config_, region) + pixel % 8;
-    const uint64_t y = window_y * config_.window + 8 * region_y(config_, region) + pixel / 8;
-    fail(ordinal, fmt::format("alphas -> {}: Gaussian {}, pixel {},{}, field alpha: expected {}, found {}",
-                              ru_name(lane), index, x, y, codes[pixel], found));
+    where.pixel = pixel_at(ordinal, region, pixel), where.field = "alpha";
+    fail(ordinal, where, fmt::to_string(codes[pixel]), fmt::to_string(found));
   }
   const uint32_t color[3] = {static_cast<uint32_t>(splat->splat.red), static_cast<uint32_t>(splat->splat.green),
                              static_cast<uint32_t>(splat->splat.blue)};
@@ -313,11 +394,13 @@ void StreamCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint
 
 void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* word) {
   ++beats_;
-  if (pending_[lane].empty()) return fail(ru_window_[lane], ru_name(lane) + ": pixels written without a line");
+  Mismatch where{.tap = Tap::kPixels, .unit = unit_of(lane), .region = region};
+  if (pending_[lane].empty()) return fail(ru_window_[lane], where, "a line before its pixels", "no line");
   Pending& pending = pending_[lane].front();
+  where.gaussian = pending.index;
   if (pending.region != region || (config_.quads && pending.quarter != quarter)) {
-    fail(pending.window, ru_name(lane) + fmt::format(": Gaussian {}: wrote region {}, expected {}", pending.index,
-                                                     region, pending.region));
+    where.field = "region";
+    fail(pending.window, where, fmt::to_string(pending.region), fmt::to_string(region));
   } else {
     // The word: colours of its pixels, then their transmittances, then their done flags (rtl/ru/ru_lanes.sv).
     const int colors = 3 * config_.rgb_w, pixels = ru_word_pixels(config_);
@@ -329,19 +412,11 @@ void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* w
                              {field(i * colors, config_.rgb_w), field(i * colors + config_.rgb_w, config_.rgb_w),
                               field(i * colors + 2 * config_.rgb_w, config_.rgb_w)},
                              field(pixels * (colors + config_.t_w) + i, 1) != 0};
-      const int x =
-          static_cast<int>((input_.frame.raster.windows.first_x + pending.window % windows_x_) * config_.window) +
-          8 * region_x(config_, region) + pixel % 8;
-      const int y =
-          static_cast<int>((input_.frame.raster.windows.first_y + pending.window / windows_x_) * config_.window) +
-          8 * region_y(config_, region) + pixel / 8;
-      if (x == watch_x_ && y == watch_y_) seen_.push_back({pending.index, pending.codes[pixel], found.t});
+      where.pixel = pixel_at(pending.window, region, pixel);
+      if (where.pixel == watched_) seen_.push_back({pending.index, pending.codes[pixel], found});
       if (found == expected) continue;
-      fail(pending.window,
-           fmt::format("{}: Gaussian {}, pixel {},{}: expected T {} rgb {} {} {} done {}, found T {} rgb {} {} {} done "
-                       "{}",
-                       ru_name(lane), pending.index, x, y, expected.t, expected.rgb[0], expected.rgb[1],
-                       expected.rgb[2], expected.done, found.t, found.rgb[0], found.rgb[1], found.rgb[2], found.done));
+      differ(expected, found, where);
+      fail(pending.window, where);
       break;
     }
   }
@@ -349,15 +424,21 @@ void StreamCheck::on_pixels(int lane, int region, int quarter, const uint32_t* w
 }
 
 void StreamCheck::finish() {
+  const auto come = [&](uint64_t windows) { return fmt::format("{} windows", windows); };
   for (size_t unit = 0; unit < splat_place_.size(); ++unit) {
+    const uint64_t shown = splat_place_[unit].window;
     if (!splats_over(static_cast<int>(unit)))
-      fail(splat_place_[unit].window, fmt::format("PU {} -> SU: windows are missing", unit));
+      fail(shown, {.tap = Tap::kSplat, .unit = static_cast<int>(unit)}, come(frame_windows(input_.frame)), come(shown));
   }
   for (size_t lane = 0; lane < pending_.size(); ++lane) {
-    if (!pending_[lane].empty())
-      fail(ru_window_[lane], ru_name(static_cast<int>(lane)) + ": a line was not written back");
+    if (pending_[lane].empty()) continue;
+    const Pending& line = pending_[lane].front();
+    fail(line.window,
+         {.tap = Tap::kPixels, .unit = unit_of(static_cast<int>(lane)), .gaussian = line.index, .region = line.region},
+         "its line written back", "nothing");
   }
-  if (!sorted_over()) fail(sorted_place_.window, "merge -> RU: windows are missing");
+  if (!sorted_over())
+    fail(sorted_place_.window, {.tap = Tap::kSorted}, come(frame_windows(input_.frame)), come(sorted_place_.window));
   for (const auto& [ordinal, window] : open_) expect_all(ordinal);
   open_.clear();
 }

@@ -10,7 +10,7 @@
 //           pixels        T and RGB that an RU writes back equal the golden blend of it; when the window is left, what
 //                         was blended in all its regions equals the golden window, every bit of T and RGB
 //         What the RTL leaves out because a region (or quad) was done must have been done in the golden model too.
-// Result  The number of mismatches, and the first one in words: Gaussian, pixel, field, both values.
+// Result  The number of mismatches, and the first one: stream, unit, cycle, Gaussian, pixel, field, both values.
 #pragma once
 
 #include <array>
@@ -27,9 +27,23 @@
 
 namespace pipegs {
 
+// What showed a mismatch: a stream, or the picture in memory.
+enum class Tap { kSplat, kSorted, kAlphas, kPixels, kMemory };
+
 struct Mismatch {
-  std::string what;  // one line
+  Tap tap;
+  std::optional<int> unit;  // PU or RU
+  std::optional<uint64_t> gaussian, layer;
+  std::optional<int> region;
+  std::optional<std::array<int, 2>> pixel;
+  std::string field = "", expected = "", found = "";  // without a field all of it; without `found` the opposite
   uint64_t window_x = 0, window_y = 0;
+  int64_t cycle = 0;      // as RtlTaps counts
+  std::string what = "";  // one line of all but window and cycle
+
+  std::string stream() const;  // "PU 1 -> SU"
+  std::string signal() const;  // that shows it in waves; of memory none
+  std::string line() const;    // with window and cycle
 };
 
 class StreamCheck final : public RtlTaps {
@@ -50,16 +64,18 @@ class StreamCheck final : public RtlTaps {
     return splat_place_[static_cast<size_t>(unit)].window == frame_windows(input_.frame);
   }
   bool sorted_over() const { return sorted_place_.window == frame_windows(input_.frame); }
-  void fail_pixel(uint64_t window_x, uint64_t window_y, std::string what);  // found where no stream shows it
+  // A pixel of the picture in memory differs.
+  void fail_pixel(int x, int y, const std::string& expected, const std::string& found);
 
   uint64_t mismatches() const { return mismatches_; }
   const std::optional<Mismatch>& first() const { return first_; }
   uint64_t beats() const { return beats_; }  // beats compared
-  // The alpha codes and T that the RTL showed for one pixel, for `explain`: index, code, T after, in RTL order.
+  // What the RTL showed for one pixel, for `explain`, of each Gaussian in its order: alpha code, state after it.
   struct Seen {
-    uint32_t index, code, t_after;
+    uint32_t index, code;
+    PixelState after;
   };
-  void watch(int x, int y) { watch_x_ = x, watch_y_ = y; }
+  void watch(int x, int y) { watched_ = {x, y}; }
   const std::vector<Seen>& seen() const { return seen_; }
 
  private:
@@ -103,12 +119,14 @@ class StreamCheck final : public RtlTaps {
     return config_.has_lists() ? 0 : window.done.mask[splat.part];
   }
   void release();
-  void fail(uint64_t window, std::string what);
+  void fail(uint64_t window, Mismatch mismatch);
+  void fail(uint64_t window, Mismatch mismatch, std::string expected, std::string found = "");
   void end(Place& place, uint64_t kind);
-  void expect_mask(const Place& place, const char* stream, const Splat& expected, uint64_t found);
+  void expect_mask(const Place& place, const Mismatch& where, const Splat& expected, uint64_t found);
   void on_mark(int unit, const Place& place, const Splat& mark);
-  std::string ru_name(int lane) const;
-  void expect_end(const Place& place, uint64_t kind, const char* stream);
+  int unit_of(int lane) const { return lane / config_.tap_lanes(); }
+  std::array<int, 2> pixel_at(uint64_t window, int region, int pixel) const;  // of the image
+  void expect_end(const Place& place, uint64_t kind, Mismatch where);
 
   GoldenInput input_;
   const Config& config_;
@@ -123,7 +141,7 @@ class StreamCheck final : public RtlTaps {
   std::unordered_map<uint64_t, Window> open_;  // windows that a stream is in
   uint64_t mismatches_ = 0, beats_ = 0;
   std::optional<Mismatch> first_;
-  int watch_x_ = -1, watch_y_ = -1;
+  std::array<int, 2> watched_ = {-1, -1};
   std::vector<Seen> seen_;
 };
 

@@ -49,6 +49,19 @@ Json traffic_json(const std::vector<MemoryTraffic>& streams) {
   return {{"bytes_read", read}, {"bytes_written", written}, {"by_stream", by_stream}};
 }
 
+Json mismatch_json(const std::optional<Mismatch>& mismatch) {
+  if (!mismatch) return nullptr;
+  const auto given = [](const auto& value) { return value ? Json(*value) : Json(nullptr); };
+  const auto said = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
+  return {{"cycle", mismatch->cycle},        {"window", {mismatch->window_x, mismatch->window_y}},
+          {"stream", mismatch->stream()},    {"signal", said(mismatch->signal())},
+          {"unit", given(mismatch->unit)},   {"gaussian", given(mismatch->gaussian)},
+          {"layer", given(mismatch->layer)}, {"region", given(mismatch->region)},
+          {"pixel", given(mismatch->pixel)}, {"field", said(mismatch->field)},
+          {"expected", mismatch->expected},  {"found", said(mismatch->found)},
+          {"what", mismatch->what}};
+}
+
 Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options) {
   const Config& config = options.config;
   const Work& work = simulation.golden.work;
@@ -167,6 +180,7 @@ Json report_json(const Scene& scene, const Camera& camera, const SimulateOptions
                        of(rtl && bounds.largest > 0, static_cast<double>(simulation.rtl.cycles) / bounds.largest)}};
   report["beats_compared"] = of(rtl, simulation.beats);
   report["mismatches"] = of(rtl, simulation.mismatches);
+  report["first_mismatch"] = mismatch_json(simulation.first_mismatch);
   report["psnr_numeric_db"] = decibels(truth, simulation.psnr_numeric);
   report["psnr_order_db"] = decibels(truth, simulation.psnr_order);
   report["psnr_total_db"] = decibels(truth, simulation.psnr_total);

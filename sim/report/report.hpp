@@ -21,6 +21,8 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
 
 // {bytes_read, bytes_written, by_stream}
 nlohmann::ordered_json traffic_json(const std::vector<MemoryTraffic>& streams);
+// Null without one.
+nlohmann::ordered_json mismatch_json(const std::optional<Mismatch>& mismatch);
 // `odd` is what was found in the scene, its camera and the frame.
 nlohmann::ordered_json report_json(const Scene& scene, const Camera& camera, const SimulateOptions& options,
                                    const Simulation& simulation, const Findings& odd);

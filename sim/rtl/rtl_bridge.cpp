@@ -73,6 +73,7 @@ class VerilatedMachine final : public RtlModel {
   void give_up();
   void resume();
   [[noreturn]] void fail(const pipegs_error& error) const;
+  int64_t counted() const { return taken_ > 0 ? static_cast<int64_t>(cycle_) - origin_ : 0; }
   std::string position() const { return "cycle " + std::to_string(cycle_); }
 
   const Widths w_;
@@ -231,10 +232,10 @@ void VerilatedMachine::cycle() {
   control_.drive(top);
   drive_memory();
   top.eval();
-  waves_->dump_low(cycle_);
+  waves_->dump_low(cycle_, counted());
   if (cycle_ >= kResetCycles) {
     control_.observe(top);
-    if (taps_ != nullptr) taps_->cycle = static_cast<int64_t>(cycle_) - origin_;
+    if (taps_ != nullptr) taps_->cycle = counted(), taps_->wave_time = cycle_ * kWaveTime;
     if (cycles_ && !mute_) tap_cycle(*taps_);
     observe_memory();
     if (streams_ && !mute_) tap(*taps_);
@@ -260,7 +261,7 @@ void VerilatedMachine::cycle() {
   }
   top.aclk = 1;
   top.eval();
-  waves_->dump_high(cycle_);
+  waves_->dump_high(cycle_, counted());
   if (cycle_ - last_request_ > options_->quiet_limit) {
     throw RtlFault("RTL: no memory request for " + std::to_string(options_->quiet_limit) + " cycles, " + position() +
                    ", " + std::to_string(windows_) + " windows sorted: the machine hangs");

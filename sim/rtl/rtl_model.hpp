@@ -7,8 +7,10 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,6 +39,7 @@ class RtlTaps {
   virtual void on_frame_done() {}  // the last pixel of the oldest frame inside is in memory; without taps too
   virtual void on_give_up() {}     // no frame inside counts any more: those that are not done begin anew
   int64_t cycle = 0;               // of what is shown: counted as RtlResult::cycles, 1 is the first one that counts
+  uint64_t wave_time = 0;          // of the same in waves, kWaveTime for a cycle
 
   // What follows is shown only when `wants_cycles` says so, because it costs time in every cycle.
   virtual bool wants_cycles() const { return false; }
@@ -58,9 +61,20 @@ struct RtlDisturbance {
   Kind kind = Kind::kAbort;
 };
 
+// In waves a cycle takes so long; in the first half of it the clock is low.
+inline constexpr int kWaveTime = 10;
+
+// The cycles that waves show: so many on both sides of one, counted as RtlTaps::cycle. What comes before the first
+// frame is cycle 0.
+struct WaveRange {
+  int64_t cycle = 0, around = 0;
+  bool holds(int64_t other) const { return std::abs(other - cycle) <= around; }
+};
+
 struct RtlOptions {
   uint64_t seed = 1;                              // of the random initial values of registers and memories
   std::string waves;                              // FST file, empty for none; needs a variant with waves
+  std::optional<WaveRange> wave_range;            // of these cycles only
   uint64_t sample_period = 0, sample_cycles = 0;  // waves of so many cycles in each period only; 0: of all
   bool queued = true;             // a frame is queued while the one before runs; else when the machine is empty
   uint64_t quiet_limit = 200000;  // cycles without a memory request after which the machine counts as hung

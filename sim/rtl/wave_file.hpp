@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// wave_file.hpp: the waves of a Verilated module, of all cycles or of samples of them.
+// wave_file.hpp: the waves of a Verilated module, of all cycles, of a range or of samples of them.
 //
 // Errors  OwnFailure when the disk does not take them (wave_disk.cpp): with the next cycle, or when the file is closed.
 #pragma once
@@ -32,12 +32,13 @@ class WaveFile {
     top.trace(file_.get(), 99);
     file_->open(options.waves.c_str());
   }
-  void dump_low(uint64_t cycle) {
-    if (file_ && in_sample(options_, cycle)) dump(cycle * 10);
+  // `counted` is the cycle as a range counts it.
+  void dump_low(uint64_t cycle, int64_t counted) {
+    if (file_ && shows(cycle, counted)) dump(cycle * kWaveTime);
   }
   // Of the cycle before a sample too: the change to its first low phase is a part of the sample.
-  void dump_high(uint64_t cycle) {
-    if (file_ && (in_sample(options_, cycle) || in_sample(options_, cycle + 1))) dump(cycle * 10 + 5);
+  void dump_high(uint64_t cycle, int64_t counted) {
+    if (file_ && (shows(cycle, counted) || shows(cycle + 1, counted + 1))) dump(cycle * kWaveTime + kWaveTime / 2);
   }
   void close() {
     if (file_) file_->close();
@@ -45,6 +46,9 @@ class WaveFile {
   }
 
  private:
+  bool shows(uint64_t cycle, int64_t counted) const {
+    return in_sample(options_, cycle) && (!options_.wave_range || options_.wave_range->holds(counted));
+  }
   void dump(uint64_t time) {
     file_->dump(time);
     check();
@@ -59,8 +63,8 @@ class WaveFile {
   WaveFile(Dut&, const RtlOptions& options) {
     if (!options.waves.empty()) throw std::logic_error("RTL: waves of a variant that was built without them");
   }
-  void dump_low(uint64_t) {}
-  void dump_high(uint64_t) {}
+  void dump_low(uint64_t, int64_t) {}
+  void dump_high(uint64_t, int64_t) {}
   void close() {}
 #endif
 };

@@ -41,5 +41,20 @@ TEST_F(Doors, WhatThePageOfTheArchitectShowsRuns) {
   }
 }
 
+TEST_F(Doors, WhatThePageOfTheRtlEngineerShowsRuns) {
+  write_cameras(folder_ / "cameras.json", {test_camera(100, 100)});
+  const std::string small = " scene.ply --cameras cameras.json " + smallest_;
+  for (const auto& [command, least] : {std::pair{"sim --no-truth", 2}, std::pair{"explain", 1}}) {
+    const std::vector<std::string> lines = lines_of("rtl_engineer.md", command);
+    EXPECT_GE(lines.size(), static_cast<size_t>(least)) << command;
+    for (const std::string& line : lines) {
+      const Outcome outcome = run(line + small);
+      EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    }
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "bad/report.json"));
+  EXPECT_TRUE(fs::exists(folder_ / "replay/waves.gtkw"));
+}
+
 }  // namespace
 }  // namespace pipegs

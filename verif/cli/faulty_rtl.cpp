@@ -4,12 +4,15 @@
 //
 // Idea    The linker puts this in the place of load_rtl (--wrap), so all else is `pipegs` as it is. The machine is the
 //         true one; PIPEGS_FAULT in the environment names what is done to its run:
+//           color   the lowest bit of red of the first pixel of region 5 is turned over wherever an RU shows it
 //           pixel   bit 9 of pixel 66,3 is turned over in memory, or of the first pixel where there is no such
 //           cycles  it reports one cycle more, and does not show the first chunk that its DOPU sends
 //           hang    it counts as hung before it can have asked for anything
 //           memory  the run has no memory left; bug: a function breaks its promise
 //         Every variant of the default machine is that machine, which changes neither a cycle nor a bit, and need not
 //         be built.
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <new>
@@ -24,12 +27,12 @@
 namespace pipegs {
 namespace {
 
-// All that a machine shows, with a fault in it: its first chunk is missing, or something is done to the memory before
-// the frame counts as complete.
+// All that a machine shows, with a fault in it: its first chunk is missing, a colour is wrong, or something is done to
+// the memory before the frame counts as complete.
 class FaultyTaps final : public RtlTaps {
  public:
-  FaultyTaps(RtlTaps& taps, bool without_a_chunk, std::function<void()> before_done)
-      : taps_(taps), shown_(!without_a_chunk), before_done_(std::move(before_done)) {}
+  FaultyTaps(RtlTaps& taps, std::string_view fault, std::function<void()> before_done)
+      : taps_(taps), shown_(fault != "cycles"), wrong_color_(fault == "color"), before_done_(std::move(before_done)) {}
   void on_splat(int unit, const uint32_t* splat) override { now().on_splat(unit, splat); }
   void on_sorted(const uint32_t* sorted) override { now().on_sorted(sorted); }
   void on_alphas(int lane, uint64_t x, uint64_t y, uint32_t index, int region, int quarter,
@@ -37,7 +40,11 @@ class FaultyTaps final : public RtlTaps {
     now().on_alphas(lane, x, y, index, region, quarter, line);
   }
   void on_pixels(int lane, int region, int quarter, const uint32_t* word) override {
-    now().on_pixels(lane, region, quarter, word);
+    if (!wrong_color_ || region != 5) return now().on_pixels(lane, region, quarter, word);
+    std::array<uint32_t, 64> wrong;  // a word is no wider
+    std::copy_n(word, wrong.size(), wrong.begin());
+    wrong[0] ^= 1;
+    now().on_pixels(lane, region, quarter, wrong.data());
   }
   bool wants_cycles() const override { return taps_.wants_cycles(); }
   void on_cycle(uint64_t number, const uint8_t* states) override { now().on_cycle(number, states); }
@@ -57,12 +64,12 @@ class FaultyTaps final : public RtlTaps {
 
  private:
   RtlTaps& now() {
-    taps_.cycle = cycle;
+    taps_.cycle = cycle, taps_.wave_time = wave_time;
     return taps_;
   }
 
   RtlTaps& taps_;
-  bool shown_;
+  bool shown_, wrong_color_;
   std::function<void()> before_done_;
 };
 
@@ -85,7 +92,7 @@ class FaultyMachine final : public RtlModel {
       if (fault_ == "pixel") turn_over(job_frame(config_, frames.front()), memory);
     };
     std::optional<FaultyTaps> faulty;
-    if (taps != nullptr) taps = &faulty.emplace(*taps, fault_ == "cycles", before_done);
+    if (taps != nullptr) taps = &faulty.emplace(*taps, fault_, before_done);
     RtlResult result = machine_->run(frames, memory, mine, taps, progress);
     if (fault_ == "cycles") ++result.cycles;
     return result;

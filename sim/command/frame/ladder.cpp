@@ -7,6 +7,7 @@
 
 #include "sim/command/command.hpp"
 #include "sim/command/page/study_output.hpp"
+#include "sim/command/replay.hpp"
 #include "sim/ladder/ladder.hpp"
 #include "sim/progress.hpp"
 #include "sim/report/report.hpp"
@@ -26,6 +27,7 @@ struct LadderArguments {
 struct Known {
   std::vector<std::pair<const DesignPoint*, std::vector<uint64_t>>> pixels;
   std::unique_ptr<Simulation> first;
+  std::vector<std::pair<std::string_view, Mismatch>> wrong;
 };
 
 void compare_pixels(LadderRow& row, const std::vector<uint64_t>& pixels, Known& known) {
@@ -52,8 +54,8 @@ void run_design_point(LadderRow& row, const LadderArguments& arguments, const Lo
   write_images(folder, picture_of(*simulation, row.options));
   write_text(folder + "/report.json",
              report_json(loaded.scene, loaded.camera, row.options, *simulation, loaded.told->all()).dump(2) + "\n");
-  if (simulation->first_mismatch)
-    fmt::print(stderr, "{}: first mismatch: {}\n", row.design_point->name, simulation->first_mismatch->what);
+  if (const std::optional<Mismatch>& first = simulation->first_mismatch)
+    known.wrong.push_back({row.design_point->name, *first});
   if (!known.first) known.first = std::move(simulation);
 }
 
@@ -70,7 +72,18 @@ PixelBytes memory_of(const LadderArguments& arguments) {
   return one + one + kWritePixels + kRtlPixels;
 }
 
-int ladder(const LadderArguments& arguments) {
+// What differs, with the commands that look closer; it stands last.
+void tell_mismatches(const Known& known, const CLI::App& command) {
+  std::fflush(stdout);
+  for (const auto& [name, first] : known.wrong) {
+    fmt::print(stderr, "{}: first mismatch, {}\nreplay: {} --design {} --no-truth --out replay --window {},{}\n", name,
+               first.line(),
+               given_to("sim", command, {"--designs", "--out", "--json", "--page", "--window", "--no-truth"}), name,
+               first.window_x, first.window_y);
+  }
+}
+
+int ladder(const LadderArguments& arguments, const CLI::App& command) {
   const std::vector<const DesignPoint*> chosen = find_design_points(arguments.view.design_points);
   const std::vector<SimulateOptions> options = arguments.view.options(chosen);
   std::vector<LadderRow> rows;
@@ -120,6 +133,7 @@ int ladder(const LadderArguments& arguments) {
                           .machines = machines,
                           .odd = loaded.told->all()},
                          json, done > 0);
+  tell_mismatches(known, command);
   if (differs) return kExitDiffers;
   return done == rows.size() ? kExitOk : kExitOwnFailure;
 }
@@ -137,7 +151,7 @@ void add_ladder(CLI::App& app, Run& run) {
   arguments.memory.add(command);
   arguments.output.add(command, "ladder");
   add_flag(command, "--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
-  when_chosen(command, run, [] { return ladder(arguments); });
+  when_chosen(command, run, [&command] { return ladder(arguments, command); });
 }
 
 }  // namespace pipegs

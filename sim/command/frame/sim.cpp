@@ -13,6 +13,7 @@
 #include "sim/command/sequence/sequence.hpp"
 #include "sim/report/report.hpp"
 #include "sim/effects/effects.hpp"
+#include "sim/progress.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 
 namespace pipegs {
@@ -28,6 +29,7 @@ struct SimArguments {
   std::string out = "out";
   std::vector<std::string> effects = {"all"};
   std::string picture = "windows";
+  std::optional<WaveRange> wave_range;
   bool waves = false, netlist = false, json = false, no_truth = false, no_rtl = false;
 };
 
@@ -35,15 +37,32 @@ const std::vector<std::string> kAll = {"all"}, kAuto = {"auto"};
 
 bool are_named(const std::vector<std::string>& effects) { return effects != kAll && effects != kAuto; }
 
-// The command that runs the same again with waves: of one window, or of what was asked for.
-std::string replay(const SimArguments& arguments, const CLI::App& command, const std::string& window) {
-  std::set<std::string> other = {"--out", "--json", "--no-truth", "--waves", "--page", "--against", "--viewer"};
+// "5312" or "5312,50".
+WaveRange wave_range(const std::string& text) {
+  const size_t comma = text.find(',');
+  constexpr int64_t kMost = int64_t{1} << 40;
+  WaveRange range{.cycle = parse_integer<int64_t>(text.substr(0, comma), 0, kMost), .around = 200};
+  if (comma != std::string::npos) range.around = parse_integer<int64_t>(text.substr(comma + 1), 1, kMost);
+  return range;
+}
+
+// A run that shows what went wrong: of one window or of all that was asked for, and when it shows it.
+struct Shown {
+  std::optional<std::array<int, 2>> window;
+  std::optional<int64_t> cycle;
+};
+
+// The command of that run, with waves around the cycle.
+std::string replay(const SimArguments& arguments, const CLI::App& command, const Shown& shown) {
+  std::set<std::string> other = {"--out",          "--json", "--no-truth", "--waves",
+                                 "--waves-around", "--page", "--against",  "--viewer"};
   std::string more = " --no-truth --out replay";
-  if (!window.empty()) {
+  if (shown.window) {
     other.insert({"--window", "--crop"});
-    more += " --window " + window;
+    more += fmt::format(" --window {}", fmt::join(*shown.window, ","));
   }
-  if (!arguments.netlist) more += " --waves";  // gates write none
+  if (!arguments.netlist)  // gates write none
+    more += shown.cycle ? fmt::format(" --waves-around {}", *shown.cycle) : " --waves";
   if (!arguments.netlist && are_named(arguments.effects)) {
     std::vector<std::string> effects = arguments.effects;
     for (const char* needed : {"waves", "taps"}) {
@@ -61,13 +80,37 @@ EffectPlan named_effects(const SimArguments& arguments, const SimulateOptions& o
   return plan_effects(options, arguments.effects);
 }
 
+bool has_waves(const RtlOptions& options, int64_t cycle) {
+  return !options.waves.empty() && (!options.wave_range || options.wave_range->holds(cycle));
+}
+
+// The shortest run that shows a mismatch of this one: of its window alone, unless it does not come there.
+Shown shortest(const LoadedView& loaded, const SimulateOptions& options, const Mismatch& first) {
+  const std::array<int, 2> window = {static_cast<int>(first.window_x), static_cast<int>(first.window_y)};
+  if (options.variant.netlist || options.window == window) return {window, first.cycle};
+  SimulateOptions alone = options;
+  alone.window = window;
+  alone.crop.reset();
+  alone.taps = nullptr;
+  alone.found = nullptr;
+  alone.rtl.waves.clear();
+  Simulation simulation;
+  const Progress stage("the window of the mismatch alone");
+  simulate_golden(loaded.scene, loaded.camera, alone, simulation);
+  try {
+    simulate_rtl(alone, simulation);
+  } catch (const RtlFault& fault) { return {window, fault.cycle}; }
+  if (!simulation.first_mismatch) return {{}, first.cycle};
+  return {window, simulation.first_mismatch->cycle};
+}
+
 // The RTL on the view; when it stops, how to run it again.
 std::string run_rtl(const SimArguments& arguments, const CLI::App& command, const LoadedView& loaded,
                     const SimulateOptions& options, const EffectPlan& plan, Simulation& simulation) {
   try {
     return simulate_effects(loaded.scene, loaded.camera, options, plan, simulation);
-  } catch (const RtlFault&) {
-    fmt::print(stderr, "replay with waves: {}\n", replay(arguments, command, ""));
+  } catch (const RtlFault& fault) {
+    fmt::print(stderr, "replay with waves: {}\n", replay(arguments, command, {{}, fault.cycle}));
     throw;
   }
 }
@@ -78,17 +121,18 @@ void check_outputs(const SimArguments& arguments, const CLI::App& command) {
     throw ConfigError("--page: found a sequence, expected one frame");
   arguments.page.check();
   try_folder("--out", arguments.out,
-             {"frame.exr", "frame.png", "report.json", "page.html", "viewer.html", "waves.fst"});
+             {"frame.exr", "frame.png", "report.json", "page.html", "viewer.html", "waves.fst", "waves.gtkw"});
 }
 
 int simulate(const SimArguments& arguments, const CLI::App& command) {
   SimulateOptions options = arguments.view.options();
   arguments.memory.apply(options);
-  if (arguments.waves) options.rtl.waves = arguments.out + "/waves.fst";
+  if (arguments.waves || arguments.wave_range) options.rtl.waves = arguments.out + "/waves.fst";
+  options.rtl.wave_range = arguments.wave_range;
   options.raster = arguments.picture == "raster";
   arguments.picture_of.apply(arguments.view, true, options);
   options.variant.netlist = arguments.netlist;
-  if (arguments.no_rtl && arguments.waves) throw ConfigError("--waves: there are none with --no-rtl");
+  if (arguments.no_rtl && !options.rtl.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
   built_variant(options.variant, options.rtl);  // refuses waves of gates
   check_outputs(arguments, command);
   if (arguments.sequence.wanted()) {
@@ -97,7 +141,10 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
                         {.out = arguments.out,
                          .rtl = !arguments.no_rtl,
                          .json = arguments.json,
-                         .replay = replay(arguments, command, ""),
+                         .replay =
+                             [&](std::optional<int64_t> cycle) {
+                               return replay(arguments, command, {{}, cycle});
+                             },
                          .viewer = arguments.viewer,
                          .command = command});
   }
@@ -130,6 +177,12 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   report["effects"] = arguments.no_rtl
                           ? nlohmann::ordered_json(nullptr)
                           : nlohmann::ordered_json{{"simulated", plan.simulated}, {"left_out", plan.left_out}};
+  std::string again;
+  if (const std::optional<Mismatch>& first = simulation.first_mismatch;
+      first && !has_waves(options.rtl, first->cycle)) {
+    again = replay(arguments, command, shortest(loaded, wrong.empty() ? plan.options : options, *first));
+    report["first_mismatch"]["replay"] = again;
+  }
   const Rgb8 picture = arguments.picture_of.picture(simulation, options);
   write_images(arguments.out, picture_of(simulation, options), picture);
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
@@ -147,12 +200,16 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
     fmt::print("{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n{}", report_text(report), arguments.out,
                arguments.out, arguments.out, viewed.empty() ? "" : "  " + viewed);
   }
+  std::fflush(stdout);  // a mismatch stands last
+  const auto last = static_cast<int64_t>(simulation.rtl.cycles);
+  if (const std::optional<WaveRange>& range = options.rtl.wave_range; range && range->cycle - range->around > last)
+    fmt::print(stderr, "pipegs: --waves-around {}: the run ends with cycle {}, its waves are empty\n", range->cycle,
+               last);
   if (!wrong.empty()) fmt::print(stderr, "pipegs: {}\n", wrong);
-  if (simulation.mismatches == 0) return wrong.empty() ? kExitOk : kExitDiffers;
-  fmt::print(stderr, "first mismatch, window {},{}: {}\nreplay with waves: {}\n", simulation.first_mismatch->window_x,
-             simulation.first_mismatch->window_y, simulation.first_mismatch->what,
-             replay(arguments, command,
-                    fmt::format("{},{}", simulation.first_mismatch->window_x, simulation.first_mismatch->window_y)));
+  if (!simulation.first_mismatch) return wrong.empty() ? kExitOk : kExitDiffers;
+  fmt::print(stderr, "first mismatch, {}\n", simulation.first_mismatch->line());
+  if (!again.empty()) fmt::print(stderr, "replay with waves: {}\n", again);
+  else fmt::print(stderr, "its waves: gtkwave {}\n", shell_word(arguments.out + "/waves.gtkw"));
   return kExitDiffers;
 }
 
@@ -176,7 +233,12 @@ void add_sim(CLI::App& app, Run& run) {
       .one_of({"windows", "raster"}, true);
   add_text(command, "--out", arguments.out, "folder for frame.exr, frame.png, report.json, and what is asked for")
       .shows_default();
-  add_flag(command, "--waves", arguments.waves, "waves.fst: waves of every signal (use with --window)");
+  add_flag(command, "--waves", arguments.waves,
+           "waves.fst: waves of every signal (use with --window); waves.gtkw: its streams in GTKWave");
+  add_read(command, "--waves-around",
+           "waves.fst of so many cycles on both sides of one (200 without N), and only these", "CYCLE[,N]",
+           [](const std::string& text) { arguments.wave_range = wave_range(text); })
+      .excludes("--waves");
   add_names(command, "--effects", arguments.effects,
             "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
       .shows_default();

@@ -17,6 +17,7 @@
 #include "sim/progress.hpp"
 #include "sim/rtl/rtl_fault.hpp"
 #include "sim/report/measurement_store.hpp"
+#include "sim/report/report.hpp"
 #include "sim/timing/timing_model.hpp"
 
 namespace pipegs {
@@ -109,8 +110,8 @@ class Sequence {
     }
   }
 
-  // All frames through the RTL, queued and alone. Returns the first mismatch, empty without one.
-  std::string rtl(const std::string& replay) {
+  // All frames through the RTL, queued and alone.
+  void rtl(const std::function<std::string(std::optional<int64_t>)>& replay) {
     std::vector<std::unique_ptr<Simulation>> simulations;
     std::vector<Simulation*> frames;
     for (FrameRow& row : table_.rows) {
@@ -119,21 +120,26 @@ class Sequence {
       simulate_golden(options_, *frames.back());
       row.mismatches = 0;
     }
-    std::string wrong;
     for (const bool queued : {true, false}) {
       options_.rtl.queued = queued;
       if (!queued) options_.rtl.waves.clear();  // of one of the runs
       try {
-        const std::string found = add_run(simulate_sequence(options_, frames), frames, queued);
-        if (wrong.empty()) wrong = found;
-      } catch (const RtlFault&) {
-        fmt::print(stderr, "replay with waves: {}\n", replay);
+        add_run(simulate_sequence(options_, frames), frames, queued);
+      } catch (const RtlFault& fault) {
+        fmt::print(stderr, "replay with waves: {}\n", replay(fault.cycle));
         throw;
       }
     }
     for (const Simulation* frame : frames) write(*frame);
-    return wrong.empty() ? wrong : fmt::format("{}\nreplay with waves: {}\n", wrong, replay);
+    if (wrong_.is_null()) return;
+    // Waves are of the first run.
+    const bool queued = wrong_["queued"];
+    wrong_["replay"] = replay(queued ? std::optional<int64_t>(wrong_["cycle"]) : std::nullopt);
   }
+
+  // The first mismatch as JSON, or null.
+  const Json& wrong() const { return wrong_; }
+  const std::optional<Mismatch>& first() const { return first_; }
 
   // What each frame cost is known.
   const FrameTable& finish() {
@@ -148,8 +154,7 @@ class Sequence {
   }
 
   // What a run says of each frame: cycles from the end of the frame before, or from the start, to its own.
-  std::string add_run(const SequenceRun& run, const std::vector<Simulation*>& frames, bool queued) {
-    std::string wrong;
+  void add_run(const SequenceRun& run, const std::vector<Simulation*>& frames, bool queued) {
     uint64_t before = 0;
     for (size_t i = 0; i < frames.size(); ++i) {
       FrameRow& row = table_.rows[i];
@@ -166,11 +171,11 @@ class Sequence {
         row.bytes = run.frame_bytes[i];
       }
       *row.mismatches += frames[i]->mismatches;
-      if (!wrong.empty() || frames[i]->mismatches == 0) continue;
-      const Mismatch& first = *frames[i]->first_mismatch;
-      wrong = fmt::format("first mismatch, frame {}, window {},{}: {}", i, first.window_x, first.window_y, first.what);
+      if (!wrong_.is_null() || !frames[i]->first_mismatch) continue;
+      wrong_ = {{"frame", i}, {"queued", queued}};
+      first_ = frames[i]->first_mismatch;
+      wrong_.update(mismatch_json(first_));
     }
-    return wrong;
   }
 
   const FrameModel silicon_ = own_tables(read_frame_model);
@@ -180,6 +185,8 @@ class Sequence {
   const PictureArguments& picture_;
   FrameFiles files_;
   PackedScene packed_;
+  std::optional<Mismatch> first_;
+  Json wrong_;  // the same
 };
 
 FrameFilesOptions files_of(const SequenceArguments& sequence, const std::string& out) {
@@ -229,11 +236,11 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   FrameFilesOptions files = files_of(sequence, run.out);
   if (viewer.wanted()) files.show = [&viewer](const Rgb8& shown) { viewer.add(shown); };
   Sequence frames(loaded, std::move(rows), simulated, picture, files);
-  std::string wrong;
-  if (run.rtl) wrong = frames.rtl(run.replay);
+  if (run.rtl) frames.rtl(run.replay);
   else frames.model(run.out + "/kept");
   const FrameTable& table = frames.finish();
   Json json = to_json(table);
+  json["first_mismatch"] = frames.wrong();
   json["findings"] = to_json(loaded.told->all());
   write_text(run.out + "/frames.csv", frames_csv(table));
   write_text(run.out + "/sequence.json", json.dump(2) + "\n");
@@ -246,8 +253,11 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
         run.rtl ? fmt::format("every beat and every pixel of {} frames compared, twice; ", table.rows.size()) : "",
         run.out, viewed.empty() ? "" : "  " + viewed);
   }
-  fmt::print(stderr, "{}", wrong);
-  return wrong.empty() ? kExitOk : kExitDiffers;
+  if (frames.wrong().is_null()) return kExitOk;
+  std::fflush(stdout);  // a mismatch stands last
+  fmt::print(stderr, "first mismatch, frame {}, {}\nreplay with waves: {}\n", frames.wrong()["frame"].get<size_t>(),
+             frames.first()->line(), frames.wrong()["replay"].get<std::string>());
+  return kExitDiffers;
 }
 
 }  // namespace pipegs

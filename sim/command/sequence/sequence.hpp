@@ -8,6 +8,8 @@
 // Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; kept/ with --no-rtl.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +33,8 @@ struct SequenceArguments {
 struct SequenceRunArguments {
   std::string out;
   bool rtl = true, json = false;
-  std::string replay;  // the command that runs the same again with waves
+  // The command that runs the same again with waves, around a cycle where one is known.
+  std::function<std::string(std::optional<int64_t>)> replay;
   const ViewerArgument& viewer;
   const CLI::App& command;
 };
