@@ -52,8 +52,10 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool key(Text& name) override {
     charge(kKeyBytes + name.size());
     Level& level = levels_.back();
-    if (!level.keys.insert(name).second)
-      throw InputError(file_, text(false), fmt::format("found a second {}, expected one", quote(name)));
+    bool known;
+    if constexpr (kOrdered) known = !level.keys.insert(name).second;
+    else known = level.json->contains(name);
+    if (known) throw InputError(file_, text(false), fmt::format("found a second {}, expected one", quote(name)));
     level.key = std::move(name);
     return true;
   }
@@ -63,10 +65,12 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
 
  private:
+  static constexpr bool kOrdered = std::is_same_v<Json, nlohmann::ordered_json>;
+
   struct Level {
     Json* json;
-    std::string key;  // of an object, the latest
-    std::set<std::string> keys;
+    std::string key;             // of an object, the latest
+    std::set<std::string> keys;  // of an ordered object, which would look through all of them
   };
 
   template <typename Value>
@@ -87,7 +91,7 @@ class Builder final : public nlohmann::json_sax<Json> {
       return elements.back();
     }
     auto& object = around.template get_ref<typename Json::object_t&>();
-    if constexpr (std::is_same_v<Json, nlohmann::ordered_json>) {
+    if constexpr (kOrdered) {
       using Entries = typename Json::object_t::Container;
       static_cast<Entries&>(object).emplace_back(levels_.back().key, Json(std::forward<Value>(value)));
       return object.back().second;

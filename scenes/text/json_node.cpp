@@ -4,32 +4,46 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "scenes/input_error.hpp"
 #include "scenes/text/json.hpp"
 
 namespace pipegs {
 
-struct JsonNode::Document {
+struct JsonNode::Place {
+  std::shared_ptr<const Place> around = {};  // none of the document
+  const char* key = nullptr;                 // of an object, in the document; of an array
+  std::size_t index = 0;
+};
+
+struct JsonNode::Document : Place {
   std::string file;
   nlohmann::json json;
 };
 
-JsonNode::JsonNode(std::shared_ptr<const Document> document, const nlohmann::json& json, std::string where)
-    : document_(std::move(document)), json_(&json), where_(std::move(where)) {}
+const std::string& JsonNode::file() const {
+  const Place* place = place_.get();
+  while (place->around) place = place->around.get();
+  return static_cast<const Document&>(*place).file;
+}
 
-const std::string& JsonNode::file() const { return document_->file; }
+std::string JsonNode::where() const {
+  std::string text;
+  for (const Place* place = place_.get(); place->around; place = place->around.get())
+    text = (place->key == nullptr   ? fmt::format("[{}]", place->index)
+            : place->around->around ? fmt::format(".{}", place->key)
+                                    : place->key) +
+           text;
+  return text;
+}
 
 JsonNode JsonNode::parse(const std::string& file, std::string_view text) {
   if (text.size() > kMostJsonBytes)
     throw InputError(file, "", fmt::format("found {} bytes, expected JSON of at most {}", text.size(), kMostJsonBytes));
-  auto document = std::make_shared<const Document>(Document{file, parse_json<nlohmann::json>(file, text)});
-  const nlohmann::json& whole = document->json;
-  return {std::move(document), whole, ""};
+  const auto document = std::make_shared<const Document>(Document{{}, file, parse_json<nlohmann::json>(file, text)});
+  return {document, document->json};
 }
 
-void JsonNode::fail(const std::string& what) const { throw InputError(file(), where_, what); }
+void JsonNode::fail(const std::string& what) const { throw InputError(file(), where(), what); }
 
 void JsonNode::refuse(const std::string& expected) const {
   fail(fmt::format("found {}, expected {}", quote(json_text(*json_)), expected));
@@ -45,12 +59,12 @@ JsonNode JsonNode::operator[](const char* key) const {
   if (!json_->is_object()) refuse("an object");
   const auto found = json_->find(key);
   if (found == json_->end()) fail(fmt::format("{} is missing", quote(key)));
-  return {document_, *found, where_.empty() ? key : fmt::format("{}.{}", where_, key)};
+  return {std::make_shared<const Place>(Place{place_, found.key().c_str()}), *found};
 }
 
 JsonNode JsonNode::operator[](std::size_t index) const {
   if (index >= size()) fail(fmt::format("found {} elements, expected more than {}", size(), index));
-  return {document_, (*json_)[index], fmt::format("{}[{}]", where_, index)};
+  return {std::make_shared<const Place>(Place{place_, nullptr, index}), (*json_)[index]};
 }
 
 std::size_t JsonNode::size() const {
