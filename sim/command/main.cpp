@@ -17,6 +17,7 @@
 #include "cpp_model/frame_setup.hpp"
 #include "scenes/atomic_file.hpp"
 #include "scenes/input_error.hpp"
+#include "scenes/text/nearest.hpp"
 #include "scenes/text/quote.hpp"
 #include "sim/command/command.hpp"
 #include "sim/command/option_groups.hpp"
@@ -84,21 +85,23 @@ void run_with_studies(const CLI::App& app, int argc, char** argv) {
   if (std::filesystem::exists(studies, none) && written(studies) >= written(own)) execv(studies.c_str(), argv);
 }
 
-// A first word that is no command, and behind `study` a second one that is no study.
+// A first word that is missing or no command, and behind `study` a second one that is no study.
 void check_command(const CLI::App& app, int argc, char** argv) {
   const CLI::App* above = &app;
-  for (int i = 1; i < argc && argv[i][0] != '-'; ++i) {
+  for (int i = 1; i == argc || argv[i][0] != '-'; ++i) {
     const std::vector<const CLI::App*> commands = above->get_subcommands(nullptr);
     if (commands.empty()) return;
-    const auto named = [&](const CLI::App* command) { return command->get_name() == argv[i]; };
+    const auto named = [&](const CLI::App* command) { return i < argc && command->get_name() == argv[i]; };
     const auto found = std::find_if(commands.begin(), commands.end(), named);
     if (found == commands.end()) {
       std::vector<std::string> names;
       for (const CLI::App* command : commands) {
         if (!command->get_group().empty()) names.push_back(command->get_name());  // else it is a hidden one
       }
-      throw InputError(fmt::format("found {}, expected a {}: {}{}", quote(argv[i]),
-                                   i == 1 ? "command" : above->get_name(), fmt::join(names, ", "),
+      const std::string given =
+          i == argc ? "nothing" : fmt::format("{} (nearest: {})", quote(argv[i]), nearest_word(argv[i], names));
+      throw InputError(fmt::format("found {}, expected a {}: {}{}", given, i == 1 ? "command" : above->get_name(),
+                                   fmt::join(names, ", "),
                                    has_studies(app) ? "" : " (studies are in pipegs-studies: make build)"));
     }
     above = *found;

@@ -83,7 +83,7 @@ Bounds work_bounds(const Simulation& simulation, const SimulateOptions& options)
   bounds.memory = static_cast<double>(bytes.read + bytes.written) / memory_peak(options.memory);
   // A beat of each of its two channels in a cycle.
   if (config.bus_w > 0) bounds.bus = static_cast<double>(std::max(bytes.read, bytes.written)) * 8 / config.bus_w;
-  for (const auto& [name, value] : {std::pair{"PU rows", bounds.rows},
+  for (const auto& [name, value] : {std::pair{"Row Units", bounds.rows},
                                     {"RU", bounds.ru},
                                     {"SU", bounds.su},
                                     {"cull", bounds.cull},

@@ -74,7 +74,8 @@ TEST_F(Commands, WhatAFrameLeavesOutIsTold) {
        {"render" + view + "--out far", "sim" + view + "--no-rtl --no-truth --out far",
         "sim" + view + "--no-rtl --views all --frames none --out far", "explain" + view + "--pixel 3,3 --no-rtl",
         "model" + view, "effects" + view, "pack" + view + "--out far", "study profile" + view + "--out far",
-        "ladder" + view + "--designs late --no-truth --out far",
+        "ladder" + view + "--designs late --no-truth --out far", "what-if" + view + "--set units=2 --out far",
+        "render" + view + "--views all --out far",
         "accuracy" + view + "--knobs alpha_w --points 0 --store far --out far", "point" + view + "--store far",
         "point" + view + "--engine golden --store far"}) {
     SCOPED_TRACE(command);
@@ -87,8 +88,8 @@ TEST_F(Commands, WhatAFrameLeavesOutIsTold) {
     ASSERT_NE(first, std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.err.find(line, first + 1), std::string::npos) << outcome.err;
   }
-  for (const char* file :
-       {"far/report.json", "far/sequence.json", "far/profile.json", "far/late/report.json", "far/accuracy.json"}) {
+  for (const char* file : {"far/report.json", "far/sequence.json", "far/profile.json", "far/late/report.json",
+                           "far/accuracy.json", "far/what-if.json", "far/render.json"}) {
     const Json findings = Json::parse(text(file)).at("findings");
     EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Json& f) { return f["key"] == "left_out"; }))
         << file;

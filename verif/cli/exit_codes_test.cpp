@@ -127,9 +127,10 @@ TEST_F(ExitCodes, TwoForANameThatIsNotUtf8) {
 }
 
 TEST_F(ExitCodes, TwoForBadUse) {
-  expect_one_line(run(""), 2, "A subcommand is required");
-  expect_one_line(run("simulate"), 2, "found 'simulate', expected a command: sim, render, explain");
-  expect_one_line(run("study shape"), 2, "found 'shape', expected a study: tradeoff, shapes, rivals");
+  expect_one_line(run(""), 2, "found nothing, expected a command: sim, render, explain");
+  expect_one_line(run("simm"), 2, "found 'simm' (nearest: sim), expected a command: sim, render, explain");
+  expect_one_line(run("study"), 2, "found nothing, expected a study: tradeoff, shapes, rivals");
+  expect_one_line(run("study shape"), 2, "found 'shape' (nearest: shapes), expected a study: tradeoff, shapes, rivals");
   expect_one_line(run("sim --nonsense"), 2, "--nonsense");
   expect_one_line(run("explain" + view_), 2, "--pixel is required");
   expect_one_line(run("sim --out"), 2, "--out");

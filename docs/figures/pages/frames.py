@@ -57,7 +57,7 @@ def bounds(scene, name="fast"):
     """Cycles that each resource needs at least."""
     found = work(scene, name).bounds
     return {
-        "PU rows": found.pu_rows,
+        "Row Units": found.pu_rows,
         "RU": found.ru,
         "SU": found.su,
         "cull": found.cull,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// render.cpp: `pipegs render`: the pictures without the RTL.
+// render.cpp: `pipegs render`: the pictures of one view or several without the RTL.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +8,14 @@
 
 #include "cpp_model/float/image.hpp"
 #include "cpp_model/float/truth.hpp"
+#include "scenes/check/view_check.hpp"
 #include "scenes/input_error.hpp"
 #include "sim/command/command.hpp"
+#include "sim/command/frame/against_argument.hpp"
 #include "sim/command/frame/picture_arguments.hpp"
+#include "sim/command/page/study_output.hpp"
+#include "sim/command/sequence/frame_files.hpp"
+#include "sim/command/sequence/frame_table.hpp"
 #include "sim/progress.hpp"
 
 namespace pipegs {
@@ -19,7 +24,10 @@ namespace {
 struct RenderArguments {
   ViewArguments view;
   PictureArguments picture;
-  std::string model = "golden", semantics = "exact", out = "out", compare;
+  AgainstArgument against;
+  std::vector<int> views;  // first and last; nothing: the one of --view
+  StudyOutput output;      // of several views
+  std::string model = "golden", semantics = "exact", compare;
 };
 
 // The picture to compare with, read before anything is rendered.
@@ -48,41 +56,114 @@ bool differs(const Rgb8& mine, const Rgb8& other, const std::string& path) {
   return differing > 0;
 }
 
-int render(const RenderArguments& arguments) {
-  SimulateOptions options = arguments.view.options();
-  arguments.picture.apply(arguments.view, arguments.model == "golden", options);
-  try_folder("--out", arguments.out, {"frame.exr", "frame.png"});
-  const LoadedView loaded = load_view(arguments.view);
-  follow_scene(loaded, options);
-  check_picture_memory(loaded.camera, options,
-                       kWritePixels + (arguments.model == "truth" ? PixelBytes{} : kGoldenPixels) +
-                           (arguments.model == "golden" ? PixelBytes{} : kImagePixels));
-  const std::optional<Rgb8> other = read_other(arguments.compare, loaded.camera, options);
-  Simulation simulation;
-  if (arguments.model != "truth") simulate_golden(loaded.scene, loaded.camera, options, simulation);
-  Image image;
-  Rgb8 picture;
-  if (arguments.model == "golden") {
-    picture = arguments.picture.picture(simulation, options);
-    image = crop_window(simulation.golden.image, options);
-  } else {
+// A view as the chosen model draws it.
+class Model {
+ public:
+  Model(const RenderArguments& arguments, const LoadedView& loaded, const std::vector<Camera>& cameras,
+        const SimulateOptions& options)
+      : arguments_(arguments), scene_(loaded.scene), options_(options) {
+    if (arguments.model != "truth") packed_ = pack_views(scene_, cameras, options);
+  }
+
+  std::pair<Image, Rgb8> draw(const Camera& camera) const {
+    Simulation simulation;
+    if (arguments_.model != "truth") {
+      simulate_frame(packed_, camera, options_, simulation);
+      simulate_golden(options_, simulation);
+    }
+    if (arguments_.model == "golden")
+      return {crop_window(simulation.golden.image, options_), arguments_.picture.picture(simulation, options_)};
     TruthOptions truth;
-    truth.semantics = arguments.semantics == "inria"    ? Semantics::kInria
-                      : arguments.semantics == "gsplat" ? Semantics::kGsplat
-                                                        : Semantics::kExact;
-    if (arguments.model == "layered") truth.rank = &simulation.golden.rank;
-    truth.near_plane = options.near_plane;
+    truth.semantics = arguments_.semantics == "inria"    ? Semantics::kInria
+                      : arguments_.semantics == "gsplat" ? Semantics::kGsplat
+                                                         : Semantics::kExact;
+    if (arguments_.model == "layered") truth.rank = &simulation.golden.rank;
+    truth.near_plane = options_.near_plane;
     Progress progress("truth");
     truth.progress = [&](double share) {
       if (interrupted()) throw std::runtime_error("interrupted");
       progress.update(share);
     };
-    image = crop_window(render_truth(loaded.scene, loaded.camera, truth), options);
-    const Background& behind = arguments.picture.color();
-    picture = to_rgb8(image, glm::dvec3(behind[0], behind[1], behind[2]) / 255.0);
+    const Image image = crop_window(render_truth(scene_, camera, truth), options_);
+    const Background& behind = arguments_.picture.color();
+    return {image, to_rgb8(image, glm::dvec3(behind[0], behind[1], behind[2]) / 255.0)};
   }
-  write_images(arguments.out, image, picture);
-  fmt::print("picture {}/frame.png, {}/frame.exr\n", arguments.out, arguments.out);
+
+ private:
+  const RenderArguments& arguments_;
+  const Scene& scene_;
+  const SimulateOptions& options_;
+  PackedScene packed_;
+};
+
+PixelBytes memory_of(const RenderArguments& arguments) {
+  return kWritePixels + (arguments.model == "truth" ? PixelBytes{} : kGoldenPixels) +
+         (arguments.model == "golden" ? PixelBytes{} : kImagePixels);
+}
+
+int render_views(const RenderArguments& arguments, const LoadedView& loaded, const SimulateOptions& options) {
+  const std::vector<FrameRow> rows = views_of(loaded.cameras, arguments.views);
+  const std::vector<Camera> cameras = cameras_of(rows);
+  loaded.told->tell(check_views(loaded.scene, cameras, options.near_plane));
+  for (const Camera& camera : cameras) check_picture_memory(camera, options, memory_of(arguments));
+  AgainstArgument against = arguments.against;
+  against.begin(loaded, cameras, options, true);
+  FrameFiles files({arguments.output.out()});
+  const Model model(arguments, loaded, cameras, options);
+  std::vector<Quality> quality;
+  for (const Camera& camera : cameras) {
+    const auto [image, picture] = model.draw(camera);
+    files.add(image, picture);
+    quality.push_back({.against = against.figures(quality.size(), picture)});
+  }
+  Table table{.columns = {{.key = "frame", .heading = "frame"},
+                          {.key = "view", .heading = "view"},
+                          {.key = "camera", .heading = "camera", .word = true},
+                          {.key = "width", .heading = "width"},
+                          {.key = "height", .heading = "height"}}};
+  add_columns(table, quality);
+  nlohmann::ordered_json json = {
+      {"scene", loaded.scene.name}, {"model", arguments.model}, {"semantics", arguments.semantics}};
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const Camera& camera = rows[i].camera;
+    table.rows.push_back({number_cell(static_cast<double>(i)), number_cell(rows[i].view), text_cell(camera.name),
+                          number_cell(camera.width), number_cell(camera.height)});
+    add_cells(table.rows.back(), quality, i);
+    json["views"].push_back({{"view", static_cast<int>(rows[i].view)},
+                             {"camera", camera.name},
+                             {"width", camera.width},
+                             {"height", camera.height}});
+    add_view(json["views"].back(), quality[i]);
+  }
+  add_summary(json, quality);
+  std::vector<Table> tables = summary_tables(quality);
+  tables.insert(tables.begin(), table);
+  arguments.output.write({.title = "Pictures of views",
+                          .head = fmt::format("{}: {} views, {}", loaded.scene.name, rows.size(), arguments.model),
+                          .charts = quality_charts(quality),
+                          .tables = tables,
+                          .odd = loaded.told->all()},
+                         json);
+  return kExitOk;
+}
+
+int render(const RenderArguments& arguments) {
+  SimulateOptions options = arguments.view.options();
+  arguments.picture.apply(arguments.view, arguments.model == "golden", options);
+  const std::string& out = arguments.output.out();
+  arguments.output.check();
+  try_folder("--out", out, {"frame.exr", "frame.png", "frame_0000.png"});
+  const LoadedView loaded = load_view(arguments.view);
+  follow_scene(loaded, options);
+  if (!arguments.views.empty()) return render_views(arguments, loaded, options);
+  check_picture_memory(loaded.camera, options, memory_of(arguments));
+  const std::optional<Rgb8> other = read_other(arguments.compare, loaded.camera, options);
+  AgainstArgument against = arguments.against;
+  against.begin(loaded, {loaded.camera}, options, false);
+  const auto [image, picture] = Model(arguments, loaded, {loaded.camera}, options).draw(loaded.camera);
+  write_images(out, image, picture);
+  fmt::print("picture {}/frame.png, {}/frame.exr\n", out, out);
+  if (const auto like = against.figures(0, picture)) fmt::print("{}", against_text(*like));
   return other && differs(picture, *other, arguments.compare) ? kExitDiffers : kExitOk;
 }
 
@@ -103,8 +184,12 @@ void add_render(CLI::App& app, Run& run) {
   add_text(command, "--semantics", arguments.semantics, "of the float64 models: footprints and pixel centres")
       .shows_default()
       .one_of({"exact", "inria", "gsplat"});
-  add_text(command, "--out", arguments.out, "folder for frame.exr and frame.png").shows_default();
-  add_text(command, "--compare", arguments.compare, "say how the picture differs from this 8-bit PNG of the same size");
+  add_span(command, "--views", arguments.views, "instead of --view: these views, or all: frame_0000.png and so on")
+      .excludes("--view");
+  arguments.against.add(command);
+  arguments.output.add(command, "out");
+  add_text(command, "--compare", arguments.compare, "say how the picture differs from this 8-bit PNG of the same size")
+      .excludes("--views");
   when_chosen(command, run, [] { return render(arguments); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "sim/command/command.hpp"
 #include "sim/command/page/frame_page_argument.hpp"
+#include "sim/command/frame/against_argument.hpp"
 #include "sim/command/frame/picture_arguments.hpp"
 #include "sim/command/page/viewer_argument.hpp"
 #include "sim/command/replay.hpp"
@@ -24,6 +25,7 @@ struct SimArguments {
   MemoryArguments memory;
   PictureArguments picture_of;
   SequenceArguments sequence;
+  AgainstArgument against;
   FramePageArgument page;
   ViewerArgument viewer;
   std::string out = "out";
@@ -117,8 +119,6 @@ std::string run_rtl(const SimArguments& arguments, const CLI::App& command, cons
 
 void check_outputs(const SimArguments& arguments, const CLI::App& command) {
   arguments.sequence.check(command, arguments.out);
-  if (arguments.page.wanted() && arguments.sequence.wanted())
-    throw ConfigError("--page: found a sequence, expected one frame");
   arguments.page.check();
   try_folder("--out", arguments.out,
              {"frame.exr", "frame.png", "report.json", "page.html", "viewer.html", "waves.fst", "waves.gtkw"});
@@ -146,12 +146,16 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
                                return replay(arguments, command, {{}, cycle});
                              },
                          .viewer = arguments.viewer,
+                         .against = arguments.against,
+                         .page = arguments.page.wanted(),
                          .command = command});
   }
   const bool page = arguments.page.wanted(), record = page && !arguments.no_rtl;
   if (record) need_taps(options);
   const LoadedView loaded = load_view(arguments.view);
-  const std::optional<Rgb8> against = arguments.page.read(loaded, options);
+  arguments.page.check(loaded.camera, options);
+  AgainstArgument against = arguments.against;
+  against.begin(loaded, {loaded.camera}, options, false);
   follow_scene(loaded, options);
   check_picture_memory(loaded.camera, options,
                        kGoldenPixels + kWritePixels + (arguments.no_truth ? PixelBytes{} : kTruthPixels) +
@@ -185,20 +189,26 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   }
   const Rgb8 picture = arguments.picture_of.picture(simulation, options);
   write_images(arguments.out, picture_of(simulation, options), picture);
+  const std::optional<AgainstFigures> like = against.figures(0, picture);
+  add_view(report, {.against = like});
   write_text(arguments.out + "/report.json", report.dump(2) + "\n");
   // A run that was repeated with all effects has left two in the record.
   if (page)
-    arguments.page.write(
-        command, arguments.out,
-        {.picture = picture, .report = report, .against = against, .record = wrong.empty() && seen ? &*seen : nullptr},
-        simulation, options);
+    arguments.page.write(command, arguments.out,
+                         {.picture = picture,
+                          .report = report,
+                          .against = against.photograph(0),
+                          .against_name = like ? std::filesystem::path(like->photograph).filename().string() : "",
+                          .record = wrong.empty() && seen ? &*seen : nullptr},
+                         simulation, options);
   viewer.add(picture);
   const std::string viewed = viewer.write(arguments.out);
   if (arguments.json) {
     fmt::print("{}\n", report.dump(2));
   } else {
-    fmt::print("{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n{}", report_text(report), arguments.out,
-               arguments.out, arguments.out, viewed.empty() ? "" : "  " + viewed);
+    fmt::print("{}{}  picture {}/frame.png, {}/frame.exr; figures {}/report.json\n{}", report_text(report),
+               like ? "  " + against_text(*like) : "", arguments.out, arguments.out, arguments.out,
+               viewed.empty() ? "" : "  " + viewed);
   }
   std::fflush(stdout);  // a mismatch stands last
   const auto last = static_cast<int64_t>(simulation.rtl.cycles);
@@ -225,6 +235,7 @@ void add_sim(CLI::App& app, Run& run) {
   arguments.memory.add(command);
   arguments.picture_of.add(command);
   arguments.sequence.add(command);
+  arguments.against.add(command);
   arguments.page.add(command);
   arguments.viewer.add_option(command);
   add_text(command, "--picture", arguments.picture,

@@ -81,9 +81,7 @@ void StudyOutput::write(const StudyFindings& findings, nlohmann::ordered_json js
   if (!page_) return;
   StudyPage page = study_page(findings.title, *command_);
   page.lead(findings.head);
-  const Findings odd = findings.odd.value_or(Findings());
-  if (!odd.empty()) page.section("What is odd in scene, cameras and frames");
-  for (const Finding& finding : odd) page.note(finding_line(finding));
+  page.findings(findings.odd.value_or(Findings()));
   if (!findings.charts.empty()) page.section("Charts");
   if (!findings.note.empty()) page.note(findings.note);
   page.charts(findings.charts);

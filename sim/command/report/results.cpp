@@ -50,6 +50,8 @@ const std::vector<Field> kFrameFields = {{"scene", Field::kWord, {"scene", "name
                                          {"numeric dB", Field::kReal, {"psnr_numeric_db"}, 2},
                                          {"order dB", Field::kReal, {"psnr_order_db"}, 2},
                                          {"total dB", Field::kReal, {"psnr_total_db"}, 2},
+                                         {"photograph dB", Field::kReal, {"psnr_db"}, 2},
+                                         {"SSIM", Field::kReal, {"ssim"}, 4},
                                          {"mismatches", Field::kCount, {"mismatches"}}};
 const std::vector<Field> kViewFields = {{"camera", Field::kWord, {"camera"}, 0, 1, true},
                                         {"view", Field::kReal, {"view"}, 2, 1, true},
@@ -60,7 +62,12 @@ const std::vector<Field> kViewFields = {{"camera", Field::kWord, {"camera"}, 0, 
                                         {"MB written", Field::kCount, {"bytes_written"}, 2, kMega, true},
                                         {"us", Field::kReal, {"us"}, 1},
                                         {"chip uJ", Field::kReal, {"chip_uj"}, 1},
-                                        {"DRAM uJ", Field::kReal, {"dram_uj"}, 1}};
+                                        {"DRAM uJ", Field::kReal, {"dram_uj"}, 1},
+                                        {"photograph dB", Field::kReal, {"psnr_db"}, 2},
+                                        {"SSIM", Field::kReal, {"ssim"}, 4},
+                                        {"numeric dB", Field::kReal, {"psnr_numeric_db"}, 2},
+                                        {"order dB", Field::kReal, {"psnr_order_db"}, 2},
+                                        {"total dB", Field::kReal, {"psnr_total_db"}, 2}};
 const std::vector<Field> kTrainFields = {{"input", Field::kWord, {"input"}, 0, 1, true},
                                          {"steps", Field::kCount, {"steps"}, 0, 1, true},
                                          {"Gaussians", Field::kCount, {"gaussians"}, 0, 1, true},

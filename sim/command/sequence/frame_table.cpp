@@ -80,6 +80,12 @@ TableCell cell(const Quantity& quantity, const FrameRow& row) {
   return row.cost ? number_cell(quantity.of(row)) : TableCell{};
 }
 
+std::vector<Quality> qualities(const FrameTable& table) {
+  std::vector<Quality> all;
+  for (const FrameRow& row : table.rows) all.push_back(row.quality);
+  return all;
+}
+
 // A row for each frame, all that is known of it.
 Table frames_table(const FrameTable& table) {
   Table frames{.columns = {{.key = "frame", .heading = "frame"},
@@ -97,6 +103,8 @@ Table frames_table(const FrameTable& table) {
                            {.key = "us", .heading = "us", .digits = 1},
                            {.key = "chip_uj", .heading = "uJ, chip", .digits = 1},
                            {.key = "dram_uj", .heading = "uJ, DRAM", .digits = 1}}};
+  const std::vector<Quality> quality = qualities(table);
+  add_columns(frames, quality);
   for (size_t i = 0; i < table.rows.size(); ++i) {
     const FrameRow& row = table.rows[i];
     frames.rows.push_back({cell(i),
@@ -114,6 +122,7 @@ Table frames_table(const FrameTable& table) {
                            cell(kTime, row),
                            cell(kChip, row),
                            cell(kDram, row)});
+    add_cells(frames.rows.back(), quality, i);
   }
   return frames;
 }
@@ -158,6 +167,22 @@ Chart over_frames(const std::string& name, const std::string& title, const std::
 
 }  // namespace
 
+std::vector<FrameRow> views_of(const std::vector<Camera>& cameras, const std::vector<int>& views) {
+  const auto all = static_cast<int>(cameras.size());
+  const int first = views.empty() ? 0 : views[0], last = views.empty() || views[1] < 0 ? all - 1 : views[1];
+  if (last >= all) throw ConfigError(fmt::format("--views: found {}, expected 0 to {}", last, all - 1));
+  std::vector<FrameRow> rows;
+  for (int view = first; view <= last; ++view)
+    rows.push_back({.view = static_cast<double>(view), .camera = cameras[static_cast<size_t>(view)]});
+  return rows;
+}
+
+std::vector<Camera> cameras_of(const std::vector<FrameRow>& rows) {
+  std::vector<Camera> cameras;
+  for (const FrameRow& row : rows) cameras.push_back(row.camera);
+  return cameras;
+}
+
 std::string frames_csv(const FrameTable& table) { return table_csv(frames_table(table)); }
 
 Json to_json(const FrameTable& table) {
@@ -175,6 +200,7 @@ Json to_json(const FrameTable& table) {
     one["bytes_read"] = row.bytes.read;
     one["bytes_written"] = row.bytes.written;
     if (row.cost) one["us"] = kTime.of(row), one["chip_uj"] = kChip.of(row), one["dram_uj"] = kDram.of(row);
+    add_view(one, row.quality);
     json["views"].push_back(one);
   }
   if (table.rtl()) json["cycles_queued"] = queued(table);
@@ -185,22 +211,32 @@ Json to_json(const FrameTable& table) {
       json["percentiles"][quantity.key][rank.key] = {{"value", one.value}, {"frame", one.frame}};
     }
   }
+  add_summary(json, qualities(table));
   json["energy_extrapolated"] = table.priced() ? Json(table.rows[0].cost->extrapolated_energy) : Json(nullptr);
   json["charts"] = charts_json(frame_charts(table));
   return json;
 }
 
+std::string head_of(const FrameTable& table) {
+  return fmt::format("{}: {} frames, {}, memory {}; {}", table.scene, table.rows.size(), machine_name(table.config),
+                     table.memory,
+                     table.rtl() ? "the RTL, each frame alone and queued behind the one before"
+                                 : "the timing model, each frame alone; no RTL, nothing compared");
+}
+
+std::vector<Table> frame_tables(const FrameTable& table, bool all) {
+  std::vector<Table> tables = summary_tables(qualities(table));
+  tables.insert(tables.begin(), percentiles_table(table));
+  if (all || table.rows.size() <= kShown) tables.insert(tables.begin(), frames_table(table));
+  return tables;
+}
+
 std::string to_text(const FrameTable& table) {
-  std::string text = fmt::format("{}: {} frames, {}, memory {}; {}\n\n", table.scene, table.rows.size(),
-                                 machine_name(table.config), table.memory,
-                                 table.rtl() ? "the RTL, each frame alone and queued behind the one before"
-                                             : "the timing model, each frame alone; no RTL, nothing compared");
-  std::vector<Table> tables = {percentiles_table(table)};
-  if (table.rows.size() <= kShown) tables.insert(tables.begin(), frames_table(table));
-  text += tables_text(tables);
+  std::string text = fmt::format("{}\n\n{}", head_of(table), tables_text(frame_tables(table, false)));
   if (!table.priced()) text += "  time and energy: not known of this machine\n";
   else if (table.rows[0].cost->extrapolated_energy)
     text += "  energy is extrapolated: no frame of this machine was measured\n";
+  if (table.priced()) text += "  energy is not validated\n";
   if (table.rtl())
     text += fmt::format("  queued {} cycles, alone {}: queued saves {:.1f} %\n", queued(table), alone(table),
                         100 - 100 * static_cast<double>(queued(table)) / static_cast<double>(alone(table)));
@@ -224,6 +260,7 @@ std::vector<Chart> frame_charts(const FrameTable& table) {
     charts.push_back(over_frames(
         "energy", "Energy of each frame, 28 nm", "uJ",
         {{.name = "chip", .values = values(table, kChip)}, {.name = "DRAM", .values = values(table, kDram)}}));
+  for (const Chart& chart : quality_charts(qualities(table))) charts.push_back(chart);
   charts.push_back(histogram("frames_by_cycles", "How many frames take so many cycles", "cycles",
                              values(table, kCycles),
                              static_cast<int>(std::clamp<size_t>(table.rows.size() / 4, 2, 40))));

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/command/sequence/quality.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/report/chart.hpp"
 #include "sim/silicon/frame_model.hpp"
@@ -26,7 +27,12 @@ struct FrameRow {
   std::optional<FrameCost> cost = {};
   // Of the RTL, where it has run.
   std::optional<uint64_t> cycles_queued = {}, gap_queued = {}, gap_alone = {}, mismatches = {};
+  Quality quality = {};
 };
+
+// The views from the first to the last of --views, or all: of each its number and camera. Throws ConfigError.
+std::vector<FrameRow> views_of(const std::vector<Camera>& cameras, const std::vector<int>& views);
+std::vector<Camera> cameras_of(const std::vector<FrameRow>& rows);
 
 struct FrameTable {
   std::string scene;
@@ -40,6 +46,9 @@ struct FrameTable {
 
 std::string frames_csv(const FrameTable& table);
 nlohmann::ordered_json to_json(const FrameTable& table);
+// One line; then the frames where they are few or all are wanted, percentiles, and how good the pictures are.
+std::string head_of(const FrameTable& table);
+std::vector<Table> frame_tables(const FrameTable& table, bool all);
 std::string to_text(const FrameTable& table);
 std::vector<Chart> frame_charts(const FrameTable& table);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "scenes/cameras/path.hpp"
@@ -12,10 +13,12 @@
 #include "scenes/text/json.hpp"
 #include "scenes/text/quote.hpp"
 #include "sim/command/own_tables.hpp"
+#include "sim/command/page/study_output.hpp"
 #include "sim/command/sequence/frame_files.hpp"
 #include "sim/command/sequence/frame_table.hpp"
 #include "sim/progress.hpp"
 #include "sim/rtl/rtl_fault.hpp"
+#include "sim/report/finite.hpp"
 #include "sim/report/measurement_store.hpp"
 #include "sim/report/report.hpp"
 #include "sim/timing/timing_model.hpp"
@@ -25,51 +28,49 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The cameras, and of each the number of its view.
-std::vector<FrameRow> frames_of(const std::vector<Camera>& cameras, const SequenceArguments& sequence) {
-  const auto all = static_cast<int>(cameras.size());
-  const int first = sequence.views.empty() ? 0 : sequence.views[0],
-            last = sequence.views.empty() || sequence.views[1] < 0 ? all - 1 : sequence.views[1];
-  if (last >= all) throw ConfigError(fmt::format("--views: found {}, expected 0 to {}", last, all - 1));
-  std::vector<Camera> chosen(cameras.begin() + first, cameras.begin() + last + 1);
-  double step = 1;
-  if (sequence.path > 0) {
-    step = static_cast<double>(last - first) / (sequence.path - 1);
-    chosen = camera_path(chosen, sequence.path);
-  }
+// Of a path through these views.
+std::vector<FrameRow> path_of(const std::vector<FrameRow>& views, int frames) {
+  const double first = views.front().view, step = (views.back().view - first) / (frames - 1);
   std::vector<FrameRow> rows;
-  for (size_t i = 0; i < chosen.size(); ++i)
-    rows.push_back({.view = first + step * static_cast<double>(i), .camera = chosen[i]});
+  for (const Camera& camera : camera_path(cameras_of(views), frames))
+    rows.push_back({.view = first + step * static_cast<double>(rows.size()), .camera = camera});
   return rows;
-}
-
-std::vector<Camera> cameras_of(const std::vector<FrameRow>& rows) {
-  std::vector<Camera> cameras;
-  for (const FrameRow& row : rows) cameras.push_back(row.camera);
-  return cameras;
 }
 
 // What --no-rtl keeps of a frame.
 struct KeptFrame {
   uint64_t cycles = 0;
   MemoryBytes bytes;
+  std::optional<Quality::Truth> truth;
   Json files;  // FrameFiles::fingerprint
 };
 
+// Equal pictures have a PSNR of null.
+double psnr_from(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::infinity() : json_real(json);
+}
+
 KeptFrame read_kept(const Json& json) {
-  return {json_integer<uint64_t>(json.at("cycles")),
-          {json_integer<uint64_t>(json.at("read")), json_integer<uint64_t>(json.at("written"))},
-          json.at("files")};
+  KeptFrame kept{json_integer<uint64_t>(json.at("cycles")),
+                 {json_integer<uint64_t>(json.at("read")), json_integer<uint64_t>(json.at("written"))},
+                 {},
+                 json.at("files")};
+  if (json.contains("truth")) {
+    const Json& truth = json.at("truth");
+    kept.truth = {psnr_from(truth.at("numeric")), psnr_from(truth.at("order")), psnr_from(truth.at("total"))};
+  }
+  return kept;
 }
 
 class Sequence {
  public:
   Sequence(const LoadedView& loaded, std::vector<FrameRow> rows, const SimulateOptions& options,
-           const PictureArguments& picture, const FrameFilesOptions& files)
+           const PictureArguments& picture, bool truth, const FrameFilesOptions& files)
       : table_{loaded.scene.name, options.config, options.memory.dram, std::move(rows)},
         scene_(loaded.scene),
         options_(options),
         picture_(picture),
+        truth_(truth),
         files_(files) {
     packed_ = pack_views(scene_, cameras_of(table_.rows), options);
   }
@@ -82,9 +83,11 @@ class Sequence {
     for (size_t i = 0; i < table_.rows.size(); ++i) {
       FrameRow& row = table_.rows[i];
       const MeasurementStore mine = store.of(row.camera);
-      if (const auto kept = mine.load(options_.config, read_kept); kept && files_.take(kept->files)) {
+      const auto kept = mine.load(options_.config, read_kept);
+      if (kept && (kept->truth || !truth_) && files_.take(kept->files)) {
         row.cycles = kept->cycles;
         row.bytes = kept->bytes;
+        if (truth_) row.quality.truth = kept->truth;
         continue;
       }
       const auto at = [&](double share) {
@@ -103,10 +106,15 @@ class Sequence {
       row.cycles = timing.cycles;
       for (const MemoryTraffic& stream : timing.streams)
         row.bytes = {row.bytes.read + stream.bytes_read, row.bytes.written + stream.bytes_written};
-      mine.save(options_.config, {{"cycles", row.cycles},
-                                  {"read", row.bytes.read},
-                                  {"written", row.bytes.written},
-                                  {"files", files_.fingerprint()}});
+      Json measured = {{"cycles", row.cycles},
+                       {"read", row.bytes.read},
+                       {"written", row.bytes.written},
+                       {"files", files_.fingerprint()}};
+      if (const auto truth = hold_to_truth(row, simulation))
+        measured["truth"] = {{"numeric", finite_json(truth->numeric_db)},
+                             {"order", finite_json(truth->order_db)},
+                             {"total", finite_json(truth->total_db)}};
+      mine.save(options_.config, measured);
     }
   }
 
@@ -118,6 +126,7 @@ class Sequence {
       frames.push_back(simulations.emplace_back(std::make_unique<Simulation>()).get());
       simulate_frame(packed_, row.camera, options_, *frames.back());
       simulate_golden(options_, *frames.back());
+      hold_to_truth(row, *frames.back());
       row.mismatches = 0;
     }
     for (const bool queued : {true, false}) {
@@ -141,14 +150,24 @@ class Sequence {
   const Json& wrong() const { return wrong_; }
   const std::optional<Mismatch>& first() const { return first_; }
 
-  // What each frame cost is known.
-  const FrameTable& finish() {
+  // What each frame cost is known, and how far it is from its photograph.
+  const FrameTable& finish(const std::vector<std::optional<AgainstFigures>>& against) {
+    for (size_t i = 0; i < against.size(); ++i) table_.rows[i].quality.against = against[i];
     for (FrameRow& row : table_.rows)
       row.cost = silicon_.cost(table_.config, row.cycles, row.bytes.read + row.bytes.written);
     return table_;
   }
 
  private:
+  // The three renders in float64, where they are wanted; they are not kept.
+  std::optional<Quality::Truth> hold_to_truth(FrameRow& row, Simulation& simulation) const {
+    if (!truth_) return std::nullopt;
+    simulate_truth(scene_, row.camera, options_, simulation);
+    for (Image* image : {&simulation.truth_order, &simulation.truth_exact, &simulation.truth_inria}) *image = Image();
+    row.quality.truth = {simulation.psnr_numeric, simulation.psnr_order, simulation.psnr_total};
+    return row.quality.truth;
+  }
+
   void write(const Simulation& simulation) {
     files_.add(picture_of(simulation, options_), picture_.picture(simulation, options_));
   }
@@ -183,6 +202,7 @@ class Sequence {
   const Scene& scene_;
   SimulateOptions options_;
   const PictureArguments& picture_;
+  const bool truth_;
   FrameFiles files_;
   PackedScene packed_;
   std::optional<Mismatch> first_;
@@ -199,16 +219,18 @@ FrameFilesOptions files_of(const SequenceArguments& sequence, const std::string&
 }  // namespace
 
 void SequenceArguments::add(CLI::App& app) {
-  add_span(app, "--views", views,
-           "instead of --view: these views, or all, in one machine without a reset, without truth");
+  add_span(app, "--views", views, "instead of --view: these views, or all, in one machine without a reset");
   add_integer(app, "--path", path, "so many frames on a smooth path through all views, or those of --views", 2, 100000);
   add_names(app, "--frames", frames, "of a sequence: its pictures in --out, png, exr or none by commas")
       .shows_default();
+  add_flag(app, "--truth", truth, "of a sequence: the float64 renders and the PSNR of each frame, too");
 }
 
 void SequenceArguments::check(const CLI::App& command, const std::string& out) const {
-  if (!wanted() && is_given(command, "--frames"))
-    throw ConfigError("--frames: found one frame, expected --views or --path");
+  for (const char* option : {"--frames", "--truth"}) {
+    if (!wanted() && is_given(command, option))
+      throw ConfigError(fmt::format("{}: found one frame, expected --views or --path", option));
+  }
   if (!wanted()) return;
   for (const std::string& kind : frames) {
     if (kind != "png" && kind != "exr" && (kind != "none" || frames.size() > 1))
@@ -217,7 +239,8 @@ void SequenceArguments::check(const CLI::App& command, const std::string& out) c
   for (const char* option : {"--effects", "--view", "--netlist"}) {
     if (is_given(command, option)) throw ConfigError(fmt::format("{}: found a sequence, expected one view", option));
   }
-  try_folder("--out", out, {"sequence.json", "frames.csv", "frame_0000.png", "frame_0000.exr", "viewer.html"});
+  try_folder("--out", out,
+             {"sequence.json", "frames.csv", "frame_0000.png", "frame_0000.exr", "viewer.html", "sequence.html"});
 }
 
 int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, const PictureArguments& picture,
@@ -225,26 +248,45 @@ int run_sequence(const ViewArguments& view, const SequenceArguments& sequence, c
   const LoadedView loaded = load_view(view);
   SimulateOptions simulated = options;
   follow_scene(loaded, simulated);
-  std::vector<FrameRow> rows = frames_of(loaded.cameras, sequence);
+  std::vector<FrameRow> rows = views_of(loaded.cameras, sequence.views);
+  if (sequence.path > 0) rows = path_of(rows, sequence.path);
   loaded.told->tell(check_views(loaded.scene, cameras_of(rows), simulated.near_plane));
   const uint64_t held = run.rtl ? rows.size() : 1;  // frames in memory at a time
   const PixelBytes each = run.rtl ? kGoldenPixels + kRtlPixels : kGoldenPixels;
+  const uint64_t more = kWritePixels.asked + (sequence.truth ? kTruthPixels.asked : 0);
   for (const FrameRow& row : rows)
-    check_picture_memory(row.camera, simulated, {each.frame * held, each.asked * held + kWritePixels.asked});
+    check_picture_memory(row.camera, simulated, {each.frame * held, each.asked * held + more});
+  AgainstArgument against = run.against;
+  against.begin(loaded, cameras_of(rows), simulated, true);
   ViewerArgument viewer = run.viewer;
   viewer.begin(loaded, cameras_of(rows), simulated, picture.color(), run.command);
   FrameFilesOptions files = files_of(sequence, run.out);
-  if (viewer.wanted()) files.show = [&viewer](const Rgb8& shown) { viewer.add(shown); };
-  Sequence frames(loaded, std::move(rows), simulated, picture, files);
+  std::vector<std::optional<AgainstFigures>> like;
+  if (viewer.wanted() || against.wanted())
+    files.show = [&](const Rgb8& shown) {
+      viewer.add(shown);
+      if (against.wanted()) like.push_back(against.figures(like.size(), shown));
+    };
+  Sequence frames(loaded, std::move(rows), simulated, picture, sequence.truth, files);
   if (run.rtl) frames.rtl(run.replay);
   else frames.model(run.out + "/kept");
-  const FrameTable& table = frames.finish();
+  const FrameTable& table = frames.finish(like);
   Json json = to_json(table);
   json["first_mismatch"] = frames.wrong();
   json["findings"] = to_json(loaded.told->all());
   write_text(run.out + "/frames.csv", frames_csv(table));
   write_text(run.out + "/sequence.json", json.dump(2) + "\n");
   const std::string viewed = viewer.write(run.out);
+  if (run.page) {
+    StudyPage page = study_page("Frames one after the other", run.command);
+    page.lead(head_of(table));
+    page.findings(loaded.told->all());
+    page.section("Charts");
+    page.charts(frame_charts(table));
+    page.section("Figures");
+    for (const Table& one : frame_tables(table, true)) page.table(one);
+    write_page(run.out + "/sequence.html", page);
+  }
   if (run.json) {
     fmt::print("{}\n", json.dump(2));
   } else {

@@ -5,7 +5,7 @@
 //         so many frames. With the RTL all frames run twice, each queued behind the one before and each when the
 //         machine is empty, and every beat and pixel is compared. With --no-rtl the golden model draws and the timing
 //         model counts, frame by frame: for hundreds of frames, and a run that was stopped goes on where it was.
-// Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; kept/ with --no-rtl.
+// Writes  Pictures (frame_files.hpp), sequence.json, frames.csv; sequence.html with --page; kept/ with --no-rtl.
 #pragma once
 
 #include <functional>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/command/command.hpp"
+#include "sim/command/frame/against_argument.hpp"
 #include "sim/command/frame/picture_arguments.hpp"
 #include "sim/command/page/viewer_argument.hpp"
 
@@ -23,6 +24,7 @@ struct SequenceArguments {
   std::vector<int> views;  // first and last; nothing: not asked for
   int path = 0;            // frames
   std::vector<std::string> frames = {"png"};
+  bool truth = false;  // the float64 renders of each frame, too
 
   void add(CLI::App& app);
   bool wanted() const { return !views.empty() || path > 0; }
@@ -36,6 +38,8 @@ struct SequenceRunArguments {
   // The command that runs the same again with waves, around a cycle where one is known.
   std::function<std::string(std::optional<int64_t>)> replay;
   const ViewerArgument& viewer;
+  AgainstArgument against;
+  bool page = false;
   const CLI::App& command;
 };
 

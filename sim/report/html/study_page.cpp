@@ -24,6 +24,11 @@ void StudyPage::section(const std::string& title) { document_.data["sections"].p
 
 void StudyPage::note(const std::string& sentence) { last("notes").push_back(sentence); }
 
+void StudyPage::findings(const Findings& odd) {
+  if (!odd.empty()) section("What is odd in scene, cameras and frames");
+  for (const Finding& finding : odd) note(finding_line(finding));
+}
+
 void StudyPage::charts(const std::vector<Chart>& charts) {
   for (Json& chart : charts_json(charts)) last("charts").push_back(std::move(chart));
 }

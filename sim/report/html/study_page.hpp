@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cpp_model/float/image.hpp"
+#include "scenes/check/finding.hpp"
 #include "sim/report/chart.hpp"
 #include "sim/report/html/document.hpp"
 #include "sim/report/table.hpp"
@@ -25,6 +26,7 @@ class StudyPage {
   void lead(const std::string& sentence);
   void section(const std::string& title);
   void note(const std::string& sentence);
+  void findings(const Findings& odd);  // a section of their own; none without one
   void charts(const std::vector<Chart>& charts);
   void table(const Table& table);
   void picture(const std::string& caption, const Rgb8& picture, const std::string& id);

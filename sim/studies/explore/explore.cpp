@@ -36,6 +36,8 @@ void Explorer::operator()(const char* stage, std::vector<Point>& points) {
   compute(stage, missing, count);
   for (Point& point : points) {
     point.figures = figures_.at(name(point.config, point.value.less));
+    if (!point.figures.empty.empty())
+      view_.tell({{"empty_frame", fmt::format("{} {}: {}", point.knob, point.value.label, point.figures.empty)}});
     if (point.figures.failure.empty())
       point.silicon = silicon_.cost(point.config, point.figures.cycles, point.figures.bytes);
   }

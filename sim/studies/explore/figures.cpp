@@ -34,6 +34,7 @@ Json to_json(const Figures& f, Measured measured) {
   Json json = Json::object();
   if (measured == Measured::kErrors) json = {{"numeric", to_json(f.numeric)}, {"order", to_json(f.order)}};
   if (measured != Measured::kCycles) json["total"] = to_json(f.total);
+  if (!f.empty.empty()) json["empty"] = f.empty;
   json.update({{"cycles", f.cycles}, {"bytes", f.bytes}, {"buffer_bits", f.buffer_bits}});
   return json;
 }
@@ -49,6 +50,7 @@ Figures figures_from_json(const Json& json, Measured measured) {
   f.buffer_bits = json_integer<uint64_t>(json.at("buffer_bits"));
   if (measured == Measured::kCycles) return f;
   f.total = errors_from(json.at("total"));
+  f.empty = json.value("empty", "");
   if (measured == Measured::kPicture) return f;
   f.numeric = errors_from(json.at("numeric"));
   f.order = errors_from(json.at("order"));

@@ -24,6 +24,7 @@ struct ErrorFigures {
 
 struct Figures {
   std::string failure;  // one line when the scene does not fit the configuration; then nothing below holds
+  std::string empty;    // of pictures: why nothing is in the frame
   ErrorFigures numeric, order, total;  // see view.hpp
   uint64_t cycles = 0, bytes = 0, buffer_bits = 0;
 

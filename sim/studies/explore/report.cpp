@@ -146,8 +146,8 @@ std::vector<PointRow> rows_of(const std::vector<Point>& points) {
 Table legend(const Point& base, std::vector<std::string> notes) {
   if (base.silicon)
     notes.emplace_back(
-        "mm2, mJ: 28 nm, mid, with SRAMs and DRAM, interpolated (docs/numerics/accuracy.md); ~: beyond what was "
-        "synthesised or measured");
+        "mm2, mJ: 28 nm, mid, with SRAMs and DRAM, interpolated (docs/numerics/accuracy.md); energy is not validated; "
+        "~: beyond what was synthesised or measured");
   else notes.emplace_back("no machine of the kind was synthesised: its area and energy are not known");
   return {.notes = notes};
 }

@@ -109,14 +109,24 @@ std::shared_ptr<const View::Lesser> View::scene_without(double without) const {
   return lesser_;
 }
 
+void View::tell(const Findings& findings) const {
+  if (options_.found) options_.found(findings);
+}
+
 void View::measure_picture(const Config& config, const Less& less, Figures& result) const {
   const Image& exact = this->exact();
   SimulateOptions asked = options_;
   asked.config = config;
+  asked.found = [&](const Findings& findings) {  // an empty frame is kept with the figures: who asks tells of which
+    for (const Finding& finding : findings) {
+      if (finding.kind->key == "empty_frame") result.empty = finding.what;
+      else tell({finding});
+    }
+  };
   const std::shared_ptr<const Lesser> lesser = less.without > 0 ? scene_without(less.without) : nullptr;
   Simulation simulation;
   simulate_pack(lesser ? lesser->scene : scene_, camera(less), asked, simulation);
-  simulation.golden = golden_frame(simulation.input, {.threads = 1, .progress = stop_when_interrupted});
+  simulate_golden(asked, simulation, {.threads = 1, .progress = stop_when_interrupted});
   Image golden = crop_window(simulation.golden.image, asked);
   if (golden.width != exact.width || golden.height != exact.height)
     golden = resampled(golden, exact.width, exact.height);

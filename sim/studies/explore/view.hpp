@@ -40,6 +40,9 @@ class View {
   // What a stored measurement depends on beside view and configuration.
   nlohmann::ordered_json key(const Less& less) const;
 
+  // Says what is odd in a measurement; from any thread.
+  void tell(const Findings& findings) const;
+
   Measured measured() const { return measured_; }
   Camera camera(const Less& less) const;
   size_t gaussians(const Less& less) const;

@@ -83,12 +83,12 @@ std::string frame_sentence(const Json& report) {
   if (bounds["largest"].is_null()) return "Nothing of the scene is in this view: there is no work that could bound it.";
   const auto ratio = bounds["cycles_over_largest"].get<double>();
   const auto name = bounds["largest"].get<std::string>();
-  const std::string what = name == "memory"    ? "external memory at its peak bandwidth"
-                           : name == "bus"     ? "the bus to memory, a beat in a cycle"
-                           : name == "PU rows" ? "the rows of alphas in the PUs"
-                           : name == "RU"      ? "blending in the RUs"
-                           : name == "SU"      ? "the records that the SUs take"
-                                               : "the cull of Gaussians in the PUs";
+  const std::string what = name == "memory"      ? "external memory at its peak bandwidth"
+                           : name == "bus"       ? "the bus to memory, a beat in a cycle"
+                           : name == "Row Units" ? "the Row Units, which compute alphas"
+                           : name == "RU"        ? "blending in the RUs"
+                           : name == "SU"        ? "the records that the SUs take"
+                                                 : "the cull of Gaussians in the PUs";
   const double share = 1 / ratio;
   std::string text = fmt::format(
       "The work of this frame needs at least {} cycles of {}: {} of the {} cycles "

@@ -70,6 +70,24 @@ TEST_F(ExploreCli, AccuracyResumesWithoutMeasuringAgain) {
   EXPECT_EQ(other.out.find("  0 points measured"), std::string::npos);
 }
 
+// Nobody sees the pictures: what empties one of them is told, measured or taken from the store, and listed.
+TEST_F(ExploreCli, AFrameThatOneConfigurationEmptiesIsTold) {
+  Scene faint = random_scene(1, 60, 0);
+  for (Gaussian& gaussian : faint.gaussians) gaussian.opacity_logit = -4.6F;
+  write_ply(folder_ / "faint.ply", faint);
+  for (const char* when : {"measured", "kept"}) {
+    SCOPED_TRACE(when);
+    const Outcome outcome =
+        run("study tradeoff faint.ply --cameras cameras.json --store points --together 0 --json --out faint");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::string what = "alpha cut 1/64: the frame is empty: ";
+    EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
+    EXPECT_NE(Json::parse(outcome.out)["findings"].dump().find(what), std::string::npos) << outcome.out;
+  }
+  const Outcome strict = run("study tradeoff faint.ply --cameras cameras.json --store points --together 0 --strict");
+  expect_one_line(strict, 2, "alpha cut 1/64: the frame is empty: ");
+}
+
 TEST_F(ExploreCli, AnInterruptedQuestionLeavesWholePointsOnly) {
   expect_interrupted("accuracy --design exact --points 0 --window 6,6 --store points --out acc ");
   EXPECT_FALSE(fs::exists(folder_ / "acc"));
