@@ -96,6 +96,7 @@ int silicon(const SiliconArguments& arguments) {
                           .charts = charts,
                           .tables = tables,
                           .machines = machines,
+                          .note = "Energy is not validated: nothing here was held against silicon or a layout.",
                           .odd = loaded.told->all()},
                          json);
   return kExitOk;

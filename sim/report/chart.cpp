@@ -46,7 +46,8 @@ void check(const Chart& chart, const Series& series) {
   const size_t places = places_of(chart, series);
   const bool placed = chart.form != Chart::Form::kScatter || series.x.size() == places;
   const bool named = chart.form != Chart::Form::kLines || chart.categories.empty() || chart.categories.size() == places;
-  if (series.values.size() == places && placed && named) return;
+  const auto fits = [&](const std::vector<double>& ends) { return ends.empty() || ends.size() == places; };
+  if (series.values.size() == places && placed && named && fits(series.low) && fits(series.high)) return;
   throw std::invalid_argument(fmt::format("chart '{}': series '{}' has {} values for {} places", chart.title,
                                           series.name, series.values.size(), places));
 }
@@ -63,6 +64,7 @@ Json chart_json(const Chart& chart) {
       one.update({{"x", numbers(series.x)}, {"labels", series.labels}, {"named", series.named}});
       if (!series.copies.empty()) one["copies"] = series.copies;
     }
+    if (!series.low.empty()) one.update({{"low", numbers(series.low)}, {"high", numbers(series.high)}});
     json["series"].push_back(std::move(one));
   }
   return json;

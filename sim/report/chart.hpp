@@ -20,11 +20,12 @@ struct Series {
   std::vector<std::string> labels = {};  // of points: what each is
   bool named = false;                    // of points: the labels stand beside them, but for one that covers another
   std::vector<std::string> copies = {};  // of points: what a click in a page copies, such as a configuration
+  std::vector<double> low = {}, high = {};  // of bars on a logarithmic axis: the ends of each value's range
 };
 
 struct Chart {
   enum class Form {
-    kBars,       // series side by side, by category
+    kBars,       // series side by side, by category; on a logarithmic axis, where no height is a length, dots
     kStacked,    // series on top of each other, by category
     kLines,      // markers at x, joined
     kHistogram,  // one series; bin i lies between x[i] and x[i + 1]

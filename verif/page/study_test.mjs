@@ -112,6 +112,16 @@ async function click_copies(page, color) {
   assert.fail('no click has copied anything');
 }
 
+// Names beneath charts that cover each other; those that stand aslant do not.
+const kCovered = () => [...document.querySelectorAll('.chart')].flatMap((chart) => {
+  const names = [...chart.querySelectorAll('svg text')].filter(
+    (text) => text.getAttribute('text-anchor') === 'middle' && !/rotate|matrix/.test(text.getAttribute('transform')));
+  const boxes = names.map((text) => [text.textContent, text.getBoundingClientRect()]);
+  return boxes.flatMap(([a, one], at) => boxes.slice(at + 1).filter(
+    ([, other]) => one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom)
+    .map(([b]) => `${a} and ${b}`));
+});
+
 // The charts follow the window.
 async function resized(page, width) {
   await page.setViewport({width, height: 900});
@@ -131,8 +141,9 @@ async function fits_and_darkens(page) {
   assert.notEqual(ground, 'rgb(255, 255, 255)');
   assert.notEqual(ground, text);
   await page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: 'light'}]);
-  await resized(page, 420);
+  await resized(page, 400);
   assert.equal(await overflows(page), 0);
+  assert.deepEqual(await page.evaluate(kCovered), []);
   await resized(page, 1280);
 }
 
@@ -206,6 +217,24 @@ page_test('what-if', () => {
   await hover_tells(page, 0, 'c1', 'units=2');
   const copies = await page.$$eval('button.copy', (all) => all.length);
   assert.ok(copies >= 3, `${copies} of three machines`);
+});
+
+page_test('views against photographs', () => {
+  pipegs('render', '--size', '64x48', '--views', 'all', '--model', 'truth', '--out', 'photos');
+  printed.views = pipegs('render', '--size', '64x48', '--views', 'all', '--against', 'photos', '--out', 'views',
+                         '--page').split('\n').filter((line) => !line.includes('files in ')).join('\n');
+  return 'views/render.html';
+}, async (page) => {
+  await look_at_study(page, 'render --size 64x48 --views all --against photos', printed.views);
+  await hover_tells(page, 0, 'c0', 'dB, photograph');
+});
+
+page_test('rivals', () => {
+  printed.rivals = pipegs('study', 'rivals', '--size', '128x96', '--out', 'rivals', '--page')
+    .split('\n').filter((line) => !line.includes('files in ')).join('\n');
+  return 'rivals/rivals.html';
+}, async (page) => {
+  await look_at_study(page, 'study rivals --size 128x96', printed.rivals);
 });
 
 page_test('campaign with a missing point', () => {

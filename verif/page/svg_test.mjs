@@ -34,3 +34,34 @@ test('one chart of bars: a bar and its number for each value, and names that nee
   assert.equal(marks(file, '#4c8fd6'), 2 + 1);  // and one in the legend
   assert.equal(marks(file, '#e0873a'), 1 + 1);
 });
+
+test('on a logarithmic axis dots with their ranges, no bars', () => {
+  const chart = {name: 'a', form: 'bars', title: 'a', x_label: '', y_label: 'frames/J', note: '', x: [], log_y: true,
+                 categories: ['GSCore', 'fast'], series: [{name: 'mid', values: [12.5, 300], low: [5, 200],
+                                                           high: [50, 600]}]};
+  const file = svg_of(JSON.stringify(chart));
+  ['12.5', '300', 'mid', ...chart.categories].forEach((text) => holds(file, text));
+  assert.equal(file.match(/<circle[^>]*fill="#4c8fd6"/g).length, 2);
+  assert.equal(file.match(/<path[^>]*stroke="#4c8fd6"/g).length, 2 * 3);  // a range and its ends
+  assert.equal(marks(file, '#4c8fd6'), 2 + 1);                            // and one in the legend
+});
+
+test('a stream has one color, wherever it stands in a chart', () => {
+  const stacked = (names) => svg_of(JSON.stringify(
+    {name: 'a', form: 'stacked', title: 'a', x_label: '', y_label: 'MB', note: '', x: [], categories: ['dop'],
+     series: names.map((name, at) => ({name, values: [at + 1]}))}));
+  for (const names of [['geometry', 'raster'], ['raster', 'nodes', 'geometry'], ['sort overflow', 'geometry']])
+    assert.equal(marks(stacked(names), '#45a173'), 1 + 1, names.join());
+});
+
+test('a point far from all others does not press them into a corner, and is named', () => {
+  const near = Array.from({length: 20}, (_, at) => 60 + at / 4), labels = near.map((_, at) => `p${at}`);
+  const cloud = (values) => ({
+    name: 'a', form: 'scatter', title: 'a', x_label: 'us', y_label: 'dB', note: 'known', x: [], categories: [],
+    series: [{name: 'all', values, x: values, labels: [...labels, 'lost']}],
+  });
+  const file = svg_of(JSON.stringify(cloud([...near, 2])));
+  holds(file, 'known; not shown, far from the others: lost (2, 2)');
+  assert.ok(!file.includes('>0</text>') && file.includes('>60</text>'), 'the axis begins near the others');
+  assert.ok(!svg_of(JSON.stringify(cloud([...near, 58]))).includes('not shown'));
+});

@@ -16,6 +16,13 @@ export const font = () => own ? own.font : getComputedStyle(document.body).fontF
 
 export const colors = () => Array.from({length: 8}, (_, at) => css('c' + at));
 
+// Streams of memory, in the order in which the ladder shows them: each has one color, wherever it is drawn.
+const streams = ['raster', 'lists', 'geometry', 'color', 'nodes', 'alpha_overflow_write', 'sort_overflow'];
+export function stream_color(name) {
+  const at = streams.indexOf(name.replaceAll(' ', '_'));
+  return at < 0 ? null : css('c' + at);
+}
+
 // On paper the page is light and no chart changes its size: it is scaled.
 export const paper = () => document.documentElement.classList.contains('paper');
 

@@ -6,7 +6,7 @@
 import {TitleComponent} from 'echarts/components';
 import {init, use} from 'echarts/core';
 import fs from 'node:fs';
-import {chart_option} from './charts.mjs';
+import {chart_option, label_option, note_of} from './charts.mjs';
 import {use_colors} from './look.mjs';
 
 use([TitleComponent]);
@@ -36,16 +36,10 @@ function legend_lines(names) {
   return lines;
 }
 
-// Names of categories that are wider than their places stand aslant.
-function label_option(chart) {
-  const widest = Math.max(0, ...chart.categories.map((name) => kLetter * name.length));
-  return widest * chart.categories.length > kPlot ? {rotate: 24, width: undefined} : {};
-}
-
 // What a page writes around a chart stands in it; nothing is there to press or to hover.
 function still_option(chart) {
   const {aria, tooltip, ...option} = chart_option(chart);
-  const label = label_option(chart);
+  const label = label_option(chart, kPlot);
   const lines = option.legend.show ? legend_lines(chart.series.map(({name}) => name)) : 0;
   return {
     ...option,
@@ -53,7 +47,7 @@ function still_option(chart) {
     legend: {...option.legend, type: 'plain', top: 26, left: 8, itemGap: 13,
              textStyle: {...option.legend.textStyle, fontSize: 11}},
     grid: {...option.grid, top: 40 + kLine * lines,
-           bottom: option.grid.bottom + (chart.note ? 16 : 0) + (label.rotate ? 18 : 0)},
+           bottom: option.grid.bottom + (note_of(chart) ? 16 : 0) + (label.rotate ? 18 : 0)},
     xAxis: {...option.xAxis, nameGap: label.rotate ? 44 : 26, axisLabel: {...option.xAxis.axisLabel, ...label}},
   };
 }
@@ -64,7 +58,7 @@ function drawn(chart, at) {
   const x = kWidth * (at % kColumns), y = kHeight * Math.floor(at / kColumns);
   const svg = place.renderToSVGString().replace('<svg ', `<svg x="${x}" y="${y}" `);
   place.dispose();
-  return svg + (chart.note ? note(chart.note, x + kWidth / 2, y + kHeight - 6) : '');
+  return svg + (note_of(chart) ? note(note_of(chart), x + kWidth / 2, y + kHeight - 6) : '');
 }
 
 function note(text, x, y) {

@@ -70,6 +70,26 @@ def scenes(own):
     return listing(f"`{own}` over", [(rival.name, key) for key, rival in RIVALS.items()], *columns)
 
 
+def packed():
+    """Rivals whose Gaussians had the bytes of ours."""
+    rows = []
+    for key, rival in RIVALS.items():
+        found = [
+            [one for one in data.rivals[scene].variants if one.rival == key and one.key == "packed"] for scene in SCENES
+        ]
+        if not found[0]:
+            continue
+        cells = [rival.name, found[0][0].what]
+        for scene, (one,) in zip(SCENES, found):
+            as_published = data.rivals[scene].rivals[key].frames_per_joule_with_dram.mid
+            ours = data.rivals[scene].ours.fast.frames_per_joule_with_dram.mid
+            packed_so = one.frames_per_joule_with_dram
+            cells += [three(one.bytes / 1e6), times(packed_so / as_published), three(ours / packed_so)]
+        rows.append(cells)
+    columns = ("MB", "frames/J with DRAM over as published", "`fast` over it")
+    return table(["", "what if", *[f"{one}, {scene}" for scene in SCENES for one in columns]], rows)
+
+
 def checks(name="terrace"):
     """Each model against published figures."""
     rows = []

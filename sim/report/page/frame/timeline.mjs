@@ -9,7 +9,7 @@ import {GridComponent, LegendComponent, TooltipComponent} from 'echarts/componen
 import {init, use} from 'echarts/core';
 import {SVGRenderer} from 'echarts/renderers';
 import {data, file, plane} from '../data.mjs';
-import {axis, colors, css, on_look, paper, tooltip_box} from '../look.mjs';
+import {axis, css, on_look, paper, stream_color, tooltip_box} from '../look.mjs';
 import {element, grouped, percent} from '../parts.mjs';
 import {state_legend, states} from './units.mjs';
 
@@ -100,11 +100,13 @@ export async function timeline_section() {
       return [binned.edges[at], bytes / length];
     });
     return {
-      animation: false, color: colors(), backgroundColor: 'transparent',
+      animation: false, backgroundColor: 'transparent',
       textStyle: {fontFamily: getComputedStyle(document.body).fontFamily, color: css('text')},
       grid: [{...named, top: 10, height: 26 * units.length}, {...named, top: 26 * units.length + 78, height: 130}],
-      legend: {data: streams.map((name) => name.replaceAll('_', ' ')), top: 26 * units.length + 44, left: 74,
-               textStyle: {color: css('text'), fontSize: 12}, icon: 'roundRect', itemWidth: 13, itemHeight: 11},
+      legend: {data: streams.map((name) => name.replaceAll('_', ' ')), type: 'scroll', top: 26 * units.length + 44,
+               left: 74, right: 0, pageTextStyle: {color: css('weak')}, pageIconColor: css('strong'),
+               pageIconInactiveColor: css('line'), textStyle: {color: css('text'), fontSize: 12}, icon: 'roundRect',
+               itemWidth: 13, itemHeight: 11},
       xAxis: [axis({...x, gridIndex: 0, axisLabel: {formatter: label, hideOverlap: true}}),
               axis({...x, gridIndex: 1, axisLabel: {formatter: label, hideOverlap: true}, name: 'cycle',
                     nameLocation: 'middle', nameGap: 26})],
@@ -127,6 +129,7 @@ export async function timeline_section() {
         ...streams.map((name, stream) => ({
           type: 'line', name: name.replaceAll('_', ' '), xAxisIndex: 1, yAxisIndex: 1, step: 'end', symbol: 'none',
           stack: 'bytes', areaStyle: {opacity: 0.75}, lineStyle: {width: 0}, data: rate(stream),
+          itemStyle: {color: stream_color(name)},
           emphasis: {disabled: true},
         })),
       ],

@@ -12,8 +12,8 @@ constexpr size_t kFps = 0, kFramesJ = 1, kFramesJDram = 2;
 using Goals = std::array<double, 3>;
 
 Goals goals_of(const MachineFrame& frame) {
-  const double chip = frame.chip_joules, all = chip + frame.dram_joules.mid;
-  return {frame.fps(), chip > 0 ? 1 / chip : 0, all > 0 ? 1 / all : 0};
+  const double chip = frame.chip_joules;
+  return {frame.fps(), chip > 0 ? 1 / chip : 0, frames_per_joule_with_dram(frame)};
 }
 
 Range spread(double mid, const std::vector<Goals>& found, size_t goal) {
@@ -24,6 +24,11 @@ Range spread(double mid, const std::vector<Goals>& found, size_t goal) {
 }
 
 }  // namespace
+
+double frames_per_joule_with_dram(const MachineFrame& frame) {
+  const double all = frame.chip_joules + frame.dram_joules.mid;
+  return all > 0 ? 1 / all : 0;
+}
 
 RivalResult rival_result(const Rival& rival, const FrameCounts& counts, PlayedMemory& memory) {
   const auto run = [&](const Values& changed) { return goals_of(frame_of(rival, counts, memory, changed)); };

@@ -50,6 +50,9 @@ struct OwnMachine {
 OwnMachine own_machine(const std::string& name, const Config& config, const EngineResult& frame,
                        const FrameModel& model);
 
+// 0 of a frame that takes no energy.
+double frames_per_joule_with_dram(const MachineFrame& frame);
+
 // a / b of two ranges that know nothing of each other.
 Range ratio(const Range& a, const Range& b);
 

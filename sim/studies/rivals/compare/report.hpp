@@ -14,11 +14,13 @@
 
 namespace pipegs {
 
-struct Variant {  // of a rival, shown beside it
+struct Variant {  // of a rival, shown beside it: what if
   const Rival* rival;
-  std::string what;
+  std::string key, what;
   MachineFrame frame;
 };
+// All that our format has of a Gaussian: 32 bytes of geometry and base colour, 64 of three bands of SH.
+inline constexpr double kOwnRecordBytes = 96;
 
 struct Comparison {
   std::vector<RivalResult> rivals;

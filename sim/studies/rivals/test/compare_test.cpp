@@ -158,6 +158,22 @@ TEST(RivalCompare, TablesAndJsonHaveEveryMachine) {
     EXPECT_GT(row["fps"]["mid"], 0);
     EXPECT_TRUE(json["against"]["over"][rival->key].contains("ours"));
   }
+  // Packed as ours they move what they read of Gaussians less, and nothing else.
+  for (const char* key : {"gscore", "gs_tg", "flicker", "neo"}) {
+    SCOPED_TRACE(key);
+    const auto packed = std::find_if(json["variants"].begin(), json["variants"].end(),
+                                     [&](const auto& one) { return one["rival"] == key && one["key"] == "packed"; });
+    ASSERT_NE(packed, json["variants"].end());
+    const auto& as_published = json["rivals"][key];
+    const double before = as_published["parameters"]["record_bytes"]["value"],
+                 records = as_published["bytes_by_kind"]["records"];
+    EXPECT_LT((*packed)["bytes_by_kind"]["records"], records);
+    EXPECT_NEAR((*packed)["bytes_by_kind"]["records"], records * kOwnRecordBytes / before, 0.03 * records);
+    for (const auto& [kind, bytes] : as_published["bytes_by_kind"].items()) {
+      if (kind != "records") EXPECT_EQ((*packed)["bytes_by_kind"][kind], bytes) << kind;
+    }
+    EXPECT_GT((*packed)["frames_per_joule_with_dram"], as_published["frames_per_joule_with_dram"]["mid"]);
+  }
   EXPECT_EQ(json["ours"]["ours"]["mm2"]["mid"], 2);
   EXPECT_EQ(json["checks"].size(), comparison.checks.size());
   EXPECT_EQ(comparison_charts(comparison).front().categories.size(), all_rivals().size() + 1);
