@@ -64,31 +64,39 @@ function(pipegs_model_test name)
   add_test(NAME ${name} COMMAND ${name}_test)
 endfunction()
 
-# pipegs_netlist_test(NAME MODULE module [SOURCE file] [BROKEN]): the same GoogleTest on the netlist of the module, as
-# test netlist_NAME, with PIPEGS_NETLIST defined. The target `netlists` builds them, not `all`; the test netlists_build
-# does. With BROKEN one gate of it is another, an or for an and, and the GoogleTest must fail.
+# pipegs_netlist_test(NAME MODULE module [SOURCE file] [DESIGN point] [BROKEN]): the same GoogleTest on the netlist of
+# the module in a design point, without DESIGN the default configuration, as test netlist_NAME. The target `netlists`
+# builds them, not `all`; the test netlists_build does. With BROKEN one gate of it is another, an or for an and, and
+# the GoogleTest must fail.
 function(pipegs_netlist_test name)
-  cmake_parse_arguments(ARG "BROKEN" "MODULE;SOURCE" "" ${ARGN})
+  cmake_parse_arguments(ARG "BROKEN" "MODULE;SOURCE;DESIGN" "" ${ARGN})
   if(NOT ARG_SOURCE)
     set(ARG_SOURCE ${name}_test.cpp)
   endif()
-  set_property(GLOBAL APPEND PROPERTY PIPEGS_NETLISTS ${ARG_MODULE})
-  set(netlist ${CMAKE_BINARY_DIR}/netlists/${ARG_MODULE}.v)
+  if(NOT ARG_DESIGN)
+    set(ARG_DESIGN dop)
+  endif()
+  pipegs_design_point(settings ${ARG_DESIGN})
+  string(REGEX REPLACE "^default$" "" settings ${settings})
+  string(REPLACE "," " " settings "${settings}")
+  set_property(GLOBAL APPEND PROPERTY PIPEGS_NETLISTS ${ARG_DESIGN})
+  set_property(GLOBAL APPEND PROPERTY PIPEGS_NETLISTS_${ARG_DESIGN} ${ARG_MODULE})
+  set(netlist ${CMAKE_BINARY_DIR}/netlists/${ARG_DESIGN}/${ARG_MODULE}.v)
   if(ARG_BROKEN)
     set(whole ${netlist})
     set(netlist ${CMAKE_BINARY_DIR}/netlists/${name}.v)
     add_custom_command(OUTPUT ${netlist} COMMAND sed "0,/&/s//|/" ${whole} > ${netlist}
-                       DEPENDS ${whole} netlist_files VERBATIM)
+                       DEPENDS ${whole} netlist_files_${ARG_DESIGN} VERBATIM)
   endif()
   set(dir ${CMAKE_BINARY_DIR}/verilated/netlist_${name})
   set(gates ${dir}/V${ARG_MODULE}__all.cpp)
   add_custom_command(OUTPUT ${gates}
     COMMAND ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${ARG_MODULE} ${dir} ${netlist}
-    DEPENDS ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${netlist} netlist_files
+    DEPENDS ${CMAKE_SOURCE_DIR}/sim/rtl/verilate.sh ${netlist} netlist_files_${ARG_DESIGN}
     COMMENT "Verilating the netlist of ${ARG_MODULE}" VERBATIM)
   add_executable(netlist_${name}_test EXCLUDE_FROM_ALL ${ARG_SOURCE} ${gates})
   target_include_directories(netlist_${name}_test SYSTEM PRIVATE ${dir})
-  target_compile_definitions(netlist_${name}_test PRIVATE PIPEGS_NETLIST PIPEGS_SET="" VM_TRACE=0 VM_TRACE_FST=0)
+  target_compile_definitions(netlist_${name}_test PRIVATE PIPEGS_SET="${settings}" VM_TRACE=0 VM_TRACE_FST=0)
   # -O0 compiles in a third of the time and runs a tenth as fast.
   target_compile_options(netlist_${name}_test PRIVATE -w -O1)
   target_link_libraries(netlist_${name}_test PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main
@@ -101,18 +109,23 @@ function(pipegs_netlist_test name)
   endif()
 endfunction()
 
-# pipegs_netlists(): behind the last pipegs_netlist_test: how their netlists are made, all in one run.
+# pipegs_netlists(): behind the last pipegs_netlist_test: how their netlists are made, all of a design point in one run.
 function(pipegs_netlists)
-  get_property(modules GLOBAL PROPERTY PIPEGS_NETLISTS)
-  list(REMOVE_DUPLICATES modules)
-  list(TRANSFORM modules REPLACE "(.+)" "${CMAKE_BINARY_DIR}/netlists/\\1.v" OUTPUT_VARIABLE files)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/rtl/*.sv)
   file(GLOB synth CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/synth/*.py)
-  add_custom_command(OUTPUT ${files} DEPENDS ${sources} ${synth} package_sv VERBATIM USES_TERMINAL
-    COMMENT "Netlists of the units"
-    COMMAND ${CMAKE_SOURCE_DIR}/synth/synth.py --build ${CMAKE_BINARY_DIR} --netlist ${CMAKE_BINARY_DIR}/netlists
-            ${modules})
-  add_custom_target(netlist_files DEPENDS ${files})
+  get_property(designs GLOBAL PROPERTY PIPEGS_NETLISTS)
+  list(REMOVE_DUPLICATES designs)
+  foreach(design ${designs})
+    get_property(modules GLOBAL PROPERTY PIPEGS_NETLISTS_${design})
+    list(REMOVE_DUPLICATES modules)
+    set(folder ${CMAKE_BINARY_DIR}/netlists/${design})
+    list(TRANSFORM modules REPLACE "(.+)" "${folder}/\\1.v" OUTPUT_VARIABLE files)
+    add_custom_command(OUTPUT ${files} DEPENDS ${sources} ${synth} package_sv VERBATIM USES_TERMINAL
+      COMMENT "Netlists of the units, ${design}"
+      COMMAND ${CMAKE_SOURCE_DIR}/synth/synth.py --build ${CMAKE_BINARY_DIR} --design ${design} --netlist ${folder}
+              ${modules})
+    add_custom_target(netlist_files_${design} DEPENDS ${files})
+  endforeach()
   add_test(NAME netlists_build COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target netlists)
   set_tests_properties(netlists_build PROPERTIES LABELS "long;netlist" FIXTURES_SETUP netlists TIMEOUT 7200)
 endfunction()

@@ -128,7 +128,9 @@ TABLE = [
     *[Measurement(f"fpga/fast_xcup_{units}", "synth/fpga/fpga.py --build build/. --design fast "
                   f"--units {units} --families xcup --json", ("rtl", "fpga"), points=("fast",)) for units in (1, 4)],
     Measurement("netlist/own_8_6", "build/pipegs sim --design dop --window 8,6 --netlist --no-truth --json",
-                (*RTL, "synth"), points=("dop",)),
+                (*RTL, "synth", "gates"), points=("dop",)),
+    Measurement("netlist/fast_order", "build/pipegs sim --design fast --window 3,3 --netlist --gates dopu,su "
+                "--no-truth --json", (*RTL, "synth", "gates"), points=("fast",)),
     Measurement("proofs/all", "synth/prove.sh", ("rtl", "proofs"), read=proofs),
     Measurement("loops/all", "verif/self/loop.sh", RTL, alone=True),
     *[Measurement(f"trained/plush_{name}", f"build/pipegs train {{scene}} --steps 3000 --layers 8 {options} "

@@ -51,6 +51,7 @@ GROUPS = {  # the folders or files that make it; with - before it, what is not o
     "synth": ["synth", "-synth/data", "-synth/fpga", "-synth/prove", "-synth/points.py", "-synth/depends.py",
               "-synth/declared.py", "-synth/design_points.py", "-synth/lint.sh", "-synth/misread.sh",
               "-synth/memories.sh", "-synth/prove.sh"],
+    "gates": ["sim/rtl/build_rtl.sh", "sim/rtl/verilate.sh"],  # whether a unit is gates
     "fpga": ["synth/fpga"],
     "proofs": ["synth/prove", "synth/prove.sh"],
     "units": [f"verif/{folder}" for folder in ("dopu", "lib", "pu", "ru", "su", "support", "timing")],

@@ -31,33 +31,38 @@ std::optional<int64_t> SequenceCheck::first_cycle() const {
   return first;
 }
 
+RtlTaps& SequenceCheck::second() {
+  second_->cycle = cycle;
+  return *second_;
+}
+
 void SequenceCheck::on_splat(int unit, const uint32_t* splat) {
   size_t& number = splat_frame_[static_cast<size_t>(unit)];
   at(number).on_splat(unit, splat);
   if (at(number).splats_over(unit)) ++number;
-  if (second_ != nullptr) second_->on_splat(unit, splat);
+  if (second_ != nullptr) second().on_splat(unit, splat);
 }
 
 void SequenceCheck::on_sorted(const uint32_t* sorted) {
   at(sorted_frame_).on_sorted(sorted);
   if (at(sorted_frame_).sorted_over()) ++sorted_frame_;
-  if (second_ != nullptr) second_->on_sorted(sorted);
+  if (second_ != nullptr) second().on_sorted(sorted);
 }
 
 void SequenceCheck::on_alphas(int lane, uint64_t window_x, uint64_t window_y, uint32_t index, int region, int quarter,
                               const uint32_t* line) {
   at(left_).on_alphas(lane, window_x, window_y, index, region, quarter, line);
-  if (second_ != nullptr) second_->on_alphas(lane, window_x, window_y, index, region, quarter, line);
+  if (second_ != nullptr) second().on_alphas(lane, window_x, window_y, index, region, quarter, line);
 }
 
 void SequenceCheck::on_pixels(int lane, int region, int quarter, const uint32_t* word) {
   at(left_).on_pixels(lane, region, quarter, word);
-  if (second_ != nullptr) second_->on_pixels(lane, region, quarter, word);
+  if (second_ != nullptr) second().on_pixels(lane, region, quarter, word);
 }
 
 void SequenceCheck::on_frame_left() {
   ++left_;
-  if (second_ != nullptr) second_->on_frame_left();
+  if (second_ != nullptr) second().on_frame_left();
 }
 
 void SequenceCheck::on_frame_done() {
@@ -70,7 +75,7 @@ void SequenceCheck::on_frame_done() {
       one.moved = {one.moved.read + traffic.bytes_read, one.moved.written + traffic.bytes_written};
   }
   ++back_;
-  if (second_ != nullptr) second_->on_frame_done();
+  if (second_ != nullptr) second().on_frame_done();
 }
 
 void SequenceCheck::on_give_up() {
@@ -78,7 +83,7 @@ void SequenceCheck::on_give_up() {
     frames_[i].streams = std::make_unique<StreamCheck>(*frames_[i].expected.input);
   std::fill(splat_frame_.begin(), splat_frame_.end(), back_);
   sorted_frame_ = left_ = back_;
-  if (second_ != nullptr) second_->on_give_up();
+  if (second_ != nullptr) second().on_give_up();
 }
 
 uint64_t SequenceCheck::found(const One& one, uint64_t x, uint64_t y) const {

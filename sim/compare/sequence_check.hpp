@@ -36,12 +36,12 @@ class SequenceCheck final : public RtlTaps {
   void on_give_up() override;  // what is not complete begins anew
   // Only the second one looks at cycles.
   bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }
-  void on_cycle(uint64_t cycle, const uint8_t* states) override { second_->on_cycle(cycle, states); }
-  void on_chunk(int unit, int kind) override { second_->on_chunk(unit, kind); }
-  void on_line_free(int unit) override { second_->on_line_free(unit); }
-  void on_layer_done(int unit, bool window_done) override { second_->on_layer_done(unit, window_done); }
+  void on_cycle(uint64_t number, const uint8_t* states) override { second().on_cycle(number, states); }
+  void on_chunk(int unit, int kind) override { second().on_chunk(unit, kind); }
+  void on_line_free(int unit) override { second().on_line_free(unit); }
+  void on_layer_done(int unit, bool window_done) override { second().on_layer_done(unit, window_done); }
   void on_request(int tag, bool write, uint64_t line, int lines) override {
-    second_->on_request(tag, write, line, lines);
+    second().on_request(tag, write, line, lines);
   }
 
   StreamCheck& frame(size_t number) { return *frames_[number].streams; }
@@ -59,6 +59,7 @@ class SequenceCheck final : public RtlTaps {
     std::vector<uint64_t> written = {};
     MemoryBytes moved = {};
   };
+  RtlTaps& second();               // in this cycle
   StreamCheck& at(size_t number);  // the last frame, where a stream shows more than it should
   void compare_pixels(One& one);
   uint64_t found(const One& one, uint64_t x, uint64_t y) const;  // the pixel in memory

@@ -68,6 +68,7 @@ std::string Mismatch::stream() const {
     case Tap::kAlphas: return "alphas -> RU" + number;
     case Tap::kPixels: return "RU" + number;
     case Tap::kMemory: return "frame";
+    case Tap::kTime: return "time";
   }
   return "";
 }
@@ -78,7 +79,8 @@ std::string Mismatch::signal() const {
     case Tap::kSorted: return "tap_sorted_o";
     case Tap::kAlphas: return "tap_alphas_o";
     case Tap::kPixels: return "tap_pixels_o";
-    case Tap::kMemory: return "";
+    case Tap::kMemory:
+    case Tap::kTime: return "";
   }
   return "";
 }

@@ -27,8 +27,8 @@
 
 namespace pipegs {
 
-// What showed a mismatch: a stream, or the picture in memory.
-enum class Tap { kSplat, kSorted, kAlphas, kPixels, kMemory };
+// What showed a mismatch: a stream, the picture in memory, or the time of gates.
+enum class Tap { kSplat, kSorted, kAlphas, kPixels, kMemory, kTime };
 
 struct Mismatch {
   Tap tap;

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # build_rtl.sh: the machine in one configuration as OUT_DIR/librtl.so:
-#   build_rtl.sh BUILD_DIR OUT_DIR [+waves] [+noasserts] [+netlist] [+apart] [+verilator=OPTION,...]
+#   build_rtl.sh BUILD_DIR OUT_DIR [+waves] [+noasserts] [+dopu] [+pu] [+su] [+ru] [+apart] [+verilator=OPTION,...]
 #                [+cxx=OPTION,...] [+fresh] [key=value ...]
 #
 # PUs, SUs and RUs are classes of their own, whose code all units of a kind call: Verilator merges their functions where
 # it sees that they are equal (units.vlt), the linker where only the compiler could. With +apart, and wherever waves
 # or gates are asked for, every unit has code of its own, as Verilator's -O3 alone makes it: four times as much,
 # which no processor's caches hold. +verilator and +cxx add options, to measure what they gain.
-# With +netlist DOPU, PUs, SUs and RUs are the gates that synth/synth.py maps them to, each unit Verilated once as a
+# With +dopu, +pu, +su, +ru these units are the gates that synth/synth.py maps them to, each unit Verilated once as a
 # library of its own; the rest is RTL. What begins with + says how the machine is simulated (RtlVariant), the rest which
 # machine it is.
 # BUILD_DIR is the CMake build folder (its package_sv and static libraries are used). Nothing is done twice: the library
@@ -41,7 +41,7 @@ for argument in "$@"; do
   case $argument in
     +waves) options+=(--trace-fst) waves=1 shared=0 ;;
     +noasserts) options+=(--no-assert) ;;
-    +netlist) units=(pipegs_dopu pipegs_pu pipegs_su pipegs_ru) shared=0 ;;
+    +dopu | +pu | +su | +ru) units+=("pipegs_${argument#+}") shared=0 ;;
     +apart) shared=0 ;;
     +verilator=*) IFS=, read -ra more <<< "${argument#*=}"; options+=("${more[@]}") ;;
     +cxx=*) IFS=, read -ra more <<< "${argument#*=}"; tuning+=("${more[@]}") ;;
@@ -56,21 +56,26 @@ shards=4
 if [ ${#units[@]} -gt 0 ]; then
   rm -rf "$out/netlists"
   "$root/synth/synth.py" --build "$build" --set "${settings[*]}" --netlist "$out/netlists" "${units[@]}"
+  asked=" ${units[*]} "
   mapfile -t units < <(cd "$out/netlists" && basename -s .v -- *.v)  # a unit with parameters is several
   for unit in "${units[@]}"; do
     "$root/sim/rtl/verilate.sh" "$unit" "$out/units/$unit" "$out/netlists/$unit.v" $shards \
       --lib-create "$unit" --clk clk_i --clk rst_ni
     # Verilator 5.006 leaves it undefined, and the wrapper compares it.
     sed -i 's/long long m_seqnum;/long long m_seqnum = 0;/' "$out/units/$unit/$unit.cpp"
-    options+=(-y "$out/units/$unit")  # the wrapper that it wrote stands before the RTL
+    options+=("$out/units/$unit/$unit.sv")  # the wrapper that it wrote: a module that is read is not looked for in rtl/
   done
-  options+=(-y "$out/netlists")  # NAME.sv chooses among those of a unit
+  mapfile -t choices < <(find "$out/netlists" -name '*.sv')  # NAME.sv chooses among those of a unit
+  options+=("${choices[@]}")
   options+=(-Wno-UNOPTFLAT)  # a wrapper is one process: what comes in as ready and goes out as valid looks like a loop
 fi
 if [ $shared = 1 ]; then
   options=(--inline-mult 2000 "$root/sim/rtl/units.vlt" "${options[@]}")  # -O3 inlines every module
 fi
 "$root/sim/rtl/verilate.sh" pipegs_sim "$out" "$out/pipegs_pkg.sv" $shards -y "$root/sim/rtl" "${options[@]}"
+for unit in ${asked:-}; do
+  if grep -q "$root/rtl/[^ ]*/$unit\.sv" "$out/depends.d"; then echo "build_rtl.sh: $unit is not gates" >&2; exit 1; fi
+done
 # A level of instructions by its name, not the processor's own: through ccache they could reach another one.
 levels=$(/lib64/ld-linux-x86-64.so.2 --help 2> /dev/null | sed -n 's/^ *\(x86-64-v[34]\) (supported.*/\1/p' || true)
 if [ -n "$levels" ]; then tuning=("-march=${levels%%$'\n'*}" "${tuning[@]}"); fi

@@ -24,7 +24,7 @@ std::string variant_words(const RtlVariant& variant, const char* between) {
   std::string words;
   if (variant.waves) words += fmt::format("{}+waves", between);
   if (!variant.asserts) words += fmt::format("{}+noasserts", between);
-  if (variant.netlist) words += fmt::format("{}+netlist", between);
+  for (const std::string& unit : variant.gates) words += fmt::format("{}+{}", between, unit);
   return words;
 }
 
@@ -43,7 +43,7 @@ std::filesystem::path folder_of(std::string name) {
 }  // namespace
 
 RtlVariant built_variant(RtlVariant variant, const RtlOptions& options) {
-  if (variant.netlist && !options.waves.empty()) throw ConfigError("--waves: the netlist writes none");
+  if (!variant.gates.empty() && !options.waves.empty()) throw ConfigError("--waves: the netlist writes none");
   variant.waves = !options.waves.empty();
   return variant;
 }
@@ -76,7 +76,10 @@ std::string build_rtl(const Config& config, const RtlVariant& variant) {
 }
 
 std::unique_ptr<RtlModel> load_rtl(const Config& config, const RtlVariant& variant) {
-  const std::string library = build_rtl(config, variant);
+  return open_rtl(build_rtl(config, variant), config);
+}
+
+std::unique_ptr<RtlModel> open_rtl(const std::string& library, const Config& config) {
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) throw OwnFailure(fmt::format("{}: {}", library, dlerror()));
   using Create = RtlModel* (*)(const Config*);

@@ -144,11 +144,14 @@ struct RtlBuildError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The kinds of units that can be gates.
+inline const std::vector<std::string> kGates = {"dopu", "pu", "su", "ru"};
+
 // How a machine is simulated. It changes neither a cycle nor a bit, only time and what can be seen.
 struct RtlVariant {
-  bool waves = false;    // they can be written
-  bool asserts = true;   // the assertions of the RTL are checked
-  bool netlist = false;  // DOPU, PUs, SUs and RUs are gates
+  bool waves = false;                   // they can be written
+  bool asserts = true;                  // the assertions of the RTL are checked
+  std::vector<std::string> gates = {};  // which of kGates are gates
 };
 
 // The variant that is built for a run. Waves are three quarters of the C++ to compile, so a machine can write them only
@@ -157,6 +160,9 @@ RtlVariant built_variant(RtlVariant variant = {}, const RtlOptions& options = {}
 
 // Loads the machine for a configuration, building it first when this has not been done (see sim/rtl/build_rtl.sh).
 std::unique_ptr<RtlModel> load_rtl(const Config& config, const RtlVariant& variant = {});
+
+// That of a library that is built.
+std::unique_ptr<RtlModel> open_rtl(const std::string& library, const Config& config);
 
 // Brings its library up to date without loading it and returns its path. Throws RtlBuildError.
 std::string build_rtl(const Config& config, const RtlVariant& variant = {});

@@ -3,6 +3,8 @@
 //
 // Idea    A machine that differs is `pipegs_faulty` (faulty_rtl.cpp); a full disk is a limit on the size of files, a
 //         full memory one on the process (ulimit). Disk, memory and standard output are the real ones.
+#include <fmt/format.h>
+
 #include "verif/cli/cli.hpp"
 #include "verif/effects/effect_views.hpp"
 
@@ -77,6 +79,20 @@ TEST_F(ExitCodes, OneWhenTheTimingModelDiffersByOneCycle) {
   EXPECT_EQ(first["model"], "takes a chunk");
 }
 
+// Gates are held against the timing model in time as well, the first event in which they part is named.
+TEST_F(ExitCodes, OneWhenGatesTakeAnotherCycle) {
+  const std::string gates = "sim" + view_ + "--no-truth --netlist --json --out gates";
+  const Outcome none = faulty("none", gates), cycles = faulty("cycles", gates);
+  EXPECT_EQ(none.code, 0) << none.err;
+  EXPECT_EQ(faulty("cycles", "sim" + view_ + "--no-truth").code, 0) << "a run without gates compares no cycles";
+  EXPECT_EQ(cycles.code, 1) << cycles.err;
+  EXPECT_EQ(nlohmann::json::parse(cycles.out)["mismatches"], 1);
+  const uint64_t taken = nlohmann::json::parse(none.out)["cycles"];
+  EXPECT_NE(cycles.err.find(fmt::format("gates take {} cycles, RTL {} ", taken + 1, taken)), std::string::npos);
+  EXPECT_NE(cycles.err.find("they part in cycle "), std::string::npos) << cycles.err;
+  EXPECT_NE(cycles.err.find(": gates nothing, RTL takes a chunk\n"), std::string::npos) << cycles.err;
+}
+
 // The view of verif/effects whose machine without all effects is built for its tests.
 TEST_F(ExitCodes, OneWhenAMachineOfEffectsDiffers) {
   write_ply(folder_ / "quiet.ply", quiet_scene());
@@ -116,6 +132,9 @@ TEST_F(ExitCodes, TwoForWhatTheMachineCannotHold) {
   expect_refused("model scene.ply --cameras flat.json", "fx");
   expect_refused("sim" + view_ + "--memory nothing", "--memory: nothing not in {lpddr5");
   expect_refused("sim" + view_ + "--waves --netlist", "--waves: the netlist writes none");
+  expect_refused("sim" + view_ + "--page --netlist", "--page excludes --netlist");
+  expect_refused("sim" + view_ + "--netlist --gates ru,pus",
+                 "--gates: found ru,pus, expected some of dopu, pu, su, ru");
   expect_refused("ladder" + view_ + "--set taps=0", "taps=1");
 }
 

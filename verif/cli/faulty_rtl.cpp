@@ -9,6 +9,7 @@
 //           cycles  it reports one cycle more, and does not show the first chunk that its DOPU sends
 //           hang    it counts as hung before it can have asked for anything
 //           memory  the run has no memory left; bug: a function breaks its promise
+//         Or it is the library PIPEGS_LIBRTL, of other sources.
 //         Every variant of the default machine is that machine, which changes neither a cycle nor a bit, and need not
 //         be built.
 #include <algorithm>
@@ -126,9 +127,10 @@ std::unique_ptr<RtlModel> faulty_rtl(const Config& config, const RtlVariant& var
     "__wrap__ZN6pipegs8load_rtlERKNS_6ConfigERKNS_10RtlVariantE");
 
 std::unique_ptr<RtlModel> faulty_rtl(const Config& config, const RtlVariant& variant) {
-  const char* fault = std::getenv("PIPEGS_FAULT");
+  const char *fault = std::getenv("PIPEGS_FAULT"), *library = std::getenv("PIPEGS_LIBRTL");
+  if (library != nullptr) return open_rtl(library, config);
   RtlVariant built = variant;  // as few machines as possible
-  built.netlist = false;
+  built.gates.clear();
   built.asserts = variant.asserts || config == Config{};
   return std::make_unique<FaultyMachine>(config, true_rtl(config, built), fault == nullptr ? "" : fault);
 }

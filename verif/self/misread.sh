@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # misread.sh: synth/misread.sh finds each construct that Yosys reads wrong without a word in a planted file, and passes
-# the same file without it; each find is one line that names file, line and construct.
+# the same file without it; each find is one line that names file, line and construct. What it does not find, because it
+# stands over two lines, `check -assert` of synth/lint.sh does. BUILD: the build folder.
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -27,4 +28,10 @@ plant "an element of an array in a concatenation on an output port" \
 printf '%b' 'module planted;\n  logic [3:0] words [4];\n' \
   '  sub u_sub (.a_i({words[2]}), .b_o({bits[2], one}));\nendmodule\n' > "$scratch/planted.sv"
 "$search" "$scratch/planted.sv" || { echo "found where nothing is"; failed=1; }
+mkdir "$scratch/tree"
+"$(dirname "$0")/misread_tree.sh" "$scratch/tree" || exit 3
+if found=$(BUILD=$(realpath "${BUILD:-build}") "$scratch/tree/synth/lint.sh" dopu_nearest); then failed=1; fi
+if [[ $found != "FAIL yosys dopu_nearest "*memrd*held_bucket*" 1 failed" ]]; then
+  echo "over two lines, linted: $found"; failed=1
+fi
 exit "$failed"

@@ -6,11 +6,13 @@
 #include <algorithm>
 
 #include "sim/command/command.hpp"
+#include "sim/command/frame/gate_timing.hpp"
 #include "sim/command/page/frame_page_argument.hpp"
 #include "sim/command/frame/against_argument.hpp"
 #include "sim/command/frame/picture_arguments.hpp"
 #include "sim/command/page/viewer_argument.hpp"
 #include "sim/command/replay.hpp"
+#include "sim/command/sequence/quality.hpp"
 #include "sim/command/sequence/sequence.hpp"
 #include "sim/report/report.hpp"
 #include "sim/effects/effects.hpp"
@@ -29,7 +31,7 @@ struct SimArguments {
   FramePageArgument page;
   ViewerArgument viewer;
   std::string out = "out";
-  std::vector<std::string> effects = {"all"};
+  std::vector<std::string> effects = {"all"}, gates = kGates;
   std::string picture = "windows";
   std::optional<WaveRange> wave_range;
   bool waves = false, netlist = false, json = false, no_truth = false, no_rtl = false;
@@ -65,7 +67,7 @@ std::string replay(const SimArguments& arguments, const CLI::App& command, const
   }
   if (!arguments.netlist)  // gates write none
     more += shown.cycle ? fmt::format(" --waves-around {}", *shown.cycle) : " --waves";
-  if (!arguments.netlist && are_named(arguments.effects)) {
+  if (are_named(arguments.effects)) {
     std::vector<std::string> effects = arguments.effects;
     for (const char* needed : {"waves", "taps"}) {
       if (std::find(effects.begin(), effects.end(), needed) == effects.end()) effects.emplace_back(needed);
@@ -89,7 +91,7 @@ bool has_waves(const RtlOptions& options, int64_t cycle) {
 // The shortest run that shows a mismatch of this one: of its window alone, unless it does not come there.
 Shown shortest(const LoadedView& loaded, const SimulateOptions& options, const Mismatch& first) {
   const std::array<int, 2> window = {static_cast<int>(first.window_x), static_cast<int>(first.window_y)};
-  if (options.variant.netlist || options.window == window) return {window, first.cycle};
+  if (!options.variant.gates.empty() || options.window == window) return {window, first.cycle};
   SimulateOptions alone = options;
   alone.window = window;
   alone.crop.reset();
@@ -117,6 +119,17 @@ std::string run_rtl(const SimArguments& arguments, const CLI::App& command, cons
   }
 }
 
+// In the order of kGates, so that a machine has one name.
+std::vector<std::string> asked_gates(const SimArguments& arguments) {
+  std::vector<std::string> gates;
+  for (const std::string& unit : kGates)
+    if (std::find(arguments.gates.begin(), arguments.gates.end(), unit) != arguments.gates.end()) gates.push_back(unit);
+  if (gates.size() != arguments.gates.size())
+    throw ConfigError(fmt::format("--gates: found {}, expected some of {}", fmt::join(arguments.gates, ","),
+                                  fmt::join(kGates, ", ")));
+  return gates;
+}
+
 void check_outputs(const SimArguments& arguments, const CLI::App& command) {
   arguments.sequence.check(command, arguments.out);
   arguments.page.check();
@@ -131,7 +144,7 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   options.rtl.wave_range = arguments.wave_range;
   options.raster = arguments.picture == "raster";
   arguments.picture_of.apply(arguments.view, true, options);
-  options.variant.netlist = arguments.netlist;
+  if (arguments.netlist) options.variant.gates = asked_gates(arguments);
   if (arguments.no_rtl && !options.rtl.waves.empty()) throw ConfigError("--waves: there are none with --no-rtl");
   built_variant(options.variant, options.rtl);  // refuses waves of gates
   check_outputs(arguments, command);
@@ -151,7 +164,7 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
                          .command = command});
   }
   const bool page = arguments.page.wanted(), record = page && !arguments.no_rtl;
-  if (record) need_taps(options);
+  if (record || arguments.netlist) need_taps(options);
   const LoadedView loaded = load_view(arguments.view);
   arguments.page.check(loaded.camera, options);
   AgainstArgument against = arguments.against;
@@ -173,8 +186,11 @@ int simulate(const SimArguments& arguments, const CLI::App& command) {
   if (!arguments.no_truth) simulate_truth(loaded.scene, loaded.camera, options, simulation);
   if (arguments.effects == kAuto)
     plan = plan_effects(options, find_effects(effect_facts(loaded.scene, options, simulation, false)));
+  std::optional<GateTiming> gates;
+  if (arguments.netlist) gates.emplace(simulation, options);
   std::string wrong;
   if (!arguments.no_rtl) wrong = run_rtl(arguments, command, loaded, options, plan, simulation);
+  if (gates) gates->compare(simulation);
 
   auto report =
       report_json(loaded.scene, loaded.camera, wrong.empty() ? plan.options : options, simulation, loaded.told->all());
@@ -254,9 +270,14 @@ void add_sim(CLI::App& app, Run& run) {
             "what to simulate: all; auto, what the view calls for; or names by commas (pipegs effects lists them)")
       .shows_default();
   add_flag(command, "--netlist", arguments.netlist,
-           "DOPU, PUs, SUs and RUs as gates (use with --window; builds for many minutes)");
+           "units as gates, cycles compared, too (use with --window; builds for many minutes)")
+      .excludes("--effects")
+      .excludes("--page");
+  add_names(command, "--gates", arguments.gates, "units that are gates, some of dopu,pu,su,ru; without it all are")
+      .needs("--netlist");
   add_flag(command, "--no-truth", arguments.no_truth, "leave out the float64 renders and the PSNR");
-  add_flag(command, "--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only, nothing compared");
+  add_flag(command, "--no-rtl", arguments.no_rtl, "leave out the RTL: accuracy and work counts only, nothing compared")
+      .excludes("--netlist");
   add_flag(command, "--json", arguments.json, "print report.json instead of the table");
   when_chosen(command, run, [&command] { return simulate(arguments, command); });
 }

@@ -3,4 +3,4 @@
 from data import data
 
 MEASURED = ["netlist/*"]
-WINDOW = data.netlist.own_8_6
+WINDOW = data.netlist.fast_order
