@@ -28,6 +28,7 @@ SAMPLES = {  # a run of a second or two, from whose JSON the keys are taken; tho
     "explain": "--scale 0.1 --no-rtl --pixel 40,40",
     "info": "",
     "config": "",
+    "render": "--scale 0.1 --views all --model truth",
     "what-if": "--scale 0.1 --set units=2",
     "shapes": "--scale 0.1 --runs 1 --store shapes",
 }

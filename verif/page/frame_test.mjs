@@ -72,6 +72,11 @@ page_test('a pixel under the pointer has the numbers of the files', frame, async
   }
 });
 
+page_test('the photograph has its figures', frame, async (page) => {
+  const {psnr_db, ssim} = report(), told = await text_of(page, '.figures');
+  for (const text of [`${psnr_db.toFixed(2)} dB`, `SSIM ${ssim.toFixed(4)}`]) assert.ok(told.includes(text), told);
+});
+
 page_test('its line prints the Gaussians that it counts', frame, async (page) => {
   await page.mouse.move(...await place_of(page, 200, 150));
   const line = await text_of(page, '.explain code');

@@ -229,6 +229,15 @@ page_test('views against photographs', () => {
   await hover_tells(page, 0, 'c0', 'dB, photograph');
 });
 
+page_test('a sequence', () => {
+  printed.sequence = pipegs('sim', '--size', '64x48', '--views', '0-1', '--no-rtl', '--truth', '--out', 'walk',
+                            '--page')
+    .split('\n').filter((line) => !line.includes('pictures and figures in ')).join('\n');
+  return 'walk/sequence.html';
+}, async (page) => {
+  await look_at_study(page, 'sim --size 64x48 --views 0-1', printed.sequence);
+});
+
 page_test('rivals', () => {
   printed.rivals = pipegs('study', 'rivals', '--size', '128x96', '--out', 'rivals', '--page')
     .split('\n').filter((line) => !line.includes('files in ')).join('\n');

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "scenes/cameras/path.hpp"
@@ -44,11 +43,6 @@ struct KeptFrame {
   std::optional<Quality::Truth> truth;
   Json files;  // FrameFiles::fingerprint
 };
-
-// Equal pictures have a PSNR of null.
-double psnr_from(const Json& json) {
-  return json.is_null() ? std::numeric_limits<double>::infinity() : json_real(json);
-}
 
 KeptFrame read_kept(const Json& json) {
   KeptFrame kept{json_integer<uint64_t>(json.at("cycles")),

@@ -2,8 +2,6 @@
 // figures.cpp: see figures.hpp.
 #include "sim/studies/explore/figures.hpp"
 
-#include <limits>
-
 #include "scenes/text/json.hpp"
 #include "sim/report/finite.hpp"
 
@@ -11,11 +9,6 @@ namespace pipegs {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Equal images have a PSNR of null.
-double psnr_from(const Json& json) {
-  return json.is_null() ? std::numeric_limits<double>::infinity() : json_real(json);
-}
 
 Json to_json(const ErrorFigures& e) {
   return {{"psnr_db", finite_json(e.psnr)}, {"ssim", finite_json(e.ssim)}, {"max", e.max}, {"p999", e.p999}};

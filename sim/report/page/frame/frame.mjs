@@ -26,7 +26,10 @@ function figures(report) {
     figure('compared with the golden model', report.mismatches === 0 ? 'equal' : `${report.mismatches} differ`,
            `${grouped(report.beats_compared)} beats and every pixel`),
   ] : [];
-  return element('div', {class: 'figures'}, ...run, ...psnr,
+  const likeness = typeof report.ssim === 'number' ? `SSIM ${report.ssim.toFixed(4)}` : '';
+  const photograph = report.photograph === undefined
+    ? [] : [figure('against the photograph', decibels(report.psnr_db, true), likeness)];
+  return element('div', {class: 'figures'}, ...run, ...psnr, ...photograph,
                  figure('scene', grouped(scene.gaussians) + ' Gaussians',
                         `${camera.width}x${camera.height} pixels, SH degree ${scene.sh_degree}`));
 }
