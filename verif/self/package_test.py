@@ -8,6 +8,7 @@ Machines    package/machine.py gives each design point without a program, word f
             the modules that Verilator found in it (docs/data/modules.json); other settings by the programs.
 Instance    its template has every port of pipegs_axi in its width: Verilator connects it to the module's header.
 Waivers     of sim/rtl/waivers.vlt hold for our files alone: the same fault in another's is a warning.
+Timescale   docs/integration.md names the option for systems that have one.
 Errors      one line, exit code 2, and no folder.
 """
 import difflib
@@ -98,19 +99,13 @@ def settings(build, folder):
         finds.append(f"machine.py without its programs: {error}")
 
 
-def lint(folder, name, text):
+def lint(folder, name, text, *options):
+    """What Verilator warns of in a module beside our package."""
     path = pathlib.Path(folder, f"{name}.sv")
     path.write_text(text, encoding="utf-8")
-    words = [
-        "verilator",
-        "--lint-only",
-        "--assert",
-        "-Wall",
-        ROOT / "sim/rtl/waivers.vlt",
-        f"{folder}/fast/pipegs_pkg.sv",
-        path,
-    ]
-    run = subprocess.run([*map(str, words), "--top-module", name], capture_output=True, text=True, check=False)
+    words = ["verilator", "--lint-only", "--assert", "-Wall", *options, "--top-module", name]
+    words += [ROOT / "sim/rtl/waivers.vlt", f"{folder}/fast/pipegs_pkg.sv", path]
+    run = subprocess.run([*map(str, words)], capture_output=True, text=True, check=False)
     return run.stderr if run.returncode else ""
 
 
@@ -138,6 +133,13 @@ def waivers(folder):
             finds.append(f"waivers for {name}: {log}")
 
 
+def timescale(folder):
+    """Verilator wants one of our files where another has one, unless an option says it for all."""
+    timed = "`timescale 1ns / 1ps\nmodule timed (input logic a_i, output logic b_o);\n  assign b_o = a_i;\nendmodule\n"
+    if "TIMESCALEMOD" not in lint(folder, "timed", timed) or lint(folder, "timed", timed, "--timescale", "1ns/1ps"):
+        finds.append("docs/integration.md: --timescale is not what a system with a timescale needs")
+
+
 def main():
     build = pathlib.Path(sys.argv[-1]).resolve()
     texts = committed(build, "--write" in sys.argv)
@@ -146,6 +148,7 @@ def main():
         settings(build, folder)
         instance(folder)
         waivers(folder)
+        timescale(folder)
     print("\n".join(finds) or f"{len(texts)} machines are what the programs print")
     return 1 if finds else 0
 
