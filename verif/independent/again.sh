@@ -4,19 +4,14 @@
 # for the last digits, in which numpy's exponential differs from machine to machine. Exits 77 (skipped) without numpy.
 set -euo pipefail
 cd "$(dirname "$0")"
-python=""
-for candidate in python3 /usr/bin/python3; do
-  if "$candidate" -c 'import numpy' 2> /dev/null; then python=$candidate; break; fi
-done
-[ -n "$python" ] || { echo "skipped: no python3 with numpy (apt install python3-numpy)"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-"$python" scene.py "$scratch"
+./with_numpy.sh scene.py "$scratch"
 cmp scene.ply "$scratch/scene.ply"
 diff cameras.json "$scratch/cameras.json"
 for view in 0 1; do
-  "$python" render.py scene.ply cameras.json $view "$scratch/view.pfm"
-  "$python" - "view_$view.pfm" "$scratch/view.pfm" << 'PYTHON'
+  ./with_numpy.sh render.py scene.ply cameras.json $view "$scratch/view.pfm"
+  ./with_numpy.sh - "view_$view.pfm" "$scratch/view.pfm" << 'PYTHON'
 import sys
 import numpy
 old, new = (numpy.frombuffer(open(path, "rb").read()[-64 * 48 * 12 :], "<f4") for path in sys.argv[1:])

@@ -6,37 +6,16 @@
 // equal to each other to the last bit, within the total error that the numbers and the layers of the machine cost.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "cpp_model/float/metrics.hpp"
 #include "cpp_model/float/truth.hpp"
 #include "scenes/ply/ply.hpp"
 #include "sim/compare/simulate.hpp"
+#include "verif/independent/pfm.hpp"
 
 namespace pipegs {
 namespace {
 
 const std::filesystem::path kFolder = PIPEGS_INDEPENDENT;
-
-// A PFM as render.py writes it: "PF", size, little endian, three float32 channels, bottom row first.
-Image read_pfm(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string kind;
-  double scale = 0;
-  int width = 0, height = 0;
-  file >> kind >> width >> height >> scale;
-  file.get();
-  if (!file || kind != "PF" || scale != -1.0) throw std::runtime_error(path.string() + " is no little-endian PFM");
-  Image image(width, height);
-  for (int y = height - 1; y >= 0; --y) {
-    for (int x = 0; x < width; ++x) {
-      float rgb[3];
-      if (!file.read(reinterpret_cast<char*>(rgb), sizeof rgb)) throw std::runtime_error(path.string() + " ends early");
-      image.rgb[image.at(x, y)] = {rgb[0], rgb[1], rgb[2]};
-    }
-  }
-  return image;
-}
 
 class Independent : public testing::TestWithParam<int> {
  protected:

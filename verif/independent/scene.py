@@ -59,17 +59,19 @@ SCENE = [
 ]
 
 
-def write_ply(path):
+def write_ply(path, scene, degree=3, antialiased=False):
     noise = random.Random(1)
-    names = ["x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"] + [f"f_rest_{i}" for i in range(45)]
+    rest = 3 * ((degree + 1) ** 2 - 1)
+    names = ["x", "y", "z", "nx", "ny", "nz", "f_dc_0", "f_dc_1", "f_dc_2"] + [f"f_rest_{i}" for i in range(rest)]
     names += ["opacity", "scale_0", "scale_1", "scale_2", "rot_0", "rot_1", "rot_2", "rot_3"]
     with open(path, "wb") as file:
-        header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(SCENE)}\n"
+        header = "ply\nformat binary_little_endian 1.0\n" + ("comment antialiased 1\n" if antialiased else "")
+        header += f"element vertex {len(scene)}\n"
         file.write((header + "".join(f"property float {name}\n" for name in names) + "end_header\n").encode())
-        for place, sigma, turn, opacity, colour in SCENE:
+        for place, sigma, turn, opacity, colour in scene:
             row = [a + b for a, b in zip(place, CAMERA)] + [0.0] * 3
             row += [(value - 0.5) / 0.28209479177387814 for value in colour]
-            row += [noise.uniform(-0.2, 0.2) for _ in range(45)]
+            row += [noise.uniform(-0.2, 0.2) for _ in range(rest)]
             row += [math.log(opacity / (1 - opacity))] + [math.log(s) for s in sigma] + list(turn)
             file.write(struct.pack(f"<{len(row)}f", *row))
 
@@ -89,7 +91,7 @@ def turned(about_y, about_x):
 
 if __name__ == "__main__":
     folder = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.abspath(__file__))
-    write_ply(f"{folder}/scene.ply")
+    write_ply(f"{folder}/scene.ply", SCENE)
     views = [
         camera(0, list(CAMERA), [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
         camera(1, [3.5, -3.0, 3.25], turned(-0.6, -0.2)),
