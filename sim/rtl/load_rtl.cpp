@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <climits>
 #include <filesystem>
 #include <sstream>
 
@@ -28,9 +29,9 @@ std::string variant_words(const RtlVariant& variant, const char* between) {
   return words;
 }
 
-// The folder of a name. One that a file system might not take (255 bytes) becomes folders in each other, cut at commas.
+// The folder of a name, CMake's too. One that no file system takes becomes folders in each other, cut at commas.
 std::filesystem::path folder_of(std::string name) {
-  constexpr size_t kLongest = 200;
+  constexpr size_t kLongest = NAME_MAX;
   std::filesystem::path folder;
   while (name.size() > kLongest) {
     const size_t comma = name.rfind(',', kLongest);

@@ -17,6 +17,7 @@
 #include "cpp_model/control/registers.hpp"
 #include "sim/compare/simulate.hpp"
 #include "sim/bounds/frame.hpp"
+#include "sim/design/design_point.hpp"
 #include "sim/timing/timing_model.hpp"
 #include "sim/timing/trace/trace.hpp"
 #include "verif/frame/scenes.hpp"
@@ -166,6 +167,14 @@ TEST(Corners, ThePictureKeepsItsBounds) {
     EXPECT_TRUE(report.holds()) << *report.first << "; " << frame.which;
     EXPECT_GT(report.pairs, 100u) << frame.which;
   }
+}
+
+// Else it would be built once more when it first runs.
+TEST(Machines, TheDefaultIsLookedForWhereCMakeBuildsIt) {
+  const Config config = find_design_point(kDefaultDesignPoint).config;
+  const auto folder = std::filesystem::path(build_rtl(config)).parent_path();
+  EXPECT_EQ(folder.parent_path().filename(), "rtl");
+  EXPECT_EQ(folder.filename(), config_difference(config));
 }
 
 }  // namespace
