@@ -8,7 +8,7 @@ foreach(level 0 1)
   add_executable(${headers} EXCLUDE_FROM_ALL ${PIPEGS_HEADERS_SOURCE})
   target_compile_definitions(${headers} PRIVATE VM_TRACE=0 VM_TRACE_FST=0)
   target_compile_options(${headers} PRIVATE -Wall -Wextra -O${level})
-  target_link_libraries(${headers} PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main fmt::fmt)
+  target_link_libraries(${headers} PRIVATE verilated_runtime pipegs_model pipegs_memory pipegs_test_main fmt::fmt)
   target_precompile_headers(${headers} PRIVATE <gtest/gtest.h> <fmt/format.h> <glm/glm.hpp> <verilated.h> <algorithm>
                             <deque> <filesystem> <functional> <map> <memory> <random>
                             ${CMAKE_SOURCE_DIR}/verif/support/bench.hpp)
@@ -42,10 +42,11 @@ function(pipegs_unit_test name)
   foreach(variant ${name} ${name}_waves)
     target_compile_definitions(${variant}_test PRIVATE PIPEGS_SET="${set_text}")
     target_compile_options(${variant}_test PRIVATE -Wall -Wextra -O${level})
-    target_link_libraries(${variant}_test PRIVATE verilated_${variant} pipegs_model pipegs_memory GTest::gtest_main
+    target_link_libraries(${variant}_test PRIVATE verilated_${variant} pipegs_model pipegs_memory pipegs_test_main
                           fmt::fmt)
   endforeach()
   add_test(NAME ${name} COMMAND ${name}_test)
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77)
   if(NOT ARG_SET AND NOT ARG_PARAMETERS AND NOT ARG_RTL_ONLY)
     pipegs_netlist_test(${name} MODULE ${ARG_MODULE} SOURCE ${ARG_SOURCE})
   endif()
@@ -60,8 +61,9 @@ function(pipegs_model_test name)
   target_precompile_headers(${name}_test REUSE_FROM unit_test_headers_O0)
   target_compile_definitions(${name}_test PRIVATE PIPEGS_SET="" VM_TRACE=0 VM_TRACE_FST=0)
   target_compile_options(${name}_test PRIVATE -Wall -Wextra -O0)
-  target_link_libraries(${name}_test PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main fmt::fmt)
+  target_link_libraries(${name}_test PRIVATE verilated_runtime pipegs_model pipegs_memory pipegs_test_main fmt::fmt)
   add_test(NAME ${name} COMMAND ${name}_test)
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77)
 endfunction()
 
 # pipegs_netlist_test(NAME MODULE module [SOURCE file] [DESIGN point] [BROKEN]): the same GoogleTest on the netlist of
@@ -99,7 +101,7 @@ function(pipegs_netlist_test name)
   target_compile_definitions(netlist_${name}_test PRIVATE PIPEGS_SET="${settings}" VM_TRACE=0 VM_TRACE_FST=0)
   # -O0 compiles in a third of the time and runs a tenth as fast.
   target_compile_options(netlist_${name}_test PRIVATE -w -O1)
-  target_link_libraries(netlist_${name}_test PRIVATE verilated_runtime pipegs_model pipegs_memory GTest::gtest_main
+  target_link_libraries(netlist_${name}_test PRIVATE verilated_runtime pipegs_model pipegs_memory pipegs_test_main
                         fmt::fmt)
   add_dependencies(netlists netlist_${name}_test)
   add_test(NAME netlist_${name} COMMAND netlist_${name}_test)
