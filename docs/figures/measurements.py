@@ -115,7 +115,7 @@ TABLE = [
     Measurement("rtl/printed", "build/pipegs sim --out build/out", RTL, points=("fast",), read=shown,
                 picture=("own_scene.png", "out/frame.png")),
     # Gates, proofs, training. Minutes on two cores: 5 to 8 for a frame with waves, after `make synth` of its design
-    # point (20 to 40 from nothing, less where modules are shared); 1 for memories; 20 to 30 for an FPGA; 15 for the
+    # point (20 to 40 from nothing, less where modules are shared); 1 for memories; 20 to 30 for an FPGA; 20 for the
     # netlist, most of it building; 5 for proofs; 6 for loops; 4, 11 and 10 for training.
     *[Measurement(f"silicon/{scene}_{point}", f"build/pipegs silicon {{scene}} --design {point} --json",
                   (*RTL, "silicon", "synth"), scene, points=(point,)) for point in ("fast", "dop", "exact", "baseline")
@@ -127,10 +127,8 @@ TABLE = [
       for name, settings in MEMORIES.items()],
     *[Measurement(f"fpga/fast_xcup_{units}", "synth/fpga/fpga.py --build build/. --design fast "
                   f"--units {units} --families xcup --json", ("rtl", "fpga"), points=("fast",)) for units in (1, 4)],
-    Measurement("netlist/own_8_6", "build/pipegs sim --design dop --window 8,6 --netlist --no-truth --json",
-                (*RTL, "synth", "gates"), points=("dop",)),
-    Measurement("netlist/fast_order", "build/pipegs sim --design fast --window 3,3 --netlist --gates dopu,su "
-                "--no-truth --json", (*RTL, "synth", "gates"), points=("fast",)),
+    Measurement("netlist/fast_3_3", "build/pipegs sim --design fast --window 3,3 --netlist --no-truth --json",
+                (*RTL, "synth", "gates"), points=("fast",)),
     Measurement("proofs/all", "synth/prove.sh", ("rtl", "proofs"), read=proofs),
     Measurement("loops/all", "verif/self/loop.sh", RTL, alone=True),
     *[Measurement(f"trained/plush_{name}", f"build/pipegs train {{scene}} --steps 3000 --layers 8 {options} "

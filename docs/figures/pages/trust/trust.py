@@ -3,4 +3,4 @@
 from data import data
 
 MEASURED = ["netlist/*"]
-WINDOW = data.netlist.fast_order
+WINDOW = data.netlist.fast_3_3
