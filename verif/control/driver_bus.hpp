@@ -75,7 +75,7 @@ class DriverBus {
       frames.push_back(model.shadow());
       left_ = 1 + static_cast<int>(rng() % 300);
     }
-    if (draining_ > 0) --draining_;
+    if (draining_ > 0 && drains) --draining_;
     if (out.abort) {
       if (in.busy) draining_ = 1 + static_cast<int>(rng() % 100);  // what was asked of memory still comes
       left_ = 0, in.frame_done = false, ++aborts;
@@ -90,6 +90,7 @@ class DriverBus {
   ControlRegisters model;
   ControlInputs in;
   bool takes = true;    // false: it neither takes nor finishes a frame
+  bool drains = true;   // false: of what was asked of memory, something never comes
   uint32_t errors = 0;  // that come in the next cycle
   std::function<void()> at_step;
   int reads = 0, idles = 0, aborts = 0;

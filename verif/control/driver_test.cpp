@@ -237,6 +237,24 @@ TEST_F(Driver, AbortsWhatRunsAndWhatIsQueued) {
   EXPECT_EQ(pipegs_wait(&device, ticket, PIPEGS_NO_LIMIT), PIPEGS_GIVEN_UP);
 }
 
+// As many looks as were granted, then the caller has it back; later it can try again.
+TEST_F(Driver, AnAbortThatDoesNotEndTimesOut) {
+  const pipegs_job job = random_job();
+  uint32_t ticket = 0;
+  machine.takes = true, machine.drains = false;
+  ASSERT_EQ(pipegs_queue(&device, &job, PIPEGS_NO_LIMIT, &ticket), PIPEGS_OK);
+  while (!machine.in.busy) machine.step();
+  for (const uint32_t polls : {1u, 2u, 50u}) {
+    const int before = machine.reads;
+    ASSERT_EQ(pipegs_abort(&device, polls), PIPEGS_TIMEOUT);
+    ASSERT_EQ(machine.reads - before, static_cast<int>(polls));
+  }
+  machine.drains = true;
+  ASSERT_EQ(pipegs_abort(&device, PIPEGS_NO_LIMIT), PIPEGS_OK);
+  ASSERT_EQ(pipegs_queue(&device, &job, PIPEGS_NO_LIMIT, &ticket), PIPEGS_OK);
+  ASSERT_EQ(pipegs_wait(&device, ticket, PIPEGS_NO_LIMIT), PIPEGS_OK);
+}
+
 TEST_F(Driver, TellsErrorsWithTheirFirstAddress) {
   char text[400];
   pipegs_error error = pipegs_get_error(&device);
