@@ -3,6 +3,7 @@
 # mutate.sh: mutation tests: each change of one line of a module must make that module's test fail.
 #   mutate.sh [NAME ...]         builds and runs the mutants of these groups or modules of table.sh; without a name, all
 #   mutate.sh --check            builds nothing: each change finds its line
+#   mutate.sh --day DAY          one mutant in 157 of the table, others each day, as `make test` runs them
 #
 # A mutant is built by the commands that ninja has for the test itself: verilate.sh from a copy of rtl/ and sim/rtl/ in
 # $BUILD/mutation/TEST, the C++ of the module, the link; a change of the model compiles the test again. The test must
@@ -11,10 +12,11 @@
 # run.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 3
-root=$PWD here=verif/mutation mutants=0 caught=0 survived=0 broken=0
+root=$PWD here=verif/mutation number=0 mutants=0 caught=0 survived=0 broken=0
 mkdir -p "${BUILD:-build}/mutation" && build=$(cd "${BUILD:-build}" && pwd) || exit 3
-mode=run
+mode=run day=
 if [ "${1:-}" = --check ]; then mode=check && shift; fi
+if [ "${1:-}" = --day ]; then day=$2 && shift 2; fi
 wanted=" $* "
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 declare -A passed
@@ -84,6 +86,8 @@ group() { group=$1; }  # NAME TITLE
 mutant() {  # MODULE WHAT CHANGE [TEST]
   local module=$1 what=$2 test=${4:-${1#pipegs_}} source begin result
   [[ $wanted = "  " || $wanted = *" $module "* || $wanted = *" $group "* ]] || return 0
+  number=$((number + 1))
+  [[ -z $day || $(((number + day) % 157)) = 0 ]] || return 0
   mutants=$((mutants + 1)) source=$(source_of "$module")
   if [ -z "$source" ] || ! apply "$source" "$3"; then
     echo "$here/table.sh: $module: $what: does not change exactly one line of ${source:-a module}"
