@@ -37,6 +37,7 @@ class SequenceCheck final : public RtlTaps {
   // Only the second one looks at cycles.
   bool wants_cycles() const override { return second_ != nullptr && second_->wants_cycles(); }
   void on_cycle(uint64_t number, const uint8_t* states) override { second().on_cycle(number, states); }
+  void on_border(const uint8_t* border) override { second().on_border(border); }
   void on_chunk(int unit, int kind) override { second().on_chunk(unit, kind); }
   void on_line_free(int unit) override { second().on_line_free(unit); }
   void on_layer_done(int unit, bool window_done) override { second().on_layer_done(unit, window_done); }

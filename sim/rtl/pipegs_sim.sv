@@ -24,13 +24,24 @@
   assign state                = CORE.perf_state; \
   assign layer_done           = CORE.layer_done; \
   assign line_free            = CORE.line_free; \
-  assign window_done          = CORE.window_done;
+  assign window_done          = CORE.window_done; \
+  assign border               = { \
+    CORE.u_raster.mem_write, CORE.u_raster.mem_valid & CORE.u_raster.mem_ready, CORE.u_raster.mem_valid, \
+    CORE.u_raster.splat_valid & CORE.u_raster.splat_ready, CORE.u_sorting.spilling, CORE.u_sorting.mem_valid, \
+    CORE.u_sorting.in_order_ready, CORE.u_sorting.in_order_valid, CORE.u_sorting.su_active, \
+    CORE.u_sorting.splat_valid & CORE.u_sorting.splat_ready, CORE.splat_ready, CORE.splat_valid, \
+    CORE.u_front.geometry_line, CORE.u_front.geometry_valid, CORE.u_front.culled_valid, \
+    CORE.u_front.dealt_valid & CORE.u_front.dealt_ready, CORE.u_front.pu_busy, CORE.u_front.chunk_room, \
+    CORE.u_front.chunk_valid, Units'(CORE.u_front.node_line), \
+    Units'(CORE.u_front.node_valid && CORE.u_front.node_ready), Units'(CORE.u_front.node_valid), \
+    Units'(CORE.u_front.dopu_busy)};
 
 module pipegs_sim #(
   localparam int unsigned Bus       = pipegs_pkg::BusW,
   localparam int unsigned MemoryW   = pipegs_pkg::MemoryW,
   localparam int unsigned Units     = pipegs_pkg::Units,
   localparam int unsigned PerfUnits = 1 + 3 * Units,
+  localparam int unsigned Borders   = 23,
   localparam int unsigned TapsN     = Units * pipegs_pkg::TapLanes
 ) (
   input  logic                aclk,
@@ -76,6 +87,7 @@ module pipegs_sim #(
   output logic [Units-1:0]              tap_chunk_valid_o,  // DOPU -> PU
   output logic [pipegs_pkg::KindW-1:0]  tap_chunk_kind_o,
   output logic [PerfUnits*2-1:0]        tap_state_o,        // of each unit in the order of perf_o, see pipegs_perf
+  output logic [Borders*Units-1:0]      tap_border_o,       // what stands at the borders of the units, see RtlBorder
   output logic [Units-1:0]              tap_line_free_o,    // pulse: a line has left the alpha store
   output logic [Units-1:0]              tap_layer_done_o,   // pulse: the RU has blended a layer
   output logic [Units-1:0]              tap_window_done_o   // pulse: with it, the window is complete
@@ -91,6 +103,7 @@ module pipegs_sim #(
   logic [Units*SplatBits-1:0]       splat;
   logic [pipegs_pkg::KindW-1:0]     chunk_kind;
   logic [PerfUnits*2-1:0]           state;
+  logic [Borders*Units-1:0]         border;
 
   if (Bus == 0) begin : gen_port
     // The port orders writes by itself; what a reset core has asked for is counted until it is answered.
@@ -177,6 +190,7 @@ module pipegs_sim #(
   assign tap_chunk_valid_o    = Shown ? chunk_valid : '0;
   assign tap_chunk_kind_o     = Shown ? chunk_kind : '0;
   assign tap_state_o          = Shown ? state : '0;
+  assign tap_border_o         = Shown ? border : '0;
   assign tap_line_free_o      = Shown ? line_free : '0;
   assign tap_layer_done_o     = Shown ? layer_done : '0;
   assign tap_window_done_o    = Shown ? window_done : '0;

@@ -151,6 +151,10 @@ void VerilatedMachine::tap_cycle(RtlTaps& taps) {
     for (int unit = 0; unit < 1 + 3 * w_.units; ++unit)
       states[unit] = static_cast<uint8_t>(top.tap_state_o >> (2 * unit) & 3);
     taps.on_cycle(counted_++, states);
+    uint8_t border[kRtlBorders];
+    PortReader reader(top.tap_border_o);
+    for (uint8_t& one : border) one = static_cast<uint8_t>(reader.next(w_.units));
+    taps.on_border(border);
   }
   running_ = top.tap_busy_o;
   for (int unit = 0; unit < w_.units; ++unit) {

@@ -23,6 +23,35 @@
 
 namespace pipegs {
 
+// What stands at the borders of the units in a cycle: of each, one bit for each unit of its kind (nodes: bit 0), in the
+// order of tap_border_o in pipegs_sim. `Shows`: the valid of a stream; `Takes`: valid and ready.
+enum RtlBorder : uint8_t {
+  kDopuBusy,
+  kNodeAsks,
+  kNodeAsked,
+  kNodeLine,
+  kChunkShows,
+  kChunkRoom,
+  kPuBusy,
+  kVisibleTakes,
+  kCulledShows,
+  kGeometryAsks,
+  kGeometryLine,
+  kSplatShows,
+  kSplatReady,
+  kSuTakes,
+  kSuActive,
+  kOrderedShows,
+  kOrderedReady,
+  kSortAsks,
+  kSpilling,
+  kRuTakes,
+  kRuAsks,
+  kRuAsked,
+  kRuWrites,
+  kRtlBorders
+};
+
 // What the machine shows while it runs. All words are packed records, valid during the call only.
 class RtlTaps {
  public:
@@ -46,6 +75,7 @@ class RtlTaps {
   // First in each cycle that the performance counters count, from 0 on: what each unit does (0 busy, 1 starved, 2
   // blocked, 3 memory), in the order DOPU, PUs, SUs, RUs. What else the cycle shows comes after it.
   virtual void on_cycle(uint64_t /*cycle*/, const uint8_t* /*states*/) {}
+  virtual void on_border(const uint8_t* /*border*/) {}               // of each RtlBorder, in the same cycles
   virtual void on_chunk(int /*unit*/, int /*kind*/) {}               // DOPU -> PU: a chunk or an end beat
   virtual void on_line_free(int /*unit*/) {}                         // a line has left the alpha store of `unit`
   virtual void on_layer_done(int /*unit*/, bool /*window_done*/) {}  // RU `unit` has blended a layer

@@ -429,6 +429,28 @@ mutant pipegs_scheduler "a frame is taken before the back has begun the one in t
 mutant pipegs_scheduler "splats of the next frame are let in" "s/(hold_o *= )enter_q == '0/\11'b0/"
 mutant pipegs_scheduler "the RUs are heard while they finish the frame before" 's/(listen_o *= )!ahead_q && /\1/'
 
+# --- what units say that they do --------------------------------------------------------------------------------------
+group states "States of the units (\`perf_o\`), against what stands at their borders"
+mutant dopu_activity "busy reads as starved" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_states
+mutant dopu_activity "busy reads as blocked" 's/(moved_i \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_states
+mutant dopu_activity "starved and blocked change places" \
+       's/Blocked( : pipegs_pkg::Perf)Starved/Starved\1Blocked/' machine_states
+mutant pu_state "busy reads as starved" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_states
+mutant pu_state "busy reads as blocked" 's/(front_i\) state_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_states
+mutant pu_state "starved reads as blocked" 's/(else state_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_states
+mutant pipegs_su "busy reads as starved" 's/(moves\) perf_o = pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_states
+mutant pipegs_su "busy reads as blocked" 's/(moves\) perf_o = pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_states
+mutant pipegs_su "starved reads as blocked" 's/^( +perf_o = pipegs_pkg::)PerfStarved/\1PerfBlocked/' machine_states
+mutant pipegs_su "blocked reads as starved" \
+       's/(ready_i\) perf_o = pipegs_pkg::)PerfBlocked/\1PerfStarved/' machine_states
+mutant pipegs_su "what the sorter does does not count" 's/(moves += gather_moves) \|\| sort_moves/\1/' machine_states
+mutant pipegs_ru "busy reads as starved" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfStarved/' machine_states
+mutant pipegs_ru "busy reads as blocked" 's/(moves \? pipegs_pkg::)PerfBusy/\1PerfBlocked/' machine_states
+mutant pipegs_ru "starved and blocked change places" \
+       's/Blocked( : pipegs_pkg::Perf)Starved/Starved\1Blocked/' machine_states
+mutant pipegs_ru "pixels that begin do not count" 's/(moves += )issue \|\| /\1/' machine_states
+mutant pipegs_ru "a line that leaves does not count" 's/ \|\| \(store_valid && store_ready\)//' machine_states
+
 # --- rtl/lib ----------------------------------------------------------------------------------------------------------
 group lib "Library"
 mutant pipegs_fifo "accepts a word when full" 's/(push *= in_valid_i) && in_ready_o/\1/'

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// states_test: a machine whose units say that they do something else than they do is caught, in any of its cycles.
+//
+// Idea    What the default machine shows in a small frame is kept, and shown to StateCheck again with a fault in it:
+//         one state stands for another in all cycles of a unit, or in one cycle. Faults of the RTL itself are in
+//         verif/mutation/table.sh, with the test machine_states.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <random>
+
+#include "sim/compare/frame_watch.hpp"
+#include "sim/compare/simulate.hpp"
+#include "verif/top/state_check.hpp"
+#include "verif/frame/machines.hpp"
+#include "verif/frame/scenes.hpp"
+#include "verif/support/draws.hpp"
+
+namespace pipegs {
+namespace {
+
+constexpr const char* kStates[] = {"busy", "starved", "blocked", "memory"};
+constexpr const char* kUnits[] = {"DOPU", "PU 0", "SU 0", "RU 0"};
+
+struct Shown {  // in a cycle
+  int64_t cycle;
+  std::vector<uint8_t> states, border;
+  std::vector<std::function<void(StateCheck&)>> rest;
+};
+
+class Recorder final : public RtlTaps {
+ public:
+  explicit Recorder(const Config& config) : config_(config) {}
+  bool wants_cycles() const override { return true; }
+  void on_cycle(uint64_t number, const uint8_t* states) override {
+    shown.push_back({static_cast<int64_t>(number), {states, states + 1 + 3 * config_.units}, {}, {}});
+  }
+  void on_border(const uint8_t* border) override { shown.back().border.assign(border, border + kRtlBorders); }
+  void on_chunk(int unit, int kind) override {
+    if (kind != kData) shown.back().rest.push_back([=](StateCheck& check) { check.on_end(unit); });
+  }
+  void on_layer_done(int unit, bool) override {
+    shown.back().rest.push_back([=](StateCheck& check) { check.on_layer_done(unit); });
+  }
+  void on_request(int tag, bool write, uint64_t, int lines) override {
+    if (!shown.empty()) shown.back().rest.push_back([=](StateCheck& check) { check.on_request(tag, write, lines); });
+  }
+  void on_pixels(int lane, int, int, const uint32_t*) override {
+    shown.back().rest.push_back([unit = lane / config_.tap_lanes()](StateCheck& check) { check.on_pixels(unit); });
+  }
+  std::vector<Shown> shown;
+
+ private:
+  const Config& config_;
+};
+
+class States : public testing::Test {
+ protected:
+  static const SimulateOptions& options() {
+    static const SimulateOptions options = machine(kFast);
+    return options;
+  }
+  // A frame in which some units wait for their memory and some are blocked.
+  static const Recorder& run() {
+    static Simulation simulation;
+    static Recorder recorder(options().config);
+    if (recorder.shown.empty()) {
+      SimulateOptions with = options();
+      with.taps = &recorder;
+      simulate_golden(random_scene(3, 3000, 1), test_camera(150, 140, 150), with, simulation);
+      simulate_rtl(with, simulation);
+      EXPECT_EQ(simulation.mismatches, 0u) << simulation.first_mismatch->what;
+      counters_ = simulation.rtl;
+    }
+    return recorder;
+  }
+  // What is said of the frame, of which `alter` changes the states of cycles.
+  using Alter = std::function<void(size_t cycle, uint8_t* states)>;
+  static std::vector<StateCheck::Wrong> check(const Alter& alter, const RtlResult* counters = nullptr) {
+    std::vector<StateCheck::Wrong> lines;
+    StateCheck check(options().config, false, [&](const StateCheck::Wrong& wrong) { lines.push_back(wrong); });
+    for (size_t i = 0; i < run().shown.size(); ++i) {
+      const Shown& one = run().shown[i];
+      std::vector<uint8_t> states = one.states;
+      if (alter) alter(i, states.data());
+      check.on_cycle(one.cycle, states.data());
+      check.on_border(one.border.data());
+      for (const auto& rest : one.rest) rest(check);
+    }
+    if (counters != nullptr) check.finish(*counters);
+    return lines;
+  }
+  // The first unit of each kind: where its state stands.
+  static std::array<size_t, 4> first_units() {
+    const auto units = static_cast<size_t>(options().config.units);
+    return {0, 1, 1 + units, 1 + 2 * units};
+  }
+  static inline RtlResult counters_;
+};
+
+TEST_F(States, AMachineWithoutAFaultAgrees) {
+  run();
+  EXPECT_EQ(check({}, &counters_).size(), 0u);
+}
+
+TEST_F(States, OneStateForAnotherIsSeen) {
+  for (size_t kind = 0; kind < 4; ++kind) {
+    const size_t unit = first_units()[kind];
+    for (int from = 0; from < 4; ++from) {
+      for (int to = 0; to < 4; ++to) {
+        uint64_t changed = 0;
+        const std::vector<StateCheck::Wrong> lines = check([&](size_t, uint8_t* states) {
+          if (states[unit] != from || to == from) return;
+          states[unit] = static_cast<uint8_t>(to);
+          ++changed;
+        });
+        if (changed == 0) continue;  // the unit is never so
+        // While a DOPU or an RU waits, it may do what does not show.
+        if (kind % 3 == 0 && from != kStarved && to == kBusy) continue;
+        EXPECT_FALSE(lines.empty()) << kUnits[kind] << ": " << kStates[from] << " became " << kStates[to];
+        if (lines.empty()) continue;
+        EXPECT_EQ(lines[0].unit, kUnits[kind]);
+        EXPECT_EQ(lines[0].found, kStates[to]);
+      }
+    }
+  }
+}
+
+// Of those that are another one in a single cycle. What a unit does with nothing at its borders stays open.
+TEST_F(States, MostSingleStatesAreSeen) {
+  std::mt19937_64 rng(1);
+  const size_t cycles = run().shown.size();
+  for (size_t kind = 0; kind < 4; ++kind) {
+    std::map<int64_t, int> places;  // cycle, what is added to the state
+    for (int i = 0; i < 300; ++i) {
+      const int64_t cycle = draw_integer(rng, 20, static_cast<int64_t>(cycles) - 20);
+      places[cycle] = static_cast<int>(draw_integer(rng, 1, 3));
+    }
+    const std::vector<StateCheck::Wrong> lines = check([&](size_t cycle, uint8_t* states) {
+      uint8_t& state = states[first_units()[kind]];
+      const auto place = places.find(static_cast<int64_t>(cycle));
+      if (place != places.end()) state = static_cast<uint8_t>((state + place->second) % 4);
+    });
+    const auto seen = std::count_if(lines.begin(), lines.end(), [&](const StateCheck::Wrong& wrong) {
+      return wrong.unit == kUnits[kind] && places.count(wrong.cycle) != 0;
+    });
+    fmt::print("{}: {} of {} single states are seen\n", kUnits[kind], seen, places.size());
+    EXPECT_GE(seen, static_cast<int64_t>(places.size()) / 2) << kUnits[kind];
+  }
+}
+
+TEST_F(States, CountersOfOtherStatesAreSeen) {
+  run();
+  RtlResult wrong = counters_;
+  --wrong.su[1].starved, ++wrong.su[1].busy;
+  const std::vector<StateCheck::Wrong> lines = check({}, &wrong);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].unit, "SU 1");
+}
+
+}  // namespace
+}  // namespace pipegs
