@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <climits>
 #include <cstring>
+#include <fstream>
 #include <random>
 #include <string>
 #include <system_error>
@@ -144,6 +145,15 @@ void AtomicFile::commit() {
   if (error) throw OwnFailure(path_.string() + ": cannot write: " + error.message());
   forget();
   committed_ = true;
+}
+
+void write_whole(const std::filesystem::path& path, const std::string& text) {
+  AtomicFile file(path);
+  std::ofstream out(file.temporary(), std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw OwnFailure(path.string() + ": cannot write");
+  file.commit();
 }
 
 }  // namespace pipegs

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <system_error>
 
 namespace pipegs {
@@ -32,6 +33,9 @@ class AtomicFile {
   std::filesystem::path path_, temporary_, beside_;
   bool committed_ = false;
 };
+
+// A file of this text.
+void write_whole(const std::filesystem::path& path, const std::string& text);
 
 // A new empty file in the folder; an empty path and the error where none can be made.
 std::filesystem::path make_temporary_file(const std::filesystem::path& folder, std::error_code& error);

@@ -4,12 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 
 #include "scenes/atomic_file.hpp"
 #include "scenes/input_error.hpp"
-#include "scenes/own_failure.hpp"
 #include "sim/progress.hpp"
 
 namespace pipegs {
@@ -81,12 +79,7 @@ void write_images(const std::string& folder, const Image& image, const std::opti
 
 void write_text(const fs::path& path, const std::string& text) {
   make_folder_of(path);
-  AtomicFile file(path);
-  std::ofstream out(file.temporary(), std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw OwnFailure(path.string() + ": cannot write");
-  file.commit();
+  write_whole(path, text);
 }
 
 }  // namespace pipegs

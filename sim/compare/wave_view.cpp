@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <gtkwave/fstapi.h>
 
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,12 +69,7 @@ void write_wave_view(const std::filesystem::path& waves, std::optional<int64_t> 
     text += fmt::format("@{:x}\n-{}\n", kTitle, group.title);
     add(group.begin);
   }
-  AtomicFile file(std::filesystem::path(waves).replace_extension(".gtkw"));
-  std::ofstream out(file.temporary(), std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw OwnFailure(waves.string() + ": the view of the waves cannot be written");
-  file.commit();
+  write_whole(std::filesystem::path(waves).replace_extension(".gtkw"), text);
 }
 
 }  // namespace pipegs

@@ -9,7 +9,6 @@
 
 #include "scenes/atomic_file.hpp"
 #include "scenes/input_error.hpp"
-#include "scenes/own_failure.hpp"
 #include "scenes/text/json.hpp"
 #include "scenes/text/text_file.hpp"
 #include "sim/measured_by.hpp"
@@ -106,12 +105,7 @@ std::optional<Json> MeasurementStore::measured(const Config& config) const {
 
 void MeasurementStore::save(const Config& config, const Json& measured) const {
   if (folder_.empty()) return;
-  AtomicFile file(path(config));
-  std::ofstream out(file.temporary(), std::ios::binary);
-  out << json_text(Json{{"key", key(config)}, {"measured", measured}}, 1) << "\n";
-  out.close();
-  if (!out) throw OwnFailure(path(config).string() + ": cannot write");
-  file.commit();
+  write_whole(path(config), json_text(Json{{"key", key(config)}, {"measured", measured}}, 1) + "\n");
 }
 
 std::string hash_of_text(const std::string& text) {
